@@ -60,7 +60,7 @@ LabeledObstacle obstacle_of(const Simulation::Perception& perception, std::size_
   const Pair pair{robot.position - neighbor.position, robot.velocity - neighbor.velocity,
                   robot.radius + neighbor.radius};
   if (options.method == Method::reciprocal_velocity_obstacle &&
-      neighbor.behavior == Behavior::decides) {  // α times as large, its apex moved by α to v_B
+      shares(neighbor)) {  // α times as large, its apex moved by α to v_B
     const double alpha = reciprocal_share(robot.max_acceleration, neighbor.max_acceleration,
                                           robot.priority, neighbor.priority);
     const Pair own{pair.position, alpha * pair.velocity, pair.radius};

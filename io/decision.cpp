@@ -205,9 +205,9 @@ Json obstacles_of(const Decision& decision) {
                          {"velocity", to_json(neighbor.velocity)},
                          {"acceleration", to_json(neighbor.acceleration)},
                          {"radius", neighbor.radius},
-                         {"max_acceleration", decides ? neighbor.max_acceleration : 0.0},
-                         {"priority", decides ? Json(neighbor.priority) : Json()},
-                         {"behavior", decides ? "decides" : "moves_on"},
+                         {"max_acceleration", shares ? neighbor.max_acceleration : 0.0},
+                         {"priority", shares ? Json(neighbor.priority) : Json()},
+                         {"behavior", to_string(neighbor.behavior)},
                          {"share", share_of(seen.robot, neighbor)}});
     if (neighbor.age > 0) obstacles.back()["age"] = neighbor.age;
     if (decides) obstacles.back()["max_braking"] = braking_limit(neighbor);
@@ -218,6 +218,7 @@ Json obstacles_of(const Decision& decision) {
           std::isfinite(neighbor.max_speed) ? Json(neighbor.max_speed) : Json();
     }
     if (!decision.risks.empty()) obstacles.back()["risk"] = decision.risks[k];
+    const bool shares = avo::shares(neighbor);
   }
   return obstacles;
 }

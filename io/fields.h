@@ -28,8 +28,8 @@ struct MembersOf {
 };
 template <>
 struct MembersOf<avo::RobotSetup> {
-  using type =
-      MemberOf<avo::RobotSetup, double, std::optional<double>, avo::Vec2, bool, avo::LayerSet>;
+  using type = MemberOf<avo::RobotSetup, double, std::optional<double>, avo::Vec2, bool,
+                        avo::LayerSet, avo::Behavior>;
 };
 template <>
 struct MembersOf<avo::MovingObstacle> {
@@ -182,6 +182,8 @@ inline constexpr std::array<std::pair<std::string_view, avo::NoiseDistribution>,
 inline const auto kAccelerationSets =
     by_name(avo::AccelerationSet::incircle, avo::AccelerationSet::exact);
 
+/// Of robots: who reacts to nobody is a moving obstacle.
+inline const auto kBehaviors = by_name(avo::Behavior::decides, avo::Behavior::cooperates);
 inline const auto kAfterGoals = by_name(avo::AfterGoal::loiter, avo::AfterGoal::leave);
 
 /// The alternatives of avo::MotionModel, in their order.

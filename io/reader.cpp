@@ -226,6 +226,10 @@ void Reader::set(avo::AccelerationSet& value, const YamlNode& node, const Path& 
   value = choice(node, path, kAccelerationSets);
 }
 
+void Reader::set(avo::Behavior& value, const YamlNode& node, const Path& path, const Rule&) const {
+  value = choice(node, path, kBehaviors);
+}
+
 void Reader::set(avo::AfterGoal& value, const YamlNode& node, const Path& path, const Rule&) const {
   value = choice(node, path, kAfterGoals);
 }

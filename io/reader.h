@@ -109,6 +109,7 @@ class Reader {
   void set(RosMode& value, const YamlNode& node, const Path& path, const Rule& rule) const;
   void set(avo::NoiseDistribution& value, const YamlNode& node, const Path& path,
            const Rule& rule) const;
+  void set(avo::Behavior& value, const YamlNode& node, const Path& path, const Rule& rule) const;
   void set(avo::AfterGoal& value, const YamlNode& node, const Path& path, const Rule& rule) const;
   void set(avo::AccelerationSet& value, const YamlNode& node, const Path& path,
            const Rule& rule) const;

@@ -47,6 +47,8 @@ const std::vector<Field<RobotSetup>>& fields() {
       {"layers", &RobotSetup::layers, kOptional, kLayer, "", "that it is in"},
       {"avoids", &RobotSetup::avoids, kOptional, kLayer, "",
        "it avoids the robots that are in one of these layers", "all of them"},
+      {"behavior", &RobotSetup::behavior, kOptional, kNoNumber, "",
+       "cooperates: it does its share, and the others do not count on it to brake"},
       {"time_step", &RobotSetup::time_step, kOptional, kPositive, "s",
        "between its own decisions; only where clock is free", "the scene's"},
   };

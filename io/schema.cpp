@@ -98,6 +98,9 @@ ValueSchema describe(avo::NoiseDistribution value, const avo::Range&) {
 ValueSchema describe(avo::AccelerationSet value, const avo::Range&) {
   return {names_schema(kAccelerationSets), value_name(kAccelerationSets, value)};
 }
+ValueSchema describe(avo::Behavior value, const avo::Range&) {
+  return {names_schema(kBehaviors), value_name(kBehaviors, value)};
+}
 ValueSchema describe(avo::AfterGoal value, const avo::Range&) {
   return {names_schema(kAfterGoals), value_name(kAfterGoals, value)};
 }

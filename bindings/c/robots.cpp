@@ -27,7 +27,8 @@ avo::RobotSetup setup_of(const avo_robot_def& def, const Where& where) {
           .layers = {def.layers},
           .avoids = {def.avoids},
           .time_step = unless_zero(def.time_step),
-          .max_braking = unless_zero(def.max_braking)};
+          .max_braking = unless_zero(def.max_braking),
+          .behavior = word<avo::Behavior>(def.behavior, 3, where, "behavior")};
 }
 
 avo_robot_def def_of(const avo::RobotSetup& setup) {
@@ -48,6 +49,7 @@ avo_robot_def def_of(const avo::RobotSetup& setup) {
   def.avoids = setup.avoids.bits;
   def.time_step = setup.time_step.value_or(0.0);
   def.max_braking = setup.max_braking.value_or(0.0);
+  def.behavior = static_cast<avo_behavior>(setup.behavior);
   return def;
 }
 
@@ -71,7 +73,7 @@ avo::Neighbor neighbor_of(const avo_neighbor& neighbor, const Where& where) {
           .velocity = from_c(neighbor.velocity),
           .radius = neighbor.radius,
           .max_acceleration = neighbor.max_acceleration,
-          .behavior = word<avo::Behavior>(neighbor.behavior, 2, where, "behavior"),
+          .behavior = word<avo::Behavior>(neighbor.behavior, 3, where, "behavior"),
           .age = neighbor.age,
           .priority = neighbor.priority,
           .max_braking = unless_zero(neighbor.max_braking),

@@ -48,38 +48,44 @@ struct Robot {
 enum class Behavior : std::uint8_t {
   decides,   ///< calls plan() at the same times: does its share, and can brake
   moves_on,  ///< reacts to nobody; keeps its acceleration, as far as max_deviation says: A does all
+  /// Does its share as one that decides, and promises nothing: a robot of another make, a polite
+  /// person. Half-planes count on the share. A certificate takes it to keep its velocity, as far as
+  /// max_deviation says (docs/certificate.md, "Whoever cooperates").
+  cooperates,
 };
+AVO_API const char* to_string(Behavior behavior);
 
 /// Another robot B as A senses it, or a moving obstacle. What is read of most comes first.
 struct Neighbor {
   Vec2 position = {};             ///< [p_B] m
   Vec2 velocity = {};             ///< [v_B] m/s
   double radius = 0.5;            ///< [r_B] m, > 0
-  double max_acceleration = 1.0;  ///< [a_B^max] m/s^2, > 0; read only where B decides
+  double max_acceleration = 1.0;  ///< [a_B^max] m/s^2, > 0; not read where B moves on
   Behavior behavior = Behavior::decides;
   /// [d] whole steps, 0 to kMostAge: how long ago it was last sensed. It has been carried on since:
   /// at constant velocity, or at its acceleration where it moves on. braking_trajectories then
   /// allows for d Δt of whatever else it may have done, besides the declared SensingError of what
   /// was sensed (docs/certificate.md, "Age").
   int age = 0;
-  double priority = 1.0;  ///< [p_B] > 0, see Robot::priority; read only where B decides
+  double priority = 1.0;  ///< [p_B] > 0, see Robot::priority; not read where B moves on
   /// [b_B] m/s^2, see Robot::max_braking; likewise
   std::optional<double> max_braking = {};
   /// What B falls back on, where it decides: to turn right on this circle for ever, which its
   /// position and velocity lie on. Its age is 0. Unset: to brake.
   std::optional<LoiterCircle> loiter = {};
   /// [η] m/s^2, >= 0. Of one that moves on: its acceleration may at any time be that far from the
-  /// one given. A certificate keeps A clear of wherever it may then be while A moves. Of one that
-  /// decides, and has an age: its acceleration, where that may be more than max_acceleration, as
-  /// that of a car with the exact set, which is up to √2 times as much.
+  /// one given; of one that cooperates, from 0. A certificate keeps A clear of wherever it may then
+  /// be while A moves. Of one that decides, and has an age: its acceleration, where that may be
+  /// more than max_acceleration, as that of a car with the exact set, which is up to √2 times as
+  /// much.
   double max_deviation = 0.0;
   /// m, >= 0: by how much more its position may be off than the declared SensingError and its age
   /// say, as that of a car whose body is off its axle, and which has been carried on.
   double position_error = 0.0;
   Vec2 acceleration = {};  ///< [a_B] m/s^2, observed; read only where B moves on
-  /// m/s, > 0, of one that moves on: it is never faster. Read only with a max_deviation.
+  /// m/s, > 0, of one that does not decide: it is never faster. Read only with a max_deviation.
   double max_speed = std::numeric_limits<double>::infinity();
-  /// Unit, or 0: of one that decides, and that coincides with A in place and velocity, the
+  /// Unit, or 0: of one that does its share, and that coincides with A in place and velocity, the
   /// direction in which A leaves it; B has to mean the opposite one. That of parting_direction()
   /// suits any number of robots. Without it two that coincide, and wish for the same, stay one. It
   /// is in place of the pair's half-plane: of those that do not coincide it has to be 0.
@@ -95,6 +101,15 @@ struct Neighbor {
 /// unit, the opposite one if the ids are exchanged, 0 of equal ids. Of any number of robots at one
 /// place each leaves all others towards its own side.
 AVO_API Vec2 parting_direction(std::uint64_t id, std::uint64_t other);
+
+/// Whether A does a part only of what the two have to do to keep apart.
+inline bool shares(const Neighbor& neighbor) {
+  return neighbor.behavior != Behavior::moves_on;
+}
+/// Whether nobody counts on it to brake: it is where its motion leads.
+inline bool is_predicted(const Neighbor& neighbor) {
+  return neighbor.behavior != Behavior::decides;
+}
 
 /// Whether other errors are allowed for than the declared ones.
 inline bool has_errors_of_its_own(const Neighbor& neighbor) {

@@ -43,6 +43,8 @@ struct RobotSetup {
   std::optional<double> time_step = {};
   /// [b] m/s^2, > 0, see Robot::max_braking; unset: max_acceleration
   std::optional<double> max_braking = {};
+  /// What others count on: decides, or cooperates. Who reacts to nobody is a MovingObstacle.
+  Behavior behavior = Behavior::decides;
 };
 
 /// Of the disc that others sense.

@@ -26,7 +26,7 @@ export interface Sensed {
   radius: number;
   max_acceleration: number;     // 0 of who does not decide
   priority: number | null;      // null likewise
-  behavior: "decides" | "moves_on";
+  behavior: "decides" | "moves_on" | "cooperates";
   share: number;                // of what the two have to do, the part of the robot that decides here
   max_braking?: number;
   age?: number;                 // steps since it was measured, where it is carried on

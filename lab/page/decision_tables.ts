@@ -82,7 +82,8 @@ export function numbersTable(decision: Decision): HTMLElement {
 function behaviorOf(sensed: Sensed): string {
   const age = sensed.age ? `, ${sensed.age} steps old` : "";
   if (sensed.behavior === "decides") return `decides${age}`;
-  return `${sensed.max_deviation ? `moves on, within ${digits(sensed.max_deviation)} m/s²` : "moves on"}${age}`;
+  const what = sensed.behavior.replaceAll("_", " ");
+  return `${sensed.max_deviation ? `${what}, within ${digits(sensed.max_deviation)} m/s²` : what}${age}`;
 }
 
 const ROWS = 40;  // beyond these nobody reads on

@@ -179,6 +179,11 @@ std::optional<double> find_certain(double coordinates, double radii, const Find&
 
 std::optional<double> inevitable_contact(const Robot& robot, const Neighbor& neighbor,
                                          const StepLaw& law) {
+  if (neighbor.behavior == Behavior::cooperates) {  // it too may do its best
+    Neighbor best = neighbor;
+    best.behavior = Behavior::decides;
+    return inevitable_contact(robot, best, law);
+  }
   return find_certain(length_1(robot.position) + length_1(neighbor.position),
                       robot.radius + neighbor.radius,
                       [&](double lost) { return find_contact_of(robot, neighbor, law, lost); });

@@ -19,7 +19,7 @@ inline constexpr std::size_t kSpareNeighbors = 16;
 struct MoverMotion {
   Vec2 acceleration;           // m/s²
   double max_deviation = 0.0;  // m/s²
-  double max_speed = 0.0;      // m/s
+  double max_speed = 0.0;      // m/s; of one that decides not kept
   const Trajectory* trajectory = nullptr;
   double trajectory_time = 0.0;  // s
 };
@@ -27,7 +27,7 @@ struct MoverMotion {
 /// Neighbors of one robot or of several; allocates only while it grows.
 struct NeighborColumns {
   std::size_t count = 0;
-  bool has_movers = false;                       // some do not decide
+  bool has_movers = false;                       // some do not decide: they move on or cooperate
   bool has_aged = false;                         // some have errors of their own
   bool has_priorities = false;                   // some have another one than 1
   bool has_max_braking = false;                  // some have one
@@ -46,8 +46,12 @@ struct NeighborColumns {
   std::vector<Vec2> parting;         // 0 unless add() was told otherwise
 
   // It decides and has the declared errors; it decides and has its own; it moves on; it decides and
-  // does not brake.
-  static constexpr double kPrompt = 1.0, kAged = -1.0, kMover = 0.0, kLoiterer = -2.0;
+  // does not brake; it cooperates.
+  static constexpr double kPrompt = 1.0, kAged = -1.0, kMover = 0.0, kLoiterer = -2.0,
+                          kCooperator = -3.0;
+  bool is_predicted(std::size_t k) const {
+    return decides[k] == kMover || decides[k] == kCooperator;
+  }
 
   /// Room for so many.
   void reserve(std::size_t neighbors) {
@@ -59,9 +63,14 @@ struct NeighborColumns {
     v_x[count] = neighbor.velocity.x, v_y[count] = neighbor.velocity.y;
     radius[count] = neighbor.radius, max_acceleration[count] = neighbor.max_acceleration;
     const bool moves_on = neighbor.behavior == Behavior::moves_on;
+    const bool predicted = avo::is_predicted(neighbor);
     const bool aged = has_errors_of_its_own(neighbor);
-    const bool loiters = !moves_on && neighbor.loiter.has_value();
-    decides[count] = moves_on ? kMover : loiters ? kLoiterer : aged ? kAged : kPrompt;
+    const bool loiters = !predicted && neighbor.loiter.has_value();
+    decides[count] = moves_on    ? kMover
+                     : predicted ? kCooperator
+                     : loiters   ? kLoiterer
+                     : aged      ? kAged
+                                 : kPrompt;
     if (loiters) loiter[count] = *neighbor.loiter;
     has_loiterers = has_loiterers || loiters;
     age[count] = neighbor.age, position_error[count] = neighbor.position_error;
@@ -69,14 +78,14 @@ struct NeighborColumns {
     max_braking[count] = braking_limit(neighbor);
     if (neighbor.parting != Vec2{}) part(count, neighbor.parting);
     motion[count].max_deviation = neighbor.max_deviation;
-    if (moves_on) {
-      motion[count].acceleration = neighbor.acceleration;
+    if (predicted) {
+      motion[count].acceleration = moves_on ? neighbor.acceleration : Vec2{};
       motion[count].max_speed = neighbor.max_speed;
-      motion[count].trajectory = neighbor.trajectory;
+      motion[count].trajectory = moves_on ? neighbor.trajectory : nullptr;
       motion[count].trajectory_time = neighbor.trajectory_time;
     }
     ++count;
-    has_movers = has_movers || moves_on;
+    has_movers = has_movers || predicted;
     has_deviations = has_deviations || neighbor.max_deviation > 0.0;
     has_aged = has_aged || aged;
     has_priorities = has_priorities || neighbor.priority != 1.0;
@@ -118,8 +127,8 @@ struct NeighborColumns {
     if (decides[i] == kLoiterer) neighbor.loiter = loiter[i];
     if (has_deviations) neighbor.max_deviation = motion[i].max_deviation;
     if (has_partings) neighbor.parting = parting[i];
-    if (decides[i] != kMover) return neighbor;
-    neighbor.behavior = Behavior::moves_on;
+    if (!is_predicted(i)) return neighbor;
+    neighbor.behavior = decides[i] == kMover ? Behavior::moves_on : Behavior::cooperates;
     neighbor.acceleration = motion[i].acceleration;
     neighbor.max_speed = motion[i].max_speed;
     neighbor.trajectory = motion[i].trajectory;

@@ -62,7 +62,7 @@ Plan decide_among_obstacles(const Planner& planner, const Robot& robot,
       scratch.obstacles.push_back(reciprocal_obstacle(options, robot, obstacle));
       continue;
     }
-    const double kept = obstacle.behavior == Behavior::decides ? 0.0 : 1.0;
+    const double kept = shares(obstacle) ? 0.0 : 1.0;
     const Vec2 v_new_B =
         obstacle.velocity + (response.control_time() * kept) * obstacle.acceleration;
     scratch.obstacles.push_back(
@@ -114,9 +114,7 @@ Plan Planner::plan_among_obstacles(const Robot& robot, std::span<const Neighbor>
     movers.assign(obstacles.begin(), obstacles.end());
     for (Neighbor& mover : movers) {
       if (!is_valid(mover)) continue;  // as it is, for plan() to refuse
-      if (mover.behavior == Behavior::decides)
-        mover.acceleration = {}, mover.max_deviation = 0.0, mover.trajectory = nullptr;
-      mover.behavior = Behavior::moves_on;
+      become_mover(mover);
     }
     return plan(robot, movers, workspace);
   }

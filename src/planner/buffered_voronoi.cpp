@@ -21,7 +21,7 @@ constexpr double kOnSide = 1e-6;  // of the radius: rounding of a point on a sid
 
 // n . v of what the side is at rest to.
 double side_velocity(const CellSide& side, const Neighbor& neighbor) {
-  return neighbor.behavior == Behavior::decides ? 0.0 : dot(side.normal, neighbor.velocity);
+  return shares(neighbor) ? 0.0 : dot(side.normal, neighbor.velocity);
 }
 
 // m from the robot: the point of the cell nearest to `goal`. Half-planes are relative to p_A.
@@ -78,7 +78,7 @@ Vec2 wish_within_cell(const PlannerOptions& options, const Robot& robot,
 CellSide cell_side(const PlannerOptions& options, const Robot& robot, const Neighbor& neighbor) {
   const Pair pair = relative(robot, neighbor);
   const double distance = norm(pair.position);
-  const double part = neighbor.behavior == Behavior::decides ? 0.5 : 1.0;
+  const double part = shares(neighbor) ? 0.5 : 1.0;
   if (part < 1.0 && neighbor.parting != Vec2{})
     return {-(neighbor.parting / norm(neighbor.parting)), -part * pair.radius};
   if (!(distance > 0.0)) return {};

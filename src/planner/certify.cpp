@@ -186,16 +186,13 @@ Plan certify_among_movers(const Planner& planner, const Robot& robot,
   std::vector<Neighbor>& movers = scratch.movers;
   movers.assign(neighbors.begin(), neighbors.end());
   for (Neighbor& mover : movers) {
-    if (mover.behavior == Behavior::decides)
-      mover.acceleration = {}, mover.max_deviation = 0.0, mover.trajectory = nullptr;
-    mover.behavior = Behavior::moves_on;
+    become_mover(mover);
   }
   collect_constraints(robot, movers, law, certified.constraints, walls);
   // nobody remembers its last acceleration here
   const Execution execution = execution_of(planner, false);
   const bool with_robots =
-      std::any_of(neighbors.begin(), neighbors.end(),
-                  [](const Neighbor& n) { return n.behavior == Behavior::decides; });
+      std::any_of(neighbors.begin(), neighbors.end(), [](const Neighbor& n) { return shares(n); });
   Haste haste = with_robots ? haste_of(robot, execution) : haste_at_once(robot, execution);
   haste.most *= reach_of(robot.model);
   const Vec2 wanted = executed(robot.velocity, {}, target.velocity, haste);

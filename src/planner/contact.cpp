@@ -17,7 +17,7 @@ double way_of(const Robot& robot, const StepLaw& law) {
 
 double way_of(const Neighbor& neighbor, const StepLaw& law) {
   if (neighbor.loiter) return 2.0 * neighbor.loiter->radius;
-  if (neighbor.behavior == Behavior::moves_on) return 0.0;
+  if (is_predicted(neighbor)) return 0.0;
   return stopping_length(norm(neighbor.velocity), decrement_of(neighbor, law), law);
 }
 

@@ -23,8 +23,16 @@ inline std::size_t planned_with(const PlannerOptions& options, const Neighbors& 
   return planned_with(options, neighbors.size() + neighbors.hidden) - neighbors.hidden;
 }
 
-/// Whether a robot has to do with movers alone, none of which decides: it avoids the union of their
-/// obstacles (§III-C) instead of taking its part of half-planes. Nearest first; without a
+/// Taken for one that moves on: of the others nobody has said how they accelerate, and of one that
+/// decides not how it may deviate.
+inline void become_mover(Neighbor& neighbor) {
+  if (shares(neighbor)) neighbor.acceleration = {}, neighbor.trajectory = nullptr;
+  if (!is_predicted(neighbor)) neighbor.max_deviation = 0.0;
+  neighbor.behavior = Behavior::moves_on;
+}
+
+/// Whether a robot has to do with movers alone, none of which does a share: it avoids the union of
+/// their obstacles (§III-C) instead of taking its part of half-planes. Nearest first; without a
 /// certificate only the nearest matter.
 template <typename Neighbors>
 bool is_among_movers(const PlannerOptions& options, const Neighbors& neighbors) {
@@ -34,7 +42,7 @@ bool is_among_movers(const PlannerOptions& options, const Neighbors& neighbors) 
                                 ? planned_with(options, neighbors.size())
                                 : neighbors.size();
   for (std::size_t k = 0; k < count; ++k) {
-    if (neighbors[k].behavior == Behavior::decides) return false;
+    if (shares(neighbors[k])) return false;
   }
   return count > 0;
 }

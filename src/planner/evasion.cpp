@@ -92,16 +92,16 @@ Predicted predicted(const Evading& evading, const Neighbor& neighbor, const Leve
   other.velocity = neighbor.velocity;
   const double contact = robot.radius + neighbor.radius, speed = norm(neighbor.velocity);
   const bool is_followed = neighbor.trajectory != nullptr;
-  const double kept =
-      contact + error.position +
-      (is_followed ? neighbor.trajectory->error() : parabola_error(neighbor.acceleration, law));
+  const Vec2 acceleration = shares(neighbor) || is_followed ? Vec2{} : neighbor.acceleration;
+  const double kept = contact + error.position +
+                      (is_followed ? neighbor.trajectory->error() : parabola_error(acceleration, law));
   const double braking = evading.braking;
   const double time = evading.options.longest + law.time_step + braking;
   const double reaction = level.reaction * time_to_speed(robot);
   // what does not matter within that time is rounding
-  const bool accelerates = norm(neighbor.acceleration) * time * time > 0x1p-30 * contact;
+  const bool accelerates = norm(acceleration) * time * time > 0x1p-30 * contact;
   if (is_followed) other.trajectory = trajectory;
-  if (accelerates && !is_followed) other.acceleration = neighbor.acceleration;
+  if (accelerates) other.acceleration = acceleration;
   other.contact = kept + level.margin * contact;
   other.stop_contact = kept + 0.5 * level.margin * contact;
   other.drift = error.velocity;
@@ -110,7 +110,7 @@ Predicted predicted(const Evading& evading, const Neighbor& neighbor, const Leve
   other.asks_to_stop = level.stops;
   other.max_speed = neighbor.max_speed;
   other.fastest =
-      (is_followed ? fastest_until(neighbor, time) : speed + time * norm(neighbor.acceleration)) +
+      (is_followed ? fastest_until(neighbor, time) : speed + time * norm(acceleration)) +
       error.velocity + neighbor.max_deviation * (reaction + braking);
   return other;
 }

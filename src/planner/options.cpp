@@ -90,6 +90,9 @@ const char* to_string(NoiseDistribution distribution) {
   return name_of(distribution);
 }
 const char* to_string(PlanStatus status) {
+const char* to_string(Behavior behavior) {
+  return name_of(behavior);
+}
   return name_of(status);
 }
 const char* to_string(SafetyState state) {

@@ -34,6 +34,8 @@ AVO_LOCAL inline constexpr std::array kNames<RightOfWay>{"none", "seen", "told"}
 template <>
 AVO_LOCAL inline constexpr std::array kNames<NoiseDistribution>{"gaussian", "uniform"};
 template <>
+AVO_LOCAL inline constexpr std::array kNames<Behavior>{"decides", "moves_on", "cooperates"};
+template <>
 AVO_LOCAL inline constexpr std::array kNames<PlanStatus>{
     "optimal", "least_unsafe", "candidate", "braking", "overlapping", "invalid_input"};
 template <>

@@ -11,7 +11,7 @@
 namespace avo {
 
 bool parts(const Neighbor& neighbor) {
-  return neighbor.parting != Vec2{} && neighbor.behavior == Behavior::decides;
+  return neighbor.parting != Vec2{} && shares(neighbor);
 }
 
 bool has_noise(const SensingNoise& noise) {
@@ -35,9 +35,7 @@ double share_of_plane(double h, double a_A, double a_B, double priority_A, doubl
 }
 
 double mover_offset(const PlannerOptions& options, const Neighbor& neighbor, Vec2 normal) {
-  return neighbor.behavior == Behavior::decides
-             ? 0.0
-             : options.control_time * dot(normal, neighbor.acceleration);
+  return shares(neighbor) ? 0.0 : options.control_time * dot(normal, neighbor.acceleration);
 }
 
 double reserved_radius(const Pair& pair, const PlannerOptions& options) {
@@ -58,11 +56,9 @@ Pair relative(const Robot& robot, const Neighbor& neighbor) {
 
 namespace {
 
-// [R] m/s, what both can do: δ (a_A + a_B); a mover that does not decide does what it is seen to
-// do.
+// [R] m/s, what both can do: δ (a_A + a_B); a mover that moves on does what it is seen to do.
 double pair_reach(const PlannerOptions& options, const Robot& robot, const Neighbor& neighbor) {
-  const double other = neighbor.behavior == Behavior::decides ? neighbor.max_acceleration
-                                                              : norm(neighbor.acceleration);
+  const double other = shares(neighbor) ? neighbor.max_acceleration : norm(neighbor.acceleration);
   return options.control_time * (robot.max_acceleration + other);
 }
 
@@ -70,7 +66,7 @@ RelativeHalfPlane relative_half_plane(const PlannerOptions& options, const Horiz
                                       const Robot& robot, const Neighbor& neighbor) {
   Pair pair = relative(robot, neighbor);
   if (has_noise(options.sensing_noise)) pair.radius = reserved_radius(pair, options);
-  const double margin = neighbor.behavior == Behavior::decides
+  const double margin = !is_predicted(neighbor)
                             ? options.margin
                             : mover_margin(options, robot.radius);
   if (margin > 0.0)
@@ -90,7 +86,7 @@ RelativeHalfPlane relative_half_plane(const PlannerOptions& options, const Horiz
 NeighborPlane share_of(const PlannerOptions& options, const Robot& robot, const Neighbor& neighbor,
                        int index, const RelativeHalfPlane& relative) {
   const double alpha =
-      neighbor.behavior == Behavior::decides
+      shares(neighbor)
           ? share_of_plane(relative.plane.offset, robot.max_acceleration, neighbor.max_acceleration,
                            robot.priority, neighbor.priority)
           : 1.0;

@@ -35,7 +35,7 @@ double worst_line(std::span<const Limit> limits, Vec2 v_new) {
 
 PassiveObstacle reciprocal_obstacle(const PlannerOptions& options, const Robot& robot,
                                     const Neighbor& neighbor) {
-  const double alpha = neighbor.behavior == Behavior::decides
+  const double alpha = shares(neighbor)
                            ? reciprocal_share(robot.max_acceleration, neighbor.max_acceleration,
                                               robot.priority, neighbor.priority)
                            : 1.0;

@@ -28,7 +28,7 @@ std::size_t count_pairs(const PlannerOptions& options, const RobotColumns& robot
   return end;
 }
 
-// What those that do not decide make of a pair, and by how much it can raise the offset.
+// What those that move on make of a pair, and by how much it can raise the offset.
 void add_movers(const PlannerOptions& options, const Tile& tile, SoftPlanes& soft) {
   const NeighborColumns& neighbors = tile.neighbors;
   std::size_t i = 0;
@@ -160,9 +160,8 @@ void add_margins(const PlannerOptions& options, const Tile& tile, SoftPlanes& so
     };
     const double margin = own(options.margin), larger = own(mover_margin(options, robots.radius[r]));
     for (std::size_t k = robots.neighbors[r].first; i < soft.pair_end[r]; ++i, ++k) {
-      const bool decides = tile.neighbors.decides[k] != NeighborColumns::kMover;
-      pairs.radius[i] = with_margin({{pairs.p_x[i], pairs.p_y[i]}, {}, pairs.radius[i]},
-                                    decides ? margin : larger);
+      const double wished = tile.neighbors.is_predicted(k) ? larger : margin;
+      pairs.radius[i] = with_margin({{pairs.p_x[i], pairs.p_y[i]}, {}, pairs.radius[i]}, wished);
     }
   }
 }
@@ -213,7 +212,7 @@ void collect_others(const PlannerOptions& options, const Horizon& horizon, const
       const Neighbor neighbor = neighbors[k];
       const auto own =
           own_half_plane(options, horizon, robot, neighbor, static_cast<int>(k), overlapping);
-      if (neighbor.behavior == Behavior::decides &&
+      if (shares(neighbor) &&
           nearly_coincide(norm(robot.position - neighbor.position), robot.radius + neighbor.radius))
         soft.coinciding[i] = 1;
       if (!own) continue;

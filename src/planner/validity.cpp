@@ -68,7 +68,7 @@ bool is_deviation(double value) {
   return value >= 0.0 && value <= kLargest;
 }
 
-// What nearly all of them have is asked of all in is_valid().
+// Of one that is predicted. What nearly all of them have is asked of all in is_valid().
 bool is_valid_mover(const Neighbor& mover) {
   const bool is_placed = mover.trajectory == nullptr || (!mover.trajectory->places().empty() &&
                                                          is_known(mover.trajectory_time) != 0);
@@ -91,7 +91,8 @@ bool is_valid(const Neighbor& neighbor) {
   if ((is_known(neighbor.position) & is_known(neighbor.velocity) & is_known(neighbor.acceleration) &
        is_size(neighbor.radius) & dated) == 0)
     return false;
-  if (neighbor.behavior == Behavior::moves_on) return is_valid_mover(neighbor);
+  if (is_predicted(neighbor) && !is_valid_mover(neighbor)) return false;
+  if (neighbor.behavior == Behavior::moves_on) return true;
   const double a_max = neighbor.max_acceleration;
   const int able = static_cast<int>(a_max > 0.0) & static_cast<int>(a_max <= kLargest) &
                    is_size(neighbor.priority) & is_known(neighbor.parting);

@@ -82,7 +82,7 @@ bool are_apart(const Starter& a, const Starter& b, Behavior behavior, double con
   const Vec2 p = a.position - b.position;
   const double distance = norm(p);
   if (distance >= a.reach + b.reach + margin) return true;
-  if (behavior == Behavior::moves_on || a.loiters || b.loiters || !(distance > 0.0)) return false;
+  if (behavior != Behavior::decides || a.loiters || b.loiters || !(distance > 0.0)) return false;
   return distance + (std::min(0.0, dot(p, a.way)) - std::max(0.0, dot(p, b.way))) / distance >=
          contact;
 }
@@ -93,6 +93,10 @@ bool avoids(const Starter& a, const Starter& b, const Scenario& scenario) {
     return scenario.robots[static_cast<std::size_t>(starter.source)];
   };
   return b.source < 0 || robot(a).parked || robot(b).parked || avo::avoids(robot(a), robot(b));
+}
+
+bool cooperates(const Starter& starter, const Scenario& scenario) {
+  return scenario.robots[static_cast<std::size_t>(starter.source)].behavior == Behavior::cooperates;
 }
 
 void examine(const Starter& a, const Starter& b, Starts& starts) {
@@ -106,13 +110,14 @@ void examine(const Starter& a, const Starter& b, Starts& starts) {
                 .velocity = start_velocity(other),
                 .radius = disc_radius(other),
                 .max_acceleration = other.max_acceleration,
-                .behavior = own.parked || other.parked || avo::avoids(other, own)
+                .behavior = own.parked || other.parked
                                 ? Behavior::decides
-                                : Behavior::moves_on,
+                                : *expected_of(conduct_of(other), conduct_of(own)),
                 .max_braking = other.max_braking,
                 .loiter = circle_of(other.model, other.position, start_velocity(other)),
-                .max_deviation = top_acceleration(traits_of(other)),
                 .max_speed = top_speed(other)};
+    if (neighbor.behavior == Behavior::moves_on)
+      neighbor.max_deviation = top_acceleration(traits_of(other));
     margin += late_phase(own, longest_step) + late_phase(other, longest_step);
   } else {
     const MovingObstacle& other =
@@ -155,6 +160,9 @@ void examine(const Starter& a, const Starter& b, Starts& starts) {
 void examine_pair(const Starter* a, const Starter* b, Starts& starts) {
   if (b->source >= 0 && (a->source < 0 || b->source < a->source)) std::swap(a, b);
   if (a->source < 0) return;
+  // of two of whom one promises nothing, the other one has to see to it
+  if (b->source >= 0 && cooperates(*a, starts.scenario) && avoids(*b, *a, starts.scenario))
+    std::swap(a, b);
   if (avoids(*a, *b, starts.scenario))
     examine(*a, *b, starts);
   else if (b->source >= 0 && avoids(*b, *a, starts.scenario))
@@ -276,7 +284,8 @@ void find_starts_of_first(const Scenario& scenario, const CertificateLaw& law, d
 bool is_layered(const Scenario& scenario) {
   const RobotSetup usual;
   return std::any_of(scenario.robots.begin(), scenario.robots.end(), [&](const RobotSetup& robot) {
-    return !(robot.layers == usual.layers && robot.avoids == usual.avoids);
+    return !(robot.layers == usual.layers && robot.avoids == usual.avoids &&
+             robot.behavior == usual.behavior);
   });
 }
 

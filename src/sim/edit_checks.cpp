@@ -103,6 +103,13 @@ void check_flights(const World& world, const RobotSetup& setup, RobotId robot) {
   if (setup.parked || (fleet.flights.empty() && !is_airplane(setup.model))) return;
   if (!world.obstacles.setup.empty())
     refuse(name_of(robot) + ": model", "airplane", "another one among moving obstacles");
+  if (!fleet.flights.empty() && setup.behavior != Behavior::decides)
+    refuse(name_of(robot) + ": behavior", to_string(setup.behavior), "decides among airplanes");
+  const bool promised =
+      std::all_of(fleet.conduct.begin(), fleet.conduct.end(),
+                  [](const Conduct& conduct) { return conduct.behavior == Behavior::decides; });
+  if (is_airplane(setup.model) && !(promised && setup.behavior == Behavior::decides))
+    refuse(name_of(robot) + ": model", "airplane", "another one among robots that cooperate");
 }
 
 // Where one of them would avoid the other, and nothing could be promised to the two.

@@ -38,7 +38,7 @@ RobotTraits traits_of(const RobotSetup& setup) {
 }
 
 Conduct conduct_of(const RobotSetup& setup) {
-  return {setup.priority, setup.parked, setup.layers, setup.avoids};
+  return {setup.priority, setup.parked, setup.layers, setup.avoids, setup.behavior};
 }
 
 Vec2 start_velocity(const RobotSetup& setup) {
@@ -147,7 +147,8 @@ RobotSetup Fleet::setup(std::size_t slot) const {
                    .parked = conduct[slot].parked,
                    .layers = conduct[slot].layers,
                    .avoids = conduct[slot].avoids,
-                   .max_braking = max_braking_of(robot_traits)};
+                   .max_braking = max_braking_of(robot_traits),
+                   .behavior = conduct[slot].behavior};
   if (has_clocks && !conduct[slot].parked) setup.time_step = clock_of(slot).time_step;
   return setup;
 }
@@ -165,6 +166,7 @@ Neighbor sensed(const RobotTraits& traits, const Conduct& conduct, Behavior beha
                     .behavior = behavior,
                     .priority = conduct.priority,
                     .max_braking = max_braking_of(traits)};
+  if (behavior == Behavior::cooperates) return neighbor;
   if (behavior == Behavior::decides && !traits.exceeds) return neighbor;
   neighbor.max_deviation = top_acceleration(traits);
   if (behavior == Behavior::decides) return neighbor;

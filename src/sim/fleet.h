@@ -52,16 +52,17 @@ struct Conduct {
   double priority = 1.0;
   bool parked = false;
   LayerSet layers = RobotSetup{}.layers, avoids = RobotSetup{}.avoids;
+  Behavior behavior = RobotSetup{}.behavior;  // to those whom it avoids
   friend bool operator==(const Conduct&, const Conduct&) = default;
 };
 Conduct conduct_of(const RobotSetup& setup);
 /// What A counts on from B; nothing where it does not avoid it.
 inline std::optional<Behavior> expected_of(const Conduct& b, const Conduct& a) {
   if ((a.avoids.bits & b.layers.bits) == 0) return std::nullopt;
-  return (b.avoids.bits & a.layers.bits) != 0 ? Behavior::decides : Behavior::moves_on;
+  return (b.avoids.bits & a.layers.bits) != 0 ? b.behavior : Behavior::moves_on;
 }
 /// A robot as others sense it who count on that much of it. One that reacts to them in nothing does
-/// as it likes, within its limits.
+/// as it likes, within its limits. Of one that cooperates nothing is known but its motion.
 Neighbor sensed(const RobotTraits& traits, const Conduct& conduct, Behavior behavior, Vec2 position,
                 Vec2 velocity);
 /// m/s; that of a robot with a heading points along it, or against it.

@@ -37,6 +37,9 @@ void check_parked(std::size_t i, const RobotSetup& robot) {
   };
   require_usual("layers", robot.layers, usual.layers);
   require_usual("avoids", robot.avoids, usual.avoids);
+  if (robot.behavior != usual.behavior)
+    refuse(std::string(Place{"robots", i, "behavior"}), to_string(robot.behavior),
+           "left out: it is parked, and does nothing");
 }
 
 void check_car(std::size_t i, const Car& car) {
@@ -113,6 +116,9 @@ void check_robot(std::size_t i, const RobotSetup& robot, double time_step) {
   require(Place{list, i, "priority"}, robot.priority, kPositive, "");
   if (robot.max_braking)
     require(Place{list, i, "max_braking"}, *robot.max_braking, kPositive, "m/s^2");
+  if (robot.behavior == Behavior::moves_on)
+    refuse(std::string(Place{list, i, "behavior"}), to_string(robot.behavior),
+           "decides or cooperates; who reacts to nobody is one of moving_obstacles, or avoids []");
   if (robot.parked) check_parked(i, robot);
   require(Place{list, i, "heading"}, robot.heading, kAngle, "rad");
   if (const Car* car = std::get_if<Car>(&robot.model)) check_car(i, *car);

@@ -130,7 +130,13 @@ void describe(Archive<kReads>& archive, RobotSetup& setup, RobotState& state) {
   describe(archive, max_braking);
   if (max_braking != 0.0) setup.max_braking = max_braking;
   describe(archive, setup.preferred_speed), describe(archive, setup.priority);
-  describe(archive, setup.parked);
+  // one word for both
+  const bool promises = setup.behavior == Behavior::decides;
+  std::uint64_t kinds = (setup.parked ? 1U : 0U) | (promises ? 0U : 2U);
+  archive.word(kinds);
+  if (kinds > 2) refuse_saved("the kinds of a robot " + std::to_string(kinds), "0 to 2");
+  setup.parked = kinds == 1;
+  setup.behavior = kinds == 2 ? Behavior::cooperates : Behavior::decides;
   std::uint64_t layers = std::uint64_t{setup.layers.bits} << 32 | setup.avoids.bits;
   archive.word(layers);
   setup.layers.bits = static_cast<std::uint32_t>(layers >> 32);

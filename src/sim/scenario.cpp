@@ -210,6 +210,11 @@ void check_flights(const Scenario& scenario, const PlannerOptions& options) {
   if (!scenario.moving_obstacles.empty())
     refuse("moving_obstacles", std::to_string(scenario.moving_obstacles.size()) + " of them",
            "none" + among + ", which cannot stop for them");
+  for (std::size_t i = 0; i < robots.size(); ++i) {
+    if (robots[i].behavior != Behavior::decides)
+      refuse(std::string(Place{"robots", i, "behavior"}), to_string(robots[i].behavior),
+             "decides" + among + ", which cannot stop for it");
+  }
   if (options.method != Method::avo) refuse("method", to_string(options.method), "avo" + among);
   if (options.motion != Motion::held) refuse("motion", to_string(options.motion), "held" + among);
   if (options.clock != Clock::common) refuse("clock", to_string(options.clock), "common" + among);

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <limits>
 #include <map>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -71,14 +72,14 @@ std::vector<Part> worst_for_obstacles(std::vector<Part> parts) {
   return front;
 }
 
-// A robot that reacts to nobody, as far as it is from another one that needs so many seconds until
-// rest.
+// A robot on which nobody counts to brake, as far as it is from another one that needs so many
+// seconds until rest.
 double part_of_mover(const RobotSetup& robot, double seconds) {
   return disc_radius(robot) + seconds * fastest_of(robot.model, robot.max_speed);
 }
 
-// Robots of the same layers, longest first.
-using Kinds = std::map<std::pair<std::uint32_t, std::uint32_t>, std::vector<Part>>;
+// Robots of the same layers and behavior, longest first.
+using Kinds = std::map<std::tuple<std::uint32_t, std::uint32_t, Behavior>, std::vector<Part>>;
 
 // Pairs of which one avoids the other at least.
 template <typename Take>
@@ -88,7 +89,7 @@ void take_by_layers(const Scenario& scenario, const std::vector<Part>& parts, co
     return scenario.robots[static_cast<std::size_t>(part.robot)];
   };
   for (const Part& part : parts)
-    kinds[{robot(part).layers.bits, robot(part).avoids.bits}].push_back(part);
+    kinds[{robot(part).layers.bits, robot(part).avoids.bits, robot(part).behavior}].push_back(part);
   for (auto& [key, kind] : kinds) {
     std::stable_sort(kind.begin(), kind.end(),
                      [](const Part& a, const Part& b) { return a.length > b.length; });
@@ -98,8 +99,9 @@ void take_by_layers(const Scenario& scenario, const std::vector<Part>& parts, co
     const std::vector<Part> front = worst_for_obstacles(of_a);
     for (const auto& [key_b, of_b] : kinds) {
       const RobotSetup& b = robot(of_b.front());
-      if (!avoids(a, b)) continue;
-      if (avoids(b, a)) {
+      const auto behavior = expected_of(conduct_of(b), conduct_of(a));
+      if (!behavior) continue;
+      if (*behavior == Behavior::decides) {
         const std::size_t second = key_a == key_b ? 1 : 0;
         if (second < of_b.size()) take(of_a.front(), of_b[second].robot, of_b[second].length);
         continue;

@@ -52,7 +52,8 @@ void find_ranges(World& world) {
   const Conduct usual;
   const bool layered =
       std::any_of(fleet.conduct.begin(), fleet.conduct.end(), [&](const Conduct& conduct) {
-        return !(conduct.layers == usual.layers && conduct.avoids == usual.avoids);
+        return !(conduct.layers == usual.layers && conduct.avoids == usual.avoids &&
+                 conduct.behavior == usual.behavior);
       });
   world.selective = world.parked > 0 || layered || !fleet.flights.empty();
   world.alike = fleet.flights.empty() &&

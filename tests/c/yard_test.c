@@ -37,6 +37,7 @@ static void define_robots(avo_robot_def robots[6]) {
   robots[3].position = at(-12.0, 8.0);
   robots[3].goal = at(12.0, 6.0);
   robots[3].radius = 0.7;
+  robots[3].behavior = AVO_BEHAVIOR_COOPERATES;
   robots[4].position = robots[4].goal = at(3.0, 7.0);
   robots[4].parked = true;
   robots[5].position = at(8.0, 5.0);

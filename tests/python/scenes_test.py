@@ -109,7 +109,8 @@ RICH = {
     "sensing_radius": 60, "max_neighbors": 7, "motion": "held", "arrival_distance": 0.7, "seed": 5,
     "sensing": {"delay": 1, "dropped": 0.1, "occlusion": True,
                 "noise": {"position": 0.01, "velocity": 0.02, "distribution": "uniform"}},
-    "robots": [{"position": [0, 0], "goal": [9, 0], "priority": 2, "layers": [3], "avoids": [0, 3]},
+    "robots": [{"position": [0, 0], "goal": [9, 0], "priority": 2, "layers": [3], "avoids": [0, 3],
+                "behavior": "cooperates"},
                {"position": [0, 9], "goal": [0, 9], "parked": True},
                {"position": [0, 20], "goal": [9, 20], "heading": 1, "car": {"wheelbase": 0.7, "reverse": True}}],
     "moving_obstacles": [{"position": [0, 40], "velocity": [0.1, 0], "radius": 0.3}],
@@ -150,7 +151,7 @@ def test_values_can_be_pickled():
                   max_braking=0.5, loiter=circle, priority=3),
         avo.Robot(position=(1, 2), model=avo.Airplane(min_speed=2, after_goal="leave")),
         avo.Neighbor(position=(1, 2), behavior="moves_on", age=3), avo.DifferentialDrive(track=0.3), avo.Holonomic(),
-        avo.RobotSetup(position=(1, 2), goal=(3, 4), layers=[2, 31], time_step=0.2), avo.Wall((1, 2), (3, 4), radius=5),
+        avo.RobotSetup(position=(1, 2), goal=(3, 4), layers=[2, 31], time_step=0.2, behavior="cooperates"), avo.Wall((1, 2), (3, 4), radius=5),
         avo.StaticObstacle([avo.Chain([(1, 2), (3, 4)], closed=True)], fill="solid"), avo.Detour(),
         avo.Scenario("person").moving_obstacles[0], circle]
     for value in values:

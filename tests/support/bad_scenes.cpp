@@ -311,7 +311,7 @@ const std::vector<BadScene>& bad_scenes() {
        "jitter, velocity, radius, max_speed, max_acceleration, preferred_speed, model, heading, "
        "car, "
        "drive, "
-       "airplane, priority, max_braking, parked, layers, avoids, time_step"},
+       "airplane, priority, max_braking, parked, layers, avoids, behavior, time_step"},
       {"placement_unknown",
        s("version: 1\ngroups:\n  - {number: 3, placement: cirle, goals: antipodal}\n"),
        "3:28: groups.0.placement: found \"cirle\", must be one of circle, grid, line, random; did "

@@ -28,7 +28,8 @@ _Method = Literal[
 _Motion = Literal["held", "exponential"]
 _Certificate = Literal["none", "stopping_capsules", "braking_trajectories"]
 _Clock = Literal["common", "free"]
-_Behavior = Literal["decides", "moves_on"]
+_Behavior = Literal["decides", "moves_on", "cooperates"]
+_RobotBehavior = Literal["decides", "cooperates"]
 _Fill = Literal["none", "solid", "bounds"]
 _Status = Literal["optimal", "least_unsafe", "candidate", "braking", "overlapping", "invalid_input"]
 _State = Literal["unknown", "safe", "doomed"]
@@ -265,6 +266,7 @@ class RobotSetup:
     avoids: _Layers
     time_step: _NumberOrNone
     max_braking: _NumberOrNone
+    behavior: _RobotBehavior
     def __init__(
         self,
         *,
@@ -283,6 +285,7 @@ class RobotSetup:
         avoids: Sequence[int] = ...,
         time_step: _Float | None = None,
         max_braking: _Float | None = None,
+        behavior: _RobotBehavior = "decides",
     ) -> None: ...
 
 @final
@@ -452,6 +455,7 @@ class Detours:
 class Plans:
     def __len__(self) -> int: ...
     def __getitem__(self, k: _Int) -> Plan: ...
+        cooperates: npt.ArrayLike = False,
     def new_velocity(self, out: _Out = None) -> _Floats: ...
     def next_velocity(self, out: _Out = None) -> _Floats: ...
     def acceleration(self, out: _Out = None) -> _Floats: ...

@@ -123,16 +123,24 @@ std::vector<avo::Vec2> accelerations(const Columns& columns, const py::object& g
   return std::vector<avo::Vec2>(columns.n);
 }
 
+avo::Behavior behavior_of(bool moves_on, bool cooperates) {
+  if (moves_on && cooperates)
+    throw avo::Error("cooperates: found True of one that moves on, must be False");
+  if (moves_on) return avo::Behavior::moves_on;
+  return cooperates ? avo::Behavior::cooperates : avo::Behavior::decides;
+}
+
 Neighbors make_neighbors(const py::object& position, const py::object& velocity,
                          const py::object& offsets, const py::object& radius,
                          const py::object& max_acceleration, const py::object& priority,
                          const py::object& acceleration, const py::object& moves_on,
-                         const py::object& max_deviation, const py::object& max_speed,
-                         const py::object& age, const py::object& max_braking,
-                         const py::object& position_error, const py::kwargs& others) {
+                         const py::object& cooperates, const py::object& max_deviation,
+                         const py::object& max_speed, const py::object& age,
+                         const py::object& max_braking, const py::object& position_error,
+                         const py::kwargs& others) {
   refuse_fields(others, {"position", "velocity", "offsets", "radius", "max_acceleration",
-                         "priority", "acceleration", "moves_on", "max_deviation", "max_speed",
-                         "age", "max_braking", "position_error"});
+                         "priority", "acceleration", "moves_on", "cooperates", "max_deviation",
+                         "max_speed", "age", "max_braking", "position_error"});
   const Numbers places = numbers("position", position);
   const auto p = rows("position", places);
   const Columns columns{p.size()};
@@ -141,6 +149,7 @@ Neighbors make_neighbors(const py::object& position, const py::object& velocity,
                  most = columns.of("max_acceleration", max_acceleration),
                  weight = columns.of("priority", priority),
                  moves = columns.of("moves_on", moves_on),
+                 shares = columns.of("cooperates", cooperates),
                  deviation = columns.of("max_deviation", max_deviation),
                  speed = columns.of("max_speed", max_speed), ages = columns.of("age", age),
                  error = columns.of("position_error", position_error);
@@ -149,19 +158,18 @@ Neighbors make_neighbors(const py::object& position, const py::object& velocity,
   neighbors.first = checked_offsets(offsets, p.size());
   neighbors.all.reserve(p.size());
   for (std::size_t k = 0; k < p.size(); ++k)
-    neighbors.all.push_back(
-        {.position = p[k],
-         .velocity = v[k],
-         .radius = r[k],
-         .max_acceleration = most[k],
-         .behavior = moves[k] != 0.0 ? avo::Behavior::moves_on : avo::Behavior::decides,
-         .age = checked_age(ages[k]),
-         .priority = weight[k],
-         .max_braking = at(braking, k),
-         .max_deviation = deviation[k],
-         .position_error = error[k],
-         .acceleration = a[k],
-         .max_speed = speed[k]});
+    neighbors.all.push_back({.position = p[k],
+                             .velocity = v[k],
+                             .radius = r[k],
+                             .max_acceleration = most[k],
+                             .behavior = behavior_of(moves[k] != 0.0, shares[k] != 0.0),
+                             .age = checked_age(ages[k]),
+                             .priority = weight[k],
+                             .max_braking = at(braking, k),
+                             .max_deviation = deviation[k],
+                             .position_error = error[k],
+                             .acceleration = a[k],
+                             .max_speed = speed[k]});
   return neighbors;
 }
 
@@ -200,12 +208,13 @@ void bind_neighbors(py::class_<Neighbors>& neighbors) {
       .def(py::init(&make_neighbors), py::kw_only(), arg("position"), arg("velocity"),
            arg("offsets"), arg("radius") = 0.5, arg("max_acceleration") = 1.0,
            arg("priority") = 1.0, arg("acceleration") = 0.0, arg("moves_on") = false,
-           arg("max_deviation") = 0.0, arg("max_speed") = kInfinity, arg("age") = 0,
-           arg("max_braking") = py::none(), arg("position_error") = 0.0,
+           arg("cooperates") = false, arg("max_deviation") = 0.0, arg("max_speed") = kInfinity,
+           arg("age") = 0, arg("max_braking") = py::none(), arg("position_error") = 0.0,
            "position: (m, 2), m, and velocity: (m, 2), m/s, of all that all robots sense, robot "
            "after robot; offsets: (n + 1,), those of robot k are rows offsets[k] to offsets[k + 1] "
            "- 1. One number, or (m,): radius, m; max_acceleration, m/s^2; priority; moves_on: "
-           "reacts to nobody, and then max_deviation, m/s^2, max_speed, m/s, and acceleration: (m, "
+           "reacts to nobody, cooperates: does its share and promises nothing; then max_deviation, "
+           "m/s^2, max_speed, m/s, and acceleration: (m, "
            "2), m/s^2; age, steps since it was sensed; max_braking, m/s^2, None: "
            "max_acceleration; position_error, m. Those that sense airplanes plan one by one.")
       .def_static("among", &among, arg("robots"), arg("sensing_radius"),

@@ -26,9 +26,6 @@ struct Words;
     static const char* of(int k) { return TO_STRING(static_cast<Enum>(k)); } \
   }
 
-inline const char* behavior_word(avo::Behavior behavior) {
-  return behavior == avo::Behavior::decides ? "decides" : "moves_on";
-}
 inline const char* fill_word(avo::Fill fill) {
   return fill == avo::Fill::none ? "none" : fill == avo::Fill::solid ? "solid" : "bounds";
 }
@@ -42,7 +39,7 @@ AVO_WORDS(avo::PlanStatus, "status", 6, avo::to_string);
 AVO_WORDS(avo::SafetyState, "state", 3, avo::to_string);
 AVO_WORDS(avo::AccelerationSet, "acceleration_set", 2, avo::to_string);
 AVO_WORDS(avo::AfterGoal, "after_goal", 2, avo::to_string);
-AVO_WORDS(avo::Behavior, "behavior", 2, behavior_word);
+AVO_WORDS(avo::Behavior, "behavior", 3, avo::to_string);
 AVO_WORDS(avo::Fill, "fill", 3, fill_word);
 #undef AVO_WORDS
 

@@ -41,7 +41,7 @@ inline constexpr int kFields<avo::Neighbor> = 14;
 template <>
 inline constexpr int kFields<avo::Detour> = 6;
 template <>
-inline constexpr int kFields<avo::RobotSetup> = 15;
+inline constexpr int kFields<avo::RobotSetup> = 16;
 template <>
 inline constexpr int kFields<avo::MeasurementNoise> = 4;
 template <>
@@ -51,7 +51,7 @@ inline constexpr int kFields<avo::SensingModel> = 5;
 template <>
 inline constexpr int kFields<avo::SensingError> = 2;
 template <>
-inline constexpr int kFields<avo::Scenario> = 27;
+inline constexpr int kFields<avo::Scenario> = 28;
 
 /// References to all of them.
 template <typename T>
@@ -81,14 +81,14 @@ auto fields(T& x) {
   } else if constexpr (n == 14) {
     auto& [a, b, c, d, e, f, g, h, i, j, k, l, m, o] = x;
     return std::tie(a, b, c, d, e, f, g, h, i, j, k, l, m, o);
-  } else if constexpr (n == 15) {
-    auto& [a, b, c, d, e, f, g, h, i, j, k, l, m, o, p] = x;
-    return std::tie(a, b, c, d, e, f, g, h, i, j, k, l, m, o, p);
+  } else if constexpr (n == 16) {
+    auto& [a, b, c, d, e, f, g, h, i, j, k, l, m, o, p, q] = x;
+    return std::tie(a, b, c, d, e, f, g, h, i, j, k, l, m, o, p, q);
   } else {
-    auto& [a, b, c, d, e, f, g, h, i, j, k, l, m, o, p, q, r, s, t, u, v, w, z, aa, bb, cc,
-          dd] = x;
-    return std::tie(a, b, c, d, e, f, g, h, i, j, k, l, m, o, p, q, r, s, t, u, v, w, z, aa, bb,
-                    cc, dd);
+    auto& [a, b, c, d, e, f, g, h, i, j, k, l, m, o, p, q, r, s, t, u, v, w, z, aa, bb, cc, dd,
+           ee] = x;
+    return std::tie(a, b, c, d, e, f, g, h, i, j, k, l, m, o, p, q, r, s, t, u, v, w, z, aa, bb, cc,
+                    dd, ee);
   }
 }
 

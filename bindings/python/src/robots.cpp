@@ -79,7 +79,8 @@ void bind_neighbor(py::module_& module) {
            arg("acceleration") = py::make_tuple(0.0, 0.0), arg("max_speed") = kInfinity,
            arg("parting") = py::make_tuple(0.0, 0.0),
            "position: (x, y), m; velocity: m/s; radius: m, > 0; max_acceleration: m/s^2, > 0; "
-           "behavior: \"decides\" or \"moves_on\"; age: steps since it was sensed; priority: > 0; "
+           "behavior: \"decides\", \"moves_on\" or \"cooperates\"; age: steps since it was sensed; "
+           "priority: > 0; "
            "max_braking: m/s^2; max_deviation: m/s^2, >= 0; position_error: m, >= 0; acceleration: "
            "m/s^2, and max_speed: m/s, of one that moves on; parting: see parting_direction().")
       .def_readwrite("position", &Neighbor::position, "[p_B] (x, y), m")
@@ -87,19 +88,19 @@ void bind_neighbor(py::module_& module) {
       .def_readwrite("radius", &Neighbor::radius, "[r_B] m, > 0")
       .def_readwrite("max_acceleration", &Neighbor::max_acceleration,
                      "[a_B^max] m/s^2, > 0; read only where it decides")
-      .def_readwrite("behavior", &Neighbor::behavior, "\"decides\" or \"moves_on\"")
+      .def_readwrite("behavior", &Neighbor::behavior, "\"decides\", \"moves_on\" or \"cooperates\"")
       .def_readwrite("age", &Neighbor::age, "steps, >= 0: how long ago it was last sensed")
       .def_readwrite("priority", &Neighbor::priority, "> 0, see Robot.priority")
       .def_readwrite("max_braking", &Neighbor::max_braking,
                      "[b_B] m/s^2, > 0; None: max_acceleration")
       .def_readwrite("loiter", &Neighbor::loiter, "LoiterCircle of an airplane; None: it can brake")
       .def_readwrite("max_deviation", &Neighbor::max_deviation,
-                     "m/s^2, >= 0: of its acceleration, where it moves on")
+                     "m/s^2, >= 0: of its acceleration, where it does not decide")
       .def_readwrite("position_error", &Neighbor::position_error,
                      "m, >= 0: of its position, besides the declared sensing error")
       .def_readwrite("acceleration", &Neighbor::acceleration, "(x, y), m/s^2, where it moves on")
       .def_readwrite("max_speed", &Neighbor::max_speed,
-                     "m/s, > 0, where it moves on: that it never exceeds; None: unknown")
+                     "m/s, > 0, where it does not decide: that it never exceeds; None: unknown")
       .def_readwrite(
           "parting", &Neighbor::parting,
           "unit (x, y), or 0: of one that coincides in place and velocity, the direction "
@@ -128,38 +129,43 @@ void bind_setup(py::module_& module) {
   using Setup = avo::RobotSetup;
   py::class_<Setup>(module, "RobotSetup", "What a scene says of a robot.")
       .def(pickled<Setup>())
-      .def(
-          py::init([](avo::Vec2 position, avo::Vec2 goal, avo::Vec2 velocity, double radius,
-                      double max_speed, double max_acceleration,
-                      std::optional<double> preferred_speed, avo::MotionModel model, double heading,
-                      double priority, bool parked, avo::LayerSet layers, avo::LayerSet avoids,
-                      std::optional<double> time_step, std::optional<double> max_braking) {
-            return Setup{position,
-                         velocity,
-                         goal,
-                         radius,
-                         max_speed,
-                         max_acceleration,
-                         preferred_speed.value_or(max_speed),
-                         with_offset(model, radius),
-                         heading,
-                         priority,
-                         parked,
-                         layers,
-                         avoids,
-                         time_step,
-                         max_braking};
-          }),
-          py::kw_only(), arg("position"), arg("goal"), arg("velocity") = py::make_tuple(0.0, 0.0),
-          arg("radius") = 0.5, arg("max_speed") = 2.0, arg("max_acceleration") = 1.0,
-          arg("preferred_speed") = py::none(), arg("model") = avo::Holonomic{},
-          arg("heading") = 0.0, arg("priority") = 1.0, arg("parked") = false,
-          arg("layers") = avo::LayerSet{1}, arg("avoids") = avo::LayerSet{0xffffffff},
-          arg("time_step") = py::none(), arg("max_braking") = py::none(),
-          "position, goal: (x, y), m; velocity: m/s; radius: m, > 0; max_speed: m/s, > 0; "
-          "max_acceleration: m/s^2, > 0; preferred_speed: m/s, >= 0, None: max_speed; model: how "
-          "it moves; heading: rad; priority: > 0; parked: never moves; layers, avoids: 0 to 31; "
-          "time_step: s, of a free clock; max_braking: m/s^2, None: max_acceleration.")
+      .def(py::init([](avo::Vec2 position, avo::Vec2 goal, avo::Vec2 velocity, double radius,
+                       double max_speed, double max_acceleration,
+                       std::optional<double> preferred_speed, avo::MotionModel model,
+                       double heading, double priority, bool parked, avo::LayerSet layers,
+                       avo::LayerSet avoids, std::optional<double> time_step,
+                       std::optional<double> max_braking, avo::Behavior behavior) {
+             return Setup{position,
+                          velocity,
+                          goal,
+                          radius,
+                          max_speed,
+                          max_acceleration,
+                          preferred_speed.value_or(max_speed),
+                          with_offset(model, radius),
+                          heading,
+                          priority,
+                          parked,
+                          layers,
+                          avoids,
+                          time_step,
+                          max_braking,
+                          behavior};
+           }),
+           py::kw_only(), arg("position"), arg("goal"), arg("velocity") = py::make_tuple(0.0, 0.0),
+           arg("radius") = 0.5, arg("max_speed") = 2.0, arg("max_acceleration") = 1.0,
+           arg("preferred_speed") = py::none(), arg("model") = avo::Holonomic{},
+           arg("heading") = 0.0, arg("priority") = 1.0, arg("parked") = false,
+           arg("layers") = avo::LayerSet{1}, arg("avoids") = avo::LayerSet{0xffffffff},
+           arg("time_step") = py::none(), arg("max_braking") = py::none(),
+           arg("behavior") = "decides",
+           "position, goal: (x, y), m; velocity: m/s; radius: m, > 0; max_speed: m/s, > 0; "
+           "max_acceleration: m/s^2, > 0; preferred_speed: m/s, >= 0, None: max_speed; model: how "
+           "it moves; heading: rad; priority: > 0; parked: never moves; layers, avoids: 0 to 31; "
+           "time_step: s, of a free clock; max_braking: m/s^2, None: max_acceleration; behavior: "
+           "what "
+           "others count on, \"decides\" or \"cooperates\".")
+      .def_readwrite("behavior", &Setup::behavior, "\"decides\" or \"cooperates\"")
       .def_readwrite("position", &Setup::position, "(x, y), m")
       .def_readwrite("goal", &Setup::goal, "(x, y), m")
       .def_readwrite("velocity", &Setup::velocity, "(x, y), m/s")

@@ -111,8 +111,10 @@ TEST(BehindWalls, MoversAlwaysCount) {
   Neighbor other = seen(robot_at({2.0, -0.8}, {-0.3, 0.7}, {}));
   const Plan without = plan_of(planner, robot, {friendly}, {kWall});
   EXPECT_TRUE(is_same(plan_of(planner, robot, {friendly, other}, {kWall}), without));
-  other.behavior = Behavior::moves_on;
-  EXPECT_FALSE(is_same(plan_of(planner, robot, {friendly, other}, {kWall}), without));
+  for (const Behavior behavior : {Behavior::moves_on, Behavior::cooperates}) {
+    other.behavior = behavior;
+    EXPECT_FALSE(is_same(plan_of(planner, robot, {friendly, other}, {kWall}), without));
+  }
 }
 
 TEST(BehindWalls, WithSensingErrorsAllCount) {

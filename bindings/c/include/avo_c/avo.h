@@ -140,8 +140,9 @@ enum {
 
 typedef int32_t avo_behavior;
 enum {
-  AVO_BEHAVIOR_DECIDES = 0,  ///< plans as this one does, at the same times
-  AVO_BEHAVIOR_MOVES_ON = 1  ///< reacts to nobody
+  AVO_BEHAVIOR_DECIDES = 0,    ///< plans as this one does, at the same times
+  AVO_BEHAVIOR_MOVES_ON = 1,   ///< reacts to nobody
+  AVO_BEHAVIOR_COOPERATES = 2  ///< does its share, and nobody counts on it to brake
 };
 
 typedef int32_t avo_model;
@@ -312,14 +313,14 @@ typedef struct avo_neighbor {
   avo_vec2 position;         ///< m
   avo_vec2 velocity;         ///< m/s
   double radius;             ///< m, > 0
-  double max_acceleration;   ///< m/s^2, > 0; read where it decides
-  double priority;           ///< > 0; read where it decides
+  double max_acceleration;   ///< m/s^2, > 0; not read where it moves on
+  double priority;           ///< > 0; likewise
   double max_braking;        ///< m/s^2, > 0, also above max_acceleration; 0: that; likewise
   avo_loiter_circle loiter;  ///< what it falls back on; radius 0: it brakes
-  double max_deviation;      ///< m/s^2, >= 0, of the acceleration of one that moves on
+  double max_deviation;      ///< m/s^2, >= 0, of the acceleration of one that does not decide
   double position_error;     ///< m, >= 0, besides the declared sensing_error
   avo_vec2 acceleration;     ///< m/s^2, observed; read where it moves on
-  double max_speed;  ///< m/s, > 0, of one that moves on, with max_deviation; may be infinite
+  double max_speed;  ///< m/s, > 0, of one that does not decide, with max_deviation; may be infinite
   avo_behavior behavior;
   int32_t age;  ///< steps since it was sensed, 0 to 1 000 000
   /// Unit, or 0: of one that coincides in place and velocity, the direction in which to leave it;
@@ -419,6 +420,7 @@ typedef struct avo_chain {
   bool closed;
 } avo_chain;
 
+  avo_behavior behavior;  ///< what others count on: AVO_BEHAVIOR_DECIDES or _COOPERATES
 /// A static obstacle.
 typedef struct avo_obstacle_def {
   size_t size;
