@@ -183,6 +183,24 @@ void append_certificate(const Decision& decision,
     line("detour", fmt::format("{:.6g} rad to the right", decision.seen.detour.angle));
 }
 
+/// Whom it evades, and on which way.
+Json evasion_of(const Decision& decision) {
+  if (!decision.evasion) return nullptr;
+  const auto& [neighbor, velocity, duration] = *decision.evasion;
+  return {{"neighbor", name_of_either(decision, neighbor, -1)},
+          {"velocity", to_json(velocity)},
+          {"until", decision.time + duration}};
+}
+
+std::string evasion_text(const Decision& decision) {
+  const auto& [neighbor, velocity, duration] = *decision.evasion;
+  const std::string whom =
+      neighbor >= 0 ? text_of_either(decision, neighbor, -1) : "those who come";
+  if (!(duration > 0.0)) return whom + ": it brakes";
+  return fmt::format("{}: towards {} m/s until {:.6g} s, and then it could brake", whom,
+                     text(velocity), decision.time + duration);
+}
+
 Json half_planes_of(const Decision& decision) {
   Json half_planes = Json::array();
   for (const avo::NeighborPlane& plane : decision.half_planes.planes)
@@ -200,6 +218,7 @@ Json obstacles_of(const Decision& decision) {
   for (std::size_t k = 0; k < seen.neighbors.size(); ++k) {
     const avo::Neighbor& neighbor = seen.neighbors[k];
     const bool decides = neighbor.behavior == avo::Behavior::decides;
+    const bool shares = avo::shares(neighbor);
     obstacles.push_back({{"neighbor", name_of(seen.source[k])},
                          {"position", to_json(neighbor.position)},
                          {"velocity", to_json(neighbor.velocity)},
@@ -218,7 +237,6 @@ Json obstacles_of(const Decision& decision) {
           std::isfinite(neighbor.max_speed) ? Json(neighbor.max_speed) : Json();
     }
     if (!decision.risks.empty()) obstacles.back()["risk"] = decision.risks[k];
-    const bool shares = avo::shares(neighbor);
   }
   return obstacles;
 }
@@ -258,6 +276,7 @@ std::string to_json(const Decision& decision) {
       {"preferred_velocity", to_json(self.preferred_velocity)},
       {"new_velocity", to_json(decision.plan.new_velocity)},
       {"acceleration", to_json(decision.plan.acceleration)},
+      {"evading", evasion_of(decision)},
       {"state", avo::to_string(decision.state.state)},
       {"doomed_by", doomed_by(decision)},
       {"contact_within",
@@ -311,6 +330,7 @@ std::string readable(const Decision& decision) {
                               ? fmt::format("{:.6g} s", decision.response_time)
                               : std::string("0: at once"));
   line("acceleration", text(decision.plan.acceleration) + " m/s^2");
+  if (decision.evasion) line("evades", evasion_text(decision));
   if (!decision.risks.empty())
     line("risk",
          fmt::format("{:.3g} or less that noise hides a broken half-plane", risk_of(decision)));

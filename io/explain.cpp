@@ -86,6 +86,8 @@ Decision explain(const avo::Simulation& simulation, const std::string& scene, st
   avo::PlanWorkspace workspace;
   decision.plan = planner.plan(self, neighbors, workspace, &next_detour, walls);
   if (stop && decision.plan.status != avo::PlanStatus::overlapping) decision.plan = *stop;
+  if (decision.plan.evading)
+    decision.evasion = planner.evasion(self, neighbors, workspace, &detour, walls);
   decision.state = planner.state(self, neighbors, workspace, walls);
   if (decision.by_half_planes)
     planner.collect_half_planes(self, neighbors, workspace, decision.half_planes, walls);

@@ -162,6 +162,36 @@ avo_result avo_planner_plan_among_obstacles(avo_planner_id planner, const avo_ro
 
 avo_result avo_planner_state(avo_planner_id planner, const avo_robot* robot,
                              const avo_neighbor* neighbors, size_t neighbor_count,
+avo_result avo_planner_evasion(avo_planner_id planner, const avo_robot* robot,
+                               const avo_neighbor* neighbors, size_t neighbor_count,
+                               const avo_wall* walls, size_t wall_count, const avo_detour* detour,
+                               avo_evasion* evasion) {
+  return guarded([&] {
+    const avo::Planner& own = planners.at(planner);
+    avo_evasion& result = at(evasion, "evasion");
+    avo::Detour remembered;
+    if (detour != nullptr) remembered = std::bit_cast<avo::Detour>(*detour);
+    const auto known =
+        own.evasion(read_robot(robot), neighbors_of(neighbors, neighbor_count, "neighbors"),
+                    scratch().workspace, detour == nullptr ? nullptr : &remembered,
+                    walls_of(walls, wall_count));
+    const avo::Evasion none;
+    const avo::Evasion& way = known ? *known : none;
+    result = {to_c(way.velocity), way.duration, way.neighbor};
+  });
+}
+
+avo_result avo_planner_has_way_out(avo_planner_id planner, const avo_robot* robot,
+                                   const avo_neighbor* neighbors, size_t neighbor_count,
+                                   const avo_wall* walls, size_t wall_count, bool* has_way_out) {
+  return guarded([&] {
+    const avo::Planner& own = planners.at(planner);
+    at(has_way_out, "has_way_out") =
+        own.has_way_out(read_robot(robot), neighbors_of(neighbors, neighbor_count, "neighbors"),
+                        scratch().workspace, walls_of(walls, wall_count));
+  });
+}
+
                              const avo_wall* walls, size_t wall_count, avo_safety_report* report) {
   return guarded([&] {
     const avo::Planner& own = planners.at(planner);

@@ -205,6 +205,8 @@ struct Plan {
   /// simulation, which gives it none.
   int neighbor = -1;
   int wall = -1;           ///< or one into the walls given, likewise
+  /// Whether what would have been chosen was put aside for a way out: see Planner::evasion().
+  bool evading = false;
   float depth = 0.0F;      ///< m: if overlapping, by how much, see SafetyReport::depth
   double violation = 0.0;  ///< m/s: by how much CA_A is missed; 0 if optimal
 };
@@ -213,6 +215,14 @@ struct Plan {
 struct NeighborPlane {
   int neighbor = 0;  ///< index into the neighbors given
   HalfPlane plane;
+/// The way out that a robot beside movers takes in place of what it would have chosen
+/// (docs/movers.md). It approaches a velocity, and then it brakes to rest.
+struct Evasion {
+  int neighbor = -1;    ///< index into the neighbors given: who made the robot put its choice aside
+  Vec2 velocity = {};   ///< m/s, that the way approaches, or holds; 0: it brakes from the start
+  double duration = 0;  ///< s, from the decision, after which it brakes, if nothing else is decided
+};
+
   double excess = 0.0;  ///< m/s, A's share of RelativeHalfPlane::excess
 };
 
@@ -395,6 +405,19 @@ class AVO_API Planner {
   /// methods that disregard it.
   [[nodiscard]] Disc acceleration_disc(const Robot& robot) const;
   /// D(0, v_max).
+  /// What plan() says with Plan::evading: whom A evades, and on which way; none where it does not.
+  [[nodiscard]] std::optional<Evasion> evasion(const Robot& robot,
+                                               std::span<const Neighbor> neighbors,
+                                               PlanWorkspace& workspace,
+                                               const Detour* detour = nullptr,
+                                               std::span<const Wall> walls = {}) const;
+
+  /// Whether some way out is clear of all who are predicted (docs/movers.md, invariant M), whatever
+  /// the others do: A need not be touched by any of them if they keep to what is known of them.
+  /// false where plan() says invalid_input, without a certificate, and of models without ways.
+  [[nodiscard]] bool has_way_out(const Robot& robot, std::span<const Neighbor> neighbors,
+                                 PlanWorkspace& workspace, std::span<const Wall> walls = {}) const;
+
   [[nodiscard]] Disc speed_disc(const Robot& robot) const;
 
   /// The part of v' - v that one step turns into velocity: Δt/δ (held), 1 - e^{-Δt/δ}

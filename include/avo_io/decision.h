@@ -30,6 +30,7 @@ struct Decision {
   avo::Certificate certificate{};
   double response_time = 0.0;  ///< s, with which it approaches v'; 0: at once
   avo::Plan plan;
+  std::optional<avo::Evasion> evasion;
   avo::SafetyReport state;  ///< of the state in which it decides
   avo::Disc acceleration_disc, speed_disc;
 };

@@ -24,7 +24,7 @@ export interface Sensed {
   velocity: Vec;
   acceleration: Vec;
   radius: number;
-  max_acceleration: number;     // 0 of who does not decide
+  max_acceleration: number;     // 0 of who moves on
   priority: number | null;      // null likewise
   behavior: "decides" | "moves_on" | "cooperates";
   share: number;                // of what the two have to do, the part of the robot that decides here
@@ -34,6 +34,13 @@ export interface Sensed {
   loiter?: Disc;
   max_deviation?: number;
   max_speed?: number | null;
+}
+
+/** Whom a robot evades, the velocity that its way out approaches (0: it brakes), and the time at which that way brakes. */
+export interface Evasion {
+  neighbor: Source | null;
+  velocity: Vec;
+  until: number;                // s, of the run
 }
 
 export interface Decision {
@@ -65,6 +72,7 @@ export interface Decision {
   preferred_velocity: Vec;
   new_velocity: Vec;
   acceleration: Vec;
+  evading: Evasion | null;      // what it would have chosen was put aside for a way out (docs/movers.md)
   state: "safe" | "doomed" | "unknown";
   doomed_by: Source | null;     // also "walls.K", of `walls` above
   contact_within: number | null;

@@ -6,7 +6,7 @@ import { clearanceOf, labelOf, nameOf, norm } from "./decision.ts";
 import { digits, element } from "./elements.ts";
 import { STATUS_COLORS } from "./palette.ts";
 import type { Law, Why } from "./why.ts";
-import { headingOf } from "./why.ts";
+import { evadedOf, headingOf } from "./why.ts";
 
 interface Row {
   name: string;     // of the key of `avo explain --json`, or of what follows from it
@@ -41,6 +41,7 @@ function verdictRows(decision: Decision): Row[] {
   const rows: Row[] = [
     { name: "status", label: "status", value: decision.status, exact: decision.status, title: STATUS_COLORS[decision.status]?.says ?? "" },
     ...contactRows(decision),
+    ...evasionRows(decision),
     { name: "violation", label: "violation", value: `${digits(decision.violation, 3)} m/s`, exact: decision.violation, title: "by how much v′ misses CA_A" },
     { name: "state", label: "state", value: stateText(decision), exact: decision.state, title: "what is proved before anything is decided (docs/states.md)" },
     { name: "rule", label: "rule", value: decision.rule.replaceAll("_", " "), exact: decision.rule },
@@ -62,6 +63,13 @@ function contactRows(decision: Decision): Row[] {
   if (decision.contact_with === null || decision.contact_depth === null) return [];
   const whom = labelOf(nameOf(decision.contact_with));
   return [{ name: "contact", label: "contact", value: `${whom}, ${decision.contact_depth.toPrecision(3)} m deep`, exact: decision.contact_depth, title: "whom it touches, or comes to touch in spite of braking, and how deep" }];
+}
+
+function evasionRows(decision: Decision): Row[] {
+  if (!decision.evading) return [];
+  const { velocity, until } = decision.evading;
+  const way = norm(velocity) > 0 ? `towards ${pair(velocity)} m/s until ${digits(until)} s` : "brakes";
+  return [{ name: "evading", label: "evades", value: `${evadedOf(decision)}: ${way}`, exact: decision.evading, title: "whom it makes room for, and by which way out (docs/movers.md)" }];
 }
 
 function stateText(decision: Decision): string {

@@ -161,6 +161,20 @@ const STATUS_REASONS: Record<string, (decision: Decision, law: Law) => string> =
   invalid_input: () => "a number that it knows or senses is not finite or out of range: it brakes",
 };
 
+/** Whom a decision evades, for people. */
+export function evadedOf(decision: Decision): string {
+  const whom = decision.evading?.neighbor ?? null;
+  return whom === null ? "those who come" : labelOf(nameOf(whom));
+}
+
+/** The reason behind a decision that was put aside. */
+function evasionReason(decision: Decision): string {
+  const whom = evadedOf(decision);
+  return decision.evading && norm(decision.evading.velocity) > 0
+    ? `what it would have chosen leaves no way out from ${whom}, so it makes room`
+    : `what it would have chosen leaves no way out from ${whom}, so it brakes`;
+}
+
 export function stateSentence(decision: Decision): string {
   if (decision.state === "safe")
     return decision.loiter ? "Its circle keeps clear of all others (safe)." : "Braking keeps clear of all others (safe).";
@@ -172,6 +186,7 @@ export function stateSentence(decision: Decision): string {
 
 /** "Robot 3 turns 12° right: the half-plane of robot 7 binds. Braking keeps clear of all others (safe)." */
 export function sentence(decision: Decision, law: Law, found: Why): string {
-  const reason = STATUS_REASONS[decision.status]?.(decision, law) ?? reasonOf(decision, law, found);
+  const reason = decision.evading && decision.status !== "overlapping" ? evasionReason(decision)
+    : STATUS_REASONS[decision.status]?.(decision, law) ?? reasonOf(decision, law, found);
   return `Robot ${decision.robot} ${actionOf(decision)}: ${reason}. ${stateSentence(decision)}`;
 }

@@ -303,6 +303,7 @@ bool take_first_step(const WayOptions& options, Surroundings& around, const WayS
 
 bool may_brake(const WayOptions& options, Surroundings& around) {
   around.clear_until = around.clear_after;
+  around.brakes_at = around.after.time;
   return stop_from(options, around, around.after) == Stop::clear;
 }
 
@@ -310,6 +311,7 @@ bool may_approach(const WayOptions& options, Surroundings& around, Vec2 w) {
   around.clear_until = around.clear_after;
   for (WayState state = around.after;;) {
     const Stop stop = stop_from(options, around, state);
+    around.brakes_at = state.time;
     if (stop != Stop::in_time) return stop == Stop::clear;
     if (!(state.time < options.longest)) return false;
     const WayStep step = step_of(options, state, next_towards(options, state, w));

@@ -71,7 +71,8 @@ struct Surroundings {
   // s, until which nothing that A does matters to each of the others: from now on, from the first
   // step on, and from the last state of a way on
   std::vector<double> clear_now, clear_after, clear_until;
-  WayState after;  // the first step
+  WayState after;          // the first step
+  double brakes_at = 0.0;  // s: when the last way begins to brake that was found clear
   /// So much may still be looked at in this decision; no way is clear once that is used up.
   int work = std::numeric_limits<int>::max();
 

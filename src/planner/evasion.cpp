@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <optional>
 
 #include "core/plane.h"
 #include "planner/arrival.h"
@@ -65,12 +66,13 @@ struct Evading {
   WayOptions options;
   double braking = 0.0;          // s, that it takes at most
   bool has_constraints = false;  // in the workspace
+  double brakes_at = 0.0;        // s, of the way that is taken
 
   WayState now() const { return {{}, robot.velocity, 0.0, robot.heading}; }
 };
 
 bool decides(const Neighbor& neighbor) {
-  return neighbor.behavior == Behavior::decides;
+  return !is_predicted(neighbor);
 }
 
 // m/s: from the end of a trajectory that goes round on, it is not known where the mover is.
@@ -216,6 +218,7 @@ Vec2 nearer(Evading& evading, const FirstStep& step, Vec2 wanted) {
     const Vec2 between = followed(evading, wanted + part * (step.next_velocity - wanted));
     if (is_clear(evading, {between, step.then, step.w}) && is_allowed(evading, between)) {
       kept = part, best = between;
+      evading.brakes_at = evading.workspace.around.brakes_at;
     } else {
       refused = part;
     }
@@ -245,7 +248,10 @@ Way find_way(Evading& evading, const Level& level, Vec2 wanted, Vec2& next_veloc
   const FirstSteps steps = first_steps(evading, wanted);
   for (const FirstStep& step : steps) {
     if (!is_clear(evading, step) || !is_allowed(evading, step.next_velocity)) continue;
+    evading.brakes_at = evading.workspace.around.brakes_at;
     next_velocity = nearer(evading, step, wanted);
+    const Vec2 w = step.then == Then::holds ? next_velocity : step.w;
+    evading.workspace.chosen = {-1, w, step.then == Then::brakes ? 0.0 : evading.brakes_at};
     return Way::another;
   }
   return find_beside(evading, steps, next_velocity) ? Way::another : Way::none;
@@ -311,6 +317,25 @@ double braking_time_of(const Robot& robot, double speed, const StepLaw& law) {
   return law.time_step * (2.0 + speed / decrement_of(robot, law));
 }
 
+// Nothing of robots that have no ways.
+std::optional<Evading> begin(const CertificateLaw& law, const Robot& robot,
+                             std::span<const Neighbor> neighbors, std::span<const Wall> walls,
+                             EvasionWorkspace& workspace) {
+  if (law.kind == Certificate::none || is_airplane(robot.model)) return std::nullopt;
+  Evading evading{law, robot, neighbors, walls, workspace, {}};
+  evading.options = {
+      .law = law.step,
+      .decrement = decrement_of(robot, law.step),
+      .max_speed = fastest_of(robot.model, std::max(robot.max_speed, norm(robot.velocity))),
+      .longest = std::min(kLongestWay * time_to_speed(robot), kMostSteps * law.step.time_step),
+      .wheels = is_holonomic(robot.model) ? nullptr : &robot};
+  if (!(evading.options.max_speed <= kMostBraking * evading.options.decrement)) return std::nullopt;
+  evading.braking = braking_time_of(robot, evading.options.max_speed, law.step);
+  workspace.around.work = kMostWork;
+  follow_trajectories(evading);
+  return evading;
+}
+
 }  // namespace
 
 double way_range(double radius, double max_speed, double max_acceleration) {
@@ -328,19 +353,10 @@ double longest_way_out(const Robot& robot, const StepLaw& law) {
 void keep_a_way_out(const CertificateLaw& law, const Robot& robot,
                     std::span<const Neighbor> neighbors, std::span<const Wall> walls,
                     double wall_range, bool may_swerve, EvasionWorkspace& workspace, Plan& plan) {
-  if (law.kind == Certificate::none || is_airplane(robot.model)) return;
   if (std::all_of(neighbors.begin(), neighbors.end(), decides)) return;
-  Evading evading{law, robot, neighbors, walls, workspace, {}, 0.0};
-  evading.options = {
-      .law = law.step,
-      .decrement = decrement_of(robot, law.step),
-      .max_speed = fastest_of(robot.model, std::max(robot.max_speed, norm(robot.velocity))),
-      .longest = std::min(kLongestWay * time_to_speed(robot), kMostSteps * law.step.time_step),
-      .wheels = is_holonomic(robot.model) ? nullptr : &robot};
-  if (!(evading.options.max_speed <= kMostBraking * evading.options.decrement)) return;
-  evading.braking = braking_time_of(robot, evading.options.max_speed, law.step);
-  workspace.around.work = kMostWork;
-  follow_trajectories(evading);
+  std::optional<Evading> begun = begin(law, robot, neighbors, walls, workspace);
+  if (!begun) return;
+  Evading& evading = *begun;
   const Vec2 wanted = robot.velocity + law.step.braking_time * plan.acceleration;
   if (is_far_from_movers(evading, wanted)) return;
   keep_walls(wall_range, evading);
@@ -361,6 +377,35 @@ void keep_a_way_out(const CertificateLaw& law, const Robot& robot,
   const Plan found = plan_under(law, robot, next_velocity, PlanStatus::candidate, plan.violation);
   plan.new_velocity = found.new_velocity, plan.acceleration = found.acceleration;
   if (plan.status != PlanStatus::overlapping) plan.status = found.status;
+  plan.evading = true;
+  workspace.put_aside = wanted;
+}
+
+bool has_way_out(const CertificateLaw& law, const Robot& robot, std::span<const Neighbor> neighbors,
+                 std::span<const Wall> walls, EvasionWorkspace& workspace) {
+  std::optional<Evading> evading = begin(law, robot, neighbors, walls, workspace);
+  if (!evading) return false;
+  keep_walls(0.0, *evading);
+  return std::any_of(kLevels.begin(), kLevels.end(), [&](const Level& level) {
+    look_around(*evading, level);
+    const FirstSteps steps = first_steps(*evading, robot.velocity);
+    return std::any_of(steps.begin(), steps.end(),
+                       [&](const FirstStep& step) { return is_clear(*evading, step); });
+  });
+}
+
+int find_evaded(const CertificateLaw& law, const Robot& robot, std::span<const Neighbor> neighbors,
+                Vec2 put_aside, EvasionWorkspace& workspace) {
+  int evaded = -1;
+  double nearest = 0.0;  // m²
+  for (std::size_t k = 0; k < neighbors.size(); ++k) {
+    const double squared = norm_squared(neighbors[k].position - robot.position);
+    if (decides(neighbors[k]) || (evaded >= 0 && !(squared < nearest))) continue;
+    std::optional<Evading> alone = begin(law, robot, neighbors.subspan(k, 1), {}, workspace);
+    if (!alone || is_far_from_movers(*alone, put_aside)) continue;
+    evaded = static_cast<int>(k), nearest = squared;
+  }
+  return evaded;
 }
 
 }  // namespace avo

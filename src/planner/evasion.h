@@ -15,6 +15,9 @@ struct EvasionWorkspace {
   Surroundings around;
   std::vector<Neighbor> deciding;      // of the neighbors
   CertifiedWorkspace certified;        // of these and of walls
+  // of the last plan that evades: on which way, and the next velocity that it has put aside
+  Evasion chosen;
+  Vec2 put_aside;  // m/s
 };
 
 /// m: as far as the ways of a robot lead, but for the last of its braking.
@@ -31,5 +34,14 @@ double longest_way_out(const Robot& robot, const StepLaw& law);
 void keep_a_way_out(const CertificateLaw& law, const Robot& robot,
                     std::span<const Neighbor> neighbors, std::span<const Wall> walls,
                     double wall_range, bool may_swerve, EvasionWorkspace& workspace, Plan& plan);
+
+/// (M), see Planner::has_way_out().
+bool has_way_out(const CertificateLaw& law, const Robot& robot, std::span<const Neighbor> neighbors,
+                 std::span<const Wall> walls, EvasionWorkspace& workspace);
+
+/// Whom the robot evades that has put aside a next velocity: index of the nearest one who comes too
+/// near to it if it brakes after that step; -1 where there is none.
+int find_evaded(const CertificateLaw& law, const Robot& robot, std::span<const Neighbor> neighbors,
+                Vec2 put_aside, EvasionWorkspace& workspace);
 
 }  // namespace avo

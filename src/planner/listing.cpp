@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -15,8 +16,8 @@
 #include "planner/demands.h"
 #include "planner/flight.h"
 #include "planner/neighbor_order.h"
-#include "planner/scratch.h"
 #include "planner/pair_planes.h"
+#include "planner/scratch.h"
 #include "planner/validity.h"
 #include "planner/way_out.h"
 #include "walls/segment.h"
@@ -176,6 +177,25 @@ void Planner::collect_certificate(const Robot& robot, std::span<const Neighbor> 
   for (CertificateConstraint& constraint : constraints)
     constraint.neighbor =
         static_cast<int>(scratch.order[static_cast<std::size_t>(constraint.neighbor)]);
+}
+
+std::optional<Evasion> Planner::evasion(const Robot& robot, std::span<const Neighbor> neighbors,
+                                        PlanWorkspace& workspace, const Detour* detour,
+                                        std::span<const Wall> walls) const {
+  Detour next = detour != nullptr ? *detour : Detour{};
+  if (!plan(robot, neighbors, workspace, detour != nullptr ? &next : nullptr, walls).evading)
+    return std::nullopt;
+  EvasionWorkspace& own = PlanWorkspace::Scratch::of(workspace).evasion;
+  Evasion evasion = own.chosen;
+  evasion.neighbor = find_evaded(certificate_law(*this), robot, neighbors, own.put_aside, own);
+  return evasion;
+}
+
+bool Planner::has_way_out(const Robot& robot, std::span<const Neighbor> neighbors,
+                          PlanWorkspace& workspace, std::span<const Wall> walls) const {
+  return can_decide(robot, neighbors, walls, options_) &&
+         avo::has_way_out(certificate_law(*this), robot, neighbors, walls,
+                          PlanWorkspace::Scratch::of(workspace).evasion);
 }
 
 }  // namespace avo

@@ -113,7 +113,7 @@ void go_freely(const Deciding& deciding, std::size_t i) {
   plan.violation = deciding.violation(i);
   plan.status = status_of(plan.violation);
   plan.state = deciding.state_if_free();
-  plan.neighbor = plan.wall = -1, plan.depth = 0.0F;
+  plan.neighbor = plan.wall = -1, plan.depth = 0.0F, plan.evading = false;
   if (deciding.scratch.soft.overlapping[i] != 0) deciding.tell_contact(i, {}, {});
 }
 

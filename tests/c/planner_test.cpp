@@ -103,7 +103,8 @@ bool is_same(const avo_plan& a, const avo::Plan& b) {
          is_same(a.acceleration, b.acceleration) &&
          a.status == static_cast<avo_plan_status>(b.status) &&
          a.state == static_cast<avo_safety_state>(b.state) && a.violation == b.violation &&
-         a.neighbor == b.neighbor && a.wall == b.wall && a.depth == b.depth;
+         a.neighbor == b.neighbor && a.wall == b.wall && a.depth == b.depth &&
+         a.evading == b.evading;
 }
 
 // What one robot sees, as C and as C++ plan with it.
@@ -192,6 +193,37 @@ void check_invalid_input() {
 }
 
 void check_response_time() {
+void check_evasion() {
+  const avo_planner_def def = avo_default_planner_def(AVO_METHOD_AVO);
+  avo_planner_id planner;
+  REQUIRE(avo_create_planner(&def, &planner));
+  avo_robot robot = avo_default_robot();
+  robot.velocity = robot.preferred_velocity = {2.0, 0.0};
+  avo_neighbor others[2] = {avo_default_neighbor(), avo_default_neighbor()};
+  others[0].position = {9.0, 9.0};
+  others[1].position = {2.0, 3.0}, others[1].velocity = {0.0, -1.0};
+  others[0].behavior = others[1].behavior = AVO_BEHAVIOR_MOVES_ON;
+  avo_plan plan;
+  REQUIRE(avo_planner_plan(planner, &robot, others, 2, nullptr, 0, nullptr, &plan));
+  CHECK(plan.evading);
+  avo_evasion evasion;
+  REQUIRE(avo_planner_evasion(planner, &robot, others, 2, nullptr, 0, nullptr, &evasion));
+  CHECK(evasion.neighbor == 1);
+  CHECK(evasion.velocity.x != 0.0 || evasion.velocity.y != 0.0);
+  CHECK(evasion.duration > 0.0);
+  bool has_way_out = false;
+  REQUIRE(avo_planner_has_way_out(planner, &robot, others, 2, nullptr, 0, &has_way_out));
+  CHECK(has_way_out);
+  others[1].position.x = 0.5, others[1].velocity.y = -30.0;
+  REQUIRE(avo_planner_has_way_out(planner, &robot, others, 2, nullptr, 0, &has_way_out));
+  CHECK(!has_way_out);
+  REQUIRE(avo_planner_evasion(planner, &robot, others, 1, nullptr, 0, nullptr, &evasion));
+  CHECK(evasion.neighbor == -1);
+  REFUSES(avo_planner_evasion(planner, &robot, others, 1, nullptr, 0, nullptr, nullptr),
+          AVO_ERROR_INVALID_ARGUMENT, "evasion: found null");
+  REQUIRE(avo_destroy_planner(planner));
+}
+
   avo_planner_def def = avo_default_planner_def(AVO_METHOD_AVO);
   avo_planner_id planner;
   REQUIRE(avo_create_planner(&def, &planner));

@@ -176,6 +176,50 @@ TEST(Explain, orca_has_no_acceleration_disc) {
   EXPECT_TRUE(json["acceleration_disc"].is_null());
 }
 
+TEST(Explain, tells_whom_the_robot_evades_and_on_which_way) {
+  const Strings words{"positions-exchange",
+                      "--set",
+                      "robots.0={position: [0, 0], velocity: [2, 0], goal: [30, 0]}",
+                      "--set",
+                      "robots.1={position: [0, 40], goal: [0, 40]}",
+                      "--set",
+                      "moving_obstacles=[{position: [9, 9], velocity: [1, 1]}, {position: [2, 3], "
+                      "velocity: [0, -1]}]",
+                      "--robot",
+                      "0"};
+  const Json json = explained(words);
+  ASSERT_TRUE(json["evading"].is_object()) << json;
+  EXPECT_EQ(json["evading"]["neighbor"], "moving_obstacles.1");
+  EXPECT_GE(json["evading"]["until"], 0.0);
+  EXPECT_LE(json["evading"]["until"], 4.2);
+  Strings text = words;
+  text.insert(text.begin(), "explain");
+  const ProcessResult result = run_avo(text);
+  EXPECT_NE(result.out.find("  evades              moving obstacle 1: "), std::string::npos)
+      << result.out;
+  Strings other = words;
+  other.back() = "1";
+  EXPECT_TRUE(explained(other)["evading"].is_null());
+  text.back() = "1";
+  EXPECT_EQ(run_avo(text).out.find("evades"), std::string::npos);
+}
+
+TEST(Explain, names_those_who_cooperate) {
+  const Json json = explained(
+      {"circle-10", "--robot", "3", "--time", "6", "--set", "robots.4.behavior=cooperates"});
+  int others = 0, cooperating = 0;
+  for (const Json& other : json["obstacles"]) {
+    const bool decides = other["neighbor"] != 4;
+    ++(decides ? others : cooperating);
+    EXPECT_EQ(other["behavior"], decides ? "decides" : "cooperates");
+    EXPECT_EQ(other["share"], 0.5);
+    EXPECT_EQ(other["max_acceleration"], 1.0);
+    EXPECT_EQ(other.contains("max_braking"), decides) << "nobody counts on its brakes";
+  }
+  EXPECT_EQ(cooperating, 1);
+  EXPECT_GT(others, 0);
+}
+
 TEST(Explain, tells_what_is_proved_of_the_state) {
   const Strings starts{"positions-exchange",
                        "--robot",

@@ -95,7 +95,16 @@ void bind_plans(py::module_& module) {
       .def("status", indices([](const avo::Plan& plan) { return plan.status; }),
            "(n,) uint8: indices into PLAN_STATUS.")
       .def("state", indices([](const avo::Plan& plan) { return plan.state; }),
-           "(n,) uint8: indices into SAFETY_STATE.");
+           "(n,) uint8: indices into SAFETY_STATE.")
+      .def(
+          "evading",
+          [](const Plans& plans) {
+            py::array_t<bool> array(static_cast<py::ssize_t>(plans.all.size()));
+            for (std::size_t k = 0; k < plans.all.size(); ++k)
+              array.mutable_data()[k] = plans.all[k].evading;
+            return array;
+          },
+          "(n,) bool: whether what would have been chosen was put aside for a way out.");
 }
 
 }  // namespace

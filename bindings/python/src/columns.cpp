@@ -123,6 +123,9 @@ void bind_columns(SimulationClass& simulation) {
              return fleet.plan[k].status;
            }),
            "(n,) uint8, of the last decisions: indices into PLAN_STATUS.")
+      .def("evading",
+           whole<bool>([](const FleetView& fleet, std::size_t k) { return fleet.plan[k].evading; }),
+           "(n,) bool, of the last decisions: whether they were put aside for a way out.")
       .def("plan_state", whole<std::uint8_t>([](const FleetView& fleet, std::size_t k) {
              return fleet.plan[k].state;
            }),

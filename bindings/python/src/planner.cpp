@@ -73,6 +73,19 @@ avo::SafetyReport state(const Planner& planner, const avo::Robot robot,
 }
 
 void bind_results(py::module_& module) {
+std::optional<avo::Evasion> evasion(const Planner& planner, const avo::Robot& robot,
+                                    const std::vector<avo::Neighbor>& neighbors,
+                                    const std::vector<avo::Wall>& walls,
+                                    const avo::Detour* detour) {
+  return planner.evasion(robot, neighbors, workspace(), detour, walls);
+}
+
+bool has_way_out(const Planner& planner, const avo::Robot robot,
+                 const std::vector<avo::Neighbor>& neighbors, const std::vector<avo::Wall>& walls) {
+  const py::gil_scoped_release release;
+  return planner.has_way_out(robot, neighbors, workspace(), walls);
+}
+
   using avo::Plan;
   py::class_<Plan>(module, "Plan", "A decision.")
       .def_readonly("new_velocity", &Plan::new_velocity, "v', m/s, Eqs. (14), (23)")
@@ -81,6 +94,9 @@ void bind_results(py::module_& module) {
       .def_readonly("status", &Plan::status, "how it was made, one of PLAN_STATUS")
       .def_readonly("state", &Plan::state, "in which it was made, one of SAFETY_STATE")
       .def_readonly("neighbor", &Plan::neighbor,
+      .def_readonly(
+          "evading", &Plan::evading,
+          "whether what would have been chosen was put aside: Planner.evasion() says more")
                     "if overlapping, index of whom it touches most deeply, or -1")
       .def_readonly("wall", &Plan::wall, "likewise of the wall, or -1")
       .def_readonly("depth", &Plan::depth, "m: if overlapping, by how much")
@@ -90,6 +106,12 @@ void bind_results(py::module_& module) {
                            avo::to_string(plan.status), plan.acceleration.x, plan.acceleration.y);
       });
   using avo::SafetyReport;
+  using avo::Evasion;
+  py::class_<Evasion>(module, "Evasion", "A way out that is taken.")
+      .def_readonly("neighbor", &Evasion::neighbor, "index of whom the robot evades")
+      .def_readonly("velocity", &Evasion::velocity,
+                    "(x, y), m/s, that the way approaches, or holds; 0: it brakes from the start")
+      .def_readonly("duration", &Evasion::duration, "s, from the decision, after which it brakes");
   py::class_<SafetyReport>(module, "SafetyReport", "What is proved of a state.")
       .def_readonly("state", &SafetyReport::state, "one of SAFETY_STATE")
       .def_readonly("neighbor", &SafetyReport::neighbor,
@@ -180,3 +202,11 @@ void bind_planner(py::module_& module) {
 }
 
 }  // namespace avo_python
+      .def("evasion", &evasion, arg("robot"), arg("neighbors") = py::tuple(),
+           arg("walls") = py::tuple(), arg("detour") = py::none(),
+           "What plan() says with `evading`: an Evasion, whom the robot evades and on which way; "
+           "None where it does not. detour is not updated.")
+      .def("has_way_out", &has_way_out, arg("robot"), arg("neighbors") = py::tuple(),
+           arg("walls") = py::tuple(),
+           "Whether some way out is clear of all who do not decide, as far as they keep to what is "
+           "known of them.")

@@ -255,6 +255,7 @@ typedef struct avo_plan {
   avo_vec2 acceleration;   ///< m/s^2, at the start of the step
   avo_plan_status status;
   avo_safety_state state;  ///< of the state in which it was made; unknown without a certificate
+  bool evading;  ///< what would have been chosen was put aside for a way out: avo_planner_evasion()
   int32_t neighbor;  ///< if overlapping, index of the neighbor, or -1, as always in a simulation
   int32_t wall;      ///< or of the wall, or -1, likewise
   float depth;       ///< m: if overlapping, by how much, see avo_safety_report
@@ -331,6 +332,13 @@ typedef struct avo_neighbor {
 /// What avo_planner_state() proves.
 typedef struct avo_safety_report {
   double time;       ///< s: if doomed, when the two are in contact
+/// The way out that a robot takes in place of what it would have chosen.
+typedef struct avo_evasion {
+  avo_vec2 velocity;  ///< m/s, that the way approaches, or holds; 0: it brakes from the start
+  double duration;    ///< s, from the decision, after which it brakes
+  int32_t neighbor;   ///< index of whom it evades; -1: the plan is not evading
+} avo_evasion;
+
   double depth;      ///< m, >= 0: by how much the two overlap, or come to while all fall back
   int32_t neighbor;  ///< index of the one with whom contact comes first if doomed; is deepest if
                      ///< unknown; or -1
@@ -372,6 +380,17 @@ AVO_C_API avo_result avo_planner_plan_among_obstacles(avo_planner_id planner,
 /// Whether the robot can go on without contact, as far as that is proved.
 AVO_C_API avo_result avo_planner_state(avo_planner_id planner, const avo_robot* robot,
                                        const avo_neighbor* neighbors, size_t neighbor_count,
+/// What avo_planner_plan() says with `evading`: whom the robot evades, and on which way. detour is
+/// not updated.
+AVO_C_API avo_result avo_planner_evasion(avo_planner_id planner, const avo_robot* robot,
+                                         const avo_neighbor* neighbors, size_t neighbor_count,
+                                         const avo_wall* walls, size_t wall_count,
+                                         const avo_detour* detour, avo_evasion* evasion);
+/// Whether some way out is clear of all who do not decide, as far as they keep to what is known.
+AVO_C_API avo_result avo_planner_has_way_out(avo_planner_id planner, const avo_robot* robot,
+                                             const avo_neighbor* neighbors, size_t neighbor_count,
+                                             const avo_wall* walls, size_t wall_count,
+                                             bool* has_way_out);
                                        const avo_wall* walls, size_t wall_count,
                                        avo_safety_report* report);
 
@@ -401,6 +420,7 @@ typedef struct avo_robot_def {
 } avo_robot_def;
 
 /// A disc that reacts to nobody. It moves with constant acceleration, or along a path.
+  avo_behavior behavior;  ///< what others count on: AVO_BEHAVIOR_DECIDES or _COOPERATES
 typedef struct avo_moving_obstacle_def {
   size_t size;
   avo_vec2 position;      ///< m
@@ -420,7 +440,6 @@ typedef struct avo_chain {
   bool closed;
 } avo_chain;
 
-  avo_behavior behavior;  ///< what others count on: AVO_BEHAVIOR_DECIDES or _COOPERATES
 /// A static obstacle.
 typedef struct avo_obstacle_def {
   size_t size;
