@@ -72,6 +72,7 @@ std::string to_json(const avo::RunSummary& summary) {
   json["one_sided_collisions"] = summary.one_sided_collisions;
   json["obstacle_collisions"] = summary.obstacle_collisions;
   json["obstacle_collisions_in_motion"] = summary.obstacle_collisions_in_motion;
+  json["obstacle_collisions_evadable"] = or_null(summary.obstacle_collisions_evadable);
   json["collision_obstacles"] = summary.collision_obstacles;
   json["min_clearance"] = or_null(summary.min_clearance);
   json["min_obstacle_clearance"] = or_null(summary.min_obstacle_clearance);

@@ -84,6 +84,7 @@ constexpr SweepColumn kResults[] = {
     {"one_sided_collisions", of_summary<&RunSummary::one_sided_collisions>},
     {"obstacle_collisions", of_summary<&RunSummary::obstacle_collisions>},
     {"obstacle_collisions_in_motion", of_summary<&RunSummary::obstacle_collisions_in_motion>},
+    {"obstacle_collisions_evadable", of_summary<&RunSummary::obstacle_collisions_evadable>},
     {"collision_obstacles", of_summary<&RunSummary::collision_obstacles>},
     {"first_collision_time", of_summary<&RunSummary::first_collision_time>},
     {"min_clearance", of_summary<&RunSummary::min_clearance>},

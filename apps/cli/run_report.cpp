@@ -32,6 +32,8 @@ std::string collisions(const avo::RunSummary& results) {
   text += fmt::format("; {} with moving obstacles", results.obstacle_collisions);
   if (results.obstacle_collisions > 0)
     text += fmt::format(", {} of them in motion", results.obstacle_collisions_in_motion);
+  if (results.obstacle_collisions_evadable.value_or(0) > 0)
+    text += fmt::format(", {} evadable at first sight", *results.obstacle_collisions_evadable);
   text += fmt::format("; {} robots with obstacles", results.collision_obstacles);
   if (results.first_seen_too_late.value_or(0) > 0)
     text += fmt::format("; {} pairs first seen too late", *results.first_seen_too_late);

@@ -57,7 +57,8 @@ avo_summary to_c(const avo::RunSummary& run) {
           .max_speed = run.max_speed,
           .mean_arrival = or_none(run.mean_arrival),
           .last_arrival = or_none(run.last_arrival),
-          .metrics = to_c(run.metrics)};
+          .metrics = to_c(run.metrics),
+          .obstacle_collisions_evadable = run.obstacle_collisions_evadable.value_or(-1)};
 }
 
 }  // namespace

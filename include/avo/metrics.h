@@ -88,6 +88,9 @@ struct RunSummary {
   /// Those of them that overlapped in a step in which the robot moved. Any others ran into a robot
   /// at rest, which no robot can help.
   std::int64_t obstacle_collisions_in_motion = 0;
+  /// Those of them in which the robot had a way out when it came to sense the obstacle
+  /// (Planner::has_way_out(), docs/metrics.md); none without a certificate.
+  std::optional<std::int64_t> obstacle_collisions_evadable;
   std::int64_t collision_obstacles = 0;          ///< distinct robots that touched a static obstacle
   std::optional<double> min_clearance;           ///< m, of robots that avoid each other, if any do
   std::optional<double> min_obstacle_clearance;  ///< m, from static obstacles; none without them

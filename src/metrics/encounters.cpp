@@ -86,7 +86,8 @@ void Encounters::meet(const Body& a, const Body& b, const StepSpan& step) {
 void Encounters::meet_obstacle(const Body& robot, const Body& obstacle, const StepSpan& step) {
   const double contact = robot.radius + obstacle.radius;
   if (!(distance(robot, obstacle, contact, step) < contact * (1.0 - kContact))) return;
-  with_obstacle.insert({robot.name, obstacle.name});
+  const std::pair pair(robot.name, obstacle.name);
+  if (with_obstacle.insert(pair).second) new_hits.push_back(pair);
   touched_by_movers.push_back(robot.name);
   if (way_of(robot) > kAtRest * robot.setup->max_speed * step.duration)
     with_obstacle_in_motion.insert({robot.name, obstacle.name});
@@ -97,6 +98,7 @@ void Encounters::observe(std::vector<Body>& robots, std::vector<Body>& obstacles
                          const StepSpan& step) {
   overlapping.clear();
   touched_by_movers.clear();
+  new_hits.clear();
   colliding_.clear();
   double largest = 0.0, farthest = 0.0;  // radius and way of a step, m
   const auto measure = [&](const Body& body) {

@@ -33,6 +33,8 @@ struct Encounters {
   std::vector<std::uint64_t> overlapping = {};
   /// Those that a moving obstacle touched, in motion or at rest.
   std::vector<std::uint64_t> touched_by_movers = {};
+  /// Pairs of a robot and a moving obstacle that had never touched before this step.
+  std::vector<std::pair<std::uint64_t, std::uint64_t>> new_hits = {};
 
   void observe(std::vector<Body>& robots, std::vector<Body>& obstacles, const StepSpan& step);
 

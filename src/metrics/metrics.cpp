@@ -12,6 +12,7 @@
 #include "metrics/encounters.h"
 #include "metrics/first_sights.h"
 #include "metrics/flow.h"
+#include "metrics/mover_sights.h"
 #include "metrics/not_arrived.h"
 #include "metrics/trips.h"
 #include "metrics/wall_contacts.h"
@@ -60,7 +61,7 @@ void add_encounters(const Encounters& encounters, RunSummary& summary) {
 
 struct Metrics::State {
   State(const Scenario& scenario, const MetricsOptions& options)
-      : settings(scenario), trips(scenario), first_sights(scenario) {
+      : settings(scenario), trips(scenario), first_sights(scenario), mover_sights(scenario) {
     if (options.crowd) crowd.emplace();
     if (options.line) flow.emplace(*options.line);
   }
@@ -71,6 +72,7 @@ struct Metrics::State {
   Trips trips;
   std::vector<double> step_milliseconds;
   FirstSights first_sights;
+  MoverSights mover_sights;
 
   bool started = false;
   double last_time = 0.0, duration = 0.0;  // s, of the last step
@@ -130,6 +132,7 @@ void Metrics::State::observe_step(const Simulation& simulation) {
   walls.observe(robots, response, duration);
   trips.add_overlaps(encounters.overlapping);
   trips.add_touched(encounters.touched_by_movers);
+  mover_sights.take_hits(encounters.new_hits);
   trips.add_overlaps(walls.touching);
   if (!started) return;
   if (crowd) crowd->observe(simulation, trips, duration);
@@ -157,6 +160,7 @@ void Metrics::observe(const Simulation& simulation) {
   state.first_sights.observe(simulation);
   if (!state.started) state.remember(simulation);  // before the first step nothing moves
   state.observe_step(simulation);
+  state.mover_sights.observe(simulation);
   state.remember(simulation);
   state.summary.steps = simulation.steps();
   state.summary.unreachable.clear();
@@ -183,6 +187,7 @@ RunSummary Metrics::summary() const {
   summary.collision_obstacles = static_cast<std::int64_t>(state_->walls.touched.size());
   summary.min_obstacle_clearance = state_->walls.least_clearance;
   summary.first_seen_too_late = state_->first_sights.too_late();
+  summary.obstacle_collisions_evadable = state_->mover_sights.evadable();
   for (std::size_t i = 0; i < state_->last.robots.size(); ++i) {
     if (summary.not_arrived.size() == kMostListed) break;
     if (state_->trips.arrival(state_->last.robots[i].id.value)) continue;

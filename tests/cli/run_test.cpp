@@ -30,6 +30,7 @@ const Strings kSummaryKeys{"scene",
                            "one_sided_collisions",
                            "obstacle_collisions",
                            "obstacle_collisions_in_motion",
+                           "obstacle_collisions_evadable",
                            "collision_obstacles",
                            "min_clearance",
                            "min_obstacle_clearance",
@@ -264,6 +265,7 @@ TEST(Run, collisions_are_counted_and_are_no_failure) {
   EXPECT_EQ(json["first_collision_time"], 0.0);
   EXPECT_EQ(json["collision_pairs"], 1);
   EXPECT_GE(json["obstacle_collisions"], 1);
+  EXPECT_TRUE(json["obstacle_collisions_evadable"].is_null()) << "no certificate, no ways out";
   EXPECT_LE(json["min_clearance"], -0.5);
   EXPECT_NE(result.err.find("warning: robot 0 and robot 1 overlap at the start"),
             std::string::npos);

@@ -738,6 +738,9 @@ typedef struct avo_summary {
 
 AVO_C_API avo_summary avo_default_summary(void);
 /// AVO_ERROR_UNSUPPORTED where the definition did not ask for metrics. summary->size has to be set.
+  /// Of the obstacle_collisions, those in which the robot had a way out when it came to sense the
+  /// obstacle; -1 without a certificate.
+  int64_t obstacle_collisions_evadable;
 AVO_C_API avo_result avo_simulation_summary(avo_simulation_id simulation, avo_summary* summary);
 
 #ifdef __cplusplus

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "metrics/mover_sights.h"
+
+#include <algorithm>
+#include <cstddef>
+
+namespace avo {
+
+MoverSights::MoverSights(const Scenario& scenario)
+    : certified_(planner_options(scenario).certificate != Certificate::none),
+      has_movers_(!scenario.moving_obstacles.empty()) {}
+
+// Nobody is asked what it senses but one who has somebody else in reach than before: most steps
+// cost distances alone.
+void MoverSights::observe(const Simulation& simulation) {
+  if (!certified_ || !has_movers_) return;
+  const FleetView fleet = simulation.fleet();
+  const ObstacleView movers = simulation.obstacles();
+  const double reach = simulation.sensing_radius();
+  for (std::size_t i = 0; i < fleet.id.size(); ++i) {
+    if (fleet.setup[i].parked) continue;
+    if (simulation.next_decision(i) != simulation.time()) continue;  // it looks when it decides
+    std::map<std::uint64_t, bool>& sights = sights_[fleet.id[i].value];
+    near_.clear();
+    for (std::size_t k = 0; k < movers.position.size(); ++k) {
+      const double squared = norm_squared(movers.position[k] - fleet.position[i]);
+      if (squared <= reach * reach) near_.push_back(k);
+    }
+    const bool is_as_before =
+        std::equal(near_.begin(), near_.end(), sights.begin(), sights.end(),
+                   [](std::uint64_t mover, const auto& sight) { return mover == sight.first; });
+    if (!is_as_before) look(simulation, i, sights);
+  }
+}
+
+void MoverSights::look(const Simulation& simulation, std::size_t robot,
+                       std::map<std::uint64_t, bool>& sights) {
+  const Simulation::Perception seen = simulation.perceive(robot);
+  sensed_.clear();
+  for (const std::int64_t source : seen.source)
+    if (source < 0) sensed_.push_back(static_cast<std::uint64_t>(-1 - source));
+  std::sort(sensed_.begin(), sensed_.end());
+  std::erase_if(sights, [&](const auto& sight) {
+    return !std::binary_search(sensed_.begin(), sensed_.end(), sight.first);
+  });
+  if (sights.size() == sensed_.size()) return;
+  const bool has_way_out =
+      simulation.planner(robot).has_way_out(seen.robot, seen.neighbors, workspace_, seen.walls);
+  for (const std::uint64_t mover : sensed_) sights.try_emplace(mover, has_way_out);
+}
+
+void MoverSights::take_hits(std::span<const std::pair<std::uint64_t, std::uint64_t>> hits) {
+  for (const auto& [robot, mover] : hits) {
+    const auto sights = sights_.find(robot);
+    if (sights == sights_.end()) continue;
+    const auto sight = sights->second.find(mover);
+    if (sight != sights->second.end() && sight->second) ++evadable_;
+  }
+}
+
+std::optional<std::int64_t> MoverSights::evadable() const {
+  return certified_ ? std::optional(evadable_) : std::nullopt;
+}
+
+}  // namespace avo
