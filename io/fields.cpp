@@ -41,6 +41,10 @@ const std::vector<Field<Scenario>>& fields() {
        "max_acceleration in 0.8 of the response time"},
       {"margin", &Scenario::margin, kOptional, kNotNegative, "m",
        "clearance from others that is wished for; fades in narrow places; method avo only"},
+      {"never_swerves", &Scenario::never_swerves, kOptional, kNoNumber, "",
+       "a robot is at rest whenever a mover touches it that keeps to what is known of it; else it "
+       "may "
+       "swerve where it could no longer stop; method avo only"},
       {"time_horizon", &Scenario::time_horizon, kOptional, kPositive, "s",
        "tau: how far collisions are looked for", "3 s for method avo, else 10 s"},
       {"sensing_radius", &Scenario::sensing_radius, kOptional, kPositive, "m",

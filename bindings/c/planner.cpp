@@ -71,6 +71,7 @@ avo::PlannerOptions options_of(const avo_planner_def& def) {
   options.comfort_jerk = unless_zero(def.comfort_jerk);
   options.margin = def.margin;
   options.wall_range = def.wall_range;
+  options.never_swerves = def.never_swerves;
   return options;
 }
 
@@ -104,6 +105,7 @@ avo_planner_def avo_default_planner_def(avo_method method) {
   def.comfort_jerk = options.comfort_jerk.value_or(0.0);
   def.margin = options.margin;
   def.wall_range = options.wall_range;
+  def.never_swerves = options.never_swerves;
   return def;
 }
 
@@ -160,8 +162,6 @@ avo_result avo_planner_plan_among_obstacles(avo_planner_id planner, const avo_ro
   });
 }
 
-avo_result avo_planner_state(avo_planner_id planner, const avo_robot* robot,
-                             const avo_neighbor* neighbors, size_t neighbor_count,
 avo_result avo_planner_evasion(avo_planner_id planner, const avo_robot* robot,
                                const avo_neighbor* neighbors, size_t neighbor_count,
                                const avo_wall* walls, size_t wall_count, const avo_detour* detour,
@@ -192,6 +192,8 @@ avo_result avo_planner_has_way_out(avo_planner_id planner, const avo_robot* robo
   });
 }
 
+avo_result avo_planner_state(avo_planner_id planner, const avo_robot* robot,
+                             const avo_neighbor* neighbors, size_t neighbor_count,
                              const avo_wall* walls, size_t wall_count, avo_safety_report* report) {
   return guarded([&] {
     const avo::Planner& own = planners.at(planner);

@@ -60,6 +60,7 @@ void read_settings(const avo_simulation_def& def, avo::Scenario& scenario) {
   scenario.comfort_acceleration = unless_zero(def.comfort_acceleration);
   scenario.comfort_jerk = unless_zero(def.comfort_jerk);
   scenario.margin = def.margin;
+  scenario.never_swerves = def.never_swerves;
   scenario.time_horizon = unless_zero(def.time_horizon);
   scenario.sensing_radius = unless_zero(def.sensing_radius);
   scenario.max_neighbors = unless_zero(def.max_neighbors);
@@ -140,6 +141,7 @@ avo_simulation_def settings_of(const avo::Scenario& scenario) {
   def.comfort_acceleration = scenario.comfort_acceleration.value_or(0.0);
   def.comfort_jerk = scenario.comfort_jerk.value_or(0.0);
   def.margin = scenario.margin;
+  def.never_swerves = scenario.never_swerves;
   def.time_horizon = scenario.time_horizon.value_or(0.0);
   def.sensing_radius = scenario.sensing_radius.value_or(0.0);
   def.arrival_distance = scenario.arrival_distance;

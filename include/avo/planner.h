@@ -154,6 +154,10 @@ struct PlannerOptions {
   /// m, > 0: of its goal. Beside others, a robot of method avo that has been there rests within 0.9
   /// of it, or, where they leave it no way back, within 3.9 times of it (docs/arrival.md, rule 2).
   double arrival_distance = 0.5;
+  /// Of method avo: a mover that keeps to what is known of it touches a robot at rest only, always.
+  /// false: where braking comes too late, a robot alone among movers that keep their acceleration
+  /// may pass in front of one without being able to stop before it (docs/movers.md, "The price").
+  bool never_swerves = false;
 };
 
 /// All that is customary for the method.
@@ -201,20 +205,16 @@ struct Plan {
   PlanStatus status = PlanStatus::optimal;  ///< how the decision was made
   /// Of the state in which it was made, as Planner::state() says; unknown without a certificate.
   SafetyState state = SafetyState::unknown;
+  /// Whether what would have been chosen was put aside for a way out: see Planner::evasion().
+  bool evading = false;
   /// If overlapping, with whom most deeply: an index into the neighbors given. -1: none, and in a
   /// simulation, which gives it none.
   int neighbor = -1;
   int wall = -1;           ///< or one into the walls given, likewise
-  /// Whether what would have been chosen was put aside for a way out: see Planner::evasion().
-  bool evading = false;
   float depth = 0.0F;      ///< m: if overlapping, by how much, see SafetyReport::depth
   double violation = 0.0;  ///< m/s: by how much CA_A is missed; 0 if optimal
 };
 
-/// A's half-plane against one neighbor, in v'_A, Eqs. (17)-(20).
-struct NeighborPlane {
-  int neighbor = 0;  ///< index into the neighbors given
-  HalfPlane plane;
 /// The way out that a robot beside movers takes in place of what it would have chosen
 /// (docs/movers.md). It approaches a velocity, and then it brakes to rest.
 struct Evasion {
@@ -223,6 +223,10 @@ struct Evasion {
   double duration = 0;  ///< s, from the decision, after which it brakes, if nothing else is decided
 };
 
+/// A's half-plane against one neighbor, in v'_A, Eqs. (17)-(20).
+struct NeighborPlane {
+  int neighbor = 0;  ///< index into the neighbors given
+  HalfPlane plane;
   double excess = 0.0;  ///< m/s, A's share of RelativeHalfPlane::excess
 };
 
@@ -401,10 +405,6 @@ class AVO_API Planner {
                                    PlanWorkspace& workspace,
                                    std::span<const Wall> walls = {}) const;
 
-  /// D(v_A, δ a_max), what the acceleration allows, Eq. (21); without bound (infinite radius) for
-  /// methods that disregard it.
-  [[nodiscard]] Disc acceleration_disc(const Robot& robot) const;
-  /// D(0, v_max).
   /// What plan() says with Plan::evading: whom A evades, and on which way; none where it does not.
   [[nodiscard]] std::optional<Evasion> evasion(const Robot& robot,
                                                std::span<const Neighbor> neighbors,
@@ -418,6 +418,10 @@ class AVO_API Planner {
   [[nodiscard]] bool has_way_out(const Robot& robot, std::span<const Neighbor> neighbors,
                                  PlanWorkspace& workspace, std::span<const Wall> walls = {}) const;
 
+  /// D(v_A, δ a_max), what the acceleration allows, Eq. (21); without bound (infinite radius) for
+  /// methods that disregard it.
+  [[nodiscard]] Disc acceleration_disc(const Robot& robot) const;
+  /// D(0, v_max).
   [[nodiscard]] Disc speed_disc(const Robot& robot) const;
 
   /// The part of v' - v that one step turns into velocity: Δt/δ (held), 1 - e^{-Δt/δ}

@@ -160,6 +160,7 @@ struct Scenario {
   std::optional<double> comfort_acceleration = {};
   std::optional<double> comfort_jerk = {};  ///< m/s³, likewise
   double margin = 0.0;                      ///< [m] m, >= 0, of method avo: see PlannerOptions
+  bool never_swerves = false;               ///< of method avo: see PlannerOptions
   std::optional<double> time_horizon = {};    ///< [τ] s, > 0; likewise
   std::optional<double> sensing_radius = {};  ///< m, > 0, between centers; unset: what they need
   std::optional<int> max_neighbors = {};  ///< nearest neighbors that get a half-plane; unset: all

@@ -42,6 +42,7 @@ void validate_comfort(const PlannerOptions& options, const std::string& prefix) 
   if (options.comfort_jerk)
     refuse(prefix + "comfort_jerk", text(*options.comfort_jerk), "none" + others);
   if (options.margin > 0.0) refuse(prefix + "margin", text(options.margin), "0 m" + others);
+  if (options.never_swerves) refuse(prefix + "never_swerves", "true", "false" + others);
 }
 
 void validate_certificate(const PlannerOptions& options, const std::string& prefix) {
@@ -89,10 +90,10 @@ const char* to_string(RightOfWay right_of_way) {
 const char* to_string(NoiseDistribution distribution) {
   return name_of(distribution);
 }
-const char* to_string(PlanStatus status) {
 const char* to_string(Behavior behavior) {
   return name_of(behavior);
 }
+const char* to_string(PlanStatus status) {
   return name_of(status);
 }
 const char* to_string(SafetyState state) {

@@ -92,6 +92,7 @@ void for_each_setting(const Visit& visit) {
   visit("sensing_error", &Scenario::sensing_error);
   visit("clock", &Scenario::clock);
   visit("longest_step", &Scenario::longest_step);
+  visit("never_swerves", &Scenario::never_swerves);
 }
 
 /// visit(key, member) for all that a moving obstacle's setup has.

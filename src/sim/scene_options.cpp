@@ -77,6 +77,7 @@ PlannerOptions planner_options(const Scenario& scenario) {
   options.comfort_acceleration = scenario.comfort_acceleration;
   options.comfort_jerk = scenario.comfort_jerk;
   options.margin = scenario.margin;
+  options.never_swerves = scenario.never_swerves;
   if (scenario.certificate) options.certificate = *scenario.certificate;
   if (scenario.sensing_error) {
     options.sensing_error = *scenario.sensing_error;

@@ -39,6 +39,7 @@ avo::Scenario yard() {
   scene.control_time = 1.5;
   scene.response_time = 0.2, scene.margin = 0.1;
   scene.comfort_acceleration = 0.6, scene.comfort_jerk = 2.0;
+  scene.never_swerves = true;
   scene.seed = 7;
   scene.right_of_way = avo::RightOfWay::told;
   scene.sensing.noise = {0.01, 0.02, avo::NoiseDistribution::uniform, {}};

@@ -91,6 +91,7 @@ avo_planner_def to_c(const avo::PlannerOptions& options) {
   def.comfort_acceleration = options.comfort_acceleration.value_or(0.0);
   def.comfort_jerk = options.comfort_jerk.value_or(0.0);
   def.margin = options.margin, def.wall_range = options.wall_range;
+  def.never_swerves = options.never_swerves;
   return def;
 }
 
@@ -192,7 +193,6 @@ void check_invalid_input() {
   REQUIRE(avo_destroy_planner(planner));
 }
 
-void check_response_time() {
 void check_evasion() {
   const avo_planner_def def = avo_default_planner_def(AVO_METHOD_AVO);
   avo_planner_id planner;
@@ -224,6 +224,7 @@ void check_evasion() {
   REQUIRE(avo_destroy_planner(planner));
 }
 
+void check_response_time() {
   avo_planner_def def = avo_default_planner_def(AVO_METHOD_AVO);
   avo_planner_id planner;
   REQUIRE(avo_create_planner(&def, &planner));
@@ -257,6 +258,9 @@ int main() {
   check_scene("mixed-yard", {});
   check_scene("planes-12", {});
   check_scene("person", {});
+  check_scene("person", {"never_swerves=true"});
+  check_scene("circle-10", {"robots.3.behavior=cooperates"});
+  check_evasion();
   check_scene("reversing-cars", {});
   check_scene("drives-100", {"sensing.dropped=0.3", "sensing.delay=1"});
   check_scene("doorway", {});

@@ -85,6 +85,7 @@ static avo_simulation_id make_yard(void) {
   def.control_time = 1.5;
   def.response_time = 0.2, def.margin = 0.1;
   def.comfort_acceleration = 0.6, def.comfort_jerk = 2.0;
+  def.never_swerves = true;
   def.seed = 7;
   def.right_of_way = AVO_RIGHT_OF_WAY_TOLD;
   def.sensing.noise.position = 0.01;

@@ -190,6 +190,7 @@ TEST(Fields, every_default_is_that_of_the_struct) {
   EXPECT_EQ(scenario.comfort_acceleration, std::nullopt);
   EXPECT_EQ(scenario.comfort_jerk, std::nullopt);
   EXPECT_EQ(scenario.margin, 0.0);
+  EXPECT_EQ(scenario.never_swerves, false);
   EXPECT_EQ(scenario.time_horizon, std::nullopt);
   EXPECT_EQ(scenario.sensing_radius, std::nullopt);
   EXPECT_EQ(scenario.max_neighbors, std::nullopt);
@@ -266,6 +267,22 @@ moving_obstacles:
   EXPECT_EQ(scenario.moving_obstacles[0].velocity, (avo::Vec2{0, -0.5}));
   EXPECT_EQ(scenario.moving_obstacles[0].acceleration, (avo::Vec2{0.125, 0}));
   EXPECT_EQ(scenario.moving_obstacles[0].radius, 0.6);
+}
+
+TEST(Fields, of_robots_beside_movers_and_of_those_who_cooperate) {
+  const Scenario scenario = avo_io::parse_scenario(
+      "version: 1\nnever_swerves: true\nrobots:\n"
+      "  - {position: [0, 0], goal: [9, 0], behavior: cooperates}\n"
+      "  - {position: [0, 9], goal: [9, 9], behavior: decides}\n"
+      "groups:\n  - {number: 2, behavior: cooperates, placement: {grid: {corner: [0, 20], spacing: "
+      "3, columns: 2}}, goals: "
+      "{offset: {by: [9, 0]}}}\n",
+      "f");
+  EXPECT_TRUE(scenario.never_swerves);
+  EXPECT_TRUE(planner_options(scenario).never_swerves);
+  EXPECT_EQ(scenario.robots[0].behavior, avo::Behavior::cooperates);
+  EXPECT_EQ(scenario.robots[1].behavior, avo::Behavior::decides);
+  EXPECT_EQ(scenario.robots[3].behavior, avo::Behavior::cooperates);
 }
 
 TEST(Fields, how_gently_robots_move_is_of_method_avo_alone) {

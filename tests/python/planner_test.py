@@ -102,6 +102,44 @@ def test_movers_of_a_batch_move_on():
     assert plans[0].acceleration != avo.Planner().plan(robot, avo.Neighbors(**mover))[0].acceleration
 
 
+def test_those_who_cooperate_do_their_share_and_promise_nothing():
+    robot = avo.Robots(position=[[0, 0]], velocity=[[1.5, 0]], preferred_velocity=[[1.5, 0]])
+    other = dict(position=[[4, 0.2]], velocity=[[-1.5, 0]], offsets=[0, 1])
+    plans = {word: avo.Planner().plan(robot[0], [avo.Neighbor(position=(4, 0.2), velocity=(-1.5, 0), behavior=word)])
+             for word in ("decides", "moves_on", "cooperates")}
+    assert len({plan.acceleration for plan in plans.values()}) == 3
+    same(avo.Planner().plan(robot, avo.Neighbors(**other, cooperates=True)), 0, plans["cooperates"])
+    paper = avo.Planner(method="avo_paper")
+    assert paper.plan(robot, avo.Neighbors(**other, cooperates=True))[0].acceleration == \
+        paper.plan(robot, avo.Neighbors(**other))[0].acceleration
+    with pytest.raises(avo.Error, match="cooperates: found True of one that moves on, must be False"):
+        avo.Neighbors(**other, cooperates=True, moves_on=True)
+    with pytest.raises(ValueError):
+        avo.Neighbor(position=(0, 0), behavior="helps")
+
+
+def test_a_way_out_is_told():
+    planner, robot = avo.Planner(), avo.Robot(position=(0, 0), velocity=(2, 0), preferred_velocity=(2, 0))
+    others = [avo.Neighbor(position=(9, 9), velocity=(1, 0), behavior="moves_on"),
+              avo.Neighbor(position=(2, 3), velocity=(0, -1), behavior="moves_on")]
+    assert planner.plan(robot, others).evading
+    way = planner.evasion(robot, others)
+    assert way.neighbor == 1 and way.duration > 0 and np.hypot(*way.velocity) > 0
+    assert planner.has_way_out(robot, others)
+    assert not planner.plan(robot, others[:1]).evading and planner.evasion(robot, others[:1]) is None
+    late = avo.Neighbor(position=(-1.5, 0), velocity=(20, 0), behavior="moves_on")
+    assert not planner.has_way_out(robot, [late])
+    batch = avo.Robots(position=[[0, 0]], velocity=[[2, 0]], preferred_velocity=[[2, 0]])
+    plans = planner.plan(batch, avo.Neighbors(position=[[2, 3]], velocity=[[0, -1]], offsets=[0, 1], moves_on=True))
+    assert plans.evading().dtype == bool and plans.evading().tolist() == [True]
+
+
+def test_movers_may_be_met_at_rest_only():
+    assert not avo.Planner().never_swerves and avo.Planner(never_swerves=True).never_swerves
+    with pytest.raises(avo.Error, match="never_swerves: found true, must be false with method orca"):
+        avo.Planner(method="orca", never_swerves=True)
+
+
 def test_batches_have_the_fields_of_single_robots():
     """Each column changes decisions, and as it does for one robot."""
     n = 6

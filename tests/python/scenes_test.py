@@ -105,7 +105,7 @@ def test_a_text_may_name_built_in_maps(tmp_path, command_line, monkeypatch):
 # Every field of a scene and of what is in it differs from what it is by default.
 RICH = {
     "version": 1, "name": "rich", "time_step": 0.05, "duration": 7, "control_time": 1.5, "time_horizon": 4,
-    "response_time": 0.2, "comfort_acceleration": 0.7, "comfort_jerk": 3, "margin": 0.1,
+    "response_time": 0.2, "comfort_acceleration": 0.7, "comfort_jerk": 3, "margin": 0.1, "never_swerves": True,
     "sensing_radius": 60, "max_neighbors": 7, "motion": "held", "arrival_distance": 0.7, "seed": 5,
     "sensing": {"delay": 1, "dropped": 0.1, "occlusion": True,
                 "noise": {"position": 0.01, "velocity": 0.02, "distribution": "uniform"}},

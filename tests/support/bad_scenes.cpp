@@ -55,6 +55,18 @@ const std::vector<BadScene>& bad_scenes() {
       {"layers_a_number",
        s("version: 1\nrobots:\n  - {position: [0, 0], goal: [1, 0], layers: 1}\n"),
        "3:46: robots.0.layers: found 1, must be a list"},
+      {"behavior_of_movers",
+       s("version: 1\nrobots:\n  - {position: [0, 0], goal: [1, 0], behavior: moves_on}\n"),
+       "3:48: robots.0.behavior: found \"moves_on\", must be one of decides, cooperates"},
+      {"behavior_parked",
+       s("version: 1\nrobots:\n"
+         "  - {position: [0, 0], goal: [0, 0], parked: true, behavior: cooperates}\n"),
+       "3:62: robots.0.behavior: found cooperates, must be left out: it is parked, and does "
+       "nothing"},
+      {"never_swerves_of_orca",
+       s("version: 1\nmethod: orca\nrobots:\n  - {position: [0, 0], goal: [1, 0]}\n"
+         "never_swerves: true\n"),
+       "5:16: never_swerves: found true, must be false with method orca"},
       {"parked_elsewhere",
        s("version: 1\nrobots:\n  - {position: [0, 0], goal: [1, 0], parked: true}\n"),
        "3:30: robots.0.goal: found [1, 0], must be [0, 0], its position: it is parked"},

@@ -27,7 +27,8 @@ Planner make(avo::Method method, avo::Motion motion, std::optional<double> contr
              std::tuple<double, double, double> sensing_noise, avo::Clock clock,
              double longest_step, double arrival_distance, double localization_error,
              std::optional<double> response_time, std::optional<double> comfort_acceleration,
-             std::optional<double> comfort_jerk, double margin, double wall_range) {
+             std::optional<double> comfort_jerk, double margin, double wall_range,
+             bool never_swerves) {
   avo::PlannerOptions options = avo::default_options(method);
   options.motion = motion;
   options.control_time = control_time.value_or(options.control_time);
@@ -48,6 +49,7 @@ Planner make(avo::Method method, avo::Motion motion, std::optional<double> contr
   options.comfort_jerk = comfort_jerk;
   options.margin = margin;
   options.wall_range = wall_range;
+  options.never_swerves = never_swerves;
   return Planner(options);
 }
 
@@ -72,7 +74,6 @@ avo::SafetyReport state(const Planner& planner, const avo::Robot robot,
   return planner.state(robot, neighbors, workspace(), walls);
 }
 
-void bind_results(py::module_& module) {
 std::optional<avo::Evasion> evasion(const Planner& planner, const avo::Robot& robot,
                                     const std::vector<avo::Neighbor>& neighbors,
                                     const std::vector<avo::Wall>& walls,
@@ -86,6 +87,7 @@ bool has_way_out(const Planner& planner, const avo::Robot robot,
   return planner.has_way_out(robot, neighbors, workspace(), walls);
 }
 
+void bind_results(py::module_& module) {
   using avo::Plan;
   py::class_<Plan>(module, "Plan", "A decision.")
       .def_readonly("new_velocity", &Plan::new_velocity, "v', m/s, Eqs. (14), (23)")
@@ -93,10 +95,10 @@ bool has_way_out(const Planner& planner, const avo::Robot robot,
       .def_readonly("acceleration", &Plan::acceleration, "m/s^2, at the start of the step")
       .def_readonly("status", &Plan::status, "how it was made, one of PLAN_STATUS")
       .def_readonly("state", &Plan::state, "in which it was made, one of SAFETY_STATE")
-      .def_readonly("neighbor", &Plan::neighbor,
       .def_readonly(
           "evading", &Plan::evading,
           "whether what would have been chosen was put aside: Planner.evasion() says more")
+      .def_readonly("neighbor", &Plan::neighbor,
                     "if overlapping, index of whom it touches most deeply, or -1")
       .def_readonly("wall", &Plan::wall, "likewise of the wall, or -1")
       .def_readonly("depth", &Plan::depth, "m: if overlapping, by how much")
@@ -105,13 +107,13 @@ bool has_way_out(const Planner& planner, const avo::Robot robot,
         return fmt::format("<avo.Plan {}: acceleration ({:.6g}, {:.6g}) m/s^2>",
                            avo::to_string(plan.status), plan.acceleration.x, plan.acceleration.y);
       });
-  using avo::SafetyReport;
   using avo::Evasion;
   py::class_<Evasion>(module, "Evasion", "A way out that is taken.")
       .def_readonly("neighbor", &Evasion::neighbor, "index of whom the robot evades")
       .def_readonly("velocity", &Evasion::velocity,
                     "(x, y), m/s, that the way approaches, or holds; 0: it brakes from the start")
       .def_readonly("duration", &Evasion::duration, "s, from the decision, after which it brakes");
+  using avo::SafetyReport;
   py::class_<SafetyReport>(module, "SafetyReport", "What is proved of a state.")
       .def_readonly("state", &SafetyReport::state, "one of SAFETY_STATE")
       .def_readonly("neighbor", &SafetyReport::neighbor,
@@ -130,8 +132,8 @@ void bind_options(py::class_<Planner>& planner) {
       arg("sensing_error") = std::pair(0.0, 0.0), arg("sensing_noise") = std::tuple(0.0, 0.0, 1.0),
       arg("clock") = "common", arg("longest_step") = 0.0, arg("arrival_distance") = 0.5,
       arg("localization_error") = 0.0, arg("response_time") = py::none(),
-      arg("comfort_acceleration") = py::none(), arg("comfort_jerk") = py::none(), arg("margin") = 0.0,
-      arg("wall_range") = 0.0,
+      arg("comfort_acceleration") = py::none(), arg("comfort_jerk") = py::none(),
+      arg("margin") = 0.0, arg("wall_range") = 0.0, arg("never_swerves") = false,
       "method: as in scene files, \"avo\", \"avo_paper\", \"velocity_obstacle\", \"orca\", "
       "\"orca_clamped\", \"reciprocal_velocity_obstacle\" or \"buffered_voronoi\"; motion: "
       "\"held\" or "
@@ -142,8 +144,9 @@ void bind_options(py::class_<Planner>& planner) {
       "longest_step: s; arrival_distance: m, > 0; localization_error: m, >= 0, of the robot's own "
       "place among the walls; response_time: >= 0, of max_speed/max_acceleration, None: customary "
       "for the method; comfort_acceleration: m/s^2, > 0, and comfort_jerk: m/s^3, > 0, None: no "
-      "limit of its own; margin: m, >= 0, that is wished for beyond the radius; wall_range: m, >= 0, from the "
-      "robot's disc, within which all walls are given. Raises Error on options out of range.");
+      "limit of its own; margin: m, >= 0, that is wished for beyond the radius; wall_range: m, "
+      ">= 0, from the robot's disc, within which all walls are given; never_swerves: movers touch "
+      "the robot at rest only, always. Raises Error on options out of range.");
   const auto option = [&planner](const char* name, auto member, const char* doc) {
     planner.def_property_readonly(
         name, [member](const Planner& self) { return self.options().*member; }, doc);
@@ -171,7 +174,10 @@ void bind_options(py::class_<Planner>& planner) {
   option("comfort_jerk", &Options::comfort_jerk,
          "m/s^3, by which the acceleration changes without need; None: as response_time has it");
   option("margin", &Options::margin, "m, clearance that is wished for beyond the radius");
-  option("wall_range", &Options::wall_range, "m, from the robot's disc, within which all walls are given");
+  option("wall_range", &Options::wall_range,
+         "m, from the robot's disc, within which all walls are given");
+  option("never_swerves", &Options::never_swerves,
+         "whether movers touch the robot at rest only, also where braking comes too late");
   planner.def(
       "response_time_of",
       [](const Planner& self, double max_speed, double max_acceleration) {
@@ -196,12 +202,6 @@ void bind_planner(py::module_& module) {
            "\"invalid_input\".")
       .def("plan_among_obstacles", &plan_among_obstacles, arg("robot"), arg("obstacles"),
            "One robot among movers that do not react (paper III-C).")
-      .def("state", &state, arg("robot"), arg("neighbors") = py::tuple(),
-           arg("walls") = py::tuple(),
-           "Whether the robot can go on without contact, as far as that is proved.");
-}
-
-}  // namespace avo_python
       .def("evasion", &evasion, arg("robot"), arg("neighbors") = py::tuple(),
            arg("walls") = py::tuple(), arg("detour") = py::none(),
            "What plan() says with `evading`: an Evasion, whom the robot evades and on which way; "
@@ -210,3 +210,9 @@ void bind_planner(py::module_& module) {
            arg("walls") = py::tuple(),
            "Whether some way out is clear of all who do not decide, as far as they keep to what is "
            "known of them.")
+      .def("state", &state, arg("robot"), arg("neighbors") = py::tuple(),
+           arg("walls") = py::tuple(),
+           "Whether the robot can go on without contact, as far as that is proved.");
+}
+
+}  // namespace avo_python

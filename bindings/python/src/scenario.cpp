@@ -88,6 +88,7 @@ py::dict options_of(const Scenario& scenario) {
   all["comfort_jerk"] = options.comfort_jerk;
   all["margin"] = options.margin;
   all["wall_range"] = options.wall_range;
+  all["never_swerves"] = options.never_swerves;
   return all;
 }
 

@@ -71,6 +71,7 @@ Scenario any_scene(Random& random) {
     scene.response_time = random.uniform(0.0, 0.5), scene.margin = size * random.uniform(0.0, 1.0);
     scene.comfort_acceleration = random.log_uniform(1e-3, 1e2);
     scene.comfort_jerk = random.log_uniform(1e-3, 1e2);
+    scene.never_swerves = random.below(2) == 0;
   }
   const double far = random.below(2) * random.log_uniform(1.0, 5e11);
   const Vec2 origin{far * random.uniform(-1, 1), far * random.uniform(-1, 1)};

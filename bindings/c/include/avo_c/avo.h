@@ -286,6 +286,9 @@ typedef struct avo_planner_def {
   double comfort_jerk;          ///< m/s^3, > 0, likewise; 0: what follows from response_time
   double margin;  ///< m, >= 0, clearance from others that is wished for; 0 but of method avo
   double wall_range;  ///< m, >= 0, from the robot's disc, within which all walls are given
+  /// Movers touch the robot at rest only, always. Else it may pass in front of one, alone among
+  /// movers, where braking comes too late. false but of method avo.
+  bool never_swerves;
 } avo_planner_def;
 
 /// The robot that decides.
@@ -329,9 +332,6 @@ typedef struct avo_neighbor {
   avo_vec2 parting;
 } avo_neighbor;
 
-/// What avo_planner_state() proves.
-typedef struct avo_safety_report {
-  double time;       ///< s: if doomed, when the two are in contact
 /// The way out that a robot takes in place of what it would have chosen.
 typedef struct avo_evasion {
   avo_vec2 velocity;  ///< m/s, that the way approaches, or holds; 0: it brakes from the start
@@ -339,6 +339,9 @@ typedef struct avo_evasion {
   int32_t neighbor;   ///< index of whom it evades; -1: the plan is not evading
 } avo_evasion;
 
+/// What avo_planner_state() proves.
+typedef struct avo_safety_report {
+  double time;       ///< s: if doomed, when the two are in contact
   double depth;      ///< m, >= 0: by how much the two overlap, or come to while all fall back
   int32_t neighbor;  ///< index of the one with whom contact comes first if doomed; is deepest if
                      ///< unknown; or -1
@@ -377,9 +380,6 @@ AVO_C_API avo_result avo_planner_plan_among_obstacles(avo_planner_id planner,
                                                       const avo_robot* robot,
                                                       const avo_neighbor* obstacles,
                                                       size_t obstacle_count, avo_plan* plan);
-/// Whether the robot can go on without contact, as far as that is proved.
-AVO_C_API avo_result avo_planner_state(avo_planner_id planner, const avo_robot* robot,
-                                       const avo_neighbor* neighbors, size_t neighbor_count,
 /// What avo_planner_plan() says with `evading`: whom the robot evades, and on which way. detour is
 /// not updated.
 AVO_C_API avo_result avo_planner_evasion(avo_planner_id planner, const avo_robot* robot,
@@ -391,6 +391,9 @@ AVO_C_API avo_result avo_planner_has_way_out(avo_planner_id planner, const avo_r
                                              const avo_neighbor* neighbors, size_t neighbor_count,
                                              const avo_wall* walls, size_t wall_count,
                                              bool* has_way_out);
+/// Whether the robot can go on without contact, as far as that is proved.
+AVO_C_API avo_result avo_planner_state(avo_planner_id planner, const avo_robot* robot,
+                                       const avo_neighbor* neighbors, size_t neighbor_count,
                                        const avo_wall* walls, size_t wall_count,
                                        avo_safety_report* report);
 
@@ -417,10 +420,10 @@ typedef struct avo_robot_def {
   uint32_t layers;  ///< bit k: it is in layer k
   uint32_t avoids;  ///< bit k: it avoids those in layer k
   bool parked;      ///< never moves; its goal is its position
+  avo_behavior behavior;  ///< what others count on: AVO_BEHAVIOR_DECIDES or _COOPERATES
 } avo_robot_def;
 
 /// A disc that reacts to nobody. It moves with constant acceleration, or along a path.
-  avo_behavior behavior;  ///< what others count on: AVO_BEHAVIOR_DECIDES or _COOPERATES
 typedef struct avo_moving_obstacle_def {
   size_t size;
   avo_vec2 position;      ///< m
@@ -526,6 +529,7 @@ typedef struct avo_simulation_def {
   double comfort_acceleration;  ///< likewise; 0: none
   double comfort_jerk;          ///< likewise; 0: none
   double margin;                ///< likewise
+  bool never_swerves;           ///< likewise
 } avo_simulation_def;
 
 AVO_C_API avo_robot_def avo_default_robot_def(void);
@@ -734,13 +738,13 @@ typedef struct avo_summary {
   double mean_arrival;            ///< s, of those that arrived; NAN: none
   double last_arrival;            ///< s; NAN: not all have arrived
   avo_run_metrics metrics;
+  /// Of the obstacle_collisions, those in which the robot had a way out when it came to sense the
+  /// obstacle; -1 without a certificate.
+  int64_t obstacle_collisions_evadable;
 } avo_summary;
 
 AVO_C_API avo_summary avo_default_summary(void);
 /// AVO_ERROR_UNSUPPORTED where the definition did not ask for metrics. summary->size has to be set.
-  /// Of the obstacle_collisions, those in which the robot had a way out when it came to sense the
-  /// obstacle; -1 without a certificate.
-  int64_t obstacle_collisions_evadable;
 AVO_C_API avo_result avo_simulation_summary(avo_simulation_id simulation, avo_summary* summary);
 
 #ifdef __cplusplus
