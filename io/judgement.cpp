@@ -80,16 +80,16 @@ Json hits_of(const Judgement& judgement, const std::vector<avo::CheckedHit>& hit
   return list;
 }
 
-/// A line on each of the first hits of robots at rest.
+/// A line on each of the first hits.
 template <typename Line>
-void add_hits_at_rest(const Judgement& judgement, const std::vector<avo::CheckedHit>& hits,
-                      bool of_robots, const Line& line) {
-  constexpr int kMostNamed = 10;
-  int named = 0;
-  for (const avo::CheckedHit& hit : hits) {
-    if (hit.moved) continue;
-    if (named++ == kMostNamed) return line("  at rest", "...");
-    line("  at rest",
+void add_hits(const Judgement& judgement, const std::vector<avo::CheckedHit>& hits, bool of_robots,
+              const Line& line) {
+  constexpr std::size_t kMostNamed = 10;
+  for (std::size_t k = 0; k < hits.size(); ++k) {
+    if (k == kMostNamed)
+      return line("  ...", fmt::format("{} more, see --json", hits.size() - kMostNamed));
+    const avo::CheckedHit& hit = hits[k];
+    line(hit.moved ? "  in motion" : "  at rest",
          fmt::format("robot {} at {:.6g} s, by {} {}, {:.3g} m deep",
                      number_of(judgement, hit.robot), hit.time,
                      of_robots ? "robot" : "moving obstacle",
@@ -193,13 +193,13 @@ std::string readable(const Judgement& judgement) {
                  Among::moving_obstacles) +
              fmt::format("; {} hit a robot at rest{}", report.obstacle_contacts_at_rest,
                          report.obstacle_contacts_at_rest > 0 ? allowed : ""));
-  add_hits_at_rest(judgement, report.obstacle_hits, false, line);
+  add_hits(judgement, report.obstacle_hits, false, line);
   if (!report.one_sided_hits.empty())
     line("one-sided pairs", text_of(judgement, report.one_sided_contacts_moving,
                                     "hit in motion by the one that avoids", "m", Among::one_sided) +
                                 fmt::format("; {} hit at rest{}", report.one_sided_contacts_at_rest,
                                             report.one_sided_contacts_at_rest > 0 ? allowed : ""));
-  add_hits_at_rest(judgement, report.one_sided_hits, true, line);
+  add_hits(judgement, report.one_sided_hits, true, line);
   if (!judgement.obstacle_of_wall.empty())
     line("obstacles",
          text_of(judgement, report.static_contacts, "robots touched one", "m", Among::walls));

@@ -85,6 +85,19 @@ TEST(CheckMovers, at_rest_ok_is_not_ok_in_motion) {
   EXPECT_EQ(hits[1]["moved"], false);
 }
 
+TEST(CheckMovers, each_hit_has_a_line) {
+  const std::string out = run_avo(judging(kScene + kDisc)).out;
+  const std::size_t first = out.find("    in motion        robot 1 at 1.0");
+  EXPECT_NE(first, std::string::npos) << out;
+  EXPECT_NE(out.find(" s, by moving obstacle 1, 0.8 m deep\n    at rest          robot 0 at 2.2 s", first),
+            std::string::npos)
+      << out;
+  std::string many = kScene;  // eleven more run over it, all at once
+  for (int k = 0; k < 11; ++k) many += "  - {position: [-4, 0], velocity: [2, 0], radius: 0.3}\n";
+  EXPECT_NE(run_avo(judging(many)).out.find("    ...              2 more, see --json\n"),
+            std::string::npos);
+}
+
 TEST(CheckMovers, other_words_are_refused) {
   const ProcessResult result = run_avo(judging(kScene, {"--movers-at-rest", "fine"}));
   EXPECT_EQ(result.exit_code, 2);
