@@ -285,6 +285,7 @@ std::string to_json(const Decision& decision) {
       {"contact_with", name_of_either(decision, decision.plan.neighbor, decision.plan.wall)},
       {"contact_depth", overlaps ? Json(decision.plan.depth) : Json()},
       {"violation", decision.plan.violation}};
+  if (decision.has_own_method) json["method"] = avo::to_string(decision.method);
   if (self.loiter) json["loiter"] = to_json(*self.loiter);
   if (!decision.risks.empty()) json["risk"] = risk_of(decision);
   json.update(rest);
@@ -301,6 +302,7 @@ std::string readable(const Decision& decision) {
   };
   line("position", text(self.position) + " m, goal " + text(decision.goal) + " m");
   line("velocity", text(self.velocity) + " m/s");
+  if (decision.has_own_method) line("method", avo::to_string(decision.method));
   if (self.loiter)
     line("may circle",
          fmt::format("about {} m, {:.6g} m away", text(self.loiter->center), self.loiter->radius));

@@ -79,6 +79,7 @@ Decision explain(const avo::Simulation& simulation, const std::string& scene, st
   decision.time = simulation.time();
   decision.goal = simulation.fleet().goal[index];
   decision.method = planner.options().method;
+  decision.has_own_method = decision.method != simulation.planner().options().method;
   decision.seen = simulation.perceive(index);
   const auto& [self, neighbors, source, detour, among_movers, walls, stop] = decision.seen;
   avo::Detour next_detour = detour;

@@ -162,7 +162,8 @@ const std::vector<Field<SensingError>>& fields() {
 template <>
 const std::vector<Field<MovingObstacle>>& fields() {
   static const std::vector<Field<MovingObstacle>> table{
-      {"position", &MovingObstacle::position, kRequired, kAnyValue, "m", "where it starts"},
+      {"position", &MovingObstacle::position, kOptional, kAnyValue, "m", "where it starts",
+       "where its trajectory has it at 0 s; without one it has to be given"},
       {"velocity", &MovingObstacle::velocity, kOptional, kAnyValue, "m/s", "at the start"},
       {"acceleration", &MovingObstacle::acceleration, kOptional, kAnyValue, "m/s^2", "constant"},
       {"radius", &MovingObstacle::radius, kOptional, kPositive, "m", "of its disc"},
@@ -173,6 +174,12 @@ const std::vector<Field<MovingObstacle>>& fields() {
       {"path", &MovingObstacle::path, kOptional, kAnyValue, "m",
        "that it goes along within these, from point to point and on to the first again",
        "none: it keeps its acceleration"},
+      {"trajectory", &MovingObstacle::trajectory, kOptional, kAnyValue, "",
+       "[time, x, y] in s and m, by ascending times: it goes straight and evenly from each to the "
+       "next, and stands there before the first and after the last",
+       "none"},
+      {"trajectory_file", kNested, kOptional, kNoNumber, "",
+       "a CSV file of time, x, y in place of `trajectory`", "none"},
   };
   return table;
 }

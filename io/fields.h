@@ -29,12 +29,12 @@ struct MembersOf {
 template <>
 struct MembersOf<avo::RobotSetup> {
   using type = MemberOf<avo::RobotSetup, double, std::optional<double>, avo::Vec2, bool,
-                        avo::LayerSet, avo::Behavior>;
+                        avo::LayerSet, avo::Behavior, std::optional<avo::Method>>;
 };
 template <>
 struct MembersOf<avo::MovingObstacle> {
   using type = MemberOf<avo::MovingObstacle, double, std::optional<double>, avo::Vec2,
-                        std::vector<avo::Vec2>>;
+                        std::vector<avo::Vec2>, std::vector<avo::TimedPlace>>;
 };
 template <>
 struct MembersOf<avo::Car> {
@@ -225,6 +225,10 @@ constexpr KindText kind_text<LinePlacement>() {
 template <>
 constexpr KindText kind_text<RandomPlacement>() {
   return {"random", "uniform in a rectangle, clear of all robots placed before"};
+}
+template <>
+constexpr KindText kind_text<RingPlacement>() {
+  return {"ring", "by chance on a circle, clear of all robots placed before and of their goals"};
 }
 template <>
 constexpr KindText kind_text<AntipodalGoals>() {

@@ -42,15 +42,15 @@ double between_headings(double a, double b, double part) {
 struct FrameReader::State {
   RecordingReader reader;
   MoverWalk movers;
-  std::size_t obstacles;
-  FrameRows before, after;  // the rows around the time asked for
+  std::vector<bool> straight;  // of the moving obstacles, which are on trajectories
+  FrameRows before, after;     // the rows around the time asked for
   bool ended = false;
   double first_time = 0.0;
 
   State(const std::string& path, const avo::Scenario& scenario)
-      : reader(path, static_cast<std::int64_t>(scenario.robots.size())),
-        movers(scenario),
-        obstacles(scenario.moving_obstacles.size()) {
+      : reader(path, static_cast<std::int64_t>(scenario.robots.size())), movers(scenario) {
+    for (const avo::MovingObstacle& obstacle : scenario.moving_obstacles)
+      straight.push_back(!obstacle.trajectory.empty());
     const std::size_t robots = scenario.robots.size();
     after.position.resize(robots);
     after.velocity.resize(robots);
@@ -88,7 +88,7 @@ void FrameReader::State::read() {
   }
   after.obstacle_position.clear();
   after.obstacle_velocity.clear();
-  for (std::size_t k = 0; k < obstacles; ++k) {
+  for (std::size_t k = 0; k < straight.size(); ++k) {
     after.obstacle_position.push_back(movers.position(k));
     after.obstacle_velocity.push_back(movers.velocity(k));
   }
@@ -106,10 +106,13 @@ RecordedFrame FrameReader::State::between(double time) const {
     frame.heading.push_back(moves ? between_headings(before.heading[i], after.heading[i], part)
                                   : before.heading[i]);
   }
-  for (std::size_t k = 0; k < obstacles; ++k)
-    frame.obstacle_position.push_back(
-        on_cubic(before.obstacle_position[k], before.obstacle_velocity[k],
-                 after.obstacle_position[k], after.obstacle_velocity[k], part, step));
+  for (std::size_t k = 0; k < straight.size(); ++k) {
+    const avo::Vec2 from = before.obstacle_position[k], to = after.obstacle_position[k];
+    frame.obstacle_position.push_back(straight[k]
+                                          ? from + part * (to - from)
+                                          : on_cubic(from, before.obstacle_velocity[k], to,
+                                                     after.obstacle_velocity[k], part, step));
+  }
   return frame;
 }
 

@@ -62,6 +62,19 @@ const std::vector<Field<RandomPlacement>>& fields() {
 }
 
 template <>
+const std::vector<Field<RingPlacement>>& fields() {
+  static const std::vector<Field<RingPlacement>> table{
+      {"center", &RingPlacement::center, kOptional, kAnyValue, "m", "of the circle"},
+      {"radius", &RingPlacement::radius, kOptional, kPositive, "m", "of the circle"},
+      {"noise", &RingPlacement::noise, kOptional, kNotNegative, "m",
+       "up to which a start is off the circle, along x and along y"},
+      {"clearance", &RingPlacement::clearance, kOptional, kNotNegative, "m",
+       "between discs, at starts and at goals"},
+  };
+  return table;
+}
+
+template <>
 const std::vector<Field<AntipodalGoals>>& fields() {
   static const std::vector<Field<AntipodalGoals>> table;
   return table;

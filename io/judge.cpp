@@ -23,8 +23,11 @@ namespace {
 // How far the robot may be from the cubic between two rows, m. Held accelerations: not at all.
 // Exponential motion, Eqs. (8), (9), has |x''''| <= most/δ², and a cubic through positions and
 // velocities errs by at most Δt⁴ |x''''|/384.
-double interpolation_error(const avo::PlannerOptions& options, double most) {
-  if (options.motion == avo::Motion::held || adopts_at_once(options.method)) return 0.0;
+double interpolation_error(const avo::Scenario& scenario, const avo::RobotSetup& robot) {
+  if (scenario.motion == avo::Motion::held || adopts_at_once(method_of(scenario, robot)))
+    return 0.0;
+  const avo::PlannerOptions options = planner_options(scenario, robot);
+  const double most = change_limit(robot);
   const double ratio = options.time_step / options.control_time;
   return ratio * ratio * options.time_step * options.time_step * most / 384.0;
 }
@@ -66,13 +69,12 @@ avo::Check check_of(const JudgeOptions& options_of_judge) {
                           .movers_at_rest = options_of_judge.movers_at_rest};
   if (!scenario) return avo::Check({}, {}, rules);
   rules.arrival_distance = scenario->arrival_distance;
-  const avo::PlannerOptions options = planner_options(*scenario);
   std::vector<avo::CheckedRobot> robots;
   for (const avo::RobotSetup& setup : scenario->robots) {
     avo::CheckedRobot robot = checked_robot(setup);
     if (is_holonomic(setup.model)) {
-      robot.interpolation_error = interpolation_error(options, change_limit(setup));
-      robot.straight = adopts_at_once(options.method);
+      robot.interpolation_error = interpolation_error(*scenario, setup);
+      robot.straight = adopts_at_once(method_of(*scenario, setup));
     }
     if (scenario->clock == avo::Clock::free && !robot.parked && !robot.straight)
       robot.time_step = time_step_of(*scenario, setup);
@@ -80,8 +82,8 @@ avo::Check check_of(const JudgeOptions& options_of_judge) {
   }
   std::vector<avo::CheckedObstacle> obstacles;
   for (const avo::MovingObstacle& obstacle : scenario->moving_obstacles)
-    obstacles.push_back(
-        {obstacle.position, obstacle.velocity, obstacle.acceleration, obstacle.radius});
+    obstacles.push_back({obstacle.position, obstacle.velocity, obstacle.acceleration,
+                         obstacle.radius, !obstacle.trajectory.empty()});
   return avo::Check(robots, std::move(obstacles), rules);
 }
 
@@ -141,11 +143,13 @@ bool lacks_rows(const avo::Scenario& scenario, double duration) {
   return duration > most * longest_step(scenario);
 }
 
-// Those with a path: nothing that robots do changes it, but the times at which they decide.
+// Those with a path or a trajectory: nothing that robots do changes it, but the times at which they
+// decide.
 void Judge::place_obstacles(double time) {
   movers->go_to(time);
   for (std::size_t k = 0; k < scenario->moving_obstacles.size(); ++k)
-    if (!scenario->moving_obstacles[k].path.empty())
+    if (!scenario->moving_obstacles[k].path.empty() ||
+        !scenario->moving_obstacles[k].trajectory.empty())
       check.place_obstacle(static_cast<std::int64_t>(k), movers->position(k), movers->velocity(k));
 }
 

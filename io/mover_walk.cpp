@@ -59,6 +59,10 @@ void MoverWalk::go_to(double time) {
   const Walked walked = walked_between(clock_, time_step_, before, time);
   for (std::size_t k = 0; k < obstacles_.size(); ++k) {
     const avo::MovingObstacle& obstacle = obstacles_[k];
+    if (!obstacle.trajectory.empty()) {
+      now_[k] = on_trajectory(obstacle, time);
+      continue;
+    }
     if (obstacle.path.empty()) {
       now_[k] = free_walk(obstacle, time);
       continue;

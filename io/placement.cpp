@@ -48,9 +48,9 @@ std::vector<Vec2> random_points(int number, Vec2 min, Vec2 max, double radius, F
   return points;
 }
 
-std::string no_room(std::string_view what, std::size_t placed, int number) {
-  return fmt::format("{}: found room for {} of {}, must have room for all: enlarge the rectangle",
-                     what, placed, number);
+std::string no_room(std::string_view what, std::size_t placed, int number, std::string_view area) {
+  return fmt::format("{}: found room for {} of {}, must have room for all: enlarge the {}", what,
+                     placed, number, area);
 }
 
 /// Where a group's robots start, and the point that antipodal goals mirror in.
@@ -100,6 +100,42 @@ Starts starts(const RandomPlacement& area, const Group& group, const avo::Scenar
   const WallSpace walls(scenario.obstacles, radius + area.clearance);
   return {random_points(group.number, area.min, area.max, radius, space, walls, random),
           0.5 * (area.min + area.max)};
+}
+
+// As CrowdNav places people: a start is drawn anew where it is too near to any start or goal. Those
+// of the group itself are told as if its goals were antipodal.
+Starts starts(const RingPlacement& ring, const Group& group, const avo::Scenario& scenario,
+              Random& random) {
+  constexpr int kTries = 100000;  // of one robot
+  const double radius = room_of(group.robot);
+  std::vector<avo::Disc> taken;
+  const auto take = [&taken](Vec2 start, Vec2 goal, double r) {
+    taken.push_back({start, r}), taken.push_back({goal, r});
+  };
+  for (const auto& robot : scenario.robots) {
+    if (keep_apart(robot, group.robot)) take(robot.position, robot.goal, room_of(robot));
+  }
+  for (const auto& mover : scenario.moving_obstacles)
+    take(mover.position, mover.position, mover.radius);
+  const WallSpace walls(scenario.obstacles, radius + ring.clearance);
+  const auto is_clear = [&](Vec2 place) {
+    return walls.is_clear(place) &&
+           std::none_of(taken.begin(), taken.end(), [&](const avo::Disc& disc) {
+             return norm(place - disc.center) < radius + disc.radius + ring.clearance;
+           });
+  };
+  Starts result{{}, ring.center};
+  for (int tries = 0; std::ssize(result.points) < group.number && tries < kTries; ++tries) {
+    const double angle = random.between(-kPi, kPi);
+    const double x = random.between(-ring.noise, ring.noise);
+    const Vec2 off{x, random.between(-ring.noise, ring.noise)};
+    const Vec2 place = ring.center + ring.radius * avo::elementary::direction(angle) + off;
+    if (!is_clear(place)) continue;
+    result.points.push_back(place);
+    take(place, ring.center + (ring.center - place), radius);
+    tries = 0;
+  }
+  return result;
 }
 
 std::vector<Vec2> goals(const Group& group, const Starts& from, const avo::Scenario& scenario,
@@ -178,12 +214,15 @@ std::string append_group(const Group& group, std::uint64_t stream, avo::Scenario
     from = starts(*grid, n);
   else if (const auto* line = std::get_if<LinePlacement>(&group.placement))
     from = starts(*line, n);
+  else if (const auto* ring = std::get_if<RingPlacement>(&group.placement))
+    from = starts(*ring, group, scenario, random);
   else
     from = starts(std::get<RandomPlacement>(group.placement), group, scenario, random);
   if (from.points.size() < static_cast<std::size_t>(n))
-    return no_room("placement", from.points.size(), n);
+    return no_room("placement", from.points.size(), n,
+                   std::holds_alternative<RingPlacement>(group.placement) ? "circle" : "rectangle");
   std::vector<Vec2> to = goals(group, from, scenario, random);
-  if (to.size() < from.points.size()) return no_room("goals", to.size(), n);
+  if (to.size() < from.points.size()) return no_room("goals", to.size(), n, "rectangle");
   if (group.jitter > 0.0) {
     Random chance(scenario.seed, ~stream);  // apart: what else the seed makes stays as without it
     jitter(from.points, group.jitter, chance);

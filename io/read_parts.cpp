@@ -7,6 +7,7 @@
 #include <variant>
 
 #include "read_model.h"
+#include "trajectory.h"
 
 namespace avo_io {
 namespace {
@@ -119,9 +120,41 @@ RobotsFrom read_robots_from(const Reader& reader, const YamlNode& node, const st
   return from;
 }
 
+namespace {
+
+/// One without a trajectory has to say where it starts, and one with it cannot.
+void read_its_trajectory(const Reader& reader, const YamlNode& node, const std::string& path,
+                         SceneFiles& files, avo::MovingObstacle& obstacle) {
+  const YamlNode *places = node.find("trajectory"), *file = node.find("trajectory_file");
+  if (places == nullptr && file == nullptr) {
+    if (node.find("position") == nullptr)
+      reader.fail_missing(node, path, "position", "where it starts, or a trajectory");
+    return;
+  }
+  if (places != nullptr && file != nullptr)
+    reader.fail(*file, path_to(path, "trajectory_file"), "one beside a trajectory",
+                "must be one of them");
+  if (places != nullptr && obstacle.trajectory.empty())
+    reader.fail(*places, path_to(path, "trajectory"), shown(*places),
+                "must have at least one place");
+  for (const char* key : {"position", "velocity", "acceleration"})
+    if (const YamlNode* said = node.find(key))
+      reader.fail(*said, path_to(path, key), shown(*said), "must be left out beside a trajectory");
+  if (file != nullptr) {
+    constexpr avo::Range kFileName{1.0, 4096.0, false};  // bytes
+    const std::string place = path_to(path, "trajectory_file");
+    const std::string name = reader.name(*file, place, kFileName);
+    obstacle.trajectory = read_trajectory(read_named_file(reader, *file, place, name, files));
+  }
+  start_on_trajectory(obstacle);
+}
+
+}  // namespace
+
 void read_moving_obstacle(const Reader& reader, const YamlNode& node, const std::string& path,
-                          avo::MovingObstacle& obstacle) {
+                          SceneFiles& files, avo::MovingObstacle& obstacle) {
   read_map(reader, node, path, obstacle);
+  read_its_trajectory(reader, node, path, files, obstacle);
   const YamlNode* points = node.find("path");
   if (points != nullptr && obstacle.path.empty())
     reader.fail(*points, path_to(path, "path"), shown(*points), "must have at least one point");

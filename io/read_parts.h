@@ -5,6 +5,7 @@
 
 #include "fields.h"
 #include "reader.h"
+#include "scene_files.h"
 #include "yaml_tree.h"
 
 namespace avo_io {
@@ -15,7 +16,7 @@ void read_robot(const Reader& reader, const YamlNode& node, const std::string& p
 /// As if the robot's map said that radius, m.
 void take_radius(const YamlNode& node, double radius, avo::RobotSetup& robot);
 void read_moving_obstacle(const Reader& reader, const YamlNode& node, const std::string& path,
-                          avo::MovingObstacle& obstacle);
+                          SceneFiles& files, avo::MovingObstacle& obstacle);
 Group read_group(const Reader& reader, const YamlNode& node, const std::string& path);
 RobotsFrom read_robots_from(const Reader& reader, const YamlNode& node, const std::string& path);
 

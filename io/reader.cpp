@@ -140,6 +140,26 @@ std::vector<avo::Vec2> Reader::points(const YamlNode& node, const std::string& p
   return result;
 }
 
+std::vector<avo::TimedPlace> Reader::places(const YamlNode& node, const std::string& path,
+                                            const avo::Range& range) const {
+  require_list(node, path);
+  std::vector<avo::TimedPlace> result;
+  result.reserve(node.children.size());
+  for (const YamlNode& child : node.children) {
+    const std::string place = path_to(path, fmt::format("{}", result.size()));
+    const bool is_list = child.kind == YamlNode::Kind::list;
+    if (!is_list || child.children.size() != 3)
+      fail(child, place,
+           is_list && !child.children.empty() ? fmt::format("a list of {}", child.children.size())
+                                              : shown(child),
+           "must be [time, x, y] in s and m");
+    result.push_back({number(child.children[0], path_to(place, "0"), range, "s"),
+                      {number(child.children[1], path_to(place, "1"), range, "m"),
+                       number(child.children[2], path_to(place, "2"), range, "m")}});
+  }
+  return result;
+}
+
 avo::LayerSet Reader::layers(const YamlNode& node, const std::string& path,
                              const avo::Range& range) const {
   require_list(node, path);
@@ -202,6 +222,10 @@ void Reader::set(avo::Vec2& value, const YamlNode& node, const Path& path, const
 void Reader::set(avo::Method& value, const YamlNode& node, const Path& path, const Rule&) const {
   value = choice(node, path, kMethods);
 }
+void Reader::set(std::optional<avo::Method>& value, const YamlNode& node, const Path& path,
+                 const Rule&) const {
+  value = choice(node, path, kMethods);
+}
 void Reader::set(std::optional<avo::Certificate>& value, const YamlNode& node, const Path& path,
                  const Rule&) const {
   value = choice(node, path, kCertificates);
@@ -254,6 +278,10 @@ void Reader::set(std::optional<bool>& value, const YamlNode& node, const Path& p
 void Reader::set(std::vector<avo::Vec2>& value, const YamlNode& node, const Path& path,
                  const Rule& rule) const {
   value = points(node, path, rule.range, rule.unit);
+}
+void Reader::set(std::vector<avo::TimedPlace>& value, const YamlNode& node, const Path& path,
+                 const Rule& rule) const {
+  value = places(node, path, rule.range);
 }
 
 void Reader::fail_choice(const YamlNode& node, const std::string& path,

@@ -45,6 +45,9 @@ class Reader {
                   std::string_view unit) const;
   std::vector<avo::Vec2> points(const YamlNode& node, const std::string& path,
                                 const avo::Range& range, std::string_view unit) const;
+  /// Triples [time, x, y].
+  std::vector<avo::TimedPlace> places(const YamlNode& node, const std::string& path,
+                                      const avo::Range& range) const;
   /// A list of layers, each once.
   avo::LayerSet layers(const YamlNode& node, const std::string& path,
                        const avo::Range& range) const;
@@ -100,6 +103,8 @@ class Reader {
   void set(std::string& value, const YamlNode& node, const Path& path, const Rule& rule) const;
   void set(avo::Vec2& value, const YamlNode& node, const Path& path, const Rule& rule) const;
   void set(avo::Method& value, const YamlNode& node, const Path& path, const Rule& rule) const;
+  void set(std::optional<avo::Method>& value, const YamlNode& node, const Path& path,
+           const Rule& rule) const;
   void set(std::optional<avo::Certificate>& value, const YamlNode& node, const Path& path,
            const Rule& rule) const;
   void set(avo::Motion& value, const YamlNode& node, const Path& path, const Rule& rule) const;
@@ -118,6 +123,8 @@ class Reader {
   void set(std::optional<bool>& value, const YamlNode& node, const Path& path,
            const Rule& rule) const;
   void set(std::vector<avo::Vec2>& value, const YamlNode& node, const Path& path,
+           const Rule& rule) const;
+  void set(std::vector<avo::TimedPlace>& value, const YamlNode& node, const Path& path,
            const Rule& rule) const;
 
   const Document& document_;

@@ -51,6 +51,14 @@ const std::vector<Field<RobotSetup>>& fields() {
        "cooperates: it does its share, and the others do not count on it to brake"},
       {"time_step", &RobotSetup::time_step, kOptional, kPositive, "s",
        "between its own decisions; only where clock is free", "the scene's"},
+      {"method", &RobotSetup::method, kOptional, kNoNumber, "",
+       "how it chooses its velocities; one of another method than the scene's has what is "
+       "customary "
+       "for its own",
+       "the scene's"},
+      {"time_horizon", &RobotSetup::time_horizon, kOptional, kPositive, "s",
+       "tau: how far it looks for collisions",
+       "the scene's where it has its method, else what is customary"},
   };
   return table;
 }

@@ -140,7 +140,7 @@ class SceneBuilder {
     for (const YamlNode& node : list->children) {
       const std::string path =
           fmt::format("moving_obstacles.{}", scenario_.moving_obstacles.size());
-      read_moving_obstacle(reader_, node, path, scenario_.moving_obstacles.emplace_back());
+      read_moving_obstacle(reader_, node, path, files_, scenario_.moving_obstacles.emplace_back());
     }
   }
 

@@ -32,7 +32,16 @@ struct RandomPlacement {
   avo::Vec2 min, max;
   double clearance = 0.0;
 };
-using Placement = std::variant<CirclePlacement, GridPlacement, LinePlacement, RandomPlacement>;
+/// By chance on a circle, and up to `noise` off along x and along y, no disc nearer than
+/// `clearance` to where another robot starts or wants to.
+struct RingPlacement {
+  avo::Vec2 center;
+  double radius = 4.0;
+  double noise = 0.0;
+  double clearance = 0.0;
+};
+using Placement =
+    std::variant<CirclePlacement, GridPlacement, LinePlacement, RandomPlacement, RingPlacement>;
 
 /// The start mirrored in the center of the placement.
 struct AntipodalGoals {};

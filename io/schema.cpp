@@ -83,6 +83,9 @@ ValueSchema describe(avo::Vec2 value, const avo::Range& range) {
 ValueSchema describe(avo::Method value, const avo::Range&) {
   return {names_schema(kMethods), value_name(kMethods, value)};
 }
+ValueSchema describe(const std::optional<avo::Method>&, const avo::Range&) {
+  return {names_schema(kMethods), nullptr};
+}
 ValueSchema describe(avo::Motion value, const avo::Range&) {
   return {names_schema(kMotions), value_name(kMotions, value)};
 }
@@ -123,6 +126,14 @@ ValueSchema describe(const std::optional<bool>&, const avo::Range&) {
 }
 ValueSchema describe(avo::Fill value, const avo::Range&) {
   return {names_schema(kFills), value_name(kFills, value)};
+}
+ValueSchema describe(const std::vector<avo::TimedPlace>&, const avo::Range& range) {
+  const Json number = number_schema(range);
+  const Json place{{"type", "array"},
+                   {"prefixItems", {number, number, number}},
+                   {"items", false},
+                   {"minItems", 3}};
+  return {{{"type", "array"}, {"items", place}, {"minItems", 1}}, nullptr};
 }
 ValueSchema describe(const std::vector<avo::Vec2>&, const avo::Range& range) {
   return {{{"type", "array"}, {"items", point_schema(range)}, {"minItems", 2}}, nullptr};
@@ -244,6 +255,17 @@ Json entry_schema(const std::variant<Kinds...>*) {
   return {{"oneOf", kinds}};
 }
 
+/// Where it is at the start has to be said in one of three ways.
+Json moving_obstacle_schema() {
+  Json json = map_schema(fields<avo::MovingObstacle>(),
+                         {{"trajectory_file", {{"type", "string"}, {"minLength", 1}}}});
+  Json ways = Json::array();
+  for (const char* key : {"position", "trajectory", "trajectory_file"})
+    ways.push_back({{"required", Json::array({key})}});
+  json["oneOf"] = ways;
+  return json;
+}
+
 Json schema() {
   const Json alike = alike_schema();
   Json json{{"$schema", "https://json-schema.org/draft/2020-12/schema"},
@@ -271,7 +293,7 @@ Json schema() {
   const Json heading = number_schema(kHeadingField.range);
   json["$defs"] = {{"robot", map_schema(fields<avo::RobotSetup>(), nested_of_robots(heading))},
                    {"group", group_schema(alike)},
-                   {"moving_obstacle", map_schema(fields<avo::MovingObstacle>())},
+                   {"moving_obstacle", moving_obstacle_schema()},
                    {"obstacle", entry_schema(static_cast<const ObstacleEntry*>(nullptr))}};
   return json;
 }

@@ -25,6 +25,12 @@ double seconds_since(SweepClock::time_point start) {
   return std::chrono::duration<double>(SweepClock::now() - start).count();
 }
 
+std::vector<avo::RobotId> judged_of(const SweepSpec& spec) {
+  std::vector<avo::RobotId> robots;
+  for (const std::uint64_t number : spec.judged) robots.push_back({number});
+  return robots;
+}
+
 /// When each robot arrives for the first time, as avo::Metrics counts it.
 class ArrivalTimes {
  public:
@@ -60,6 +66,10 @@ avo::Scenario scenario_of(const SweepSpec& spec, const SweepRun& run, SceneSourc
       throw SceneError(
           "found a scene that breaks what its certificate assumes, must keep it; avo validate says "
           "where");
+    for (const std::uint64_t robot : spec.judged)
+      if (robot >= scenario.robots.size())
+        throw SceneError(fmt::format("found robot {} judged, must be 0 to {}", robot,
+                                     scenario.robots.size() - 1));
     return scenario;
   } catch (const FileError&) {
     throw;
@@ -72,7 +82,7 @@ avo::Scenario scenario_of(const SweepSpec& spec, const SweepRun& run, SceneSourc
 RunOutcome simulate_run(const SweepSpec& spec, const avo::Scenario& scenario) {
   const SweepClock::time_point begin = SweepClock::now();
   avo::Simulation simulation(scenario, spec.threads);
-  avo::Metrics metrics(scenario, {.crowd = true, .line = spec.line});
+  avo::Metrics metrics(scenario, {.crowd = true, .line = spec.line, .judged = judged_of(spec)});
   ArrivalTimes arrivals;
   metrics.observe(simulation);
   arrivals.observe(simulation);
@@ -100,7 +110,7 @@ SweepRunScene scene_of_run(const SweepSpec& spec, std::int64_t number) {
 std::uint64_t simulate_again(const SweepSpec& spec, const avo::Scenario& scenario,
                              const std::function<void(const avo::Simulation&)>& observe) {
   avo::Simulation simulation(scenario, spec.threads);
-  avo::Metrics metrics(scenario);
+  avo::Metrics metrics(scenario, {.judged = judged_of(spec)});
   metrics.observe(simulation);
   observe(simulation);
   bool ends = false;
@@ -156,6 +166,7 @@ std::string fingerprint(const SweepSpec& spec, const std::vector<std::uint64_t>&
   }
   for (const std::uint64_t seed : spec.seeds) hash.add(fmt::format("{}", seed));
   hash.add(spec.until_arrived ? "until_arrived" : "");
+  for (const std::uint64_t robot : spec.judged) hash.add(fmt::format("judged {}", robot));
   if (spec.line)
     for (const avo::Vec2 end : {spec.line->a, spec.line->b})
       for (const double value : {end.x, end.y}) hash.add(avo::text(value));

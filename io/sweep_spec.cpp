@@ -16,8 +16,9 @@
 namespace avo_io {
 namespace {
 
-constexpr std::array<std::string_view, 8> kSweepKeys{
-    "version", "scenes", "methods", "parameters", "seeds", "threads", "until_arrived", "line"};
+constexpr std::array<std::string_view, 9> kSweepKeys{"version",       "scenes", "methods",
+                                                     "parameters",    "seeds",  "threads",
+                                                     "until_arrived", "line",   "judged"};
 constexpr avo::Range kSweepText{1.0, 4096.0, false};
 constexpr avo::Range kAnySeed{0.0, 18446744073709551615.0, false};
 constexpr avo::Range kSweepThreads{1.0, 1024.0, false};
@@ -58,6 +59,7 @@ class SweepReader {
     if (const YamlNode* ends = root_.find("until_arrived"))
       spec_.until_arrived = reader_.truth(*ends, "until_arrived");
     read_line();
+    read_judged();
     check_count();
     return std::move(spec_);
   }
@@ -151,6 +153,15 @@ class SweepReader {
     if (!(norm_squared(ends[1] - ends[0]) > 0.0))
       reader_.fail(*node, "line", "one point", kTwoPoints);
     spec_.line = {ends[0], ends[1]};
+  }
+
+  void read_judged() {
+    const YamlNode* list = root_.find("judged");
+    if (list == nullptr) return;
+    constexpr avo::Range kRobot{0.0, static_cast<double>(avo::kMostRobots) - 1.0, false};
+    read_list(*list, "judged", [&](const YamlNode& node, const std::string& path) {
+      return spec_.judged.emplace_back(reader_.whole_number(node, path, kRobot));
+    });
   }
 
   void check_count() const {

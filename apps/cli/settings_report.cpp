@@ -3,7 +3,9 @@
 #include "settings_report.h"
 
 #include <algorithm>
+#include <cstdint>
 #include <fmt/format.h>
+#include <map>
 #include <string_view>
 
 #include "avo/simd.h"
@@ -44,6 +46,17 @@ std::string response_times(const avo::Scenario& scenario, avo::PlannerOptions op
                        : fmt::format("{:.6g} s to {:.6g} s", least, most);
 }
 
+/// The scene's, and how many robots decide by others.
+std::string methods_of(const avo::Scenario& scenario) {
+  std::map<avo::Method, std::int64_t> others;
+  for (const avo::RobotSetup& robot : scenario.robots)
+    if (method_of(scenario, robot) != scenario.method) ++others[method_of(scenario, robot)];
+  std::string text = avo::to_string(scenario.method);
+  for (const auto& [method, count] : others)
+    text += fmt::format(", {} robots by {}", count, avo::to_string(method));
+  return text;
+}
+
 }  // namespace
 
 void tell_settings(const SceneArguments& arguments, const avo::Scenario& scenario,
@@ -60,7 +73,7 @@ void tell_settings(const SceneArguments& arguments, const avo::Scenario& scenari
   tell("obstacles",
        fmt::format("{} moving, {} static of {} walls", scenario.moving_obstacles.size(),
                    scenario.obstacles.size(), avo::walls_of(scenario.obstacles).size()));
-  tell("method", avo::to_string(scenario.method));
+  tell("method", methods_of(scenario));
   tell("certificate", avo::to_string(options.certificate));
   tell("motion", avo::to_string(scenario.motion));
   tell("control_time", seconds(options.control_time) + " (delta)");

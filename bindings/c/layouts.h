@@ -20,6 +20,9 @@ inline constexpr bool kSameSize = sizeof(C) == sizeof(Cpp) &&
 static_assert(kSameSize<avo_vec2, avo::Vec2>);
 AVO_SAME_PLACE(avo_vec2, avo::Vec2, y);
 
+static_assert(kSameSize<avo_timed_place, avo::TimedPlace>);
+AVO_SAME_PLACE(avo_timed_place, avo::TimedPlace, position);
+
 static_assert(kSameSize<avo_wall, avo::Wall>);
 AVO_SAME_PLACE(avo_wall, avo::Wall, b);
 AVO_SAME_PLACE(avo_wall, avo::Wall, radius);

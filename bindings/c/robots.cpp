@@ -10,6 +10,11 @@ std::optional<avo::LoiterCircle> circle_of(const avo_loiter_circle& circle) {
   return avo::LoiterCircle{from_c(circle.center), circle.radius};
 }
 
+std::optional<avo::Method> own_method(std::int32_t method, const Where& where) {
+  if (method == AVO_UNSET) return std::nullopt;
+  return word<avo::Method>(method, 7, where, "method");
+}
+
 }  // namespace
 
 avo::RobotSetup setup_of(const avo_robot_def& def, const Where& where) {
@@ -28,7 +33,9 @@ avo::RobotSetup setup_of(const avo_robot_def& def, const Where& where) {
           .avoids = {def.avoids},
           .time_step = unless_zero(def.time_step),
           .max_braking = unless_zero(def.max_braking),
-          .behavior = word<avo::Behavior>(def.behavior, 3, where, "behavior")};
+          .behavior = word<avo::Behavior>(def.behavior, 3, where, "behavior"),
+          .method = own_method(def.method, where),
+          .time_horizon = unless_zero(def.time_horizon)};
 }
 
 avo_robot_def def_of(const avo::RobotSetup& setup) {
@@ -50,6 +57,8 @@ avo_robot_def def_of(const avo::RobotSetup& setup) {
   def.time_step = setup.time_step.value_or(0.0);
   def.max_braking = setup.max_braking.value_or(0.0);
   def.behavior = static_cast<avo_behavior>(setup.behavior);
+  def.method = setup.method ? static_cast<std::int32_t>(*setup.method) : AVO_UNSET;
+  def.time_horizon = setup.time_horizon.value_or(0.0);
   return def;
 }
 

@@ -29,9 +29,17 @@ const avo_vec2* lent(const std::vector<avo::Vec2>& points) {
 }
 
 avo_moving_obstacle_def def_of(const avo::MovingObstacle& obstacle) {
-  return {sizeof(avo_moving_obstacle_def),  to_c(obstacle.position), to_c(obstacle.velocity),
-          to_c(obstacle.acceleration),      obstacle.radius,         obstacle.max_deviation,
-          obstacle.max_speed.value_or(0.0), lent(obstacle.path),     obstacle.path.size()};
+  return {sizeof(avo_moving_obstacle_def),
+          to_c(obstacle.position),
+          to_c(obstacle.velocity),
+          to_c(obstacle.acceleration),
+          obstacle.radius,
+          obstacle.max_deviation,
+          obstacle.max_speed.value_or(0.0),
+          lent(obstacle.path),
+          obstacle.path.size(),
+          reinterpret_cast<const avo_timed_place*>(obstacle.trajectory.data()),
+          obstacle.trajectory.size()};
 }
 
 std::vector<avo_chain> chains_of(const avo::StaticObstacle& obstacle) {

@@ -17,6 +17,16 @@ std::vector<avo::Vec2> points_of(const avo_vec2* points, std::size_t count,
   return result;
 }
 
+std::vector<avo::TimedPlace> places_of(const avo_timed_place* places, std::size_t count,
+                                       const std::string& name) {
+  require_array(places, count, name.c_str());
+  std::vector<avo::TimedPlace> result;
+  result.reserve(count);
+  for (std::size_t k = 0; k < count; ++k)
+    result.push_back({places[k].time, from_c(places[k].position)});
+  return result;
+}
+
 avo::SensingModel sensing_of(const avo_sensing_model& sensing) {
   avo::SensingModel result;
   const avo_measurement_noise& noise = sensing.noise;
@@ -87,13 +97,17 @@ void read_settings(const avo_simulation_def& def, avo::Scenario& scenario) {
 }  // namespace
 
 avo::MovingObstacle obstacle_of(const avo_moving_obstacle_def& def, const Where& where) {
-  return {.position = from_c(def.position),
-          .velocity = from_c(def.velocity),
-          .acceleration = from_c(def.acceleration),
-          .radius = def.radius,
-          .max_deviation = def.max_deviation,
-          .max_speed = unless_zero(def.max_speed),
-          .path = points_of(def.path, def.path_count, where / "path")};
+  avo::MovingObstacle obstacle{
+      .position = from_c(def.position),
+      .velocity = from_c(def.velocity),
+      .acceleration = from_c(def.acceleration),
+      .radius = def.radius,
+      .max_deviation = def.max_deviation,
+      .max_speed = unless_zero(def.max_speed),
+      .path = points_of(def.path, def.path_count, where / "path"),
+      .trajectory = places_of(def.trajectory, def.trajectory_count, where / "trajectory")};
+  start_on_trajectory(obstacle);
+  return obstacle;
 }
 
 avo::StaticObstacle obstacle_of(const avo_obstacle_def& def, const Where& where) {

@@ -89,6 +89,7 @@ struct CheckedRobot {
 struct CheckedObstacle {
   Vec2 position = {}, velocity = {}, acceleration = {};  ///< at time 0
   double radius = 0.5;                                   ///< m, > 0
+  bool straight = false;  ///< where it is placed, it goes straight and evenly from place to place
 };
 
 /// A static obstacle: all that is within `radius` of the segment from a to b; a disc where a == b.
@@ -241,8 +242,9 @@ class AVO_API Check {
   void set_walls(std::vector<CheckedWall> walls);
 
   /// Where an obstacle (an index into those given) is at the time of the next add(), and how fast,
-  /// instead of what it was told to do: it is judged on the cubic from where it was. Once placed,
-  /// it stays there until it is placed again. Throws Error on values out of range.
+  /// instead of what it was told to do: it is judged on the cubic from where it was, or on the
+  /// straight line if it is CheckedObstacle::straight. Once placed, it stays there until it is
+  /// placed again. Throws Error on values out of range.
   void place_obstacle(std::int64_t obstacle, Vec2 position, Vec2 velocity);
 
   /// All rows of one time, by ascending robot; times ascend, by 1e-12 s or more. Throws Error on

@@ -121,6 +121,8 @@ struct MeasuringLine {
 struct MetricsOptions {
   bool crowd = false;  ///< danger, order and density: a search for neighbors a robot a step
   std::optional<MeasuringLine> line = {};
+  /// Whose trips RunMetrics is of, and all_arrived() tells about; empty: those of all robots.
+  std::vector<RobotId> judged = {};
 };
 
 /// Call observe() once before the first step and once after every step, before robots or static
@@ -132,8 +134,8 @@ class AVO_API Metrics {
   ~Metrics();
   void observe(const Simulation& simulation);
   void add_step_time(double milliseconds);
-  /// Whether every robot that ever was has arrived, each at its own time: RunSummary::arrived is
-  /// RunSummary::robots.
+  /// Whether every robot that ever was, or that is judged, has arrived, each at its own time: of
+  /// all of them RunSummary::arrived is RunSummary::robots.
   [[nodiscard]] bool all_arrived() const;
   [[nodiscard]] RunSummary summary() const;
 

@@ -45,6 +45,10 @@ struct RobotSetup {
   std::optional<double> max_braking = {};
   /// What others count on: decides, or cooperates. Who reacts to nobody is a MovingObstacle.
   Behavior behavior = Behavior::decides;
+  /// How it chooses its velocities; unset: as the scene says. One of another method than the
+  /// scene's has what is customary for its own, see planner_options().
+  std::optional<Method> method = {};
+  std::optional<double> time_horizon = {};  ///< [τ] s, > 0; unset: that of its method
 };
 
 /// Of the disc that others sense.
@@ -56,7 +60,8 @@ inline double disc_radius(const RobotSetup& robot) {
 }
 
 /// Whether A avoids B by their layers. To A, one that does not avoid A is a mover: it reacts to
-/// nobody (docs/certificate.md, "Movers").
+/// nobody (docs/certificate.md, "Movers"). So is one that avoids A by another method, to A of
+/// method avo: it promises nothing (docs/certificate.md, "Robots of other methods").
 constexpr bool avoids(const RobotSetup& a, const RobotSetup& b) {
   return (a.avoids.bits & b.layers.bits) != 0;
 }
@@ -66,7 +71,15 @@ constexpr bool keep_apart(const RobotSetup& a, const RobotSetup& b) {
   return a.parked || b.parked || avoids(a, b) || avoids(b, a);
 }
 
-/// A disc that reacts to nobody. It moves with constant acceleration, or along a path.
+/// Where something is at a time.
+struct TimedPlace {
+  double time = 0.0;   ///< s
+  Vec2 position = {};  ///< m
+  friend constexpr bool operator==(const TimedPlace&, const TimedPlace&) = default;
+};
+
+/// A disc that reacts to nobody. It moves with constant acceleration, along a path, or as a
+/// trajectory says.
 struct MovingObstacle {
   Vec2 position = {};      ///< m
   Vec2 velocity = {};      ///< m/s
@@ -79,6 +92,10 @@ struct MovingObstacle {
   /// next_on_path(). With max_deviation and max_speed; empty: it has none. Robots that sense exactly
   /// and decide at the same times know where it will be.
   std::vector<Vec2> path = {};
+  /// By ascending times: it goes straight and evenly from each of these to the next. Before the
+  /// first time and after the last one it stands there. Its position and velocity have to be those
+  /// at 0 s, see start_on_trajectory(); it has no acceleration and no path. Empty: it has none.
+  std::vector<TimedPlace> trajectory = {};
 };
 
 /// Where a moving obstacle is on its path at the beginning of a step.
@@ -91,6 +108,13 @@ struct PathWalk {
 /// covers it.
 AVO_API PathWalk next_on_path(const MovingObstacle& obstacle, const PathWalk& walk,
                               double time_step);
+
+/// Where it is on its trajectory at a time, and with what velocity it goes on; at the ends of
+/// steps: within a step it goes straight from one to the other. target: index of the place that it
+/// goes for.
+AVO_API PathWalk on_trajectory(const MovingObstacle& obstacle, double time);
+/// Puts it where its trajectory has it at 0 s, if it has one.
+AVO_API void start_on_trajectory(MovingObstacle& obstacle);
 
 /// How robots on their ways know who else is about to go through a narrow passage.
 enum class RightOfWay : std::uint8_t {
@@ -154,8 +178,8 @@ struct Scenario {
   std::string name = {};
   double time_step = 0.1;  ///< [Δt] s, > 0; whole nanoseconds where the clock is free
   double duration = 60.0;  ///< s, >= time_step
-  std::optional<double> control_time = {};    ///< [δ] s, > 0; unset: default_options(method)
-  std::optional<double> response_time = {};   ///< [κ] >= 0, of T = v_max/a_max; likewise
+  std::optional<double> control_time = {};   ///< [δ] s, > 0; unset: default_options(method)
+  std::optional<double> response_time = {};  ///< [κ] >= 0, of T = v_max/a_max; likewise
   /// m/s², > 0, of method avo: see PlannerOptions; unset: none
   std::optional<double> comfort_acceleration = {};
   std::optional<double> comfort_jerk = {};  ///< m/s³, likewise
@@ -197,6 +221,26 @@ constexpr double time_step_of(const Scenario& scenario, const RobotSetup& robot)
   return robot.time_step.value_or(scenario.time_step);
 }
 
+/// By which one of the scene's robots chooses.
+constexpr Method method_of(const Scenario& scenario, const RobotSetup& robot) {
+  return robot.method.value_or(scenario.method);
+}
+
+/// What its decisions never break.
+constexpr Certificate certificate_of(const Scenario& scenario, const RobotSetup& robot) {
+  const Method method = method_of(scenario, robot);
+  const Certificate usual = usual_certificate(method);
+  return method == scenario.method ? scenario.certificate.value_or(usual) : usual;
+}
+
+/// [τ] s, > 0, of one of the scene's robots: its own, the scene's, or what its method is used with.
+constexpr double time_horizon_of(const Scenario& scenario, const RobotSetup& robot) {
+  if (robot.time_horizon) return *robot.time_horizon;
+  const Method method = method_of(scenario, robot);
+  const double usual = usual_time_horizon(method);
+  return method == scenario.method ? scenario.time_horizon.value_or(usual) : usual;
+}
+
 /// m, > 0: the sensing radius that its robots need, whatever its sensing_radius: the range of their
 /// certificate (sensing_need()) and of their method's rules (docs/scenes.md, "How far robots
 /// sense"). The scene has to pass validate().
@@ -217,6 +261,10 @@ AVO_API std::vector<Wall> parked_discs(const std::vector<RobotSetup>& robots);
 
 /// The scene's settings, with its method's own for what it leaves unset.
 AVO_API PlannerOptions planner_options(const Scenario& scenario);
+/// Those of one of its robots. What the scene says of control_time, response_time, comfort, margin,
+/// time_horizon, certificate and sensing_error is said to robots of the scene's method; others have
+/// what is customary for theirs.
+AVO_API PlannerOptions planner_options(const Scenario& scenario, const RobotSetup& robot);
 
 /// Number of the last step that begins no later than `time` >= 0 (s), of a common clock: step k is
 /// at k * time_step. A run of the whole scene takes last_step(scenario, scenario.duration) steps.

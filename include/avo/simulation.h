@@ -197,7 +197,7 @@ class AVO_API Simulation {
     std::optional<Plan> stop = {};
   };
   [[nodiscard]] Perception perceive(std::size_t robot) const;
-  [[nodiscard]] const Planner& planner() const;                   ///< of the scene's time_step
+  [[nodiscard]] const Planner& planner() const;                   ///< of the scene's method
   [[nodiscard]] const Planner& planner(std::size_t robot) const;  ///< that this one plans with
 
   /// From now on the steps are measured, or no longer; the sums begin anew.

@@ -20,6 +20,7 @@ struct Decision {
   double time = 0.0;
   avo::Vec2 goal;
   avo::Method method{};
+  bool has_own_method = false;  ///< another one than the scene's
   avo::Simulation::Perception seen;
   bool by_half_planes = true;  ///< else outside the union of the obstacles (§III-C)
   avo::HalfPlanes half_planes;

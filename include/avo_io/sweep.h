@@ -39,6 +39,9 @@ struct SweepSpec {
   bool until_arrived = false;              ///< a run ends once every robot has arrived
   /// Whose flow is measured in every run, as RunMetrics::flow; none: no columns of it.
   std::optional<avo::MeasuringLine> line = {};
+  /// Numbers of the robots whose trips the metrics are of, see avo::MetricsOptions; empty: all.
+  /// With until_arrived a run ends once these have arrived.
+  std::vector<std::uint64_t> judged = {};
 };
 /// A sweep has no more runs.
 inline constexpr std::int64_t kMostSweepRuns = 1'000'000;

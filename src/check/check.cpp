@@ -261,6 +261,9 @@ void Check::add(double time, std::span<const CheckedState> rows) {
         begins && state.placed[k] ? to : state.placed_before[k].value_or(told(state.last_time));
     state.movers.push_back(
         judge::obstacle_mover(from, to, obstacle.radius, static_cast<std::int64_t>(k)));
+    if (obstacle.straight && state.placed[k] && !begins)
+      state.movers.back().from_velocity = state.movers.back().to_velocity =
+          (to.position - from.position) / state.duration;
   }
   state.boxes.clear();
   for (std::size_t i = 0; i < state.movers.size(); ++i)

@@ -58,8 +58,10 @@ void collect_robots(const FleetView& fleet, const BodyStep& step, std::vector<Bo
     body.position = disc_center(model, last.robots[j].position, last.robots[j].heading);
     const Vec2 next = disc_center(model, fleet.position[i], fleet.heading[i]);
     body.w = fleet.plan[i].new_velocity - body.velocity;
-    body.exact = step.moves && is_holonomic(model);
-    const Vec2 start = step.at_once && body.exact ? fleet.velocity[i] : body.velocity;
+    const Method method = fleet.setup[i].method.value_or(step.method);
+    const bool is_disc = step.moves && is_holonomic(model);
+    body.exact = is_disc && method == step.method;
+    const Vec2 start = adopts_at_once(method) && is_disc ? fleet.velocity[i] : body.velocity;
     if (!step.moves) {
       body.path.control.fill(body.position);
     } else if (!moves_along_heading(model)) {
@@ -85,9 +87,13 @@ void collect_obstacles(const ObstacleView& now, const BodyStep& step,
     body.radius = now.setup[k].radius;
     body.position = last.obstacles[k].position;
     body.velocity = last.obstacles[k].velocity;
+    const bool is_straight = !now.setup[k].trajectory.empty();
     body.exact = step.moves && now.setup[k].acceleration == Vec2{} && now.setup[k].path.empty();
+    Vec2 end_velocity = now.velocity[k];
+    if (is_straight && step.moves)
+      body.velocity = end_velocity = (now.position[k] - body.position) / step.duration;
     body.path =
-        hermite_path(body.position, body.velocity, now.position[k], now.velocity[k], step.duration);
+        hermite_path(body.position, body.velocity, now.position[k], end_velocity, step.duration);
     if (!step.moves) body.path.control.fill(body.position);
     obstacles.push_back(body);
   }

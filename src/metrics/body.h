@@ -18,7 +18,7 @@ struct Body {
   double radius = 0.0;
   Vec2 position, velocity;
   Vec2 w;             // v' - v, m/s
-  bool exact = true;  // Eqs. (8), (9) hold, not only their interpolation
+  bool exact = true;  // the scene's Eqs. (8), (9) hold, not only their interpolation
   StepPath path;
   const RobotSetup* setup = nullptr;  // of a robot
   std::optional<ArcMotion> arc = {};  // of one that turns, which `path` interpolates
@@ -29,7 +29,7 @@ struct BodyStep {
   const LastSeen& last;
   double duration;  // s
   bool moves;       // false before the first step
-  bool at_once;     // new velocities are adopted at once
+  Method method;    // of robots that have none of their own
 };
 
 /// The robots that were there before the step and are there after it.

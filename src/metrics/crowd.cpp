@@ -21,9 +21,8 @@ void Crowd::look_around(const FleetView& fleet, std::size_t robot, double durati
   for (const NeighborHit& hit :
        grid_.gather(positions_[robot], static_cast<int>(robot), positions_.size(), scratch_)) {
     const auto other = static_cast<std::size_t>(hit.index);
-    const double contact = radius + disc_radius(fleet.setup[other]);
-    nearest = std::min(nearest, std::sqrt(hit.distance_squared) - contact);
-    cell_.cut(positions_[other] - positions_[robot]);
+    nearest = std::min(nearest, std::sqrt(hit.distance_squared) - radius - radii_[other]);
+    if (other < fleet.id.size()) cell_.cut(positions_[other] - positions_[robot]);
   }
   if (nearest < kDanger) {
     danger_time_ += duration;
@@ -36,13 +35,19 @@ void Crowd::look_around(const FleetView& fleet, std::size_t robot, double durati
 
 void Crowd::observe(const Simulation& simulation, const Trips& trips, double duration) {
   const FleetView fleet = simulation.fleet();
+  const ObstacleView movers = simulation.obstacles();
   double largest = 0.0;  // m
-  positions_.clear();
+  positions_.clear(), radii_.clear();
+  const auto add = [&](Vec2 position, double radius) {
+    positions_.push_back(position), radii_.push_back(radius);
+    largest = std::max(largest, radius);
+  };
   for (std::size_t i = 0; i < fleet.id.size(); ++i) {
     const RobotSetup& setup = fleet.setup[i];
-    positions_.push_back(disc_center(setup.model, fleet.position[i], fleet.heading[i]));
-    largest = std::max(largest, disc_radius(setup));
+    add(disc_center(setup.model, fleet.position[i], fleet.heading[i]), disc_radius(setup));
   }
+  for (std::size_t k = 0; k < movers.setup.size(); ++k)
+    add(movers.position[k], movers.setup[k].radius);
   // no farther point cuts a cell
   grid_.build(positions_, std::max(2.0 * kCellRadius, 2.0 * largest + kDanger));
   Vec2 directions = {};

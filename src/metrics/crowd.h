@@ -25,7 +25,8 @@ class Crowd {
   double order_time_ = 0.0, order_ = 0.0;                  // s
   double density_ = 0.0, densest_ = 0.0;                   // s/m^2, 1/m^2
 
-  std::vector<Vec2> positions_;
+  std::vector<Vec2> positions_;  // m, of the robots, and behind them of moving obstacles
+  std::vector<double> radii_;    // m
   UniformGrid grid_;
   SearchScratch scratch_;
   VoronoiCell cell_;

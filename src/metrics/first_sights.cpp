@@ -10,7 +10,10 @@
 namespace avo {
 
 FirstSights::FirstSights(const Scenario& scenario)
-    : certified_(planner_options(scenario).certificate != Certificate::none) {
+    : certified_(
+          std::any_of(scenario.robots.begin(), scenario.robots.end(), [&](const RobotSetup& robot) {
+            return certificate_of(scenario, robot) != Certificate::none;
+          })) {
   if (!certified_) return;
   const std::optional<SensingNeed> need = sensing_need(scenario);
   may_be_late_ = scenario.sensing.misses() || (need && need->range > sensing_radius_of(scenario));
@@ -27,6 +30,7 @@ void FirstSights::observe(const Simulation& simulation) {
       if (before != in_sight_.end()) in_sight.insert(*before);
       continue;
     }
+    if (simulation.planner(i).options().certificate == Certificate::none) continue;
     const Simulation::Perception seen = simulation.perceive(i);
     Names& now = in_sight[self];
     for (std::size_t k = 0; k < seen.neighbors.size(); ++k) {

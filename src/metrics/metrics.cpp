@@ -61,7 +61,10 @@ void add_encounters(const Encounters& encounters, RunSummary& summary) {
 
 struct Metrics::State {
   State(const Scenario& scenario, const MetricsOptions& options)
-      : settings(scenario), trips(scenario), first_sights(scenario), mover_sights(scenario) {
+      : settings(scenario),
+        trips(scenario, options.judged),
+        first_sights(scenario),
+        mover_sights(scenario) {
     if (options.crowd) crowd.emplace();
     if (options.line) flow.emplace(*options.line);
   }
@@ -124,9 +127,9 @@ void Metrics::State::observe_limits(const Simulation& simulation) {
 
 // Everything that happened on the way from what was seen last.
 void Metrics::State::observe_step(const Simulation& simulation) {
-  const bool at_once = adopts_at_once(settings.method);
-  collect_robots(simulation.fleet(), {last, duration, started, at_once}, robots);
-  collect_obstacles(simulation.obstacles(), {last, duration, started, at_once}, obstacles);
+  const BodyStep step{last, duration, started, settings.method};
+  collect_robots(simulation.fleet(), step, robots);
+  collect_obstacles(simulation.obstacles(), step, obstacles);
   collect_walls(simulation);
   encounters.observe(robots, obstacles, {last_time, duration, started, response});
   walls.observe(robots, response, duration);

@@ -39,7 +39,7 @@ void Trips::describe(RunMetrics& metrics) const {
   bool have_arrived = true;
   std::vector<double> extra_times;
   for (const Trip& trip : trips_) {
-    if (trip.parked) continue;
+    if (trip.parked || !is_judged(trip.robot)) continue;
     ++metrics.trips;
     collision.add(trip.overlapped ? 1.0 : 0.0);
     success.add(!trip.overlapped && is_in_time(trip) ? 1.0 : 0.0);

@@ -89,8 +89,21 @@ void go_on(Trip& trip, Vec2 position, Vec2 velocity, double way_left, double dur
   trip.velocity = velocity;
 }
 
-Trips::Trips(const Scenario& scenario)
-    : step_(scenario.time_step), arrival_distance_(scenario.arrival_distance) {}
+Trips::Trips(const Scenario& scenario, std::span<const RobotId> judged)
+    : step_(scenario.time_step), arrival_distance_(scenario.arrival_distance) {
+  for (const RobotId robot : judged) judged_.push_back(robot.value);
+  std::sort(judged_.begin(), judged_.end());
+}
+
+bool Trips::is_judged(std::uint64_t robot) const {
+  return judged_.empty() || std::binary_search(judged_.begin(), judged_.end(), robot);
+}
+
+bool Trips::all_arrived() const {
+  if (judged_.empty()) return arrived_ == trips_.size();
+  return std::all_of(judged_.begin(), judged_.end(),
+                     [this](std::uint64_t robot) { return arrival(robot).has_value(); });
+}
 
 std::size_t Trips::find(std::uint64_t robot, std::size_t from) const {
   const auto place =
@@ -102,6 +115,7 @@ std::size_t Trips::find(std::uint64_t robot, std::size_t from) const {
 bool Trips::is_under_way(std::uint64_t robot) const {
   const std::size_t place = find(robot, 0);
   if (place == trips_.size() || trips_[place].robot != robot || trips_[place].parked) return false;
+  if (!is_judged(robot)) return false;
   const Trip& trip = trips_[place];
   return !trip.arrival || (*trip.arrival == now_ && trip.begin < now_);
 }

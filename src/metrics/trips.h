@@ -55,7 +55,8 @@ void go_on(Trip& trip, Vec2 position, Vec2 velocity, double way_left, double dur
 /// Of every robot that ever was, by ascending id.
 class Trips {
  public:
-  explicit Trips(const Scenario& scenario);
+  /// judged: whose trips describe() and all_arrived() are of; empty: all.
+  explicit Trips(const Scenario& scenario, std::span<const RobotId> judged = {});
 
   /// After a step of that duration, s, or before the first one.
   void observe(const Simulation& simulation, double duration);
@@ -65,8 +66,9 @@ class Trips {
   void add_touched(std::span<const std::uint64_t> robots);
 
   [[nodiscard]] std::span<const Trip> all() const { return trips_; }
-  [[nodiscard]] bool all_arrived() const { return arrived_ == trips_.size(); }
-  /// Whether the trip of that robot went on in the last step.
+  [[nodiscard]] bool all_arrived() const;
+  [[nodiscard]] bool is_judged(std::uint64_t robot) const;
+  /// Whether the trip of that robot went on in the last step, and it is judged.
   [[nodiscard]] bool is_under_way(std::uint64_t robot) const;
   /// s; none where it has not arrived, or was never seen.
   [[nodiscard]] std::optional<double> arrival(std::uint64_t robot) const;
@@ -79,6 +81,7 @@ class Trips {
   double step_ = 0.0, arrival_distance_ = 0.0;  // s, m
   double now_ = 0.0;                            // s
   std::vector<Trip> trips_;
+  std::vector<std::uint64_t> judged_;  // ids, ascending
   std::size_t arrived_ = 0;
 };
 

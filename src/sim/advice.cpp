@@ -60,12 +60,17 @@ std::string usual_control_time_of(const RobotSetup& robot, std::size_t index) {
 
 void advise_control_time(const Scenario& scenario, std::vector<std::string>& lines) {
   // avo approaches v' as fast as it can, the others at once
-  if (scenario.method != Method::avo_paper) return;
-  const double delta = planner_options(scenario).control_time;
   const auto& robots = scenario.robots;
+  const auto is_paper = [&](const RobotSetup& r) {
+    return method_of(scenario, r) == Method::avo_paper;
+  };
+  const auto first = std::find_if(robots.begin(), robots.end(), is_paper);
+  if (first == robots.end()) return;
+  const double delta = planner_options(scenario, *first).control_time;
   // Twice the rule or half of it still behaves like the paper's own figures.
-  const Worst shortest =
-      worst(robots, [&](const RobotSetup& r) { return usual_control_time(r) / delta; });
+  const Worst shortest = worst(robots, [&](const RobotSetup& r) {
+    return is_paper(r) ? usual_control_time(r) / delta : 0.0;
+  });
   if (shortest.value > 2.0) {
     const RobotSetup& robot = robots[shortest.robot];
     lines.push_back("control_time " + in_short(delta) + " s is less than half of " +
@@ -74,8 +79,9 @@ void advise_control_time(const Scenario& scenario, std::vector<std::string>& lin
                     in_short(robot.max_acceleration) + " = " +
                     in_short(delta * robot.max_acceleration) + " m/s");
   }
-  const Worst longest =
-      worst(robots, [&](const RobotSetup& r) { return delta / usual_control_time(r); });
+  const Worst longest = worst(robots, [&](const RobotSetup& r) {
+    return is_paper(r) ? delta / usual_control_time(r) : 0.0;
+  });
   if (longest.value > 2.0)
     lines.push_back("control_time " + in_short(delta) + " s is more than twice " +
                     usual_control_time_of(robots[longest.robot], longest.robot) +
@@ -99,21 +105,26 @@ void advise_time_step(const Scenario& scenario, std::vector<std::string>& lines)
 }
 
 void advise_time_horizon(const Scenario& scenario, std::vector<std::string>& lines) {
-  const Worst slowest = worst(scenario.robots, [](const RobotSetup& r) {
-    return cannot_stop(r) ? 0.0 : r.max_speed / planned_braking(r);
+  const auto stops_within = [](const RobotSetup& r) { return r.max_speed / planned_braking(r); };
+  const Worst slowest = worst(scenario.robots, [&](const RobotSetup& r) {
+    return cannot_stop(r) ? 0.0 : stops_within(r) - time_horizon_of(scenario, r);
   });
-  const double tau = planner_options(scenario).time_horizon;
-  if (tau >= slowest.value) return;
+  if (!(slowest.value > 0.0)) return;
   const RobotSetup& robot = scenario.robots[slowest.robot];
+  const double tau = time_horizon_of(scenario, robot);
   lines.push_back("time_horizon " + in_short(tau) + " s is shorter than " +
                   robot_name(slowest.robot) + " needs to stop, max_speed / " + braking_key(robot) +
                   " = " + in_short(robot.max_speed) + " / " + in_short(planned_braking(robot)) +
-                  " = " + in_short(slowest.value) + " s");
+                  " = " + in_short(stops_within(robot)) + " s");
 }
 
 /// A certificate does not warn of what it assumes: broken_assumptions() tells.
+bool keeps_certificate(const Scenario& scenario, const RobotSetup& robot) {
+  return certificate_of(scenario, robot) != Certificate::none;
+}
 bool is_certified(const Scenario& scenario) {
-  return planner_options(scenario).certificate != Certificate::none;
+  return std::any_of(scenario.robots.begin(), scenario.robots.end(),
+                     [&](const RobotSetup& robot) { return keeps_certificate(scenario, robot); });
 }
 
 /// How far a robot's edge gets from where its center is now, if it decides to brake, or to circle,
@@ -210,9 +221,9 @@ void advise_speeds(const Scenario& scenario, std::vector<std::string>& lines) {
                     " m/s of " + robot_name(wish.robot) + " is more than its max_speed = " +
                     in_short(scenario.robots[wish.robot].max_speed) + " m/s");
   advise_slow_flights(scenario, lines);
-  if (is_certified(scenario)) return;
-  const Worst start =
-      worst(scenario.robots, [](const RobotSetup& r) { return norm(r.velocity) / r.max_speed; });
+  const Worst start = worst(scenario.robots, [&](const RobotSetup& r) {
+    return keeps_certificate(scenario, r) ? 0.0 : norm(r.velocity) / r.max_speed;
+  });
   if (start.value > 1.0)
     lines.push_back("velocity of " + robot_name(start.robot) + " is " +
                     in_short(norm(scenario.robots[start.robot].velocity)) +
@@ -252,17 +263,26 @@ std::vector<StartDisc> sorted_discs(const Scenario& scenario) {
   return discs;
 }
 
-/// Whether nobody minds that the two are in one place.
+/// Whether nobody minds that the two are in one place, or the certificate of one of them does.
 bool may_overlap(const Scenario& scenario, const StartDisc& a, const StartDisc& b) {
-  if (a.source < 0 || b.source < 0) return a.source < 0 && b.source < 0;
-  const RobotSetup& first = scenario.robots[static_cast<std::size_t>(a.source)];
-  const RobotSetup& second = scenario.robots[static_cast<std::size_t>(b.source)];
-  return !keep_apart(first, second);
+  const auto robot = [&](const StartDisc& disc) {
+    return disc.source < 0 ? nullptr : &scenario.robots[static_cast<std::size_t>(disc.source)];
+  };
+  const RobotSetup *first = robot(a), *second = robot(b);
+  const auto is_told = [&](const RobotSetup* own) {
+    return own != nullptr && keeps_certificate(scenario, *own);
+  };
+  if (is_told(first) || is_told(second)) return true;
+  if (first == nullptr || second == nullptr) return first == second;
+  return !keep_apart(*first, *second);
 }
 
 void advise_overlaps(const Scenario& scenario, std::vector<std::string>& lines) {
   constexpr int kNamed = 3, kCounted = 1000;
-  if (is_certified(scenario)) return;
+  const bool all_told =
+      std::all_of(scenario.robots.begin(), scenario.robots.end(),
+                  [&](const RobotSetup& robot) { return keeps_certificate(scenario, robot); });
+  if (all_told) return;
   const std::vector<StartDisc> discs = sorted_discs(scenario);
   int advised = 0;
   for (std::size_t i = 0; i < discs.size() && advised < kCounted; ++i) {

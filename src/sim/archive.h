@@ -126,6 +126,12 @@ void describe(Archive<kReads>& archive, std::vector<Vec2>& points) {
 }
 
 template <bool kReads>
+void describe(Archive<kReads>& archive, std::vector<TimedPlace>& places) {
+  archive.size(places, 1 + kPointWords);
+  for (TimedPlace& place : places) describe(archive, place.time), describe(archive, place.position);
+}
+
+template <bool kReads>
 void describe(Archive<kReads>& archive, SensingError& error) {
   describe(archive, error.position), describe(archive, error.velocity);
 }

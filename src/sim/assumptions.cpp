@@ -31,7 +31,7 @@ struct Starts {
   const Scenario& scenario;
   CertificateLaw law;  // by which all brake at once, also where clocks are free: see late_phase()
   double longest_step = 0.0;  // s, where they are
-  bool layered = false;
+  bool mixed = false;
   double margin = 0.0;  // m, that all pairs keep besides
   std::vector<Starter> starters = {};
   CertificateConstraints constraints = {};
@@ -61,7 +61,7 @@ void collect_starters(Starts& starts) {
                                    late_phase(robots[i], starts.longest_step),
                                circle.has_value()});
   }
-  for (std::size_t i = 0; i < robots.size() && starts.layered; ++i)  // as movers
+  for (std::size_t i = 0; i < robots.size() && starts.mixed; ++i)  // as movers
     starts.starters[i].reach = disc_radius(robots[i]) + longest * top_speed(robots[i]);
   const std::vector<MovingObstacle>& obstacles = starts.scenario.moving_obstacles;
   for (std::size_t k = 0; k < obstacles.size(); ++k) {
@@ -87,37 +87,38 @@ bool are_apart(const Starter& a, const Starter& b, Behavior behavior, double con
          contact;
 }
 
-// Everybody avoids obstacles.
-bool avoids(const Starter& a, const Starter& b, const Scenario& scenario) {
+// What a robot counts on from another one by its certificate; nothing where that is not asked.
+// Everybody who keeps one avoids obstacles, and parked robots, which keep everything.
+std::optional<Expectation> counted_on(const Starter& b, const Starter& a, const Starts& starts) {
+  const Scenario& scenario = starts.scenario;
   const auto robot = [&](const Starter& starter) -> const RobotSetup& {
     return scenario.robots[static_cast<std::size_t>(starter.source)];
   };
-  return b.source < 0 || robot(a).parked || robot(b).parked || avo::avoids(robot(a), robot(b));
+  const RobotSetup& own = robot(a);
+  if (!own.parked && !keeps(scenario, own, starts.law)) return std::nullopt;
+  if (b.source < 0) return Expectation::moves_on;
+  const RobotSetup& other = robot(b);
+  if (own.parked || other.parked) {
+    const bool some = keeps(scenario, own.parked ? other : own, starts.law);
+    return some ? std::optional(Expectation::decides) : std::nullopt;
+  }
+  return expected_of(conduct_of(other, scenario.method), conduct_of(own, scenario.method));
 }
 
 bool cooperates(const Starter& starter, const Scenario& scenario) {
   return scenario.robots[static_cast<std::size_t>(starter.source)].behavior == Behavior::cooperates;
 }
 
-void examine(const Starter& a, const Starter& b, Starts& starts) {
-  const auto& [scenario, law, longest_step, layered, extra, starters, constraints, broken] = starts;
+void examine(const Starter& a, const Starter& b, Expectation expected, Starts& starts) {
+  const auto& [scenario, law, longest_step, mixed, extra, starters, constraints, broken] = starts;
   const RobotSetup& own = scenario.robots[static_cast<std::size_t>(a.source)];
   Neighbor neighbor;
   double margin = extra;
   if (b.source >= 0) {
     const RobotSetup& other = scenario.robots[static_cast<std::size_t>(b.source)];
-    neighbor = {.position = disc_center(other),
-                .velocity = start_velocity(other),
-                .radius = disc_radius(other),
-                .max_acceleration = other.max_acceleration,
-                .behavior = own.parked || other.parked
-                                ? Behavior::decides
-                                : *expected_of(conduct_of(other), conduct_of(own)),
-                .max_braking = other.max_braking,
-                .loiter = circle_of(other.model, other.position, start_velocity(other)),
-                .max_speed = top_speed(other)};
-    if (neighbor.behavior == Behavior::moves_on)
-      neighbor.max_deviation = top_acceleration(traits_of(other));
+    neighbor = sensed(traits_of(other), conduct_of(other, scenario.method), expected,
+                      disc_center(other), start_velocity(other));
+    neighbor.loiter = circle_of(other.model, other.position, start_velocity(other));
     margin += late_phase(own, longest_step) + late_phase(other, longest_step);
   } else {
     const MovingObstacle& other =
@@ -161,12 +162,13 @@ void examine_pair(const Starter* a, const Starter* b, Starts& starts) {
   if (b->source >= 0 && (a->source < 0 || b->source < a->source)) std::swap(a, b);
   if (a->source < 0) return;
   // of two of whom one promises nothing, the other one has to see to it
-  if (b->source >= 0 && cooperates(*a, starts.scenario) && avoids(*b, *a, starts.scenario))
+  if (b->source >= 0 && cooperates(*a, starts.scenario) && counted_on(*a, *b, starts))
     std::swap(a, b);
-  if (avoids(*a, *b, starts.scenario))
-    examine(*a, *b, starts);
-  else if (b->source >= 0 && avoids(*b, *a, starts.scenario))
-    examine(*b, *a, starts);
+  if (const auto expected = counted_on(*b, *a, starts)) {
+    examine(*a, *b, *expected, starts);
+  } else if (b->source >= 0) {
+    if (const auto other = counted_on(*a, *b, starts)) examine(*b, *a, *other, starts);
+  }
 }
 
 // Pairs with one of a group of starters whose reaches differ by a factor of two at most: those of
@@ -195,7 +197,7 @@ void examine_group(std::size_t first, std::size_t last, Starts& starts) {
 }
 
 Starts starts_of(const Scenario& scenario, const CertificateLaw& law) {
-  Starts starts{scenario, law, longest_first_step(law), is_layered(scenario)};
+  Starts starts{scenario, law, longest_first_step(law), is_mixed(scenario)};
   starts.law.step.longest_step = 0.0;
   collect_starters(starts);
   return starts;
@@ -233,9 +235,11 @@ void find_broken_starts(const Scenario& scenario, const CertificateLaw& law,
   take_starts(starts.broken, result);
 }
 
-void find_fast_starts(const Scenario& scenario, BrokenAssumptions& result) {
+void find_fast_starts(const Scenario& scenario, const CertificateLaw& law,
+                      BrokenAssumptions& result) {
   std::vector<FastStart> fast;
   for (std::size_t i = 0; i < scenario.robots.size(); ++i) {
+    if (!keeps(scenario, scenario.robots[i], law)) continue;
     const double speed = norm(scenario.robots[i].velocity);
     if (exceeds(speed, scenario.robots[i].max_speed)) fast.push_back({static_cast<int>(i), speed});
   }
@@ -281,11 +285,11 @@ void find_starts_of_first(const Scenario& scenario, const CertificateLaw& law, d
   take_starts(starts.broken, result);
 }
 
-bool is_layered(const Scenario& scenario) {
+bool is_mixed(const Scenario& scenario) {
   const RobotSetup usual;
   return std::any_of(scenario.robots.begin(), scenario.robots.end(), [&](const RobotSetup& robot) {
     return !(robot.layers == usual.layers && robot.avoids == usual.avoids &&
-             robot.behavior == usual.behavior);
+             robot.behavior == usual.behavior && method_of(scenario, robot) == scenario.method);
   });
 }
 
@@ -301,7 +305,7 @@ BrokenAssumptions broken_assumptions(const Scenario& scenario) {
   std::vector<MotionState> starts;
   for (const RobotSetup& robot : scenario.robots) starts.push_back(start_of(robot));
   find_wall_starts(scenario, starts, law, result);
-  find_fast_starts(scenario, result);
+  find_fast_starts(scenario, law, result);
   const std::optional<SensingNeed> need = sensing_need(scenario);
   if (!suffices(sensing_radius_of(scenario), need)) result.unseen = need;
   return result;

@@ -12,8 +12,12 @@ namespace avo {
 
 struct WallNeeds;
 
-/// What the robots of the scene agree on.
+/// What the robots of the scene that keep a certificate agree on.
 CertificateLaw certificate_law(const Scenario& scenario);
+/// Whether the robot is one of these; where nobody is, whether it would be.
+inline bool keeps(const Scenario& scenario, const RobotSetup& robot, const CertificateLaw& law) {
+  return law.kind == Certificate::none || certificate_of(scenario, robot) != Certificate::none;
+}
 
 /// That of a robot, which may have a time step of its own.
 StepLaw step_law(const Scenario& scenario, const RobotSetup& robot, const CertificateLaw& law);
@@ -51,8 +55,8 @@ bool leaves_room(Vec2 p, const StaticObstacle& obstacle);
 void find_wall_starts(const Scenario& scenario, std::span<const MotionState> states,
                       const CertificateLaw& law, BrokenAssumptions& result);
 
-/// Whether not everybody avoids everybody.
-bool is_layered(const Scenario& scenario);
+/// Whether not everybody avoids everybody, or not all by one method.
+bool is_mixed(const Scenario& scenario);
 
 /// As if the scene had the certificate braking_trajectories, whatever it has.
 std::optional<SensingNeed> sensing_need(const Scenario& scenario, const CertificateLaw& law);

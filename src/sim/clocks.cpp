@@ -41,7 +41,8 @@ MotionState on_the_way(const World& world, std::size_t slot, const MotionState& 
                        const MotionState& to, Instant time, Instant duration) {
   if (const MotionModel* model = world.fleet.own_model(slot))
     return within(*model, from, to, seconds(time), seconds(duration));
-  return within(from, to, adopts_at_once(world.settings.method), seconds(time), seconds(duration));
+  const bool at_once = adopts_at_once(world.fleet.conduct[slot].method);
+  return within(from, to, at_once, seconds(time), seconds(duration));
 }
 
 void start_clock(World& world, std::size_t slot) {
@@ -101,7 +102,7 @@ void carry_on(World& world, Instant instant) {
     fleet.cell[slot] = world.snapshot.cells.key(fleet.position[slot]);
     world.fast = world.fast || world.is_fast(slot);
   }
-  world.obstacles.advance(seconds(instant - world.now));
+  world.obstacles.advance(seconds(instant - world.now), seconds(instant));
   world.before = world.now;
   world.now = instant;
 }

@@ -8,6 +8,7 @@
 #include "avo/error.h"
 #include "core/ranges.h"
 #include "core/retell.h"
+#include "planner/certify.h"
 #include "sim/assumptions.h"
 #include "sim/one_sided.h"
 #include "sim/scene_checks.h"
@@ -31,9 +32,15 @@ void validate_as(const Scenario& scene, std::string_view place, const std::strin
                    });
 }
 
-void check_values(const World& world, const RobotSetup& setup, RobotId robot, bool among_walls) {
+Scenario settings_for(const World& world, std::span<const RobotSetup> robots) {
   Scenario scene = world.settings;
-  scene.robots = {setup};
+  scene.robots.assign(robots.begin(), robots.end());
+  forget_undeclared_error(scene);
+  return scene;
+}
+
+void check_values(const World& world, const RobotSetup& setup, RobotId robot, bool among_walls) {
+  Scenario scene = settings_for(world, {&setup, 1});
   if (among_walls) scene.obstacles.push_back({{{{Vec2{}}}}});  // what it needs beside any
   validate_as(scene, "robots.0.", name_of(robot));
 }
@@ -73,8 +80,9 @@ void check_sensing(const World& world, const RobotSetup& setup, RobotId robot) {
 // Throws Error where what all have declared is enough for those who are there, and not for this
 // one.
 void check_declared(const World& world, const RobotSetup& setup, RobotId robot) {
-  const SensingError& declared = world.planner().options().sensing_error;
-  if (world.planner().options().certificate != Certificate::braking_trajectories) return;
+  const PlannerOptions& options = world.certified_planner().options();
+  const SensingError& declared = options.sensing_error;
+  if (options.certificate != Certificate::braking_trajectories) return;
   Scenario scene = world.settings;
   const auto needed_by = [&scene](const RobotSetup& one) {
     scene.robots.assign(1, one);
@@ -110,6 +118,11 @@ void check_flights(const World& world, const RobotSetup& setup, RobotId robot) {
                   [](const Conduct& conduct) { return conduct.behavior == Behavior::decides; });
   if (is_airplane(setup.model) && !(promised && setup.behavior == Behavior::decides))
     refuse(name_of(robot) + ": model", "airplane", "another one among robots that cooperate");
+  if (method_of(world.settings, setup) != Method::avo ||
+      std::any_of(fleet.conduct.begin(), fleet.conduct.end(),
+                  [](const Conduct& other) { return other.method != Method::avo; }))
+    refuse(name_of(robot) + ": method", to_string(method_of(world.settings, setup)),
+           "avo, of all robots, in a scene with airplanes");
 }
 
 // Where one of them would avoid the other, and nothing could be promised to the two.
@@ -130,7 +143,7 @@ void check_one_sided(const World& world, const RobotSetup& setup, RobotId robot)
 // Throws Error where braking does not keep the margin to it, or its Fill keeps a robot out.
 void check_certificate(const World& world, const StaticObstacle& obstacle,
                        const std::string& name) {
-  const CertificateLaw law = certificate_law(world.settings);
+  const CertificateLaw law = certificate_law(world.certified_planner());
   if (law.kind == Certificate::none) return;
   const Fleet& fleet = world.fleet;
   Scenario scene = world.settings;

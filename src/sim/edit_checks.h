@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // What refuses an edit: each of these throws Error, which calls robot or obstacle by its name.
 #pragma once
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -12,6 +13,9 @@ struct World;
 
 std::string name_of(RobotId robot);
 std::string name_of(ObstacleId obstacle);
+
+/// The world's settings for a scene of these robots.
+Scenario settings_for(const World& world, std::span<const RobotSetup> robots);
 
 /// validate(), of a scene with one robot or obstacle at `place`.
 void validate_as(const Scenario& scene, std::string_view place, const std::string& name);

@@ -18,28 +18,23 @@
 namespace avo {
 namespace {
 
-// That of its time_step, which may be new.
-std::uint32_t pace_for(World& world, const RobotSetup& setup) {
-  return world.fleet.has_clocks ? world.pace_of(time_step_of(world.settings, setup)) : 0;
-}
-
 // Of the robot that has been added last.
-void add_clock(World& world, const RobotSetup& setup, std::uint32_t pace) {
+void add_clock(World& world, const RobotSetup& setup) {
   if (!world.fleet.has_clocks) return;
   const std::size_t slot = world.fleet.size() - 1;
   OwnClock& clock = world.fleet.clock_of(slot);
   clock.time_step = time_step_of(world.settings, setup);
-  clock.pace = pace;
   start_clock(world, slot);
 }
 
 // One more in all that has an entry for each robot, but the ways; nothing has changed where it
 // throws.
-void join(World& world, const RobotSetup& setup, RobotId robot, std::uint32_t pace) {
+void join(World& world, const RobotSetup& setup, RobotId robot) {
+  const OwnPace pace = world.pace_of(setup);
   world.senses.reserve_one(
       knots_needed(world.settings, world.planner().options().longest_step, setup));
-  world.fleet.add(robot, setup);
-  add_clock(world, setup, pace);
+  world.fleet.add(robot, setup, pace);
+  add_clock(world, setup);
   world.senses.add(world.moment());
   world.senses.note(world.fleet, world.steps);
   ++world.next_id;
@@ -91,7 +86,7 @@ void park(World& world, const RobotSetup& setup, RobotId robot) {
   StaticWorld statics = beside(world, std::move(parked));
   Ways ways = ways_among(world, statics);
   ways.travels.reserve(world.fleet.size() + 1);
-  join(world, setup, robot, 0);
+  join(world, setup, robot);
   ways.travels.emplace_back();  // there is room
   world.statics = std::move(statics);
   world.ways = std::move(ways);
@@ -125,7 +120,7 @@ RobotId add_robot(World& world, const RobotSetup& setup) {
       ways.travels.reserve(2 * ways.travels.size() + 8);
   }
   const double sensing_radius = sensing_radius_with(world, setup);
-  join(world, setup, robot, pace_for(world, setup));
+  join(world, setup, robot);
   if (!ways.empty()) ways.travels.push_back(std::move(travel));  // there is room
   world.sensing_radius = sensing_radius;
   return robot;
@@ -195,7 +190,7 @@ void move_robot(World& world, RobotId robot, Vec2 position) {
 
 ObstacleId add_obstacle(World& world, const StaticObstacle& obstacle) {
   const ObstacleId id{world.statics.next_id};
-  Scenario scene = world.settings;
+  Scenario scene = settings_for(world, {});
   scene.obstacles = {obstacle};
   validate_as(scene, "obstacles.0.", name_of(id));
   check_newly_static(world, obstacle, name_of(id));

@@ -37,8 +37,9 @@ RobotTraits traits_of(const RobotSetup& setup) {
           .exceeds = reach_of(setup.model) > 1.0};
 }
 
-Conduct conduct_of(const RobotSetup& setup) {
-  return {setup.priority, setup.parked, setup.layers, setup.avoids, setup.behavior};
+Conduct conduct_of(const RobotSetup& setup, Method usual) {
+  return {setup.priority, setup.parked, setup.method.value_or(usual),
+          setup.layers,   setup.avoids, setup.behavior};
 }
 
 Vec2 start_velocity(const RobotSetup& setup) {
@@ -64,7 +65,7 @@ void Fleet::reserve(std::size_t count) {
   slot_of.reserve(count);
 }
 
-void Fleet::add(RobotId robot, const RobotSetup& setup) {
+void Fleet::add(RobotId robot, const RobotSetup& setup, const OwnPace& own_pace) {
   const std::size_t slot = size();
   // all that may throw, before anything changes
   bool full = slot_of.capacity() == slot;
@@ -78,11 +79,13 @@ void Fleet::add(RobotId robot, const RobotSetup& setup) {
     models.resize(slot + 1);
   }
   if (!flights.empty() || passes_goal(setup.model)) flights.resize(slot + 1);
+  if (!pace.empty() || own_pace.index != 0) pace.resize(slot + 1);
   for_each_column([&](auto& column) { column.resize(slot + 1); });
   id[slot] = robot;
   rank[slot] = static_cast<int>(slot);
   traits[slot] = traits_of(setup);
-  conduct[slot] = conduct_of(setup);
+  conduct[slot] = conduct_of(setup, method);
+  if (!pace.empty()) pace[slot] = own_pace;
   goal[slot] = setup.goal;
   position[slot] = disc_center(setup);
   velocity[slot] = start_velocity(setup);
@@ -101,6 +104,7 @@ void Fleet::remove(std::size_t slot) {
   }
   if (!flights.empty()) flights.erase(flights.begin() + rank[slot]);
   if (has_clocks) clock.erase(clock.begin() + rank[slot]);
+  if (!pace.empty()) pace.erase(pace.begin() + rank[slot]);
   for_each_column(
       [&](auto& column) { column.erase(column.begin() + static_cast<std::ptrdiff_t>(slot)); });
   for (std::size_t k = 0; k < slot_of.size(); ++k) {
@@ -150,6 +154,8 @@ RobotSetup Fleet::setup(std::size_t slot) const {
                    .max_braking = max_braking_of(robot_traits),
                    .behavior = conduct[slot].behavior};
   if (has_clocks && !conduct[slot].parked) setup.time_step = clock_of(slot).time_step;
+  if (conduct[slot].method != method) setup.method = conduct[slot].method;
+  if (!pace.empty()) setup.time_horizon = pace[static_cast<std::size_t>(rank[slot])].time_horizon;
   return setup;
 }
 
@@ -157,26 +163,36 @@ Vec2 Fleet::offset(std::size_t slot) const {
   return traits[slot].has_model ? disc_center(model(slot), {}, heading[slot]) : Vec2{};
 }
 
-Neighbor sensed(const RobotTraits& traits, const Conduct& conduct, Behavior behavior, Vec2 position,
-                Vec2 velocity) {
+namespace {
+
+Behavior behavior_of(Expectation expected) {
+  if (expected == Expectation::decides) return Behavior::decides;
+  return expected == Expectation::cooperates ? Behavior::cooperates : Behavior::moves_on;
+}
+
+}  // namespace
+
+Neighbor sensed(const RobotTraits& traits, const Conduct& conduct, Expectation expected,
+                Vec2 position, Vec2 velocity) {
+  const bool decides = expected == Expectation::decides;
   Neighbor neighbor{.position = position,
                     .velocity = velocity,
                     .radius = traits.radius,
                     .max_acceleration = traits.max_acceleration,
-                    .behavior = behavior,
+                    .behavior = behavior_of(expected),
                     .priority = conduct.priority,
                     .max_braking = max_braking_of(traits)};
-  if (behavior == Behavior::cooperates) return neighbor;
-  if (behavior == Behavior::decides && !traits.exceeds) return neighbor;
+  if (expected == Expectation::cooperates || expected == Expectation::moves_on) return neighbor;
+  if (decides && !traits.exceeds) return neighbor;
   neighbor.max_deviation = top_acceleration(traits);
-  if (behavior == Behavior::decides) return neighbor;
+  if (decides) return neighbor;
   neighbor.max_speed = std::max(traits.max_speed, norm(velocity));
   return neighbor;
 }
 
-Neighbor Fleet::sensed(std::size_t slot, Behavior behavior) const {
+Neighbor Fleet::sensed(std::size_t slot, Expectation expected) const {
   Neighbor neighbor =
-      avo::sensed(traits[slot], conduct[slot], behavior, position[slot], velocity[slot]);
+      avo::sensed(traits[slot], conduct[slot], expected, position[slot], velocity[slot]);
   neighbor.loiter = circle(slot);
   return neighbor;
 }
@@ -306,9 +322,14 @@ Neighbor ObstacleColumns::sensed(std::size_t index) const {
   return neighbor;
 }
 
-void ObstacleColumns::advance(double time_step) {
+void ObstacleColumns::advance(double time_step, double time) {
   ++steps;
   for (std::size_t k = 0; k < setup.size(); ++k) {
+    if (!setup[k].trajectory.empty()) {
+      const PathWalk next = on_trajectory(setup[k], time);
+      position[k] = next.position, velocity[k] = next.velocity;
+      continue;
+    }
     if (!setup[k].path.empty()) {
       const PathWalk next = next_on_path(setup[k], walk(k), time_step);
       position[k] = next.position, velocity[k] = next.velocity, target[k] = next.target;

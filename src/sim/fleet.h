@@ -51,20 +51,32 @@ inline double top_acceleration(const RobotTraits& traits) {
 struct Conduct {
   double priority = 1.0;
   bool parked = false;
+  Method method = Method::avo;
   LayerSet layers = RobotSetup{}.layers, avoids = RobotSetup{}.avoids;
   Behavior behavior = RobotSetup{}.behavior;  // to those whom it avoids
   friend bool operator==(const Conduct&, const Conduct&) = default;
 };
-Conduct conduct_of(const RobotSetup& setup);
-/// What A counts on from B; nothing where it does not avoid it.
-inline std::optional<Behavior> expected_of(const Conduct& b, const Conduct& a) {
+/// usual: of those who have no method of their own.
+Conduct conduct_of(const RobotSetup& setup, Method usual);
+/// What A counts on from another robot that it avoids.
+enum class Expectation : std::uint8_t {
+  decides,     ///< it does its share, and keeps the certificate of A, if A has one
+  cooperates,  ///< it avoids A by a method of its own, and promises nothing
+  moves_on,    ///< it does not avoid A, by a method of its own: its velocity is all that is known
+  does_as_it_likes,  ///< it does not avoid A, and keeps its limits
+};
+/// Nothing where A does not avoid B.
+inline std::optional<Expectation> expected_of(const Conduct& b, const Conduct& a) {
   if ((a.avoids.bits & b.layers.bits) == 0) return std::nullopt;
-  return (b.avoids.bits & a.layers.bits) != 0 ? b.behavior : Behavior::moves_on;
+  const bool is_like = a.method != Method::avo || b.method == a.method;
+  if ((b.avoids.bits & a.layers.bits) == 0)
+    return is_like ? Expectation::does_as_it_likes : Expectation::moves_on;
+  return is_like && b.behavior == Behavior::decides ? Expectation::decides
+                                                    : Expectation::cooperates;
 }
-/// A robot as others sense it who count on that much of it. One that reacts to them in nothing does
-/// as it likes, within its limits. Of one that cooperates nothing is known but its motion.
-Neighbor sensed(const RobotTraits& traits, const Conduct& conduct, Behavior behavior, Vec2 position,
-                Vec2 velocity);
+/// A robot as others sense it who count on that much of it.
+Neighbor sensed(const RobotTraits& traits, const Conduct& conduct, Expectation expected,
+                Vec2 position, Vec2 velocity);
 /// m/s; that of a robot with a heading points along it, or against it.
 Vec2 start_velocity(const RobotSetup& setup);
 
@@ -81,7 +93,6 @@ using Instant = std::int64_t;
 /// The clock of one robot, and the step of its own that it is in.
 struct OwnClock {
   double time_step = 0.0;      // s, from decision to decision
-  std::uint32_t pace = 0;      // see World::paces
   Instant begin = 0, end = 0;  // of the step
   MotionState from, to;        // at both
   bool has_decided = false;    // else it brakes until its first decision
@@ -91,6 +102,12 @@ struct OwnClock {
     if (!(end > begin)) return {};
     return (to.velocity - from.velocity) / (static_cast<double>(end - begin) / 1e9);
   }
+};
+
+/// By what a robot decides.
+struct OwnPace {
+  std::uint32_t index = 0;                  // see World::paces
+  std::optional<double> time_horizon = {};  // s, of its setup
 };
 
 /// Columns by slot: robots that are near each other lie near each other once the fleet has been
@@ -115,13 +132,15 @@ struct Fleet {
   std::vector<std::uint32_t> slot_of;  // by rank
   std::vector<OwnClock> clock;         // by rank; empty where the clock is common
   bool has_clocks = false;
+  Method method = Method::avo;      // of those who have none of their own
+  std::vector<OwnPace> pace;        // by rank; empty where all decide by the first one
   std::vector<MotionModel> models;  // by rank; empty where all are holonomic
   std::vector<double> own_radius;   // m, of their setups; likewise
   std::vector<Flight> flights;      // by rank; empty where nobody is an airplane
 
   std::size_t size() const { return id.size(); }
   void reserve(std::size_t count);
-  void add(RobotId robot, const RobotSetup& setup);
+  void add(RobotId robot, const RobotSetup& setup, const OwnPace& own_pace = {});
   void remove(std::size_t slot);
   /// Of those that are parked, in the order of their ids.
   std::vector<Wall> parked_discs() const;
@@ -132,6 +151,9 @@ struct Fleet {
   OwnClock& clock_of(std::size_t slot) { return clock[static_cast<std::size_t>(rank[slot])]; }
   const OwnClock& clock_of(std::size_t slot) const {
     return clock[static_cast<std::size_t>(rank[slot])];
+  }
+  std::uint32_t pace_of(std::size_t slot) const {
+    return pace.empty() ? 0 : pace[static_cast<std::size_t>(rank[slot])].index;
   }
   MotionModel model(std::size_t slot) const {
     return models.empty() ? MotionModel{} : models[static_cast<std::size_t>(rank[slot])];
@@ -164,12 +186,12 @@ struct Fleet {
     return {position[slot], velocity[slot], heading[slot], circle(slot).value_or(LoiterCircle{})};
   }
   /// What robot a counts on from robot b; nothing where it does not mind it as a neighbor.
-  std::optional<Behavior> expected(std::size_t b, std::size_t a) const {
+  std::optional<Expectation> expected(std::size_t b, std::size_t a) const {
     if (conduct[a].parked || conduct[b].parked) return std::nullopt;
     return expected_of(conduct[b], conduct[a]);
   }
   /// As others sense it who count on that much of it.
-  Neighbor sensed(std::size_t slot, Behavior behavior = Behavior::decides) const;
+  Neighbor sensed(std::size_t slot, Expectation expected = Expectation::decides) const;
   /// Slot k becomes what slot order[k] was. Where the executor fails in the midst of it, the fleet
   /// is none any more, and torn stays true.
   void reorder(std::span<const std::uint32_t> order, Executor& executor, bool& torn);
@@ -208,8 +230,8 @@ struct ObstacleColumns {
   PathWalk walk(std::size_t index) const {
     return {position[index], velocity[index], target[index]};
   }
-  /// Constant acceleration, exactly; or along a path.
-  void advance(double time_step);
+  /// Constant acceleration, exactly; along a path; or as trajectories say of `time`, s, at the end.
+  void advance(double time_step, double time);
 };
 
 /// A fleet by ascending id, for those who look at it from outside.

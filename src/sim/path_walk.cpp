@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A moving obstacle that goes from point to point, in the same steps as the robots.
+// A moving obstacle that goes from point to point, in the same steps as the robots, or that is
+// where a trajectory says.
 #include <algorithm>
 
 #include "avo/scenario.h"
@@ -28,6 +29,25 @@ PathWalk next_on_path(const MovingObstacle& obstacle, const PathWalk& walk, doub
   next.velocity = approach(walk.velocity, wanted, time_step * obstacle.max_deviation);
   next.position = walk.position + (0.5 * time_step) * (walk.velocity + next.velocity);
   return next;
+}
+
+PathWalk on_trajectory(const MovingObstacle& obstacle, double time) {
+  const std::vector<TimedPlace>& places = obstacle.trajectory;
+  const auto next =
+      std::upper_bound(places.begin(), places.end(), time,
+                       [](double t, const TimedPlace& place) { return t < place.time; });
+  const auto target = static_cast<std::uint32_t>(next - places.begin());
+  if (next == places.begin()) return {next->position, {}, target};
+  const TimedPlace& last = *(next - 1);
+  if (next == places.end()) return {last.position, {}, target - 1};
+  const Vec2 velocity = (next->position - last.position) / (next->time - last.time);
+  return {last.position + (time - last.time) * velocity, velocity, target};
+}
+
+void start_on_trajectory(MovingObstacle& obstacle) {
+  if (obstacle.trajectory.empty()) return;
+  const PathWalk start = on_trajectory(obstacle, 0.0);
+  obstacle.position = start.position, obstacle.velocity = start.velocity;
 }
 
 }  // namespace avo

@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::uint64_t kMark = 0x65766173206f7661;           // "avo save"
 constexpr std::size_t kFewestWords = 3;                       // mark, number of bytes, checksum
-constexpr std::size_t kObstacleWords = 16, kRobotWords = 19;  // at least
+constexpr std::size_t kObstacleWords = 17, kRobotWords = 19;  // at least
 constexpr std::size_t kPastWords = 4, kClockWords = 15, kKnotWords = 6;
 constexpr std::size_t kStaticWords = 4, kChainWords = 2;  // at least
 
@@ -122,6 +122,27 @@ void describe(Archive<kReads>& archive, Detour& detour) {
             second >> 32 != 0, number(third),       number(third >> 32)};
 }
 
+// What few robots have, in one word with the horizon behind it.
+template <bool kReads>
+void describe_kinds(Archive<kReads>& archive, RobotSetup& setup) {
+  const auto method = static_cast<std::uint64_t>(setup.method.value_or(Method{}));
+  std::uint64_t kinds = (setup.parked ? 1U : 0U) | (setup.method ? 2U | method << 8 : 0U) |
+                        (setup.time_horizon ? 4U : 0U) |
+                        (setup.behavior == Behavior::cooperates ? 8U : 0U);
+  archive.word(kinds);
+  if constexpr (kReads) {
+    const bool has_method = (kinds & 2) != 0;
+    if ((kinds & 0xf0) != 0 || (!has_method && kinds >> 8 != 0) ||
+        kinds >> 8 >= kNames<Method>.size())
+      refuse_saved("the kinds of a robot " + std::to_string(kinds), "known ones");
+    setup.parked = (kinds & 1) != 0;
+    setup.behavior = (kinds & 8) != 0 ? Behavior::cooperates : Behavior::decides;
+    if (has_method) setup.method = static_cast<Method>(kinds >> 8);
+    if ((kinds & 4) != 0) setup.time_horizon.emplace();
+  }
+  if (setup.time_horizon) describe(archive, *setup.time_horizon);
+}
+
 template <bool kReads>
 void describe(Archive<kReads>& archive, RobotSetup& setup, RobotState& state) {
   describe(archive, setup.goal), describe(archive, setup.radius);
@@ -130,13 +151,7 @@ void describe(Archive<kReads>& archive, RobotSetup& setup, RobotState& state) {
   describe(archive, max_braking);
   if (max_braking != 0.0) setup.max_braking = max_braking;
   describe(archive, setup.preferred_speed), describe(archive, setup.priority);
-  // one word for both
-  const bool promises = setup.behavior == Behavior::decides;
-  std::uint64_t kinds = (setup.parked ? 1U : 0U) | (promises ? 0U : 2U);
-  archive.word(kinds);
-  if (kinds > 2) refuse_saved("the kinds of a robot " + std::to_string(kinds), "0 to 2");
-  setup.parked = kinds == 1;
-  setup.behavior = kinds == 2 ? Behavior::cooperates : Behavior::decides;
+  describe_kinds(archive, setup);
   std::uint64_t layers = std::uint64_t{setup.layers.bits} << 32 | setup.avoids.bits;
   archive.word(layers);
   setup.layers.bits = static_cast<std::uint32_t>(layers >> 32);

@@ -10,6 +10,7 @@
 #include "robots/model.h"
 #include "sim/clocks.h"
 #include "sim/saved_state.h"
+#include "sim/scene_checks.h"
 
 namespace avo {
 
@@ -31,6 +32,8 @@ void check_setups(const Scenario& scene) {
     const auto begin = scene.robots.begin();
     part.robots.assign(begin + static_cast<std::ptrdiff_t>(first),
                        begin + static_cast<std::ptrdiff_t>(last));
+    part.sensing_error = scene.sensing_error;
+    forget_undeclared_error(part);
     validate(part);
   }
 }

@@ -105,6 +105,7 @@ void for_each_obstacle_value(const Visit& visit) {
   visit("max_deviation", &MovingObstacle::max_deviation);
   visit("max_speed", &MovingObstacle::max_speed);
   visit("path", &MovingObstacle::path);
+  visit("trajectory", &MovingObstacle::trajectory);
 }
 
 /// Throws Error on what no simulation comes to.

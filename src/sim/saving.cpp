@@ -81,13 +81,11 @@ bool are_same(const std::vector<Wall>& theirs, const std::vector<Wall>& ours) {
                     });
 }
 
-// The paces are the world's.
-void add_clocks(const SavedState& state, World& world, Fleet& fleet) {
+void add_clocks(const SavedState& state, Fleet& fleet) {
   for (std::size_t k = 0; k < state.clocks.size(); ++k) {
     const SavedClock& saved = state.clocks[k];
     OwnClock& clock = fleet.clock[k];
     clock.time_step = time_step_of(state.scene, state.scene.robots[k]);
-    clock.pace = world.pace_of(clock.time_step);
     clock.begin = saved.begin, clock.end = saved.end;
     clock.from = saved.from, clock.to = saved.to;
     if (is_holonomic(state.scene.robots[k].model))
@@ -96,15 +94,17 @@ void add_clocks(const SavedState& state, World& world, Fleet& fleet) {
   }
 }
 
-Fleet fleet_of(const SavedState& state) {
+// The paces are the world's.
+Fleet fleet_of(const SavedState& state, World& world) {
   Fleet fleet;
   fleet.has_clocks = state.scene.clock == Clock::free;
+  fleet.method = state.scene.method;
   fleet.reserve(state.robots.size());
   for (std::size_t k = 0; k < state.robots.size(); ++k) {
     const RobotState& robot = state.robots[k];
     RobotSetup setup = state.scene.robots[k];
     setup.heading = robot.heading;
-    fleet.add(robot.id, setup);
+    fleet.add(robot.id, setup, world.pace_of(setup));
     fleet.position[k] = robot.position;  // of its disc, to the last bit
     fleet.velocity[k] = robot.velocity;  // to the last bit, along a heading as well
     fleet.detour[k] = robot.detour;
@@ -230,8 +230,8 @@ SavedState saved_state(const World& world) {
 
 void restore(const SavedState& state, World& world) {
   require_same_scene(state.scene, world);
-  Fleet fleet = fleet_of(state);
-  add_clocks(state, world, fleet);
+  Fleet fleet = fleet_of(state, world);
+  add_clocks(state, fleet);
   Senses senses = senses_of(state, fleet, world.planner().options().longest_step);
   ObstacleColumns obstacles = obstacles_of(state);
   std::optional<StaticWorld> statics;

@@ -37,6 +37,40 @@ void check_max_speed(std::size_t k, const MovingObstacle& obstacle) {
            "at most max_speed = " + text(most) + " m/s long");
 }
 
+void check_trajectory(std::size_t k, const MovingObstacle& obstacle) {
+  const auto at = [&](std::string_view field) {
+    return std::string(Place{"moving_obstacles", k, field});
+  };
+  const std::string beside = " beside a trajectory";
+  if (!obstacle.path.empty()) refuse(at("path"), "one", "left out" + beside);
+  if (!(obstacle.acceleration == Vec2{}))
+    refuse(at("acceleration"), text(obstacle.acceleration), "[0, 0]" + beside);
+  const TimedPlace* before = nullptr;
+  for (const TimedPlace& place : obstacle.trajectory) {
+    require(Place{"moving_obstacles", k, "trajectory"}, place.time, kAnyValue, "s");
+    require(Place{"moving_obstacles", k, "trajectory"}, place.position, "m");
+    if (before != nullptr && !(place.time > before->time))
+      refuse(at("trajectory"), text(place.time) + " s after " + text(before->time) + " s",
+             "ascending times");
+    const double speed = before != nullptr
+                             ? norm(place.position - before->position) / (place.time - before->time)
+                             : 0.0;
+    if (!(speed <= kLargest))
+      refuse(at("trajectory"), text(speed) + " m/s", "at most " + text(kLargest) + " m/s");
+    if (obstacle.max_speed && speed > *obstacle.max_speed * (1.0 + 1e-9))
+      refuse(at("max_speed"), text(*obstacle.max_speed),
+             ">= " + text(speed) + " m/s, what its trajectory has");
+    before = &place;
+  }
+  const PathWalk start = on_trajectory(obstacle, 0.0);
+  if (!(obstacle.position == start.position))
+    refuse(at("position"), text(obstacle.position),
+           text(start.position) + ", where its trajectory has it at 0 s");
+  if (!(obstacle.velocity == start.velocity))
+    refuse(at("velocity"), text(obstacle.velocity),
+           text(start.velocity) + ", what its trajectory has at 0 s");
+}
+
 void check_obstacle(std::size_t k, const MovingObstacle& obstacle) {
   const std::string_view list = "moving_obstacles";
   require(Place{list, k, "position"}, obstacle.position, "m");
@@ -45,6 +79,7 @@ void check_obstacle(std::size_t k, const MovingObstacle& obstacle) {
   require(Place{list, k, "radius"}, obstacle.radius, kPositive, "m");
   require(Place{list, k, "max_deviation"}, obstacle.max_deviation, kNotNegative, "m/s^2");
   if (obstacle.max_speed) check_max_speed(k, obstacle);
+  if (!obstacle.trajectory.empty()) check_trajectory(k, obstacle);
   if (obstacle.path.empty()) return;
   if (!obstacle.max_speed)
     refuse(std::string(Place{list, k, "path"}), "one",
@@ -121,12 +156,35 @@ void check_clocks(const Scenario& scenario, const PlannerOptions& options) {
     if (step > options.longest_step)
       refuse(std::string(place), text(step),
              "<= longest_step = " + text(options.longest_step) + " s");
-    if (step == scenario.time_step) continue;
-    PlannerOptions own = options;
-    own.time_step = step;
-    validate(own, "robots." + std::to_string(i) + ".");
   }
   if (is_free) check_memory(scenario, options);
+}
+
+// Those who have something of their own.
+void check_methods(const Scenario& scenario) {
+  const Agreed agreed = agreed_on(scenario);
+  for (std::size_t i = 0; i < scenario.robots.size(); ++i) {
+    const RobotSetup& robot = scenario.robots[i];
+    if (!robot.method && !robot.time_horizon && !robot.time_step) continue;
+    const auto at = [&](std::string_view field) { return std::string(Place{"robots", i, field}); };
+    if (robot.parked && robot.method)
+      refuse(at("method"), to_string(*robot.method), "left out: it is parked");
+    if (robot.parked && robot.time_horizon)
+      refuse(at("time_horizon"), text(*robot.time_horizon), "left out: it is parked");
+    if (robot.parked) continue;
+    const Method method = method_of(scenario, robot);
+    if (reaches_within_step(method) && scenario.motion != Motion::held)
+      refuse(at("method"), to_string(method), "another one where motion is exponential");
+    validate(planner_options(scenario, robot, agreed), "robots." + std::to_string(i) + ".");
+  }
+}
+
+void check_declared(const Scenario& scenario, const PlannerOptions& certified) {
+  const Certificate certificate = certified.certificate;
+  if (!scenario.sensing_error || *scenario.sensing_error == SensingError{} ||
+      certificate == Certificate::braking_trajectories)
+    return;
+  refuse("sensing_error", "one", std::string("none with certificate ") + to_string(certificate));
 }
 
 // Braking lasts for so many steps only as can be looked at one by one.
@@ -134,7 +192,8 @@ void check_braking(const Scenario& scenario, const PlannerOptions& options) {
   const double steps = static_cast<double>(kMostBrakingSteps);
   double time_step = options.time_step;  // of anybody, who counts the others' braking by it
   for (const RobotSetup& robot : scenario.robots)
-    time_step = std::min(time_step, time_step_of(scenario, robot));
+    if (method_of(scenario, robot) == options.method)
+      time_step = std::min(time_step, time_step_of(scenario, robot));
   const double longest =
       options.motion == Motion::held
           ? steps * time_step
@@ -142,6 +201,7 @@ void check_braking(const Scenario& scenario, const PlannerOptions& options) {
                 options.control_time;
   for (std::size_t i = 0; i < scenario.robots.size(); ++i) {
     const RobotSetup& robot = scenario.robots[i];
+    if (method_of(scenario, robot) != options.method) continue;
     const double most = longest * braking_limit(robot);
     if (robot.max_speed <= most) continue;
     refuse(std::string(Place{"robots", i, "max_speed"}), text(robot.max_speed),
@@ -182,14 +242,14 @@ void check_paths(const Scenario& scenario) {
 }
 
 // The sides of a step's triangle are looked at, not what is inside: no wall may hide there.
-void check_beside_walls(const Scenario& scenario) {
+void check_beside_walls(const Scenario& scenario, Method method) {
   const std::vector<RobotSetup>& robots = scenario.robots;
   const bool has_walls =
       !scenario.obstacles.empty() ||
       std::any_of(robots.begin(), robots.end(), [](const RobotSetup& r) { return r.parked; });
   for (std::size_t i = 0; i < robots.size() && has_walls; ++i) {
     const RobotSetup& robot = robots[i];
-    if (robot.parked) continue;
+    if (robot.parked || method_of(scenario, robot) != method) continue;
     const double time_step = time_step_of(scenario, robot);
     const double most = std::min(change_limit(robot) * time_step, 2.0 * robot.max_speed);
     const double height = 0.25 * most * time_step;
@@ -216,6 +276,10 @@ void check_flights(const Scenario& scenario, const PlannerOptions& options) {
              "decides" + among + ", which cannot stop for it");
   }
   if (options.method != Method::avo) refuse("method", to_string(options.method), "avo" + among);
+  for (std::size_t i = 0; i < robots.size(); ++i) {
+    if (const Method own = method_of(scenario, robots[i]); own != Method::avo)
+      refuse(std::string(Place{"robots", i, "method"}), to_string(own), "avo" + among);
+  }
   if (options.motion != Motion::held) refuse("motion", to_string(options.motion), "held" + among);
   if (options.clock != Clock::common) refuse("clock", to_string(options.clock), "common" + among);
   if (options.certificate == Certificate::stopping_capsules)
@@ -235,12 +299,14 @@ void check_one_sided(const Scenario& scenario) {
 void check_certificate(const Scenario& scenario, const PlannerOptions& options) {
   if (options.certificate == Certificate::none) return;
   for (std::size_t i = 0; i < scenario.robots.size(); ++i) {
-    if (!is_holonomic(scenario.robots[i].model) && options.motion != Motion::held)
+    const RobotSetup& robot = scenario.robots[i];
+    if (!is_holonomic(robot.model) && method_of(scenario, robot) == options.method &&
+        options.motion != Motion::held)
       refuse(std::string(Place{"robots", i, "model"}), "one that is not holonomic",
              "holonomic with a certificate where motion is exponential");
   }
   check_braking(scenario, options);
-  check_beside_walls(scenario);
+  check_beside_walls(scenario, options.method);
   if (!scenario.sensing_error || scenario.clock == Clock::common) return;
   constexpr double kRounding = 1.0 + 1e-9;
   const SensingError least = unforeseen(scenario);
@@ -261,7 +327,9 @@ void check_certificate(const Scenario& scenario, const PlannerOptions& options) 
 void validate(const Scenario& scenario) {
   check_sensing(scenario.sensing);
   const PlannerOptions options = planner_options(scenario);
+  const PlannerOptions certified = certified_options(scenario);
   validate(options, "");
+  check_declared(scenario, certified);
   check_clocks(scenario, options);
   check_duration(scenario);
   if (scenario.sensing_radius) require("sensing_radius", *scenario.sensing_radius, kPositive, "m");
@@ -270,6 +338,7 @@ void validate(const Scenario& scenario) {
     refuse("robots", std::to_string(robots), "at most " + std::to_string(kMostRobots));
   for (std::size_t i = 0; i < scenario.robots.size(); ++i)
     check_robot(i, scenario.robots[i], scenario.time_step);
+  check_methods(scenario);
   for (std::size_t k = 0; k < scenario.moving_obstacles.size(); ++k)
     check_obstacle(k, scenario.moving_obstacles[k]);
   check_paths(scenario);
@@ -277,7 +346,7 @@ void validate(const Scenario& scenario) {
     check_static_obstacle(k, scenario.obstacles[k]);
   check_flights(scenario, options);
   check_one_sided(scenario);
-  check_certificate(scenario, options);
+  check_certificate(scenario, certified);
 }
 
 }  // namespace avo

@@ -43,4 +43,20 @@ void check_robot(std::size_t i, const RobotSetup& robot, double time_step);
 /// of their own").
 SensingError unforeseen(const Scenario& scenario);
 
+/// What all robots of a scene have agreed on, whatever their methods are.
+struct Agreed {
+  double longest_step = 0.0;  // s, of anybody
+  SensingError declared;      // that those declare who keep a certificate
+};
+Agreed agreed_on(const Scenario& scenario);
+/// planner_options() of a robot, where what all have agreed on is known.
+PlannerOptions planner_options(const Scenario& scenario, const RobotSetup& robot,
+                               const Agreed& agreed);
+
+/// Those of the robots that keep a certificate, which are all of one method; the scene's where
+/// nobody does.
+PlannerOptions certified_options(const Scenario& scenario);
+/// An error is declared with a certificate alone. Who keeps one may not be in the scene (any more).
+void forget_undeclared_error(Scenario& scenario);
+
 }  // namespace avo

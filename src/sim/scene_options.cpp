@@ -62,15 +62,10 @@ SensingError unforeseen(const Scenario& scenario) {
   return most;
 }
 
-PlannerOptions planner_options(const Scenario& scenario) {
-  PlannerOptions options = default_options(scenario.method);
-  options.motion = scenario.motion;
-  options.time_step = scenario.time_step;
-  options.samples = scenario.samples;
-  options.max_neighbors = scenario.max_neighbors;
-  options.arrival_distance = scenario.arrival_distance;
-  options.clock = scenario.clock;
-  if (scenario.clock == Clock::free) options.longest_step = longest_step_of(scenario);
+namespace {
+
+// What the scene says to robots of its own method.
+void take_settings(const Scenario& scenario, PlannerOptions& options) {
   if (scenario.control_time) options.control_time = *scenario.control_time;
   if (scenario.time_horizon) options.time_horizon = *scenario.time_horizon;
   if (scenario.response_time) options.response_time = *scenario.response_time;
@@ -79,11 +74,20 @@ PlannerOptions planner_options(const Scenario& scenario) {
   options.margin = scenario.margin;
   options.never_swerves = scenario.never_swerves;
   if (scenario.certificate) options.certificate = *scenario.certificate;
-  if (scenario.sensing_error) {
-    options.sensing_error = *scenario.sensing_error;
-  } else if (options.certificate == Certificate::braking_trajectories) {
-    options.sensing_error = declared_error(scenario);
-  }
+}
+
+PlannerOptions options_of(const Scenario& scenario, Method method, const Agreed& agreed) {
+  PlannerOptions options = default_options(method);
+  options.motion = scenario.motion;
+  options.time_step = scenario.time_step;
+  options.samples = scenario.samples;
+  options.max_neighbors = scenario.max_neighbors;
+  options.arrival_distance = scenario.arrival_distance;
+  options.clock = scenario.clock;
+  options.longest_step = agreed.longest_step;
+  if (method == scenario.method) take_settings(scenario, options);
+  if (options.certificate == Certificate::braking_trajectories)
+    options.sensing_error = agreed.declared;
   options.localization_error = most_lost(scenario.sensing.localization);
   if (options.certificate != Certificate::none) options.wall_range = wall_range_of(scenario);
   const MeasurementNoise& noise = scenario.sensing.noise;
@@ -93,6 +97,43 @@ PlannerOptions planner_options(const Scenario& scenario) {
     options.sensing_noise.velocity = noise.velocity;
   }
   return options;
+}
+
+}  // namespace
+
+Agreed agreed_on(const Scenario& scenario) {
+  return {scenario.clock == Clock::free ? longest_step_of(scenario) : 0.0,
+          scenario.sensing_error ? *scenario.sensing_error : declared_error(scenario)};
+}
+
+PlannerOptions planner_options(const Scenario& scenario) {
+  return options_of(scenario, scenario.method, agreed_on(scenario));
+}
+
+PlannerOptions planner_options(const Scenario& scenario, const RobotSetup& robot,
+                               const Agreed& agreed) {
+  PlannerOptions options = options_of(scenario, method_of(scenario, robot), agreed);
+  options.time_step = time_step_of(scenario, robot);
+  if (robot.time_horizon) options.time_horizon = *robot.time_horizon;
+  return options;
+}
+
+PlannerOptions planner_options(const Scenario& scenario, const RobotSetup& robot) {
+  return planner_options(scenario, robot, agreed_on(scenario));
+}
+
+PlannerOptions certified_options(const Scenario& scenario) {
+  PlannerOptions options = planner_options(scenario);
+  if (options.certificate != Certificate::none) return options;
+  const bool some =
+      std::any_of(scenario.robots.begin(), scenario.robots.end(), [&](const RobotSetup& robot) {
+        return certificate_of(scenario, robot) != Certificate::none;
+      });
+  return some ? options_of(scenario, Method::avo, agreed_on(scenario)) : options;
+}
+
+void forget_undeclared_error(Scenario& scenario) {
+  if (certified_options(scenario).certificate == Certificate::none) scenario.sensing_error.reset();
 }
 
 SensingError declared_error(const Scenario& scenario) {

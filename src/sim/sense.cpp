@@ -84,10 +84,10 @@ void append_deviations(const World& world, const Found& hits, const SearchScratc
 std::optional<Neighbor> sensed_at(const World& world, std::size_t place, std::size_t own) {
   const std::uint32_t slot = world.snapshot.grid.order()[place];
   const Conduct& conduct = world.fleet.conduct[slot];
-  const auto behavior = expected_of(conduct, world.fleet.conduct[own]);
-  if (conduct.parked || !behavior) return std::nullopt;
+  const auto expected = expected_of(conduct, world.fleet.conduct[own]);
+  if (conduct.parked || !expected) return std::nullopt;
   Neighbor neighbor =
-      sensed(world.fleet.traits[slot], conduct, *behavior, world.snapshot.grid.position(place),
+      sensed(world.fleet.traits[slot], conduct, *expected, world.snapshot.grid.position(place),
              world.snapshot.sensed[place].velocity);
   if (!world.snapshot.circle.empty() && world.snapshot.circle[place].radius > 0.0)
     neighbor.loiter = world.snapshot.circle[place];
@@ -103,7 +103,7 @@ void append_one_by_one(const World& world, std::size_t slot, std::size_t query, 
   const Vec2 position = world.fleet.position[slot];
   NeighborColumns& to = worker.tile.neighbors;
   const std::size_t most =
-      world.all_matter() ? std::numeric_limits<std::size_t>::max() : world.most_nearest();
+      world.all_matter_to(slot) ? std::numeric_limits<std::size_t>::max() : world.most_nearest();
   const std::span<const NeighborHit> robots = world.snapshot.grid.list(query, worker.search);
   const std::span<const NeighborHit> obstacles =
       world.obstacle_grid.gather(position, -1, most, worker.obstacles);

@@ -156,8 +156,8 @@ std::optional<Sighting> look_at_robot(Encounter encounter, std::size_t rank) {
   const World& world = encounter.world;
   const Senses& senses = world.senses;
   const std::uint32_t slot = world.fleet.slot_of[rank];
-  const auto behavior = world.fleet.expected(slot, world.fleet.slot_of[encounter.observer]);
-  if (!behavior) return {};
+  const auto expected = world.fleet.expected(slot, world.fleet.slot_of[encounter.observer]);
+  if (!expected) return {};
   encounter.other_id = world.fleet.id[slot].value;
   encounter.first = std::max(senses.since[encounter.observer], senses.since[rank]);
   const auto moment =
@@ -165,7 +165,7 @@ std::optional<Sighting> look_at_robot(Encounter encounter, std::size_t rank) {
   if (!moment) return {};
   const MotionState state = then(world, rank, *moment);
   const double time = encounter.seconds_since(*moment);
-  Neighbor neighbor = world.fleet.sensed(slot, *behavior);
+  Neighbor neighbor = world.fleet.sensed(slot, *expected);
   neighbor.position = state.position + time * state.velocity;
   neighbor.velocity = state.velocity;
   // by their true states: what is sensed of two that move as one looks the same to both
@@ -180,17 +180,30 @@ std::optional<Sighting> look_at_robot(Encounter encounter, std::size_t rank) {
   return sighting;
 }
 
-// It keeps its acceleration: the true state carried on is the present one.
+// One that keeps its acceleration: the true state carried on is the present one. One on a
+// trajectory is carried on straight from where it was.
 std::optional<Sighting> look_at_mover(Encounter encounter, std::size_t k) {
   const World& world = encounter.world;
   encounter.other_id = kMoverBit | k;
   encounter.first = world.senses.since[encounter.observer];
-  const Neighbor now = world.obstacles.sensed(k);
+  Neighbor now = world.obstacles.sensed(k);
+  const MovingObstacle& setup = world.obstacles.setup[k];
+  const auto walk_at = [&](std::int64_t m) {
+    return on_trajectory(setup, world.senses.by_time
+                                    ? seconds(m)
+                                    : static_cast<double>(m) * world.settings.time_step);
+  };
   const auto moment = encounter.last_measured([&](std::int64_t m) {
+    if (!setup.trajectory.empty()) return walk_at(m).position;
     const double time = encounter.seconds_since(m);
     return now.position - time * now.velocity + (0.5 * time * time) * now.acceleration;
   });
   if (!moment) return {};
+  if (!setup.trajectory.empty()) {
+    const PathWalk then = walk_at(*moment);
+    now.position = then.position + encounter.seconds_since(*moment) * then.velocity;
+    now.velocity = then.velocity;
+  }
   return encounter.sighting(now, *moment, -1 - static_cast<int>(k));
 }
 

@@ -19,6 +19,7 @@
 #include "robots/model.h"
 #include "sim/assumptions.h"
 #include "sim/fleet.h"
+#include "sim/scene_checks.h"
 #include "sim/senses.h"
 
 namespace avo {
@@ -48,12 +49,22 @@ Part part_of(const Scenario& scenario, std::size_t i, const CertificateLaw& law)
           step * (1.0 + braking_steps(v, u)) + late};
 }
 
+// m/s
+double fastest_on_trajectory(const MovingObstacle& obstacle) {
+  double fastest = 0.0;
+  const std::vector<TimedPlace>& places = obstacle.trajectory;
+  for (std::size_t k = 1; k < places.size(); ++k)
+    fastest = std::max(fastest, norm(places[k].position - places[k - 1].position) /
+                                    (places[k].time - places[k - 1].time));
+  return fastest;
+}
+
 double part_of(const MovingObstacle& obstacle, double seconds, double duration,
                const CertificateLaw& law) {
   // |v + t a| is largest at one of the ends
-  const double speed =
-      std::max({norm(obstacle.velocity), norm(obstacle.velocity + duration * obstacle.acceleration),
-                obstacle.path.empty() ? 0.0 : *obstacle.max_speed});
+  const double speed = std::max(
+      {norm(obstacle.velocity), norm(obstacle.velocity + duration * obstacle.acceleration),
+       obstacle.path.empty() ? 0.0 : *obstacle.max_speed, fastest_on_trajectory(obstacle)});
   const double change = norm(obstacle.acceleration) + obstacle.max_deviation;
   const double way = seconds * speed + 0.5 * seconds * seconds * change;
   const double most = obstacle.max_speed ? seconds * *obstacle.max_speed : way;
@@ -78,30 +89,35 @@ double part_of_mover(const RobotSetup& robot, double seconds) {
   return disc_radius(robot) + seconds * fastest_of(robot.model, robot.max_speed);
 }
 
-// Robots of the same layers and behavior, longest first.
-using Kinds = std::map<std::tuple<std::uint32_t, std::uint32_t, Behavior>, std::vector<Part>>;
+// Robots of the same layers and behavior that all keep the certificate or do not, longest first.
+using Kinds = std::map<std::tuple<std::uint32_t, std::uint32_t, Behavior, bool>, std::vector<Part>>;
 
-// Pairs of which one avoids the other at least.
+// Pairs of which one avoids the other at least, and keeps the certificate.
 template <typename Take>
-void take_by_layers(const Scenario& scenario, const std::vector<Part>& parts, const Take& take) {
+void take_by_kind(const Scenario& scenario, const CertificateLaw& law,
+                  const std::vector<Part>& parts, const Take& take) {
   Kinds kinds;
   const auto robot = [&](const Part& part) -> const RobotSetup& {
     return scenario.robots[static_cast<std::size_t>(part.robot)];
   };
   for (const Part& part : parts)
-    kinds[{robot(part).layers.bits, robot(part).avoids.bits, robot(part).behavior}].push_back(part);
+    kinds[{robot(part).layers.bits, robot(part).avoids.bits, robot(part).behavior,
+           keeps(scenario, robot(part), law)}]
+        .push_back(part);
   for (auto& [key, kind] : kinds) {
     std::stable_sort(kind.begin(), kind.end(),
                      [](const Part& a, const Part& b) { return a.length > b.length; });
   }
   for (const auto& [key_a, of_a] : kinds) {
     const RobotSetup& a = robot(of_a.front());
+    if (!keeps(scenario, a, law)) continue;
     const std::vector<Part> front = worst_for_obstacles(of_a);
     for (const auto& [key_b, of_b] : kinds) {
       const RobotSetup& b = robot(of_b.front());
-      const auto behavior = expected_of(conduct_of(b), conduct_of(a));
-      if (!behavior) continue;
-      if (*behavior == Behavior::decides) {
+      const auto expected =
+          expected_of(conduct_of(b, scenario.method), conduct_of(a, scenario.method));
+      if (!expected) continue;
+      if (*expected == Expectation::decides) {
         const std::size_t second = key_a == key_b ? 1 : 0;
         if (second < of_b.size()) take(of_a.front(), of_b[second].robot, of_b[second].length);
         continue;
@@ -128,8 +144,8 @@ std::optional<SensingNeed> sensing_need(const Scenario& scenario, const Certific
   for (std::size_t i = 0; i < scenario.robots.size(); ++i) {
     if (!scenario.robots[i].parked) parts.push_back(part_of(scenario, i, law));
   }
-  if (is_layered(scenario)) {
-    take_by_layers(scenario, parts, take);
+  if (is_mixed(scenario)) {
+    take_by_kind(scenario, law, parts, take);
   } else if (parts.size() > 1) {
     Part first = parts[0], second = parts[1];  // the longest two, in the order of their numbers
     for (std::size_t i = 2; i < parts.size(); ++i) {
@@ -141,6 +157,9 @@ std::optional<SensingNeed> sensing_need(const Scenario& scenario, const Certific
     take(first, second.robot, second.length);
   }
   if (scenario.moving_obstacles.empty()) return worst;
+  std::erase_if(parts, [&](const Part& part) {
+    return !keeps(scenario, scenario.robots[static_cast<std::size_t>(part.robot)], law);
+  });
   const std::vector<Part> front = worst_for_obstacles(parts);
   for (std::size_t k = 0; k < scenario.moving_obstacles.size(); ++k) {
     for (const Part& part : front) {
@@ -158,10 +177,10 @@ double limited_speed(const RobotSetup& robot, double limit) {
   return std::min(robot.max_speed, std::max(limit, least_speed(robot.model)));
 }
 
-double scene_top_speed(const Scenario& scenario) {
+double scene_top_speed(const Scenario& scenario, const CertificateLaw& law) {
   double top = 0.0;
   for (const RobotSetup& robot : scenario.robots) {
-    if (!robot.parked) top = std::max(top, robot.max_speed);
+    if (!robot.parked && keeps(scenario, robot, law)) top = std::max(top, robot.max_speed);
   }
   return top;
 }
@@ -169,7 +188,7 @@ double scene_top_speed(const Scenario& scenario) {
 }  // namespace
 
 CertificateLaw certificate_law(const Scenario& scenario) {
-  return certificate_law(Planner(planner_options(scenario)));
+  return certificate_law(Planner(certified_options(scenario)));
 }
 
 bool suffices(double sensing_radius, const std::optional<SensingNeed>& needed) {
@@ -189,11 +208,12 @@ double admissible_speed(const Scenario& scenario) {
   Scenario limited = scenario;
   const auto is_seen = [&](double limit) {  // with no robot faster than the limit
     for (std::size_t i = 0; i < scenario.robots.size(); ++i) {
-      limited.robots[i].max_speed = limited_speed(scenario.robots[i], limit);
+      const RobotSetup& robot = scenario.robots[i];
+      if (keeps(scenario, robot, law)) limited.robots[i].max_speed = limited_speed(robot, limit);
     }
     return suffices(sensing_radius, sensing_need(limited, law));
   };
-  const double top = scene_top_speed(scenario);
+  const double top = scene_top_speed(scenario, law);
   if (is_seen(top)) return kInfinity;
   const double least = std::numeric_limits<double>::min();
   if (!is_seen(least)) return 0.0;
@@ -218,9 +238,10 @@ std::int64_t start_at_rest(Scenario& scenario) {
 
 LimitedSpeeds limit_speed(Scenario& scenario) {
   LimitedSpeeds result{0, admissible_speed(scenario), 0};
-  if (planner_options(scenario).certificate == Certificate::none) return result;
+  const CertificateLaw law = certificate_law(scenario);
+  if (law.kind == Certificate::none) return result;
   for (RobotSetup& robot : scenario.robots) {
-    if (robot.parked) continue;
+    if (robot.parked || !keeps(scenario, robot, law)) continue;
     const double limited = limited_speed(robot, result.limit);
     if (result.limit > 0.0 && robot.max_speed > limited) {
       robot.max_speed = limited;

@@ -54,7 +54,7 @@ double evading_range(const Robot& robot, const Largest& others, double time_hori
 }
 
 // m: as far as a method's rules look, beside the certificate.
-double rules_range(const Scenario& scenario, const PlannerOptions& options) {
+double rules_range(const Scenario& scenario) {
   const bool among_walls = !scenario.obstacles.empty() && scenario.navigation.value_or(true) &&
                            scenario.right_of_way != RightOfWay::none;
   const Largest largest = largest_of(scenario);
@@ -66,8 +66,8 @@ double rules_range(const Scenario& scenario, const PlannerOptions& options) {
     robot.max_acceleration = setup.max_acceleration, robot.max_braking = setup.max_braking;
     range = std::max(range, arrival_range(robot, largest.radius));
     if (among_walls) range = std::max(range, kAmongWalls * robot.radius);
-    const double tau = options.time_horizon;
-    range = std::max(range, options.method == Method::avo
+    const double tau = time_horizon_of(scenario, setup);
+    range = std::max(range, method_of(scenario, setup) == Method::avo
                                 ? evading_range(robot, largest, tau)
                                 : robot.radius + largest.radius + tau * robot.max_speed);
   }
@@ -77,9 +77,8 @@ double rules_range(const Scenario& scenario, const PlannerOptions& options) {
 }  // namespace
 
 double needed_sensing_radius(const Scenario& scenario) {
-  const PlannerOptions options = planner_options(scenario);
-  const auto need = sensing_need(scenario, certificate_law(Planner(options)));
-  const double range = std::max(need ? need->range : 0.0, rules_range(scenario, options));
+  const auto need = sensing_need(scenario, certificate_law(scenario));
+  const double range = std::max(need ? need->range : 0.0, rules_range(scenario));
   return range > 0.0 ? std::min(range, kLargest) : kAlone;
 }
 

@@ -51,6 +51,9 @@ std::vector<std::uint8_t> sharers_of(const Fleet& fleet) {
     return std::pair(fleet.goal[slot].x, fleet.goal[slot].y);
   };
   std::vector<std::uint32_t> slots;
+  if (std::none_of(fleet.conduct.begin(), fleet.conduct.end(),
+                   [](const Conduct& conduct) { return conduct.method == Method::avo; }))
+    return {};
   for (std::uint32_t slot = 0; slot < fleet.size(); ++slot)
     if (!fleet.conduct[slot].parked && fleet.flight(slot) == nullptr) slots.push_back(slot);
   std::sort(slots.begin(), slots.end(),
@@ -62,7 +65,8 @@ std::vector<std::uint8_t> sharers_of(const Fleet& fleet) {
       sharers.add(fleet.conduct[slots[end]]);
     if (end - first == 1) continue;
     for (std::size_t k = first; k < end; ++k) {
-      if (!sharers.hinder(fleet.conduct[slots[k]])) continue;
+      const Conduct& own = fleet.conduct[slots[k]];
+      if (own.method != Method::avo || !sharers.hinder(own)) continue;
       shares.resize(fleet.size());
       shares[static_cast<std::size_t>(fleet.rank[slots[k]])] = 1;
     }
@@ -74,7 +78,7 @@ std::vector<std::uint8_t> sharers_of(const Fleet& fleet) {
 
 void find_shared_goals(World& world) {
   if (!world.has_new_goals) return;
-  if (world.settings.method == Method::avo) world.shares_goal = sharers_of(world.fleet);
+  world.shares_goal = sharers_of(world.fleet);
   world.has_new_goals = false;
 }
 

@@ -38,9 +38,9 @@ void append_all(const World& world, std::size_t slot, std::vector<Sighting>& rob
   };
   for (std::size_t rank = 0; rank < fleet.size(); ++rank) {
     const std::uint32_t other = fleet.slot_of[rank];
-    const auto behavior = fleet.expected(other, slot);
-    if (other == slot || !behavior) continue;
-    Neighbor neighbor = fleet.sensed(other, *behavior);
+    const auto expected = fleet.expected(other, slot);
+    if (other == slot || !expected) continue;
+    Neighbor neighbor = fleet.sensed(other, *expected);
     if (neighbor.position == position && neighbor.velocity == fleet.velocity[slot])
       neighbor.parting = parting_direction(fleet.id[slot].value, fleet.id[other].value);
     add(neighbor, static_cast<int>(rank), robots);
@@ -74,7 +74,7 @@ std::vector<Sighting> all_sightings(const World& world, std::size_t slot) {
   std::stable_sort(robots.begin(), robots.end(), [](const Sighting& a, const Sighting& b) {
     return a.distance_squared < b.distance_squared;
   });
-  if (!world.all_matter() && robots.size() > world.most_nearest())
+  if (!world.all_matter_to(slot) && robots.size() > world.most_nearest())
     robots.resize(world.most_nearest());
   return robots;
 }
@@ -306,7 +306,7 @@ Simulation::Perception Simulation::perceive(std::size_t robot) const {
   const std::span<const Wall> walls = state.statics.grid.near(seen.robot.position);
   const Vec2 lost = own_error(state, slot);
   for (const Wall& wall : walls) seen.walls.push_back(lost == Vec2{} ? wall : moved(wall, -lost));
-  seen.among_movers = is_among_movers(state.planner().options(), seen.neighbors);
+  seen.among_movers = is_among_movers(state.pace(slot).planner.options(), seen.neighbors);
   const bool shares = !state.shares_goal.empty() && state.shares_goal[robot] != 0;
   if (shares && seen.robot.distance_to_goal == 0.0 && !(state.fleet.velocity[slot] == Vec2{}))
     seen.stop = stop_of(state, slot);

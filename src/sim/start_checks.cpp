@@ -33,7 +33,7 @@ class Reach {
  public:
   Reach(const World& world, const RobotSetup& setup)
       : world_(world),
-        law_(certificate_law(world.planner())),
+        law_(certificate_law(world.certified_planner())),
         flies_(is_airplane(setup.model) || !world.fleet.flights.empty()),
         center_(disc_center(setup)),
         radius_(disc_radius(setup)),
@@ -98,6 +98,11 @@ Company::Company(const World& world, const RobotSetup& setup, RobotId robot)
   }
 }
 
+// Whether it keeps the certificate that some do.
+bool keeps_any(const World& world, const RobotSetup& robot) {
+  return keeps(world.settings, robot, certificate_law(world.certified_planner()));
+}
+
 // Of those in the midst of a step, who go on to where it ends; it may be no straight way.
 std::optional<BrokenStart> find_on_way(const World& world, const Company& company) {
   const Fleet& fleet = world.fleet;
@@ -107,10 +112,12 @@ std::optional<BrokenStart> find_on_way(const World& world, const Company& compan
     const RobotSetup& other = company.scene.robots[k + 1];
     const OwnClock& clock = fleet.clock_of(slot);
     if (other.parked || clock.end <= world.now || !keep_apart(own, other)) continue;
+    if (!keeps_any(world, own) && !keeps_any(world, other)) continue;
     const double left = seconds(clock.end - world.now);
     const double bow =
         0.125 * std::numbers::sqrt2 * other.max_acceleration * left * left +
-        (fleet.traits[slot].has_model ? world.planner().options().sensing_error.position : 0.0);
+        (fleet.traits[slot].has_model ? world.certified_planner().options().sensing_error.position
+                                      : 0.0);
     const double contact = disc_radius(own) + disc_radius(other);
     const double gap = distance(disc_center(own), {fleet.position[slot], clock.to.position}) - bow -
                        norm(own.velocity) * left;
@@ -164,7 +171,7 @@ Wording wording_of(const Company& company, const ObstacleId& obstacle) {
 void check_start(const World& world, const RobotSetup& setup, RobotId robot) {
   if (world.settings.allow_broken_assumptions || !world.all_matter()) return;
   Company company(world, setup, robot);
-  const CertificateLaw law = certificate_law(world.planner());
+  const CertificateLaw law = certificate_law(world.certified_planner());
   ObstacleId obstacle;
   const Wording wording = wording_of(company, obstacle);
   BrokenAssumptions broken;
@@ -178,7 +185,7 @@ void check_start(const World& world, const RobotSetup& setup, RobotId robot) {
     if (worst.other == 0) std::swap(worst.robot, worst.other);
     refuse_start(complaint(worst, company.scene, wording));
   }
-  if (setup.parked) return;
+  if (setup.parked || !keeps_any(world, setup)) return;
   if (const auto wall = find_wall(world, law, company, obstacle))
     refuse_start(complaint(*wall, company.scene, wording));
   for (std::size_t k = 0; k < world.statics.obstacles.size(); ++k) {

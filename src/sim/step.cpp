@@ -49,16 +49,17 @@ void find_ranges(World& world) {
   world.parked = static_cast<std::size_t>(
       std::count_if(fleet.conduct.begin(), fleet.conduct.end(),
                     [](const Conduct& conduct) { return conduct.parked; }));
-  const Conduct usual;
-  const bool layered =
+  Conduct usual;
+  usual.method = fleet.method;
+  const bool mixed =
       std::any_of(fleet.conduct.begin(), fleet.conduct.end(), [&](const Conduct& conduct) {
         return !(conduct.layers == usual.layers && conduct.avoids == usual.avoids &&
-                 conduct.behavior == usual.behavior);
+                 conduct.behavior == usual.behavior && conduct.method == usual.method);
       });
-  world.selective = world.parked > 0 || layered || !fleet.flights.empty();
+  world.selective = world.parked > 0 || mixed || !fleet.flights.empty();
   world.alike = fleet.flights.empty() &&
                 std::all_of(fleet.conduct.begin(), fleet.conduct.end(),
-                            [](const Conduct& conduct) { return conduct == Conduct{}; }) &&
+                            [&](const Conduct& conduct) { return conduct == usual; }) &&
                 std::none_of(fleet.traits.begin(), fleet.traits.end(),
                              [](const RobotTraits& traits) { return max_braking_of(traits); });
   world.exceeding = std::any_of(fleet.traits.begin(), fleet.traits.end(),
@@ -113,7 +114,7 @@ void index(World& world, Executor& executor) {
     find_ranges(world);
     find_walls(world);
     if (!world.statics.walls.empty()) make_room(world);
-    if (world.fleet.has_clocks) world.due.reserve(world.fleet.size());
+    if (world.fleet.has_clocks || !world.fleet.pace.empty()) world.due.reserve(world.fleet.size());
   }
   find_shared_goals(world);
   const bool due = world.steps >= world.next_layout;
@@ -165,14 +166,10 @@ void take_tiles(World& world, const Pace& pace, std::span<const std::uint32_t> s
                });
 }
 
-// Those whose own steps end now decide; then all are on their ways to the next instant.
-void step_freely(World& world, Executor& executor) {
+// Those who are due, robots of one pace together.
+void take_by_pace(World& world, Executor& executor) {
   std::vector<std::uint32_t>& due = world.due;
-  due.clear();
-  for (const std::uint32_t slot : world.snapshot.grid.order()) {
-    if (world.fleet.clock_of(slot).end == world.now) due.push_back(slot);
-  }
-  const auto pace_of = [&](std::uint32_t slot) { return world.fleet.clock_of(slot).pace; };
+  const auto pace_of = [&](std::uint32_t slot) { return world.fleet.pace_of(slot); };
   std::sort(due.begin(), due.end(), [&](std::uint32_t a, std::uint32_t b) {
     return pace_of(a) != pace_of(b) ? pace_of(a) < pace_of(b) : a < b;
   });
@@ -185,7 +182,30 @@ void step_freely(World& world, Executor& executor) {
     take_tiles(world, world.paces[pace_of(left.front())], left.first(count), executor);
     left = left.subspan(count);
   }
+}
+
+// Those whose own steps end now decide; then all are on their ways to the next instant.
+void step_freely(World& world, Executor& executor) {
+  std::vector<std::uint32_t>& due = world.due;
+  due.clear();
+  for (const std::uint32_t slot : world.snapshot.grid.order()) {
+    if (world.fleet.clock_of(slot).end == world.now) due.push_back(slot);
+  }
+  take_by_pace(world, executor);
   carry_on(world, next_instant(world));
+}
+
+// All robots, where the clock is common.
+void step_together(World& world, Executor& executor) {
+  const std::span<const std::uint32_t> all = world.snapshot.grid.order();
+  if (world.fleet.pace.empty()) {
+    take_tiles(world, world.paces.front(), all, executor);
+  } else {
+    world.due.assign(all.begin(), all.end());
+    take_by_pace(world, executor);
+  }
+  const double time_step = world.settings.time_step;
+  world.obstacles.advance(time_step, static_cast<double>(world.steps + 1) * time_step);
 }
 
 }  // namespace
@@ -216,8 +236,7 @@ void step(World& world) {
     step_freely(world, executor);
     decisions = world.due.size();
   } else {
-    take_tiles(world, world.paces.front(), world.snapshot.grid.order(), executor);
-    world.obstacles.advance(world.settings.time_step);
+    step_together(world, executor);
   }
   go_around_resting(world);
   for (Worker& worker : world.workers) {

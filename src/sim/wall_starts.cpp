@@ -119,7 +119,7 @@ void find_wall_starts(const Scenario& scenario, std::span<const MotionState> sta
   std::vector<WallStart> beside;
   for (std::size_t i = 0; i < scenario.robots.size(); ++i) {
     const RobotSetup& robot = scenario.robots[i];
-    if (robot.parked) continue;
+    if (robot.parked || !keeps(scenario, robot, law)) continue;
     const int number = static_cast<int>(i);
     const MotionState& state = states[i];
     if (worst_wall(scenario, number, state, listed.grid.near(state.position), law)) {

@@ -11,21 +11,25 @@
 #include "planner/scratch.h"
 #include "robots/model.h"
 #include "sim/clocks.h"
+#include "sim/scene_checks.h"
 
 namespace avo {
 namespace {
+
+bool is_certified(const Pace& pace) {
+  return pace.planner.options().certificate != Certificate::none;
+}
 
 // How many steps any robot may brake for, from what it may decide on.
 std::size_t most_braking_steps(const World& world) {
   if (!world.all_matter()) return 0;
   constexpr double kMostAhead = 4096.0;  // of more, memory grows when it is needed
-  const Pace& shortest = *std::min_element(
-      world.paces.begin(), world.paces.end(),
-      [](const Pace& a, const Pace& b) { return a.response.time_step < b.response.time_step; });
-  const double braking_time =
-      shortest.planner.step_rate() * shortest.planner.options().control_time;
+  double braking_time = kInfinity;       // s, of the shortest step
+  for (const Pace& pace : world.paces)
+    if (is_certified(pace))
+      braking_time = std::min(braking_time, certificate_law(pace.planner).step.braking_time);
   const double error =
-      world.planner().options().sensing_error.velocity;  // m/s that one may be faster
+      world.certified_planner().options().sensing_error.velocity;  // m/s that one may be faster
   double most = 0.0;
   for (const RobotTraits& robot_traits : world.fleet.traits) {
     const double fastest = robot_traits.max_speed + error;
@@ -98,7 +102,6 @@ void start_clocks(World& world, const Scenario& scenario) {
   for (std::size_t slot = 0; slot < world.fleet.size(); ++slot) {
     OwnClock& clock = world.fleet.clock_of(slot);
     clock.time_step = time_step_of(scenario, scenario.robots[slot]);
-    clock.pace = world.pace_of(clock.time_step);
     start_clock(world, slot);
   }
 }
@@ -115,22 +118,24 @@ World::World(const Scenario& scenario, std::shared_ptr<Executor> steps_by)
       executor(std::move(steps_by)),
       workers(executor->workers()) {
   fleet.has_clocks = scenario.clock == Clock::free;
+  fleet.method = scenario.method;
   fleet.reserve(scenario.robots.size());
+  settings.robots = std::vector<RobotSetup>();  // {} would keep their memory
+  settings.moving_obstacles = std::vector<MovingObstacle>();
+  settings.obstacles = std::vector<StaticObstacle>();
+  // they were made of the robots that there were at first
+  const PlannerOptions agreed = certified_options(scenario);
+  if (agreed.sensing_error != SensingError{}) settings.sensing_error = agreed.sensing_error;
+  if (fleet.has_clocks) settings.longest_step = agreed.longest_step;
+  certified = is_certified(paces.front());
   senses = senses_of(scenario);
   for (const RobotSetup& setup : scenario.robots) {
     senses.reserve_one(knots_needed(scenario, planner().options().longest_step, setup));
-    fleet.add({next_id++}, setup);
+    fleet.add({next_id++}, setup, pace_of(setup));
     senses.add(moment());
   }
   start_clocks(*this, scenario);
   senses.note(fleet, steps);
-  settings.robots = std::vector<RobotSetup>();  // {} would keep their memory
-  settings.moving_obstacles = std::vector<MovingObstacle>();
-  settings.obstacles = std::vector<StaticObstacle>();
-  // it was made of the robots that there were at first
-  const PlannerOptions& options = planner().options();
-  if (options.sensing_error != SensingError{}) settings.sensing_error = options.sensing_error;
-  if (fleet.has_clocks) settings.longest_step = options.longest_step;
   for (Worker& worker : workers) reserve(*this, worker);
 }
 
@@ -138,14 +143,15 @@ void find_walls(World& world) {
   StaticWorld& statics = world.statics;
   if (statics.walls.empty()) return;
   find_passages(world);
-  const PlannerOptions& options = world.planner().options();
   const Fleet& fleet = world.fleet;
   WallNeeds needs;
   for (std::size_t slot = 0; slot < fleet.size(); ++slot) {
     if (fleet.conduct[slot].parked) continue;
     const RobotTraits& traits = fleet.traits[slot];
     const double speed = norm(fleet.velocity[slot]);
-    const StepLaw law = certificate_law(world.pace(slot).planner).step;
+    const Planner& planner = world.pace(slot).planner;
+    const PlannerOptions& options = planner.options();
+    const StepLaw law = certificate_law(planner).step;
     const double stray =
         traits.has_model
             ? stray_of(*fleet.own_model(slot), traits.max_acceleration, law.time_step).distance +
@@ -173,15 +179,27 @@ void make_room(World& world) {
   }
 }
 
-std::uint32_t World::pace_of(double time_step) {
-  const auto is_known = [&](const Pace& pace) { return pace.response.time_step == time_step; };
+OwnPace World::pace_of(const RobotSetup& setup) {
+  if (setup.parked) return {};
+  const Method method = method_of(settings, setup);
+  const double time_step = time_step_of(settings, setup);
+  const auto is_known = [&](const Pace& pace) {
+    const PlannerOptions& options = pace.planner.options();
+    return options.method == method && options.time_step == time_step &&
+           options.time_horizon == time_horizon_of(settings, setup);
+  };
   const auto place = std::find_if(paces.begin(), paces.end(), is_known);
   const auto index = static_cast<std::uint32_t>(place - paces.begin());
-  if (place != paces.end()) return index;
-  PlannerOptions options = planner().options();
-  options.time_step = time_step;
-  paces.emplace_back(options);
-  return index;
+  if (place == paces.end()) {
+    paces.emplace_back(planner_options(settings, setup));
+    certified = certified || is_certified(paces.back());
+  }
+  return {index, setup.time_horizon};
+}
+
+const Planner& World::certified_planner() const {
+  const auto place = std::find_if(paces.begin(), paces.end(), is_certified);
+  return (place != paces.end() ? *place : paces.front()).planner;
 }
 
 std::size_t World::most_nearest() const {

@@ -48,7 +48,7 @@ struct alignas(128) Worker {
   std::int64_t pairs = 0, infeasible = 0;
 };
 
-/// What robots of one time_step decide and move by.
+/// What robots of one method, time horizon and time_step decide and move by.
 struct Pace {
   Planner planner;
   StepResponse response;
@@ -60,7 +60,7 @@ struct Pace {
 struct World {
   Scenario settings;        // without its robots and obstacles
   double sensing_radius;    // m; where the scene names none, it grows with robots that are added
-  std::vector<Pace> paces;  // the scene's first; others only where clocks are free
+  std::vector<Pace> paces;  // the scene's first; others where robots have something of their own
   Fleet fleet;
   ObstacleColumns obstacles;
   Senses senses;
@@ -86,6 +86,7 @@ struct World {
   bool exceeding = false;  // some accelerate by more than their max_acceleration
   bool selective = false;  // not everybody minds everybody, or some loiter
   std::size_t parked = 0;  // robots
+  bool certified = false;  // some keep a certificate
   bool valid = false;      // all robots were, when they came, and there is nobody else
   double near = 0.0;       // m, typical of Fleet::range
   std::int64_t next_layout = 1;  // when the cells are chosen anew and the robots put in their order
@@ -96,15 +97,18 @@ struct World {
   const Planner& planner() const { return paces.front().planner; }
   /// By which measurements are told, see Senses.
   std::int64_t moment() const { return senses.by_time ? now : steps; }
-  const Pace& pace(std::size_t slot) const {
-    return fleet.has_clocks ? paces[fleet.clock_of(slot).pace] : paces.front();
-  }
-  /// The index of one; it is made if there is none yet.
-  std::uint32_t pace_of(double time_step);
+  const Pace& pace(std::size_t slot) const { return paces[fleet.pace_of(slot)]; }
+  /// That of such a robot; it is made if there is none yet.
+  OwnPace pace_of(const RobotSetup& setup);
+  /// What those who keep a certificate have in common; the scene's where nobody does.
+  const Planner& certified_planner() const;
   /// Neighbors that the planner is given for being the nearest.
   std::size_t most_nearest() const;
   /// A certificate has to know all others within the sensing radius as well.
-  bool all_matter() const { return planner().options().certificate != Certificate::none; }
+  bool all_matter() const { return certified; }
+  bool all_matter_to(std::size_t slot) const {
+    return pace(slot).planner.options().certificate != Certificate::none;
+  }
   bool is_fast(std::size_t slot) const;
   /// nearest: m, see heed_passages().
   Robot robot(std::size_t slot, double nearest) const;

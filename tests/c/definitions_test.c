@@ -100,6 +100,40 @@ static void check_arrays(void) {
   CHECK(simulation.index == 0 && simulation.generation == 0);
 }
 
+/* A robot may have a method of its own, and what moves by times is where they say. */
+static void check_methods_and_trajectories(void) {
+  static const avo_timed_place places[2] = {{0.0, {20.0, 3.0}}, {2.0, {20.0, 1.0}}};
+  avo_robot_def robot = avo_default_robot_def();
+  avo_moving_obstacle_def mover = avo_default_moving_obstacle_def();
+  avo_simulation_def def = avo_default_simulation_def();
+  avo_simulation_id simulation;
+  avo_robot_id id;
+  CHECK(robot.method == AVO_UNSET && robot.time_horizon == 0.0);
+  robot.method = AVO_METHOD_ORCA;
+  robot.time_horizon = 5.0;
+  mover.trajectory = places;
+  mover.trajectory_count = 2;
+  def.robots = &robot;
+  def.robot_count = 1;
+  def.moving_obstacles = &mover;
+  def.moving_obstacle_count = 1;
+  REQUIRE(avo_create_simulation(&def, &simulation));
+  robot.position.x = robot.goal.x = 10.0;
+  robot.method = AVO_UNSET;
+  robot.time_horizon = 0.0;
+  REQUIRE(avo_simulation_add_robot(simulation, &robot, &id));
+  REQUIRE(avo_simulation_get_robot_def(simulation, id, &robot));
+  CHECK(robot.method == AVO_UNSET && robot.time_horizon == 0.0);
+  id.value = 1;
+  REQUIRE(avo_simulation_get_robot_def(simulation, id, &robot));
+  CHECK(robot.method == AVO_METHOD_ORCA && robot.time_horizon == 5.0);
+  REQUIRE(avo_destroy_simulation(simulation));
+  robot.method = 7;
+  def.robots = &robot;
+  REFUSES(avo_create_simulation(&def, &simulation), AVO_ERROR_INVALID_VALUE,
+          "robots.0.method: found 7, must be 0 to 6");
+}
+
 /* 0 stands for what the robots need, also of those that come later. */
 static void check_sensing_radius(void) {
   avo_robot_def robots[2] = {avo_default_robot_def(), avo_default_robot_def()};
@@ -133,6 +167,7 @@ static void check_sensing_radius(void) {
 }
 
 int main(void) {
+  check_methods_and_trajectories();
   check_sensing_radius();
   check_planner();
   check_scene();

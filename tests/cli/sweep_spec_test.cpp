@@ -20,7 +20,8 @@ TEST(SweepSpec, says_what_varies) {
   const avo_io::SweepSpec spec = avo_io::parse_sweep(
       "version: 1\nscenes: [a.yaml, circle-5]\nmethods: [orca]\nthreads: 2\n"
       "parameters:\n  name: ['it''s', 7]\n  robots.0.goal: [[1, 2.5]]\n"
-      "seeds: [5, 18446744073709551615]\nuntil_arrived: true\nline: [[0, -1], [2, 3]]\n",
+      "seeds: [5, 18446744073709551615]\nuntil_arrived: true\nline: [[0, -1], [2, 3]]\n"
+      "judged: [4, 0]\n",
       "s");
   EXPECT_EQ(spec.scenes, (Strings{"a.yaml", "circle-5"}));
   EXPECT_EQ(spec.methods, (Strings{"orca"}));
@@ -30,6 +31,7 @@ TEST(SweepSpec, says_what_varies) {
   EXPECT_EQ(spec.seeds.back(), std::numeric_limits<std::uint64_t>::max());
   EXPECT_EQ(spec.threads, 2);
   EXPECT_TRUE(spec.until_arrived);
+  EXPECT_EQ(spec.judged, (std::vector<std::uint64_t>{4, 0}));
   ASSERT_TRUE(spec.line.has_value());
   EXPECT_EQ(spec.line->a, (avo::Vec2{0, -1}));
   EXPECT_EQ(spec.line->b, (avo::Vec2{2, 3}));
@@ -59,7 +61,9 @@ TEST(SweepSpec, refuses_each_key_where_it_stands) {
        "s:2:10: scenes.0: found \"-\", must be a name or a file, not the standard input"},
       {head + "sceens: 1\n",
        "s:3:1: found the unknown key \"sceens\", allowed are version, scenes, methods, parameters, "
-       "seeds, threads, until_arrived, line; did you mean \"scenes\"?"},
+       "seeds, threads, until_arrived, line, judged; did you mean \"scenes\"?"},
+      {head + "judged: [0, 0]\n", "s:3:13: judged.1: found 0 twice, must be there once"},
+      {head + "judged: [-1]\n", "s:3:10: judged.0: found -1, must be >= 0"},
       {head + "methods: [ocra]\n",
        "s:3:11: methods.0: found \"ocra\", must be one of avo, "
        "avo_paper, velocity_obstacle, orca, orca_clamped, reciprocal_velocity_obstacle, "

@@ -114,6 +114,24 @@ TEST(Sweep, tells_the_first_arrival_of_robots_that_are_not_parked) {
   EXPECT_EQ(first[1], "");
 }
 
+TEST(Sweep, judges_some_robots_among_others) {
+  const std::string head = "version: 1\nscenes: [circle-5]\nuntil_arrived: true\n";
+  const avo_io::SweepTable all = avo_io::read_sweep(swept(head, "all.csv"));
+  const avo_io::SweepTable one = avo_io::read_sweep(swept(head + "judged: [3]\n", "one.csv"));
+  const auto field = [](const avo_io::SweepTable& table, const std::string& column) {
+    const auto place = std::find(table.columns.begin(), table.columns.end(), column);
+    return table.rows.at(0).at(static_cast<std::size_t>(place - table.columns.begin()));
+  };
+  EXPECT_EQ(field(all, "trips"), "5");
+  EXPECT_EQ(field(one, "trips"), "1");
+  EXPECT_EQ(field(one, "success"), "1");
+  EXPECT_NE(field(one, "sweep"), field(all, "sweep"));
+  const ProcessResult result = sweep(head + "judged: [5]\n", {"--out", path_of("none.csv")});
+  EXPECT_EQ(result.exit_code, 3);
+  EXPECT_NE(result.err.find("found robot 5 judged, must be 0 to 4"), std::string::npos)
+      << result.err;
+}
+
 TEST(Sweep, measures_the_flow_across_a_line) {
   // one after the other with 1 m/s, 3 m apart, and one beside the line
   std::string scene = "version: 1\nduration: 30\nrobots:\n";

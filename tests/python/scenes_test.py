@@ -109,11 +109,12 @@ RICH = {
     "sensing_radius": 60, "max_neighbors": 7, "motion": "held", "arrival_distance": 0.7, "seed": 5,
     "sensing": {"delay": 1, "dropped": 0.1, "occlusion": True,
                 "noise": {"position": 0.01, "velocity": 0.02, "distribution": "uniform"}},
-    "robots": [{"position": [0, 0], "goal": [9, 0], "priority": 2, "layers": [3], "avoids": [0, 3],
-                "behavior": "cooperates"},
+    "robots": [{"position": [0, 0], "goal": [9, 0], "priority": 2, "layers": [3], "avoids": [0, 3], "method": "orca",
+                "time_horizon": 5, "behavior": "cooperates"},
                {"position": [0, 9], "goal": [0, 9], "parked": True},
                {"position": [0, 20], "goal": [9, 20], "heading": 1, "car": {"wheelbase": 0.7, "reverse": True}}],
-    "moving_obstacles": [{"position": [0, 40], "velocity": [0.1, 0], "radius": 0.3}],
+    "moving_obstacles": [{"position": [0, 40], "velocity": [0.1, 0], "radius": 0.3},
+                         {"trajectory": [[0, 0, 50], [1, 1, 50]]}],
     "obstacles": [{"polyline": [[-9, -9], [9, -9]]}],
 }
 
@@ -126,6 +127,25 @@ def test_scenes_can_be_pickled(scene):
         assert bits(again) == bits(first)
         assert again.planner_options() == first.planner_options() and again.duration == first.duration
         assert again.__getstate__() == first.__getstate__()
+
+
+def test_robots_have_methods_and_movers_trajectories():
+    scene = avo.Scenario(RICH)
+    assert (scene.robots[0].method, scene.robots[0].time_horizon) == ("orca", 5)
+    assert (scene.robots[2].method, scene.robots[2].time_horizon) == (None, None)
+    assert scene.moving_obstacles[1].trajectory == [(0, 0, 50), (1, 1, 50)]
+    assert scene.moving_obstacles[1].velocity == (1, 0) and scene.moving_obstacles[0].trajectory == []
+    simulation = avo.Simulation(scene)
+    assert simulation.planner(0).method == "orca" and simulation.planner(2).method == "avo"
+    simulation.add_robot(avo.RobotSetup(position=(80, 0), goal=(80, 0), max_speed=1, method="orca_clamped"))
+    assert simulation.planner(3).method == "orca_clamped"
+    with pytest.raises(avo.Error, match="must be one of avo"):
+        avo.RobotSetup(position=(0, 0), goal=(0, 0), method="ocra")
+
+
+def test_metrics_may_be_those_of_some_robots():
+    alone = avo.run({**TWO, "duration": 1}, judged=[1])["metrics"]
+    assert alone["trips"] == 1 and avo.run({**TWO, "duration": 1})["metrics"]["trips"] == 2
 
 
 def test_a_drive_without_offset_takes_one_that_fits_its_robot():

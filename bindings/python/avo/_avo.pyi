@@ -152,6 +152,8 @@ class MovingObstacle:
     def max_speed(self) -> float | None: ...
     @property
     def path(self) -> list[tuple[float, float]]: ...
+    @property
+    def trajectory(self) -> list[tuple[float, float, float]]: ...
 
 class _Point:
     """A pair that any pair of numbers can be assigned to."""
@@ -267,6 +269,8 @@ class RobotSetup:
     time_step: _NumberOrNone
     max_braking: _NumberOrNone
     behavior: _RobotBehavior
+    method: _Method | None
+    time_horizon: _NumberOrNone
     def __init__(
         self,
         *,
@@ -286,6 +290,8 @@ class RobotSetup:
         time_step: _Float | None = None,
         max_braking: _Float | None = None,
         behavior: _RobotBehavior = "decides",
+        method: _Method | None = None,
+        time_horizon: _Float | None = None,
     ) -> None: ...
 
 @final
@@ -605,7 +611,14 @@ class Simulation:
     def _repr_svg_(self) -> str: ...
 
 class Metrics:
-    def __init__(self, scene: _Source, *, crowd: bool = False, line: tuple[_Pair, _Pair] | None = None) -> None: ...
+    def __init__(
+        self,
+        scene: _Source,
+        *,
+        crowd: bool = False,
+        line: tuple[_Pair, _Pair] | None = None,
+        judged: Sequence[int] = ...,
+    ) -> None: ...
     def observe(self, simulation: Simulation) -> None: ...
     def summary(self) -> dict[str, Any]: ...
 
@@ -646,4 +659,5 @@ def run(
     record: _Path | None = None,
     crowd: bool = False,
     line: tuple[_Pair, _Pair] | None = None,
+    judged: Sequence[int] = ...,
 ) -> dict[str, Any]: ...

@@ -160,7 +160,16 @@ void bind_walls(py::module_& module) {
       .def_readonly("max_speed", &Mover::max_speed,
                     "m/s, > 0, with max_deviation: that it never exceeds; None: unknown")
       .def_readonly("path", &Mover::path,
-                    "list of (x, y), m, that it goes round; empty: straight on");
+                    "list of (x, y), m, that it goes round; empty: straight on")
+      .def_property_readonly(
+          "trajectory",
+          [](const Mover& mover) {
+            std::vector<std::tuple<double, double, double>> places;
+            for (const auto& [time, position] : mover.trajectory)
+              places.emplace_back(time, position.x, position.y);
+            return places;
+          },
+          "list of (time, x, y), s and m, by ascending times; empty: it has none");
 }
 
 }  // namespace

@@ -33,7 +33,9 @@ inline constexpr int kFields<avo::Chain> = 2;
 template <>
 inline constexpr int kFields<avo::StaticObstacle> = 3;
 template <>
-inline constexpr int kFields<avo::MovingObstacle> = 7;
+inline constexpr int kFields<avo::MovingObstacle> = 8;
+template <>
+inline constexpr int kFields<avo::TimedPlace> = 2;
 template <>
 inline constexpr int kFields<avo::Robot> = 12;
 template <>
@@ -41,7 +43,7 @@ inline constexpr int kFields<avo::Neighbor> = 14;
 template <>
 inline constexpr int kFields<avo::Detour> = 6;
 template <>
-inline constexpr int kFields<avo::RobotSetup> = 16;
+inline constexpr int kFields<avo::RobotSetup> = 18;
 template <>
 inline constexpr int kFields<avo::MeasurementNoise> = 4;
 template <>
@@ -75,15 +77,18 @@ auto fields(T& x) {
   } else if constexpr (n == 7) {
     auto& [a, b, c, d, e, f, g] = x;
     return std::tie(a, b, c, d, e, f, g);
+  } else if constexpr (n == 8) {
+    auto& [a, b, c, d, e, f, g, h] = x;
+    return std::tie(a, b, c, d, e, f, g, h);
   } else if constexpr (n == 12) {
     auto& [a, b, c, d, e, f, g, h, i, j, k, l] = x;
     return std::tie(a, b, c, d, e, f, g, h, i, j, k, l);
   } else if constexpr (n == 14) {
     auto& [a, b, c, d, e, f, g, h, i, j, k, l, m, o] = x;
     return std::tie(a, b, c, d, e, f, g, h, i, j, k, l, m, o);
-  } else if constexpr (n == 16) {
-    auto& [a, b, c, d, e, f, g, h, i, j, k, l, m, o, p, q] = x;
-    return std::tie(a, b, c, d, e, f, g, h, i, j, k, l, m, o, p, q);
+  } else if constexpr (n == 18) {
+    auto& [a, b, c, d, e, f, g, h, i, j, k, l, m, o, p, q, r, s] = x;
+    return std::tie(a, b, c, d, e, f, g, h, i, j, k, l, m, o, p, q, r, s);
   } else {
     auto& [a, b, c, d, e, f, g, h, i, j, k, l, m, o, p, q, r, s, t, u, v, w, z, aa, bb, cc, dd,
            ee] = x;

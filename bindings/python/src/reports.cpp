@@ -96,15 +96,17 @@ py::object check(const py::object& recording, const py::object& scene, std::opti
 
 using Line = std::optional<std::pair<avo::Vec2, avo::Vec2>>;
 
-avo::MetricsOptions options_of(bool crowd, const Line& line) {
+avo::MetricsOptions options_of(bool crowd, const Line& line,
+                               const std::vector<std::uint64_t>& judged) {
   avo::MetricsOptions options{.crowd = crowd};
   if (line) options.line = {line->first, line->second};
+  for (const std::uint64_t robot : judged) options.judged.push_back({robot});
   return options;
 }
 
 /// What `avo run` does: to the end of the scene.
 py::object run(const py::object& scene, int threads, const py::object& record, bool crowd,
-               const Line& line) {
+               const Line& line, const std::vector<std::uint64_t>& judged) {
   const avo::Scenario scenario = scenario_of(scene, py::none());
   std::optional<avo_io::CsvRecording> recording;
   if (!record.is_none()) recording.emplace(path_of(record), avo_io::has_headings(scenario));
@@ -113,7 +115,7 @@ py::object run(const py::object& scene, int threads, const py::object& record, b
     using Clock = std::chrono::steady_clock;
     const py::gil_scoped_release release;
     avo::Simulation simulation(scenario, threads);
-    avo::Metrics metrics(scenario, options_of(crowd, line));
+    avo::Metrics metrics(scenario, options_of(crowd, line, judged));
     const auto observe = [&] {
       metrics.observe(simulation);
       if (recording) recording->add(simulation);
@@ -161,8 +163,10 @@ struct SharedMetrics {
   avo::Scenario scenario;
   avo::Metrics metrics;
 
-  SharedMetrics(const py::object& scene, bool crowd, const Line& line)
-      : scenario(scenario_of(scene, py::none())), metrics(scenario, options_of(crowd, line)) {}
+  SharedMetrics(const py::object& scene, bool crowd, const Line& line,
+                const std::vector<std::uint64_t>& judged)
+      : scenario(scenario_of(scene, py::none())),
+        metrics(scenario, options_of(crowd, line, judged)) {}
   void observe(SharedSimulation& simulation) {
     simulation.alone([&](const avo::Simulation& s) {
       const std::lock_guard lock(mutex);
@@ -199,13 +203,17 @@ void bind_reports(py::module_& module) {
       "run over, \"ok\", or is unsafe then, \"collision\".");
   module.def("run", &run, arg("scene"), py::kw_only(), arg("threads") = 0,
              arg("record") = py::none(), arg("crowd") = false, arg("line") = py::none(),
+             arg("judged") = std::vector<std::uint64_t>(),
              "Runs a scene to its end: a dict, as `avo run --summary`. record: file of the "
-             "recording, which is whole or not there. crowd, line: see Metrics.");
+             "recording, which is whole or not there. crowd, line, judged: see Metrics.");
   py::class_<SharedMetrics>(module, "Metrics", "What a run did.")
-      .def(py::init<const py::object&, bool, const Line&>(), arg("scene"), py::kw_only(),
-           arg("crowd") = false, arg("line") = py::none(),
+      .def(py::init<const py::object&, bool, const Line&, const std::vector<std::uint64_t>&>(),
+           arg("scene"), py::kw_only(), arg("crowd") = false, arg("line") = py::none(),
+           arg("judged") = std::vector<std::uint64_t>(),
            "crowd: whether danger, order and density are measured as well, which costs time. line: "
-           "two points, m; the flow is that of the robots that cross between them.")
+           "two points, m; the flow is that of the robots that cross between them. judged: ids of "
+           "the "
+           "robots whose trips the metrics are of; none: of all.")
       .def("observe", &SharedMetrics::observe, arg("simulation"),
            "Once before the first step, and once after every step.")
       .def(

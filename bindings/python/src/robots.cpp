@@ -134,7 +134,8 @@ void bind_setup(py::module_& module) {
                        std::optional<double> preferred_speed, avo::MotionModel model,
                        double heading, double priority, bool parked, avo::LayerSet layers,
                        avo::LayerSet avoids, std::optional<double> time_step,
-                       std::optional<double> max_braking, avo::Behavior behavior) {
+                       std::optional<double> max_braking, avo::Behavior behavior,
+                       std::optional<avo::Method> method, std::optional<double> time_horizon) {
              return Setup{position,
                           velocity,
                           goal,
@@ -150,7 +151,9 @@ void bind_setup(py::module_& module) {
                           avoids,
                           time_step,
                           max_braking,
-                          behavior};
+                          behavior,
+                          method,
+                          time_horizon};
            }),
            py::kw_only(), arg("position"), arg("goal"), arg("velocity") = py::make_tuple(0.0, 0.0),
            arg("radius") = 0.5, arg("max_speed") = 2.0, arg("max_acceleration") = 1.0,
@@ -158,13 +161,14 @@ void bind_setup(py::module_& module) {
            arg("heading") = 0.0, arg("priority") = 1.0, arg("parked") = false,
            arg("layers") = avo::LayerSet{1}, arg("avoids") = avo::LayerSet{0xffffffff},
            arg("time_step") = py::none(), arg("max_braking") = py::none(),
-           arg("behavior") = "decides",
+           arg("behavior") = "decides", arg("method") = py::none(),
+           arg("time_horizon") = py::none(),
            "position, goal: (x, y), m; velocity: m/s; radius: m, > 0; max_speed: m/s, > 0; "
            "max_acceleration: m/s^2, > 0; preferred_speed: m/s, >= 0, None: max_speed; model: how "
            "it moves; heading: rad; priority: > 0; parked: never moves; layers, avoids: 0 to 31; "
            "time_step: s, of a free clock; max_braking: m/s^2, None: max_acceleration; behavior: "
-           "what "
-           "others count on, \"decides\" or \"cooperates\".")
+           "what others count on, \"decides\" or \"cooperates\"; method: None: that of the scene; "
+           "time_horizon: s, > 0, None: that of its method.")
       .def_readwrite("behavior", &Setup::behavior, "\"decides\" or \"cooperates\"")
       .def_readwrite("position", &Setup::position, "(x, y), m")
       .def_readwrite("goal", &Setup::goal, "(x, y), m")
@@ -188,7 +192,12 @@ void bind_setup(py::module_& module) {
       .def_readwrite("time_step", &Setup::time_step,
                      "s, > 0, of its own clock; None: that of the scene")
       .def_readwrite("max_braking", &Setup::max_braking,
-                     "m/s^2, > 0, with which it surely brakes; None: max_acceleration");
+                     "m/s^2, > 0, with which it surely brakes; None: max_acceleration")
+      .def_readwrite("method", &Setup::method,
+                     "how it chooses its velocities; None: as the scene says")
+      .def_readwrite("time_horizon", &Setup::time_horizon,
+                     "[tau] s, > 0; None: that of the scene where it has its method, else what is "
+                     "customary for its own");
 }
 
 }  // namespace

@@ -32,6 +32,8 @@ void require_plain(const avo::Scenario& scenario) {
     const std::string name = fmt::format("robots.{}", k);
     if (!is_holonomic(robot.model)) refuse((name + ".model").c_str(), "another one", "holonomic");
     if (robot.parked) refuse((name + ".parked").c_str(), "true", "false");
+    if (robot.method) refuse((name + ".method").c_str(), to_string(*robot.method), "left out");
+    if (robot.time_horizon) refuse((name + ".time_horizon").c_str(), "one", "left out");
     if (robot.layers != avo::LayerSet{1} || !avoids(robot, robot))
       refuse((name + ".layers").c_str(), "others", "the usual ones");
   }

@@ -98,6 +98,50 @@ TEST(Trips, are_the_same_for_any_number_of_threads) {
   EXPECT_EQ(one, metrics_of(3));
 }
 
+// As one robot among people is: the others count as those that it meets.
+TEST(Trips, of_the_judged_are_those_of_a_crowd_without_the_others) {
+  Scenario scene =
+      alone({robot_at({0, 0}, {20, 0}), robot_at({0, 0.7}, {20, 9}), robot_at({0, 30}, {0, 900})});
+  scene.certificate = Certificate::none;
+  scene.allow_broken_assumptions = true;
+  const auto metrics_of = [&](std::vector<RobotId> judged, bool& arrived) {
+    Simulation simulation(scene, 1);
+    Metrics metrics(scene, {.crowd = true, .judged = std::move(judged)});
+    metrics.observe(simulation);
+    for (int k = 0; k < 150; ++k) simulation.step(), metrics.observe(simulation);
+    arrived = metrics.all_arrived();
+    return metrics.summary().metrics;
+  };
+  bool arrived = false;
+  const RunMetrics first = metrics_of({RobotId{0}}, arrived);
+  EXPECT_TRUE(arrived);
+  EXPECT_EQ(first.trips, 1);
+  EXPECT_EQ(first.collision, 1.0);
+  EXPECT_GT(*first.danger, 0.0);
+  const RunMetrics third = metrics_of({RobotId{2}}, arrived);
+  EXPECT_FALSE(arrived);
+  EXPECT_EQ(third.collision, 0.0);
+  EXPECT_EQ(third.danger, 0.0);
+  const RunMetrics two = metrics_of({RobotId{2}, RobotId{0}}, arrived);
+  EXPECT_EQ(two.trips, 2);
+  EXPECT_EQ(two.collision, 0.5);
+  EXPECT_DOUBLE_EQ(*two.effort, 0.5 * (*first.effort + *third.effort));
+  EXPECT_EQ(metrics_of({}, arrived).trips, 3);
+}
+
+// Movers are as dangerous as robots, but take no room in a crowd.
+TEST(Trips, of_a_robot_beside_a_mover_are_in_danger) {
+  Scenario scene = alone({robot_at({0, 0}, {20, 0})});
+  scene.certificate = Certificate::none;
+  scene.moving_obstacles = {{.position = {0, 1.1}, .radius = 0.5}};
+  Simulation simulation(scene, 1);
+  Metrics metrics(scene, {.crowd = true});
+  metrics.observe(simulation);
+  for (int k = 0; k < 5; ++k) simulation.step(), metrics.observe(simulation);
+  EXPECT_GT(*metrics.summary().metrics.danger, 0.9);
+  EXPECT_NEAR(*metrics.summary().metrics.density_mean, 1.0 / 12.0, 1e-9);
+}
+
 // Where each decides on its own, jerk and effort are those of what is held between decisions.
 TEST(Trips, of_robots_with_clocks_of_their_own) {
   Scenario scene = alone({robot_at({0, 0}, {20, 0}), robot_at({0, 30}, {20, 30})});

@@ -74,6 +74,18 @@ TEST(Allocation, none_per_step_of_the_baselines) {
   }
 }
 
+TEST(Allocation, none_per_step_of_several_methods) {
+  for (const int threads : {1, 2}) {
+    Scenario scene = test::dense_scene(280, Motion::held);
+    scene.method = Method::avo;
+    for (std::size_t i = 0; i < scene.robots.size(); i += 2) {
+      scene.robots[i].method = i % 4 == 0 ? Method::orca : Method::avo_paper;
+      if (i % 3 == 0) scene.robots[i].time_horizon = 4.0;
+    }
+    EXPECT_EQ(allocations_when_warm(scene, threads, 60, 40), 0) << threads << " threads";
+  }
+}
+
 TEST(Allocation, none_per_step_of_one_robot_among_movers) {
   for (const Method method : {Method::avo_paper, Method::avo}) {
     Scenario scene = test::dense_scene(1, Motion::held);

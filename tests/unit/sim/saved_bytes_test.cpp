@@ -161,7 +161,7 @@ TEST(SavedBytes, forged_values_are_refused) {
   EXPECT_EQ(word(saved, 22), static_cast<std::uint64_t>(Method::avo_paper));
   EXPECT_EQ(forged(22, 7), "saved state: found an unknown choice, must be a known one");
   EXPECT_EQ(forged(22, 1000), "saved state: found the number 1000, must be one that its type has");
-  const std::size_t robots = last - 3 * 20 - 1, obstacles = robots - 3 * 16 - 1;
+  const std::size_t robots = last - 3 * 20 - 1, obstacles = robots - 3 * 17 - 1;
   ASSERT_EQ(word(saved, robots), 3u);
   EXPECT_EQ(forged(obstacles - 2, 1ull << 63),
             "saved state: found -9223372036854775808 steps, must be 0 to 9007199254740992");

@@ -417,13 +417,22 @@ typedef struct avo_robot_def {
   avo_differential_drive drive;
   avo_airplane airplane;
   avo_model model;
-  uint32_t layers;  ///< bit k: it is in layer k
-  uint32_t avoids;  ///< bit k: it avoids those in layer k
-  bool parked;      ///< never moves; its goal is its position
+  uint32_t layers;        ///< bit k: it is in layer k
+  uint32_t avoids;        ///< bit k: it avoids those in layer k
+  bool parked;            ///< never moves; its goal is its position
   avo_behavior behavior;  ///< what others count on: AVO_BEHAVIOR_DECIDES or _COOPERATES
+  int32_t method;         ///< avo_method of its own; AVO_UNSET: the simulation's
+  double time_horizon;    ///< s, > 0, of its own; 0: the simulation's where it has its method
 } avo_robot_def;
 
-/// A disc that reacts to nobody. It moves with constant acceleration, or along a path.
+/// Where something is at a time.
+typedef struct avo_timed_place {
+  double time;        ///< s
+  avo_vec2 position;  ///< m
+} avo_timed_place;
+
+/// A disc that reacts to nobody. It moves with constant acceleration, along a path, or as a
+/// trajectory says; with a trajectory, position and velocity are not read.
 typedef struct avo_moving_obstacle_def {
   size_t size;
   avo_vec2 position;      ///< m
@@ -434,6 +443,8 @@ typedef struct avo_moving_obstacle_def {
   double max_speed;       ///< m/s, > 0, with max_deviation; 0: unset
   const avo_vec2* path;   ///< m, path_count points, with max_deviation and max_speed
   size_t path_count;
+  const avo_timed_place* trajectory;  ///< trajectory_count places by ascending times
+  size_t trajectory_count;
 } avo_moving_obstacle_def;
 
 /// Walls from each point to the next one, and from the last to the first where it is closed.
