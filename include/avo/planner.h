@@ -144,8 +144,8 @@ struct PlannerOptions {
   /// same, and needs those that are so much farther away.
   double localization_error = 0.0;
   /// m, >= 0, from the robot's disc: all walls within it are given, where that is farther than those
-  /// that the certificate needs. The farther, the more ways out a robot has before movers
-  /// (docs/movers.md).
+  /// that the certificate needs; infinite: all of them. The farther, the more ways out a robot has
+  /// before movers (docs/movers.md).
   double wall_range = 0.0;
   Clock clock = Clock::common;  ///< free: motion held, no stopping_capsules (docs/certificate.md)
   /// s, >= 0, of a free clock: the largest time_step that any of the others has; 0: that of this

@@ -8,6 +8,7 @@
 
 #include "avo/export.h"
 #include "avo/planner.h"
+#include "avo/trajectory.h"
 #include "avo/vec.h"
 #include "avo/wall.h"
 
@@ -70,13 +71,6 @@ constexpr bool avoids(const RobotSetup& a, const RobotSetup& b) {
 constexpr bool keep_apart(const RobotSetup& a, const RobotSetup& b) {
   return a.parked || b.parked || avoids(a, b) || avoids(b, a);
 }
-
-/// Where something is at a time.
-struct TimedPlace {
-  double time = 0.0;   ///< s
-  Vec2 position = {};  ///< m
-  friend constexpr bool operator==(const TimedPlace&, const TimedPlace&) = default;
-};
 
 /// A disc that reacts to nobody. It moves with constant acceleration, along a path, or as a
 /// trajectory says.

@@ -207,7 +207,7 @@ Plan certify_among_movers(const Planner& planner, const Robot& robot,
          plan);
   plan.state = state_of(robot, seen, walls, law, constraints).state;
   const bool may_swerve = !with_robots && !planner.options().never_swerves;
-  keep_a_way_out(law, robot, movers, walls, planner.options().wall_range, may_swerve,
+  keep_a_way_out(law, robot, {movers, walls, planner.options().wall_range}, may_swerve,
                  scratch.evasion, plan);
   return plan;
 }

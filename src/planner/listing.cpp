@@ -194,7 +194,7 @@ std::optional<Evasion> Planner::evasion(const Robot& robot, std::span<const Neig
 bool Planner::has_way_out(const Robot& robot, std::span<const Neighbor> neighbors,
                           PlanWorkspace& workspace, std::span<const Wall> walls) const {
   return can_decide(robot, neighbors, walls, options_) &&
-         avo::has_way_out(certificate_law(*this), robot, neighbors, walls,
+         avo::has_way_out(certificate_law(*this), robot, {neighbors, walls, options_.wall_range},
                           PlanWorkspace::Scratch::of(workspace).evasion);
 }
 

@@ -56,7 +56,8 @@ void validate_certificate(const PlannerOptions& options, const std::string& pref
     refuse(prefix + "sensing_error", "one",
            std::string("none with certificate ") + to_string(options.certificate));
   require(prefix + "localization_error", options.localization_error, kNotNegative, "m");
-  require(prefix + "wall_range", options.wall_range, kNotNegative, "m");
+  if (options.wall_range != std::numeric_limits<double>::infinity())
+    require(prefix + "wall_range", options.wall_range, kNotNegative, "m");
   require(prefix + "longest_step", options.longest_step, kNotNegative, "s");
   if (options.clock == Clock::common) {
     if (options.longest_step > 0.0)

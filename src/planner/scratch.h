@@ -12,7 +12,7 @@
 #include "planner/certified.h"
 #include "planner/decision_columns.h"
 #include "planner/demands.h"
-#include "planner/evasion.h"
+#include "planner/evading.h"
 #include "planner/passive_obstacles.h"
 #include "planner/together.h"
 

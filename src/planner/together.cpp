@@ -175,8 +175,8 @@ void decide(const Planner& planner, const Execution& execution, Tile& tile,
       is_free&& constraints.walls.near.empty() ? go_freely(deciding, i) : go_certified(deciding, i);
       if (tile.neighbors.has_movers) {
         list(robots.neighbors[i], scratch.listed);
-        keep_a_way_out(law, robots.robot(i), scratch.listed, tile.walls_of(i),
-                       planner.options().wall_range, false, scratch.evasion, *tile.plan[i]);
+        const Sight sight{scratch.listed, tile.walls_of(i), planner.options().wall_range};
+        keep_a_way_out(law, robots.robot(i), sight, false, scratch.evasion, *tile.plan[i]);
       }
     }
     remember(*tile.plan[i], *tile.detour[i]);

@@ -6,7 +6,7 @@
 
 #include "core/plane.h"
 #include "planner/certify.h"
-#include "planner/evasion.h"
+#include "planner/evading.h"
 #include "sim/world.h"
 
 namespace avo {

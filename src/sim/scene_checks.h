@@ -4,6 +4,7 @@
 
 #include <charconv>
 #include <cstddef>
+#include <limits>
 #include <string>
 #include <string_view>
 
@@ -42,6 +43,11 @@ void check_robot(std::size_t i, const RobotSetup& robot, double time_step);
 /// max_acceleration does to the velocity of the disc; of free clocks (docs/certificate.md, "Clocks
 /// of their own").
 SensingError unforeseen(const Scenario& scenario);
+
+/// m: ways out before movers need all walls within their reach.
+inline double wall_range(bool has_movers) {
+  return has_movers ? std::numeric_limits<double>::infinity() : 0.0;
+}
 
 /// What all robots of a scene have agreed on, whatever their methods are.
 struct Agreed {

@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "avo/scenario.h"
-#include "planner/evasion.h"
 #include "planner/options.h"
 #include "robots/model.h"
 #include "sim/fleet.h"
@@ -34,18 +33,6 @@ double longest_step_of(const Scenario& scenario) {
     if (!robot.parked) longest = std::max(longest, time_step_of(scenario, robot));
   }
   return longest > 0.0 ? longest : scenario.time_step;
-}
-
-// m: as far as ways out lead, from whoever decides, where there is what they lead away from.
-double wall_range_of(const Scenario& scenario) {
-  if (scenario.moving_obstacles.empty()) return 0.0;
-  double range = 0.0;
-  for (const RobotSetup& setup : scenario.robots) {
-    if (setup.parked || is_airplane(setup.model)) continue;
-    const double top_speed = fastest_of(setup.model, setup.max_speed);
-    range = std::max(range, way_range(disc_radius(setup), top_speed, setup.max_acceleration));
-  }
-  return range;
 }
 
 }  // namespace
@@ -89,7 +76,7 @@ PlannerOptions options_of(const Scenario& scenario, Method method, const Agreed&
   if (options.certificate == Certificate::braking_trajectories)
     options.sensing_error = agreed.declared;
   options.localization_error = most_lost(scenario.sensing.localization);
-  if (options.certificate != Certificate::none) options.wall_range = wall_range_of(scenario);
+  options.wall_range = wall_range(!scenario.moving_obstacles.empty());
   const MeasurementNoise& noise = scenario.sensing.noise;
   if (noise.distribution == NoiseDistribution::gaussian) {
     const double carried = scenario.sensing.delay * scenario.time_step * noise.velocity;

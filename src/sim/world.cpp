@@ -8,6 +8,7 @@
 
 #include "planner/certify.h"
 #include "planner/demands.h"
+#include "planner/evading.h"
 #include "planner/scratch.h"
 #include "robots/model.h"
 #include "sim/clocks.h"
@@ -159,8 +160,9 @@ void find_walls(World& world) {
             : 0.0;
     // from where it takes itself to be
     needs.include(traits, stray + 2.0 * law.localization_error, speed, law);
+    const double ways = way_range(traits.radius, traits.max_speed, traits.max_acceleration);
     const double wished = options.method == Method::avo
-                              ? options.wall_range
+                              ? std::min(options.wall_range, ways)
                               : obstacle_reach(speed, traits.max_speed, options);
     needs.reach = std::max(needs.reach, traits.radius + wished);
   }
@@ -191,7 +193,9 @@ OwnPace World::pace_of(const RobotSetup& setup) {
   const auto place = std::find_if(paces.begin(), paces.end(), is_known);
   const auto index = static_cast<std::uint32_t>(place - paces.begin());
   if (place == paces.end()) {
-    paces.emplace_back(planner_options(settings, setup));
+    PlannerOptions options = planner_options(settings, setup);
+    options.wall_range = wall_range(!obstacles.setup.empty());
+    paces.emplace_back(options);
     certified = certified || is_certified(paces.back());
   }
   return {index, setup.time_horizon};

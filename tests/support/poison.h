@@ -232,13 +232,15 @@ class Poison {
   }
   void spoil(KeptWall& wall) const { each(wall.segment, wall.kept, wall.clear_until); }
   void spoil(Surroundings& around) const {
-    auto& [others, walls, clear_now, clear_after, clear_until, after, work] = around;
+    auto& [others, trajectories, walls, clear_now, clear_after, clear_until, after, brakes_at,
+           work] = around;
     each(others, walls, clear_now, clear_after, clear_until, after.position, after.velocity,
-         after.time, after.heading, work);
+         after.time, after.heading, brakes_at, work);
+    static_cast<void>(trajectories);  // begun anew by each decision
   }
   void spoil(EvasionWorkspace& evasion) const {
-    auto& [around, deciding, certified] = evasion;
-    each(around, certified);
+    auto& [around, deciding, certified, chosen, put_aside] = evasion;
+    each(around, certified, chosen.velocity, chosen.duration, put_aside);
     static_cast<void>(deciding);
   }
 
