@@ -89,7 +89,8 @@ TEST(CheckMovers, each_hit_has_a_line) {
   const std::string out = run_avo(judging(kScene + kDisc)).out;
   const std::size_t first = out.find("    in motion        robot 1 at 1.0");
   EXPECT_NE(first, std::string::npos) << out;
-  EXPECT_NE(out.find(" s, by moving obstacle 1, 0.8 m deep\n    at rest          robot 0 at 2.2 s", first),
+  EXPECT_NE(out.find(" s, by moving obstacle 1, 0.8 m deep\n    at rest          robot 0 at 2.2 s",
+                     first),
             std::string::npos)
       << out;
   std::string many = kScene;  // eleven more run over it, all at once
