@@ -36,6 +36,8 @@ void set_model(const avo::MotionModel& model, Def& def);
 avo::PlannerOptions options_of(const avo_planner_def& def);
 avo::Robot robot_of(const avo_robot& robot);
 avo::Neighbor neighbor_of(const avo_neighbor& neighbor, const Where& where);
+/// None where the id is null; throws Failure where it is stale.
+const avo::Trajectory* trajectory_of(avo_trajectory_id trajectory);
 
 avo::RobotSetup setup_of(const avo_robot_def& def, const Where& where);
 avo_robot_def def_of(const avo::RobotSetup& setup);

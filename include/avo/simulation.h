@@ -185,8 +185,7 @@ class AVO_API Simulation {
   /// velocity, and its neighbors as sensed, in the order in which they are planned with.
   struct Perception {
     Robot robot;
-    /// None of one that is parked. What they have of trajectories lives until the next step.
-    std::vector<Neighbor> neighbors;
+    std::vector<Neighbor> neighbors;   ///< none of one that is parked
     std::vector<std::int64_t> source;  ///< value of the RobotId, or -1 - k for moving obstacle k
     Detour detour = {};                ///< what it remembers
     bool among_movers = false;  ///< nobody else decides: planned by plan_among_obstacles (§III-C)
@@ -195,6 +194,8 @@ class AVO_API Simulation {
     /// Of one that brakes until it stands, near a goal that others share (docs/arrival.md, rule 4):
     /// its decision, whatever it would plan, unless that is `overlapping`.
     std::optional<Plan> stop = {};
+    /// Those that neighbors have: copies of this one have the same.
+    std::vector<std::shared_ptr<const Trajectory>> trajectories = {};
   };
   [[nodiscard]] Perception perceive(std::size_t robot) const;
   [[nodiscard]] const Planner& planner() const;                   ///< of the scene's method

@@ -297,9 +297,12 @@ Simulation::Perception Simulation::perceive(std::size_t robot) const {
   const std::vector<Sighting> sightings = all_sightings(state, slot);
   const double nearest = sightings.empty() ? std::numeric_limits<double>::infinity()
                                            : std::sqrt(sightings.front().distance_squared);
-  Perception seen{state.robot(slot, nearest), {}, {}, state.fleet.detour[slot], false, {}, {}};
+  Perception seen{state.robot(slot, nearest), {}, {}, state.fleet.detour[slot], false, {}, {}, {}};
   for (const Sighting& sighting : sightings) {
-    seen.neighbors.push_back(sighting.neighbor);
+    Neighbor& neighbor = seen.neighbors.emplace_back(sighting.neighbor);
+    if (neighbor.trajectory != nullptr)  // a copy that outlives the step
+      neighbor.trajectory =
+          seen.trajectories.emplace_back(std::make_shared<Trajectory>(*neighbor.trajectory)).get();
     const int source = sighting.source;
     seen.source.push_back(source < 0 ? source : number_at(state.fleet, source));
   }

@@ -69,6 +69,14 @@ avo_neighbor to_c(const avo::Neighbor& neighbor) {
   c.behavior = static_cast<avo_behavior>(neighbor.behavior);
   c.age = neighbor.age;
   c.parting = to_c(neighbor.parting);
+  if (neighbor.trajectory == nullptr) return c;
+  std::vector<avo_timed_place> places;
+  for (const auto& [time, position] : neighbor.trajectory->places())
+    places.push_back({time, to_c(position)});
+  REQUIRE(avo_create_trajectory(places.data(), places.size(), neighbor.trajectory->error(),
+                                neighbor.trajectory->repeats_from().value_or(std::nan("")),
+                                &c.trajectory));
+  c.trajectory_time = neighbor.trajectory_time;
   return c;
 }
 
@@ -142,6 +150,10 @@ void check_decision(avo_planner_id planner, const avo::Planner& own,
   CHECK(report.state == static_cast<avo_safety_state>(expected.state));
   CHECK(report.neighbor == expected.neighbor && report.wall == expected.wall);
   CHECK(report.time == expected.time && report.depth == expected.depth);
+  for (const avo_neighbor& neighbor : neighbors) {
+    if (avo_trajectory_is_valid(neighbor.trajectory))
+      REQUIRE(avo_destroy_trajectory(neighbor.trajectory));
+  }
 }
 
 void check_scene(const char* name, const std::vector<std::string>& overrides) {
@@ -224,6 +236,34 @@ void check_evasion() {
   REQUIRE(avo_destroy_planner(planner));
 }
 
+void check_trajectories() {
+  const avo_timed_place places[] = {{0.0, {0.0, 4.0}}, {1.0, {0.0, 0.0}}, {0.5, {1.0, 0.0}}};
+  const double nan = std::nan("");
+  avo_trajectory_id trajectory;
+  REFUSES(avo_create_trajectory(places, 3, 0.0, nan, &trajectory), AVO_ERROR_INVALID_VALUE,
+          "places.2.time: found 0.5, must be > 1 s");
+  REFUSES(avo_create_trajectory(places, 0, 0.0, nan, &trajectory), AVO_ERROR_INVALID_VALUE,
+          "places: found none, must be one or more");
+  REFUSES(avo_create_trajectory(places, 2, 0.0, 0.5, &trajectory), AVO_ERROR_INVALID_VALUE,
+          "repeats_from: found 0.5, must be the time of one of the places");
+  REQUIRE(avo_create_trajectory(places, 2, 0.0, 0.0, &trajectory));
+  CHECK(avo_trajectory_is_valid(trajectory));
+  REQUIRE(avo_destroy_trajectory(trajectory));
+  CHECK(!avo_trajectory_is_valid(trajectory));
+
+  const avo_planner_def def = avo_default_planner_def(AVO_METHOD_AVO);
+  avo_planner_id planner;
+  REQUIRE(avo_create_planner(&def, &planner));
+  const avo_robot robot = avo_default_robot();
+  avo_neighbor neighbor = avo_default_neighbor();
+  neighbor.behavior = AVO_BEHAVIOR_MOVES_ON;
+  neighbor.trajectory = trajectory;
+  avo_plan plan;
+  REFUSES(avo_planner_plan(planner, &robot, &neighbor, 1, nullptr, 0, nullptr, &plan),
+          AVO_ERROR_INVALID_ID, "trajectory: found an id of none that there is");
+  REQUIRE(avo_destroy_planner(planner));
+}
+
 void check_response_time() {
   avo_planner_def def = avo_default_planner_def(AVO_METHOD_AVO);
   avo_planner_id planner;
@@ -245,10 +285,11 @@ void check_response_time() {
 
 int main() {
   check_response_time();
+  check_trajectories();
   check_invalid_input();
   check_scene("circle-10", {});
-  check_scene("circle-10", {"response_time=0.2", "comfort_acceleration=0.6", "comfort_jerk=2",
-                            "margin=0.1"});
+  check_scene("circle-10",
+              {"response_time=0.2", "comfort_acceleration=0.6", "comfort_jerk=2", "margin=0.1"});
   check_scene("circle-10", {"method=orca"});
   check_scene("circle-10", {"method=velocity_obstacle"});
   check_scene("circle-10", {"method=orca_clamped"});

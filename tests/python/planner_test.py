@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """One robot's decision, and batches of them."""
 import math
+import pickle
 
 import avo
 import numpy as np
@@ -287,6 +288,44 @@ def test_wrong_use_is_a_value_error(make, message):
 def test_points_are_real(point):
     with pytest.raises(TypeError):
         avo.Robot(position=point)
+
+
+def moved_beside(mover):
+    """m: how far a robot at rest goes in 1.2 s, beside a mover that stands meanwhile."""
+    robot, planner = avo.Robot(position=(0, 0), radius=0.4), avo.Planner()
+    for step in range(12):
+        mover.trajectory_time = 0.1 * step
+        before, robot.velocity = robot.velocity, planner.plan(robot, [mover]).next_velocity
+        robot.position = tuple(p + 0.05 * (v + w) for p, v, w in zip(robot.position, before, robot.velocity))
+    return math.hypot(*robot.position)
+
+
+def test_what_is_known_of_a_mover_keeps_robots_out_of_its_way():
+    trajectory = avo.Trajectory([(0, 0, 4), (1.2, 0, 4), (2.2, 0, 0), (3, 0, 0)], error=0.01)
+    assert trajectory.at(1.7) == pytest.approx((0, 2)) and trajectory.places[1] == (1.2, 0.0, 4.0)
+    assert trajectory.error == 0.01 and trajectory.repeats_from is None
+    mover = avo.Neighbor(position=(0, 4), radius=0.5, behavior="moves_on", trajectory=trajectory)
+    del trajectory  # the neighbor keeps it
+    again = pickle.loads(pickle.dumps(mover))
+    assert again.trajectory.places == mover.trajectory.places and again.trajectory is not mover.trajectory
+    assert moved_beside(mover) == moved_beside(again) > 0.1
+    mover.trajectory = None
+    assert moved_beside(mover) == 0
+    with pytest.raises(avo.Error, match="places.1.time: found 0, must be > 0 s"):
+        avo.Trajectory([(0, 0, 0), (0, 1, 0)])
+    with pytest.raises(avo.Error, match="repeats_from: found 1, must be the time of one of the places"):
+        avo.Trajectory([(0, 0, 0)], repeats_from=1)
+
+
+def test_what_is_perceived_of_paths_outlives_the_simulation():
+    simulation = avo.Simulation("person", threads=1)
+    seen = simulation.perceive(0)
+    plan = avo.Planner().plan(seen.robot, seen.neighbors)
+    for _ in range(100):
+        simulation.step()
+    del simulation
+    assert any(neighbor.trajectory is not None for neighbor in seen.neighbors)
+    assert avo.Planner().plan(seen.robot, seen.neighbors).next_velocity == plan.next_velocity
 
 
 def test_two_that_coincide_part_along_the_direction_of_their_ids():

@@ -209,6 +209,18 @@ class Robot:
         loiter: LoiterCircle | None = None,
     ) -> None: ...
 
+class Trajectory:
+    def __init__(
+        self, places: Sequence[tuple[_Float, _Float, _Float]], *, error: _Float = 0.0, repeats_from: _Float | None = None,
+    ) -> None: ...
+    @property
+    def places(self) -> list[tuple[float, float, float]]: ...
+    @property
+    def error(self) -> float: ...
+    @property
+    def repeats_from(self) -> float | None: ...
+    def at(self, time: _Float) -> tuple[float, float]: ...
+
 class Neighbor:
     position: _Point
     velocity: _Point
@@ -224,6 +236,8 @@ class Neighbor:
     acceleration: _Point
     max_speed: _Number
     parting: _Point
+    trajectory: Trajectory | None
+    trajectory_time: _Number
     def __init__(
         self,
         *,
@@ -241,6 +255,8 @@ class Neighbor:
         acceleration: _Pair = (0.0, 0.0),
         max_speed: _Float = ...,
         parting: _Pair = (0.0, 0.0),
+        trajectory: Trajectory | None = None,
+        trajectory_time: _Float = 0.0,
     ) -> None: ...
 
 class Detour:

@@ -18,14 +18,14 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 /// Throws Error if there are any: fields that one robot has and batches do not, or that nobody has.
 void refuse_fields(const py::kwargs& others, const std::vector<std::string_view>& known) {
-  constexpr std::string_view kOfOne[] = {"model", "heading", "loiter"};
+  constexpr std::string_view kOfOne[] = {"model", "heading", "loiter", "trajectory"};
   for (const auto& [key, value] : others) {
     const auto field = key.cast<std::string>();
     if (std::find(std::begin(kOfOne), std::end(kOfOne), field) == std::end(kOfOne))
       refuse_word("field", field, known);
     throw avo::Error(field +
                      ": found in a batch, must be left out: robots of other models than holonomic, "
-                     "and those that sense airplanes, plan one by one");
+                     "and those that sense airplanes or know of trajectories, plan one by one");
   }
 }
 

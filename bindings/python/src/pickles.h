@@ -39,8 +39,6 @@ inline constexpr int kFields<avo::TimedPlace> = 2;
 template <>
 inline constexpr int kFields<avo::Robot> = 12;
 template <>
-inline constexpr int kFields<avo::Neighbor> = 14;
-template <>
 inline constexpr int kFields<avo::Detour> = 6;
 template <>
 inline constexpr int kFields<avo::RobotSetup> = 18;
@@ -83,9 +81,6 @@ auto fields(T& x) {
   } else if constexpr (n == 12) {
     auto& [a, b, c, d, e, f, g, h, i, j, k, l] = x;
     return std::tie(a, b, c, d, e, f, g, h, i, j, k, l);
-  } else if constexpr (n == 14) {
-    auto& [a, b, c, d, e, f, g, h, i, j, k, l, m, o] = x;
-    return std::tie(a, b, c, d, e, f, g, h, i, j, k, l, m, o);
   } else if constexpr (n == 18) {
     auto& [a, b, c, d, e, f, g, h, i, j, k, l, m, o, p, q, r, s] = x;
     return std::tie(a, b, c, d, e, f, g, h, i, j, k, l, m, o, p, q, r, s);

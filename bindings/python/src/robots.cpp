@@ -2,6 +2,9 @@
 // Robots: what one knows of itself, what it senses of others, what it remembers, and what a scene
 // says of it. Plain data, which can be changed.
 #include <limits>
+#include <memory>
+#include <tuple>
+#include <vector>
 
 #include "pickles.h"
 
@@ -58,31 +61,92 @@ void bind_robot(py::module_& module) {
           "LoiterCircle that the others know of an airplane; None: that of position and velocity");
 }
 
+using TimedTuple = std::tuple<double, double, double>;  // s, m, m
+
+std::vector<TimedTuple> places_of(const avo::Trajectory& trajectory) {
+  std::vector<TimedTuple> places;
+  for (const auto& [time, position] : trajectory.places())
+    places.emplace_back(time, position.x, position.y);
+  return places;
+}
+
+std::shared_ptr<avo::Trajectory> make_trajectory(const std::vector<TimedTuple>& given, double error,
+                                                 std::optional<double> repeats_from) {
+  std::vector<avo::TimedPlace> places;
+  for (const auto& [time, x, y] : given) places.push_back({time, {x, y}});
+  return std::make_shared<avo::Trajectory>(places, error, repeats_from);
+}
+
+void bind_trajectory(py::module_& module) {
+  using avo::Trajectory;
+  py::class_<Trajectory, std::shared_ptr<Trajectory>>(
+      module, "Trajectory",
+      "Where a mover will be: straight from place to place, at constant speed on each leg. Before "
+      "the first place it rests there; behind the last one it keeps its last velocity, or goes "
+      "round.")
+      .def(py::init(&make_trajectory), arg("places"), py::kw_only(), arg("error") = 0.0,
+           arg("repeats_from") = py::none(),
+           "places: list of (time, x, y), s and m, by ascending times; error: m, >= 0, by which "
+           "it may be off; repeats_from: s, the time of one of the places: behind the last one it "
+           "is, nobody knows when, at any place where it was from that time on.")
+      .def(py::pickle(
+          [](const Trajectory& t) {
+            return py::make_tuple(places_of(t), t.error(), t.repeats_from());
+          },
+          [](const py::tuple& state) {
+            if (state.size() != 3)
+              throw avo::Error(
+                  "pickle: found another number of fields, must be of this version of avo");
+            return make_trajectory(state[0].cast<std::vector<TimedTuple>>(),
+                                   state[1].cast<double>(), state[2].cast<std::optional<double>>());
+          }))
+      .def_property_readonly("places", &places_of, "list of (time, x, y), s and m")
+      .def_property_readonly("error", &Trajectory::error, "m, by which it may be off")
+      .def_property_readonly("repeats_from", &Trajectory::repeats_from,
+                             "s, or None: it does not go round")
+      .def("at", &Trajectory::at, arg("time"), "(x, y), m: where it is at that time, s.");
+}
+
+// The trajectory lives as long as the neighbor. A copy is made of its attributes.
+py::tuple reduced(const py::object& neighbor) {
+  py::dict fields;
+  for (const char* name : {"position", "velocity", "radius", "max_acceleration", "behavior", "age",
+                           "priority", "max_braking", "loiter", "max_deviation", "position_error",
+                           "acceleration", "max_speed", "parting", "trajectory", "trajectory_time"})
+    fields[name] = neighbor.attr(name);
+  const py::object make = py::module_::import("functools").attr("partial");
+  return py::make_tuple(make(py::type::of<avo::Neighbor>(), **fields), py::tuple());
+}
+
 void bind_neighbor(py::module_& module) {
   using avo::Neighbor;
   py::class_<Neighbor>(module, "Neighbor", "Another robot as it is sensed, or a moving obstacle.")
-      .def(pickled<Neighbor>())
+      .def("__reduce__", &reduced)
       .def(py::init([](avo::Vec2 position, avo::Vec2 velocity, double radius,
                        double max_acceleration, avo::Behavior behavior, int age, double priority,
                        std::optional<double> max_braking, std::optional<avo::LoiterCircle> loiter,
                        double max_deviation, double position_error, avo::Vec2 acceleration,
-                       double max_speed, avo::Vec2 parting) {
+                       double max_speed, avo::Vec2 parting, const avo::Trajectory* trajectory,
+                       double trajectory_time) {
              return Neighbor{position,  velocity,      radius,         max_acceleration,
                              behavior,  age,           priority,       max_braking,
                              loiter,    max_deviation, position_error, acceleration,
-                             max_speed, parting};
+                             max_speed, parting,       trajectory,     trajectory_time};
            }),
-           py::kw_only(), arg("position"), arg("velocity") = py::make_tuple(0.0, 0.0),
-           arg("radius") = 0.5, arg("max_acceleration") = 1.0, arg("behavior") = "decides",
-           arg("age") = 0, arg("priority") = 1.0, arg("max_braking") = py::none(),
-           arg("loiter") = py::none(), arg("max_deviation") = 0.0, arg("position_error") = 0.0,
+           py::keep_alive<1, 16>(), py::kw_only(), arg("position"),
+           arg("velocity") = py::make_tuple(0.0, 0.0), arg("radius") = 0.5,
+           arg("max_acceleration") = 1.0, arg("behavior") = "decides", arg("age") = 0,
+           arg("priority") = 1.0, arg("max_braking") = py::none(), arg("loiter") = py::none(),
+           arg("max_deviation") = 0.0, arg("position_error") = 0.0,
            arg("acceleration") = py::make_tuple(0.0, 0.0), arg("max_speed") = kInfinity,
-           arg("parting") = py::make_tuple(0.0, 0.0),
+           arg("parting") = py::make_tuple(0.0, 0.0), arg("trajectory") = py::none(),
+           arg("trajectory_time") = 0.0,
            "position: (x, y), m; velocity: m/s; radius: m, > 0; max_acceleration: m/s^2, > 0; "
            "behavior: \"decides\", \"moves_on\" or \"cooperates\"; age: steps since it was sensed; "
            "priority: > 0; "
            "max_braking: m/s^2; max_deviation: m/s^2, >= 0; position_error: m, >= 0; acceleration: "
-           "m/s^2, and max_speed: m/s, of one that moves on; parting: see parting_direction().")
+           "m/s^2, and max_speed: m/s, of one that moves on; parting: see parting_direction(); "
+           "trajectory: Trajectory of one that moves on, None: unknown; trajectory_time: s, now.")
       .def_readwrite("position", &Neighbor::position, "[p_B] (x, y), m")
       .def_readwrite("velocity", &Neighbor::velocity, "[v_B] (x, y), m/s")
       .def_readwrite("radius", &Neighbor::radius, "[r_B] m, > 0")
@@ -104,7 +168,17 @@ void bind_neighbor(py::module_& module) {
       .def_readwrite(
           "parting", &Neighbor::parting,
           "unit (x, y), or 0: of one that coincides in place and velocity, the direction "
-          "in which to leave it");
+          "in which to leave it")
+      .def_property(
+          "trajectory", [](const Neighbor& neighbor) { return neighbor.trajectory; },
+          py::cpp_function(
+              [](Neighbor& neighbor, const avo::Trajectory* trajectory) {
+                neighbor.trajectory = trajectory;
+              },
+              py::keep_alive<1, 2>()),
+          "Trajectory of one that moves on: where it will be; None: unknown")
+      .def_readwrite("trajectory_time", &Neighbor::trajectory_time,
+                     "s: now, as the trajectory tells the time");
   module.def("parting_direction", &avo::parting_direction, arg("id"), arg("other"),
              "(x, y): the direction in which a robot of the first id leaves one of the other id, "
              "where they coincide; the opposite one if the ids are exchanged, 0 of equal ids.");
@@ -204,6 +278,7 @@ void bind_setup(py::module_& module) {
 
 void bind_robots(py::module_& module) {
   bind_robot(module);
+  bind_trajectory(module);
   bind_neighbor(module);
   bind_detour(module);
   bind_setup(module);

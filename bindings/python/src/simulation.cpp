@@ -252,11 +252,25 @@ void bind_inventory(SimulationClass& simulation) {
           arg("index"), "RobotSetup of the robot in that row of the arrays, a copy.");
 }
 
+using Perception = Simulation::Perception;
+
+// Each keeps its trajectory.
+py::list neighbors_of(const Perception& seen) {
+  py::list list;
+  auto next = seen.trajectories.begin();
+  for (const avo::Neighbor& neighbor : seen.neighbors) {
+    const py::object copy = py::cast(neighbor);
+    if (neighbor.trajectory != nullptr)
+      copy.attr("trajectory") = py::cast(std::const_pointer_cast<avo::Trajectory>(*next++));
+    list.append(copy);
+  }
+  return list;
+}
+
 void bind_perception(py::module_& module, SimulationClass& simulation) {
-  using Perception = Simulation::Perception;
   py::class_<Perception>(module, "Perception", "What a robot sees, and decides from.")
       .def_readonly("robot", &Perception::robot, "Robot, as it senses itself")
-      .def_readonly("neighbors", &Perception::neighbors, "list of Neighbor, a copy")
+      .def_property_readonly("neighbors", &neighbors_of, "list of Neighbor, a copy")
       .def_readonly("source", &Perception::source, "their ids, or -1 - k of moving obstacle k")
       .def_readonly("detour", &Perception::detour, "Detour, what it remembers")
       .def_readonly("among_movers", &Perception::among_movers,

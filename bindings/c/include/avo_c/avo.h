@@ -75,6 +75,11 @@ typedef struct avo_planner_id {
   uint32_t generation;
 } avo_planner_id;
 
+typedef struct avo_trajectory_id {
+  uint32_t index;
+  uint32_t generation;
+} avo_trajectory_id;
+
 typedef struct avo_simulation_id {
   uint32_t index;
   uint32_t generation;
@@ -330,6 +335,10 @@ typedef struct avo_neighbor {
   /// Unit, or 0: of one that coincides in place and velocity, the direction in which to leave it;
   /// see avo_parting_direction().
   avo_vec2 parting;
+  /// Of one that moves on: where it will be; null: that is not known. It has to stay while a call
+  /// that is given the neighbor runs.
+  avo_trajectory_id trajectory;
+  double trajectory_time;  ///< s: now, as the trajectory tells the time
 } avo_neighbor;
 
 /// The way out that a robot takes in place of what it would have chosen.
@@ -338,6 +347,12 @@ typedef struct avo_evasion {
   double duration;    ///< s, from the decision, after which it brakes
   int32_t neighbor;   ///< index of whom it evades; -1: the plan is not evading
 } avo_evasion;
+
+/// Where somebody is at a time.
+typedef struct avo_timed_place {
+  double time;        ///< s
+  avo_vec2 position;  ///< m
+} avo_timed_place;
 
 /// What avo_planner_state() proves.
 typedef struct avo_safety_report {
@@ -356,6 +371,17 @@ AVO_C_API avo_neighbor avo_default_neighbor(void);
 /// The direction in which a robot of the first id leaves one of the other id, where they coincide:
 /// unit, the opposite one if the ids are exchanged, 0 of equal ids.
 AVO_C_API avo_vec2 avo_parting_direction(uint64_t id, uint64_t other);
+
+/// Where a mover will be, straight from place to place at constant speed on each leg; times ascend.
+/// Before the first place it rests there; behind the last one it keeps its last velocity. error: m,
+/// >= 0, by which it may be off. repeats_from: s, the time of one of the places: behind the last
+/// one it is, nobody knows when, at any place where it was from that time on; NaN: it does not go
+/// round.
+AVO_C_API avo_result avo_create_trajectory(const avo_timed_place* places, size_t count,
+                                           double error, double repeats_from,
+                                           avo_trajectory_id* trajectory);
+AVO_C_API avo_result avo_destroy_trajectory(avo_trajectory_id trajectory);
+AVO_C_API bool avo_trajectory_is_valid(avo_trajectory_id trajectory);
 
 AVO_C_API avo_result avo_create_planner(const avo_planner_def* def, avo_planner_id* planner);
 AVO_C_API avo_result avo_destroy_planner(avo_planner_id planner);
@@ -424,12 +450,6 @@ typedef struct avo_robot_def {
   int32_t method;         ///< avo_method of its own; AVO_UNSET: the simulation's
   double time_horizon;    ///< s, > 0, of its own; 0: the simulation's where it has its method
 } avo_robot_def;
-
-/// Where something is at a time.
-typedef struct avo_timed_place {
-  double time;        ///< s
-  avo_vec2 position;  ///< m
-} avo_timed_place;
 
 /// A disc that reacts to nobody. It moves with constant acceleration, along a path, or as a
 /// trajectory says; with a trajectory, position and velocity are not read.
@@ -536,11 +556,11 @@ typedef struct avo_simulation_def {
   void* run_context;                    ///< for run_tasks
   bool metrics;                         ///< judge every step, for avo_simulation_summary()
   avo_localization_noise localization;  ///< robots know their velocity and heading exactly
-  double response_time;         ///< as of avo_planner_def; NAN: the method's
-  double comfort_acceleration;  ///< likewise; 0: none
-  double comfort_jerk;          ///< likewise; 0: none
-  double margin;                ///< likewise
-  bool never_swerves;           ///< likewise
+  double response_time;                 ///< as of avo_planner_def; NAN: the method's
+  double comfort_acceleration;          ///< likewise; 0: none
+  double comfort_jerk;                  ///< likewise; 0: none
+  double margin;                        ///< likewise
+  bool never_swerves;                   ///< likewise
 } avo_simulation_def;
 
 AVO_C_API avo_robot_def avo_default_robot_def(void);
