@@ -151,8 +151,10 @@ TEST(WayOut, there_is_one_or_not) {
   EXPECT_TRUE(has({walker({-8, 0}, {1, 0}), peer}));
   Robot car = robot;
   car.model = Car{0.7};
-  EXPECT_FALSE(planner.has_way_out(car, std::vector{walker({-8, 0}, {1, 0})}, workspace))
-      << "wheels have none yet";
+  EXPECT_TRUE(planner.has_way_out(car, std::vector{walker({-8, 0}, {1, 0})}, workspace));
+  Robot airplane = robot;
+  airplane.model = Airplane{}, airplane.velocity = {1.0, 0.0};
+  EXPECT_FALSE(planner.has_way_out(airplane, {}, workspace));
   PlannerOptions bare = default_options(Method::avo);
   bare.certificate = Certificate::none;
   EXPECT_FALSE(Planner(bare).has_way_out(robot, {}, workspace));
