@@ -61,8 +61,8 @@ Conduct conduct_of(const RobotSetup& setup, Method usual);
 /// What A counts on from another robot that it avoids.
 enum class Expectation : std::uint8_t {
   decides,     ///< it does its share, and keeps the certificate of A, if A has one
-  cooperates,  ///< it avoids A by a method of its own, and promises nothing
-  moves_on,    ///< it does not avoid A, by a method of its own: its velocity is all that is known
+  cooperates,  ///< it is said to do its share, and promises nothing
+  moves_on,    ///< it has a method of its own: its velocity is all that is known
   does_as_it_likes,  ///< it does not avoid A, and keeps its limits
 };
 /// Nothing where A does not avoid B.
@@ -71,8 +71,8 @@ inline std::optional<Expectation> expected_of(const Conduct& b, const Conduct& a
   const bool is_like = a.method != Method::avo || b.method == a.method;
   if ((b.avoids.bits & a.layers.bits) == 0)
     return is_like ? Expectation::does_as_it_likes : Expectation::moves_on;
-  return is_like && b.behavior == Behavior::decides ? Expectation::decides
-                                                    : Expectation::cooperates;
+  if (b.behavior == Behavior::cooperates) return Expectation::cooperates;
+  return is_like ? Expectation::decides : Expectation::moves_on;
 }
 /// A robot as others sense it who count on that much of it.
 Neighbor sensed(const RobotTraits& traits, const Conduct& conduct, Expectation expected,

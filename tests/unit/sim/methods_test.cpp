@@ -109,7 +109,7 @@ TEST(Methods, of_others_promise_nothing) {
   scene.robots[1].velocity = {-2, 0};
   Simulation simulation(scene, 1);
   for (const Neighbor& seen : simulation.perceive(0).neighbors) {
-    EXPECT_EQ(seen.behavior, Behavior::cooperates);
+    EXPECT_EQ(seen.behavior, Behavior::moves_on);
     EXPECT_EQ(seen.max_deviation, 0.0);
     EXPECT_EQ(seen.acceleration, Vec2{});
   }
