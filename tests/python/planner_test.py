@@ -304,6 +304,8 @@ def test_what_is_known_of_a_mover_keeps_robots_out_of_its_way():
     trajectory = avo.Trajectory([(0, 0, 4), (1.2, 0, 4), (2.2, 0, 0), (3, 0, 0)], error=0.01)
     assert trajectory.at(1.7) == pytest.approx((0, 2)) and trajectory.places[1] == (1.2, 0.0, 4.0)
     assert trajectory.error == 0.01 and trajectory.repeats_from is None
+    round = pickle.loads(pickle.dumps(avo.Trajectory(trajectory.places, error=0.2, repeats_from=1.2)))
+    assert round.places == trajectory.places and (round.error, round.repeats_from) == (0.2, 1.2)
     mover = avo.Neighbor(position=(0, 4), radius=0.5, behavior="moves_on", trajectory=trajectory)
     del trajectory  # the neighbor keeps it
     again = pickle.loads(pickle.dumps(mover))
@@ -318,13 +320,16 @@ def test_what_is_known_of_a_mover_keeps_robots_out_of_its_way():
 
 
 def test_what_is_perceived_of_paths_outlives_the_simulation():
-    simulation = avo.Simulation("person", threads=1)
+    cart = {"position": [0, -4], "velocity": [0, 1], "max_deviation": 1, "max_speed": 1.5, "path": [[0, 4], [0, -4]]}
+    scene = {"version": 1, "sensing_radius": 20, "robots": [{"position": [-5, 0], "goal": [5, 0]}],
+             "moving_obstacles": [cart]}
+    simulation = avo.Simulation(scene, threads=1)
     seen = simulation.perceive(0)
     plan = avo.Planner().plan(seen.robot, seen.neighbors)
     for _ in range(100):
         simulation.step()
     del simulation
-    assert any(neighbor.trajectory is not None for neighbor in seen.neighbors)
+    assert len(seen.neighbors[0].trajectory.places) > 100
     assert avo.Planner().plan(seen.robot, seen.neighbors).next_velocity == plan.next_velocity
 
 
