@@ -9,9 +9,11 @@
 namespace avo {
 namespace {
 
-std::size_t first_later(std::span<const TimedPlace> places, double time) {
+// From that place on.
+std::size_t first_later(std::span<const TimedPlace> places, double time, std::size_t from = 0) {
   const auto later = [](double t, const TimedPlace& place) { return t < place.time; };
-  return static_cast<std::size_t>(std::upper_bound(places.begin(), places.end(), time, later) -
+  const auto begin = places.begin() + static_cast<std::ptrdiff_t>(from);
+  return static_cast<std::size_t>(std::upper_bound(begin, places.end(), time, later) -
                                   places.begin());
 }
 
@@ -69,17 +71,19 @@ void TrajectorySteps::look_ahead(std::size_t intervals) {
 bool passes_by(const Trajectory& trajectory, double from, Vec2 place, double distance) {
   const std::span<const TimedPlace> places = trajectory.places();
   if (trajectory.repeats_from()) from = std::min(from, *trajectory.repeats_from());
-  // until then no leg brings it that near, so that most legs need not be looked at
-  double clear_until = from;
   const double fastest = trajectory.max_speed(from);
   Vec2 start = trajectory.at(from) - place;
-  for (std::size_t k = first_later(places, from); k < places.size(); ++k) {
+  for (std::size_t k = first_later(places, from); k < places.size();) {
     const Vec2 end = places[k].position - place;
-    if (places[k].time > clear_until) {
-      if (avo::distance(Vec2{}, Segment{start, end}) < distance) return false;
-      if (fastest > 0.0) clear_until = places[k].time + (norm(end) - distance) / fastest;
+    if (avo::distance(Vec2{}, Segment{start, end}) < distance) return false;
+    std::size_t next = k + 1;
+    if (fastest > 0.0) {
+      // until then no leg brings it that near, so that most legs need not be looked at
+      const double clear_until = places[k].time + (norm(end) - distance) / fastest;
+      next = first_later(places, clear_until, next);
     }
-    start = end;
+    start = places[next - 1].position - place;
+    k = next;
   }
   if (norm(start) < distance) return false;
   if (trajectory.repeats_from() || places.size() == 1) return true;

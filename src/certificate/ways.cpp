@@ -230,11 +230,12 @@ enum class Stop : unsigned char {
   clear,     // and A is never touched, (C1)
 };
 
+// may_be_clear: nobody else touches A.
 Stop stop_before(const WayOptions& options, Surroundings& around, std::size_t k,
-                 const WayState& state, const FullBraking& braking) {
+                 const WayState& state, const FullBraking& braking, bool may_be_clear) {
   const Predicted& other = around.others[k];
   const double h = options.law.time_step, closing = options.max_speed + other.fastest;
-  bool clear = rests_clear(other, braking.end, state.time + h * braking.steps);
+  bool clear = may_be_clear;
   double clear_until = around.clear_until[k];
   for (int m = 0; m < braking.steps; ++m) {
     const double time = state.time + h * m;
@@ -249,6 +250,8 @@ Stop stop_before(const WayOptions& options, Surroundings& around, std::size_t k,
     if (!(other.deviation > 0.0))
       clear_until = time + room_to(other, {own.start, {}, time}) / closing;
   }
+  // what takes longest comes last
+  clear = clear && rests_clear(other, braking.end, state.time + h * braking.steps);
   return clear ? Stop::clear : Stop::in_time;
 }
 
@@ -263,7 +266,8 @@ Stop stop_from(const WayOptions& options, Surroundings& around, const WayState& 
   }
   Stop worst = Stop::clear;
   for (std::size_t k = 0; k < around.others.size(); ++k) {
-    worst = std::min(worst, stop_before(options, around, k, state, braking));
+    worst = std::min(worst,
+                     stop_before(options, around, k, state, braking, worst == Stop::clear));
     if (worst == Stop::too_late) break;
   }
   return worst;
