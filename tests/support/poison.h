@@ -69,9 +69,11 @@ class Poison {
   void spoil(ProgramRow<1>& row) const { each(row.n_x, row.n_y, row.offset, row.relative); }
   void spoil(LoiterCircle& circle) const { each(circle.center, circle.radius); }
   void spoil(MoverMotion& motion) const {
-    auto& [acceleration, max_deviation, max_speed] = motion;
-    each(acceleration, max_deviation, max_speed);
+    auto& [acceleration, max_deviation, max_speed, trajectory, trajectory_time] = motion;
+    each(acceleration, max_deviation, max_speed, trajectory_time);
+    trajectory = nullptr;
   }
+  void spoil(TrajectorySteps& steps) const { each(steps.x, steps.y, steps.bend); }
 
   void spoil(SharedPlanes& shared) const {
     auto& [offset, kept, kept_end, exceeding] = shared;
@@ -168,8 +170,9 @@ class Poison {
     each(count, filled, start_x, start_y, middle_x, middle_y, ahead, across, anyhow, most);
   }
   void spoil(TrajectoryConstraints& constraints) const {
-    auto& [columns, own, deviation, own_columns, waiting, stays_at_rest, has_cones] = constraints;
-    each(columns, own, deviation, own_columns, waiting, stays_at_rest, has_cones);
+    auto& [columns, own, deviation, own_columns, trajectory, waiting, stays_at_rest, has_cones] =
+        constraints;
+    each(columns, own, deviation, own_columns, trajectory, waiting, stays_at_rest, has_cones);
   }
   void spoil(CapsuleConstraint& capsule) const {
     auto& [neighbor, normal, offset, begin] = capsule;
@@ -234,9 +237,8 @@ class Poison {
   void spoil(Surroundings& around) const {
     auto& [others, trajectories, walls, clear_now, clear_after, clear_until, after, brakes_at,
            work] = around;
-    each(others, walls, clear_now, clear_after, clear_until, after.position, after.velocity,
-         after.time, after.heading, brakes_at, work);
-    static_cast<void>(trajectories);  // begun anew by each decision
+    each(others, trajectories, walls, clear_now, clear_after, clear_until, after.position,
+         after.velocity, after.time, after.heading, brakes_at, work);
   }
   void spoil(EvasionWorkspace& evasion) const {
     auto& [around, deciding, certified, chosen, put_aside] = evasion;
