@@ -278,7 +278,8 @@ const std::vector<Bad> kScens{
          "s.yaml:5:29: robots_from: found the unknown key \"numbr\", allowed "
          "are scen, number, velocity, radius, max_speed, max_acceleration, preferred_speed, model, "
          "heading, car, drive, airplane, "
-         "priority, max_braking, parked, layers, avoids, behavior, time_step; "
+         "priority, max_braking, parked, layers, avoids, behavior, time_step, method, "
+         "time_horizon; "
          "did you mean \"number\"?",
          "{scen: a.scen, numbr: 2}"),
     {"no_map",

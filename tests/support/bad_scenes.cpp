@@ -94,7 +94,8 @@ const std::vector<BadScene>& bad_scenes() {
       {"missing_position", kGood + s("  - {goal: [1, 0]}\n"),
        "4:5: robots.1: found no \"position\", must be given: where it starts"},
       {"obstacle_without_position", kGood + s("moving_obstacles:\n  - {velocity: [1, 0]}\n"),
-       "5:5: moving_obstacles.0: found no \"position\", must be given: where it starts"},
+       "5:5: moving_obstacles.0: found no \"position\", must be given: where it starts, or "
+       "a trajectory"},
       {"number_is_text", kGood + s("time_step: fast\n"),
        "4:12: time_step: found \"fast\", must be a number (s)"},
       {"number_in_quotes", kGood + s("time_step: \"0.1\"\n"),
@@ -323,11 +324,12 @@ const std::vector<BadScene>& bad_scenes() {
        "jitter, velocity, radius, max_speed, max_acceleration, preferred_speed, model, heading, "
        "car, "
        "drive, "
-       "airplane, priority, max_braking, parked, layers, avoids, behavior, time_step"},
+       "airplane, priority, max_braking, parked, layers, avoids, behavior, time_step, "
+       "method, time_horizon"},
       {"placement_unknown",
        s("version: 1\ngroups:\n  - {number: 3, placement: cirle, goals: antipodal}\n"),
-       "3:28: groups.0.placement: found \"cirle\", must be one of circle, grid, line, random; did "
-       "you mean \"circle\"?"},
+       "3:28: groups.0.placement: found \"cirle\", must be one of circle, grid, line, random, ring; "
+       "did you mean \"circle\"?"},
       {"placement_needs_more",
        s("version: 1\ngroups:\n  - {number: 3, placement: grid, goals: antipodal}\n"),
        "3:28: groups.0.placement.grid: found no \"spacing\", must be given: from robot to robot, "
@@ -335,7 +337,7 @@ const std::vector<BadScene>& bad_scenes() {
       {"placement_two",
        s("version: 1\ngroups:\n  - {number: 3, placement: {circle: {}, line: {}}, goals: "
          "antipodal}\n"),
-       "3:28: groups.0.placement: found 2 kinds, must be one of circle, grid, line, random"},
+       "3:28: groups.0.placement: found 2 kinds, must be one of circle, grid, line, random, ring"},
       {"placement_unknown_key",
        s("version: 1\ngroups:\n  - {number: 3, placement: {circle: {radius: 3}}, goals: "
          "antipodal}\n"),
