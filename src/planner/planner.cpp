@@ -51,8 +51,10 @@ void PlanWorkspace::Scratch::reserve_walls(std::size_t neighbors, std::size_t mo
 // Room for those of one program, and for the cuts of its rounds.
 void PlanWorkspace::Scratch::reserve_planes(std::size_t neighbors, std::size_t most_walls) {
   const std::size_t cuts = kMostCuts * (neighbors + most_walls) + kMostOwnPlanes;
-  certified.hard.reserve(cuts);
-  certified.rows.reserve(program_rows(cuts));
+  for (CertifiedWorkspace* own : {&certified, &evasion.certified}) {
+    own->hard.reserve(cuts);
+    own->rows.reserve(program_rows(cuts));
+  }
   const std::size_t hard = most_walls + kMostOwnPlanes;
   demands.reserve(hard);
   hard_and_soft.reserve(neighbors + hard);
