@@ -296,7 +296,7 @@ TEST(Sweep, says_that_the_disk_is_full_and_leaves_no_table) {
   write_file(path_of("sweep.yaml"), kSmallSweep);
   const std::string h5 = path_of("full.h5");
   int refused = 0;
-  for (unsigned kibibytes = 1; kibibytes < 200; kibibytes += 7) {
+  for (unsigned kibibytes = 1; kibibytes < 400; kibibytes += 7) {
     const ProcessResult result =
         run_avo({"sweep", path_of("sweep.yaml"), "--out", h5, "-q"}, {.before = [kibibytes] {
                   signal(SIGXFSZ, SIG_IGN);
