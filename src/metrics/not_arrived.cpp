@@ -9,7 +9,7 @@
 namespace avo {
 namespace {
 
-constexpr double kTouching = 0.1;     // of the sum of radii: nearer than that, it holds
+constexpr double kTouching = 0.15;    // of the sum of radii: nearer than that, it holds
 constexpr std::size_t kMostHeld = 5;  // named of those that hold one
 
 }  // namespace

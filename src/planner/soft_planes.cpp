@@ -160,8 +160,9 @@ void add_margins(const PlannerOptions& options, const Tile& tile, SoftPlanes& so
     };
     const double margin = own(options.margin), larger = own(mover_margin(options, robots.radius[r]));
     for (std::size_t k = robots.neighbors[r].first; i < soft.pair_end[r]; ++i, ++k) {
-      const double wished = tile.neighbors.is_predicted(k) ? larger : margin;
-      pairs.radius[i] = with_margin({{pairs.p_x[i], pairs.p_y[i]}, {}, pairs.radius[i]}, wished);
+      const bool shares = tile.neighbors.decides[k] != NeighborColumns::kMover;
+      pairs.radius[i] = with_margin({{pairs.p_x[i], pairs.p_y[i]}, {}, pairs.radius[i]},
+                                    shares ? margin : larger);
     }
   }
 }

@@ -132,7 +132,8 @@ void describe_kinds(Archive<kReads>& archive, RobotSetup& setup) {
   archive.word(kinds);
   if constexpr (kReads) {
     const bool has_method = (kinds & 2) != 0;
-    if ((kinds & 0xf0) != 0 || (!has_method && kinds >> 8 != 0) ||
+    const bool is_more_than_parked = (kinds & 1) != 0 && kinds != 1;
+    if ((kinds & 0xf0) != 0 || (!has_method && kinds >> 8 != 0) || is_more_than_parked ||
         kinds >> 8 >= kNames<Method>.size())
       refuse_saved("the kinds of a robot " + std::to_string(kinds), "known ones");
     setup.parked = (kinds & 1) != 0;

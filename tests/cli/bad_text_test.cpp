@@ -36,8 +36,9 @@ TEST(BadText, files_that_are_no_files) {
   EXPECT_EQ(
       missing.err,
       "circel-10: found no such file and no scene of that name, scenes are arena, bottleneck, "
-      "cars-100, circle-N, corridor, corridor-one-lane, crossing-streams, doorway, doorway-narrow, "
-      "drives-100, maze, mixed-yard, moving-obstacle, office, permutation-100, person, planes-12, "
+      "cars-100, circle-N, corridor, corridor-one-lane, crossed-crowd, crossing-streams, "
+      "crowdnav-circle, crowdnav-square, doorway, doorway-narrow, drives-100, maze, mixed-fleet, "
+      "mixed-yard, moving-obstacle, office, permutation-100, person, planes-12, "
       "positions-exchange, reversing-cars, swap-blocks, "
       "uniform-N, warehouse; did you mean \"circle-10\"?\n");
 }

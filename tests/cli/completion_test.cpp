@@ -68,7 +68,7 @@ const std::vector<Asked> kAsked{
     {"avo check b", "avo check b.csv "},
     {"avo run office --figure d", "avo run office --figure d.svg "},
     {"avo run office --figure=d", "avo run office --figure=d.svg "},
-    {"avo check a.csv --scene mixed", "avo check a.csv --scene mixed-yard "},
+    {"avo check a.csv --scene mixed-y", "avo check a.csv --scene mixed-yard "},
     {"avo run office --set contr", "avo run office --set control_time="},
     {"avo run office --set method=v", "avo run office --set method=velocity_obstacle "},
     {"avo run office --set clock=", "common"},

@@ -126,7 +126,7 @@ TEST(Metrics, one_robot_has_no_clearance) {
 TEST(Metrics, obstacle_collisions_are_counted_apart_and_once) {
   Scenario scene = blind({cruising({-5, 0}, {50, 0}), cruising({-5, 20}, {50, 20})});
   scene.moving_obstacles = {{{5, 0.2}, {-1, 0}, {}, 0.5},     // meets the first
-                            {{8, 0}, {0, 0}, {}, 0.5},        // so does this
+                            {{8, -0.4}, {0, 0.06}, {}, 0.5},  // so does this
                             {{-5, 18.8}, {2, 0}, {}, 0.5},    // follows the second, apart
                             {{0, 28}, {0, 0}, {0, -1}, 0.5},  // misses: the second is past
                             {{10, 40}, {2, -1}, {}, 0.5}};

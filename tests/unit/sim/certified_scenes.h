@@ -39,7 +39,9 @@ inline Scenario head_on(double distance, Kind kind) {
 /// Judges what a simulation of the scene does; all robots are there from the start.
 class Judge {
  public:
-  explicit Judge(const Scenario& scene) : check_(robots_of(scene), obstacles_of(scene)) {}
+  // The certificate promises that movers touch robots at rest only.
+  explicit Judge(const Scenario& scene)
+      : check_(robots_of(scene), obstacles_of(scene), {.movers_at_rest = true}) {}
 
   void observe(const Simulation& simulation) {
     const FleetView fleet = simulation.fleet();
