@@ -61,8 +61,8 @@ Value of_decisions(const RunOutcome& run) {
 
 // A robot that stands still and is run into has collided as well.
 bool has_collided(const avo::RunSummary& run) {
-  return run.collision_pairs > 0 || run.one_sided_collisions > 0 ||
-         run.obstacle_collisions > 0 || run.collision_obstacles > 0;
+  return run.collision_pairs > 0 || run.one_sided_collisions > 0 || run.obstacle_collisions > 0 ||
+         run.collision_obstacles > 0;
 }
 
 using avo::Decisions;

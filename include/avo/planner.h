@@ -116,8 +116,8 @@ struct PlannerOptions {
   double control_time = usual_control_time(method);
   double time_horizon = usual_time_horizon(method);  ///< [τ] s, > 0, Definition 2
   /// [κ] >= 0, of T = v_max/a_max; 0 but with method avo: v' is approached with the time constant
-  /// response_time_of(), and the acceleration goes from none to a_max in 0.8 of that time, but where
-  /// the certificate asks for more (docs/smoothness.md). 0: at once.
+  /// response_time_of(), and the acceleration goes from none to a_max in 0.8 of that time, but
+  /// where the certificate asks for more (docs/smoothness.md). 0: at once.
   double response_time = usual_response_time(method);
   /// m/s², > 0, of method avo: what is used of a_max but where the certificate asks for more, which
   /// counts on all of a_max; unset: all. Airplanes use all.
@@ -143,9 +143,9 @@ struct PlannerOptions {
   /// long as it senses its neighbors from where it is. A certificate keeps clear of walls all the
   /// same, and needs those that are so much farther away.
   double localization_error = 0.0;
-  /// m, >= 0, from the robot's disc: all walls within it are given, where that is farther than those
-  /// that the certificate needs; infinite: all of them. The farther, the more ways out a robot has
-  /// before movers (docs/movers.md).
+  /// m, >= 0, from the robot's disc: all walls within it are given, where that is farther than
+  /// those that the certificate needs; infinite: all of them. The farther, the more ways out a
+  /// robot has before movers (docs/movers.md).
   double wall_range = 0.0;
   Clock clock = Clock::common;  ///< free: motion held, no stopping_capsules (docs/certificate.md)
   /// s, >= 0, of a free clock: the largest time_step that any of the others has; 0: that of this
@@ -164,8 +164,8 @@ struct PlannerOptions {
 AVO_API PlannerOptions default_options(Method method);
 
 /// [T_e] s, the time constant with which a robot of these limits (m/s, m/s²) approaches v':
-/// min(max(response_time v_max/a_max, 2 Δt), δ), or a/(0.8 comfort_jerk) where that is more, a being
-/// what is used of a_max; 0: at once.
+/// min(max(response_time v_max/a_max, 2 Δt), δ), or a/(0.8 comfort_jerk) where that is more, a
+/// being what is used of a_max; 0: at once.
 AVO_API double response_time_of(const PlannerOptions& options, double max_speed,
                                 double max_acceleration);
 

@@ -83,8 +83,8 @@ struct MovingObstacle {
   double max_deviation = 0.0;
   std::optional<double> max_speed = {};  ///< m/s, > 0, with max_deviation: that it never exceeds
   /// m: it goes for these points one after the other and then for the first again, see
-  /// next_on_path(). With max_deviation and max_speed; empty: it has none. Robots that sense exactly
-  /// and decide at the same times know where it will be.
+  /// next_on_path(). With max_deviation and max_speed; empty: it has none. Robots that sense
+  /// exactly and decide at the same times know where it will be.
   std::vector<Vec2> path = {};
   /// By ascending times: it goes straight and evenly from each of these to the next. Before the
   /// first time and after the last one it stands there. Its position and velocity have to be those
@@ -176,9 +176,9 @@ struct Scenario {
   std::optional<double> response_time = {};  ///< [κ] >= 0, of T = v_max/a_max; likewise
   /// m/s², > 0, of method avo: see PlannerOptions; unset: none
   std::optional<double> comfort_acceleration = {};
-  std::optional<double> comfort_jerk = {};  ///< m/s³, likewise
-  double margin = 0.0;                      ///< [m] m, >= 0, of method avo: see PlannerOptions
-  bool never_swerves = false;               ///< of method avo: see PlannerOptions
+  std::optional<double> comfort_jerk = {};    ///< m/s³, likewise
+  double margin = 0.0;                        ///< [m] m, >= 0, of method avo: see PlannerOptions
+  bool never_swerves = false;                 ///< of method avo: see PlannerOptions
   std::optional<double> time_horizon = {};    ///< [τ] s, > 0; likewise
   std::optional<double> sensing_radius = {};  ///< m, > 0, between centers; unset: what they need
   std::optional<int> max_neighbors = {};  ///< nearest neighbors that get a half-plane; unset: all

@@ -266,8 +266,7 @@ Stop stop_from(const WayOptions& options, Surroundings& around, const WayState& 
   }
   Stop worst = Stop::clear;
   for (std::size_t k = 0; k < around.others.size(); ++k) {
-    worst = std::min(worst,
-                     stop_before(options, around, k, state, braking, worst == Stop::clear));
+    worst = std::min(worst, stop_before(options, around, k, state, braking, worst == Stop::clear));
     if (worst == Stop::too_late) break;
   }
   return worst;

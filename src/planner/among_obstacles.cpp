@@ -14,10 +14,10 @@
 #include "planner/margin.h"
 #include "planner/neighbor_order.h"
 #include "planner/options.h"
+#include "planner/pair_planes.h"
 #include "planner/passive_obstacles.h"
 #include "planner/reciprocal_obstacles.h"
 #include "planner/scratch.h"
-#include "planner/pair_planes.h"
 #include "planner/validity.h"
 #include "robots/model.h"
 

@@ -10,8 +10,8 @@
 #include "lp/linear_program.h"
 #include "planner/decision.h"
 #include "planner/demands.h"
-#include "planner/scratch.h"
 #include "planner/pair_planes.h"
+#include "planner/scratch.h"
 
 namespace avo {
 namespace {

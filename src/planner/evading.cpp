@@ -35,8 +35,9 @@ Predicted predicted(const Evading& evading, const Neighbor& neighbor, const Leve
   const double contact = robot.radius + neighbor.radius, speed = norm(neighbor.velocity);
   const bool is_followed = neighbor.trajectory != nullptr;
   const Vec2 acceleration = shares(neighbor) || is_followed ? Vec2{} : neighbor.acceleration;
-  const double kept = contact + error.position +
-                      (is_followed ? neighbor.trajectory->error() : parabola_error(acceleration, law));
+  const double kept =
+      contact + error.position +
+      (is_followed ? neighbor.trajectory->error() : parabola_error(acceleration, law));
   const double braking = evading.braking;
   const double time = evading.options.longest + law.time_step + braking;
   const double reaction = level.reaction * time_to_speed(robot);

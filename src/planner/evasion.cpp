@@ -13,7 +13,7 @@
 namespace avo {
 namespace {
 
-constexpr int kNearer = 4;               // bisections
+constexpr int kNearer = 4;  // bisections
 
 // Early, gently and far off at first; each is tried where the one before has none, and keeps less
 // than that by more than rounding may cost.
@@ -50,9 +50,10 @@ CertifiedWorkspace& without_movers(Evading& evading) {
   CertifiedWorkspace& certified = evading.workspace.certified;
   if (evading.has_constraints) return certified;
   deciding.clear();
-  std::copy_if(evading.sight.neighbors.begin(), evading.sight.neighbors.end(), std::back_inserter(deciding),
-               decides);
-  collect_constraints(evading.robot, deciding, evading.law, certified.constraints, evading.sight.walls);
+  std::copy_if(evading.sight.neighbors.begin(), evading.sight.neighbors.end(),
+               std::back_inserter(deciding), decides);
+  collect_constraints(evading.robot, deciding, evading.law, certified.constraints,
+                      evading.sight.walls);
   evading.has_constraints = true;
   return certified;
 }
@@ -150,9 +151,9 @@ enum class Way : unsigned char { none, as_wanted, another };
 bool find_beside(Evading& evading, const FirstSteps& steps, Vec2& next_velocity) {
   for (const FirstStep& step : steps) {
     if (!is_clear(evading, step)) continue;
-    const Vec2 v = choose_certified(evading.robot, step.next_velocity, evading.law,
-                                    without_movers(evading))
-                       .next_velocity;
+    const Vec2 v =
+        choose_certified(evading.robot, step.next_velocity, evading.law, without_movers(evading))
+            .next_velocity;
     const auto way = is_allowed(evading, v) ? find_way_after(evading, v) : std::nullopt;
     if (!way) continue;
     evading.workspace.chosen = *way, next_velocity = v;
@@ -187,9 +188,10 @@ bool is_far_from_movers(Evading& evading, Vec2 next_velocity) {
 
 // Whether all are seen exactly, and keep their acceleration.
 bool are_exact(const Evading& evading) {
-  return std::all_of(evading.sight.neighbors.begin(), evading.sight.neighbors.end(), [&](const Neighbor& n) {
-    return n.max_deviation == 0.0 && error_against(n, evading.law.step) == SensingError{};
-  });
+  return std::all_of(
+      evading.sight.neighbors.begin(), evading.sight.neighbors.end(), [&](const Neighbor& n) {
+        return n.max_deviation == 0.0 && error_against(n, evading.law.step) == SensingError{};
+      });
 }
 
 }  // namespace

@@ -7,7 +7,8 @@
 
 namespace avo {
 
-inline constexpr double kMarginFades = 4.0;  // radii, of the goal: none within, all within twice that
+inline constexpr double kMarginFades =
+    4.0;  // radii, of the goal: none within, all within twice that
 inline constexpr double kMarginOfGap = 0.5;  // at most: so each of two comes nearer to the other
 
 inline constexpr double kMoverMargin = 0.5;  // of A's radius: at least, of method avo

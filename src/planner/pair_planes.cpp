@@ -66,8 +66,7 @@ RelativeHalfPlane relative_half_plane(const PlannerOptions& options, const Horiz
                                       const Robot& robot, const Neighbor& neighbor) {
   Pair pair = relative(robot, neighbor);
   if (has_noise(options.sensing_noise)) pair.radius = reserved_radius(pair, options);
-  const double margin =
-      shares(neighbor) ? options.margin : mover_margin(options, robot.radius);
+  const double margin = shares(neighbor) ? options.margin : mover_margin(options, robot.radius);
   if (margin > 0.0)
     pair.radius = with_margin(pair, margin_on_way(margin, robot.radius, robot.distance_to_goal));
   if (parts(neighbor))

@@ -6,8 +6,8 @@
 #include <limits>
 
 #include "avo/half_plane.h"
-#include "planner/passive_candidates.h"
 #include "planner/pair_planes.h"
+#include "planner/passive_candidates.h"
 
 namespace avo {
 namespace {

@@ -158,7 +158,8 @@ void add_margins(const PlannerOptions& options, const Tile& tile, SoftPlanes& so
     const auto own = [&](double margin) {
       return margin_on_way(margin, robots.radius[r], robots.distance_to_goal[r]);
     };
-    const double margin = own(options.margin), larger = own(mover_margin(options, robots.radius[r]));
+    const double margin = own(options.margin),
+                 larger = own(mover_margin(options, robots.radius[r]));
     for (std::size_t k = robots.neighbors[r].first; i < soft.pair_end[r]; ++i, ++k) {
       const bool shares = tile.neighbors.decides[k] != NeighborColumns::kMover;
       pairs.radius[i] = with_margin({{pairs.p_x[i], pairs.p_y[i]}, {}, pairs.radius[i]},

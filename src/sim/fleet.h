@@ -60,9 +60,9 @@ struct Conduct {
 Conduct conduct_of(const RobotSetup& setup, Method usual);
 /// What A counts on from another robot that it avoids.
 enum class Expectation : std::uint8_t {
-  decides,     ///< it does its share, and keeps the certificate of A, if A has one
-  cooperates,  ///< it is said to do its share, and promises nothing
-  moves_on,    ///< it has a method of its own: its velocity is all that is known
+  decides,           ///< it does its share, and keeps the certificate of A, if A has one
+  cooperates,        ///< it is said to do its share, and promises nothing
+  moves_on,          ///< it has a method of its own: its velocity is all that is known
   does_as_it_likes,  ///< it does not avoid A, and keeps its limits
 };
 /// Nothing where A does not avoid B.

@@ -40,8 +40,8 @@ TEST(Set, changes_what_the_file_says) {
 }
 
 TEST(Set, changes_how_gently_robots_move) {
-  const Scenario scenario = load("circle-2", {"response_time=0", "comfort_acceleration=0.5",
-                                              "comfort_jerk=2", "margin=0.1"});
+  const Scenario scenario = load(
+      "circle-2", {"response_time=0", "comfort_acceleration=0.5", "comfort_jerk=2", "margin=0.1"});
   EXPECT_EQ(scenario.response_time, 0.0);
   EXPECT_EQ(scenario.comfort_acceleration, 0.5);
   EXPECT_EQ(scenario.comfort_jerk, 2.0);

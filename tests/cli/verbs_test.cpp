@@ -42,32 +42,19 @@ TEST(Verbs, scenes_are_listed_and_printed) {
   const std::vector<std::string> lines = lines_of(list.out);
   ASSERT_EQ(lines.size(), avo_io::builtin_scenes().size());
   const auto json = nlohmann::ordered_json::parse(run_avo({"scenes", "--json"}).out);
-  const std::vector<std::string> names{"arena",
-                                       "bottleneck",
-                                       "cars-100",
-                                       "circle-N",
-                                       "corridor",
-                                       "corridor-one-lane",
-                                       "crossed-crowd",
-                                       "crossing-streams",
-                                       "crowdnav-circle",
-                                       "crowdnav-square",
-                                       "doorway",
-                                       "doorway-narrow",
-                                       "drives-100",
-                                       "maze",
-                                       "mixed-fleet",
-                                       "mixed-yard",
-                                       "moving-obstacle",
-                                       "office",
-                                       "permutation-100",
-                                       "person",
-                                       "planes-12",
-                                       "positions-exchange",
-                                       "reversing-cars",
-                                       "swap-blocks",
-                                       "uniform-N",
-                                       "warehouse"};
+  const std::vector<std::string> names{"arena",           "bottleneck",
+                                       "cars-100",        "circle-N",
+                                       "corridor",        "corridor-one-lane",
+                                       "crossed-crowd",   "crossing-streams",
+                                       "crowdnav-circle", "crowdnav-square",
+                                       "doorway",         "doorway-narrow",
+                                       "drives-100",      "maze",
+                                       "mixed-fleet",     "mixed-yard",
+                                       "moving-obstacle", "office",
+                                       "permutation-100", "person",
+                                       "planes-12",       "positions-exchange",
+                                       "reversing-cars",  "swap-blocks",
+                                       "uniform-N",       "warehouse"};
   for (const std::string file : {"arena.map", "arena.scen"})
     write_file(path_of(file), run_avo({"scenes", file}).out);
   for (std::size_t i = 0; i < names.size(); ++i) {

@@ -328,7 +328,8 @@ const std::vector<BadScene>& bad_scenes() {
        "method, time_horizon"},
       {"placement_unknown",
        s("version: 1\ngroups:\n  - {number: 3, placement: cirle, goals: antipodal}\n"),
-       "3:28: groups.0.placement: found \"cirle\", must be one of circle, grid, line, random, ring; "
+       "3:28: groups.0.placement: found \"cirle\", must be one of circle, grid, line, random, "
+       "ring; "
        "did you mean \"circle\"?"},
       {"placement_needs_more",
        s("version: 1\ngroups:\n  - {number: 3, placement: grid, goals: antipodal}\n"),

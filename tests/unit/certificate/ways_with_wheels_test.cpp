@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Ways out of robots with wheels (docs/movers.md): their arcs are clear where ways are called clear,
-// and what is left of a way after a step is a way.
+// Ways out of robots with wheels (docs/movers.md): their arcs are clear where ways are called
+// clear, and what is left of a way after a step is a way.
 #include <algorithm>
 #include <cmath>
 #include <gtest/gtest.h>
@@ -170,8 +170,7 @@ TEST(WaysWithWheels, what_is_left_of_a_clear_way_is_one) {
     Case later = after_step(c);
     const bool brakes = has_clear_braking(later), goes_on = has_clear_way(later);
     ASSERT_TRUE(brakes || goes_on) << trial;
-    const Vec2 next =
-        goes_on ? later.next() : braked(later.now.velocity, later.options.decrement);
+    const Vec2 next = goes_on ? later.next() : braked(later.now.velocity, later.options.decrement);
     ASSERT_TRUE(stops_in_time(later.at(), later.around, later.now, next))
         << trial << ": the certificate would refuse it";
   }

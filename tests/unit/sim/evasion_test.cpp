@@ -80,7 +80,8 @@ Watched watch(const Scenario& scene, double duration) {
       }
     }
     p = next, v = simulation.fleet().velocity[0];
-    const bool is_there = norm(simulation.fleet().position[0] - robot.goal) <= scene.arrival_distance;
+    const bool is_there =
+        norm(simulation.fleet().position[0] - robot.goal) <= scene.arrival_distance;
     if (is_there) result.arrives = std::min(result.arrives, simulation.time());
   }
   return result;
@@ -109,9 +110,8 @@ TEST(Evasion, nobody_on_wheels_is_hit_alone_among_movers) {
   Car with_body{.wheelbase = 0.5, .max_curvature = 0.8, .body = CarBody{0.25, 0.4}};
   with_body.reverse = true;
   test::Random random(38);
-  for (const MotionModel& model :
-       {MotionModel{Car{.wheelbase = 0.5}}, MotionModel{narrow}, MotionModel{with_body},
-        MotionModel{DifferentialDrive{}}}) {
+  for (const MotionModel& model : {MotionModel{Car{.wheelbase = 0.5}}, MotionModel{narrow},
+                                   MotionModel{with_body}, MotionModel{DifferentialDrive{}}}) {
     for (const int count : {1, 4}) {
       for (int trial = 0; trial < 8; ++trial) {
         SCOPED_TRACE(testing::Message() << model.index() << ", " << count << ", " << trial);

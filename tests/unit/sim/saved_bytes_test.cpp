@@ -171,8 +171,9 @@ TEST(SavedBytes, forged_values_are_refused) {
   EXPECT_EQ(forged(end - 11, 1),
             "saved state: found a parked robot that has moved, must be one at its goal");
   for (const char* kinds : {"3", "9", "16", "256"})
-    EXPECT_EQ(forged(end - 11, std::stoul(kinds)),
-              std::string("saved state: found the kinds of a robot ") + kinds + ", must be known ones");
+    EXPECT_EQ(
+        forged(end - 11, std::stoul(kinds)),
+        std::string("saved state: found the kinds of a robot ") + kinds + ", must be known ones");
   EXPECT_EQ(forged(robots, 2), "saved state: found 160 more bytes, must be no more");
 }
 

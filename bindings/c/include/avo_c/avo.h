@@ -289,8 +289,9 @@ typedef struct avo_planner_def {
   double response_time;  ///< >= 0, of max_speed/max_acceleration; 0: at once. 0 but of method avo
   double comfort_acceleration;  ///< m/s^2, > 0, what is used without need; 0: max_acceleration
   double comfort_jerk;          ///< m/s^3, > 0, likewise; 0: what follows from response_time
-  double margin;  ///< m, >= 0, clearance from others that is wished for; 0 but of method avo
-  double wall_range;  ///< m, >= 0, from the robot's disc, within which all walls are given; INFINITY: all
+  double margin;      ///< m, >= 0, clearance from others that is wished for; 0 but of method avo
+  double wall_range;  ///< m, >= 0, from the robot's disc, within which all walls are given;
+                      ///< INFINITY: all
   /// Movers touch the robot at rest only, always. Else it may pass in front of one, alone among
   /// movers, where braking comes too late. false but of method avo.
   bool never_swerves;
