@@ -326,7 +326,9 @@ bool may_approach(const WayOptions& options, Surroundings& around, Vec2 w) {
 bool stops_in_time(const WayOptions& options, const Surroundings& around, const WayState& now,
                    Vec2 next_velocity) {
   const StepLaw& law = options.law;
-  const auto [step, state] = step_of(options, now, next_velocity);
+  const WayStep first = step_of(options, now, next_velocity);
+  const Hull& step = first.path;
+  const WayState& state = first.next;
   const FullBraking braking = braking_from(options, state);
   const bool moves = !is_rest(now.velocity) || !is_rest(next_velocity);
   return std::all_of(around.others.begin(), around.others.end(), [&](const Predicted& other) {

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstddef>
 
+#include "core/plane.h"
 #include "planner/arrival.h"
 #include "robots/model.h"
 

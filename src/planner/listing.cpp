@@ -14,6 +14,7 @@
 #include "planner/certify.h"
 #include "planner/decision.h"
 #include "planner/demands.h"
+#include "planner/evasion.h"
 #include "planner/flight.h"
 #include "planner/neighbor_order.h"
 #include "planner/pair_planes.h"

@@ -14,6 +14,7 @@
 #include "planner/clamped.h"
 #include "planner/contact.h"
 #include "planner/demands.h"
+#include "planner/evasion.h"
 #include "planner/execution.h"
 #include "planner/flight.h"
 #include "planner/scratch.h"

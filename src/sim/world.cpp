@@ -6,6 +6,7 @@
 #include <limits>
 #include <utility>
 
+#include "core/plane.h"
 #include "planner/certify.h"
 #include "planner/demands.h"
 #include "planner/evading.h"
