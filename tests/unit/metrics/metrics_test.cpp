@@ -281,7 +281,7 @@ TEST(Metrics, decisions_are_counted_by_status) {
 TEST(Metrics, who_has_not_arrived_is_told_with_those_that_touch_it) {
   Scenario scene =
       blind({robot_at({0, 0}, {9, 0}), robot_at({20, 0}, {20.4, 0}), robot_at({-1.05, 0}, {-9, 0}),
-             robot_at({0, 1.11}, {0, 9}), robot_at({0.5, -0.95}, {0.5, -0.95})});
+             robot_at({0, 1.16}, {0, 9}), robot_at({0.5, -0.95}, {0.5, -0.95})});
   scene.moving_obstacles = {{{9, 9}, {}, {}, 0.5}, {{0.9, 0.9}, {}, {}, 0.7}};
   RunSummary summary = run(scene, 0);
   ASSERT_EQ(summary.not_arrived.size(), 3u);  // without robots 1 and 4

@@ -55,12 +55,13 @@ double clearance_on(Robot robot, const Neighbor& other, Vec2 first, const Evasio
 TEST(Evading, says_whom_and_on_which_way) {
   const Planner planner(default_options(Method::avo));
   PlanWorkspace workspace;
-  Robot robot = resting();
+  Robot robot;
+  robot.velocity = robot.preferred_velocity = {2, 0};
   int evading = 0;
   for (int step = 0; step < 120; ++step) {
-    // the nearer one stands aside
-    const std::vector<Neighbor> others{walker({0.5, -2.0}, {}),
-                                       walker({-8.0 + 0.1 * step, 0.05}, {1, 0})};
+    // the other one stands aside
+    const std::vector<Neighbor> others{walker({9.0, 9.0}, {}),
+                                       walker({2.0, 3.0 - 0.1 * step}, {0, -1})};
     const Plan plan = planner.plan(robot, others, workspace);
     const auto way = planner.evasion(robot, others, workspace);
     ASSERT_EQ(way.has_value(), plan.evading) << step;
