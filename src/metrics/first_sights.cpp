@@ -6,14 +6,11 @@
 #include <span>
 
 #include "avo/assumptions.h"
+#include "metrics/certified.h"
 
 namespace avo {
 
-FirstSights::FirstSights(const Scenario& scenario)
-    : certified_(
-          std::any_of(scenario.robots.begin(), scenario.robots.end(), [&](const RobotSetup& robot) {
-            return certificate_of(scenario, robot) != Certificate::none;
-          })) {
+FirstSights::FirstSights(const Scenario& scenario) : certified_(some_keep_certificate(scenario)) {
   if (!certified_) return;
   const std::optional<SensingNeed> need = sensing_need(scenario);
   may_be_late_ = scenario.sensing.misses() || (need && need->range > sensing_radius_of(scenario));

@@ -4,10 +4,12 @@
 #include <algorithm>
 #include <cstddef>
 
+#include "metrics/certified.h"
+
 namespace avo {
 
 MoverSights::MoverSights(const Scenario& scenario)
-    : certified_(planner_options(scenario).certificate != Certificate::none),
+    : certified_(some_keep_certificate(scenario)),
       has_movers_(!scenario.moving_obstacles.empty()) {}
 
 // Nobody is asked what it senses but one who has somebody else in reach than before: most steps

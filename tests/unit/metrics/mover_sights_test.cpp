@@ -107,6 +107,15 @@ TEST(MoverSights, are_those_of_the_last_time) {
   EXPECT_EQ(summary.obstacle_collisions_evadable, 0);
 }
 
+// Who keeps a certificate counts, whatever the method of the scene is.
+TEST(MoverSights, are_of_robots_that_have_a_method_of_their_own) {
+  Scenario scene = among_movers(2);
+  scene.method = Method::orca;
+  EXPECT_EQ(run(scene, 2).obstacle_collisions_evadable, std::nullopt);
+  scene.robots[0].method = Method::avo;
+  EXPECT_EQ(run(scene, 2).obstacle_collisions_evadable, 0);
+}
+
 TEST(MoverSights, say_nothing_without_a_certificate) {
   Scenario scene = walled_in(1.0);
   scene.certificate = Certificate::none;
