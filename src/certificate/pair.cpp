@@ -3,8 +3,10 @@
 #include "certificate/pair.h"
 
 #include <algorithm>
+#include <cstddef>
 
 #include "certificate/kernels.h"
+#include "core/timed_places.h"
 
 namespace avo {
 namespace {
@@ -39,12 +41,10 @@ double way_on_trajectory(const Neighbor& mover, double time) {
   double way = norm(trajectory.at(mover.trajectory_time) - mover.position);
   way = std::max(way, norm(trajectory.at(end) - mover.position));
   const std::span<const TimedPlace> places = trajectory.places();
-  const auto later = [](double t, const TimedPlace& place) { return t < place.time; };
-  for (auto place = std::upper_bound(places.begin(), places.end(), mover.trajectory_time, later);
-       place != places.end() && place->time < end; ++place)
-    way = std::max(way, norm(place->position - mover.position));
-  if (trajectory.repeats_from() && !(end < trajectory.places().back().time))
-    way += trajectory.round();
+  for (std::size_t k = first_later(places, mover.trajectory_time);
+       k < places.size() && places[k].time < end; ++k)
+    way = std::max(way, norm(places[k].position - mover.position));
+  if (trajectory.repeats_from() && !(end < places.back().time)) way += trajectory.round();
   return way + trajectory.error() + 0.5 * time * time * mover.max_deviation;
 }
 

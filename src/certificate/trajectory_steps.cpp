@@ -4,33 +4,10 @@
 #include <algorithm>
 
 #include "core/plane.h"
+#include "core/timed_places.h"
 #include "walls/segment.h"
 
 namespace avo {
-namespace {
-
-// From that place on.
-std::size_t first_later(std::span<const TimedPlace> places, double time, std::size_t from = 0) {
-  const auto later = [](double t, const TimedPlace& place) { return t < place.time; };
-  const auto begin = places.begin() + static_cast<std::ptrdiff_t>(from);
-  return static_cast<std::size_t>(std::upper_bound(begin, places.end(), time, later) -
-                                  places.begin());
-}
-
-// Where the trajectory is at a time; ahead: of the places, the first that is later.
-Vec2 place_on(const Trajectory& trajectory, std::size_t ahead, double time) {
-  const std::span<const TimedPlace> places = trajectory.places();
-  const std::size_t count = places.size();
-  if (ahead == 0) return places[0].position;
-  if (ahead == count && (trajectory.repeats_from() || count == 1))
-    return places[count - 1].position;
-  const std::size_t k = std::min(ahead, count - 1);
-  const TimedPlace &a = places[k - 1], &b = places[k];
-  return a.position + ((time - a.time) / (b.time - a.time)) * (b.position - a.position);
-}
-
-}  // namespace
-
 void TrajectorySteps::reserve(std::size_t intervals) {
   if (bend.size() >= intervals + 1 + kConstraintLanes) return;  // the last to grow
   for (std::vector<double>* column : {&x, &y, &bend})

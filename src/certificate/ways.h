@@ -8,34 +8,10 @@
 
 #include "avo/robot.h"
 #include "certificate/braking_path.h"
-#include "certificate/trajectory_steps.h"
+#include "certificate/predicted.h"
 #include "walls/segment.h"
 
 namespace avo {
-
-/// Somebody whom a way has to keep clear of, who keeps its acceleration for ever, or its
-/// trajectory.
-struct Predicted {
-  Vec2 position, velocity, acceleration;  // m, m/s, m/s²; read where there is no trajectory
-  TrajectorySteps* trajectory = nullptr;  // from p_A, in steps of A
-  double contact = 0.0;                   ///< m, to be kept from it
-  double drift = 0.0;                     ///< [e] m/s, by which its velocity may be another one
-  double deviation = 0.0;                 ///< [η] m/s², likewise its acceleration
-  double reaction = 0.0;                  ///< [T] s: e and η are reckoned with for so long
-  /// (C2): A has to be able to be at rest when it comes, and keeps stop_contact (m) until then.
-  bool asks_to_stop = false;
-  double stop_contact = 0.0;
-  double max_speed = std::numeric_limits<double>::infinity();  ///< [V] m/s
-  double fastest = 0.0;  ///< m/s: neither it nor its spread ever comes nearer by more in a second
-
-  // On a trajectory the time is a whole number of steps.
-  Vec2 place_at(double time) const;
-  Vec2 velocity_at(double time) const;
-  /// m, by which it may be off the parabola of three points in the step that begins then.
-  double bend_at(double time) const;
-  /// [ρ] m, by which it may be elsewhere then.
-  double spread_at(double time) const;
-};
 
 /// A wall, as ways see it.
 struct KeptWall {
@@ -78,9 +54,6 @@ struct Surroundings {
 
   void reserve(std::size_t most_others);
 };
-
-/// (C1) of a robot that rests at `place` from that time on, for ever.
-bool rests_clear(const Predicted& other, Vec2 place, double time);
 
 /// Begins ways among others and walls that have been filled in.
 void begin_ways(const WayOptions& options, Surroundings& around);

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "core/ranges.h"
+#include "core/timed_places.h"
 
 namespace avo {
 namespace {
@@ -32,13 +33,6 @@ void check_places(std::span<const TimedPlace> places, std::optional<double> repe
   if (!is_one) refuse("repeats_from", text(*repeats_from), "the time of one of the places");
 }
 
-// Index of the first place that is later than that.
-std::size_t later_than(const std::vector<TimedPlace>& places, double time) {
-  const auto later = [](double t, const TimedPlace& place) { return t < place.time; };
-  return static_cast<std::size_t>(std::upper_bound(places.begin(), places.end(), time, later) -
-                                  places.begin());
-}
-
 }  // namespace
 
 Trajectory::Trajectory(std::span<const TimedPlace> places, double error,
@@ -61,26 +55,18 @@ void Trajectory::assign(std::span<const TimedPlace> places, double error,
     const auto& [time, position] = places[k];
     if (repeats_from && time >= *repeats_from)
       round_ = std::max(round_, norm(position - places.back().position));
-    if (k > 0) {
-      const TimedPlace& before = places[k - 1];
-      fastest = std::max(fastest, norm(position - before.position) / (time - before.time));
-    }
+    if (k > 0) fastest = std::max(fastest, leg_speed(places[k - 1], places[k]));
     speed_[k] = fastest;
   }
 }
 
 double Trajectory::max_speed(double time) const {
-  const std::size_t next = later_than(places_, time);
+  const std::size_t next = first_later(places_, time);
   return speed_[std::min(next, places_.size() - 1)];
 }
 
 Vec2 Trajectory::at(double time) const {
-  const std::size_t count = places_.size(), next = later_than(places_, time);
-  if (next == 0) return places_[0].position;
-  if (next == count && (repeats_from_ || count == 1)) return places_[count - 1].position;
-  const std::size_t k = std::min(next, count - 1);
-  const TimedPlace &a = places_[k - 1], &b = places_[k];
-  return a.position + ((time - a.time) / (b.time - a.time)) * (b.position - a.position);
+  return place_on(*this, first_later(places_, time), time);
 }
 
 }  // namespace avo

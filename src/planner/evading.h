@@ -46,7 +46,6 @@ struct Evading {
   WayOptions options;
   double braking = 0.0;          // s, that it takes at most
   bool has_constraints = false;  // in the workspace
-  double brakes_at = 0.0;        // s, of the way that is taken
 
   WayState now() const { return {{}, robot.velocity, 0.0, robot.heading}; }
 };

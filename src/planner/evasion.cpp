@@ -128,16 +128,34 @@ Vec2 followed(const Evading& evading, Vec2 next_velocity) {
   return within_own_limits(evading.robot, evading.law.step.braking_time, next_velocity);
 }
 
+// What is taken in place of a choice: the velocity after the step, and the way that begins with it.
+struct Taken {
+  Vec2 next_velocity;
+  Evasion way;
+};
+
+// Of the first step that was found clear last.
+Taken taken(const Evading& evading, const FirstStep& step) {
+  const Surroundings& around = evading.workspace.around;
+  if (step.then == Then::brakes) return {step.next_velocity, {}};
+  const Vec2 w = step.then == Then::holds ? around.after.velocity : step.w;
+  return {step.next_velocity, {-1, w, around.brakes_at}};
+}
+
+bool may_take(Evading& evading, const FirstStep& step) {
+  return is_clear(evading, step) && is_allowed(evading, step.next_velocity);
+}
+
 // As near to what is wanted as bisection finds.
-Vec2 nearer(Evading& evading, const FirstStep& step, Vec2 wanted) {
+Taken nearer(Evading& evading, const FirstStep& step, Vec2 wanted) {
   double refused = 0.0, kept = 1.0;
-  Vec2 best = step.next_velocity;
+  Taken best = taken(evading, step);
   for (int k = 0; k < kNearer; ++k) {
     const double part = 0.5 * (refused + kept);
     const Vec2 between = followed(evading, wanted + part * (step.next_velocity - wanted));
-    if (is_clear(evading, {between, step.then, step.w}) && is_allowed(evading, between)) {
-      kept = part, best = between;
-      evading.brakes_at = evading.workspace.around.brakes_at;
+    const FirstStep candidate{between, step.then, step.w};
+    if (may_take(evading, candidate)) {
+      kept = part, best = taken(evading, candidate);
     } else {
       refused = part;
     }
@@ -148,7 +166,7 @@ Vec2 nearer(Evading& evading, const FirstStep& step, Vec2 wanted) {
 enum class Way : unsigned char { none, as_wanted, another };
 
 // Where others refuse the first steps of ways, what is nearest to one of them and leaves a way.
-bool find_beside(Evading& evading, const FirstSteps& steps, Vec2& next_velocity) {
+bool find_beside(Evading& evading, const FirstSteps& steps, Taken& found) {
   for (const FirstStep& step : steps) {
     if (!is_clear(evading, step)) continue;
     const Vec2 v =
@@ -156,25 +174,22 @@ bool find_beside(Evading& evading, const FirstSteps& steps, Vec2& next_velocity)
             .next_velocity;
     const auto way = is_allowed(evading, v) ? find_way_after(evading, v) : std::nullopt;
     if (!way) continue;
-    evading.workspace.chosen = *way, next_velocity = v;
+    found = {v, *way};
     return true;
   }
   return false;
 }
 
-Way find_way(Evading& evading, const Level& level, Vec2 wanted, Vec2& next_velocity) {
+Way find_way(Evading& evading, const Level& level, Vec2 wanted, Taken& found) {
   look_around(evading, level);
   if (find_way_after(evading, wanted)) return Way::as_wanted;
   const FirstSteps steps = first_steps(evading, wanted);
   for (const FirstStep& step : steps) {
-    if (!is_clear(evading, step) || !is_allowed(evading, step.next_velocity)) continue;
-    evading.brakes_at = evading.workspace.around.brakes_at;
-    next_velocity = nearer(evading, step, wanted);
-    const Vec2 w = step.then == Then::holds ? next_velocity : step.w;
-    evading.workspace.chosen = {-1, w, step.then == Then::brakes ? 0.0 : evading.brakes_at};
+    if (!may_take(evading, step)) continue;
+    found = nearer(evading, step, wanted);
     return Way::another;
   }
-  return find_beside(evading, steps, next_velocity) ? Way::another : Way::none;
+  return find_beside(evading, steps, found) ? Way::another : Way::none;
 }
 
 // Whether braking after that step is clear of movers, whoever else is there: it is admitted.
@@ -205,10 +220,10 @@ void keep_a_way_out(const CertificateLaw& law, const Robot& robot, const Sight& 
   const Vec2 wanted = robot.velocity + law.step.braking_time * plan.acceleration;
   if (is_far_from_movers(evading, wanted)) return;
   keep_walls(evading);
-  Vec2 next_velocity;
+  Taken found;
   const auto try_all = [&](std::span<const Level> levels) {
     for (const Level& level : levels) {
-      const Way way = find_way(evading, level, wanted, next_velocity);
+      const Way way = find_way(evading, level, wanted, found);
       if (way != Way::none) return way;
     }
     return Way::none;
@@ -219,11 +234,12 @@ void keep_a_way_out(const CertificateLaw& law, const Robot& robot, const Sight& 
   if (way == Way::none && try_all(levels.last(1)) != Way::none) way = try_all(levels.subspan(1));
   if (way == Way::none && may_swerve && are_exact(evading)) way = try_all(kLastLevels);
   if (way != Way::another) return;
-  const Plan found = plan_under(law, robot, next_velocity, PlanStatus::candidate, plan.violation);
-  plan.new_velocity = found.new_velocity, plan.acceleration = found.acceleration;
-  if (plan.status != PlanStatus::overlapping) plan.status = found.status;
+  const Plan evasive =
+      plan_under(law, robot, found.next_velocity, PlanStatus::candidate, plan.violation);
+  plan.new_velocity = evasive.new_velocity, plan.acceleration = evasive.acceleration;
+  if (plan.status != PlanStatus::overlapping) plan.status = evasive.status;
   plan.evading = true;
-  workspace.put_aside = wanted;
+  workspace.chosen = found.way, workspace.put_aside = wanted;
 }
 
 bool has_way_out(const CertificateLaw& law, const Robot& robot, const Sight& sight,

@@ -26,6 +26,7 @@ double horizon_of(const World& world) {
     robot.max_speed = traits.max_speed;
     robot.max_acceleration = traits.max_acceleration;
     robot.max_braking = max_braking_of(traits);
+    if (traits.has_model) robot.model = *world.fleet.own_model(slot);
     longest = std::max(longest, longest_way_out(robot, law));
   }
   return longest;

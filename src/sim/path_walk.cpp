@@ -2,9 +2,12 @@
 // A moving obstacle that goes from point to point, in the same steps as the robots, or that is
 // where a trajectory says.
 #include <algorithm>
+#include <cstddef>
+#include <cstdint>
 
 #include "avo/scenario.h"
 #include "core/plane.h"
+#include "core/timed_places.h"
 #include "sim/goals_kernel.h"
 
 namespace avo {
@@ -33,14 +36,12 @@ PathWalk next_on_path(const MovingObstacle& obstacle, const PathWalk& walk, doub
 
 PathWalk on_trajectory(const MovingObstacle& obstacle, double time) {
   const std::vector<TimedPlace>& places = obstacle.trajectory;
-  const auto next =
-      std::upper_bound(places.begin(), places.end(), time,
-                       [](double t, const TimedPlace& place) { return t < place.time; });
-  const auto target = static_cast<std::uint32_t>(next - places.begin());
-  if (next == places.begin()) return {next->position, {}, target};
-  const TimedPlace& last = *(next - 1);
-  if (next == places.end()) return {last.position, {}, target - 1};
-  const Vec2 velocity = (next->position - last.position) / (next->time - last.time);
+  const std::size_t next = first_later(places, time);
+  const auto target = static_cast<std::uint32_t>(next);
+  if (next == 0) return {places[0].position, {}, target};
+  const TimedPlace& last = places[next - 1];
+  if (next == places.size()) return {last.position, {}, target - 1};
+  const Vec2 velocity = (places[next].position - last.position) / (places[next].time - last.time);
   return {last.position + (time - last.time) * velocity, velocity, target};
 }
 

@@ -15,6 +15,7 @@
 #include "certificate/certificate.h"
 #include "core/elementary.h"
 #include "core/plane.h"
+#include "core/timed_places.h"
 #include "planner/certify.h"
 #include "robots/model.h"
 #include "sim/assumptions.h"
@@ -54,8 +55,7 @@ double fastest_on_trajectory(const MovingObstacle& obstacle) {
   double fastest = 0.0;
   const std::vector<TimedPlace>& places = obstacle.trajectory;
   for (std::size_t k = 1; k < places.size(); ++k)
-    fastest = std::max(fastest, norm(places[k].position - places[k - 1].position) /
-                                    (places[k].time - places[k - 1].time));
+    fastest = std::max(fastest, leg_speed(places[k - 1], places[k]));
   return fastest;
 }
 

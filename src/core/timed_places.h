@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: Apache-2.0
+// Places with ascending times, straight in between.
+#pragma once
+#include <algorithm>
+#include <cstddef>
+#include <span>
+
+#include "avo/trajectory.h"
+
+namespace avo {
+
+/// Of the places from `from` on, the index of the first one that is later than that; their number
+/// where there is none.
+inline std::size_t first_later(std::span<const TimedPlace> places, double time,
+                               std::size_t from = 0) {
+  const auto later = [](double t, const TimedPlace& place) { return t < place.time; };
+  const auto begin = places.begin() + static_cast<std::ptrdiff_t>(from);
+  return static_cast<std::size_t>(std::upper_bound(begin, places.end(), time, later) -
+                                  places.begin());
+}
+
+/// m/s, from one place to the next.
+inline double leg_speed(const TimedPlace& from, const TimedPlace& to) {
+  return norm(to.position - from.position) / (to.time - from.time);
+}
+
+/// Trajectory::at(), where first_later() of its places is known, m.
+inline Vec2 place_on(const Trajectory& trajectory, std::size_t later, double time) {
+  const std::span<const TimedPlace> places = trajectory.places();
+  const std::size_t count = places.size();
+  if (later == 0) return places[0].position;
+  if (later == count && (trajectory.repeats_from() || count == 1))
+    return places[count - 1].position;
+  const std::size_t k = std::min(later, count - 1);
+  const TimedPlace &a = places[k - 1], &b = places[k];
+  return a.position + ((time - a.time) / (b.time - a.time)) * (b.position - a.position);
+}
+
+}  // namespace avo

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "sim/obstacle_columns.h"
+
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <optional>
+
+namespace avo {
+
+ObstacleColumns::ObstacleColumns(const std::vector<MovingObstacle>& obstacles)
+    : setup(obstacles), target(obstacles.size(), 0) {
+  for (const MovingObstacle& obstacle : obstacles) {
+    position.push_back(obstacle.position);
+    velocity.push_back(obstacle.velocity);
+    has_paths = has_paths || !obstacle.path.empty();
+  }
+}
+
+namespace {
+
+constexpr double kNearlyAtRest = 0.05;  // m/s
+constexpr double kMoved = 0.25;         // of the radius: a slow one is told in steps of so much
+
+// The disc of one at rest, or within which a slow one is; nothing of one that moves, or will.
+std::optional<Wall> resting_disc(const ObstacleColumns& obstacles, std::size_t k) {
+  const MovingObstacle& setup = obstacles.setup[k];
+  const Vec2 p = obstacles.position[k], v = obstacles.velocity[k];
+  if (!(norm_squared(v) <= kNearlyAtRest * kNearlyAtRest) || setup.acceleration != Vec2{} ||
+      setup.path.size() > 1)
+    return std::nullopt;
+  if (v == Vec2{} && setup.path.empty()) return Wall{p, p, setup.radius};
+  if (!setup.path.empty() && norm(setup.path[0] - p) > setup.radius) return std::nullopt;
+  const double step = kMoved * setup.radius;
+  const Vec2 place{step * std::round(p.x / step), step * std::round(p.y / step)};
+  return Wall{place, place, setup.radius + 0.5 * std::numbers::sqrt2 * step};
+}
+
+}  // namespace
+
+std::vector<Wall> ObstacleColumns::resting() const {
+  std::vector<Wall> discs;
+  for (std::size_t k = 0; k < setup.size(); ++k)
+    if (const std::optional<Wall> disc = resting_disc(*this, k)) discs.push_back(*disc);
+  return discs;
+}
+
+bool ObstacleColumns::rest_as(std::span<const Wall> discs) const {
+  std::size_t count = 0;
+  for (std::size_t k = 0; k < setup.size(); ++k) {
+    const std::optional<Wall> disc = resting_disc(*this, k);
+    if (!disc) continue;
+    if (count == discs.size() || disc->a != discs[count].a || disc->radius != discs[count].radius)
+      return false;
+    ++count;
+  }
+  return count == discs.size();
+}
+
+Neighbor ObstacleColumns::sensed(std::size_t index) const {
+  Neighbor neighbor{
+      .position = position[index],
+      .velocity = velocity[index],
+      .radius = setup[index].radius,
+      .behavior = Behavior::moves_on,
+      .max_deviation = setup[index].max_deviation,
+      .acceleration = setup[index].acceleration,
+      .max_speed = setup[index].max_speed.value_or(std::numeric_limits<double>::infinity())};
+  if (foresight.trajectory.empty() || setup[index].path.empty()) return neighbor;
+  neighbor.max_deviation = 0.0;
+  neighbor.trajectory = &foresight.trajectory[index];
+  neighbor.trajectory_time = static_cast<double>(steps) * foresight.time_step;
+  return neighbor;
+}
+
+void ObstacleColumns::advance(double time_step, double time) {
+  ++steps;
+  for (std::size_t k = 0; k < setup.size(); ++k) {
+    if (!setup[k].trajectory.empty()) {
+      const PathWalk next = on_trajectory(setup[k], time);
+      position[k] = next.position, velocity[k] = next.velocity;
+      continue;
+    }
+    if (!setup[k].path.empty()) {
+      const PathWalk next = next_on_path(setup[k], walk(k), time_step);
+      position[k] = next.position, velocity[k] = next.velocity, target[k] = next.target;
+      continue;
+    }
+    const Vec2 a = setup[k].acceleration;
+    position[k] = position[k] + time_step * velocity[k] + (0.5 * time_step * time_step) * a;
+    velocity[k] = velocity[k] + time_step * a;
+  }
+}
+
+}  // namespace avo
