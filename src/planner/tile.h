@@ -21,7 +21,7 @@ struct Tile {
   std::vector<std::span<const Wall>> walls;  ///< of each robot; none where no robot has any
   std::vector<std::uint32_t> slot;           ///< what whoever fills the tile calls each robot
   std::vector<std::uint8_t> maneuvers;  ///< by steer(): 1 of a robot that maneuvers beside walls
-  bool remembers = true;  ///< what is in `detour` is of the robots' last decisions
+  bool remembers = true;                ///< what is in `detour` is of the robots' last decisions
   bool trusted = true;  ///< the robots and their neighbors are known to be finite and in range
 
   std::span<const Wall> walls_of(std::size_t i) const {

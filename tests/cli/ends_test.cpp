@@ -192,8 +192,8 @@ TEST(Volume, verbose_tells_settings_and_changes_no_results) {
         "set               duration=2\n", "robots            6, 0 of them parked\n",
         "method            avo_paper\n", "certificate       none\n",
         "control_time      4 s (delta)\n", "time_horizon      10 s (tau)\n",
-        "response_time     0: at once\n",
-        "duration          2 s\n", "threads           1\n", "instructions      "})
+        "response_time     0: at once\n", "duration          2 s\n", "threads           1\n",
+        "instructions      "})
     EXPECT_NE(loud.err.find(line), std::string::npos) << line << loud.err;
   EXPECT_EQ(plain.err.find("instructions"), std::string::npos);
   EXPECT_EQ(run_avo({"run", "circle-2", "-v", "-q"}).exit_code, 2);

@@ -51,7 +51,8 @@ std::optional<HalfPlane> plane_with(double margin, const Robot& robot, const Nei
 void expect_as_if_larger(double by, const Robot& robot, const Neighbor& neighbor) {
   Neighbor larger = neighbor;
   larger.radius += by;
-  const auto wished = plane_with(kWished, robot, neighbor), expected = plane_with(0.0, robot, larger);
+  const auto wished = plane_with(kWished, robot, neighbor),
+             expected = plane_with(0.0, robot, larger);
   ASSERT_TRUE(wished && expected);
   EXPECT_NEAR(norm(wished->normal - expected->normal), 0.0, 1e-9);
   EXPECT_NEAR(wished->offset, expected->offset, 1e-9);

@@ -72,8 +72,8 @@ TEST(Comfort, acceleration_is_not_exceeded_in_the_open) {
 TEST(Comfort, acceleration_is_not_exceeded_by_any_robot_that_nobody_hinders) {
   Scenario scene;
   scene.comfort_acceleration = 0.2;
-  for (const MotionModel& model : {MotionModel{Car{0.8}}, MotionModel{DifferentialDrive{}},
-                                  MotionModel{Holonomic{}}}) {
+  for (const MotionModel& model :
+       {MotionModel{Car{0.8}}, MotionModel{DifferentialDrive{}}, MotionModel{Holonomic{}}}) {
     scene.robots = {robot_at({0, 0}, {8, 0})};
     scene.robots[0].model = model;
     scene.moving_obstacles.clear();
@@ -147,8 +147,8 @@ double least_clearance(const Scenario& scene) {
   for (int step = 0; step < 600 && !simulation.all_at_goal(); ++step) {
     simulation.step();
     const auto position = simulation.fleet().position;
-    least = std::min(least, norm(position[0] - position[1]) - scene.robots[0].radius -
-                                scene.robots[1].radius);
+    least = std::min(
+        least, norm(position[0] - position[1]) - scene.robots[0].radius - scene.robots[1].radius);
   }
   EXPECT_TRUE(simulation.all_at_goal());
   return least;
@@ -180,8 +180,7 @@ TEST(Margin, closes_no_door) {
 
 TEST(Margin, lets_robots_come_to_goals_beside_others) {
   Scenario scene;
-  for (int k = 0; k < 6; ++k)
-    scene.robots.push_back(robot_at({-8, 1.5 * k}, {8, 1.05 * (5 - k)}));
+  for (int k = 0; k < 6; ++k) scene.robots.push_back(robot_at({-8, 1.5 * k}, {8, 1.05 * (5 - k)}));
   scene.margin = 0.5;
   Simulation simulation(scene, 1);
   for (int step = 0; step < 1200 && !simulation.all_at_goal(); ++step) simulation.step();
