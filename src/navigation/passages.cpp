@@ -13,7 +13,8 @@
 namespace avo {
 namespace {
 
-constexpr double kBeside = 0.5;   // radii: nearer to the walls nobody is in the way in
+constexpr double kBeside = 0.5;     // radii: nearer to the walls nobody is in the way in
+constexpr double kBayRoom = 0.999;  // of the radius, on the straight way to a bay
 constexpr double kAtBends = 1.4;  // of half the width: nobody behind a wall is as near to the axis
 
 // Around the whole axis.
@@ -22,6 +23,15 @@ Wall capsule_of(const Passage& passage) {
   for (const Vec2 p : passage.axis)
     capsule.radius = std::max(capsule.radius, distance(p, {capsule.a, capsule.b}));
   return capsule;
+}
+
+// Whether a robot gets straight from before the mouth to the bay on that side.
+bool is_bay_free(const ClearanceGrid& grid, const Passage& passage, bool forward, double side) {
+  const AxisPoint mouth = axis_point(passage, forward, 0.0);
+  const double unit = passage.radius, room = kBayRoom * unit;
+  const Vec2 before = mouth.point - kBayOut * unit * mouth.direction;
+  const Vec2 bay = before - side * kBayAside * unit * perpendicular(mouth.direction);
+  return grid.is_clear(mouth.point, before, room) && grid.is_clear(before, bay, room);
 }
 
 }  // namespace
@@ -68,7 +78,18 @@ Passages::Passages(std::span<const Wall> walls, std::span<const double> radii, d
   const ClearanceGrid grid(walls, gap_reach(radii, widest_of(walls)));
   std::vector<Wall> gaps;
   all_ = join_gaps(grid, find_gaps(grid, radii), gaps, gap_of_);
+  choose_bays(grid);
   if (!all_.empty()) index(gaps, watched);
+}
+
+void Passages::choose_bays(const ClearanceGrid& grid) {
+  for (Passage& passage : all_) {
+    for (const bool forward : {true, false}) {
+      if (!passage.two_lanes && !is_bay_free(grid, passage, forward, 1.0) &&
+          is_bay_free(grid, passage, forward, -1.0))
+        passage.bay_side[forward ? 0 : 1] = -1.0;
+    }
+  }
 }
 
 void Passages::index(const std::vector<Wall>& gaps, double watched) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Passages: narrow ways from mouth to mouth, made of the gaps between walls (docs/navigation.md).
 #pragma once
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -12,6 +13,10 @@
 
 namespace avo {
 
+/// Where robots that want to enter a passage wait for those who come out: radii of the passage,
+/// from a mouth outwards, and from the axis.
+inline constexpr double kBayOut = 1.2, kBayAside = 3.1;
+
 /// Its axis begins and ends in the mouths, where the largest robots do not yet hinder anybody in
 /// it, and leads straight from the middle of each gap to that of the next one.
 struct Passage {
@@ -21,6 +26,9 @@ struct Passage {
   double half_width = 0.0;      // m, at its narrowest
   double radius = 0.0;          // m, of the largest robots that fit
   bool two_lanes = false;
+  /// On which side of those who enter at the first and at the last mouth the bay is: 1 right, -1
+  /// left, where walls leave room for it only there.
+  std::array<double, 2> bay_side = {1.0, 1.0};
   [[nodiscard]] double length() const { return along.back(); }
 };
 
@@ -69,6 +77,7 @@ class Passages {
   void for_each_watched(Vec2 p, const Visit& visit) const;
 
  private:
+  void choose_bays(const ClearanceGrid& grid);
   void index(const std::vector<Wall>& gaps, double watched);
 
   std::vector<Passage> all_;

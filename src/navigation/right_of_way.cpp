@@ -9,27 +9,27 @@
 namespace avo {
 namespace {
 
-constexpr double kMoves = 0.2;      // radii a second: slower is at rest
-constexpr double kTowards = 0.5;    // cosine: who moves more across does not come
-constexpr double kDeep = 6.0;       // of what is kept clear before a mouth, outwards
-constexpr double kLeft = 1.6;       // and from the axis to the right of who enters
-constexpr double kBay = 3.1;        // from the axis, to the right: where to wait
-constexpr double kLeastBay = 1.2;   // from the mouth, outwards: likewise
-constexpr double kQueue = 2.2;      // beside the way in, from the mouth: nobody waits nearer
-constexpr double kBack = 2.5;       // from the mouth: where who backs out heads for
-constexpr double kOut = 0.6;        // before the mouth one turns
+constexpr double kMoves = 0.2;    // radii a second: slower is at rest
+constexpr double kNear = 5.0;     // who rests farther away has come to its own goal, or makes room
+constexpr double kTowards = 0.5;  // cosine: who moves more across does not come
+constexpr double kDeep = 6.0;     // of what is kept clear before a mouth, outwards
+constexpr double kAside = 1.6;    // and from the axis to the side of the bay
+constexpr double kQueue = 2.2;    // beside the way in, from the mouth: nobody waits nearer
+constexpr double kBack = 2.5;     // from the mouth: where who backs out heads for
+constexpr double kOut = 0.6;      // before the mouth one turns
 constexpr double kBackAside = 2.0;  // to the right
 constexpr double kLaneRoom = 0.1;   // between walls and a robot in its lane
 constexpr double kLane = 1.3;       // from the axis, where there is room: nobody touches anybody
 
 // Of those who enter there.
 struct Mouth {
-  Vec2 center, inward, right;
+  Vec2 center, inward, aside;  // m; unit; unit, to the side of the bay
 };
 
 Mouth mouth_of(const Passage& passage, bool forward) {
   const AxisPoint start = axis_point(passage, forward, 0.0);
-  return {start.point, start.direction, -1.0 * perpendicular(start.direction)};
+  const double side = passage.bay_side[forward ? 0 : 1];
+  return {start.point, start.direction, -side * perpendicular(start.direction)};
 }
 
 // Who is as far takes precedence by this, which all can see.
@@ -41,6 +41,11 @@ bool comes_first(Vec2 p, Vec2 q) {
 bool senses(const Claimant& robot, const Claimant& other, double sensing_radius) {
   return !(other.position == robot.position) && (robot.avoids & other.layers) != 0 &&
          norm(other.position - robot.position) <= sensing_radius;
+}
+
+// Whether it rests too far away to be in the robot's way.
+bool rests_apart(const Passage& passage, const Claimant& robot, const Claimant& other) {
+  return !other.claim.moves && norm(other.position - robot.position) > kNear * passage.radius;
 }
 
 // Whoever has come farthest of one direction.
@@ -58,43 +63,72 @@ struct Foremost {
   }
 };
 
+// Where to go from inside, to be out of the way of those who come out of the mouth at which those
+// of that direction enter.
+Vec2 way_out(const Passage& passage, bool forward, Vec2 position) {
+  const Mouth mouth = mouth_of(passage, forward);
+  const bool is_out = dot(position - mouth.center, mouth.inward) < kOut * passage.radius;
+  const double aside = is_out ? kBackAside : 0.0;
+  return mouth.center + passage.radius * (aside * mouth.aside - kBack * mouth.inward);
+}
+
 // Both directions inside: the one that has come less far goes back, all of it.
 Course go_on_or_back(const Passage& passage, const Claimant& robot,
                      std::span<const Claimant> claimants, double sensing_radius) {
   Foremost ours, theirs;
   ours.include(passage, robot);
   for (const Claimant& other : claimants) {
-    if (!other.claim.inside || !senses(robot, other, sensing_radius)) continue;
+    if (!other.claim.inside || !senses(robot, other, sensing_radius) ||
+        rests_apart(passage, robot, other))
+      continue;
     (other.claim.forward == robot.claim.forward ? ours : theirs).include(passage, other);
   }
   if (theirs.way < 0.0 || ours.goes_on_before(theirs)) return {};
-  const Mouth mouth = mouth_of(passage, robot.claim.forward);
-  const bool is_out = dot(robot.position - mouth.center, mouth.inward) < kOut * passage.radius;
-  const double aside = is_out ? kBackAside : 0.0;
-  return {.target = mouth.center + passage.radius * (aside * mouth.right - kBack * mouth.inward)};
+  return {.target = way_out(passage, robot.claim.forward, robot.position)};
 }
 
-// Nobody comes, nor is anybody who does nearer to where it enters.
-bool may_enter(const Claimant& robot, std::span<const Claimant> claimants, double sensing_radius) {
+// Whoever has its goal inside is in the way of those who come near: it goes on before the nearest
+// one, out of the passage, and enters again in turn.
+Course make_room(const Passage& passage, const Claimant& robot, std::span<const Claimant> claimants,
+                 double sensing_radius) {
+  const double along = place_in(passage, robot.position).along;
+  double least = kNear * passage.radius;
+  std::optional<bool> forward;
+  for (const Claimant& other : claimants) {
+    if (!other.claim.moves || !senses(robot, other, sensing_radius)) continue;
+    const double ahead = along - place_in(passage, other.position).along;
+    const double between = other.claim.forward ? ahead : -ahead;
+    if (between > 0.0 && between < least) least = between, forward = other.claim.forward;
+  }
+  if (!forward) return {};
+  Claimant leaving = robot;
+  leaving.claim.forward = *forward;
+  const Course back = go_on_or_back(passage, leaving, claimants, sensing_radius);
+  return back.target ? back : Course{.target = way_out(passage, !*forward, robot.position)};
+}
+
+// Nobody comes, nor is anybody who does nearer to where it enters. Who rests inside does not come.
+bool may_enter(const Passage& passage, const Claimant& robot, std::span<const Claimant> claimants,
+               double sensing_radius) {
   return std::none_of(claimants.begin(), claimants.end(), [&](const Claimant& other) {
     if (other.claim.forward == robot.claim.forward || !senses(robot, other, sensing_radius))
       return false;
+    if (other.claim.inside) return !rests_apart(passage, robot, other);
     const double ours = robot.claim.distance, theirs = other.claim.distance;
-    return other.claim.inside || theirs < ours ||
-           (theirs == ours && comes_first(other.position, robot.position));
+    return theirs < ours || (theirs == ours && comes_first(other.position, robot.position));
   });
 }
 
-// Off the way of those who come out, which is to the left of the bay.
+// Off the way of those who come out, which is beyond the bay.
 Course wait(const Passage& passage, const Claimant& robot, double braking) {
   const double unit = passage.radius;
   const Mouth mouth = mouth_of(passage, robot.claim.forward);
   const Vec2 from_mouth = robot.position - mouth.center;
-  const double out = -dot(from_mouth, mouth.inward), right = dot(from_mouth, mouth.right);
-  const bool is_beside = right >= kLeft * unit;
+  const double out = -dot(from_mouth, mouth.inward), aside = dot(from_mouth, mouth.aside);
+  const bool is_beside = aside >= kAside * unit;
   if (out < kDeep * unit && !is_beside) {
-    const Vec2 bay =
-        mouth.center - std::max(out, kLeastBay * unit) * mouth.inward + kBay * unit * mouth.right;
+    const Vec2 bay = mouth.center - std::max(out, kBayOut * unit) * mouth.inward +
+                     kBayAside * unit * mouth.aside;
     return {.target = bay, .stops = true};
   }
   const double behind = out - kDeep * unit;
@@ -112,7 +146,8 @@ std::optional<Claim> seen_claim(const Passage& passage, std::uint32_t number, Ve
   if (is_inside(passage, place)) {
     const double speed = dot(velocity, axis_point(passage, true, place.along).direction);
     const bool came_from_first = place.along < 0.5 * passage.length();
-    return Claim{number, std::abs(speed) > least ? speed > 0.0 : came_from_first, true, 0.0};
+    const bool moves = std::abs(speed) > least;
+    return Claim{number, moves ? speed > 0.0 : came_from_first, true, 0.0, moves};
   }
   const Vec2 front = passage.axis.front(), back = passage.axis.back();
   const bool is_first_near = norm_squared(position - front) < norm_squared(position - back);
@@ -126,8 +161,10 @@ std::optional<Claim> seen_claim(const Passage& passage, std::uint32_t number, Ve
 
 Course right_of_way(const Passage& passage, const Claimant& robot, double braking,
                     std::span<const Claimant> claimants, double sensing_radius) {
+  if (robot.claim.inside && robot.claim.ends)
+    return make_room(passage, robot, claimants, sensing_radius);
   if (robot.claim.inside) return go_on_or_back(passage, robot, claimants, sensing_radius);
-  if (may_enter(robot, claimants, sensing_radius)) return {};
+  if (may_enter(passage, robot, claimants, sensing_radius)) return {};
   return wait(passage, robot, braking);
 }
 

@@ -21,6 +21,8 @@ struct Claim {
   bool forward = true;  // along the axis
   bool inside = false;
   double distance = 0.0;  // m, from outside to the mouth where it enters
+  bool moves = true;      // who rests inside does not keep others out
+  bool ends = false;      // the goal is inside: known to the robot alone
 };
 
 /// What the rules know of a robot.

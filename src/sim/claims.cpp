@@ -92,7 +92,7 @@ Heading heed_passages(const World& world, const Claims& claims, std::size_t slot
   if (!travel.is_known()) return heading;
   const Passages& passages = world.ways.passages;
   const Vec2 p = world.fleet.position[slot];
-  const auto [claim, lane] = look_ahead(passages, *travel.graph, *travel.map, p, travel.target);
+  auto [claim, lane] = look_ahead(passages, *travel.graph, *travel.map, p, travel.target);
   const double rest = norm(heading.goal - p);
   Heading heeding = heading;
   const RobotTraits& traits = world.fleet.traits[slot];
@@ -100,6 +100,7 @@ Heading heed_passages(const World& world, const Claims& claims, std::size_t slot
   if (lane && in_company && world.fleet.detour[slot].angle <= kLeavesLane)
     heeding.goal = beyond(p, *lane, rest);
   if (!claim) return heeding;
+  if (world.settings.right_of_way == RightOfWay::told) claim->ends = false;
   const Passage& passage = passages[claim->passage];
   const Course course =
       right_of_way(passage, claimant_of(world, slot, *claim), planned_braking(traits),

@@ -3,6 +3,7 @@
 #include "navigation/passages.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <gtest/gtest.h>
 #include <string>
@@ -165,6 +166,28 @@ TEST(Passages, TheDiagonalsOfACrossingAreNoGaps) {
   EXPECT_EQ(gaps.size(), 8u);
   for (const Gap& gap : gaps) EXPECT_NEAR(gap.width(), 1.6, kRounding);
   EXPECT_EQ(passages_of(walls).size(), 4u);
+}
+
+// Robots that enter a door to the right have their bay below it, if there is room.
+TEST(Passages, BaysAreOnTheLeftOnlyWhereTheRightHasNoRoom) {
+  const auto sides_with = [](const std::vector<Wall>& beside) {
+    std::vector<Wall> walls = test::doorway(1.6);
+    walls.insert(walls.end(), beside.begin(), beside.end());
+    const Passages passages = passages_of(walls);
+    std::array<double, 2> sides{};
+    for (std::uint32_t k = 0; k < passages.size(); ++k) {
+      const Passage& passage = passages[k];
+      if (std::abs(passage.axis[1].x) > 0.5) continue;  // of the walls beside it
+      const bool forward = passage.direction[0].x > 0.0;
+      sides = {passage.bay_side[forward ? 0 : 1], passage.bay_side[forward ? 1 : 0]};
+    }
+    return sides;
+  };
+  const Wall below{{-8, -1.4}, {-0.3, -1.4}, 0.0}, above{{-8, 1.4}, {-0.3, 1.4}, 0.0};
+  EXPECT_EQ(sides_with({}), (std::array{1.0, 1.0}));
+  EXPECT_EQ(sides_with({below}), (std::array{-1.0, 1.0}));
+  EXPECT_EQ(sides_with({above}), (std::array{1.0, 1.0}));
+  EXPECT_EQ(sides_with({below, above}), (std::array{1.0, 1.0})) << "room on neither side";
 }
 
 TEST(Passages, AWideDoorIsNone) {

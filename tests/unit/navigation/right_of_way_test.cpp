@@ -236,6 +236,70 @@ TEST(RightOfWay, WhoBacksOutTurnsToItsRightBeforeTheMouth) {
   EXPECT_NEAR(out.target->y, -1.0, 1e-12);
 }
 
+Claimant resting(bool forward, Vec2 position) {
+  Claimant robot = inside(forward, position);
+  robot.claim.moves = false;
+  return robot;
+}
+Claimant at_home(Vec2 position) {
+  Claimant robot = resting(true, position);
+  robot.claim.ends = true;
+  return robot;
+}
+
+TEST(RightOfWay, WhoRestsFartherThanFiveRadiiKeepsNobodyOut) {
+  const Passage passage = straight();
+  const Claimant robot = outside(passage, true, {-5.1, 0});
+  EXPECT_TRUE(goes(passage, robot, {resting(false, {-2.59, 0})}));
+  EXPECT_FALSE(goes(passage, robot, {resting(false, {-2.61, 0})}));
+  EXPECT_FALSE(goes(passage, robot, {resting(false, {0.0, 0}), inside(false, {4.0, 0})}));
+}
+
+TEST(RightOfWay, WhoRestsFartherThanFiveRadiiSendsNobodyBack) {
+  const Passage passage = straight();
+  const Claimant robot = inside(true, {-1.0, 0});
+  EXPECT_TRUE(goes(passage, robot, {resting(false, {1.51, 0})}));
+  EXPECT_TRUE(goes(passage, robot, {resting(false, {1.49, 0})})) << "that one has come less far";
+  EXPECT_FALSE(goes(passage, robot, {resting(false, {0.9, 0})}));
+  EXPECT_FALSE(goes(passage, inside(true, {-4.0, 0}), {inside(false, {0.0, 0})})) << "it moves";
+  EXPECT_TRUE(goes(passage, inside(true, {-4.0, 0}), {resting(false, {0.0, 0})}));
+}
+
+TEST(RightOfWay, WhoHasItsGoalInsideGoesOnBeforeWhoComesNear) {
+  const Passage passage = straight();
+  const auto goes_out_at = [&](const Claimant& robot, const std::vector<Claimant>& all) {
+    const Course course = course_of(passage, robot, all);
+    return course.target ? course.target->x : 0.0;
+  };
+  const Claimant robot = at_home({0.5, 0});
+  EXPECT_NEAR(goes_out_at(robot, {inside(true, {-1.9, 0})}), 6.25, 1e-12);
+  EXPECT_NEAR(goes_out_at(robot, {inside(false, {2.9, 0})}), -6.25, 1e-12);
+  EXPECT_EQ(goes_out_at(robot, {}), 0.0);
+  EXPECT_EQ(goes_out_at(robot, {inside(true, {-2.1, 0})}), 0.0) << "not near yet";
+  EXPECT_EQ(goes_out_at(robot, {inside(true, {2.0, 0})}), 0.0) << "past already";
+  EXPECT_EQ(goes_out_at(robot, {resting(true, {-1.0, 0})}), 0.0) << "it has come as well";
+  EXPECT_NEAR(goes_out_at(robot, {inside(true, {-1.5, 0}), inside(false, {2.4, 0})}), -6.25, 1e-12)
+      << "the nearest one";
+  EXPECT_NEAR(goes_out_at(at_home({4.5, 0}), {inside(true, {2.5, 0}), inside(false, {4.9, 0})}),
+              6.25, 1e-12)
+      << "back with those who have come farther";
+  const Claimant before = outside(passage, false, {5.5, 0});
+  EXPECT_NEAR(goes_out_at(at_home({4.5, 0}), {before}), -6.25, 1e-12) << "one at the mouth";
+}
+
+TEST(RightOfWay, BaysAreOnTheSideWhereThereIsRoom) {
+  Passage passage = straight();
+  passage.bay_side = {-1.0, 1.0};
+  const std::vector<Claimant> comes{inside(false, {-3.0, 0})};
+  const Course waits = course_of(passage, outside(passage, true, {-6, 0}), comes);
+  const Course backs = course_of(passage, inside(true, {-4.8, 0}), comes);
+  ASSERT_TRUE(waits.target && backs.target);
+  EXPECT_NEAR(waits.target->y, 1.55, 1e-12);
+  EXPECT_NEAR(backs.target->y, 1.0, 1e-12);
+  const Course beside = course_of(passage, outside(passage, true, {-6, 0.81}), comes);
+  EXPECT_FALSE(beside.target) << "it stays beside the way out";
+}
+
 // Nobody is in the way of itself, whatever it seems to do.
 TEST(RightOfWay, WhoIsAloneGoesOn) {
   const Passage passage = straight();
@@ -257,6 +321,7 @@ TEST(SeenClaim, InsideIsByMotionAndAtRestByTheNearerMouth) {
   const auto seen = [&](Vec2 p, Vec2 v) {
     const auto claim = seen_claim(passage, 7, p, v);
     EXPECT_TRUE(claim && claim->inside && claim->passage == 7 && claim->distance == 0.0);
+    EXPECT_TRUE(claim && claim->moves == (std::abs(v.x) > 0.1) && !claim->ends);
     return claim && claim->forward;
   };
   EXPECT_TRUE(seen({4, 0}, {0.11, 0}));

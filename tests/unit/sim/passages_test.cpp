@@ -76,6 +76,24 @@ TEST(RobotsAtPassages, OneOfTwoGoesFirst) {
   }
 }
 
+// A robot at its goal in a corridor of one lane lets everybody through, and comes back.
+void expect_room_is_made(Vec2 idle, const std::vector<Vec2>& starts) {
+  Scenario scene;
+  scene.obstacles = {test::pieces(test::corridor(1.6))};
+  scene.robots = {test::robot_at(idle, idle)};
+  for (const Vec2 start : starts)
+    scene.robots.push_back(test::robot_at(start, {-start.x, start.y}));
+  EXPECT_EQ(arrived_after(scene, 90.0), static_cast<int>(scene.robots.size()));
+}
+
+TEST(RobotsAtPassages, WhoRestsInsideMakesRoomAndComesBack) {
+  for (const double x : {-5.3, -3.0, 0.0, 1.0, 4.0, 5.3}) {
+    SCOPED_TRACE(x);
+    expect_room_is_made({x, 0}, {{-11, 0}});
+    expect_room_is_made({x, 0}, {{-11, 0.5}, {-11, -1.5}, {11, 3}});
+  }
+}
+
 TEST(RobotsAtPassages, OncomingRobotsPassInTheirLanes) {
   Scenario scene;
   scene.obstacles = {test::pieces(test::corridor(2.4))};
