@@ -17,7 +17,7 @@ set(avo_pc_threads "")
 set(avo_io_pc_needs "")
 if(NOT BUILD_SHARED_LIBS)
   set(avo_pc_threads " -pthread")
-  set(avo_io_pc_needs " yaml-cpp fmt hdf5 libdeflate sqlite3")
+  set(avo_io_pc_needs " yaml-cpp fmt hdf5 libdeflate sqlite3 libpng")
 endif()
 
 # headers: the folder that has the library's own.

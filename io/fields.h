@@ -89,6 +89,10 @@ struct MembersOf<WktFileObstacle> {
   using type = MemberOf<WktFileObstacle, std::string, avo::Fill>;
 };
 template <>
+struct MembersOf<GeojsonObstacle> {
+  using type = MemberOf<GeojsonObstacle, std::string, avo::Fill>;
+};
+template <>
 struct MembersOf<MapObstacle> {
   using type = MemberOf<MapObstacle, std::string, double, avo::Vec2>;
 };
@@ -98,7 +102,7 @@ struct MembersOf<RosMapObstacle> {
 };
 template <>
 struct MembersOf<RosMap> {
-  using type = MemberOf<RosMap, std::string, double, int, RosMode>;
+  using type = MemberOf<RosMap, std::string, double, RosMode>;
 };
 template <>
 struct MembersOf<avo::Scenario> {
@@ -201,8 +205,8 @@ inline constexpr std::array<std::pair<std::string_view, GroupHeading>, 2> kHeadi
 
 inline constexpr std::array<std::pair<std::string_view, avo::Fill>, 2> kFills{
     {{"solid", avo::Fill::solid}, {"bounds", avo::Fill::bounds}}};
-inline constexpr std::array<std::pair<std::string_view, RosMode>, 2> kRosModes{
-    {{"trinary", RosMode::trinary}, {"scale", RosMode::scale}}};
+inline constexpr std::array<std::pair<std::string_view, RosMode>, 3> kRosModes{
+    {{"trinary", RosMode::trinary}, {"scale", RosMode::scale}, {"raw", RosMode::raw}}};
 
 /// Name and one line on each kind of placement and of goals.
 struct KindText {

@@ -30,7 +30,10 @@ avo::Scenario load_scenario(const std::string& name_or_path,
   SceneFiles files{folder_of(name_or_path)};
   const auto build_and_tell = [&](std::string yaml, const std::string& file) {
     avo::Scenario scenario = scenario_of(yaml, file, overrides, files);
-    if (source != nullptr) *source = {file, std::move(yaml), overrides, std::move(files.read)};
+    if (source != nullptr) {
+      *source = {file, std::move(yaml), overrides, std::move(files.read)};
+      source->notes = std::move(files.notes);
+    }
     return scenario;
   };
   if (name_or_path == "-") {

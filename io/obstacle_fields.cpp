@@ -77,6 +77,16 @@ const std::vector<Field<WktFileObstacle>>& fields() {
 }
 
 template <>
+const std::vector<Field<GeojsonObstacle>>& fields() {
+  static const std::vector<Field<GeojsonObstacle>> table{
+      {"geojson", &GeojsonObstacle::file, kRequired, kFile, "",
+       "a file of GeoJSON: lines and polygons, in m"},
+      {"as", &GeojsonObstacle::as, kOptional, kNoNumber, "", kAsText},
+  };
+  return table;
+}
+
+template <>
 const std::vector<Field<MapObstacle>>& fields() {
   static const std::vector<Field<MapObstacle>> table{
       {"map", &MapObstacle::file, kRequired, kFile, "", "a MovingAI map, all around it blocked"},
@@ -98,12 +108,12 @@ const std::vector<Field<RosMapObstacle>>& fields() {
 template <>
 const std::vector<Field<RosMap>>& fields() {
   static const std::vector<Field<RosMap>> table{
-      {"image", &RosMap::image, kRequired, kFile, "", "a PGM, relative to this file"},
+      {"image", &RosMap::image, kRequired, kFile, "", "a PGM, PNG or BMP, relative to this file"},
       {"resolution", &RosMap::resolution, kRequired, kPositive, "m", "side of a cell"},
       {"origin", kNested, kRequired, kNoNumber, "", "[x, y, yaw] of the lower left corner"},
       {"occupied_thresh", &RosMap::occupied_thresh, kRequired, kShare, "", "occupied above it"},
       {"free_thresh", &RosMap::free_thresh, kRequired, kShare, "", "free below it"},
-      {"negate", &RosMap::negate, kRequired, kShare, "", "1: white is occupied"},
+      {"negate", kNested, kRequired, kNoNumber, "", "1 or true: white is occupied"},
       {"mode", &RosMap::mode, kOptional, kNoNumber, "", "how values are read"},
   };
   return table;

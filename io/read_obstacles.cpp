@@ -8,6 +8,7 @@
 #include <variant>
 
 #include "file_names.h"
+#include "geojson.h"
 #include "moving_ai.h"
 #include "ros_map.h"
 #include "wkt.h"
@@ -98,6 +99,11 @@ StaticObstacle build(const Place& place, WktObstacle& entry) {
 
 StaticObstacle build(const Place& place, WktFileObstacle& entry) {
   return filled(place, read_wkt(place.file("wkt_file", entry.file)), entry.as);
+}
+
+StaticObstacle build(const Place& place, GeojsonObstacle& entry) {
+  return filled(place, read_geojson(place.file("geojson", entry.file), place.files.notes),
+                entry.as);
 }
 
 StaticObstacle build(const Place& place, MapObstacle& entry) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Maps of ROS: map.yaml and its image, a portable graymap.
+// Maps of ROS: map.yaml and its image.
 #pragma once
 #include <string>
 

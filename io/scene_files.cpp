@@ -37,6 +37,10 @@ void remember(const SceneFile& file, std::vector<SceneFile>& read) {
 
 }  // namespace
 
+void add_note(std::vector<std::string>& notes, const std::string& note) {
+  if (std::find(notes.begin(), notes.end(), note) == notes.end()) notes.push_back(note);
+}
+
 SourceText read_named_file(const Reader& reader, const YamlNode& node, const std::string& path,
                            const std::string& file, SceneFiles& files) {
   const std::string name = path_in(files.folder, file);

@@ -22,7 +22,11 @@ struct SceneFiles {
   const std::vector<SceneFile>* given = nullptr;  ///< these and no others
   std::size_t bytes = 0;                          ///< read so far
   std::vector<SceneFile> read{};
+  std::vector<std::string> notes{};  ///< see SceneSource
 };
+
+/// Adds a note, if it is not there yet.
+void add_note(std::vector<std::string>& notes, const std::string& note);
 
 /// The file that the value at `node` names, `file` relative to the scene. What cannot be read is
 /// told with the value's place. Throws SceneError, OverrideError, FileError.

@@ -96,6 +96,10 @@ struct WktFileObstacle {
   std::string file;
   avo::Fill as = avo::Fill::solid;
 };
+struct GeojsonObstacle {
+  std::string file;
+  avo::Fill as = avo::Fill::solid;
+};
 struct MapObstacle {
   std::string file;
   double cell = 1.0;
@@ -106,16 +110,16 @@ struct RosMapObstacle {
 };
 /// An entry of `obstacles`; the first field of each is the key that tells its kind.
 using ObstacleEntry = std::variant<PolylineObstacle, PolygonObstacle, DiscObstacle, WktObstacle,
-                                   WktFileObstacle, MapObstacle, RosMapObstacle>;
+                                   WktFileObstacle, GeojsonObstacle, MapObstacle, RosMapObstacle>;
 
-enum class RosMode : std::uint8_t { trinary, scale };
+enum class RosMode : std::uint8_t { trinary, scale, raw };
 
 /// What a map.yaml of ROS says of its image.
 struct RosMap {
   std::string image;  ///< file, relative to map.yaml
   double resolution = 0.05;
   double occupied_thresh = 0.65, free_thresh = 0.25;
-  int negate = 0;
+  bool negate = false;
   RosMode mode = RosMode::trinary;
 };
 

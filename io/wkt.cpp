@@ -41,8 +41,16 @@ void expect(State& state, std::string_view mark) {
   if (word.text != mark) state.words.fail(word, fmt::format("must be \"{}\"", mark));
 }
 
-/// "(" part, part, ... ")"
+/// Takes the word EMPTY, if it is there: a kind, or a member of one, that has no points.
+bool take_empty(State& state) {
+  const bool empty = upper(state.words.peek().text) == "EMPTY";
+  if (empty) state.words.next();
+  return empty;
+}
+
+/// EMPTY, or "(" part, part, ... ")"
 void read_list(State& state, Part read_part) {
+  if (take_empty(state)) return;
   expect(state, "(");
   while (true) {
     read_part(state);
@@ -72,6 +80,7 @@ void read_line(State& state) {
   const std::size_t start = state.words.peek().offset;
   state.chain = {};
   read_list(state, read_point);
+  if (state.chain.points.empty()) return;
   if (state.chain.points.size() < 2)
     state.words.source().fail(start, "found a line of one point, must have at least two");
   state.chains.push_back(std::move(state.chain));
@@ -82,6 +91,7 @@ void read_ring(State& state) {
   state.chain = {{}, true};
   read_list(state, read_point);
   std::vector<avo::Vec2>& points = state.chain.points;
+  if (points.empty()) return;
   const avo::Vec2 first = points.front(), last = points.back();
   if (!(first == last))
     state.words.source().fail(
@@ -113,31 +123,38 @@ void read_collection(State& state) {
   --state.depth;
 }
 
-constexpr std::array<std::pair<std::string_view, Part>, 5> kKinds{{
+constexpr std::array<std::pair<std::string_view, Part>, 6> kKinds{{
     {"LINESTRING", read_line},
+    {"LINEARRING", read_ring},
     {"POLYGON", read_polygon},
     {"MULTILINESTRING", read_lines},
     {"MULTIPOLYGON", read_polygons},
     {"GEOMETRYCOLLECTION", read_collection},
 }};
 
-void refuse_dimensions(State& state) {
+/// Z, M and ZM, which are nothing's own where there are no points.
+void pass_dimensions(State& state) {
   const Word word = state.words.peek();
   const std::string text = upper(word.text);
-  if (text == "Z" || text == "M" || text == "ZM")
+  if (text != "Z" && text != "M" && text != "ZM") return;
+  state.words.next();
+  if (upper(state.words.peek().text) != "EMPTY")
     state.words.fail(word, "coordinates must be x y alone");
 }
 
 void read_geometry(State& state) {
   const Word word = state.words.next();
   const std::string kind = upper(word.text);
-  if (kind == "POINT" || kind == "MULTIPOINT")
+  if (kind == "POINT" || kind == "MULTIPOINT") {
+    pass_dimensions(state);
+    if (take_empty(state)) return;
     state.words.fail(word, "a point has no size; a pillar is {disc: {center: [x, y], radius: r}}");
+  }
   std::vector<std::string_view> names;
   for (const auto& [name, read_kind] : kKinds) {
     names.push_back(name);
     if (kind != name) continue;
-    refuse_dimensions(state);
+    pass_dimensions(state);
     read_kind(state);
     return;
   }

@@ -20,7 +20,9 @@ namespace avo_cli {
 
 avo::Scenario with_overrides(const SceneArguments& arguments, avo_io::SceneSource& source) {
   try {
-    return avo_io::load_scenario(arguments.scene, arguments.overrides, &source);
+    avo::Scenario scenario = avo_io::load_scenario(arguments.scene, arguments.overrides, &source);
+    warn(source.notes);
+    return scenario;
   } catch (const avo_io::OverrideError& error) {
     std::string_view message = error.what();
     for (const auto& [override, option] : arguments.typed_as) {

@@ -27,6 +27,9 @@ struct SceneSource {
   std::vector<SceneFile> files;
   bool start_at_rest = false;  ///< avo::start_at_rest() follows
   bool limit_speed = false;    ///< and then avo::limit_speed()
+  /// What its files have that no scene can use, and that is left out: a line each. load_scenario()
+  /// sets them.
+  std::vector<std::string> notes = {};
 };
 
 /// The scene called `name_or_path`: a built-in name (circle-N and uniform-N for any N >= 2), a

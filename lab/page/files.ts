@@ -15,7 +15,7 @@ const SCENE = /^[\s{]*["']?(version|name|robots|robots_from|groups)["']?\s*:/m;
 
 /** What a scene reads, and is none itself. Where the name's ending does not tell, the content does. */
 function isAuxiliary({ name, bytes }: OpenedFile): boolean {
-  if (/\.(map|scen|pgm|wkt)$/i.test(name)) return true;
+  if (/\.(map|scen|pgm|png|bmp|wkt|geojson)$/i.test(name)) return true;
   if (formatOf(name, bytes) !== "yaml") return false;
   const text = textOf(bytes.subarray(0, BEGINNING));
   return /\.ya?ml$/i.test(name) ? ROS_MAP.test(text) : !SCENE.test(text);

@@ -90,7 +90,7 @@ void check_obstacle(std::size_t k, const MovingObstacle& obstacle) {
 void check_static_obstacle(std::size_t k, const StaticObstacle& obstacle) {
   const std::string_view list = "obstacles";
   require(Place{list, k, "radius"}, obstacle.radius, kNotNegative, "m");
-  if (obstacle.chains.empty())
+  if (obstacle.chains.empty() && obstacle.fill != Fill::solid)  // nothing may be solid of a plan
     refuse(std::string(Place{list, k, "chains"}), "none", "one at least");
   for (const Chain& chain : obstacle.chains) {
     if (chain.points.empty())

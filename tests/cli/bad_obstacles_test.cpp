@@ -82,17 +82,17 @@ const std::vector<Bad> kEntries{
      "DIR/s.yaml:4:13: navigation: found \"maybe\", must be true or false"},
     entry("no_map", "7",
           "5: obstacles.0: found 7, must be a map with keys polyline, polygon, solid, disc, wkt, "
-          "as, wkt_file, map, cell, origin, ros_map"),
+          "as, wkt_file, geojson, map, cell, origin, ros_map"),
     entry("misspelled", "{polylin: [[0, 0], [1, 0]]}",
           "6: obstacles.0: found the unknown key \"polylin\", allowed are polyline, polygon, "
-          "solid, disc, wkt, as, wkt_file, map, cell, origin, ros_map; did you mean "
+          "solid, disc, wkt, as, wkt_file, geojson, map, cell, origin, ros_map; did you mean "
           "\"polyline\"?"),
     entry("no_kind", "{solid: true}",
           "5: obstacles.0: found 0 kinds, must be one of polyline, polygon, disc, wkt, wkt_file, "
-          "map, ros_map"),
+          "geojson, map, ros_map"),
     entry("two_kinds", "{polyline: [[0, 0], [1, 0]], disc: {center: [0, 0], radius: 1}}",
           "5: obstacles.0: found 2 kinds, must be one of polyline, polygon, disc, wkt, wkt_file, "
-          "map, ros_map"),
+          "geojson, map, ros_map"),
     entry("key_of_another_kind", "{polyline: [[0, 0], [1, 0]], solid: true}",
           "34: obstacles.0: found the unknown key \"solid\", allowed are polyline"),
     entry("one_point", "{polyline: [[0, 0]]}",
@@ -142,21 +142,27 @@ const std::vector<Bad> kEntries{
 
 const std::vector<Bad> kWkts{
     wkt("empty", "",
-        "1:1: found the end, must be one of LINESTRING, POLYGON, MULTILINESTRING, MULTIPOLYGON, "
+        "1:1: found the end, must be one of LINESTRING, LINEARRING, POLYGON, MULTILINESTRING, "
+        "MULTIPOLYGON, "
         "GEOMETRYCOLLECTION"),
     wkt("point", "POINT (0 0)",
         "1:1: found \"POINT\", a point has no size; a pillar is {disc: {center: [x, y], radius: "
         "r}}"),
     wkt("polygn", "LINESTRING (0 0, 1 0)\n POLYGN ((0 0, 1 0, 1 1, 0 0))",
-        "2:2: found \"POLYGN\", must be one of LINESTRING, POLYGON, MULTILINESTRING, MULTIPOLYGON, "
+        "2:2: found \"POLYGN\", must be one of LINESTRING, LINEARRING, POLYGON, MULTILINESTRING, "
+        "MULTIPOLYGON, "
         "GEOMETRYCOLLECTION; did you mean \"POLYGON\"?"),
     wkt("srid", "SRID=4326;POLYGON ((0 0, 1 0, 1 1, 0 0))",
-        "1:1: found \"SRID=4326;POLYGON\", must be one of LINESTRING, POLYGON, MULTILINESTRING, "
+        "1:1: found \"SRID=4326;POLYGON\", must be one of LINESTRING, LINEARRING, POLYGON, "
+        "MULTILINESTRING, "
         "MULTIPOLYGON, GEOMETRYCOLLECTION"),
     wkt("z", "LINESTRING Z (0 0 0, 1 0 0)", "1:12: found \"Z\", coordinates must be x y alone"),
     wkt("z_without_a_word", "LINESTRING (0 0 5, 1 0 5)",
         "1:17: found \"5\", coordinates must be x y alone"),
-    wkt("empty_word", "POLYGON EMPTY", "1:9: found \"EMPTY\", must be \"(\""),
+    wkt("half_empty", "POLYGON (EMPTY", "1:15: found the end, must be \",\" or \")\""),
+    wkt("empty_coordinate", "LINESTRING (EMPTY, 1 0)",
+        "1:13: found \"EMPTY\", must be a number from -1e+12 to 1e+12 (m)"),
+    wkt("z_of_points", "POINT Z (0 0 0)", "1:7: found \"Z\", coordinates must be x y alone"),
     wkt("nan", "LINESTRING (0 nan, 1 0)",
         "1:15: found \"nan\", must be a number from -1e+12 to 1e+12 (m)"),
     wkt("beyond", "LINESTRING (0 1e13, 1 0)",
@@ -171,7 +177,8 @@ const std::vector<Bad> kWkts{
         "1:12: found a line of one point, must have at least two"),
     wkt("truncated", "POLYGON ((0 0, 1 0", "1:19: found the end, must be \",\" or \")\""),
     wkt("garbage", std::string("\xFF\0\x1B[2J", 6),
-        "1:1: found \"\\xff\\x00\\x1b[2J\", must be one of LINESTRING, POLYGON, MULTILINESTRING, "
+        "1:1: found \"\\xff\\x00\\x1b[2J\", must be one of LINESTRING, LINEARRING, POLYGON, "
+        "MULTILINESTRING, "
         "MULTIPOLYGON, GEOMETRYCOLLECTION"),
     wkt(
         "nested_too_deep",
@@ -221,11 +228,18 @@ const std::vector<Bad> kRosMaps{
     ros("empty", "", "",
         "m.yaml:1:1: found nothing, must be a map with keys image, resolution, origin, "
         "occupied_thresh, free_thresh, negate, mode"),
-    ros("misspelled", kRos + "mde: raw\n", "",
-        "m.yaml:7:1: found the unknown key \"mde\", allowed are image, resolution, origin, "
-        "occupied_thresh, free_thresh, negate, mode; did you mean \"mode\"?"),
-    ros("raw", kRos + "mode: raw\n", "",
-        "m.yaml:7:7: mode: found \"raw\", must be one of trinary, scale"),
+    ros("twice", kRos + "negate: 1\n", "",
+        "m.yaml:7:1: found the key \"negate\" twice, allowed is once, the first is in line 4"),
+    ros("mode", kRos + "mode: raws\n", "",
+        "m.yaml:7:7: mode: found \"raws\", must be one of trinary, scale, raw; did you mean "
+        "\"raw\"?"),
+    ros("negate",
+        "image: m.pgm\nresolution: 1\norigin: [0, 0, 0]\nnegate: 2\n"
+        "occupied_thresh: 0.6\nfree_thresh: 0.2\n",
+        "", "m.yaml:4:9: negate: found 2, must be <= 1"),
+    ros("no_negate",
+        "image: m.pgm\nresolution: 1\norigin: [0, 0, 0]\noccupied_thresh: 0.6\nfree_thresh: 0.2\n",
+        "", "m.yaml:1:1: found no \"negate\", must be given: 1 or true: white is occupied"),
     ros("thresholds",
         "image: m.pgm\nresolution: 1\norigin: [0, 0, 0]\nnegate: 0\n"
         "occupied_thresh: 0.2\nfree_thresh: 0.6\n",
@@ -239,8 +253,9 @@ const std::vector<Bad> kRosMaps{
      "DIR/m.yaml:1:8: image: DIR/m.pgm: No such file or directory",
      {{"m.yaml", kRos}},
      4},
-    pgm("png", "\x89PNG\r\n", "1:1: found \"\\x89P\", must be a portable graymap, P2 or P5"),
-    pgm("no_image", "", "1:1: found the end, must be a portable graymap, P2 or P5"),
+    pgm("png", "\x89PNG\r\n", "1:1: found a damaged PNG (it ends too early), must be whole"),
+    pgm("no_image", "",
+        "1:1: found the end, must be a PNG, a BMP, or a portable graymap, P2 or P5"),
     pgm("huge", "P5\n1000000000 1000000000\n255\nabc",
         "4:4: found 3 values, must be 1000000000 x 1000000000"),
     pgm("huge_plain", "P2\n1000000000 1000000000\n255\n1 2 3",

@@ -272,7 +272,7 @@ TEST(Obstacles, the_schema_knows_every_form) {
     kinds.push_back(kind["required"][0]);
   }
   EXPECT_EQ(kinds, (std::vector<std::string>{"polyline", "polygon", "disc", "wkt", "wkt_file",
-                                             "map", "ros_map"}));
+                                             "geojson", "map", "ros_map"}));
   EXPECT_EQ(schema["properties"]["navigation"]["type"], "boolean");
   EXPECT_EQ(schema["properties"]["robots_from"]["required"],
             nlohmann::ordered_json({"scen", "number"}));

@@ -31,7 +31,7 @@ from blocks import blocks
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 FIGURES = ROOT / "docs/manual/figures"
 FRAMES = pathlib.Path(__file__).resolve().parent / "frames"
-PLAIN = {"", "text", "json", "cmake"}  # shown, not tried
+PLAIN = {"", "text", "json", "xml", "cmake"}  # shown, not tried
 # commands that build and install, and those of them that tell the loader
 BUILDS = re.compile(r"(apt-get|cmake|git|sudo|cd|export|(\S*/)?pip|\./scripts/\S+|/usr/bin/python3 -m venv)(\s|$)")
 TELLS_LOADER = re.compile(r"^(\./scripts/install$|sudo ldconfig\b)", re.M)

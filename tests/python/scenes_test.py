@@ -75,6 +75,16 @@ def test_values_that_no_scene_has_are_refused(value):
         avo.Scenario({"version": 1, "duration": value})
 
 
+def test_what_is_left_out_is_warned_of(tmp_path):
+    (tmp_path / "m.pgm").write_text("P2 1 1 255 254\n")
+    (tmp_path / "m.yaml").write_text("image: m.pgm\nresolution: 9\norigin: [0, 0, 0]\nnegate: 0\n"
+                                     "occupied_thresh: 0.65\nfree_thresh: 0.196\nmap_type: occupancy\n")
+    (tmp_path / "s.yaml").write_text("version: 1\nobstacles: [{ros_map: m.yaml}]\n"
+                                     "robots: [{position: [4, 4], goal: [5, 5]}]\n")
+    with pytest.warns(UserWarning, match='unknown key "map_type" is left out, as ROS does'):
+        assert len(avo.Scenario(tmp_path / "s.yaml").robots) == 1
+
+
 def test_paths_are_those_of_the_system(tmp_path):
     name = os.fsencode(tmp_path) + b"/\xff.csv"
     avo.run("circle-10", record=os.fsdecode(name))

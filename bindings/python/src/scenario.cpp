@@ -59,8 +59,14 @@ Scenario load(const std::string& name, const py::object& overrides) {
   if (name == "-")
     throw avo::Error("scene: found \"-\", must be a name or a file; see from_yaml()");
   const auto all = overrides_of(overrides);
-  const py::gil_scoped_release release;
-  return avo_io::load_scenario(name, all);
+  avo_io::SceneSource source;
+  Scenario scenario = [&] {
+    const py::gil_scoped_release release;
+    return avo_io::load_scenario(name, all, &source);
+  }();
+  for (const std::string& note : source.notes)
+    if (PyErr_WarnEx(PyExc_UserWarning, note.c_str(), 1) != 0) throw py::error_already_set();
+  return scenario;
 }
 
 py::dict options_of(const Scenario& scenario) {
@@ -137,7 +143,8 @@ void bind_scenario(py::module_& module) {
       .def(py::init(&scenario_of), arg("source"), arg("overrides") = py::none(),
            "source: name of a built-in scene, path of a scene file, or a dict with the keys of "
            "scene files. overrides: {\"robots.0.radius\": 0.4}, or [\"robots.0.radius=0.4\"]. "
-           "Raises Error with the reader's message.")
+           "Raises Error with the reader's message, and warns of what is left out of the files of "
+           "a scene file.")
       .def(pickled<Scenario>(&avo::validate))
       .def_static("from_yaml", &parse, arg("text"), arg("file") = "text",
                   arg("overrides") = py::none(),

@@ -51,6 +51,15 @@ test("a map alone opens nothing, and is read by scenes that come later", async (
   assert.deepEqual(lab.opened, ["mine.yaml"]);
 });
 
+test("a plan as GeoJSON is no scene, though it may have a name", async () => {
+  const lab = labThatNeeds("plan.geojson");
+  const open = makeOpener(lab);
+  await open([file("plan.geojson", "{\n\"type\": \"FeatureCollection\",\n\"name\": \"plan\", \"features\": []}\n")]);
+  assert.match(lab.error.message, /plan\.geojson is kept/);
+  await open([file("mine.yaml", "version: 1\nobstacles:\n  - {geojson: plan.geojson}\n")]);
+  assert.equal(lab.error, null);
+});
+
 test("a recording is opened as it is", async () => {
   const lab = labThatNeeds();
   await makeOpener(lab)([file("states.csv", "time,robot,x,y,vx,vy\n0,0,0,0,0,0\n")]);

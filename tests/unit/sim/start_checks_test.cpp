@@ -252,5 +252,18 @@ TEST(StartChecks, an_obstacle_of_nothing_is_refused) {
   EXPECT_EQ(refusal(scene), "obstacles.2.chains: found none, must be one at least");
 }
 
+// A plan may have an empty part.
+TEST(StartChecks, a_solid_of_nothing_is_no_wall) {
+  Scenario scene = yard();
+  Simulation without(scene, 1);
+  scene.obstacles.push_back({{}, 0.0, Fill::solid});
+  Simulation with(scene, 1), restored(scene, 1);
+  for (int k = 0; k < 20; ++k) without.step(), with.step();
+  restored.restore(with.save());
+  for (std::size_t k = 0; k < scene.robots.size(); ++k)
+    EXPECT_EQ(with.fleet().position[k], without.fleet().position[k]);
+  EXPECT_EQ(restored.state_hash(), with.state_hash());
+}
+
 }  // namespace
 }  // namespace avo

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Portable graymaps: the header's promises are held against the size of the file first.
-#include "graymap.h"
-
 #include <algorithm>
 #include <fmt/format.h>
+
+#include "image.h"
 
 namespace avo_io {
 namespace {
@@ -19,18 +19,18 @@ std::int64_t header_number(Words& words, std::string_view what, std::int64_t max
   return words.whole_number(what, 1, max);
 }
 
-[[noreturn]] void fail_size(const SourceText& source, const Graymap& image, std::size_t given) {
+[[noreturn]] void fail_size(const SourceText& source, const Image& image, std::size_t given) {
   source.fail(source.text().size(),
               fmt::format("found {} values, must be {} x {}", given, image.width, image.height));
 }
 
 void check_value(const SourceText& source, std::size_t offset, std::int64_t value,
-                 const Graymap& image) {
+                 const Image& image) {
   if (value > image.white)
     source.fail(offset, fmt::format("found the value {}, must be <= {}", value, image.white));
 }
 
-void read_raw(const SourceText& source, std::size_t offset, Graymap& image) {
+void read_raw(const SourceText& source, std::size_t offset, Image& image) {
   const std::string_view text = source.text();
   const std::size_t bytes = image.white > 255 ? 2 : 1;
   const auto count = static_cast<std::size_t>(image.width * image.height);
@@ -38,40 +38,35 @@ void read_raw(const SourceText& source, std::size_t offset, Graymap& image) {
   if (given < count) fail_size(source, image, given);
   const std::string_view rest = text.substr(offset + count * bytes);
   if (!std::all_of(rest.begin(), rest.end(), is_space)) fail_size(source, image, given);
-  image.values.reserve(count);
+  image.color.reserve(count);
   for (std::size_t i = 0; i < count; ++i, offset += bytes) {
     std::int64_t value = static_cast<unsigned char>(text[offset]);
     if (bytes == 2) value = 256 * value + static_cast<unsigned char>(text[offset + 1]);
     check_value(source, offset, value, image);
-    image.values.push_back(static_cast<std::uint16_t>(value));
+    image.color.push_back(3U * static_cast<std::uint32_t>(value));
   }
 }
 
-void read_plain(Words& words, Graymap& image) {
+void read_plain(Words& words, Image& image) {
   const auto count = static_cast<std::size_t>(image.width * image.height);
   while (!words.peek().text.empty()) {
     const std::size_t offset = words.peek().offset;
     const std::int64_t value = words.whole_number("the value", 0, kWhitest);
     check_value(words.source(), offset, value, image);
-    if (image.values.size() == count)
+    if (image.color.size() == count)
       words.source().fail(
           offset, fmt::format("found more values, must be {} x {}", image.width, image.height));
-    image.values.push_back(static_cast<std::uint16_t>(value));
+    image.color.push_back(3U * static_cast<std::uint32_t>(value));
   }
-  if (image.values.size() < count) fail_size(words.source(), image, image.values.size());
+  if (image.color.size() < count) fail_size(words.source(), image, image.color.size());
 }
 
 }  // namespace
 
-Graymap read_graymap(const SourceText& source) {
+Image read_pgm(const SourceText& source) {
   Words words(source);
   const Word kind = words.next();
-  if (kind.text != "P2" && kind.text != "P5") {
-    words.skip_to(0);
-    words.fail({source.text().substr(0, std::min<std::size_t>(2, source.text().size())), 0},
-               "must be a portable graymap, P2 or P5");
-  }
-  Graymap image;
+  Image image;
   image.width = header_number(words, "the width", kLongestSide);
   image.height = header_number(words, "the height", kLongestSide);
   image.white = header_number(words, "the largest value", kWhitest);
