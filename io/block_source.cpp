@@ -14,6 +14,7 @@
 #include "recorded_states.h"
 #include "regular_file.h"
 #include "row_source.h"
+#include "tracks.h"
 
 namespace avo_io {
 namespace {
@@ -77,7 +78,7 @@ BlockSource::BlockSource(const std::string& path) : path_(path) {
       if (!compressed_.can_be(spool_->shape())) refuse_block();
       codec_.emplace(spool_->shape());
       break;
-    case RecordingFormat::csv:
+    default:
       throw RecordingError(path + ": found neither HDF5 nor a spool, must be one of them");
   }
 }
@@ -131,6 +132,21 @@ std::unique_ptr<RowSource> block_rows(const std::string& path, std::optional<std
   return std::make_unique<BlockRows>(path, robots);
 }
 
+namespace {
+
+/// The first bytes of a file, in which it says what it is.
+std::string beginning_of(const std::string& path) {
+  const int descriptor = open(path.c_str(), O_RDONLY | O_CLOEXEC);
+  if (descriptor < 0) throw FileError(with_errno(path));
+  std::string bytes(4096, '\0');
+  const ssize_t got = read(descriptor, bytes.data(), bytes.size());
+  close(descriptor);
+  bytes.resize(got > 0 ? static_cast<std::size_t>(got) : 0);
+  return bytes;
+}
+
+}  // namespace
+
 RecordingFormat format_of(const std::string& path) {
   std::error_code error;
   const auto type =
@@ -149,26 +165,43 @@ RecordingFormat format_of(const std::string& path) {
     throw FileError(path + ": found a directory, must be a file");
   // whatever is read of a pipe is gone
   if (type != std::filesystem::file_type::regular) return RecordingFormat::csv;
-  const int descriptor = open(path.c_str(), O_RDONLY | O_CLOEXEC);
-  if (descriptor < 0) throw FileError(with_errno(path));
-  char begin[16] = {};
-  const ssize_t got = read(descriptor, begin, sizeof begin);
-  close(descriptor);
-  const std::string_view bytes(begin, got > 0 ? static_cast<std::size_t>(got) : 0);
-  if (is_hdf5(bytes)) return RecordingFormat::hdf5;
+  const std::string bytes = beginning_of(path);
+  if (is_hdf5(bytes))
+    return is_pedestrian_hdf5(path) ? RecordingFormat::pedestrian_hdf5 : RecordingFormat::hdf5;
   if (is_spool(bytes)) return RecordingFormat::spool;
+  if (is_sqlite(bytes)) return RecordingFormat::pedestrian_sqlite;
   constexpr std::string_view kPart = ".part";
   const std::string_view name = path;
   if (is_hdf5_path(name.ends_with(kPart) ? name.substr(0, name.size() - kPart.size()) : name))
     throw RecordingError(path +
                          ": found neither HDF5 nor a spool in it, cut off or damaged, must be one "
                          "of them, whole");
-  return RecordingFormat::csv;
+  return is_pedestrian_text(bytes) ? RecordingFormat::pedestrian_text : RecordingFormat::csv;
 }
 
+namespace {
+
+std::unique_ptr<RowSource> rows_at(const std::string& path, std::optional<std::int64_t> robots) {
+  switch (format_of(path)) {
+    case RecordingFormat::csv:
+      return csv_rows(path, robots);
+    case RecordingFormat::pedestrian_text:
+      return track_rows(read_pedestrian_text(path), robots);
+    case RecordingFormat::pedestrian_hdf5:
+      return track_rows(read_pedestrian_hdf5(path), robots);
+    case RecordingFormat::pedestrian_sqlite:
+      return track_rows(read_pedestrian_sqlite(path), robots);
+    case RecordingFormat::hdf5:
+    case RecordingFormat::spool:
+      break;
+  }
+  return block_rows(path, robots);
+}
+
+}  // namespace
+
 RecordingReader::RecordingReader(const std::string& path, std::optional<std::int64_t> robots)
-    : source_(format_of(path) == RecordingFormat::csv ? csv_rows(path, robots)
-                                                      : block_rows(path, robots)) {}
+    : source_(rows_at(path, robots)) {}
 RecordingReader::~RecordingReader() = default;
 
 bool RecordingReader::next(RecordedTime& moment) {
@@ -179,16 +212,19 @@ std::string RecordingReader::place(std::optional<std::int64_t> robot) const {
   return source_->place(robot);
 }
 
+std::optional<double> RecordingReader::frame_rate() const {
+  return source_->frame_rate();
+}
+
 std::optional<RecordingHeader> read_recording_header(const std::string& path) {
   switch (format_of(path)) {
     case RecordingFormat::hdf5:
       return Hdf5Reader(path).header();
     case RecordingFormat::spool:
       return SpoolReader(path).header();
-    case RecordingFormat::csv:
-      break;
+    default:
+      return std::nullopt;
   }
-  return std::nullopt;
 }
 
 }  // namespace avo_io

@@ -16,7 +16,7 @@ namespace avo_io {
 namespace {
 
 bool has_frames(ExportFormat format) {
-  return format == ExportFormat::sqlite || format == ExportFormat::pedestrian_hdf5;
+  return format != ExportFormat::csv && format != ExportFormat::mcap;
 }
 
 /// Times as whole numbers of equal steps from the first one.
@@ -86,7 +86,8 @@ std::optional<avo::Scenario> scenario_of(const std::string& input, const Convert
 
 std::unique_ptr<ExportTarget> target_of(ExportFormat format, const ExportPlace& place,
                                         const avo::Scenario* scenario) {
-  if (has_frames(format) && place.file.temporary().empty())
+  const bool by_name = format == ExportFormat::sqlite || format == ExportFormat::pedestrian_hdf5;
+  if (by_name && place.file.temporary().empty())
     throw FileError(place.name + ": found no regular file, this format must be written to one");
   switch (format) {
     case ExportFormat::csv:
@@ -95,6 +96,9 @@ std::unique_ptr<ExportTarget> target_of(ExportFormat format, const ExportPlace& 
       return export_sqlite(place, scenario);
     case ExportFormat::pedestrian_hdf5:
       return export_pedestrian(place, scenario);
+    case ExportFormat::pedestrian_text:
+    case ExportFormat::obsmat:
+      return export_text(place, format == ExportFormat::obsmat);
     case ExportFormat::mcap:
       break;
   }
@@ -105,6 +109,8 @@ void require_fitting_scene(const std::string& input, ExportFormat format,
                            const avo::Scenario* scenario) {
   if (format == ExportFormat::mcap && scenario == nullptr)
     throw avo::Error("the scene: found none, must be given: MCAP shows radii and walls");
+  if (format == ExportFormat::mcap && scenario->robots.empty())
+    throw avo::Error("the scene: found no robots in it, must have them: MCAP shows radii");
   if (has_frames(format) && scenario != nullptr && scenario->clock == avo::Clock::free)
     throw RecordingError(input +
                          ": found free clocks, must have a common one: the format has frames at "
@@ -119,12 +125,14 @@ Converted convert(const std::string& input, const std::string& output,
   const avo::Scenario* const scene = scenario ? &*scenario : nullptr;
   require_fitting_scene(input, options.format, scene);
   std::optional<std::int64_t> robots;
-  if (scene != nullptr) robots = static_cast<std::int64_t>(scene->robots.size());
+  if (scene != nullptr && !scene->robots.empty())
+    robots = static_cast<std::int64_t>(scene->robots.size());
   RecordingReader reader(input, robots);
   OutputFile file(output);
   const auto target = target_of(options.format, {file, output}, scene);
   Converted result;
-  Frames frames{scene != nullptr ? scene->time_step : 0.0};
+  Frames frames{robots ? scene->time_step : 0.0};
+  if (const auto rate = reader.frame_rate()) frames.step = 1.0 / *rate;
   Facing facing;
   RecordedTime moment;
   while (reader.next(moment)) {
@@ -140,7 +148,7 @@ Converted convert(const std::string& input, const std::string& output,
     }
     facing.turn(moment);
     try {
-      target->add({moment, *frame, facing.now});
+      target->add({moment, *frame, frames.step > 0.0 ? frames.fps() : 0.0, facing.now});
     } catch (const RecordingError& error) {
       throw RecordingError(reader.place() + ": " + error.what());
     }
@@ -150,7 +158,9 @@ Converted convert(const std::string& input, const std::string& output,
   }
   if (has_frames(options.format)) {
     result.fps = frames.fps();
-    result.without_walls = scene == nullptr;
+    const bool has_area =
+        options.format == ExportFormat::sqlite || options.format == ExportFormat::pedestrian_hdf5;
+    result.without_walls = scene == nullptr && has_area;
   }
   target->finish(result.fps.value_or(0.0));
   file.commit();

@@ -2,19 +2,17 @@
 // Recordings read again, one time after the other: CSV.
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <cstddef>
 #include <fmt/format.h>
-#include <limits>
 #include <span>
 #include <string_view>
-#include <system_error>
 
 #include "avo_io/errors.h"
 #include "avo_io/recording.h"
 #include "core/ranges.h"
 #include "line_reader.h"
+#include "row_numbers.h"
 #include "row_source.h"
 #include "words.h"
 
@@ -23,8 +21,9 @@ namespace {
 
 constexpr std::array<std::string_view, 8> kAllColumns{"time", "robot", "x",       "y",
                                                       "vx",   "vy",    "heading", "speed"};
-constexpr std::string_view kEvery = "every";  // of thinned recordings
-constexpr std::size_t kRequired = 6;          // the last two may both be missing
+constexpr std::string_view kEvery = "every";          // of thinned recordings
+constexpr std::string_view kEstimated = "estimated";  // of those that had no velocities
+constexpr std::size_t kRequired = 6;                  // the last two may both be missing
 constexpr std::span<const std::string_view> kColumns(kAllColumns.data(), kRequired);
 enum Column : std::size_t {
   time_column,
@@ -42,6 +41,7 @@ struct Row {
   double time = 0.0;
   avo::CheckedState state;
   std::int64_t every = 1;
+  bool estimated = false;
   std::int64_t line = 0;
 };
 
@@ -65,34 +65,6 @@ void split(std::string_view line, std::vector<std::string_view>& fields) {
   }
 }
 
-/// A number in any range, infinities and NaN too; what is too small for a double is zero.
-std::optional<double> parsed(std::string_view text) {
-  if (text.starts_with('+') && !text.starts_with("+-")) text.remove_prefix(1);
-  double value = 0.0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (end != text.data() + text.size()) return std::nullopt;
-  if (error == std::errc::result_out_of_range) {
-    const std::size_t exponent = text.find_first_of("eE");
-    const bool small = exponent != std::string_view::npos && text.substr(exponent + 1)[0] == '-';
-    return small ? 0.0 : std::numeric_limits<double>::infinity();
-  }
-  if (error != std::errc()) return std::nullopt;
-  return value;
-}
-
-/// A non-negative integer, also one that is written as 3.0.
-std::optional<std::int64_t> whole_number(std::string_view text) {
-  std::int64_t number = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-  if (error == std::errc() && end == text.data() + text.size())
-    return number >= 0 ? std::optional(number) : std::nullopt;
-  const std::optional<double> value = parsed(text);
-  constexpr double kExact = 0x1p53;
-  if (!value || !(*value >= 0.0 && *value < kExact) || std::floor(*value) != *value)
-    return std::nullopt;
-  return static_cast<std::int64_t>(*value);
-}
-
 /// The rows of a table of text.
 struct CsvRows final : RowSource {
   CsvRows(const std::string& path, std::optional<std::int64_t> most) : lines(path), robots(most) {
@@ -107,7 +79,7 @@ struct CsvRows final : RowSource {
   std::size_t columns = 0;             // in the first line
   std::array<std::size_t, 8> at = {};  // where kAllColumns are
   bool headings = false;               // the last two of them are there
-  std::optional<std::size_t> every_at;
+  std::optional<std::size_t> every_at, estimated_at;
   std::optional<Row> pending;  // the first row of the next time
   std::vector<Row> group;
   std::int64_t times = 0, last_line = 0;
@@ -121,6 +93,7 @@ struct CsvRows final : RowSource {
   double number(Column column) const;
   std::optional<avo::CheckedHeading> heading() const;
   std::int64_t every() const;
+  bool estimated() const;
   std::optional<Row> read_row();
   void read_group();
   void sort_group();
@@ -161,6 +134,7 @@ void CsvRows::read_header() {
   const std::size_t count = headings ? kAllColumns.size() : kRequired;
   for (std::size_t k = 0; k < count; ++k) at[k] = find_column(kAllColumns[k]);
   if (has_column(kEvery)) every_at = find_column(kEvery);
+  if (has_column(kEstimated)) estimated_at = find_column(kEstimated);
 }
 
 double CsvRows::number(Column column) const {
@@ -191,6 +165,13 @@ std::int64_t CsvRows::every() const {
          fmt::format("{}: found {}, must be an integer >= 1", kEvery, in_quotes(text)));
 }
 
+bool CsvRows::estimated() const {
+  if (!estimated_at) return false;
+  const std::string_view text = fields[*estimated_at];
+  if (text == "0" || text == "1") return text == "1";
+  refuse(lines.number(), fmt::format("{}: found {}, must be 0 or 1", kEstimated, in_quotes(text)));
+}
+
 // None at the end of the file.
 std::optional<Row> CsvRows::read_row() {
   std::optional<std::string_view> line = lines.next();
@@ -215,6 +196,7 @@ std::optional<Row> CsvRows::read_row() {
                {number(vx_column), number(vy_column)},
                heading()};
   row.every = every();
+  row.estimated = estimated();
   return row;
 }
 
@@ -258,6 +240,7 @@ bool CsvRows::next(RecordedTime& moment) {
   read_group();
   moment.rows.clear();
   moment.every = 1;
+  moment.estimated = false;
   if (group.empty()) {
     if (times > 1) return false;
     refuse(lines.number(), fmt::format("found rows of {} time{}, must be of two or more",
@@ -267,6 +250,7 @@ bool CsvRows::next(RecordedTime& moment) {
   for (const Row& row : group) {
     moment.rows.push_back(row.state);
     moment.every = std::max(moment.every, row.every);
+    moment.estimated = moment.estimated || row.estimated;
   }
   ++times;
   return true;

@@ -21,7 +21,7 @@ class CsvExport final : public ExportTarget {
   void begin(const RecordedTime& first);
 
   OutputFile& file_;
-  bool begun_ = false, headings_ = false, thinned_ = false;
+  bool begun_ = false, headings_ = false, thinned_ = false, estimated_ = false;
   std::string rows_;
 };
 
@@ -30,15 +30,17 @@ void CsvExport::begin(const RecordedTime& first) {
   headings_ = std::any_of(first.rows.begin(), first.rows.end(),
                           [](const avo::CheckedState& row) { return row.heading.has_value(); });
   thinned_ = first.every > 1;
-  file_.write(fmt::format("time,robot,x,y,vx,vy{}{}\n", headings_ ? ",heading,speed" : "",
-                          thinned_ ? ",every" : ""));
+  estimated_ = first.estimated;
+  file_.write(fmt::format("time,robot,x,y,vx,vy{}{}{}\n", headings_ ? ",heading,speed" : "",
+                          thinned_ ? ",every" : "", estimated_ ? ",estimated" : ""));
 }
 
 void CsvExport::add(const ExportedTime& moment) {
   if (!begun_) begin(moment.recorded);
   const auto end = std::back_inserter(rows_);
   const std::string time = fmt::format("{}", moment.recorded.time);
-  const std::string last = thinned_ ? fmt::format(",{}\n", moment.recorded.every) : "\n";
+  const std::string last = (thinned_ ? fmt::format(",{}", moment.recorded.every) : "") +
+                           (estimated_ ? moment.recorded.estimated ? ",1\n" : ",0\n" : "\n");
   rows_.clear();
   for (const avo::CheckedState& row : moment.recorded.rows) {
     const avo::Vec2 p = row.position, v = row.velocity;

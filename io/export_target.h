@@ -19,6 +19,7 @@ inline constexpr double kAtRest = 1e-12;
 struct ExportedTime {
   const RecordedTime& recorded;
   std::int64_t frame = 0;               ///< of the formats that have frames
+  double fps = 0.0;                     ///< likewise; 0: not known yet, at the first time
   const std::vector<avo::Vec2>& faces;  ///< of each row: where it faces, of length 1
 };
 
@@ -43,6 +44,8 @@ std::unique_ptr<ExportTarget> export_sqlite(const ExportPlace& place,
                                             const avo::Scenario* scenario);
 std::unique_ptr<ExportTarget> export_pedestrian(const ExportPlace& place,
                                                 const avo::Scenario* scenario);
+/// `obsmat`: as ETH and UCY have it.
+std::unique_ptr<ExportTarget> export_text(const ExportPlace& place, bool obsmat);
 std::unique_ptr<ExportTarget> export_mcap(const ExportPlace& place, const avo::Scenario& scenario);
 
 }  // namespace avo_io

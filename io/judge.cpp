@@ -35,7 +35,8 @@ double interpolation_error(const avo::Scenario& scenario, const avo::RobotSetup&
 /// Feeds the judge; robots of a recording without scene are known when they first come.
 struct Judge {
   std::optional<avo::Scenario> scenario;
-  avo::CheckedRobot like;  // all robots, without scene
+  bool has_robots;         // the scene
+  avo::CheckedRobot like;  // all robots, where it has none
   std::unordered_map<std::int64_t, std::int64_t> index_of;
   avo::Check check;
   Judgement judgement;
@@ -44,7 +45,7 @@ struct Judge {
   std::optional<MoverWalk> movers;            // of the scene
 
   Judge(const std::string& recording, const JudgeOptions& options);
-  void number_densely(std::vector<avo::CheckedState>& rows);
+  void number_densely(RecordedTime& moment);
   void add(RecordedTime& moment);
   void place_obstacles(double time);
   void compare_with_scene();
@@ -88,24 +89,38 @@ avo::Check check_of(const JudgeOptions& options_of_judge) {
 }
 
 Judge::Judge(const std::string& recording, const JudgeOptions& options)
-    : scenario(options.scenario), check(check_of(options)) {
+    : scenario(options.scenario),
+      has_robots(scenario && !scenario->robots.empty()),
+      check(check_of(options)) {
   judgement.recording = recording;
   judgement.tolerance = options.tolerance;
   judgement.require_arrival = options.require_arrival;
   if (scenario) {
     judgement.scene = scenario->name;
+    take_walls(*scenario, check, judgement.obstacle_of_wall);
+    movers.emplace(*scenario);
+  }
+  if (has_robots) {
     judgement.time_step = scenario->time_step;
     judgement.scene_end = scenario->duration;
     judgement.free_clocks = scenario->clock == avo::Clock::free;
-    take_walls(*scenario, check, judgement.obstacle_of_wall);
-    movers.emplace(*scenario);
   } else {
-    like = {options.radius, options.max_acceleration, options.max_speed};
+    constexpr double kUnknown = std::numeric_limits<double>::infinity();
+    judgement.knows_accelerations = options.max_acceleration.has_value();
+    judgement.knows_speeds = options.max_speed.has_value();
+    like = {options.radius, options.max_acceleration.value_or(kUnknown),
+            options.max_speed.value_or(kUnknown)};
     like.max_braking = options.max_braking;
   }
 }
 
-void Judge::number_densely(std::vector<avo::CheckedState>& rows) {
+constexpr double kJumpOfRadius = 0.1;  // velocities of few digits explain no more than that
+constexpr double kJumpOfEstimates = 1.0;
+
+void Judge::number_densely(RecordedTime& moment) {
+  std::vector<avo::CheckedState>& rows = moment.rows;
+  if (!judgement.knows_accelerations)
+    like.largest_jump = like.radius * (moment.estimated ? kJumpOfEstimates : kJumpOfRadius);
   for (avo::CheckedState& row : rows) {
     const auto [place, is_new] = index_of.try_emplace(row.robot, 0);
     if (is_new) {
@@ -156,18 +171,19 @@ void Judge::place_obstacles(double time) {
 void Judge::add(RecordedTime& moment) {
   const std::optional<double> before = std::exchange(last_time, moment.time);
   judgement.every = std::max(judgement.every, moment.every);
+  judgement.estimated = judgement.estimated || moment.estimated;
   const bool thinned =
-      before && (moment.every > 1 || (scenario && lacks_rows(*scenario, moment.time - *before)));
+      before && (moment.every > 1 || (has_robots && lacks_rows(*scenario, moment.time - *before)));
   if (thinned) check.skip();
-  if (!scenario) {
-    number_densely(moment.rows);
+  if (scenario && thinned) movers->require_known(moment.time);
+  if (scenario) place_obstacles(moment.time);
+  if (!has_robots) {
+    number_densely(moment);
   } else {
     if (before && is_uneven(*scenario, moment.time - *before)) {
       ++judgement.uneven_steps;
       if (!thinned) ++judgement.uneven_judged;
     }
-    if (thinned) movers->require_known(moment.time);
-    place_obstacles(moment.time);
     there_last.assign(scenario->robots.size(), 0);
     for (const avo::CheckedState& row : moment.rows)
       there_last[static_cast<std::size_t>(row.robot)] = 1;
@@ -187,7 +203,7 @@ bool is_end(const avo::Scenario& scenario, double time) {
 
 // What the recording lacks of the scene.
 void Judge::compare_with_scene() {
-  if (!scenario) return;
+  if (!has_robots) return;
   const avo::CheckReport& report = judgement.report;
   const auto has_left = [&](std::size_t k) {
     const auto* airplane = std::get_if<avo::Airplane>(&scenario->robots[k].model);
@@ -207,7 +223,7 @@ void Judge::compare_with_scene() {
 Judgement judge(const std::string& recording, const JudgeOptions& options) {
   Judge judge(recording, options);
   std::optional<std::int64_t> robots;
-  if (judge.scenario) robots = static_cast<std::int64_t>(judge.scenario->robots.size());
+  if (judge.has_robots) robots = static_cast<std::int64_t>(judge.scenario->robots.size());
   RecordingReader reader(recording, robots);
   RecordedTime moment;
   while (reader.next(moment)) {

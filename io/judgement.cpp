@@ -47,6 +47,11 @@ Json to_json(const Judgement& judgement, const avo::CheckCount& rule, const char
   return {{"count", rule.count}, {"worst", rule.worst}, {"first", first}};
 }
 
+/// Of a limit that nobody knows.
+Json unknown() {
+  return {{"count", nullptr}, {"worst", nullptr}, {"first", nullptr}};
+}
+
 /// "3 pairs, the first at 1.5 s: robots 0 and 1, by 0.01 m; at most by 0.2 m".
 std::string text_of(const Judgement& judgement, const avo::CheckCount& rule, const char* things,
                     const char* unit, Among others = Among::robots) {
@@ -203,11 +208,17 @@ std::string readable(const Judgement& judgement) {
   if (!judgement.obstacle_of_wall.empty())
     line("obstacles",
          text_of(judgement, report.static_contacts, "robots touched one", "m", Among::walls));
+  const char* const nobody_knows = "unknown, without a limit";
   line("acceleration",
-       text_of(judgement, report.accelerations, "robot-steps beyond the limit", "m/s^2") +
+       (judgement.knows_accelerations
+            ? text_of(judgement, report.accelerations, "robot-steps beyond the limit", "m/s^2")
+            : nobody_knows) +
            fmt::format("; largest {:.6g} m/s^2", report.largest_acceleration));
-  line("speed", text_of(judgement, report.speeds, "rows beyond the limit", "m/s") +
-                    fmt::format("; largest {:.6g} m/s", report.largest_speed));
+  line("speed",
+       (judgement.knows_speeds ? text_of(judgement, report.speeds, "rows beyond the limit", "m/s")
+                               : nobody_knows) +
+           fmt::format("; largest {:.6g} m/s", report.largest_speed));
+  if (judgement.estimated) line("velocities", "estimated, of a recording that has positions alone");
   line("jumps", text_of(judgement, report.jumps, "robot-steps off their velocities", "m"));
   add_kinematics(judgement, line);
   if (judgement.free_clocks)
@@ -239,7 +250,7 @@ std::string to_json(const Judgement& judgement) {
   json["every"] = judgement.every;
   json["robot_steps"] = report.robot_steps;
   json["gaps"] = report.gaps;
-  json["whole"] = judgement.scene ? Json(judgement.whole) : Json();
+  json["whole"] = judgement.time_step ? Json(judgement.whole) : Json();
   json["lacking"] = judgement.lacking;
   json["from"] = report.from;
   json["to"] = report.to;
@@ -254,8 +265,9 @@ std::string to_json(const Judgement& judgement) {
   json["one_sided_hits"] = hits_of(judgement, report.one_sided_hits, "other", true);
   json["movers_at_rest"] = report.movers_at_rest ? "ok" : "collision";
   json["static_contacts"] = to_json(judgement, report.static_contacts, "obstacle", Among::walls);
-  json["accelerations"] = to_json(judgement, report.accelerations, nullptr);
-  json["speeds"] = to_json(judgement, report.speeds, nullptr);
+  json["accelerations"] =
+      judgement.knows_accelerations ? to_json(judgement, report.accelerations, nullptr) : unknown();
+  json["speeds"] = judgement.knows_speeds ? to_json(judgement, report.speeds, nullptr) : unknown();
   json["jumps"] = to_json(judgement, report.jumps, nullptr);
   for (const KinematicRule& rule : kKinematics)
     json[rule.key] = to_json(judgement, report.*rule.count, nullptr);
@@ -271,9 +283,10 @@ std::string to_json(const Judgement& judgement) {
   json["at_goal_at_end"] = report.at_goal_at_end;
   json["last_arrival"] = or_null(report.last_arrival);
   json["not_arrived"] = report.not_arrived;
+  json["estimated"] = judgement.estimated;
   json["tolerance"] = judgement.tolerance;
   json["interpolation_error"] = report.interpolation_error;
-  json["uneven_steps"] = judgement.scene ? Json(judgement.uneven_steps) : Json();
+  json["uneven_steps"] = judgement.time_step ? Json(judgement.uneven_steps) : Json();
   json["version"] = avo::kVersion;
   // names of files need not be UTF-8
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";

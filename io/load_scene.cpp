@@ -23,11 +23,10 @@ std::string not_found(const std::string& path) {
                      joined(names), meant ? fmt::format("; did you mean \"{}\"?", *meant) : "");
 }
 
-}  // namespace
-
-avo::Scenario load_scenario(const std::string& name_or_path,
-                            const std::vector<std::string>& overrides, SceneSource* source) {
+avo::Scenario loaded(const std::string& name_or_path, const std::vector<std::string>& overrides,
+                     SceneSource* source, bool may_lack_robots) {
   SceneFiles files{folder_of(name_or_path)};
+  files.may_lack_robots = may_lack_robots;
   const auto build_and_tell = [&](std::string yaml, const std::string& file) {
     avo::Scenario scenario = scenario_of(yaml, file, overrides, files);
     if (source != nullptr) {
@@ -46,6 +45,18 @@ avo::Scenario load_scenario(const std::string& name_or_path,
   }
   if (is_missing(name_or_path)) throw FileError(not_found(name_or_path));
   return build_and_tell(read_regular_file(name_or_path), name_or_path);
+}
+
+}  // namespace
+
+avo::Scenario load_scenario(const std::string& name_or_path,
+                            const std::vector<std::string>& overrides, SceneSource* source) {
+  return loaded(name_or_path, overrides, source, false);
+}
+
+avo::Scenario load_surroundings(const std::string& name_or_path,
+                                const std::vector<std::string>& overrides, SceneSource* source) {
+  return loaded(name_or_path, overrides, source, true);
 }
 
 }  // namespace avo_io

@@ -22,7 +22,8 @@ avo::Scenario own_scene(const std::string& path, const RecordingHeader& header) 
 
 std::optional<RecordedScene> read_recorded_scene(const std::string& path,
                                                  const std::vector<std::string>& overrides) {
-  if (format_of(path) == RecordingFormat::csv) return std::nullopt;
+  const RecordingFormat format = format_of(path);
+  if (format != RecordingFormat::hdf5 && format != RecordingFormat::spool) return std::nullopt;
   BlockSource source(path);
   RecordedScene found{source.header(), source.scenario()};
   if (overrides.empty()) return found;

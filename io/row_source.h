@@ -16,6 +16,7 @@ class RowSource {
   /// See RecordingReader.
   virtual bool next(RecordedTime& moment) = 0;
   [[nodiscard]] virtual std::string place(std::optional<std::int64_t> robot) const = 0;
+  [[nodiscard]] virtual std::optional<double> frame_rate() const { return std::nullopt; }
 };
 
 std::unique_ptr<RowSource> csv_rows(const std::string& path, std::optional<std::int64_t> robots);
@@ -23,7 +24,14 @@ std::unique_ptr<RowSource> csv_rows(const std::string& path, std::optional<std::
 std::unique_ptr<RowSource> block_rows(const std::string& path, std::optional<std::int64_t> robots);
 
 /// What a file is by its first bytes. "-" is CSV. Throws FileError where it cannot be read.
-enum class RecordingFormat { csv, hdf5, spool };
+enum class RecordingFormat {
+  csv,
+  hdf5,
+  spool,
+  pedestrian_text,  ///< of the archive, or of ETH and UCY
+  pedestrian_hdf5,
+  pedestrian_sqlite
+};
 RecordingFormat format_of(const std::string& path);
 
 }  // namespace avo_io

@@ -71,7 +71,7 @@ class SceneBuilder {
     add_robots();
     add_robots_from();
     add_groups();
-    if (scenario_.robots.empty())
+    if (scenario_.robots.empty() && !files_.may_lack_robots)
       reader_.fail(root, "", "no robots",
                    "must have at least one in robots, robots_from or groups");
     apply(patches);

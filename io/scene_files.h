@@ -23,6 +23,7 @@ struct SceneFiles {
   std::size_t bytes = 0;                          ///< read so far
   std::vector<SceneFile> read{};
   std::vector<std::string> notes{};  ///< see SceneSource
+  bool may_lack_robots = false;      ///< of the scene, see load_surroundings()
 };
 
 /// Adds a note, if it is not there yet.

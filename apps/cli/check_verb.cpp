@@ -34,36 +34,34 @@ std::optional<avo_io::RecordedScene> own_scene(const CheckArguments& arguments) 
   return avo_io::read_recorded_scene(arguments.recording, arguments.scene.overrides);
 }
 
-/// `scene`: there is one.
+/// `scene`: there is one, with robots.
 void check_arguments(const CheckArguments& arguments, bool scene) {
-  struct Limit {
-    const char* option;
-    const std::optional<double>& value;
-    bool optional = false;
-  };
-  const Limit limits[] = {{"--radius", arguments.radius},
-                          {"--max-acceleration", arguments.max_acceleration},
-                          {"--max-speed", arguments.max_speed},
-                          {"--max-braking", arguments.max_braking, true}};
-  for (const auto& [option, value, optional] : limits) {
+  const std::pair<const char*, const std::optional<double>&> limits[] = {
+      {"--radius", arguments.radius},
+      {"--max-acceleration", arguments.max_acceleration},
+      {"--max-speed", arguments.max_speed},
+      {"--max-braking", arguments.max_braking}};
+  for (const auto& [option, value] : limits) {
     if (scene && value)
-      throw UsageError(fmt::format("{}: found besides --scene, must be one or the other", option));
-    if (!scene && !value && !optional)
-      throw UsageError(fmt::format(
-          "{}: found neither it nor --scene, must be --scene, or --radius, --max-acceleration "
-          "and --max-speed",
-          option));
+      throw UsageError(
+          fmt::format("{}: found besides the robots of --scene, must be one or the other", option));
     if (value && !(*value > 0.0))
       throw UsageError(fmt::format("{}: found {}, must be > 0", option, *value));
   }
+  if (!scene && !arguments.radius)
+    throw UsageError(
+        "--radius: found neither it nor robots in --scene, must be one of the two; "
+        "--max-acceleration "
+        "and --max-speed may be with it");
+  if (arguments.max_braking && !arguments.max_acceleration)
+    throw UsageError("--max-braking: found without --max-acceleration, must be with it");
   if (arguments.radius && !std::isfinite(*arguments.radius))
     throw UsageError("--radius: found inf, must be finite");
-  if (!scene && !arguments.scene.overrides.empty())
+  if (!scene && arguments.scene.scene.empty() && !arguments.scene.overrides.empty())
     throw UsageError("--set: found without --scene, must be with it");
   if (!scene && arguments.require_arrival)
-    throw UsageError("--require-arrival: found without --scene, must be with it: goals are there");
-  if (arguments.recording == "-" && arguments.scene.scene == "-")
-    throw UsageError("the recording and --scene: found - twice, must be one standard input only");
+    throw UsageError(
+        "--require-arrival: found without robots of --scene, must be with them: they have goals");
   if (!(arguments.tolerance >= 0.0 && arguments.tolerance < 1.0))
     throw UsageError(
         fmt::format("--tolerance: found {}, must be >= 0 and < 1", arguments.tolerance));
@@ -72,27 +70,30 @@ void check_arguments(const CheckArguments& arguments, bool scene) {
                                  avo_io::printable(arguments.movers_at_rest)));
 }
 
-avo_io::JudgeOptions options_of(const CheckArguments& arguments,
-                                const std::optional<avo_io::RecordedScene>& own) {
-  avo_io::JudgeOptions options{.tolerance = arguments.tolerance,
-                               .require_arrival = arguments.require_arrival,
-                               .movers_at_rest = arguments.movers_at_rest == "ok"};
+/// The scene that is given, or the recording's own.
+std::optional<avo::Scenario> scenario_of(const CheckArguments& arguments,
+                                         const std::optional<avo_io::RecordedScene>& own) {
   if (!arguments.scene.scene.empty()) {
     avo_io::SceneSource source;
-    options.scenario = with_overrides(arguments.scene, source);
-    tell_settings(arguments.scene, *options.scenario, source);
-    return options;
+    avo::Scenario scenario = with_overrides(arguments.scene, source, true);
+    tell_settings(arguments.scene, scenario, source);
+    return scenario;
   }
-  if (own) {
-    options.scenario = own->scenario;
-    tell_settings(arguments.scene, *options.scenario, own->header.scene);
-    return options;
-  }
-  options.radius = *arguments.radius;
-  options.max_acceleration = *arguments.max_acceleration;
-  options.max_speed = *arguments.max_speed;
-  options.max_braking = arguments.max_braking;
-  return options;
+  if (!own) return std::nullopt;
+  tell_settings(arguments.scene, own->scenario, own->header.scene);
+  return own->scenario;
+}
+
+avo_io::JudgeOptions options_of(const CheckArguments& arguments,
+                                std::optional<avo::Scenario> scenario) {
+  return {.scenario = std::move(scenario),
+          .radius = arguments.radius.value_or(0.0),
+          .max_acceleration = arguments.max_acceleration,
+          .max_speed = arguments.max_speed,
+          .max_braking = arguments.max_braking,
+          .tolerance = arguments.tolerance,
+          .require_arrival = arguments.require_arrival,
+          .movers_at_rest = arguments.movers_at_rest == "ok"};
 }
 
 /// Without a scene nobody knows how long it takes.
@@ -107,10 +108,13 @@ avo_io::Judgement judge_with_progress(const std::string& recording, avo_io::Judg
 
 int check(const CheckArguments& arguments) {
   const std::optional<avo_io::RecordedScene> own = own_scene(arguments);
-  check_arguments(arguments, own || !arguments.scene.scene.empty());
+  if (arguments.recording == "-" && arguments.scene.scene == "-")
+    throw UsageError("the recording and --scene: found - twice, must be one standard input only");
   require_distinct({{"the recording", arguments.recording}, file_of(arguments.scene)}, {});
+  std::optional<avo::Scenario> scenario = scenario_of(arguments, own);
+  check_arguments(arguments, scenario && !scenario->robots.empty());
   const avo_io::Judgement judgement =
-      judge_with_progress(arguments.recording, options_of(arguments, own));
+      judge_with_progress(arguments.recording, options_of(arguments, std::move(scenario)));
   if (judgement.uneven_judged > 0)
     warn(
         {fmt::format("{} of {} steps are not the scene's {} s long; they are judged on the cubic "

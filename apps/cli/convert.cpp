@@ -26,12 +26,17 @@ namespace {
 
 using avo_io::ExportFormat;
 
-/// By the ending of the output, where --to does not say it.
-constexpr std::pair<std::string_view, ExportFormat> kEndings[] = {
-    {".csv", ExportFormat::csv},
-    {".sqlite", ExportFormat::sqlite},
-    {".h5", ExportFormat::pedestrian_hdf5},
-    {".mcap", ExportFormat::mcap}};
+/// Of the output. Those of recordings and of text do not tell the format.
+struct Ending {
+  std::string_view ending;
+  ExportFormat format;
+};
+constexpr Ending kEndings[] = {{".csv", ExportFormat::csv},
+                               {".sqlite", ExportFormat::sqlite},
+                               {".h5", ExportFormat::pedestrian_hdf5},
+                               {".mcap", ExportFormat::mcap},
+                               {".txt", ExportFormat::pedestrian_text},
+                               {".txt", ExportFormat::obsmat}};
 
 ExportFormat format_called(const std::string& word) {
   std::vector<std::string_view> words;
@@ -48,19 +53,17 @@ ExportFormat format_called(const std::string& word) {
 ExportFormat format_of(const ConvertArguments& arguments) {
   if (!arguments.to.empty()) {
     const ExportFormat format = format_called(arguments.to);
-    for (const auto& [ending, of] : kEndings)
-      if (of == format) require_ending({"the output", arguments.output}, {ending});
+    for (const Ending& known : kEndings)
+      if (known.format == format) require_ending({"the output", arguments.output}, {known.ending});
     return format;
   }
   const std::string ending = std::filesystem::path(arguments.output).extension().string();
-  for (const auto& [known, format] : kEndings) {
-    if (ending != known) continue;
-    if (format == ExportFormat::pedestrian_hdf5)
-      throw UsageError(fmt::format(
-          "the output {}: found the ending .h5 without --to, must be with --to pedestrian-hdf5",
-          arguments.output));
-    return format;
-  }
+  if (ending == ".h5" || ending == ".txt")
+    throw UsageError(fmt::format(
+        "the output {}: found the ending {} without --to, must be with --to {}", arguments.output,
+        ending, ending == ".h5" ? "pedestrian-hdf5" : "pedestrian-text or obsmat"));
+  for (const Ending& known : kEndings)
+    if (ending == known.ending) return known.format;
   throw UsageError(fmt::format(
       "the output {}: found the ending \"{}\", must be .csv, .sqlite or .mcap, or with --to FORMAT",
       arguments.output, avo_io::printable(ending, kLongestWord)));
@@ -70,7 +73,7 @@ ExportFormat format_of(const ConvertArguments& arguments) {
 std::optional<avo::Scenario> scenario_of(const ConvertArguments& arguments) {
   if (!arguments.scene.scene.empty()) {
     avo_io::SceneSource source;
-    avo::Scenario scenario = with_overrides(arguments.scene, source);
+    avo::Scenario scenario = with_overrides(arguments.scene, source, true);
     tell_settings(arguments.scene, scenario, source);
     return scenario;
   }
@@ -109,6 +112,8 @@ int convert(const ConvertArguments& arguments) {
   require_distinct({{"the recording", arguments.recording}, file_of(arguments.scene)},
                    {{"the output", arguments.output}});
   avo_io::ConvertOptions options{.format = format, .scenario = scenario_of(arguments)};
+  if (format == ExportFormat::mcap && options.scenario && options.scenario->robots.empty())
+    throw UsageError("--scene: found no robots in it, must have them: MCAP shows radii");
   if (format == ExportFormat::mcap && !options.scenario) {
     if (arguments.recording != "-") avo_io::RecordingReader(arguments.recording);  // is it there?
     throw UsageError(

@@ -35,8 +35,10 @@ bool is_utf8(const std::string& text) {
   }
 }
 
-/// Raw graymaps are no text.
-Json json_of(const avo_io::SceneFile& file) {
+/// Raw graymaps are no text. Of images the page reads no others.
+Json json_of(const avo_io::SceneFile& scene_file) {
+  avo_io::SceneFile file = scene_file;
+  if (auto graymap = avo_io::as_graymap(file)) file.text = std::move(*graymap);
   Json json{{"path", file.path}, {"builtin", file.builtin}};
   if (is_utf8(file.text))
     json["text"] = file.text;

@@ -97,16 +97,21 @@ void add_check(CLI::App& app, Action& action) {
   CLI::App* verb = app.add_subcommand("check", "judge recorded motion, whoever made it");
   static CheckArguments arguments;
   not_empty(verb->add_option("RECORDING", arguments.recording,
-                             "as avo run --record writes it; - is stdin, of CSV"))
-      ->type_name("FILE.csv|.h5")
+                             "as avo run --record writes it, or trajectories of pedestrians; - is "
+                             "stdin, of CSV"))
+      ->type_name("FILE.csv|.h5|.sqlite|.txt")
       ->required();
   not_empty(verb->add_option("--scene", arguments.scene.scene, kScene))->type_name("SCENE");
   add_overrides(*verb, arguments.scene);
-  verb->add_option("--radius", arguments.radius, "of all robots, where there is no scene")
+  verb->add_option("--radius", arguments.radius,
+                   "of all robots, where there is no scene, or none of its own robots")
       ->type_name("M");
-  verb->add_option("--max-acceleration", arguments.max_acceleration, "likewise; inf: no limit")
+  verb->add_option("--max-acceleration", arguments.max_acceleration,
+                   "likewise; without it accelerations are unknown; inf: no limit")
       ->type_name("M/S^2");
-  verb->add_option("--max-speed", arguments.max_speed, "likewise; inf: no limit")->type_name("M/S");
+  verb->add_option("--max-speed", arguments.max_speed,
+                   "likewise; without it speeds are unknown; inf: no limit")
+      ->type_name("M/S");
   verb->add_option("--max-braking", arguments.max_braking,
                    "likewise, where it is more than --max-acceleration")
       ->type_name("M/S^2");
@@ -158,13 +163,15 @@ void add_convert(CLI::App& app, Action& action) {
   CLI::App* verb = app.add_subcommand("convert", "write a recording for other programs");
   static ConvertArguments arguments;
   not_empty(verb->add_option("RECORDING", arguments.recording,
-                             "as avo run --record writes it, or its spool; - is stdin, of CSV"))
-      ->type_name("FILE.csv|.h5|.h5.part")
+                             "as avo run --record writes it, or its spool, or trajectories of "
+                             "pedestrians; - is stdin, of CSV"))
+      ->type_name("FILE.csv|.h5|.h5.part|.sqlite|.txt")
       ->required();
   not_empty(verb->add_option("OUTPUT", arguments.output, "its ending says the format; - is stdout"))
-      ->type_name("FILE.csv|.sqlite|.mcap|.h5")
+      ->type_name("FILE.csv|.sqlite|.mcap|.h5|.txt")
       ->required();
-  not_empty(verb->add_option("--to", arguments.to, "csv, sqlite, mcap or pedestrian-hdf5"))
+  not_empty(verb->add_option("--to", arguments.to,
+                             "csv, sqlite, mcap, pedestrian-hdf5, pedestrian-text or obsmat"))
       ->type_name("FORMAT");
   not_empty(verb->add_option("--scene", arguments.scene.scene, kScene))->type_name("SCENE");
   add_overrides(*verb, arguments.scene);

@@ -18,9 +18,11 @@
 
 namespace avo_cli {
 
-avo::Scenario with_overrides(const SceneArguments& arguments, avo_io::SceneSource& source) {
+avo::Scenario with_overrides(const SceneArguments& arguments, avo_io::SceneSource& source,
+                             bool may_lack_robots) {
   try {
-    avo::Scenario scenario = avo_io::load_scenario(arguments.scene, arguments.overrides, &source);
+    const auto load = may_lack_robots ? avo_io::load_surroundings : avo_io::load_scenario;
+    avo::Scenario scenario = load(arguments.scene, arguments.overrides, &source);
     warn(source.notes);
     return scenario;
   } catch (const avo_io::OverrideError& error) {

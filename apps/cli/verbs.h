@@ -29,7 +29,8 @@ struct NamedFile {
 
 /// Loads it with its overrides; `source` becomes what it is made of. What is wrong with an override
 /// is said of the option that was typed.
-avo::Scenario with_overrides(const SceneArguments& arguments, avo_io::SceneSource& source);
+avo::Scenario with_overrides(const SceneArguments& arguments, avo_io::SceneSource& source,
+                             bool may_lack_robots = false);
 
 /// Loads it, changes it as asked and warns of settings that do not fit. Throws UsageError where the
 /// file is one of the outputs, or two of these are one (files.h), and BrokenScene where it breaks

@@ -83,6 +83,9 @@ struct CheckedRobot {
   /// m/s^2, > 0: where it is more than max_acceleration, a step may also slow the robot down
   /// straight by that much, or do a part of that and a part of what max_acceleration allows.
   std::optional<double> max_braking = {};
+  /// m, >= 0: where max_acceleration is infinite, how far the positions of two rows may be off what
+  /// their velocities and the change between these explain. Unset: no jump is judged then.
+  std::optional<double> largest_jump = {};
 };
 
 /// A disc whose whole motion is known: p + t v + t²/2 a; or see Check::place_obstacle().
@@ -181,8 +184,9 @@ struct CheckReport {
   CheckCount speeds;  ///< robot-rows with |v| > v_max
   /// Robot-steps with |Δp - Δt (v_0 + v_1)/2| > a_max Δt²/2: positions that do not follow the
   /// velocities. A motion within a_max stays below half of it, one whose velocity changes at once,
-  /// by a_max Δt at most, just within it. With headings, those that are off their arc, or what the
-  /// motion of a drive makes of the velocities.
+  /// by a_max Δt at most, just within it. Where a_max is infinite, > Δt |v_1 - v_0|/2 +
+  /// largest_jump: whenever the velocity changes in the step, the first of these covers it. With
+  /// headings, those that are off their arc, or what the motion of a drive makes of the velocities.
   CheckCount jumps;
   /// With headings, robot-rows whose velocity is not the speed along the heading.
   CheckCount headings;

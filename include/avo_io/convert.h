@@ -20,18 +20,23 @@ enum class ExportFormat {
   sqlite,           ///< of JuPedSim, version 2
   pedestrian_hdf5,  ///< of the Pedestrian Dynamics Data Archive
   mcap,             ///< with the schemas of Foxglove
+  pedestrian_text,  ///< of the archive, as PedPy reads it
+  obsmat,           ///< of ETH and UCY
 };
 /// Their words on the command line.
-inline constexpr std::array<std::pair<std::string_view, ExportFormat>, 4> kExportFormats{
+inline constexpr std::array<std::pair<std::string_view, ExportFormat>, 6> kExportFormats{
     {{"csv", ExportFormat::csv},
      {"sqlite", ExportFormat::sqlite},
      {"pedestrian-hdf5", ExportFormat::pedestrian_hdf5},
-     {"mcap", ExportFormat::mcap}}};
+     {"mcap", ExportFormat::mcap},
+     {"pedestrian-text", ExportFormat::pedestrian_text},
+     {"obsmat", ExportFormat::obsmat}}};
 
 /// How convert() writes.
 struct ConvertOptions {
   ExportFormat format = ExportFormat::csv;
-  /// Of the recording; unset: the one that it has in itself, if it has.
+  /// Of the recording; unset: the one that it has in itself, if it has. One without robots says
+  /// where walls are.
   std::optional<avo::Scenario> scenario = {};
   /// Called with each time of the recording, s, once it is converted.
   std::function<void(double time)> converted = {};
@@ -48,7 +53,8 @@ struct Converted {
   bool without_walls = false;
 };
 
-/// Writes the recording at `input` (CSV, HDF5, a spool; "-" is the standard input, of CSV) to
+/// Writes the recording at `input` (CSV, HDF5, a spool, trajectories of others; "-" is the standard
+/// input, of CSV) to
 /// `output`, whole or not at all. Never holds more than one time, of HDF5 64. Throws FileError,
 /// RecordingError, and Error where the format needs a scene and there is none.
 AVO_API Converted convert(const std::string& input, const std::string& output,

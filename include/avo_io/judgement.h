@@ -13,12 +13,16 @@
 
 namespace avo_io {
 
-/// What the robots are held to: what a scene says of them or, without one, these four for all.
+/// What the robots are held to: what a scene says of them or, without one, these four for all. They
+/// also do where the scene has no robots, and tells of walls and of moving obstacles alone.
 struct JudgeOptions {
   std::optional<avo::Scenario> scenario = {};
-  double radius = 0.0;                     ///< m, > 0, without a scene
-  double max_acceleration = 0.0;           ///< m/s^2, > 0, likewise
-  double max_speed = 0.0;                  ///< m/s, > 0, likewise
+  double radius = 0.0;  ///< m, > 0, without a scene
+  /// m/s^2, > 0, likewise; unset: nobody knows it. Accelerations are not judged then, and jumps by
+  /// avo::CheckedRobot::largest_jump: a tenth of the radius, all of it where velocities are
+  /// estimated.
+  std::optional<double> max_acceleration = {};
+  std::optional<double> max_speed = {};    ///< m/s, > 0, likewise; unset: speeds are not judged
   std::optional<double> max_braking = {};  ///< m/s^2, > 0, likewise; unset: max_acceleration
   double tolerance = 1e-9;                 ///< see avo::CheckOptions::relative_tolerance
   bool require_arrival = false;            ///< at the goals of the scene
@@ -40,7 +44,9 @@ struct Judgement {
   std::int64_t uneven_judged = 0;  ///< of them, those that lack no rows
   std::int64_t every = 1;          ///< the recording has rows of every so many steps, as it says
   bool require_arrival = false;
-  bool free_clocks = false;  ///< in the scene
+  bool free_clocks = false;                              ///< in the scene
+  bool knows_accelerations = true, knows_speeds = true;  ///< the limits, which are judged then
+  bool estimated = false;                                ///< the velocities, see RecordedTime
   /// Robots of the scene, ascending, that have no row at the first time or at the last one; but for
   /// airplanes that left where they arrived.
   std::vector<std::int64_t> lacking;

@@ -145,6 +145,9 @@ struct RecordedTime {
   /// More than 1: the recording has the rows of every so many steps only, and those of its last
   /// step. The largest of the column "every", where that is there.
   std::int64_t every = 1;
+  /// The velocities are estimated: a measurement of positions has none of its own. So says the
+  /// column "estimated" of CSV.
+  bool estimated = false;
 };
 
 class RowSource;
@@ -152,7 +155,8 @@ class RowSource;
 /// Reads what a Recording writes, a spool too as far as it is whole. Of CSV any like it: columns in
 /// any order by the names of the first line, others ignored; heading and speed where both are
 /// there, "every" where it is; times grouped and ascending, robots of one time in any order. Never
-/// holds more than one time, of HDF5 64.
+/// holds more than one time, of HDF5 64. Trajectories of pedestrians, which are read too, are held
+/// whole (docs/recordings.md, "Trajectories of others").
 class AVO_API RecordingReader {
  public:
   /// "-" is the standard input. `robots`: numbers have to be lower. Throws FileError, and
@@ -168,6 +172,8 @@ class AVO_API RecordingReader {
   /// "file:line" of the last row of the last time, or of that of a robot; where there are no lines
   /// "file: time T", or "file: time T, robot I".
   [[nodiscard]] std::string place(std::optional<std::int64_t> robot = {}) const;
+  /// Frames in a second, of recordings that have frames.
+  [[nodiscard]] std::optional<double> frame_rate() const;
 
  private:
   std::unique_ptr<RowSource> source_;

@@ -19,6 +19,10 @@ struct SceneFile {
   bool builtin = false;
 };
 
+/// The image of a map as a raw graymap (P5), for readers that know no other. None where it is no
+/// PNG and no BMP, is damaged, or has opacity, which ROS counts in some modes.
+AVO_API std::optional<std::string> as_graymap(const SceneFile& file);
+
 /// All that a scenario is made of: it can be made again where the scene's files are not.
 struct SceneSource {
   std::string name;  ///< in front of messages: a built-in name, a file, "standard input"
@@ -41,6 +45,10 @@ struct SceneSource {
 AVO_API avo::Scenario load_scenario(const std::string& name_or_path,
                                     const std::vector<std::string>& overrides = {},
                                     SceneSource* source = nullptr);
+/// The same of a scene that may have no robots: where others move, whose recording has its own.
+AVO_API avo::Scenario load_surroundings(const std::string& name_or_path,
+                                        const std::vector<std::string>& overrides = {},
+                                        SceneSource* source = nullptr);
 /// The same scenario again; reads no file.
 AVO_API avo::Scenario parse_scenario(const SceneSource& source);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// There are no files but those that a scene is given, and no libpng.
+// There are no files but those that a scene is given, and no images but graymaps.
 #include "avo_io/errors.h"
 #include "image.h"
 #include "regular_file.h"
@@ -16,6 +16,10 @@ std::string read_regular_file(const std::string& path) {
 
 Image read_png(const SourceText& source) {
   source.fail(0, "found a PNG, must be a portable graymap (PGM) in the lab");
+}
+
+Image read_bmp(const SourceText& source) {
+  source.fail(0, "found a BMP, must be a portable graymap (PGM) in the lab");
 }
 
 }  // namespace avo_io

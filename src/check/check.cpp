@@ -108,7 +108,9 @@ void Check::State::judge_limits(const CheckedRobot& robot, const CheckedState& b
     judge::count(report.accelerations, {last_time, now.robot, {}, demand / duration - a_max});
   }
   const double jump = norm((now.position - before.position) - (0.5 * duration) * sum);
-  const double within = 0.5 * (grant * any) * duration * (duration + 2.0 * step_rounding);
+  double within = 0.5 * (grant * any) * duration * (duration + 2.0 * step_rounding);
+  if (robot.largest_jump && !skipped && std::isinf(any))
+    within = 0.5 * norm(change) * (duration + 2.0 * step_rounding) + *robot.largest_jump;
   const double rounding = kEpsilon * (norm(before.position) + norm(now.position)) +
                           (step_rounding + 2.0 * kEpsilon * duration) * speeds;
   if (jump > within + rounding) {

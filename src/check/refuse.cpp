@@ -46,6 +46,7 @@ void require_sound(const std::string& place, const CheckedRobot& robot) {
   require_limit(place + ".max_speed", robot.max_speed, "m/s");
   if (robot.max_braking) require_limit(place + ".max_braking", *robot.max_braking, "m/s^2");
   require(place + ".interpolation_error", robot.interpolation_error, kNotNegative, "m");
+  if (robot.largest_jump) require(place + ".largest_jump", *robot.largest_jump, kNotNegative, "m");
   if (robot.time_step) require(place + ".time_step", *robot.time_step, kPositive, "s");
   if (robot.goal) require(place + ".goal", *robot.goal, "m");
   std::visit([&](const auto& kinematics) { require_kinematics(place + ".kinematics", kinematics); },

@@ -105,15 +105,17 @@ TEST(BadRecording, impossible_command_lines_exit_with_2) {
     EXPECT_EQ(result.err, "avo: " + message + "\n");
   };
   expect({},
-         "--radius: found neither it nor --scene, must be --scene, or --radius, "
-         "--max-acceleration and --max-speed");
-  expect({"--radius", "1", "--max-speed", "1"},
-         "--max-acceleration: found neither it nor --scene, must be --scene, or --radius, "
-         "--max-acceleration and --max-speed");
+         "--radius: found neither it nor robots in --scene, must be one of the two; "
+         "--max-acceleration and --max-speed may be with it");
+  expect({"--max-acceleration", "1", "--max-speed", "1"},
+         "--radius: found neither it nor robots in --scene, must be one of the two; "
+         "--max-acceleration and --max-speed may be with it");
+  expect({"--radius", "1", "--max-braking", "1"},
+         "--max-braking: found without --max-acceleration, must be with it");
   expect({"--scene", "circle-2", "--max-speed", "1"},
-         "--max-speed: found besides --scene, must be one or the other");
+         "--max-speed: found besides the robots of --scene, must be one or the other");
   expect({"--scene", "circle-2", "--max-braking", "3"},
-         "--max-braking: found besides --scene, must be one or the other");
+         "--max-braking: found besides the robots of --scene, must be one or the other");
   expect({"--radius", "1", "--max-acceleration", "1", "--max-speed", "1", "--max-braking", "0"},
          "--max-braking: found 0, must be > 0");
   expect({"--radius", "0", "--max-acceleration", "1", "--max-speed", "1"},
@@ -122,7 +124,8 @@ TEST(BadRecording, impossible_command_lines_exit_with_2) {
          "--max-acceleration: found nan, must be > 0");
   Strings more = kLimits;
   more.push_back("--require-arrival");
-  expect(more, "--require-arrival: found without --scene, must be with it: goals are there");
+  expect(more,
+         "--require-arrival: found without robots of --scene, must be with them: they have goals");
   more = kLimits;
   more.insert(more.end(), {"--seed", "3"});
   expect(more, "--set: found without --scene, must be with it");

@@ -146,6 +146,28 @@ TEST(MapImages, a_recording_has_the_image_in_itself) {
   EXPECT_EQ(run_avo({"replay", recording, "-q"}).exit_code, 0);
 }
 
+// So the lab reads them, which knows graymaps alone.
+TEST(MapImages, become_graymaps_of_the_same_map) {
+  const auto graymap_of = [](const std::string& bytes) {
+    return avo_io::as_graymap({"image", bytes});
+  };
+  const SmallPng colors{.type = 2,
+                        .lines = {line({254, 255, 253, 205, 205, 205, 0, 0, 0}),
+                                  line({255, 0, 255, 0, 0, 0, 0, 255, 0})}};
+  const SmallPng deep{.depth = 16,
+                      .lines = {line({254, 1, 205, 2, 0, 3}), line({205, 4, 0, 5, 205, 6})}};
+  for (const SmallPng& png : {colors, deep}) {
+    const auto graymap = graymap_of(bytes_of(png));
+    ASSERT_TRUE(graymap);
+    EXPECT_EQ(corners_of(*graymap), kUpperLeft);
+    EXPECT_FALSE(graymap_of(*graymap)) << "it is one";
+  }
+  EXPECT_FALSE(graymap_of(
+      bytes_of(SmallPng{.type = 4, .lines = {line({1, 2, 3, 4, 5, 6}), line({1, 2, 3, 4, 5, 6})}})))
+      << "opacity";
+  EXPECT_FALSE(graymap_of("BM and no more"));
+}
+
 struct BadImage {
   const char* name;
   std::string bytes, message;

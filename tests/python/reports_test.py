@@ -70,8 +70,21 @@ def test_check_knows_stronger_braking(command_line, tmp_path):
     assert avo.check(recording, **limits, max_braking=3)["safe"]
     with pytest.raises(avo.Error, match="^max_braking: found 0, must be > 0"):
         avo.check(recording, **limits, max_braking=0)
-    with pytest.raises(avo.Error, match="^max_braking: found besides scene"):
+    with pytest.raises(avo.Error, match="^max_braking: found besides the robots of scene"):
         avo.check(recording, "circle-10", max_braking=3)
+
+
+def test_limits_may_be_unknown_and_walls_alone_be_known(tmp_path):
+    recording, walls = tmp_path / "people.txt", tmp_path / "walls.yaml"
+    recording.write_text("# framerate: 10\n" + "".join(f"7 {k} {k / 10} 0 0\n" for k in range(9)))
+    walls.write_text("version: 1\nobstacles: [{polyline: [[-9, 0.3], [9, 0.3]]}]\n")
+    found = avo.check(recording, radius=0.2)
+    assert found["verdict"] == "safe" and found["speeds"]["count"] is None and found["estimated"]
+    assert avo.check(recording, walls, radius=0.4)["static_contacts"]["first"]["robot"] == 7
+    with pytest.raises(avo.Error, match="^radius: found neither it nor robots in scene"):
+        avo.check(recording, walls)
+    with pytest.raises(avo.Error, match="^max_braking: found without max_acceleration"):
+        avo.check(recording, radius=0.2, max_braking=1)
 
 
 def test_wrong_recordings_are_refused_alike(command_line, tmp_path):
@@ -82,9 +95,9 @@ def test_wrong_recordings_are_refused_alike(command_line, tmp_path):
             avo.check(recording, "circle-10")
         said = command_line("check", recording, "--scene", "circle-10")
         assert said.stderr.removeprefix("avo: ") == f"{error.value}\n"
-    with pytest.raises(avo.Error, match="^radius: found besides scene"):
+    with pytest.raises(avo.Error, match="^radius: found besides the robots of scene"):
         avo.check(recording, "circle-10", radius=1.0)
-    with pytest.raises(avo.Error, match="^radius: found neither it nor scene"):
+    with pytest.raises(avo.Error, match="^radius: found neither it nor robots in scene"):
         avo.check(recording)
     with pytest.raises(avo.Error, match="^tolerance: found 1"):
         avo.check(recording, "circle-10", tolerance=1.0)

@@ -10,6 +10,7 @@
 #include "avo_io/decision.h"
 #include "avo_io/judgement.h"
 #include "avo_io/recording.h"
+#include "avo_io/scene.h"
 #include "simulation.h"
 
 namespace avo_python {
@@ -47,14 +48,18 @@ py::object explain_now(SharedSimulation& self, std::int64_t id) {
   }));
 }
 
-/// The limits are for recordings without a scene.
-void require_one_or_the_other(bool scene, const char* name, const std::optional<double>& value) {
+/// A scene of walls alone may be a file.
+avo::Scenario surroundings_of(const py::object& source) {
+  if (py::isinstance<avo::Scenario>(source) || py::isinstance<py::dict>(source))
+    return scenario_of(source, py::none());
+  return avo_io::load_surroundings(path_of(source));
+}
+
+/// The limits are for recordings without a scene, or with one that has no robots.
+void require_fitting(bool scene, const char* name, const std::optional<double>& value) {
   if (scene && value)
-    throw avo::Error(fmt::format("{}: found besides scene, must be one or the other", name));
-  if (!scene && !value)
-    throw avo::Error(fmt::format(
-        "{}: found neither it nor scene, must be scene, or radius, max_acceleration and max_speed",
-        name));
+    throw avo::Error(
+        fmt::format("{}: found besides the robots of scene, must be one or the other", name));
   if (value && !(*value > 0.0))
     throw avo::Error(fmt::format("{}: found {}, must be > 0", name, *value));
 }
@@ -63,11 +68,19 @@ py::object check(const py::object& recording, const py::object& scene, std::opti
                  std::optional<double> max_acceleration, std::optional<double> max_speed,
                  std::optional<double> max_braking, double tolerance, bool require_arrival,
                  const std::string& movers_at_rest) {
-  const bool has_scene = !scene.is_none();
-  require_one_or_the_other(has_scene, "radius", radius);
-  require_one_or_the_other(has_scene, "max_acceleration", max_acceleration);
-  require_one_or_the_other(has_scene, "max_speed", max_speed);
-  if (max_braking) require_one_or_the_other(has_scene, "max_braking", max_braking);
+  std::optional<avo::Scenario> scenario;
+  if (!scene.is_none()) scenario = surroundings_of(scene);
+  const bool has_scene = scenario && !scenario->robots.empty();
+  require_fitting(has_scene, "radius", radius);
+  require_fitting(has_scene, "max_acceleration", max_acceleration);
+  require_fitting(has_scene, "max_speed", max_speed);
+  require_fitting(has_scene, "max_braking", max_braking);
+  if (!has_scene && !radius)
+    throw avo::Error(
+        "radius: found neither it nor robots in scene, must be one of the two; max_acceleration "
+        "and max_speed may be with it");
+  if (max_braking && !max_acceleration)
+    throw avo::Error("max_braking: found without max_acceleration, must be with it");
   if (radius && !std::isfinite(*radius))
     throw avo::Error(fmt::format("radius: found {}, must be finite", *radius));
   if (!has_scene && require_arrival)
@@ -80,11 +93,10 @@ py::object check(const py::object& recording, const py::object& scene, std::opti
   avo_io::JudgeOptions options{.tolerance = tolerance,
                                .require_arrival = require_arrival,
                                .movers_at_rest = movers_at_rest == "ok"};
-  if (has_scene)
-    options.scenario = scenario_of(scene, py::none());
-  else
-    options.radius = *radius, options.max_acceleration = *max_acceleration,
-    options.max_speed = *max_speed, options.max_braking = max_braking;
+  options.scenario = std::move(scenario);
+  if (!has_scene)
+    options.radius = *radius, options.max_acceleration = max_acceleration,
+    options.max_speed = max_speed, options.max_braking = max_braking;
   const auto path = path_of(recording);
   std::string json;
   {
@@ -197,9 +209,11 @@ void bind_reports(py::module_& module) {
       arg("radius") = py::none(), arg("max_acceleration") = py::none(),
       arg("max_speed") = py::none(), arg("max_braking") = py::none(), arg("tolerance") = 1e-9,
       arg("require_arrival") = false, arg("movers_at_rest") = "collision",
-      "Judges a recording: a dict, as `avo check --json`. Either a scene, or radius, m, "
-      "max_acceleration, m/s^2, and max_speed, m/s, of all robots; and max_braking, m/s^2, "
-      "where it is more than max_acceleration. movers_at_rest: whether a robot at rest may be "
+      "Judges a recording, or trajectories of pedestrians: a dict, as `avo check --json`. Either a "
+      "scene, or radius, m, of all robots, with a scene of walls alone or without; then "
+      "max_acceleration, m/s^2, max_speed, m/s, and max_braking, m/s^2, where it is more than "
+      "max_acceleration, are judged where they are given. movers_at_rest: whether a robot at rest "
+      "may be "
       "run over, \"ok\", or is unsafe then, \"collision\".");
   module.def("run", &run, arg("scene"), py::kw_only(), arg("threads") = 0,
              arg("record") = py::none(), arg("crowd") = false, arg("line") = py::none(),
