@@ -56,7 +56,8 @@ void take_walls(const avo::Scenario& scenario, avo::Check& check,
                 std::vector<std::int64_t>& obstacle_of_wall) {
   std::vector<avo::CheckedWall> walls;
   for (const avo::StaticObstacle& obstacle : scenario.obstacles) {
-    for (const avo::Wall& wall : avo::walls_of({&obstacle, 1})) {
+    const avo::StaticObstacle both[] = {obstacle, {obstacle.measured, obstacle.radius}};
+    for (const avo::Wall& wall : avo::walls_of(both)) {
       walls.push_back({wall.a, wall.b, wall.radius});
       obstacle_of_wall.push_back(&obstacle - scenario.obstacles.data());
     }

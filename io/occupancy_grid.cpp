@@ -9,13 +9,6 @@
 namespace avo_io {
 namespace {
 
-using avo::Chain;
-
-/// A corner of cells: so many to the right of the lower left corner of the map, and up.
-struct Corner {
-  std::int64_t x = 0, y = 0;
-  bool operator==(const Corner&) const = default;
-};
 struct Way {
   std::int64_t x = 0, y = 0;  // one of them 1 or -1
 };
@@ -59,9 +52,9 @@ avo::Vec2 OccupancyGrid::point(double right, double up) const {
   return origin + offset.x * along + offset.y * perpendicular(along);
 }
 
-std::optional<std::vector<Chain>> contours(const OccupancyGrid& grid, std::size_t most) {
+std::optional<std::vector<Contour>> contours(const OccupancyGrid& grid, std::size_t most) {
   std::vector<bool> walked(grid.free.size());  // the lower border of each cell
-  std::vector<Chain> chains;
+  std::vector<Contour> found;
   std::size_t corners = 0;
   const auto index = [&](Corner corner) {
     return static_cast<std::size_t>((grid.height - 1 - corner.y) * grid.width + corner.x);
@@ -71,20 +64,29 @@ std::optional<std::vector<Chain>> contours(const OccupancyGrid& grid, std::size_
       // the first edge eastward of a border, from the left, begins at a corner
       const std::int64_t row = grid.height - 1 - y;
       if (!grid.is_free(x, row) || grid.is_free(x, row + 1) || walked[index({x, y})]) continue;
-      Chain chain{{}, true};
+      Contour contour;
       Walk walk(grid, {x, y});
       do {
         if (++corners > most) return std::nullopt;
-        const Corner corner = walk.at();
-        chain.points.push_back(
-            grid.point(static_cast<double>(corner.x), static_cast<double>(corner.y)));
+        contour.push_back(walk.at());
         do {
           if (walk.is_eastward()) walked[index(walk.at())] = true;
           walk.advance();
         } while (!walk.turn());
       } while (!(walk.at() == Corner{x, y} && walk.is_eastward()));
-      chains.push_back(std::move(chain));
+      found.push_back(std::move(contour));
     }
+  }
+  return found;
+}
+
+std::vector<avo::Chain> chains_of(const OccupancyGrid& grid, const std::vector<Contour>& contours) {
+  std::vector<avo::Chain> chains;
+  for (const Contour& contour : contours) {
+    avo::Chain& chain = chains.emplace_back(avo::Chain{{}, true});
+    for (const Corner corner : contour)
+      chain.points.push_back(
+          grid.point(static_cast<double>(corner.x), static_cast<double>(corner.y)));
   }
   return chains;
 }

@@ -30,9 +30,18 @@ struct OccupancyGrid {
   }
 };
 
-/// The borders between free and blocked cells as closed chains of corners, free space to the left.
-/// Free cells that meet at a corner alone stay apart. None where there are more than `most`
-/// corners.
-std::optional<std::vector<avo::Chain>> contours(const OccupancyGrid& grid, std::size_t most);
+/// A corner of cells: so many to the right of the lower left corner of the map, and up.
+struct Corner {
+  std::int64_t x = 0, y = 0;
+  friend bool operator==(const Corner&, const Corner&) = default;
+};
+/// A closed chain of corners with free space to the left.
+using Contour = std::vector<Corner>;
+
+/// The borders between free and blocked cells. Free cells that meet at a corner alone stay apart.
+/// None where there are more than `most` corners.
+std::optional<std::vector<Contour>> contours(const OccupancyGrid& grid, std::size_t most);
+
+std::vector<avo::Chain> chains_of(const OccupancyGrid& grid, const std::vector<Contour>& contours);
 
 }  // namespace avo_io

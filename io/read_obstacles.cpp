@@ -11,6 +11,7 @@
 #include "geojson.h"
 #include "moving_ai.h"
 #include "ros_map.h"
+#include "stairs.h"
 #include "wkt.h"
 
 namespace avo_io {
@@ -61,14 +62,17 @@ StaticObstacle obstacle_of(const Place& place, std::string_view key, const std::
       place.reader.fail(place.value(key), path_to(place.path, key),
                         fmt::format("a corner at [{:g}, {:g}]", corner.x, corner.y),
                         fmt::format("must be within {:g} m of [0, 0]", avo::kLargest));
-  auto chains = contours(grid, kMostWalls);
-  if (!chains)
+  const auto found = contours(grid, kMostWalls);
+  if (!found)
     place.reader.fail(place.value(key), path_to(place.path, key),
                       fmt::format("more than {} walls in {}", kMostWalls, name), "must be fewer");
-  if (chains->empty())
+  if (found->empty())
     place.reader.fail(place.value(key), path_to(place.path, key),
                       fmt::format("no free cell in {}", name), "must have at least one");
-  return {std::move(*chains), 0.0, Fill::bounds};
+  std::vector<Contour> straight;
+  for (const Contour& contour : *found) straight.push_back(without_stairs(contour));
+  if (straight == *found) return {chains_of(grid, *found), 0.0, Fill::bounds};
+  return {chains_of(grid, straight), 0.0, Fill::bounds, chains_of(grid, *found)};
 }
 
 StaticObstacle build(const Place& place, PolylineObstacle& entry) {

@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <fmt/format.h>
+#include <limits>
 #include <numeric>
 #include <optional>
 #include <span>
@@ -21,6 +22,7 @@
 #include "read_parts.h"
 #include "recorded_scene.h"
 #include "scene_text.h"
+#include "stairs.h"
 #include "yaml_tree.h"
 
 namespace avo_io {
@@ -70,11 +72,13 @@ class SceneBuilder {
     add_obstacles();
     add_robots();
     add_robots_from();
+    restore_large_stairs(scenario_.obstacles, smallest_radius());  // before any place is drawn
     add_groups();
     if (scenario_.robots.empty() && !files_.may_lack_robots)
       reader_.fail(root, "", "no robots",
                    "must have at least one in robots, robots_from or groups");
     apply(patches);
+    restore_large_stairs(scenario_.obstacles, smallest_radius());
     if (root.find("duration") == nullptr) set_usual_duration();
     refuse_coincident();
     validate();
@@ -82,6 +86,22 @@ class SceneBuilder {
   }
 
  private:
+  // Of the robots so far, and of those of all groups; 0 where there is nobody.
+  [[nodiscard]] double smallest_radius() const {
+    double radius = std::numeric_limits<double>::infinity();
+    for (const avo::RobotSetup& robot : scenario_.robots) radius = std::min(radius, robot.radius);
+    const YamlNode* groups = document_.root.find("groups");
+    const bool has_maps =
+        std::any_of(scenario_.obstacles.begin(), scenario_.obstacles.end(),
+                    [](const avo::StaticObstacle& one) { return !one.measured.empty(); });
+    if (has_maps && groups != nullptr && groups->kind == YamlNode::Kind::list)
+      for (std::size_t i = 0; i < groups->children.size(); ++i)
+        radius = std::min(
+            radius,
+            read_group(reader_, groups->children[i], fmt::format("groups.{}", i)).robot.radius);
+    return std::isfinite(radius) ? radius : 0.0;
+  }
+
   // Before any is placed. What is no list is refused where it is read.
   void require_robots(std::int64_t robots) const {
     const auto items = [this](const char* key) {

@@ -33,9 +33,12 @@ enum class Fill : std::uint8_t {
 
 /// A static obstacle as a scene lists it.
 struct StaticObstacle {
-  std::vector<Chain> chains = {};  ///< at least one
+  std::vector<Chain> chains = {};  ///< at least one, but of a solid
   double radius = 0.0;  ///< m, >= 0, of all its walls: that of a disc, or half of a thickness
   Fill fill = Fill::none;
+  /// Of a map whose stairs of cells have become straight, its own walls: behind `chains`, where
+  /// nobody gets who keeps clear of these. A judge looks at both, and nobody else looks at them.
+  std::vector<Chain> measured = {};
   friend bool operator==(const StaticObstacle&, const StaticObstacle&) = default;
 };
 

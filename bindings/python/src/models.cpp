@@ -146,7 +146,10 @@ void bind_walls(py::module_& module) {
       .def_readonly("chains", &avo::StaticObstacle::chains, "list of Chain, a copy")
       .def_readonly("radius", &avo::StaticObstacle::radius, "m, >= 0, of its walls")
       .def_readonly("fill", &avo::StaticObstacle::fill,
-                    "where no robot may start: \"none\", \"solid\" or \"bounds\"");
+                    "where no robot may start: \"none\", \"solid\" or \"bounds\"")
+      .def_readonly("measured", &avo::StaticObstacle::measured,
+                    "list of Chain, a copy: the walls of a map whose stairs of cells have become "
+                    "straight in chains");
   using Mover = avo::MovingObstacle;
   py::class_<Mover>(module, "MovingObstacle", "A disc that reacts to nobody.")
       .def(pickled<Mover>())

@@ -31,7 +31,7 @@ inline constexpr int kFields<avo::Wall> = 3;
 template <>
 inline constexpr int kFields<avo::Chain> = 2;
 template <>
-inline constexpr int kFields<avo::StaticObstacle> = 3;
+inline constexpr int kFields<avo::StaticObstacle> = 4;
 template <>
 inline constexpr int kFields<avo::MovingObstacle> = 8;
 template <>
