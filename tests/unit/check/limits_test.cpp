@@ -110,6 +110,25 @@ TEST(CheckLimits, positions_that_do_not_follow_the_velocities_are_jumps) {
   EXPECT_FALSE(report.safe());
 }
 
+// Whenever the velocity changes within the step, the way is between those of both velocities.
+TEST(CheckLimits, a_jump_without_a_limit_is_what_velocities_do_not_explain) {
+  CheckedRobot robot = free_robot();
+  const auto jumps = [&robot](Vec2 way) {
+    return report_of({robot},
+                     {{0.0, {{0, {5, 5}, {0, 0}}}}, {0.5, {{0, Vec2{5, 5} + way, {2, 0}}}}})
+        .jumps;
+  };
+  EXPECT_EQ(jumps({50, 0}).count, 0) << "nobody asks";
+  robot.largest_jump = 0.1;
+  for (const double way : {-0.0999, 0.0, 0.5, 1.0, 1.0999})
+    EXPECT_EQ(jumps({way, 0}).count, 0) << way;
+  EXPECT_EQ(jumps({-0.1001, 0}).count, 1);
+  EXPECT_NEAR(jumps({1.2, 0}).first->amount, 0.1, 1e-9);
+  EXPECT_EQ(jumps({0.5, 0.601}).count, 1) << "off to the side";
+  robot.largest_jump = -1.0;
+  EXPECT_THROW(jumps({0, 0}), Error);
+}
+
 // p + Δt v_1: the velocity changes at once, by a_max Δt.
 TEST(CheckLimits, velocities_that_change_at_once_are_no_jumps) {
   std::vector<Moment> recording{{0.0, {{0, {3, 4}, {}}}}};
