@@ -12,6 +12,7 @@
 #include "avo/horizon.h"
 #include "avo/metrics.h"
 #include "avo/planner.h"
+#include "avo/reachability.h"
 #include "avo/response.h"
 #include "avo/robot.h"
 #include "avo/scenario.h"

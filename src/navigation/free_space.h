@@ -15,6 +15,9 @@ class FreeSpace {
  public:
   FreeSpace(std::span<const Wall> walls, double radius);
 
+  [[nodiscard]] double radius() const { return radius_; }
+  /// Tells walls from two radii and as much as the widest wall is wide.
+  [[nodiscard]] const ClearanceGrid& grid() const { return grid_; }
   /// Whether the center may be there.
   [[nodiscard]] bool is_free(Vec2 p) const;
 
