@@ -130,11 +130,12 @@ class AVO_API Simulation {
 
   /// The state and the setup as bytes, the same on every machine, 64 of state and 88 of setup
   /// (goal, radius, limits, wheelbase, priority, parked, layers) a robot, 8 of what it aims at
-  /// where there are walls or movers at rest, and its last states where the scene's sensing delays
-  /// or misses measurements (docs/saving.md). Whoever has them has an equal state_hash() and an
-  /// equal future, for any number of threads. They do not hold what only tells of the last step or
-  /// of the past: plan and applied_acceleration of fleet(), which are value-initialized until the
-  /// next step, sums of measure(), Metrics. Throws Error where a step ended in the midst.
+  /// where there are walls or movers at rest (24 where walls keep it from its goal), and its last
+  /// states where the scene's sensing delays or misses measurements (docs/saving.md). Whoever has
+  /// them has an equal state_hash() and an equal future, for any number of threads. They do not
+  /// hold what only tells of the last step or of the past: plan and applied_acceleration of
+  /// fleet(), which are value-initialized until the next step, sums of measure(), Metrics. Throws
+  /// Error where a step ended in the midst.
   [[nodiscard]] std::vector<std::byte> save() const;
   /// Back, or forth, to what this simulation or another one of the same settings and moving
   /// obstacles has saved: a rollback, which keeps the threads. Robots, goals, static obstacles and
@@ -163,21 +164,32 @@ class AVO_API Simulation {
   /// Whether it decided in the last step, of all that were there then.
   [[nodiscard]] bool decided(std::size_t robot) const;
   /// Whether the robot (an index into fleet()) is within arrival_distance now, with no wall between
-  /// it and its goal.
+  /// it and its goal; of a goal that it cannot reach, none between it and the nearest place.
   [[nodiscard]] bool is_at_goal(std::size_t robot) const;
   [[nodiscard]] bool all_at_goal() const;
   /// What is left of a robot's way.
   struct Way {
-    double length = 0.0;  ///< m; infinite where there is none
-    Vec2 next = {};       ///< m: where it leads first, a corner of a wall or the goal
+    double length = 0.0;  ///< m; infinite of those that unreachable() names
+    Vec2 next = {};       ///< m: where it leads first, a corner of a wall or its end
+    /// m, from its end to the goal: 0, unless walls keep the robot from its goal. Then the way ends
+    /// at the nearest place that the robot gets to.
+    double distance_left = 0.0;
   };
   /// The shortest way to its goal that the robot (an index into fleet()) knows: around walls with
   /// navigation (docs/navigation.md), else straight. Takes no longer where there are many walls.
   [[nodiscard]] Way way(std::size_t robot) const;
   /// Robots that could not get to their goals when these were set, or obstacles edited since, even
-  /// alone: walls leave no way that is wide enough, or the goal is nearer to a wall than the
-  /// radius. With navigation they stay where they are. By ascending id.
+  /// alone, nor to a place within arrival_distance of them: walls leave no way that is wide enough,
+  /// or the goal is nearer to a wall than the radius. With navigation they go to the nearest place,
+  /// see Way::distance_left, and go on when a door opens. By ascending id.
   [[nodiscard]] std::vector<RobotId> unreachable() const;
+  /// For whom a robot waits at a passage of one lane (docs/arrival.md, rules 7 to 9).
+  struct Wait {
+    Vec2 passage = {};  ///< m: the middle of its axis
+    RobotId robot;      ///< that comes towards it, or is in the way
+  };
+  /// None where the robot (an index into fleet()) does not wait at one.
+  [[nodiscard]] std::optional<Wait> wait(std::size_t robot) const;
   /// Equal for equal states, bit by bit: the determinism contract, testable by anyone.
   [[nodiscard]] std::uint64_t state_hash() const;
 
@@ -196,6 +208,7 @@ class AVO_API Simulation {
     std::optional<Plan> stop = {};
     /// Those that neighbors have: copies of this one have the same.
     std::vector<std::shared_ptr<const Trajectory>> trajectories = {};
+    std::optional<Wait> wait = {};  ///< for whom it waits at a passage, if at one
   };
   [[nodiscard]] Perception perceive(std::size_t robot) const;
   [[nodiscard]] const Planner& planner() const;                   ///< of the scene's method

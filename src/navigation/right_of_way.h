@@ -31,6 +31,7 @@ struct Claimant {
   Vec2 position;  // m
   // bits: it minds whoever is in a layer that it avoids
   std::uint32_t layers = 1, avoids = 0xffffffff;
+  std::uint32_t rank = 0;  // of those who tell who waits for whom
 };
 
 /// The claim that others see, where there is one: inside the direction in which the robot moves, or

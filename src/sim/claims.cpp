@@ -19,7 +19,8 @@ const Travel& travel_of(const World& world, std::size_t slot) {
 
 Claimant claimant_of(const World& world, std::size_t slot, const Claim& claim) {
   const Conduct& conduct = world.fleet.conduct[slot];
-  return {claim, world.fleet.position[slot], conduct.layers.bits, conduct.avoids.bits};
+  return {claim, world.fleet.position[slot], conduct.layers.bits, conduct.avoids.bits,
+          static_cast<std::uint32_t>(world.fleet.rank[slot])};
 }
 
 // Claims within kClaimRange that the robot has, or seems to have.

@@ -3,6 +3,7 @@
 #pragma once
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <utility>
 #include <vector>
@@ -33,5 +34,8 @@ void collect_claims(const World& world, Executor& executor, Claims& claims);
 /// that it senses; infinity where there is none.
 Heading heed_passages(const World& world, const Claims& claims, std::size_t slot,
                       const Travel& travel, const Heading& heading, double nearest);
+
+/// For whom the robot waits at a passage, if it does.
+std::optional<Simulation::Wait> wait_of(const World& world, const Claims& claims, std::size_t slot);
 
 }  // namespace avo

@@ -46,25 +46,37 @@ static_assert(std::is_nothrow_move_assignable_v<StaticWorld> &&
 
 Ways ways_among(const World& world, const StaticWorld& statics) {
   Ways ways(world.settings, statics.walls, world.obstacles.resting(), &world.ways);
-  replan_travels(world.ways, ways, world.fleet);
+  plan_travels(ways, world.fleet, &world.ways);
   ways.forget_before();
   return ways;
+}
+
+// Who heads for another place than before has not stood near it.
+void adopt(World& world, Ways ways) noexcept {
+  Fleet& fleet = world.fleet;
+  for (std::size_t slot = 0; slot < fleet.size(); ++slot) {
+    if (fleet.conduct[slot].parked) continue;
+    const Vec2 goal = fleet.goal[slot];
+    const auto rank = static_cast<std::size_t>(fleet.rank[slot]);
+    const Vec2 end = ways.travels.empty() ? goal : ways.travels[rank].heads_for(goal);
+    if (!(end == world.end_of(slot))) fleet.has_stood[slot] = 0;
+  }
+  world.ways = std::move(ways);
+  world.changed = world.has_new_goals = true;
 }
 
 // The same fleet among others.
 void replace(World& world, StaticWorld statics) {
   Ways ways = ways_among(world, statics);
   world.statics = std::move(statics);
-  world.ways = std::move(ways);
-  world.changed = true;
+  adopt(world, std::move(ways));
 }
 
 }  // namespace
 
 void go_around_resting(World& world) {
   if (world.obstacles.rest_as(world.ways.resting())) return;
-  world.ways = ways_among(world, world.statics);
-  world.changed = true;
+  adopt(world, ways_among(world, world.statics));
 }
 
 namespace {
@@ -89,7 +101,7 @@ void park(World& world, const RobotSetup& setup, RobotId robot) {
   join(world, setup, robot);
   ways.travels.emplace_back();  // there is room
   world.statics = std::move(statics);
-  world.ways = std::move(ways);
+  adopt(world, std::move(ways));
 }
 
 void remove_parked(World& world, std::size_t slot) {
@@ -144,7 +156,7 @@ void set_goal(World& world, RobotId robot, Vec2 goal) {
   setup.goal = goal;
   check_values(world, setup, robot, !world.statics.walls.empty());
   Ways& ways = world.ways;
-  if (!ways.empty()) {
+  if (!ways.empty() && !(goal == world.fleet.goal[slot])) {
     ways.travels[static_cast<std::size_t>(world.fleet.rank[slot])] =
         ways.plan(disc_radius(setup), world.fleet.position[slot], goal);
   }
@@ -185,7 +197,7 @@ void move_robot(World& world, RobotId robot, Vec2 position) {
   if (fleet.has_clocks) start_clock(world, slot);
   world.senses.renew(rank, world.moment());
   world.senses.note(fleet, world.steps);
-  world.changed = true;
+  world.changed = world.has_new_goals = true;
 }
 
 ObstacleId add_obstacle(World& world, const StaticObstacle& obstacle) {

@@ -216,10 +216,10 @@ struct FleetMirror {
   FleetView view() const;
 };
 
-/// m: where its disc has to go for its place to come to the robot's goal; other aims are the
+/// m: where its disc has to go for its place to come to the end of its way; other aims are the
 /// disc's.
-inline Vec2 disc_goal(const Fleet& fleet, std::size_t slot, Vec2 aim) {
-  return aim == fleet.goal[slot] ? aim + fleet.offset(slot) : aim;
+inline Vec2 disc_goal(const Fleet& fleet, std::size_t slot, Vec2 aim, Vec2 end) {
+  return aim == end ? aim + fleet.offset(slot) : aim;
 }
 
 /// m/s: the preferred velocity of an airplane.

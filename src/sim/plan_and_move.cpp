@@ -47,17 +47,16 @@ void follow_ways(World& world, std::span<const std::uint32_t> slots, Worker& wor
   for (std::size_t k = 0; k < slots.size(); ++k) {
     const std::uint32_t slot = slots[k];
     Travel& travel = world.ways.travels[static_cast<std::size_t>(fleet.rank[slot])];
-    const Vec2 p = fleet.position[slot];
-    Heading heading = follow(travel, worker.lost.empty() ? p : p + worker.lost[k], fleet.goal[slot],
-                             fleet.traits[slot],
+    const Vec2 end = travel.heads_for(fleet.goal[slot]);
+    const Vec2 p =
+        worker.lost.empty() ? fleet.position[slot] : fleet.position[slot] + worker.lost[k];
+    Heading heading = follow(travel, p, end, fleet.traits[slot],
                              looks_around(fleet.id[slot], decisions_of(world, slot)), worker.legs);
     if (!world.ways.passages.empty())
       heading = heed_passages(world, world.claims, slot, travel, heading,
                               nearest_of(worker.tile.robots.neighbors[k], fleet.position[slot]));
     if (world.ways.goes_around_movers())
-      heading = beside_resting(world.ways.resting(), heading,
-                               worker.lost.empty() ? p : p + worker.lost[k], fleet.goal[slot],
-                               fleet.traits[slot].radius);
+      heading = beside_resting(world.ways.resting(), heading, p, end, fleet.traits[slot].radius);
     worker.moving.goal_x[k] = heading.goal.x, worker.moving.goal_y[k] = heading.goal.y;
     worker.moving.preferred_speed[k] = heading.preferred_speed;
   }
@@ -74,7 +73,8 @@ void aim_discs(World& world, std::span<const std::uint32_t> slots, Worker& worke
     if (stays) worker.staying.push_back(slot);
     if (stays && world.fleet.velocity[slot] == Vec2{}) world.fleet.has_stood[slot] = 1;
     const Vec2 lost = worker.lost.empty() ? Vec2{} : worker.lost[k];
-    const Vec2 goal = stays ? world.fleet.position[slot] : disc_goal(world.fleet, slot, aim) - lost;
+    const Vec2 goal = stays ? world.fleet.position[slot]
+                            : disc_goal(world.fleet, slot, aim, world.end_of(slot)) - lost;
     moving.goal_x[k] = goal.x, moving.goal_y[k] = goal.y;
   }
 }

@@ -88,14 +88,18 @@ void describe(Archive<kReads>& archive, StaticObstacle& obstacle, ObstacleId& id
   }
 }
 
-// In one word.
+// In one word, and two more where it ends elsewhere than at the goal.
 template <bool kReads>
 void describe(Archive<kReads>& archive, SavedWay& way) {
-  std::uint64_t word =
-      std::uint64_t{way.around_movers} << 33 | std::uint64_t{way.is_exact} << 32 | way.target;
+  std::uint64_t word = static_cast<std::uint64_t>(way.ends) << 34 |
+                       std::uint64_t{way.around_movers} << 33 | std::uint64_t{way.is_exact} << 32 |
+                       way.target;
   archive.word(word);
-  if (word >> 34 != 0) refuse_saved("the way " + std::to_string(word), "one of 34 bits");
-  way = {static_cast<std::uint32_t>(word), (word >> 32 & 1) != 0, word >> 33 != 0};
+  if (word >> 34 > static_cast<std::uint64_t>(WayEnd::short_of))
+    refuse_saved("the way " + std::to_string(word), "one of 34 bits, and how it ends");
+  way = {static_cast<std::uint32_t>(word), (word >> 32 & 1) != 0, (word >> 33 & 1) != 0,
+         static_cast<WayEnd>(word >> 34), way.place};
+  if (way.ends != WayEnd::goal) describe(archive, way.place);
 }
 
 template <bool kReads>

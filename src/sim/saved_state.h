@@ -12,6 +12,7 @@
 #include "avo/simulation.h"
 #include "robots/motion.h"
 #include "sim/senses.h"
+#include "sim/ways.h"
 
 namespace avo {
 
@@ -31,6 +32,8 @@ struct SavedWay {
   std::uint32_t target = 0;    // see Travel
   bool is_exact = false;       // of the graph of the robot's own radius
   bool around_movers = false;  // and of movers at rest
+  WayEnd ends = WayEnd::goal;
+  Vec2 place = {};  // m, where it ends, if not at the goal
 };
 
 /// What steps change of an airplane besides.

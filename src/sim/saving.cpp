@@ -174,8 +174,11 @@ std::vector<Travel> travels_of(const SavedState& state, Ways& ways) {
       continue;
     }
     const SavedWay& way = state.ways[k];
-    travels.push_back(ways.resume(disc_radius(setup), setup.goal, way.target, way.is_exact,
-                                  way.around_movers && ways.goes_around_movers()));
+    const Vec2 end = way.ends == WayEnd::goal ? setup.goal : way.place;
+    Travel travel = ways.resume(disc_radius(setup), end, way.target, way.is_exact,
+                                way.around_movers && ways.goes_around_movers());
+    travel.ends = way.ends, travel.place = way.place;
+    travels.push_back(std::move(travel));
   }
   return travels;
 }
@@ -203,8 +206,8 @@ SavedState saved_state(const World& world) {
   for (std::size_t rank = 0; rank < world.ways.travels.size(); ++rank) {
     const Travel& travel = world.ways.travels[rank];
     const double radius = fleet.traits[fleet.slot_of[rank]].radius;
-    state.ways.push_back(
-        {travel.target, travel.graph && travel.graph->radius == radius, travel.around_movers});
+    state.ways.push_back({travel.target, travel.graph && travel.graph->radius == radius,
+                          travel.around_movers, travel.ends, travel.place});
   }
   state.scene.moving_obstacles = world.obstacles.setup;
   state.scene.obstacles = world.statics.obstacles;

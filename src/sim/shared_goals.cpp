@@ -46,9 +46,11 @@ struct Sharers {
 
 // By rank: 1 of those whose goal another one has as well, who may not be in their place; empty
 // where there are none.
-std::vector<std::uint8_t> sharers_of(const Fleet& fleet) {
+std::vector<std::uint8_t> sharers_of(const World& world) {
+  const Fleet& fleet = world.fleet;
   const auto goal_of = [&](std::uint32_t slot) {
-    return std::pair(fleet.goal[slot].x, fleet.goal[slot].y);
+    const Vec2 end = world.end_of(slot);
+    return std::pair(end.x, end.y);
   };
   std::vector<std::uint32_t> slots;
   if (std::none_of(fleet.conduct.begin(), fleet.conduct.end(),
@@ -78,14 +80,14 @@ std::vector<std::uint8_t> sharers_of(const Fleet& fleet) {
 
 void find_shared_goals(World& world) {
   if (!world.has_new_goals) return;
-  world.shares_goal = sharers_of(world.fleet);
+  world.shares_goal = sharers_of(world);
   world.has_new_goals = false;
 }
 
 bool stays_near(const World& world, std::size_t slot, Vec2 aim) {
   if (world.shares_goal.empty()) return false;
   const Fleet& fleet = world.fleet;
-  const Vec2 goal = fleet.goal[slot];
+  const Vec2 goal = world.end_of(slot);
   return world.shares_goal[static_cast<std::size_t>(fleet.rank[slot])] != 0 && aim == goal &&
          norm(goal - fleet.place(slot)) <= world.settings.arrival_distance;
 }

@@ -112,6 +112,10 @@ struct Simulation::State : World {
   Mutex looking;
   std::atomic<bool> is_mirrored = false;
   FleetMirror mirror;
+  bool has_claims = false;  // of the present generation, for those who ask
+  Claims present_claims;
+
+  void forget_views() { is_mirrored = has_claims = false; }
 
   static std::unique_ptr<State> of(const Scenario& scenario, std::shared_ptr<Executor> executor) {
     validate(scenario);
@@ -143,37 +147,40 @@ Simulation& Simulation::operator=(Simulation&&) noexcept = default;
 
 void Simulation::step() {
   require_whole(*state_, "Simulation::step");
-  state_->is_mirrored = false;
+  state_->forget_views();
   avo::step(*state_);
 }
 
 RobotId Simulation::add_robot(const RobotSetup& setup) {
   const RobotId robot = avo::add_robot(*state_, setup);
-  state_->is_mirrored = false;
+  state_->forget_views();
   return robot;
 }
 
 void Simulation::remove_robot(RobotId robot) {
   avo::remove_robot(*state_, robot);
-  state_->is_mirrored = false;
+  state_->forget_views();
 }
 
 void Simulation::move_robot(RobotId robot, Vec2 position) {
   avo::move_robot(*state_, robot, position);
-  state_->is_mirrored = false;
+  state_->forget_views();
 }
 
 void Simulation::set_goal(RobotId robot, Vec2 goal) {
   avo::set_goal(*state_, robot, goal);
-  state_->is_mirrored = false;
+  state_->forget_views();
 }
 
 ObstacleId Simulation::add_obstacle(const StaticObstacle& obstacle) {
-  return avo::add_obstacle(*state_, obstacle);
+  const ObstacleId id = avo::add_obstacle(*state_, obstacle);
+  state_->forget_views();
+  return id;
 }
 
 void Simulation::remove_obstacle(ObstacleId obstacle) {
   avo::remove_obstacle(*state_, obstacle);
+  state_->forget_views();
 }
 
 std::vector<std::byte> Simulation::save() const {
@@ -183,7 +190,7 @@ std::vector<std::byte> Simulation::save() const {
 
 void Simulation::restore(std::span<const std::byte> saved) {
   avo::restore(from_bytes(saved), *state_);
-  state_->is_mirrored = false;
+  state_->forget_views();
 }
 
 FleetView Simulation::fleet() const {
@@ -251,7 +258,11 @@ bool Simulation::is_at_goal(std::size_t robot) const {
   if (state_->fleet.conduct[slot].parked) return true;
   if (const Flight* flight = state_->fleet.flight(slot)) return flight->has_arrived;
   const Vec2 p = state_->fleet.place(slot), goal = state_->fleet.goal[slot];
-  return norm(goal - p) <= state_->settings.arrival_distance && state_->ways.is_in_sight(p, goal);
+  const Ways& ways = state_->ways;
+  const bool is_beside = !ways.empty() && ways.travels[robot].ends == WayEnd::beside;
+  const double slack = is_beside ? kBesideSlack * state_->fleet.traits[slot].radius : 0.0;
+  return norm(goal - p) <= state_->settings.arrival_distance + slack &&
+         ways.is_in_sight(p, is_beside ? ways.travels[robot].place : goal);
 }
 
 bool Simulation::all_at_goal() const {
@@ -273,10 +284,22 @@ std::vector<RobotId> Simulation::unreachable() const {
   std::vector<RobotId> robots;
   const std::vector<Travel>& travels = state_->ways.travels;
   for (std::size_t rank = 0; rank < travels.size(); ++rank) {
-    if (travels[rank].target == Travel::kUnreachable)
+    if (travels[rank].ends == WayEnd::short_of)
       robots.push_back(state_->fleet.id[state_->fleet.slot_of[rank]]);
   }
   return robots;
+}
+
+std::optional<Simulation::Wait> Simulation::wait(std::size_t robot) const {
+  State& state = *state_;
+  {
+    const Lock lock(state.looking);
+    if (state.changed) find_walls(state);
+    if (state.ways.passages.empty()) return std::nullopt;
+    if (!state.has_claims) collect_claims(state, state.serial, state.present_claims);
+    state.has_claims = true;
+  }
+  return wait_of(state, state.present_claims, state.fleet.slot_of[robot]);
 }
 
 std::uint64_t Simulation::state_hash() const {
@@ -297,7 +320,8 @@ Simulation::Perception Simulation::perceive(std::size_t robot) const {
   const std::vector<Sighting> sightings = all_sightings(state, slot);
   const double nearest = sightings.empty() ? std::numeric_limits<double>::infinity()
                                            : std::sqrt(sightings.front().distance_squared);
-  Perception seen{state.robot(slot, nearest), {}, {}, state.fleet.detour[slot], false, {}, {}, {}};
+  Perception seen{
+      state.robot(slot, nearest), {}, {}, state.fleet.detour[slot], false, {}, {}, {}, {}};
   for (const Sighting& sighting : sightings) {
     Neighbor& neighbor = seen.neighbors.emplace_back(sighting.neighbor);
     if (neighbor.trajectory != nullptr)  // a copy that outlives the step
@@ -313,6 +337,7 @@ Simulation::Perception Simulation::perceive(std::size_t robot) const {
   const bool shares = !state.shares_goal.empty() && state.shares_goal[robot] != 0;
   if (shares && seen.robot.distance_to_goal == 0.0 && !(state.fleet.velocity[slot] == Vec2{}))
     seen.stop = stop_of(state, slot);
+  seen.wait = wait(robot);
   return seen;
 }
 

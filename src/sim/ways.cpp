@@ -64,6 +64,7 @@ Ways::Ways(const Scenario& settings, std::span<const Wall> walls, std::vector<Wa
            const Ways* before)
     : follows_(settings.navigation.value_or(true)),
       heeds_passages_(follows_ && settings.right_of_way != RightOfWay::none),
+      arrival_distance_(settings.arrival_distance),
       before_(before),
       resting_(std::move(resting)) {
   if (!walls.empty()) sight_.emplace(walls, kSightReach);
@@ -85,18 +86,18 @@ const CornerGraph& Ways::graph_of(GraphKey key) {
   return *graphs_.emplace(key, std::move(graph)).first->second;
 }
 
-const FreeSpace& Ways::space_of(double radius) {
-  const auto known = spaces_.find(radius);
-  if (known != spaces_.end()) return *known->second;
-  auto space = std::make_unique<const FreeSpace>(sight_->walls(), radius);
-  return *spaces_.emplace(radius, std::move(space)).first->second;
+ReachablePlaces& Ways::places_of(double radius) {
+  const auto known = places_.find(radius);
+  if (known != places_.end()) return *known->second;
+  auto places = std::make_unique<ReachablePlaces>(sight_->walls(), radius);
+  return *places_.emplace(radius, std::move(places)).first->second;
 }
 
-std::shared_ptr<const PathMap> Ways::map_to(GraphKey graph, Vec2 goal) {
-  const Key key{graph.first, graph.second, goal.x, goal.y};
+std::shared_ptr<const PathMap> Ways::map_to(GraphKey graph, Vec2 end) {
+  const Key key{graph.first, graph.second, end.x, end.y};
   std::shared_ptr<const PathMap> map = maps_[key].lock();
   if (map) return map;
-  map = std::make_shared<const PathMap>(path_map(graph_of(graph), goal));
+  map = std::make_shared<const PathMap>(path_map(graph_of(graph), end));
   maps_[key] = map;
   if (maps_.size() > most_maps_) {
     std::erase_if(maps_, [](const auto& entry) { return entry.second.expired(); });
@@ -105,42 +106,56 @@ std::shared_ptr<const PathMap> Ways::map_to(GraphKey graph, Vec2 goal) {
   return map;
 }
 
-Travel Ways::plan(double radius, Vec2 position, Vec2 goal) {
-  if (goes_around_movers()) {
-    for (const bool is_exact : {false, true}) {
-      Travel travel = resume(radius, goal, PathMap::kNothing, is_exact, true);
-      travel.target = best_target(travel, position, radius);
-      if (travel.target != PathMap::kNothing) return travel;
-      if (radius_class(radius) == radius) break;
-    }
-  }
-  return sight_ ? plan_by_walls(radius, position, goal) : Travel{};
-}
-
-Travel Ways::plan_by_walls(double radius, Vec2 position, Vec2 goal) {
-  const auto travel_at = [&](bool is_exact) {
-    Travel travel = resume(radius, goal, PathMap::kNothing, is_exact, false);
-    if (follows_) travel.target = best_target(travel, position, radius);
-    return travel;
-  };
-  Travel travel = travel_at(false);
-  if (travel.target != PathMap::kNothing) return travel;
-  const FreeSpace& space = space_of(radius);
-  if (!space.is_free(goal) || !space.are_connected(position, goal))
-    travel.target = Travel::kUnreachable;
-  else if (follows_ && radius_class(radius) != radius)
-    travel = travel_at(true);
+Travel Ways::lead(double radius, Vec2 position, Vec2 end, bool is_exact, bool around_movers) {
+  Travel travel = resume(radius, end, PathMap::kNothing, is_exact, around_movers);
+  if (travel.graph != nullptr) travel.target = best_target(travel, position, radius);
   return travel;
 }
 
-Travel Ways::resume(double radius, Vec2 goal, std::uint32_t target, bool is_exact,
+// Around movers at rest where that can be done, and else by the walls alone.
+Travel Ways::lead(double radius, Vec2 position, Vec2 end) {
+  for (const bool is_exact : {false, true}) {
+    if (!goes_around_movers() || (is_exact && radius_class(radius) == radius)) break;
+    Travel travel = lead(radius, position, end, is_exact, true);
+    if (travel.target != PathMap::kNothing) return travel;
+  }
+  return sight_ ? lead(radius, position, end, false, false) : Travel{};
+}
+
+// The goal, or the nearest place to it; the robot's own where it gets nowhere.
+Vec2 Ways::reachable_end(double radius, Vec2 position, Vec2 goal, const Travel* before) {
+  ReachablePlaces& places = places_of(radius);
+  const Vec2 nearest = places.nearest_reached(position, goal);
+  if (nearest == goal || before == nullptr || before->ends == WayEnd::goal) return nearest;
+  const Vec2 kept = before->place;
+  const bool is_as_near = norm(kept - goal) <= norm(nearest - goal) + kLengthRounding * radius;
+  const bool is_there = places.is_free(kept) && places.are_connected(position, kept);
+  return is_as_near && is_there ? kept : nearest;
+}
+
+Travel Ways::plan(double radius, Vec2 position, Vec2 goal, const Travel* before) {
+  const Travel straight = lead(radius, position, goal);
+  if (!sight_ || straight.target != PathMap::kNothing) return straight;
+  const Vec2 end = reachable_end(radius, position, goal, before);
+  const bool is_there = end == goal;
+  Travel travel = is_there ? straight : lead(radius, position, end);
+  if (follows_ && travel.target == PathMap::kNothing && radius_class(radius) != radius)
+    travel = lead(radius, position, end, true, false);
+  if (is_there) return travel;
+  const bool is_near = norm(end - goal) <= arrival_distance_ + kBesideSlack * radius;
+  travel.ends = is_near ? WayEnd::beside : WayEnd::short_of;
+  travel.place = end;
+  return travel;
+}
+
+Travel Ways::resume(double radius, Vec2 end, std::uint32_t target, bool is_exact,
                     bool around_movers) {
   Travel travel;
   travel.target = target;
   if (!follows_ || !(sight_ || around_movers)) return travel;
   const GraphKey key{around_movers, is_exact ? radius : radius_class(radius)};
   travel.graph = &graph_of(key);
-  travel.map = map_to(key, goal);
+  travel.map = map_to(key, end);
   travel.around_movers = around_movers;
   return travel;
 }
@@ -164,17 +179,19 @@ bool Ways::is_in_sight(Vec2 p, Vec2 q) const {
 }
 
 Simulation::Way rest_of_way(const Travel& travel, Vec2 position, Vec2 goal) {
-  if (travel.target == Travel::kUnreachable) return {kInfinity, position};
+  const Vec2 end = travel.end(goal);
+  Simulation::Way way{norm(end - position), end, norm(goal - end)};
   const auto rest = rest_of(travel);
-  if (!rest || travel.target == PathMap::kGoal) return {norm(goal - position), goal};
-  return {norm(rest->first - position) + rest->second, rest->first};
+  if (rest && travel.target != PathMap::kGoal)
+    way.length = norm(rest->first - position) + rest->second, way.next = rest->first;
+  if (travel.ends == WayEnd::short_of) way.length = kInfinity;
+  return way;
 }
 
-Heading follow(Travel& travel, Vec2 position, Vec2 goal, const RobotTraits& robot,
-               bool looks_around, LegScratch& scratch) {
-  const Heading straight{goal, robot.preferred_speed};
+Heading follow(Travel& travel, Vec2 position, Vec2 end, const RobotTraits& robot, bool looks_around,
+               LegScratch& scratch) {
+  const Heading straight{end, robot.preferred_speed};
   if (travel.graph == nullptr) return straight;
-  if (travel.target == Travel::kUnreachable) return {position, robot.preferred_speed};
   const Leg leg = next_leg(*travel.graph, *travel.map, position, robot.radius, travel.target,
                            looks_around, scratch);
   travel.target = leg.target;
@@ -187,11 +204,11 @@ Heading follow(Travel& travel, Vec2 position, Vec2 goal, const RobotTraits& robo
 }
 
 Heading beside_resting(std::span<const Wall> resting, const Heading& heading, Vec2 position,
-                       Vec2 goal, double radius) {
-  if (heading.goal != goal) return heading;
+                       Vec2 end, double radius) {
+  if (heading.goal != end) return heading;
   const Wall* nearest = nullptr;
   for (const Wall& mover : resting) {
-    const bool covers = norm(goal - mover.a) < kBeside * (radius + mover.radius);
+    const bool covers = norm(end - mover.a) < kBeside * (radius + mover.radius);
     const bool is_nearer =
         nearest == nullptr || norm(position - mover.a) < norm(position - nearest->a);
     if (covers && is_nearer) nearest = &mover;
@@ -203,25 +220,21 @@ Heading beside_resting(std::span<const Wall> resting, const Heading& heading, Ve
   return {nearest->a + (beside / distance) * way, heading.preferred_speed};
 }
 
-void plan_travels(Ways& ways, const Fleet& fleet) {
+void plan_travels(Ways& ways, const Fleet& fleet, const Ways* before) {
   if (ways.empty()) return;
   ways.travels.reserve(fleet.size());
   for (const std::uint32_t slot : fleet.slot_of) {
-    ways.travels.push_back(
-        fleet.conduct[slot].parked
-            ? Travel{}
-            : ways.plan(fleet.traits[slot].radius, fleet.position[slot], fleet.goal[slot]));
-  }
-}
-
-void replan_travels(const Ways& before, Ways& ways, const Fleet& fleet) {
-  plan_travels(ways, fleet);
-  if (before.empty() || ways.empty()) return;
-  for (std::size_t rank = 0; rank < ways.travels.size(); ++rank) {
-    Travel& travel = ways.travels[rank];
-    const std::uint32_t slot = fleet.slot_of[rank];
-    travel =
-        replanned(before.travels[rank], travel, fleet.position[slot], fleet.traits[slot].radius);
+    const double radius = fleet.traits[slot].radius;
+    const Vec2 position = fleet.position[slot];
+    const std::size_t rank = ways.travels.size();
+    const bool is_known = before != nullptr && !before->empty();
+    const Travel* known = is_known ? &before->travels[rank] : nullptr;
+    Travel travel;
+    if (!fleet.conduct[slot].parked) {
+      travel = ways.plan(radius, position, fleet.goal[slot], known);
+      if (known != nullptr) travel = replanned(*known, travel, position, radius);
+    }
+    ways.travels.push_back(std::move(travel));
   }
 }
 

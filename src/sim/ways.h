@@ -14,26 +14,40 @@
 #include "avo/scenario.h"
 #include "avo/simulation.h"
 #include "navigation/corner_graph.h"
-#include "navigation/free_space.h"
 #include "navigation/leg.h"
 #include "navigation/passages.h"
+#include "navigation/reachable_places.h"
 #include "sim/fleet.h"
 
 namespace avo {
 
-/// One robot's way. The target is the part that steps change: a corner of the graph, the goal,
-/// nothing yet, or kUnreachable.
+/// Of the radius: as much farther off than arrival_distance counts as there, of a goal that cannot
+/// be reached, because the nearest place keeps a little more than the radius off walls.
+inline constexpr double kBesideSlack = 1e-5;
+
+/// Where a robot's way ends.
+enum class WayEnd : std::uint8_t {
+  goal,
+  beside,    ///< the nearest place that it gets to, within arrival_distance: it has arrived then
+  short_of,  ///< the nearest place that it gets to, farther off
+};
+
+/// One robot's way. The target is the part that steps change: a corner of the graph, the end, or
+/// nothing yet.
 struct Travel {
-  static constexpr std::uint32_t kUnreachable = 0xfffffffd;
-  const CornerGraph* graph = nullptr;  // none: it heads straight for its goal
+  const CornerGraph* graph = nullptr;  // none: it heads straight for its end
   std::shared_ptr<const PathMap> map = {};
   std::uint32_t target = PathMap::kNothing;
   bool around_movers = false;  // the graph is of walls and of movers at rest
+  WayEnd ends = WayEnd::goal;
+  Vec2 place = {};  // m, where it ends, if not at the goal
 
-  /// Whether it has a way to its goal.
-  [[nodiscard]] bool is_known() const {
-    return graph != nullptr && target != kUnreachable && target != PathMap::kNothing;
-  }
+  /// Whether it has a way to its end.
+  [[nodiscard]] bool is_known() const { return graph != nullptr && target != PathMap::kNothing; }
+  /// m, where it ends, of a robot with that goal.
+  [[nodiscard]] Vec2 end(Vec2 goal) const { return ends == WayEnd::goal ? goal : place; }
+  /// m, what such a robot heads for in the end: the goal itself without navigation.
+  [[nodiscard]] Vec2 heads_for(Vec2 goal) const { return graph != nullptr ? end(goal) : goal; }
 };
 
 /// Where a robot heads for: a place as far off as its goal is by way, and how fast at most.
@@ -59,12 +73,16 @@ class Ways {
   [[nodiscard]] const std::vector<Wall>& resting() const { return resting_; }
   [[nodiscard]] bool goes_around_movers() const { return follows_ && !resting_.empty(); }
   void forget_before() { before_ = nullptr; }
-  /// A new way; robots of one class of radii and one goal share what it is made of.
-  [[nodiscard]] Travel plan(double radius, Vec2 position, Vec2 goal);
-  /// A way on which the target is known, and whether its graph is that of the very radius, and
-  /// around movers at rest.
-  [[nodiscard]] Travel resume(double radius, Vec2 goal, std::uint32_t target, bool is_exact,
+  /// A new way; robots of one class of radii and one goal share what it is made of. One that ended
+  /// elsewhere than at that goal before still ends there, if nothing nearer can be reached.
+  [[nodiscard]] Travel plan(double radius, Vec2 position, Vec2 goal,
+                            const Travel* before = nullptr);
+  /// A way to that end on which the target is known, and whether its graph is that of the very
+  /// radius, and around movers at rest.
+  [[nodiscard]] Travel resume(double radius, Vec2 end, std::uint32_t target, bool is_exact,
                               bool around_movers);
+  /// Whether a disc of that radius may be there. There are walls.
+  [[nodiscard]] bool is_free(double radius, Vec2 p) { return places_of(radius).is_free(p); }
   /// That a robot may have to choose from.
   [[nodiscard]] std::size_t most_targets() const;
   /// Whether no wall lies on the straight way between them.
@@ -80,39 +98,40 @@ class Ways {
   using GraphKey = std::pair<bool, double>;              // around movers, radius
   using Key = std::tuple<bool, double, double, double>;  // and the goal
   const CornerGraph& graph_of(GraphKey key);
-  const FreeSpace& space_of(double radius);
-  std::shared_ptr<const PathMap> map_to(GraphKey key, Vec2 goal);
-  Travel plan_by_walls(double radius, Vec2 position, Vec2 goal);
+  ReachablePlaces& places_of(double radius);
+  std::shared_ptr<const PathMap> map_to(GraphKey key, Vec2 end);
+  Travel lead(double radius, Vec2 position, Vec2 end, bool is_exact, bool around_movers);
+  Travel lead(double radius, Vec2 position, Vec2 end);
+  Vec2 reachable_end(double radius, Vec2 position, Vec2 goal, const Travel* before);
 
   bool follows_ = false, heeds_passages_ = false;
-  const Ways* before_ = nullptr;  // until forget_before()
+  double arrival_distance_ = 0.0;  // m
+  const Ways* before_ = nullptr;   // until forget_before()
   std::optional<ClearanceGrid> sight_;
   std::vector<Wall> resting_;
   std::map<GraphKey, std::unique_ptr<const CornerGraph>> graphs_;
-  std::map<double, std::unique_ptr<const FreeSpace>> spaces_;
+  std::map<double, std::unique_ptr<ReachablePlaces>> places_;
   std::map<Key, std::weak_ptr<const PathMap>> maps_;
   std::size_t most_maps_ = 0;  // beyond which those that nobody has are forgotten
   std::vector<double> passage_radii_;
 };
 
-/// What is left of it, m and its next point: by the target, unless that is unknown.
+/// What is left of it, of a robot with that goal: by the target, unless that is unknown.
 Simulation::Way rest_of_way(const Travel& travel, Vec2 position, Vec2 goal);
 
-/// Updates the target. `looks_around` is asked for from time to time, see next_leg().
-Heading follow(Travel& travel, Vec2 position, Vec2 goal, const RobotTraits& robot,
-               bool looks_around, LegScratch& scratch);
+/// Updates the target. end: of the way, or the goal where there are no walls. `looks_around` is
+/// asked for from time to time, see next_leg().
+Heading follow(Travel& travel, Vec2 position, Vec2 end, const RobotTraits& robot, bool looks_around,
+               LegScratch& scratch);
 
-/// The same of a robot of that radius whose goal a mover at rest stands on, if it heads for that:
-/// it comes to rest beside the mover, on the side that it comes from.
+/// The same of a robot of that radius on whose end a mover at rest stands, if it heads for that: it
+/// comes to rest beside the mover, on the side that it comes from.
 Heading beside_resting(std::span<const Wall> resting, const Heading& heading, Vec2 position,
-                       Vec2 goal, double radius);
+                       Vec2 end, double radius);
 
-/// Of a whole fleet.
-void plan_travels(Ways& ways, const Fleet& fleet);
-
-/// Of the same fleet among other walls. Who would set out as before, and has as far to go from its
-/// target, keeps it.
-void replan_travels(const Ways& before, Ways& ways, const Fleet& fleet);
+/// Of a whole fleet; of the same one as before among other walls: who would set out as before, and
+/// has as far to go from its target, keeps it.
+void plan_travels(Ways& ways, const Fleet& fleet, const Ways* before = nullptr);
 
 /// Whether the robot looks around in this step: not all do at once.
 bool looks_around(RobotId robot, std::int64_t steps);

@@ -75,12 +75,11 @@ Heading heading_of(const World& world, std::size_t slot, double nearest) {
   const Fleet& fleet = world.fleet;
   Travel travel = world.ways.travels[static_cast<std::size_t>(fleet.rank[slot])];
   LegScratch scratch;
-  const Heading heading =
-      follow(travel, fleet.position[slot] + own_error(world, slot), fleet.goal[slot],
-             fleet.traits[slot], looks_around(fleet.id[slot], decisions_of(world, slot)), scratch);
-  const Vec2 p = fleet.position[slot] + own_error(world, slot);
+  const Vec2 p = fleet.position[slot] + own_error(world, slot), end = world.end_of(slot);
+  const Heading heading = follow(travel, p, end, fleet.traits[slot],
+                                 looks_around(fleet.id[slot], decisions_of(world, slot)), scratch);
   const auto beside = [&](const Heading& to) {
-    return beside_resting(world.ways.resting(), to, p, fleet.goal[slot], fleet.traits[slot].radius);
+    return beside_resting(world.ways.resting(), to, p, end, fleet.traits[slot].radius);
   };
   if (world.ways.passages.empty()) return beside(heading);
   Claims claims;
@@ -219,12 +218,12 @@ bool World::is_fast(std::size_t slot) const {
 
 Robot World::robot(std::size_t slot, double nearest) const {
   const RobotTraits& robot_traits = fleet.traits[slot];
-  const Vec2 p = fleet.position[slot], v = fleet.velocity[slot], goal = fleet.goal[slot];
-  Heading heading{goal, robot_traits.preferred_speed};
+  const Vec2 p = fleet.position[slot], v = fleet.velocity[slot], end = end_of(slot);
+  Heading heading{end, robot_traits.preferred_speed};
   if (!ways.empty()) heading = heading_of(*this, slot, nearest);
   heading.goal = stays_near(*this, slot, heading.goal)
                      ? p
-                     : disc_goal(fleet, slot, heading.goal) - own_error(*this, slot);
+                     : disc_goal(fleet, slot, heading.goal, end) - own_error(*this, slot);
   RobotTraits traits = robot_traits;
   traits.preferred_speed = heading.preferred_speed;
   Robot robot{

@@ -110,6 +110,11 @@ struct World {
     return pace(slot).planner.options().certificate != Certificate::none;
   }
   bool is_fast(std::size_t slot) const;
+  /// m: what the robot heads for in the end, its goal or the nearest place to it.
+  Vec2 end_of(std::size_t slot) const {
+    if (ways.travels.empty()) return fleet.goal[slot];
+    return ways.travels[static_cast<std::size_t>(fleet.rank[slot])].heads_for(fleet.goal[slot]);
+  }
   /// nearest: m, see heed_passages().
   Robot robot(std::size_t slot, double nearest) const;
 };

@@ -164,7 +164,7 @@ TEST(Trips, of_a_robot_that_walls_keep_from_its_goal) {
   EXPECT_FALSE(m.extra_time_mean);
   EXPECT_FALSE(m.efficacy);
   EXPECT_FALSE(m.path_ratio);
-  EXPECT_EQ(*m.effort, 0.0);
+  EXPECT_GT(*m.effort, 0.0);  // to the nearest place
 }
 
 // Without navigation it drives into a blind alley, 2.5 m in at most 5 s, and trembles there.

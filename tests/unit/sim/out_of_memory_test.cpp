@@ -160,6 +160,7 @@ TEST(OutOfMemory, a_state_is_restored_or_nothing_changes) {
 
 TEST(OutOfMemory, a_robot_of_another_radius_comes_to_walls_whole_or_not_at_all) {
   Scenario scene;
+  scene.arrival_distance = 0.05;
   scene.obstacles = {test::pieces({{{5, -3}, {5, 3}}})};
   scene.robots = {test::robot_at({0, 0}, {10, 0})};
   RobotSetup other = test::robot_at({0, 4}, {5.2, 0});  // it cannot get there

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: Apache-2.0
+// Whose goals cannot be reached, of a scene that nobody simulates yet.
+#include "avo/reachability.h"
+#include "robots/model.h"
+#include "sim/static_world.h"
+#include "sim/ways.h"
+
+namespace avo {
+
+std::vector<OutOfReach> out_of_reach(const Scenario& scenario) {
+  const std::vector<Wall> walls = static_world(scenario).walls;
+  std::vector<OutOfReach> result;
+  if (walls.empty()) return result;
+  Scenario settings = scenario;
+  settings.navigation = false;  // where ways end does not depend on how they lead there
+  Ways ways(settings, walls, {});
+  for (std::size_t k = 0; k < scenario.robots.size(); ++k) {
+    const RobotSetup& robot = scenario.robots[k];
+    if (robot.parked) continue;
+    const Travel travel = ways.plan(disc_radius(robot), disc_center(robot), robot.goal);
+    if (travel.ends == WayEnd::goal) continue;
+    result.push_back({k, travel.place, norm(robot.goal - travel.place),
+                      !ways.is_free(disc_radius(robot), robot.goal),
+                      travel.ends == WayEnd::beside});
+  }
+  return result;
+}
+
+}  // namespace avo
