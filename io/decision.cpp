@@ -201,6 +201,13 @@ std::string evasion_text(const Decision& decision) {
                      text(velocity), decision.time + duration);
 }
 
+/// At which passage it waits, and for whom.
+Json wait_of(const Decision& decision) {
+  if (!decision.seen.wait) return nullptr;
+  const auto& [passage, robot] = *decision.seen.wait;
+  return {{"passage", to_json(passage)}, {"for", robot.value}};
+}
+
 Json half_planes_of(const Decision& decision) {
   Json half_planes = Json::array();
   for (const avo::NeighborPlane& plane : decision.half_planes.planes)
@@ -277,6 +284,7 @@ std::string to_json(const Decision& decision) {
       {"new_velocity", to_json(decision.plan.new_velocity)},
       {"acceleration", to_json(decision.plan.acceleration)},
       {"evading", evasion_of(decision)},
+      {"waits", wait_of(decision)},
       {"state", avo::to_string(decision.state.state)},
       {"doomed_by", doomed_by(decision)},
       {"contact_within",
@@ -333,6 +341,9 @@ std::string readable(const Decision& decision) {
                               : std::string("0: at once"));
   line("acceleration", text(decision.plan.acceleration) + " m/s^2");
   if (decision.evasion) line("evades", evasion_text(decision));
+  if (const auto& wait = decision.seen.wait)
+    line("waits", fmt::format("at the passage at {} m for robot {}", text(wait->passage),
+                              wait->robot.value));
   if (!decision.risks.empty())
     line("risk",
          fmt::format("{:.3g} or less that noise hides a broken half-plane", risk_of(decision)));

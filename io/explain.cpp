@@ -81,7 +81,7 @@ Decision explain(const avo::Simulation& simulation, const std::string& scene, st
   decision.method = planner.options().method;
   decision.has_own_method = decision.method != simulation.planner().options().method;
   decision.seen = simulation.perceive(index);
-  const auto& [self, neighbors, source, detour, among_movers, walls, stop, trajectories] =
+  const auto& [self, neighbors, source, detour, among_movers, walls, stop, trajectories, wait] =
       decision.seen;
   avo::Detour next_detour = detour;
   decision.by_half_planes = !among_movers;

@@ -19,9 +19,12 @@ Json to_json(const avo::Decisions& decisions) {
 Json to_json(const avo::NotArrived& robot) {
   Json held_by = Json::array();
   for (const std::int64_t entry : robot.held_by) held_by.push_back(name_of(entry));
-  return {{"robot", robot.robot},   {"distance", robot.distance},
-          {"speed", robot.speed},   {"status", avo::to_string(robot.status)},
-          {"detour", robot.detour}, {"held_by", held_by}};
+  Json json{{"robot", robot.robot},   {"distance", robot.distance},
+            {"speed", robot.speed},   {"status", avo::to_string(robot.status)},
+            {"detour", robot.detour}, {"held_by", held_by}};
+  if (robot.passage) json["passage"] = {robot.passage->x, robot.passage->y};
+  if (robot.distance_left > 0.0) json["distance_left"] = robot.distance_left;
+  return json;
 }
 
 // In the order of docs/metrics.md.

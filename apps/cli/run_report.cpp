@@ -75,6 +75,8 @@ std::string state_of(const avo::NotArrived& robot) {
         separator + (other >= 0 ? std::to_string(other) : fmt::format("obstacle {}", -1 - other));
     separator = ", ";
   }
+  if (robot.passage)
+    text += fmt::format(" at the passage at [{:.3g}, {:.3g}]", robot.passage->x, robot.passage->y);
   return text;
 }
 
@@ -108,14 +110,21 @@ void tell_unreachable(const avo::RunSummary& results) {
   constexpr std::size_t kNamed = 10;
   const std::size_t count = results.unreachable.size();
   if (count == 0) return;
-  std::string who;
-  for (const std::uint64_t robot : std::span(results.unreachable).first(std::min(kNamed, count)))
+  const std::size_t named = std::min(kNamed, count);
+  std::string who, distances;
+  for (const std::uint64_t robot : std::span(results.unreachable).first(named)) {
     who += fmt::format("{}{}", who.empty() ? "" : ", ", robot);
-  if (count > kNamed) who += fmt::format(" and {} more", count - kNamed);
+    const auto entry = std::find_if(results.not_arrived.begin(), results.not_arrived.end(),
+                                    [&](const auto& other) { return other.robot == robot; });
+    if (entry != results.not_arrived.end())
+      distances += fmt::format("{}{:.3g}", distances.empty() ? "" : ", ", entry->distance_left);
+  }
+  if (count > named) who += fmt::format(" and {} more", count - named);
   warn({fmt::format(
-      "no way between the obstacles leads to the {} {}; a way has to be as wide as the "
-      "robot, and a goal as far from an obstacle as its radius",
-      count == 1 ? "goal of robot" : "goals of robots", who)});
+      "no way between the obstacles leads to the {} {}; the nearest {} {} m from there; a way has "
+      "to be as wide as the robot, and a goal as far from an obstacle as its radius",
+      count == 1 ? "goal of robot" : "goals of robots", who,
+      count == 1 ? "place that it can reach is" : "places that they can reach are", distances)});
 }
 
 std::string readable(const avo::Scenario& scenario, const avo::RunSummary& results) {

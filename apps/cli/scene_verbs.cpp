@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 // avo scenes, avo validate, avo schema.
+#include <algorithm>
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "assumptions.h"
+#include "avo/reachability.h"
 #include "avo_io/errors.h"
 #include "avo_io/printable.h"
 #include "avo_io/scene.h"
@@ -91,8 +95,36 @@ int list_scenes(const std::string& name, bool json) {
   return kDone;
 }
 
+namespace {
+
+/// A line on each robot that walls keep from its goal, and how near it comes.
+std::vector<std::string> told_out_of_reach(const avo::Scenario& scenario) {
+  constexpr std::size_t kNamed = 10;
+  const std::vector<avo::OutOfReach> all = avo::out_of_reach(scenario);
+  std::vector<std::string> lines;
+  for (const avo::OutOfReach& one : std::span(all).first(std::min(kNamed, all.size()))) {
+    const avo::RobotSetup& robot = scenario.robots[one.robot];
+    lines.push_back(fmt::format(
+        "robot {}: its goal [{:.9g}, {:.9g}] {}: it goes to [{:.9g}, {:.9g}], {:.3g} m from "
+        "there{}",
+        one.robot, robot.goal.x, robot.goal.y,
+        one.is_in_wall
+            ? fmt::format("is nearer to an obstacle than its radius = {:.9g} m", disc_radius(robot))
+            : std::string("cannot be reached by any way as wide as the robot"),
+        one.nearest.x, one.nearest.y, one.distance_left,
+        one.counts_as_there ? ", where it has arrived" : ""));
+  }
+  if (all.size() > kNamed)
+    lines.push_back(
+        fmt::format("{} further robots cannot reach their goals either", all.size() - kNamed));
+  return lines;
+}
+
+}  // namespace
+
 int validate_scene(const SceneArguments& arguments) {
   const avo::Scenario scenario = load(arguments);
+  warn(told_out_of_reach(scenario));
   const std::size_t walls = avo::walls_of(scenario.obstacles).size();
   const std::string steps =
       scenario.clock == avo::Clock::free

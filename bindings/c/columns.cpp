@@ -197,6 +197,22 @@ avo_result avo_simulation_decided(avo_simulation_id simulation, avo_robot_id rob
       [](const avo::Simulation& own, std::size_t index) { return own.decided(index); });
 }
 
+avo_result avo_simulation_get_distance_left(avo_simulation_id simulation, avo_robot_id robot,
+                                            double* distance) {
+  return get_by_index(
+      simulation, robot, distance,
+      [](const avo::Simulation& own, std::size_t index) { return own.way(index).distance_left; });
+}
+
+avo_result avo_simulation_get_wait(avo_simulation_id simulation, avo_robot_id robot,
+                                   avo_wait* wait) {
+  return get_by_index(simulation, robot, wait, [](const avo::Simulation& own, std::size_t index) {
+    const std::optional<avo::Simulation::Wait> found = own.wait(index);
+    if (!found) return avo_wait{};
+    return avo_wait{true, to_c(found->passage), {found->robot.value}};
+  });
+}
+
 avo_result avo_simulation_index_of(avo_simulation_id simulation, avo_robot_id robot,
                                    size_t* index) {
   return get_by_index(simulation, robot, index,

@@ -29,9 +29,12 @@ struct NotArrived {
   double speed = 0.0;                       ///< m/s
   PlanStatus status = PlanStatus::optimal;  ///< of its last decision
   double detour = 0.0;                      ///< rad, see Detour
-  /// Nearest first: who is no more than 0.1 of both radii from touching it, by RobotId, or -1 - k
-  /// for moving obstacle k. Five at most.
+  /// Nearest first: who is no more than 0.15 of both radii from touching it, by RobotId, or -1 - k
+  /// for moving obstacle k, five at most; then the robot that it waits for at a passage.
   std::vector<std::int64_t> held_by;
+  std::optional<Vec2> passage = {};  ///< m, see Simulation::Wait; none where it waits at none
+  /// m, from the nearest place that it can reach to its goal, see Simulation::Way; 0: it can.
+  double distance_left = 0.0;
 };
 
 /// By published definitions: docs/metrics.md has the formulas and their sources. A trip is that of

@@ -73,6 +73,7 @@ export interface Decision {
   new_velocity: Vec;
   acceleration: Vec;
   evading: Evasion | null;      // what it would have chosen was put aside for a way out (docs/movers.md)
+  waits: { passage: Vec; for: number } | null;  // at which passage, and for which robot (docs/arrival.md)
   state: "safe" | "doomed" | "unknown";
   doomed_by: Source | null;     // also "walls.K", of `walls` above
   contact_within: number | null;

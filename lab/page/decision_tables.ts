@@ -42,6 +42,7 @@ function verdictRows(decision: Decision): Row[] {
     { name: "status", label: "status", value: decision.status, exact: decision.status, title: STATUS_COLORS[decision.status]?.says ?? "" },
     ...contactRows(decision),
     ...evasionRows(decision),
+    ...waitRows(decision),
     { name: "violation", label: "violation", value: `${digits(decision.violation, 3)} m/s`, exact: decision.violation, title: "by how much v′ misses CA_A" },
     { name: "state", label: "state", value: stateText(decision), exact: decision.state, title: "what is proved before anything is decided (docs/states.md)" },
     { name: "rule", label: "rule", value: decision.rule.replaceAll("_", " "), exact: decision.rule },
@@ -70,6 +71,12 @@ function evasionRows(decision: Decision): Row[] {
   const { velocity, until } = decision.evading;
   const way = norm(velocity) > 0 ? `towards ${pair(velocity)} m/s until ${digits(until)} s` : "brakes";
   return [{ name: "evading", label: "evades", value: `${evadedOf(decision)}: ${way}`, exact: decision.evading, title: "whom it makes room for, and by which way out (docs/movers.md)" }];
+}
+
+function waitRows(decision: Decision): Row[] {
+  if (!decision.waits) return [];
+  const whom = labelOf(nameOf(decision.waits.for));
+  return [{ name: "waits", label: "waits", value: `for ${whom}, at the passage at ${pair(decision.waits.passage)} m`, exact: decision.waits, title: "the right of way at the passage (docs/arrival.md)" }];
 }
 
 function stateText(decision: Decision): string {

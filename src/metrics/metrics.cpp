@@ -74,6 +74,7 @@ struct Metrics::State {
   RunSummary summary;
   Trips trips;
   std::vector<double> step_milliseconds;
+  std::vector<double> distances_left;  // m, of those whose goals are unreachable, in their order
   FirstSights first_sights;
   MoverSights mover_sights;
 
@@ -167,8 +168,11 @@ void Metrics::observe(const Simulation& simulation) {
   state.remember(simulation);
   state.summary.steps = simulation.steps();
   state.summary.unreachable.clear();
-  for (const RobotId robot : simulation.unreachable())
+  state.distances_left.clear();
+  for (const RobotId robot : simulation.unreachable()) {
     state.summary.unreachable.push_back(robot.value);
+    state.distances_left.push_back(simulation.way(*simulation.index_of(robot)).distance_left);
+  }
   state.started = true;
 }
 
@@ -194,7 +198,12 @@ RunSummary Metrics::summary() const {
   for (std::size_t i = 0; i < state_->last.robots.size(); ++i) {
     if (summary.not_arrived.size() == kMostListed) break;
     if (state_->trips.arrival(state_->last.robots[i].id.value)) continue;
-    summary.not_arrived.push_back(state_->last.describe(i));
+    NotArrived& entry = summary.not_arrived.emplace_back(state_->last.describe(i));
+    const auto& unreachable = summary.unreachable;
+    const auto place = std::lower_bound(unreachable.begin(), unreachable.end(), entry.robot);
+    if (place != unreachable.end() && *place == entry.robot)
+      entry.distance_left =
+          state_->distances_left[static_cast<std::size_t>(place - unreachable.begin())];
   }
   std::vector<double> times = state_->step_milliseconds;
   if (!times.empty()) {

@@ -9,6 +9,7 @@
 namespace avo {
 namespace {
 
+constexpr double kStands = 0.05;      // of the preferred speed: slower is no motion
 constexpr double kTouching = 0.15;    // of the sum of radii: nearer than that, it holds
 constexpr std::size_t kMostHeld = 5;  // named of those that hold one
 
@@ -28,7 +29,11 @@ void LastSeen::look_at(const Simulation& simulation) {
                       .detour = fleet.detour[i].angle,
                       .layers = fleet.setup[i].layers,
                       .avoids = fleet.setup[i].avoids,
-                      .parked = fleet.setup[i].parked});
+                      .parked = fleet.setup[i].parked,
+                      .wait = {}});
+    const bool is_at_rest = norm(fleet.velocity[i]) <= kStands * fleet.setup[i].preferred_speed;
+    if (is_at_rest && !fleet.setup[i].parked && !simulation.is_at_goal(i))
+      robots.back().wait = simulation.wait(i);
   }
   const ObstacleView seen = simulation.obstacles();
   obstacles.clear();
@@ -44,7 +49,9 @@ NotArrived LastSeen::describe(std::size_t robot) const {
                     .speed = norm(self.velocity),
                     .status = self.status,
                     .detour = self.detour,
-                    .held_by = {}};
+                    .held_by = {},
+                    .passage = {},
+                    .distance_left = 0.0};
   std::vector<std::pair<double, std::int64_t>> near;  // m beyond contact, and who
   const auto consider = [&](Vec2 other, double other_radius, std::int64_t name) {
     const double contact = self.radius + other_radius;
@@ -62,6 +69,12 @@ NotArrived LastSeen::describe(std::size_t robot) const {
   std::sort(near.begin(), near.end());
   for (std::size_t k = 0; k < std::min(near.size(), kMostHeld); ++k) {
     result.held_by.push_back(near[k].second);
+  }
+  if (self.wait) {
+    const auto other = static_cast<std::int64_t>(self.wait->robot.value);
+    std::vector<std::int64_t>& held_by = result.held_by;
+    if (std::find(held_by.begin(), held_by.end(), other) == held_by.end()) held_by.push_back(other);
+    result.passage = self.wait->passage;
   }
   return result;
 }

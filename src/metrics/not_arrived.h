@@ -2,6 +2,7 @@
 // Who has not arrived, and who is in the way.
 #pragma once
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 #include "avo/metrics.h"
@@ -19,6 +20,7 @@ struct LastSeen {
     double detour;  // rad
     LayerSet layers, avoids;
     bool parked;
+    std::optional<Simulation::Wait> wait;  // of one at rest
   };
   struct Obstacle {
     Vec2 position, velocity;

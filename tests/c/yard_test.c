@@ -240,6 +240,11 @@ static void check_clocks_and_goals(avo_simulation_id simulation) {
   CHECK(!at_goal);
   REQUIRE(avo_simulation_unreachable(simulation, NULL, 0, &count));
   CHECK(count == 0);
+  REQUIRE(avo_simulation_get_distance_left(simulation, moving, &next));
+  CHECK(next == 0.0);
+  avo_wait wait = {true, {0.0, 0.0}, {9}};
+  REQUIRE(avo_simulation_get_wait(simulation, moving, &wait));
+  CHECK(!wait.waits);
 }
 
 /* Two airplanes: the first leaves at its goal, and its id is that of none then. */

@@ -176,10 +176,16 @@ TEST(Run, tells_whom_walls_keep_from_their_goals) {
   const ProcessResult result = run_avo({"run", scene, "--summary", out, "--record", csv});
   ASSERT_EQ(result.exit_code, 0) << result.err;
   EXPECT_EQ(lines_of(result.err).size(), 1U) << result.err;
-  EXPECT_NE(result.err.find("leads to the goal of robot 0;"), std::string::npos) << result.err;
+  EXPECT_NE(result.err.find("leads to the goal of robot 0; the nearest place that it can reach is "
+                            "2.5 m from there;"),
+            std::string::npos)
+      << result.err;
   const Json json = Json::parse(read_file(out));
   EXPECT_EQ(json["unreachable"], Json::array({0}));
   EXPECT_EQ(json["arrived"], 1);
+  const Json& robot = json["not_arrived"][0];
+  EXPECT_NEAR(robot["distance"].get<double>(), 2.5, 1e-4) << "it has gone to the nearest place";
+  EXPECT_NEAR(robot["distance_left"].get<double>(), 2.5, 1e-4);
   EXPECT_EQ(json["collision_obstacles"], 0);
   EXPECT_GT(json["min_obstacle_clearance"], 0.0);
   const ProcessResult check = run_avo({"check", csv, "--scene", scene, "--json"});
@@ -240,6 +246,53 @@ TEST(Run, tells_who_has_not_arrived_and_who_is_in_the_way) {
   EXPECT_NE(result.out.find("  not arrived        robot 0, 1.1 m to go, "), std::string::npos)
       << result.out;
   EXPECT_NE(result.out.find(", held by obstacle 0\n"), std::string::npos) << result.out;
+}
+
+TEST(Run, validate_tells_whom_walls_keep_from_their_goals) {
+  write_file(path_of("box.yaml"), kBox);
+  const ProcessResult result =
+      run_avo({"validate", path_of("box.yaml"), "--set", "robots.1.goal=[3.6, 3]"});
+  EXPECT_EQ(result.exit_code, 0);
+  EXPECT_EQ(
+      lines_of(result.err),
+      (Strings{"warning: robot 0: its goal [6, 0] cannot be reached by any way as wide as the "
+               "robot: it goes to [3.4999995, 0], 2.5 m from there"}));
+  const ProcessResult near =
+      run_avo({"validate", path_of("box.yaml"), "--set", "robots.0.goal=[3.6, 1]"});
+  EXPECT_EQ(
+      lines_of(near.err),
+      (Strings{"warning: robot 0: its goal [3.6, 1] is nearer to an obstacle than its radius = "
+               "0.5 m: it goes to [3.4999995, 1], 0.1 m from there, where it has arrived"}));
+}
+
+// A corridor of one lane: one robot comes through, the other one waits.
+constexpr const char* kLane =
+    "version: 1\nduration: 12\nobstacles:\n"
+    "  - {polygon: [[-5, 0.8], [5, 0.8], [5, 8], [-5, 8]]}\n"
+    "  - {polygon: [[-5, -8], [5, -8], [5, -0.8], [-5, -0.8]]}\n"
+    "robots:\n"
+    "  - {position: [-7, 0], goal: [12, 3], preferred_speed: 0.7}\n"
+    "  - {position: [12, 0], goal: [-12, 3]}\n";
+
+TEST(Run, tells_who_waits_at_a_passage_and_for_whom) {
+  write_file(path_of("lane.yaml"), kLane);
+  const ProcessResult result =
+      run_avo({"run", path_of("lane.yaml"), "--summary", path_of("lane.json")});
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  const Json json = Json::parse(read_file(path_of("lane.json")));
+  ASSERT_EQ(json["not_arrived"].size(), 2U);
+  EXPECT_FALSE(json["not_arrived"][0].contains("passage"));
+  const Json& robot = json["not_arrived"][1];
+  EXPECT_EQ(robot["held_by"], Json::array({0})) << robot;
+  EXPECT_NEAR(robot["passage"][0].get<double>(), 0.0, 1e-6);
+  EXPECT_NE(result.out.find(", held by 0 at the passage at [0, 0]\n"), std::string::npos)
+      << result.out;
+  const ProcessResult why =
+      run_avo({"explain", path_of("lane.yaml"), "--robot", "1", "--time", "12"});
+  EXPECT_NE(why.out.find("at the passage at (0, 0) m for robot 0\n"), std::string::npos) << why.out;
+  const ProcessResult same =
+      run_avo({"explain", path_of("lane.yaml"), "--robot", "1", "--time", "12", "--json"});
+  EXPECT_EQ(Json::parse(same.out)["waits"]["for"], 0) << same.out;
 }
 
 TEST(Run, names_those_who_move_and_have_not_arrived) {

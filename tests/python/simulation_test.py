@@ -118,6 +118,15 @@ def test_robots_come_and_go():
     assert tuple(simulation.goal()[9]) == (70.0, 0.0) and simulation.index_of(added) == 9
 
 
+def test_goals_out_of_reach_are_told_before_the_start():
+    scene = avo.Scenario({"version": 1, "obstacles": [{"polyline": [[5, -9], [5, 9]]}],
+                          "robots": [{"position": [0, 0], "goal": [5, 0], "radius": 0.4},
+                                     {"position": [0, 3], "goal": [3, 3], "radius": 0.4}]})
+    told, = scene.out_of_reach()
+    assert told["robot"] == 0 and told["is_in_wall"] and told["counts_as_there"]
+    assert abs(told["distance_left"] - 0.4) < 1e-5 and abs(told["nearest"][0] - 4.6) < 1e-5
+
+
 def test_doors_close_and_open():
     simulation = avo.Simulation("circle-2")
     cage = avo.StaticObstacle([avo.Chain([(-1.5, -1.5), (1.5, -1.5), (1.5, 1.5), (-1.5, 1.5)], closed=True)])
@@ -125,6 +134,7 @@ def test_doors_close_and_open():
     simulation.set_goal(0, (0, 0))
     door = simulation.add_obstacle(cage)
     assert simulation.unreachable() == [0]
+    assert 1.5 < simulation.distance_left(0) < 3.0 and simulation.wait(0) is None
     assert [(i, o.fill, len(o.chains)) for i, o in simulation.obstacles()] == [(door, "none", 1)]
     simulation.remove_obstacle(door)
     assert simulation.unreachable() == [] and simulation.obstacles() == []

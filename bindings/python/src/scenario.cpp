@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "avo/assumptions.h"
+#include "avo/reachability.h"
 #include "avo_io/scene.h"
 #include "pickles.h"
 
@@ -98,6 +99,20 @@ py::dict options_of(const Scenario& scenario) {
   return all;
 }
 
+py::list out_of_reach_of(const Scenario& scenario) {
+  py::list list;
+  for (const avo::OutOfReach& one : avo::out_of_reach(scenario)) {
+    py::dict entry;
+    entry["robot"] = one.robot;
+    entry["nearest"] = one.nearest;
+    entry["distance_left"] = one.distance_left;
+    entry["is_in_wall"] = one.is_in_wall;
+    entry["counts_as_there"] = one.counts_as_there;
+    list.append(entry);
+  }
+  return list;
+}
+
 py::dict broken_of(const Scenario& scenario) {
   const avo::BrokenAssumptions broken = avo::broken_assumptions(scenario);
   py::dict counts;
@@ -174,6 +189,11 @@ void bind_scenario(py::module_& module) {
       .def("planner_options", &options_of,
            "What its robots plan with: Planner(**scenario.planner_options()).")
       .def("advice", &avo::advice, "One line for each setting that does not fit the robots.")
+      .def("out_of_reach", &out_of_reach_of,
+           "A dict of each robot that walls keep from its goal: its \"robot\" number, the "
+           "\"nearest\" place that it gets to, m, the \"distance_left\" from there to the goal, m, "
+           "whether the goal \"is_in_wall\", nearer to a wall than the radius, and whether that "
+           "place \"counts_as_there\", within arrival_distance.")
       .def("broken_assumptions", &broken_of,
            "How many robots or pairs break what the certificate assumes, and the sensing radius "
            "that it needs, m, where that is too small: {\"starts\": 0, ..., \"unseen\": None}.")

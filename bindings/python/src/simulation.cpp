@@ -164,7 +164,29 @@ void bind_state(SimulationClass& simulation) {
               ids.push_back(id.value);
             return ids;
           },
-          "Ids of robots that walls keep from their goals.")
+          "Ids of robots that walls keep from their goals: they go as near as they can, and are "
+          "distance_left() from there.")
+      .def(
+          "distance_left",
+          [](SharedSimulation& self, std::int64_t index) {
+            return self.briefly(
+                [&](const Simulation& s) { return s.way(checked(s, index)).distance_left; });
+          },
+          arg("index"),
+          "m, of the robot in that row of the arrays: from the nearest place that it gets to, to "
+          "its goal; 0 where no wall keeps it from its goal.")
+      .def(
+          "wait",
+          [](SharedSimulation& self,
+             std::int64_t index) -> std::optional<std::pair<avo::Vec2, std::uint64_t>> {
+            const auto wait =
+                self.briefly([&](const Simulation& s) { return s.wait(checked(s, index)); });
+            if (!wait) return std::nullopt;
+            return std::pair(wait->passage, wait->robot.value);
+          },
+          arg("index"),
+          "For whom the robot in that row of the arrays waits at a passage of one lane: the middle "
+          "of the passage, m, and the id of the other robot; None where it does not wait at one.")
       .def("_repr_svg_",
            [](const py::object& self) { return py::module_::import("avo.svg").attr("draw")(self); })
       .def("__repr__", [](SharedSimulation& self) {

@@ -688,6 +688,18 @@ AVO_C_API avo_result avo_simulation_get_next_decision(avo_simulation_id simulati
 /// Whether it decided in the last step.
 AVO_C_API avo_result avo_simulation_decided(avo_simulation_id simulation, avo_robot_id robot,
                                             bool* decided);
+/// m: from the nearest place that it gets to, where its way ends, to its goal. 0 where no wall
+/// keeps it from its goal.
+AVO_C_API avo_result avo_simulation_get_distance_left(avo_simulation_id simulation,
+                                                      avo_robot_id robot, double* distance);
+/// For whom a robot waits at a passage of one lane.
+typedef struct avo_wait {
+  bool waits;          ///< else the rest says nothing
+  avo_vec2 passage;    ///< m, the middle of its axis
+  avo_robot_id robot;  ///< that comes towards it, or is in the way
+} avo_wait;
+AVO_C_API avo_result avo_simulation_get_wait(avo_simulation_id simulation, avo_robot_id robot,
+                                             avo_wait* wait);
 /// Its place in the columns, which is not its number once another one has gone.
 AVO_C_API avo_result avo_simulation_index_of(avo_simulation_id simulation, avo_robot_id robot,
                                              size_t* index);
@@ -711,9 +723,10 @@ AVO_C_API avo_result avo_simulation_can_step_by(avo_simulation_id simulation, do
 AVO_C_API avo_result avo_simulation_all_at_goal(avo_simulation_id simulation, bool* all_at_goal);
 /// Equal for equal states, bit by bit: that of the C++ interface.
 AVO_C_API avo_result avo_simulation_get_state_hash(avo_simulation_id simulation, uint64_t* hash);
-/// Robots that cannot get to their goals even alone, by ascending id: as many as fit into the
-/// buffer's `capacity` ids. *count: how many there are; with no buffer (null) it writes that alone.
-/// AVO_ERROR_BUFFER_TOO_SMALL where they are too many: *count is written.
+/// Robots that cannot get to their goals even alone, nor to a place within arrival_distance of one
+/// that is too near to a wall, by ascending id. They go as near as they can: as many as fit into
+/// the buffer's `capacity` ids. *count: how many there are; with no buffer (null) it writes that
+/// alone. AVO_ERROR_BUFFER_TOO_SMALL where they are too many: *count is written.
 AVO_C_API avo_result avo_simulation_unreachable(avo_simulation_id simulation, avo_robot_id* buffer,
                                                 size_t capacity, size_t* count);
 /// The static obstacles that there are, by ascending id, likewise.
