@@ -10,6 +10,7 @@
 
 #include "core/elementary.h"
 #include "free_space.h"
+#include "reachable_draws.h"
 #include "wall_space.h"
 
 namespace avo_io {
@@ -53,12 +54,6 @@ std::string no_room(std::string_view what, std::size_t placed, int number, std::
                      placed, number, area);
 }
 
-/// Where a group's robots start, and the point that antipodal goals mirror in.
-struct Starts {
-  std::vector<Vec2> points;
-  Vec2 center;
-};
-
 Starts starts(const CirclePlacement& circle, int n) {
   const double radius = std::max(circle.min_radius, circle.spacing * n / (2.0 * kPi));
   Starts result{{}, circle.center};
@@ -93,10 +88,7 @@ Starts starts(const RandomPlacement& area, const Group& group, const avo::Scenar
   const std::size_t count = scenario.robots.size() + scenario.moving_obstacles.size();
   FreeSpace space(area.min, area.max, radius, area.clearance,
                   count + static_cast<std::size_t>(group.number));
-  for (const auto& robot : scenario.robots) {
-    if (keep_apart(robot, group.robot)) space.add({disc_center(robot), disc_radius(robot)});
-  }
-  for (const auto& mover : scenario.moving_obstacles) space.add({mover.position, mover.radius});
+  add_others(group, scenario, space);
   const WallSpace walls(scenario.obstacles, radius + area.clearance);
   return {random_points(group.number, area.min, area.max, radius, space, walls, random),
           0.5 * (area.min + area.max)};
@@ -228,6 +220,7 @@ std::string append_group(const Group& group, std::uint64_t stream, avo::Scenario
     jitter(from.points, group.jitter, chance);
     jitter(to, group.jitter, chance);
   }
+  draw_reachable(group, scenario, stream, from, to);
   for (std::size_t i = 0; i < to.size(); ++i)
     append_robot(group.robot, group.heading, from.points[i], to[i], random, scenario);
   return "";

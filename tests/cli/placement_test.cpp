@@ -2,12 +2,14 @@
 // Groups become robots: where they start, where they go, the same on every machine.
 #include "placement.h"
 
+#include <algorithm>
 #include <cmath>
 #include <gtest/gtest.h>
 #include <set>
 #include <string>
 #include <tuple>
 
+#include "avo/reachability.h"
 #include "avo_io/scene.h"
 #include "random.h"
 
@@ -188,6 +190,62 @@ TEST(Placement, jitter_moves_starts_and_goals_by_chance_and_nothing_else) {
   EXPECT_GT(most, 0.28);
   EXPECT_GE(least, -0.3);
   EXPECT_LT(least, -0.28);
+}
+
+// Two rooms without a door between them, and a closed box of 0.8 m in the first one.
+std::string two_rooms_with(const std::string& group) {
+  return "version: 1\nseed: 3\nobstacles:\n"
+         "  - {polyline: [[-10, -5], [10, -5], [10, 5], [-10, 5], [-10, -5]]}\n"
+         "  - {polyline: [[0, -5], [0, 5]]}\n"
+         "  - {polygon: [[-6, 0], [-5.2, 0], [-5.2, 0.8], [-6, 0.8]]}\n"
+         "groups:\n  - " +
+         group + "\n";
+}
+
+Scenario in_two_rooms(const std::string& group) {
+  return avo_io::parse_scenario(two_rooms_with(group), "f", {});
+}
+
+TEST(Placement, random_goals_that_no_way_leads_to_are_drawn_again_and_no_others) {
+  const std::string group =
+      "{number: 16, radius: 0.3, placement: {grid: {corner: [-9, -4], spacing: 1.1, columns: 4}}, "
+      "goals: {random: {min: [-9, -4], max: [9, 4], clearance: 0.4}}}";
+  const Scenario scene = in_two_rooms(group);
+  EXPECT_TRUE(out_of_reach(scene).empty());
+  const std::vector<avo::Wall> walls = walls_of(scene.obstacles);
+  avo::Reachability with_clearance(walls, 0.7), reachability(walls, 0.3);
+  avo_io::Random random(3, 0);
+  std::vector<Vec2> drawn;  // as if nobody asked for ways
+  while (drawn.size() < 16) {
+    const double x = random.between(-9, 9);
+    const Vec2 place{x, random.between(-4, 4)};
+    const bool is_clear = std::none_of(drawn.begin(), drawn.end(),
+                                       [&](Vec2 other) { return norm(place - other) < 1.0; });
+    if (is_clear && with_clearance.connects(place, place)) drawn.push_back(place);
+  }
+  int again = 0;
+  for (std::size_t i = 0; i < 16; ++i) {
+    const avo::RobotSetup& robot = scene.robots[i];
+    const bool is_kept = reachability.connects(robot.position, drawn[i]);
+    EXPECT_EQ(robot.goal == drawn[i], is_kept) << i;
+    again += is_kept ? 0 : 1;
+    for (std::size_t k = 0; k < i; ++k)
+      EXPECT_GE(norm(robot.goal - scene.robots[k].goal), 1.0 - 1e-9);
+  }
+  EXPECT_GE(again, 4);
+  EXPECT_LE(again, 12);
+}
+
+TEST(Placement, random_starts_that_reach_no_goal_are_drawn_again) {
+  for (const char* goals : {"{offset: {by: [7, 0]}}", "antipodal", "permutation",
+                            "{random: {min: [-10, -5], max: [10, 5]}}"}) {
+    const Scenario scene = in_two_rooms(
+        "{number: 20, radius: 0.3, placement: {random: {min: [-10, -5], max: [10, 5]}}, goals: " +
+        std::string(goals) + "}");
+    const bool can_be_mended = std::string(goals) != "antipodal";  // about the wall between
+    EXPECT_EQ(out_of_reach(scene).empty(), can_be_mended) << goals;
+    EXPECT_EQ(scene.robots.size(), 20u);
+  }
 }
 
 TEST(Placement, headings_of_cars) {
