@@ -14,6 +14,7 @@
 #include "planner/demands.h"
 #include "planner/evading.h"
 #include "planner/passive_obstacles.h"
+#include "planner/steer.h"
 #include "planner/together.h"
 
 namespace avo {
@@ -37,6 +38,7 @@ struct PlanWorkspace::Scratch {
   CertifiedWorkspace certified;
   FlightConstraints flight;
   EvasionWorkspace evasion;
+  SteerMemory steering;
 
   /// Room for the certificate of so many neighbors, each of which brakes for so many steps.
   void reserve_choice(std::size_t neighbors, std::size_t braking_steps);

@@ -262,7 +262,7 @@ void set_apart(const Planner& planner, Tile& tile, PlanWorkspace::Scratch& scrat
 void plan_together(const Planner& planner, Tile& tile, PlanWorkspace::Scratch& scratch,
                    StageClock& clock) {
   const PlannerOptions& options = planner.options();
-  if (tile.robots.has_models) steer(options, certificate_law(planner).step, tile);
+  if (tile.robots.has_models) steer(options, certificate_law(planner).step, tile, scratch.steering);
   set_apart(planner, tile, scratch);
   if (options.certificate != Certificate::none && !tile.walls.empty())
     leave_out_hidden(options, certificate_law(planner).step, tile);

@@ -33,7 +33,7 @@ Vec2 within_steering(const Car& car, const Robot& robot, Vec2 v);
 
 /// src/robots/maneuver.cpp
 std::optional<Vec2> maneuver(const Car& car, const Robot& robot, const Approach& approach,
-                             const ClearPlaces& is_clear);
+                             bool is_beside, const ClearPlaces& is_clear, ManeuverMemory& memory);
 double room_for_maneuvers(const Car& car);
 
 inline double offset_of(const Car& car) {

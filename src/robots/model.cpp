@@ -161,9 +161,9 @@ Vec2 turning_first(const Robot& robot, Vec2 v) {
 }
 
 std::optional<Vec2> maneuver(const Robot& robot, const Approach& approach,
-                             const ClearPlaces& is_clear) {
+                             bool is_beside, const ClearPlaces& is_clear, ManeuverMemory& memory) {
   const Car* car = std::get_if<Car>(&robot.model);
-  return car != nullptr ? maneuver(*car, robot, approach, is_clear) : std::nullopt;
+  return car != nullptr ? maneuver(*car, robot, approach, is_beside, is_clear, memory) : std::nullopt;
 }
 
 double room_for_maneuvers(const MotionModel& model) {

@@ -8,6 +8,7 @@
 // alone.
 #pragma once
 #include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <optional>
 #include <vector>
@@ -83,11 +84,15 @@ Vec2 within_steering(const Robot& robot, Vec2 v);
 /// side that it turns before it drives.
 Vec2 turning_first(const Robot& robot, Vec2 v);
 
-/// Whether the disc may be at a place; begun: on a way that it is on already.
-using ClearPlaces = std::function<bool(Vec2 place, bool begun)>;
+/// What leads a maneuvering car to a place: what it does already, what it would begin with, or what
+/// comes later.
+enum class Nearness : std::uint8_t { begun, next, later };
+/// Whether the disc may be at a place.
+using ClearPlaces = std::function<bool(Vec2 place, Nearness nearness)>;
+struct ManeuverMemory;  // robots/maneuver_memory.h
 /// m/s: beside what is in the way, instead of steered().
 std::optional<Vec2> maneuver(const Robot& robot, const Approach& approach,
-                             const ClearPlaces& is_clear);
+                             bool is_beside, const ClearPlaces& is_clear, ManeuverMemory& memory);
 /// m, from its disc, of what may be in the way; 0: it needs none.
 double room_for_maneuvers(const MotionModel& model);
 

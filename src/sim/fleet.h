@@ -222,6 +222,13 @@ inline Vec2 disc_goal(const Fleet& fleet, std::size_t slot, Vec2 aim, Vec2 end) 
   return aim == end ? aim + fleet.offset(slot) : aim;
 }
 
+/// m, from its goal: one that maneuvers finds its own way there.
+inline double own_way_of(const Fleet& fleet, std::size_t slot) {
+  constexpr double kOwnWay = 0.6;  // of its room for maneuvers
+  const MotionModel* model = fleet.own_model(slot);
+  return model != nullptr ? kOwnWay * room_for_maneuvers(*model) : 0.0;
+}
+
 /// m/s: the preferred velocity of an airplane.
 inline Vec2 course_of(const Flight& flight, Vec2 position, Vec2 goal, double preferred_speed) {
   const Vec2 way = goal - position;

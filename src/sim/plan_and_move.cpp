@@ -50,7 +50,7 @@ void follow_ways(World& world, std::span<const std::uint32_t> slots, Worker& wor
     const Vec2 end = travel.heads_for(fleet.goal[slot]);
     const Vec2 p =
         worker.lost.empty() ? fleet.position[slot] : fleet.position[slot] + worker.lost[k];
-    Heading heading = follow(travel, p, end, fleet.traits[slot],
+    Heading heading = follow(travel, p, end, fleet.traits[slot], own_way_of(fleet, slot),
                              looks_around(fleet.id[slot], decisions_of(world, slot)), worker.legs);
     if (!world.ways.passages.empty())
       heading = heed_passages(world, world.claims, slot, travel, heading,

@@ -12,9 +12,10 @@ namespace avo {
 namespace {
 
 constexpr std::uint64_t kStepsBetweenLooks = 10;
-constexpr double kSightReach = 0.1;  // m
-constexpr double kBeside = 1.1;      // of contact, where a mover stands on the goal
-constexpr double kJoint = 1e-9;      // m: nobody sees through where pieces of walls touch
+constexpr double kSightReach = 0.1;    // m
+constexpr double kBeside = 1.1;        // of contact, where a mover stands on the goal
+constexpr double kLittleDetour = 1.5;  // times the straight way
+constexpr double kJoint = 1e-9;        // m: nobody sees through where pieces of walls touch
 
 // Where the target is, and how far it is from there to the goal; nothing where there is no target.
 std::optional<std::pair<Vec2, double>> rest_of(const Travel& travel) {
@@ -188,8 +189,8 @@ Simulation::Way rest_of_way(const Travel& travel, Vec2 position, Vec2 goal) {
   return way;
 }
 
-Heading follow(Travel& travel, Vec2 position, Vec2 end, const RobotTraits& robot, bool looks_around,
-               LegScratch& scratch) {
+Heading follow(Travel& travel, Vec2 position, Vec2 end, const RobotTraits& robot, double own_way,
+               bool looks_around, LegScratch& scratch) {
   const Heading straight{end, robot.preferred_speed};
   if (travel.graph == nullptr) return straight;
   const Leg leg = next_leg(*travel.graph, *travel.map, position, robot.radius, travel.target,
@@ -197,8 +198,9 @@ Heading follow(Travel& travel, Vec2 position, Vec2 end, const RobotTraits& robot
   travel.target = leg.target;
   if (leg.is_last() || leg.target == PathMap::kNothing) return straight;
   const Vec2 way = leg.aim - position;
-  const double distance = norm(way);
-  if (!(distance > 0.0)) return straight;
+  const double distance = norm(way), to_end = norm(end - position);
+  if (!(distance > 0.0) || (to_end < own_way && leg.length < kLittleDetour * to_end))
+    return straight;
   return {position + (leg.length / distance) * way,
           std::min(robot.preferred_speed, speed_limit(leg, robot.max_acceleration))};
 }

@@ -120,9 +120,10 @@ class Ways {
 Simulation::Way rest_of_way(const Travel& travel, Vec2 position, Vec2 goal);
 
 /// Updates the target. end: of the way, or the goal where there are no walls. `looks_around` is
-/// asked for from time to time, see next_leg().
-Heading follow(Travel& travel, Vec2 position, Vec2 end, const RobotTraits& robot, bool looks_around,
-               LegScratch& scratch);
+/// asked for from time to time, see next_leg(). A robot that finds its own way within `own_way` m
+/// of the end heads for it there, unless the way around is much longer.
+Heading follow(Travel& travel, Vec2 position, Vec2 end, const RobotTraits& robot, double own_way,
+               bool looks_around, LegScratch& scratch);
 
 /// The same of a robot of that radius on whose end a mover at rest stands, if it heads for that: it
 /// comes to rest beside the mover, on the side that it comes from.

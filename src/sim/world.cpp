@@ -76,7 +76,7 @@ Heading heading_of(const World& world, std::size_t slot, double nearest) {
   Travel travel = world.ways.travels[static_cast<std::size_t>(fleet.rank[slot])];
   LegScratch scratch;
   const Vec2 p = fleet.position[slot] + own_error(world, slot), end = world.end_of(slot);
-  const Heading heading = follow(travel, p, end, fleet.traits[slot],
+  const Heading heading = follow(travel, p, end, fleet.traits[slot], own_way_of(fleet, slot),
                                  looks_around(fleet.id[slot], decisions_of(world, slot)), scratch);
   const auto beside = [&](const Heading& to) {
     return beside_resting(world.ways.resting(), to, p, end, fleet.traits[slot].radius);
@@ -164,7 +164,10 @@ void find_walls(World& world) {
     const double wished = options.method == Method::avo
                               ? std::min(options.wall_range, ways)
                               : obstacle_reach(speed, traits.max_speed, options);
-    needs.reach = std::max(needs.reach, traits.radius + wished);
+    const double maneuvers =
+        traits.has_model ? room_for_maneuvers(*fleet.own_model(slot)) + law.localization_error
+                         : 0.0;
+    needs.reach = std::max(needs.reach, traits.radius + std::max(wished, maneuvers));
   }
   if (statics.needs && statics.needs->cover(needs)) return;
   statics.grid = grid_of(statics.walls, needs);

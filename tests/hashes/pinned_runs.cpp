@@ -16,8 +16,8 @@ const std::vector<PinnedRun>& pinned_runs() {
       {"drives_100", "drives-100", {}, 0, 0x701044eed0758fbd},
       {"planes_12", "planes-12", {}, 0, 0x062b497854bbad13},
       {"person", "person", {}, 0, 0x3326998f242467b7},
-      {"reversing_cars", "reversing-cars", {}, 0, 0x75e84666400a5cea},
-      {"mixed_yard", "mixed-yard", {}, 0, 0x9d3659972df489de},
+      {"reversing_cars", "reversing-cars", {}, 0, 0xe8e767353779561f},
+      {"mixed_yard", "mixed-yard", {}, 0, 0xde587e64f2505d60},
       {"moving_obstacle_exponential",
        "moving-obstacle",
        {"motion=exponential"},
@@ -37,7 +37,7 @@ const std::vector<PinnedRun>& pinned_runs() {
        "reversing-cars",
        {"sensing.delay=1"},
        0,
-       0x83187477d74cde0d},
+       0xc309723996d39984},
   };
   return runs;
 }

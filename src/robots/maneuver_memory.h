@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: Apache-2.0
+// The memory of a search for ways of several moves.
+#pragma once
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "avo/vec.h"
+#include "robots/model.h"
+
+namespace avo {
+
+/// The middle of the axle.
+struct Pose {
+  Vec2 axle, heading;
+};
+
+struct Move {
+  double gear = 1.0;    // 1 forward, -1 backwards
+  double side = 0.0;    // 1 to the left of where it drives, -1 to the right, 0 straight
+  double radius = 0.0;  // m, of its circle
+};
+
+/// Reuse it and nothing is allocated after the first search.
+struct ManeuverMemory {
+  static constexpr std::size_t kMostNodes = 2048;  // of a search; more find hardly any other way
+  static constexpr std::uint32_t kNone = 0xffffffff;
+  struct Node {
+    Pose pose;
+    double angle = 0.0;            // rad, of the heading
+    double cost = 0.0;             // m of way, until there
+    double since = 0.0;            // m, since the last change of gear
+    Move move;                     // that has led there
+    std::uint32_t parent = kNone;  // none: where the car is
+    int moves = 0;                 // until there
+    Nearness nearness = Nearness::later;
+    bool stops = false;          // the car brakes until there
+    bool is_first_gear = false;  // no change of gear has led there
+  };
+  struct Open {
+    double cost;  // m, with what is left at least
+    std::uint32_t node;
+  };
+  struct Cell {
+    std::uint64_t key;
+    std::uint32_t node;
+  };
+  std::vector<Node> nodes;
+  std::vector<Open> open;   // a heap, the cheapest first
+  std::vector<Cell> cells;  // a hash table: the cheapest node of each
+
+  void begin();
+  static bool is_later(const Open& a, const Open& b);
+};
+
+}  // namespace avo

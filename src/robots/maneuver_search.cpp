@@ -1,0 +1,258 @@
+// SPDX-License-Identifier: Apache-2.0
+// A* (Hart, Nilsson and Raphael 1968) over places and headings, by short pieces of arcs and of
+// straight lines, forward and backwards. Of all ways that come to one cell of a lattice with nearly
+// one heading, the shortest one goes on (hybrid A*: Dolgov et al. 2010). From each place that is
+// reached, the last leg to the goal is tried. Arcs end at headings, and straight moves at places,
+// that do not depend on where the car is now. So what is left of a way that has been begun is among
+// the ways that the next decision looks at.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include "core/plane.h"
+#include "robots/maneuver.h"
+
+namespace avo {
+namespace {
+
+constexpr int kHeadings = 32;  // of a full circle, at which arcs end; a power of two
+constexpr int kMostMoves = 6;  // of a way, with the last leg
+constexpr double kPiece = 2.0 * std::numbers::pi / kHeadings;  // rad
+constexpr double kMostArc = std::numbers::pi;  // rad, of the last leg behind other moves
+constexpr double kEase = 1.25;  // times the stopping way, within which a car comes to rest
+// All of them times the radius of the turning circle.
+constexpr double kCell = 1.0 / 8.0;         // of the lattice
+constexpr double kSideChange = 1.0 / 16.0;  // m of way that a change of side is worth
+constexpr double kDetour = 1.5;      // the last leg alone is taken where it is longer by no more
+constexpr double kRoomAround = 4.0;  // that a way is looked for in
+
+using Node = ManeuverMemory::Node;
+constexpr std::uint32_t kNoNode = ManeuverMemory::kNone;
+
+// In pieces: to the next mark, (0, 1].
+double to_mark(double pieces) {
+  return std::floor(pieces) + 1.0 - pieces;
+}
+
+struct WaySearch {
+  const Maneuvering& car;
+  ManeuverMemory& memory;
+  double best = kInfinity;              // m, the cost of the best way so far
+  std::uint32_t before_last = kNoNode;  // where its last leg begins; none: where the car is
+  Move last_move = {};
+  Leg last_leg = {};
+
+  // The move that a way goes on with.
+  struct Next {
+    Move move;
+    bool is_first = false;  // of the way
+    bool starts = false;    // from rest
+    bool same = false;      // as before
+    double lead = 0.0;      // m, straight on, before it turns
+    Nearness nearness = Nearness::later;
+  };
+  struct LastLeg {
+    double cost = 0.0;  // m, of the whole way
+    Pose pose;          // behind the lead
+    Leg leg;
+    Next next;
+  };
+
+  double left(const Pose& pose) const { return norm(car.goal - pose.axle); }
+  Move straight_on(double gear) const { return {gear, 0.0, car.planned}; }
+
+  // Of cell and heading, as seen from the goal, and gear.
+  std::uint64_t key(const Node& node) const {
+    const Vec2 place = (1.0 / (kCell * car.turning)) * (node.pose.axle - car.goal);
+    const auto whole = [](double x) {
+      return static_cast<std::uint64_t>(static_cast<std::int64_t>(std::floor(x)));
+    };
+    const std::uint64_t heading = whole(node.angle / kPiece + 0.5) & (kHeadings - 1);
+    return (whole(place.x) & 0xfffff) << 40 | (whole(place.y) & 0xfffff) << 20 | heading << 1 |
+           (node.move.gear > 0.0 ? 1U : 0U);
+  }
+
+  // Whether no way as short has come there.
+  bool is_new(const Node& node) {
+    const std::uint64_t own = key(node);
+    const std::size_t mask = memory.cells.size() - 1;
+    std::size_t k = static_cast<std::size_t>((own * 0x9e3779b97f4a7c15U) >> 40) & mask;
+    while (memory.cells[k].node != kNoNode && memory.cells[k].key != own) k = (k + 1) & mask;
+    ManeuverMemory::Cell& cell = memory.cells[k];
+    if (cell.node != kNoNode && memory.nodes[cell.node].cost <= node.cost) return false;
+    cell = {own, static_cast<std::uint32_t>(memory.nodes.size())};
+    return true;
+  }
+
+  void push(const Node& node) {
+    const auto number = static_cast<std::uint32_t>(memory.nodes.size());
+    if (number == ManeuverMemory::kMostNodes || !is_new(node)) return;
+    memory.open.push_back({node.cost + left(node.pose), number});
+    std::push_heap(memory.open.begin(), memory.open.end(), ManeuverMemory::is_later);
+    memory.nodes.push_back(node);
+  }
+
+  // None where the car cannot stop with ease before it would change gear, or brakes at once to.
+  std::optional<Next> next_of(const Node& from, std::uint32_t number, double gear,
+                              double side) const {
+    Next next{.move = {gear, side, car.planned}, .is_first = number == kNoNode};
+    if (next.is_first) {
+      next.starts = !car.goes_on(gear);
+      next.lead = car.lead_left(gear);
+      next.nearness = next.starts ? Nearness::next : Nearness::begun;
+      return next;
+    }
+    next.starts = gear != from.move.gear;
+    next.same = !next.starts && side == from.move.side;
+    const bool may_be_fast = from.is_first_gear && car.goes_on(from.move.gear) && !from.stops;
+    if (next.starts && may_be_fast && from.since < kEase * car.stopping_way()) return std::nullopt;
+    next.lead = next.starts ? car.lead : 0.0;
+    if (next.same) next.nearness = from.nearness;
+    return next;
+  }
+
+  // m of way that the move costs, besides its length
+  double extra_cost(const Next& next) const {
+    if (next.is_first) return car.change_from_now(next.move.gear);
+    if (next.starts) return kGearChange * car.turning;
+    return next.same ? 0.0 : kSideChange * car.turning;
+  }
+
+  // A piece of a move, where it is clear.
+  void go(const Node& from, std::uint32_t number, const Next& next, double length,
+          bool stops = false) {
+    const double lead = next.move.side == 0.0 ? 0.0 : next.lead;
+    Node node{.pose = from.pose, .angle = from.angle, .move = next.move, .parent = number};
+    node.moves = from.moves + (next.same ? 0 : 1);
+    node.nearness = next.nearness, node.stops = stops;
+    node.cost = from.cost + lead + length + extra_cost(next);
+    node.since = (next.is_first || next.starts ? 0.0 : from.since) + lead + length;
+    node.is_first_gear = next.is_first || (from.is_first_gear && !next.starts);
+    if (node.moves >= kMostMoves || !is_clear(from.pose, next, lead)) return;
+    if (lead > 0.0) node.pose = after(node.pose, straight_on(next.move.gear), lead);
+    if (car.clear_length(node.pose, next.move, length, next.nearness) < length) return;
+    node.pose = after(node.pose, next.move, length);
+    node.angle += next.move.side * length / next.move.radius;
+    const double room = kRoomAround * car.turning;
+    if (norm_squared(node.pose.axle - car.pose.axle) <= room * room) push(node);
+  }
+
+  bool is_clear(const Pose& from, const Next& next, double lead) const {
+    return car.clear_length(from, straight_on(next.move.gear), lead, next.nearness) >= lead;
+  }
+
+  // m, of a piece
+  double piece() const { return kPiece * car.planned; }
+
+  // m, to the next place or heading where pieces end
+  double length_to_mark(const Node& from, const Move& move) const {
+    if (move.side != 0.0) return to_mark(move.side * from.angle / kPiece) * piece();
+    const double along = move.gear * dot(from.pose.axle - car.goal, from.pose.heading);
+    return to_mark(along / piece()) * piece();
+  }
+
+  // Who is on its way may stop as soon as it can, and goes on to where it meant to.
+  void go_on(const Node& from, std::uint32_t number, const Next& next, double length) {
+    const double stop = car.stopping_way() - next.lead;
+    if (stop > 0.0) go(from, number, next, stop, true);
+    go(from, number, next, length);
+  }
+
+  void expand(const Node& from, std::uint32_t number) {
+    for (int k = 0; k < car.gears(); ++k) {
+      for (const double side : {-1.0, 0.0, 1.0}) {
+        const auto next = next_of(from, number, k == 0 ? 1.0 : -1.0, side);
+        if (!next) continue;
+        const double length = length_to_mark(from, next->move);
+        if (next->is_first && !next->starts) go_on(from, number, *next, length);
+        // nothing else is begun for less than half a piece
+        const bool is_short = length < 0.5 * piece();
+        if (is_short || !next->is_first || next->starts)
+          go(from, number, *next, is_short ? length + piece() : length);
+      }
+    }
+  }
+
+  // The shortest clear one, if it makes the best way so far; of equal ones the first.
+  void try_last_leg(const Node& from, std::uint32_t number) {
+    std::array<LastLeg, 4> legs;
+    std::size_t count = 0;
+    for (int k = 0; k < car.gears(); ++k) {
+      for (const double side : {-1.0, 1.0}) {
+        const auto next = next_of(from, number, k == 0 ? 1.0 : -1.0, side);
+        if (!next) continue;
+        const Pose pose = after(from.pose, straight_on(next->move.gear), next->lead);
+        const auto leg = leg_to(pose, next->move, car.goal);
+        if (!leg || (!next->is_first && leg->arc > kMostArc * car.planned)) continue;
+        const double cost = from.cost + next->lead + leg->arc + leg->straight + extra_cost(*next);
+        if (!(cost < best)) continue;
+        std::size_t place = count++;
+        for (; place > 0 && legs[place - 1].cost > cost; --place) legs[place] = legs[place - 1];
+        legs[place] = {cost, pose, *leg, *next};
+      }
+    }
+    for (std::size_t k = 0; k < count; ++k) {
+      if (!is_clear_last(from, legs[k])) continue;
+      best = legs[k].cost, before_last = number;
+      last_move = legs[k].next.move, last_leg = legs[k].leg;
+      return;
+    }
+  }
+
+  bool is_clear_last(const Node& from, const LastLeg& end) const {
+    return is_clear(from.pose, end.next, end.next.lead) &&
+           car.is_clear_leg(end.pose, end.next.move, end.leg, end.next.nearness);
+  }
+
+  // How the best way begins.
+  Beginning beginning() const {
+    if (before_last == kNoNode) return {last_move, last_leg.arc / car.planned, kInfinity, true};
+    std::uint32_t move_end = kNoNode, gear_end = kNoNode;
+    for (std::uint32_t k = before_last; k != kNoNode; k = memory.nodes[k].parent) {
+      if (gear_end == kNoNode && memory.nodes[k].is_first_gear) gear_end = k;
+      if (move_end == kNoNode && memory.nodes[k].moves == 1) move_end = k;
+    }
+    const Node& end = memory.nodes[move_end];
+    const bool stays = gear_end == before_last && last_move.gear == end.move.gear;
+    double arc = end.move.side == 0.0 ? 0.0 : end.since;
+    if (move_end == before_last && stays && last_move.side == end.move.side) arc += last_leg.arc;
+    return {end.move, arc / car.planned, stays ? kInfinity : memory.nodes[gear_end].since, false};
+  }
+};
+
+}  // namespace
+
+void ManeuverMemory::begin() {
+  nodes.clear(), open.clear();
+  nodes.reserve(kMostNodes), open.reserve(kMostNodes);
+  cells.assign(2 * kMostNodes, {0, kNone});
+}
+
+bool ManeuverMemory::is_later(const Open& a, const Open& b) {
+  return a.cost > b.cost || (a.cost == b.cost && a.node > b.node);
+}
+
+std::optional<Beginning> begin_way(const Maneuvering& car, ManeuverMemory& memory) {
+  WaySearch search{car, memory};
+  Node start;
+  start.pose = car.pose;
+  start.angle = car.robot.heading;
+  search.try_last_leg(start, kNoNode);
+  if (search.best <= search.left(car.pose) + kDetour * car.turning) return search.beginning();
+  memory.begin();
+  search.expand(start, kNoNode);
+  while (!memory.open.empty()) {
+    std::pop_heap(memory.open.begin(), memory.open.end(), ManeuverMemory::is_later);
+    const ManeuverMemory::Open next = memory.open.back();
+    memory.open.pop_back();
+    if (next.cost >= search.best) break;
+    const Node from = memory.nodes[next.node];
+    search.try_last_leg(from, next.node);
+    search.expand(from, next.node);
+  }
+  if (search.best == kInfinity) return std::nullopt;
+  return search.beginning();
+}
+
+}  // namespace avo
