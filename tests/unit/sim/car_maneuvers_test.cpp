@@ -77,8 +77,8 @@ TEST(CarManeuvers, a_goal_beside_a_kerb_is_driven_to_at_once) {
   }
 }
 
-// The car stands and goes between kerbs as it likes, and with a reverse gear it starts up to 0.4 rad off their
-// direction.
+// The car stands and goes between kerbs as it likes, and with a reverse gear it starts up to 0.4
+// rad off their direction.
 TEST(CarManeuvers, kerbs_take_little_time) {
   Random random(11);
   for (int k = 0; k < 120; ++k) {
@@ -130,7 +130,8 @@ TEST(CarManeuvers, parks_between_two_parked_discs) {
       for (const double side : {-1.0, 1.0}) {
         for (const Vec2 from : {Vec2{-4.0, 3.0}, Vec2{0.0, 2.6}, Vec2{4.0, 3.0}}) {
           for (const double heading : {0.0, std::numbers::pi}) {
-            const Driven found = drive(parking(size, gap, side, from.x != 0.0, from, heading), 120.0);
+            const Driven found =
+                drive(parking(size, gap, side, from.x != 0.0, from, heading), 120.0);
             EXPECT_LE(found.time, 60.0) << size.offset << ' ' << size.radius << ' ' << gap << ' '
                                         << side << ' ' << from.x << ' ' << heading;
             EXPECT_GT(found.clearance, 0.0);
@@ -141,6 +142,26 @@ TEST(CarManeuvers, parks_between_two_parked_discs) {
     }
   }
   RecordProperty("last", std::to_string(last));
+}
+
+// A long car on a narrow road, whose way takes more than two moves: with two it drove about for
+// ever.
+TEST(CarManeuvers, some_gaps_take_several_moves) {
+  Scenario scene;
+  scene.obstacles = {kerb(3.0), kerb(-17.903675)};
+  RobotSetup robot = car_of({0.12, 2.0, 3.0}, /*reverse=*/true);
+  robot.position = {-17.634457, -10.526656}, robot.goal = {2.0, -0.4272};
+  scene.robots = {robot};
+  for (const double x : {-9.0, 9.0}) {
+    RobotSetup parked;
+    parked.radius = 3.0;
+    parked.position = parked.goal = {x, -0.4272};
+    parked.parked = true;
+    scene.robots.push_back(parked);
+  }
+  const Driven found = drive(scene, 120.0);
+  EXPECT_LE(found.time, 60.0);
+  EXPECT_GT(found.clearance, 0.0);
 }
 
 // `avo explain` shows what was decided: in the midst of a search as anywhere.
