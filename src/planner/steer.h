@@ -24,7 +24,7 @@ struct SteerMemory {
 };
 
 /// Makes of each preferred velocity what the robot can steer to, beside walls with maneuvers
-/// (docs/arrival.md, rule 10). Only the wish depends on it. tile.maneuvers: who has one.
+/// (docs/arrival.md, rule 11). Only the wish depends on it. tile.maneuvers: who has one.
 void steer(const PlannerOptions& options, const StepLaw& law, Tile& tile, SteerMemory& memory);
 
 }  // namespace avo

@@ -160,10 +160,11 @@ Vec2 turning_first(const Robot& robot, Vec2 v) {
   return car != nullptr ? turning_first(*car, robot, v) : v;
 }
 
-std::optional<Vec2> maneuver(const Robot& robot, const Approach& approach,
-                             bool is_beside, const ClearPlaces& is_clear, ManeuverMemory& memory) {
+std::optional<Vec2> maneuver(const Robot& robot, const Approach& approach, bool is_beside,
+                             const ClearPlaces& is_clear, ManeuverMemory& memory) {
   const Car* car = std::get_if<Car>(&robot.model);
-  return car != nullptr ? maneuver(*car, robot, approach, is_beside, is_clear, memory) : std::nullopt;
+  return car != nullptr ? maneuver(*car, robot, approach, is_beside, is_clear, memory)
+                        : std::nullopt;
 }
 
 double room_for_maneuvers(const MotionModel& model) {

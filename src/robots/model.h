@@ -91,8 +91,8 @@ enum class Nearness : std::uint8_t { begun, next, later };
 using ClearPlaces = std::function<bool(Vec2 place, Nearness nearness)>;
 struct ManeuverMemory;  // robots/maneuver_memory.h
 /// m/s: beside what is in the way, instead of steered().
-std::optional<Vec2> maneuver(const Robot& robot, const Approach& approach,
-                             bool is_beside, const ClearPlaces& is_clear, ManeuverMemory& memory);
+std::optional<Vec2> maneuver(const Robot& robot, const Approach& approach, bool is_beside,
+                             const ClearPlaces& is_clear, ManeuverMemory& memory);
 /// m, from its disc, of what may be in the way; 0: it needs none.
 double room_for_maneuvers(const MotionModel& model);
 
