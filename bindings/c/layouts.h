@@ -31,6 +31,7 @@ static_assert(kSameSize<avo_detour, avo::Detour>);
 AVO_SAME_PLACE(avo_detour, avo::Detour, beside);
 AVO_SAME_PLACE(avo_detour, avo::Detour, congestion);
 AVO_SAME_PLACE(avo_detour, avo::Detour, has_arrived);
+AVO_SAME_PLACE(avo_detour, avo::Detour, goal_taken);
 AVO_SAME_PLACE(avo_detour, avo::Detour, acceleration_x);
 AVO_SAME_PLACE(avo_detour, avo::Detour, acceleration_y);
 

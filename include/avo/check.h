@@ -210,7 +210,8 @@ struct CheckReport {
   double largest_speed = 0.0;                    ///< m/s
   std::int64_t with_goal = 0;                    ///< of the robots given
   /// In a row within arrival_distance of the goal, in sight; airplanes, which fly through it, at
-  /// any time of a step, whatever is in between.
+  /// any time of a step, whatever is in between. Also whoever rests at the end, where another one
+  /// rests so near the goal that both could not be there, and has its own goal as near.
   std::int64_t arrived = 0;
   std::int64_t at_goal_at_end = 0;        ///< in their last row
   std::optional<double> last_arrival;     ///< s; none unless all arrived

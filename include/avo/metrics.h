@@ -22,7 +22,7 @@ struct Decisions {
   std::int64_t invalid_input = 0;
 };
 
-/// A robot that was never within arrival_distance, as it is at the end of the run.
+/// A robot that was never at its goal (Simulation::is_at_goal()), as it is at the end of the run.
 struct NotArrived {
   std::uint64_t robot = 0;                  ///< RobotId
   double distance = 0.0;                    ///< m, to its goal
@@ -82,7 +82,7 @@ struct RunSummary {
   std::int64_t robots = 0;
   std::int64_t parked = 0;  ///< of them; they have arrived where they stand
   std::int64_t steps = 0;
-  std::int64_t arrived = 0;                    ///< robots that were ever within arrival_distance
+  std::int64_t arrived = 0;                    ///< robots that were ever at their goals
   std::optional<double> first_collision_time;  ///< s, of robots with each other
   /// Distinct pairs of robots that ever overlapped, of which both avoid the other.
   std::int64_t collision_pairs = 0;

@@ -261,6 +261,10 @@ struct Detour {
   float beside = 0.0F;
   float congestion = 0.0F;   ///< robots ahead that it is used to, 0 to 2.8
   bool has_arrived = false;  ///< that it was within arrival_distance of its goal, beside others
+  /// That others are at rest on its goal, so that it comes to rest near them: it neither gives way,
+  /// nor keeps right, nor makes a detour. Who is sent to a goal that others have says so in each
+  /// decision (docs/on_board.md).
+  bool goal_taken = false;
   /// m/s², of its last step; 0 of one that has not moved
   float acceleration_x = 0.0F, acceleration_y = 0.0F;
 };

@@ -110,7 +110,8 @@ class AVO_API Simulation {
   RobotId add_robot(const RobotSetup& setup);
   void remove_robot(RobotId robot);  ///< throws Error if there is no such robot
   /// The robot forgets what it remembers of the way to its old goal (Detour), but the congestion.
-  /// Throws Error if there is none, or it is parked.
+  /// The goal that it has already changes nothing. Throws Error if there is no such robot, or it is
+  /// parked.
   void set_goal(RobotId robot, Vec2 goal);
   /// Somebody puts the robot down elsewhere, at rest; an airplane keeps its velocity. As if another
   /// one of its number had come: it forgets what it remembers, and is refused as in add_robot().
@@ -164,7 +165,9 @@ class AVO_API Simulation {
   /// Whether it decided in the last step, of all that were there then.
   [[nodiscard]] bool decided(std::size_t robot) const;
   /// Whether the robot (an index into fleet()) is within arrival_distance now, with no wall between
-  /// it and its goal; of a goal that it cannot reach, none between it and the nearest place.
+  /// it and its goal; of a goal that it cannot reach, none between it and the nearest place. Or it
+  /// rests as near as others at rest leave room, where their goals are too close together for all
+  /// of them (docs/arrival.md, rule 4).
   [[nodiscard]] bool is_at_goal(std::size_t robot) const;
   [[nodiscard]] bool all_at_goal() const;
   /// What is left of a robot's way.

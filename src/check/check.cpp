@@ -68,6 +68,7 @@ struct Check::State {
   void judge_changes(const CheckedRobot& robot, const CheckedState& now, double time);
   [[nodiscard]] bool passes(const Mover& mover, Vec2 goal) const;
   void judge_arrival(double time, const CheckedState& row, const Mover& mover);
+  [[nodiscard]] bool rests_beside_goal(std::size_t robot) const;
 };
 
 void Check::State::require_sound(double time, std::span<const CheckedState> rows) const {
@@ -282,20 +283,41 @@ void Check::add(double time, std::span<const CheckedState> rows) {
   state.placed_before = state.placed;
 }
 
+// Whether it has come to rest, and another robot rests so near its goal that the two could not be
+// there both. Their goals are as close together, so neither is only on its way elsewhere.
+bool Check::State::rests_beside_goal(std::size_t robot) const {
+  const Seen& mine = seen[robot];
+  const std::optional<Vec2>& goal = robots[robot].goal;
+  const auto rests = [&](const Seen& any) {
+    return any.at == mine.at && any.row.velocity == Vec2{};
+  };
+  if (mine.at < 0 || !goal || !rests(mine)) return false;
+  for (std::size_t k = 0; k < robots.size(); ++k) {
+    const double contact = robots[robot].radius + robots[k].radius;
+    if (k == robot || !robots[k].goal || !rests(seen[k])) continue;
+    if (norm(*robots[k].goal - *goal) < contact && norm(seen[k].row.position - *goal) < contact)
+      return true;
+  }
+  return false;
+}
+
 CheckReport Check::report() const {
   const State& state = *state_;
   CheckReport report = state.report;
+  double last_arrival = state.last_arrival;
   for (std::size_t i = 0; i < state.robots.size(); ++i) {
     const Seen& other = state.seen[i];
     if (other.at >= 0) ++report.robots;
     if (!state.robots[i].goal) continue;
     ++report.with_goal;
-    if (other.arrived) ++report.arrived;
-    if (other.at_goal) ++report.at_goal_at_end;
-    if (!other.arrived) report.not_arrived.push_back(static_cast<std::int64_t>(i));
+    const bool rests = !other.at_goal && state.rests_beside_goal(i);
+    if (other.arrived || rests) ++report.arrived;
+    if (other.at_goal || rests) ++report.at_goal_at_end;
+    if (!other.arrived && !rests) report.not_arrived.push_back(static_cast<std::int64_t>(i));
+    if (!other.arrived && rests) last_arrival = state.last_time;
   }
   if (report.with_goal > 0 && report.arrived == report.with_goal)
-    report.last_arrival = state.last_arrival;
+    report.last_arrival = last_arrival;
   state.pairs.write(report);
   state.walls.write(report);
   report.movers_at_rest = state.options.movers_at_rest;

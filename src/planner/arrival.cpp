@@ -29,6 +29,7 @@ constexpr double kSettleDistance = 0.9;  // of the arrival distance, from the go
 constexpr double kPatience = 6.0;        // T beside others: from then on that grows
 constexpr double kGrowth = 0.15;         // arrival distances per T
 constexpr double kMostGrowth = 3.0;      // arrival distances
+constexpr double kSmall = 0.5;           // radii: of smaller ones, both are in radii
 constexpr double kLongest = 200.0;       // T beside others that it counts to, then in the last try
 constexpr double kRecovers = 10.0;       // T alone, in which it forgets all of them but 1/e
 constexpr double kGetsUsed = 100.0;      // T, to the congestion ahead
@@ -42,10 +43,12 @@ scalar::Vec<Real> pack(Vec2 a) {
 }
 
 // m, of its goal: there it stays where it is, once it has been beside others for a while. Whoever
-// has been at its goal and finds no way back settles farther and farther away.
-double settling_distance(const Detour& detour, double arrival_distance) {
+// has been at its goal and finds no way back settles farther and farther away. Where arrival
+// distances are small that is measured in radii: others have put it aside by a part of those.
+double settling_distance(const Detour& detour, double radius, double arrival_distance) {
   if (detour.beside < kSettles) return 0.0;
-  const double growth = std::clamp(kGrowth * (detour.beside - kPatience), 0.0, kMostGrowth);
+  const double unit = arrival_distance < kSmall * radius ? radius / arrival_distance : 1.0;
+  const double growth = unit * std::clamp(kGrowth * (detour.beside - kPatience), 0.0, kMostGrowth);
   return (kSettleDistance + (detour.has_arrived ? growth : 0.0)) * arrival_distance;
 }
 
@@ -123,7 +126,7 @@ Vec2 wish_of(const Robot& robot, Vec2 kept_right, const Traffic& traffic,
              const PlannerOptions& options, Detour& detour) {
   remember(robot, traffic.is_beside, options, detour);
   const double arrival_distance = options.arrival_distance;
-  if (robot.distance_to_goal < settling_distance(detour, arrival_distance))
+  if (robot.distance_to_goal < settling_distance(detour, robot.radius, arrival_distance))
     return (kPush * robot.max_speed) * traffic.push;
   const double at_rest = yields_to_all(robot, detour, arrival_distance) ? kPushAtRest : 0.0;
   return kept_right + robot.max_speed * (kPush * traffic.push + at_rest * traffic.push_at_rest);

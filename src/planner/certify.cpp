@@ -140,7 +140,7 @@ CertifiedChoice choose_and_arrive(const Decision& decision, Detour& detour) {
   // those who coincide part by their half-planes, where that is possible at all: on detours from
   // one place to one goal they would stay together
   const bool parts = wished.coinciding && choice.next_velocity != Vec2{};
-  if (!may_detour(robot) || parts) {
+  if (!may_detour(robot) || detour.goal_taken || parts) {
     detour.angle = 0.0F;
     return choice;
   }

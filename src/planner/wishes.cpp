@@ -59,6 +59,11 @@ void make_wishes(const Planner& planner, const Tile& tile, DecisionColumns& deci
     }
     Traffic traffic = decisions.traffic(i);
     Detour& detour = *tile.detour[i];
+    if (detour.goal_taken) {
+      detour.beside = 0.0F, detour.has_arrived = false;
+      decisions.wish_x[i] = robots.preferred_x[i], decisions.wish_y[i] = robots.preferred_y[i];
+      continue;
+    }
     if (!traffic.is_beside && detour.beside == 0.0F) continue;
     traffic.push = push_among_walls(tile, i, law, traffic.push);
     const Vec2 wish = wish_of(robots.robot(i), decisions.wish(i), traffic, options, detour);

@@ -155,6 +155,7 @@ void set_goal(World& world, RobotId robot, Vec2 goal) {
   RobotSetup setup = standing(world, slot);
   setup.goal = goal;
   check_values(world, setup, robot, !world.statics.walls.empty());
+  if (goal == world.fleet.goal[slot]) return;  // it goes on with what it does
   Ways& ways = world.ways;
   if (!ways.empty() && !(goal == world.fleet.goal[slot])) {
     ways.travels[static_cast<std::size_t>(world.fleet.rank[slot])] =

@@ -62,19 +62,33 @@ void follow_ways(World& world, std::span<const std::uint32_t> slots, Worker& wor
   }
 }
 
+// What the robot sees of others at its goal, which it shares with some.
+const Occupied& look_at_goal(const Seeker& seeker, const Neighbors& neighbors, Worker& worker) {
+  worker.occupied.clear();
+  for (std::size_t k = 0; k < neighbors.size(); ++k) worker.occupied.add(seeker, neighbors[k]);
+  return worker.occupied;
+}
+
 // The place that comes to a goal is not the center of every disc, not all come to shared goals, and
 // who is lost takes its goal to be elsewhere.
 void aim_discs(World& world, std::span<const std::uint32_t> slots, Worker& worker) {
   MovingColumns& moving = worker.moving;
+  Fleet& fleet = world.fleet;
   for (std::size_t k = 0; k < slots.size(); ++k) {
     const std::uint32_t slot = slots[k];
     const Vec2 aim{moving.goal_x[k], moving.goal_y[k]};
-    const bool stays = stays_near(world, slot, aim);
-    if (stays) worker.staying.push_back(slot);
-    if (stays && world.fleet.velocity[slot] == Vec2{}) world.fleet.has_stood[slot] = 1;
     const Vec2 lost = worker.lost.empty() ? Vec2{} : worker.lost[k];
-    const Vec2 goal = stays ? world.fleet.position[slot]
-                            : disc_goal(world.fleet, slot, aim, world.end_of(slot)) - lost;
+    Vec2 goal = disc_goal(fleet, slot, aim, world.end_of(slot)) - lost;
+    if (shares_room(world, slot, aim)) {
+      const Seeker seeker = seeker_of(world, slot, goal);
+      const Occupied& occupied = look_at_goal(seeker, worker.tile.robots.neighbors[k], worker);
+      const bool stays = stays_near(world, slot, aim);
+      goal = place_of(seeker, occupied, worker.tile.walls_of(k), stays, fleet.detour[slot]);
+      if (goal != seeker.position) fleet.has_stood[slot] = 0;
+      if (stands_at_place(fleet, slot) ? !occupied.has_movers : stays)
+        worker.staying.push_back(slot);
+      if (goal == seeker.position && fleet.velocity[slot] == Vec2{}) fleet.has_stood[slot] = 1;
+    }
     moving.goal_x[k] = goal.x, moving.goal_y[k] = goal.y;
   }
 }
@@ -82,7 +96,7 @@ void aim_discs(World& world, std::span<const std::uint32_t> slots, Worker& worke
 // Whoever stays near a goal that others share brakes until it stands, and lets no one push it.
 void stop(World& world, Worker& worker) {
   for (const std::uint32_t slot : worker.staying) {
-    const std::optional<Plan> stop = stop_of(world, slot);
+    const std::optional<Plan> stop = stop_of(world, slot, world.fleet.detour[slot]);
     Plan& plan = world.fleet.plan[slot];
     if (!stop || plan.status == PlanStatus::overlapping) continue;
     const SafetyState state = plan.state;
@@ -129,6 +143,7 @@ void set_out(World& world, const Pace& pace, std::span<const std::uint32_t> slot
     }
     worker.moving.goal_x[k] = fleet.goal[slot].x, worker.moving.goal_y[k] = fleet.goal[slot].y;
     worker.moving.preferred_speed[k] = traits.preferred_speed;
+    fleet.detour[slot].goal_taken = false;
     tile.detour.push_back(&fleet.detour[slot]);
     tile.plan.push_back(&fleet.plan[slot]);
     tile.slot.push_back(slot);

@@ -117,13 +117,14 @@ void describe(Archive<kReads>& archive, Detour& detour) {
     return std::bit_cast<float>(static_cast<std::uint32_t>(word));
   };
   std::uint64_t first = packed(detour.angle, std::bit_cast<std::uint32_t>(detour.beside));
-  std::uint64_t second = packed(detour.congestion, detour.has_arrived ? 1 : 0);
+  std::uint64_t second =
+      packed(detour.congestion, (detour.has_arrived ? 1U : 0U) | (detour.goal_taken ? 2U : 0U));
   std::uint64_t third =
       packed(detour.acceleration_x, std::bit_cast<std::uint32_t>(detour.acceleration_y));
   archive.word(first), archive.word(second), archive.word(third);
-  if (second >> 33 != 0) refuse_saved("a detour that no robot can remember", "a sound one");
-  detour = {number(first),     number(first >> 32), number(second),
-            second >> 32 != 0, number(third),       number(third >> 32)};
+  if (second >> 34 != 0) refuse_saved("a detour that no robot can remember", "a sound one");
+  detour = {number(first),     number(first >> 32), number(second),     (second >> 32 & 1) != 0,
+            second >> 33 != 0, number(third),       number(third >> 32)};
 }
 
 // What few robots have, in one word with the horizon behind it.

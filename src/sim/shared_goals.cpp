@@ -5,10 +5,13 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <utility>
 #include <vector>
 
 #include "certificate/braking_path.h"
+#include "core/plane.h"
+#include "planner/arrival.h"
 #include "planner/certify.h"
 #include "robots/model.h"
 #include "sim/world.h"
@@ -16,6 +19,8 @@
 namespace avo {
 
 namespace {
+
+constexpr double kTouching = 1e-9;  // of contact: goals that touch leave room for both
 
 // What is set in anybody's layers, and in those of two.
 struct LayersOfMany {
@@ -44,57 +49,154 @@ struct Sharers {
   }
 };
 
-// By rank: 1 of those whose goal another one has as well, who may not be in their place; empty
-// where there are none.
-std::vector<std::uint8_t> sharers_of(const World& world) {
-  const Fleet& fleet = world.fleet;
-  const auto goal_of = [&](std::uint32_t slot) {
-    const Vec2 end = world.end_of(slot);
-    return std::pair(end.x, end.y);
-  };
-  std::vector<std::uint32_t> slots;
-  if (std::none_of(fleet.conduct.begin(), fleet.conduct.end(),
-                   [](const Conduct& conduct) { return conduct.method == Method::avo; }))
-    return {};
-  for (std::uint32_t slot = 0; slot < fleet.size(); ++slot)
-    if (!fleet.conduct[slot].parked && fleet.flight(slot) == nullptr) slots.push_back(slot);
-  std::sort(slots.begin(), slots.end(),
-            [&](std::uint32_t a, std::uint32_t b) { return goal_of(a) < goal_of(b); });
-  std::vector<std::uint8_t> shares;
-  for (std::size_t first = 0, end = 0; first < slots.size(); first = end) {
-    Sharers sharers;
-    for (; end < slots.size() && goal_of(slots[end]) == goal_of(slots[first]); ++end)
-      sharers.add(fleet.conduct[slots[end]]);
-    if (end - first == 1) continue;
-    for (std::size_t k = first; k < end; ++k) {
-      const Conduct& own = fleet.conduct[slots[k]];
-      if (own.method != Method::avo || !sharers.hinder(own)) continue;
-      shares.resize(fleet.size());
-      shares[static_cast<std::size_t>(fleet.rank[slots[k]])] = 1;
+bool hinder(const Conduct& a, const Conduct& b) {
+  return (a.avoids.bits & b.layers.bits) != 0 || (b.avoids.bits & a.layers.bits) != 0;
+}
+
+// Whether goals lie along y rather than along x: a sweep along them meets few at a time.
+bool are_along_y(std::span<const Vec2> goals) {
+  const auto by_x = [](Vec2 a, Vec2 b) { return a.x < b.x; };
+  const auto by_y = [](Vec2 a, Vec2 b) { return a.y < b.y; };
+  const auto [left, right] = std::minmax_element(goals.begin(), goals.end(), by_x);
+  const auto [low, high] = std::minmax_element(goals.begin(), goals.end(), by_y);
+  return left != goals.end() && high->y - low->y > right->x - left->x;
+}
+
+// By rank, of those of method avo.
+class Sharing {
+ public:
+  explicit Sharing(const World& world) : fleet_(world.fleet) {
+    for (std::uint32_t slot = 0; slot < fleet_.size(); ++slot) {
+      goals_.push_back(world.end_of(slot));
+      if (!fleet_.conduct[slot].parked && fleet_.flight(slot) == nullptr) slots_.push_back(slot);
+    }
+    along_y_ = are_along_y(goals_);
+    std::sort(slots_.begin(), slots_.end(), [&](std::uint32_t a, std::uint32_t b) {
+      return along(goals_[a]) < along(goals_[b]);
+    });
+  }
+
+  std::vector<Shares> found() && {
+    find_same();
+    find_close();
+    return std::move(shares_);
+  }
+
+ private:
+  // The order of goals, in which equal ones are next to each other.
+  std::pair<double, double> along(Vec2 goal) const {
+    return along_y_ ? std::pair(goal.y, goal.x) : std::pair(goal.x, goal.y);
+  }
+  double between(std::size_t first, std::size_t second) const {
+    return along(goal(second)).first - along(goal(first)).first;
+  }
+  Vec2 goal(std::size_t place) const { return goals_[slots_[place]]; }
+  const Conduct& conduct(std::size_t place) const { return fleet_.conduct[slots_[place]]; }
+  double radius(std::size_t place) const { return fleet_.traits[slots_[place]].radius; }
+  std::size_t rank(std::size_t place) const {
+    return static_cast<std::size_t>(fleet_.rank[slots_[place]]);
+  }
+
+  void note(std::size_t place, Shares shares) {
+    if (conduct(place).method != Method::avo) return;
+    shares_.resize(fleet_.size());
+    shares_[rank(place)] = std::max(shares_[rank(place)], shares);
+  }
+
+  void find_same() {
+    for (std::size_t first = 0, end = 0; first < slots_.size(); first = end) {
+      Sharers sharers;
+      for (; end < slots_.size() && goal(end) == goal(first); ++end) sharers.add(conduct(end));
+      for (std::size_t k = first; k < end && end - first > 1; ++k)
+        if (sharers.hinder(conduct(k))) note(k, Shares::goal);
     }
   }
-  return shares;
-}
+
+  // Of two whose goals are so close that they cannot be there both.
+  void find_close() {
+    double largest = 0.0;  // m
+    for (std::size_t k = 0; k < slots_.size(); ++k) largest = std::max(largest, radius(k));
+    const auto overlap = [&](std::size_t a, std::size_t b) {
+      return norm(goal(a) - goal(b)) < (1.0 - kTouching) * (radius(a) + radius(b)) &&
+             hinder(conduct(a), conduct(b));
+    };
+    for (std::size_t k = 0; k < slots_.size(); ++k) {
+      if (!shares_.empty() && shares_[rank(k)] != Shares::nothing) continue;
+      const double reach = radius(k) + largest;
+      for (std::size_t other = k + 1; other < slots_.size(); ++other) {
+        if (between(k, other) >= reach) break;
+        if (!overlap(k, other)) continue;
+        note(k, Shares::room), note(other, Shares::room);
+        break;
+      }
+      for (std::size_t other = k; other-- > 0 && between(other, k) < reach;) {
+        if (!overlap(k, other)) continue;
+        note(k, Shares::room);
+        break;
+      }
+    }
+  }
+
+  const Fleet& fleet_;
+  std::vector<Vec2> goals_;  // m, or the nearest places that can be reached
+  bool along_y_ = false;
+  std::vector<std::uint32_t> slots_;  // of those who come to rest at their goals
+  std::vector<Shares> shares_;
+};
 
 }  // namespace
 
 void find_shared_goals(World& world) {
   if (!world.has_new_goals) return;
-  world.shares_goal = sharers_of(world);
+  const std::vector<Conduct>& conduct = world.fleet.conduct;
+  const bool is_minded = std::any_of(conduct.begin(), conduct.end(),
+                                     [](const Conduct& own) { return own.method == Method::avo; });
+  world.shares_goal = is_minded ? Sharing(world).found() : std::vector<Shares>();
   world.has_new_goals = false;
+}
+
+bool shares_room(const World& world, std::size_t slot, Vec2 aim) {
+  if (world.shares_goal.empty() || aim != world.end_of(slot)) return false;
+  return world.shares_goal[static_cast<std::size_t>(world.fleet.rank[slot])] != Shares::nothing;
 }
 
 bool stays_near(const World& world, std::size_t slot, Vec2 aim) {
   if (world.shares_goal.empty()) return false;
   const Fleet& fleet = world.fleet;
   const Vec2 goal = world.end_of(slot);
-  return world.shares_goal[static_cast<std::size_t>(fleet.rank[slot])] != 0 && aim == goal &&
-         norm(goal - fleet.place(slot)) <= world.settings.arrival_distance;
+  return world.shares_goal[static_cast<std::size_t>(fleet.rank[slot])] == Shares::goal &&
+         aim == goal && norm(goal - fleet.place(slot)) <= world.settings.arrival_distance;
 }
 
-std::optional<Plan> stop_of(const World& world, std::size_t slot) {
+Seeker seeker_of(const World& world, std::size_t slot, Vec2 goal) {
+  const RobotTraits& traits = world.fleet.traits[slot];
+  Robot robot;
+  robot.radius = traits.radius, robot.max_speed = traits.max_speed;
+  robot.max_acceleration = traits.max_acceleration, robot.max_braking = max_braking_of(traits);
+  // of those farther away it may know the nearest ones only
+  const bool knows_all = !world.pace(slot).planner.options().max_neighbors;
+  return {.position = world.fleet.position[slot],
+          .goal = goal,
+          .radius = traits.radius,
+          .max_speed = traits.max_speed,
+          .range = knows_all ? kInfinity : arrival_range(robot, traits.radius),
+          .has_stood = world.fleet.has_stood[slot] != 0};
+}
+
+bool stands_at_place(const Fleet& fleet, std::size_t slot) {
+  return fleet.has_stood[slot] != 0 && fleet.detour[slot].goal_taken &&
+         fleet.velocity[slot] == Vec2{};
+}
+
+bool rests_at_place(const World& world, std::size_t slot) {
   const Fleet& fleet = world.fleet;
-  if (fleet.has_stood[slot] != 0) return std::nullopt;
+  return fleet.has_stood[slot] != 0 && fleet.velocity[slot] == Vec2{} &&
+         shares_room(world, slot, world.end_of(slot));
+}
+
+std::optional<Plan> stop_of(const World& world, std::size_t slot, const Detour& detour) {
+  const Fleet& fleet = world.fleet;
+  if (fleet.has_stood[slot] != 0 && !detour.goal_taken) return std::nullopt;
   const RobotTraits& traits = fleet.traits[slot];
   Robot robot;
   robot.velocity = fleet.velocity[slot];

@@ -258,6 +258,11 @@ bool Simulation::is_at_goal(std::size_t robot) const {
   if (state_->fleet.conduct[slot].parked) return true;
   if (const Flight* flight = state_->fleet.flight(slot)) return flight->has_arrived;
   const Vec2 p = state_->fleet.place(slot), goal = state_->fleet.goal[slot];
+  if (state_->has_new_goals) {
+    const Lock lock(state_->looking);
+    find_shared_goals(*state_);
+  }
+  if (rests_at_place(*state_, slot)) return true;
   const Ways& ways = state_->ways;
   const bool is_beside = !ways.empty() && ways.travels[robot].ends == WayEnd::beside;
   const double slack = is_beside ? kBesideSlack * state_->fleet.traits[slot].radius : 0.0;
@@ -320,8 +325,8 @@ Simulation::Perception Simulation::perceive(std::size_t robot) const {
   const std::vector<Sighting> sightings = all_sightings(state, slot);
   const double nearest = sightings.empty() ? std::numeric_limits<double>::infinity()
                                            : std::sqrt(sightings.front().distance_squared);
-  Perception seen{
-      state.robot(slot, nearest), {}, {}, state.fleet.detour[slot], false, {}, {}, {}, {}};
+  Perception seen;
+  seen.detour = state.fleet.detour[slot];
   for (const Sighting& sighting : sightings) {
     Neighbor& neighbor = seen.neighbors.emplace_back(sighting.neighbor);
     if (neighbor.trajectory != nullptr)  // a copy that outlives the step
@@ -330,13 +335,19 @@ Simulation::Perception Simulation::perceive(std::size_t robot) const {
     const int source = sighting.source;
     seen.source.push_back(source < 0 ? source : number_at(state.fleet, source));
   }
-  const std::span<const Wall> walls = state.statics.grid.near(seen.robot.position);
+  const std::span<const Wall> walls = state.statics.grid.near(state.fleet.position[slot]);
   const Vec2 lost = own_error(state, slot);
   for (const Wall& wall : walls) seen.walls.push_back(lost == Vec2{} ? wall : moved(wall, -lost));
+  bool stays = false;
+  seen.robot = state.robot(slot, nearest, seen, stays);
   seen.among_movers = is_among_movers(state.pace(slot).planner.options(), seen.neighbors);
-  const bool shares = !state.shares_goal.empty() && state.shares_goal[robot] != 0;
-  if (shares && seen.robot.distance_to_goal == 0.0 && !(state.fleet.velocity[slot] == Vec2{}))
-    seen.stop = stop_of(state, slot);
+  const bool is_at_rest = state.fleet.velocity[slot] == Vec2{};
+  const bool has_movers =
+      std::any_of(seen.neighbors.begin(), seen.neighbors.end(),
+                  [](const Neighbor& neighbor) { return is_predicted(neighbor); });
+  const bool stands = is_at_rest && !has_movers && state.fleet.has_stood[slot] != 0 &&
+                      seen.detour.goal_taken && seen.robot.distance_to_goal == 0.0;
+  if (stands || (stays && !is_at_rest)) seen.stop = stop_of(state, slot, seen.detour);
   seen.wait = wait(robot);
   return seen;
 }

@@ -59,6 +59,7 @@ void reserve(const World& world, Worker& worker) {
   const std::size_t together = std::min(kTileRobots, robots);
   worker.queries.reserve(together);
   worker.staying.reserve(together);
+  worker.occupied.resting.reserve(seen);
   worker.search.reserve(
       together, std::min(together * robots, kTileCandidates + std::min(robots, kMostAhead)));
   const std::size_t sensed = std::min(together * seen, kTileCandidates + seen);
@@ -219,14 +220,22 @@ bool World::is_fast(std::size_t slot) const {
   return !(norm_squared(fleet.velocity[slot]) <= limit * limit);
 }
 
-Robot World::robot(std::size_t slot, double nearest) const {
+Robot World::robot(std::size_t slot, double nearest, Simulation::Perception& seen,
+                   bool& stays) const {
   const RobotTraits& robot_traits = fleet.traits[slot];
   const Vec2 p = fleet.position[slot], v = fleet.velocity[slot], end = end_of(slot);
   Heading heading{end, robot_traits.preferred_speed};
   if (!ways.empty()) heading = heading_of(*this, slot, nearest);
-  heading.goal = stays_near(*this, slot, heading.goal)
-                     ? p
-                     : disc_goal(fleet, slot, heading.goal, end) - own_error(*this, slot);
+  const Vec2 aim = heading.goal;
+  heading.goal = disc_goal(fleet, slot, aim, end) - own_error(*this, slot);
+  stays = stays_near(*this, slot, aim);
+  seen.detour.goal_taken = false;
+  if (shares_room(*this, slot, aim)) {
+    const Seeker seeker = seeker_of(*this, slot, heading.goal);
+    Occupied occupied;
+    for (const Neighbor& neighbor : seen.neighbors) occupied.add(seeker, neighbor);
+    heading.goal = place_of(seeker, occupied, seen.walls, stays, seen.detour);
+  }
   RobotTraits traits = robot_traits;
   traits.preferred_speed = heading.preferred_speed;
   Robot robot{

@@ -17,6 +17,7 @@
 #include "sim/claims.h"
 #include "sim/fleet.h"
 #include "sim/moving_columns.h"
+#include "sim/places.h"
 #include "sim/senses.h"
 #include "sim/snapshot.h"
 #include "sim/static_world.h"
@@ -39,6 +40,7 @@ struct alignas(128) Worker {
   SearchScratch search, obstacles;
   LegScratch legs;
   std::vector<Sighting> sightings;  // where senses are not exact
+  Occupied occupied;                // of one robot, see place_near()
   std::vector<Vec2> lost;           // m, see own_error(); of a tile, where there is localization
   std::vector<Wall> walls;          // as those robots see them then
   bool fast = false;                // moved a robot that exceeds its max_speed
@@ -55,6 +57,13 @@ struct Pace {
 
   explicit Pace(const PlannerOptions& options)
       : planner(options), response(step_response(planner)) {}
+};
+
+/// What a robot has in common with another one, where both may not be in one place.
+enum class Shares : std::uint8_t {
+  nothing,
+  room,  ///< their goals are so close that they cannot be there both
+  goal,  ///< bit for bit
 };
 
 struct World {
@@ -80,7 +89,7 @@ struct World {
   bool torn = false;                       // a step ended while some had moved and others not
   bool changed = true;                     // robots came or went
   std::atomic<bool> has_new_goals = true;  // since find_shared_goals()
-  std::vector<std::uint8_t> shares_goal;   // by rank; empty where no two have the same goal
+  std::vector<Shares> shares_goal;         // by rank; empty where nobody shares anything
   bool fast = false;                       // some robot exceeds its max_speed
   bool alike = true;       // all robots are of the usual Conduct, and brake as hard as they can
   bool exceeding = false;  // some accelerate by more than their max_acceleration
@@ -115,8 +124,9 @@ struct World {
     if (ways.travels.empty()) return fleet.goal[slot];
     return ways.travels[static_cast<std::size_t>(fleet.rank[slot])].heads_for(fleet.goal[slot]);
   }
-  /// nearest: m, see heed_passages().
-  Robot robot(std::size_t slot, double nearest) const;
+  /// nearest: m, see heed_passages(). Updates what `seen`, of whose neighbors and walls it is told,
+  /// remembers of its goal, and says whether it stays_near() that.
+  Robot robot(std::size_t slot, double nearest, Simulation::Perception& seen, bool& stays) const;
 };
 
 /// Where those with a path will be, if that is not known yet. Robots know it that sense exactly and
@@ -130,12 +140,21 @@ void find_walls(World& world);
 /// Finds who has the same goal as another one, where goals are new.
 void find_shared_goals(World& world);
 
+/// Whether it heads for its goal, and there is no room there for it and another one
+/// (docs/arrival.md, rule 4).
+bool shares_room(const World& world, std::size_t slot, Vec2 aim);
 /// Whether it is within the arrival distance of a goal that others share, and heads for that: there
 /// it stays where it is (docs/arrival.md, rule 4).
 bool stays_near(const World& world, std::size_t slot, Vec2 aim);
+Seeker seeker_of(const World& world, std::size_t slot, Vec2 goal);
+/// Whether one of which shares_room() held has come to rest, at its goal or as near as there was
+/// room.
+bool rests_at_place(const World& world, std::size_t slot);
+/// Whether it has come to rest near a goal that is taken, and lets nobody put it aside.
+bool stands_at_place(const Fleet& fleet, std::size_t slot);
 /// The decision of one that stays: until it stands it brakes, whoever comes. Nothing once it has
-/// stood, when it gives way to others as all do.
-std::optional<Plan> stop_of(const World& world, std::size_t slot);
+/// stood, when it gives way to others as all do, unless it stands_at_place().
+std::optional<Plan> stop_of(const World& world, std::size_t slot, const Detour& detour);
 
 /// For what the walls near a robot and its looking for a way take in a step.
 void make_room(World& world);

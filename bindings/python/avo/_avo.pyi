@@ -266,6 +266,7 @@ class Detour:
     beside: _Number
     congestion: _Number
     has_arrived: bool
+    goal_taken: bool
     acceleration_x: _Number
     acceleration_y: _Number
     def __init__(self) -> None: ...

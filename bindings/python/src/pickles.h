@@ -39,7 +39,7 @@ inline constexpr int kFields<avo::TimedPlace> = 2;
 template <>
 inline constexpr int kFields<avo::Robot> = 12;
 template <>
-inline constexpr int kFields<avo::Detour> = 6;
+inline constexpr int kFields<avo::Detour> = 7;
 template <>
 inline constexpr int kFields<avo::RobotSetup> = 18;
 template <>

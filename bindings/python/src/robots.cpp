@@ -195,6 +195,9 @@ void bind_detour(py::module_& module) {
       .def_readwrite("congestion", &Detour::congestion, "robots ahead, 0 to 2.8.")
       .def_readwrite("has_arrived", &Detour::has_arrived,
                      "whether it was within arrival_distance of its goal, beside others")
+      .def_readwrite("goal_taken", &Detour::goal_taken,
+                     "whether others are at rest on its goal: it comes to rest near them, and neither "
+                     "gives way nor makes a detour")
       .def_readwrite("acceleration_x", &Detour::acceleration_x, "m/s^2, of its last step.")
       .def_readwrite("acceleration_y", &Detour::acceleration_y, "m/s^2, likewise.");
 }

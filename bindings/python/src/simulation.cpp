@@ -141,7 +141,7 @@ void bind_state(SimulationClass& simulation) {
           },
           "Equal for equal states, bit by bit.")
       .def("all_at_goal", told([](const Simulation& s) { return s.all_at_goal(); }),
-           "Whether all robots are within arrival_distance of their goals, in sight.")
+           "Whether all robots are at their goals, see at_goal().")
       .def(
           "at_goal",
           [](SharedSimulation& self) {
@@ -154,7 +154,8 @@ void bind_state(SimulationClass& simulation) {
             std::copy(at.begin(), at.end(), array.mutable_data());
             return array;
           },
-          "(n,) bool: who is within arrival_distance, in sight.")
+          "(n,) bool: who is within arrival_distance, in sight, or rests as near as others at rest "
+          "leave room, where their goals are too close together for all of them.")
       .def(
           "unreachable",
           [](SharedSimulation& self) {
@@ -217,7 +218,7 @@ void bind_edits(SimulationClass& simulation) {
           [](SharedSimulation& self, std::int64_t id, avo::Vec2 goal) {
             self.alone([&](Simulation& s) { s.set_goal(robot_id(id), goal); });
           },
-          arg("id"), arg("goal"), "goal: (x, y), m.")
+          arg("id"), arg("goal"), "goal: (x, y), m. The goal that it has already changes nothing.")
       .def(
           "move_robot",
           [](SharedSimulation& self, std::int64_t id, avo::Vec2 position) {

@@ -154,6 +154,32 @@ TEST(GiveWay, who_has_been_at_its_goal_settles_beside_it_in_the_end) {
   }
 }
 
+// By radii, where those are more than arrival distances.
+TEST(GiveWay, who_has_been_at_its_goal_settles_however_small_the_arrival_distance_is) {
+  Waiting waiting{at_distance(0.5)};
+  waiting.options.arrival_distance = 0.05;
+  waiting.detour.has_arrived = true;
+  EXPECT_NE(waiting.wish_after(11.8, kBesideOne), Vec2{});
+  EXPECT_EQ(waiting.wish_after(1.0, kBesideOne), Vec2{});
+  waiting.robot.distance_to_goal = 1.56;
+  EXPECT_NE(waiting.wish_after(170.0, kBesideOne), Vec2{}) << "no farther than that";
+}
+
+// Among those at rest on its goal it goes where it prefers to, and to nobody's right.
+TEST(GiveWay, nobody_does_who_comes_to_rest_among_others) {
+  const Planner planner({.method = Method::avo});
+  Robot robot;
+  robot.preferred_velocity = {0.2, 0.0}, robot.distance_to_goal = 0.8;
+  const std::vector<Neighbor> comes = {{.position = {0.0, 1.06}, .velocity = {0.0, -0.1}}};
+  PlanWorkspace workspace;
+  Detour usual{.beside = 1.0F}, taken{.beside = 1.0F, .goal_taken = true};
+  const Plan pushed = planner.plan(robot, comes, workspace, &usual);
+  const Plan kept = planner.plan(robot, comes, workspace, &taken);
+  EXPECT_LT(pushed.next_velocity.y, kept.next_velocity.y - 0.001);
+  EXPECT_TRUE(taken.goal_taken);
+  EXPECT_EQ(taken.beside, 0.0F);
+}
+
 TEST(GiveWay, whoever_is_at_its_goal_remembers_that_it_has_been_there) {
   Waiting waiting{at_distance(0.51)};
   waiting.wish_after(1.0, kBesideOne);

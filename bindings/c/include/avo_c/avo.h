@@ -249,6 +249,7 @@ typedef struct avo_detour {
   float beside;
   float congestion;
   bool has_arrived;
+  bool goal_taken;  ///< others are at rest on its goal: it comes to rest near them
   float acceleration_x;  ///< m/s^2, of its last step
   float acceleration_y;
 } avo_detour;
@@ -609,6 +610,7 @@ AVO_C_API avo_result avo_simulation_step(avo_simulation_id simulation);
 AVO_C_API avo_result avo_simulation_add_robot(avo_simulation_id simulation,
                                               const avo_robot_def* def, avo_robot_id* robot);
 AVO_C_API avo_result avo_simulation_remove_robot(avo_simulation_id simulation, avo_robot_id robot);
+/// The goal that it has already changes nothing.
 AVO_C_API avo_result avo_simulation_set_goal(avo_simulation_id simulation, avo_robot_id robot,
                                              avo_vec2 goal);
 /// Somebody puts the robot down elsewhere, at rest; an airplane keeps its velocity. It keeps its
@@ -679,7 +681,8 @@ AVO_C_API avo_result avo_simulation_get_plan(avo_simulation_id simulation, avo_r
 AVO_C_API avo_result avo_simulation_get_applied_acceleration(avo_simulation_id simulation,
                                                              avo_robot_id robot,
                                                              double* acceleration);
-/// Whether it is within arrival_distance of its goal now, with no wall between.
+/// Whether it is within arrival_distance of its goal now, with no wall between, or rests as near as
+/// others at rest leave room, where their goals are too close together for all of them.
 AVO_C_API avo_result avo_simulation_is_at_goal(avo_simulation_id simulation, avo_robot_id robot,
                                                bool* is_at_goal);
 /// s: when it decides next; infinite if it is parked.
@@ -764,7 +767,7 @@ typedef struct avo_summary {
   int64_t robots;
   int64_t parked;  ///< of them; they have arrived where they stand
   int64_t steps;
-  int64_t arrived;               ///< robots that were ever within arrival_distance
+  int64_t arrived;               ///< robots that were ever at their goals
   int64_t collision_pairs;       ///< pairs of robots that ever overlapped and avoid each other
   int64_t one_sided_collisions;  ///< those of which only one avoids the other
   int64_t obstacle_collisions;   ///< (robot, moving obstacle) pairs

@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "sim/places.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "walls/segment.h"
+
+namespace avo {
+namespace {
+
+constexpr double kNearResting = 8.0;   // radii: a seeker is so near to those at rest
+constexpr double kBesideReach = 1.25;  // of contact: so near, others are beside it
+constexpr double kStill = 0.2;         // of v_max: slower ones rest, or soon will
+constexpr double kComesOut = 0.004;    // likewise, away from the goal
+constexpr double kPlaceGap = 0.02;     // of contact, between a place and those at rest
+constexpr double kWayGap = 0.01;       // likewise of the way there
+constexpr double kWorth = 0.25;        // of a way: a place has to be nearer to the goal by that
+constexpr double kGain = 0.1;          // radii: and by so much besides,
+constexpr double kGainAtRest = 0.8;    // or by so much of one that has come to rest
+constexpr double kRoundedOff = 1e-9;   // places touch circles, and ways begin in contact
+
+// The point so far from one point towards another.
+Vec2 point_towards(Vec2 from, Vec2 to, double length) {
+  const Vec2 way = to - from;
+  const double distance = norm(way);
+  return distance > 0.0 ? from + (length / distance) * way : from;
+}
+
+double place_reach(const Resting& other) {
+  return (1.0 + kPlaceGap) * other.reach;
+}
+
+// The free place in sight of least cost, which is what is left from there to the goal and a part of
+// the way there. The nearest free place to a goal that is taken lies on a circle around one at
+// rest: where the circle is nearest to the goal, where it meets another one or a wall, or where it
+// is last seen.
+class PlaceSearch {
+ public:
+  PlaceSearch(const Seeker& seeker, std::span<const Resting> resting, std::span<const Wall> walls)
+      : seeker_(seeker), resting_(resting), walls_(walls), best_(seeker.position) {
+    const double gain = (seeker.has_stood ? kGainAtRest : kGain) * seeker.radius;
+    cost_ = norm(seeker.goal - seeker.position) - gain;
+  }
+
+  Vec2 best() && {
+    for (std::size_t i = 0; i < resting_.size(); ++i) {
+      const Resting& other = resting_[i];
+      const double reach = place_reach(other);
+      if (norm(other.position - seeker_.goal) >= cost_ + reach) continue;
+      try_place(point_towards(other.position, seeker_.goal, reach));
+      try_tangents(other);
+      for (std::size_t k = 0; k < i; ++k) try_crossings(other, resting_[k]);
+      for (const Wall& wall : walls_) try_beside(other, wall);
+    }
+    return best_;
+  }
+
+ private:
+  void try_tangents(const Resting& other) {
+    const Vec2 way = other.position - seeker_.position;
+    const double d2 = norm_squared(way), reach = place_reach(other);
+    const double square = d2 - reach * reach;
+    if (!(square > 0.0)) return;
+    const Vec2 along = (square / d2) * way;
+    const Vec2 across = (reach * std::sqrt(square) / d2) * perpendicular(way);
+    try_place(seeker_.position + along + across);
+    try_place(seeker_.position + along - across);
+  }
+
+  void try_crossings(const Resting& first, const Resting& second) {
+    const Vec2 between = second.position - first.position;
+    const double d2 = norm_squared(between), a = place_reach(first), b = place_reach(second);
+    if (!(d2 > 0.0) || d2 >= (a + b) * (a + b) || d2 <= (a - b) * (a - b)) return;
+    const double along = (d2 + a * a - b * b) / (2.0 * d2);
+    const double across = std::sqrt(std::max(a * a / d2 - along * along, 0.0));
+    const Vec2 foot = first.position + along * between;
+    try_place(foot + across * perpendicular(between));
+    try_place(foot - across * perpendicular(between));
+  }
+
+  void try_beside(const Resting& other, const Wall& wall) {
+    const Vec2 along = wall.b - wall.a;
+    const double length = norm(along), reach = place_reach(other);
+    if (!(length > 0.0)) return;
+    const Vec2 across = perpendicular(along / length);
+    const double contact = (1.0 + kRoundedOff) * (seeker_.radius + wall.radius);
+    for (const double side : {-contact, contact}) {
+      const double off = side - dot(other.position - wall.a, across);
+      const double square = reach * reach - off * off;
+      if (!(square > 0.0)) continue;
+      const Vec2 foot = other.position + off * across;
+      try_place(foot + (std::sqrt(square) / length) * along);
+      try_place(foot - (std::sqrt(square) / length) * along);
+    }
+  }
+
+  void try_place(Vec2 place) {
+    const double left = norm(place - seeker_.goal);
+    if (!(left < cost_)) return;
+    const double cost = left + kWorth * norm(place - seeker_.position);
+    if (!(cost < cost_) || !is_free(place)) return;
+    cost_ = cost, best_ = place;
+  }
+
+  // Whoever is in contact with one at rest, or a wall, may leave it.
+  bool is_free(Vec2 place) const {
+    const Segment way{seeker_.position, place};
+    const auto is_clear = [](double on_way, double needed, double before) {
+      return on_way >= std::min(needed, (1.0 - kRoundedOff) * before);
+    };
+    for (const Resting& other : resting_) {
+      if (norm(place - other.position) < (1.0 - kRoundedOff) * place_reach(other)) return false;
+      if (!is_clear(distance(other.position, way), (1.0 + kWayGap) * other.reach,
+                    norm(seeker_.position - other.position)))
+        return false;
+    }
+    return std::all_of(walls_.begin(), walls_.end(), [&](const Wall& wall) {
+      const Segment segment{wall.a, wall.b};
+      const double contact = seeker_.radius + wall.radius;
+      return distance(place, segment) >= contact &&
+             is_clear(distance(way, segment), contact, distance(seeker_.position, segment));
+    });
+  }
+
+  const Seeker& seeker_;
+  std::span<const Resting> resting_;
+  std::span<const Wall> walls_;
+  Vec2 best_;
+  double cost_ = 0.0;  // m
+};
+
+}  // namespace
+
+void Occupied::add(const Seeker& seeker, const Neighbor& neighbor) {
+  has_movers = has_movers || is_predicted(neighbor);
+  const double reach = seeker.radius + neighbor.radius;
+  const double distance = norm(neighbor.position - seeker.position);
+  if (!(distance <= std::max(seeker.range, kBesideReach * reach))) return;
+  if (norm(neighbor.velocity) <= kStill * seeker.max_speed) {
+    resting.push_back({neighbor.position, reach});
+    is_near = is_near || distance - reach <= kNearResting * seeker.radius;
+  }
+  if (distance >= kBesideReach * reach) return;
+  const Vec2 out = neighbor.position - seeker.goal;
+  const double from_goal = norm(out);
+  comes_out = comes_out || (from_goal < norm(seeker.position - seeker.goal) &&
+                            dot(neighbor.velocity, out) > kComesOut * seeker.max_speed * from_goal);
+}
+
+Vec2 place_near(const Seeker& seeker, const Occupied& occupied, std::span<const Wall> walls) {
+  const auto stands_on_goal = [&](const Resting& other) {
+    return norm(other.position - seeker.goal) < other.reach;
+  };
+  const std::vector<Resting>& resting = occupied.resting;
+  if (!occupied.is_near || std::none_of(resting.begin(), resting.end(), stands_on_goal))
+    return seeker.goal;
+  return PlaceSearch(seeker, resting, walls).best();
+}
+
+Vec2 place_of(const Seeker& seeker, const Occupied& occupied, std::span<const Wall> walls,
+              bool stays, Detour& detour) {
+  const Vec2 place = place_near(seeker, occupied, walls);
+  const bool gives_way = seeker.has_stood && occupied.comes_out;
+  detour.goal_taken = place != seeker.goal && !gives_way;
+  return stays ? seeker.position : place;
+}
+
+}  // namespace avo

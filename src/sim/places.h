@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: Apache-2.0
+// Where a robot comes to rest whose goal others stand on (docs/arrival.md, rule 4): by what it sees
+// of them.
+#pragma once
+#include <span>
+#include <vector>
+
+#include "avo/planner.h"
+#include "avo/wall.h"
+
+namespace avo {
+
+/// One that looks for its place.
+struct Seeker {
+  Vec2 position, goal;                   // m, of its disc
+  double radius = 0.0, max_speed = 0.0;  // m, m/s
+  double range = 0.0;                    // m: at least so far it sees others
+  bool has_stood = false;                // it has come to rest at such a place
+};
+
+/// Another robot that is nearly at rest.
+struct Resting {
+  Vec2 position;       // m
+  double reach = 0.0;  // m, from its center to the seeker's, in contact
+};
+
+/// What a seeker sees of others: add() one by one.
+struct Occupied {
+  std::vector<Resting> resting;
+  bool is_near = false;     // one of them is near the seeker
+  bool comes_out = false;   // one beside the seeker comes from the goal
+  bool has_movers = false;  // some do not decide, so that the seeker may have to evade them
+
+  void clear() { resting.clear(), is_near = comes_out = has_movers = false; }
+  void add(const Seeker& seeker, const Neighbor& neighbor);
+};
+
+/// The goal, where nobody stands on it. Else a free place that is nearer to the goal
+/// and that a straight way leads to, or the seeker's own position where there is none: it is at its
+/// place.
+Vec2 place_near(const Seeker& seeker, const Occupied& occupied, std::span<const Wall> walls);
+
+/// Where the seeker heads for: stays: to where it is. Sets Detour::goal_taken: whoever comes out
+/// from among those at rest has the way.
+Vec2 place_of(const Seeker& seeker, const Occupied& occupied, std::span<const Wall> walls,
+              bool stays, Detour& detour);
+
+}  // namespace avo
