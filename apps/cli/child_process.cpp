@@ -46,6 +46,7 @@ ChildProcess::ChildProcess(const std::vector<std::string>& command) : name_(comm
   input_ = ends[1];
   errors_ = memfd_create("errors", MFD_CLOEXEC);
   std::vector<char*> words;
+  words.reserve(command.size() + 1);
   for (const std::string& word : command) words.push_back(const_cast<char*>(word.c_str()));
   words.push_back(nullptr);
   posix_spawn_file_actions_t actions;

@@ -52,7 +52,7 @@ struct Again {
 };
 
 /// As far as the rows tell it.
-Again told_by_rows(const avo_io::RecordedRun& run, std::string why) {
+Again told_by_rows(const avo_io::RecordedRun& run, const std::string& why) {
   const avo_io::RecordedMoment& last = run.moments.back();
   const avo::Scenario& scenario = run.scenario;
   const bool to_the_end = scenario.clock == avo::Clock::common &&

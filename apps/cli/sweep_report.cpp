@@ -60,7 +60,7 @@ std::string subtitle_of(const avo_io::SweepTable& table) {
 
 /// A field with its interval on a line of its own.
 std::string cell_of(const std::string& field) {
-  const std::string html = as_html(field);
+  std::string html = as_html(field);
   const std::size_t interval = html.find(" [");
   if (interval == std::string::npos) return html;
   return fmt::format("{}<br><small>{}</small>", html.substr(0, interval),

@@ -8,7 +8,7 @@ import re
 from drawing import BLACK, BLUE, GRAY, RED, ROOT, Figure, arc, constants, polar
 
 WALLS = constants("navigation/gaps.cpp", "navigation/join_gaps.cpp",
-                  "navigation/passages.cpp", "navigation/prospect.cpp", "navigation/right_of_way.h",
+                  "navigation/passages.h", "navigation/passages.cpp", "navigation/prospect.cpp", "navigation/right_of_way.h",
                   "navigation/right_of_way.cpp")
 DOOR = 3.2  # r, the width of a door: 1.6 m for r = 0.5 m
 
@@ -169,8 +169,8 @@ def wait():
     figure.view((425, 180), 44)
     wall = WALLS.kMouth  # the mouth is the origin, and the door lies behind it
     top, bottom, queue = 3.9, -6.4, -math.pi / 2
-    figure.area([(-WALLS.kDeep, top), (wall, top), (wall, -WALLS.kLeft), (-WALLS.kDeep, -WALLS.kLeft)], RED)
-    figure.line([(-WALLS.kDeep, top), (-WALLS.kDeep, -WALLS.kLeft), (wall, -WALLS.kLeft)], RED, 1.5, dashed=True)
+    figure.area([(-WALLS.kDeep, top), (wall, top), (wall, -WALLS.kAside), (-WALLS.kDeep, -WALLS.kAside)], RED)
+    figure.line([(-WALLS.kDeep, top), (-WALLS.kDeep, -WALLS.kAside), (wall, -WALLS.kAside)], RED, 1.5, dashed=True)
     figure.wall((wall, DOOR / 2), (wall, top)), figure.wall((wall, -DOOR / 2), (wall, bottom))
     figure.line([(-5.9, 0), (2 * wall, 0)], GRAY, 1, dashed=True)
     figure.line([(0, 0), (0, 3.1)], GRAY, 1, dashed=True)
@@ -181,14 +181,14 @@ def wait():
     figure.length((-WALLS.kDeep, 2.7), (0, 2.7), f"{WALLS.kDeep:g} R", dy=18)
 
     a = (-3.2, -0.3)
-    figure.line([(-WALLS.kLeastBay, -WALLS.kBay), (-8.4, -WALLS.kBay)], BLUE, 1.5)
-    figure.line([(-WALLS.kLeastBay, -WALLS.kBay), (0, -WALLS.kBay)], GRAY, 1, dashed=True)
-    figure.dot((-WALLS.kLeastBay, -WALLS.kBay), BLUE, 4.5)
+    figure.line([(-WALLS.kBayOut, -WALLS.kBayAside), (-8.4, -WALLS.kBayAside)], BLUE, 1.5)
+    figure.line([(-WALLS.kBayOut, -WALLS.kBayAside), (0, -WALLS.kBayAside)], GRAY, 1, dashed=True)
+    figure.dot((-WALLS.kBayOut, -WALLS.kBayAside), BLUE, 4.5)
     figure.robot(a, BLUE, "A", shift=(-18, 0))
-    figure.ghost((a[0], -WALLS.kBay), BLUE)
-    figure.arrow(a, (a[0], -WALLS.kBay), BLUE)
-    figure.text((-8.4, -WALLS.kBay), "bay: A goes there,", BLUE, dy=20)
-    figure.text((-8.4, -WALLS.kBay), "straight aside", BLUE, dy=38)
+    figure.ghost((a[0], -WALLS.kBayAside), BLUE)
+    figure.arrow(a, (a[0], -WALLS.kBayAside), BLUE)
+    figure.text((-8.4, -WALLS.kBayAside), "bay: A goes there,", BLUE, dy=20)
+    figure.text((-8.4, -WALLS.kBayAside), "straight aside", BLUE, dy=38)
     figure.robot((-WALLS.kDeep - 1.7, 0.3), BLUE, "C", (1.6, -0.1), shift=(-18, 0))
     figure.text((-WALLS.kDeep, 1.9), "C stops before", BLUE, "end", -8, 0)
     figure.text((-WALLS.kDeep, 1.9), "this line", BLUE, "end", -8, 18)
@@ -196,10 +196,10 @@ def wait():
     figure.robot((0.1, -5.2), BLUE, "D", (0.0, 1.5), shift=(-18, 0))
     figure.text((-1.0, -5.2), "D stops before the arc", BLUE, "end", -6, 5)
 
-    figure.length((-5.8, 0), (-5.8, -WALLS.kLeft), f"{WALLS.kLeft:g} R", "start", 8, 5)
-    figure.length((-4.45, 0), (-4.45, -WALLS.kBay), f"{WALLS.kBay:g} R", "end", -8, 36)
+    figure.length((-5.8, 0), (-5.8, -WALLS.kAside), f"{WALLS.kAside:g} R", "start", 8, 5)
+    figure.length((-4.45, 0), (-4.45, -WALLS.kBayAside), f"{WALLS.kBayAside:g} R", "end", -8, 36)
     figure.length((0, 0), (0, -WALLS.kQueue), f"{WALLS.kQueue:g} R", "start", 6, 0)
-    figure.length((-WALLS.kLeastBay, -3.5), (0, -3.5), f"{WALLS.kLeastBay:g} R", "middle", 0, 18)
+    figure.length((-WALLS.kBayOut, -3.5), (0, -3.5), f"{WALLS.kBayOut:g} R", "middle", 0, 18)
     return figure
 
 
@@ -232,6 +232,32 @@ def go_back():
     figure.line([aside, (right, aside[1])], GRAY, 1, dashed=True)
     figure.length((right, 0), (right, aside[1]), f"{WALLS.kBackAside:g} R", "start", 8, 5)
     figure.text(straight, "B", RED, dx=4, dy=18), figure.text(aside, "C", RED, dx=4, dy=-6)
+    return figure
+
+
+def make_room():
+    figure = Figure("make-room", "A robot at its goal in a passage goes on before whoever comes near", 760, 270)
+    figure.view((45, 110), 35)
+    length, half = 13.0, DOOR / 2
+    for sign in (-1, 1):
+        figure.wall((WALLS.kMouth, sign * 2.6), (WALLS.kMouth, sign * half),
+                    (length - WALLS.kMouth, sign * half), (length - WALLS.kMouth, sign * 2.6))
+    a, b = (7.0, 0), (7.0 - WALLS.kNear, 0)
+    straight, aside = (length + WALLS.kBack, 0), (length + WALLS.kBack, -WALLS.kBackAside)
+    figure.line([(0, 0), straight], GRAY, 1, dashed=True)
+    figure.dot((0, 0)), figure.dot((length, 0))
+    figure.robot(b, RED, "B", (1.8, 0), shift=(-16, 0))
+    figure.robot(a, BLUE, "A", shift=(-16, 0))
+    figure.arrow((a[0] + 1.0, 0), (length - 1.5, 0), BLUE)
+    figure.arrow((length, 0), aside, BLUE)
+    figure.dot(a, BLUE), figure.dot(aside, BLUE, 4.5)
+    figure.ghost(aside, BLUE)
+    figure.text(a, "A is at its goal", BLUE, "middle", 0, -66)
+    for x in (b[0], a[0]):
+        figure.line([(x, 0), (x, -2.9)], GRAY, 1, dashed=True)
+    figure.length((b[0], -2.9), (a[0], -2.9), f"nearer than {WALLS.kNear:g} R, and on its way: A goes", "start", -130, 20)
+    figure.text(aside, "A waits here,", BLUE, "middle", 0, 56)
+    figure.text(aside, "and comes back in its turn", BLUE, "middle", 0, 74)
     return figure
 
 

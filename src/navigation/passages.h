@@ -15,7 +15,8 @@ namespace avo {
 
 /// Where robots that want to enter a passage wait for those who come out: radii of the passage,
 /// from a mouth outwards, and from the axis.
-inline constexpr double kBayOut = 1.2, kBayAside = 3.1;
+inline constexpr double kBayOut = 1.2;
+inline constexpr double kBayAside = 3.1;
 
 /// Its axis begins and ends in the mouths, where the largest robots do not yet hinder anybody in
 /// it, and leads straight from the middle of each gap to that of the next one.

@@ -16,7 +16,7 @@ constexpr double kSpeedOff = 1e-9;   // of a limit of the speed, by rounding
 constexpr double kCircleOff = 1e-6;  // of a circle's radius
 constexpr int kTurns = 8;            // tried to each side
 constexpr int kRates = 3;            // tried of the speed, besides the wanted one
-constexpr std::size_t kMostTried = (kRates + 1) * (2 * kTurns + 2);
+constexpr std::size_t kMostTried = std::size_t{kRates + 1} * (2 * kTurns + 2);
 
 // m/s², along the heading and to its left.
 struct Controls {

@@ -20,9 +20,10 @@ class Poison {
 
   void operator()(PlanWorkspace& workspace) const {
     auto& [soft, decisions, programs, rows, demands, hard_and_soft, obstacles, order, ordered,
-           alone, listed, movers, passive, certified, flight, evasion] =
+           alone, listed, movers, passive, certified, flight, evasion, steering] =
         PlanWorkspace::Scratch::of(workspace);
-    each(soft, decisions, rows, demands, hard_and_soft, order, alone, certified, flight, evasion);
+    each(soft, decisions, rows, demands, hard_and_soft, order, alone, certified, flight, evasion,
+         steering);
     // of programs one robot has none; the others are lists, read after they are begun anew
     static_cast<void>(programs), static_cast<void>(obstacles), static_cast<void>(ordered);
     static_cast<void>(listed), static_cast<void>(movers), static_cast<void>(passive);
@@ -244,6 +245,24 @@ class Poison {
     auto& [around, deciding, certified, chosen, put_aside] = evasion;
     each(around, certified, chosen.velocity, chosen.duration, put_aside);
     static_cast<void>(deciding);
+  }
+
+  void spoil(ManeuverMemory::Node& node) const {
+    auto& [pose, angle, cost, since, move, parent, moves, nearness, stops, is_first_gear] = node;
+    each(pose.axle, pose.heading, angle, cost, since, move.gear, move.side, move.radius, parent,
+         moves, stops, is_first_gear);
+    nearness = Nearness::later;
+  }
+  void spoil(ManeuverMemory::Open& open) const { each(open.cost, open.node); }
+  void spoil(ManeuverMemory::Cell& cell) const {
+    cell.key = 0x7ffffff0;
+    spoil(cell.node);
+  }
+  void spoil(SteerMemory::Obstacle& obstacle) const { each(obstacle.segment, obstacle.keep); }
+  void spoil(SteerMemory& steering) const {
+    auto& [obstacles, maneuvers] = steering;
+    auto& [nodes, open, cells] = maneuvers;
+    each(obstacles, nodes, open, cells);
   }
 
   double number_;

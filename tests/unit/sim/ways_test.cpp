@@ -224,7 +224,7 @@ TEST(Ways, FromBesideAWallThereIsAWay) {
   const Vec2 place{9.4995, 9};
   for (const bool looks_around : {false, true}) {
     const Heading heading =
-        follow(travel, place, setup.goal, traits_of(setup), looks_around, scratch);
+        follow(travel, place, setup.goal, traits_of(setup), 0.0, looks_around, scratch);
     EXPECT_LT(heading.goal.y, place.y - 5.0);
   }
 }
