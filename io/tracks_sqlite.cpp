@@ -101,6 +101,8 @@ bool is_sqlite(std::string_view begin) {
   return begin.starts_with(std::string_view("SQLite format 3\0", 16));
 }
 
+constexpr std::int64_t kMostFrames = std::int64_t{1} << 53U;  // doubles tell all of them apart
+
 TrackTable read_pedestrian_sqlite(const std::string& path) {
   TrackDatabase database(path);
   require_tables(database);
@@ -117,10 +119,10 @@ TrackTable read_pedestrian_sqlite(const std::string& path) {
     const std::int64_t frame = database.integer(0), id = database.integer(1);
     const bool numbers = database.is_integer(0) && database.is_integer(1) &&
                          database.is_number(2) && database.is_number(3);
-    if (!numbers || frame < 0 || id < 0)
+    if (!numbers || frame < 0 || frame > kMostFrames || id < 0 || id > kMostFrames)
       database.refuse(
           fmt::format("trajectory_data: found a row [{}, {}, {}, {}], must be frame and "
-                      "id, integers >= 0, and pos_x and pos_y, numbers",
+                      "id, integers from 0 to 2^53, and pos_x and pos_y, numbers",
                       in_quotes(database.text(0)), in_quotes(database.text(1)),
                       in_quotes(database.text(2)), in_quotes(database.text(3))));
     add_track_row(table, {id, frame, {database.number(2), database.number(3)}, {}});

@@ -111,20 +111,20 @@ void tell_unreachable(const avo::RunSummary& results) {
   const std::size_t count = results.unreachable.size();
   if (count == 0) return;
   const std::size_t named = std::min(kNamed, count);
-  std::string who, distances;
+  std::string who;
   for (const std::uint64_t robot : std::span(results.unreachable).first(named)) {
     who += fmt::format("{}{}", who.empty() ? "" : ", ", robot);
     const auto entry = std::find_if(results.not_arrived.begin(), results.not_arrived.end(),
                                     [&](const auto& other) { return other.robot == robot; });
     if (entry != results.not_arrived.end())
-      distances += fmt::format("{}{:.3g}", distances.empty() ? "" : ", ", entry->distance_left);
+      who += fmt::format(" (to {:.3g} m)", entry->distance_left);
   }
   if (count > named) who += fmt::format(" and {} more", count - named);
-  warn({fmt::format(
-      "no way between the obstacles leads to the {} {}; the nearest {} {} m from there; a way has "
-      "to be as wide as the robot, and a goal as far from an obstacle as its radius",
-      count == 1 ? "goal of robot" : "goals of robots", who,
-      count == 1 ? "place that it can reach is" : "places that they can reach are", distances)});
+  warn(
+      {fmt::format("no way between the obstacles leads to the {} {}; a way has to be as wide as "
+                   "the robot, and a "
+                   "goal as far from an obstacle as its radius; robots go as near as they can",
+                   count == 1 ? "goal of robot" : "goals of robots", who)});
 }
 
 std::string readable(const avo::Scenario& scenario, const avo::RunSummary& results) {

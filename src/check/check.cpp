@@ -8,6 +8,7 @@
 #include <limits>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "avo/error.h"
 #include "check/counts.h"
@@ -283,20 +284,31 @@ void Check::add(double time, std::span<const CheckedState> rows) {
   state.placed_before = state.placed;
 }
 
-// Whether it has come to rest, and another robot rests so near its goal that the two could not be
-// there both. Their goals are as close together, so neither is only on its way elsewhere.
+// Whether it has come to rest, another robot rests so near its goal that the two could not be there
+// both, and others at rest lead from the one to the other, so close that it does not get through
+// between them. The goals of the two are as close together, so neither is on its way elsewhere.
 bool Check::State::rests_beside_goal(std::size_t robot) const {
   const Seen& mine = seen[robot];
   const std::optional<Vec2>& goal = robots[robot].goal;
-  const auto rests = [&](const Seen& any) {
-    return any.at == mine.at && any.row.velocity == Vec2{};
-  };
-  if (mine.at < 0 || !goal || !rests(mine)) return false;
-  for (std::size_t k = 0; k < robots.size(); ++k) {
-    const double contact = robots[robot].radius + robots[k].radius;
-    if (k == robot || !robots[k].goal || !rests(seen[k])) continue;
-    if (norm(*robots[k].goal - *goal) < contact && norm(seen[k].row.position - *goal) < contact)
+  const double radius = robots[robot].radius;
+  if (mine.at < 0 || !goal || mine.row.velocity != Vec2{}) return false;
+  std::vector<std::size_t> left, led{robot};
+  for (std::size_t k = 0; k < robots.size(); ++k)
+    if (k != robot && seen[k].at == mine.at && seen[k].row.velocity == Vec2{}) left.push_back(k);
+  const auto distance = [&](std::size_t k, Vec2 p) { return norm(seen[k].row.position - p); };
+  for (std::size_t next = 0; next < led.size(); ++next) {
+    const std::size_t one = led[next];
+    const double contact = radius + robots[one].radius;
+    if (one != robot && robots[one].goal && norm(*robots[one].goal - *goal) < contact &&
+        distance(one, *goal) < contact)
       return true;
+    const auto is_apart = [&](std::size_t k) {
+      return distance(k, seen[one].row.position) >=
+             robots[one].radius + robots[k].radius + 2.0 * radius;
+    };
+    const auto close = std::partition(left.begin(), left.end(), is_apart);
+    led.insert(led.end(), close, left.end());
+    left.erase(close, left.end());
   }
   return false;
 }

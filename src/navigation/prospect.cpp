@@ -20,12 +20,12 @@ struct Piece {
   bool is_last = false;
 };
 
-// visit(piece) of the way until it is false, or the way has become long.
+// visit(piece) of the way until it is false, or the way has become longer than `farthest` m.
 template <typename Visit>
 void walk(const CornerGraph& graph, const PathMap& map, Vec2 p, std::uint32_t target,
-          const Visit& visit) {
+          double farthest, const Visit& visit) {
   Piece piece{p, p};
-  while (target != PathMap::kNothing && piece.before <= kFarthestPassage * graph.radius) {
+  while (target != PathMap::kNothing && piece.before <= farthest) {
     piece.is_last = target == PathMap::kGoal;
     piece.to = piece.is_last ? map.goal : graph.points[target];
     piece.length = norm(piece.to - piece.from);
@@ -102,13 +102,18 @@ std::optional<Vec2> lane_ahead(const Passages& passages, const CornerGraph& grap
 
 Prospect look_ahead(const Passages& passages, const CornerGraph& graph, const PathMap& map, Vec2 p,
                     std::uint32_t target) {
-  const auto walk_on = [&](const auto& visit) { walk(graph, map, p, target, visit); };
+  const double farthest = kFarthestPassage * graph.radius;
   Prospect prospect;
   const auto number = passages.at(p);
   if (number && !passages[*number].two_lanes) {
-    prospect.claim = claim_inside(passages[*number], *number, p, walk_on);
+    const Passage& passage = passages[*number];
+    // however long it is, the way leads out of it
+    prospect.claim = claim_inside(passage, *number, p, [&](const auto& visit) {
+      walk(graph, map, p, target, passage.length() + farthest, visit);
+    });
     return prospect;
   }
+  const auto walk_on = [&](const auto& visit) { walk(graph, map, p, target, farthest, visit); };
   double way = 0.0;
   prospect.claim = claim_outside(passages, p, walk_on, way);
   if (!prospect.claim || way > kLeavesLane * graph.radius)

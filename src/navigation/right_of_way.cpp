@@ -87,24 +87,25 @@ Course go_on_or_back(const Passage& passage, const Claimant& robot,
   return {.target = way_out(passage, robot.claim.forward, robot.position)};
 }
 
-// Whoever has its goal inside is in the way of those who come near: it goes on before the nearest
-// one, out of the passage, and enters again in turn.
+// Whoever has its goal inside is in the way of those who come near: it goes on before them, out of
+// the passage, and enters again in turn. If robots of both directions are inside, it goes with
+// those that go on: others take it for one of these, and so it makes none of them change its mind.
 Course make_room(const Passage& passage, const Claimant& robot, std::span<const Claimant> claimants,
                  double sensing_radius) {
   const double along = place_in(passage, robot.position).along;
-  double least = kNear * passage.radius;
+  Foremost ahead, back;  // of those inside, by direction
   std::optional<bool> forward;
+  double least = kNear * passage.radius;
   for (const Claimant& other : claimants) {
     if (!other.claim.moves || !senses(robot, other, sensing_radius)) continue;
-    const double ahead = along - place_in(passage, other.position).along;
-    const double between = other.claim.forward ? ahead : -ahead;
+    if (other.claim.inside) (other.claim.forward ? ahead : back).include(passage, other);
+    const double behind = along - place_in(passage, other.position).along;
+    const double between = other.claim.forward ? behind : -behind;
     if (between > 0.0 && between < least) least = between, forward = other.claim.forward;
   }
   if (!forward) return {};
-  Claimant leaving = robot;
-  leaving.claim.forward = *forward;
-  const Course back = go_on_or_back(passage, leaving, claimants, sensing_radius);
-  return back.target ? back : Course{.target = way_out(passage, !*forward, robot.position)};
+  if (ahead.way >= 0.0 && back.way >= 0.0) forward = ahead.goes_on_before(back);
+  return {.target = way_out(passage, !*forward, robot.position)};
 }
 
 // Nobody comes, nor is anybody who does nearer to where it enters. Who rests inside does not come.

@@ -158,6 +158,22 @@ Vec2 place_near(const Seeker& seeker, const Occupied& occupied, std::span<const 
   return PlaceSearch(seeker, resting, walls).best();
 }
 
+bool is_at_crowd(const Seeker& seeker, Occupied& occupied) {
+  const auto first = occupied.resting.begin(), last = occupied.resting.end();
+  const auto leads_on = [](Vec2 from, double reach) {
+    return [from, reach](const Resting& next) {
+      return norm(next.position - from) < reach + next.reach;
+    };
+  };
+  // reach is the sum of two radii: so two of them leave room for one seeker between the surfaces
+  auto reached = std::partition(first, last, leads_on(seeker.position, 2.0 * seeker.radius));
+  for (auto one = first; one != reached; ++one) {
+    if (norm(one->position - seeker.goal) < one->reach) return true;
+    reached = std::partition(reached, last, leads_on(one->position, one->reach));
+  }
+  return false;
+}
+
 Vec2 place_of(const Seeker& seeker, const Occupied& occupied, std::span<const Wall> walls,
               bool stays, Detour& detour) {
   const Vec2 place = place_near(seeker, occupied, walls);

@@ -40,6 +40,10 @@ struct Occupied {
 /// place.
 Vec2 place_near(const Seeker& seeker, const Occupied& occupied, std::span<const Wall> walls);
 
+/// Whether those at rest lead from the seeker to its goal, and one stands there: it gets through
+/// between none of them and the next. Puts these first.
+bool is_at_crowd(const Seeker& seeker, Occupied& occupied);
+
 /// Where the seeker heads for: stays: to where it is. Sets Detour::goal_taken: whoever comes out
 /// from among those at rest has the way.
 Vec2 place_of(const Seeker& seeker, const Occupied& occupied, std::span<const Wall> walls,

@@ -63,7 +63,7 @@ void follow_ways(World& world, std::span<const std::uint32_t> slots, Worker& wor
 }
 
 // What the robot sees of others at its goal, which it shares with some.
-const Occupied& look_at_goal(const Seeker& seeker, const Neighbors& neighbors, Worker& worker) {
+Occupied& look_at_goal(const Seeker& seeker, const Neighbors& neighbors, Worker& worker) {
   worker.occupied.clear();
   for (std::size_t k = 0; k < neighbors.size(); ++k) worker.occupied.add(seeker, neighbors[k]);
   return worker.occupied;
@@ -81,13 +81,15 @@ void aim_discs(World& world, std::span<const std::uint32_t> slots, Worker& worke
     Vec2 goal = disc_goal(fleet, slot, aim, world.end_of(slot)) - lost;
     if (shares_room(world, slot, aim)) {
       const Seeker seeker = seeker_of(world, slot, goal);
-      const Occupied& occupied = look_at_goal(seeker, worker.tile.robots.neighbors[k], worker);
+      Occupied& occupied = look_at_goal(seeker, worker.tile.robots.neighbors[k], worker);
       const bool stays = stays_near(world, slot, aim);
       goal = place_of(seeker, occupied, worker.tile.walls_of(k), stays, fleet.detour[slot]);
       if (goal != seeker.position) fleet.has_stood[slot] = 0;
       if (stands_at_place(fleet, slot) ? !occupied.has_movers : stays)
         worker.staying.push_back(slot);
-      if (goal == seeker.position && fleet.velocity[slot] == Vec2{}) fleet.has_stood[slot] = 1;
+      if (goal == seeker.position && fleet.velocity[slot] == Vec2{} &&
+          (stays || is_at_crowd(seeker, occupied)))
+        fleet.has_stood[slot] = 1;
     }
     moving.goal_x[k] = goal.x, moving.goal_y[k] = goal.y;
   }

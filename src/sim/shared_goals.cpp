@@ -190,7 +190,11 @@ bool stands_at_place(const Fleet& fleet, std::size_t slot) {
 
 bool rests_at_place(const World& world, std::size_t slot) {
   const Fleet& fleet = world.fleet;
-  return fleet.has_stood[slot] != 0 && fleet.velocity[slot] == Vec2{} &&
+  const Ways& ways = world.ways;
+  const bool is_kept_out =
+      !ways.travels.empty() &&
+      ways.travels[static_cast<std::size_t>(fleet.rank[slot])].ends == WayEnd::short_of;
+  return !is_kept_out && fleet.has_stood[slot] != 0 && fleet.velocity[slot] == Vec2{} &&
          shares_room(world, slot, world.end_of(slot));
 }
 

@@ -30,8 +30,9 @@ std::optional<Simulation::Wait> wait_of(const World& world, const Claims& claims
   if (!travel.is_known()) return std::nullopt;
   const Passages& passages = world.ways.passages;
   const Vec2 p = fleet.position[slot];
-  const auto claim = look_ahead(passages, *travel.graph, *travel.map, p, travel.target).claim;
+  auto claim = look_ahead(passages, *travel.graph, *travel.map, p, travel.target).claim;
   if (!claim) return std::nullopt;
+  if (world.settings.right_of_way == RightOfWay::told) claim->ends = false;
   const Passage& passage = passages[claim->passage];
   const Conduct& conduct = fleet.conduct[slot];
   const Claimant robot{*claim, p, conduct.layers.bits, conduct.avoids.bits, rank};

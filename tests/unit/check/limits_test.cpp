@@ -141,6 +141,24 @@ TEST(CheckLimits, velocities_that_change_at_once_are_no_jumps) {
   EXPECT_TRUE(report_of(kOne, recording).safe());
 }
 
+// Goals that leave no room for all: who rests in the crowd around the place has arrived.
+TEST(CheckArrivals, are_beside_those_who_stand_on_the_goal) {
+  const auto arrived_at = [](const std::vector<double>& places, double speed) {
+    std::vector<CheckedRobot> robots(places.size(), free_robot(0.5));
+    std::vector<CheckedState> rows;
+    for (std::size_t k = 0; k < places.size(); ++k) {
+      robots[k].goal = Vec2{0, 0};
+      rows.push_back({static_cast<std::int64_t>(k), {places[k], 0}, {k == 0 ? 0.0 : speed, 0}});
+    }
+    return report_of(robots, {{0.0, rows}, {1.0, rows}}, {}, {.arrival_distance = 0.4}).arrived;
+  };
+  EXPECT_EQ(arrived_at({0.0, 1.1, 2.3, -1.9}, 0.0), 4);
+  EXPECT_EQ(arrived_at({0.0, 1.1, 2.3, -1.9}, 0.1), 1) << "they move";
+  EXPECT_EQ(arrived_at({0.0, 30.0}, 0.0), 1) << "nothing keeps it from coming nearer";
+  EXPECT_EQ(arrived_at({0.0, 2.1, 3.2}, 0.0), 1) << "a robot gets through between the first two";
+  EXPECT_EQ(arrived_at({1.1, 2.2}, 0.0), 0) << "nobody stands on the goal";
+}
+
 TEST(CheckArrivals, are_counted_at_rows) {
   std::vector<CheckedRobot> robots(4, free_robot(0.01));
   robots[0].goal = robots[1].goal = robots[2].goal = Vec2{10, 0};

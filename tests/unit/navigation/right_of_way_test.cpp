@@ -278,11 +278,12 @@ TEST(RightOfWay, WhoHasItsGoalInsideGoesOnBeforeWhoComesNear) {
   EXPECT_EQ(goes_out_at(robot, {inside(true, {-2.1, 0})}), 0.0) << "not near yet";
   EXPECT_EQ(goes_out_at(robot, {inside(true, {2.0, 0})}), 0.0) << "past already";
   EXPECT_EQ(goes_out_at(robot, {resting(true, {-1.0, 0})}), 0.0) << "it has come as well";
-  EXPECT_NEAR(goes_out_at(robot, {inside(true, {-1.5, 0}), inside(false, {2.4, 0})}), -6.25, 1e-12)
-      << "the nearest one";
-  EXPECT_NEAR(goes_out_at(at_home({4.5, 0}), {inside(true, {2.5, 0}), inside(false, {4.9, 0})}),
+  EXPECT_NEAR(goes_out_at(robot, {inside(true, {-1.5, 0}), inside(false, {2.4, 0})}), 6.25, 1e-12)
+      << "with those who have come farther, though others are nearer";
+  EXPECT_NEAR(goes_out_at(robot, {inside(true, {-2.7, 0}), inside(false, {2.4, 0})}), -6.25, 1e-12);
+  EXPECT_NEAR(goes_out_at(at_home({4.5, 0}), {inside(true, {-1.0, 0}), inside(false, {4.9, 0})}),
               6.25, 1e-12)
-      << "back with those who have come farther";
+      << "though these are not near yet";
   const Claimant before = outside(passage, false, {5.5, 0});
   EXPECT_NEAR(goes_out_at(at_home({4.5, 0}), {before}), -6.25, 1e-12) << "one at the mouth";
 }

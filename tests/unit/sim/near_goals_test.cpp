@@ -218,7 +218,8 @@ TEST(NearGoals, that_many_share_have_them_around) {
   double nearest = 1e9;  // m
   for (std::size_t k = 0; k < scene.robots.size(); ++k) {
     const double distance = norm(judged.simulation.fleet().position[k] - Vec2{-0.3, 0});
-    EXPECT_LE(distance, 3.0) << k;
+    EXPECT_LE(distance, 3.6) << k;
+    EXPECT_EQ(judged.simulation.fleet().velocity[k], Vec2{}) << k << " has come to rest";
     nearest = std::min(nearest, distance);
   }
   EXPECT_LE(nearest, scene.arrival_distance);

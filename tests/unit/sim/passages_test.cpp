@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "avo/simulation.h"
+#include "navigation/prospect.h"
 #include "sim/claims.h"
 #include "sim/world.h"
 #include "unit/navigation/buildings.h"
@@ -91,6 +92,8 @@ TEST(RobotsAtPassages, WhoRestsInsideMakesRoomAndComesBack) {
     SCOPED_TRACE(x);
     expect_room_is_made({x, 0}, {{-11, 0}});
     expect_room_is_made({x, 0}, {{-11, 0.5}, {-11, -1.5}, {11, 3}});
+    for (const double off : {-3.0, -1.0, 0.5})
+      expect_room_is_made({x, 0}, {{-11.5, -2}, {11, off}});
   }
 }
 
@@ -207,6 +210,27 @@ TEST(Claims, OutsideOnlyInSightOfTheMouth) {
       claims_door = claims_door || norm(passage.axis[1]) < 0.1;
     }
     EXPECT_EQ(claims_door, !is_hidden);
+  }
+}
+
+// The corner at which the way leaves it may be as far off as the passage is long.
+TEST(Claims, InsideHoldHoweverLongThePassageIs) {
+  Scenario scene;
+  scene.obstacles = {test::pieces({{{-20, 0.8}, {20, 0.8}}, {{-20, -0.8}, {20, -0.8}}})};
+  for (const double x : {-19.0, 0.0, 19.0})
+    scene.robots.push_back(test::robot_at({x, 0}, {25, -6}));
+  World world(scene, std::make_unique<SerialExecutor>());
+  plan_travels(world.ways, world.fleet);
+  find_walls(world);
+  for (std::size_t k = 0; k < scene.robots.size(); ++k) {
+    const Travel& travel = world.ways.travels[k];
+    const auto claim = look_ahead(world.ways.passages, *travel.graph, *travel.map,
+                                  scene.robots[k].position, travel.target)
+                           .claim;
+    ASSERT_TRUE(claim) << k;
+    EXPECT_TRUE(claim->inside && !claim->ends) << k;
+    const Vec2 out = axis_point(world.ways.passages[claim->passage], claim->forward, 0.0).direction;
+    EXPECT_NEAR(out.x, 1.0, 1e-12) << k;
   }
 }
 

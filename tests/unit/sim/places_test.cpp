@@ -12,6 +12,7 @@
 #include "avo/simulation.h"
 #include "scenes.h"
 #include "support/generators.h"
+#include "unit/sim/walled_scenes.h"
 
 namespace avo {
 namespace {
@@ -83,6 +84,21 @@ TEST(Places, are_clear_of_walls) {
   EXPECT_GE(beside.y, -0.05);
   EXPECT_GE(norm(beside - Vec2{0.05, 0.4}), kReach);
   EXPECT_LT(norm(beside), 1.2);
+}
+
+TEST(Places, are_at_the_crowd_where_robots_at_rest_lead_to_the_goal) {
+  const auto is_at = [](Vec2 position, const std::vector<Neighbor>& others) {
+    const Seeker seeker = seeker_at(position);
+    Occupied occupied = seen_by(seeker, others);
+    return is_at_crowd(seeker, occupied);
+  };
+  const Neighbor on_goal = one_at({0.1, 0});
+  EXPECT_TRUE(is_at({2.05, 0}, {on_goal}));
+  EXPECT_FALSE(is_at({2.15, 0}, {on_goal})) << "a robot gets through between them";
+  EXPECT_TRUE(is_at({5.9, 0}, {one_at({4.0, 0}), on_goal, one_at({2.05, 0})}));
+  EXPECT_FALSE(is_at({5.9, 0}, {one_at({4.0, 0}), on_goal}));
+  EXPECT_FALSE(is_at({5.9, 0}, {one_at({4.0, 0}), one_at({2.05, 0}), one_at({1.01, 0})}))
+      << "nobody stands on the goal";
 }
 
 TEST(Places, are_left_to_those_who_come_out) {
@@ -214,6 +230,28 @@ TEST(Rallies, are_joined_from_outside) {
   for (std::size_t k = 0; k < before.size(); ++k)
     EXPECT_EQ(simulation.fleet().position[k], before[k]) << k;
   EXPECT_EQ(simulation.fleet().velocity[6], Vec2{});
+}
+
+// Robots that cannot set out yet, because others stand around them, have not arrived.
+TEST(Rallies, are_far_from_their_places_at_the_start) {
+  Scenario scene;
+  scene.robots = {robot_at({0, 0}, {0, 0})};
+  for (int k = 0; k < 25; ++k)
+    scene.robots.push_back(robot_at({-6.75 - 1.05 * (k / 5), 1.05 * (k % 5 - 2)}, {0, 0}));
+  Simulation simulation(scene, 1);
+  simulation.step();
+  for (std::size_t k = 1; k < scene.robots.size(); ++k) EXPECT_FALSE(simulation.is_at_goal(k)) << k;
+}
+
+TEST(Rallies, have_not_arrived_where_walls_keep_them_out) {
+  Scenario scene;
+  scene.obstacles = {
+      test::pieces({{{0, -40}, {0, 40}}, {{0, 40}, {-40, 0}}, {{-40, 0}, {0, -40}}})};
+  scene.robots = {robot_at({-6, 0}, {5, 0}), robot_at({-6, 1.5}, {5, 0})};
+  Simulation simulation(scene, 1);
+  while (simulation.time() < 30.0) simulation.step();
+  EXPECT_EQ(simulation.unreachable().size(), 2U);
+  for (const std::size_t k : {0, 1}) EXPECT_FALSE(simulation.is_at_goal(k)) << k;
 }
 
 TEST(Rallies, let_out_who_is_sent_away) {
