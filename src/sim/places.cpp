@@ -177,8 +177,7 @@ bool is_at_crowd(const Seeker& seeker, Occupied& occupied) {
 Vec2 place_of(const Seeker& seeker, const Occupied& occupied, std::span<const Wall> walls,
               bool stays, Detour& detour) {
   const Vec2 place = place_near(seeker, occupied, walls);
-  const bool gives_way = seeker.has_stood && occupied.comes_out;
-  detour.goal_taken = place != seeker.goal && !gives_way;
+  detour.goal_taken = place != seeker.goal && !occupied.comes_out;
   return stays ? seeker.position : place;
 }
 

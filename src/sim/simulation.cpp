@@ -345,9 +345,10 @@ Simulation::Perception Simulation::perceive(std::size_t robot) const {
   const bool has_movers =
       std::any_of(seen.neighbors.begin(), seen.neighbors.end(),
                   [](const Neighbor& neighbor) { return is_predicted(neighbor); });
-  const bool stands = is_at_rest && !has_movers && state.fleet.has_stood[slot] != 0 &&
-                      seen.detour.goal_taken && seen.robot.distance_to_goal == 0.0;
-  if (stands || (stays && !is_at_rest)) seen.stop = stop_of(state, slot, seen.detour);
+  const bool stands = is_at_rest && state.fleet.has_stood[slot] != 0 && seen.detour.goal_taken &&
+                      seen.robot.distance_to_goal == 0.0;
+  if (stands ? !has_movers : stays && (!is_at_rest || seen.detour.goal_taken))
+    seen.stop = stop_of(state, slot, seen.detour);
   seen.wait = wait(robot);
   return seen;
 }

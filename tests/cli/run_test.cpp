@@ -191,7 +191,9 @@ TEST(Run, tells_whom_walls_keep_from_their_goals) {
   ASSERT_EQ(check.exit_code, 0) << check.err;
   EXPECT_EQ(Json::parse(check.out)["static_contacts"]["count"], 0);
   const ProcessResult two = run_avo({"run", scene, "--set", "robots.1.goal=[6, 1]"});
-  EXPECT_NE(two.err.find("leads to the goals of robots 0, 1;"), std::string::npos) << two.err;
+  EXPECT_NE(two.err.find("leads to the goals of robots 0 (to 2.5 m), 1 (to 1.5 m);"),
+            std::string::npos)
+      << two.err;
 }
 
 // The same recording beside walls that it was not made among.

@@ -17,7 +17,7 @@ const std::vector<PinnedRun>& pinned_runs() {
       {"planes_12", "planes-12", {}, 0, 0x062b497854bbad13},
       {"person", "person", {}, 0, 0x3326998f242467b7},
       {"reversing_cars", "reversing-cars", {}, 0, 0xe8e767353779561f},
-      {"mixed_yard", "mixed-yard", {}, 0, 0xe771ad23f901ebb8},
+      {"mixed_yard", "mixed-yard", {}, 0, 0xe1e6fe9e1147d57c},
       {"moving_obstacle_exponential",
        "moving-obstacle",
        {"motion=exponential"},

@@ -102,8 +102,7 @@ TEST(Places, are_at_the_crowd_where_robots_at_rest_lead_to_the_goal) {
 }
 
 TEST(Places, are_left_to_those_who_come_out) {
-  Seeker seeker = seeker_at({1.6, 0.0});
-  seeker.has_stood = true;
+  const Seeker seeker = seeker_at({1.6, 0.0});
   const std::vector<Neighbor> inside = {one_at({0.4, 0.0}), one_at({0.55, 0.0}, {0.1, 0.0})};
   EXPECT_TRUE(seen_by(seeker, inside).comes_out);
   Detour detour;
