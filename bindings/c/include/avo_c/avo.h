@@ -249,7 +249,7 @@ typedef struct avo_detour {
   float beside;
   float congestion;
   bool has_arrived;
-  bool goal_taken;  ///< others are at rest on its goal: it comes to rest near them
+  bool goal_taken;       ///< others are at rest on its goal: it comes to rest near them
   float acceleration_x;  ///< m/s^2, of its last step
   float acceleration_y;
 } avo_detour;
