@@ -13,6 +13,7 @@
 #include "avo/error.h"
 #include "check/counts.h"
 #include "check/course.h"
+#include "check/crowd.h"
 #include "check/demand.h"
 #include "check/kinematics.h"
 #include "check/own_clock.h"
@@ -69,7 +70,7 @@ struct Check::State {
   void judge_changes(const CheckedRobot& robot, const CheckedState& now, double time);
   [[nodiscard]] bool passes(const Mover& mover, Vec2 goal) const;
   void judge_arrival(double time, const CheckedState& row, const Mover& mover);
-  [[nodiscard]] bool rests_beside_goal(std::size_t robot) const;
+  [[nodiscard]] std::vector<std::optional<Vec2>> places_at_rest() const;
 };
 
 void Check::State::require_sound(double time, std::span<const CheckedState> rows) const {
@@ -284,45 +285,27 @@ void Check::add(double time, std::span<const CheckedState> rows) {
   state.placed_before = state.placed;
 }
 
-// Whether it has come to rest, another robot rests so near its goal that the two could not be there
-// both, and others at rest lead from the one to the other, so close that it does not get through
-// between them. The goals of the two are as close together, so neither is on its way elsewhere.
-bool Check::State::rests_beside_goal(std::size_t robot) const {
-  const Seen& mine = seen[robot];
-  const std::optional<Vec2>& goal = robots[robot].goal;
-  const double radius = robots[robot].radius;
-  if (mine.at < 0 || !goal || mine.row.velocity != Vec2{}) return false;
-  std::vector<std::size_t> left, led{robot};
-  for (std::size_t k = 0; k < robots.size(); ++k)
-    if (k != robot && seen[k].at == mine.at && seen[k].row.velocity == Vec2{}) left.push_back(k);
-  const auto distance = [&](std::size_t k, Vec2 p) { return norm(seen[k].row.position - p); };
-  for (std::size_t next = 0; next < led.size(); ++next) {
-    const std::size_t one = led[next];
-    const double contact = radius + robots[one].radius;
-    if (one != robot && robots[one].goal && norm(*robots[one].goal - *goal) < contact &&
-        distance(one, *goal) < contact)
-      return true;
-    const auto is_apart = [&](std::size_t k) {
-      return distance(k, seen[one].row.position) >=
-             robots[one].radius + robots[k].radius + 2.0 * radius;
-    };
-    const auto close = std::partition(left.begin(), left.end(), is_apart);
-    led.insert(led.end(), close, left.end());
-    left.erase(close, left.end());
+// By robot, of those at rest at the last time.
+std::vector<std::optional<Vec2>> Check::State::places_at_rest() const {
+  std::vector<std::optional<Vec2>> places(robots.size());
+  for (std::size_t k = 0; k < robots.size(); ++k) {
+    const bool rests = seen[k].at == times - 1 && seen[k].row.velocity == Vec2{};
+    if (rests) places[k] = seen[k].row.position;
   }
-  return false;
+  return places;
 }
 
 CheckReport Check::report() const {
   const State& state = *state_;
   CheckReport report = state.report;
   double last_arrival = state.last_arrival;
+  const std::vector<std::optional<Vec2>> at_rest = state.places_at_rest();
   for (std::size_t i = 0; i < state.robots.size(); ++i) {
     const Seen& other = state.seen[i];
     if (other.at >= 0) ++report.robots;
     if (!state.robots[i].goal) continue;
     ++report.with_goal;
-    const bool rests = !other.at_goal && state.rests_beside_goal(i);
+    const bool rests = !other.at_goal && judge::rests_at_crowd(i, state.robots, at_rest);
     if (other.arrived || rests) ++report.arrived;
     if (other.at_goal || rests) ++report.at_goal_at_end;
     if (!other.arrived && !rests) report.not_arrived.push_back(static_cast<std::int64_t>(i));

@@ -46,7 +46,8 @@ std::optional<Claim> claim_inside(const Passage& passage, std::uint32_t number, 
     const bool leaves = !is_inside(passage, end);
     if (leaves || piece.is_last) {
       const double from = leaves ? 0.5 * passage.length() : along;
-      claim = Claim{number, end.along > from, true, 0.0, true, !leaves};
+      claim =
+          Claim{.passage = number, .forward = end.along > from, .inside = true, .ends = !leaves};
     }
     return !claim;
   });

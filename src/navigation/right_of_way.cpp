@@ -17,7 +17,7 @@ constexpr double kAside = 1.6;    // and from the axis to the side of the bay
 constexpr double kQueue = 2.2;    // beside the way in, from the mouth: nobody waits nearer
 constexpr double kBack = 2.5;     // from the mouth: where who backs out heads for
 constexpr double kOut = 0.6;      // before the mouth one turns
-constexpr double kBackAside = 2.0;  // to the right
+constexpr double kBackAside = 2.0;  // to the side of the bay
 constexpr double kLaneRoom = 0.1;   // between walls and a robot in its lane
 constexpr double kLane = 1.3;       // from the axis, where there is room: nobody touches anybody
 
@@ -108,7 +108,8 @@ Course make_room(const Passage& passage, const Claimant& robot, std::span<const 
   return {.target = way_out(passage, !*forward, robot.position)};
 }
 
-// Nobody comes, nor is anybody who does nearer to where it enters. Who rests inside does not come.
+// Nobody comes, nor is anybody who does nearer to where it enters. Who rests farther inside does
+// not come.
 bool may_enter(const Passage& passage, const Claimant& robot, std::span<const Claimant> claimants,
                double sensing_radius) {
   return std::none_of(claimants.begin(), claimants.end(), [&](const Claimant& other) {

@@ -21,8 +21,8 @@ struct Claim {
   bool forward = true;  // along the axis
   bool inside = false;
   double distance = 0.0;  // m, from outside to the mouth where it enters
-  bool moves = true;      // who rests inside does not keep others out
-  bool ends = false;      // the goal is inside: known to the robot alone
+  bool moves = true;      // not at rest; outside everybody who has a claim does
+  bool ends = false;      // its goal is inside, too: known to the robot alone
 };
 
 /// What the rules know of a robot.

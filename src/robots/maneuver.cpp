@@ -25,7 +25,9 @@ constexpr double kSample = 1.0 / 8.0;
 constexpr double kFarGoal = 100.0;  // goals are not farther than that
 constexpr double kMostRoom = 5.0;
 constexpr double kPlanned = 1.1;  // the circles that ways are made of: a car can correct itself
-constexpr double kTurnAcceleration = 0.8;  // of a_max, that turning asks for
+constexpr double kTurnAcceleration = 0.8;              // of a_max, that turning asks for
+constexpr double kLeadSteps = 2.0;                     // until a car that starts turns
+constexpr double kFullLock = 0.25 * std::numbers::pi;  // rad, of wishes that ask for all of it
 // rad: for less it steers towards its goal, as it does far from walls
 constexpr double kSharpTurn = 0.3;
 
@@ -38,8 +40,7 @@ Vec2 wish(const Maneuvering& car, const Move& move, double turn, double length) 
   if (move.gear * car.speed < 0.0) return top * ahead;  // it brakes first
   if (car.speed != 0.0 && length <= car.stopping_way()) return {};
   const double v = std::min(top, std::sqrt(a_max * length));
-  if (turn < 0.25 * std::numbers::pi)
-    return v * turned(ahead, elementary::direction(move.side * turn));
+  if (turn < kFullLock) return v * turned(ahead, elementary::direction(move.side * turn));
   return v * (ahead + move.side * perpendicular(ahead));
 }
 
@@ -123,7 +124,8 @@ std::optional<Vec2> maneuver(const Car& car, const Robot& robot, const Approach&
   const Vec2 h = elementary::direction(robot.heading);
   const Vec2 axle = robot.position - offset_of(car) * h;
   const double distance = std::min(robot.distance_to_goal, kFarGoal * turning);
-  const double lead = 2.0 * approach.time_step * std::sqrt(0.4 * robot.max_acceleration * turning);
+  const double middling = std::sqrt(0.5 * kTurnAcceleration * robot.max_acceleration * turning);
+  const double lead = kLeadSteps * approach.time_step * middling;
   const Maneuvering maneuvering{car,
                                 robot,
                                 is_clear,

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <optional>
 
-#include "navigation/prospect.h"
 #include "sim/world.h"
 
 namespace avo {
@@ -17,12 +16,6 @@ const Travel& travel_of(const World& world, std::size_t slot) {
   return world.ways.travels[static_cast<std::size_t>(world.fleet.rank[slot])];
 }
 
-Claimant claimant_of(const World& world, std::size_t slot, const Claim& claim) {
-  const Conduct& conduct = world.fleet.conduct[slot];
-  return {claim, world.fleet.position[slot], conduct.layers.bits, conduct.avoids.bits,
-          static_cast<std::uint32_t>(world.fleet.rank[slot])};
-}
-
 // Claims within kClaimRange that the robot has, or seems to have.
 void append_claims(const World& world, std::size_t slot, std::vector<Claimant>& claimants) {
   const Ways& ways = world.ways;
@@ -33,8 +26,7 @@ void append_claims(const World& world, std::size_t slot, std::vector<Claimant>& 
   if (world.settings.right_of_way == RightOfWay::told) {
     const Travel& travel = travel_of(world, slot);
     if (!travel.is_known()) return;
-    const auto claim =
-        look_ahead(ways.passages, *travel.graph, *travel.map, p, travel.target).claim;
+    const auto claim = prospect_of(world, slot, travel).claim;
     if (claim && claim->distance <= kClaimRange * ways.passages[claim->passage].radius)
       append(*claim);
     return;
@@ -56,6 +48,20 @@ Vec2 beyond(Vec2 p, Vec2 target, double rest) {
 }
 
 }  // namespace
+
+Prospect prospect_of(const World& world, std::size_t slot, const Travel& travel) {
+  Prospect prospect = look_ahead(world.ways.passages, *travel.graph, *travel.map,
+                                 world.fleet.position[slot], travel.target);
+  if (prospect.claim && world.settings.right_of_way == RightOfWay::told)
+    prospect.claim->ends = false;
+  return prospect;
+}
+
+Claimant claimant_of(const World& world, std::size_t slot, const Claim& claim) {
+  const Conduct& conduct = world.fleet.conduct[slot];
+  return {claim, world.fleet.position[slot], conduct.layers.bits, conduct.avoids.bits,
+          static_cast<std::uint32_t>(world.fleet.rank[slot])};
+}
 
 void collect_claims(const World& world, Executor& executor, Claims& claims) {
   const std::size_t robots = world.fleet.size(), parts = executor.workers();
@@ -91,9 +97,8 @@ void collect_claims(const World& world, Executor& executor, Claims& claims) {
 Heading heed_passages(const World& world, const Claims& claims, std::size_t slot,
                       const Travel& travel, const Heading& heading, double nearest) {
   if (!travel.is_known()) return heading;
-  const Passages& passages = world.ways.passages;
   const Vec2 p = world.fleet.position[slot];
-  auto [claim, lane] = look_ahead(passages, *travel.graph, *travel.map, p, travel.target);
+  const auto [claim, lane] = prospect_of(world, slot, travel);
   const double rest = norm(heading.goal - p);
   Heading heeding = heading;
   const RobotTraits& traits = world.fleet.traits[slot];
@@ -101,8 +106,7 @@ Heading heed_passages(const World& world, const Claims& claims, std::size_t slot
   if (lane && in_company && world.fleet.detour[slot].angle <= kLeavesLane)
     heeding.goal = beyond(p, *lane, rest);
   if (!claim) return heeding;
-  if (world.settings.right_of_way == RightOfWay::told) claim->ends = false;
-  const Passage& passage = passages[claim->passage];
+  const Passage& passage = world.ways.passages[claim->passage];
   const Course course =
       right_of_way(passage, claimant_of(world, slot, *claim), planned_braking(traits),
                    claims.of(claim->passage), world.sensing_radius);

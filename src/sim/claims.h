@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "core/executor.h"
+#include "navigation/prospect.h"
 #include "navigation/right_of_way.h"
 #include "sim/ways.h"
 
@@ -29,6 +30,11 @@ struct Claims {
 
 /// Seen, or told, as the scene says. There are passages.
 void collect_claims(const World& world, Executor& executor, Claims& claims);
+
+/// What the robot claims itself, as the scene lets it: who tells claims makes no room. The way is
+/// known.
+Prospect prospect_of(const World& world, std::size_t slot, const Travel& travel);
+Claimant claimant_of(const World& world, std::size_t slot, const Claim& claim);
 
 /// What the rules at passages make of the heading. nearest: m, how far off the nearest other one is
 /// that it senses; infinity where there is none.

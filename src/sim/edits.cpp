@@ -157,7 +157,7 @@ void set_goal(World& world, RobotId robot, Vec2 goal) {
   check_values(world, setup, robot, !world.statics.walls.empty());
   if (goal == world.fleet.goal[slot]) return;  // it goes on with what it does
   Ways& ways = world.ways;
-  if (!ways.empty() && !(goal == world.fleet.goal[slot])) {
+  if (!ways.empty()) {
     ways.travels[static_cast<std::size_t>(world.fleet.rank[slot])] =
         ways.plan(disc_radius(setup), world.fleet.position[slot], goal);
   }

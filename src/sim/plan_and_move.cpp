@@ -82,14 +82,11 @@ void aim_discs(World& world, std::span<const std::uint32_t> slots, Worker& worke
     if (shares_room(world, slot, aim)) {
       const Seeker seeker = seeker_of(world, slot, goal);
       Occupied& occupied = look_at_goal(seeker, worker.tile.robots.neighbors[k], worker);
-      const bool stays = stays_near(world, slot, aim);
-      goal = place_of(seeker, occupied, worker.tile.walls_of(k), stays, fleet.detour[slot]);
-      if (goal != seeker.position) fleet.has_stood[slot] = 0;
-      if (stands_at_place(fleet, slot) ? !occupied.has_movers : stays)
-        worker.staying.push_back(slot);
-      if (goal == seeker.position && fleet.velocity[slot] == Vec2{} &&
-          (stays || is_at_crowd(seeker, occupied)))
-        fleet.has_stood[slot] = 1;
+      const AtSharedGoal decided = at_shared_goal(world, slot, seeker, occupied,
+                                                  worker.tile.walls_of(k), fleet.detour[slot]);
+      goal = decided.heads_for;
+      fleet.has_stood[slot] = decided.has_stood ? 1 : 0;
+      if (decided.stops) worker.staying.push_back(slot);
     }
     moving.goal_x[k] = goal.x, moving.goal_y[k] = goal.y;
   }
@@ -98,11 +95,10 @@ void aim_discs(World& world, std::span<const std::uint32_t> slots, Worker& worke
 // Whoever stays near a goal that others share brakes until it stands, and lets no one push it.
 void stop(World& world, Worker& worker) {
   for (const std::uint32_t slot : worker.staying) {
-    const std::optional<Plan> stop = stop_of(world, slot, world.fleet.detour[slot]);
     Plan& plan = world.fleet.plan[slot];
-    if (!stop || plan.status == PlanStatus::overlapping) continue;
+    if (plan.status == PlanStatus::overlapping) continue;
     const SafetyState state = plan.state;
-    plan = *stop;
+    plan = stop_of(world, slot);
     plan.state = state;
     remember(plan, world.fleet.detour[slot]);
   }

@@ -144,6 +144,14 @@ class Sharing {
   std::vector<Shares> shares_;
 };
 
+// Whether it is within the arrival distance of a goal that others have as well: there it stays
+// where it is (docs/arrival.md, rule 4).
+bool stays_near(const World& world, std::size_t slot) {
+  const Fleet& fleet = world.fleet;
+  return world.shares_goal[static_cast<std::size_t>(fleet.rank[slot])] == Shares::goal &&
+         norm(world.end_of(slot) - fleet.place(slot)) <= world.settings.arrival_distance;
+}
+
 }  // namespace
 
 void find_shared_goals(World& world) {
@@ -158,14 +166,6 @@ void find_shared_goals(World& world) {
 bool shares_room(const World& world, std::size_t slot, Vec2 aim) {
   if (world.shares_goal.empty() || aim != world.end_of(slot)) return false;
   return world.shares_goal[static_cast<std::size_t>(world.fleet.rank[slot])] != Shares::nothing;
-}
-
-bool stays_near(const World& world, std::size_t slot, Vec2 aim) {
-  if (world.shares_goal.empty()) return false;
-  const Fleet& fleet = world.fleet;
-  const Vec2 goal = world.end_of(slot);
-  return world.shares_goal[static_cast<std::size_t>(fleet.rank[slot])] == Shares::goal &&
-         aim == goal && norm(goal - fleet.place(slot)) <= world.settings.arrival_distance;
 }
 
 Seeker seeker_of(const World& world, std::size_t slot, Vec2 goal) {
@@ -183,9 +183,16 @@ Seeker seeker_of(const World& world, std::size_t slot, Vec2 goal) {
           .has_stood = world.fleet.has_stood[slot] != 0};
 }
 
-bool stands_at_place(const Fleet& fleet, std::size_t slot) {
-  return fleet.has_stood[slot] != 0 && fleet.detour[slot].goal_taken &&
-         fleet.velocity[slot] == Vec2{};
+AtSharedGoal at_shared_goal(const World& world, std::size_t slot, const Seeker& seeker,
+                            Occupied& occupied, std::span<const Wall> walls, Detour& detour) {
+  const bool stays = stays_near(world, slot), is_at_rest = world.fleet.velocity[slot] == Vec2{};
+  const Vec2 place = place_of(seeker, occupied, walls, stays, detour);
+  const bool is_there = place == seeker.position, stood = is_there && seeker.has_stood;
+  const bool comes_to_rest = is_there && is_at_rest && (stays || is_at_crowd(seeker, occupied));
+  const bool has_stood = stood || comes_to_rest;
+  if (stood && is_at_rest && detour.goal_taken) return {place, has_stood, !occupied.has_movers};
+  // once it has stood it gives way to others as all do
+  return {place, has_stood, stays && (!has_stood || detour.goal_taken)};
 }
 
 bool rests_at_place(const World& world, std::size_t slot) {
@@ -198,9 +205,8 @@ bool rests_at_place(const World& world, std::size_t slot) {
          shares_room(world, slot, world.end_of(slot));
 }
 
-std::optional<Plan> stop_of(const World& world, std::size_t slot, const Detour& detour) {
+Plan stop_of(const World& world, std::size_t slot) {
   const Fleet& fleet = world.fleet;
-  if (fleet.has_stood[slot] != 0 && !detour.goal_taken) return std::nullopt;
   const RobotTraits& traits = fleet.traits[slot];
   Robot robot;
   robot.velocity = fleet.velocity[slot];

@@ -3,7 +3,6 @@
 #include "avo/simulation.h"
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
 #include <limits>
 #include <string>
@@ -12,72 +11,16 @@
 #include "avo/error.h"
 #include "core/executor.h"
 #include "core/hash.h"
-#include "core/mutex.h"
 #include "core/ranges.h"
 #include "planner/decision.h"
 #include "sim/clocks.h"
 #include "sim/complaints.h"
 #include "sim/edits.h"
 #include "sim/saved_state.h"
-#include "sim/world.h"
+#include "sim/simulation_state.h"
 
 namespace avo {
 namespace {
-
-// Whoever is within the sensing radius of a robot, found by looking at everyone; as it is.
-void append_all(const World& world, std::size_t slot, std::vector<Sighting>& robots,
-                std::vector<Sighting>& movers) {
-  const Fleet& fleet = world.fleet;
-  if (fleet.conduct[slot].parked) return;
-  const Vec2 position = fleet.position[slot];
-  const double radius = world.sensing_radius;
-  const auto add = [&](const Neighbor& neighbor, int source, std::vector<Sighting>& to) {
-    const double distance_squared = norm_squared(neighbor.position - position);
-    if (!is_finite(neighbor.position) || !is_finite(position)) return;
-    if (distance_squared <= radius * radius) to.push_back({neighbor, distance_squared, source});
-  };
-  for (std::size_t rank = 0; rank < fleet.size(); ++rank) {
-    const std::uint32_t other = fleet.slot_of[rank];
-    const auto expected = fleet.expected(other, slot);
-    if (other == slot || !expected) continue;
-    Neighbor neighbor = fleet.sensed(other, *expected);
-    if (neighbor.position == position && neighbor.velocity == fleet.velocity[slot])
-      neighbor.parting = parting_direction(fleet.id[slot].value, fleet.id[other].value);
-    add(neighbor, static_cast<int>(rank), robots);
-  }
-  for (std::size_t k = 0; k < world.obstacles.setup.size(); ++k)
-    add(world.obstacles.sensed(k), -1 - static_cast<int>(k), movers);
-}
-
-// The value of the id at that index into fleet().
-std::int64_t number_at(const Fleet& fleet, int index) {
-  return static_cast<std::int64_t>(fleet.id[fleet.slot_of[static_cast<std::size_t>(index)]].value);
-}
-
-// Those that it senses, in the order in which they are planned with.
-std::vector<Sighting> all_sightings(const World& world, std::size_t slot) {
-  std::vector<Sighting> robots, movers;
-  append_all(world, slot, robots, movers);
-  if (!world.senses.are_exact()) {
-    const auto hits = [](const std::vector<Sighting>& sightings) {
-      std::vector<NeighborHit> result;
-      for (const auto& [neighbor, distance_squared, source] : sightings)
-        result.push_back({distance_squared, source < 0 ? -1 - source : source, 0});
-      return result;
-    };
-    std::vector<Sighting> sightings;
-    look(world, slot, hits(robots), hits(movers), sightings);
-    return sightings;
-  }
-  robots.insert(robots.end(), movers.begin(), movers.end());
-  // robots lie before obstacles and ids ascend
-  std::stable_sort(robots.begin(), robots.end(), [](const Sighting& a, const Sighting& b) {
-    return a.distance_squared < b.distance_squared;
-  });
-  if (!world.all_matter_to(slot) && robots.size() > world.most_nearest())
-    robots.resize(world.most_nearest());
-  return robots;
-}
 
 constexpr int kMost = static_cast<int>(kMostWorkers);
 
@@ -105,33 +48,22 @@ void require_whole(const World& world, const char* call) {
 
 }  // namespace
 
-struct Simulation::State : World {
-  using World::World;
+std::unique_ptr<Simulation::State> Simulation::State::of(const Scenario& scenario,
+                                                         std::shared_ptr<Executor> executor) {
+  validate(scenario);
+  require_assumptions(scenario);
+  auto state = std::make_unique<State>(scenario, std::move(executor));
+  plan_travels(state->ways, state->fleet);
+  return state;
+}
 
-  // in the order of ids; made when it is asked for
-  Mutex looking;
-  std::atomic<bool> is_mirrored = false;
-  FleetMirror mirror;
-  bool has_claims = false;  // of the present generation, for those who ask
-  Claims present_claims;
-
-  void forget_views() { is_mirrored = has_claims = false; }
-
-  static std::unique_ptr<State> of(const Scenario& scenario, std::shared_ptr<Executor> executor) {
-    validate(scenario);
-    require_assumptions(scenario);
-    auto state = std::make_unique<State>(scenario, std::move(executor));
-    plan_travels(state->ways, state->fleet);
-    return state;
-  }
-  static std::unique_ptr<State> of(std::span<const std::byte> saved,
-                                   std::shared_ptr<Executor> executor) {
-    const SavedState read = from_bytes(saved);
-    auto state = std::make_unique<State>(read.scene, std::move(executor));
-    avo::restore(read, *state);
-    return state;
-  }
-};
+std::unique_ptr<Simulation::State> Simulation::State::of(std::span<const std::byte> saved,
+                                                         std::shared_ptr<Executor> executor) {
+  const SavedState read = from_bytes(saved);
+  auto state = std::make_unique<State>(read.scene, std::move(executor));
+  avo::restore(read, *state);
+  return state;
+}
 
 Simulation::Simulation(const Scenario& scenario, int threads)
     : state_(State::of(scenario, thread_pool(threads))) {}
@@ -258,16 +190,18 @@ bool Simulation::is_at_goal(std::size_t robot) const {
   if (state_->fleet.conduct[slot].parked) return true;
   if (const Flight* flight = state_->fleet.flight(slot)) return flight->has_arrived;
   const Vec2 p = state_->fleet.place(slot), goal = state_->fleet.goal[slot];
+  const Ways& ways = state_->ways;
+  const bool is_beside = !ways.empty() && ways.travels[robot].ends == WayEnd::beside;
+  const double slack = is_beside ? kBesideSlack * state_->fleet.traits[slot].radius : 0.0;
+  if (norm(goal - p) <= state_->settings.arrival_distance + slack &&
+      ways.is_in_sight(p, is_beside ? ways.travels[robot].place : goal))
+    return true;
+  if (state_->fleet.has_stood[slot] == 0) return false;  // goals are compared for few
   if (state_->has_new_goals) {
     const Lock lock(state_->looking);
     find_shared_goals(*state_);
   }
-  if (rests_at_place(*state_, slot)) return true;
-  const Ways& ways = state_->ways;
-  const bool is_beside = !ways.empty() && ways.travels[robot].ends == WayEnd::beside;
-  const double slack = is_beside ? kBesideSlack * state_->fleet.traits[slot].radius : 0.0;
-  return norm(goal - p) <= state_->settings.arrival_distance + slack &&
-         ways.is_in_sight(p, is_beside ? ways.travels[robot].place : goal);
+  return rests_at_place(*state_, slot);
 }
 
 bool Simulation::all_at_goal() const {
@@ -295,62 +229,10 @@ std::vector<RobotId> Simulation::unreachable() const {
   return robots;
 }
 
-std::optional<Simulation::Wait> Simulation::wait(std::size_t robot) const {
-  State& state = *state_;
-  {
-    const Lock lock(state.looking);
-    if (state.changed) find_walls(state);
-    if (state.ways.passages.empty()) return std::nullopt;
-    if (!state.has_claims) collect_claims(state, state.serial, state.present_claims);
-    state.has_claims = true;
-  }
-  return wait_of(state, state.present_claims, state.fleet.slot_of[robot]);
-}
-
 std::uint64_t Simulation::state_hash() const {
   const std::uint64_t present = hash_of(state_->fleet, state_->obstacles, state_->steps);
   const std::uint64_t hash = state_->senses.remember() ? hash_of(state_->senses, present) : present;
   return state_->statics.id.empty() ? hash : mixed(hash, state_->statics.hash);
-}
-
-Simulation::Perception Simulation::perceive(std::size_t robot) const {
-  State& state = *state_;
-  if (state.changed || state.has_new_goals || state.obstacles.has_paths) {
-    const Lock lock(state.looking);
-    if (state.changed) find_walls(state);
-    find_shared_goals(state);
-    foresee(state);
-  }
-  const std::uint32_t slot = state.fleet.slot_of[robot];
-  const std::vector<Sighting> sightings = all_sightings(state, slot);
-  const double nearest = sightings.empty() ? std::numeric_limits<double>::infinity()
-                                           : std::sqrt(sightings.front().distance_squared);
-  Perception seen;
-  seen.detour = state.fleet.detour[slot];
-  for (const Sighting& sighting : sightings) {
-    Neighbor& neighbor = seen.neighbors.emplace_back(sighting.neighbor);
-    if (neighbor.trajectory != nullptr)  // a copy that outlives the step
-      neighbor.trajectory =
-          seen.trajectories.emplace_back(std::make_shared<Trajectory>(*neighbor.trajectory)).get();
-    const int source = sighting.source;
-    seen.source.push_back(source < 0 ? source : number_at(state.fleet, source));
-  }
-  const std::span<const Wall> walls = state.statics.grid.near(state.fleet.position[slot]);
-  const Vec2 lost = own_error(state, slot);
-  for (const Wall& wall : walls) seen.walls.push_back(lost == Vec2{} ? wall : moved(wall, -lost));
-  bool stays = false;
-  seen.robot = state.robot(slot, nearest, seen, stays);
-  seen.among_movers = is_among_movers(state.pace(slot).planner.options(), seen.neighbors);
-  const bool is_at_rest = state.fleet.velocity[slot] == Vec2{};
-  const bool has_movers =
-      std::any_of(seen.neighbors.begin(), seen.neighbors.end(),
-                  [](const Neighbor& neighbor) { return is_predicted(neighbor); });
-  const bool stands = is_at_rest && state.fleet.has_stood[slot] != 0 && seen.detour.goal_taken &&
-                      seen.robot.distance_to_goal == 0.0;
-  if (stands ? !has_movers : stays && (!is_at_rest || seen.detour.goal_taken))
-    seen.stop = stop_of(state, slot, seen.detour);
-  seen.wait = wait(robot);
-  return seen;
 }
 
 const Planner& Simulation::planner() const {

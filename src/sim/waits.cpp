@@ -2,7 +2,6 @@
 // Who waits for whom at a passage: what the right of way has decided, told. It moves nobody.
 #include <optional>
 
-#include "navigation/prospect.h"
 #include "sim/claims.h"
 #include "sim/world.h"
 
@@ -28,14 +27,11 @@ std::optional<Simulation::Wait> wait_of(const World& world, const Claims& claims
   const auto rank = static_cast<std::uint32_t>(fleet.rank[slot]);
   const Travel& travel = world.ways.travels[rank];
   if (!travel.is_known()) return std::nullopt;
-  const Passages& passages = world.ways.passages;
   const Vec2 p = fleet.position[slot];
-  auto claim = look_ahead(passages, *travel.graph, *travel.map, p, travel.target).claim;
+  const auto claim = prospect_of(world, slot, travel).claim;
   if (!claim) return std::nullopt;
-  if (world.settings.right_of_way == RightOfWay::told) claim->ends = false;
-  const Passage& passage = passages[claim->passage];
-  const Conduct& conduct = fleet.conduct[slot];
-  const Claimant robot{*claim, p, conduct.layers.bits, conduct.avoids.bits, rank};
+  const Passage& passage = world.ways.passages[claim->passage];
+  const Claimant robot = claimant_of(world, slot, *claim);
   const RobotTraits& traits = fleet.traits[slot];
   const std::span<const Claimant> claimants = claims.of(claim->passage);
   const Course course =

@@ -220,21 +220,22 @@ bool World::is_fast(std::size_t slot) const {
   return !(norm_squared(fleet.velocity[slot]) <= limit * limit);
 }
 
-Robot World::robot(std::size_t slot, double nearest, Simulation::Perception& seen,
-                   bool& stays) const {
+Robot World::robot(std::size_t slot, double nearest, Simulation::Perception& seen) const {
   const RobotTraits& robot_traits = fleet.traits[slot];
   const Vec2 p = fleet.position[slot], v = fleet.velocity[slot], end = end_of(slot);
   Heading heading{end, robot_traits.preferred_speed};
   if (!ways.empty()) heading = heading_of(*this, slot, nearest);
   const Vec2 aim = heading.goal;
   heading.goal = disc_goal(fleet, slot, aim, end) - own_error(*this, slot);
-  stays = stays_near(*this, slot, aim);
   seen.detour.goal_taken = false;
   if (shares_room(*this, slot, aim)) {
     const Seeker seeker = seeker_of(*this, slot, heading.goal);
     Occupied occupied;
     for (const Neighbor& neighbor : seen.neighbors) occupied.add(seeker, neighbor);
-    heading.goal = place_of(seeker, occupied, seen.walls, stays, seen.detour);
+    const AtSharedGoal decided =
+        at_shared_goal(*this, slot, seeker, occupied, seen.walls, seen.detour);
+    heading.goal = decided.heads_for;
+    if (decided.stops) seen.stop = stop_of(*this, slot);
   }
   RobotTraits traits = robot_traits;
   traits.preferred_speed = heading.preferred_speed;

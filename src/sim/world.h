@@ -36,7 +36,7 @@ struct alignas(128) Worker {
   MovingColumns moving;
   std::vector<NeighborQuery> queries;
   std::vector<std::uint32_t> deciding;  // slots of a tile, where some robots are parked
-  std::vector<std::uint32_t> staying;   // slots in a tile of which stays_near() holds
+  std::vector<std::uint32_t> staying;   // slots in a tile of those that stop at shared goals
   SearchScratch search, obstacles;
   LegScratch legs;
   std::vector<Sighting> sightings;  // where senses are not exact
@@ -124,9 +124,9 @@ struct World {
     if (ways.travels.empty()) return fleet.goal[slot];
     return ways.travels[static_cast<std::size_t>(fleet.rank[slot])].heads_for(fleet.goal[slot]);
   }
-  /// nearest: m, see heed_passages(). Updates what `seen`, of whose neighbors and walls it is told,
-  /// remembers of its goal, and says whether it stays_near() that.
-  Robot robot(std::size_t slot, double nearest, Simulation::Perception& seen, bool& stays) const;
+  /// nearest: m, see heed_passages(). Of whose neighbors and walls `seen` tells; says there what
+  /// the robot remembers of its goal, and whether it stops.
+  Robot robot(std::size_t slot, double nearest, Simulation::Perception& seen) const;
 };
 
 /// Where those with a path will be, if that is not known yet. Robots know it that sense exactly and
@@ -143,18 +143,21 @@ void find_shared_goals(World& world);
 /// Whether it heads for its goal, and there is no room there for it and another one
 /// (docs/arrival.md, rule 4).
 bool shares_room(const World& world, std::size_t slot, Vec2 aim);
-/// Whether it is within the arrival distance of a goal that others share, and heads for that: there
-/// it stays where it is (docs/arrival.md, rule 4).
-bool stays_near(const World& world, std::size_t slot, Vec2 aim);
 Seeker seeker_of(const World& world, std::size_t slot, Vec2 goal);
+/// What such a robot decides there, whatever else it would.
+struct AtSharedGoal {
+  Vec2 heads_for;          // m, of its disc
+  bool has_stood = false;  // then, see Fleet::has_stood
+  bool stops = false;      // it brakes until it stands, and lets nobody put it aside
+};
+/// Of that robot as a seeker, and what it sees; sets Detour::goal_taken.
+AtSharedGoal at_shared_goal(const World& world, std::size_t slot, const Seeker& seeker,
+                            Occupied& occupied, std::span<const Wall> walls, Detour& detour);
 /// Whether one of which shares_room() held has come to rest, at its goal or as near as there was
 /// room.
 bool rests_at_place(const World& world, std::size_t slot);
-/// Whether it has come to rest near a goal that is taken, and lets nobody put it aside.
-bool stands_at_place(const Fleet& fleet, std::size_t slot);
-/// The decision of one that stays: until it stands it brakes, whoever comes. Nothing once it has
-/// stood, when it gives way to others as all do, unless it stands_at_place().
-std::optional<Plan> stop_of(const World& world, std::size_t slot, const Detour& detour);
+/// The decision of one that stops.
+Plan stop_of(const World& world, std::size_t slot);
 
 /// For what the walls near a robot and its looking for a way take in a step.
 void make_room(World& world);

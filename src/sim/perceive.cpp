@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: Apache-2.0
+// What one robot senses now, and for whom it waits, for those who ask: a step finds it for all.
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <memory>
+
+#include "core/mutex.h"
+#include "planner/decision.h"
+#include "sim/simulation_state.h"
+
+namespace avo {
+namespace {
+
+// Whoever is within the sensing radius of a robot, found by looking at everyone; as it is.
+void append_all(const World& world, std::size_t slot, std::vector<Sighting>& robots,
+                std::vector<Sighting>& movers) {
+  const Fleet& fleet = world.fleet;
+  if (fleet.conduct[slot].parked) return;
+  const Vec2 position = fleet.position[slot];
+  const double radius = world.sensing_radius;
+  const auto add = [&](const Neighbor& neighbor, int source, std::vector<Sighting>& to) {
+    const double distance_squared = norm_squared(neighbor.position - position);
+    if (!is_finite(neighbor.position) || !is_finite(position)) return;
+    if (distance_squared <= radius * radius) to.push_back({neighbor, distance_squared, source});
+  };
+  for (std::size_t rank = 0; rank < fleet.size(); ++rank) {
+    const std::uint32_t other = fleet.slot_of[rank];
+    const auto expected = fleet.expected(other, slot);
+    if (other == slot || !expected) continue;
+    Neighbor neighbor = fleet.sensed(other, *expected);
+    if (neighbor.position == position && neighbor.velocity == fleet.velocity[slot])
+      neighbor.parting = parting_direction(fleet.id[slot].value, fleet.id[other].value);
+    add(neighbor, static_cast<int>(rank), robots);
+  }
+  for (std::size_t k = 0; k < world.obstacles.setup.size(); ++k)
+    add(world.obstacles.sensed(k), -1 - static_cast<int>(k), movers);
+}
+
+// The value of the id at that index into fleet().
+std::int64_t number_at(const Fleet& fleet, int index) {
+  return static_cast<std::int64_t>(fleet.id[fleet.slot_of[static_cast<std::size_t>(index)]].value);
+}
+
+// Those that it senses, in the order in which they are planned with.
+std::vector<Sighting> all_sightings(const World& world, std::size_t slot) {
+  std::vector<Sighting> robots, movers;
+  append_all(world, slot, robots, movers);
+  if (!world.senses.are_exact()) {
+    const auto hits = [](const std::vector<Sighting>& sightings) {
+      std::vector<NeighborHit> result;
+      for (const auto& [neighbor, distance_squared, source] : sightings)
+        result.push_back({distance_squared, source < 0 ? -1 - source : source, 0});
+      return result;
+    };
+    std::vector<Sighting> sightings;
+    look(world, slot, hits(robots), hits(movers), sightings);
+    return sightings;
+  }
+  robots.insert(robots.end(), movers.begin(), movers.end());
+  // robots lie before obstacles and ids ascend
+  std::stable_sort(robots.begin(), robots.end(), [](const Sighting& a, const Sighting& b) {
+    return a.distance_squared < b.distance_squared;
+  });
+  if (!world.all_matter_to(slot) && robots.size() > world.most_nearest())
+    robots.resize(world.most_nearest());
+  return robots;
+}
+
+}  // namespace
+
+std::optional<Simulation::Wait> Simulation::wait(std::size_t robot) const {
+  State& state = *state_;
+  {
+    const Lock lock(state.looking);
+    if (state.changed) find_walls(state);
+    if (state.ways.passages.empty()) return std::nullopt;
+    if (!state.has_claims) collect_claims(state, state.serial, state.present_claims);
+    state.has_claims = true;
+  }
+  return wait_of(state, state.present_claims, state.fleet.slot_of[robot]);
+}
+
+Simulation::Perception Simulation::perceive(std::size_t robot) const {
+  State& state = *state_;
+  if (state.changed || state.has_new_goals || state.obstacles.has_paths) {
+    const Lock lock(state.looking);
+    if (state.changed) find_walls(state);
+    find_shared_goals(state);
+    foresee(state);
+  }
+  const std::uint32_t slot = state.fleet.slot_of[robot];
+  const std::vector<Sighting> sightings = all_sightings(state, slot);
+  const double nearest = sightings.empty() ? std::numeric_limits<double>::infinity()
+                                           : std::sqrt(sightings.front().distance_squared);
+  Perception seen;
+  seen.detour = state.fleet.detour[slot];
+  for (const Sighting& sighting : sightings) {
+    Neighbor& neighbor = seen.neighbors.emplace_back(sighting.neighbor);
+    if (neighbor.trajectory != nullptr)  // a copy that outlives the step
+      neighbor.trajectory =
+          seen.trajectories.emplace_back(std::make_shared<Trajectory>(*neighbor.trajectory)).get();
+    const int source = sighting.source;
+    seen.source.push_back(source < 0 ? source : number_at(state.fleet, source));
+  }
+  const std::span<const Wall> walls = state.statics.grid.near(state.fleet.position[slot]);
+  const Vec2 lost = own_error(state, slot);
+  for (const Wall& wall : walls) seen.walls.push_back(lost == Vec2{} ? wall : moved(wall, -lost));
+  seen.robot = state.robot(slot, nearest, seen);
+  seen.among_movers = is_among_movers(state.pace(slot).planner.options(), seen.neighbors);
+  seen.wait = wait(robot);
+  return seen;
+}
+
+}  // namespace avo
