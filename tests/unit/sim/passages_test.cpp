@@ -213,6 +213,22 @@ TEST(Claims, OutsideOnlyInSightOfTheMouth) {
   }
 }
 
+// Who tells its claims makes no room: others would have to know of it.
+TEST(Claims, EndInsideOnlyWhereTheyAreSeen) {
+  for (const RightOfWay right_of_way : {RightOfWay::seen, RightOfWay::told}) {
+    Scenario scene;
+    scene.obstacles = {test::pieces(test::corridor(1.6))};
+    scene.right_of_way = right_of_way;
+    scene.robots = {test::robot_at({0, 0}, {0, 0})};
+    World world(scene, std::make_unique<SerialExecutor>());
+    plan_travels(world.ways, world.fleet);
+    find_walls(world);
+    const auto claim = prospect_of(world, 0, world.ways.travels[0]).claim;
+    ASSERT_TRUE(claim && claim->inside);
+    EXPECT_EQ(claim->ends, right_of_way == RightOfWay::seen);
+  }
+}
+
 // The corner at which the way leaves it may be as far off as the passage is long.
 TEST(Claims, InsideHoldHoweverLongThePassageIs) {
   Scenario scene;
