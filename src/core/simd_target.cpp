@@ -13,6 +13,10 @@
 #include <cpuid.h>
 #endif
 
+#if defined(__FMA__) && defined(__GNUC__) && !defined(__clang__) && !defined(AVO_FUSED_INSTRUCTIONS)
+#error "put -march into CMAKE_CXX_FLAGS: cmake/settings.cmake has to know of it to keep the bits"
+#endif
+
 namespace avo {
 namespace {
 

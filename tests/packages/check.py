@@ -6,6 +6,7 @@ usage: check.py static BUILD      the finished build BUILD, installed and moved 
        check.py shared BUILD      a build with BUILD_SHARED_LIBS=ON, likewise
        check.py parent BUILD      a project that adds the sources, with a shared library
        check.py libcxx BUILD      the same with a static one, by clang and libc++, from scratch
+       check.py fused BUILD       no fused multiply-add in the library of BUILD, nor in a build with -march=x86-64-v3
 
 Shared and parent have the settings of BUILD and take its objects where they would be compiled by the
 same command (reuse.py). In an installed tree: by find_package and by pkg-config, each with avo, avo_io and avo_c, and a plug-in
@@ -164,9 +165,32 @@ def check_libcxx(arguments):
     check_added(arguments, *QUICK, "-DCMAKE_DISABLE_PRECOMPILE_HEADERS=ON", "-DCMAKE_UNITY_BUILD=OFF")
 
 
+def check_fused(arguments):
+    """Fused instructions round once where the others round twice, so that bits would depend on flags. The units
+    compiled anew are those in which g++ 12 makes such instructions, unless cmake/settings.cmake prevents it."""
+    expect_none_fused(next((arguments.build / "src").glob("libavo.[as]*")))
+    build = arguments.folder / "build"
+    configure(arguments, ROOT, build, "-DCMAKE_BUILD_TYPE=Release", "-DAVO_TESTS=OFF", "-DAVO_BENCH=OFF",
+              "-DCMAKE_CXX_FLAGS=-march=x86-64-v3")
+    targets = run("ninja", "-C", build, "-t", "targets", "all")
+    objects = re.findall(r"^(\S*avo\.dir/\S*(?:robots|obstacles|half_planes)(?:_cxx\.cxx|\.cpp)\.o):", targets, re.M)
+    expect(len(objects) == 3, f"units not found: {objects}")
+    build_all(build, *objects)
+    for unit in objects:
+        expect_none_fused(build / unit)
+
+
+def expect_none_fused(file):
+    code = run("objdump", "-d", "--no-show-raw-insn", file)
+    expect(code.count("\tmulsd") + code.count("\tvmulsd") > 10, f"{file}: no code was found")
+    found = re.findall(r"\bvf(?:n?m(?:add|sub)|maddsub|msubadd)\w*", code)
+    expect(not found, f"{file}: {len(found)} fused instructions, such as {found[:1]}")
+    print(f"fused: none of {code.count(chr(10))} lines of {file.name}")
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__.split("\n\n")[0])
-    parser.add_argument("kind", choices=["static", "shared", "parent", "libcxx"])
+    parser.add_argument("kind", choices=["static", "shared", "parent", "libcxx", "fused"])
     parser.add_argument("build", type=pathlib.Path)
     parser.add_argument("--folder", type=pathlib.Path, default=ROOT / "build" / "packages")
     parser.add_argument("--compiler", default="c++")
@@ -176,7 +200,7 @@ def main():
     shutil.rmtree(arguments.folder, ignore_errors=True)
     arguments.folder.mkdir(parents=True)
     {"static": check_static, "shared": check_shared, "parent": check_parent,
-     "libcxx": check_libcxx}[arguments.kind](arguments)
+     "libcxx": check_libcxx, "fused": check_fused}[arguments.kind](arguments)
 
 
 if __name__ == "__main__":
