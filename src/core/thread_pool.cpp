@@ -98,10 +98,23 @@ ThreadPool::~ThreadPool() {
 
 // Returns how many.
 std::size_t ThreadPool::take_tasks(std::size_t worker) {
-  for (std::size_t taken = 0;; ++taken) {
-    const std::size_t index = next_.fetch_add(1, std::memory_order_relaxed);
-    if (index >= count_) return taken;
-    task_(context_, index, worker);
+  std::size_t taken = 0;
+  for (std::size_t k = 0; k < workers_; ++k) {
+    Share& share = shares_[(worker + k) % workers_];
+    while (share.next.load(std::memory_order_relaxed) < share.end) {
+      const std::size_t index = share.next.fetch_add(1, std::memory_order_relaxed);
+      if (index >= share.end) break;
+      task_(context_, index, worker);
+      ++taken;
+    }
+  }
+  return taken;
+}
+
+void ThreadPool::share_out(std::size_t count) {
+  for (std::size_t worker = 0; worker < workers_; ++worker) {
+    shares_[worker].next.store(count * worker / workers_, std::memory_order_relaxed);
+    shares_[worker].end = count * (worker + 1) / workers_;
   }
 }
 
@@ -144,8 +157,8 @@ void ThreadPool::run(std::size_t count, Task task, void* context) {
     return;
   }
   if (!started_) start();
-  task_ = task, context_ = context, count_ = count;
-  next_.store(0, std::memory_order_relaxed);
+  task_ = task, context_ = context;
+  share_out(count);
   const std::uint32_t gate = gate_.load(std::memory_order_relaxed);
   gate_.store((gate / kOpening + 1) * kOpening | kOpen);
   gate_.notify_all();

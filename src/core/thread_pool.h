@@ -28,6 +28,10 @@ struct Patience {
 /// lose its processor in the midst of a task: where waiting for it took longer than its tasks would
 /// have, the caller goes on without help, for ever more calls the more often that happens.
 ///
+/// Each worker begins with a share of the tasks, the same one in each call with as many tasks. So
+/// what a task reads and writes stays in the cache of one processor from step to step. A worker
+/// that has finished its share takes tasks of the next workers' shares.
+///
 /// The gate tells the helpers of work, in one number: how many are inside, whether it is open, and
 /// how many times it has been opened. A helper enters an open gate once; the caller closes it when
 /// no task is left, and waits for those inside.
@@ -35,7 +39,7 @@ class ThreadPool final : public Executor {
  public:
   /// The caller counts as one worker; 1 to kMostWorkers. Threads start with the first run(). One
   /// that the system refuses to start costs time, nothing else.
-  explicit ThreadPool(std::size_t workers) : workers_(workers) {}
+  explicit ThreadPool(std::size_t workers) : workers_(workers), shares_(workers) {}
   ~ThreadPool() override;
 
   [[nodiscard]] std::size_t workers() const override { return workers_; }
@@ -44,6 +48,7 @@ class ThreadPool final : public Executor {
  private:
   void start();
   void help(std::size_t worker);
+  void share_out(std::size_t count);
   std::size_t take_tasks(std::size_t worker);
   void await_helpers();
 
@@ -55,14 +60,19 @@ class ThreadPool final : public Executor {
   std::size_t next_alone_ = 0;  // as many after the next wait that does not pay
   std::vector<std::thread> helpers_;
 
+  // Tasks in [next, end) are still to be taken; next may pass the end.
+  struct alignas(64) Share {
+    std::atomic<std::size_t> next = 0;
+    std::size_t end = 0;
+  };
+
   // set while the gate is closed and nobody inside
   Task task_ = nullptr;
   void* context_ = nullptr;
-  std::size_t count_ = 0;
+  std::vector<Share> shares_;  // by worker
 
   alignas(64) std::atomic<std::uint32_t> gate_ = 0;
   alignas(64) std::atomic<std::uint32_t> left_ = 0;  // changes when the last one leaves
-  alignas(64) std::atomic<std::size_t> next_ = 0;    // task
 };
 
 }  // namespace avo

@@ -60,6 +60,22 @@ TEST(ThreadPool, helpers_help) {
   EXPECT_EQ(meeting, 3);
 }
 
+TEST(ThreadPool, each_worker_begins_with_its_own_share) {
+  constexpr std::size_t kWorkers = 3, kTasks = 30, kNone = kTasks;
+  for (int round = 0; round < 20; ++round) {
+    ThreadPool pool(kWorkers);  // which has had no reason yet to go on without help
+    std::vector<std::size_t> first(kWorkers, kNone);  // by worker
+    std::atomic<std::size_t> begun = 0;
+    parallel_for(pool, kTasks, [&](std::size_t index, std::size_t worker) {
+      if (first[worker] != kNone) return;
+      first[worker] = index;
+      ++begun;
+      while (begun < kWorkers) std::this_thread::yield();  // nobody finishes before all have begun
+    });
+    EXPECT_THAT(first, testing::ElementsAre(0, 10, 20));
+  }
+}
+
 TEST(ThreadPool, throws_what_a_task_threw_and_works_on) {
   ThreadPool pool(3);
   for (int round = 0; round < 200; ++round) {
