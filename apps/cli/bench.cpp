@@ -43,27 +43,49 @@ Course course_of(const avo::Scenario& scenario, const BenchArguments& arguments)
   return {0, std::min(avo::last_step(scenario, scenario.duration), most), true};
 }
 
-/// Calls step() for each step of the course.
-template <class Step>
-void follow(const Course& course, avo::Simulation& simulation, const Step& step) {
-  for (std::int64_t k = 0; k < course.steps; ++k) {
-    if (course.until_arrival && k > 0 && simulation.all_at_goal()) return;
-    step();
+/// Steps of a scene. Of free clocks a step comprises all instants within one time step, so that
+/// each robot decides about once in it.
+class Steps {
+ public:
+  Steps(const avo::Scenario& scenario, avo::Simulation& simulation, const Course& course)
+      : simulation_(simulation),
+        course_(course),
+        time_step_(scenario.time_step),
+        free_(scenario.clock == avo::Clock::free) {
+    for (std::int64_t k = 0; k < course.warm_up; ++k) take();
   }
-}
 
-void warm_up(const Course& course, avo::Simulation& simulation) {
-  for (std::int64_t k = 0; k < course.warm_up; ++k) simulation.step();
-}
+  /// Calls around(take) for each step of the course, where take() takes the step.
+  template <class Around>
+  void follow(const Around& around) {
+    for (std::int64_t k = 0; k < course_.steps; ++k) {
+      if (course_.until_arrival && k > 0 && simulation_.all_at_goal()) return;
+      around([this] { take(); });
+    }
+  }
+
+ private:
+  void take() {
+    if (!free_) return simulation_.step();
+    const double end = static_cast<double>(++taken_) * time_step_;
+    while (simulation_.can_step_by(end)) simulation_.step();
+  }
+
+  avo::Simulation& simulation_;
+  Course course_;
+  double time_step_;
+  bool free_;
+  std::int64_t taken_ = 0;
+};
 
 std::vector<double> time_steps(const avo::Scenario& scenario, int threads, const Course& course) {
   using Clock = std::chrono::steady_clock;
   avo::Simulation simulation(scenario, threads);
-  warm_up(course, simulation);
+  Steps steps(scenario, simulation, course);
   std::vector<double> milliseconds;
-  follow(course, simulation, [&] {
+  steps.follow([&](const auto& take) {
     const Clock::time_point start = Clock::now();
-    simulation.step();
+    take();
     milliseconds.push_back(std::chrono::duration<double, std::milli>(Clock::now() - start).count());
   });
   return milliseconds;
@@ -84,9 +106,9 @@ BenchResults profile_steps(const avo::Scenario& scenario, int threads, const Cou
   const std::size_t before = allocated_bytes();
   avo::Simulation simulation(scenario, threads);
   tell_machine(simulation);
-  warm_up(course, simulation);
+  Steps steps(scenario, simulation, course);
   simulation.measure(true);
-  follow(course, simulation, [&] { simulation.step(); });
+  steps.follow([](const auto& take) { take(); });
   BenchResults results;
   results.threads = simulation.threads();
   results.profile = simulation.profile();
@@ -123,10 +145,6 @@ BenchResults measure(const avo::Scenario& scenario, int threads, const Course& c
 
 int bench(const BenchArguments& arguments) {
   const avo::Scenario scenario = load(arguments.scene);
-  if (scenario.clock == avo::Clock::free)
-    throw UsageError(
-        "avo bench: found a scene whose clock is free, must be common: it measures "
-        "steps that all robots take together");
   const Course course = course_of(scenario, arguments);
   const BenchResults results = measure(scenario, arguments.threads, course);
   if (arguments.json)

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
+#include <numeric>
 
 #include "avo/simd.h"
 #include "avo_io/printable.h"
@@ -36,6 +37,10 @@ double nanoseconds_per_robot(double milliseconds, const avo::Scenario& scenario)
   return 1e6 * milliseconds / static_cast<double>(scenario.robots.size());
 }
 
+std::size_t steps_in_a_second(const avo::Scenario& scenario) {
+  return static_cast<std::size_t>(std::clamp(std::round(1.0 / scenario.time_step), 1.0, 1e6));
+}
+
 std::string joined(const std::vector<avo::StageTime>& stages) {
   std::string text;
   for (const avo::StageTime& stage : stages)
@@ -49,6 +54,10 @@ double median(std::vector<double> values) {
   const auto middle = values.begin() + static_cast<std::ptrdiff_t>((values.size() - 1) / 2);
   std::nth_element(values.begin(), middle, values.end());
   return *middle;
+}
+
+double mean(const std::vector<double>& values) {
+  return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
 }
 
 double densest(const std::vector<double>& milliseconds, std::size_t in_a_row) {
@@ -73,6 +82,9 @@ std::string to_json(const avo::Scenario& scenario, const BenchResults& results) 
                               {"method", to_string(options.method)},
                               {"certificate", to_string(options.certificate)},
                               {"step_milliseconds_median", step},
+                              {"step_milliseconds_mean", mean(results.milliseconds)},
+                              {"step_milliseconds_densest_second",
+                               densest(results.milliseconds, steps_in_a_second(scenario))},
                               {"nanoseconds_per_robot_step", nanoseconds_per_robot(step, scenario)},
                               {"pairs_per_robot", one.pairs},
                               {"infeasible_share", one.infeasible},
@@ -86,8 +98,6 @@ std::string readable(const avo::Scenario& scenario, const BenchResults& results)
   const PerRobotStep one = per_robot_step(results.profile);
   const double step = median(results.milliseconds);
   const double least = *std::min_element(results.milliseconds.begin(), results.milliseconds.end());
-  const auto in_a_second =
-      static_cast<std::size_t>(std::clamp(std::round(1.0 / scenario.time_step), 1.0, 1e6));
   std::string text = fmt::format(
       "{}: {} robots, {} thread{}, simd {}, precision double, method {}, certificate {}\n",
       avo_io::printable(scenario.name), scenario.robots.size(), results.threads,
@@ -98,9 +108,10 @@ std::string readable(const avo::Scenario& scenario, const BenchResults& results)
   };
   line("time of a step", fmt::format("{:.4g} ms (median of {} steps, each the median of {} runs)",
                                      step, results.milliseconds.size(), results.runs));
+  line("mean of a step", fmt::format("{:.4g} ms", mean(results.milliseconds)));
   line("quickest step", fmt::format("{:.4g} ms", least));
-  line("densest second",
-       fmt::format("{:.4g} ms (median)", densest(results.milliseconds, in_a_second)));
+  line("densest second", fmt::format("{:.4g} ms (median)",
+                                     densest(results.milliseconds, steps_in_a_second(scenario))));
   line("a robot's share", fmt::format("{:.4g} ns", nanoseconds_per_robot(step, scenario)));
   line("stages", joined(one.stages) + " ns of all threads, a robot-step on average");
   line("pairs", fmt::format("{:.3g} a robot", one.pairs));

@@ -25,6 +25,9 @@ std::string readable(const avo::Scenario& scenario, const BenchResults& results)
 /// Of not empty values; of an even number the lower of the two in the middle.
 double median(std::vector<double> values);
 
+/// Of not empty values.
+double mean(const std::vector<double>& values);
+
 /// The largest median of so many steps in a row; of all, where there are fewer.
 double densest(const std::vector<double>& milliseconds, std::size_t in_a_row);
 

@@ -29,7 +29,8 @@ TEST(Bench, json_has_the_keys_of_the_contract_and_no_others) {
   Strings keys;
   for (const auto& [key, value] : json.items()) keys.push_back(key);
   EXPECT_EQ(keys, (Strings{"scene", "robots", "threads", "simd", "precision", "method",
-                           "certificate", "step_milliseconds_median", "nanoseconds_per_robot_step",
+                           "certificate", "step_milliseconds_median", "step_milliseconds_mean",
+                           "step_milliseconds_densest_second", "nanoseconds_per_robot_step",
                            "pairs_per_robot", "infeasible_share", "stages"}));
   EXPECT_EQ(json["scene"], "circle-12");
   EXPECT_EQ(json["robots"], 12);
@@ -99,6 +100,13 @@ TEST(Bench, text_says_how_many_steps) {
   EXPECT_LT(crossing, 400);
 }
 
+TEST(Bench, of_free_clocks_each_robot_decides_once_a_step) {
+  const Json json = bench({"circle-12", "--set", "clock=free", "--steps", "5"});
+  EXPECT_EQ(json["pairs_per_robot"], bench({"circle-12", "--steps", "5"})["pairs_per_robot"]);
+  EXPECT_GT(json["step_milliseconds_median"], 0.0);
+  EXPECT_GE(json["step_milliseconds_densest_second"], json["step_milliseconds_median"]);
+}
+
 TEST(Bench, refuses_in_one_line) {
   const auto refused = [](Strings arguments) {
     arguments.insert(arguments.begin(), "bench");
@@ -135,6 +143,7 @@ TEST(Bench, medians) {
   EXPECT_EQ(avo_cli::median({5.0}), 5.0);
   EXPECT_EQ(avo_cli::median({9.0, 1.0, 5.0}), 5.0);
   EXPECT_EQ(avo_cli::median({4.0, 1.0, 3.0, 2.0}), 2.0);
+  EXPECT_EQ(avo_cli::mean({4.0, 1.0, 4.0}), 3.0);
   EXPECT_EQ(avo_cli::densest({1.0, 9.0, 1.0, 4.0, 5.0, 6.0, 1.0}, 3), 5.0);
   EXPECT_EQ(avo_cli::densest({1.0, 3.0, 2.0}, 10), 2.0) << "all, where there are fewer";
 }
