@@ -66,7 +66,7 @@ Outlier outlier_of(const World& world, std::size_t slot, double reach) {
 
 void find_outliers(World& world) {
   Outliers& outliers = world.outliers;
-  outliers.usual = Look::plainly;
+  outliers.usual = Scrutiny::plain;
   outliers.robots.clear();
   if (!world.senses.are_exact()) return;  // there all are looked at one by one
   const double reach = usual_reach(world);
@@ -80,7 +80,7 @@ void find_outliers(World& world) {
   }
   const std::size_t movers = world.obstacles.setup.size();
   if ((unlike + movers) * kUnlikeOfMany <= world.fleet.size()) return;
-  outliers.usual = apart + movers > 0 ? Look::at_all : Look::one_by_one;
+  outliers.usual = apart + movers > 0 ? Scrutiny::everyone : Scrutiny::one_by_one;
   std::erase_if(outliers.robots, [](const Outlier& outlier) { return !outlier.reaches_far; });
 }
 
@@ -140,7 +140,7 @@ void locate_outliers(World& world) {
   Outliers& outliers = world.outliers;
   outliers.in_sight.clear();
   const bool is_alone = outliers.robots.empty() && world.obstacles.setup.empty();
-  if (is_alone || !world.senses.are_exact() || outliers.usual == Look::at_all) return;
+  if (is_alone || !world.senses.are_exact() || outliers.usual == Scrutiny::everyone) return;
   const Cells& cells = world.snapshot.cells;
   outliers.in_sight.resize(cells.table() + 1);
   const auto mark = [&](Vec2 p, double radius) {

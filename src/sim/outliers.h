@@ -14,10 +14,10 @@ namespace avo {
 struct World;
 
 /// How a robot looks at those that the search has found.
-enum class Look : std::uint8_t {
-  plainly,     ///< all are of the usual Conduct, and brake as hard as they can
+enum class Scrutiny : std::uint8_t {
+  plain,       ///< all are of the usual Conduct, and brake as hard as they can
   one_by_one,  ///< some are not, but all decide
-  at_all,      ///< it does not mind some, or some do not decide: whoever is sensed has to be found
+  everyone,    ///< it does not mind some, or some do not decide: whoever is sensed has to be found
 };
 
 struct Outlier {
@@ -28,7 +28,7 @@ struct Outlier {
 };
 
 struct Outliers {
-  Look usual = Look::plainly;   // of those who are near no outlier
+  Scrutiny usual = Scrutiny::plain;  // of those who are near no outlier
   std::vector<Outlier> robots;  // by ascending rank; empty where there are too many to tell apart
   double reach = 0.0;  // m: to others they do not matter, but for standing apart, beyond it
   // at the beginning of the step

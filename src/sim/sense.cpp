@@ -22,14 +22,14 @@ bool is_trusted(const World& world, std::size_t slot) {
 
 // How many a search finds for being the nearest: of all, those are chosen later whom it minds.
 std::size_t nearest_sought(const World& world) {
-  return world.outliers.usual == Look::at_all ? std::numeric_limits<std::size_t>::max()
-                                              : world.most_nearest();
+  return world.outliers.usual == Scrutiny::everyone ? std::numeric_limits<std::size_t>::max()
+                                                    : world.most_nearest();
 }
 
 // m: others farther away matter only if they are among the nearest, or outliers.
 double near_range(const World& world, std::size_t slot) {
   const double everyone = world.sensing_radius;
-  if (!world.senses.are_exact() || world.outliers.usual == Look::at_all) return everyone;
+  if (!world.senses.are_exact() || world.outliers.usual == Scrutiny::everyone) return everyone;
   if (!world.all_matter()) return -1.0;
   const Vec2 p = world.fleet.position[slot];
   const double farthest = std::max({std::abs(p.x), std::abs(p.y), everyone});
@@ -180,33 +180,34 @@ bool has_found(const World& world, const Found& hits, const SearchScratch& searc
 
 // How robot A looks at others that may sense an outlier or a moving obstacle. Those outliers are
 // left in the scratch memory.
-Look look_at_outliers(const World& world, std::size_t a, std::size_t query, Worker& worker) {
+Scrutiny look_at_outliers(const World& world, std::size_t a, std::size_t query, Worker& worker) {
   const Fleet& fleet = world.fleet;
   const Outliers& outliers = world.outliers;
   constexpr std::size_t kAll = std::numeric_limits<std::size_t>::max();
   if (!world.obstacle_grid.gather(fleet.position[a], -1, 1, worker.obstacles).empty())
-    return Look::at_all;
+    return Scrutiny::everyone;
   if (outliers.robots.empty()) return outliers.usual;
-  Look look = outliers.usual;
+  Scrutiny scrutiny = outliers.usual;
   for (const NeighborHit& hit :
        outliers.grid.gather(fleet.position[a], -1, kAll, worker.outliers)) {
     const Outlier& outlier = outliers.robots[static_cast<std::size_t>(hit.index)];
-    if (outlier.rank == fleet.rank[a] && outlier.stands_apart) return Look::at_all;
+    if (outlier.rank == fleet.rank[a] && outlier.stands_apart) return Scrutiny::everyone;
     if (outlier.rank == fleet.rank[a] || !(outlier.is_unlike || outlier.stands_apart)) continue;
     const bool is_found = has_found(world, worker.search.results[query], worker.search,
                                     fleet.position[a], hit, outlier.rank);
     const std::uint32_t b = fleet.slot_of[static_cast<std::size_t>(outlier.rank)];
     const auto expected = fleet.expected(b, a);
     const bool decides = expected == Expectation::decides && fleet.flight(b) == nullptr;
-    if (expected ? !decides : is_found) return Look::at_all;
-    if (is_found) look = std::max(look, Look::one_by_one);
+    if (expected ? !decides : is_found) return Scrutiny::everyone;
+    if (is_found) scrutiny = std::max(scrutiny, Scrutiny::one_by_one);
   }
-  return look;
+  return scrutiny;
 }
 
 // Whoever is sensed: found anew where the search has not looked for all.
-std::span<const NeighborHit> everyone(const World& world, std::size_t query, Worker& worker) {
-  if (world.outliers.usual == Look::at_all) return world.snapshot.grid.list(query, worker.search);
+std::span<const NeighborHit> find_everyone(const World& world, std::size_t query, Worker& worker) {
+  if (world.outliers.usual == Scrutiny::everyone)
+    return world.snapshot.grid.list(query, worker.search);
   NeighborQuery all = worker.queries[query];
   all.near = all.far, all.guess = all.far;
   world.snapshot.grid.find({&all, 1}, 1, worker.again);
@@ -214,28 +215,28 @@ std::span<const NeighborHit> everyone(const World& world, std::size_t query, Wor
 }
 
 // Whom the robot senses, but for those who reach far. Returns how it has looked at them.
-Look append_sensed(const World& world, std::size_t slot, std::size_t query, Worker& worker) {
+Scrutiny append_sensed(const World& world, std::size_t slot, std::size_t query, Worker& worker) {
   if (!world.senses.are_exact()) {
     append_sighted(world, slot, query, worker);
-    return Look::at_all;
+    return Scrutiny::everyone;
   }
-  Look look = world.outliers.usual;
+  Scrutiny scrutiny = world.outliers.usual;
   worker.outliers.hits.clear();
-  if (look != Look::at_all && world.outliers.may_be_sensed(world.fleet.cell[slot]))
-    look = look_at_outliers(world, slot, query, worker);
+  if (scrutiny != Scrutiny::everyone && world.outliers.may_be_sensed(world.fleet.cell[slot]))
+    scrutiny = look_at_outliers(world, slot, query, worker);
   const Found& hits = worker.search.results[query];
   NeighborColumns& to = worker.tile.neighbors;
-  if (look == Look::plainly) {
+  if (scrutiny == Scrutiny::plain) {
     append(world.snapshot, hits, worker.search, to);
     part_coinciding(world, slot, hits, worker.search, to);
     if (world.exceeding) append_deviations(world, hits, worker.search, to);
     if (!world.outliers.robots.empty()) append_braking(hits, to);
-  } else if (look == Look::one_by_one) {
+  } else if (scrutiny == Scrutiny::one_by_one) {
     append_one_by_one(world, slot, world.snapshot.grid.list(query, worker.search), worker);
   } else {
-    append_one_by_one(world, slot, everyone(world, query, worker), worker);
+    append_one_by_one(world, slot, find_everyone(world, query, worker), worker);
   }
-  return look;
+  return scrutiny;
 }
 
 // Those that the search has not looked for, since most matter within a shorter range than they do.
@@ -275,13 +276,14 @@ std::size_t sense(World& world, std::span<const std::uint32_t> slots, Worker& wo
   for (std::size_t i = 0; i < robots; ++i) {
     const std::uint32_t slot = slots[i];
     const std::size_t first = neighbors.count;
-    const Look look = append_sensed(world, slot, i, worker);
-    double range = look == Look::at_all ? kInfinity : range_of(worker.queries[i]);
-    if (look != Look::at_all && append_far(world, slot, i, worker)) range = kInfinity;
+    const Scrutiny scrutiny = append_sensed(world, slot, i, worker);
+    double range = scrutiny == Scrutiny::everyone ? kInfinity : range_of(worker.queries[i]);
+    if (scrutiny != Scrutiny::everyone && append_far(world, slot, i, worker)) range = kInfinity;
     fleet.nearest[slot] = reach_of_nearest(fleet.position[slot], worker.search.results[i],
                                            nearest_sought(world), snapshot, worker.search);
     worker.tile.robots.neighbors.push_back({&neighbors, first, neighbors.count - first, range});
-    worker.tile.trusted = worker.tile.trusted && look != Look::at_all && is_trusted(world, slot);
+    worker.tile.trusted =
+        worker.tile.trusted && scrutiny != Scrutiny::everyone && is_trusted(world, slot);
     if (neighbors.count >= kTileCandidates) return i + 1;  // of obstacles
   }
   return robots;
