@@ -16,6 +16,7 @@ void SearchScratch::grow(std::size_t size) {
   size = std::max(size, order.size() + order.size() / 2);
   distance_squared.resize(size);
   place.resize(size);
+  keys.resize(size);
   order.resize(size);
 }
 

@@ -64,6 +64,7 @@ struct SearchScratch {
   std::vector<float> distance_squared;  // m², narrowed
   std::vector<std::uint32_t> place;     // in the order of the cells
   std::vector<std::uint32_t> order;     // the same places, in canonical order in the end
+  std::vector<NeighborHit> keys;        // of one search, while many are sorted
   std::vector<NeighborHit> hits;        // of UniformGrid::list()
 
   /// Room for so many queries with so many candidates in all, and what it takes to find them.

@@ -19,6 +19,10 @@ AVO_BEGIN_KERNELS
 template <typename Real>
 constexpr std::size_t kTogether = Real::kLanes >= 4 ? 16 : Real::kLanes;
 
+// So many candidates are ranked by comparing all, which takes the less the more lanes there are.
+template <typename Narrow>
+constexpr std::size_t kFewHits = std::max<std::size_t>(48, 11 * Narrow::kLanes);
+
 /// Candidates while they are collected, and how many of them are near.
 struct Collected {
   std::size_t end, near;
@@ -73,7 +77,7 @@ AVO_KERNEL Collected collect(const NeighborQuery& query, double radius, const Pl
   HitLimit limit{radius * radius};
   Bounds<Real> bounds(query, limit);
   Collected hits{begin, 0};
-  std::size_t many = more_than(query.most, kManyHits);
+  const std::size_t many = many_beside(query.most);
   for (std::int64_t row = range.first_row; row <= range.last_row; ++row) {
     std::size_t slot = points.cells.slot(range.first_column, row), columns = range.columns;
     while (columns > 0) {  // twice where the row goes on at the beginning of the table
@@ -82,17 +86,13 @@ AVO_KERNEL Collected collect(const NeighborQuery& query, double radius, const Pl
       for (std::size_t place = points.begin[slot]; place < last; place += kTogether<Real>) {
         scratch.reserve(hits.end + kTogether<Real>);
         append_candidates(bounds, points, place, last, scratch, hits);
-        if (hits.end - begin < many) continue;
+        if (hits.end - begin - hits.near < many) continue;
         hits.end = keep_nearest(query, points, begin, hits.end, limit, scratch);
         bounds = Bounds<Real>(query, limit);
-        many = 2 * (hits.end - begin) + kManyHits;
       }
       columns -= run;
       slot = 0;
     }
-  }
-  if (hits.end - begin > std::max(kFewHits, more_than(query.most, kManyHits / 4))) {
-    hits.end = keep_nearest(query, points, begin, hits.end, limit, scratch);
   }
   return hits;
 }
@@ -131,11 +131,12 @@ AVO_KERNEL bool rank_candidates(const typename Real::Number* distances, std::siz
 template <typename Real, typename Narrow>
 AVO_KERNEL void put_in_order(const NeighborQuery& query, const Found& hits,
                              const PlacedPoints& points, SearchScratch& scratch) {
+  constexpr std::size_t kFew = kFewHits<Narrow>;
   const std::size_t count = hits.candidates;
-  if (count > kFewHits) return sort_candidates(query, hits, points, scratch);
-  std::uint32_t ranks[kFewHits + kSparePoints];
+  if (count > kFew) return sort_candidates(query, hits, points, scratch);
+  std::uint32_t ranks[kFew + kSparePoints];
   if (!rank_candidates<Narrow>(scratch.distance_squared.data() + hits.first, count, ranks)) {
-    alignas(64) double exact[kFewHits + kSparePoints];
+    alignas(64) double exact[kFew + kSparePoints];
     for (std::size_t k = 0; k < count; ++k) {
       exact[k] = exact_distance_squared(query, points, scratch, hits.first + k);
     }

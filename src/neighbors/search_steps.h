@@ -2,19 +2,20 @@
 // What a search does besides its lanes, whatever the instruction set.
 #pragma once
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <numeric>
+#include <span>
 
 #include "core/scalar.h"
 #include "neighbors/search.h"
 
 namespace avo {
 
-// Candidates are thinned out when there are so many beyond those kept last...
+// Candidates that are not near are thinned out when so many more than twice the `most` are left.
 inline constexpr std::size_t kManyHits = 64;
-// ...and so many are ranked by comparing all.
-inline constexpr std::size_t kFewHits = 48;
 
 /// Those that may still be found: nearer than the limit, or as near and of a lower index.
 struct HitLimit {
@@ -22,26 +23,15 @@ struct HitLimit {
   int index = std::numeric_limits<int>::max();
 };
 
-inline std::size_t more_than(std::size_t count, std::size_t more) {
-  return count + std::min(more, std::numeric_limits<std::size_t>::max() - count);
+/// From how many candidates on that are not near these are thinned out: then as many as are kept
+/// are left out, at least.
+inline std::size_t many_beside(std::size_t most) {
+  constexpr std::size_t kAll = std::numeric_limits<std::size_t>::max();
+  return most < (kAll - kManyHits) / 2 ? 2 * most + kManyHits : kAll;
 }
 
 inline double squared(double radius) {
   return radius < 0.0 ? -1.0 : radius * radius;
-}
-
-/// The cells that a search has to read.
-struct CellRange {
-  std::int64_t first_column, first_row, last_row;
-  std::size_t columns;
-};
-inline CellRange cells_within(Vec2 p, double radius, const Cells& cells) {
-  constexpr double kTiniest = 0x1p-511;  // squares of smaller distances underflow
-  // a distance within the radius as computed exceeds it by less than 4 ulp, or underflows
-  const double reach = radius * (1.0 + 4.0 * std::numeric_limits<double>::epsilon()) + kTiniest;
-  const std::int64_t column = cells.cell(p.x - reach);
-  return {column, cells.cell(p.y - reach), cells.cell(p.y + reach),
-          static_cast<std::size_t>(cells.cell(p.x + reach) - column) + 1};
 }
 
 /// m², of a candidate.
@@ -93,13 +83,49 @@ inline std::size_t keep_nearest(const NeighborQuery& query, const PlacedPoints& 
   return first;
 }
 
+/// Puts the keys of many candidates into buckets of equal intervals of their squared distances, of
+/// which even crowds put about one into each. `place` of the order is scratch memory.
+inline void spread_keys(const NeighborQuery& query, const Found& hits, const PlacedPoints& points,
+                        SearchScratch& scratch) {
+  const float* const distance = scratch.distance_squared.data() + hits.first;
+  std::uint32_t* const next = scratch.order.data() + hits.first;
+  const std::size_t last = hits.candidates - 1;
+  const float farthest = *std::max_element(distance, distance + hits.candidates);
+  const double per_bucket = static_cast<double>(last) / static_cast<double>(farthest);
+  const double scale = std::isfinite(per_bucket) ? per_bucket : 0.0;
+  const auto bucket = [&](float d) {
+    return d < farthest ? static_cast<std::size_t>(static_cast<double>(d) * scale) : last;
+  };
+  std::fill_n(next, hits.candidates, 0U);
+  for (std::size_t k = 0; k < hits.candidates; ++k) ++next[bucket(distance[k])];
+  std::exclusive_scan(next, next + hits.candidates, next, 0U);
+  for (std::size_t k = 0; k < hits.candidates; ++k) {
+    const std::uint32_t place = scratch.place[hits.first + k];
+    const Vec2 p = Vec2{points.x[place], points.y[place]} - query.position;
+    scratch.keys[next[bucket(distance[k])]++] = {norm_squared(p),
+                                                 static_cast<int>(points.index[place]), place};
+  }
+}
+
+/// Sorts what is nearly sorted in a few moves each, and anything else.
+inline void settle(std::span<NeighborHit> keys) {
+  std::size_t moves = 8 * keys.size();
+  for (std::size_t i = 1; i < keys.size(); ++i) {
+    const NeighborHit key = keys[i];
+    std::size_t k = i;
+    for (; k > 0 && key < keys[k - 1]; --k) keys[k] = keys[k - 1];
+    keys[k] = key;
+    if (i - k > moves) return std::sort(keys.begin(), keys.end());
+    moves -= i - k;
+  }
+}
+
 inline void sort_candidates(const NeighborQuery& query, const Found& hits,
                             const PlacedPoints& points, SearchScratch& scratch) {
-  const auto first = scratch.order.begin() + static_cast<std::ptrdiff_t>(hits.first);
-  const auto end = first + static_cast<std::ptrdiff_t>(hits.candidates);
-  std::iota(first, end, static_cast<std::uint32_t>(hits.first));
-  std::sort(first, end, nearer(query, points, scratch));
-  for (auto k = first; k != end; ++k) *k = scratch.place[*k];
+  spread_keys(query, hits, points, scratch);
+  settle({scratch.keys.data(), hits.candidates});
+  std::uint32_t* const order = scratch.order.data() + hits.first;
+  for (std::size_t k = 0; k < hits.candidates; ++k) order[k] = scratch.keys[k].place;
 }
 
 struct SearchKernels {

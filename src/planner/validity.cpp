@@ -112,10 +112,27 @@ bool all_valid(const Robot& robot, std::span<const Neighbor> neighbors) {
                                         [](const Neighbor& n) { return is_valid(n); });
 }
 
+namespace {
+
+// Of one that decides, and of which nothing is known but what all have; as is_valid() has it.
+bool is_valid_usual(const NeighborColumns& columns, std::size_t k) {
+  const double a_max = columns.max_acceleration[k];
+  const int places = is_known(columns.x[k]) & is_known(columns.y[k]);
+  const int velocities = is_known(columns.v_x[k]) & is_known(columns.v_y[k]);
+  const int limits = static_cast<int>(a_max > 0.0) & static_cast<int>(a_max <= kLargest);
+  return (places & velocities & limits & is_size(columns.radius[k])) != 0;
+}
+
+}  // namespace
+
 bool all_valid(const Robot& robot, const Neighbors& neighbors) {
   if (!is_valid(robot)) return false;
-  for (std::size_t k = 0; k < neighbors.size(); ++k) {
-    if (!is_valid(neighbors[k])) return false;
+  const NeighborColumns& columns = *neighbors.columns;
+  const bool have_more = columns.has_priorities || columns.has_max_braking ||
+                         columns.has_deviations || columns.has_partings;
+  for (std::size_t k = neighbors.first; k < neighbors.first + neighbors.count; ++k) {
+    const bool is_usual = !have_more && columns.decides[k] == NeighborColumns::kPrompt;
+    if (!(is_usual ? is_valid_usual(columns, k) : is_valid(columns[k]))) return false;
   }
   return true;
 }

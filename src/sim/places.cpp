@@ -50,13 +50,21 @@ class PlaceSearch {
       if (norm(other.position - seeker_.goal) >= cost_ + reach) continue;
       try_place(point_towards(other.position, seeker_.goal, reach));
       try_tangents(other);
-      for (std::size_t k = 0; k < i; ++k) try_crossings(other, resting_[k]);
+      for (std::size_t k = 0; k < i; ++k) {
+        if (may_be_worth(resting_[k])) try_crossings(other, resting_[k]);
+      }
       for (const Wall& wall : walls_) try_beside(other, wall);
     }
     return best_;
   }
 
  private:
+  // Whether a place on its circle may be, whatever rounding does.
+  bool may_be_worth(const Resting& other) const {
+    const double most = (1.0 + kRoundedOff) * (cost_ + place_reach(other));
+    return other.from_goal_squared <= most * most;
+  }
+
   void try_tangents(const Resting& other) {
     const Vec2 way = other.position - seeker_.position;
     const double d2 = norm_squared(way), reach = place_reach(other);
@@ -104,16 +112,24 @@ class PlaceSearch {
   }
 
   // Whoever is in contact with one at rest, or a wall, may leave it.
-  bool is_free(Vec2 place) const {
+  static bool is_clear(double on_way, double needed, double before) {
+    return on_way >= std::min(needed, (1.0 - kRoundedOff) * before);
+  }
+
+  bool is_free_of(const Resting& other, const Segment& way) const {
+    return norm(way.b - other.position) >= (1.0 - kRoundedOff) * place_reach(other) &&
+           is_clear(distance(other.position, way), (1.0 + kWayGap) * other.reach,
+                    norm(seeker_.position - other.position));
+  }
+
+  // One that is in the way to a place is often in the way to the next one.
+  bool is_free(Vec2 place) {
     const Segment way{seeker_.position, place};
-    const auto is_clear = [](double on_way, double needed, double before) {
-      return on_way >= std::min(needed, (1.0 - kRoundedOff) * before);
-    };
-    for (const Resting& other : resting_) {
-      if (norm(place - other.position) < (1.0 - kRoundedOff) * place_reach(other)) return false;
-      if (!is_clear(distance(other.position, way), (1.0 + kWayGap) * other.reach,
-                    norm(seeker_.position - other.position)))
-        return false;
+    if (!is_free_of(resting_[blocker_], way)) return false;
+    for (std::size_t k = 0; k < resting_.size(); ++k) {
+      if (is_free_of(resting_[k], way)) continue;
+      blocker_ = k;
+      return false;
     }
     return std::all_of(walls_.begin(), walls_.end(), [&](const Wall& wall) {
       const Segment segment{wall.a, wall.b};
@@ -127,31 +143,48 @@ class PlaceSearch {
   std::span<const Resting> resting_;
   std::span<const Wall> walls_;
   Vec2 best_;
-  double cost_ = 0.0;  // m
+  double cost_ = 0.0;        // m
+  std::size_t blocker_ = 0;  // that was found last
 };
+
+bool stands_on_goal(const Resting& other) {
+  const double most = (1.0 + kRoundedOff) * other.reach;  // most are told without a root
+  return other.from_goal_squared < most * most && std::sqrt(other.from_goal_squared) < other.reach;
+}
+
+void note(const Seeker& seeker, Vec2 position, Vec2 velocity, double radius, Occupied& seen) {
+  const double reach = seeker.radius + radius;
+  const double distance = norm(position - seeker.position);
+  if (!(distance <= std::max(seeker.range, kBesideReach * reach))) return;
+  const Vec2 out = position - seeker.goal;
+  if (norm(velocity) <= kStill * seeker.max_speed) {
+    seen.resting.push_back({position, reach, norm_squared(out)});
+    seen.is_near = seen.is_near || distance - reach <= kNearResting * seeker.radius;
+  }
+  if (distance >= kBesideReach * reach) return;
+  const double from_goal = norm(out);
+  seen.comes_out =
+      seen.comes_out || (from_goal < norm(seeker.position - seeker.goal) &&
+                         dot(velocity, out) > kComesOut * seeker.max_speed * from_goal);
+}
 
 }  // namespace
 
 void Occupied::add(const Seeker& seeker, const Neighbor& neighbor) {
   has_movers = has_movers || is_predicted(neighbor);
-  const double reach = seeker.radius + neighbor.radius;
-  const double distance = norm(neighbor.position - seeker.position);
-  if (!(distance <= std::max(seeker.range, kBesideReach * reach))) return;
-  if (norm(neighbor.velocity) <= kStill * seeker.max_speed) {
-    resting.push_back({neighbor.position, reach});
-    is_near = is_near || distance - reach <= kNearResting * seeker.radius;
+  note(seeker, neighbor.position, neighbor.velocity, neighbor.radius, *this);
+}
+
+void Occupied::add(const Seeker& seeker, const Neighbors& neighbors) {
+  const NeighborColumns& columns = *neighbors.columns;
+  for (std::size_t k = neighbors.first; k < neighbors.first + neighbors.count; ++k) {
+    has_movers = has_movers || columns.is_predicted(k);
+    note(seeker, {columns.x[k], columns.y[k]}, {columns.v_x[k], columns.v_y[k]}, columns.radius[k],
+         *this);
   }
-  if (distance >= kBesideReach * reach) return;
-  const Vec2 out = neighbor.position - seeker.goal;
-  const double from_goal = norm(out);
-  comes_out = comes_out || (from_goal < norm(seeker.position - seeker.goal) &&
-                            dot(neighbor.velocity, out) > kComesOut * seeker.max_speed * from_goal);
 }
 
 Vec2 place_near(const Seeker& seeker, const Occupied& occupied, std::span<const Wall> walls) {
-  const auto stands_on_goal = [&](const Resting& other) {
-    return norm(other.position - seeker.goal) < other.reach;
-  };
   const std::vector<Resting>& resting = occupied.resting;
   if (!occupied.is_near || std::none_of(resting.begin(), resting.end(), stands_on_goal))
     return seeker.goal;
@@ -160,6 +193,7 @@ Vec2 place_near(const Seeker& seeker, const Occupied& occupied, std::span<const 
 
 bool is_at_crowd(const Seeker& seeker, Occupied& occupied) {
   const auto first = occupied.resting.begin(), last = occupied.resting.end();
+  if (std::none_of(first, last, stands_on_goal)) return false;
   const auto leads_on = [](Vec2 from, double reach) {
     return [from, reach](const Resting& next) {
       return norm(next.position - from) < reach + next.reach;
@@ -168,7 +202,7 @@ bool is_at_crowd(const Seeker& seeker, Occupied& occupied) {
   // reach is the sum of two radii: so two of them leave room for one seeker between the surfaces
   auto reached = std::partition(first, last, leads_on(seeker.position, 2.0 * seeker.radius));
   for (auto one = first; one != reached; ++one) {
-    if (norm(one->position - seeker.goal) < one->reach) return true;
+    if (stands_on_goal(*one)) return true;
     reached = std::partition(reached, last, leads_on(one->position, one->reach));
   }
   return false;

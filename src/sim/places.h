@@ -7,6 +7,7 @@
 
 #include "avo/planner.h"
 #include "avo/wall.h"
+#include "core/neighbor_columns.h"
 
 namespace avo {
 
@@ -20,11 +21,12 @@ struct Seeker {
 
 /// Another robot that is nearly at rest.
 struct Resting {
-  Vec2 position;       // m
-  double reach = 0.0;  // m, from its center to the seeker's, in contact
+  Vec2 position;                   // m
+  double reach = 0.0;              // m, from its center to the seeker's, in contact
+  double from_goal_squared = 0.0;  // m², of the seeker
 };
 
-/// What a seeker sees of others: add() one by one.
+/// What a seeker sees of others: add() them.
 struct Occupied {
   std::vector<Resting> resting;
   bool is_near = false;     // one of them is near the seeker
@@ -33,6 +35,7 @@ struct Occupied {
 
   void clear() { resting.clear(), is_near = comes_out = has_movers = false; }
   void add(const Seeker& seeker, const Neighbor& neighbor);
+  void add(const Seeker& seeker, const Neighbors& neighbors);
 };
 
 /// The goal, where nobody stands on it. Else a free place that is nearer to the goal

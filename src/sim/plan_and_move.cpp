@@ -65,7 +65,7 @@ void follow_ways(World& world, std::span<const std::uint32_t> slots, Worker& wor
 // What the robot sees of others at its goal, which it shares with some.
 Occupied& look_at_goal(const Seeker& seeker, const Neighbors& neighbors, Worker& worker) {
   worker.occupied.clear();
-  for (std::size_t k = 0; k < neighbors.size(); ++k) worker.occupied.add(seeker, neighbors[k]);
+  worker.occupied.add(seeker, neighbors);
   return worker.occupied;
 }
 

@@ -7,6 +7,7 @@
 #include <limits>
 #include <optional>
 
+#include "core/plane.h"
 #include "sim/world.h"
 
 namespace avo {
@@ -19,18 +20,32 @@ bool is_trusted(const World& world, std::size_t slot) {
          std::abs(p.x) <= kFarthestTrusted && std::abs(p.y) <= kFarthestTrusted;
 }
 
-// m: others farther away matter only if they are among the nearest.
+// How many a search finds for being the nearest: of all, those are chosen later whom it minds.
+std::size_t nearest_sought(const World& world) {
+  return world.outliers.usual == Scrutiny::everyone ? std::numeric_limits<std::size_t>::max()
+                                                    : world.most_nearest();
+}
+
+// m: others farther away matter only if they are among the nearest, or outliers.
 double near_range(const World& world, std::size_t slot) {
-  if (!world.senses.are_exact()) return world.sensing_radius;
-  if (!world.all_matter() && !world.selective) return -1.0;
-  const Vec2 p = world.fleet.position[slot];
   const double everyone = world.sensing_radius;
+  if (!world.senses.are_exact() || world.outliers.usual == Scrutiny::everyone) return everyone;
+  if (!world.all_matter()) return -1.0;
+  const Vec2 p = world.fleet.position[slot];
   const double farthest = std::max({std::abs(p.x), std::abs(p.y), everyone});
-  // among movers it matters whether anybody decides at all
-  if (world.fast || world.selective || !world.obstacles.setup.empty() ||
-      !(farthest <= kMostRelevantPosition))
-    return everyone;
+  if (world.fast || !(farthest <= kMostRelevantPosition)) return everyone;
   return world.fleet.range[slot].at(norm(world.fleet.velocity[slot]));
+}
+
+NeighborQuery query_of(const World& world, std::size_t slot) {
+  constexpr double kMargin = 1.125;  // for having moved since
+  const Fleet& fleet = world.fleet;
+  return {.position = fleet.position[slot],
+          .self = fleet.rank[slot],
+          .most = nearest_sought(world),
+          .near = near_range(world, slot),
+          .far = world.sensing_radius,
+          .guess = kMargin * static_cast<double>(fleet.nearest[slot])};
 }
 
 // m, see Neighbors.
@@ -80,33 +95,43 @@ void append_deviations(const World& world, const Found& hits, const SearchScratc
   }
 }
 
-// The robot at a place of the snapshot; nothing where the one that looks does not mind it.
+// Likewise, where some have another limit of braking.
+void append_braking(const Found& hits, NeighborColumns& to) {
+  const auto before = static_cast<std::ptrdiff_t>(to.count - hits.count);
+  std::copy_n(to.max_acceleration.begin() + before, hits.count, to.max_braking.begin() + before);
+}
+
+// The robot in slot B as the one in slot A senses it there; nothing where A does not mind it.
+std::optional<Neighbor> sensed_by(const World& world, std::size_t a, std::size_t b, Vec2 position,
+                                  Vec2 velocity) {
+  const Fleet& fleet = world.fleet;
+  const auto expected = fleet.expected(b, a);
+  if (!expected) return std::nullopt;
+  Neighbor neighbor = sensed(fleet.traits[b], fleet.conduct[b], *expected, position, velocity);
+  if (position == fleet.position[a] && velocity == fleet.velocity[a])
+    neighbor.parting = parting_direction(fleet.id[a].value, fleet.id[b].value);
+  return neighbor;
+}
+
+// The robot at a place of the snapshot.
 std::optional<Neighbor> sensed_at(const World& world, std::size_t place, std::size_t own) {
-  const std::uint32_t slot = world.snapshot.grid.order()[place];
-  const Conduct& conduct = world.fleet.conduct[slot];
-  const auto expected = expected_of(conduct, world.fleet.conduct[own]);
-  if (conduct.parked || !expected) return std::nullopt;
-  Neighbor neighbor =
-      sensed(world.fleet.traits[slot], conduct, *expected, world.snapshot.grid.position(place),
-             world.snapshot.sensed[place].velocity);
-  if (!world.snapshot.circle.empty() && world.snapshot.circle[place].radius > 0.0)
-    neighbor.loiter = world.snapshot.circle[place];
-  if (neighbor.position == world.fleet.position[own] &&
-      neighbor.velocity == world.fleet.velocity[own])
-    neighbor.parting = parting_direction(world.fleet.id[own].value, world.fleet.id[slot].value);
+  const Snapshot& snapshot = world.snapshot;
+  auto neighbor = sensed_by(world, own, snapshot.grid.order()[place], snapshot.grid.position(place),
+                            snapshot.sensed[place].velocity);
+  if (neighbor && !snapshot.circle.empty() && snapshot.circle[place].radius > 0.0)
+    neighbor->loiter = snapshot.circle[place];
   return neighbor;
 }
 
 // The same among moving obstacles, robots first where distances are equal, and where robots are not
 // all alike.
-void append_one_by_one(const World& world, std::size_t slot, std::size_t query, Worker& worker) {
-  const Vec2 position = world.fleet.position[slot];
+void append_one_by_one(const World& world, std::size_t slot, std::span<const NeighborHit> robots,
+                       Worker& worker) {
   NeighborColumns& to = worker.tile.neighbors;
   const std::size_t most =
       world.all_matter_to(slot) ? std::numeric_limits<std::size_t>::max() : world.most_nearest();
-  const std::span<const NeighborHit> robots = world.snapshot.grid.list(query, worker.search);
   const std::span<const NeighborHit> obstacles =
-      world.obstacle_grid.gather(position, -1, most, worker.obstacles);
+      world.obstacle_grid.gather(world.fleet.position[slot], -1, most, worker.obstacles);
   const std::size_t first = to.count;
   to.reserve(first + std::min(robots.size() + obstacles.size(), most));
   auto robot = robots.begin(), obstacle = obstacles.begin();
@@ -143,45 +168,123 @@ float reach_of_nearest(Vec2 position, const Found& hits, std::size_t nearest,
   return static_cast<float>(norm(snapshot.grid.position(farthest) - position));
 }
 
+// Whether a search has found that one: it finds the first ones in canonical order.
+bool has_found(const World& world, const Found& hits, const SearchScratch& search, Vec2 position,
+               const NeighborHit& outlier, int rank) {
+  if (hits.count == 0) return false;
+  const std::uint32_t last = search.order[hits.first + hits.count - 1];
+  const double farthest = norm_squared(world.snapshot.grid.position(last) - position);
+  return !(NeighborHit{farthest, world.snapshot.grid.index(last)} <
+           NeighborHit{outlier.distance_squared, rank});
+}
+
+// How robot A looks at others that may sense an outlier or a moving obstacle. Those outliers are
+// left in the scratch memory.
+Scrutiny look_at_outliers(const World& world, std::size_t a, std::size_t query, Worker& worker) {
+  const Fleet& fleet = world.fleet;
+  const Outliers& outliers = world.outliers;
+  constexpr std::size_t kAll = std::numeric_limits<std::size_t>::max();
+  if (!world.obstacle_grid.gather(fleet.position[a], -1, 1, worker.obstacles).empty())
+    return Scrutiny::everyone;
+  if (outliers.robots.empty()) return outliers.usual;
+  Scrutiny scrutiny = outliers.usual;
+  for (const NeighborHit& hit :
+       outliers.grid.gather(fleet.position[a], -1, kAll, worker.outliers)) {
+    const Outlier& outlier = outliers.robots[static_cast<std::size_t>(hit.index)];
+    if (outlier.rank == fleet.rank[a] && outlier.stands_apart) return Scrutiny::everyone;
+    if (outlier.rank == fleet.rank[a] || !(outlier.is_unlike || outlier.stands_apart)) continue;
+    const bool is_found = has_found(world, worker.search.results[query], worker.search,
+                                    fleet.position[a], hit, outlier.rank);
+    const std::uint32_t b = fleet.slot_of[static_cast<std::size_t>(outlier.rank)];
+    const auto expected = fleet.expected(b, a);
+    const bool decides = expected == Expectation::decides && fleet.flight(b) == nullptr;
+    if (expected ? !decides : is_found) return Scrutiny::everyone;
+    if (is_found) scrutiny = std::max(scrutiny, Scrutiny::one_by_one);
+  }
+  return scrutiny;
+}
+
+// Whoever is sensed: found anew where the search has not looked for all.
+std::span<const NeighborHit> find_everyone(const World& world, std::size_t query, Worker& worker) {
+  if (world.outliers.usual == Scrutiny::everyone)
+    return world.snapshot.grid.list(query, worker.search);
+  NeighborQuery all = worker.queries[query];
+  all.near = all.far, all.guess = all.far;
+  world.snapshot.grid.find({&all, 1}, 1, worker.again);
+  return world.snapshot.grid.list(0, worker.again);
+}
+
+// Whom the robot senses, but for those who reach far. Returns how it has looked at them.
+Scrutiny append_sensed(const World& world, std::size_t slot, std::size_t query, Worker& worker) {
+  if (!world.senses.are_exact()) {
+    append_sighted(world, slot, query, worker);
+    return Scrutiny::everyone;
+  }
+  Scrutiny scrutiny = world.outliers.usual;
+  worker.outliers.hits.clear();
+  if (scrutiny != Scrutiny::everyone && world.outliers.may_be_sensed(world.fleet.cell[slot]))
+    scrutiny = look_at_outliers(world, slot, query, worker);
+  const Found& hits = worker.search.results[query];
+  NeighborColumns& to = worker.tile.neighbors;
+  if (scrutiny == Scrutiny::plain) {
+    append(world.snapshot, hits, worker.search, to);
+    part_coinciding(world, slot, hits, worker.search, to);
+    if (world.exceeding) append_deviations(world, hits, worker.search, to);
+    if (!world.outliers.robots.empty()) append_braking(hits, to);
+  } else if (scrutiny == Scrutiny::one_by_one) {
+    append_one_by_one(world, slot, world.snapshot.grid.list(query, worker.search), worker);
+  } else {
+    append_one_by_one(world, slot, find_everyone(world, query, worker), worker);
+  }
+  return scrutiny;
+}
+
+// Those that the search has not looked for, since most matter within a shorter range than they do.
+// Returns whether there are any.
+bool append_far(const World& world, std::size_t slot, std::size_t query, Worker& worker) {
+  const Outliers& outliers = world.outliers;
+  const Fleet& fleet = world.fleet;
+  NeighborColumns& to = worker.tile.neighbors;
+  const std::size_t before = to.count;
+  for (const NeighborHit& hit : worker.outliers.hits) {
+    const auto k = static_cast<std::size_t>(hit.index);
+    const Outlier& outlier = outliers.robots[k];
+    if (!outlier.reaches_far || outlier.rank == fleet.rank[slot] ||
+        hit.distance_squared > outliers.reach * outliers.reach ||
+        has_found(world, worker.search.results[query], worker.search, fleet.position[slot], hit,
+                  outlier.rank))
+      continue;
+    const auto neighbor =
+        sensed_by(world, slot, fleet.slot_of[static_cast<std::size_t>(outlier.rank)],
+                  outliers.position[k], outliers.velocity[k]);
+    if (!neighbor) continue;
+    to.reserve(to.count + 1);
+    to.add(*neighbor);
+  }
+  return to.count > before;
+}
+
 }  // namespace
 
 std::size_t sense(World& world, std::span<const std::uint32_t> slots, Worker& worker) {
-  constexpr double kMargin = 1.125;  // for having moved since
   Fleet& fleet = world.fleet;
   const Snapshot& snapshot = world.snapshot;
-  // of all, those are chosen later whom it minds
-  const std::size_t nearest =
-      world.selective ? std::numeric_limits<std::size_t>::max() : world.most_nearest();
   worker.queries.clear();
-  for (const std::uint32_t slot : slots) {
-    worker.queries.push_back({.position = fleet.position[slot],
-                              .self = fleet.rank[slot],
-                              .most = nearest,
-                              .near = near_range(world, slot),
-                              .far = world.sensing_radius,
-                              .guess = kMargin * static_cast<double>(fleet.nearest[slot])});
-  }
+  for (const std::uint32_t slot : slots) worker.queries.push_back(query_of(world, slot));
   const std::size_t robots = snapshot.grid.find(worker.queries, kTileCandidates, worker.search);
+  NeighborColumns& neighbors = worker.tile.neighbors;
   for (std::size_t i = 0; i < robots; ++i) {
-    const std::size_t first = worker.tile.neighbors.count;
-    if (!world.senses.are_exact()) {
-      append_sighted(world, slots[i], i, worker);
-    } else if (world.alike && world.obstacles.setup.empty()) {
-      append(snapshot, worker.search.results[i], worker.search, worker.tile.neighbors);
-      part_coinciding(world, slots[i], worker.search.results[i], worker.search,
-                      worker.tile.neighbors);
-      if (world.exceeding)
-        append_deviations(world, worker.search.results[i], worker.search, worker.tile.neighbors);
-    } else {
-      append_one_by_one(world, slots[i], i, worker);
-    }
-    fleet.nearest[slots[i]] = reach_of_nearest(fleet.position[slots[i]], worker.search.results[i],
-                                               nearest, snapshot, worker.search);
-    const NeighborColumns& neighbors = worker.tile.neighbors;
-    worker.tile.robots.neighbors.push_back(
-        {&neighbors, first, neighbors.count - first, range_of(worker.queries[i])});
-    worker.tile.trusted = worker.tile.trusted && is_trusted(world, slots[i]);
-    if (worker.tile.neighbors.count >= kTileCandidates) return i + 1;  // of obstacles
+    const std::uint32_t slot = slots[i];
+    const std::size_t first = neighbors.count;
+    const Scrutiny scrutiny = append_sensed(world, slot, i, worker);
+    double range = scrutiny == Scrutiny::everyone ? kInfinity : range_of(worker.queries[i]);
+    if (scrutiny != Scrutiny::everyone && append_far(world, slot, i, worker)) range = kInfinity;
+    fleet.nearest[slot] = reach_of_nearest(fleet.position[slot], worker.search.results[i],
+                                           nearest_sought(world), snapshot, worker.search);
+    worker.tile.robots.neighbors.push_back({&neighbors, first, neighbors.count - first, range});
+    worker.tile.trusted =
+        worker.tile.trusted && scrutiny != Scrutiny::everyone && is_trusted(world, slot);
+    if (neighbors.count >= kTileCandidates) return i + 1;  // of obstacles
   }
   return robots;
 }

@@ -3,9 +3,9 @@
 #include "sim/senses.h"
 
 #include <algorithm>
+#include <array>
 #include <numbers>
 #include <optional>
-#include <tuple>
 
 #include "core/elementary.h"
 #include "core/hash.h"
@@ -26,9 +26,16 @@ class Draws {
                    neighbor)) {}
 
   // In [0, 1).
-  double uniform() { return 0x1p-53 * static_cast<double>(mixed(key_, count_++) >> 11); }
+  double uniform() { return ahead(count_++); }
+  // That of k more calls of uniform().
+  double after(std::uint64_t k) const { return ahead(count_ + k); }
+  void skip(std::uint64_t k) { count_ += k; }
 
  private:
+  double ahead(std::uint64_t k) const {
+    return 0x1p-53 * static_cast<double>(static_cast<std::int64_t>(mixed(key_, k) >> 11));
+  }
+
   std::uint64_t key_, count_ = 0;
 };
 
@@ -40,19 +47,44 @@ double most_of_coordinate(const MeasurementNoise& model) {
   return is_gaussian(model) ? model.truncated.value_or(kUsualTruncation) : 1.0;
 }
 
-// Of a coordinate, in units of what the scene gives. Gaussian noise by rejection: exactly of that
-// density where it is not cut off, and by the library's own exponential function alone.
-double noise(const MeasurementNoise& model, Draws& draws) {
-  const double most = most_of_coordinate(model);
-  for (;;) {
-    const double x = most * (2.0 * draws.uniform() - 1.0);
-    if (!is_gaussian(model) || draws.uniform() < 1.0 + elementary::expm1(-0.5 * x * x)) return x;
-  }
+// Whether u < e^(-y) as the library's own exponential function has it, which is asked only where a
+// bound of 1/1000 does not tell. e^(-y/8) by its series: the next term is less than 1/8000 of it.
+inline bool is_below_exp(double u, double y) {
+  constexpr double kMost = 4.8, kBound = 1e-3;
+  const double z = 0.125 * std::min(y, kMost), zz = z * z;
+  const double eighth =
+      (1.0 - z) + zz * ((0.5 - z * (1.0 / 6.0)) + zz * (1.0 / 24.0 - z * (1.0 / 120.0)));
+  const double fourth = eighth * eighth, half = fourth * fourth, about = half * half;
+  const int is_above = static_cast<int>(u > (1.0 + kBound) * about);
+  const int is_below = static_cast<int>(u < (1.0 - kBound) * about) & static_cast<int>(y <= kMost);
+  if ((is_above | is_below) == 0) [[unlikely]]
+    return u < 1.0 + elementary::expm1(-y);
+  return is_below != 0;
 }
 
-Vec2 noise_vector(const MeasurementNoise& model, Draws& draws) {
-  const double x = noise(model, draws);
-  return {x, noise(model, draws)};
+// Of so many coordinates, in units of what the scene gives. Gaussian noise by rejection: exactly of
+// that density where it is not cut off. A few draws are made together: which of them are taken
+// cannot be foreseen, and none waits for another.
+template <std::size_t kCount>
+std::array<double, kCount> noise(const MeasurementNoise& model, Draws& draws) {
+  constexpr std::size_t kTogether = 5;
+  const double most = most_of_coordinate(model);
+  std::array<double, kCount + kTogether> drawn;
+  if (!is_gaussian(model)) {
+    for (std::size_t k = 0; k < kCount; ++k) drawn[k] = most * (2.0 * draws.uniform() - 1.0);
+  } else {
+    for (std::size_t count = 0; count < kCount;) {
+      for (std::size_t k = 0; k < kTogether; ++k) {
+        const double x = most * (2.0 * draws.after(2 * k) - 1.0);
+        drawn[count] = x;
+        count += is_below_exp(draws.after(2 * k + 1), 0.5 * x * x) ? 1 : 0;
+      }
+      draws.skip(2 * kTogether);
+    }
+  }
+  std::array<double, kCount> noise;
+  std::copy_n(drawn.begin(), kCount, noise.begin());
+  return noise;
 }
 
 // Where a robot was, in a generation or at an instant.
@@ -121,21 +153,24 @@ struct Encounter {
     return {};
   }
 
-  // neighbor: as it would be by the true state at that moment, carried on.
-  Sighting sighting(Neighbor neighbor, std::int64_t moment, int source) const {
+  // seen.neighbor: as it would be by the true state at that moment, carried on.
+  void measure(std::int64_t moment, int source, Sighting& seen) const {
+    Neighbor& neighbor = seen.neighbor;
     const double time = seconds_since(moment);
     const MeasurementNoise& off = model().noise;
     if (off.position > 0.0 || off.velocity > 0.0) {
       Draws numbers = draws(moment);
       numbers.uniform();  // which told whether it is missed
-      const Vec2 of_position = off.position * noise_vector(off, numbers);
-      const Vec2 of_velocity = off.velocity * noise_vector(off, numbers);
+      const auto [p_x, p_y, v_x, v_y] = noise<4>(off, numbers);
+      const Vec2 of_position = off.position * Vec2{p_x, p_y};
+      const Vec2 of_velocity = off.velocity * Vec2{v_x, v_y};
       neighbor.position = neighbor.position + of_position + time * of_velocity;
       neighbor.velocity = neighbor.velocity + of_velocity;
     }
     neighbor.age = age(moment);
     const Vec2 here = world.senses.at(observer, world.steps).position;
-    return {neighbor, norm_squared(neighbor.position - here), source};
+    seen.distance_squared = norm_squared(neighbor.position - here);
+    seen.source = source;
   }
 };
 
@@ -152,20 +187,22 @@ double swung(const World& world, std::size_t slot, const MotionModel& model, dou
   return time * swing_of(model, traits.max_acceleration, top, step);
 }
 
-std::optional<Sighting> look_at_robot(Encounter encounter, std::size_t rank) {
+// Whether it is seen.
+bool look_at_robot(Encounter encounter, std::size_t rank, Sighting& seen) {
   const World& world = encounter.world;
   const Senses& senses = world.senses;
   const std::uint32_t slot = world.fleet.slot_of[rank];
   const auto expected = world.fleet.expected(slot, world.fleet.slot_of[encounter.observer]);
-  if (!expected) return {};
+  if (!expected) return false;
   encounter.other_id = world.fleet.id[slot].value;
   encounter.first = std::max(senses.since[encounter.observer], senses.since[rank]);
   const auto moment =
       encounter.last_measured([&](std::int64_t m) { return then(world, rank, m).position; });
-  if (!moment) return {};
+  if (!moment) return false;
   const MotionState state = then(world, rank, *moment);
   const double time = encounter.seconds_since(*moment);
-  Neighbor neighbor = world.fleet.sensed(slot, *expected);
+  Neighbor& neighbor = seen.neighbor;
+  neighbor = world.fleet.sensed(slot, *expected);
   neighbor.position = state.position + time * state.velocity;
   neighbor.velocity = state.velocity;
   // by their true states: what is sensed of two that move as one looks the same to both
@@ -173,20 +210,20 @@ std::optional<Sighting> look_at_robot(Encounter encounter, std::size_t rank) {
   const PastState& now = senses.at(rank, world.steps);
   if (now.position == own.position && now.velocity == own.velocity)
     neighbor.parting = parting_direction(encounter.observer_id, encounter.other_id);
-  Sighting sighting = encounter.sighting(neighbor, *moment, static_cast<int>(rank));
+  encounter.measure(*moment, static_cast<int>(rank), seen);
   if (const MotionModel* model = world.fleet.own_model(slot))
-    sighting.neighbor.position_error =
-        swung(world, slot, *model, norm(sighting.neighbor.velocity), time);
-  return sighting;
+    neighbor.position_error = swung(world, slot, *model, norm(neighbor.velocity), time);
+  return true;
 }
 
 // One that keeps its acceleration: the true state carried on is the present one. One on a
 // trajectory is carried on straight from where it was.
-std::optional<Sighting> look_at_mover(Encounter encounter, std::size_t k) {
+bool look_at_mover(Encounter encounter, std::size_t k, Sighting& seen) {
   const World& world = encounter.world;
   encounter.other_id = kMoverBit | k;
   encounter.first = world.senses.since[encounter.observer];
-  Neighbor now = world.obstacles.sensed(k);
+  Neighbor& now = seen.neighbor;
+  now = world.obstacles.sensed(k);
   const MovingObstacle& setup = world.obstacles.setup[k];
   const auto walk_at = [&](std::int64_t m) {
     return on_trajectory(setup, world.senses.by_time
@@ -198,13 +235,14 @@ std::optional<Sighting> look_at_mover(Encounter encounter, std::size_t k) {
     const double time = encounter.seconds_since(m);
     return now.position - time * now.velocity + (0.5 * time * time) * now.acceleration;
   });
-  if (!moment) return {};
+  if (!moment) return false;
   if (!setup.trajectory.empty()) {
     const PathWalk then = walk_at(*moment);
     now.position = then.position + encounter.seconds_since(*moment) * then.velocity;
     now.velocity = then.velocity;
   }
-  return encounter.sighting(now, *moment, -1 - static_cast<int>(k));
+  encounter.measure(*moment, -1 - static_cast<int>(k), seen);
+  return true;
 }
 
 MeasurementNoise as_measured(const LocalizationNoise& model) {
@@ -228,27 +266,32 @@ Vec2 own_error(const World& world, std::size_t slot) {
   if (!(model.position > 0.0)) return {};
   const std::uint64_t own = world.fleet.id[slot].value;
   Draws numbers(world.settings.seed, world.steps, own, own);
-  return model.position * noise_vector(as_measured(model), numbers);
+  const auto [x, y] = noise<2>(as_measured(model), numbers);
+  return model.position * Vec2{x, y};
 }
 
 void look(const World& world, std::size_t slot, std::span<const NeighborHit> robots,
           std::span<const NeighborHit> movers, std::vector<Sighting>& seen) {
   seen.clear();
-  const auto take = [&seen](const std::optional<Sighting>& sighting) {
-    if (sighting) seen.push_back(*sighting);
-  };
   const Encounter encounter{world, static_cast<std::size_t>(world.fleet.rank[slot]),
                             world.fleet.id[slot].value, 0, 0};
-  for (const NeighborHit& hit : robots)
-    take(look_at_robot(encounter, static_cast<std::size_t>(hit.index)));
-  for (const NeighborHit& hit : movers)
-    take(look_at_mover(encounter, static_cast<std::size_t>(hit.index)));
-  std::sort(seen.begin(), seen.end(), [](const Sighting& a, const Sighting& b) {
-    const auto key = [](const Sighting& s) {
-      return std::tuple(s.distance_squared, s.source < 0, s.source < 0 ? -s.source : s.source);
-    };
-    return key(a) < key(b);
-  });
+  for (const NeighborHit& hit : robots) {
+    if (!look_at_robot(encounter, static_cast<std::size_t>(hit.index), seen.emplace_back()))
+      seen.pop_back();
+  }
+  for (const NeighborHit& hit : movers) {
+    if (!look_at_mover(encounter, static_cast<std::size_t>(hit.index), seen.emplace_back()))
+      seen.pop_back();
+  }
+  const auto nearer = [](const Sighting& a, const Sighting& b) {
+    if (a.distance_squared != b.distance_squared) return a.distance_squared < b.distance_squared;
+    const bool is_mover = a.source < 0, is_other = b.source < 0;
+    if (is_mover != is_other) return is_other;
+    return is_mover ? a.source > b.source : a.source < b.source;
+  };
+  // they come as they are in truth
+  if (!std::is_sorted(seen.begin(), seen.end(), nearer))
+    std::sort(seen.begin(), seen.end(), nearer);
   const bool all_matter = world.all_matter();
   if (!all_matter && seen.size() > world.most_nearest()) seen.resize(world.most_nearest());
 }

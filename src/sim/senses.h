@@ -59,7 +59,8 @@ struct Senses {
   /// Whether there is more than the present generation, which is known anyway.
   bool remember() const { return depth > 1 || by_time; }
   const PastState& at(std::size_t rank, std::int64_t generation) const {
-    return past[rank * depth + static_cast<std::size_t>(generation) % depth];
+    const std::size_t k = depth == 1 ? 0 : static_cast<std::size_t>(generation) % depth;
+    return past[rank * depth + k];
   }
 
   /// knots: see knots_needed().

@@ -25,59 +25,19 @@ Executor& executor_of(World& world) {
   return *world.executor;
 }
 
-// How far each robot has to look, as long as none is fast.
-void find_ranges(World& world) {
-  Fleet& fleet = world.fleet;
-  const auto limits = [&](std::size_t slot) {
-    const RobotTraits& robot_traits = fleet.traits[slot];
-    Robot robot;
-    robot.radius = robot_traits.radius;
-    robot.max_acceleration = robot_traits.max_acceleration;
-    robot.max_speed = robot_traits.max_speed;
-    robot.priority = fleet.conduct[slot].priority;
-    robot.max_braking = max_braking_of(robot_traits);
-    return robot;
-  };
-  std::vector<Peers> peers(world.paces.size());
-  for (std::size_t k = 0; k < peers.size(); ++k) {
-    for (std::size_t i = 0; i < fleet.size(); ++i) {
-      if (!fleet.conduct[i].parked) include(peers[k], world.paces[k].planner, limits(i));
-    }
-  }
-  double sum = 0.0;
-  world.fast = false;
+// What is true of some of the fleet, or of all of it.
+void look_over(World& world) {
+  const Fleet& fleet = world.fleet;
   world.parked = static_cast<std::size_t>(
       std::count_if(fleet.conduct.begin(), fleet.conduct.end(),
                     [](const Conduct& conduct) { return conduct.parked; }));
-  Conduct usual;
-  usual.method = fleet.method;
-  const bool mixed =
-      std::any_of(fleet.conduct.begin(), fleet.conduct.end(), [&](const Conduct& conduct) {
-        return !(conduct.layers == usual.layers && conduct.avoids == usual.avoids &&
-                 conduct.behavior == usual.behavior && conduct.method == usual.method);
-      });
-  world.selective = world.parked > 0 || mixed || !fleet.flights.empty();
-  world.alike = fleet.flights.empty() &&
-                std::all_of(fleet.conduct.begin(), fleet.conduct.end(),
-                            [&](const Conduct& conduct) { return conduct == usual; }) &&
-                std::none_of(fleet.traits.begin(), fleet.traits.end(),
-                             [](const RobotTraits& traits) { return max_braking_of(traits); });
   world.exceeding = std::any_of(fleet.traits.begin(), fleet.traits.end(),
                                 [](const RobotTraits& traits) { return traits.exceeds; });
-  for (const std::uint32_t slot : fleet.slot_of) {
-    const Pace& pace = world.pace(slot);
-    const auto k = static_cast<std::size_t>(&pace - world.paces.data());
-    fleet.range[slot] = relevant_range(pace.planner, limits(slot), peers[k]);
-    sum += std::min(fleet.range[slot].at(0.5 * fleet.traits[slot].max_speed), world.sensing_radius);
-    world.fast = world.fast || world.is_fast(slot);
-  }
-  world.valid =
-      !world.selective && world.obstacles.setup.empty() && world.sensing_radius <= kFarthestTrusted;
+  world.valid = world.sensing_radius <= kFarthestTrusted;
   for (std::size_t i = 0; i < fleet.size(); ++i) {
     world.valid =
         world.valid && is_valid(fleet.sensed(i)) && fleet.traits[i].max_speed <= kFarthestTrusted;
   }
-  world.near = fleet.size() > 0 ? sum / static_cast<double>(fleet.size()) : 0.0;
 }
 
 void lay_out(World& world, Executor& executor) {
@@ -111,6 +71,7 @@ void index(World& world, Executor& executor) {
   StageClock& clock = world.workers[0].clock;
   clock.start();
   if (world.changed) {
+    look_over(world);
     find_ranges(world);
     find_walls(world);
     if (!world.statics.walls.empty()) make_room(world);
@@ -123,6 +84,7 @@ void index(World& world, Executor& executor) {
   foresee(world);
   world.changed = false;
   world.obstacle_grid.build(world.obstacles.position, world.sensing_radius);
+  locate_outliers(world);
   clock.lap(Stage::index);
   take_snapshot(world, executor);
   clock.start();

@@ -56,6 +56,8 @@ void reserve(const World& world, Worker& worker) {
   const std::size_t robots = world.fleet.size(), obstacles = world.obstacles.setup.size();
   worker.obstacles.reserve(1, std::min(obstacles, kMostAhead));
   const std::size_t seen = most_seen(world);
+  worker.outliers.reserve(1, seen / 4);
+  worker.again.reserve(1, seen);
   const std::size_t together = std::min(kTileRobots, robots);
   worker.queries.reserve(together);
   worker.staying.reserve(together);

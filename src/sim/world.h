@@ -17,6 +17,7 @@
 #include "sim/claims.h"
 #include "sim/fleet.h"
 #include "sim/moving_columns.h"
+#include "sim/outliers.h"
 #include "sim/places.h"
 #include "sim/senses.h"
 #include "sim/snapshot.h"
@@ -38,6 +39,7 @@ struct alignas(128) Worker {
   std::vector<std::uint32_t> deciding;  // slots of a tile, where some robots are parked
   std::vector<std::uint32_t> staying;   // slots in a tile of those that stop at shared goals
   SearchScratch search, obstacles;
+  SearchScratch outliers, again;  // of robots near outliers, one at a time
   LegScratch legs;
   std::vector<Sighting> sightings;  // where senses are not exact
   Occupied occupied;                // of one robot, see place_near()
@@ -81,6 +83,7 @@ struct World {
   std::uint64_t next_id = 0;
 
   Snapshot snapshot;
+  Outliers outliers;
   UniformGrid obstacle_grid;
   std::shared_ptr<Executor> executor;
   SerialExecutor serial;
@@ -91,12 +94,10 @@ struct World {
   std::atomic<bool> has_new_goals = true;  // since find_shared_goals()
   std::vector<Shares> shares_goal;         // by rank; empty where nobody shares anything
   bool fast = false;                       // some robot exceeds its max_speed
-  bool alike = true;       // all robots are of the usual Conduct, and brake as hard as they can
   bool exceeding = false;  // some accelerate by more than their max_acceleration
-  bool selective = false;  // not everybody minds everybody, or some loiter
   std::size_t parked = 0;  // robots
   bool certified = false;  // some keep a certificate
-  bool valid = false;      // all robots were, when they came, and there is nobody else
+  bool valid = false;      // all robots were, when they came
   double near = 0.0;       // m, typical of Fleet::range
   std::int64_t next_layout = 1;  // when the cells are chosen anew and the robots put in their order
   std::int64_t robot_steps = 0;  // measured

@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "sim/outliers.h"
+
+#include <algorithm>
+#include <functional>
+
+#include "core/plane.h"
+#include "sim/world.h"
+
+namespace avo {
+namespace {
+
+// Where more than one in so many are outliers, nobody is: as many look at everybody.
+constexpr std::size_t kUnlikeOfMany = 8, kFarOfMany = 64;
+// A far reach is so much longer than that of all others.
+constexpr double kFarther = 1.25;
+
+Robot limits_of(const Fleet& fleet, std::size_t slot) {
+  const RobotTraits& traits = fleet.traits[slot];
+  Robot robot;
+  robot.radius = traits.radius;
+  robot.max_acceleration = traits.max_acceleration;
+  robot.max_speed = traits.max_speed;
+  robot.priority = fleet.conduct[slot].priority;
+  robot.max_braking = max_braking_of(traits);
+  return robot;
+}
+
+// m: the reach of all but a few robots, of which each reaches much farther; infinite where there
+// are none of those.
+double usual_reach(const World& world) {
+  const Fleet& fleet = world.fleet;
+  const Planner& planner = world.certified_planner();
+  const std::size_t few = fleet.size() / kFarOfMany;
+  if (few == 0 || !world.all_matter() || !planner.options().max_neighbors) return kInfinity;
+  std::vector<double> reach;
+  for (std::size_t slot = 0; slot < fleet.size(); ++slot) {
+    Peers own;
+    include(own, planner, limits_of(fleet, slot));
+    reach.push_back(fleet.conduct[slot].parked ? 0.0 : own.reach);
+  }
+  const auto last = reach.begin() + static_cast<std::ptrdiff_t>(few);
+  std::nth_element(reach.begin(), last, reach.end(), std::greater<>());
+  const double most = kFarther * *last;
+  return std::any_of(reach.begin(), last, [&](double r) { return r > most; }) ? most : kInfinity;
+}
+
+bool reaches_beyond(const World& world, std::size_t slot, double reach) {
+  if (reach == kInfinity || world.fleet.conduct[slot].parked) return false;
+  Peers own;
+  include(own, world.certified_planner(), limits_of(world.fleet, slot));
+  return own.reach > reach;
+}
+
+Outlier outlier_of(const World& world, std::size_t slot, double reach) {
+  const Fleet& fleet = world.fleet;
+  const Conduct& conduct = fleet.conduct[slot];
+  Conduct usual;
+  usual.method = fleet.method;
+  usual.priority = conduct.priority;
+  return {.rank = fleet.rank[slot],
+          .reaches_far = reaches_beyond(world, slot, reach),
+          .is_unlike = conduct.priority != Conduct{}.priority || max_braking_of(fleet.traits[slot]),
+          .stands_apart = conduct != usual || fleet.flight(slot) != nullptr};
+}
+
+void find_outliers(World& world) {
+  Outliers& outliers = world.outliers;
+  outliers.usual = Scrutiny::plain;
+  outliers.robots.clear();
+  if (!world.senses.are_exact()) return;  // there all are looked at one by one
+  const double reach = usual_reach(world);
+  std::size_t unlike = 0, apart = 0;
+  for (const std::uint32_t slot : world.fleet.slot_of) {
+    const Outlier outlier = outlier_of(world, slot, reach);
+    if (outlier.is_unlike || outlier.stands_apart || outlier.reaches_far)
+      outliers.robots.push_back(outlier);
+    unlike += outlier.is_unlike || outlier.stands_apart ? 1 : 0;
+    apart += outlier.stands_apart ? 1 : 0;
+  }
+  const std::size_t movers = world.obstacles.setup.size();
+  if ((unlike + movers) * kUnlikeOfMany <= world.fleet.size()) return;
+  outliers.usual = apart + movers > 0 ? Scrutiny::everyone : Scrutiny::one_by_one;
+  std::erase_if(outliers.robots, [](const Outlier& outlier) { return !outlier.reaches_far; });
+}
+
+bool reaches_far(const World& world, std::size_t slot) {
+  const std::vector<Outlier>& robots = world.outliers.robots;
+  const auto place =
+      std::lower_bound(robots.begin(), robots.end(), world.fleet.rank[slot],
+                       [](const Outlier& outlier, int rank) { return outlier.rank < rank; });
+  return place != robots.end() && place->rank == world.fleet.rank[slot] && place->reaches_far;
+}
+
+// Whom those of one pace may meet, reaching far or not.
+Peers whom_they_meet(const World& world, const Pace& pace, bool with_far) {
+  const Fleet& fleet = world.fleet;
+  Peers met;
+  for (std::size_t slot = 0; slot < fleet.size(); ++slot) {
+    if (fleet.conduct[slot].parked || (!with_far && reaches_far(world, slot))) continue;
+    include(met, pace.planner, limits_of(fleet, slot));
+  }
+  return met;
+}
+
+}  // namespace
+
+void find_ranges(World& world) {
+  Fleet& fleet = world.fleet;
+  Outliers& outliers = world.outliers;
+  find_outliers(world);
+  const bool some_far = std::any_of(outliers.robots.begin(), outliers.robots.end(),
+                                    [](const Outlier& outlier) { return outlier.reaches_far; });
+  std::vector<Peers> all, usual;  // by pace
+  for (const Pace& pace : world.paces) {
+    usual.push_back(whom_they_meet(world, pace, false));
+    all.push_back(some_far ? whom_they_meet(world, pace, true) : usual.back());
+  }
+  double sum = 0.0;
+  world.fast = false;
+  outliers.reach = 0.0;
+  for (const std::uint32_t slot : fleet.slot_of) {
+    const Pace& pace = world.pace(slot);
+    const auto k = static_cast<std::size_t>(&pace - world.paces.data());
+    const Robot robot = limits_of(fleet, slot);
+    const bool is_far = reaches_far(world, slot);
+    fleet.range[slot] = relevant_range(pace.planner, robot, is_far ? all[k] : usual[k]);
+    if (some_far && !is_far) {
+      const double speed = (1.0 + kSpeedRounding) * robot.max_speed;
+      outliers.reach =
+          std::max(outliers.reach, relevant_range(pace.planner, robot, all[k]).at(speed));
+    }
+    sum += std::min(fleet.range[slot].at(0.5 * robot.max_speed), world.sensing_radius);
+    world.fast = world.fast || world.is_fast(slot);
+  }
+  world.near = fleet.size() > 0 ? sum / static_cast<double>(fleet.size()) : 0.0;
+}
+
+void locate_outliers(World& world) {
+  Outliers& outliers = world.outliers;
+  outliers.in_sight.clear();
+  const bool is_alone = outliers.robots.empty() && world.obstacles.setup.empty();
+  if (is_alone || !world.senses.are_exact() || outliers.usual == Scrutiny::everyone) return;
+  const Cells& cells = world.snapshot.cells;
+  outliers.in_sight.resize(cells.table() + 1);
+  const auto mark = [&](Vec2 p, double radius) {
+    if (!is_finite(p)) return;
+    const CellRange range = cells_within(p, radius, cells);
+    for (std::int64_t row = range.first_row; row <= range.last_row; ++row) {
+      for (std::size_t k = 0; k < range.columns; ++k)
+        outliers.in_sight[cells.slot(range.first_column + static_cast<std::int64_t>(k), row)] = 1;
+    }
+  };
+  outliers.position.clear(), outliers.velocity.clear();
+  for (const Outlier& outlier : outliers.robots) {
+    const std::uint32_t slot = world.fleet.slot_of[static_cast<std::size_t>(outlier.rank)];
+    outliers.position.push_back(world.fleet.position[slot]);
+    outliers.velocity.push_back(world.fleet.velocity[slot]);
+    const bool is_far = !outlier.is_unlike && !outlier.stands_apart;
+    mark(outliers.position.back(),
+         is_far ? std::min(outliers.reach, world.sensing_radius) : world.sensing_radius);
+  }
+  if (!outliers.robots.empty()) outliers.grid.build(outliers.position, world.sensing_radius);
+  for (const Vec2 p : world.obstacles.position) mark(p, world.sensing_radius);
+}
+
+}  // namespace avo
