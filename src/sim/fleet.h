@@ -203,7 +203,8 @@ struct Fleet {
   std::vector<std::byte> scratch_;  // of reorder()
 };
 
-/// A fleet by ascending id, for those who look at it from outside.
+/// Columns by ascending id, for those who look at a fleet from outside. They are copied when
+/// somebody asks for them, each by itself.
 struct FleetMirror {
   std::vector<RobotId> id;
   std::vector<Vec2> position, velocity, goal;
@@ -212,8 +213,14 @@ struct FleetMirror {
   std::vector<Detour> detour;
   std::vector<Plan> plan;
 
-  void copy(const Fleet& fleet);
-  FleetView view() const;
+  void copy(const Fleet& fleet, Columns wanted);
+  /// What has been copied, of one robot anew. Throws nothing.
+  void renew(const Fleet& fleet, std::size_t rank_of_it, Columns copied);
+  FleetView view(Columns wanted) const;
+
+ private:
+  template <typename Action>
+  void for_each_column(Columns wanted, const Action& action);
 };
 
 /// m: where its disc has to go for its place to come to the end of its way; other aims are the

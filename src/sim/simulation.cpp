@@ -39,6 +39,10 @@ std::shared_ptr<Executor> checked(std::shared_ptr<Executor> executor) {
   return counted(std::move(executor));
 }
 
+Columns without(Columns all, Columns some) {
+  return static_cast<Columns>(static_cast<unsigned>(all) & ~static_cast<unsigned>(some));
+}
+
 void require_whole(const World& world, const char* call) {
   if (!world.torn) return;
   throw Error(std::string(call) +
@@ -96,12 +100,12 @@ void Simulation::remove_robot(RobotId robot) {
 
 void Simulation::move_robot(RobotId robot, Vec2 position) {
   avo::move_robot(*state_, robot, position);
-  state_->forget_views();
+  state_->forget_views_of(robot);
 }
 
 void Simulation::set_goal(RobotId robot, Vec2 goal) {
   avo::set_goal(*state_, robot, goal);
-  state_->forget_views();
+  state_->forget_views_of(robot);
 }
 
 ObstacleId Simulation::add_obstacle(const StaticObstacle& obstacle) {
@@ -125,14 +129,35 @@ void Simulation::restore(std::span<const std::byte> saved) {
   state_->forget_views();
 }
 
-FleetView Simulation::fleet() const {
+FleetView Simulation::fleet(Columns wanted) const {
   State& state = *state_;
-  if (!state.is_mirrored) {
+  if (!includes(state.mirrored, wanted)) {
     const Lock lock(state.looking);
-    if (!state.is_mirrored) state.mirror.copy(state.fleet);
-    state.is_mirrored = true;
+    state.mirror.copy(state.fleet, without(wanted, state.mirrored));
+    state.mirrored = state.mirrored | wanted;
   }
-  return state.mirror.view();
+  return state.mirror.view(wanted);
+}
+
+std::size_t Simulation::size() const {
+  return state_->fleet.size();
+}
+
+RobotState Simulation::robot(std::size_t robot) const {
+  const Fleet& fleet = state_->fleet;
+  const std::uint32_t slot = fleet.slot_of[robot];
+  return {.id = fleet.id[slot],
+          .position = fleet.place(slot),
+          .velocity = fleet.velocity[slot],
+          .heading = fleet.heading[slot],
+          .goal = fleet.goal[slot],
+          .detour = fleet.detour[slot],
+          .plan = fleet.plan[slot],
+          .applied_acceleration = fleet.applied_acceleration[slot]};
+}
+
+RobotSetup Simulation::setup(std::size_t robot) const {
+  return state_->fleet.setup(state_->fleet.slot_of[robot]);
 }
 
 std::optional<std::size_t> Simulation::index_of(RobotId robot) const {

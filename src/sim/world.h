@@ -16,6 +16,7 @@
 #include "robots/motion.h"
 #include "sim/claims.h"
 #include "sim/fleet.h"
+#include "sim/kinds.h"
 #include "sim/moving_columns.h"
 #include "sim/places.h"
 #include "sim/senses.h"
@@ -71,6 +72,7 @@ struct World {
   double sensing_radius;    // m; where the scene names none, it grows with robots that are added
   std::vector<Pace> paces;  // the scene's first; others where robots have something of their own
   Fleet fleet;
+  std::optional<Kinds> kinds;  // of the fleet, once somebody has been added
   ObstacleColumns obstacles;
   Senses senses;
   StaticWorld statics;
