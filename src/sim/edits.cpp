@@ -84,6 +84,7 @@ void replace(World& world, StaticWorld statics) {
 
 void go_around_resting(World& world) {
   if (world.obstacles.rest_as(world.ways.resting())) return;
+  catch_up(world);
   adopt(world, ways_among(world, world.statics));
 }
 
@@ -126,6 +127,7 @@ void remove_parked(World& world, std::size_t slot) {
 
 RobotId add_robot(World& world, const RobotSetup& setup) {
   const RobotId robot{world.next_id};
+  catch_up(world);
   check_values(world, setup, robot, !world.statics.walls.empty());
   if (setup.parked) {
     park(world, setup, robot);
@@ -149,6 +151,7 @@ RobotId add_robot(World& world, const RobotSetup& setup) {
 
 void remove_robot(World& world, RobotId robot) {
   const std::size_t slot = world.fleet.find(robot);
+  catch_up(world);
   if (world.fleet.conduct[slot].parked) remove_parked(world, slot);
   if (world.kinds) world.kinds->remove(world.fleet.setup(slot));
   std::vector<Travel>& travels = world.ways.travels;
@@ -177,6 +180,7 @@ void set_goal(World& world, RobotId robot, Vec2 goal) {
   if (goal == world.fleet.goal[slot]) return;  // it goes on with what it does
   Ways& ways = world.ways;
   if (!ways.empty()) {
+    put_in_place(world, slot);
     ways.travels[static_cast<std::size_t>(world.fleet.rank[slot])] =
         ways.plan(world.fleet.traits[slot].radius, world.fleet.position[slot], goal);
   }
@@ -194,6 +198,7 @@ void set_goal(World& world, RobotId robot, Vec2 goal) {
 void move_robot(World& world, RobotId robot, Vec2 position) {
   Fleet& fleet = world.fleet;
   const std::size_t slot = fleet.find(robot);
+  catch_up(world);
   if (fleet.conduct[slot].parked)
     refuse(name_of(robot), "another place for it", "one that is not parked");
   RobotSetup setup = fleet.setup(slot);
@@ -222,6 +227,7 @@ void move_robot(World& world, RobotId robot, Vec2 position) {
 
 ObstacleId add_obstacle(World& world, const StaticObstacle& obstacle) {
   const ObstacleId id{world.statics.next_id};
+  catch_up(world);
   Scenario scene = settings_for(world, {});
   scene.obstacles = {obstacle};
   validate_as(scene, "obstacles.0.", name_of(id));
@@ -235,6 +241,7 @@ ObstacleId add_obstacle(World& world, const StaticObstacle& obstacle) {
 }
 
 void remove_obstacle(World& world, ObstacleId obstacle) {
+  catch_up(world);
   std::vector<ObstacleId> ids = world.statics.id;
   const auto place = std::find(ids.begin(), ids.end(), obstacle);
   if (place == ids.end()) throw Error(name_of(obstacle) + ": found none of that id");

@@ -145,10 +145,10 @@ std::size_t Fleet::find(RobotId robot) const {
   throw Error("robot " + std::to_string(robot.value) + ": found none of that id");
 }
 
-RobotSetup Fleet::setup(std::size_t slot) const {
+RobotSetup Fleet::setup(std::size_t slot, const MotionState& state) const {
   const RobotTraits& robot_traits = traits[slot];
-  RobotSetup setup{.position = place(slot),
-                   .velocity = velocity[slot],
+  RobotSetup setup{.position = place(slot, state),
+                   .velocity = state.velocity,
                    .goal = goal[slot],
                    .radius = models.empty() ? robot_traits.radius
                                             : own_radius[static_cast<std::size_t>(rank[slot])],
@@ -156,7 +156,7 @@ RobotSetup Fleet::setup(std::size_t slot) const {
                    .max_acceleration = robot_traits.max_acceleration,
                    .preferred_speed = robot_traits.preferred_speed,
                    .model = model(slot),
-                   .heading = heading[slot],
+                   .heading = state.heading,
                    .priority = conduct[slot].priority,
                    .parked = conduct[slot].parked,
                    .layers = conduct[slot].layers,
@@ -169,8 +169,8 @@ RobotSetup Fleet::setup(std::size_t slot) const {
   return setup;
 }
 
-Vec2 Fleet::offset(std::size_t slot) const {
-  return traits[slot].has_model ? disc_center(model(slot), {}, heading[slot]) : Vec2{};
+Vec2 Fleet::offset(std::size_t slot, double heading_of_it) const {
+  return traits[slot].has_model ? disc_center(model(slot), {}, heading_of_it) : Vec2{};
 }
 
 namespace {

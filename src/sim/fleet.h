@@ -164,12 +164,17 @@ struct Fleet {
     return traits[slot].has_model ? &models[static_cast<std::size_t>(rank[slot])] : nullptr;
   }
   /// m: how far its disc is ahead of the place that the robot is said to be at, and that place.
-  Vec2 offset(std::size_t slot) const;
+  Vec2 offset(std::size_t slot) const { return offset(slot, heading[slot]); }
+  Vec2 offset(std::size_t slot, double heading_of_it) const;
   Vec2 place(std::size_t slot) const {
     return traits[slot].has_model ? position[slot] - offset(slot) : position[slot];
   }
-  /// With its present goal, position, velocity and heading.
-  RobotSetup setup(std::size_t slot) const;
+  Vec2 place(std::size_t slot, const MotionState& state) const {
+    return state.position - offset(slot, state.heading);
+  }
+  /// With its goal, position, velocity and heading.
+  RobotSetup setup(std::size_t slot) const { return setup(slot, state(slot)); }
+  RobotSetup setup(std::size_t slot, const MotionState& state) const;
   /// Nothing of one that is no airplane.
   const Flight* flight(std::size_t slot) const {
     if (flights.empty() || !traits[slot].has_model || !passes_goal(*own_model(slot)))

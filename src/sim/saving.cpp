@@ -266,7 +266,7 @@ void restore(const SavedState& state, World& world) {
   world.before = -1;
   world.next_id = state.next_id;
   world.next_layout = state.steps + 1;
-  world.changed = world.has_new_goals = true;
+  world.changed = world.has_new_goals = world.is_current = true;
   world.torn = false;
   for (Worker& worker : world.workers) {
     worker.tile.clear();  // of a torn step

@@ -33,6 +33,11 @@ double near_range(const World& world, std::size_t slot) {
   return world.fleet.range[slot].at(norm(world.fleet.velocity[slot]));
 }
 
+// Of all, those are chosen later whom it minds.
+std::size_t nearest_sought(const World& world) {
+  return world.selective ? std::numeric_limits<std::size_t>::max() : world.most_nearest();
+}
+
 // m, see Neighbors.
 double range_of(const NeighborQuery& query) {
   const bool is_less = query.near >= 0.0 && query.near < query.far;
@@ -145,22 +150,22 @@ float reach_of_nearest(Vec2 position, const Found& hits, std::size_t nearest,
 
 }  // namespace
 
-std::size_t sense(World& world, std::span<const std::uint32_t> slots, Worker& worker) {
+NeighborQuery query_of(const World& world, std::size_t slot) {
   constexpr double kMargin = 1.125;  // for having moved since
+  const Fleet& fleet = world.fleet;
+  return {.position = fleet.position[slot],
+          .self = fleet.rank[slot],
+          .most = nearest_sought(world),
+          .near = near_range(world, slot),
+          .far = world.sensing_radius,
+          .guess = kMargin * static_cast<double>(fleet.nearest[slot])};
+}
+
+std::size_t sense(World& world, std::span<const std::uint32_t> slots, Worker& worker) {
   Fleet& fleet = world.fleet;
   const Snapshot& snapshot = world.snapshot;
-  // of all, those are chosen later whom it minds
-  const std::size_t nearest =
-      world.selective ? std::numeric_limits<std::size_t>::max() : world.most_nearest();
   worker.queries.clear();
-  for (const std::uint32_t slot : slots) {
-    worker.queries.push_back({.position = fleet.position[slot],
-                              .self = fleet.rank[slot],
-                              .most = nearest,
-                              .near = near_range(world, slot),
-                              .far = world.sensing_radius,
-                              .guess = kMargin * static_cast<double>(fleet.nearest[slot])});
-  }
+  for (const std::uint32_t slot : slots) worker.queries.push_back(query_of(world, slot));
   const std::size_t robots = snapshot.grid.find(worker.queries, kTileCandidates, worker.search);
   for (std::size_t i = 0; i < robots; ++i) {
     const std::size_t first = worker.tile.neighbors.count;
@@ -176,7 +181,7 @@ std::size_t sense(World& world, std::span<const std::uint32_t> slots, Worker& wo
       append_one_by_one(world, slots[i], i, worker);
     }
     fleet.nearest[slots[i]] = reach_of_nearest(fleet.position[slots[i]], worker.search.results[i],
-                                               nearest, snapshot, worker.search);
+                                               nearest_sought(world), snapshot, worker.search);
     const NeighborColumns& neighbors = worker.tile.neighbors;
     worker.tile.robots.neighbors.push_back(
         {&neighbors, first, neighbors.count - first, range_of(worker.queries[i])});

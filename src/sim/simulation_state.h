@@ -7,6 +7,7 @@
 #include <span>
 
 #include "core/mutex.h"
+#include "sim/clocks.h"
 #include "sim/world.h"
 
 namespace avo {
@@ -21,6 +22,12 @@ struct Simulation::State : World {
   bool has_claims = false;  // of the present generation, for those who ask
   Claims present_claims;
 
+  /// See avo::catch_up(), of those who only look.
+  void catch_up() {
+    if (is_current) return;
+    const Lock lock(looking);
+    avo::catch_up(*this);
+  }
   void forget_views() {
     mirrored = Columns{};
     has_claims = false;

@@ -15,6 +15,7 @@
 #include "planner/tile.h"
 #include "robots/motion.h"
 #include "sim/claims.h"
+#include "sim/clocks.h"
 #include "sim/fleet.h"
 #include "sim/kinds.h"
 #include "sim/moving_columns.h"
@@ -23,6 +24,7 @@
 #include "sim/snapshot.h"
 #include "sim/static_world.h"
 #include "sim/ways.h"
+#include "sim/whereabouts.h"
 
 namespace avo {
 
@@ -81,6 +83,10 @@ struct World {
   std::int64_t steps = 0;
   Instant now = 0, before = -1;  // of free clocks: the last step began before, if at all
   std::uint64_t next_id = 0;
+
+  Agenda agenda;                        // of free clocks, like the next two
+  Whereabouts whereabouts;
+  std::atomic<bool> is_current = true;  // the fleet's columns tell where all are now
 
   Snapshot snapshot;
   UniformGrid obstacle_grid;
