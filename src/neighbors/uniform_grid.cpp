@@ -73,18 +73,21 @@ void UniformGrid::take(std::span<const std::uint32_t> points, std::span<const Ve
   }
 }
 
-void UniformGrid::list_read(Vec2 position, double radius,
-                            std::vector<std::uint32_t>& places) const {
-  places.clear();
-  if (!is_finite(position)) return;
-  const CellRange range = cells_within(position, radius, cells_);
+void UniformGrid::list_within(Vec2 center, double radius,
+                              std::vector<std::uint32_t>& places) const {
+  std::size_t count = 0;
+  const CellRange range = cells_within(center, radius, cells_);
   for (std::int64_t row = range.first_row; row <= range.last_row; ++row) {
     for (std::size_t k = 0; k < range.columns; ++k) {
       const std::size_t slot = cells_.slot(range.first_column + static_cast<std::int64_t>(k), row);
-      for (std::uint32_t place = sort_.begin[slot]; place < sort_.begin[slot + 1]; ++place)
-        places.push_back(place);
+      places.resize(count + sort_.begin[slot + 1] - sort_.begin[slot]);
+      for (std::uint32_t place = sort_.begin[slot]; place < sort_.begin[slot + 1]; ++place) {
+        places[count] = place;  // counts if it is near: nothing is guessed
+        count += norm_squared(position(place) - center) <= radius * radius ? 1 : 0;
+      }
     }
   }
+  places.resize(count);
 }
 
 void UniformGrid::forget_order() {

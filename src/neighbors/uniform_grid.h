@@ -36,8 +36,8 @@ class UniformGrid {
   /// points[k], which is called indices[k].
   void take(std::span<const std::uint32_t> points, std::span<const Vec2> positions,
             std::span<const int> indices);
-  /// Places that a search within the radius would read, whose points need not be within it.
-  void list_read(Vec2 position, double radius, std::vector<std::uint32_t>& places) const;
+  /// Places of all points within the radius of one that is finite, in no order.
+  void list_within(Vec2 center, double radius, std::vector<std::uint32_t>& places) const;
 
   /// Searches for one after the other until all are done or there are `enough` candidates: how many
   /// were done, and what was found, in the scratch memory. Safe to call from several threads.

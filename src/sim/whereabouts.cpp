@@ -18,6 +18,8 @@ namespace {
 constexpr std::size_t kFewDecide = 16;
 // Of the sensing radius: no search begins with less.
 constexpr double kLeastLook = 0.0625;
+// Of places and ways: more than rounding makes of them.
+constexpr double kRounding = 1e-12;
 // Room for so many that are near.
 constexpr std::size_t kUsuallyNear = 1024;
 
@@ -79,7 +81,8 @@ double drift_of(const World& world) {
 std::size_t gather(World& world, Vec2 center, double radius) {
   Whereabouts& own = world.whereabouts;
   const std::span<const std::uint32_t> order = own.filed.grid.order();
-  own.filed.grid.list_read(center, radius + drift_of(world), own.read);
+  const double reach = radius + drift_of(world);
+  own.filed.grid.list_within(center, reach + kRounding * (norm(center) + reach), own.read);
   own.slots.clear(), own.position.clear(), own.velocity.clear(), own.rank.clear();
   for (const std::uint32_t place : own.read) {
     const std::uint32_t slot = order[place];
@@ -95,7 +98,6 @@ std::size_t gather(World& world, Vec2 center, double radius) {
 }  // namespace
 
 void file(World& world) {
-  constexpr double kRounding = 1.0 + 1e-9;
   const Fleet& fleet = world.fleet;
   Whereabouts& own = world.whereabouts;
   std::swap(own.filed, world.snapshot);
@@ -104,13 +106,15 @@ void file(World& world) {
   own.step.resize(count), own.place_of.resize(count);
   own.read.reserve(count), own.slots.reserve(near), own.rank.reserve(near);
   own.position.reserve(near), own.velocity.reserve(near);
+  world.snapshot.sensed.reserve(near);
+  world.snapshot.grid.prepare({.per_meter = 0.0}, near);
   const std::span<const std::uint32_t> order = own.filed.grid.order();
   for (std::uint32_t place = 0; place < count; ++place) {
     const std::uint32_t slot = order[place];
     own.step[place] = step_under_way(world, slot);
     own.place_of[slot] = place;
     const double speed = (1.0 + kSpeedRounding) * fleet.traits[slot].max_speed;
-    own.top_speed = std::max(own.top_speed, kRounding * fastest_of(fleet.model(slot), speed));
+    own.top_speed = std::max(own.top_speed, fastest_of(fleet.model(slot), speed));
     note_speeds(world, slot);
   }
 }
@@ -131,6 +135,7 @@ bool knows_near(const World& world) {
 void find_near(World& world, std::size_t slot) {
   Whereabouts& own = world.whereabouts;
   const NeighborQuery query = query_of(world, slot);
+  if (!is_finite(query.position)) return world.snapshot.grid.take({}, {}, {});
   const bool all_look_alike = world.alike && world.obstacles.setup.empty();
   double radius = query.far;
   if (all_look_alike)
