@@ -75,9 +75,9 @@ Decision explain(const avo::Simulation& simulation, const std::string& scene, st
   const avo::Planner& planner = simulation.planner(index);
   Decision decision;
   decision.scene = scene;
-  decision.robot = static_cast<std::int64_t>(simulation.fleet().id[index].value);
+  decision.robot = static_cast<std::int64_t>(simulation.robot(index).id.value);
   decision.time = simulation.time();
-  decision.goal = simulation.fleet().goal[index];
+  decision.goal = simulation.robot(index).goal;
   decision.method = planner.options().method;
   decision.has_own_method = decision.method != simulation.planner().options().method;
   decision.seen = simulation.perceive(index);

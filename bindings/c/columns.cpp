@@ -8,35 +8,9 @@
 
 namespace avo_c {
 
-namespace {
-
-// Place of the first id that is not less, of ascending ids of which one is not; without a branch,
-// which would be guessed wrongly half of the time.
-std::size_t lower_bound(std::span<const avo::RobotId> ids, std::uint64_t value) {
-  const avo::RobotId* place = ids.data();
-  for (std::size_t count = ids.size(); count > 1;) {
-    const std::size_t half = count / 2;
-    place += static_cast<std::size_t>(place[half - 1].value < value) * half;
-    count -= half;
-  }
-  return static_cast<std::size_t>(place - ids.data());
-}
-
-// Of a robot that is there. Its number is its place, less as many as have gone before it.
-std::optional<std::size_t> place_of(std::span<const avo::RobotId> ids, std::uint64_t value) {
-  if (ids.empty() || value > ids.back().value) return std::nullopt;
-  const std::uint64_t gone = ids.back().value - (ids.size() - 1);
-  const std::size_t first = value > gone ? value - gone : 0;
-  const std::size_t end = std::min<std::size_t>(value, ids.size() - 1) + 1;
-  const std::size_t place = first + lower_bound(ids.subspan(first, end - first), value);
-  return ids[place].value == value ? std::optional(place) : std::nullopt;
-}
-
-}  // namespace
-
-std::size_t index_of(const avo::FleetView& fleet, avo_robot_id robot) {
+std::size_t index_of(const avo::Simulation& simulation, avo_robot_id robot) {
   if (robot.value != 0) {
-    if (const auto place = place_of(fleet.id, from_c(robot).value)) return *place;
+    if (const auto place = simulation.index_of(from_c(robot))) return *place;
   }
   fail(AVO_ERROR_INVALID_ID, "robot: found " +
                                  (robot.value == 0 ? "a null id" : std::to_string(robot.value)) +
@@ -64,17 +38,6 @@ const avo_robot_id* ids_of(Simulation& simulation, const avo::FleetView& fleet) 
   return simulation.ids.data();
 }
 
-// value = of(fleet, index) for the robot of the simulation with that id.
-template <typename Value, typename Of>
-avo_result get(avo_simulation_id id, avo_robot_id robot, Value* value, const Of& of) {
-  return guarded([&] {
-    const Simulation& own = simulations.at(id);
-    Value& result = at(value, "result");
-    const avo::FleetView fleet = own.simulation.fleet();
-    result = of(fleet, index_of(fleet, robot));
-  });
-}
-
 // value = of(simulation) for the one with that id.
 template <typename Value, typename Of>
 avo_result get(avo_simulation_id id, Value* value, const Of& of) {
@@ -84,13 +47,21 @@ avo_result get(avo_simulation_id id, Value* value, const Of& of) {
   });
 }
 
-// The same of one robot, by its index into fleet().
+// value = of(simulation, index) of one robot, by its index into fleet().
 template <typename Value, typename Of>
 avo_result get_by_index(avo_simulation_id id, avo_robot_id robot, Value* value, const Of& of) {
   return guarded([&] {
     const Simulation& own = simulations.at(id);
     Value& result = at(value, "result");
-    result = of(own.simulation, index_of(own.simulation.fleet(), robot));
+    result = of(own.simulation, index_of(own.simulation, robot));
+  });
+}
+
+// value = of(state) of one robot.
+template <typename Value, typename Of>
+avo_result get(avo_simulation_id id, avo_robot_id robot, Value* value, const Of& of) {
+  return get_by_index(id, robot, value, [&](const avo::Simulation& own, std::size_t index) {
+    return of(own.robot(index));
   });
 }
 
@@ -114,7 +85,10 @@ avo_result avo_simulation_columns(avo_simulation_id simulation, avo_columns* col
   return guarded([&] {
     Simulation& own = simulations.at(simulation);
     avo_columns& result = at(columns, "columns");
-    const avo::FleetView fleet = own.simulation.fleet();
+    using avo::Columns;
+    const avo::FleetView fleet = own.simulation.fleet(
+        Columns::id | Columns::position | Columns::velocity | Columns::heading | Columns::goal |
+        Columns::plan | Columns::detour | Columns::applied_acceleration);
     result = {fleet.id.size(),
               ids_of(own, fleet),
               lent<avo_vec2>(fleet.position),
@@ -138,43 +112,38 @@ avo_result avo_simulation_moving_obstacles(avo_simulation_id simulation,
 
 avo_result avo_simulation_get_position(avo_simulation_id simulation, avo_robot_id robot,
                                        avo_vec2* position) {
-  return get(simulation, robot, position, [](const avo::FleetView& fleet, std::size_t index) {
-    return to_c(fleet.position[index]);
-  });
+  return get(simulation, robot, position,
+             [](const avo::RobotState& state) { return to_c(state.position); });
 }
 
 avo_result avo_simulation_get_velocity(avo_simulation_id simulation, avo_robot_id robot,
                                        avo_vec2* velocity) {
-  return get(simulation, robot, velocity, [](const avo::FleetView& fleet, std::size_t index) {
-    return to_c(fleet.velocity[index]);
-  });
+  return get(simulation, robot, velocity,
+             [](const avo::RobotState& state) { return to_c(state.velocity); });
 }
 
 avo_result avo_simulation_get_heading(avo_simulation_id simulation, avo_robot_id robot,
                                       double* heading) {
   return get(simulation, robot, heading,
-             [](const avo::FleetView& fleet, std::size_t index) { return fleet.heading[index]; });
+             [](const avo::RobotState& state) { return state.heading; });
 }
 
 avo_result avo_simulation_get_goal(avo_simulation_id simulation, avo_robot_id robot,
                                    avo_vec2* goal) {
-  return get(simulation, robot, goal, [](const avo::FleetView& fleet, std::size_t index) {
-    return to_c(fleet.goal[index]);
-  });
+  return get(simulation, robot, goal,
+             [](const avo::RobotState& state) { return to_c(state.goal); });
 }
 
 avo_result avo_simulation_get_plan(avo_simulation_id simulation, avo_robot_id robot,
                                    avo_plan* plan) {
-  return get(simulation, robot, plan, [](const avo::FleetView& fleet, std::size_t index) {
-    return std::bit_cast<avo_plan>(fleet.plan[index]);
-  });
+  return get(simulation, robot, plan,
+             [](const avo::RobotState& state) { return std::bit_cast<avo_plan>(state.plan); });
 }
 
 avo_result avo_simulation_get_applied_acceleration(avo_simulation_id simulation, avo_robot_id robot,
                                                    double* acceleration) {
-  return get(simulation, robot, acceleration, [](const avo::FleetView& fleet, std::size_t index) {
-    return fleet.applied_acceleration[index];
-  });
+  return get(simulation, robot, acceleration,
+             [](const avo::RobotState& state) { return state.applied_acceleration; });
 }
 
 avo_result avo_simulation_is_at_goal(avo_simulation_id simulation, avo_robot_id robot,
@@ -223,8 +192,7 @@ avo_result avo_simulation_get_robot_def(avo_simulation_id simulation, avo_robot_
                                         avo_robot_def* def) {
   return guarded([&] {
     const Simulation& own = simulations.at(simulation);
-    const avo::FleetView fleet = own.simulation.fleet();
-    write(def, def_of(fleet.setup[index_of(fleet, robot)]), {"def"});
+    write(def, def_of(own.simulation.setup(index_of(own.simulation, robot))), {"def"});
   });
 }
 
@@ -241,7 +209,7 @@ avo_result avo_simulation_get_sensing_radius(avo_simulation_id simulation, doubl
 }
 
 avo_result avo_simulation_get_robot_count(avo_simulation_id simulation, size_t* count) {
-  return get(simulation, count, [](const avo::Simulation& own) { return own.fleet().id.size(); });
+  return get(simulation, count, [](const avo::Simulation& own) { return own.size(); });
 }
 
 avo_result avo_simulation_get_threads(avo_simulation_id simulation, int32_t* threads) {

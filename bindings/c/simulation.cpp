@@ -33,15 +33,20 @@ void observe(Simulation& simulation) {
 // change(simulation) of the one with that id, of which no columns are lent any more.
 template <typename Change>
 avo_result changed(avo_simulation_id id, const Change& change) {
-  return guarded([&] {
-    Simulation& own = simulations.at(id);
+  return guarded([&] { change(simulations.at(id)); });
+}
+
+// The same of one whose robots may be others then.
+template <typename Change>
+avo_result repopulated(avo_simulation_id id, const Change& change) {
+  return changed(id, [&](Simulation& own) {
     own.has_ids.store(false, std::memory_order_relaxed);
     change(own);
   });
 }
 
 avo::RobotId number_of(const Simulation& simulation, avo_robot_id robot) {
-  static_cast<void>(index_of(simulation.simulation.fleet(), robot));
+  static_cast<void>(index_of(simulation.simulation, robot));
   return from_c(robot);
 }
 
@@ -88,7 +93,7 @@ bool avo_simulation_is_valid(avo_simulation_id simulation) {
 }
 
 avo_result avo_simulation_step(avo_simulation_id simulation) {
-  return changed(simulation, [](Simulation& own) {
+  return repopulated(simulation, [](Simulation& own) {
     own.simulation.step();
     observe(own);
   });
@@ -96,7 +101,7 @@ avo_result avo_simulation_step(avo_simulation_id simulation) {
 
 avo_result avo_simulation_add_robot(avo_simulation_id simulation, const avo_robot_def* def,
                                     avo_robot_id* robot) {
-  return changed(simulation, [&](Simulation& own) {
+  return repopulated(simulation, [&](Simulation& own) {
     avo_robot_id& id = at(robot, "robot");
     const avo_robot_def known = read(def, {"def"}, avo_default_robot_def());
     id = to_c(own.simulation.add_robot(setup_of(known, {"robot"})));
@@ -104,8 +109,8 @@ avo_result avo_simulation_add_robot(avo_simulation_id simulation, const avo_robo
 }
 
 avo_result avo_simulation_remove_robot(avo_simulation_id simulation, avo_robot_id robot) {
-  return changed(simulation,
-                 [&](Simulation& own) { own.simulation.remove_robot(number_of(own, robot)); });
+  return repopulated(simulation,
+                     [&](Simulation& own) { own.simulation.remove_robot(number_of(own, robot)); });
 }
 
 avo_result avo_simulation_set_goal(avo_simulation_id simulation, avo_robot_id robot,

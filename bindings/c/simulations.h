@@ -38,7 +38,7 @@ inline avo_robot_id to_c(avo::RobotId robot) {
 }
 
 /// Index into fleet(). Throws Failure where it is null or gone.
-std::size_t index_of(const avo::FleetView& fleet, avo_robot_id robot);
+std::size_t index_of(const avo::Simulation& simulation, avo_robot_id robot);
 
 /// Metrics begin anew, where there are any.
 void restart_metrics(Simulation& simulation);

@@ -50,6 +50,8 @@ struct RobotSetup {
   /// scene's has what is customary for its own, see planner_options().
   std::optional<Method> method = {};
   std::optional<double> time_horizon = {};  ///< [τ] s, > 0; unset: that of its method
+
+  friend bool operator==(const RobotSetup&, const RobotSetup&) = default;
 };
 
 /// Of the disc that others sense.

@@ -28,6 +28,26 @@ struct ObstacleId {
   friend constexpr bool operator==(ObstacleId, ObstacleId) = default;
 };
 
+/// Columns of a FleetView. Each costs a copy of the fleet's, once a generation.
+enum class Columns : std::uint16_t {
+  id = 1,
+  position = 2,
+  velocity = 4,
+  heading = 8,
+  goal = 16,
+  setup = 32,
+  detour = 64,
+  plan = 128,
+  applied_acceleration = 256,
+  all = 511,
+};
+constexpr Columns operator|(Columns a, Columns b) {
+  return static_cast<Columns>(static_cast<unsigned>(a) | static_cast<unsigned>(b));
+}
+constexpr bool includes(Columns all, Columns some) {
+  return (static_cast<unsigned>(some) & ~static_cast<unsigned>(all)) == 0;
+}
+
 /// Columns of the present generation, one entry a robot, by ascending id. Valid until the next
 /// call that changes the simulation.
 struct FleetView {
@@ -42,6 +62,17 @@ struct FleetView {
   /// m/s^2, the largest |a| within the last step; of a car with the exact set the larger part of
   /// it, along the heading or across.
   std::span<const double> applied_acceleration;
+};
+
+/// One robot's entries in the columns that steps change.
+struct RobotState {
+  RobotId id;
+  Vec2 position, velocity;            ///< m, m/s
+  double heading = 0.0;               ///< rad; of cars, 0 for others
+  Vec2 goal;                          ///< m
+  Detour detour;                      ///< see FleetView
+  Plan plan;                          ///< see FleetView
+  double applied_acceleration = 0.0;  ///< m/s^2, see FleetView
 };
 
 /// Columns of the moving obstacles, in the order of the scene. Valid as FleetView is.
@@ -146,7 +177,12 @@ class AVO_API Simulation {
   /// throws. Makes a simulation whole whose step ended in the midst.
   void restore(std::span<const std::byte> saved);
 
-  [[nodiscard]] FleetView fleet() const;
+  /// The columns that are wanted; the others are empty. Whoever looks at few robots calls robot().
+  [[nodiscard]] FleetView fleet(Columns wanted = Columns::all) const;
+  [[nodiscard]] std::size_t size() const;  ///< robots
+  /// The robot at that index into fleet(). Takes no longer where there are many.
+  [[nodiscard]] RobotState robot(std::size_t robot) const;
+  [[nodiscard]] RobotSetup setup(std::size_t robot) const;  ///< likewise, see FleetView::setup
   /// Index of the robot into fleet(), which is not its number once another one has been removed or
   /// has left; none where it is gone itself.
   [[nodiscard]] std::optional<std::size_t> index_of(RobotId robot) const;

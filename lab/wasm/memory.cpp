@@ -36,7 +36,7 @@ bool has_goals_of(const SavedState& a, const SavedState& b) {
 void take_states(const SavedState& now, SavedState& next) {
   std::size_t i = 0;
   for (std::size_t k = 0; k < next.robots.size(); ++k) {
-    avo::RobotState& robot = next.robots[k];
+    avo::SavedRobot& robot = next.robots[k];
     while (i < now.robots.size() && now.robots[i].id.value < robot.id.value) ++i;
     if (i == now.robots.size() || now.robots[i].id != robot.id) continue;
     const avo::RobotSetup &setup = next.scene.robots[k], &was = now.scene.robots[i];

@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "core/plane.h"
+#include "neighbors/search_steps.h"
 
 namespace avo {
 namespace {
@@ -56,6 +57,37 @@ SortedPart UniformGrid::build_part(std::span<const std::uint32_t> keys,
     index_[place] = indices[i];
   }
   return sorted;
+}
+
+void UniformGrid::take(std::span<const std::uint32_t> points, std::span<const Vec2> positions,
+                       std::span<const int> indices) {
+  cells_ = {.per_meter = 0.0};
+  sort_.begin.assign({0U, static_cast<std::uint32_t>(points.size())});
+  sort_.order.assign(points.begin(), points.end());
+  for (std::vector<double>* column : {&x_, &y_, &index_})
+    column->resize(points.size() + kSparePoints);
+  for (std::size_t place = 0; place < points.size(); ++place) {
+    x_[place] = positions[place].x;
+    y_[place] = positions[place].y;
+    index_[place] = indices[place];
+  }
+}
+
+void UniformGrid::list_within(Vec2 center, double radius,
+                              std::vector<std::uint32_t>& places) const {
+  std::size_t count = 0;
+  const CellRange range = cells_within(center, radius, cells_);
+  for (std::int64_t row = range.first_row; row <= range.last_row; ++row) {
+    for (std::size_t k = 0; k < range.columns; ++k) {
+      const std::size_t slot = cells_.slot(range.first_column + static_cast<std::int64_t>(k), row);
+      places.resize(count + sort_.begin[slot + 1] - sort_.begin[slot]);
+      for (std::uint32_t place = sort_.begin[slot]; place < sort_.begin[slot + 1]; ++place) {
+        places[count] = place;  // counts if it is near: nothing is guessed
+        count += norm_squared(position(place) - center) <= radius * radius ? 1 : 0;
+      }
+    }
+  }
+  places.resize(count);
 }
 
 void UniformGrid::forget_order() {

@@ -32,6 +32,13 @@ class UniformGrid {
   SortedPart build_part(std::span<const std::uint32_t> keys, std::span<const Vec2> positions,
                         std::span<const int> indices, std::size_t part, std::size_t parts);
 
+  /// Of these points alone, as few as a search would read anyway: positions[k] is that of
+  /// points[k], which is called indices[k].
+  void take(std::span<const std::uint32_t> points, std::span<const Vec2> positions,
+            std::span<const int> indices);
+  /// Places of all points within the radius of one that is finite, in no order.
+  void list_within(Vec2 center, double radius, std::vector<std::uint32_t>& places) const;
+
   /// Searches for one after the other until all are done or there are `enough` candidates: how many
   /// were done, and what was found, in the scratch memory. Safe to call from several threads.
   std::size_t find(std::span<const NeighborQuery> queries, std::size_t enough,

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 
 #include "core/hash.h"
@@ -85,26 +86,68 @@ std::int64_t decisions_of(const World& world, std::size_t slot) {
   return world.now / step_of(world.fleet.clock_of(slot));
 }
 
+void make_agenda(World& world) {
+  const Fleet& fleet = world.fleet;
+  Agenda& agenda = world.agenda;
+  agenda.later.clear(), agenda.now.clear();
+  agenda.later.reserve(fleet.size()), agenda.now.reserve(fleet.size());
+  for (std::uint32_t rank = 0; rank < fleet.size(); ++rank) {
+    if (fleet.conduct[fleet.slot_of[rank]].parked) continue;
+    const Instant end = fleet.clock[rank].end;
+    if (end > world.now)
+      agenda.later.emplace_back(end, rank);
+    else
+      agenda.now.push_back(rank);
+  }
+  std::make_heap(agenda.later.begin(), agenda.later.end(), std::greater<>());
+}
+
 Instant next_instant(const World& world) {
   Instant next = std::numeric_limits<Instant>::max();
-  for (const OwnClock& clock : world.fleet.clock)
+  const auto take = [&](const OwnClock& clock) {
     next = std::min(next, clock.end > world.now ? clock.end : world.now + step_of(clock));
+  };
+  if (world.changed) {
+    std::for_each(world.fleet.clock.begin(), world.fleet.clock.end(), take);
+  } else {
+    if (!world.agenda.later.empty()) next = world.agenda.later.front().first;
+    for (const std::uint32_t rank : world.agenda.now) take(world.fleet.clock[rank]);
+  }
   if (next < std::numeric_limits<Instant>::max()) return next;
   return world.now + nanoseconds(world.settings.time_step);
 }
 
 void carry_on(World& world, Instant instant) {
-  Fleet& fleet = world.fleet;
-  world.fast = false;
-  for (std::size_t slot = 0; slot < fleet.size(); ++slot) {
-    if (fleet.conduct[slot].parked) continue;
-    put(world, slot, state_at(world, slot, instant));
-    fleet.cell[slot] = world.snapshot.cells.key(fleet.position[slot]);
-    world.fast = world.fast || world.is_fast(slot);
+  auto& [later, now] = world.agenda;
+  for (const std::uint32_t rank : now) {
+    later.emplace_back(world.fleet.clock[rank].end, rank);
+    std::push_heap(later.begin(), later.end(), std::greater<>());
+  }
+  now.clear();
+  while (!later.empty() && later.front().first == instant) {
+    now.push_back(later.front().second);
+    std::pop_heap(later.begin(), later.end(), std::greater<>());
+    later.pop_back();
   }
   world.obstacles.advance(seconds(instant - world.now), seconds(instant));
   world.before = world.now;
   world.now = instant;
+  world.is_current = false;
+}
+
+MotionState present_state(const World& world, std::size_t slot) {
+  if (world.is_current || world.fleet.conduct[slot].parked) return world.fleet.state(slot);
+  return state_at(world, slot, world.now);
+}
+
+void put_in_place(World& world, std::size_t slot) {
+  put(world, slot, present_state(world, slot));
+}
+
+void catch_up(World& world) {
+  if (world.is_current) return;
+  for (std::size_t slot = 0; slot < world.fleet.size(); ++slot) put_in_place(world, slot);
+  world.is_current = true;
 }
 
 }  // namespace avo

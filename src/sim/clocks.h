@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "sim/fleet.h"
@@ -31,6 +32,13 @@ inline Instant step_of(const OwnClock& clock) {
   return nanoseconds(clock.time_step);
 }
 
+/// Who decides when.
+struct Agenda {
+  using Entry = std::pair<Instant, std::uint32_t>;  // rank
+  std::vector<Entry> later;                         // the earliest on top of the heap
+  std::vector<std::uint32_t> now;                   // ranks
+};
+
 /// Where the robot is in the midst of a step between these two states, 0 <= time < duration.
 MotionState on_the_way(const World& world, std::size_t slot, const MotionState& from,
                        const MotionState& to, Instant time, Instant duration);
@@ -45,10 +53,21 @@ void begin_step(World& world, std::size_t slot);
 /// How many steps the robot has been through, as it counts them.
 std::int64_t decisions_of(const World& world, std::size_t slot);
 
+/// Of all robots that are there.
+void make_agenda(World& world);
+
 /// When the next step ends: who decides now has decided by then.
 Instant next_instant(const World& world);
 
-/// Moves all robots to where they are then, no later than any of their steps ends.
+/// Time goes on to then, no later than any of their steps ends, when those who decided now are on
+/// their way. Nobody is put to where it is by then, but by catch_up().
 void carry_on(World& world, Instant instant);
+
+/// Where the robot is now.
+MotionState present_state(const World& world, std::size_t slot);
+/// Puts the robot there.
+void put_in_place(World& world, std::size_t slot);
+/// Puts all robots to where they are now, if they are not.
+void catch_up(World& world);
 
 }  // namespace avo

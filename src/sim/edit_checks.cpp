@@ -54,12 +54,11 @@ RobotSetup standing(const World& world, std::size_t slot) {
 
 namespace {
 
-// All who are there.
+// Those who are there, as far as it matters who they are and not where.
 Scenario present_scene(const World& world) {
   Scenario scene = world.settings;
   scene.moving_obstacles = world.obstacles.setup;
-  for (const std::uint32_t slot : world.fleet.slot_of)
-    scene.robots.push_back(world.fleet.setup(slot));
+  scene.robots = world.kinds->examples();
   return scene;
 }
 
@@ -128,7 +127,10 @@ void check_flights(const World& world, const RobotSetup& setup, RobotId robot) {
 // Where one of them would avoid the other, and nothing could be promised to the two.
 void check_one_sided(const World& world, const RobotSetup& setup, RobotId robot) {
   const Fleet& fleet = world.fleet;
-  std::vector<RobotSetup> robots;
+  std::vector<RobotSetup> robots = world.kinds->examples();
+  robots.push_back(setup);
+  if (!find_impossible(robots)) return;
+  robots.clear();  // all, to tell who it is
   for (const std::uint32_t slot : fleet.slot_of) robots.push_back(fleet.setup(slot));
   robots.push_back(setup);
   const auto pair = find_impossible(robots);

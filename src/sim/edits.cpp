@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <limits>
+#include <new>
+#include <string>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -13,6 +15,7 @@
 #include "robots/model.h"
 #include "sim/clocks.h"
 #include "sim/edit_checks.h"
+#include "sim/scene_checks.h"
 #include "sim/world.h"
 
 namespace avo {
@@ -39,6 +42,11 @@ void join(World& world, const RobotSetup& setup, RobotId robot) {
   world.senses.note(world.fleet, world.steps);
   ++world.next_id;
   world.changed = world.has_new_goals = true;
+  try {
+    if (world.kinds) world.kinds->add(world.fleet.setup(world.fleet.size() - 1));
+  } catch (const std::bad_alloc&) {
+    world.kinds.reset();
+  }
 }
 
 static_assert(std::is_nothrow_move_assignable_v<StaticWorld> &&
@@ -76,6 +84,7 @@ void replace(World& world, StaticWorld statics) {
 
 void go_around_resting(World& world) {
   if (world.obstacles.rest_as(world.ways.resting())) return;
+  catch_up(world);
   adopt(world, ways_among(world, world.statics));
 }
 
@@ -118,11 +127,13 @@ void remove_parked(World& world, std::size_t slot) {
 
 RobotId add_robot(World& world, const RobotSetup& setup) {
   const RobotId robot{world.next_id};
+  catch_up(world);
   check_values(world, setup, robot, !world.statics.walls.empty());
   if (setup.parked) {
     park(world, setup, robot);
     return robot;
   }
+  if (!world.kinds) world.kinds.emplace(world.fleet);
   check_newcomer(world, setup, robot);
   Ways& ways = world.ways;
   Travel travel;
@@ -140,7 +151,9 @@ RobotId add_robot(World& world, const RobotSetup& setup) {
 
 void remove_robot(World& world, RobotId robot) {
   const std::size_t slot = world.fleet.find(robot);
+  catch_up(world);
   if (world.fleet.conduct[slot].parked) remove_parked(world, slot);
+  if (world.kinds) world.kinds->remove(world.fleet.setup(slot));
   std::vector<Travel>& travels = world.ways.travels;
   if (!travels.empty()) travels.erase(travels.begin() + world.fleet.rank[slot]);
   world.senses.remove(static_cast<std::size_t>(world.fleet.rank[slot]));
@@ -148,18 +161,28 @@ void remove_robot(World& world, RobotId robot) {
   world.changed = world.has_new_goals = true;
 }
 
+namespace {
+
+// What the goal of a robot is called where it is refused.
+struct GoalOf {
+  RobotId robot;
+
+  explicit operator std::string() const { return name_of(robot) + ": goal"; }
+};
+
+}  // namespace
+
 void set_goal(World& world, RobotId robot, Vec2 goal) {
   const std::size_t slot = world.fleet.find(robot);
   if (world.fleet.conduct[slot].parked)
     refuse(name_of(robot), "a goal for it", "one that is not parked");
-  RobotSetup setup = standing(world, slot);
-  setup.goal = goal;
-  check_values(world, setup, robot, !world.statics.walls.empty());
+  require(GoalOf{robot}, goal, "m");           // all else has been checked when the robot came
   if (goal == world.fleet.goal[slot]) return;  // it goes on with what it does
   Ways& ways = world.ways;
   if (!ways.empty()) {
+    put_in_place(world, slot);
     ways.travels[static_cast<std::size_t>(world.fleet.rank[slot])] =
-        ways.plan(disc_radius(setup), world.fleet.position[slot], goal);
+        ways.plan(world.fleet.traits[slot].radius, world.fleet.position[slot], goal);
   }
   world.fleet.goal[slot] = goal;
   world.has_new_goals = true;
@@ -175,6 +198,7 @@ void set_goal(World& world, RobotId robot, Vec2 goal) {
 void move_robot(World& world, RobotId robot, Vec2 position) {
   Fleet& fleet = world.fleet;
   const std::size_t slot = fleet.find(robot);
+  catch_up(world);
   if (fleet.conduct[slot].parked)
     refuse(name_of(robot), "another place for it", "one that is not parked");
   RobotSetup setup = fleet.setup(slot);
@@ -203,6 +227,7 @@ void move_robot(World& world, RobotId robot, Vec2 position) {
 
 ObstacleId add_obstacle(World& world, const StaticObstacle& obstacle) {
   const ObstacleId id{world.statics.next_id};
+  catch_up(world);
   Scenario scene = settings_for(world, {});
   scene.obstacles = {obstacle};
   validate_as(scene, "obstacles.0.", name_of(id));
@@ -216,6 +241,7 @@ ObstacleId add_obstacle(World& world, const StaticObstacle& obstacle) {
 }
 
 void remove_obstacle(World& world, ObstacleId obstacle) {
+  catch_up(world);
   std::vector<ObstacleId> ids = world.statics.id;
   const auto place = std::find(ids.begin(), ids.end(), obstacle);
   if (place == ids.end()) throw Error(name_of(obstacle) + ": found none of that id");

@@ -105,12 +105,14 @@ void Fleet::remove(std::size_t slot) {
   if (!flights.empty()) flights.erase(flights.begin() + rank[slot]);
   if (has_clocks) clock.erase(clock.begin() + rank[slot]);
   if (!pace.empty()) pace.erase(pace.begin() + rank[slot]);
-  for_each_column(
-      [&](auto& column) { column.erase(column.begin() + static_cast<std::ptrdiff_t>(slot)); });
-  for (std::size_t k = 0; k < slot_of.size(); ++k) {
-    if (slot_of[k] > slot) --slot_of[k];
-    rank[slot_of[k]] = static_cast<int>(k);
-  }
+  const std::size_t last = size() - 1;  // takes the slot
+  for (auto k = static_cast<std::size_t>(rank[slot]); k < slot_of.size(); ++k) --rank[slot_of[k]];
+  if (slot != last)
+    slot_of[static_cast<std::size_t>(rank[last])] = static_cast<std::uint32_t>(slot);
+  for_each_column([&](auto& column) {
+    column[slot] = column[last];
+    column.pop_back();
+  });
 }
 
 std::vector<Wall> Fleet::parked_discs() const {
@@ -122,11 +124,19 @@ std::vector<Wall> Fleet::parked_discs() const {
   return discs;
 }
 
+// A robot's rank is its number, less as many as have gone before it.
 std::optional<std::size_t> Fleet::slot(RobotId robot) const {
-  const auto place =
-      std::lower_bound(slot_of.begin(), slot_of.end(), robot,
-                       [&](std::uint32_t own, RobotId b) { return id[own].value < b.value; });
-  if (place == slot_of.end() || !(id[*place] == robot)) return std::nullopt;
+  if (slot_of.empty()) return std::nullopt;
+  const std::uint64_t number = robot.value, most = slot_of.size() - 1,
+                      last = id[slot_of[most]].value;
+  if (number > last) return std::nullopt;
+  const std::uint64_t gone = last - most;
+  const auto begin =
+      slot_of.begin() + static_cast<std::ptrdiff_t>(number > gone ? number - gone : 0);
+  const auto end = slot_of.begin() + static_cast<std::ptrdiff_t>(std::min(number, most));
+  const auto place = std::lower_bound(
+      begin, end, number, [&](std::uint32_t own, std::uint64_t b) { return id[own].value < b; });
+  if (!(id[*place] == robot)) return std::nullopt;
   return *place;
 }
 
@@ -135,10 +145,10 @@ std::size_t Fleet::find(RobotId robot) const {
   throw Error("robot " + std::to_string(robot.value) + ": found none of that id");
 }
 
-RobotSetup Fleet::setup(std::size_t slot) const {
+RobotSetup Fleet::setup(std::size_t slot, const MotionState& state) const {
   const RobotTraits& robot_traits = traits[slot];
-  RobotSetup setup{.position = place(slot),
-                   .velocity = velocity[slot],
+  RobotSetup setup{.position = place(slot, state),
+                   .velocity = state.velocity,
                    .goal = goal[slot],
                    .radius = models.empty() ? robot_traits.radius
                                             : own_radius[static_cast<std::size_t>(rank[slot])],
@@ -146,7 +156,7 @@ RobotSetup Fleet::setup(std::size_t slot) const {
                    .max_acceleration = robot_traits.max_acceleration,
                    .preferred_speed = robot_traits.preferred_speed,
                    .model = model(slot),
-                   .heading = heading[slot],
+                   .heading = state.heading,
                    .priority = conduct[slot].priority,
                    .parked = conduct[slot].parked,
                    .layers = conduct[slot].layers,
@@ -159,8 +169,8 @@ RobotSetup Fleet::setup(std::size_t slot) const {
   return setup;
 }
 
-Vec2 Fleet::offset(std::size_t slot) const {
-  return traits[slot].has_model ? disc_center(model(slot), {}, heading[slot]) : Vec2{};
+Vec2 Fleet::offset(std::size_t slot, double heading_of_it) const {
+  return traits[slot].has_model ? disc_center(model(slot), {}, heading_of_it) : Vec2{};
 }
 
 namespace {
@@ -235,26 +245,51 @@ void Fleet::reorder(std::span<const std::uint32_t> order, Executor& executor, bo
   torn = false;
 }
 
-void FleetMirror::copy(const Fleet& fleet) {
-  const auto take = [&](auto& to, const auto& from) {
-    to.resize(fleet.size());
-    for (std::size_t k = 0; k < to.size(); ++k) to[k] = from[fleet.slot_of[k]];
+// action(column, of) for each one, where of(fleet, slot) is a robot's entry in it.
+template <typename Action>
+void FleetMirror::for_each_column(Columns wanted, const Action& action) {
+  const auto at = [&](Columns which, auto& column, const auto& of) {
+    if (includes(wanted, which)) action(column, of);
   };
-  take(id, fleet.id);
-  position.resize(fleet.size());
-  for (std::size_t k = 0; k < position.size(); ++k) position[k] = fleet.place(fleet.slot_of[k]);
-  take(velocity, fleet.velocity);
-  take(goal, fleet.goal);
-  take(heading, fleet.heading);
-  take(applied_acceleration, fleet.applied_acceleration);
-  take(detour, fleet.detour);
-  take(plan, fleet.plan);
-  setup.resize(fleet.size());
-  for (std::size_t k = 0; k < setup.size(); ++k) setup[k] = fleet.setup(fleet.slot_of[k]);
+  const auto in = [](const auto Fleet::*column) {
+    return [column](const Fleet& fleet, std::size_t slot) { return (fleet.*column)[slot]; };
+  };
+  at(Columns::id, id, in(&Fleet::id));
+  at(Columns::position, position, [](const Fleet& f, std::size_t slot) { return f.place(slot); });
+  at(Columns::velocity, velocity, in(&Fleet::velocity));
+  at(Columns::heading, heading, in(&Fleet::heading));
+  at(Columns::goal, goal, in(&Fleet::goal));
+  at(Columns::setup, setup, [](const Fleet& f, std::size_t slot) { return f.setup(slot); });
+  at(Columns::detour, detour, in(&Fleet::detour));
+  at(Columns::plan, plan, in(&Fleet::plan));
+  at(Columns::applied_acceleration, applied_acceleration, in(&Fleet::applied_acceleration));
 }
 
-FleetView FleetMirror::view() const {
-  return {id, position, velocity, heading, goal, setup, detour, plan, applied_acceleration};
+void FleetMirror::copy(const Fleet& fleet, Columns wanted) {
+  for_each_column(wanted, [&](auto& column, const auto& of) {
+    column.resize(fleet.size());
+    for (std::size_t k = 0; k < column.size(); ++k) column[k] = of(fleet, fleet.slot_of[k]);
+  });
+}
+
+void FleetMirror::renew(const Fleet& fleet, std::size_t rank, Columns copied) {
+  for_each_column(
+      copied, [&](auto& column, const auto& of) { column[rank] = of(fleet, fleet.slot_of[rank]); });
+}
+
+FleetView FleetMirror::view(Columns wanted) const {
+  const auto shown = [&](Columns which, const auto& column) {
+    return includes(wanted, which) ? std::span(column) : decltype(std::span(column))();
+  };
+  return {shown(Columns::id, id),
+          shown(Columns::position, position),
+          shown(Columns::velocity, velocity),
+          shown(Columns::heading, heading),
+          shown(Columns::goal, goal),
+          shown(Columns::setup, setup),
+          shown(Columns::detour, detour),
+          shown(Columns::plan, plan),
+          shown(Columns::applied_acceleration, applied_acceleration)};
 }
 
 namespace {

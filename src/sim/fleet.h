@@ -164,12 +164,17 @@ struct Fleet {
     return traits[slot].has_model ? &models[static_cast<std::size_t>(rank[slot])] : nullptr;
   }
   /// m: how far its disc is ahead of the place that the robot is said to be at, and that place.
-  Vec2 offset(std::size_t slot) const;
+  Vec2 offset(std::size_t slot) const { return offset(slot, heading[slot]); }
+  Vec2 offset(std::size_t slot, double heading_of_it) const;
   Vec2 place(std::size_t slot) const {
     return traits[slot].has_model ? position[slot] - offset(slot) : position[slot];
   }
-  /// With its present goal, position, velocity and heading.
-  RobotSetup setup(std::size_t slot) const;
+  Vec2 place(std::size_t slot, const MotionState& state) const {
+    return state.position - offset(slot, state.heading);
+  }
+  /// With its goal, position, velocity and heading.
+  RobotSetup setup(std::size_t slot) const { return setup(slot, state(slot)); }
+  RobotSetup setup(std::size_t slot, const MotionState& state) const;
   /// Nothing of one that is no airplane.
   const Flight* flight(std::size_t slot) const {
     if (flights.empty() || !traits[slot].has_model || !passes_goal(*own_model(slot)))
@@ -203,7 +208,8 @@ struct Fleet {
   std::vector<std::byte> scratch_;  // of reorder()
 };
 
-/// A fleet by ascending id, for those who look at it from outside.
+/// Columns by ascending id, for those who look at a fleet from outside. They are copied when
+/// somebody asks for them, each by itself.
 struct FleetMirror {
   std::vector<RobotId> id;
   std::vector<Vec2> position, velocity, goal;
@@ -212,8 +218,14 @@ struct FleetMirror {
   std::vector<Detour> detour;
   std::vector<Plan> plan;
 
-  void copy(const Fleet& fleet);
-  FleetView view() const;
+  void copy(const Fleet& fleet, Columns wanted);
+  /// What has been copied, of one robot anew. Throws nothing.
+  void renew(const Fleet& fleet, std::size_t rank_of_it, Columns copied);
+  FleetView view(Columns wanted) const;
+
+ private:
+  template <typename Action>
+  void for_each_column(Columns wanted, const Action& action);
 };
 
 /// m: where its disc has to go for its place to come to the end of its way; other aims are the

@@ -32,7 +32,8 @@ double usual_reach(const World& world) {
   const Fleet& fleet = world.fleet;
   const Planner& planner = world.certified_planner();
   const std::size_t few = fleet.size() / kFarOfMany;
-  if (few == 0 || !world.all_matter() || !planner.options().max_neighbors) return kInfinity;
+  if (few == 0 || fleet.has_clocks || !world.all_matter() || !planner.options().max_neighbors)
+    return kInfinity;
   std::vector<double> reach;
   for (std::size_t slot = 0; slot < fleet.size(); ++slot) {
     Peers own;
@@ -79,7 +80,9 @@ void find_outliers(World& world) {
     apart += outlier.stands_apart ? 1 : 0;
   }
   const std::size_t movers = world.obstacles.setup.size();
-  if ((unlike + movers) * kUnlikeOfMany <= world.fleet.size()) return;
+  const bool are_few = (unlike + movers) * kUnlikeOfMany <= world.fleet.size();
+  // where clocks are free, nobody is moved only to know who is near it
+  if (are_few && (!world.fleet.has_clocks || unlike + movers == 0)) return;
   outliers.usual = apart + movers > 0 ? Scrutiny::everyone : Scrutiny::one_by_one;
   std::erase_if(outliers.robots, [](const Outlier& outlier) { return !outlier.reaches_far; });
 }

@@ -71,6 +71,7 @@ std::vector<Sighting> all_sightings(const World& world, std::size_t slot) {
 
 std::optional<Simulation::Wait> Simulation::wait(std::size_t robot) const {
   State& state = *state_;
+  state.catch_up();
   {
     const Lock lock(state.looking);
     if (state.changed) find_walls(state);
@@ -83,6 +84,7 @@ std::optional<Simulation::Wait> Simulation::wait(std::size_t robot) const {
 
 Simulation::Perception Simulation::perceive(std::size_t robot) const {
   State& state = *state_;
+  state.catch_up();
   if (state.changed || state.has_new_goals || state.obstacles.has_paths) {
     const Lock lock(state.looking);
     if (state.changed) find_walls(state);

@@ -150,7 +150,7 @@ void describe_kinds(Archive<kReads>& archive, RobotSetup& setup) {
 }
 
 template <bool kReads>
-void describe(Archive<kReads>& archive, RobotSetup& setup, RobotState& state) {
+void describe(Archive<kReads>& archive, RobotSetup& setup, SavedRobot& state) {
   describe(archive, setup.goal), describe(archive, setup.radius);
   describe(archive, setup.max_speed), describe(archive, setup.max_acceleration);
   double max_braking = setup.max_braking.value_or(0.0);  // 0: unset

@@ -43,7 +43,7 @@ void check_flights(const SavedState& state) {
   constexpr double kOff = 1e-6;  // of the radius
   std::size_t k = 0;
   for (std::size_t i = 0; i < state.robots.size(); ++i) {
-    const RobotState& robot = state.robots[i];
+    const SavedRobot& robot = state.robots[i];
     if (!is_airplane(state.scene.robots[i].model)) continue;
     const LoiterCircle own =
         *circle_of(state.scene.robots[i].model, robot.position, robot.velocity);
@@ -143,14 +143,14 @@ void check_states(const SavedState& state) {
   next = 0;
   for (const std::uint64_t id : state.stood) check_id(id, state.next_id);
   next = 0;
-  for (const RobotState& robot : state.robots) {
+  for (const SavedRobot& robot : state.robots) {
     if (!kAnyValue.contains(robot.heading))
       refuse_saved("heading " + text(robot.heading), "an angle in rad");
     if (!is_sound(robot.detour)) refuse_saved("a detour that no robot can remember", "a sound one");
     check_id(robot.id.value, state.next_id);
   }
   for (std::size_t k = 0; k < state.robots.size(); ++k) {
-    const RobotState& robot = state.robots[k];
+    const SavedRobot& robot = state.robots[k];
     if (!state.scene.robots[k].parked) continue;
     const RobotSetup& setup = state.scene.robots[k];
     const Vec2 center = disc_center(setup.model, setup.goal, robot.heading);

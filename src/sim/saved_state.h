@@ -19,13 +19,13 @@ namespace avo {
 struct World;
 
 /// What steps change of a robot: its state, beside its setup.
-struct RobotState {
+struct SavedRobot {
   RobotId id;
   Vec2 position, velocity;  // m, m/s
   double heading = 0.0;     // rad
   Detour detour;
 };
-static_assert(sizeof(RobotState) == 72, "it says so in avo/simulation.h");
+static_assert(sizeof(SavedRobot) == 72, "it says so in avo/simulation.h");
 
 /// What steps change of a robot's way around walls.
 struct SavedWay {
@@ -50,11 +50,11 @@ struct SavedClock {
 };
 
 struct SavedState {
-  Scenario scene;               // what is in RobotState does not count in its robots
+  Scenario scene;               // what is in SavedRobot does not count in its robots
   double sensing_radius = 0.0;  // m, at present
   std::int64_t steps = 0;
   std::uint64_t next_id = 0;
-  std::vector<RobotState> robots;   // by ascending id, as many as the scene has
+  std::vector<SavedRobot> robots;   // by ascending id, as many as the scene has
   std::vector<PathWalk> obstacles;  // likewise; without a path the target is 0
   std::vector<SavedWay> ways;       // of the robots; none without walls and movers at rest
   std::uint64_t next_obstacle = 0;

@@ -101,7 +101,7 @@ Fleet fleet_of(const SavedState& state, World& world) {
   fleet.method = state.scene.method;
   fleet.reserve(state.robots.size());
   for (std::size_t k = 0; k < state.robots.size(); ++k) {
-    const RobotState& robot = state.robots[k];
+    const SavedRobot& robot = state.robots[k];
     RobotSetup setup = state.scene.robots[k];
     setup.heading = robot.heading;
     fleet.add(robot.id, setup, world.pace_of(setup));
@@ -253,6 +253,7 @@ void restore(const SavedState& state, World& world) {
   if (other_ways) other_ways->forget_before();
   // nothing throws from here on
   std::swap(world.fleet, fleet);
+  world.kinds.reset();
   std::swap(world.senses, senses);
   std::swap(world.obstacles, obstacles);
   std::swap(ways.travels, travels);
@@ -265,7 +266,7 @@ void restore(const SavedState& state, World& world) {
   world.before = -1;
   world.next_id = state.next_id;
   world.next_layout = state.steps + 1;
-  world.changed = world.has_new_goals = true;
+  world.changed = world.has_new_goals = world.is_current = true;
   world.torn = false;
   for (Worker& worker : world.workers) {
     worker.tile.clear();  // of a torn step

@@ -5,6 +5,8 @@
 #include <cstdint>
 #include <span>
 
+#include "neighbors/search.h"
+
 namespace avo {
 
 struct World;
@@ -12,6 +14,9 @@ struct Worker;
 
 /// m, m/s: who is nearer to one that is no farther out is within the limits of all numbers.
 inline constexpr double kFarthestTrusted = 1e11;
+
+/// Whom the robot in that slot looks for.
+NeighborQuery query_of(const World& world, std::size_t slot);
 
 /// Fills the tile's neighbors: all that can matter within the sensing radius. Returns how many
 /// robots there was room for.

@@ -39,6 +39,14 @@ std::shared_ptr<Executor> checked(std::shared_ptr<Executor> executor) {
   return counted(std::move(executor));
 }
 
+// Which do not tell where robots are.
+constexpr Columns kUnmoved =
+    Columns::id | Columns::goal | Columns::detour | Columns::plan | Columns::applied_acceleration;
+
+Columns without(Columns all, Columns some) {
+  return static_cast<Columns>(static_cast<unsigned>(all) & ~static_cast<unsigned>(some));
+}
+
 void require_whole(const World& world, const char* call) {
   if (!world.torn) return;
   throw Error(std::string(call) +
@@ -96,12 +104,12 @@ void Simulation::remove_robot(RobotId robot) {
 
 void Simulation::move_robot(RobotId robot, Vec2 position) {
   avo::move_robot(*state_, robot, position);
-  state_->forget_views();
+  state_->forget_views_of(robot);
 }
 
 void Simulation::set_goal(RobotId robot, Vec2 goal) {
   avo::set_goal(*state_, robot, goal);
-  state_->forget_views();
+  state_->forget_views_of(robot);
 }
 
 ObstacleId Simulation::add_obstacle(const StaticObstacle& obstacle) {
@@ -117,6 +125,7 @@ void Simulation::remove_obstacle(ObstacleId obstacle) {
 
 std::vector<std::byte> Simulation::save() const {
   require_whole(*state_, "Simulation::save");
+  state_->catch_up();
   return to_bytes(saved_state(*state_));
 }
 
@@ -125,14 +134,38 @@ void Simulation::restore(std::span<const std::byte> saved) {
   state_->forget_views();
 }
 
-FleetView Simulation::fleet() const {
+FleetView Simulation::fleet(Columns wanted) const {
   State& state = *state_;
-  if (!state.is_mirrored) {
+  if (!includes(state.mirrored, wanted)) {
+    if (without(wanted, kUnmoved) != Columns{}) state.catch_up();
     const Lock lock(state.looking);
-    if (!state.is_mirrored) state.mirror.copy(state.fleet);
-    state.is_mirrored = true;
+    state.mirror.copy(state.fleet, without(wanted, state.mirrored));
+    state.mirrored = state.mirrored | wanted;
   }
-  return state.mirror.view();
+  return state.mirror.view(wanted);
+}
+
+std::size_t Simulation::size() const {
+  return state_->fleet.size();
+}
+
+RobotState Simulation::robot(std::size_t robot) const {
+  const Fleet& fleet = state_->fleet;
+  const std::uint32_t slot = fleet.slot_of[robot];
+  const MotionState present = present_state(*state_, slot);
+  return {.id = fleet.id[slot],
+          .position = fleet.place(slot, present),
+          .velocity = present.velocity,
+          .heading = present.heading,
+          .goal = fleet.goal[slot],
+          .detour = fleet.detour[slot],
+          .plan = fleet.plan[slot],
+          .applied_acceleration = fleet.applied_acceleration[slot]};
+}
+
+RobotSetup Simulation::setup(std::size_t robot) const {
+  const std::uint32_t slot = state_->fleet.slot_of[robot];
+  return state_->fleet.setup(slot, present_state(*state_, slot));
 }
 
 std::optional<std::size_t> Simulation::index_of(RobotId robot) const {
@@ -189,7 +222,8 @@ bool Simulation::is_at_goal(std::size_t robot) const {
   const std::uint32_t slot = state_->fleet.slot_of[robot];
   if (state_->fleet.conduct[slot].parked) return true;
   if (const Flight* flight = state_->fleet.flight(slot)) return flight->has_arrived;
-  const Vec2 p = state_->fleet.place(slot), goal = state_->fleet.goal[slot];
+  const Vec2 p = state_->fleet.place(slot, present_state(*state_, slot));
+  const Vec2 goal = state_->fleet.goal[slot];
   const Ways& ways = state_->ways;
   const bool is_beside = !ways.empty() && ways.travels[robot].ends == WayEnd::beside;
   const double slack = is_beside ? kBesideSlack * state_->fleet.traits[slot].radius : 0.0;
@@ -201,6 +235,7 @@ bool Simulation::is_at_goal(std::size_t robot) const {
     const Lock lock(state_->looking);
     find_shared_goals(*state_);
   }
+  state_->catch_up();
   return rests_at_place(*state_, slot);
 }
 
@@ -214,7 +249,7 @@ bool Simulation::all_at_goal() const {
 Simulation::Way Simulation::way(std::size_t robot) const {
   const Fleet& fleet = state_->fleet;
   const std::uint32_t slot = fleet.slot_of[robot];
-  const Vec2 p = fleet.place(slot), goal = fleet.goal[slot];
+  const Vec2 p = fleet.place(slot, present_state(*state_, slot)), goal = fleet.goal[slot];
   if (state_->ways.empty() || fleet.conduct[slot].parked) return {norm(goal - p), goal};
   return rest_of_way(state_->ways.travels[robot], p, goal);
 }
@@ -230,6 +265,7 @@ std::vector<RobotId> Simulation::unreachable() const {
 }
 
 std::uint64_t Simulation::state_hash() const {
+  state_->catch_up();
   const std::uint64_t present = hash_of(state_->fleet, state_->obstacles, state_->steps);
   const std::uint64_t hash = state_->senses.remember() ? hash_of(state_->senses, present) : present;
   return state_->statics.id.empty() ? hash : mixed(hash, state_->statics.hash);

@@ -7,6 +7,7 @@
 #include <span>
 
 #include "core/mutex.h"
+#include "sim/clocks.h"
 #include "sim/world.h"
 
 namespace avo {
@@ -16,12 +17,28 @@ struct Simulation::State : World {
 
   // in the order of ids; made when it is asked for
   Mutex looking;
-  std::atomic<bool> is_mirrored = false;
+  std::atomic<Columns> mirrored = Columns{};
   FleetMirror mirror;
   bool has_claims = false;  // of the present generation, for those who ask
   Claims present_claims;
 
-  void forget_views() { is_mirrored = has_claims = false; }
+  /// See avo::catch_up(), of those who only look.
+  void catch_up() {
+    if (is_current) return;
+    const Lock lock(looking);
+    avo::catch_up(*this);
+  }
+  void forget_views() {
+    mirrored = Columns{};
+    has_claims = false;
+  }
+  /// Of one robot alone, which is still there.
+  void forget_views_of(RobotId robot) {
+    const Columns copied = mirrored;
+    if (copied != Columns{})
+      mirror.renew(fleet, static_cast<std::size_t>(fleet.rank[*fleet.slot(robot)]), copied);
+    has_claims = false;
+  }
 
   static std::unique_ptr<State> of(const Scenario& scenario, std::shared_ptr<Executor> executor);
   static std::unique_ptr<State> of(std::span<const std::byte> saved,

@@ -146,14 +146,48 @@ void take_by_pace(World& world, Executor& executor) {
   }
 }
 
+// Before an instant at which everybody is looked at.
+void assemble(World& world) {
+  const Fleet& fleet = world.fleet;
+  catch_up(world);
+  unfile(world);
+  if (world.changed) make_agenda(world);
+  world.fast = false;
+  for (std::size_t slot = 0; slot < fleet.size() && !world.fast; ++slot)
+    world.fast = !fleet.conduct[slot].parked && world.is_fast(slot);
+}
+
+void collect_due(World& world) {
+  world.due.clear();
+  for (const std::uint32_t rank : world.agenda.now) world.due.push_back(world.fleet.slot_of[rank]);
+}
+
 // Those whose own steps end now decide; then all are on their ways to the next instant.
 void step_freely(World& world, Executor& executor) {
-  std::vector<std::uint32_t>& due = world.due;
-  due.clear();
-  for (const std::uint32_t slot : world.snapshot.grid.order()) {
-    if (world.fleet.clock_of(slot).end == world.now) due.push_back(slot);
-  }
+  collect_due(world);
   take_by_pace(world, executor);
+  file(world);
+  carry_on(world, next_instant(world));
+}
+
+// The same where only a few decide: each is shown those who are near it.
+void step_near(World& world) {
+  Worker& worker = world.workers[0];
+  worker.clock.start();
+  find_shared_goals(world);
+  if (!world.obstacles.setup.empty())
+    world.obstacle_grid.build(world.obstacles.position, world.sensing_radius);
+  worker.clock.lap(Stage::index);
+  world.fast = false;
+  collect_due(world);
+  for (const std::uint32_t slot : world.due) put_in_place(world, slot);
+  for (const std::uint32_t& slot : world.due) {
+    worker.clock.start();
+    find_near(world, slot);
+    worker.clock.lap(Stage::index);
+    take_slots(world, world.pace(slot), {&slot, 1}, worker);
+  }
+  for (const std::uint32_t slot : world.due) renew_step(world, slot);
   carry_on(world, next_instant(world));
 }
 
@@ -190,12 +224,14 @@ void leave(World& world) {
 void step(World& world) {
   leave(world);
   Executor& executor = executor_of(world);
-  index(world, executor);
+  const bool is_free = world.fleet.has_clocks, near = is_free && knows_near(world);
+  if (is_free && !near) assemble(world);
+  if (!near) index(world, executor);
   world.torn = true;
   bool fast = false;
   std::size_t decisions = world.fleet.size() - world.parked;
-  if (world.fleet.has_clocks) {
-    step_freely(world, executor);
+  if (is_free) {
+    near ? step_near(world) : step_freely(world, executor);
     decisions = world.due.size();
   } else {
     step_together(world, executor);
@@ -205,10 +241,13 @@ void step(World& world) {
     fast = fast || worker.fast;
     worker.fast = false;
   }
-  if (!world.fleet.has_clocks) world.fast = fast;
+  if (!is_free) world.fast = fast;
   world.torn = false;
   ++world.steps;
-  world.senses.note(world.fleet, world.steps);
+  if (!world.senses.are_exact()) {
+    catch_up(world);
+    world.senses.note(world.fleet, world.steps);
+  }
   if (world.workers[0].clock.is_on()) world.robot_steps += static_cast<std::int64_t>(decisions);
 }
 

@@ -15,7 +15,9 @@
 #include "planner/tile.h"
 #include "robots/motion.h"
 #include "sim/claims.h"
+#include "sim/clocks.h"
 #include "sim/fleet.h"
+#include "sim/kinds.h"
 #include "sim/moving_columns.h"
 #include "sim/outliers.h"
 #include "sim/places.h"
@@ -23,6 +25,7 @@
 #include "sim/snapshot.h"
 #include "sim/static_world.h"
 #include "sim/ways.h"
+#include "sim/whereabouts.h"
 
 namespace avo {
 
@@ -73,6 +76,7 @@ struct World {
   double sensing_radius;    // m; where the scene names none, it grows with robots that are added
   std::vector<Pace> paces;  // the scene's first; others where robots have something of their own
   Fleet fleet;
+  std::optional<Kinds> kinds;  // of the fleet, once somebody has been added
   ObstacleColumns obstacles;
   Senses senses;
   StaticWorld statics;
@@ -81,6 +85,10 @@ struct World {
   std::int64_t steps = 0;
   Instant now = 0, before = -1;  // of free clocks: the last step began before, if at all
   std::uint64_t next_id = 0;
+
+  Agenda agenda;                        // of free clocks, like the next two
+  Whereabouts whereabouts;
+  std::atomic<bool> is_current = true;  // the fleet's columns tell where all are now
 
   Snapshot snapshot;
   Outliers outliers;

@@ -8,23 +8,23 @@
 namespace avo_python {
 namespace {
 
+using avo::Columns;
 using avo::FleetView;
 using py::arg;
 
 std::size_t size_of(SharedSimulation& self) {
-  return self.briefly([](const avo::Simulation& s) { return s.fleet().id.size(); });
+  return self.briefly([](const avo::Simulation& s) { return s.size(); });
 }
 
 /// An array that copy() has filled; the fleet may change until it begins, not any more from then.
 template <typename Make, typename Copy>
-auto column(SharedSimulation& self, const Make& make, const Copy& copy) {
+auto column(SharedSimulation& self, Columns wanted, const Make& make, const Copy& copy) {
   for (;;) {
     const std::size_t n = size_of(self);
     auto array = make(static_cast<py::ssize_t>(n));
     const bool copied = self.briefly([&](const avo::Simulation& simulation) {
-      const FleetView fleet = simulation.fleet();
-      if (fleet.id.size() != n) return false;
-      copy(fleet, array);
+      if (simulation.size() != n) return false;
+      copy(simulation.fleet(wanted), array);
       return true;
     });
     if (copied) return array;
@@ -32,10 +32,10 @@ auto column(SharedSimulation& self, const Make& make, const Copy& copy) {
 }
 
 template <typename Of>  // Vec2 of(fleet, k)
-auto points(Of of) {
-  return [of](SharedSimulation& self, const Out& out) {
+auto points(Columns wanted, Of of) {
+  return [=](SharedSimulation& self, const Out& out) {
     return column(
-        self,
+        self, wanted,
         [&](py::ssize_t n) {
           return target(out, {n, 2});
         },
@@ -51,10 +51,10 @@ auto points(Of of) {
 }
 
 template <typename Of>  // double of(fleet, k)
-auto per_robot(Of of) {
-  return [of](SharedSimulation& self, const Out& out) {
+auto per_robot(Columns wanted, Of of) {
+  return [=](SharedSimulation& self, const Out& out) {
     return column(
-        self, [&](py::ssize_t n) { return target(out, {n}); },
+        self, wanted, [&](py::ssize_t n) { return target(out, {n}); },
         [&](const FleetView& fleet, py::array_t<double>& array) {
           auto row = array.mutable_unchecked<1>();
           for (py::ssize_t k = 0; k < row.shape(0); ++k)
@@ -64,10 +64,10 @@ auto per_robot(Of of) {
 }
 
 template <typename Number, typename Of>
-auto whole(Of of) {
-  return [of](SharedSimulation& self) {
+auto whole(Columns wanted, Of of) {
+  return [=](SharedSimulation& self) {
     return column(
-        self, [](py::ssize_t n) { return py::array_t<Number>(n); },
+        self, wanted, [](py::ssize_t n) { return py::array_t<Number>(n); },
         [&](const FleetView& fleet, py::array_t<Number>& array) {
           auto row = array.template mutable_unchecked<1>();
           for (py::ssize_t k = 0; k < row.shape(0); ++k)
@@ -92,43 +92,49 @@ auto obstacle_points(std::span<const avo::Vec2> avo::ObstacleView::*which) {
 
 }  // namespace
 
-#define POINTS(NAME, OF, DOC)                                                 \
-  def(NAME, points([](const FleetView& fleet, std::size_t k) { return OF; }), \
+// The column, and what of a robot's entry in it.
+#define POINTS(NAME, COLUMN, OF, DOC)                                                   \
+  def(NAME,                                                                             \
+      points(Columns::COLUMN,                                                           \
+             [](const FleetView& fleet, std::size_t k) { return fleet.COLUMN[k] OF; }), \
       arg("out") = py::none(), "(n, 2) float64, " DOC)
-#define NUMBERS(NAME, OF, DOC)                                                   \
-  def(NAME, per_robot([](const FleetView& fleet, std::size_t k) { return OF; }), \
+#define NUMBERS(NAME, COLUMN, OF, DOC)                                                     \
+  def(NAME,                                                                                \
+      per_robot(Columns::COLUMN,                                                           \
+                [](const FleetView& fleet, std::size_t k) { return fleet.COLUMN[k] OF; }), \
       arg("out") = py::none(), "(n,) float64, " DOC)
 
 void bind_columns(SimulationClass& simulation) {
-  simulation.POINTS("position", fleet.position[k], "m.")
-      .POINTS("velocity", fleet.velocity[k], "m/s.")
-      .POINTS("goal", fleet.goal[k], "m.")
-      .POINTS("new_velocity", fleet.plan[k].new_velocity, "m/s, of the last decisions.")
-      .POINTS("next_velocity", fleet.plan[k].next_velocity, "m/s, of the last decisions.")
-      .POINTS("acceleration", fleet.plan[k].acceleration, "m/s^2, of the last decisions.")
-      .NUMBERS("heading", fleet.heading[k], "rad, counter-clockwise from +x; 0 of holonomic ones.")
-      .NUMBERS("radius", fleet.setup[k].radius, "m.")
-      .NUMBERS("max_speed", fleet.setup[k].max_speed, "m/s.")
-      .NUMBERS("max_acceleration", fleet.setup[k].max_acceleration, "m/s^2.")
-      .NUMBERS("preferred_speed", fleet.setup[k].preferred_speed, "m/s.")
-      .NUMBERS("violation", fleet.plan[k].violation, "m/s, of the last decisions; 0 if optimal.")
-      .NUMBERS("applied_acceleration", fleet.applied_acceleration[k],
+  simulation.POINTS("position", position, , "m.")
+      .POINTS("velocity", velocity, , "m/s.")
+      .POINTS("goal", goal, , "m.")
+      .POINTS("new_velocity", plan, .new_velocity, "m/s, of the last decisions.")
+      .POINTS("next_velocity", plan, .next_velocity, "m/s, of the last decisions.")
+      .POINTS("acceleration", plan, .acceleration, "m/s^2, of the last decisions.")
+      .NUMBERS("heading", heading, , "rad, counter-clockwise from +x; 0 of holonomic ones.")
+      .NUMBERS("radius", setup, .radius, "m.")
+      .NUMBERS("max_speed", setup, .max_speed, "m/s.")
+      .NUMBERS("max_acceleration", setup, .max_acceleration, "m/s^2.")
+      .NUMBERS("preferred_speed", setup, .preferred_speed, "m/s.")
+      .NUMBERS("violation", plan, .violation, "m/s, of the last decisions; 0 if optimal.")
+      .NUMBERS("applied_acceleration", applied_acceleration, ,
                "m/s^2, the largest |a| within the last step.");
   simulation
-      .def("ids", whole<std::int64_t>([](const FleetView& fleet, std::size_t k) {
-             return fleet.id[k].value;
-           }),
+      .def("ids",
+           whole<std::int64_t>(Columns::id, [](const FleetView& fleet,
+                                               std::size_t k) { return fleet.id[k].value; }),
            "(n,) int64, ascending; never used again.")
-      .def("plan_status", whole<std::uint8_t>([](const FleetView& fleet, std::size_t k) {
-             return fleet.plan[k].status;
-           }),
+      .def("plan_status",
+           whole<std::uint8_t>(Columns::plan, [](const FleetView& fleet,
+                                                 std::size_t k) { return fleet.plan[k].status; }),
            "(n,) uint8, of the last decisions: indices into PLAN_STATUS.")
       .def("evading",
-           whole<bool>([](const FleetView& fleet, std::size_t k) { return fleet.plan[k].evading; }),
+           whole<bool>(Columns::plan,
+                       [](const FleetView& fleet, std::size_t k) { return fleet.plan[k].evading; }),
            "(n,) bool, of the last decisions: whether they were put aside for a way out.")
-      .def("plan_state", whole<std::uint8_t>([](const FleetView& fleet, std::size_t k) {
-             return fleet.plan[k].state;
-           }),
+      .def("plan_state",
+           whole<std::uint8_t>(Columns::plan, [](const FleetView& fleet,
+                                                 std::size_t k) { return fleet.plan[k].state; }),
            "(n,) uint8, of the last decisions: indices into SAFETY_STATE.")
       .def("obstacle_position", obstacle_points(&avo::ObstacleView::position),
            arg("out") = py::none(), "(m, 2) float64, m, of the moving obstacles.")

@@ -41,7 +41,7 @@ py::object explain_now(SharedSimulation& self, std::int64_t id) {
     const auto index =
         id < 0 ? std::nullopt : simulation.index_of({static_cast<std::uint64_t>(id)});
     if (!index) throw avo::Error(fmt::format("robot {}: found none of that id", id));
-    if (simulation.fleet().setup[*index].parked)
+    if (simulation.setup(*index).parked)
       throw avo::Error(
           fmt::format("robot: found {}, which is parked, must be one that decides", id));
     return to_json(avo_io::explain(simulation, self.name(), *index));
@@ -155,7 +155,7 @@ void require_same(const avo::Scenario& scenario, const avo::Simulation& simulati
   if (!name.empty() && name != scenario.name)
     throw avo::Error(
         fmt::format("simulation: found one of the scene {}, must be of {}", name, scenario.name));
-  const avo::FleetView fleet = simulation.fleet();
+  const avo::FleetView fleet = simulation.fleet(avo::Columns::id | avo::Columns::setup);
   for (std::size_t k = 0; k < fleet.id.size(); ++k) {
     const std::uint64_t id = fleet.id[k].value;
     if (id >= scenario.robots.size()) continue;

@@ -59,7 +59,7 @@ py::bytes save(SharedSimulation& self) {
 
 /// Index into the columns.
 std::size_t checked(const Simulation& simulation, std::int64_t robot) {
-  const auto n = static_cast<std::int64_t>(simulation.fleet().id.size());
+  const auto n = static_cast<std::int64_t>(simulation.size());
   if (robot < 0 || robot >= n)
     throw avo::Error(fmt::format("index: found {}, must be 0 to {}", robot, n - 1));
   return static_cast<std::size_t>(robot);
@@ -117,7 +117,7 @@ void bind_run(SimulationClass& simulation) {
 }
 
 void bind_state(SimulationClass& simulation) {
-  simulation.def("__len__", told([](const Simulation& s) { return s.fleet().id.size(); }))
+  simulation.def("__len__", told([](const Simulation& s) { return s.size(); }))
       .def_property_readonly("name", &SharedSimulation::name, "of the scene")
       .def_property_readonly("time", told([](const Simulation& s) { return s.time(); }), "s")
       .def_property_readonly("steps", told([](const Simulation& s) { return s.steps(); }),
@@ -146,7 +146,7 @@ void bind_state(SimulationClass& simulation) {
           "at_goal",
           [](SharedSimulation& self) {
             const auto at = self.briefly([](const Simulation& s) {
-              std::vector<std::uint8_t> all(s.fleet().id.size());
+              std::vector<std::uint8_t> all(s.size());
               for (std::size_t k = 0; k < all.size(); ++k) all[k] = s.is_at_goal(k) ? 1 : 0;
               return all;
             });
@@ -191,8 +191,8 @@ void bind_state(SimulationClass& simulation) {
       .def("_repr_svg_",
            [](const py::object& self) { return py::module_::import("avo.svg").attr("draw")(self); })
       .def("__repr__", [](SharedSimulation& self) {
-        const auto [n, time] = self.briefly(
-            [](const Simulation& s) { return std::pair(s.fleet().id.size(), s.time()); });
+        const auto [n, time] =
+            self.briefly([](const Simulation& s) { return std::pair(s.size(), s.time()); });
         return fmt::format("<avo.Simulation {}: {} robots at {:.9g} s>", self.name(), n, time);
       });
 }
@@ -241,6 +241,21 @@ void bind_edits(SimulationClass& simulation) {
           arg("id"), "A door opens.");
 }
 
+void bind_robot_state(py::module_& module) {
+  using avo::RobotState;
+  py::class_<RobotState>(module, "RobotState", "One robot of a fleet, as it is now.")
+      .def_property_readonly("id", [](const RobotState& state) { return state.id.value; })
+      .def_readonly("position", &RobotState::position, "(x, y), m")
+      .def_readonly("velocity", &RobotState::velocity, "(x, y), m/s")
+      .def_readonly("heading", &RobotState::heading,
+                    "rad, counter-clockwise from +x; 0 of holonomic ones")
+      .def_readonly("goal", &RobotState::goal, "(x, y), m")
+      .def_readonly("detour", &RobotState::detour, "Detour, what it remembers")
+      .def_readonly("plan", &RobotState::plan, "Plan, of its last decision")
+      .def_readonly("applied_acceleration", &RobotState::applied_acceleration,
+                    "m/s^2, the largest |a| within the last step");
+}
+
 void bind_inventory(SimulationClass& simulation) {
   simulation
       .def(
@@ -269,10 +284,17 @@ void bind_inventory(SimulationClass& simulation) {
       .def(
           "setup",
           [](SharedSimulation& self, std::int64_t index) {
-            return self.briefly(
-                [&](const Simulation& s) { return s.fleet().setup[checked(s, index)]; });
+            return self.briefly([&](const Simulation& s) { return s.setup(checked(s, index)); });
           },
-          arg("index"), "RobotSetup of the robot in that row of the arrays, a copy.");
+          arg("index"), "RobotSetup of the robot in that row of the arrays, a copy.")
+      .def(
+          "robot",
+          [](SharedSimulation& self, std::int64_t index) {
+            return self.briefly([&](const Simulation& s) { return s.robot(checked(s, index)); });
+          },
+          arg("index"),
+          "RobotState of the robot in that row of the arrays, a copy; takes no longer where there "
+          "are many.");
 }
 
 using Perception = Simulation::Perception;
@@ -327,6 +349,7 @@ void bind_simulation(py::module_& module) {
   bind_run(simulation);
   bind_state(simulation);
   bind_edits(simulation);
+  bind_robot_state(module);
   bind_inventory(simulation);
   bind_perception(module, simulation);
   bind_columns(simulation);

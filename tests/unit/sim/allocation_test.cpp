@@ -58,6 +58,30 @@ TEST(Allocation, none_per_step_of_free_clocks) {
   }
 }
 
+TEST(Allocation, none_for_a_look_at_one_robot_and_a_goal_for_it) {
+  Simulation simulation(test::dense_scene(100, Motion::held), 1);
+  const long before = allocations;
+  for (std::size_t i = 0; i < simulation.size(); ++i) {
+    const RobotState state = simulation.robot(i);
+    simulation.set_goal(state.id, state.position);
+  }
+  EXPECT_EQ(allocations - before, 0);
+}
+
+// Whoever comes is checked against the kinds of robots that are there.
+TEST(Allocation, as_many_for_a_newcomer_whatever_the_number_of_robots) {
+  const auto for_the_second = [](int robots) {
+    Scenario scene;
+    for (int k = 0; k < robots; ++k) scene.robots.push_back(test::robot_at({3.0 * k, 0}, {}));
+    Simulation simulation(scene, 1);
+    simulation.add_robot(test::robot_at({-50, 0}, {}));
+    const long before = allocations;
+    simulation.add_robot(test::robot_at({-60, 0}, {}));
+    return allocations - before;
+  };
+  EXPECT_EQ(for_the_second(30), for_the_second(1000));
+}
+
 TEST(Allocation, none_per_step_of_orca) {
   Scenario scene = test::dense_scene(200, Motion::held);
   scene.method = Method::orca;

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: Apache-2.0
+// Which different robots are there: what a newcomer needs of the others depends on little more.
+#pragma once
+#include <cstddef>
+#include <cstdint>
+#include <unordered_map>
+#include <vector>
+
+#include "sim/fleet.h"
+
+namespace avo {
+
+/// Robots that are alike but for where they are, how fast, and where they go.
+class Kinds {
+ public:
+  explicit Kinds(const Fleet& fleet);
+
+  void add(const RobotSetup& setup);
+  /// One of which there is at least one. Throws nothing.
+  void remove(const RobotSetup& setup);
+  /// At most two of each kind, in no order.
+  [[nodiscard]] std::vector<RobotSetup> examples() const;
+
+ private:
+  struct Kind {
+    RobotSetup setup;
+    std::size_t robots = 0;
+  };
+  using Table = std::unordered_multimap<std::uint64_t, Kind>;
+  Table::iterator find(std::uint64_t hash, const RobotSetup& kind);
+
+  Table table_;  // by hash_of_kind()
+};
+
+}  // namespace avo
