@@ -128,7 +128,7 @@ std::vector<Wall> Fleet::parked_discs() const {
 std::optional<std::size_t> Fleet::slot(RobotId robot) const {
   if (slot_of.empty()) return std::nullopt;
   const std::uint64_t number = robot.value, most = slot_of.size() - 1,
-                      last = id[slot_of[most]].value;
+                      last = id[slot_of.back()].value;
   if (number > last) return std::nullopt;
   const std::uint64_t gone = last - most;
   const auto begin =
