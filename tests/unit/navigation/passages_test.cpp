@@ -145,6 +145,15 @@ TEST(Passages, WhereThreeWaysMeetThreeEnd) {
   }
 }
 
+// The straight way from door to door leads along a wall, and the room is beside it.
+TEST(Passages, TwoDoorsInACornerOfARoomAreTwo) {
+  const std::vector<Wall> walls = {{{-7, 0}, {-7, 7}}, {{-7, 0}, {0, 0}},    {{0, 0}, {0, 1.4}},
+                                   {{0, 2.6}, {0, 7}}, {{-7, 7}, {-1.2, 7}}, {{0, 7}, {0, 12}}};
+  const Passages passages = passages_of(walls);
+  ASSERT_EQ(passages.size(), 2u);
+  for (std::uint32_t k = 0; k < 2; ++k) EXPECT_EQ(passages[k].axis.size(), 3u);
+}
+
 // Two gaps beside the end of a wall that divides the way do not see each other.
 TEST(Passages, OneEndsWhereItBranches) {
   const Passages passages =
