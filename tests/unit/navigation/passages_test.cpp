@@ -346,6 +346,8 @@ TEST(PassageCrossings, TheFirstOneOfOneLaneIsToldWithItsDirection) {
     const Passage& passage = passages[crossed->passage];
     EXPECT_NEAR(passage.axis[1].x, x, kRounding);
     EXPECT_NEAR(crossed->part, part, kRounding);
+    EXPECT_TRUE(leads_across(crossed->gap, p, q) && leads_across(crossed->gap, q, p));
+    EXPECT_NEAR(norm(crossed->gap.b - crossed->gap.a), 2.0 * passage.half_width, kRounding);
     const Vec2 way = axis_point(passage, crossed->forward, 0.0).direction;
     EXPECT_GT(dot(way, q - p), 0.0);
   };
