@@ -9,7 +9,7 @@ from drawing import BLACK, BLUE, GRAY, RED, ROOT, Figure, arc, constants, polar
 
 WALLS = constants("navigation/gaps.cpp", "navigation/join_gaps.cpp",
                   "navigation/passages.h", "navigation/passages.cpp", "navigation/prospect.cpp", "navigation/right_of_way.h",
-                  "navigation/right_of_way.cpp")
+                  "navigation/right_of_way.cpp", "sim/held_passages.cpp")
 DOOR = 3.2  # r, the width of a door: 1.6 m for r = 0.5 m
 
 
@@ -258,6 +258,30 @@ def make_room():
     figure.length((b[0], -2.9), (a[0], -2.9), f"nearer than {WALLS.kNear:g} R, and on its way: A goes", "start", -130, 20)
     figure.text(aside, "A waits here,", BLUE, "middle", 0, 56)
     figure.text(aside, "and comes back in its turn", BLUE, "middle", 0, 74)
+    return figure
+
+
+def go_around():
+    figure = Figure("go-around", "Whoever has waited for longer than another way takes goes there", 760, 342)
+    figure.view((40, 78), 27)
+    left, right, half, other = 5.0, 17.0, DOOR / 2, -4.8  # r; both lanes lead along x, one at y = 0
+    for top, bottom in ((2.4, half), (-half, other + half), (other - half, other - 2.4)):
+        figure.wall((left, top), (left, bottom), (right, bottom), (right, top))
+    figure.wall((left, -half), (right, -half)), figure.wall((left, other - half), (right, other - half))
+    a, b, end = (8.2, 0), (10.5, 0), (22.0, 0)
+    before, behind = left - 1.6, right + 1.6
+    figure.line([a, end], RED, 1.5, dashed=True)
+    figure.line([a, (before, 0), (before, other), (behind, other), end], BLUE, 2)
+    figure.line([(right, -half), (right, half)], RED, 3)
+    figure.text((right, 0), "closed gap", RED, "start", 8, -10)
+    figure.robot(b, GRAY, "B"), figure.robot(a, BLUE, "A")
+    figure.dot(end, BLUE, 4.5)
+    figure.text(end, "goal of A", BLUE, "middle", 0, 22)
+    figure.text((11.9, 0), "its way, of length L", RED, dy=-8)
+    figure.text(((left + right) / 2, other), "the way around, of length L'", BLUE, "middle", 0, -8)
+    figure.view((0, 342), 1)
+    figure.text((30, 44), f"t: since when A, with others near, has not come nearer to its goal by {WALLS.kComesNearer:g} r")
+    figure.text((30, 20), f"A goes around once t ≥ {WALLS.kPatience:g} T and t ≥ (L' - L)/(its preferred speed)")
     return figure
 
 

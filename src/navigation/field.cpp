@@ -82,7 +82,8 @@ class Wave {
     const double room = is_goal ? map_.room : graph_.room[bend];
     const bool is_turn = !is_goal && graph_.is_corner(bend) && graph_.is_corner(to);
     if (is_turn && !graph_.may_bend(to, (graph_.points[to] - q) / way)) return true;
-    if (!graph_.grid.is_clear(q, graph_.points[to], std::min(room, graph_.room[to]))) {
+    if (!map_.is_open(q, graph_.points[to]) ||
+        !graph_.grid.is_clear(q, graph_.points[to], std::min(room, graph_.room[to]))) {
       unseen_[to] = bend;
       return false;
     }

@@ -106,12 +106,21 @@ class Joiner {
     const double samples =
         std::ceil(norm(to - from) / (kSampling * std::min(one.radius, other.radius)));
     for (double n = 1.0; n < samples; n += 1.0) {
-      if (grid_.clearance(from + (n / samples) * (to - from)) >= limit) return false;
+      if (is_wide(from + (n / samples) * (to - from), to - from, limit)) return false;
     }
     return lines_->all_near(from, to, [&](std::size_t third) {
       if (third == i || third == k || gaps_[third].two_lanes != one.two_lanes) return true;
       return nearest_points({from, to}, {gaps_[third].a, gaps_[third].b}).distance > 0.0;
     });
+  }
+
+  // Whether there is so much room at p, or beside it: a way along a wall is not narrow for that.
+  bool is_wide(Vec2 p, Vec2 way, double room) const {
+    const Vec2 left = (room / norm(way)) * perpendicular(way);
+    for (const Vec2 place : {p, p + left, p - left}) {
+      if (sight_->is_clear(p, place, joint_) && grid_.clearance(place) >= room) return true;
+    }
+    return false;
   }
 
   std::size_t range_of(std::uint32_t i) const {

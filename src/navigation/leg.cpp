@@ -34,7 +34,8 @@ struct Lookout {
   }
   bool sees(std::uint32_t target) const {
     const double there = target == PathMap::kGoal ? map.room : graph.room[target];
-    return graph.grid.is_clear(p, point_of(graph, map, target), std::min(room, there));
+    const Vec2 place = point_of(graph, map, target);
+    return map.is_open(p, place) && graph.grid.is_clear(p, place, std::min(room, there));
   }
   // Then nothing is nearer by way, but for rounding.
   bool sees_goal() const { return map.is_free && sees(PathMap::kGoal); }

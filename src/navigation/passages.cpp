@@ -135,15 +135,13 @@ std::optional<std::uint32_t> Passages::at(Vec2 p) const {
 std::optional<Passages::Crossing> Passages::first_crossed(Vec2 p, Vec2 q) const {
   std::optional<Crossing> first;
   if (!gaps_) return first;
-  const Vec2 way = q - p;
   gaps_->all_near(p, q, [&](std::size_t k) {
     const Wall& gap = gaps_->walls()[k];
+    if (!leads_across({gap.a, gap.b}, p, q)) return true;
     const Vec2 across = gap.b - gap.a;
     const double from = cross(across, p - gap.a), to = cross(across, q - gap.a);
-    if ((from < 0.0) == (to < 0.0)) return true;
-    if ((cross(way, gap.a - p) < 0.0) == (cross(way, gap.b - p) < 0.0)) return true;
     const double part = from / (from - to);
-    if (!first || part < first->part) first = Crossing{gap_of_[k], part, to > from};
+    if (!first || part < first->part) first = Crossing{gap_of_[k], part, to > from, {gap.a, gap.b}};
     return true;
   });
   return first;

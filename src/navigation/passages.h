@@ -10,6 +10,7 @@
 
 #include "avo/wall.h"
 #include "navigation/clearance_grid.h"
+#include "walls/segment.h"
 
 namespace avo {
 
@@ -68,6 +69,7 @@ class Passages {
     std::uint32_t passage = 0;
     double part = 0.0;  // of the way from p to q
     bool forward = true;
+    Segment gap = {};  // that it leads across
   };
   /// The first passage of one lane that the straight way from p to q leads through.
   [[nodiscard]] std::optional<Crossing> first_crossed(Vec2 p, Vec2 q) const;

@@ -38,7 +38,8 @@ void spread_along_edges(const CornerGraph& graph, PathMap& map) {
     open.push({length, corner});
   };
   for (std::uint32_t k = 0; k < graph.points.size(); ++k) {
-    if (graph.grid.is_clear(map.goal, graph.points[k], std::min(map.room, graph.room[k])))
+    if (map.is_open(map.goal, graph.points[k]) &&
+        graph.grid.is_clear(map.goal, graph.points[k], std::min(map.room, graph.room[k])))
       reach(k, norm(map.goal - graph.points[k]), PathMap::kGoal);
   }
   while (!open.empty()) {
@@ -46,7 +47,8 @@ void spread_along_edges(const CornerGraph& graph, PathMap& map) {
     open.pop();
     if (length > map.length[corner]) continue;
     for (const CornerGraph::Edge& edge : graph.edges_of(corner)) {
-      reach(edge.to, length + edge.length, corner);
+      if (map.is_open(graph.points[corner], graph.points[edge.to]))
+        reach(edge.to, length + edge.length, corner);
     }
   }
 }
@@ -91,8 +93,8 @@ double length_from(const CornerGraph& graph, const PathMap& map, std::uint32_t t
   return target == PathMap::kGoal ? length : length + map.length[target];
 }
 
-PathMap path_map(const CornerGraph& graph, Vec2 goal) {
-  PathMap map{goal, 0.0, false, {}, {}, {}, {}};
+PathMap path_map(const CornerGraph& graph, Vec2 goal, std::vector<Segment> closed) {
+  PathMap map{goal, 0.0, false, {}, {}, {}, {}, std::move(closed)};
   map.length.assign(graph.corners(), kInfinity), map.top.assign(graph.corners(), kInfinity);
   map.next.assign(graph.points.size(), PathMap::kNothing);
   const double clearance = graph.grid.clearance(goal);

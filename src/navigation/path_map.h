@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // All shortest ways to one goal (docs/navigation.md).
 #pragma once
+#include <algorithm>
 #include <cstdint>
 #include <limits>
 #include <vector>
 
 #include "navigation/corner_graph.h"
+#include "walls/segment.h"
 
 namespace avo {
 
@@ -21,9 +23,15 @@ struct PathMap {
   std::vector<double> top;  // m, what v²/a may be at each corner for all the turns behind it
   // of a field: what is next from the border of the lattice, ascending
   std::vector<std::uint32_t> from_outside;
+  std::vector<Segment> closed = {};  // across gaps between walls: no way leads through them
+
+  [[nodiscard]] bool is_open(Vec2 p, Vec2 q) const {
+    return std::none_of(closed.begin(), closed.end(),
+                        [&](const Segment& gap) { return leads_across(gap, p, q); });
+  }
 };
 
-PathMap path_map(const CornerGraph& graph, Vec2 goal);
+PathMap path_map(const CornerGraph& graph, Vec2 goal, std::vector<Segment> closed = {});
 
 inline Vec2 point_of(const CornerGraph& graph, const PathMap& map, std::uint32_t target) {
   return target == PathMap::kGoal ? map.goal : graph.points[target];

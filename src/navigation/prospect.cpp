@@ -11,6 +11,7 @@ constexpr double kFarthestPassage =
 constexpr double kAhead = 3.0;        // radii, along the way, to where a lane is looked for
 constexpr double kLeavesLane = 6.0;   // radii before the next passage of one lane
 constexpr double kAlong = 0.5;        // cosine: a way that leads more across keeps no lane
+constexpr double kSight = 1e-9;       // m: nobody sees through where pieces of walls touch
 constexpr double kRoom = 1.0 - 1e-3;  // of the radius, that the straight way into a lane needs
 
 // A straight piece of the way.
@@ -86,7 +87,8 @@ std::optional<Vec2> lane_ahead(const Passages& passages, const CornerGraph& grap
     const Passage& passage = passages[*number];
     AxisPoint axis = axis_point(passage, true, place_in(passage, place).along);
     const double cosine = dot(axis.direction, direction);
-    if (std::abs(cosine) <= kAlong) return false;
+    // a place behind the wall at a bend may be as near to the axis
+    if (std::abs(cosine) <= kAlong || !graph.grid.is_clear(place, axis.point, kSight)) return false;
     if (cosine < 0.0) axis.direction = -1.0 * axis.direction;
     for (const double part : {1.0, 0.5}) {
       const Vec2 target = axis.point - part * lane_offset(passage) * perpendicular(axis.direction);
@@ -120,6 +122,17 @@ Prospect look_ahead(const Passages& passages, const CornerGraph& graph, const Pa
   if (!prospect.claim || way > kLeavesLane * graph.radius)
     prospect.lane = lane_ahead(passages, graph, p, walk_on);
   return prospect;
+}
+
+std::optional<Segment> next_gap(const Passages& passages, const CornerGraph& graph,
+                                const PathMap& map, Vec2 p, std::uint32_t target) {
+  std::optional<Segment> gap;
+  walk(graph, map, p, target, kFarthestPassage * graph.radius, [&](const Piece& piece) {
+    const auto crossed = passages.first_crossed(piece.from, piece.to);
+    if (crossed) gap = crossed->gap;
+    return !gap;
+  });
+  return gap;
 }
 
 }  // namespace avo

@@ -5,6 +5,7 @@
 #include "planner/scratch.h"
 #include "robots/model.h"
 #include "sim/clocks.h"
+#include "sim/held_passages.h"
 #include "sim/world.h"
 
 namespace avo {
@@ -42,7 +43,8 @@ void list_walls(const World& world, std::span<const std::uint32_t> slots, Worker
 }
 
 // Around walls: towards what is next on each robot's way, as passages allow.
-void follow_ways(World& world, std::span<const std::uint32_t> slots, Worker& worker) {
+void follow_ways(World& world, const Pace& pace, std::span<const std::uint32_t> slots,
+                 Worker& worker) {
   const Fleet& fleet = world.fleet;
   for (std::size_t k = 0; k < slots.size(); ++k) {
     const std::uint32_t slot = slots[k];
@@ -52,9 +54,15 @@ void follow_ways(World& world, std::span<const std::uint32_t> slots, Worker& wor
         worker.lost.empty() ? fleet.position[slot] : fleet.position[slot] + worker.lost[k];
     Heading heading = follow(travel, p, end, fleet.traits[slot], own_way_of(fleet, slot),
                              looks_around(fleet.id[slot], decisions_of(world, slot)), worker.legs);
-    if (!world.ways.passages.empty())
-      heading = heed_passages(world, world.claims, slot, travel, heading,
-                              nearest_of(worker.tile.robots.neighbors[k], fleet.position[slot]));
+    if (!world.ways.passages.empty()) {
+      const RobotTraits& traits = fleet.traits[slot];
+      const double nearest = nearest_of(worker.tile.robots.neighbors[k], fleet.position[slot]);
+      const bool in_company = nearest <= kClaimRange * traits.radius;
+      const double left = norm(heading.goal - p);
+      heading = heed_passages(world, world.claims, slot, travel, heading, nearest);
+      go_around_held(world, slot, left, in_company ? pace.planner.options().time_step : 0.0,
+                     travel);
+    }
     if (world.ways.goes_around_movers())
       heading = beside_resting(world.ways.resting(), heading, p, end, fleet.traits[slot].radius);
     worker.moving.goal_x[k] = heading.goal.x, worker.moving.goal_y[k] = heading.goal.y;
@@ -153,7 +161,7 @@ void set_out(World& world, const Pace& pace, std::span<const std::uint32_t> slot
   }
   lose_places(world, slots, worker);
   if (!world.statics.walls.empty()) list_walls(world, slots, worker);
-  if (!world.ways.empty()) follow_ways(world, slots, worker);
+  if (!world.ways.empty()) follow_ways(world, pace, slots, worker);
   if (robots.has_models || !world.shares_goal.empty() || !worker.lost.empty())
     aim_discs(world, slots, worker);
   choose_ways(pace.response, worker.moving, robots);

@@ -7,6 +7,7 @@
 
 #include "avo/version.h"
 #include "core/hash.h"
+#include "core/plane.h"
 #include "sim/archive.h"
 #include "sim/saved_models.h"
 #include "sim/saved_state.h"
@@ -19,6 +20,7 @@ constexpr std::size_t kFewestWords = 3;                       // mark, number of
 constexpr std::size_t kObstacleWords = 17, kRobotWords = 19;  // at least
 constexpr std::size_t kPastWords = 4, kClockWords = 15, kKnotWords = 6;
 constexpr std::size_t kStaticWords = 4, kChainWords = 2;  // at least
+constexpr std::size_t kGapWords = 4;
 
 std::uint64_t checksum(std::span<const std::byte> bytes) {
   std::uint64_t hash = 0;
@@ -88,18 +90,33 @@ void describe(Archive<kReads>& archive, StaticObstacle& obstacle, ObstacleId& id
   }
 }
 
-// In one word, and two more where it ends elsewhere than at the goal.
+template <bool kReads>
+void describe(Archive<kReads>& archive, Waiting& waiting) {
+  describe(archive, waiting.least), describe(archive, waiting.waited);
+  describe(archive, waiting.looks_at), describe(archive, waiting.opens_at);
+  archive.size(waiting.closed, kGapWords);
+  for (Segment& gap : waiting.closed) describe(archive, gap.a), describe(archive, gap.b);
+}
+
+// In one word, and more where it ends elsewhere than at the goal, and where passages may be held.
 template <bool kReads>
 void describe(Archive<kReads>& archive, SavedWay& way) {
-  std::uint64_t word = static_cast<std::uint64_t>(way.ends) << 34 |
+  std::uint64_t word = (way.waiting.least < kInfinity ? std::uint64_t{1} << 36 : 0) |
+                       static_cast<std::uint64_t>(way.ends) << 34 |
                        std::uint64_t{way.around_movers} << 33 | std::uint64_t{way.is_exact} << 32 |
                        way.target;
   archive.word(word);
-  if (word >> 34 > static_cast<std::uint64_t>(WayEnd::short_of))
-    refuse_saved("the way " + std::to_string(word), "one of 34 bits, and how it ends");
-  way = {static_cast<std::uint32_t>(word), (word >> 32 & 1) != 0, (word >> 33 & 1) != 0,
-         static_cast<WayEnd>(word >> 34), way.place};
+  const std::uint64_t ends = word >> 34 & 3;
+  if (word >> 37 != 0 || ends > static_cast<std::uint64_t>(WayEnd::short_of))
+    refuse_saved("the way " + std::to_string(word), "one of 37 bits, and how it ends");
+  way = {static_cast<std::uint32_t>(word),
+         (word >> 32 & 1) != 0,
+         (word >> 33 & 1) != 0,
+         static_cast<WayEnd>(ends),
+         way.place,
+         std::move(way.waiting)};
   if (way.ends != WayEnd::goal) describe(archive, way.place);
+  if ((word >> 36 & 1) != 0) describe(archive, way.waiting);
 }
 
 template <bool kReads>

@@ -111,6 +111,15 @@ void check_clocks(const SavedState& state) {
   if (!sound) refuse_saved("clocks that no robots can have", "theirs");
 }
 
+bool is_sound(const Waiting& waiting) {
+  const bool is_none = waiting.least == kInfinity && waiting.closed.empty();
+  const bool is_one = waiting.least >= 0.0 && waiting.waited >= 0.0 && waiting.looks_at >= 0.0 &&
+                      waiting.opens_at >= 0.0;
+  return (is_none || is_one) && waiting.waited < kInfinity &&
+         std::all_of(waiting.closed.begin(), waiting.closed.end(),
+                     [](const Segment& gap) { return is_finite(gap.a) && is_finite(gap.b); });
+}
+
 // Refuses what no simulation comes to: only forged bytes have it.
 void check_states(const SavedState& state) {
   const auto is_finite_motion = [](const auto& body) {
@@ -122,6 +131,9 @@ void check_states(const SavedState& state) {
   if (!std::all_of(state.ways.begin(), state.ways.end(),
                    [](const SavedWay& way) { return is_finite(way.place); }))
     refuse_saved("the end of a way that is not finite", "finite");
+  if (!std::all_of(state.ways.begin(), state.ways.end(),
+                   [](const SavedWay& way) { return is_sound(way.waiting); }))
+    refuse_saved("a wait that no robot can remember", "a sound one");
   for (std::size_t k = 0; k < state.obstacles.size(); ++k) {
     const std::size_t points =
         std::max<std::size_t>(state.scene.moving_obstacles[k].path.size(), 1);

@@ -33,7 +33,8 @@ struct SavedWay {
   bool is_exact = false;       // of the graph of the robot's own radius
   bool around_movers = false;  // and of movers at rest
   WayEnd ends = WayEnd::goal;
-  Vec2 place = {};  // m, where it ends, if not at the goal
+  Vec2 place = {};       // m, where it ends, if not at the goal
+  Waiting waiting = {};  // but for the map that is made of it
 };
 
 /// What steps change of an airplane besides.

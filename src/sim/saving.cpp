@@ -160,6 +160,17 @@ Senses senses_of(const SavedState& state, const Fleet& fleet, double longest_ste
   return senses;
 }
 
+// As long as it has waited, and around the gaps that it goes around.
+void keep_waiting(const SavedWay& way, Vec2 position, double radius, Travel& travel) {
+  if (!way.waiting.closed.empty() && travel.graph != nullptr) {
+    travel = around(travel, position, radius, way.waiting.closed);
+    travel.target = way.target;
+  }
+  travel.waiting.least = way.waiting.least, travel.waiting.waited = way.waiting.waited;
+  travel.waiting.looks_at = way.waiting.looks_at;
+  travel.waiting.opens_at = way.waiting.opens_at;
+}
+
 // With the targets that were saved: nobody looks for its way anew.
 std::vector<Travel> travels_of(const SavedState& state, Ways& ways) {
   const std::size_t count = ways.empty() ? 0 : state.robots.size();
@@ -178,6 +189,7 @@ std::vector<Travel> travels_of(const SavedState& state, Ways& ways) {
     Travel travel = ways.resume(disc_radius(setup), end, way.target, way.is_exact,
                                 way.around_movers && ways.goes_around_movers());
     travel.ends = way.ends, travel.place = way.place;
+    keep_waiting(way, state.robots[k].position, disc_radius(setup), travel);
     travels.push_back(std::move(travel));
   }
   return travels;
@@ -207,7 +219,7 @@ SavedState saved_state(const World& world) {
     const Travel& travel = world.ways.travels[rank];
     const double radius = fleet.traits[fleet.slot_of[rank]].radius;
     state.ways.push_back({travel.target, travel.graph && travel.graph->radius == radius,
-                          travel.around_movers, travel.ends, travel.place});
+                          travel.around_movers, travel.ends, travel.place, travel.waiting});
   }
   state.scene.moving_obstacles = world.obstacles.setup;
   state.scene.obstacles = world.statics.obstacles;

@@ -34,6 +34,22 @@ std::uint32_t best_target(const Travel& travel, Vec2 position, double radius) {
       .target;
 }
 
+// Whoever waits does so among other walls as well, and goes around the same gaps where a way leads
+// there.
+void keep_waiting_on(const Travel& before, Vec2 position, double radius, Travel& fresh) {
+  if (!fresh.is_known() || !before.is_known() || !(fresh.map->goal == before.map->goal)) return;
+  if (!(before.waiting.least < kInfinity)) return;  // it has not decided yet
+  if (!before.waiting.closed.empty()) {
+    Travel other = around(fresh, position, radius, before.waiting.closed);
+    if (other.is_known()) fresh = std::move(other);
+  }
+  const Waiting& known = before.waiting;
+  fresh.waiting.least = known.least, fresh.waiting.waited = known.waited;
+  fresh.waiting.opens_at = known.opens_at;
+  // there may be a way where there was none
+  fresh.waiting.looks_at = known.looks_at < kInfinity ? known.looks_at : known.waited;
+}
+
 // The travel where it goes on, of those that are planned anew where walls have changed.
 Travel replanned(const Travel& before, Travel fresh, Vec2 position, double radius) {
   const auto kept = rest_of(before);
@@ -179,6 +195,29 @@ bool Ways::is_in_sight(Vec2 p, Vec2 q) const {
   return !sight_ || sight_->is_clear(p, q, kJoint);
 }
 
+Travel around(const Travel& travel, Vec2 position, double radius, std::vector<Segment> closed) {
+  Travel other = travel;
+  other.waiting = {};
+  other.waiting.open = travel.waiting.open ? travel.waiting.open : travel.map;
+  other.map = std::make_shared<const PathMap>(path_map(*travel.graph, travel.map->goal, closed));
+  other.waiting.closed = std::move(closed);
+  other.target = best_target(other, position, radius);
+  return other;
+}
+
+Travel reopened(const Travel& travel, Vec2 position, double radius) {
+  Travel open = travel;
+  open.map = std::exchange(open.waiting.open, nullptr);
+  open.waiting.closed.clear();
+  open.target = best_target(open, position, radius);
+  return open;
+}
+
+double length_of(const Travel& travel, Vec2 position) {
+  const auto rest = rest_of(travel);
+  return rest ? norm(rest->first - position) + rest->second : kInfinity;
+}
+
 Simulation::Way rest_of_way(const Travel& travel, Vec2 position, Vec2 goal) {
   const Vec2 end = travel.end(goal);
   Simulation::Way way{norm(end - position), end, norm(goal - end)};
@@ -234,7 +273,10 @@ void plan_travels(Ways& ways, const Fleet& fleet, const Ways* before) {
     Travel travel;
     if (!fleet.conduct[slot].parked) {
       travel = ways.plan(radius, position, fleet.goal[slot], known);
-      if (known != nullptr) travel = replanned(*known, travel, position, radius);
+      if (known != nullptr) {
+        keep_waiting_on(*known, position, radius, travel);
+        travel = replanned(*known, travel, position, radius);
+      }
     }
     ways.travels.push_back(std::move(travel));
   }

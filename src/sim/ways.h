@@ -4,6 +4,7 @@
 #pragma once
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <map>
 #include <memory>
 #include <optional>
@@ -32,6 +33,17 @@ enum class WayEnd : std::uint8_t {
   short_of,  ///< the nearest place that it gets to, farther off
 };
 
+/// What a robot remembers where passages are held (docs/arrival.md, rule 13).
+struct Waiting {
+  double least = std::numeric_limits<double>::infinity();  // m, that have been left of its way
+  double waited = 0.0;                                     // s, since then
+  // s, of waiting, after which it looks for another way
+  double looks_at = std::numeric_limits<double>::infinity();
+  std::vector<Segment> closed = {};          // gaps that it does not go through
+  double opens_at = 0.0;                     // m, of its way left, before which they stay closed
+  std::shared_ptr<const PathMap> open = {};  // the map without these; none where there are none
+};
+
 /// One robot's way. The target is the part that steps change: a corner of the graph, the end, or
 /// nothing yet.
 struct Travel {
@@ -41,6 +53,7 @@ struct Travel {
   bool around_movers = false;  // the graph is of walls and of movers at rest
   WayEnd ends = WayEnd::goal;
   Vec2 place = {};  // m, where it ends, if not at the goal
+  Waiting waiting = {};
 
   /// Whether it has a way to its end.
   [[nodiscard]] bool is_known() const { return graph != nullptr && target != PathMap::kNothing; }
@@ -115,6 +128,16 @@ class Ways {
   std::size_t most_maps_ = 0;  // beyond which those that nobody has are forgotten
   std::vector<double> passage_radii_;
 };
+
+/// A way to the same end that leads around those gaps, of a robot that begins to wait anew; its
+/// target is unknown where there is none.
+Travel around(const Travel& travel, Vec2 position, double radius, std::vector<Segment> closed);
+
+/// The way that is open again, of one that leads around gaps.
+Travel reopened(const Travel& travel, Vec2 position, double radius);
+
+/// m, from there to its end by way of the target, which is known.
+double length_of(const Travel& travel, Vec2 position);
 
 /// What is left of it, of a robot with that goal: by the target, unless that is unknown.
 Simulation::Way rest_of_way(const Travel& travel, Vec2 position, Vec2 goal);

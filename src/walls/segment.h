@@ -26,4 +26,12 @@ NearestPoints nearest_points(const Segment& first, const Segment& second);
 double distance(Vec2 p, const Segment& segment);
 double distance(const Segment& first, const Segment& second);
 
+/// Whether the straight way from p to q leads from one side of the line to the other one, between
+/// its ends. A place on the line is on the same side of it for every way.
+inline bool leads_across(const Segment& line, Vec2 p, Vec2 q) {
+  const Vec2 across = line.b - line.a, way = q - p;
+  if ((cross(across, p - line.a) < 0.0) == (cross(across, q - line.a) < 0.0)) return false;
+  return (cross(way, line.a - p) < 0.0) != (cross(way, line.b - p) < 0.0);
+}
+
 }  // namespace avo

@@ -145,6 +145,15 @@ TEST(Passages, WhereThreeWaysMeetThreeEnd) {
   }
 }
 
+// The straight way from door to door leads along a wall, and the room is beside it.
+TEST(Passages, TwoDoorsInACornerOfARoomAreTwo) {
+  const std::vector<Wall> walls = {{{-7, 0}, {-7, 7}}, {{-7, 0}, {0, 0}},    {{0, 0}, {0, 1.4}},
+                                   {{0, 2.6}, {0, 7}}, {{-7, 7}, {-1.2, 7}}, {{0, 7}, {0, 12}}};
+  const Passages passages = passages_of(walls);
+  ASSERT_EQ(passages.size(), 2u);
+  for (std::uint32_t k = 0; k < 2; ++k) EXPECT_EQ(passages[k].axis.size(), 3u);
+}
+
 // Two gaps beside the end of a wall that divides the way do not see each other.
 TEST(Passages, OneEndsWhereItBranches) {
   const Passages passages =
@@ -337,6 +346,8 @@ TEST(PassageCrossings, TheFirstOneOfOneLaneIsToldWithItsDirection) {
     const Passage& passage = passages[crossed->passage];
     EXPECT_NEAR(passage.axis[1].x, x, kRounding);
     EXPECT_NEAR(crossed->part, part, kRounding);
+    EXPECT_TRUE(leads_across(crossed->gap, p, q) && leads_across(crossed->gap, q, p));
+    EXPECT_NEAR(norm(crossed->gap.b - crossed->gap.a), 2.0 * passage.half_width, kRounding);
     const Vec2 way = axis_point(passage, crossed->forward, 0.0).direction;
     EXPECT_GT(dot(way, q - p), 0.0);
   };

@@ -241,6 +241,42 @@ TEST_P(Ways, AreOnlyWhereThereIsOne) {
   RecordProperty("lost", lost);
 }
 
+// A way around a gap that is closed is one among the same walls and one more across the gap, but
+// for what it keeps from that.
+TEST_P(Ways, LeadAroundClosedGaps) {
+  std::vector<Wall> walls;
+  for (const double x : {0.0, 10.0}) {
+    for (const double y : {-6.0, 0.0, 6.0}) walls.push_back({{x, y - 2.2}, {x, y + 2.2}});
+  }
+  const std::vector<Segment> closed{{{0, 2.2}, {0, 3.8}}, {{10, -2.2}, {10, -3.8}}};
+  const CornerGraph graph = graph_of(walls, kRadius);
+  const Vec2 goal{15, -3};
+  const PathMap open = path_map(graph, goal), around = path_map(graph, goal, closed);
+  int longer = 0;
+  for (double y = -9.0; y <= 9.0; y += 0.5) {
+    Vec2 p{-4.0, y};
+    const Leg straight = leg_from(graph, open, p, PathMap::kNothing, true);
+    Leg leg = leg_from(graph, around, p, PathMap::kNothing, true);
+    EXPECT_GE(leg.length, straight.length - 1e-9);
+    longer += leg.length > straight.length + 0.5 ? 1 : 0;
+    double length = 0.0;
+    for (int k = 0; k < 50 && norm(p - goal) > 0.0; ++k) {
+      ASSERT_NE(leg.target, PathMap::kNothing) << y;
+      EXPECT_TRUE(around.is_open(p, leg.aim)) << y;
+      length += norm(leg.aim - p);
+      p = leg.aim;
+      leg = leg_from(graph, around, p, leg.target, k % 2 == 0);
+    }
+    EXPECT_EQ(p, goal);
+    EXPECT_LE(length, leg_from(graph, around, {-4.0, y}, PathMap::kNothing, true).length + 1e-6);
+  }
+  EXPECT_GT(longer, 15);
+  const std::vector<Segment> all{
+      closed[0], closed[1], {{10, 2.2}, {10, 3.8}}, {{10, 8.2}, {10, 99}}, {{10, -8.2}, {10, -99}}};
+  EXPECT_EQ(leg_from(graph, path_map(graph, goal, all), {-4, 0}, PathMap::kNothing, true).target,
+            PathMap::kNothing);
+}
+
 TEST_P(Ways, AreNoneToAGoalNearerThanTheRadiusToAWall) {
   const CornerGraph graph = graph_of(test::two_rooms(2.0), kRadius);
   EXPECT_FALSE(path_map(graph, {10.0 - kRadius + 1e-9, 2.0}).is_free);

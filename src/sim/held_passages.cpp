@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: Apache-2.0
+// A robot cannot know for how long others will hold a passage. Whoever sets out for another way
+// once it has waited for as long as that takes longer loses at most twice what it would lose if it
+// knew.
+#include "sim/held_passages.h"
+
+#include <utility>
+#include <vector>
+
+#include "core/plane.h"
+#include "navigation/prospect.h"
+#include "planner/arrival.h"
+#include "sim/clocks.h"
+#include "sim/world.h"
+
+namespace avo {
+namespace {
+
+constexpr double kComesNearer = 1.0;  // radii of way: whoever does does not wait
+constexpr double kPatience = 4.0;     // T: who lets a few others pass waits for less
+
+double patience_of(const RobotTraits& traits) {
+  Robot robot;
+  robot.radius = traits.radius;
+  robot.max_speed = traits.max_speed, robot.max_acceleration = traits.max_acceleration;
+  return kPatience * time_to_speed(robot);
+}
+
+void wait_on(Waiting& waiting, double left, const RobotTraits& traits, double time) {
+  waiting.waited += time;
+  if (!(left < waiting.least - kComesNearer * traits.radius)) return;
+  waiting.least = left, waiting.waited = 0.0;
+  waiting.looks_at = patience_of(traits);
+}
+
+// Around that gap as well, or around it alone where that leads nowhere.
+Travel way_around(const Travel& travel, const Segment& gap, Vec2 position, double radius) {
+  std::vector<Segment> closed = travel.waiting.closed;
+  closed.push_back(gap);
+  const bool is_first = closed.size() == 1;
+  Travel other = around(travel, position, radius, std::move(closed));
+  other.waiting.opens_at = is_first ? travel.waiting.least : travel.waiting.opens_at;
+  if (other.is_known() || is_first) return other;
+  other = around(travel, position, radius, {gap});
+  other.waiting.opens_at = travel.waiting.least;
+  return other;
+}
+
+void look_for_another_way(const World& world, std::size_t slot, Travel& travel) {
+  const RobotTraits& traits = world.fleet.traits[slot];
+  const Vec2 p = world.fleet.position[slot];
+  Waiting& waiting = travel.waiting;
+  const auto gap = next_gap(world.ways.passages, *travel.graph, *travel.map, p, travel.target);
+  if (!gap) {
+    waiting.looks_at = waiting.waited + patience_of(traits);
+    return;
+  }
+  Travel other = way_around(travel, *gap, p, traits.radius);
+  const double longer = length_of(other, p) - length_of(travel, p);
+  waiting.looks_at = longer / traits.preferred_speed;  // never, where there is none
+  if (waiting.looks_at <= waiting.waited) travel = std::move(other);
+}
+
+// Once it has come as near to its end as where it waited, and the shortest way leads elsewhere.
+void open_again(const World& world, std::size_t slot, Travel& travel) {
+  const double radius = world.fleet.traits[slot].radius;
+  const Vec2 p = world.fleet.position[slot];
+  if (length_of(travel, p) > travel.waiting.opens_at) return;
+  Travel open = reopened(travel, p, radius);
+  if (!open.is_known()) return;
+  if (length_of(open, p) < length_of(travel, p) - kLengthRounding * radius) return;
+  travel = std::move(open);
+}
+
+}  // namespace
+
+void go_around_held(const World& world, std::size_t slot, double left, double time,
+                    Travel& travel) {
+  if (!travel.is_known() || world.settings.right_of_way != RightOfWay::seen) return;
+  const Fleet& fleet = world.fleet;
+  wait_on(travel.waiting, left, fleet.traits[slot], time);
+  if (travel.waiting.waited >= travel.waiting.looks_at) look_for_another_way(world, slot, travel);
+  if (!travel.waiting.closed.empty() && looks_around(fleet.id[slot], decisions_of(world, slot)))
+    open_again(world, slot, travel);
+}
+
+}  // namespace avo

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: Apache-2.0
+// Another way, where the passage that the way leads through is held (docs/arrival.md, rule 13).
+#pragma once
+#include <cstddef>
+
+#include "sim/ways.h"
+
+namespace avo {
+
+struct World;
+
+/// Of a robot that decides, and has `left` m of its way to go: if it has waited for longer than
+/// another way takes, it takes that one from the next step on. A passage that is closed to it for
+/// this is open again once that makes no difference. time: s, that it counts as waiting; none while
+/// nobody is near.
+void go_around_held(const World& world, std::size_t slot, double left, double time, Travel& travel);
+
+}  // namespace avo

@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: Apache-2.0
+// Robots go around passages that others hold, and through them again.
+#include <algorithm>
+#include <gtest/gtest.h>
+#include <vector>
+
+#include "avo/simulation.h"
+#include "unit/navigation/buildings.h"
+#include "unit/sim/walled_scenes.h"
+
+namespace avo {
+namespace {
+
+// Two rooms, and between them so many lanes of 1.6 m from x = -5 to x = 5, 6 m from each other;
+// the first one is at y = 0, the others below it.
+std::vector<Wall> lanes(int count) {
+  const double bottom = -6.0 * count - 2.0;
+  std::vector<Wall> walls = test::ring({{-19, bottom}, {19, bottom}, {19, 8}, {-19, 8}});
+  double top = 8.0;
+  for (int k = 0; k <= count; ++k) {
+    const double low = k < count ? 0.8 - 6.0 * k : bottom;
+    const std::vector<Wall> block = test::ring({{-5, low}, {5, low}, {5, top}, {-5, top}});
+    walls.insert(walls.end(), block.begin(), block.end());
+    top = low - 1.6;
+  }
+  return walls;
+}
+
+// One that rests there and minds nobody: it makes no room.
+RobotSetup holder(Vec2 place) {
+  RobotSetup robot = test::robot_at(place, place);
+  robot.avoids = {0};
+  return robot;
+}
+
+Scenario held_scene(int count, const std::vector<int>& held) {
+  Scenario scene;
+  scene.obstacles = {test::pieces(lanes(count))};
+  scene.robots = {test::robot_at({-11, 0}, {11, 0})};
+  for (const int lane : held) scene.robots.push_back(holder({0, -6.0 * lane}));
+  return scene;
+}
+
+// When the first robot arrives; s.
+double arrival_of(Simulation& simulation, double time) {
+  while (!simulation.is_at_goal(0) && simulation.time() < time) simulation.step();
+  return simulation.time();
+}
+
+TEST(HeldPassages, are_gone_around_once_that_has_taken_as_long) {
+  Scenario scene = held_scene(2, {0});
+  Simulation free(held_scene(2, {}), 1), held(scene, 1), by_other(held_scene(2, {}), 1);
+  const double straight = arrival_of(free, 60.0), around = arrival_of(held, 60.0);
+  EXPECT_LT(straight, 20.0);
+  EXPECT_GT(around, straight + 8.0) << "it waits first";
+  EXPECT_LT(around, 45.0);
+  scene.right_of_way = RightOfWay::told;
+  Simulation told(scene, 1);
+  arrival_of(told, 120.0);
+  EXPECT_FALSE(told.is_at_goal(0)) << "who tells claims waits";
+}
+
+// It comes back out of the first lane and the second one, and finds the third.
+TEST(HeldPassages, are_tried_one_after_the_other) {
+  Simulation simulation(held_scene(3, {0, 1}), 1);
+  EXPECT_LT(arrival_of(simulation, 120.0), 100.0);
+}
+
+// Both lanes are held at first, and it is at the second one when the first one becomes free.
+TEST(HeldPassages, are_tried_again_where_no_other_way_is_left) {
+  Simulation simulation(held_scene(2, {0, 1}), 1);
+  while (simulation.time() < 60.0) simulation.step();
+  simulation.set_goal({1}, {14, 5});
+  EXPECT_LT(arrival_of(simulation, 180.0), 120.0);
+}
+
+TEST(HeldPassages, without_another_way_are_waited_at) {
+  Simulation simulation(held_scene(1, {0}), 1);
+  while (simulation.time() < 60.0) {
+    simulation.step();
+    EXPECT_LT(simulation.way(0).length, 25.0);
+  }
+  simulation.set_goal({1}, {14, 5});
+  EXPECT_LT(arrival_of(simulation, 100.0), 85.0);
+}
+
+// Its way back leads through the lane that it has gone around.
+TEST(HeldPassages, are_open_again_to_whoever_has_gone_around) {
+  Simulation simulation(held_scene(2, {0}), 1);
+  arrival_of(simulation, 60.0);
+  simulation.set_goal({1}, {14, 5});
+  while (norm(simulation.fleet().position[1] - Vec2{14, 5}) > 0.5) simulation.step();
+  simulation.set_goal({0}, {-11, 0});
+  const double start = simulation.time();
+  EXPECT_LT(arrival_of(simulation, start + 60.0) - start, 20.0);
+}
+
+// Bit for bit, also while it goes around.
+TEST(HeldPassages, are_saved) {
+  const Scenario scene = held_scene(3, {0, 1});
+  Simulation original(scene, 1);
+  int differ = 0;
+  while (!original.is_at_goal(0) && original.time() < 100.0) {
+    for (int k = 0; k < 40; ++k) original.step();
+    const auto saved = original.save();
+    Simulation restored(saved, 2);
+    EXPECT_EQ(restored.save(), saved);
+    Simulation ahead(saved, 1);
+    for (int k = 0; k < 120; ++k) restored.step(), ahead.step();
+    EXPECT_EQ(restored.state_hash(), ahead.state_hash());
+    Simulation other(scene, 1);
+    other.restore(saved);
+    for (int k = 0; k < 120; ++k) other.step();
+    differ += other.state_hash() == ahead.state_hash() ? 0 : 1;
+  }
+  EXPECT_EQ(differ, 0);
+  EXPECT_TRUE(original.is_at_goal(0));
+}
+
+// The run goes on as one that was never saved.
+TEST(HeldPassages, stay_closed_over_a_restore_and_edits_elsewhere) {
+  Simulation one(held_scene(2, {0}), 1), two(held_scene(2, {0}), 1);
+  const StaticObstacle far{{Chain{{{-100, -100}, {-90, -100}}}}};
+  while (!one.is_at_goal(0) && one.time() < 60.0) {
+    one.step(), two.step();
+    if (two.steps() % 20 == 0) two.restore(two.save());
+    if (two.steps() % 50 == 0) two.remove_obstacle(two.add_obstacle(far));
+    ASSERT_EQ(one.state_hash(), two.state_hash()) << one.time();
+  }
+  EXPECT_TRUE(one.is_at_goal(0));
+}
+
+}  // namespace
+}  // namespace avo
