@@ -60,8 +60,11 @@ Body body_of(const FleetView& fleet, const BodyStep& step, BodyRow row) {
   body.radius = disc_radius(fleet.setup[i]);
   body.velocity = last.velocity[j];
   const MotionModel& model = fleet.setup[i].model;
-  body.position = disc_center(model, last.position[j], last.heading[j]);
-  const Vec2 next = disc_center(model, fleet.position[i], fleet.heading[i]);
+  const auto center = [&](Vec2 position, double heading) {
+    return is_holonomic(model) ? position : disc_center(model, position, heading);
+  };
+  body.position = center(last.position[j], last.heading[j]);
+  const Vec2 next = center(fleet.position[i], fleet.heading[i]);
   body.w = fleet.plan[i].new_velocity - body.velocity;
   const Method method = fleet.setup[i].method.value_or(step.method);
   const bool is_disc = step.moves && is_holonomic(model);
