@@ -18,7 +18,11 @@ constexpr double kNoNumber = std::numeric_limits<double>::quiet_NaN();
 }  // namespace
 
 void add_states(const avo::Simulation& simulation, const BlockShape& shape, RecordingBlock& block) {
-  const avo::FleetView fleet = simulation.fleet();
+  using avo::Columns;
+  const bool turns = shape.columns == kHeadingColumns;
+  const avo::FleetView fleet =
+      simulation.fleet(Columns::id | Columns::position | Columns::velocity | Columns::plan |
+                       (turns ? Columns::heading | Columns::setup : Columns{}));
   const std::size_t k = block.times++;
   block.time[k] = simulation.time();
   std::array<double*, kHeadingColumns> row{};
@@ -33,12 +37,12 @@ void add_states(const avo::Simulation& simulation, const BlockShape& shape, Reco
   };
   for (std::size_t i = 0; i < fleet.id.size(); ++i) {
     leave_out_before(fleet.id[i].value);
-    const avo::CheckedState state = checked_state(fleet, i);
-    row[0][next] = state.position.x;
-    row[1][next] = state.position.y;
-    row[2][next] = state.velocity.x;
-    row[3][next] = state.velocity.y;
-    if (shape.columns == kHeadingColumns) {
+    row[0][next] = fleet.position[i].x;
+    row[1][next] = fleet.position[i].y;
+    row[2][next] = fleet.velocity[i].x;
+    row[3][next] = fleet.velocity[i].y;
+    if (turns) {
+      const avo::CheckedState state = checked_state(fleet, i);
       row[4][next] = state.heading ? state.heading->angle : kNoNumber;
       row[5][next] = state.heading ? state.heading->speed : kNoNumber;
     }

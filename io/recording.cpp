@@ -31,7 +31,9 @@ CsvRecording::CsvRecording(const std::string& path, bool headings, std::int64_t 
 }
 
 void CsvRecording::add(const avo::Simulation& simulation) {
-  const avo::FleetView fleet = simulation.fleet();
+  using avo::Columns;
+  const avo::FleetView fleet = simulation.fleet(
+      Columns::id | Columns::position | Columns::velocity | Columns::heading | Columns::setup);
   const auto end = std::back_inserter(rows_);
   const std::string time = fmt::format("{}", simulation.time());
   const std::string last = every_ > 1 ? fmt::format(",{}\n", every_) : "\n";

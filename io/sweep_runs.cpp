@@ -35,11 +35,11 @@ std::vector<avo::RobotId> judged_of(const SweepSpec& spec) {
 class ArrivalTimes {
  public:
   void observe(const avo::Simulation& simulation) {
-    const avo::FleetView fleet = simulation.fleet();
-    has_arrived_.resize(fleet.id.size());
+    has_arrived_.resize(simulation.size());
     for (std::size_t i = 0; i < has_arrived_.size(); ++i) {
-      if (has_arrived_[i] || fleet.setup[i].parked || !simulation.is_at_goal(i)) continue;
+      if (has_arrived_[i] || !simulation.is_at_goal(i)) continue;
       has_arrived_[i] = true;
+      if (simulation.setup(i).parked) continue;
       times_.push_back(simulation.time());
     }
   }

@@ -31,6 +31,9 @@ CASES = {
     "circle-100 avo_paper": ("circle-100", 220, 20, "method=avo_paper"),
     "uniform-1000 avo_paper": ("uniform-1000", 20, 10, "method=avo_paper"),
     "circle-100 avo": ("circle-100", 180, 20),
+    "uniform-1000 free clocks": ("uniform-1000", 2000, 2000, "clock=free"),
+    "uniform-1000 a goal for each": ("uniform-1000", 20, 10, "--goals"),
+    "uniform-1000 observed": ("uniform-1000", 20, 10, "--metrics"),
 }
 
 

@@ -1,12 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
-// avo_bench_instructions SCENE FIRST STEPS [KEY=VALUE]...: takes FIRST steps and then STEPS more,
-// the latter in measured_steps(), by whose name callgrind counts them. One thread. See check.py.
+// avo_bench_instructions SCENE FIRST STEPS [--goals | --metrics] [KEY=VALUE]...: takes FIRST steps
+// and then STEPS more, the latter in measured_steps(), by whose name callgrind counts them. With
+// --goals a host looks at every robot before each step and gives it another goal, with --metrics
+// the run is observed after each step. One thread. See check.py.
+#include <cmath>
 #include <cstdio>
 #include <cstdlib>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "avo/error.h"
+#include "avo/metrics.h"
 #include "avo/simd.h"
 #include "avo/simulation.h"
 #include "avo_io/scene.h"
@@ -29,8 +34,35 @@ std::string compiler() {
 
 }  // namespace
 
-extern "C" [[gnu::noinline]] void measured_steps(avo::Simulation& simulation, long steps) {
-  for (long k = 0; k < steps; ++k) simulation.step();
+// What happens beside the steps.
+struct Host {
+  bool gives_goals = false;
+  std::optional<avo::Metrics> metrics = {};
+};
+
+namespace {
+
+// As a host would that knows ids.
+void give_goals(avo::Simulation& simulation) {
+  for (std::size_t i = 0; i < simulation.size(); ++i) {
+    const avo::RobotState state = simulation.robot(i);
+    simulation.set_goal(state.id, -1.0 * state.goal);
+  }
+}
+
+void take_steps(avo::Simulation& simulation, Host& host, long steps) {
+  for (long k = 0; k < steps; ++k) {
+    if (host.gives_goals) give_goals(simulation);
+    simulation.step();
+    if (host.metrics) host.metrics->observe(simulation);
+  }
+}
+
+}  // namespace
+
+extern "C" [[gnu::noinline]] void measured_steps(avo::Simulation& simulation, Host& host,
+                                                 long steps) {
+  take_steps(simulation, host, steps);
 }
 
 int main(int argc, char** argv) {
@@ -40,15 +72,21 @@ int main(int argc, char** argv) {
   }
   try {
     avo::check_simd_target();
-    const std::vector<std::string> overrides(argv + 4, argv + argc);
+    std::vector<std::string> overrides(argv + 4, argv + argc);
+    const bool is_observed = std::erase(overrides, "--metrics") > 0;
+    Host host{.gives_goals = std::erase(overrides, "--goals") > 0};
     const avo::Scenario scenario = avo_io::load_scenario(argv[1], overrides);
     avo::Simulation simulation(scenario, 1);
+    if (is_observed) host.metrics.emplace(scenario).observe(simulation);
     const long first = std::atol(argv[2]), steps = std::atol(argv[3]);
-    for (long k = 0; k < first; ++k) simulation.step();
-    measured_steps(simulation, steps);
+    take_steps(simulation, host, first);
+    const double begin = simulation.time();
+    measured_steps(simulation, host, steps);
+    const double own_steps = (simulation.time() - begin) / scenario.time_step;  // of each robot
     std::printf("robot_steps %ld\nsimd %s\nhash %016llx\ncompiler %s\n",
-                steps * static_cast<long>(scenario.robots.size()), avo::simd_target(),
-                static_cast<unsigned long long>(simulation.state_hash()), compiler().c_str());
+                std::lround(own_steps * static_cast<double>(scenario.robots.size())),
+                avo::simd_target(), static_cast<unsigned long long>(simulation.state_hash()),
+                compiler().c_str());
   } catch (const avo::Error& error) {
     std::fprintf(stderr, "%s\n", error.what());
     return 2;

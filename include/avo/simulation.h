@@ -180,6 +180,9 @@ class AVO_API Simulation {
   /// The columns that are wanted; the others are empty. Whoever looks at few robots calls robot().
   [[nodiscard]] FleetView fleet(Columns wanted = Columns::all) const;
   [[nodiscard]] std::size_t size() const;  ///< robots
+  /// Another number whenever robots have come or gone or were restored, and of no other simulation.
+  /// As long as it stays, so do their ids and, but for states and goals, their setups.
+  [[nodiscard]] std::uint64_t roster() const;
   /// The robot at that index into fleet(). Takes no longer where there are many.
   [[nodiscard]] RobotState robot(std::size_t robot) const;
   [[nodiscard]] RobotSetup setup(std::size_t robot) const;  ///< likewise, see FleetView::setup

@@ -42,39 +42,67 @@ Separation separation_of(const Body& a, const Body& b, double step, double cutof
 }
 
 // Ids ascend in both.
-void collect_robots(const FleetView& fleet, const BodyStep& step, std::vector<Body>& robots) {
-  const LastSeen& last = step.last;
-  robots.clear();
+void collect_rows(const FleetView& fleet, const LastSeen& last, std::vector<BodyRow>& rows) {
+  rows.clear();
   std::size_t j = 0;
   for (std::size_t i = 0; i < fleet.id.size(); ++i) {
-    while (j < last.robots.size() && last.robots[j].id.value < fleet.id[i].value) ++j;
-    if (j == last.robots.size() || !(last.robots[j].id == fleet.id[i])) continue;
-    Body body;
-    body.name = fleet.id[i].value;
-    body.setup = &fleet.setup[i];
-    body.radius = disc_radius(fleet.setup[i]);
-    body.velocity = last.robots[j].velocity;
-    const MotionModel& model = fleet.setup[i].model;
-    body.position = disc_center(model, last.robots[j].position, last.robots[j].heading);
-    const Vec2 next = disc_center(model, fleet.position[i], fleet.heading[i]);
-    body.w = fleet.plan[i].new_velocity - body.velocity;
-    const Method method = fleet.setup[i].method.value_or(step.method);
-    const bool is_disc = step.moves && is_holonomic(model);
-    body.exact = is_disc && method == step.method;
-    const Vec2 start = adopts_at_once(method) && is_disc ? fleet.velocity[i] : body.velocity;
-    if (!step.moves) {
-      body.path.control.fill(body.position);
-    } else if (!moves_along_heading(model)) {
-      body.path = hermite_path(body.position, start, next, fleet.velocity[i], step.duration);
-    } else {
-      const double turn = wrapped(fleet.heading[i] - last.robots[j].heading);
-      const double speed = norm(body.velocity), next_speed = norm(fleet.velocity[i]);
-      const bool in_place = speed == 0.0 && next_speed == 0.0;  // its disc leaves at rest
-      body.arc = {arc_path(body.position, next, turn), speed, in_place ? 1.0 : next_speed};
-      body.path = hermite_path(*body.arc, step.duration);
-    }
-    robots.push_back(body);
+    while (j < last.id.size() && last.id[j].value < fleet.id[i].value) ++j;
+    if (j < last.id.size() && last.id[j] == fleet.id[i]) rows.push_back({i, j});
   }
+}
+
+Body body_of(const FleetView& fleet, const BodyStep& step, BodyRow row) {
+  const LastSeen& last = step.last;
+  const auto [i, j] = row;
+  Body body;
+  body.name = fleet.id[i].value;
+  body.setup = &fleet.setup[i];
+  body.radius = disc_radius(fleet.setup[i]);
+  body.velocity = last.velocity[j];
+  const MotionModel& model = fleet.setup[i].model;
+  const auto center = [&](Vec2 position, double heading) {
+    return is_holonomic(model) ? position : disc_center(model, position, heading);
+  };
+  body.position = center(last.position[j], last.heading[j]);
+  const Vec2 next = center(fleet.position[i], fleet.heading[i]);
+  body.w = fleet.plan[i].new_velocity - body.velocity;
+  const Method method = fleet.setup[i].method.value_or(step.method);
+  const bool is_disc = step.moves && is_holonomic(model);
+  body.exact = is_disc && method == step.method;
+  const Vec2 start = adopts_at_once(method) && is_disc ? fleet.velocity[i] : body.velocity;
+  if (!step.moves) {
+    body.path.control.fill(body.position);
+  } else if (!moves_along_heading(model)) {
+    body.path = hermite_path(body.position, start, next, fleet.velocity[i], step.duration);
+  } else {
+    const double turn = wrapped(fleet.heading[i] - last.heading[j]);
+    const double speed = norm(body.velocity), next_speed = norm(fleet.velocity[i]);
+    const bool in_place = speed == 0.0 && next_speed == 0.0;  // its disc leaves at rest
+    body.arc = {arc_path(body.position, next, turn), speed, in_place ? 1.0 : next_speed};
+    body.path = hermite_path(*body.arc, step.duration);
+  }
+  return body;
+}
+
+Sweep sweep_of(const FleetView& fleet, const BodyStep& step, BodyRow row) {
+  const RobotSetup& setup = fleet.setup[row.now];
+  if (!is_holonomic(setup.model)) {
+    const Body body = body_of(fleet, step, row);
+    return {body.path, body.radius, body.arc.has_value()};
+  }
+  const Vec2 position = step.last.position[row.before];
+  if (!step.moves) return {{{position, position, position, position}}, setup.radius, false};
+  const bool at_once = adopts_at_once(setup.method.value_or(step.method));
+  const Vec2 next_velocity = fleet.velocity[row.now];
+  const Vec2 velocity = at_once ? next_velocity : step.last.velocity[row.before];
+  return {hermite_path(position, velocity, fleet.position[row.now], next_velocity, step.duration),
+          setup.radius, false};
+}
+
+void collect_robots(const FleetView& fleet, const BodyStep& step, std::span<const BodyRow> rows,
+                    std::vector<Body>& robots) {
+  robots.clear();
+  for (const BodyRow row : rows) robots.push_back(body_of(fleet, step, row));
 }
 
 void collect_obstacles(const ObstacleView& now, const BodyStep& step,

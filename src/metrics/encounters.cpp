@@ -5,12 +5,14 @@
 #include <limits>
 
 #include "avo/velocity_obstacle.h"
+#include "core/plane.h"
 #include "metrics/wall_contacts.h"
 
 namespace avo {
 namespace {
 
-constexpr double kAtRest = 1e-9;  // of max_speed: no faster is at rest
+constexpr double kSurely = 1.0 + 1e-9;  // of lengths
+constexpr double kAtRest = 1e-9;        // of max_speed: no faster is at rest
 
 // Which of two robots avoid the other. Parked ones cannot help standing where they do.
 enum class Avoidance : unsigned char { none, one_sided, mutual };
@@ -30,14 +32,26 @@ double distance(const Body& a, const Body& b, double cutoff, const StepSpan& ste
   return closest_approach(obstacle, pair.velocity + (a.w - b.w)).distance;
 }
 
+// Whether the two are surely farther apart than that, m, all along: a curve lies in the hull of its
+// control points, see lower_bound().
+bool stay_apart(const StepPath& a, const StepPath& b, double distance) {
+  const Vec2 towards = a.control[0] - b.control[0];
+  double least = norm_squared(towards);
+  const double most = kSurely * distance * distance * least;
+  for (std::size_t k = 1; k < 4; ++k)
+    least = std::min(least, dot(towards, a.control[k] - b.control[k]));
+  return least > 0.0 && least * least > most;
+}
+
 // m: any pair bounds the smallest clearance, here the first robot that avoids somebody and its
 // nearest.
-std::optional<double> any_clearance(const std::vector<Body>& robots) {
+std::optional<double> any_clearance(std::span<const Sweep> sweeps,
+                                    const std::function<Body(std::size_t)>& body) {
   std::optional<double> nearest;
-  for (std::size_t i = 0; i < robots.size() && !nearest; ++i) {
-    const Body& a = robots[i];
-    for (std::size_t j = i + 1; j < robots.size(); ++j) {
-      const Body& b = robots[j];
+  for (std::size_t i = 0; i < sweeps.size() && !nearest; ++i) {
+    const Body a = body(i);
+    for (std::size_t j = i + 1; j < sweeps.size(); ++j) {
+      const Body b = body(j);
       if (avoidance(*a.setup, *b.setup) != Avoidance::mutual) continue;
       const double clearance = norm(b.position - a.position) - a.radius - b.radius;
       nearest = std::min(nearest.value_or(clearance), clearance);
@@ -93,38 +107,111 @@ void Encounters::meet_obstacle(const Body& robot, const Body& obstacle, const St
     with_obstacle_in_motion.insert({robot.name, obstacle.name});
 }
 
-// Every pair that can come nearer than the smallest clearance so far, or overlap.
-void Encounters::observe(std::vector<Body>& robots, std::vector<Body>& obstacles,
-                         const StepSpan& step) {
+void Encounters::append_company(std::size_t robot, double reach) {
+  if (!is_finite(positions_[robot])) return;
+  grid_.list_within(positions_[robot], reach, places_);
+  for (const std::uint32_t place : places_) {
+    const auto other = static_cast<std::uint32_t>(grid_.index(place));
+    if (other > robot) company_.other.push_back(other);
+  }
+}
+
+// Farther than this step needs, for some of the next ones. Where robots are crowded, or one goes
+// far, nobody is listed for a while.
+void Encounters::list_company(std::uint64_t roster, double need, double farthest) {
+  constexpr double kSteps = 8.0;           // of both robots together
+  constexpr std::size_t kMostListed = 32;  // a robot
+  constexpr int kPause = 32;               // steps
+  company_.roster = 0;
+  if (company_.pause > 0) {
+    --company_.pause;
+    return;
+  }
+  company_.reach = need + kSteps * farthest;
+  grid_.build(positions_, company_.reach);
+  company_.first.assign(1, 0), company_.other.clear();
+  for (std::size_t i = 0; i < positions_.size(); ++i) {
+    append_company(i, company_.reach);
+    company_.first.push_back(company_.other.size());
+    if (company_.other.size() <= kMostListed * positions_.size()) continue;
+    company_.pause = kPause;
+    return;
+  }
+  company_.roster = roster;
+}
+
+// Those who can come nearer than the smallest clearance so far, or overlap, nearest first.
+void Encounters::meet_company(std::span<const Sweep> sweeps, std::size_t robot, double need,
+                              std::span<const std::uint32_t> others,
+                              const std::function<Body(std::size_t)>& body, const StepSpan& step) {
+  const Sweep& a = sweeps[robot];
+  const double clearance = std::max(min_clearance.value_or(0.0), 0.0);
+  near_.clear();
+  for (const std::uint32_t other : others) {
+    const Sweep& b = sweeps[other];
+    const double squared = norm_squared(b.path.control[0] - a.path.control[0]);
+    if (!(squared <= need * need)) continue;
+    const bool may_differ = step.response || a.turns || b.turns;  // from these paths
+    if (may_differ || !stay_apart(a.path, b.path, a.radius + b.radius + clearance))
+      near_.emplace_back(squared, other);
+  }
+  if (near_.empty()) return;
+  std::sort(near_.begin(), near_.end());
+  const Body own = body(robot);
+  for (const auto& [squared, other] : near_) meet(own, body(other), step);
+}
+
+void Encounters::meet_obstacles(std::span<const Sweep> sweeps,
+                                const std::function<Body(std::size_t)>& body,
+                                const std::vector<Body>& obstacles, const StepSpan& step) {
+  for (const Body& obstacle : obstacles) {
+    for (const NeighborHit& hit : grid_.gather(obstacle.position, -1, sweeps.size(), scratch_))
+      meet_obstacle(body(static_cast<std::size_t>(hit.index)), obstacle, step);
+  }
+}
+
+void Encounters::observe(std::span<const Sweep> sweeps,
+                         const std::function<Body(std::size_t)>& body, std::uint64_t roster,
+                         const std::vector<Body>& obstacles, const StepSpan& step) {
   overlapping.clear();
   touched_by_movers.clear();
   new_hits.clear();
   colliding_.clear();
   double largest = 0.0, farthest = 0.0;  // radius and way of a step, m
-  const auto measure = [&](const Body& body) {
-    largest = std::max(largest, body.radius);
-    farthest = std::max(farthest, way_of(body));
-  };
-  std::for_each(robots.begin(), robots.end(), measure);
-  if (!min_clearance) min_clearance = any_clearance(robots);
-  std::for_each(obstacles.begin(), obstacles.end(), measure);
-
-  positions_.clear();
-  for (const Body& body : robots) positions_.push_back(body.position);
-  const double clearance = std::max(min_clearance.value_or(0.0), 0.0);
-  grid_.build(positions_, 2.0 * largest + clearance + 2.0 * farthest);
-  const std::size_t all = robots.size();
-  for (std::size_t i = 0; i < robots.size(); ++i) {
-    for (const NeighborHit& hit : grid_.gather(positions_[i], static_cast<int>(i), all, scratch_)) {
-      const auto j = static_cast<std::size_t>(hit.index);
-      if (j > i) meet(robots[i], robots[j], step);
-    }
+  for (const Sweep& sweep : sweeps) {
+    largest = std::max(largest, sweep.radius);
+    farthest = std::max(farthest, way_of(sweep.path));
   }
+  company_.reach -= 2.0 * farthest_;  // of the step before
+  if (!min_clearance) min_clearance = any_clearance(sweeps, body);
+  farthest_ = farthest;
   for (const Body& obstacle : obstacles) {
-    for (const NeighborHit& hit : grid_.gather(obstacle.position, -1, all, scratch_)) {
-      meet_obstacle(robots[static_cast<std::size_t>(hit.index)], obstacle, step);
-    }
+    largest = std::max(largest, obstacle.radius);
+    farthest = std::max(farthest, way_of(obstacle));
   }
+  const double clearance = std::max(min_clearance.value_or(0.0), 0.0);
+  const double need = 2.0 * largest + clearance + 2.0 * farthest;
+  const bool is_listed = company_.roster == roster && company_.first.size() == sweeps.size() + 1 &&
+                         company_.reach > kSurely * need && obstacles.empty();
+  if (!is_listed) {
+    positions_.clear();
+    for (const Sweep& sweep : sweeps) positions_.push_back(sweep.path.control[0]);
+    company_.roster = 0;
+    if (obstacles.empty()) list_company(roster, need, farthest_);
+    if (company_.roster == 0) grid_.build(positions_, need);
+  }
+  for (std::size_t i = 0; i < sweeps.size(); ++i) {
+    std::span<const std::uint32_t> others = company_.other;
+    if (company_.roster == 0) {
+      company_.other.clear();
+      append_company(i, need);
+      others = company_.other;
+    } else {
+      others = others.subspan(company_.first[i], company_.first[i + 1] - company_.first[i]);
+    }
+    meet_company(sweeps, i, need, others, body, step);
+  }
+  meet_obstacles(sweeps, body, obstacles, step);
   if (step.moves) collision_robot_steps += count_distinct(colliding_);
 }
 

@@ -2,8 +2,10 @@
 // Who overlapped whom within steps, and how near robots came to each other.
 #pragma once
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <set>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -36,14 +38,36 @@ struct Encounters {
   /// Pairs of a robot and a moving obstacle that had never touched before this step.
   std::vector<std::pair<std::uint64_t, std::uint64_t>> new_hits = {};
 
-  void observe(std::vector<Body>& robots, std::vector<Body>& obstacles, const StepSpan& step);
+  /// body: of a row's robot; sweeps: of all rows.
+  void observe(std::span<const Sweep> sweeps, const std::function<Body(std::size_t)>& body,
+               std::uint64_t roster, const std::vector<Body>& obstacles, const StepSpan& step);
 
  private:
+  /// Whom each robot may meet in this step and some of the next ones.
+  struct Company {
+    std::uint64_t roster = 0;          // of whose robots; 0: nobody's
+    double reach = 0.0;                // m, of centers; it shrinks by what they move
+    int pause = 0;                     // steps, in which nobody is listed
+    std::vector<std::size_t> first;    // of each robot, in `other`
+    std::vector<std::uint32_t> other;  // later rows
+  };
+
   void meet(const Body& a, const Body& b, const StepSpan& step);
   void meet_obstacle(const Body& robot, const Body& obstacle, const StepSpan& step);
+  void meet_obstacles(std::span<const Sweep> sweeps, const std::function<Body(std::size_t)>& body,
+                      const std::vector<Body>& obstacles, const StepSpan& step);
+  void list_company(std::uint64_t roster, double need, double farthest);
+  void append_company(std::size_t robot, double reach);
+  void meet_company(std::span<const Sweep> sweeps, std::size_t robot, double need,
+                    std::span<const std::uint32_t> others,
+                    const std::function<Body(std::size_t)>& body, const StepSpan& step);
 
   std::vector<std::uint64_t> colliding_;  // robots of pairs that overlap in this step
   std::vector<Vec2> positions_;
+  Company company_;
+  double farthest_ = 0.0;  // m, the longest way of a robot in the step before
+  std::vector<std::uint32_t> places_;
+  std::vector<std::pair<double, std::uint32_t>> near_;  // m², and row
   SearchScratch scratch_;
   UniformGrid grid_;
 };

@@ -80,24 +80,43 @@ struct Metrics::State {
 
   bool started = false;
   double last_time = 0.0, duration = 0.0;  // s, of the last step
+  std::uint64_t roster = 0;                // whose setups these are; 0: none
+  std::vector<RobotSetup> setups;          // which stay, but for states and goals
   LastSeen last;
 
-  std::vector<Body> robots, obstacles;
+  std::vector<BodyRow> rows;  // of the robots that were there before and are there now
+  std::vector<Sweep> sweeps;  // theirs
+  std::vector<Body> robots;   // likewise, where walls or a line are looked at
+  std::vector<Body> obstacles;
   Encounters encounters;
   WallContacts walls;
   std::vector<ObstacleId> static_ids;  // whose walls these are
   std::optional<Crowd> crowd;
   std::optional<Flow> flow;
 
-  void remember(const Simulation& simulation);
+  FleetView look_at(const Simulation& simulation);
+  void remember(const Simulation& simulation, const FleetView& fleet);
   void collect_walls(const Simulation& simulation);
-  void observe_limits(const Simulation& simulation);
-  void observe_step(const Simulation& simulation);
+  void observe_limits(const Simulation& simulation, const FleetView& fleet);
+  void observe_step(const Simulation& simulation, const FleetView& fleet);
 };
 
-void Metrics::State::remember(const Simulation& simulation) {
+FleetView Metrics::State::look_at(const Simulation& simulation) {
+  if (simulation.roster() != roster) {
+    const std::span<const RobotSetup> all = simulation.fleet(Columns::setup).setup;
+    setups.assign(all.begin(), all.end());
+    roster = simulation.roster();
+  }
+  FleetView fleet = simulation.fleet(Columns::id | Columns::position | Columns::velocity |
+                                     Columns::heading | Columns::goal | Columns::detour |
+                                     Columns::plan | Columns::applied_acceleration);
+  fleet.setup = setups;
+  return fleet;
+}
+
+void Metrics::State::remember(const Simulation& simulation, const FleetView& fleet) {
   last_time = simulation.time();
-  last.look_at(simulation);
+  last.look_at(simulation, fleet);
 }
 
 // Those that the step was taken among.
@@ -108,8 +127,7 @@ void Metrics::State::collect_walls(const Simulation& simulation) {
   walls.search = WallSearch(walls_of(now.setup));
 }
 
-void Metrics::State::observe_limits(const Simulation& simulation) {
-  const FleetView fleet = simulation.fleet();
+void Metrics::State::observe_limits(const Simulation& simulation, const FleetView& fleet) {
   for (std::size_t i = 0; i < fleet.id.size(); ++i) {
     summary.max_speed = std::max(summary.max_speed, norm(fleet.velocity[i]));
     if (!started) continue;
@@ -127,12 +145,17 @@ void Metrics::State::observe_limits(const Simulation& simulation) {
 }
 
 // Everything that happened on the way from what was seen last.
-void Metrics::State::observe_step(const Simulation& simulation) {
+void Metrics::State::observe_step(const Simulation& simulation, const FleetView& fleet) {
   const BodyStep step{last, duration, started, settings.method};
-  collect_robots(simulation.fleet(), step, robots);
+  collect_rows(fleet, last, rows);
+  sweeps.clear();
+  for (const BodyRow row : rows) sweeps.push_back(sweep_of(fleet, step, row));
   collect_obstacles(simulation.obstacles(), step, obstacles);
   collect_walls(simulation);
-  encounters.observe(robots, obstacles, {last_time, duration, started, response});
+  encounters.observe(sweeps, [&](std::size_t k) { return body_of(fleet, step, rows[k]); }, roster,
+                     obstacles, {last_time, duration, started, response});
+  robots.clear();
+  if (flow || !walls.search.walls().empty()) collect_robots(fleet, step, rows, robots);
   walls.observe(robots, response, duration);
   trips.add_overlaps(encounters.overlapping);
   trips.add_touched(encounters.touched_by_movers);
@@ -159,13 +182,14 @@ void Metrics::observe(const Simulation& simulation) {
   State& state = *state_;
   const bool is_free = state.settings.clock == Clock::free;
   state.duration = is_free ? simulation.time() - state.last_time : state.settings.time_step;
-  state.trips.observe(simulation, state.duration);
-  state.observe_limits(simulation);
+  const FleetView fleet = state.look_at(simulation);
+  state.trips.observe(simulation, fleet, state.duration);
+  state.observe_limits(simulation, fleet);
   state.first_sights.observe(simulation);
-  if (!state.started) state.remember(simulation);  // before the first step nothing moves
-  state.observe_step(simulation);
+  if (!state.started) state.remember(simulation, fleet);  // before the first step nothing moves
+  state.observe_step(simulation, fleet);
   state.mover_sights.observe(simulation);
-  state.remember(simulation);
+  state.remember(simulation, fleet);
   state.summary.steps = simulation.steps();
   state.summary.unreachable.clear();
   state.distances_left.clear();
@@ -195,10 +219,10 @@ RunSummary Metrics::summary() const {
   summary.min_obstacle_clearance = state_->walls.least_clearance;
   summary.first_seen_too_late = state_->first_sights.too_late();
   summary.obstacle_collisions_evadable = state_->mover_sights.evadable();
-  for (std::size_t i = 0; i < state_->last.robots.size(); ++i) {
+  for (std::size_t i = 0; i < state_->last.id.size(); ++i) {
     if (summary.not_arrived.size() == kMostListed) break;
-    if (state_->trips.arrival(state_->last.robots[i].id.value)) continue;
-    NotArrived& entry = summary.not_arrived.emplace_back(state_->last.describe(i));
+    if (state_->trips.arrival(state_->last.id[i].value)) continue;
+    NotArrived& entry = summary.not_arrived.emplace_back(state_->last.describe(i, state_->setups));
     const auto& unreachable = summary.unreachable;
     const auto place = std::lower_bound(unreachable.begin(), unreachable.end(), entry.robot);
     if (place != unreachable.end() && *place == entry.robot)

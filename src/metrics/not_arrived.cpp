@@ -15,25 +15,20 @@ constexpr std::size_t kMostHeld = 5;  // named of those that hold one
 
 }  // namespace
 
-void LastSeen::look_at(const Simulation& simulation) {
-  const FleetView fleet = simulation.fleet();
-  robots.clear();
+void LastSeen::look_at(const Simulation& simulation, const FleetView& fleet) {
+  id.assign(fleet.id.begin(), fleet.id.end());
+  position.assign(fleet.position.begin(), fleet.position.end());
+  velocity.assign(fleet.velocity.begin(), fleet.velocity.end());
+  goal.assign(fleet.goal.begin(), fleet.goal.end());
+  heading.assign(fleet.heading.begin(), fleet.heading.end());
+  status.resize(fleet.id.size()), detour.resize(fleet.id.size());
+  wait.clear(), waiting.clear();
   for (std::size_t i = 0; i < fleet.id.size(); ++i) {
-    robots.push_back({.id = fleet.id[i],
-                      .position = fleet.position[i],
-                      .velocity = fleet.velocity[i],
-                      .goal = fleet.goal[i],
-                      .heading = fleet.heading[i],
-                      .radius = fleet.setup[i].radius,
-                      .status = fleet.plan[i].status,
-                      .detour = fleet.detour[i].angle,
-                      .layers = fleet.setup[i].layers,
-                      .avoids = fleet.setup[i].avoids,
-                      .parked = fleet.setup[i].parked,
-                      .wait = {}});
+    status[i] = fleet.plan[i].status;
+    detour[i] = fleet.detour[i].angle;
     const bool is_at_rest = norm(fleet.velocity[i]) <= kStands * fleet.setup[i].preferred_speed;
-    if (is_at_rest && !fleet.setup[i].parked && !simulation.is_at_goal(i))
-      robots.back().wait = simulation.wait(i);
+    if (!is_at_rest || fleet.setup[i].parked || simulation.is_at_goal(i)) continue;
+    if (const auto waits = simulation.wait(i)) wait.push_back(*waits), waiting.push_back(i);
   }
   const ObstacleView seen = simulation.obstacles();
   obstacles.clear();
@@ -42,26 +37,26 @@ void LastSeen::look_at(const Simulation& simulation) {
   }
 }
 
-NotArrived LastSeen::describe(std::size_t robot) const {
-  const Robot& self = robots[robot];
-  NotArrived result{.robot = self.id.value,
-                    .distance = norm(self.goal - self.position),
-                    .speed = norm(self.velocity),
-                    .status = self.status,
-                    .detour = self.detour,
+NotArrived LastSeen::describe(std::size_t robot, std::span<const RobotSetup> setups) const {
+  const RobotSetup& self = setups[robot];
+  NotArrived result{.robot = id[robot].value,
+                    .distance = norm(goal[robot] - position[robot]),
+                    .speed = norm(velocity[robot]),
+                    .status = status[robot],
+                    .detour = detour[robot],
                     .held_by = {},
                     .passage = {},
                     .distance_left = 0.0};
   std::vector<std::pair<double, std::int64_t>> near;  // m beyond contact, and who
   const auto consider = [&](Vec2 other, double other_radius, std::int64_t name) {
     const double contact = self.radius + other_radius;
-    const double beyond = norm(other - self.position) - contact;
+    const double beyond = norm(other - position[robot]) - contact;
     if (beyond <= kTouching * contact) near.emplace_back(beyond, name);
   };
-  for (const Robot& other : robots) {
-    const bool minds = other.parked || (self.avoids.bits & other.layers.bits) != 0;
-    if (&other == &self || !minds) continue;
-    consider(other.position, other.radius, static_cast<std::int64_t>(other.id.value));
+  for (std::size_t i = 0; i < id.size(); ++i) {
+    const bool minds = setups[i].parked || (self.avoids.bits & setups[i].layers.bits) != 0;
+    if (i == robot || !minds) continue;
+    consider(position[i], setups[i].radius, static_cast<std::int64_t>(id[i].value));
   }
   for (std::size_t k = 0; k < obstacles.size(); ++k) {
     consider(obstacles[k].position, obstacles[k].radius, -1 - static_cast<std::int64_t>(k));
@@ -70,11 +65,13 @@ NotArrived LastSeen::describe(std::size_t robot) const {
   for (std::size_t k = 0; k < std::min(near.size(), kMostHeld); ++k) {
     result.held_by.push_back(near[k].second);
   }
-  if (self.wait) {
-    const auto other = static_cast<std::int64_t>(self.wait->robot.value);
+  const auto place = std::lower_bound(waiting.begin(), waiting.end(), robot);
+  if (place != waiting.end() && *place == robot) {
+    const Simulation::Wait& waits = wait[static_cast<std::size_t>(place - waiting.begin())];
+    const auto other = static_cast<std::int64_t>(waits.robot.value);
     std::vector<std::int64_t>& held_by = result.held_by;
     if (std::find(held_by.begin(), held_by.end(), other) == held_by.end()) held_by.push_back(other);
-    result.passage = self.wait->passage;
+    result.passage = waits.passage;
   }
   return result;
 }

@@ -2,7 +2,7 @@
 // Who has not arrived, and who is in the way.
 #pragma once
 #include <cstddef>
-#include <optional>
+#include <span>
 #include <vector>
 
 #include "avo/metrics.h"
@@ -11,26 +11,22 @@ namespace avo {
 
 /// A fleet as last seen, by ascending id, and the moving obstacles then.
 struct LastSeen {
-  struct Robot {
-    RobotId id;
-    Vec2 position, velocity, goal;
-    double heading;  // rad, of those that have one
-    double radius;
-    PlanStatus status;
-    double detour;  // rad
-    LayerSet layers, avoids;
-    bool parked;
-    std::optional<Simulation::Wait> wait;  // of one at rest
-  };
+  std::vector<RobotId> id;
+  std::vector<Vec2> position, velocity, goal;
+  std::vector<double> heading;  // rad, of those that have one
+  std::vector<PlanStatus> status;
+  std::vector<double> detour;          // rad
+  std::vector<Simulation::Wait> wait;  // of those at rest that wait
+  std::vector<std::size_t> waiting;    // which these are, ascending
   struct Obstacle {
     Vec2 position, velocity;
     double radius;
   };
-  std::vector<Robot> robots;
   std::vector<Obstacle> obstacles;
 
-  void look_at(const Simulation& simulation);
-  [[nodiscard]] NotArrived describe(std::size_t robot) const;
+  void look_at(const Simulation& simulation, const FleetView& fleet);
+  /// setups: of those who were seen.
+  [[nodiscard]] NotArrived describe(std::size_t robot, std::span<const RobotSetup> setups) const;
 };
 
 }  // namespace avo

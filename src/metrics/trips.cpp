@@ -126,8 +126,7 @@ std::optional<double> Trips::arrival(std::uint64_t robot) const {
   return trips_[place].arrival;
 }
 
-void Trips::observe(const Simulation& simulation, double duration) {
-  const FleetView fleet = simulation.fleet();
+void Trips::observe(const Simulation& simulation, const FleetView& fleet, double duration) {
   now_ = simulation.time();
   std::size_t k = 0;  // ids ascend in both
   for (std::size_t i = 0; i < fleet.id.size(); ++i, ++k) {

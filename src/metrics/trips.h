@@ -59,7 +59,7 @@ class Trips {
   explicit Trips(const Scenario& scenario, std::span<const RobotId> judged = {});
 
   /// After a step of that duration, s, or before the first one.
-  void observe(const Simulation& simulation, double duration);
+  void observe(const Simulation& simulation, const FleetView& fleet, double duration);
   /// That the robots overlapped whom they avoid in the step that was just observed.
   void add_overlaps(std::span<const std::uint64_t> robots);
   /// That moving obstacles touched them then, on their trips or at their goals.

@@ -76,16 +76,21 @@ void UniformGrid::take(std::span<const std::uint32_t> points, std::span<const Ve
 void UniformGrid::list_within(Vec2 center, double radius,
                               std::vector<std::uint32_t>& places) const {
   std::size_t count = 0;
+  const auto take = [&](std::size_t first, std::size_t last) {
+    places.resize(count + last - first);
+    for (std::size_t place = first; place < last; ++place) {
+      places[count] =
+          static_cast<std::uint32_t>(place);  // counts if it is near: nothing is guessed
+      count += norm_squared(position(place) - center) <= radius * radius ? 1 : 0;
+    }
+  };
+  places.clear();
   const CellRange range = cells_within(center, radius, cells_);
   for (std::int64_t row = range.first_row; row <= range.last_row; ++row) {
-    for (std::size_t k = 0; k < range.columns; ++k) {
-      const std::size_t slot = cells_.slot(range.first_column + static_cast<std::int64_t>(k), row);
-      places.resize(count + sort_.begin[slot + 1] - sort_.begin[slot]);
-      for (std::uint32_t place = sort_.begin[slot]; place < sort_.begin[slot + 1]; ++place) {
-        places[count] = place;  // counts if it is near: nothing is guessed
-        count += norm_squared(position(place) - center) <= radius * radius ? 1 : 0;
-      }
-    }
+    const std::size_t first = cells_.slot(range.first_column, row);
+    const std::size_t end = std::min(first + range.columns, cells_.table());
+    take(sort_.begin[first], sort_.begin[end]);
+    take(sort_.begin[0], sort_.begin[first + range.columns - end]);  // around the table's end
   }
   places.resize(count);
 }

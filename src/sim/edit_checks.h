@@ -23,6 +23,8 @@ void validate_as(const Scenario& scene, std::string_view place, const std::strin
 void check_values(const World& world, const RobotSetup& setup, RobotId robot, bool among_walls);
 /// A robot that comes beside those that are there.
 void check_newcomer(const World& world, const RobotSetup& setup, RobotId robot);
+/// Before check_start(): makes it fast where there have been others since the last step.
+void look_around_starts(World& world);
 /// A start that breaks what the certificate assumes, unless the scene allows for that.
 void check_start(const World& world, const RobotSetup& setup, RobotId robot);
 /// m: how far robots sense once this one has come.

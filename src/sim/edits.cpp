@@ -44,8 +44,10 @@ void join(World& world, const RobotSetup& setup, RobotId robot) {
   world.changed = world.has_new_goals = true;
   try {
     if (world.kinds) world.kinds->add(world.fleet.setup(world.fleet.size() - 1));
+    note_late(world.bystanders, robot);
   } catch (const std::bad_alloc&) {
     world.kinds.reset();
+    forget(world.bystanders);
   }
 }
 
@@ -134,6 +136,7 @@ RobotId add_robot(World& world, const RobotSetup& setup) {
     return robot;
   }
   if (!world.kinds) world.kinds.emplace(world.fleet);
+  look_around_starts(world);
   check_newcomer(world, setup, robot);
   Ways& ways = world.ways;
   Travel travel;
@@ -205,11 +208,14 @@ void move_robot(World& world, RobotId robot, Vec2 position) {
   setup.position = position;
   if (!passes_goal(setup.model)) setup.velocity = {};
   check_values(world, setup, robot, !world.statics.walls.empty());
+  look_around_starts(world);
   check_start(world, setup, robot);
+  if (world.bystanders.is_made) world.bystanders.late.reserve(world.bystanders.late.size() + 1);
   const auto rank = static_cast<std::size_t>(fleet.rank[slot]);
   Ways& ways = world.ways;
   if (!ways.empty())
     ways.travels[rank] = ways.plan(disc_radius(setup), disc_center(setup), setup.goal);
+  note_late(world.bystanders, robot);  // there is room
   fleet.position[slot] = disc_center(setup);
   fleet.velocity[slot] = start_velocity(setup);
   fleet.nearest[slot] = std::numeric_limits<float>::infinity();

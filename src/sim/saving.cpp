@@ -266,6 +266,7 @@ void restore(const SavedState& state, World& world) {
   // nothing throws from here on
   std::swap(world.fleet, fleet);
   world.kinds.reset();
+  forget(world.bystanders);
   std::swap(world.senses, senses);
   std::swap(world.obstacles, obstacles);
   std::swap(ways.travels, travels);

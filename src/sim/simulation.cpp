@@ -47,6 +47,12 @@ Columns without(Columns all, Columns some) {
   return static_cast<Columns>(static_cast<unsigned>(all) & ~static_cast<unsigned>(some));
 }
 
+// m, that the robot is said to be at.
+Vec2 place_now(const World& world, std::size_t slot) {
+  if (world.is_current) return world.fleet.place(slot);
+  return world.fleet.place(slot, present_state(world, slot));
+}
+
 void require_whole(const World& world, const char* call) {
   if (!world.torn) return;
   throw Error(std::string(call) +
@@ -88,18 +94,20 @@ Simulation& Simulation::operator=(Simulation&&) noexcept = default;
 void Simulation::step() {
   require_whole(*state_, "Simulation::step");
   state_->forget_views();
+  const std::size_t robots = state_->fleet.size();
   avo::step(*state_);
+  if (state_->fleet.size() != robots) state_->forget_robots();
 }
 
 RobotId Simulation::add_robot(const RobotSetup& setup) {
   const RobotId robot = avo::add_robot(*state_, setup);
-  state_->forget_views();
+  state_->forget_robots();
   return robot;
 }
 
 void Simulation::remove_robot(RobotId robot) {
   avo::remove_robot(*state_, robot);
-  state_->forget_views();
+  state_->forget_robots();
 }
 
 void Simulation::move_robot(RobotId robot, Vec2 position) {
@@ -131,7 +139,7 @@ std::vector<std::byte> Simulation::save() const {
 
 void Simulation::restore(std::span<const std::byte> saved) {
   avo::restore(from_bytes(saved), *state_);
-  state_->forget_views();
+  state_->forget_robots();
 }
 
 FleetView Simulation::fleet(Columns wanted) const {
@@ -147,6 +155,10 @@ FleetView Simulation::fleet(Columns wanted) const {
 
 std::size_t Simulation::size() const {
   return state_->fleet.size();
+}
+
+std::uint64_t Simulation::roster() const {
+  return state_->roster;
 }
 
 RobotState Simulation::robot(std::size_t robot) const {
@@ -222,8 +234,7 @@ bool Simulation::is_at_goal(std::size_t robot) const {
   const std::uint32_t slot = state_->fleet.slot_of[robot];
   if (state_->fleet.conduct[slot].parked) return true;
   if (const Flight* flight = state_->fleet.flight(slot)) return flight->has_arrived;
-  const Vec2 p = state_->fleet.place(slot, present_state(*state_, slot));
-  const Vec2 goal = state_->fleet.goal[slot];
+  const Vec2 p = place_now(*state_, slot), goal = state_->fleet.goal[slot];
   const Ways& ways = state_->ways;
   const bool is_beside = !ways.empty() && ways.travels[robot].ends == WayEnd::beside;
   const double slack = is_beside ? kBesideSlack * state_->fleet.traits[slot].radius : 0.0;
@@ -249,7 +260,7 @@ bool Simulation::all_at_goal() const {
 Simulation::Way Simulation::way(std::size_t robot) const {
   const Fleet& fleet = state_->fleet;
   const std::uint32_t slot = fleet.slot_of[robot];
-  const Vec2 p = fleet.place(slot, present_state(*state_, slot)), goal = fleet.goal[slot];
+  const Vec2 p = place_now(*state_, slot), goal = fleet.goal[slot];
   if (state_->ways.empty() || fleet.conduct[slot].parked) return {norm(goal - p), goal};
   return rest_of_way(state_->ways.travels[robot], p, goal);
 }

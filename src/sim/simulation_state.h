@@ -3,6 +3,7 @@
 #pragma once
 #include <atomic>
 #include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <span>
 
@@ -19,6 +20,7 @@ struct Simulation::State : World {
   Mutex looking;
   std::atomic<Columns> mirrored = Columns{};
   FleetMirror mirror;
+  std::uint64_t roster = next_roster();
   bool has_claims = false;  // of the present generation, for those who ask
   Claims present_claims;
 
@@ -32,6 +34,10 @@ struct Simulation::State : World {
     mirrored = Columns{};
     has_claims = false;
   }
+  void forget_robots() {
+    forget_views();
+    roster = next_roster();
+  }
   /// Of one robot alone, which is still there.
   void forget_views_of(RobotId robot) {
     const Columns copied = mirrored;
@@ -40,6 +46,10 @@ struct Simulation::State : World {
     has_claims = false;
   }
 
+  static std::uint64_t next_roster() {
+    static std::atomic<std::uint64_t> next = 0;
+    return ++next;
+  }
   static std::unique_ptr<State> of(const Scenario& scenario, std::shared_ptr<Executor> executor);
   static std::unique_ptr<State> of(std::span<const std::byte> saved,
                                    std::shared_ptr<Executor> executor);

@@ -18,6 +18,12 @@
 namespace avo {
 namespace {
 
+// With two steps to spare.
+double time_until_rest(double speed, double max_braking, const CertificateLaw& law) {
+  const double step = std::max(law.step.time_step, longest_first_step(law));
+  return step * (2.0 + braking_steps(speed, braking_decrement(max_braking, law.step)));
+}
+
 // The newcomer and all whom it could meet while they brake as a scene, in which the newcomer is the
 // first one.
 struct Company {
@@ -28,7 +34,7 @@ struct Company {
   Company(const World& world, const RobotSetup& setup, RobotId robot);
 };
 
-// By what each covers at its highest speed until both are at rest, with two steps to spare.
+// By what each covers at its highest speed until both are at rest.
 class Reach {
  public:
   Reach(const World& world, const RobotSetup& setup)
@@ -39,6 +45,13 @@ class Reach {
         radius_(disc_radius(setup)),
         top_speed_(std::max(setup.max_speed, norm(setup.velocity))),
         seconds_(until_rest(norm(setup.velocity), braking_limit(setup))) {}
+
+  /// m, from the center of its disc; infinite where an airplane may come from anywhere.
+  [[nodiscard]] double farthest(const MostOfOthers& most) const {
+    if (flies_) return kInfinity;
+    return radius_ + most.radius + std::max(seconds_, most.seconds) * (top_speed_ + most.speed);
+  }
+  [[nodiscard]] Vec2 center() const { return center_; }
 
   [[nodiscard]] bool includes(std::size_t slot) const {
     const Fleet& fleet = world_.fleet;
@@ -52,8 +65,7 @@ class Reach {
 
  private:
   [[nodiscard]] double until_rest(double speed, double max_braking) const {
-    const double step = std::max(law_.step.time_step, longest_first_step(law_));
-    return step * (2.0 + braking_steps(speed, braking_decrement(max_braking, law_.step)));
+    return time_until_rest(speed, max_braking, law_);
   }
 
   const World& world_;
@@ -85,7 +97,8 @@ Company::Company(const World& world, const RobotSetup& setup, RobotId robot)
   const Fleet& fleet = world.fleet;
   scene.robots.push_back(setup);
   const Reach reach(world, setup);
-  for (const std::uint32_t other : fleet.slot_of) {
+  for (const std::uint32_t other :
+       near_place(world.bystanders, fleet, reach.center(), reach.farthest(world.bystanders.most))) {
     if (fleet.id[other] == robot || !reach.includes(other)) continue;
     scene.robots.push_back(committed(fleet, other));
     id.push_back(fleet.id[other]);
@@ -167,6 +180,24 @@ Wording wording_of(const Company& company, const ObstacleId& obstacle) {
 }
 
 }  // namespace
+
+void look_around_starts(World& world) {
+  Bystanders& bystanders = world.bystanders;
+  if (world.settings.allow_broken_assumptions || !world.all_matter()) return;
+  if (bystanders.is_made && !has_many_late(bystanders)) return;
+  if (!std::exchange(bystanders.is_wanted, true)) return;
+  const Fleet& fleet = world.fleet;
+  const CertificateLaw law = certificate_law(world.certified_planner());
+  MostOfOthers most;
+  for (std::size_t slot = 0; slot < fleet.size(); ++slot) {
+    const RobotTraits& traits = fleet.traits[slot];
+    const double speed = norm(fleet.velocity[slot]);
+    most.radius = std::max(most.radius, traits.radius);
+    most.speed = std::max({most.speed, traits.max_speed, speed});
+    most.seconds = std::max(most.seconds, time_until_rest(speed, traits.max_braking, law));
+  }
+  make(bystanders, fleet, most, 2.0 * (most.radius + most.seconds * most.speed));
+}
 
 void check_start(const World& world, const RobotSetup& setup, RobotId robot) {
   if (world.settings.allow_broken_assumptions || !world.all_matter()) return;

@@ -223,6 +223,7 @@ void leave(World& world) {
 
 void step(World& world) {
   leave(world);
+  forget(world.bystanders);
   Executor& executor = executor_of(world);
   const bool is_free = world.fleet.has_clocks, near = is_free && knows_near(world);
   if (is_free && !near) assemble(world);

@@ -14,6 +14,7 @@
 #include "planner/relevance.h"
 #include "planner/tile.h"
 #include "robots/motion.h"
+#include "sim/bystanders.h"
 #include "sim/claims.h"
 #include "sim/clocks.h"
 #include "sim/fleet.h"
@@ -77,6 +78,7 @@ struct World {
   std::vector<Pace> paces;  // the scene's first; others where robots have something of their own
   Fleet fleet;
   std::optional<Kinds> kinds;  // of the fleet, once somebody has been added
+  Bystanders bystanders;       // of edits between two steps
   ObstacleColumns obstacles;
   Senses senses;
   StaticWorld statics;

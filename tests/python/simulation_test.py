@@ -102,6 +102,26 @@ def test_bad_bytes_are_refused_and_change_nothing():
         assert simulation.state_hash() == bits
 
 
+def test_one_robot_is_a_row_of_the_arrays():
+    simulation = avo.Simulation("mixed-fleet")
+    simulation.step(20)
+    for index, id in enumerate(simulation.ids()):
+        robot = simulation.robot(index)
+        assert robot.id == id
+        assert robot.position == tuple(simulation.position()[index])
+        assert robot.velocity == tuple(simulation.velocity()[index])
+        assert robot.goal == tuple(simulation.goal()[index])
+        assert robot.heading == simulation.heading()[index]
+        assert robot.applied_acceleration == simulation.applied_acceleration()[index]
+        assert robot.plan.new_velocity == tuple(simulation.new_velocity()[index])
+    before = simulation.robot(0)
+    simulation.set_goal(0, (1, 2))
+    assert simulation.robot(0).goal == tuple(simulation.goal()[0]) == (1.0, 2.0)
+    assert before.goal != (1.0, 2.0), "it is a copy"
+    with pytest.raises(avo.Error, match="index: found"):
+        simulation.robot(len(simulation))
+
+
 def test_robots_come_and_go():
     simulation = avo.Simulation("circle-10")
     added = simulation.add_robot(avo.RobotSetup(position=(50, 0), goal=(60, 0), max_speed=1.5))

@@ -8,6 +8,7 @@
 #include "avo/assumptions.h"
 #include "avo/simulation.h"
 #include "support/refusal.h"
+#include "unit/sim/scenes.h"
 #include "unit/sim/walled_scenes.h"
 
 namespace avo {
@@ -263,6 +264,46 @@ TEST(StartChecks, a_solid_of_nothing_is_no_wall) {
   for (std::size_t k = 0; k < scene.robots.size(); ++k)
     EXPECT_EQ(with.fleet().position[k], without.fleet().position[k]);
   EXPECT_EQ(restored.state_hash(), with.state_hash());
+}
+
+// Those who come between two steps are checked against those near them, who are found in a grid
+// that is made for the second one.
+TEST(StartChecks, many_edits_between_two_steps_are_checked_as_one_alone_is) {
+  Scenario scene = test::dense_avo_scene(200, Motion::held, Certificate::braking_trajectories);
+  scene.allow_broken_assumptions = false;
+  scene.moving_obstacles.clear();
+  scene.sensing_radius = 20.0;
+  for (std::size_t i = 0; i < scene.robots.size(); ++i) {
+    RobotSetup& robot = scene.robots[i];
+    robot.position = robot.goal = 3.0 * robot.position, robot.velocity = {};
+  }
+  Simulation together(scene, 1), alone(scene, 1);
+  test::Random random(3);
+  const auto anywhere = [&] {
+    return Vec2{random.uniform(-5.0, 80.0), random.uniform(-5.0, 80.0)};
+  };
+  int refused = 0, edits = 0;
+  for (; edits < 300; ++edits) {
+    if (edits % 100 == 99) together.step(), alone.step();
+    RobotSetup setup = robot_at(anywhere(), anywhere());
+    setup.velocity = test::in_disc(random, 2.0);
+    const std::uint64_t other = together.fleet().id[static_cast<std::size_t>(edits) % 150].value;
+    const auto edit = [&](Simulation& own) {
+      if (edits % 3 == 0)
+        own.move_robot({other}, setup.position);
+      else if (edits % 7 == 1)
+        own.remove_robot({other});
+      else
+        own.add_robot(setup);
+    };
+    alone.restore(alone.save());  // of which the next check makes no grid
+    const std::string found = refusal([&] { edit(together); });
+    ASSERT_EQ(found, refusal([&] { edit(alone); })) << edits;
+    refused += found.empty() ? 0 : 1;
+  }
+  EXPECT_GT(refused, 30);
+  EXPECT_LT(refused, edits - 100);
+  EXPECT_EQ(together.state_hash(), alone.state_hash());
 }
 
 }  // namespace
