@@ -35,9 +35,9 @@ class CornerFinder {
       add_around(k, walls[k].a, false);
       if (!(walls[k].a == walls[k].b)) add_around(k, walls[k].b, true);
     }
-    for (std::size_t k = 0; k < walls.size(); ++k) {
-      add_in_gaps(k, walls[k].a);
-      if (!(walls[k].a == walls[k].b)) add_in_gaps(k, walls[k].b);
+    for (const Wall& wall : walls) {
+      add_in_gaps(wall.a, wall.radius);
+      if (!(wall.a == wall.b)) add_in_gaps(wall.b, wall.radius);
     }
     return std::move(corners_);
   }
@@ -92,7 +92,7 @@ class CornerFinder {
       for (const double part : kSpareParts) {
         const double room = radius_ + part * kSpareRoom;
         const Vec2 point = end + ((room + widest) / cosine * (1.0 + kLengthRounding)) * outward;
-        if (!(grid_.clearance(point) >= room)) continue;
+        if (!grid_.has_room(point, room)) continue;
         corners_.push_back({point, room * (1.0 - kLengthRounding), outward, lean});
         break;
       }
@@ -130,18 +130,20 @@ class CornerFinder {
   }
 
   // The middle of each gap between this end and another wall, and the places before and behind.
-  void add_in_gaps(std::size_t wall, Vec2 end) {
-    const double own = grid_.walls()[wall].radius, rounding = kLengthRounding * radius_;
+  void add_in_gaps(Vec2 end, double own) {
+    const std::uint64_t place = mixed(mixed(0, word_of(end.x)), word_of(end.y));
+    if (!looked_at_.insert(mixed(place, word_of(own))).second) return;  // of pieces that touch
+    const double rounding = kLengthRounding * radius_;
     const double widest = kWidestGap * (1.0 + kStretch) * (radius_ + kSpareRoom);
     std::vector<Gap> gaps;
     grid_.all_near(end, end, [&](std::size_t k) {
       const Wall& other = grid_.walls()[k];
       const Vec2 nearest = nearest_on({other.a, other.b}, end);
       const double between = norm(end - nearest), gap = between - own - other.radius;
-      if (k == wall || gap < 2.0 * (radius_ - rounding) || gap > widest) return true;
+      if (gap < 2.0 * (radius_ - rounding) || gap > widest) return true;
       const Vec2 across = (end - nearest) / between;
       const Vec2 middle = nearest + (other.radius + 0.5 * gap) * across;
-      if (grid_.clearance(middle) < 0.5 * gap - rounding) return true;  // some wall is in the gap
+      if (!grid_.has_room(middle, 0.5 * gap - rounding)) return true;  // some wall is in the gap
       const Vec2 along = (radius_ + kSpareRoom) * perpendicular(across);
       for (const Vec2 point : {middle, middle + along, middle - along}) add_in_gap(point);
       gaps.push_back({middle, across});
@@ -155,7 +157,7 @@ class CornerFinder {
   const ClearanceGrid& grid_;
   double radius_;
   std::vector<Corner> corners_;
-  std::unordered_set<std::uint64_t> taken_;
+  std::unordered_set<std::uint64_t> taken_, looked_at_;
 };
 
 }  // namespace

@@ -106,7 +106,7 @@ class Joiner {
     const double samples =
         std::ceil(norm(to - from) / (kSampling * std::min(one.radius, other.radius)));
     for (double n = 1.0; n < samples; n += 1.0) {
-      if (grid_.clearance(from + (n / samples) * (to - from)) >= limit) return false;
+      if (grid_.has_room(from + (n / samples) * (to - from), limit)) return false;
     }
     return lines_->all_near(from, to, [&](std::size_t third) {
       if (third == i || third == k || gaps_[third].two_lanes != one.two_lanes) return true;
