@@ -21,6 +21,7 @@ bool is_in_the_way(const Wall& wall, Vec2 p, Vec2 q, double room);
 /// A uniform grid in which each cell lists the walls that come within `reach` of it.
 class ClearanceGrid {
  public:
+  ClearanceGrid() = default;
   ClearanceGrid(std::span<const Wall> walls, double reach);
 
   [[nodiscard]] std::span<const Wall> walls() const { return walls_; }

@@ -2,49 +2,68 @@
 #include "navigation/corner_graph.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
+#include "core/plane.h"
 #include "navigation/corners.h"
-#include "navigation/known_edges.h"
 
 namespace avo {
 namespace {
 
+constexpr std::size_t kMostJoinedCorners = 10000;  // of more, edges would be too many
+constexpr double kAllWithin = 64.0;                // radii: long edges are longer
+constexpr std::uint32_t kNoCorner = 0xffffffff;
+
 // Whether a shortest way may lead straight from one point to the other one.
-bool are_joined(const CornerGraph& graph, std::size_t i, std::size_t k) {
-  const Vec2 p = graph.points[i], q = graph.points[k];
-  const double length = norm(q - p);
-  if (!(length > 0.0)) return false;
-  const Vec2 direction = (q - p) / length;
-  return graph.may_bend(i, direction) && graph.may_bend(k, direction) &&
-         graph.grid.is_clear(p, q, std::min(graph.room[i], graph.room[k]));
+bool are_joined(const CornerGraph& graph, std::uint32_t i, std::uint32_t k, double length) {
+  const Vec2 direction = (graph.points[k] - graph.points[i]) / length;
+  if (!graph.may_bend(i, direction) || !graph.may_bend(k, direction)) return false;
+  const double room = std::min(graph.room[i], graph.room[k]);
+  return graph.grid.is_clear(graph.points[std::min(i, k)], graph.points[std::max(i, k)], room);
 }
 
-// Joins all corners between which a shortest way may lead straight.
-void join(CornerGraph& graph, const CornerGraph* before) {
-  const std::size_t count = graph.points.size();
-  struct Pair {
-    std::uint32_t low, high;
-    double length;
-  };
-  std::vector<Pair> pairs;
-  graph.first.assign(count + 1, 0);
-  KnownEdges known(graph, before);
-  for (std::uint32_t i = 0; i < count; ++i) {
-    for (const std::uint32_t k : known.candidates(i)) {
-      const std::optional<bool> answer = known.are_joined(i, k);
-      if (!(answer ? *answer : are_joined(graph, i, k))) continue;
-      pairs.push_back({i, k, norm(graph.points[k] - graph.points[i])});
-      ++graph.first[i + 1], ++graph.first[k + 1];
-    }
+// Where ways neither come from nor go to nobody has to look.
+void close_aside(const CornerGraph& graph, std::uint32_t corner, Horizons& horizons) {
+  const Vec2 outward = graph.outward[corner];
+  const double least = graph.most_lean[corner];
+  const auto& borders = Horizons::borders();
+  for (std::size_t k = 0; k < Horizons::kSectors; ++k) {
+    const double one = dot(outward, borders[k]);
+    const double other = dot(outward, borders[(k + 1) % Horizons::kSectors]);
+    // the sine has no least value within a sector whose borders are both beyond
+    if (std::min(std::abs(one), std::abs(other)) > least + kLengthRounding && one * other > 0.0)
+      horizons.close(k, 0.0);
   }
-  for (std::size_t k = 1; k <= count; ++k) graph.first[k] += graph.first[k - 1];
-  graph.edges.resize(2 * pairs.size());
-  std::vector<std::uint32_t> end(graph.first.begin(), graph.first.end() - 1);
-  for (const Pair& pair : pairs) {
-    graph.edges[end[pair.low]++] = {pair.high, pair.length};
-    graph.edges[end[pair.high]++] = {pair.low, pair.length};
-  }
+}
+
+// Of the corners beyond all_within, the nearest one in each sector where none is nearer.
+std::vector<CornerGraph::Edge> edges_from(const CornerGraph& graph, std::uint32_t i) {
+  const Vec2 p = graph.points[i];
+  std::vector<CornerGraph::Edge> edges;
+  std::array<CornerGraph::Edge, Horizons::kSectors> farther;
+  farther.fill({kNoCorner, kInfinity});
+  Horizons horizons(p, graph.radius);
+  close_aside(graph, i, horizons);
+  graph.view.look(p, horizons, [&](std::uint32_t k) {
+    const double length = norm(graph.points[k] - p);
+    if (!(length > 0.0)) return;
+    const std::size_t sector = Horizons::sector_of(graph.points[k] - p);
+    CornerGraph::Edge& best = farther[sector];
+    const bool is_near = length <= graph.all_within;
+    if (!is_near && (length > best.length || (length == best.length && k > best.to))) return;
+    if (!are_joined(graph, i, k, length)) return;
+    horizons.close(sector, std::max(length, graph.all_within));
+    if (is_near)
+      edges.push_back({k, length}), best = {kNoCorner, graph.all_within};
+    else
+      best = {k, length};
+  });
+  for (const CornerGraph::Edge& edge : farther)
+    if (edge.to != kNoCorner) edges.push_back(edge);
+  std::sort(edges.begin(), edges.end(),
+            [](const auto& one, const auto& other) { return one.to < other.to; });
+  return edges;
 }
 
 void add_samples(CornerGraph& graph) {
@@ -61,28 +80,43 @@ void add_samples(CornerGraph& graph) {
 
 }  // namespace
 
-CornerGraph corner_graph(std::span<const Wall> walls, double radius, const CornerGraph* before,
-                         std::size_t most_joined) {
-  CornerGraph graph{
-      radius, ClearanceGrid(walls, corner_reach(radius, widest_of(walls))), {}, {}, {}, {}, {}, {}};
+std::span<const CornerGraph::Edge> CornerGraph::edges_of(std::size_t k) const {
+  return edges.get(k, [&] { return edges_from(*this, static_cast<std::uint32_t>(k)); });
+}
+
+CornerGraph corner_graph(std::span<const Wall> walls, double radius, Joining joining) {
+  CornerGraph graph;
+  graph.radius = radius;
+  graph.grid = ClearanceGrid(walls, corner_reach(radius, widest_of(walls)));
   for (const Corner& corner : corners(graph.grid, radius)) {
     graph.points.push_back(corner.point);
     graph.room.push_back(corner.room);
     graph.outward.push_back(corner.outward);
     graph.most_lean.push_back(corner.most_lean);
   }
-  if (graph.points.size() > most_joined)
+  if (joining == Joining::by_number) {
+    const std::size_t count = graph.corners();
+    joining = count <= kMostJoinedCorners ? Joining::all : Joining::near;
+    if (joining == Joining::near && static_cast<double>(count) > lattice_cells(graph.grid, radius))
+      joining = Joining::lattice;
+  }
+  if (joining == Joining::lattice && graph.corners() > 0) {
     add_samples(graph);
-  else
-    join(graph, before != nullptr && before->lattice.empty() ? before : nullptr);
+    return graph;
+  }
+  graph.all_within = joining == Joining::all ? kInfinity : kAllWithin * radius;
+  graph.view = ViewIndex(walls, graph.points);
+  graph.edges = Memo<std::vector<CornerGraph::Edge>>(graph.corners());
   return graph;
 }
 
 std::uint32_t point_at(const CornerGraph& graph, Vec2 place) {
-  const auto count = static_cast<std::uint32_t>(graph.points.size());
+  auto found = static_cast<std::uint32_t>(graph.points.size());
   if (graph.lattice.empty()) {
-    const auto point = std::find(graph.points.begin(), graph.points.end(), place);
-    return static_cast<std::uint32_t>(point - graph.points.begin());
+    graph.view.for_each_near(place, [&](std::uint32_t k) {
+      if (graph.points[k] == place) found = std::min(found, k);
+    });
+    return found;
   }
   const std::size_t cell = graph.lattice.cell_of(place);
   const auto sample = static_cast<std::uint32_t>(graph.corners() + cell);
@@ -90,7 +124,7 @@ std::uint32_t point_at(const CornerGraph& graph, Vec2 place) {
   for (const std::uint32_t corner : graph.lattice.corners_in(cell)) {
     if (graph.points[corner] == place) return corner;
   }
-  return count;
+  return found;
 }
 
 }  // namespace avo

@@ -16,34 +16,49 @@ constexpr double kSightReach = 0.1;    // m
 constexpr double kBeside = 1.1;        // of contact, where a mover stands on the goal
 constexpr double kLittleDetour = 1.5;  // times the straight way
 constexpr double kJoint = 1e-9;        // m: nobody sees through where pieces of walls touch
+// Of more corners, a robot searches for its own way, until robots have asked often for one goal and
+// the whole maps that there are have no more corners than that in all.
+constexpr std::size_t kFewCorners = 1000;
+constexpr std::uint32_t kAskedOften = 4;
+constexpr std::size_t kMostKeptCorners = 4'000'000;
 
 // Where the target is, and how far it is from there to the goal; nothing where there is no target.
 std::optional<std::pair<Vec2, double>> rest_of(const Travel& travel) {
   if (travel.graph == nullptr) return std::nullopt;
   const PathMap& map = *travel.map;
   if (travel.target == PathMap::kGoal && map.is_free) return std::pair(map.goal, 0.0);
-  if (travel.target >= map.next.size()) return std::nullopt;
+  if (map.place_of(travel.target) >= map.next.size()) return std::nullopt;
   return std::pair(travel.graph->points[travel.target],
                    length_from(*travel.graph, map, travel.target));
 }
 
 // Of all in view, the one on the shortest way.
-std::uint32_t best_target(const Travel& travel, Vec2 position, double radius) {
-  LegScratch scratch;
-  return next_leg(*travel.graph, *travel.map, position, radius, PathMap::kNothing, false, scratch)
-      .target;
+void aim_at_best(Travel& travel, Vec2 position, double radius, LegScratch& scratch) {
+  travel.target =
+      next_leg(*travel.graph, travel.map, position, radius, PathMap::kNothing, false, scratch)
+          .target;
+}
+
+// The target, and what its map has to tell of it.
+void aim_at(Travel& travel, std::uint32_t target, LegScratch& scratch) {
+  travel.target = target;
+  if (!travel.map->is_whole)
+    travel.map = std::make_shared<const PathMap>(
+        way_from(*travel.graph, *travel.map, target, scratch.search));
 }
 
 // The travel where it goes on, of those that are planned anew where walls have changed.
-Travel replanned(const Travel& before, Travel fresh, Vec2 position, double radius) {
+Travel replanned(const Travel& before, Travel fresh, Vec2 position, double radius,
+                 LegScratch& scratch) {
   const auto kept = rest_of(before);
   if (!kept || !rest_of(fresh)) return fresh;
   Travel first = before;
-  first.target = best_target(before, position, radius);
+  aim_at_best(first, position, radius, scratch);
   if (rest_of(first) != rest_of(fresh)) return fresh;
   Travel travel = fresh;
-  travel.target =
-      before.target == PathMap::kGoal ? PathMap::kGoal : point_at(*fresh.graph, kept->first);
+  aim_at(travel,
+         before.target == PathMap::kGoal ? PathMap::kGoal : point_at(*fresh.graph, kept->first),
+         scratch);
   return rest_of(travel) == kept ? travel : fresh;
 }
 
@@ -74,16 +89,11 @@ Ways::Ways(const Scenario& settings, std::span<const Wall> walls, std::vector<Wa
 const CornerGraph& Ways::graph_of(GraphKey key) {
   const auto known = graphs_.find(key);
   if (known != graphs_.end()) return *known->second;
-  const CornerGraph* before = nullptr;
-  if (before_ != nullptr) {
-    const auto place = before_->graphs_.find(key);
-    if (place != before_->graphs_.end()) before = place->second.get();
-  }
   const auto [around_movers, radius] = key;
   std::vector<Wall> walls;
   if (sight_) walls.assign(sight_->walls().begin(), sight_->walls().end());
   if (around_movers) walls.insert(walls.end(), resting_.begin(), resting_.end());
-  auto graph = std::make_unique<const CornerGraph>(corner_graph(walls, radius, before));
+  auto graph = std::make_unique<const CornerGraph>(corner_graph(walls, radius));
   return *graphs_.emplace(key, std::move(graph)).first->second;
 }
 
@@ -94,22 +104,36 @@ ReachablePlaces& Ways::places_of(double radius) {
   return *places_.emplace(radius, std::move(places)).first->second;
 }
 
-std::shared_ptr<const PathMap> Ways::map_to(GraphKey graph, Vec2 end) {
-  const Key key{graph.first, graph.second, end.x, end.y};
-  std::shared_ptr<const PathMap> map = maps_[key].lock();
+// The whole map, or the goal alone for a robot that searches for its own way.
+std::shared_ptr<const PathMap> Ways::map_to(GraphKey key, Vec2 end) {
+  const CornerGraph& graph = graph_of(key);
+  Goal& goal = maps_[{key.first, key.second, end.x, end.y}];
+  std::shared_ptr<const PathMap> map = goal.map.lock();
   if (map) return map;
-  map = std::make_shared<const PathMap>(path_map(graph_of(graph), end));
-  maps_[key] = map;
+  const std::size_t corners = graph.corners();
+  const bool are_few = corners <= kFewCorners || !graph.lattice.empty();
+  const bool are_kept = *kept_corners_ + corners <= kMostKeptCorners;
+  if (are_few || (are_kept && goal.asked++ >= kAskedOften)) {
+    const auto forget = [kept = kept_corners_, corners](const PathMap* old) {
+      *kept -= corners;
+      delete old;
+    };
+    map = std::shared_ptr<const PathMap>(new PathMap(path_map(graph, end)), forget);
+    *kept_corners_ += corners;
+    goal.map = map;
+  } else {
+    map = std::make_shared<const PathMap>(goal_of(graph, end));
+  }
   if (maps_.size() > most_maps_) {
-    std::erase_if(maps_, [](const auto& entry) { return entry.second.expired(); });
-    most_maps_ = 2 * maps_.size();
+    std::erase_if(maps_, [](const auto& entry) { return entry.second.map.expired(); });
+    most_maps_ = 2 * maps_.size() + kAskedOften;
   }
   return map;
 }
 
 Travel Ways::lead(double radius, Vec2 position, Vec2 end, bool is_exact, bool around_movers) {
   Travel travel = resume(radius, end, PathMap::kNothing, is_exact, around_movers);
-  if (travel.graph != nullptr) travel.target = best_target(travel, position, radius);
+  if (travel.graph != nullptr) aim_at_best(travel, position, radius, scratch_);
   return travel;
 }
 
@@ -158,13 +182,14 @@ Travel Ways::resume(double radius, Vec2 end, std::uint32_t target, bool is_exact
   travel.graph = &graph_of(key);
   travel.map = map_to(key, end);
   travel.around_movers = around_movers;
+  if (target < PathMap::kNothing) aim_at(travel, target, scratch_);
   return travel;
 }
 
 std::size_t Ways::most_targets() const {
   std::size_t most = 0;
   for (const auto& [key, graph] : graphs_) {
-    if (graph->lattice.empty()) most = std::max(most, graph->points.size() + 1);
+    if (graph->lattice.empty()) most = std::max(most, graph->corners() + 1);
   }
   return most;
 }
@@ -193,7 +218,7 @@ Heading follow(Travel& travel, Vec2 position, Vec2 end, const RobotTraits& robot
                bool looks_around, LegScratch& scratch) {
   const Heading straight{end, robot.preferred_speed};
   if (travel.graph == nullptr) return straight;
-  const Leg leg = next_leg(*travel.graph, *travel.map, position, robot.radius, travel.target,
+  const Leg leg = next_leg(*travel.graph, travel.map, position, robot.radius, travel.target,
                            looks_around, scratch);
   travel.target = leg.target;
   if (leg.is_last() || leg.target == PathMap::kNothing) return straight;
@@ -234,7 +259,7 @@ void plan_travels(Ways& ways, const Fleet& fleet, const Ways* before) {
     Travel travel;
     if (!fleet.conduct[slot].parked) {
       travel = ways.plan(radius, position, fleet.goal[slot], known);
-      if (known != nullptr) travel = replanned(*known, travel, position, radius);
+      if (known != nullptr) travel = replanned(*known, std::move(travel), position, radius, ways.scratch());
     }
     ways.travels.push_back(std::move(travel));
   }

@@ -85,6 +85,8 @@ class Ways {
   [[nodiscard]] bool is_free(double radius, Vec2 p) { return places_of(radius).is_free(p); }
   /// That a robot may have to choose from.
   [[nodiscard]] std::size_t most_targets() const;
+  /// Memory to plan with.
+  [[nodiscard]] LegScratch& scratch() { return scratch_; }
   /// Whether no wall lies on the straight way between them.
   [[nodiscard]] bool is_in_sight(Vec2 p, Vec2 q) const;
 
@@ -111,7 +113,14 @@ class Ways {
   std::vector<Wall> resting_;
   std::map<GraphKey, std::unique_ptr<const CornerGraph>> graphs_;
   std::map<double, std::unique_ptr<ReachablePlaces>> places_;
-  std::map<Key, std::weak_ptr<const PathMap>> maps_;
+  struct Goal {
+    std::weak_ptr<const PathMap> map;  // the whole one, if there is one
+    std::uint32_t asked = 0;           // times, before there was one
+  };
+  std::map<Key, Goal> maps_;
+  // of all whole maps that there are, where corners are many
+  std::shared_ptr<std::size_t> kept_corners_ = std::make_shared<std::size_t>(0);
+  LegScratch scratch_;
   std::size_t most_maps_ = 0;  // beyond which those that nobody has are forgotten
   std::vector<double> passage_radii_;
 };
