@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 
 namespace avo {
 namespace {
@@ -47,10 +48,6 @@ std::size_t Horizons::sector_of(Vec2 direction) {
 const std::array<Vec2, Horizons::kSectors>& Horizons::borders() {
   static const std::array<Vec2, kSectors> units = all_borders();
   return units;
-}
-
-double Horizons::farthest() const {
-  return *std::max_element(far_.begin(), far_.end());
 }
 
 // The segment between the outer sides of its ends lies within the wall and the room around it.
@@ -142,6 +139,38 @@ ViewIndex::Cell ViewIndex::cell_of(Vec2 place) const {
         std::clamp(std::floor(length / side_), 0.0, static_cast<double>(count - 1)));
   };
   return {along(place.x - origin_.x, columns_), along(place.y - origin_.y, rows_)};
+}
+
+bool ViewIndex::covers(Vec2 place) const {
+  const Vec2 size = side_ * Vec2{static_cast<double>(columns_), static_cast<double>(rows_)};
+  const Vec2 in = place - origin_;
+  return in.x >= 0.0 && in.y >= 0.0 && in.x <= size.x && in.y <= size.y;
+}
+
+void ViewIndex::next_ring(Cell middle, std::int64_t away, bool is_inside,
+                          std::vector<Cell>& in_view, std::vector<Cell>& ring) const {
+  ring.clear();
+  const auto add = [&](std::int64_t column, std::int64_t row) {
+    const bool is_there = column >= 0 && column < columns_ && row >= 0 && row < rows_;
+    const std::int64_t distance =
+        std::max(std::abs(column - middle.column), std::abs(row - middle.row));
+    if (is_there && distance == away) ring.push_back({column, row});
+  };
+  if (is_inside) {
+    for (const Cell cell : in_view)
+      for (std::int64_t row = cell.row - 1; row <= cell.row + 1; ++row)
+        for (std::int64_t column = cell.column - 1; column <= cell.column + 1; ++column)
+          add(column, row);
+    std::sort(ring.begin(), ring.end());
+    ring.erase(std::unique(ring.begin(), ring.end()), ring.end());
+    return;
+  }
+  for (std::int64_t row = middle.row - away; row <= middle.row + away; ++row) {
+    const bool is_edge = row == middle.row - away || row == middle.row + away;
+    for (std::int64_t column = middle.column - away; column <= middle.column + away;
+         column += is_edge ? 1 : 2 * away)
+      add(column, row);
+  }
 }
 
 // Cells that it leads through, and others; where one is left out, it hides less.

@@ -3,6 +3,7 @@
 // covers a sector hides what is behind it there. What is left has yet to be tested exactly.
 #pragma once
 #include <array>
+#include <compare>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -33,8 +34,6 @@ class Horizons {
   void close(std::size_t sector, double distance) {
     if (distance < far_[sector]) far_[sector] = distance;
   }
-  [[nodiscard]] double far(std::size_t sector) const { return far_[sector]; }
-  [[nodiscard]] double farthest() const;
   /// What that wall hides.
   void block(const Wall& wall);
   /// Whether no place of the square is in view.
@@ -53,10 +52,9 @@ class ViewIndex {
   ViewIndex() = default;
   ViewIndex(std::span<const Wall> walls, std::span<const Vec2> points);
 
-  /// visit(point) of each one that may be in view; the horizons come nearer meanwhile. m: beyond
-  /// the returned distance it has looked at nothing.
+  /// visit(point) of each one that may be in view; the horizons come nearer meanwhile.
   template <typename Visit>
-  double look(Vec2 place, Horizons& horizons, const Visit& visit) const;
+  void look(Vec2 place, Horizons& horizons, const Visit& visit) const;
   /// visit(point) of those in the cell of that place.
   template <typename Visit>
   void for_each_near(Vec2 place, const Visit& visit) const;
@@ -64,6 +62,7 @@ class ViewIndex {
  private:
   struct Cell {
     std::int64_t column, row;
+    friend auto operator<=>(Cell, Cell) = default;
   };
   [[nodiscard]] Cell cell_of(Vec2 place) const;
   [[nodiscard]] std::size_t number(Cell cell) const {
@@ -71,8 +70,13 @@ class ViewIndex {
   }
   template <typename Visit>
   void for_each_along(const Wall& wall, const Visit& visit) const;
+  [[nodiscard]] bool covers(Vec2 place) const;
+  // Of the ring around the middle, those through which one may see on: all around a place outside,
+  // and else those beside cells that are in view.
+  void next_ring(Cell middle, std::int64_t away, bool is_inside, std::vector<Cell>& in_view,
+                 std::vector<Cell>& ring) const;
   template <typename Visit>
-  void look_into(Cell cell, Vec2 place, Horizons& horizons, const Visit& visit) const;
+  bool look_into(Cell cell, Vec2 place, Horizons& horizons, const Visit& visit) const;
 
   std::vector<Wall> walls_;
   std::vector<Vec2> points_;
@@ -82,37 +86,32 @@ class ViewIndex {
   std::vector<std::uint32_t> first_wall_, wall_, first_point_, point_;  // by cell
 };
 
+// Whether some of the cell may be in view.
 template <typename Visit>
-void ViewIndex::look_into(Cell cell, Vec2 place, Horizons& horizons, const Visit& visit) const {
-  if (cell.column < 0 || cell.column >= columns_ || cell.row < 0 || cell.row >= rows_) return;
+bool ViewIndex::look_into(Cell cell, Vec2 place, Horizons& horizons, const Visit& visit) const {
+  const Vec2 low =
+      origin_ + side_ * Vec2{static_cast<double>(cell.column), static_cast<double>(cell.row)};
+  if (horizons.hides(low, low + side_ * Vec2{1.0, 1.0})) return false;
   const std::size_t k = number(cell);
-  if (first_wall_[k] == first_wall_[k + 1] && first_point_[k] == first_point_[k + 1]) return;
-  const Vec2 low = origin_ + side_ * Vec2{static_cast<double>(cell.column),
-                                          static_cast<double>(cell.row)};
-  if (horizons.hides(low, low + side_ * Vec2{1.0, 1.0})) return;
   for (std::uint32_t w = first_wall_[k]; w < first_wall_[k + 1]; ++w)
     horizons.block(walls_[wall_[w]]);
   for (std::uint32_t p = first_point_[k]; p < first_point_[k + 1]; ++p)
     if (!(points_[point_[p]] == place) && !horizons.is_hidden(points_[point_[p]])) visit(point_[p]);
+  return true;
 }
 
 template <typename Visit>
-double ViewIndex::look(Vec2 place, Horizons& horizons, const Visit& visit) const {
-  if (columns_ == 0) return 0.0;
+void ViewIndex::look(Vec2 place, Horizons& horizons, const Visit& visit) const {
+  if (columns_ == 0) return;
   const Cell middle = cell_of(place);
-  const std::int64_t rings = columns_ + rows_;
-  for (std::int64_t away = 0; away <= rings; ++away) {
-    const double distance = static_cast<double>(away - 1) * side_;
-    if (distance > horizons.farthest()) return distance;
-    for (std::int64_t row = middle.row - away; row <= middle.row + away; ++row) {
-      const bool is_edge = row == middle.row - away || row == middle.row + away;
-      const std::int64_t step = is_edge || away == 0 ? 1 : 2 * away;
-      for (std::int64_t column = middle.column - away; column <= middle.column + away;
-           column += step)
-        look_into({column, row}, place, horizons, visit);
-    }
+  const bool is_inside = covers(place);
+  std::vector<Cell> in_view, ring{middle};
+  for (std::int64_t away = 1; !ring.empty(); ++away) {
+    in_view.clear();
+    for (const Cell cell : ring)
+      if (look_into(cell, place, horizons, visit)) in_view.push_back(cell);
+    next_ring(middle, away, is_inside, in_view, ring);
   }
-  return std::numeric_limits<double>::infinity();
 }
 
 template <typename Visit>
