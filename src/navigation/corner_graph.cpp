@@ -13,7 +13,6 @@ namespace {
 
 constexpr std::size_t kMostJoinedCorners = 10000;  // of more, edges would be too many
 constexpr double kAllWithin = 64.0;                // radii: long edges are longer
-constexpr std::uint32_t kNoCorner = 0xffffffff;
 
 // Whether a shortest way may lead straight from one point to the other one.
 bool are_joined(const CornerGraph& graph, std::uint32_t i, std::uint32_t k, double length) {
@@ -38,9 +37,10 @@ void close_aside(const CornerGraph& graph, std::uint32_t corner, Horizons& horiz
 }
 
 // Of the corners beyond all_within, the nearest one in each sector where none is nearer.
-std::vector<CornerGraph::Edge> edges_from(const CornerGraph& graph, std::uint32_t i) {
+CornerGraph::Edges edges_from(const CornerGraph& graph, std::uint32_t i) {
   const Vec2 p = graph.points[i];
-  std::vector<CornerGraph::Edge> edges;
+  CornerGraph::Edges found;
+  std::vector<CornerGraph::Edge>& edges = found.all;
   std::array<CornerGraph::Edge, Horizons::kSectors> farther;
   farther.fill({kNoCorner, kInfinity});
   Horizons horizons(p, graph.radius);
@@ -63,8 +63,33 @@ std::vector<CornerGraph::Edge> edges_from(const CornerGraph& graph, std::uint32_
     if (edge.to != kNoCorner) edges.push_back(edge);
   std::sort(edges.begin(), edges.end(),
             [](const auto& one, const auto& other) { return one.to < other.to; });
-  return edges;
+  found.reach = horizons.reach();
+  return found;
 }
+
+// Those that what has changed has no say in.
+void carry_edges(const CornerGraph& before, const CarriedGraph& carried, CornerGraph& graph) {
+  if (graph.all_within != before.all_within || before.edges.size() == 0) return;
+  for (std::size_t old = 0; old < before.corners(); ++old) {
+    const CornerGraph::Edges* known = before.edges.known(old);
+    const std::uint32_t now = carried.number[old];
+    if (known == nullptr || now == kNoCorner) continue;
+    const bool is_seen =
+        std::any_of(carried.changed.begin(), carried.changed.end(), [&](const Zone& disc) {
+          return reaches(known->reach, before.points[old], disc.center, disc.reach);
+        });
+    if (is_seen) continue;
+    auto edges = std::make_unique<CornerGraph::Edges>(*known);
+    bool are_there = true;
+    for (CornerGraph::Edge& edge : edges->all) {
+      edge.to = carried.number[edge.to];
+      are_there = are_there && edge.to != kNoCorner;
+    }
+    if (are_there) graph.edges.put(now, std::move(edges));
+  }
+}
+
+
 
 void add_samples(CornerGraph& graph) {
   graph.lattice = make_lattice(graph.grid, graph.points, graph.radius);
@@ -78,17 +103,13 @@ void add_samples(CornerGraph& graph) {
   }
 }
 
-}  // namespace
-
-std::span<const CornerGraph::Edge> CornerGraph::edges_of(std::size_t k) const {
-  return edges.get(k, [&] { return edges_from(*this, static_cast<std::uint32_t>(k)); });
-}
-
-CornerGraph corner_graph(std::span<const Wall> walls, double radius, Joining joining) {
+CornerGraph graph_among(std::span<const Wall> walls, double radius, ClearanceGrid grid,
+                        Corners found, Joining joining) {
   CornerGraph graph;
   graph.radius = radius;
-  graph.grid = ClearanceGrid(walls, corner_reach(radius, widest_of(walls)));
-  for (const Corner& corner : corners(graph.grid, radius)) {
+  graph.grid = std::move(grid);
+  graph.found = std::move(found);
+  for (const Corner& corner : graph.found.all) {
     graph.points.push_back(corner.point);
     graph.room.push_back(corner.room);
     graph.outward.push_back(corner.outward);
@@ -106,7 +127,41 @@ CornerGraph corner_graph(std::span<const Wall> walls, double radius, Joining joi
   }
   graph.all_within = joining == Joining::all ? kInfinity : kAllWithin * radius;
   graph.view = ViewIndex(walls, graph.points);
-  graph.edges = Memo<std::vector<CornerGraph::Edge>>(graph.corners());
+  graph.edges = Memo<CornerGraph::Edges>(graph.corners());
+  return graph;
+}
+
+ClearanceGrid grid_for(std::span<const Wall> walls, double radius) {
+  return {walls, corner_reach(radius, widest_of(walls))};
+}
+
+}  // namespace
+
+std::span<const CornerGraph::Edge> CornerGraph::edges_of(std::size_t k) const {
+  return edges.get(k, [&] { return edges_from(*this, static_cast<std::uint32_t>(k)); }).all;
+}
+
+CornerGraph corner_graph(std::span<const Wall> walls, double radius, Joining joining) {
+  ClearanceGrid grid = grid_for(walls, radius);
+  Corners found = corners(grid, radius);
+  return graph_among(walls, radius, std::move(grid), std::move(found), joining);
+}
+
+CornerGraph corner_graph(std::span<const Wall> walls, double radius, const CornerGraph& before,
+                         std::optional<CarriedGraph>& carried) {
+  carried.reset();
+  const WallChanges changes(before.grid.walls(), walls);
+  if (!changes.are_few() || before.radius != radius || !before.lattice.empty())
+    return corner_graph(walls, radius);
+  ClearanceGrid grid = grid_for(walls, radius);
+  if (grid.reach() != before.grid.reach()) return corner_graph(walls, radius);
+  carried.emplace();
+  carried->changed = changes.around(2.0 * corner_range(grid));
+  Corners found = corners(grid, radius, before.found, changes, carried->number);
+  CornerGraph graph =
+      graph_among(walls, radius, std::move(grid), std::move(found), Joining::by_number);
+  carry_edges(before, *carried, graph);
+  if (graph.all_within != before.all_within) carried.reset();
   return graph;
 }
 

@@ -3,14 +3,17 @@
 // (docs/navigation.md).
 #pragma once
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
 #include "avo/wall.h"
 #include "core/memo.h"
 #include "navigation/clearance_grid.h"
+#include "navigation/corners.h"
 #include "navigation/lattice.h"
 #include "navigation/view.h"
 
@@ -21,6 +24,10 @@ struct CornerGraph {
     std::uint32_t to = 0;
     double length = 0.0;  // m
   };
+  struct Edges {
+    std::vector<Edge> all;
+    std::array<float, Horizons::kParts> reach;  // m: nothing farther off has a say in them
+  };
   double radius = 0.0;  // m, of the robots whose ways it holds
   ClearanceGrid grid;
   std::vector<Vec2> points;       // corners; with a lattice, then the sample of each cell
@@ -29,7 +36,8 @@ struct CornerGraph {
   std::vector<double> most_lean;  // likewise
   double all_within = 0.0;        // m: edges are all that there are as far as that
   ViewIndex view;
-  Memo<std::vector<Edge>> edges;  // of each corner, once somebody has asked for them
+  Memo<Edges> edges;              // of each corner, once somebody has asked for them
+  Corners found;
   Lattice lattice = {};           // instead of edges, where nearly every place has corners
 
   [[nodiscard]] std::size_t corners() const { return outward.size(); }
@@ -56,6 +64,16 @@ enum class Joining : std::uint8_t {
 /// > 0.
 CornerGraph corner_graph(std::span<const Wall> walls, double radius,
                          Joining joining = Joining::by_number);
+
+/// What of a graph is in the one among other walls.
+struct CarriedGraph {
+  std::vector<std::uint32_t> number;  // that each corner has now; kNoCorner: it has been found anew
+  std::vector<Zone> changed;          // outside of them all is as it was
+};
+/// The graph that is made of nothing, sooner. Nothing is carried where much has changed: then
+/// `carried` is empty.
+CornerGraph corner_graph(std::span<const Wall> walls, double radius, const CornerGraph& before,
+                         std::optional<CarriedGraph>& carried);
 
 /// visit(corner) of each one in sight of a place, where the straight way keeps that room, m, or the
 /// corner's where that is less.

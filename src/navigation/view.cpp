@@ -50,6 +50,31 @@ const std::array<Vec2, Horizons::kSectors>& Horizons::borders() {
   return units;
 }
 
+std::array<float, Horizons::kParts> Horizons::reach() const {
+  constexpr std::size_t kEach = kSectors / kParts;
+  std::array<float, kParts> reach;
+  for (std::size_t k = 0; k < kParts; ++k) {
+    const double farthest = *std::max_element(&far_[k * kEach], &far_[k * kEach] + kEach);
+    reach[k] = std::nextafter(static_cast<float>(farthest), std::numeric_limits<float>::infinity());
+  }
+  return reach;
+}
+
+bool reaches(const std::array<float, Horizons::kParts>& reach, Vec2 place, Vec2 center,
+             double radius) {
+  constexpr std::size_t kEach = Horizons::kSectors / Horizons::kParts;
+  const Vec2 to = center - place;
+  const double distance = norm(to);
+  if (!(distance > radius)) return true;
+  const double side = radius * distance / std::sqrt(distance * distance - radius * radius);
+  const std::size_t first = Horizons::sector_of(side_of(to, side, -1.0)) / kEach;
+  std::size_t last = Horizons::sector_of(side_of(to, side, 1.0)) / kEach;
+  if (last < first) last += Horizons::kParts;
+  for (std::size_t k = first; k <= last; ++k)
+    if (static_cast<double>(reach[k % Horizons::kParts]) >= distance - radius) return true;
+  return false;
+}
+
 // The segment between the outer sides of its ends lies within the wall and the room around it.
 void Horizons::block(const Wall& wall) {
   Vec2 a = wall.a - place_, b = wall.b - place_;

@@ -34,6 +34,9 @@ class Horizons {
   void close(std::size_t sector, double distance) {
     if (distance < far_[sector]) far_[sector] = distance;
   }
+  /// m: nothing farther off has been looked at within each of these parts of the full turn.
+  static constexpr std::size_t kParts = 32;
+  [[nodiscard]] std::array<float, kParts> reach() const;
   /// What that wall hides.
   void block(const Wall& wall);
   /// Whether no place of the square is in view.
@@ -45,6 +48,10 @@ class Horizons {
   double room_;  // m
   std::array<double, kSectors> far_;
 };
+
+/// Whether some of a disc is within that reach of a place.
+bool reaches(const std::array<float, Horizons::kParts>& reach, Vec2 place, Vec2 center,
+             double radius);
 
 /// Walls and points by place.
 class ViewIndex {

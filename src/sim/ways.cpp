@@ -47,6 +47,28 @@ void aim_at(Travel& travel, std::uint32_t target, LegScratch& scratch) {
         way_from(*travel.graph, *travel.map, target, scratch.search));
 }
 
+// Among many corners an edge that is long may give way to a shorter one in its sector.
+std::vector<Zone> where_it_matters(const CarriedGraph& carried, const CornerGraph& graph,
+                                   double length, const PathMap& map) {
+  constexpr double kSectorWidth = 0.03;  // rad, more than a sector has
+  std::vector<Zone> changed = carried.changed;
+  const double longest = std::max(length, map.is_whole ? 0.0 : map.settled);
+  for (Zone& disc : changed)
+    if (graph.all_within < kInfinity) disc.reach += kSectorWidth * longest;
+  return changed;
+}
+
+PathMap renumbered(PathMap map, const std::vector<std::uint32_t>& number) {
+  const auto renumber = [&](std::uint32_t& corner) {
+    if (corner < PathMap::kNothing) corner = number[corner];
+  };
+  for (std::uint32_t& corner : map.corners) renumber(corner);
+  for (std::uint32_t& corner : map.next) renumber(corner);
+  for (auto& [corner, length] : map.beside) renumber(corner);
+  std::sort(map.beside.begin(), map.beside.end());
+  return map;
+}
+
 // The travel where it goes on, of those that are planned anew where walls have changed.
 Travel replanned(const Travel& before, Travel fresh, Vec2 position, double radius,
                  LegScratch& scratch) {
@@ -89,11 +111,18 @@ Ways::Ways(const Scenario& settings, std::span<const Wall> walls, std::vector<Wa
 const CornerGraph& Ways::graph_of(GraphKey key) {
   const auto known = graphs_.find(key);
   if (known != graphs_.end()) return *known->second;
+  const CornerGraph* before = nullptr;
+  if (before_ != nullptr) {
+    const auto place = before_->graphs_.find(key);
+    if (place != before_->graphs_.end()) before = place->second.get();
+  }
   const auto [around_movers, radius] = key;
   std::vector<Wall> walls;
   if (sight_) walls.assign(sight_->walls().begin(), sight_->walls().end());
   if (around_movers) walls.insert(walls.end(), resting_.begin(), resting_.end());
-  auto graph = std::make_unique<const CornerGraph>(corner_graph(walls, radius));
+  auto graph = std::make_unique<const CornerGraph>(
+      before != nullptr ? corner_graph(walls, radius, *before, carried_[key])
+                        : corner_graph(walls, radius));
   return *graphs_.emplace(key, std::move(graph)).first->second;
 }
 
@@ -105,7 +134,7 @@ ReachablePlaces& Ways::places_of(double radius) {
 }
 
 // The whole map, or the goal alone for a robot that searches for its own way.
-std::shared_ptr<const PathMap> Ways::map_to(GraphKey key, Vec2 end) {
+std::shared_ptr<const PathMap> Ways::map_to(GraphKey key, Vec2 end, bool is_whole) {
   const CornerGraph& graph = graph_of(key);
   Goal& goal = maps_[{key.first, key.second, end.x, end.y}];
   std::shared_ptr<const PathMap> map = goal.map.lock();
@@ -113,7 +142,7 @@ std::shared_ptr<const PathMap> Ways::map_to(GraphKey key, Vec2 end) {
   const std::size_t corners = graph.corners();
   const bool are_few = corners <= kFewCorners || !graph.lattice.empty();
   const bool are_kept = *kept_corners_ + corners <= kMostKeptCorners;
-  if (are_few || (are_kept && goal.asked++ >= kAskedOften)) {
+  if (is_whole || are_few || (are_kept && goal.asked++ >= kAskedOften)) {
     const auto forget = [kept = kept_corners_, corners](const PathMap* old) {
       *kept -= corners;
       delete old;
@@ -183,6 +212,35 @@ Travel Ways::resume(double radius, Vec2 end, std::uint32_t target, bool is_exact
   travel.map = map_to(key, end);
   travel.around_movers = around_movers;
   if (target < PathMap::kNothing) aim_at(travel, target, scratch_);
+  return travel;
+}
+
+// Where what has changed lies apart from all ways that are as short: nothing that is known of the
+// own one has changed.
+std::optional<Travel> Ways::carry_over(const Travel& before, Vec2 position, double radius) {
+  if (!before.is_known() || before.ends != WayEnd::goal || before.around_movers ||
+      goes_around_movers())
+    return std::nullopt;
+  const GraphKey key{false, before.graph->radius};
+  const CornerGraph& graph = graph_of(key);
+  const std::optional<CarriedGraph>& carried = carried_[key];
+  const auto rest = rest_of(before);
+  if (!carried || !rest) return std::nullopt;
+  const PathMap& map = *before.map;
+  const double room = (1.0 - 2.0 * kLengthRounding) * std::min(radius, map.room);
+  const double length = norm(rest->first - position) + rest->second;
+  if (!before.graph->grid.is_clear(position, rest->first, room)) return std::nullopt;
+  const std::vector<Zone> changed = where_it_matters(*carried, graph, length, map);
+  if (may_meet(changed, position, map.goal, length * (1.0 + kWayRounding))) return std::nullopt;
+  Travel travel = before;
+  travel.graph = &graph;
+  if (before.target != PathMap::kGoal) travel.target = carried->number[before.target];
+  if (map.is_whole) {
+    travel.map = map_to(key, map.goal, true);
+  } else {
+    if (may_meet(changed, map.from, map.goal, map.settled)) return std::nullopt;
+    travel.map = std::make_shared<const PathMap>(renumbered(map, carried->number));
+  }
   return travel;
 }
 
@@ -258,8 +316,15 @@ void plan_travels(Ways& ways, const Fleet& fleet, const Ways* before) {
     const Travel* known = is_known ? &before->travels[rank] : nullptr;
     Travel travel;
     if (!fleet.conduct[slot].parked) {
-      travel = ways.plan(radius, position, fleet.goal[slot], known);
-      if (known != nullptr) travel = replanned(*known, std::move(travel), position, radius, ways.scratch());
+      std::optional<Travel> carried;
+      if (known != nullptr) carried = ways.carry_over(*known, position, radius);
+      if (carried) {
+        travel = std::move(*carried);
+      } else {
+        travel = ways.plan(radius, position, fleet.goal[slot], known);
+        if (known != nullptr)
+          travel = replanned(*known, std::move(travel), position, radius, ways.scratch());
+      }
     }
     ways.travels.push_back(std::move(travel));
   }

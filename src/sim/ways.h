@@ -72,11 +72,14 @@ class Ways {
   [[nodiscard]] bool empty() const { return !sight_ && !goes_around_movers(); }
   [[nodiscard]] const std::vector<Wall>& resting() const { return resting_; }
   [[nodiscard]] bool goes_around_movers() const { return follows_ && !resting_.empty(); }
-  void forget_before() { before_ = nullptr; }
+  void forget_before() { before_ = nullptr, carried_.clear(); }
   /// A new way; robots of one class of radii and one goal share what it is made of. One that ended
   /// elsewhere than at that goal before still ends there, if nothing nearer can be reached.
   [[nodiscard]] Travel plan(double radius, Vec2 position, Vec2 goal,
                             const Travel* before = nullptr);
+  /// The same way as before among other walls, where it is sure that a new one would be the same.
+  [[nodiscard]] std::optional<Travel> carry_over(const Travel& before, Vec2 position,
+                                                 double radius);
   /// A way to that end on which the target is known, and whether its graph is that of the very
   /// radius, and around movers at rest.
   [[nodiscard]] Travel resume(double radius, Vec2 end, std::uint32_t target, bool is_exact,
@@ -101,7 +104,7 @@ class Ways {
   using Key = std::tuple<bool, double, double, double>;  // and the goal
   const CornerGraph& graph_of(GraphKey key);
   ReachablePlaces& places_of(double radius);
-  std::shared_ptr<const PathMap> map_to(GraphKey key, Vec2 end);
+  std::shared_ptr<const PathMap> map_to(GraphKey key, Vec2 end, bool is_whole = false);
   Travel lead(double radius, Vec2 position, Vec2 end, bool is_exact, bool around_movers);
   Travel lead(double radius, Vec2 position, Vec2 end);
   Vec2 reachable_end(double radius, Vec2 position, Vec2 goal, const Travel* before);
@@ -112,6 +115,7 @@ class Ways {
   std::optional<ClearanceGrid> sight_;
   std::vector<Wall> resting_;
   std::map<GraphKey, std::unique_ptr<const CornerGraph>> graphs_;
+  std::map<GraphKey, std::optional<CarriedGraph>> carried_;  // until forget_before()
   std::map<double, std::unique_ptr<ReachablePlaces>> places_;
   struct Goal {
     std::weak_ptr<const PathMap> map;  // the whole one, if there is one

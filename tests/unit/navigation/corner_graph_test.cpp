@@ -111,6 +111,52 @@ TEST(CornerGraph, of_many_corners_joins_those_that_are_near) {
   EXPECT_GT(left_out, 1000u);
 }
 
+// After edits, whatever was known before: corners, their numbers and edges are those of a graph
+// that is made of nothing.
+TEST(CornerGraph, is_the_same_whatever_it_was_made_of) {
+  std::size_t carried_edges = 0, carried_corners = 0;
+  for (std::uint64_t seed = 1; seed <= 24; ++seed) {
+    SCOPED_TRACE(seed);
+    test::Random random(seed);
+    const double radius = random.uniform(0.05, 0.3), side = seed % 2 == 0 ? 15.0 : 40.0;
+    std::vector<Wall> walls = seed % 3 == 0 ? test::maze(side < 20 ? 5 : 12, 3.0, seed)
+                                            : test::random_walls(side < 20 ? 30 : 200, side, seed);
+    walls.push_back({{1, 1}, {1, 1}, 0.3});
+    CornerGraph graph = corner_graph(walls, radius);
+    for (int edit = 0; edit < 12; ++edit) {
+      for (std::uint32_t k = 0; k < graph.corners(); ++k)
+        if (random.below(3) > 0) (void)graph.edges_of(k);
+      const auto place = [&] {
+        return walls.begin() + random.below(static_cast<int>(walls.size()) + 1);
+      };
+      for (int k = random.below(3); k > 0; --k) {
+        Wall wall = any_wall(random, walls, side);
+        wall.radius = std::min(wall.radius, 0.3);
+        walls.insert(random.below(2) == 0 ? walls.end() : place(), wall);
+      }
+      const auto gone = place();
+      if (gone + 1 < walls.end()) walls.erase(gone);
+      const CornerGraph fresh = corner_graph(walls, radius);
+      std::optional<CarriedGraph> carried;
+      CornerGraph made = corner_graph(walls, radius, graph, carried);
+      ASSERT_TRUE(made.points == fresh.points && made.room == fresh.room);
+      ASSERT_TRUE(made.outward == fresh.outward && made.most_lean == fresh.most_lean);
+      for (std::uint32_t k = 0; k < fresh.corners(); ++k) {
+        carried_edges += made.edges.known(k) != nullptr ? 1 : 0;
+        ASSERT_EQ(ends_of(made.edges_of(k)), ends_of(fresh.edges_of(k))) << edit << ' ' << k;
+      }
+      for (std::uint32_t k = 0; carried && k < graph.corners(); ++k) {
+        if (carried->number[k] == kNoCorner) continue;
+        ++carried_corners;
+        ASSERT_EQ(graph.points[k], fresh.points[carried->number[k]]);
+      }
+      graph = std::move(made);
+    }
+  }
+  EXPECT_GT(carried_edges, 2000u);
+  EXPECT_GT(carried_corners, 10000u);
+}
+
 TEST(CornerGraph, finds_its_points_by_their_places) {
   const CornerGraph graph = corner_graph(test::maze(5, 3.0, 1), 0.4);
   for (std::uint32_t k = 0; k < graph.corners(); ++k) EXPECT_EQ(point_at(graph, graph.points[k]), k);
