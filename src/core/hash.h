@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // A 64-bit hash of a sequence of words, in their order.
 #pragma once
+#include <bit>
 #include <cstdint>
 
 namespace avo {
@@ -13,6 +14,11 @@ constexpr std::uint64_t mixed(std::uint64_t hash, std::uint64_t word) {
   hash = (hash ^ (hash >> 30)) * 0xbf58476d1ce4e5b9u;
   hash = (hash ^ (hash >> 27)) * 0x94d049bb133111ebu;
   return hash ^ (hash >> 31);
+}
+
+/// Of a number, to be mixed; numbers that compare equal may differ (zeros do).
+inline std::uint64_t word_of(double number) {
+  return std::bit_cast<std::uint64_t>(number);
 }
 
 }  // namespace avo

@@ -135,6 +135,12 @@ double ClearanceGrid::clearance(Vec2 p) const {
   return least;
 }
 
+bool ClearanceGrid::has_room(Vec2 p, double room) const {
+  return all_near(p, p, [&](std::size_t k) {
+    return distance(p, {walls_[k].a, walls_[k].b}) - walls_[k].radius >= room;
+  });
+}
+
 bool ClearanceGrid::is_clear(Vec2 p, Vec2 q, double room) const {
   return all_near(p, q, [&](std::size_t k) { return !is_in_the_way(walls_[k], p, q, room); });
 }

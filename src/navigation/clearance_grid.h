@@ -21,6 +21,7 @@ bool is_in_the_way(const Wall& wall, Vec2 p, Vec2 q, double room);
 /// A uniform grid in which each cell lists the walls that come within `reach` of it.
 class ClearanceGrid {
  public:
+  ClearanceGrid() = default;
   ClearanceGrid(std::span<const Wall> walls, double reach);
 
   [[nodiscard]] std::span<const Wall> walls() const { return walls_; }
@@ -28,6 +29,8 @@ class ClearanceGrid {
   [[nodiscard]] double reach() const { return reach_; }
   /// m, from p to the nearest wall's surface, negative within it; reach() where none is nearer.
   [[nodiscard]] double clearance(Vec2 p) const;
+  /// Whether clearance(p) >= room, at most reach(); sooner.
+  [[nodiscard]] bool has_room(Vec2 p, double room) const;
   /// Whether no wall's surface is nearer than `room` <= reach() to the straight way from p to q.
   [[nodiscard]] bool is_clear(Vec2 p, Vec2 q, double room) const;
 

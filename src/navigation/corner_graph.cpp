@@ -2,48 +2,151 @@
 #include "navigation/corner_graph.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <map>
+#include <utility>
 
+#include "core/plane.h"
 #include "navigation/corners.h"
-#include "navigation/known_edges.h"
 
 namespace avo {
 namespace {
 
+constexpr std::size_t kMostJoinedCorners = 10000;  // of more, edges would be too many
+constexpr double kAllWithin = 64.0;                // radii: long edges are longer
+
 // Whether a shortest way may lead straight from one point to the other one.
-bool are_joined(const CornerGraph& graph, std::size_t i, std::size_t k) {
-  const Vec2 p = graph.points[i], q = graph.points[k];
-  const double length = norm(q - p);
-  if (!(length > 0.0)) return false;
-  const Vec2 direction = (q - p) / length;
-  return graph.may_bend(i, direction) && graph.may_bend(k, direction) &&
-         graph.grid.is_clear(p, q, std::min(graph.room[i], graph.room[k]));
+bool are_joined(const CornerGraph& graph, std::uint32_t i, std::uint32_t k, double length) {
+  const Vec2 direction = (graph.points[k] - graph.points[i]) / length;
+  if (!graph.may_bend(i, direction) || !graph.may_bend(k, direction)) return false;
+  const double room = std::min(graph.room[i], graph.room[k]);
+  return graph.grid.is_clear(graph.points[std::min(i, k)], graph.points[std::max(i, k)], room);
 }
 
-// Joins all corners between which a shortest way may lead straight.
-void join(CornerGraph& graph, const CornerGraph* before) {
-  const std::size_t count = graph.points.size();
-  struct Pair {
-    std::uint32_t low, high;
-    double length;
-  };
-  std::vector<Pair> pairs;
-  graph.first.assign(count + 1, 0);
-  KnownEdges known(graph, before);
-  for (std::uint32_t i = 0; i < count; ++i) {
-    for (const std::uint32_t k : known.candidates(i)) {
-      const std::optional<bool> answer = known.are_joined(i, k);
-      if (!(answer ? *answer : are_joined(graph, i, k))) continue;
-      pairs.push_back({i, k, norm(graph.points[k] - graph.points[i])});
-      ++graph.first[i + 1], ++graph.first[k + 1];
-    }
+// Where ways neither come from nor go to nobody has to look.
+void close_aside(const CornerGraph& graph, std::uint32_t corner, Horizons& horizons) {
+  const Vec2 outward = graph.outward[corner];
+  const double least = graph.most_lean[corner];
+  const auto& borders = Horizons::borders();
+  for (std::size_t k = 0; k < Horizons::kSectors; ++k) {
+    const double one = dot(outward, borders[k]);
+    const double other = dot(outward, borders[(k + 1) % Horizons::kSectors]);
+    // the sine has no least value within a sector whose borders are both beyond
+    if (std::min(std::abs(one), std::abs(other)) > least + kLengthRounding && one * other > 0.0)
+      horizons.close(k, 0.0);
   }
-  for (std::size_t k = 1; k <= count; ++k) graph.first[k] += graph.first[k - 1];
-  graph.edges.resize(2 * pairs.size());
-  std::vector<std::uint32_t> end(graph.first.begin(), graph.first.end() - 1);
-  for (const Pair& pair : pairs) {
-    graph.edges[end[pair.low]++] = {pair.high, pair.length};
-    graph.edges[end[pair.high]++] = {pair.low, pair.length};
+}
+
+// Of the corners beyond all_within, the nearest one in each sector where none is nearer.
+CornerGraph::Edges edges_from(const CornerGraph& graph, std::uint32_t i) {
+  const Vec2 p = graph.points[i];
+  CornerGraph::Edges found;
+  std::vector<CornerGraph::Edge>& edges = found.all;
+  std::array<CornerGraph::Edge, Horizons::kSectors> farther;
+  farther.fill({kNoCorner, kInfinity});
+  Horizons horizons(p, graph.radius);
+  close_aside(graph, i, horizons);
+  graph.view.look(p, horizons, [&](std::uint32_t k) {
+    const double length = norm(graph.points[k] - p);
+    if (!(length > 0.0)) return;
+    const std::size_t sector = Horizons::sector_of(graph.points[k] - p);
+    CornerGraph::Edge& best = farther[sector];
+    const bool is_near = length <= graph.all_within;
+    if (!is_near && (length > best.length || (length == best.length && k > best.to))) return;
+    if (!are_joined(graph, i, k, length)) return;
+    horizons.close(sector, std::max(length, graph.all_within));
+    if (is_near)
+      edges.push_back({k, length}), best = {kNoCorner, graph.all_within};
+    else
+      best = {k, length};
+  });
+  for (const CornerGraph::Edge& edge : farther)
+    if (edge.to != kNoCorner) edges.push_back(edge);
+  std::sort(edges.begin(), edges.end(),
+            [](const auto& one, const auto& other) { return one.to < other.to; });
+  found.reach = horizons.reach();
+  return found;
+}
+
+bool are_equal(const Corner& one, const Corner& other) {
+  return one.point == other.point && one.room == other.room && one.outward == other.outward &&
+         one.most_lean == other.most_lean;
+}
+
+// Corners that were looked for anew, and are as before. None that comes in another order: of ways
+// of one length the order decides.
+void match_found_anew(const Corners& before, const Corners& now,
+                      std::vector<std::uint32_t>& number) {
+  std::vector<std::uint32_t> old_of(now.all.size(), kNoCorner);
+  std::map<std::pair<double, double>, std::uint32_t> anew;  // by place, their old number
+  for (std::uint32_t k = 0; k < number.size(); ++k) {
+    if (number[k] != kNoCorner)
+      old_of[number[k]] = k;
+    else
+      anew.insert({{before.all[k].point.x, before.all[k].point.y}, k});
+  }
+  std::vector<std::uint32_t> before_old(now.all.size());  // the old number of the next one kept
+  std::uint32_t next = kNoCorner;
+  for (std::size_t k = now.all.size(); k-- > 0;) {
+    before_old[k] = next;
+    if (old_of[k] != kNoCorner) next = old_of[k];
+  }
+  std::uint32_t least = 0;
+  for (std::uint32_t k = 0; k < now.all.size(); ++k) {
+    if (old_of[k] == kNoCorner) {
+      const auto found = anew.find({now.all[k].point.x, now.all[k].point.y});
+      if (found == anew.end() || found->second < least || found->second >= before_old[k] ||
+          !are_equal(before.all[found->second], now.all[k]))
+        continue;
+      old_of[k] = found->second, number[found->second] = k;
+    }
+    least = old_of[k] + 1;
+  }
+}
+
+// Around the walls that have changed and the corners that have.
+std::vector<Zone> zones_of(const WallChanges& changes, double radius, const Corners& before,
+                           const Corners& now, const std::vector<std::uint32_t>& number) {
+  std::vector<Zone> zones = changes.around(radius + 2.0 * kSpareRoom);
+  const auto include = [&](Vec2 p) {
+    const auto nearest =
+        std::min_element(zones.begin(), zones.end(), [&](const auto& a, const auto& b) {
+          return norm(p - a.center) - a.reach < norm(p - b.center) - b.reach;
+        });
+    nearest->reach = std::max(nearest->reach, norm(p - nearest->center) * (1.0 + kLengthRounding));
+  };
+  std::vector<char> is_known(now.all.size(), 0);
+  for (std::size_t k = 0; k < number.size() && !zones.empty(); ++k) {
+    if (number[k] == kNoCorner)
+      include(before.all[k].point);
+    else
+      is_known[number[k]] = 1;
+  }
+  for (std::size_t k = 0; k < is_known.size() && !zones.empty(); ++k)
+    if (is_known[k] == 0) include(now.all[k].point);
+  return zones;
+}
+
+// Those that what has changed has no say in.
+void carry_edges(const CornerGraph& before, const CarriedGraph& carried, CornerGraph& graph) {
+  if (graph.all_within != before.all_within || before.edges.size() == 0) return;
+  for (std::size_t old = 0; old < before.corners(); ++old) {
+    const CornerGraph::Edges* known = before.edges.known(old);
+    const std::uint32_t now = carried.number[old];
+    if (known == nullptr || now == kNoCorner) continue;
+    const bool is_seen =
+        std::any_of(carried.changed.begin(), carried.changed.end(), [&](const Zone& disc) {
+          return reaches(known->reach, before.points[old], disc.center, disc.reach);
+        });
+    if (is_seen) continue;
+    auto edges = std::make_unique<CornerGraph::Edges>(*known);
+    bool are_there = true;
+    for (CornerGraph::Edge& edge : edges->all) {
+      edge.to = carried.number[edge.to];
+      are_there = are_there && edge.to != kNoCorner;
+    }
+    if (are_there) graph.edges.put(now, std::move(edges));
   }
 }
 
@@ -59,30 +162,76 @@ void add_samples(CornerGraph& graph) {
   }
 }
 
-}  // namespace
-
-CornerGraph corner_graph(std::span<const Wall> walls, double radius, const CornerGraph* before,
-                         std::size_t most_joined) {
-  CornerGraph graph{
-      radius, ClearanceGrid(walls, corner_reach(radius, widest_of(walls))), {}, {}, {}, {}, {}, {}};
-  for (const Corner& corner : corners(graph.grid, radius)) {
+CornerGraph graph_among(std::span<const Wall> walls, double radius, ClearanceGrid grid,
+                        Corners found, Joining joining) {
+  CornerGraph graph;
+  graph.radius = radius;
+  graph.grid = std::move(grid);
+  graph.found = std::move(found);
+  for (const Corner& corner : graph.found.all) {
     graph.points.push_back(corner.point);
     graph.room.push_back(corner.room);
     graph.outward.push_back(corner.outward);
     graph.most_lean.push_back(corner.most_lean);
   }
-  if (graph.points.size() > most_joined)
+  if (joining == Joining::by_number) {
+    const std::size_t count = graph.corners();
+    joining = count <= kMostJoinedCorners ? Joining::all : Joining::near;
+    if (joining == Joining::near && static_cast<double>(count) > lattice_cells(graph.grid, radius))
+      joining = Joining::lattice;
+  }
+  if (joining == Joining::lattice && graph.corners() > 0) {
     add_samples(graph);
-  else
-    join(graph, before != nullptr && before->lattice.empty() ? before : nullptr);
+    return graph;
+  }
+  graph.all_within = joining == Joining::all ? kInfinity : kAllWithin * radius;
+  graph.view = ViewIndex(walls, graph.points);
+  graph.edges = Memo<CornerGraph::Edges>(graph.corners());
+  return graph;
+}
+
+ClearanceGrid grid_for(std::span<const Wall> walls, double radius) {
+  return {walls, corner_reach(radius, widest_of(walls))};
+}
+
+}  // namespace
+
+std::span<const CornerGraph::Edge> CornerGraph::edges_of(std::size_t k) const {
+  return edges.get(k, [&] { return edges_from(*this, static_cast<std::uint32_t>(k)); }).all;
+}
+
+CornerGraph corner_graph(std::span<const Wall> walls, double radius, Joining joining) {
+  ClearanceGrid grid = grid_for(walls, radius);
+  Corners found = corners(grid, radius);
+  return graph_among(walls, radius, std::move(grid), std::move(found), joining);
+}
+
+CornerGraph corner_graph(std::span<const Wall> walls, double radius, const CornerGraph& before,
+                         std::optional<CarriedGraph>& carried) {
+  carried.reset();
+  const WallChanges changes(before.grid.walls(), walls);
+  if (!changes.are_few() || before.radius != radius || !before.lattice.empty())
+    return corner_graph(walls, radius);
+  ClearanceGrid grid = grid_for(walls, radius);
+  if (grid.reach() != before.grid.reach()) return corner_graph(walls, radius);
+  carried.emplace();
+  Corners found = corners(grid, radius, before.found, changes, carried->number);
+  match_found_anew(before.found, found, carried->number);
+  carried->changed = zones_of(changes, radius, before.found, found, carried->number);
+  CornerGraph graph =
+      graph_among(walls, radius, std::move(grid), std::move(found), Joining::by_number);
+  carry_edges(before, *carried, graph);
+  if (graph.all_within != before.all_within) carried.reset();
   return graph;
 }
 
 std::uint32_t point_at(const CornerGraph& graph, Vec2 place) {
-  const auto count = static_cast<std::uint32_t>(graph.points.size());
+  auto found = static_cast<std::uint32_t>(graph.points.size());
   if (graph.lattice.empty()) {
-    const auto point = std::find(graph.points.begin(), graph.points.end(), place);
-    return static_cast<std::uint32_t>(point - graph.points.begin());
+    graph.view.for_each_near(place, [&](std::uint32_t k) {
+      if (graph.points[k] == place) found = std::min(found, k);
+    });
+    return found;
   }
   const std::size_t cell = graph.lattice.cell_of(place);
   const auto sample = static_cast<std::uint32_t>(graph.corners() + cell);
@@ -90,7 +239,7 @@ std::uint32_t point_at(const CornerGraph& graph, Vec2 place) {
   for (const std::uint32_t corner : graph.lattice.corners_in(cell)) {
     if (graph.points[corner] == place) return corner;
   }
-  return count;
+  return found;
 }
 
 }  // namespace avo

@@ -2,40 +2,48 @@
 // The places where shortest ways around walls bend, and which of them see each other
 // (docs/navigation.md).
 #pragma once
+#include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
 #include "avo/wall.h"
+#include "core/memo.h"
 #include "navigation/clearance_grid.h"
+#include "navigation/corners.h"
 #include "navigation/lattice.h"
+#include "navigation/view.h"
 
 namespace avo {
-
-/// Of more corners, looking at all pairs takes too long.
-inline constexpr std::size_t kMostJoinedCorners = 10000;
 
 struct CornerGraph {
   struct Edge {
     std::uint32_t to = 0;
     double length = 0.0;  // m
   };
+  struct Edges {
+    std::vector<Edge> all;
+    std::array<float, Horizons::kParts> reach;  // m: nothing farther off has a say in them
+  };
   double radius = 0.0;  // m, of the robots whose ways it holds
   ClearanceGrid grid;
-  std::vector<Vec2> points;          // corners; with a lattice, then the sample of each cell
-  std::vector<double> room;          // m, that ways there keep from walls, >= radius; 0: no sample
-  std::vector<Vec2> outward;         // of each corner, see Corner
-  std::vector<double> most_lean;     // likewise
-  std::vector<std::uint32_t> first;  // of each corner's edges; one more than corners
-  std::vector<Edge> edges;
-  Lattice lattice = {};  // instead of edges, where corners are many
+  std::vector<Vec2> points;       // corners; with a lattice, then the sample of each cell
+  std::vector<double> room;       // m, that ways there keep from walls, >= radius; 0: no sample
+  std::vector<Vec2> outward;      // of each corner, see Corner
+  std::vector<double> most_lean;  // likewise
+  double all_within = 0.0;        // m: edges are all that there are as far as that
+  ViewIndex view;
+  Memo<Edges> edges;  // of each corner, once somebody has asked for them
+  Corners found;
+  Lattice lattice = {};  // instead of edges, where nearly every place has corners
 
   [[nodiscard]] std::size_t corners() const { return outward.size(); }
   [[nodiscard]] bool is_corner(std::size_t k) const { return k < corners(); }
-  [[nodiscard]] std::span<const Edge> edges_of(std::size_t k) const {
-    return std::span(edges).subspan(first[k], first[k + 1] - first[k]);
-  }
+  /// Ascending, to all corners to which a shortest way may lead straight; from any thread.
+  [[nodiscard]] std::span<const Edge> edges_of(std::size_t k) const;
   /// Whether a shortest way may bend at the corner, if it comes or goes in that unit direction:
   /// it passes along the tangent, up to the angle between points around a wall's end.
   [[nodiscard]] bool may_bend(std::size_t corner, Vec2 direction) const {
@@ -44,12 +52,38 @@ struct CornerGraph {
   }
 };
 
+/// Which places see each other.
+enum class Joining : std::uint8_t {
+  by_number,  ///< of the corners, and how dense they are
+  all,        ///< all corners that do
+  near,       ///< those that are near, and else the nearest one in each direction
+  lattice,    ///< an any-angle field over a lattice takes the place of edges
+};
+
 /// Of any set of walls: loose, in any order and direction, touching or overlapping. The radius is
-/// > 0. A graph of that radius among mostly the same walls makes it quicker, and changes no bit.
-/// Of more corners than `most_joined` it has a lattice.
+/// > 0.
 CornerGraph corner_graph(std::span<const Wall> walls, double radius,
-                         const CornerGraph* before = nullptr,
-                         std::size_t most_joined = kMostJoinedCorners);
+                         Joining joining = Joining::by_number);
+
+/// What of a graph is in the one among other walls.
+struct CarriedGraph {
+  std::vector<std::uint32_t> number;  // that each corner has now; kNoCorner: it has been found anew
+  std::vector<Zone> changed;          // outside of them all is as it was
+};
+/// The graph that is made of nothing, sooner. Nothing is carried where much has changed: then
+/// `carried` is empty.
+CornerGraph corner_graph(std::span<const Wall> walls, double radius, const CornerGraph& before,
+                         std::optional<CarriedGraph>& carried);
+
+/// visit(corner) of each one in sight of a place, where the straight way keeps that room, m, or the
+/// corner's where that is less.
+template <typename Visit>
+void for_each_in_sight(const CornerGraph& graph, Vec2 place, double room, const Visit& visit) {
+  Horizons horizons(place, std::min(room, graph.radius));
+  graph.view.look(place, horizons, [&](std::uint32_t k) {
+    if (graph.grid.is_clear(place, graph.points[k], std::min(room, graph.room[k]))) visit(k);
+  });
+}
 
 /// The point at exactly that place; the number of points where there is none.
 std::uint32_t point_at(const CornerGraph& graph, Vec2 place);

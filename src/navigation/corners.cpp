@@ -29,20 +29,54 @@ class CornerFinder {
  public:
   CornerFinder(const ClearanceGrid& grid, double radius) : grid_(grid), radius_(radius) {}
 
-  std::vector<Corner> find() {
+  // Those at ends far from what has changed are kept.
+  void keep(const Corners& before, const WallChanges& changes, std::vector<std::uint32_t>& number) {
+    before_ = &before, changes_ = &changes, number_ = &number;
+    number.assign(before.all.size(), kNoCorner);
+    const double range = corner_range(grid_);
+    const std::vector<Zone> changed = changes.around(range);
+    stays_.assign(grid_.walls().size(), 0);
+    for (std::size_t k = 0; k < stays_.size(); ++k) {
+      const Wall& wall = grid_.walls()[k];
+      const auto old = changes.number_before(k);
+      if (!old || is_in_one(changed, wall.a, 0.0) || is_in_one(changed, wall.b, 0.0)) continue;
+      stays_[k] = 1;
+      for (std::uint32_t c = before.in_gaps[*old]; c < before.in_gaps[*old + 1]; ++c)
+        is_new(before.all[c].point);  // no longer, for walls that are looked at anew
+    }
+  }
+
+  Corners find() {
     const std::span<const Wall> walls = grid_.walls();
     for (std::size_t k = 0; k < walls.size(); ++k) {
+      found_.around.push_back(static_cast<std::uint32_t>(found_.all.size()));
+      if (before_ != nullptr && is_kept(k, before_->around)) continue;
       add_around(k, walls[k].a, false);
       if (!(walls[k].a == walls[k].b)) add_around(k, walls[k].b, true);
     }
+    found_.around.push_back(static_cast<std::uint32_t>(found_.all.size()));
     for (std::size_t k = 0; k < walls.size(); ++k) {
-      add_in_gaps(k, walls[k].a);
-      if (!(walls[k].a == walls[k].b)) add_in_gaps(k, walls[k].b);
+      found_.in_gaps.push_back(static_cast<std::uint32_t>(found_.all.size()));
+      if (before_ != nullptr && is_kept(k, before_->in_gaps)) continue;
+      add_in_gaps(walls[k].a, walls[k].radius);
+      if (!(walls[k].a == walls[k].b)) add_in_gaps(walls[k].b, walls[k].radius);
     }
-    return std::move(corners_);
+    found_.in_gaps.push_back(static_cast<std::uint32_t>(found_.all.size()));
+    return std::move(found_);
   }
 
  private:
+  // Whether the wall stays, and so do its corners among those by these first ones.
+  bool is_kept(std::size_t wall, const std::vector<std::uint32_t>& first) {
+    if (stays_[wall] == 0) return false;
+    const std::size_t old = *changes_->number_before(wall);
+    for (std::uint32_t k = first[old]; k < first[old + 1]; ++k) {
+      (*number_)[k] = static_cast<std::uint32_t>(found_.all.size());
+      found_.all.push_back(before_->all[k]);
+    }
+    return true;
+  }
+
   bool is_joined(Vec2 p, Vec2 q) const { return norm(p - q) <= kTouching * radius_; }
 
   // Whether the same end, up to joints, was looked at before.
@@ -92,8 +126,8 @@ class CornerFinder {
       for (const double part : kSpareParts) {
         const double room = radius_ + part * kSpareRoom;
         const Vec2 point = end + ((room + widest) / cosine * (1.0 + kLengthRounding)) * outward;
-        if (!(grid_.clearance(point) >= room)) continue;
-        corners_.push_back({point, room * (1.0 - kLengthRounding), outward, lean});
+        if (!grid_.has_room(point, room)) continue;
+        found_.all.push_back({point, room * (1.0 - kLengthRounding), outward, lean});
         break;
       }
     }
@@ -112,7 +146,7 @@ class CornerFinder {
     const double clearance = grid_.clearance(point) + kLengthRounding * radius_;
     if (!(clearance >= radius_) || !is_new(point)) return;
     const double room = std::min(clearance, radius_ + kSpareRoom) - 2.0 * kLengthRounding * radius_;
-    corners_.push_back({point, room, {}, 1.0});
+    found_.all.push_back({point, room, {}, 1.0});
   }
 
   struct Gap {
@@ -130,18 +164,20 @@ class CornerFinder {
   }
 
   // The middle of each gap between this end and another wall, and the places before and behind.
-  void add_in_gaps(std::size_t wall, Vec2 end) {
-    const double own = grid_.walls()[wall].radius, rounding = kLengthRounding * radius_;
+  void add_in_gaps(Vec2 end, double own) {
+    const std::uint64_t place = mixed(mixed(0, word_of(end.x)), word_of(end.y));
+    if (!looked_at_.insert(mixed(place, word_of(own))).second) return;  // of pieces that touch
+    const double rounding = kLengthRounding * radius_;
     const double widest = kWidestGap * (1.0 + kStretch) * (radius_ + kSpareRoom);
     std::vector<Gap> gaps;
     grid_.all_near(end, end, [&](std::size_t k) {
       const Wall& other = grid_.walls()[k];
       const Vec2 nearest = nearest_on({other.a, other.b}, end);
       const double between = norm(end - nearest), gap = between - own - other.radius;
-      if (k == wall || gap < 2.0 * (radius_ - rounding) || gap > widest) return true;
+      if (gap < 2.0 * (radius_ - rounding) || gap > widest) return true;
       const Vec2 across = (end - nearest) / between;
       const Vec2 middle = nearest + (other.radius + 0.5 * gap) * across;
-      if (grid_.clearance(middle) < 0.5 * gap - rounding) return true;  // some wall is in the gap
+      if (!grid_.has_room(middle, 0.5 * gap - rounding)) return true;  // some wall is in the gap
       const Vec2 along = (radius_ + kSpareRoom) * perpendicular(across);
       for (const Vec2 point : {middle, middle + along, middle - along}) add_in_gap(point);
       gaps.push_back({middle, across});
@@ -154,8 +190,12 @@ class CornerFinder {
 
   const ClearanceGrid& grid_;
   double radius_;
-  std::vector<Corner> corners_;
-  std::unordered_set<std::uint64_t> taken_;
+  Corners found_;
+  const Corners* before_ = nullptr;
+  const WallChanges* changes_ = nullptr;
+  std::vector<std::uint32_t>* number_ = nullptr;
+  std::vector<char> stays_;  // by wall
+  std::unordered_set<std::uint64_t> taken_, looked_at_;
 };
 
 }  // namespace
@@ -164,8 +204,21 @@ double corner_reach(double radius, double widest_wall) {
   return kWidestGap * (1.0 + kStretch) * (radius + kSpareRoom) + widest_wall;
 }
 
-std::vector<Corner> corners(const ClearanceGrid& grid, double radius) {
+Corners corners(const ClearanceGrid& grid, double radius) {
   return CornerFinder(grid, radius).find();
+}
+
+Corners corners(const ClearanceGrid& grid, double radius, const Corners& before,
+                const WallChanges& changes, std::vector<std::uint32_t>& number) {
+  CornerFinder finder(grid, radius);
+  finder.keep(before, changes, number);
+  return finder.find();
+}
+
+// An end's points and the walls that they keep off are within twice the reach, and so are other
+// ends of the same points.
+double corner_range(const ClearanceGrid& grid) {
+  return 4.0 * grid.reach();
 }
 
 }  // namespace avo

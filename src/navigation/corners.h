@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // The points of a corner graph.
 #pragma once
+#include <cstdint>
 #include <vector>
 
 #include "navigation/clearance_grid.h"
+#include "navigation/wall_changes.h"
 
 namespace avo {
 
@@ -14,9 +16,20 @@ struct Corner {
   double most_lean = 1;  // |sine| of the angle between shortest ways and the tangent there
 };
 
-/// Points around all ends of walls where convex corners stick out, and in gaps that are hardly
-/// wider than a robot of that radius.
-std::vector<Corner> corners(const ClearanceGrid& grid, double radius);
+/// Points around all ends of walls where convex corners stick out, and then those in gaps that are
+/// hardly wider than a robot, by the walls at whose ends they were found.
+struct Corners {
+  std::vector<Corner> all;
+  std::vector<std::uint32_t> around, in_gaps;  // the first one of each wall; one more than walls
+};
+Corners corners(const ClearanceGrid& grid, double radius);
+/// The same, where most walls are those of before. number: that each corner of before has now;
+/// kNoCorner of one that has been looked for anew.
+inline constexpr std::uint32_t kNoCorner = 0xffffffff;
+Corners corners(const ClearanceGrid& grid, double radius, const Corners& before,
+                const WallChanges& changes, std::vector<std::uint32_t>& number);
+/// m, from a wall: farther off no corner depends on it.
+double corner_range(const ClearanceGrid& grid);
 
 /// m, from which the grid has to tell walls for corners().
 double corner_reach(double radius, double widest_wall);

@@ -118,7 +118,7 @@ class Joiner {
   bool is_wide(Vec2 p, Vec2 way, double room) const {
     const Vec2 left = (room / norm(way)) * perpendicular(way);
     for (const Vec2 place : {p, p + left, p - left}) {
-      if (sight_->is_clear(p, place, joint_) && grid_.clearance(place) >= room) return true;
+      if (sight_->is_clear(p, place, joint_) && grid_.has_room(place, room)) return true;
     }
     return false;
   }

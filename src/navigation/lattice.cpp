@@ -75,12 +75,27 @@ Vec2 Lattice::middle_of(std::size_t cell) const {
   return spacing * Vec2{static_cast<double>(column) + 0.5, static_cast<double>(row) + 0.5};
 }
 
+namespace {
+
+double spacing_over(Vec2 extent, double radius) {
+  return std::max({kSpacing * radius, std::sqrt(extent.x * extent.y / kMostCells),
+                   std::max(extent.x, extent.y) / kMostCells});
+}
+
+}  // namespace
+
+double lattice_cells(const ClearanceGrid& grid, double radius) {
+  const Box walls = box_of(grid.walls(), radius + 2.0 * kSpareRoom);
+  const Vec2 extent = walls.high - walls.low;
+  const double spacing = spacing_over(extent, radius);
+  return extent.x / spacing * (extent.y / spacing);
+}
+
 Lattice make_lattice(const ClearanceGrid& grid, std::span<const Vec2> corners, double radius) {
   const Box walls = box_of(grid.walls(), radius + 2.0 * kSpareRoom);
   const Vec2 extent = walls.high - walls.low;
   Lattice lattice;
-  lattice.spacing = std::max({kSpacing * radius, std::sqrt(extent.x * extent.y / kMostCells),
-                              std::max(extent.x, extent.y) / kMostCells});
+  lattice.spacing = spacing_over(extent, radius);
   const auto lay = [&](double low, double high, std::int64_t& begin, std::int64_t& count) {
     begin = static_cast<std::int64_t>(std::floor(low / lattice.spacing)) - 1;
     count = static_cast<std::int64_t>(std::floor(high / lattice.spacing)) + 2 - begin;

@@ -53,6 +53,9 @@ struct Lattice {
 /// Over the walls of the grid, with the corners sorted into it. The radius is the robots'.
 Lattice make_lattice(const ClearanceGrid& grid, std::span<const Vec2> corners, double radius);
 
+/// About how many cells it would have.
+double lattice_cells(const ClearanceGrid& grid, double radius);
+
 /// A place where a robot may be, and what it has to walls, at most radius + kSpareRoom.
 struct Sample {
   Vec2 point = {};

@@ -10,21 +10,25 @@
 namespace avo {
 namespace {
 
-constexpr double kPassed = 0.3;     // of the radius: so near a corner counts as passed
-constexpr std::int64_t kRings = 3;  // of cells around a robot that are looked at
+constexpr double kPassed = 0.3;        // of the radius: so near a corner counts as passed
+constexpr double kSearchMargin = 4.0;  // radii
+constexpr std::int64_t kRings = 3;     // of cells around a robot that are looked at
 
 // One robot's looking for its next target.
 struct Lookout {
   const CornerGraph& graph;
-  const PathMap& map;
+  std::shared_ptr<const PathMap>& known;
   Vec2 p;
   double radius;  // m
   double room;    // m, that its way keeps where it has it
   LegScratch& scratch;
 
+  const PathMap& map() const { return *known; }
+  // m, that a search goes on for, so that who is pushed aside need not search again.
+  double margin() const { return kSearchMargin * radius; }
   double length_by(std::uint32_t target) const {
-    if (target == PathMap::kGoal) return map.is_free ? norm(map.goal - p) : kInfinity;
-    return length_from(graph, map, target) + norm(graph.points[target] - p);
+    if (target == PathMap::kGoal) return map().is_free ? norm(map().goal - p) : kInfinity;
+    return length_from(graph, map(), target) + norm(graph.points[target] - p);
   }
   // The same, which asks for no more room than the robot takes.
   Lookout closely() const {
@@ -33,17 +37,17 @@ struct Lookout {
     return closest;
   }
   bool sees(std::uint32_t target) const {
-    const double there = target == PathMap::kGoal ? map.room : graph.room[target];
-    const Vec2 place = point_of(graph, map, target);
-    return map.is_open(p, place) && graph.grid.is_clear(p, place, std::min(room, there));
+    const double there = target == PathMap::kGoal ? map().room : graph.room[target];
+    const Vec2 aim = point_of(graph, map(), target);
+    return map().is_open(p, aim) && graph.grid.is_clear(p, aim, std::min(room, there));
   }
   // Then nothing is nearer by way, but for rounding.
-  bool sees_goal() const { return map.is_free && sees(PathMap::kGoal); }
+  bool sees_goal() const { return map().is_free && sees(PathMap::kGoal); }
 };
 
 // The target in view with the shortest way, of all.
 std::uint32_t best_of_all(const Lookout& lookout) {
-  const PathMap& map = lookout.map;
+  const PathMap& map = lookout.map();
   std::vector<std::pair<double, std::uint32_t>>& targets = lookout.scratch.targets;
   targets.clear();
   targets.reserve(map.length.size());
@@ -75,7 +79,7 @@ struct Choice {
   void look_from(std::size_t cell) {
     const CornerGraph& graph = lookout.graph;
     const auto sample = static_cast<std::uint32_t>(graph.corners() + cell);
-    const std::uint32_t next = lookout.map.next[sample];
+    const std::uint32_t next = lookout.map().next[sample];
     if (next != PathMap::kNothing) look(next);
     for (const std::uint32_t corner : graph.lattice.corners_in(cell)) look(corner);
     if (next != PathMap::kNothing && best == PathMap::kNothing) look(sample);
@@ -87,17 +91,94 @@ struct Choice {
   }
 };
 
+// The same by a search: it settles targets in the order of their ways, so the first one in view is
+// the best, but for rounding.
+std::uint32_t best_by_search(const Lookout& lookout) {
+  if (!lookout.map().is_free) return PathMap::kNothing;
+  Horizons horizons(lookout.p, std::min(lookout.room, lookout.graph.radius));
+  lookout.graph.view.look(lookout.p, horizons, [](std::uint32_t) {});
+  PathSearch search(lookout.graph, lookout.map(), lookout.p, lookout.scratch.search);
+  std::pair<double, std::uint32_t> best{kInfinity, PathMap::kNothing};
+  search.settle(kInfinity, [&](std::uint32_t corner, double length) {
+    if (std::pair(length, corner) < best && !horizons.is_hidden(lookout.graph.points[corner]) &&
+        lookout.sees(corner))
+      best = {length, corner};
+    return best.first + lookout.margin();
+  });
+  if (best.second != PathMap::kNothing)
+    lookout.known = std::make_shared<const PathMap>(search.way_from(best.second));
+  return best.second;
+}
+
 std::uint32_t best_in_view(const Lookout& lookout) {
   if (lookout.sees_goal()) return PathMap::kGoal;
+  if (!lookout.map().is_whole) return best_by_search(lookout);
   if (lookout.graph.lattice.empty()) return best_of_all(lookout);
   Choice choice{lookout};
   const Lattice& lattice = lookout.graph.lattice;
   if (!lattice.covers(lookout.p)) {
-    for (const std::uint32_t target : lookout.map.from_outside) choice.look(target);
+    for (const std::uint32_t target : lookout.map().from_outside) choice.look(target);
   }
   for (std::int64_t away = 0; away <= kRings; ++away) {
     if (away <= 1 || choice.best == PathMap::kNothing) choice.look_around(away);
   }
+  return choice.best;
+}
+
+// Whether a corner beside the way is surely no better than what is known to be.
+bool is_surely_longer(const Lookout& lookout, std::uint32_t corner, double least) {
+  const PathMap& map = lookout.map();
+  const Vec2 q = lookout.graph.points[corner];
+  const double from_there = std::max(map.settled - norm(q - map.from), norm(q - map.goal));
+  return (from_there + norm(q - lookout.p)) * (1.0 - kWayRounding) >= least;
+}
+
+// What the map of one way tells of all that best_around() looks at; false: not enough.
+bool look_beside(Choice& choice, std::uint32_t target) {
+  const Lookout& lookout = choice.lookout;
+  const PathMap& map = lookout.map();
+  for (const CornerGraph::Edge& edge : lookout.graph.edges_of(target)) {
+    const auto beside =
+        std::lower_bound(map.beside.begin(), map.beside.end(), std::pair(edge.to, 0.0));
+    double length = kInfinity;
+    if (beside != map.beside.end() && beside->first == edge.to)
+      length = beside->second;
+    else if (const std::size_t place = map.place_of(edge.to); place < map.length.size())
+      length = map.length[place];
+    else if (!is_surely_longer(lookout, edge.to, choice.least) && lookout.sees(edge.to))
+      return false;
+    length += norm(lookout.graph.points[edge.to] - lookout.p);
+    if (length < choice.least && lookout.sees(edge.to))
+      choice.best = edge.to, choice.least = length;
+  }
+  return true;
+}
+
+// The best one of those around the target, where a part of the map is known.
+std::uint32_t best_beside(const Lookout& lookout, std::uint32_t target, bool is_in_view) {
+  Choice choice{lookout};
+  if (is_in_view) choice.best = target, choice.least = lookout.length_by(target);
+  const Choice before = choice;
+  if (look_beside(choice, target) && choice.best == before.best) return choice.best;
+  choice.best = before.best, choice.least = before.least;
+  PathSearch search(lookout.graph, lookout.map(), lookout.p, lookout.scratch.search);
+  double limit = before.least;
+  const std::span<const CornerGraph::Edge> around = lookout.graph.edges_of(target);
+  search.settle(limit + lookout.margin(), [&](std::uint32_t corner, double length) {
+    const auto edge = std::lower_bound(around.begin(), around.end(), corner,
+                                       [](const auto& one, std::uint32_t k) { return one.to < k; });
+    const bool is_around = edge != around.end() && edge->to == corner;
+    if (length < limit && is_around && lookout.sees(corner)) limit = length;
+    return limit + lookout.margin();
+  });
+  for (const CornerGraph::Edge& edge : around) {
+    if (!search.is_settled(edge.to)) continue;
+    const double length = search.length(edge.to) + norm(lookout.graph.points[edge.to] - lookout.p);
+    if (length < choice.least && lookout.sees(edge.to))
+      choice.best = edge.to, choice.least = length;
+  }
+  if (choice.best != PathMap::kNothing)
+    lookout.known = std::make_shared<const PathMap>(search.way_from(choice.best));
   return choice.best;
 }
 
@@ -108,6 +189,7 @@ std::uint32_t best_around(const Lookout& lookout, std::uint32_t target, bool is_
   if (is_in_view) choice.best = target, choice.least = lookout.length_by(target);
   if (target == PathMap::kGoal) return choice.best;
   if (lookout.sees_goal()) return PathMap::kGoal;
+  if (!lookout.map().is_whole) return best_beside(lookout, target, is_in_view);
   if (lookout.graph.lattice.empty()) {
     for (const CornerGraph::Edge& edge : lookout.graph.edges_of(target)) choice.look(edge.to);
   } else {
@@ -119,19 +201,19 @@ std::uint32_t best_around(const Lookout& lookout, std::uint32_t target, bool is_
 // Whether there is a way from the target on; targets of other graphs may be asked for.
 bool is_known(const PathMap& map, std::uint32_t target) {
   if (target == PathMap::kGoal) return map.is_free;
-  return target < map.next.size() && map.next[target] != PathMap::kNothing;
+  return target < PathMap::kNothing && map.after(target) != PathMap::kNothing;
 }
 
 // Whether what follows the target is in view, from near the target as closely as may be.
 bool sees_next(const Lookout& lookout, std::uint32_t target) {
   const double left = norm(lookout.graph.points[target] - lookout.p);
-  const std::uint32_t next = lookout.map.next[target];
+  const std::uint32_t next = lookout.map().after(target);
   return left < kPassed * lookout.radius ? lookout.closely().sees(next) : lookout.sees(next);
 }
 
 std::uint32_t target_from(const Lookout& lookout, std::uint32_t target, bool looks_around) {
-  if (!is_known(lookout.map, target)) return best_in_view(lookout);
-  if (target != PathMap::kGoal && sees_next(lookout, target)) return lookout.map.next[target];
+  if (!is_known(lookout.map(), target)) return best_in_view(lookout);
+  if (target != PathMap::kGoal && sees_next(lookout, target)) return lookout.map().after(target);
   // who has set out keeps on where there is less room on the way than here
   const bool is_in_view = lookout.closely().sees(target);
   if (is_in_view && !looks_around) return target;
@@ -141,7 +223,7 @@ std::uint32_t target_from(const Lookout& lookout, std::uint32_t target, bool loo
 
 }  // namespace
 
-Leg next_leg(const CornerGraph& graph, const PathMap& map, Vec2 p, double radius,
+Leg next_leg(const CornerGraph& graph, std::shared_ptr<const PathMap>& map, Vec2 p, double radius,
              std::uint32_t target, bool looks_around, LegScratch& scratch) {
   // half of what corners keep, so that a robot slightly off its way still sees them; one that is
   // in a wall sees what is on its own side of it
@@ -150,10 +232,26 @@ Leg next_leg(const CornerGraph& graph, const PathMap& map, Vec2 p, double radius
   const Lookout lookout{graph, map, p, radius, room, scratch};
   Leg leg{p, target_from(lookout, target, looks_around)};
   if (leg.target == PathMap::kNothing) return leg;
-  leg.aim = point_of(graph, map, leg.target);
+  leg.aim = point_of(graph, *map, leg.target);
   leg.length = lookout.length_by(leg.target);
-  leg.top = top_before(graph, map, p, leg.target, leg.turn);
+  leg.top = top_before(graph, *map, p, leg.target, leg.turn);
   return leg;
+}
+
+Leg next_leg(const CornerGraph& graph, const PathMap& map, Vec2 p, double radius,
+             std::uint32_t target, bool looks_around, LegScratch& scratch) {
+  std::shared_ptr<const PathMap> whole(std::shared_ptr<void>(), &map);
+  return next_leg(graph, whole, p, radius, target, looks_around, scratch);
+}
+
+PathMap way_from(const CornerGraph& graph, const PathMap& goal, std::uint32_t corner,
+                 PathScratch& scratch) {
+  if (!goal.is_free || !graph.is_corner(corner)) return goal;
+  PathSearch search(graph, goal, graph.points[corner], scratch);
+  search.settle(kInfinity, [&](std::uint32_t found, double length) {
+    return found == corner ? length : kInfinity;
+  });
+  return search.is_settled(corner) ? search.way_from(corner) : goal;
 }
 
 double speed_limit(const Leg& leg, double max_acceleration) {

@@ -37,11 +37,10 @@ void spread_along_edges(const CornerGraph& graph, PathMap& map) {
     map.length[corner] = length, map.next[corner] = next;
     open.push({length, corner});
   };
-  for (std::uint32_t k = 0; k < graph.points.size(); ++k) {
-    if (map.is_open(map.goal, graph.points[k]) &&
-        graph.grid.is_clear(map.goal, graph.points[k], std::min(map.room, graph.room[k])))
+  for_each_in_sight(graph, map.goal, map.room, [&](std::uint32_t k) {
+    if (map.is_open(map.goal, graph.points[k]))
       reach(k, norm(map.goal - graph.points[k]), PathMap::kGoal);
-  }
+  });
   while (!open.empty()) {
     const auto [length, corner] = open.top();
     open.pop();
@@ -73,12 +72,13 @@ double top_before(const CornerGraph& graph, const PathMap& map, Vec2 p, std::uin
   turn = 0.0;
   if (target == PathMap::kGoal) return kInfinity;
   const Vec2 into = graph.points[target] - p;
-  turn = turn_between(into, point_of(graph, map, map.next[target]) - graph.points[target]);
+  const std::size_t place = map.place_of(target);
+  turn = turn_between(into, point_of(graph, map, map.next[place]) - graph.points[target]);
   double top = kInfinity, next_turn = 0.0;
   if (graph.is_corner(target))
-    top = map.top[target];
+    top = map.top[place];
   else
-    top = top_before(graph, map, graph.points[target], map.next[target], next_turn);
+    top = top_before(graph, map, graph.points[target], map.next[place], next_turn);
   return std::min(top_at(turn, graph.radius), top) + kBraking * norm(into);
 }
 
@@ -90,17 +90,28 @@ double length_from(const CornerGraph& graph, const PathMap& map, std::uint32_t t
     length += norm(point_of(graph, map, next) - graph.points[target]);
     target = next;
   }
-  return target == PathMap::kGoal ? length : length + map.length[target];
+  if (target == PathMap::kGoal) return length;
+  const std::size_t place = map.place_of(target);
+  return place < map.length.size() ? length + map.length[place] : kInfinity;
+}
+
+PathMap goal_of(const CornerGraph& graph, Vec2 goal, std::vector<Segment> closed) {
+  PathMap map;
+  map.goal = goal;
+  map.closed = std::move(closed);
+  map.is_whole = false;
+  const double clearance = graph.grid.clearance(goal);
+  map.is_free = clearance >= graph.radius;
+  map.room = std::min(clearance, graph.radius + kSpareRoom) - kLengthRounding * graph.radius;
+  return map;
 }
 
 PathMap path_map(const CornerGraph& graph, Vec2 goal, std::vector<Segment> closed) {
-  PathMap map{goal, 0.0, false, {}, {}, {}, {}, std::move(closed)};
+  PathMap map = goal_of(graph, goal, std::move(closed));
+  map.is_whole = true;
   map.length.assign(graph.corners(), kInfinity), map.top.assign(graph.corners(), kInfinity);
   map.next.assign(graph.points.size(), PathMap::kNothing);
-  const double clearance = graph.grid.clearance(goal);
-  map.is_free = clearance >= graph.radius;
   if (!map.is_free) return map;
-  map.room = std::min(clearance, graph.radius + kSpareRoom) - kLengthRounding * graph.radius;
   if (graph.lattice.empty())
     spread_along_edges(graph, map);
   else

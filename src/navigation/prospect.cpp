@@ -32,7 +32,7 @@ void walk(const CornerGraph& graph, const PathMap& map, Vec2 p, std::uint32_t ta
     piece.length = norm(piece.to - piece.from);
     if (!visit(piece) || piece.is_last) return;
     piece.before += piece.length, piece.from = piece.to;
-    target = map.next[target];
+    target = map.after(target);
   }
 }
 

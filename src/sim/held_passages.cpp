@@ -34,19 +34,21 @@ void wait_on(Waiting& waiting, double left, const RobotTraits& traits, double ti
 }
 
 // Around that gap as well, or around it alone where that leads nowhere.
-Travel way_around(const Travel& travel, const Segment& gap, Vec2 position, double radius) {
+Travel way_around(const Travel& travel, const Segment& gap, Vec2 position, double radius,
+                  LegScratch& scratch) {
   std::vector<Segment> closed = travel.waiting.closed;
   closed.push_back(gap);
   const bool is_first = closed.size() == 1;
-  Travel other = around(travel, position, radius, std::move(closed));
+  Travel other = around(travel, position, radius, std::move(closed), scratch);
   other.waiting.opens_at = is_first ? travel.waiting.least : travel.waiting.opens_at;
   if (other.is_known() || is_first) return other;
-  other = around(travel, position, radius, {gap});
+  other = around(travel, position, radius, {gap}, scratch);
   other.waiting.opens_at = travel.waiting.least;
   return other;
 }
 
-void look_for_another_way(const World& world, std::size_t slot, Travel& travel) {
+void look_for_another_way(const World& world, std::size_t slot, Travel& travel,
+                          LegScratch& scratch) {
   const RobotTraits& traits = world.fleet.traits[slot];
   const Vec2 p = world.fleet.position[slot];
   Waiting& waiting = travel.waiting;
@@ -55,18 +57,18 @@ void look_for_another_way(const World& world, std::size_t slot, Travel& travel) 
     waiting.looks_at = waiting.waited + patience_of(traits);
     return;
   }
-  Travel other = way_around(travel, *gap, p, traits.radius);
+  Travel other = way_around(travel, *gap, p, traits.radius, scratch);
   const double longer = length_of(other, p) - length_of(travel, p);
   waiting.looks_at = longer / traits.preferred_speed;  // never, where there is none
   if (waiting.looks_at <= waiting.waited) travel = std::move(other);
 }
 
 // Once it has come as near to its end as where it waited, and the shortest way leads elsewhere.
-void open_again(const World& world, std::size_t slot, Travel& travel) {
+void open_again(const World& world, std::size_t slot, Travel& travel, LegScratch& scratch) {
   const double radius = world.fleet.traits[slot].radius;
   const Vec2 p = world.fleet.position[slot];
   if (length_of(travel, p) > travel.waiting.opens_at) return;
-  Travel open = reopened(travel, p, radius);
+  Travel open = reopened(travel, p, radius, scratch);
   if (!open.is_known()) return;
   if (length_of(open, p) < length_of(travel, p) - kLengthRounding * radius) return;
   travel = std::move(open);
@@ -74,14 +76,15 @@ void open_again(const World& world, std::size_t slot, Travel& travel) {
 
 }  // namespace
 
-void go_around_held(const World& world, std::size_t slot, double left, double time,
-                    Travel& travel) {
+void go_around_held(const World& world, std::size_t slot, double left, double time, Travel& travel,
+                    LegScratch& scratch) {
   if (!travel.is_known() || world.settings.right_of_way != RightOfWay::seen) return;
   const Fleet& fleet = world.fleet;
   wait_on(travel.waiting, left, fleet.traits[slot], time);
-  if (travel.waiting.waited >= travel.waiting.looks_at) look_for_another_way(world, slot, travel);
+  if (travel.waiting.waited >= travel.waiting.looks_at)
+    look_for_another_way(world, slot, travel, scratch);
   if (!travel.waiting.closed.empty() && looks_around(fleet.id[slot], decisions_of(world, slot)))
-    open_again(world, slot, travel);
+    open_again(world, slot, travel, scratch);
 }
 
 }  // namespace avo

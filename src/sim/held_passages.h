@@ -13,6 +13,7 @@ struct World;
 /// another way takes, it takes that one from the next step on. A passage that is closed to it for
 /// this is open again once that makes no difference. time: s, that it counts as waiting; none while
 /// nobody is near.
-void go_around_held(const World& world, std::size_t slot, double left, double time, Travel& travel);
+void go_around_held(const World& world, std::size_t slot, double left, double time, Travel& travel,
+                    LegScratch& scratch);
 
 }  // namespace avo

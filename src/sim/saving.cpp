@@ -161,10 +161,11 @@ Senses senses_of(const SavedState& state, const Fleet& fleet, double longest_ste
 }
 
 // As long as it has waited, and around the gaps that it goes around.
-void keep_waiting(const SavedWay& way, Vec2 position, double radius, Travel& travel) {
+void keep_waiting(const SavedWay& way, Vec2 position, double radius, LegScratch& scratch,
+                  Travel& travel) {
   if (!way.waiting.closed.empty() && travel.graph != nullptr) {
-    travel = around(travel, position, radius, way.waiting.closed);
-    travel.target = way.target;
+    travel = around(travel, position, radius, way.waiting.closed, scratch);
+    aim_at(travel, way.target, scratch);
   }
   travel.waiting.least = way.waiting.least, travel.waiting.waited = way.waiting.waited;
   travel.waiting.looks_at = way.waiting.looks_at;
@@ -189,7 +190,7 @@ std::vector<Travel> travels_of(const SavedState& state, Ways& ways) {
     Travel travel = ways.resume(disc_radius(setup), end, way.target, way.is_exact,
                                 way.around_movers && ways.goes_around_movers());
     travel.ends = way.ends, travel.place = way.place;
-    keep_waiting(way, state.robots[k].position, disc_radius(setup), travel);
+    keep_waiting(way, state.robots[k].position, disc_radius(setup), ways.scratch(), travel);
     travels.push_back(std::move(travel));
   }
   return travels;

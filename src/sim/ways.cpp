@@ -16,50 +16,89 @@ constexpr double kSightReach = 0.1;    // m
 constexpr double kBeside = 1.1;        // of contact, where a mover stands on the goal
 constexpr double kLittleDetour = 1.5;  // times the straight way
 constexpr double kJoint = 1e-9;        // m: nobody sees through where pieces of walls touch
+// Of more corners, a robot searches for its own way, until robots have asked often for one goal and
+// the whole maps that there are have no more corners than that in all.
+constexpr std::size_t kFewCorners = 1000;
+constexpr std::uint32_t kAskedOften = 4;
+constexpr std::size_t kMostKeptCorners = 4'000'000;
+
+// Whether a robot may search for its own way.
+bool is_searched(const CornerGraph& graph) {
+  return graph.corners() > kFewCorners && graph.lattice.empty();
+}
 
 // Where the target is, and how far it is from there to the goal; nothing where there is no target.
 std::optional<std::pair<Vec2, double>> rest_of(const Travel& travel) {
   if (travel.graph == nullptr) return std::nullopt;
   const PathMap& map = *travel.map;
   if (travel.target == PathMap::kGoal && map.is_free) return std::pair(map.goal, 0.0);
-  if (travel.target >= map.next.size()) return std::nullopt;
+  if (map.place_of(travel.target) >= map.next.size()) return std::nullopt;
   return std::pair(travel.graph->points[travel.target],
                    length_from(*travel.graph, map, travel.target));
 }
 
 // Of all in view, the one on the shortest way.
-std::uint32_t best_target(const Travel& travel, Vec2 position, double radius) {
-  LegScratch scratch;
-  return next_leg(*travel.graph, *travel.map, position, radius, PathMap::kNothing, false, scratch)
-      .target;
+void aim_at_best(Travel& travel, Vec2 position, double radius, LegScratch& scratch) {
+  travel.target =
+      next_leg(*travel.graph, travel.map, position, radius, PathMap::kNothing, false, scratch)
+          .target;
+}
+
+// Among many corners an edge that is long may give way to a shorter one in its sector.
+std::vector<Zone> where_it_matters(const CarriedGraph& carried, const CornerGraph& graph,
+                                   double length, const PathMap& map) {
+  constexpr double kSectorWidth = 0.03;  // rad, more than a sector has
+  std::vector<Zone> changed = carried.changed;
+  const double longest = std::max(length, map.is_whole ? 0.0 : map.settled);
+  for (Zone& disc : changed)
+    if (graph.all_within < kInfinity) disc.reach += kSectorWidth * longest;
+  return changed;
+}
+
+PathMap renumbered(PathMap map, const std::vector<std::uint32_t>& number) {
+  const auto renumber = [&](std::uint32_t& corner) {
+    if (corner < PathMap::kNothing) corner = number[corner];
+  };
+  for (std::uint32_t& corner : map.corners) renumber(corner);
+  for (std::uint32_t& corner : map.next) renumber(corner);
+  for (auto& [corner, length] : map.beside) renumber(corner);
+  std::sort(map.beside.begin(), map.beside.end());
+  return map;
+}
+
+// s: where walls have changed there may be another way where there was none.
+double look_again_at(const Waiting& waiting) {
+  return waiting.looks_at < kInfinity ? waiting.looks_at : waiting.waited;
 }
 
 // Whoever waits does so among other walls as well, and goes around the same gaps where a way leads
 // there.
-void keep_waiting_on(const Travel& before, Vec2 position, double radius, Travel& fresh) {
+void keep_waiting_on(const Travel& before, Vec2 position, double radius, Travel& fresh,
+                     LegScratch& scratch) {
   if (!fresh.is_known() || !before.is_known() || !(fresh.map->goal == before.map->goal)) return;
   if (!(before.waiting.least < kInfinity)) return;  // it has not decided yet
   if (!before.waiting.closed.empty()) {
-    Travel other = around(fresh, position, radius, before.waiting.closed);
+    Travel other = around(fresh, position, radius, before.waiting.closed, scratch);
     if (other.is_known()) fresh = std::move(other);
   }
   const Waiting& known = before.waiting;
   fresh.waiting.least = known.least, fresh.waiting.waited = known.waited;
   fresh.waiting.opens_at = known.opens_at;
-  // there may be a way where there was none
-  fresh.waiting.looks_at = known.looks_at < kInfinity ? known.looks_at : known.waited;
+  fresh.waiting.looks_at = look_again_at(known);
 }
 
 // The travel where it goes on, of those that are planned anew where walls have changed.
-Travel replanned(const Travel& before, Travel fresh, Vec2 position, double radius) {
+Travel replanned(const Travel& before, Travel fresh, Vec2 position, double radius,
+                 LegScratch& scratch) {
   const auto kept = rest_of(before);
   if (!kept || !rest_of(fresh)) return fresh;
   Travel first = before;
-  first.target = best_target(before, position, radius);
+  aim_at_best(first, position, radius, scratch);
   if (rest_of(first) != rest_of(fresh)) return fresh;
   Travel travel = fresh;
-  travel.target =
-      before.target == PathMap::kGoal ? PathMap::kGoal : point_at(*fresh.graph, kept->first);
+  aim_at(travel,
+         before.target == PathMap::kGoal ? PathMap::kGoal : point_at(*fresh.graph, kept->first),
+         scratch);
   return rest_of(travel) == kept ? travel : fresh;
 }
 
@@ -99,7 +138,9 @@ const CornerGraph& Ways::graph_of(GraphKey key) {
   std::vector<Wall> walls;
   if (sight_) walls.assign(sight_->walls().begin(), sight_->walls().end());
   if (around_movers) walls.insert(walls.end(), resting_.begin(), resting_.end());
-  auto graph = std::make_unique<const CornerGraph>(corner_graph(walls, radius, before));
+  auto graph = std::make_unique<const CornerGraph>(
+      before != nullptr ? corner_graph(walls, radius, *before, carried_[key])
+                        : corner_graph(walls, radius));
   return *graphs_.emplace(key, std::move(graph)).first->second;
 }
 
@@ -110,22 +151,35 @@ ReachablePlaces& Ways::places_of(double radius) {
   return *places_.emplace(radius, std::move(places)).first->second;
 }
 
-std::shared_ptr<const PathMap> Ways::map_to(GraphKey graph, Vec2 end) {
-  const Key key{graph.first, graph.second, end.x, end.y};
-  std::shared_ptr<const PathMap> map = maps_[key].lock();
+// The whole map, or the goal alone for a robot that searches for its own way.
+std::shared_ptr<const PathMap> Ways::map_to(GraphKey key, Vec2 end, bool is_whole) {
+  const CornerGraph& graph = graph_of(key);
+  Goal& goal = maps_[{key.first, key.second, end.x, end.y}];
+  std::shared_ptr<const PathMap> map = goal.map.lock();
   if (map) return map;
-  map = std::make_shared<const PathMap>(path_map(graph_of(graph), end));
-  maps_[key] = map;
+  const std::size_t corners = graph.corners();
+  const bool are_kept = *kept_corners_ + corners <= kMostKeptCorners;
+  if (is_whole || !is_searched(graph) || (are_kept && goal.asked++ >= kAskedOften)) {
+    const auto forget = [kept = kept_corners_, corners](const PathMap* old) {
+      *kept -= corners;
+      delete old;
+    };
+    map = std::shared_ptr<const PathMap>(new PathMap(path_map(graph, end)), forget);
+    *kept_corners_ += corners;
+    goal.map = map;
+  } else {
+    map = std::make_shared<const PathMap>(goal_of(graph, end));
+  }
   if (maps_.size() > most_maps_) {
-    std::erase_if(maps_, [](const auto& entry) { return entry.second.expired(); });
-    most_maps_ = 2 * maps_.size();
+    std::erase_if(maps_, [](const auto& entry) { return entry.second.map.expired(); });
+    most_maps_ = 2 * maps_.size() + kAskedOften;
   }
   return map;
 }
 
 Travel Ways::lead(double radius, Vec2 position, Vec2 end, bool is_exact, bool around_movers) {
   Travel travel = resume(radius, end, PathMap::kNothing, is_exact, around_movers);
-  if (travel.graph != nullptr) travel.target = best_target(travel, position, radius);
+  if (travel.graph != nullptr) aim_at_best(travel, position, radius, scratch_);
   return travel;
 }
 
@@ -174,13 +228,44 @@ Travel Ways::resume(double radius, Vec2 end, std::uint32_t target, bool is_exact
   travel.graph = &graph_of(key);
   travel.map = map_to(key, end);
   travel.around_movers = around_movers;
+  if (target < PathMap::kNothing) aim_at(travel, target, scratch_);
+  return travel;
+}
+
+// Where what has changed lies apart from all ways that are as short: nothing that is known of the
+// own one has changed.
+std::optional<Travel> Ways::carry_over(const Travel& before, Vec2 position, double radius) {
+  if (!before.is_known() || before.ends != WayEnd::goal || before.around_movers ||
+      goes_around_movers() || !before.waiting.closed.empty())
+    return std::nullopt;
+  const GraphKey key{false, before.graph->radius};
+  const CornerGraph& graph = graph_of(key);
+  const std::optional<CarriedGraph>& carried = carried_[key];
+  const auto rest = rest_of(before);
+  if (!carried || !rest) return std::nullopt;
+  const PathMap& map = *before.map;
+  const double room = (1.0 - 2.0 * kLengthRounding) * std::min(radius, map.room);
+  const double length = norm(rest->first - position) + rest->second;
+  if (!before.graph->grid.is_clear(position, rest->first, room)) return std::nullopt;
+  const std::vector<Zone> changed = where_it_matters(*carried, graph, length, map);
+  if (may_meet(changed, position, map.goal, length * (1.0 + kWayRounding))) return std::nullopt;
+  Travel travel = before;
+  travel.graph = &graph;
+  if (before.waiting.least < kInfinity) travel.waiting.looks_at = look_again_at(before.waiting);
+  if (before.target != PathMap::kGoal) travel.target = carried->number[before.target];
+  if (map.is_whole) {
+    travel.map = map_to(key, map.goal, true);
+  } else {
+    if (may_meet(changed, map.from, map.goal, map.settled)) return std::nullopt;
+    travel.map = std::make_shared<const PathMap>(renumbered(map, carried->number));
+  }
   return travel;
 }
 
 std::size_t Ways::most_targets() const {
   std::size_t most = 0;
   for (const auto& [key, graph] : graphs_) {
-    if (graph->lattice.empty()) most = std::max(most, graph->points.size() + 1);
+    if (graph->lattice.empty()) most = std::max(most, graph->corners() + 1);
   }
   return most;
 }
@@ -195,21 +280,30 @@ bool Ways::is_in_sight(Vec2 p, Vec2 q) const {
   return !sight_ || sight_->is_clear(p, q, kJoint);
 }
 
-Travel around(const Travel& travel, Vec2 position, double radius, std::vector<Segment> closed) {
+void aim_at(Travel& travel, std::uint32_t target, LegScratch& scratch) {
+  travel.target = target;
+  if (!travel.map->is_whole)
+    travel.map = std::make_shared<const PathMap>(
+        way_from(*travel.graph, *travel.map, target, scratch.search));
+}
+
+Travel around(const Travel& travel, Vec2 position, double radius, std::vector<Segment> closed,
+              LegScratch& scratch) {
   Travel other = travel;
   other.waiting = {};
   other.waiting.open = travel.waiting.open ? travel.waiting.open : travel.map;
-  other.map = std::make_shared<const PathMap>(path_map(*travel.graph, travel.map->goal, closed));
+  const auto map = is_searched(*travel.graph) ? goal_of : path_map;
+  other.map = std::make_shared<const PathMap>(map(*travel.graph, travel.map->goal, closed));
   other.waiting.closed = std::move(closed);
-  other.target = best_target(other, position, radius);
+  aim_at_best(other, position, radius, scratch);
   return other;
 }
 
-Travel reopened(const Travel& travel, Vec2 position, double radius) {
+Travel reopened(const Travel& travel, Vec2 position, double radius, LegScratch& scratch) {
   Travel open = travel;
   open.map = std::exchange(open.waiting.open, nullptr);
   open.waiting.closed.clear();
-  open.target = best_target(open, position, radius);
+  aim_at_best(open, position, radius, scratch);
   return open;
 }
 
@@ -232,7 +326,7 @@ Heading follow(Travel& travel, Vec2 position, Vec2 end, const RobotTraits& robot
                bool looks_around, LegScratch& scratch) {
   const Heading straight{end, robot.preferred_speed};
   if (travel.graph == nullptr) return straight;
-  const Leg leg = next_leg(*travel.graph, *travel.map, position, robot.radius, travel.target,
+  const Leg leg = next_leg(*travel.graph, travel.map, position, robot.radius, travel.target,
                            looks_around, scratch);
   travel.target = leg.target;
   if (leg.is_last() || leg.target == PathMap::kNothing) return straight;
@@ -272,10 +366,16 @@ void plan_travels(Ways& ways, const Fleet& fleet, const Ways* before) {
     const Travel* known = is_known ? &before->travels[rank] : nullptr;
     Travel travel;
     if (!fleet.conduct[slot].parked) {
-      travel = ways.plan(radius, position, fleet.goal[slot], known);
-      if (known != nullptr) {
-        keep_waiting_on(*known, position, radius, travel);
-        travel = replanned(*known, travel, position, radius);
+      std::optional<Travel> carried;
+      if (known != nullptr) carried = ways.carry_over(*known, position, radius);
+      if (carried) {
+        travel = std::move(*carried);
+      } else {
+        travel = ways.plan(radius, position, fleet.goal[slot], known);
+        if (known != nullptr) {
+          keep_waiting_on(*known, position, radius, travel, ways.scratch());
+          travel = replanned(*known, std::move(travel), position, radius, ways.scratch());
+        }
       }
     }
     ways.travels.push_back(std::move(travel));

@@ -85,11 +85,14 @@ class Ways {
   [[nodiscard]] bool empty() const { return !sight_ && !goes_around_movers(); }
   [[nodiscard]] const std::vector<Wall>& resting() const { return resting_; }
   [[nodiscard]] bool goes_around_movers() const { return follows_ && !resting_.empty(); }
-  void forget_before() { before_ = nullptr; }
+  void forget_before() { before_ = nullptr, carried_.clear(); }
   /// A new way; robots of one class of radii and one goal share what it is made of. One that ended
   /// elsewhere than at that goal before still ends there, if nothing nearer can be reached.
   [[nodiscard]] Travel plan(double radius, Vec2 position, Vec2 goal,
                             const Travel* before = nullptr);
+  /// The same way as before among other walls, where it is sure that a new one would be the same.
+  [[nodiscard]] std::optional<Travel> carry_over(const Travel& before, Vec2 position,
+                                                 double radius);
   /// A way to that end on which the target is known, and whether its graph is that of the very
   /// radius, and around movers at rest.
   [[nodiscard]] Travel resume(double radius, Vec2 end, std::uint32_t target, bool is_exact,
@@ -98,6 +101,8 @@ class Ways {
   [[nodiscard]] bool is_free(double radius, Vec2 p) { return places_of(radius).is_free(p); }
   /// That a robot may have to choose from.
   [[nodiscard]] std::size_t most_targets() const;
+  /// Memory to plan with.
+  [[nodiscard]] LegScratch& scratch() { return scratch_; }
   /// Whether no wall lies on the straight way between them.
   [[nodiscard]] bool is_in_sight(Vec2 p, Vec2 q) const;
 
@@ -112,7 +117,7 @@ class Ways {
   using Key = std::tuple<bool, double, double, double>;  // and the goal
   const CornerGraph& graph_of(GraphKey key);
   ReachablePlaces& places_of(double radius);
-  std::shared_ptr<const PathMap> map_to(GraphKey key, Vec2 end);
+  std::shared_ptr<const PathMap> map_to(GraphKey key, Vec2 end, bool is_whole = false);
   Travel lead(double radius, Vec2 position, Vec2 end, bool is_exact, bool around_movers);
   Travel lead(double radius, Vec2 position, Vec2 end);
   Vec2 reachable_end(double radius, Vec2 position, Vec2 goal, const Travel* before);
@@ -123,18 +128,30 @@ class Ways {
   std::optional<ClearanceGrid> sight_;
   std::vector<Wall> resting_;
   std::map<GraphKey, std::unique_ptr<const CornerGraph>> graphs_;
+  std::map<GraphKey, std::optional<CarriedGraph>> carried_;  // until forget_before()
   std::map<double, std::unique_ptr<ReachablePlaces>> places_;
-  std::map<Key, std::weak_ptr<const PathMap>> maps_;
+  struct Goal {
+    std::weak_ptr<const PathMap> map;  // the whole one, if there is one
+    std::uint32_t asked = 0;           // times, before there was one
+  };
+  std::map<Key, Goal> maps_;
+  // of all whole maps that there are, where corners are many
+  std::shared_ptr<std::size_t> kept_corners_ = std::make_shared<std::size_t>(0);
+  LegScratch scratch_;
   std::size_t most_maps_ = 0;  // beyond which those that nobody has are forgotten
   std::vector<double> passage_radii_;
 };
 
 /// A way to the same end that leads around those gaps, of a robot that begins to wait anew; its
 /// target is unknown where there is none.
-Travel around(const Travel& travel, Vec2 position, double radius, std::vector<Segment> closed);
+Travel around(const Travel& travel, Vec2 position, double radius, std::vector<Segment> closed,
+              LegScratch& scratch);
 
 /// The way that is open again, of one that leads around gaps.
-Travel reopened(const Travel& travel, Vec2 position, double radius);
+Travel reopened(const Travel& travel, Vec2 position, double radius, LegScratch& scratch);
+
+/// Makes that its target, and has its map tell of it.
+void aim_at(Travel& travel, std::uint32_t target, LegScratch& scratch);
 
 /// m, from there to its end by way of the target, which is known.
 double length_of(const Travel& travel, Vec2 position);

@@ -16,7 +16,7 @@ namespace avo {
 namespace {
 
 CornerGraph lattice_graph(const std::vector<Wall>& walls, double radius) {
-  return corner_graph(walls, radius, nullptr, 0);
+  return corner_graph(walls, radius, Joining::lattice);
 }
 
 Leg leg_from(const CornerGraph& graph, const PathMap& map, Vec2 p) {
@@ -79,7 +79,7 @@ TEST(Field, ways_are_hardly_longer_than_by_all_pairs_of_corners_and_as_many) {
   for (const auto& [share, radius] :
        {std::pair(0.03, 0.45), std::pair(0.12, 0.45), std::pair(0.12, 0.3), std::pair(0.3, 0.3)}) {
     const std::vector<Wall> walls = test::noise_map(32, share, 5);
-    const CornerGraph pairs = corner_graph(walls, radius, nullptr, 100000);
+    const CornerGraph pairs = corner_graph(walls, radius, Joining::all);
     const CornerGraph lattice = lattice_graph(walls, radius);
     const FreeSpace space(walls, radius);
     test::Random random(9);

@@ -15,15 +15,20 @@ namespace {
 
 constexpr double kRadius = 0.5;
 
-// Of every map, with all pairs of corners joined and with a lattice.
-class Ways : public testing::TestWithParam<bool> {
+// Of every map, with all pairs of corners joined, with those that are near, and with a lattice.
+class Ways : public testing::TestWithParam<Joining> {
  protected:
   static CornerGraph graph_of(const std::vector<Wall>& walls, double radius) {
-    return corner_graph(walls, radius, nullptr, GetParam() ? 0 : kMostJoinedCorners);
+    return corner_graph(walls, radius, GetParam());
   }
 };
-INSTANTIATE_TEST_SUITE_P(PathMap, Ways, testing::Bool(),
-                         [](const auto& kind) { return kind.param ? "field" : "graph"; });
+INSTANTIATE_TEST_SUITE_P(PathMap, Ways,
+                         testing::Values(Joining::all, Joining::near, Joining::lattice),
+                         [](const auto& kind) {
+                           return kind.param == Joining::all    ? "graph"
+                                  : kind.param == Joining::near ? "near"
+                                                                : "field";
+                         });
 
 Leg leg_from(const CornerGraph& graph, const PathMap& map, Vec2 p, std::uint32_t target,
              bool looks_around) {
@@ -333,7 +338,6 @@ TEST(PathMap, OfManyCornersIsMadeInSeconds) {
   RecordProperty("graph_ms", milliseconds(built - begin));
   RecordProperty("map_ms", milliseconds(mapped - built));
   RecordProperty("points", static_cast<int>(graph.points.size()));
-  RecordProperty("edges", static_cast<int>(graph.edges.size()));
 }
 
 }  // namespace

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: Apache-2.0
+// One robot's way to its goal: A* on the corner graph, from the goal towards the robot. What it
+// finds of a corner is what the whole map of the goal tells, to the last bit.
+#pragma once
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+#include "navigation/path_map.h"
+
+namespace avo {
+
+/// Memory to search with.
+struct PathScratch {
+  std::vector<double> length;        // m, by corner, of this search
+  std::vector<std::uint32_t> next;   // likewise
+  std::vector<std::uint32_t> known;  // the search that has found them
+  std::uint32_t search = 0;
+  std::vector<std::pair<double, std::uint32_t>> open;
+};
+
+/// Of a sum of lengths, more than is lost.
+inline constexpr double kWayRounding = 1e-9;
+
+class PathSearch {
+ public:
+  /// The goal has to be free.
+  PathSearch(const CornerGraph& graph, const PathMap& goal, Vec2 from, PathScratch& scratch);
+
+  /// Settles corners in the order of their lengths and distances to `from`, (m, corner), up to that
+  /// limit, m, which visit(corner, both) returns for the time after it.
+  template <typename Visit>
+  void settle(double limit, const Visit& visit);
+  void settle(double limit) {
+    settle(limit, [=](std::uint32_t, double) { return limit; });
+  }
+  /// Whether a corner's length is known for sure.
+  [[nodiscard]] bool is_settled(std::uint32_t corner) const;
+  [[nodiscard]] double length(std::uint32_t corner) const { return scratch_.length[corner]; }
+  [[nodiscard]] std::size_t count() const { return count_; }
+  /// The map of the way from that target on, which is settled, or the goal.
+  [[nodiscard]] PathMap way_from(std::uint32_t target) const;
+
+ private:
+  struct Front {
+    double sum;  // m, the length and the distance to `from`
+    std::uint32_t corner;
+  };
+  [[nodiscard]] double sum_of(std::uint32_t corner) const {
+    return scratch_.length[corner] + norm(graph_.points[corner] - from_);
+  }
+  void reach(std::uint32_t corner, double length, std::uint32_t next);
+  [[nodiscard]] bool comes_first(std::uint32_t next, std::uint32_t other) const;
+  void spread(std::uint32_t corner);
+  Front pop();
+
+  const CornerGraph& graph_;
+  const PathMap& goal_;
+  Vec2 from_;
+  PathScratch& scratch_;
+  double settled_ = 0.0;  // m: the sum of whatever is not settled is as much
+  std::size_t count_ = 0;
+};
+
+template <typename Visit>
+void PathSearch::settle(double limit, const Visit& visit) {
+  while (!scratch_.open.empty() &&
+         scratch_.open.front().first <= limit * (1.0 + kWayRounding) + kLengthRounding) {
+    const Front front = pop();
+    if (front.sum > sum_of(front.corner)) continue;  // it has been reached again since
+    spread(front.corner);
+    limit = visit(front.corner, front.sum);
+  }
+  settled_ =
+      scratch_.open.empty() ? std::numeric_limits<double>::infinity() : scratch_.open.front().first;
+}
+
+}  // namespace avo

@@ -1,0 +1,220 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "navigation/view.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+
+namespace avo {
+namespace {
+
+constexpr std::size_t kInQuadrant = Horizons::kSectors / 4;
+constexpr double kSlackOfSight = 1e-9;  // of a length, more than is lost
+constexpr double kSureRoom = 0.99;      // of the room: what is nearer to a wall is certainly hidden
+constexpr double kItemsInCell = 8.0;
+constexpr double kMostCellsAcross = 4096.0;
+
+// From 0 along the first axis to 4, growing with the angle.
+double turn_of(Vec2 d) {
+  const double x = std::abs(d.x), y = std::abs(d.y);
+  if (!(x + y > 0.0)) return 0.0;
+  if (d.y >= 0.0) return d.x >= 0.0 ? y / (x + y) : 1.0 + x / (x + y);
+  return d.x < 0.0 ? 2.0 + y / (x + y) : 3.0 + x / (x + y);
+}
+
+std::array<Vec2, Horizons::kSectors> all_borders() {
+  std::array<Vec2, Horizons::kSectors> borders;
+  for (std::size_t k = 0; k < borders.size(); ++k) {
+    const double part = static_cast<double>(k % kInQuadrant) / kInQuadrant;
+    Vec2 d{1.0 - part, part};
+    for (std::size_t turns = k / kInQuadrant; turns > 0; --turns) d = perpendicular(d);
+    borders[k] = d / norm(d);
+  }
+  return borders;
+}
+
+// Of the disc around an end, where it is widest as seen from the place; on the left or the right.
+Vec2 side_of(Vec2 end, double reach, double side) {
+  return end + (side * reach / norm(end)) * perpendicular(end);
+}
+
+}  // namespace
+
+std::size_t Horizons::sector_of(Vec2 direction) {
+  const auto sector = static_cast<std::size_t>(turn_of(direction) * kInQuadrant);
+  return sector < kSectors ? sector : 0;
+}
+
+const std::array<Vec2, Horizons::kSectors>& Horizons::borders() {
+  static const std::array<Vec2, kSectors> units = all_borders();
+  return units;
+}
+
+std::array<float, Horizons::kParts> Horizons::reach() const {
+  constexpr std::size_t kEach = kSectors / kParts;
+  std::array<float, kParts> reach;
+  for (std::size_t k = 0; k < kParts; ++k) {
+    const double farthest = *std::max_element(&far_[k * kEach], &far_[k * kEach] + kEach);
+    reach[k] = std::nextafter(static_cast<float>(farthest), std::numeric_limits<float>::infinity());
+  }
+  return reach;
+}
+
+bool reaches(const std::array<float, Horizons::kParts>& reach, Vec2 place, Vec2 center,
+             double radius) {
+  constexpr std::size_t kEach = Horizons::kSectors / Horizons::kParts;
+  const Vec2 to = center - place;
+  const double distance = norm(to);
+  if (!(distance > radius)) return true;
+  const double side = radius * distance / std::sqrt(distance * distance - radius * radius);
+  const std::size_t first = Horizons::sector_of(side_of(to, side, -1.0)) / kEach;
+  std::size_t last = Horizons::sector_of(side_of(to, side, 1.0)) / kEach;
+  if (last < first) last += Horizons::kParts;
+  for (std::size_t k = first; k <= last; ++k)
+    if (static_cast<double>(reach[k % Horizons::kParts]) >= distance - radius) return true;
+  return false;
+}
+
+// The segment between the outer sides of its ends lies within the wall and the room around it.
+void Horizons::block(const Wall& wall) {
+  Vec2 a = wall.a - place_, b = wall.b - place_;
+  const double reach = wall.radius + kSureRoom * room_;
+  if (!(norm_squared(a) > reach * reach) || !(norm_squared(b) > reach * reach)) return;
+  if (cross(a, b) < 0.0) std::swap(a, b);
+  a = side_of(a, reach, -1.0), b = side_of(b, reach, 1.0);
+  const Vec2 along = b - a;
+  const double twice_area = cross(a, along);
+  if (!(twice_area > 0.0)) return;
+  const double from = turn_of(a) * kInQuadrant;
+  double to = turn_of(b) * kInQuadrant;
+  if (to < from) to += kSectors;
+  const auto first = static_cast<std::size_t>(std::ceil(from));
+  const auto last = static_cast<std::size_t>(to);
+  const std::array<Vec2, kSectors>& units = borders();
+  double before = std::numeric_limits<double>::infinity();
+  for (std::size_t k = first; k <= last; ++k) {
+    const double sine = cross(units[k % kSectors], along);
+    const double here = sine > 0.0 ? twice_area / sine : std::numeric_limits<double>::infinity();
+    if (k > first) close((k - 1) % kSectors, (1.0 + kSlackOfSight) * std::max(before, here));
+    before = here;
+  }
+}
+
+bool Horizons::hides(Vec2 low, Vec2 high) const {
+  const Vec2 nearest{std::clamp(place_.x, low.x, high.x), std::clamp(place_.y, low.y, high.y)};
+  const double distance_squared = norm_squared(nearest - place_);
+  if (!(distance_squared > 0.0)) return false;
+  // the two corners between which it is seen
+  const bool left = place_.x<low.x, right = place_.x> high.x;
+  const bool below = place_.y<low.y, above = place_.y> high.y;
+  const Vec2 from{above || (left && !below) ? low.x : high.x,
+                  left || (below && !right) ? low.y : high.y};
+  const Vec2 to{below || (left && !above) ? low.x : high.x,
+                right || (below && !left) ? low.y : high.y};
+  const Vec2 one = from - place_, other = to - place_;
+  std::size_t first = sector_of(one), last = sector_of(other);
+  if (cross(one, other) < 0.0) std::swap(first, last);
+  if (last < first) last += kSectors;
+  for (std::size_t k = first; k <= last; ++k) {
+    if (square(far_[k % kSectors]) >= distance_squared) return false;
+  }
+  return true;
+}
+
+ViewIndex::ViewIndex(std::span<const Wall> walls, std::span<const Vec2> points)
+    : walls_(walls.begin(), walls.end()), points_(points.begin(), points.end()) {
+  if (walls_.empty()) return;
+  Vec2 low = walls_[0].a, high = low;
+  const auto include = [&](Vec2 p) {
+    low = {std::min(low.x, p.x), std::min(low.y, p.y)};
+    high = {std::max(high.x, p.x), std::max(high.y, p.y)};
+  };
+  for (const Wall& wall : walls_) include(wall.a), include(wall.b);
+  for (const Vec2 point : points_) include(point);
+  const Vec2 size = high - low;
+  const double cells = static_cast<double>(walls_.size() + points_.size()) / kItemsInCell + 1.0;
+  const double longest = std::max(size.x, size.y);
+  side_ = std::max({std::sqrt(size.x * size.y / cells), longest / cells, longest / kMostCellsAcross,
+                    std::numeric_limits<double>::min()});
+  origin_ = low;
+  columns_ = static_cast<std::int64_t>(size.x / side_) + 1;
+  rows_ = static_cast<std::int64_t>(size.y / side_) + 1;
+  const auto lay = [&](std::vector<std::uint32_t>& first, std::vector<std::uint32_t>& items,
+                       const auto& for_each_item) {
+    first.assign(static_cast<std::size_t>(columns_ * rows_) + 1, 0);
+    for_each_item([&](std::uint32_t, std::size_t cell) { ++first[cell + 1]; });
+    for (std::size_t k = 1; k < first.size(); ++k) first[k] += first[k - 1];
+    items.resize(first.back());
+    std::vector<std::uint32_t> end(first.begin(), first.end() - 1);
+    for_each_item([&](std::uint32_t item, std::size_t cell) { items[end[cell]++] = item; });
+  };
+  lay(first_wall_, wall_, [&](const auto& visit) {
+    for (std::uint32_t k = 0; k < walls_.size(); ++k)
+      for_each_along(walls_[k], [&](std::size_t cell) { visit(k, cell); });
+  });
+  lay(first_point_, point_, [&](const auto& visit) {
+    for (std::uint32_t k = 0; k < points_.size(); ++k) visit(k, number(cell_of(points_[k])));
+  });
+}
+
+ViewIndex::Cell ViewIndex::cell_of(Vec2 place) const {
+  const auto along = [this](double length, std::int64_t count) {
+    return static_cast<std::int64_t>(
+        std::clamp(std::floor(length / side_), 0.0, static_cast<double>(count - 1)));
+  };
+  return {along(place.x - origin_.x, columns_), along(place.y - origin_.y, rows_)};
+}
+
+bool ViewIndex::covers(Vec2 place) const {
+  const Vec2 size = side_ * Vec2{static_cast<double>(columns_), static_cast<double>(rows_)};
+  const Vec2 in = place - origin_;
+  return in.x >= 0.0 && in.y >= 0.0 && in.x <= size.x && in.y <= size.y;
+}
+
+void ViewIndex::next_ring(Cell middle, std::int64_t away, bool is_inside,
+                          std::vector<Cell>& in_view, std::vector<Cell>& ring) const {
+  ring.clear();
+  const auto add = [&](std::int64_t column, std::int64_t row) {
+    const bool is_there = column >= 0 && column < columns_ && row >= 0 && row < rows_;
+    const std::int64_t distance =
+        std::max(std::abs(column - middle.column), std::abs(row - middle.row));
+    if (is_there && distance == away) ring.push_back({column, row});
+  };
+  if (is_inside) {
+    for (const Cell cell : in_view)
+      for (std::int64_t row = cell.row - 1; row <= cell.row + 1; ++row)
+        for (std::int64_t column = cell.column - 1; column <= cell.column + 1; ++column)
+          add(column, row);
+    std::sort(ring.begin(), ring.end());
+    ring.erase(std::unique(ring.begin(), ring.end()), ring.end());
+    return;
+  }
+  for (std::int64_t row = middle.row - away; row <= middle.row + away; ++row) {
+    const bool is_edge = row == middle.row - away || row == middle.row + away;
+    for (std::int64_t column = middle.column - away; column <= middle.column + away;
+         column += is_edge ? 1 : 2 * away)
+      add(column, row);
+  }
+}
+
+// Cells that it leads through, and others; where one is left out, it hides less.
+template <typename Visit>
+void ViewIndex::for_each_along(const Wall& wall, const Visit& visit) const {
+  const Vec2 low = wall.a.y < wall.b.y ? wall.a : wall.b;
+  const Vec2 high = wall.a.y < wall.b.y ? wall.b : wall.a;
+  const Cell from = cell_of(low), to = cell_of(high);
+  const double height = high.y - low.y;
+  for (std::int64_t row = from.row; row <= to.row; ++row) {
+    const auto x_at = [&](std::int64_t line) {
+      const double part = (origin_.y + side_ * static_cast<double>(line) - low.y) / height;
+      return low.x + std::clamp(part, 0.0, 1.0) * (high.x - low.x);
+    };
+    const double one = row == from.row ? low.x : x_at(row);
+    const double other = row == to.row ? high.x : x_at(row + 1);
+    const std::int64_t first = cell_of({std::min(one, other), low.y}).column;
+    const std::int64_t last = cell_of({std::max(one, other), low.y}).column;
+    for (std::int64_t column = first; column <= last; ++column) visit(number({column, row}));
+  }
+}
+
+}  // namespace avo

@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: Apache-2.0
+// Which places may be in view of another one: directions around it come in sectors, and a wall that
+// covers a sector hides what is behind it there. What is left has yet to be tested exactly.
+#pragma once
+#include <array>
+#include <compare>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <span>
+#include <vector>
+
+#include "avo/wall.h"
+
+namespace avo {
+
+/// How far one sees from a place.
+class Horizons {
+ public:
+  static constexpr std::size_t kSectors = 256;
+
+  /// room: m, that what is seen needs to the walls on the straight way, > 0.
+  Horizons(Vec2 place, double room) : place_(place), room_(room) {
+    far_.fill(std::numeric_limits<double>::infinity());
+  }
+  [[nodiscard]] static std::size_t sector_of(Vec2 direction);
+  /// The unit directions in which the sectors begin.
+  [[nodiscard]] static const std::array<Vec2, kSectors>& borders();
+
+  [[nodiscard]] bool is_hidden(Vec2 q) const {
+    return norm_squared(q - place_) > square(far_[sector_of(q - place_)]);
+  }
+  /// m: nothing farther off matters there.
+  void close(std::size_t sector, double distance) {
+    if (distance < far_[sector]) far_[sector] = distance;
+  }
+  /// m: nothing farther off has been looked at within each of these parts of the full turn.
+  static constexpr std::size_t kParts = 32;
+  [[nodiscard]] std::array<float, kParts> reach() const;
+  /// What that wall hides.
+  void block(const Wall& wall);
+  /// Whether no place of the square is in view.
+  [[nodiscard]] bool hides(Vec2 low, Vec2 high) const;
+
+ private:
+  static double square(double x) { return x * x; }
+  Vec2 place_;   // m
+  double room_;  // m
+  std::array<double, kSectors> far_;
+};
+
+/// Whether some of a disc is within that reach of a place.
+bool reaches(const std::array<float, Horizons::kParts>& reach, Vec2 place, Vec2 center,
+             double radius);
+
+/// Walls and points by place.
+class ViewIndex {
+ public:
+  ViewIndex() = default;
+  ViewIndex(std::span<const Wall> walls, std::span<const Vec2> points);
+
+  /// visit(point) of each one that may be in view; the horizons come nearer meanwhile.
+  template <typename Visit>
+  void look(Vec2 place, Horizons& horizons, const Visit& visit) const;
+  /// visit(point) of those in the cell of that place.
+  template <typename Visit>
+  void for_each_near(Vec2 place, const Visit& visit) const;
+
+ private:
+  struct Cell {
+    std::int64_t column, row;
+    friend auto operator<=>(Cell, Cell) = default;
+  };
+  [[nodiscard]] Cell cell_of(Vec2 place) const;
+  [[nodiscard]] std::size_t number(Cell cell) const {
+    return static_cast<std::size_t>(cell.row * columns_ + cell.column);
+  }
+  template <typename Visit>
+  void for_each_along(const Wall& wall, const Visit& visit) const;
+  [[nodiscard]] bool covers(Vec2 place) const;
+  // Of the ring around the middle, those through which one may see on: all around a place outside,
+  // and else those beside cells that are in view.
+  void next_ring(Cell middle, std::int64_t away, bool is_inside, std::vector<Cell>& in_view,
+                 std::vector<Cell>& ring) const;
+  template <typename Visit>
+  bool look_into(Cell cell, Vec2 place, Horizons& horizons, const Visit& visit) const;
+
+  std::vector<Wall> walls_;
+  std::vector<Vec2> points_;
+  Vec2 origin_;        // m
+  double side_ = 1.0;  // m, of a cell
+  std::int64_t columns_ = 0, rows_ = 0;
+  std::vector<std::uint32_t> first_wall_, wall_, first_point_, point_;  // by cell
+};
+
+// Whether some of the cell may be in view.
+template <typename Visit>
+bool ViewIndex::look_into(Cell cell, Vec2 place, Horizons& horizons, const Visit& visit) const {
+  const Vec2 low =
+      origin_ + side_ * Vec2{static_cast<double>(cell.column), static_cast<double>(cell.row)};
+  if (horizons.hides(low, low + side_ * Vec2{1.0, 1.0})) return false;
+  const std::size_t k = number(cell);
+  for (std::uint32_t w = first_wall_[k]; w < first_wall_[k + 1]; ++w)
+    horizons.block(walls_[wall_[w]]);
+  for (std::uint32_t p = first_point_[k]; p < first_point_[k + 1]; ++p)
+    if (!(points_[point_[p]] == place) && !horizons.is_hidden(points_[point_[p]])) visit(point_[p]);
+  return true;
+}
+
+template <typename Visit>
+void ViewIndex::look(Vec2 place, Horizons& horizons, const Visit& visit) const {
+  if (columns_ == 0) return;
+  const Cell middle = cell_of(place);
+  const bool is_inside = covers(place);
+  std::vector<Cell> in_view, ring{middle};
+  for (std::int64_t away = 1; !ring.empty(); ++away) {
+    in_view.clear();
+    for (const Cell cell : ring)
+      if (look_into(cell, place, horizons, visit)) in_view.push_back(cell);
+    next_ring(middle, away, is_inside, in_view, ring);
+  }
+}
+
+template <typename Visit>
+void ViewIndex::for_each_near(Vec2 place, const Visit& visit) const {
+  if (columns_ == 0) return;
+  const std::size_t k = number(cell_of(place));
+  for (std::uint32_t p = first_point_[k]; p < first_point_[k + 1]; ++p) visit(point_[p]);
+}
+
+}  // namespace avo

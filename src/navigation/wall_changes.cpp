@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "navigation/wall_changes.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace avo {
+namespace {
+
+constexpr std::size_t kMostChanged = 64;  // walls
+
+bool are_equal(const Wall& a, const Wall& b) {
+  return a.a == b.a && a.b == b.b && a.radius == b.radius;
+}
+
+}  // namespace
+
+WallChanges::WallChanges(std::span<const Wall> old, std::span<const Wall> walls)
+    : before(old), now(walls) {
+  const std::size_t common = before.size() < now.size() ? before.size() : now.size();
+  while (same_first < common && are_equal(before[same_first], now[same_first])) ++same_first;
+  while (same_last < common - same_first &&
+         are_equal(before[before.size() - 1 - same_last], now[now.size() - 1 - same_last]))
+    ++same_last;
+}
+
+bool WallChanges::are_few() const {
+  return removed().size() + added().size() <= kMostChanged;
+}
+
+std::optional<std::size_t> WallChanges::number_before(std::size_t wall) const {
+  if (wall < same_first) return wall;
+  if (wall + same_last >= now.size()) return wall + before.size() - now.size();
+  return std::nullopt;
+}
+
+std::vector<Zone> WallChanges::around(double reach) const {
+  std::vector<Zone> discs;
+  for (const std::span<const Wall> changed : {removed(), added()}) {
+    for (const Wall& wall : changed) {
+      const Vec2 along = wall.b - wall.a;
+      const double pieces = std::ceil(norm(along) / (2.0 * reach)) + 1.0;
+      const double around = 0.5 * norm(along) / pieces + wall.radius + reach;
+      for (double k = 0.5; k < pieces; k += 1.0)
+        discs.push_back({wall.a + (k / pieces) * along, around});
+    }
+  }
+  return discs;
+}
+
+bool is_in_one(std::span<const Zone> discs, Vec2 p, double margin) {
+  return std::any_of(discs.begin(), discs.end(), [&](const Zone& disc) {
+    return norm(p - disc.center) <= disc.reach + margin;
+  });
+}
+
+bool may_meet(std::span<const Zone> discs, Vec2 p, Vec2 q, double length) {
+  return std::any_of(discs.begin(), discs.end(), [&](const Zone& disc) {
+    return !(norm(p - disc.center) + norm(q - disc.center) > length + 2.0 * disc.reach);
+  });
+}
+
+}  // namespace avo

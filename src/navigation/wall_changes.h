@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: Apache-2.0
+// What an edit has changed of a list of walls, and where that matters.
+#pragma once
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "avo/wall.h"
+
+namespace avo {
+
+struct Zone {
+  Vec2 center;   // m
+  double reach;  // m
+};
+
+/// Whether p is within one of them, or as near as the margin, m.
+bool is_in_one(std::span<const Zone> discs, Vec2 p, double margin);
+/// Whether a way from p to q of that length, m, may come into one of them.
+bool may_meet(std::span<const Zone> discs, Vec2 p, Vec2 q, double length);
+
+/// Lists differ between a common beginning and a common end.
+struct WallChanges {
+  std::span<const Wall> before, now;
+  std::size_t same_first = 0, same_last = 0;
+
+  WallChanges(std::span<const Wall> before, std::span<const Wall> now);
+  [[nodiscard]] std::span<const Wall> removed() const {
+    return before.subspan(same_first, before.size() - same_first - same_last);
+  }
+  [[nodiscard]] std::span<const Wall> added() const {
+    return now.subspan(same_first, now.size() - same_first - same_last);
+  }
+  /// More are not worth to be told apart.
+  [[nodiscard]] bool are_few() const;
+  /// The number that a wall of now had before.
+  [[nodiscard]] std::optional<std::size_t> number_before(std::size_t wall) const;
+  /// Around all pieces of walls that are new or gone, as far as that from them, m.
+  [[nodiscard]] std::vector<Zone> around(double reach) const;
+};
+
+}  // namespace avo

@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: Apache-2.0
+// What a search tells a robot of its way is what the whole map of the goal tells, to the last bit.
+#include "navigation/path_search.h"
+
+#include <algorithm>
+#include <gtest/gtest.h>
+#include <limits>
+#include <memory>
+
+#include "navigation/leg.h"
+#include "unit/navigation/mazes.h"
+
+namespace avo {
+namespace {
+
+constexpr double kRadius = 0.4;
+
+std::vector<Wall> some_walls(std::uint64_t seed) {
+  return seed % 2 == 0 ? test::maze(8, 2.5, seed) : test::random_walls(90, 20.0, seed);
+}
+
+Vec2 free_place(const CornerGraph& graph, test::Random& random) {
+  while (true) {
+    const Vec2 p{random.uniform(-1.0, 21.0), random.uniform(-1.0, 21.0)};
+    if (graph.grid.has_room(p, graph.radius)) return p;
+  }
+}
+
+void expect_same(const Leg& one, const Leg& other) {
+  ASSERT_EQ(one.target, other.target);
+  ASSERT_EQ(one.length, other.length);
+  ASSERT_EQ(one.top, other.top);
+  ASSERT_EQ(one.turn, other.turn);
+}
+
+// A robot that follows its way and is pushed aside, by either map.
+class Walk {
+ public:
+  Walk(const CornerGraph& graph, Vec2 from, Vec2 goal)
+      : graph_(graph),
+        p_(from),
+        whole_(path_map(graph, goal)),
+        known_(std::make_shared<const PathMap>(goal_of(graph, goal))) {}
+
+  void go(test::Random& random, int steps) {
+    std::uint32_t target = PathMap::kNothing;
+    for (int step = 0; step < steps; ++step) {
+      const bool looks = step % 3 == 0;
+      const Leg leg = next_leg(graph_, whole_, p_, kRadius, target, looks, scratch_);
+      const std::shared_ptr<const PathMap> before = known_;
+      expect_same(next_leg(graph_, known_, p_, kRadius, target, looks, scratch_), leg);
+      if (testing::Test::HasFatalFailure()) return;
+      searches_ += known_ != before ? 1 : 0;
+      legs_ += leg.target < PathMap::kNothing ? 1 : 0;
+      target = leg.target;
+      if (target == PathMap::kNothing || norm(leg.aim - p_) < 0.3) return;
+      const Vec2 along = 0.3 / norm(leg.aim - p_) * (leg.aim - p_);
+      const Vec2 pushed = p_ + along + random.uniform(0.0, 0.25) * random.direction();
+      if (graph_.grid.has_room(pushed, kRadius)) p_ = pushed;
+    }
+  }
+  [[nodiscard]] int searches() const { return searches_; }
+  [[nodiscard]] int legs() const { return legs_; }
+
+ private:
+  const CornerGraph& graph_;
+  Vec2 p_;
+  PathMap whole_;
+  std::shared_ptr<const PathMap> known_;
+  LegScratch scratch_;
+  int searches_ = 0, legs_ = 0;
+};
+
+TEST(PathSearch, leads_as_the_whole_map_does) {
+  int searches = 0, legs = 0;
+  for (std::uint64_t seed = 1; seed <= 30; ++seed) {
+    SCOPED_TRACE(seed);
+    test::Random random(seed);
+    const CornerGraph graph =
+        corner_graph(some_walls(seed), kRadius, seed % 3 == 0 ? Joining::near : Joining::all);
+    for (int k = 0; k < 15; ++k) {
+      SCOPED_TRACE(k);
+      const Vec2 goal = free_place(graph, random), from = free_place(graph, random);
+      Walk walk(graph, from, goal);
+      walk.go(random, 150);
+      if (HasFatalFailure()) return;
+      searches += walk.searches(), legs += walk.legs();
+    }
+  }
+  EXPECT_GT(legs, 5000);
+  EXPECT_LT(searches, legs / 8);  // who knows its way seldom searches again
+}
+
+// Who is restored on its way asks for the way from its target on.
+TEST(PathSearch, tells_of_the_way_from_any_corner_what_the_whole_map_tells) {
+  for (std::uint64_t seed = 1; seed <= 12; ++seed) {
+    SCOPED_TRACE(seed);
+    test::Random random(seed);
+    const CornerGraph graph = corner_graph(some_walls(seed), kRadius);
+    const PathMap goal = goal_of(graph, free_place(graph, random));
+    const PathMap whole = path_map(graph, goal.goal);
+    PathScratch scratch;
+    for (std::uint32_t k = 0; k < graph.corners(); ++k) {
+      const PathMap way = way_from(graph, goal, k, scratch);
+      ASSERT_EQ(way.after(k), whole.after(k));
+      ASSERT_EQ(length_from(graph, way, k), length_from(graph, whole, k));
+      for (std::size_t place = 0; place < way.corners.size(); ++place) {
+        ASSERT_EQ(way.next[place], whole.next[way.corners[place]]);
+        ASSERT_EQ(way.top[place], whole.top[way.corners[place]]);
+      }
+    }
+  }
+}
+
+TEST(PathSearch, settles_few_corners_of_a_large_map) {
+  const std::vector<Wall> walls = test::random_walls(2500, 180.0, 3);
+  const CornerGraph graph = corner_graph(walls, kRadius);
+  test::Random random(5);
+  PathScratch scratch;
+  for (int k = 0; k < 10; ++k) {
+    const auto place = [&] {
+      while (true) {
+        const Vec2 p{random.uniform(0.0, 180.0), random.uniform(0.0, 180.0)};
+        if (graph.grid.has_room(p, kRadius)) return p;
+      }
+    };
+    const PathMap goal = goal_of(graph, place());
+    const Vec2 from = place();
+    PathSearch search(graph, goal, from, scratch);
+    double best = std::numeric_limits<double>::infinity();
+    search.settle(best, [&](std::uint32_t corner, double sum) {
+      if (graph.grid.is_clear(from, graph.points[corner], kRadius)) best = std::min(best, sum);
+      return best;
+    });
+    EXPECT_LT(best, 400.0);
+    EXPECT_LE(search.count(), graph.corners() / 10);
+  }
+}
+
+// A line across the only way that is short.
+TEST(PathSearch, keeps_off_lines_that_are_closed) {
+  const std::vector<Wall> walls{{{0, -10}, {0, -1}}, {{0, 1}, {0, 10}}};
+  const CornerGraph graph = corner_graph(walls, kRadius);
+  PathMap goal = goal_of(graph, {5, 0});
+  LegScratch scratch;
+  auto open = std::make_shared<const PathMap>(goal);
+  EXPECT_LT(next_leg(graph, open, {-5, 0.5}, kRadius, PathMap::kNothing, false, scratch).length, 11);
+  goal.closed = {{{0, -1}, {0, 1}}};
+  auto closed = std::make_shared<const PathMap>(goal);
+  const Leg leg = next_leg(graph, closed, {-5, 0.5}, kRadius, PathMap::kNothing, false, scratch);
+  EXPECT_GT(leg.length, 20);
+  EXPECT_EQ(closed->closed.size(), 1u);
+}
+
+}  // namespace
+}  // namespace avo
