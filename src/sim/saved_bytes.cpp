@@ -101,10 +101,10 @@ void describe(Archive<kReads>& archive, Waiting& waiting) {
 // In one word, and more where it ends elsewhere than at the goal, and where passages may be held.
 template <bool kReads>
 void describe(Archive<kReads>& archive, SavedWay& way) {
-  std::uint64_t word = (way.waiting.least < kInfinity ? std::uint64_t{1} << 36 : 0) |
-                       static_cast<std::uint64_t>(way.ends) << 34 |
-                       std::uint64_t{way.around_movers} << 33 | std::uint64_t{way.is_exact} << 32 |
-                       way.target;
+  const bool waits = way.waiting.least < kInfinity || !way.waiting.closed.empty();
+  std::uint64_t word =
+      (waits ? std::uint64_t{1} << 36 : 0) | static_cast<std::uint64_t>(way.ends) << 34 |
+      std::uint64_t{way.around_movers} << 33 | std::uint64_t{way.is_exact} << 32 | way.target;
   archive.word(word);
   const std::uint64_t ends = word >> 34 & 3;
   if (word >> 37 != 0 || ends > static_cast<std::uint64_t>(WayEnd::short_of))
