@@ -122,7 +122,7 @@ class DrawsOneByOne {
 };
 
 TEST(Senses, gaussian_noise_is_that_of_drawing_one_after_the_other) {
-  for (const double most : {0.5, 3.0, 9.0}) {
+  for (const double most : {0.5, 3.0, 8.0}) {
     Scenario scene = crossing(60, noisy(0.02, 0.05, NoiseDistribution::gaussian, most));
     scene.seed = 7;
     Simulation simulation(scene, 1);
