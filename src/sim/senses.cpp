@@ -88,18 +88,19 @@ std::array<double, kCount> noise(const MeasurementNoise& model, Draws& draws) {
 }
 
 // Where a robot was, in a generation or at an instant.
-MotionState then(const World& world, std::size_t rank, std::int64_t moment) {
+PastState then(const World& world, std::size_t rank, std::int64_t moment) {
   const Senses& senses = world.senses;
-  if (!senses.by_time || moment == world.now) {
-    const PastState& past = senses.at(rank, senses.by_time ? world.steps : moment);
-    return {past.position, past.velocity};
-  }
+  if (!senses.by_time || moment == world.now)
+    return senses.at(rank, senses.by_time ? world.steps : moment);
+  const auto state_of = [](const MotionState& state) {
+    return PastState{state.position, state.velocity};
+  };
   const Track& track = senses.tracks[rank];
   std::size_t k = track.count - 1;
   while (k > 0 && track[k].at > moment) --k;
-  if (k + 1 == track.count || track[k].at >= moment) return track[k].state;
-  return on_the_way(world, world.fleet.slot_of[rank], track[k].state, track[k + 1].state,
-                    moment - track[k].at, track[k + 1].at - track[k].at);
+  if (k + 1 == track.count || track[k].at >= moment) return state_of(track[k].state);
+  return state_of(on_the_way(world, world.fleet.slot_of[rank], track[k].state, track[k + 1].state,
+                             moment - track[k].at, track[k + 1].at - track[k].at));
 }
 
 // The observer and one other.
@@ -199,7 +200,7 @@ bool look_at_robot(Encounter encounter, std::size_t rank, Sighting& seen) {
   const auto moment =
       encounter.last_measured([&](std::int64_t m) { return then(world, rank, m).position; });
   if (!moment) return false;
-  const MotionState state = then(world, rank, *moment);
+  const PastState state = then(world, rank, *moment);
   const double time = encounter.seconds_since(*moment);
   Neighbor& neighbor = seen.neighbor;
   neighbor = world.fleet.sensed(slot, *expected);
