@@ -7,10 +7,10 @@
 #include <numbers>
 #include <optional>
 
-#include "core/elementary.h"
 #include "core/hash.h"
 #include "robots/model.h"
 #include "sim/clocks.h"
+#include "sim/noise.h"
 #include "sim/world.h"
 
 namespace avo {
@@ -26,16 +26,13 @@ class Draws {
                    neighbor)) {}
 
   // In [0, 1).
-  double uniform() { return ahead(count_++); }
-  // That of k more calls of uniform().
-  double after(std::uint64_t k) const { return ahead(count_ + k); }
-  void skip(std::uint64_t k) { count_ += k; }
-
- private:
-  double ahead(std::uint64_t k) const {
-    return 0x1p-53 * static_cast<double>(static_cast<std::int64_t>(mixed(key_, k) >> 11));
+  double uniform() { return uniform_number(key_, count_++); }
+  void gaussian(double most, GaussianDraws& draws) {
+    draw_gaussian(key_, count_, most, draws);
+    count_ += 2 * GaussianDraws::kTogether;
   }
 
+ private:
   std::uint64_t key_, count_ = 0;
 };
 
@@ -47,40 +44,23 @@ double most_of_coordinate(const MeasurementNoise& model) {
   return is_gaussian(model) ? model.truncated.value_or(kUsualTruncation) : 1.0;
 }
 
-// Whether u < e^(-y) as the library's own exponential function has it, which is asked only where a
-// bound of 1/1000 does not tell. e^(-y/8) by its series: the next term is less than 1/8000 of it.
-inline bool is_below_exp(double u, double y) {
-  constexpr double kMost = 4.8, kBound = 1e-3;
-  const double z = 0.125 * std::min(y, kMost), zz = z * z;
-  const double eighth =
-      (1.0 - z) + zz * ((0.5 - z * (1.0 / 6.0)) + zz * (1.0 / 24.0 - z * (1.0 / 120.0)));
-  const double fourth = eighth * eighth, half = fourth * fourth, about = half * half;
-  const int is_above = static_cast<int>(u > (1.0 + kBound) * about);
-  const int is_below = static_cast<int>(u < (1.0 - kBound) * about) & static_cast<int>(y <= kMost);
-  if ((is_above | is_below) == 0) [[unlikely]]
-    return u < 1.0 + elementary::expm1(-y);
-  return is_below != 0;
-}
-
 // Of so many coordinates, in units of what the scene gives. Gaussian noise by rejection: exactly of
-// that density where it is not cut off. A few draws are made together: which of them are taken
-// cannot be foreseen, and none waits for another.
+// that density where it is not cut off.
 template <std::size_t kCount>
 std::array<double, kCount> noise(const MeasurementNoise& model, Draws& draws) {
-  constexpr std::size_t kTogether = 5;
   const double most = most_of_coordinate(model);
-  std::array<double, kCount + kTogether> drawn;
-  if (!is_gaussian(model)) {
-    for (std::size_t k = 0; k < kCount; ++k) drawn[k] = most * (2.0 * draws.uniform() - 1.0);
-  } else {
+  std::array<double, kCount + GaussianDraws::kTogether> drawn;
+  if (is_gaussian(model)) {
+    GaussianDraws together;
     for (std::size_t count = 0; count < kCount;) {
-      for (std::size_t k = 0; k < kTogether; ++k) {
-        const double x = most * (2.0 * draws.after(2 * k) - 1.0);
-        drawn[count] = x;
-        count += is_below_exp(draws.after(2 * k + 1), 0.5 * x * x) ? 1 : 0;
+      draws.gaussian(most, together);
+      for (std::size_t k = 0; k < GaussianDraws::kTogether; ++k) {
+        drawn[count] = together.x[k];
+        count += static_cast<std::size_t>(together.taken[k]);
       }
-      draws.skip(2 * kTogether);
     }
+  } else {
+    for (std::size_t k = 0; k < kCount; ++k) drawn[k] = most * (2.0 * draws.uniform() - 1.0);
   }
   std::array<double, kCount> noise;
   std::copy_n(drawn.begin(), kCount, noise.begin());
