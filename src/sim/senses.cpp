@@ -168,22 +168,23 @@ double swung(const World& world, std::size_t slot, const MotionModel& model, dou
   return time * swing_of(model, traits.max_acceleration, top, step);
 }
 
-// Whether it is seen.
-bool look_at_robot(Encounter encounter, std::size_t rank, Sighting& seen) {
+// Adds it, if it is seen.
+void look_at_robot(Encounter encounter, std::size_t rank, std::vector<Sighting>& sightings) {
   const World& world = encounter.world;
   const Senses& senses = world.senses;
   const std::uint32_t slot = world.fleet.slot_of[rank];
   const auto expected = world.fleet.expected(slot, world.fleet.slot_of[encounter.observer]);
-  if (!expected) return false;
+  if (!expected) return;
   encounter.other_id = world.fleet.id[slot].value;
   encounter.first = std::max(senses.since[encounter.observer], senses.since[rank]);
   const auto moment =
       encounter.last_measured([&](std::int64_t m) { return then(world, rank, m).position; });
-  if (!moment) return false;
+  if (!moment) return;
   const PastState state = then(world, rank, *moment);
   const double time = encounter.seconds_since(*moment);
+  sightings.push_back({world.fleet.sensed(slot, *expected)});
+  Sighting& seen = sightings.back();
   Neighbor& neighbor = seen.neighbor;
-  neighbor = world.fleet.sensed(slot, *expected);
   neighbor.position = state.position + time * state.velocity;
   neighbor.velocity = state.velocity;
   // by their true states: what is sensed of two that move as one looks the same to both
@@ -194,17 +195,15 @@ bool look_at_robot(Encounter encounter, std::size_t rank, Sighting& seen) {
   encounter.measure(*moment, static_cast<int>(rank), seen);
   if (const MotionModel* model = world.fleet.own_model(slot))
     neighbor.position_error = swung(world, slot, *model, norm(neighbor.velocity), time);
-  return true;
 }
 
 // One that keeps its acceleration: the true state carried on is the present one. One on a
 // trajectory is carried on straight from where it was.
-bool look_at_mover(Encounter encounter, std::size_t k, Sighting& seen) {
+void look_at_mover(Encounter encounter, std::size_t k, std::vector<Sighting>& sightings) {
   const World& world = encounter.world;
   encounter.other_id = kMoverBit | k;
   encounter.first = world.senses.since[encounter.observer];
-  Neighbor& now = seen.neighbor;
-  now = world.obstacles.sensed(k);
+  Neighbor now = world.obstacles.sensed(k);
   const MovingObstacle& setup = world.obstacles.setup[k];
   const auto walk_at = [&](std::int64_t m) {
     return on_trajectory(setup, world.senses.by_time
@@ -216,14 +215,14 @@ bool look_at_mover(Encounter encounter, std::size_t k, Sighting& seen) {
     const double time = encounter.seconds_since(m);
     return now.position - time * now.velocity + (0.5 * time * time) * now.acceleration;
   });
-  if (!moment) return false;
+  if (!moment) return;
   if (!setup.trajectory.empty()) {
     const PathWalk then = walk_at(*moment);
     now.position = then.position + encounter.seconds_since(*moment) * then.velocity;
     now.velocity = then.velocity;
   }
-  encounter.measure(*moment, -1 - static_cast<int>(k), seen);
-  return true;
+  sightings.push_back({now});
+  encounter.measure(*moment, -1 - static_cast<int>(k), sightings.back());
 }
 
 MeasurementNoise as_measured(const LocalizationNoise& model) {
@@ -256,14 +255,10 @@ void look(const World& world, std::size_t slot, std::span<const NeighborHit> rob
   seen.clear();
   const Encounter encounter{world, static_cast<std::size_t>(world.fleet.rank[slot]),
                             world.fleet.id[slot].value, 0, 0};
-  for (const NeighborHit& hit : robots) {
-    if (!look_at_robot(encounter, static_cast<std::size_t>(hit.index), seen.emplace_back()))
-      seen.pop_back();
-  }
-  for (const NeighborHit& hit : movers) {
-    if (!look_at_mover(encounter, static_cast<std::size_t>(hit.index), seen.emplace_back()))
-      seen.pop_back();
-  }
+  for (const NeighborHit& hit : robots)
+    look_at_robot(encounter, static_cast<std::size_t>(hit.index), seen);
+  for (const NeighborHit& hit : movers)
+    look_at_mover(encounter, static_cast<std::size_t>(hit.index), seen);
   const auto nearer = [](const Sighting& a, const Sighting& b) {
     if (a.distance_squared != b.distance_squared) return a.distance_squared < b.distance_squared;
     const bool is_mover = a.source < 0, is_other = b.source < 0;
