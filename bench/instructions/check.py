@@ -26,7 +26,8 @@ HERE = pathlib.Path(__file__).resolve().parent
 EXPECTED = HERE / "expected.json"
 TOLERANCE = 0.02
 TARGETS = ("avx2", "scalar")
-# name: scene, steps before, steps counted, settings; circle-100 at its densest
+# name: scene, built-in or in this folder, steps before, steps counted, settings; circle-100 at its
+# densest, and what one robot, one crowd or one model costs
 CASES = {
     "circle-100 avo_paper": ("circle-100", 220, 20, "method=avo_paper"),
     "uniform-1000 avo_paper": ("uniform-1000", 20, 10, "method=avo_paper"),
@@ -34,6 +35,9 @@ CASES = {
     "uniform-1000 free clocks": ("uniform-1000", 2000, 2000, "clock=free"),
     "uniform-1000 a goal for each": ("uniform-1000", 20, 10, "--goals"),
     "uniform-1000 observed": ("uniform-1000", 20, 10, "--metrics"),
+    "crush avo": (HERE / "crush.yaml", 30, 4),
+    "one-fast avo": (HERE / "one-fast.yaml", 10, 5),
+    "drives-100 avo": ("drives-100", 60, 10),
 }
 
 

@@ -130,12 +130,18 @@ void collect_flight(const Robot& robot, const Neighbors& neighbors, std::span<co
 bool keeps_flight(const FlightConstraints& constraints, const Robot& robot,
                   const FlightStep& step) {
   const LoiterCircle &now = *robot.loiter, &next = step.motion.next.circle;
+  const bool circles_kept =
+      std::all_of(constraints.lines.begin(), constraints.lines.end(), [&](const auto& line) {
+        const Vec2 n = line.normal;
+        return dot(n, next.center - now.center) - (next.radius - now.radius) >= -line.part;
+      });
+  if (!circles_kept) return false;
+  const ArcEnd end = end_of(step.way, step.chord);
   const bool lines_kept =
       std::all_of(constraints.lines.begin(), constraints.lines.end(), [&](const auto& line) {
         const Vec2 n = line.normal;
-        const double circle = dot(n, next.center - now.center) - (next.radius - now.radius);
-        const double way = dot(n, step.way.start - now.center) + now.radius + lowest(step.way, n);
-        return circle >= -line.part && way >= -line.part;
+        return dot(n, step.way.start - now.center) + now.radius + lowest(step.way, end, n) >=
+               -line.part;
       });
   if (!lines_kept) return false;
   const Segment chord{step.way.start, step.motion.next.position};

@@ -102,8 +102,9 @@ double part_left(const Decision& decision, const CertifiedChoice& choice, Vec2 v
   const Vec2 unhindered = decision.reached(aim);
   if (turns_at_rest(decision.robot))
     return part_of_wish(choose_as_turned(decision, unhindered).next_velocity, unhindered, wish);
-  const bool kept = choice.chosen == Chosen::wanted;
-  return part_of_wish(kept ? decision.reached(v_new) : choice.next_velocity, unhindered, wish);
+  if (choice.chosen != Chosen::wanted) return part_of_wish(choice.next_velocity, unhindered, wish);
+  const Vec2 next = v_new == aim ? unhindered : decision.reached(v_new);
+  return part_of_wish(next, unhindered, wish);
 }
 
 // As far off the way as the detour has led, but by the half-planes.

@@ -94,9 +94,9 @@ Plan fly_towards(const Planner& planner, const Robot& given, const Neighbors& ne
   const Vec2 h = elementary::direction(robot.heading), n = perpendicular(h);
   const auto admitted = [&](Vec2 acceleration) {
     if (!certified) return true;
-    const Plan plan{.acceleration = acceleration};
-    return keeps_flight(constraints, robot,
-                        fly(airplane_of(robot), limits, state, plan, law.step.time_step));
+    return keeps_flight(
+        constraints, robot,
+        fly_along(airplane_of(robot), limits, state, h, acceleration, law.step.time_step));
   };
   const Controls wanted = wanted_controls(planner, robot, course.target);
   const Vec2 first = wanted.ahead * h + wanted.left * n;

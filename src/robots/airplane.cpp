@@ -28,6 +28,11 @@ Vec2 chord(const Arc& arc, double length) {
   return straight * turned(arc.heading, by);
 }
 
+// heading: unit
+Vec2 loitering_along(const Airplane& airplane, Vec2 heading) {
+  return -usable_acceleration(airplane) * perpendicular(heading);
+}
+
 // It is set back onto the circle in each step: nothing piles up, however long it stays there.
 FlightStep hold_circle(const Airplane& airplane, const MotionState& state, double time_step) {
   const LoiterCircle& circle = state.circle;
@@ -37,6 +42,7 @@ FlightStep hold_circle(const Airplane& airplane, const MotionState& state, doubl
   const Vec2 next = turned(out / norm(out), elementary::direction(-turn));
   FlightStep step;
   step.way = {state.position, elementary::direction(state.heading), -1.0 / circle.radius, length};
+  step.chord = chord(step.way);
   step.motion.next = {
       circle.center + circle.radius * next, {}, elementary::atan2(-next.x, next.y), circle};
   step.motion.next.velocity = speed * elementary::direction(step.motion.next.heading);
@@ -60,14 +66,20 @@ double usable_acceleration(const Airplane& airplane) {
   return (1.0 - kLateralReserve) * airplane.lateral_acceleration;
 }
 
+Vec2 chord(const Arc& arc) {
+  return chord(arc, arc.length);
+}
+
+ArcEnd end_of(const Arc& arc, Vec2 chord) {
+  return {chord, turned(arc.heading, elementary::direction(arc.curvature * arc.length))};
+}
+
 // Where the way stops leading down, heading and n are at right angles. With σ the sign of κ it has
 // come down by (1 + σ n × h)/|κ| by then, here without the difference of nearly equal numbers.
-double lowest(const Arc& arc, Vec2 n) {
+double lowest(const Arc& arc, const ArcEnd& end, Vec2 n) {
   const double turn = arc.curvature * arc.length, down = dot(n, arc.heading);
-  const double end = dot(n, chord(arc, arc.length));
-  const Vec2 last = turned(arc.heading, elementary::direction(turn));
-  const double least = std::min(0.0, end);
-  if (!(down < 0.0 && dot(n, last) > 0.0)) return least;
+  const double least = std::min(0.0, dot(n, end.chord));
+  if (!(down < 0.0 && dot(n, end.heading) > 0.0)) return least;
   const double across = std::copysign(1.0, turn) * cross(n, arc.heading);
   const double part = across <= 0.0 ? down * down / (1.0 - across) : 1.0 + across;
   return std::min(least, -part / std::abs(arc.curvature));
@@ -89,24 +101,30 @@ double sagitta(const Arc& arc) {
 }
 
 Vec2 loitering(const Airplane& airplane, const MotionState& state) {
-  return -usable_acceleration(airplane) * perpendicular(elementary::direction(state.heading));
+  return loitering_along(airplane, elementary::direction(state.heading));
 }
 
 FlightStep fly(const Airplane& airplane, const MotionLimits& limits, const MotionState& state,
                const Plan& plan, double time_step) {
-  if (plan.acceleration == loitering(airplane, state))
+  return fly_along(airplane, limits, state, elementary::direction(state.heading), plan.acceleration,
+                   time_step);
+}
+
+FlightStep fly_along(const Airplane& airplane, const MotionLimits& limits, const MotionState& state,
+                     Vec2 heading, Vec2 acceleration, double time_step) {
+  if (acceleration == loitering_along(airplane, heading))
     return hold_circle(airplane, state, time_step);
-  const Vec2 heading = elementary::direction(state.heading);
   const double speed = norm(state.velocity), most = usable_acceleration(airplane);
-  const double next_speed = std::clamp(speed + dot(heading, plan.acceleration) * time_step,
+  const double next_speed = std::clamp(speed + dot(heading, acceleration) * time_step,
                                        airplane.min_speed, limits.max_speed);
   const double top = std::max(speed, next_speed);
-  const double across = std::clamp(cross(heading, plan.acceleration), -most, most);
+  const double across = std::clamp(cross(heading, acceleration), -most, most);
   FlightStep step;
   step.way = {state.position, heading, across / (top * top),
               0.5 * (speed + next_speed) * time_step};
   MotionState& next = step.motion.next;
-  next.position = state.position + chord(step.way, step.way.length);
+  step.chord = chord(step.way);
+  next.position = state.position + step.chord;
   next.heading = wrapped(state.heading + step.way.curvature * step.way.length);
   next.velocity = next_speed * elementary::direction(next.heading);
   next.circle = loiter_circle(airplane, next.position, next.velocity);

@@ -16,8 +16,16 @@ struct Arc {
   double length = 0.0;     ///< m
 };
 
-/// m: the least of n·(x - start) over its points x; n a unit vector.
-double lowest(const Arc& arc, Vec2 n);
+struct ArcEnd {
+  Vec2 chord;    ///< m, from the arc's start
+  Vec2 heading;  ///< unit
+};
+/// chord: of the arc.
+ArcEnd end_of(const Arc& arc, Vec2 chord);
+Vec2 chord(const Arc& arc);
+
+/// m: the least of n·(x - start) over the points x of an arc that ends there; n a unit vector.
+double lowest(const Arc& arc, const ArcEnd& end, Vec2 n);
 /// m, from its nearest point.
 double distance(const Arc& arc, Vec2 p);
 /// m, that no point of it is farther from its chord than.
@@ -26,9 +34,13 @@ double sagitta(const Arc& arc);
 struct FlightStep {
   MotionStep motion;  ///< with the circle that it then falls back on
   Arc way;
+  Vec2 chord;  ///< of the way
 };
 FlightStep fly(const Airplane& airplane, const MotionLimits& limits, const MotionState& state,
                const Plan& plan, double time_step);
+/// The same of an acceleration, where the direction of state.heading is known.
+FlightStep fly_along(const Airplane& airplane, const MotionLimits& limits, const MotionState& state,
+                     Vec2 heading, Vec2 acceleration, double time_step);
 
 /// [a_lat] m/s², less what a controller may need to stay on a circle.
 double usable_acceleration(const Airplane& airplane);

@@ -44,15 +44,15 @@ struct Turning {
   Vec2 velocity_at(double substep) const { return velocity + (substep * length) * acceleration; }
 };
 
-Turning turning_of(const DifferentialDrive& drive, const MotionState& state, Vec2 next_velocity,
+// h: the first heading, a unit vector
+Turning turning_of(const DifferentialDrive& drive, Vec2 h, Vec2 velocity, Vec2 next_velocity,
                    double time_step) {
-  const Vec2 h = elementary::direction(state.heading);
   const auto seen = [&](Vec2 a) { return Vec2{dot(h, a), cross(h, a)}; };
-  const double top = std::max(norm(state.velocity), norm(next_velocity));
+  const double top = std::max(norm(velocity), norm(next_velocity));
   const double turn = top * time_step / drive.offset;
   const double substeps = std::clamp(std::ceil(turn / kSubturn), kFewestSubsteps, kMostSubsteps);
-  return {seen(state.velocity), seen(next_velocity - state.velocity) / time_step,
-          time_step / substeps, static_cast<int>(substeps)};
+  return {seen(velocity), seen(next_velocity - velocity) / time_step, time_step / substeps,
+          static_cast<int>(substeps)};
 }
 
 // The heading is p²/|p|², where p has half its angle. From h' = ω n, with complex numbers
@@ -129,7 +129,8 @@ namespace {
 // rad, after so much time in which the velocity changes to that one.
 double next_heading(const DifferentialDrive& drive, const MotionState& state, Vec2 next_velocity,
                     double time) {
-  const Turning turning = turning_of(drive, state, next_velocity, time);
+  const Turning turning =
+      turning_of(drive, elementary::direction(state.heading), state.velocity, next_velocity, time);
   Vec2 half{1.0, 0.0};
   for (int k = 0; k < turning.substeps; ++k) half = turned_by_substep(drive, turning, k, half);
   return std::remainder(state.heading + 2.0 * elementary::atan2(half.y, half.x),
@@ -160,10 +161,13 @@ MotionState within_step(const DifferentialDrive& drive, const MotionState& from,
   return state;
 }
 
-bool follows(const DifferentialDrive& drive, double most_braking, const MotionState& state,
-             Vec2 next_velocity, double time_step) {
-  const Turning turning = turning_of(drive, state, next_velocity, time_step);
-  const double top = std::max(norm(state.velocity), norm(next_velocity));
+namespace {
+
+// h: the heading, a unit vector
+bool follows_along(const DifferentialDrive& drive, double most_braking, Vec2 h, Vec2 velocity,
+                   Vec2 next_velocity, double time_step) {
+  const Turning turning = turning_of(drive, h, velocity, next_velocity, time_step);
+  const double top = std::max(norm(velocity), norm(next_velocity));
   if (turning.length * top > drive.offset * (kSubturn + kReserve)) return false;
   constexpr double kLeft = 1.0 - kReserve;
   const auto kept = [&](const Wheels& wheels, const Wheels& more) {
@@ -187,11 +191,19 @@ bool follows(const DifferentialDrive& drive, double most_braking, const MotionSt
                                      cross(heading, v) / speed);
 }
 
+}  // namespace
+
+bool follows(const DifferentialDrive& drive, double most_braking, const MotionState& state,
+             Vec2 next_velocity, double time_step) {
+  return follows_along(drive, most_braking, elementary::direction(state.heading), state.velocity,
+                       next_velocity, time_step);
+}
+
 // The farthest that it can follow of what lies between straight braking and v.
 Vec2 within_own_limits(const DifferentialDrive& drive, const Robot& robot, double time, Vec2 v) {
-  const MotionState state{{}, robot.velocity, robot.heading};
+  const Vec2 h = elementary::direction(robot.heading);
   const auto can_follow = [&](Vec2 next) {
-    return follows(drive, change_limit(robot), state, next, time);
+    return follows_along(drive, change_limit(robot), h, robot.velocity, next, time);
   };
   if (can_follow(v)) return v;
   const double speed = norm(robot.velocity), u = robot.max_acceleration * time;

@@ -228,19 +228,21 @@ Scrutiny append_sensed(const World& world, std::size_t slot, std::size_t query, 
   return scrutiny;
 }
 
-// Those that the search has not looked for, since most matter within a shorter range than they do.
-// Returns whether there are any.
+// Appends those who matter within a longer range than others, where the search has not found them
+// anyway. Returns whether there are any.
 bool append_far(const World& world, std::size_t slot, std::size_t query, Worker& worker) {
   const Outliers& outliers = world.outliers;
   const Fleet& fleet = world.fleet;
   NeighborColumns& to = worker.tile.neighbors;
-  const std::size_t before = to.count;
+  bool some_are_far = false;
   for (const NeighborHit& hit : worker.outliers.hits) {
     const auto k = static_cast<std::size_t>(hit.index);
     const Outlier& outlier = outliers.robots[k];
     if (!outlier.reaches_far || outlier.rank == fleet.rank[slot] ||
-        hit.distance_squared > outliers.reach * outliers.reach ||
-        has_found(world, worker.search.results[query], worker.search, fleet.position[slot], hit,
+        hit.distance_squared > outliers.reach * outliers.reach)
+      continue;
+    some_are_far = true;
+    if (has_found(world, worker.search.results[query], worker.search, fleet.position[slot], hit,
                   outlier.rank))
       continue;
     const auto neighbor =
@@ -250,7 +252,7 @@ bool append_far(const World& world, std::size_t slot, std::size_t query, Worker&
     to.reserve(to.count + 1);
     to.add(*neighbor);
   }
-  return to.count > before;
+  return some_are_far;
 }
 
 }  // namespace
@@ -278,6 +280,7 @@ std::size_t sense(World& world, std::span<const std::uint32_t> slots, Worker& wo
     const std::size_t first = neighbors.count;
     const Scrutiny scrutiny = append_sensed(world, slot, i, worker);
     double range = scrutiny == Scrutiny::everyone ? kInfinity : range_of(worker.queries[i]);
+    // these matter beyond the range, wherever they are in the list
     if (scrutiny != Scrutiny::everyone && append_far(world, slot, i, worker)) range = kInfinity;
     fleet.nearest[slot] = reach_of_nearest(fleet.position[slot], worker.search.results[i],
                                            nearest_sought(world), snapshot, worker.search);

@@ -7,10 +7,10 @@
 #include <numbers>
 #include <optional>
 
-#include "core/elementary.h"
 #include "core/hash.h"
 #include "robots/model.h"
 #include "sim/clocks.h"
+#include "sim/noise.h"
 #include "sim/world.h"
 
 namespace avo {
@@ -26,16 +26,13 @@ class Draws {
                    neighbor)) {}
 
   // In [0, 1).
-  double uniform() { return ahead(count_++); }
-  // That of k more calls of uniform().
-  double after(std::uint64_t k) const { return ahead(count_ + k); }
-  void skip(std::uint64_t k) { count_ += k; }
-
- private:
-  double ahead(std::uint64_t k) const {
-    return 0x1p-53 * static_cast<double>(static_cast<std::int64_t>(mixed(key_, k) >> 11));
+  double uniform() { return uniform_number(key_, count_++); }
+  void gaussian(double most, GaussianDraws& draws) {
+    draw_gaussian(key_, count_, most, draws);
+    count_ += 2 * GaussianDraws::kTogether;
   }
 
+ private:
   std::uint64_t key_, count_ = 0;
 };
 
@@ -47,40 +44,23 @@ double most_of_coordinate(const MeasurementNoise& model) {
   return is_gaussian(model) ? model.truncated.value_or(kUsualTruncation) : 1.0;
 }
 
-// Whether u < e^(-y) as the library's own exponential function has it, which is asked only where a
-// bound of 1/1000 does not tell. e^(-y/8) by its series: the next term is less than 1/8000 of it.
-inline bool is_below_exp(double u, double y) {
-  constexpr double kMost = 4.8, kBound = 1e-3;
-  const double z = 0.125 * std::min(y, kMost), zz = z * z;
-  const double eighth =
-      (1.0 - z) + zz * ((0.5 - z * (1.0 / 6.0)) + zz * (1.0 / 24.0 - z * (1.0 / 120.0)));
-  const double fourth = eighth * eighth, half = fourth * fourth, about = half * half;
-  const int is_above = static_cast<int>(u > (1.0 + kBound) * about);
-  const int is_below = static_cast<int>(u < (1.0 - kBound) * about) & static_cast<int>(y <= kMost);
-  if ((is_above | is_below) == 0) [[unlikely]]
-    return u < 1.0 + elementary::expm1(-y);
-  return is_below != 0;
-}
-
 // Of so many coordinates, in units of what the scene gives. Gaussian noise by rejection: exactly of
-// that density where it is not cut off. A few draws are made together: which of them are taken
-// cannot be foreseen, and none waits for another.
+// that density where it is not cut off.
 template <std::size_t kCount>
 std::array<double, kCount> noise(const MeasurementNoise& model, Draws& draws) {
-  constexpr std::size_t kTogether = 5;
   const double most = most_of_coordinate(model);
-  std::array<double, kCount + kTogether> drawn;
-  if (!is_gaussian(model)) {
-    for (std::size_t k = 0; k < kCount; ++k) drawn[k] = most * (2.0 * draws.uniform() - 1.0);
-  } else {
+  std::array<double, kCount + GaussianDraws::kTogether> drawn;
+  if (is_gaussian(model)) {
+    GaussianDraws together;
     for (std::size_t count = 0; count < kCount;) {
-      for (std::size_t k = 0; k < kTogether; ++k) {
-        const double x = most * (2.0 * draws.after(2 * k) - 1.0);
-        drawn[count] = x;
-        count += is_below_exp(draws.after(2 * k + 1), 0.5 * x * x) ? 1 : 0;
+      draws.gaussian(most, together);
+      for (std::size_t k = 0; k < GaussianDraws::kTogether; ++k) {
+        drawn[count] = together.x[k];
+        count += static_cast<std::size_t>(together.taken[k]);
       }
-      draws.skip(2 * kTogether);
     }
+  } else {
+    for (std::size_t k = 0; k < kCount; ++k) drawn[k] = most * (2.0 * draws.uniform() - 1.0);
   }
   std::array<double, kCount> noise;
   std::copy_n(drawn.begin(), kCount, noise.begin());
@@ -88,18 +68,19 @@ std::array<double, kCount> noise(const MeasurementNoise& model, Draws& draws) {
 }
 
 // Where a robot was, in a generation or at an instant.
-MotionState then(const World& world, std::size_t rank, std::int64_t moment) {
+PastState then(const World& world, std::size_t rank, std::int64_t moment) {
   const Senses& senses = world.senses;
-  if (!senses.by_time || moment == world.now) {
-    const PastState& past = senses.at(rank, senses.by_time ? world.steps : moment);
-    return {past.position, past.velocity};
-  }
+  if (!senses.by_time || moment == world.now)
+    return senses.at(rank, senses.by_time ? world.steps : moment);
+  const auto state_of = [](const MotionState& state) {
+    return PastState{state.position, state.velocity};
+  };
   const Track& track = senses.tracks[rank];
   std::size_t k = track.count - 1;
   while (k > 0 && track[k].at > moment) --k;
-  if (k + 1 == track.count || track[k].at >= moment) return track[k].state;
-  return on_the_way(world, world.fleet.slot_of[rank], track[k].state, track[k + 1].state,
-                    moment - track[k].at, track[k + 1].at - track[k].at);
+  if (k + 1 == track.count || track[k].at >= moment) return state_of(track[k].state);
+  return state_of(on_the_way(world, world.fleet.slot_of[rank], track[k].state, track[k + 1].state,
+                             moment - track[k].at, track[k + 1].at - track[k].at));
 }
 
 // The observer and one other.
@@ -187,22 +168,23 @@ double swung(const World& world, std::size_t slot, const MotionModel& model, dou
   return time * swing_of(model, traits.max_acceleration, top, step);
 }
 
-// Whether it is seen.
-bool look_at_robot(Encounter encounter, std::size_t rank, Sighting& seen) {
+// Adds it, if it is seen.
+void look_at_robot(Encounter encounter, std::size_t rank, std::vector<Sighting>& sightings) {
   const World& world = encounter.world;
   const Senses& senses = world.senses;
   const std::uint32_t slot = world.fleet.slot_of[rank];
   const auto expected = world.fleet.expected(slot, world.fleet.slot_of[encounter.observer]);
-  if (!expected) return false;
+  if (!expected) return;
   encounter.other_id = world.fleet.id[slot].value;
   encounter.first = std::max(senses.since[encounter.observer], senses.since[rank]);
   const auto moment =
       encounter.last_measured([&](std::int64_t m) { return then(world, rank, m).position; });
-  if (!moment) return false;
-  const MotionState state = then(world, rank, *moment);
+  if (!moment) return;
+  const PastState state = then(world, rank, *moment);
   const double time = encounter.seconds_since(*moment);
+  sightings.push_back({world.fleet.sensed(slot, *expected)});
+  Sighting& seen = sightings.back();
   Neighbor& neighbor = seen.neighbor;
-  neighbor = world.fleet.sensed(slot, *expected);
   neighbor.position = state.position + time * state.velocity;
   neighbor.velocity = state.velocity;
   // by their true states: what is sensed of two that move as one looks the same to both
@@ -213,17 +195,15 @@ bool look_at_robot(Encounter encounter, std::size_t rank, Sighting& seen) {
   encounter.measure(*moment, static_cast<int>(rank), seen);
   if (const MotionModel* model = world.fleet.own_model(slot))
     neighbor.position_error = swung(world, slot, *model, norm(neighbor.velocity), time);
-  return true;
 }
 
 // One that keeps its acceleration: the true state carried on is the present one. One on a
 // trajectory is carried on straight from where it was.
-bool look_at_mover(Encounter encounter, std::size_t k, Sighting& seen) {
+void look_at_mover(Encounter encounter, std::size_t k, std::vector<Sighting>& sightings) {
   const World& world = encounter.world;
   encounter.other_id = kMoverBit | k;
   encounter.first = world.senses.since[encounter.observer];
-  Neighbor& now = seen.neighbor;
-  now = world.obstacles.sensed(k);
+  Neighbor now = world.obstacles.sensed(k);
   const MovingObstacle& setup = world.obstacles.setup[k];
   const auto walk_at = [&](std::int64_t m) {
     return on_trajectory(setup, world.senses.by_time
@@ -235,14 +215,14 @@ bool look_at_mover(Encounter encounter, std::size_t k, Sighting& seen) {
     const double time = encounter.seconds_since(m);
     return now.position - time * now.velocity + (0.5 * time * time) * now.acceleration;
   });
-  if (!moment) return false;
+  if (!moment) return;
   if (!setup.trajectory.empty()) {
     const PathWalk then = walk_at(*moment);
     now.position = then.position + encounter.seconds_since(*moment) * then.velocity;
     now.velocity = then.velocity;
   }
-  encounter.measure(*moment, -1 - static_cast<int>(k), seen);
-  return true;
+  sightings.push_back({now});
+  encounter.measure(*moment, -1 - static_cast<int>(k), sightings.back());
 }
 
 MeasurementNoise as_measured(const LocalizationNoise& model) {
@@ -275,14 +255,10 @@ void look(const World& world, std::size_t slot, std::span<const NeighborHit> rob
   seen.clear();
   const Encounter encounter{world, static_cast<std::size_t>(world.fleet.rank[slot]),
                             world.fleet.id[slot].value, 0, 0};
-  for (const NeighborHit& hit : robots) {
-    if (!look_at_robot(encounter, static_cast<std::size_t>(hit.index), seen.emplace_back()))
-      seen.pop_back();
-  }
-  for (const NeighborHit& hit : movers) {
-    if (!look_at_mover(encounter, static_cast<std::size_t>(hit.index), seen.emplace_back()))
-      seen.pop_back();
-  }
+  for (const NeighborHit& hit : robots)
+    look_at_robot(encounter, static_cast<std::size_t>(hit.index), seen);
+  for (const NeighborHit& hit : movers)
+    look_at_mover(encounter, static_cast<std::size_t>(hit.index), seen);
   const auto nearer = [](const Sighting& a, const Sighting& b) {
     if (a.distance_squared != b.distance_squared) return a.distance_squared < b.distance_squared;
     const bool is_mover = a.source < 0, is_other = b.source < 0;

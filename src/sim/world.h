@@ -104,11 +104,11 @@ struct World {
   std::atomic<bool> has_new_goals = true;  // since find_shared_goals()
   std::vector<Shares> shares_goal;         // by rank; empty where nobody shares anything
   bool fast = false;                       // some robot exceeds its max_speed
-  bool exceeding = false;  // some accelerate by more than their max_acceleration
-  std::size_t parked = 0;  // robots
-  bool certified = false;  // some keep a certificate
-  bool valid = false;      // all robots were, when they came
-  double near = 0.0;       // m, typical of Fleet::range
+  bool exceeding = false;                  // some accelerate by more than their max_acceleration
+  std::size_t parked = 0;                  // robots
+  bool certified = false;                  // some keep a certificate
+  bool valid = false;                      // all robots were, when they came
+  double near = 0.0;                       // m, typical of Fleet::range
   std::int64_t next_layout = 1;  // when the cells are chosen anew and the robots put in their order
   std::int64_t robot_steps = 0;  // measured
 

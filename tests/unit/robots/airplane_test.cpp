@@ -50,8 +50,8 @@ TEST(Airplane, the_lowest_point_of_an_arc_is_that_of_all_its_points) {
     for (int i = 0; i <= kPoints; ++i)
       least = std::min(least, dot(n, point_of(arc, arc.length * i / kPoints) - arc.start));
     const double end = dot(n, point_of(arc, arc.length) - arc.start);
-    ASSERT_NEAR(lowest(arc, n), least, 1e-6 * arc.length);
-    ASSERT_LE(lowest(arc, n), least + 1e-12 * arc.length);
+    ASSERT_NEAR(lowest(arc, end_of(arc, chord(arc)), n), least, 1e-6 * arc.length);
+    ASSERT_LE(lowest(arc, end_of(arc, chord(arc)), n), least + 1e-12 * arc.length);
     inside += least < std::min(0.0, end) - 1e-3 * arc.length ? 1 : 0;
   }
   EXPECT_GT(inside, 200);  // it is not at an end

@@ -9,6 +9,8 @@
 #include "avo/assumptions.h"
 #include "avo/error.h"
 #include "certificate/pair.h"
+#include "core/elementary.h"
+#include "core/hash.h"
 #include "judged.h"
 #include "robots/model.h"
 #include "scenes.h"
@@ -95,6 +97,53 @@ TEST(Senses, gaussian_noise_is_cut_off_where_the_scene_says) {
   }
   const Scenario narrow = crossing(20, noisy(0.02, 0.05, NoiseDistribution::gaussian, 1.5));
   EXPECT_LE(moments_of(errors_of(narrow).position).most, 1.5 + 1e-9);
+}
+
+// Draws in pairs, one pair after the other, each held against the exponential function itself.
+class DrawsOneByOne {
+ public:
+  DrawsOneByOne(std::uint64_t seed, std::int64_t step, RobotId observer, RobotId other)
+      : key_(mixed(0, seed)) {
+    for (const std::uint64_t word : {static_cast<std::uint64_t>(step), observer.value, other.value})
+      key_ = mixed(key_, word);
+  }
+
+  double gaussian(double most) {
+    for (;;) {
+      const double x = most * (2.0 * uniform() - 1.0);
+      if (uniform() < 1.0 + elementary::expm1(-0.5 * x * x)) return x;
+    }
+  }
+
+ private:
+  double uniform() { return 0x1p-53 * static_cast<double>(mixed(key_, ++count_) >> 11); }
+
+  std::uint64_t key_, count_ = 0;  // number 0 tells whether it is missed
+};
+
+TEST(Senses, gaussian_noise_is_that_of_drawing_one_after_the_other) {
+  for (const double most : {0.5, 3.0, 8.0}) {
+    Scenario scene = crossing(60, noisy(0.02, 0.05, NoiseDistribution::gaussian, most));
+    scene.seed = 7;
+    Simulation simulation(scene, 1);
+    for (int step = 0; step < 3; ++step, simulation.step()) {
+      const FleetView fleet = simulation.fleet();
+      for (std::size_t i = 0; i < fleet.id.size(); ++i) {
+        const Simulation::Perception seen = simulation.perceive(i);
+        ASSERT_GT(seen.neighbors.size(), 10U);
+        for (std::size_t k = 0; k < seen.neighbors.size(); ++k) {
+          const auto other = static_cast<std::size_t>(seen.source[k]);
+          DrawsOneByOne draws(7, step, fleet.id[i], fleet.id[other]);
+          const auto off = [&](double scale) {
+            const double x = draws.gaussian(most);
+            return scale * Vec2{x, draws.gaussian(most)};
+          };
+          EXPECT_EQ(seen.neighbors[k].position, fleet.position[other] + off(0.02));
+          EXPECT_EQ(seen.neighbors[k].velocity, fleet.velocity[other] + off(0.05));
+        }
+      }
+    }
+  }
 }
 
 TEST(Senses, uniform_noise_stays_within_what_is_given) {

@@ -49,6 +49,12 @@ TEST_F(Simd, one_hash_of_avo) {
   }
 }
 
+TEST_F(Simd, one_hash_of_noise) {
+  Scenario scene = test::dense_avo_scene(300, Motion::held, Certificate::braking_trajectories);
+  scene.sensing.noise = {0.01, 0.02};
+  expect_one_hash(scene, 20);
+}
+
 TEST_F(Simd, targets_are_told_by_name) {
   EXPECT_FALSE(simd_targets().empty());
   EXPECT_STREQ(simd_targets().back(), "scalar");
