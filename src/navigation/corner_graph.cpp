@@ -135,8 +135,8 @@ void carry_edges(const CornerGraph& before, const CarriedGraph& carried, CornerG
     const std::uint32_t now = carried.number[old];
     if (known == nullptr || now == kNoCorner) continue;
     const bool is_seen =
-        std::any_of(carried.changed.begin(), carried.changed.end(), [&](const Zone& disc) {
-          return reaches(known->reach, before.points[old], disc.center, disc.reach);
+        std::any_of(carried.changed.begin(), carried.changed.end(), [&](const Zone& zone) {
+          return reaches(known->reach, before.points[old], zone.center, zone.reach);
         });
     if (is_seen) continue;
     auto edges = std::make_unique<CornerGraph::Edges>(*known);
