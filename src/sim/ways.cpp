@@ -81,10 +81,11 @@ Travel replanned(const Travel& before, Travel fresh, Vec2 position, double radiu
   Travel first = before;
   aim_at_best(first, position, radius, scratch);
   if (rest_of(first) != rest_of(fresh)) return fresh;
+  const std::uint32_t target =
+      before.target == PathMap::kGoal ? PathMap::kGoal : point_at(*fresh.graph, kept->first);
+  if (target == fresh.target) return fresh;
   Travel travel = fresh;
-  aim_at(travel,
-         before.target == PathMap::kGoal ? PathMap::kGoal : point_at(*fresh.graph, kept->first),
-         scratch);
+  aim_at(travel, target, scratch);
   return rest_of(travel) == kept ? travel : fresh;
 }
 
