@@ -82,7 +82,8 @@ World world_of(std::int64_t map, int robots) {
 }
 
 double since(std::chrono::steady_clock::time_point begin) {
-  return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();
+  return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin)
+      .count();
 }
 
 void count(benchmark::State& state, std::vector<double> taken) {
@@ -132,7 +133,9 @@ void edit_of_map(benchmark::State& state) {
   for (auto _ : state) {
     StaticObstacle wall;
     Vec2 place;
-    const auto is_near = [&](const RobotSetup& robot) { return norm(robot.position - place) < 5.0; };
+    const auto is_near = [&](const RobotSetup& robot) {
+      return norm(robot.position - place) < 5.0;
+    };
     do {
       place = world.free_place();
     } while (std::any_of(world.scene.robots.begin(), world.scene.robots.end(), is_near));

@@ -18,7 +18,8 @@ constexpr double kTwoLanes = 8.0;       // radii: wider ways need no lanes
 constexpr double kTouchingEnds = 1e-3;  // of the least radius: ends as near as that are joined
 constexpr double kStraight = 1e-6;      // rad: less is no bend
 constexpr double kLeadsInto = 1e-3;     // cosine: then a joined wall certainly leads into the gap
-constexpr double kMostUnlike = 100.0;   // times the least radius: rounding is less than that certainty
+constexpr double kMostUnlike =
+    100.0;  // times the least radius: rounding is less than that certainty
 
 class GapFinder {
  public:

@@ -11,9 +11,9 @@
 namespace avo {
 namespace {
 
-constexpr double kPassed = 0.3;     // of the radius: so near a corner counts as passed
+constexpr double kPassed = 0.3;        // of the radius: so near a corner counts as passed
 constexpr double kSearchMargin = 4.0;  // radii
-constexpr std::int64_t kRings = 3;  // of cells around a robot that are looked at
+constexpr std::int64_t kRings = 3;     // of cells around a robot that are looked at
 
 // One robot's looking for its next target.
 struct Lookout {
@@ -151,8 +151,10 @@ bool look_beside(Choice& choice, std::uint32_t target) {
     const std::optional<double> known = known_length(lookout.map(), edge.to);
     if (!known && !is_surely_longer(lookout, edge.to, choice.least) && lookout.sees(edge.to))
       return false;
-    const double length = known.value_or(kInfinity) + norm(lookout.graph.points[edge.to] - lookout.p);
-    if (length < choice.least && lookout.sees(edge.to)) choice.best = edge.to, choice.least = length;
+    const double length =
+        known.value_or(kInfinity) + norm(lookout.graph.points[edge.to] - lookout.p);
+    if (length < choice.least && lookout.sees(edge.to))
+      choice.best = edge.to, choice.least = length;
   }
   return true;
 }
@@ -201,7 +203,8 @@ std::uint32_t best_beside(const Lookout& lookout, std::uint32_t target, bool is_
   for (const CornerGraph::Edge& edge : around) {
     if (!search.is_settled(edge.to)) continue;
     const double length = search.length(edge.to) + norm(lookout.graph.points[edge.to] - lookout.p);
-    if (length < choice.least && lookout.sees(edge.to)) choice.best = edge.to, choice.least = length;
+    if (length < choice.least && lookout.sees(edge.to))
+      choice.best = edge.to, choice.least = length;
   }
   if (choice.best != PathMap::kNothing)
     lookout.known = std::make_shared<const PathMap>(search.way_from(choice.best));

@@ -64,8 +64,8 @@ inline Vec2 point_of(const CornerGraph& graph, const PathMap& map, std::uint32_t
   return target == PathMap::kGoal ? map.goal : graph.points[target];
 }
 
-/// Adds the way from that corner on to a map that has none, where `known` tells of each corner on it:
-/// false where it does not, of one at least.
+/// Adds the way from that corner on to a map that has none, where `known` tells of each corner on
+/// it: false where it does not, of one at least.
 template <typename Known>
 bool add_way(const CornerGraph& graph, std::uint32_t corner, const Known& known, PathMap& map);
 

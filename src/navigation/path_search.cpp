@@ -109,9 +109,12 @@ PathMap PathSearch::way_from(std::uint32_t target) const {
   map.is_whole = false;
   map.from = from_, map.settled = settled_, map.longest_edge = longest_edge_;
   tell_around(map);
-  add_way(graph_, target, [&](std::uint32_t k) {
-    return std::optional(PathMap::Known{k, scratch_.next[k], scratch_.length[k]});
-  }, map);
+  add_way(
+      graph_, target,
+      [&](std::uint32_t k) {
+        return std::optional(PathMap::Known{k, scratch_.next[k], scratch_.length[k]});
+      },
+      map);
   return map;
 }
 

@@ -60,7 +60,7 @@ class PathSearch {
   const PathMap& goal_;
   Vec2 from_;
   PathScratch& scratch_;
-  double settled_ = 0.0;  // m: the sum of whatever is not settled is as much
+  double settled_ = 0.0;       // m: the sum of whatever is not settled is as much
   double longest_edge_ = 0.0;  // m
 };
 
@@ -73,8 +73,8 @@ void PathSearch::settle(double limit, const Visit& visit) {
     spread(front.corner);
     limit = visit(front.corner, front.sum);
   }
-  settled_ = scratch_.open.empty() ? std::numeric_limits<double>::infinity()
-                                   : scratch_.open.front().first;
+  settled_ =
+      scratch_.open.empty() ? std::numeric_limits<double>::infinity() : scratch_.open.front().first;
 }
 
 /// Whether the straight way crosses one of those lines.

@@ -94,8 +94,7 @@ void Horizons::block(const Wall& wall) {
   double before = std::numeric_limits<double>::infinity();
   for (std::size_t k = first; k <= last; ++k) {
     const double sine = cross(units[k % kSectors], along);
-    const double here =
-        sine > 0.0 ? twice_area / sine : std::numeric_limits<double>::infinity();
+    const double here = sine > 0.0 ? twice_area / sine : std::numeric_limits<double>::infinity();
     if (k > first) close((k - 1) % kSectors, (1.0 + kSlackOfSight) * std::max(before, here));
     before = here;
   }
@@ -106,8 +105,8 @@ bool Horizons::hides(Vec2 low, Vec2 high) const {
   const double distance_squared = norm_squared(nearest - place_);
   if (!(distance_squared > 0.0)) return false;
   // the two corners between which it is seen
-  const bool left = place_.x < low.x, right = place_.x > high.x;
-  const bool below = place_.y < low.y, above = place_.y > high.y;
+  const bool left = place_.x<low.x, right = place_.x> high.x;
+  const bool below = place_.y<low.y, above = place_.y> high.y;
   const Vec2 from{above || (left && !below) ? low.x : high.x,
                   left || (below && !right) ? low.y : high.y};
   const Vec2 to{below || (left && !above) ? low.x : high.x,
@@ -135,8 +134,8 @@ ViewIndex::ViewIndex(std::span<const Wall> walls, std::span<const Vec2> points)
   const Vec2 size = high - low;
   const double cells = static_cast<double>(walls_.size() + points_.size()) / kItemsInCell + 1.0;
   const double longest = std::max(size.x, size.y);
-  side_ = std::max({std::sqrt(size.x * size.y / cells), longest / cells,
-                    longest / kMostCellsAcross, std::numeric_limits<double>::min()});
+  side_ = std::max({std::sqrt(size.x * size.y / cells), longest / cells, longest / kMostCellsAcross,
+                    std::numeric_limits<double>::min()});
   origin_ = low;
   columns_ = static_cast<std::int64_t>(size.x / side_) + 1;
   rows_ = static_cast<std::int64_t>(size.y / side_) + 1;
