@@ -6,7 +6,6 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <optional>
 #include <span>
 #include <vector>
 
@@ -65,15 +64,11 @@ enum class Joining : std::uint8_t {
 CornerGraph corner_graph(std::span<const Wall> walls, double radius,
                          Joining joining = Joining::by_number);
 
-/// What of a graph is in the one among other walls.
-struct CarriedGraph {
-  std::vector<std::uint32_t> number;  // that each corner has now; kNoCorner: it has been found anew
-  std::vector<Zone> changed;          // outside of them all is as it was
-};
-/// The graph that is made of nothing, sooner. Nothing is carried where much has changed: then
-/// `carried` is empty.
-CornerGraph corner_graph(std::span<const Wall> walls, double radius, const CornerGraph& before,
-                         std::optional<CarriedGraph>& carried);
+/// The parts that it is made of: the grid that tells walls from where corners depend on them, and
+/// the graph of corners that are found.
+ClearanceGrid corner_grid(std::span<const Wall> walls, double radius);
+CornerGraph graph_among(std::span<const Wall> walls, double radius, ClearanceGrid grid,
+                        Corners found, Joining joining);
 
 /// visit(corner) of each one in sight of a place, where the straight way keeps that room, m, or the
 /// corner's where that is less.

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <optional>
 
 #include "core/plane.h"
 
@@ -125,32 +126,56 @@ std::uint32_t best_in_view(const Lookout& lookout) {
   return choice.best;
 }
 
-// Whether a corner beside the way is surely no better than what is known to be.
+// m, of the way from that corner on; nothing where it is not known.
+std::optional<double> known_length(const PathMap& map, std::uint32_t corner) {
+  const std::size_t place = map.place_of(corner);
+  if (place < map.length.size()) return map.length[place];
+  const PathMap::Known* known = map.around_at(corner);
+  return known != nullptr ? std::optional(known->length) : std::nullopt;
+}
+
+// Whether a corner of which nothing is known is surely no better than what is.
 bool is_surely_longer(const Lookout& lookout, std::uint32_t corner, double least) {
   const PathMap& map = lookout.map();
   const Vec2 q = lookout.graph.points[corner];
-  const double from_there = std::max(map.settled - norm(q - map.from), norm(q - map.goal));
+  const double to_from = norm(q - map.from);
+  const double settled = to_from <= map.reach ? map.settled - to_from : 0.0;
+  const double from_there = std::max(settled, norm(q - map.goal));
   return (from_there + norm(q - lookout.p)) * (1.0 - kWayRounding) >= least;
 }
 
 // What the map of one way tells of all that best_around() looks at; false: not enough.
 bool look_beside(Choice& choice, std::uint32_t target) {
   const Lookout& lookout = choice.lookout;
-  const PathMap& map = lookout.map();
   for (const CornerGraph::Edge& edge : lookout.graph.edges_of(target)) {
-    const auto beside =
-        std::lower_bound(map.beside.begin(), map.beside.end(), std::pair(edge.to, 0.0));
-    double length = kInfinity;
-    if (beside != map.beside.end() && beside->first == edge.to)
-      length = beside->second;
-    else if (const std::size_t place = map.place_of(edge.to); place < map.length.size())
-      length = map.length[place];
-    else if (!is_surely_longer(lookout, edge.to, choice.least) && lookout.sees(edge.to))
+    const std::optional<double> known = known_length(lookout.map(), edge.to);
+    if (!known && !is_surely_longer(lookout, edge.to, choice.least) && lookout.sees(edge.to))
       return false;
-    length += norm(lookout.graph.points[edge.to] - lookout.p);
+    const double length =
+        known.value_or(kInfinity) + norm(lookout.graph.points[edge.to] - lookout.p);
     if (length < choice.least && lookout.sees(edge.to))
       choice.best = edge.to, choice.least = length;
   }
+  return true;
+}
+
+// Makes the map one of the way from that corner on; false where it does not know all of it.
+bool turn_to(const Lookout& lookout, std::uint32_t corner) {
+  const PathMap& map = lookout.map();
+  PathMap turned;
+  turned.goal = map.goal, turned.room = map.room, turned.is_free = map.is_free;
+  turned.is_whole = false;
+  turned.around = map.around, turned.from = map.from, turned.reach = map.reach;
+  turned.settled = map.settled, turned.longest_edge = map.longest_edge;
+  turned.closed = map.closed;
+  const auto known = [&](std::uint32_t k) -> std::optional<PathMap::Known> {
+    const std::size_t place = map.place_of(k);
+    if (place < map.length.size()) return PathMap::Known{k, map.next[place], map.length[place]};
+    const PathMap::Known* around = map.around_at(k);
+    return around != nullptr ? std::optional(*around) : std::nullopt;
+  };
+  if (!add_way(lookout.graph, corner, known, turned)) return false;
+  lookout.known = std::make_shared<const PathMap>(std::move(turned));
   return true;
 }
 
@@ -158,11 +183,15 @@ bool look_beside(Choice& choice, std::uint32_t target) {
 std::uint32_t best_beside(const Lookout& lookout, std::uint32_t target, bool is_in_view) {
   Choice choice{lookout};
   if (is_in_view) choice.best = target, choice.least = lookout.length_by(target);
-  const Choice before = choice;
-  if (look_beside(choice, target) && choice.best == before.best) return choice.best;
-  choice.best = before.best, choice.least = before.least;
+  const std::uint32_t before = choice.best;
+  const double least = choice.least;
+  if (look_beside(choice, target) &&
+      (choice.best == before || lookout.map().place_of(choice.best) < lookout.map().length.size() ||
+       turn_to(lookout, choice.best)))
+    return choice.best;
+  choice.best = before, choice.least = least;
   PathSearch search(lookout.graph, lookout.map(), lookout.p, lookout.scratch.search);
-  double limit = before.least;
+  double limit = least;
   const std::span<const CornerGraph::Edge> around = lookout.graph.edges_of(target);
   search.settle(limit + lookout.margin(), [&](std::uint32_t corner, double length) {
     const auto edge = std::lower_bound(around.begin(), around.end(), corner,

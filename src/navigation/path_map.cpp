@@ -82,6 +82,14 @@ double top_before(const CornerGraph& graph, const PathMap& map, Vec2 p, std::uin
   return std::min(top_at(turn, graph.radius), top) + kBraking * norm(into);
 }
 
+const PathMap::Known* PathMap::around_at(std::uint32_t corner) const {
+  if (!around) return nullptr;
+  const auto found =
+      std::lower_bound(around->begin(), around->end(), corner,
+                       [](const Known& known, std::uint32_t k) { return known.corner < k; });
+  return found != around->end() && found->corner == corner ? &*found : nullptr;
+}
+
 double length_from(const CornerGraph& graph, const PathMap& map, std::uint32_t target) {
   double length = 0.0;
   while (target != PathMap::kGoal && !graph.is_corner(target)) {

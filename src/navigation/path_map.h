@@ -5,6 +5,8 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <memory>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -28,12 +30,18 @@ struct PathMap {
   std::vector<double> top;  // m, what v²/a may be at each corner for all the turns behind it
   // of a field: what is next from the border of the lattice, ascending
   std::vector<std::uint32_t> from_outside;
-  // Unless it is whole: lengths of corners beside the way, ascending; from any other corner beside
-  // it, the length and the distance to `from` are `settled` m at least.
-  std::vector<std::pair<std::uint32_t, double>> beside = {};
+  /// What is known of a corner.
+  struct Known {
+    std::uint32_t corner = 0, next = 0;
+    double length = 0.0;  // m
+  };
+  // Unless it is whole: of corners within `reach` of `from`, ascending. Of any other one there, the
+  // length and the distance to `from` are `settled` m at least.
+  std::shared_ptr<const std::vector<Known>> around = {};
   Vec2 from = {};
-  double settled = 0.0;
-  std::vector<Segment> closed = {};  // across gaps between walls: no way leads through them
+  double reach = 0.0, settled = 0.0;  // m
+  double longest_edge = 0.0;          // m, of those that have been looked at
+  std::vector<Segment> closed = {};   // across gaps between walls: no way leads through them
 
   [[nodiscard]] bool is_open(Vec2 p, Vec2 q) const {
     return std::none_of(closed.begin(), closed.end(),
@@ -46,6 +54,7 @@ struct PathMap {
     const auto found = std::find(corners.begin(), corners.end(), point);
     return static_cast<std::size_t>(found - corners.begin());
   }
+  [[nodiscard]] const Known* around_at(std::uint32_t corner) const;
   [[nodiscard]] std::uint32_t after(std::uint32_t point) const {
     const std::size_t place = place_of(point);
     return place < next.size() ? next[place] : kNothing;
@@ -61,6 +70,11 @@ inline Vec2 point_of(const CornerGraph& graph, const PathMap& map, std::uint32_t
   return target == PathMap::kGoal ? map.goal : graph.points[target];
 }
 
+/// Adds the way from that corner on to a map that has none, where `known` tells of each corner on
+/// it: false where it does not, of one at least.
+template <typename Known>
+bool add_way(const CornerGraph& graph, std::uint32_t corner, const Known& known, PathMap& map);
+
 /// m, of the way from the target on; infinity: no way is known.
 double length_from(const CornerGraph& graph, const PathMap& map, std::uint32_t target);
 
@@ -68,5 +82,23 @@ double length_from(const CornerGraph& graph, const PathMap& map, std::uint32_t t
 /// degrees.
 double top_before(const CornerGraph& graph, const PathMap& map, Vec2 p, std::uint32_t target,
                   double& turn);
+
+template <typename Known>
+bool add_way(const CornerGraph& graph, std::uint32_t corner, const Known& known, PathMap& map) {
+  while (corner != PathMap::kGoal) {
+    const std::optional<PathMap::Known> here = known(corner);
+    if (!here) return false;
+    map.corners.push_back(corner);
+    map.length.push_back(here->length);
+    map.next.push_back(here->next);
+    corner = here->next;
+  }
+  map.top.assign(map.corners.size(), std::numeric_limits<double>::infinity());
+  for (std::size_t k = map.corners.size(); k-- > 0;) {
+    double turn = 0.0;
+    map.top[k] = top_before(graph, map, graph.points[map.corners[k]], map.next[k], turn);
+  }
+  return true;
+}
 
 }  // namespace avo

@@ -1,9 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "navigation/path_search.h"
 
+#include <cstddef>
 #include <functional>
 
 namespace avo {
+namespace {
+
+constexpr std::ptrdiff_t kMostAround = 512;  // corners that a robot remembers
+
+}  // namespace
 
 PathSearch::PathSearch(const CornerGraph& graph, const PathMap& goal, Vec2 from,
                        PathScratch& scratch)
@@ -18,7 +24,7 @@ PathSearch::PathSearch(const CornerGraph& graph, const PathMap& goal, Vec2 from,
     std::fill(scratch.known.begin(), scratch.known.end(), 0);
     scratch.search = 1;
   }
-  scratch.open.clear();
+  scratch.open.clear(), scratch.settled.clear();
   for_each_in_sight(graph, goal.goal, goal.room, [&](std::uint32_t corner) {
     if (goal.is_open(goal.goal, graph.points[corner]))
       reach(corner, norm(goal.goal - graph.points[corner]), PathMap::kGoal);
@@ -54,9 +60,10 @@ PathSearch::Front PathSearch::pop() {
 }
 
 void PathSearch::spread(std::uint32_t corner) {
-  ++count_;
+  scratch_.settled.push_back(corner);
   const double length = scratch_.length[corner];
   for (const CornerGraph::Edge& edge : graph_.edges_of(corner)) {
+    longest_edge_ = std::max(longest_edge_, edge.length);
     if (goal_.is_open(graph_.points[corner], graph_.points[edge.to]))
       reach(edge.to, length + edge.length, corner);
   }
@@ -67,26 +74,41 @@ bool PathSearch::is_settled(std::uint32_t corner) const {
          sum_of(corner) * (1.0 + 0.5 * kWayRounding) < settled_;
 }
 
+// Of those that are settled, the nearest ones to `from`.
+void PathSearch::tell_around(PathMap& map) const {
+  std::vector<std::pair<double, std::uint32_t>> near;  // m
+  for (const std::uint32_t corner : scratch_.settled)
+    if (is_settled(corner)) near.push_back({norm(graph_.points[corner] - from_), corner});
+  map.reach = std::numeric_limits<double>::infinity();
+  if (near.size() > std::size_t{kMostAround}) {
+    std::nth_element(near.begin(), near.begin() + kMostAround, near.end());
+    map.reach = near[kMostAround].first * (1.0 - kWayRounding);
+    near.resize(kMostAround);
+  }
+  std::vector<PathMap::Known> around;
+  around.reserve(near.size());
+  for (const auto& [distance, corner] : near)
+    around.push_back({corner, scratch_.next[corner], scratch_.length[corner]});
+  const auto is_less = [](const auto& a, const auto& b) { return a.corner < b.corner; };
+  const auto is_same = [](const auto& a, const auto& b) { return a.corner == b.corner; };
+  std::sort(around.begin(), around.end(), is_less);
+  around.erase(std::unique(around.begin(), around.end(), is_same), around.end());
+  map.around = std::make_shared<const std::vector<PathMap::Known>>(std::move(around));
+}
+
 PathMap PathSearch::way_from(std::uint32_t target) const {
   PathMap map;
   map.goal = goal_.goal, map.room = goal_.room, map.is_free = goal_.is_free;
   map.closed = goal_.closed;
   map.is_whole = false;
-  map.from = from_, map.settled = settled_;
-  for (std::uint32_t corner = target; corner != PathMap::kGoal; corner = map.next.back()) {
-    map.corners.push_back(corner);
-    map.length.push_back(scratch_.length[corner]);
-    map.next.push_back(scratch_.next[corner]);
-    for (const CornerGraph::Edge& edge : graph_.edges_of(corner))
-      if (is_settled(edge.to)) map.beside.push_back({edge.to, scratch_.length[edge.to]});
-  }
-  std::sort(map.beside.begin(), map.beside.end());
-  map.beside.erase(std::unique(map.beside.begin(), map.beside.end()), map.beside.end());
-  map.top.assign(map.corners.size(), std::numeric_limits<double>::infinity());
-  for (std::size_t k = map.corners.size(); k-- > 0;) {
-    double turn = 0.0;
-    map.top[k] = top_before(graph_, map, graph_.points[map.corners[k]], map.next[k], turn);
-  }
+  map.from = from_, map.settled = settled_, map.longest_edge = longest_edge_;
+  tell_around(map);
+  add_way(
+      graph_, target,
+      [&](std::uint32_t k) {
+        return std::optional(PathMap::Known{k, scratch_.next[k], scratch_.length[k]});
+      },
+      map);
   return map;
 }
 

@@ -17,6 +17,7 @@ struct PathScratch {
   std::vector<std::uint32_t> known;  // the search that has found them
   std::uint32_t search = 0;
   std::vector<std::pair<double, std::uint32_t>> open;
+  std::vector<std::uint32_t> settled;
 };
 
 /// Of a sum of lengths, more than is lost.
@@ -37,7 +38,7 @@ class PathSearch {
   /// Whether a corner's length is known for sure.
   [[nodiscard]] bool is_settled(std::uint32_t corner) const;
   [[nodiscard]] double length(std::uint32_t corner) const { return scratch_.length[corner]; }
-  [[nodiscard]] std::size_t count() const { return count_; }
+  [[nodiscard]] std::size_t count() const { return scratch_.settled.size(); }
   /// The map of the way from that target on, which is settled, or the goal.
   [[nodiscard]] PathMap way_from(std::uint32_t target) const;
 
@@ -53,13 +54,14 @@ class PathSearch {
   [[nodiscard]] bool comes_first(std::uint32_t next, std::uint32_t other) const;
   void spread(std::uint32_t corner);
   Front pop();
+  void tell_around(PathMap& map) const;
 
   const CornerGraph& graph_;
   const PathMap& goal_;
   Vec2 from_;
   PathScratch& scratch_;
-  double settled_ = 0.0;  // m: the sum of whatever is not settled is as much
-  std::size_t count_ = 0;
+  double settled_ = 0.0;       // m: the sum of whatever is not settled is as much
+  double longest_edge_ = 0.0;  // m
 };
 
 template <typename Visit>

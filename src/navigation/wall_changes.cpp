@@ -35,28 +35,33 @@ std::optional<std::size_t> WallChanges::number_before(std::size_t wall) const {
 }
 
 std::vector<Zone> WallChanges::around(double reach) const {
-  std::vector<Zone> discs;
+  std::vector<Zone> zones;
   for (const std::span<const Wall> changed : {removed(), added()}) {
     for (const Wall& wall : changed) {
       const Vec2 along = wall.b - wall.a;
       const double pieces = std::ceil(norm(along) / (2.0 * reach)) + 1.0;
       const double around = 0.5 * norm(along) / pieces + wall.radius + reach;
       for (double k = 0.5; k < pieces; k += 1.0)
-        discs.push_back({wall.a + (k / pieces) * along, around});
+        zones.push_back({wall.a + (k / pieces) * along, around});
     }
   }
-  return discs;
+  return zones;
 }
 
-bool is_in_one(std::span<const Zone> discs, Vec2 p, double margin) {
-  return std::any_of(discs.begin(), discs.end(), [&](const Zone& disc) {
-    return norm(p - disc.center) <= disc.reach + margin;
+bool is_in_one(std::span<const Zone> zones, Vec2 p, double margin) {
+  return std::any_of(zones.begin(), zones.end(), [&](const Zone& zone) {
+    return norm(p - zone.center) <= zone.reach + margin;
   });
 }
 
-bool may_meet(std::span<const Zone> discs, Vec2 p, Vec2 q, double length) {
-  return std::any_of(discs.begin(), discs.end(), [&](const Zone& disc) {
-    return !(norm(p - disc.center) + norm(q - disc.center) > length + 2.0 * disc.reach);
+// All ways of that length lie in an ellipse.
+bool may_meet(std::span<const Zone> zones, Vec2 p, Vec2 q, double length) {
+  const double apart = norm(q - p);
+  const double half_width = 0.5 * std::sqrt(std::max(length * length - apart * apart, 0.0));
+  return std::any_of(zones.begin(), zones.end(), [&](const Zone& zone) {
+    const double aside = apart > 0.0 ? std::abs(cross(q - p, zone.center - p)) / apart : 0.0;
+    const double by = norm(p - zone.center) + norm(q - zone.center);
+    return aside <= half_width + zone.reach && by <= length + 2.0 * zone.reach;
   });
 }
 

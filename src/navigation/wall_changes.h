@@ -17,9 +17,9 @@ struct Zone {
 };
 
 /// Whether p is within one of them, or as near as the margin, m.
-bool is_in_one(std::span<const Zone> discs, Vec2 p, double margin);
+bool is_in_one(std::span<const Zone> zones, Vec2 p, double margin);
 /// Whether a way from p to q of that length, m, may come into one of them.
-bool may_meet(std::span<const Zone> discs, Vec2 p, Vec2 q, double length);
+bool may_meet(std::span<const Zone> zones, Vec2 p, Vec2 q, double length);
 
 /// Lists differ between a common beginning and a common end.
 struct WallChanges {

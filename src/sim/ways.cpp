@@ -46,12 +46,13 @@ void aim_at_best(Travel& travel, Vec2 position, double radius, LegScratch& scrat
 
 // Among many corners an edge that is long may give way to a shorter one in its sector.
 std::vector<Zone> where_it_matters(const CarriedGraph& carried, const CornerGraph& graph,
-                                   double length, const PathMap& map) {
+                                   const PathMap& map, double length) {
   constexpr double kSectorWidth = 0.03;  // rad, more than a sector has
   std::vector<Zone> changed = carried.changed;
-  const double longest = std::max(length, map.is_whole ? 0.0 : map.settled);
-  for (Zone& disc : changed)
-    if (graph.all_within < kInfinity) disc.reach += kSectorWidth * longest;
+  if (!(graph.all_within < kInfinity)) return changed;
+  const bool has_long_edges = map.is_whole || map.longest_edge > graph.all_within;
+  const double longest = has_long_edges ? std::max(length, map.settled) : graph.all_within;
+  for (Zone& zone : changed) zone.reach += kSectorWidth * longest;
   return changed;
 }
 
@@ -61,8 +62,11 @@ PathMap renumbered(PathMap map, const std::vector<std::uint32_t>& number) {
   };
   for (std::uint32_t& corner : map.corners) renumber(corner);
   for (std::uint32_t& corner : map.next) renumber(corner);
-  for (auto& [corner, length] : map.beside) renumber(corner);
-  std::sort(map.beside.begin(), map.beside.end());
+  if (map.around) {
+    std::vector<PathMap::Known> around = *map.around;
+    for (PathMap::Known& known : around) renumber(known.corner), renumber(known.next);
+    map.around = std::make_shared<const std::vector<PathMap::Known>>(std::move(around));
+  }
   return map;
 }
 
@@ -95,10 +99,11 @@ Travel replanned(const Travel& before, Travel fresh, Vec2 position, double radiu
   Travel first = before;
   aim_at_best(first, position, radius, scratch);
   if (rest_of(first) != rest_of(fresh)) return fresh;
+  const std::uint32_t target =
+      before.target == PathMap::kGoal ? PathMap::kGoal : point_at(*fresh.graph, kept->first);
+  if (target == fresh.target) return fresh;
   Travel travel = fresh;
-  aim_at(travel,
-         before.target == PathMap::kGoal ? PathMap::kGoal : point_at(*fresh.graph, kept->first),
-         scratch);
+  aim_at(travel, target, scratch);
   return rest_of(travel) == kept ? travel : fresh;
 }
 
@@ -247,7 +252,7 @@ std::optional<Travel> Ways::carry_over(const Travel& before, Vec2 position, doub
   const double room = (1.0 - 2.0 * kLengthRounding) * std::min(radius, map.room);
   const double length = norm(rest->first - position) + rest->second;
   if (!before.graph->grid.is_clear(position, rest->first, room)) return std::nullopt;
-  const std::vector<Zone> changed = where_it_matters(*carried, graph, length, map);
+  const std::vector<Zone> changed = where_it_matters(*carried, graph, map, length);
   if (may_meet(changed, position, map.goal, length * (1.0 + kWayRounding))) return std::nullopt;
   Travel travel = before;
   travel.graph = &graph;

@@ -14,6 +14,7 @@
 
 #include "avo/scenario.h"
 #include "avo/simulation.h"
+#include "navigation/carried_graph.h"
 #include "navigation/corner_graph.h"
 #include "navigation/leg.h"
 #include "navigation/passages.h"

@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "navigation/carried_graph.h"
 #include "support/walls.h"
 #include "unit/navigation/mazes.h"
 
@@ -159,7 +160,8 @@ TEST(CornerGraph, is_the_same_whatever_it_was_made_of) {
 
 TEST(CornerGraph, finds_its_points_by_their_places) {
   const CornerGraph graph = corner_graph(test::maze(5, 3.0, 1), 0.4);
-  for (std::uint32_t k = 0; k < graph.corners(); ++k) EXPECT_EQ(point_at(graph, graph.points[k]), k);
+  for (std::uint32_t k = 0; k < graph.corners(); ++k)
+    EXPECT_EQ(point_at(graph, graph.points[k]), k);
   EXPECT_EQ(point_at(graph, {1.5, 1.5}), graph.corners());
 }
 

@@ -144,7 +144,8 @@ TEST(PathSearch, keeps_off_lines_that_are_closed) {
   PathMap goal = goal_of(graph, {5, 0});
   LegScratch scratch;
   auto open = std::make_shared<const PathMap>(goal);
-  EXPECT_LT(next_leg(graph, open, {-5, 0.5}, kRadius, PathMap::kNothing, false, scratch).length, 11);
+  EXPECT_LT(next_leg(graph, open, {-5, 0.5}, kRadius, PathMap::kNothing, false, scratch).length,
+            11);
   goal.closed = {{{0, -1}, {0, 1}}};
   auto closed = std::make_shared<const PathMap>(goal);
   const Leg leg = next_leg(graph, closed, {-5, 0.5}, kRadius, PathMap::kNothing, false, scratch);

@@ -35,7 +35,7 @@ inline Scenario crowded_maze(int robots) {
   return scene;
 }
 
-/// A map with so many corners that ways on it come from fields. All goals can be reached.
+/// A map with so many corners that long edges lead to the nearest alone. All goals can be reached.
 inline Scenario noise_scene(int robots) {
   constexpr int kSide = 96;
   Random random(3);

@@ -148,7 +148,7 @@ TEST(Ways, OnMapsOfManyCornersLeadToAllGoals) {
   Simulation simulation(scene, 2);
   EXPECT_TRUE(simulation.unreachable().empty());
   const CornerGraph graph = corner_graph(walls_of(scene.obstacles), 0.4);
-  ASSERT_FALSE(graph.lattice.empty());
+  ASSERT_GT(graph.corners(), 10000u);
   while (!simulation.all_at_goal() && simulation.time() < 200.0) simulation.step();
   EXPECT_TRUE(simulation.all_at_goal());
 }

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: Apache-2.0
+// The corner graph after an edit, made of the one before (docs/navigation.md).
+#pragma once
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "navigation/corner_graph.h"
+#include "navigation/wall_changes.h"
+
+namespace avo {
+
+/// What of a graph is in the one among other walls.
+struct CarriedGraph {
+  std::vector<std::uint32_t> number;  // that each corner has now; kNoCorner: it has been found anew
+  std::vector<Zone> changed;          // outside of them all is as it was
+};
+/// The graph that is made of nothing, sooner. Nothing is carried where much has changed: then
+/// `carried` is empty.
+CornerGraph corner_graph(std::span<const Wall> walls, double radius, const CornerGraph& before,
+                         std::optional<CarriedGraph>& carried);
+
+}  // namespace avo

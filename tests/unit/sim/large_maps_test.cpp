@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: Apache-2.0
+// Where corners are so many that each robot searches for its own way, nothing depends on who asks
+// first, on how many threads ask, nor on what was known before.
+#include <algorithm>
+#include <gtest/gtest.h>
+#include <vector>
+
+#include "avo/simulation.h"
+#include "unit/sim/walled_scenes.h"
+
+namespace avo {
+namespace {
+
+constexpr double kSide = 92.0;  // m
+const std::vector<Wall>& many_walls() {
+  static const std::vector<Wall> walls = test::random_walls(500, kSide, 3);
+  return walls;
+}
+
+// Some of them share goals.
+Scenario fleet_among_many_walls(int robots) {
+  const double radius = 0.4;
+  test::Random random(7);
+  Scenario scene;
+  scene.obstacles = {test::pieces(many_walls())};
+  const FreeSpace space(many_walls(), radius);
+  const auto place = [&] {
+    while (true) {
+      const Vec2 p{random.uniform(0.0, kSide), random.uniform(0.0, kSide)};
+      const bool is_apart = std::all_of(
+          scene.robots.begin(), scene.robots.end(),
+          [&](const RobotSetup& other) { return norm(other.position - p) > 2.5 * radius; });
+      if (is_apart && space.grid().has_room(p, radius + 0.1) && space.are_connected(p, {-5, -5}))
+        return p;
+    }
+  };
+  for (int k = 0; k < robots; ++k) {
+    RobotSetup robot = test::robot_at(place(), place());
+    robot.radius = radius;
+    if (k % 12 > 2) robot.goal = scene.robots[static_cast<std::size_t>(k - k % 12)].goal;
+    scene.robots.push_back(robot);
+  }
+  return scene;
+}
+
+TEST(LargeMaps, haveManyCorners) {
+  EXPECT_GT(corner_graph(many_walls(), 0.4).corners(), 2000u);
+}
+
+TEST(LargeMaps, stepsAreTheSameOnSeveralThreads) {
+  const Scenario scene = fleet_among_many_walls(280);
+  Simulation one(scene, 1), several(scene, 3);
+  for (int k = 0; k < 60; ++k) {
+    one.step(), several.step();
+    ASSERT_EQ(one.state_hash(), several.state_hash()) << k;
+  }
+}
+
+StaticObstacle short_wall(Vec2 a) {
+  StaticObstacle wall;
+  wall.chains = {{{a, a + Vec2{0.8, 0.3}}, false}};
+  return wall;
+}
+
+// A restored simulation knows nothing but what is saved, and finds all the rest anew.
+TEST(LargeMaps, goOnTheSameAfterEditsWhateverIsKnown) {
+  const Scenario scene = fleet_among_many_walls(40);
+  test::Random random(5);
+  Simulation simulation(scene, 1);
+  std::vector<ObstacleId> added;
+  int edits = 0;
+  for (int round = 0; round < 12; ++round) {
+    const Vec2 place{random.uniform(0.0, kSide), random.uniform(0.0, kSide)};
+    const std::size_t robots = scene.robots.size();
+    const bool is_free = [&] {
+      for (std::size_t k = 0; k < robots; ++k)
+        if (norm(simulation.fleet().position[k] - place) < 4.0) return false;
+      return true;
+    }();
+    if (round % 3 == 2 && !added.empty()) {
+      simulation.remove_obstacle(added.back());
+      added.pop_back(), ++edits;
+    } else if (is_free) {
+      added.push_back(simulation.add_obstacle(short_wall(place))), ++edits;
+    }
+    simulation.set_goal(RobotId{static_cast<std::uint64_t>(round)},
+                        scene.robots[static_cast<std::size_t>(robots - 1 - round)].position);
+    Simulation restored(simulation.save(), 1);
+    for (int k = 0; k < 12; ++k) {
+      simulation.step(), restored.step();
+      ASSERT_EQ(simulation.state_hash(), restored.state_hash()) << round << ' ' << k;
+      for (std::size_t robot = 0; robot < robots; ++robot)
+        ASSERT_EQ(simulation.way(robot).length, restored.way(robot).length) << robot;
+    }
+  }
+  EXPECT_GT(edits, 6);
+}
+
+}  // namespace
+}  // namespace avo
