@@ -38,6 +38,17 @@ std::size_t nearest_sought(const World& world) {
   return world.selective ? std::numeric_limits<std::size_t>::max() : world.most_nearest();
 }
 
+NeighborQuery query_of(const World& world, std::size_t slot) {
+  constexpr double kMargin = 1.125;  // for having moved since
+  const Fleet& fleet = world.fleet;
+  return {.position = fleet.position[slot],
+          .self = fleet.rank[slot],
+          .most = nearest_sought(world),
+          .near = near_range(world, slot),
+          .far = world.sensing_radius,
+          .guess = kMargin * static_cast<double>(fleet.nearest[slot])};
+}
+
 // m, see Neighbors.
 double range_of(const NeighborQuery& query) {
   const bool is_less = query.near >= 0.0 && query.near < query.far;
@@ -150,15 +161,8 @@ float reach_of_nearest(Vec2 position, const Found& hits, std::size_t nearest,
 
 }  // namespace
 
-NeighborQuery query_of(const World& world, std::size_t slot) {
-  constexpr double kMargin = 1.125;  // for having moved since
-  const Fleet& fleet = world.fleet;
-  return {.position = fleet.position[slot],
-          .self = fleet.rank[slot],
-          .most = nearest_sought(world),
-          .near = near_range(world, slot),
-          .far = world.sensing_radius,
-          .guess = kMargin * static_cast<double>(fleet.nearest[slot])};
+NeighborQuery sought_by(const World& world, std::size_t slot) {
+  return query_of(world, slot);
 }
 
 std::size_t sense(World& world, std::span<const std::uint32_t> slots, Worker& worker) {

@@ -139,7 +139,7 @@ bool knows_near(const World& world) {
 
 void find_near(World& world, std::size_t slot) {
   Whereabouts& own = world.whereabouts;
-  const NeighborQuery query = query_of(world, slot);
+  const NeighborQuery query = sought_by(world, slot);
   if (!is_finite(query.position)) return world.snapshot.grid.take({}, {}, {});
   const bool all_look_alike = world.alike && world.obstacles.setup.empty();
   double radius = query.far;
