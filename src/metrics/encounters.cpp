@@ -43,6 +43,11 @@ bool stay_apart(const StepPath& a, const StepPath& b, double distance) {
   return least > 0.0 && least * least > most;
 }
 
+// Whether that is how they move, and no interpolation of it.
+bool is_known(const Sweep& a, const Sweep& b, const StepSpan& step) {
+  return !step.response && !a.turns && !b.turns;
+}
+
 // m: any pair bounds the smallest clearance, here the first robot that avoids somebody and its
 // nearest.
 std::optional<double> any_clearance(std::span<const Sweep> sweeps,
@@ -151,14 +156,25 @@ void Encounters::meet_company(std::span<const Sweep> sweeps, std::size_t robot, 
     const Sweep& b = sweeps[other];
     const double squared = norm_squared(b.path.control[0] - a.path.control[0]);
     if (!(squared <= need * need)) continue;
-    const bool may_differ = step.response || a.turns || b.turns;  // from these paths
-    if (may_differ || !stay_apart(a.path, b.path, a.radius + b.radius + clearance))
+    if (!is_known(a, b, step) || !stay_apart(a.path, b.path, a.radius + b.radius + clearance))
       near_.emplace_back(squared, other);
   }
   if (near_.empty()) return;
   std::sort(near_.begin(), near_.end());
-  const Body own = body(robot);
-  for (const auto& [squared, other] : near_) meet(own, body(other), step);
+  std::optional<Body> own;
+  for (const auto& [squared, other] : near_) {
+    if (is_known(a, sweeps[other], step) && changes_nothing(a, sweeps[other])) continue;
+    if (!own) own = body(robot);
+    meet(*own, body(other), step);
+  }
+}
+
+// Whether the two neither touch nor come nearer than any have, by the distance that meet() finds.
+bool Encounters::changes_nothing(const Sweep& a, const Sweep& b) const {
+  if (!min_clearance) return false;
+  const double contact = a.radius + b.radius;
+  const double d = separation(a.path, b.path, contact + std::max(*min_clearance, 0.0)).distance;
+  return d >= contact && d - contact >= *min_clearance;
 }
 
 void Encounters::meet_obstacles(std::span<const Sweep> sweeps,

@@ -52,6 +52,7 @@ struct Encounters {
     std::vector<std::uint32_t> other;  // later rows
   };
 
+  [[nodiscard]] bool changes_nothing(const Sweep& a, const Sweep& b) const;
   void meet(const Body& a, const Body& b, const StepSpan& step);
   void meet_obstacle(const Body& robot, const Body& obstacle, const StepSpan& step);
   void meet_obstacles(std::span<const Sweep> sweeps, const std::function<Body(std::size_t)>& body,

@@ -37,6 +37,17 @@ double near_range(const World& world, std::size_t slot) {
   return world.fleet.range[slot].at(norm(world.fleet.velocity[slot]));
 }
 
+NeighborQuery query_of(const World& world, std::size_t slot) {
+  constexpr double kMargin = 1.125;  // for having moved since
+  const Fleet& fleet = world.fleet;
+  return {.position = fleet.position[slot],
+          .self = fleet.rank[slot],
+          .most = nearest_sought(world),
+          .near = near_range(world, slot),
+          .far = world.sensing_radius,
+          .guess = kMargin * static_cast<double>(fleet.nearest[slot])};
+}
+
 // m, see Neighbors.
 double range_of(const NeighborQuery& query) {
   const bool is_less = query.near >= 0.0 && query.near < query.far;
@@ -257,15 +268,8 @@ bool append_far(const World& world, std::size_t slot, std::size_t query, Worker&
 
 }  // namespace
 
-NeighborQuery query_of(const World& world, std::size_t slot) {
-  constexpr double kMargin = 1.125;  // for having moved since
-  const Fleet& fleet = world.fleet;
-  return {.position = fleet.position[slot],
-          .self = fleet.rank[slot],
-          .most = nearest_sought(world),
-          .near = near_range(world, slot),
-          .far = world.sensing_radius,
-          .guess = kMargin * static_cast<double>(fleet.nearest[slot])};
+NeighborQuery sought_by(const World& world, std::size_t slot) {
+  return query_of(world, slot);
 }
 
 std::size_t sense(World& world, std::span<const std::uint32_t> slots, Worker& worker) {

@@ -16,7 +16,7 @@ struct Worker;
 inline constexpr double kFarthestTrusted = 1e11;
 
 /// Whom the robot in that slot looks for.
-NeighborQuery query_of(const World& world, std::size_t slot);
+NeighborQuery sought_by(const World& world, std::size_t slot);
 
 /// Fills the tile's neighbors: all that can matter within the sensing radius. Returns how many
 /// robots there was room for.

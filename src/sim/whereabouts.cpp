@@ -83,15 +83,20 @@ std::size_t gather(World& world, Vec2 center, double radius) {
   const std::span<const std::uint32_t> order = own.filed.grid.order();
   const double reach = radius + drift_of(world);
   own.filed.grid.list_within(center, reach + kRounding * (norm(center) + reach), own.read);
-  own.slots.clear(), own.position.clear(), own.velocity.clear(), own.rank.clear();
+  const auto resize = [&](std::size_t count) {
+    own.slots.resize(count), own.position.resize(count);
+    own.velocity.resize(count), own.rank.resize(count);
+  };
+  resize(own.read.size());
+  std::size_t count = 0;
   for (const std::uint32_t place : own.read) {
-    const std::uint32_t slot = order[place];
-    const auto [position, velocity] = present_place(world, own.step[place], slot);
-    if (!(norm_squared(position - center) <= radius * radius)) continue;
-    own.slots.push_back(slot);
-    own.position.push_back(position), own.velocity.push_back(velocity);
-    own.rank.push_back(own.filed.grid.index(place));
+    const auto [position, velocity] = present_place(world, own.step[place], order[place]);
+    own.slots[count] = order[place];
+    own.position[count] = position, own.velocity[count] = velocity;
+    own.rank[count] = own.filed.grid.index(place);
+    count += norm_squared(position - center) <= radius * radius ? 1 : 0;  // counts if it is near
   }
+  resize(count);
   return own.slots.size();
 }
 
@@ -134,7 +139,7 @@ bool knows_near(const World& world) {
 
 void find_near(World& world, std::size_t slot) {
   Whereabouts& own = world.whereabouts;
-  const NeighborQuery query = query_of(world, slot);
+  const NeighborQuery query = sought_by(world, slot);
   if (!is_finite(query.position)) return world.snapshot.grid.take({}, {}, {});
   double radius = std::min(std::max({query.near, query.guess, kLeastLook * query.far}), query.far);
   while (gather(world, query.position, radius) <= query.most && radius < query.far)

@@ -88,7 +88,7 @@ struct World {
   Instant now = 0, before = -1;  // of free clocks: the last step began before, if at all
   std::uint64_t next_id = 0;
 
-  Agenda agenda;                        // of free clocks, like the next two
+  Agenda agenda;  // of free clocks, like the next two
   Whereabouts whereabouts;
   std::atomic<bool> is_current = true;  // the fleet's columns tell where all are now
 

@@ -244,7 +244,8 @@ void bind_edits(SimulationClass& simulation) {
 void bind_robot_state(py::module_& module) {
   using avo::RobotState;
   py::class_<RobotState>(module, "RobotState", "One robot of a fleet, as it is now.")
-      .def_property_readonly("id", [](const RobotState& state) { return state.id.value; })
+      .def_property_readonly(
+          "id", [](const RobotState& state) { return state.id.value; }, "never used again")
       .def_readonly("position", &RobotState::position, "(x, y), m")
       .def_readonly("velocity", &RobotState::velocity, "(x, y), m/s")
       .def_readonly("heading", &RobotState::heading,
