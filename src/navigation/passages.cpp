@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <utility>
 
 #include "navigation/gaps.h"
@@ -13,8 +14,10 @@
 namespace avo {
 namespace {
 
-constexpr double kBeside = 0.5;     // radii: nearer to the walls nobody is in the way in
-constexpr double kBayRoom = 0.999;  // of the radius, on the straight way to a bay
+constexpr double kBeside = 0.5;       // radii: nearer to the walls nobody is in the way in
+constexpr double kBayRoom = 0.999;    // of the radius, on the straight way to a bay
+constexpr double kPocket = 1.1;       // radii behind a gap: where a robot stands in a pocket
+constexpr double kOutOfPocket = 2.0;  // radii from there: who gets so far is in none
 constexpr double kAtBends = 1.4;  // of half the width: nobody behind a wall is as near to the axis
 
 // Around the whole axis.
@@ -32,6 +35,25 @@ bool is_bay_free(const ClearanceGrid& grid, const Passage& passage, bool forward
   const Vec2 before = mouth.point - kBayOut * unit * mouth.direction;
   const Vec2 bay = before - side * kBayAside * unit * perpendicular(mouth.direction);
   return grid.is_clear(mouth.point, before, room) && grid.is_clear(before, bay, room);
+}
+
+// Whether there is room for a robot on one side of the gap, and it gets nowhere from there: nobody
+// wants through who has not its goal there.
+bool leads_into_pocket(const ClearanceGrid& grid, const Gap& gap) {
+  if (gap.two_lanes) return false;
+  const double room = kBayRoom * gap.radius, farther = kOutOfPocket * gap.radius;
+  const Vec2 middle = gap.middle();
+  for (const Vec2 ahead : {gap.ahead(), -1.0 * gap.ahead()}) {
+    const Vec2 inside = middle + kPocket * gap.radius * ahead, left = perpendicular(ahead);
+    const std::array ways{ahead, left, -1.0 * left, (ahead + left) / std::numbers::sqrt2,
+                          (ahead - left) / std::numbers::sqrt2};
+    const bool has_room = grid.is_clear(middle, inside, room);
+    if (has_room && std::none_of(ways.begin(), ways.end(), [&](Vec2 way) {
+          return grid.is_clear(inside, inside + farther * way, room);
+        }))
+      return true;
+  }
+  return false;
 }
 
 }  // namespace
@@ -77,7 +99,9 @@ Passages::Passages(std::span<const Wall> walls, std::span<const double> radii, d
   if (walls.empty() || radii.empty()) return;
   const ClearanceGrid grid(walls, gap_reach(radii, widest_of(walls)));
   std::vector<Wall> gaps;
-  all_ = join_gaps(grid, find_gaps(grid, radii), gaps, gap_of_);
+  std::vector<Gap> all = find_gaps(grid, radii);
+  std::erase_if(all, [&](const Gap& gap) { return leads_into_pocket(grid, gap); });
+  all_ = join_gaps(grid, std::move(all), gaps, gap_of_);
   choose_bays(grid);
   if (!all_.empty()) index(gaps, watched);
 }
