@@ -68,6 +68,18 @@ CornerGraph::Edges edges_from(const CornerGraph& graph, std::uint32_t i) {
   return found;
 }
 
+void add_samples(CornerGraph& graph) {
+  graph.lattice = make_lattice(graph.grid, graph.points, graph.radius);
+  const std::size_t cells = graph.lattice.cells();
+  graph.points.reserve(graph.points.size() + cells);
+  graph.room.reserve(graph.points.capacity());
+  for (std::size_t cell = 0; cell < cells; ++cell) {
+    const auto sample = sample_in(graph.lattice, cell, graph.grid, graph.radius);
+    graph.points.push_back(sample ? sample->point : Vec2{});
+    graph.room.push_back(sample ? sample->room : 0.0);
+  }
+}
+
 }  // namespace
 
 CornerGraph graph_among(std::span<const Wall> walls, double radius, ClearanceGrid grid,

@@ -47,32 +47,6 @@ void aim_at(Travel& travel, std::uint32_t target, LegScratch& scratch) {
         way_from(*travel.graph, *travel.map, target, scratch.search));
 }
 
-// Among many corners an edge that is long may give way to a shorter one in its sector.
-std::vector<Zone> where_it_matters(const CarriedGraph& carried, const CornerGraph& graph,
-                                   const PathMap& map, double length) {
-  constexpr double kSectorWidth = 0.03;  // rad, more than a sector has
-  std::vector<Zone> changed = carried.changed;
-  if (!(graph.all_within < kInfinity)) return changed;
-  const bool has_long_edges = map.is_whole || map.longest_edge > graph.all_within;
-  const double longest = has_long_edges ? std::max(length, map.settled) : graph.all_within;
-  for (Zone& zone : changed) zone.reach += kSectorWidth * longest;
-  return changed;
-}
-
-PathMap renumbered(PathMap map, const std::vector<std::uint32_t>& number) {
-  const auto renumber = [&](std::uint32_t& corner) {
-    if (corner < PathMap::kNothing) corner = number[corner];
-  };
-  for (std::uint32_t& corner : map.corners) renumber(corner);
-  for (std::uint32_t& corner : map.next) renumber(corner);
-  if (map.around) {
-    std::vector<PathMap::Known> around = *map.around;
-    for (PathMap::Known& known : around) renumber(known.corner), renumber(known.next);
-    map.around = std::make_shared<const std::vector<PathMap::Known>>(std::move(around));
-  }
-  return map;
-}
-
 // The travel where it goes on, of those that are planned anew where walls have changed.
 Travel replanned(const Travel& before, Travel fresh, Vec2 position, double radius,
                  LegScratch& scratch) {
@@ -235,7 +209,7 @@ std::optional<Travel> Ways::carry_over(const Travel& before, Vec2 position, doub
   const double room = (1.0 - 2.0 * kLengthRounding) * std::min(radius, map.room);
   const double length = norm(rest->first - position) + rest->second;
   if (!before.graph->grid.is_clear(position, rest->first, room)) return std::nullopt;
-  const std::vector<Zone> changed = where_it_matters(*carried, graph, map, length);
+  const std::vector<Zone> changed = zones_for(*carried, graph, map, length);
   if (may_meet(changed, position, map.goal, length * (1.0 + kWayRounding))) return std::nullopt;
   Travel travel = before;
   travel.graph = &graph;
