@@ -9,6 +9,8 @@
 #include <utility>
 #include <vector>
 
+#include "core/plane.h"
+
 namespace avo {
 namespace {
 
@@ -93,37 +95,49 @@ void carry_edges(const CornerGraph& before, const CarriedGraph& carried, CornerG
   }
 }
 
-void add_samples(CornerGraph& graph) {
-  graph.lattice = make_lattice(graph.grid, graph.points, graph.radius);
-  const std::size_t cells = graph.lattice.cells();
-  graph.points.reserve(graph.points.size() + cells);
-  graph.room.reserve(graph.points.capacity());
-  for (std::size_t cell = 0; cell < cells; ++cell) {
-    const auto sample = sample_in(graph.lattice, cell, graph.grid, graph.radius);
-    graph.points.push_back(sample ? sample->point : Vec2{});
-    graph.room.push_back(sample ? sample->room : 0.0);
-  }
-}
-
 }  // namespace
 
 CornerGraph corner_graph(std::span<const Wall> walls, double radius, const CornerGraph& before,
-                         std::optional<CarriedGraph>& carried) {
+                         std::optional<CarriedGraph>& carried, Joining joining) {
   carried.reset();
   const WallChanges changes(before.grid.walls(), walls);
   if (!changes.are_few() || before.radius != radius || !before.lattice.empty())
-    return corner_graph(walls, radius);
+    return corner_graph(walls, radius, joining);
   ClearanceGrid grid = corner_grid(walls, radius);
-  if (grid.reach() != before.grid.reach()) return corner_graph(walls, radius);
+  if (grid.reach() != before.grid.reach()) return corner_graph(walls, radius, joining);
   carried.emplace();
   Corners found = corners(grid, radius, before.found, changes, carried->number);
   match_found_anew(before.found, found, carried->number);
   carried->changed = zones_of(changes, radius, before.found, found, carried->number);
-  CornerGraph graph =
-      graph_among(walls, radius, std::move(grid), std::move(found), Joining::by_number);
+  CornerGraph graph = graph_among(walls, radius, std::move(grid), std::move(found), joining);
   carry_edges(before, *carried, graph);
   if (graph.all_within != before.all_within) carried.reset();
   return graph;
+}
+
+std::vector<Zone> zones_for(const CarriedGraph& carried, const CornerGraph& graph,
+                            const PathMap& map, double length) {
+  constexpr double kSectorWidth = 0.03;  // rad, more than a sector has
+  std::vector<Zone> changed = carried.changed;
+  if (!(graph.all_within < kInfinity)) return changed;
+  const bool has_long_edges = map.is_whole || map.longest_edge > graph.all_within;
+  const double longest = has_long_edges ? std::max(length, map.settled) : graph.all_within;
+  for (Zone& zone : changed) zone.reach += kSectorWidth * longest;
+  return changed;
+}
+
+PathMap renumbered(PathMap map, const std::vector<std::uint32_t>& number) {
+  const auto renumber = [&](std::uint32_t& corner) {
+    if (corner < PathMap::kNothing) corner = number[corner];
+  };
+  for (std::uint32_t& corner : map.corners) renumber(corner);
+  for (std::uint32_t& corner : map.next) renumber(corner);
+  if (map.around) {
+    std::vector<PathMap::Known> around = *map.around;
+    for (PathMap::Known& known : around) renumber(known.corner), renumber(known.next);
+    map.around = std::make_shared<const std::vector<PathMap::Known>>(std::move(around));
+  }
+  return map;
 }
 
 }  // namespace avo

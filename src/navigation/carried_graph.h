@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "navigation/corner_graph.h"
+#include "navigation/path_map.h"
 #include "navigation/wall_changes.h"
 
 namespace avo {
@@ -19,6 +20,14 @@ struct CarriedGraph {
 /// The graph that is made of nothing, sooner. Nothing is carried where much has changed: then
 /// `carried` is empty.
 CornerGraph corner_graph(std::span<const Wall> walls, double radius, const CornerGraph& before,
-                         std::optional<CarriedGraph>& carried);
+                         std::optional<CarriedGraph>& carried,
+                         Joining joining = Joining::by_number);
+
+/// Where changes matter to ways of that length, m, and to what the map tells: among many corners,
+/// an edge that is long gives way to a shorter one in its sector.
+std::vector<Zone> zones_for(const CarriedGraph& carried, const CornerGraph& graph,
+                            const PathMap& map, double length);
+/// The map with the numbers that corners have now, where nothing that it tells has changed.
+PathMap renumbered(PathMap map, const std::vector<std::uint32_t>& number);
 
 }  // namespace avo

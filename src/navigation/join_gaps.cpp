@@ -93,9 +93,22 @@ class Joiner {
     return side_of(gap, gaps_[other].middle());
   }
 
+  // Whether some wall is nearer than that; most often the one that was before.
+  bool is_nearer_wall(Vec2 p, double limit) {
+    const std::span<const Wall> walls = grid_.walls();
+    const auto is_nearer = [&](std::size_t k) {
+      return distance(p, {walls[k].a, walls[k].b}) - walls[k].radius < limit;
+    };
+    return is_nearer(nearer_wall_) || !grid_.all_near(p, p, [&](std::size_t k) {
+      if (!is_nearer(k)) return true;
+      nearer_wall_ = k;
+      return false;
+    });
+  }
+
   // Whether the way from one gap's middle to that of another one of its kind is as narrow all
   // along, and leads through no third one.
-  bool is_narrow_between(std::uint32_t i, std::uint32_t k) const {
+  bool is_narrow_between(std::uint32_t i, std::uint32_t k) {
     const Gap &one = gaps_[i], &other = gaps_[k];
     const Vec2 from = one.middle(), to = other.middle();
     if (one.two_lanes != other.two_lanes ||
@@ -115,10 +128,10 @@ class Joiner {
   }
 
   // Whether there is so much room at p, or beside it: a way along a wall is not narrow for that.
-  bool is_wide(Vec2 p, Vec2 way, double room) const {
+  bool is_wide(Vec2 p, Vec2 way, double room) {
     const Vec2 left = (room / norm(way)) * perpendicular(way);
     for (const Vec2 place : {p, p + left, p - left}) {
-      if (sight_->is_clear(p, place, joint_) && grid_.has_room(place, room)) return true;
+      if (sight_->is_clear(p, place, joint_) && !is_nearer_wall(place, room)) return true;
     }
     return false;
   }
@@ -190,6 +203,7 @@ class Joiner {
   std::optional<ClearanceGrid> lines_;  // of the gaps
   std::vector<ClearanceGrid> ranges_;   // of their middles
   std::vector<std::size_t> range_;      // of each gap
+  std::size_t nearer_wall_ = 0;
 };
 
 }  // namespace

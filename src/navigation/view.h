@@ -37,12 +37,16 @@ class Horizons {
   /// m: nothing farther off has been looked at within each of these parts of the full turn.
   static constexpr std::size_t kParts = 32;
   [[nodiscard]] std::array<float, kParts> reach() const;
-  /// What that wall hides.
-  void block(const Wall& wall);
+  /// What that wall hides; nothing where it is most likely hidden itself.
+  void block_if_seen(const Wall& wall) {
+    if (!is_hidden(wall.a) || !is_hidden(wall.b) || !is_hidden(0.5 * (wall.a + wall.b)))
+      block(wall);
+  }
   /// Whether no place of the square is in view.
   [[nodiscard]] bool hides(Vec2 low, Vec2 high) const;
 
  private:
+  void block(const Wall& wall);
   static double square(double x) { return x * x; }
   Vec2 place_;   // m
   double room_;  // m
@@ -101,7 +105,7 @@ bool ViewIndex::look_into(Cell cell, Vec2 place, Horizons& horizons, const Visit
   if (horizons.hides(low, low + side_ * Vec2{1.0, 1.0})) return false;
   const std::size_t k = number(cell);
   for (std::uint32_t w = first_wall_[k]; w < first_wall_[k + 1]; ++w)
-    horizons.block(walls_[wall_[w]]);
+    horizons.block_if_seen(walls_[wall_[w]]);
   for (std::uint32_t p = first_point_[k]; p < first_point_[k + 1]; ++p)
     if (!(points_[point_[p]] == place) && !horizons.is_hidden(points_[point_[p]])) visit(point_[p]);
   return true;

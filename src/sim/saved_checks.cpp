@@ -5,6 +5,7 @@
 #include <limits>
 #include <string>
 
+#include "core/plane.h"
 #include "core/ranges.h"
 #include "planner/arrival.h"
 #include "robots/model.h"

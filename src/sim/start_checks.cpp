@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/plane.h"
 #include "planner/certify.h"
 #include "sim/assumptions.h"
 #include "sim/clocks.h"

@@ -44,35 +44,10 @@ void aim_at_best(Travel& travel, Vec2 position, double radius, LegScratch& scrat
           .target;
 }
 
-// Among many corners an edge that is long may give way to a shorter one in its sector.
-std::vector<Zone> where_it_matters(const CarriedGraph& carried, const CornerGraph& graph,
-                                   const PathMap& map, double length) {
-  constexpr double kSectorWidth = 0.03;  // rad, more than a sector has
-  std::vector<Zone> changed = carried.changed;
-  if (!(graph.all_within < kInfinity)) return changed;
-  const bool has_long_edges = map.is_whole || map.longest_edge > graph.all_within;
-  const double longest = has_long_edges ? std::max(length, map.settled) : graph.all_within;
-  for (Zone& zone : changed) zone.reach += kSectorWidth * longest;
-  return changed;
-}
-
-PathMap renumbered(PathMap map, const std::vector<std::uint32_t>& number) {
-  const auto renumber = [&](std::uint32_t& corner) {
-    if (corner < PathMap::kNothing) corner = number[corner];
-  };
-  for (std::uint32_t& corner : map.corners) renumber(corner);
-  for (std::uint32_t& corner : map.next) renumber(corner);
-  if (map.around) {
-    std::vector<PathMap::Known> around = *map.around;
-    for (PathMap::Known& known : around) renumber(known.corner), renumber(known.next);
-    map.around = std::make_shared<const std::vector<PathMap::Known>>(std::move(around));
-  }
-  return map;
-}
-
 // s: where walls have changed there may be another way where there was none.
 double look_again_at(const Waiting& waiting) {
-  return waiting.looks_at < kInfinity ? waiting.looks_at : waiting.waited;
+  const bool has_decided = waiting.least < kInfinity, sees_none = waiting.looks_at == kInfinity;
+  return has_decided && sees_none ? waiting.waited : waiting.looks_at;
 }
 
 // Whoever waits does so among other walls as well, and goes around the same gaps where a way leads
@@ -80,7 +55,6 @@ double look_again_at(const Waiting& waiting) {
 void keep_waiting_on(const Travel& before, Vec2 position, double radius, Travel& fresh,
                      LegScratch& scratch) {
   if (!fresh.is_known() || !before.is_known() || !(fresh.map->goal == before.map->goal)) return;
-  if (!(before.waiting.least < kInfinity)) return;  // it has not decided yet
   if (!before.waiting.closed.empty()) {
     Travel other = around(fresh, position, radius, before.waiting.closed, scratch);
     if (other.is_known()) fresh = std::move(other);
@@ -252,11 +226,11 @@ std::optional<Travel> Ways::carry_over(const Travel& before, Vec2 position, doub
   const double room = (1.0 - 2.0 * kLengthRounding) * std::min(radius, map.room);
   const double length = norm(rest->first - position) + rest->second;
   if (!before.graph->grid.is_clear(position, rest->first, room)) return std::nullopt;
-  const std::vector<Zone> changed = where_it_matters(*carried, graph, map, length);
+  const std::vector<Zone> changed = zones_for(*carried, graph, map, length);
   if (may_meet(changed, position, map.goal, length * (1.0 + kWayRounding))) return std::nullopt;
   Travel travel = before;
   travel.graph = &graph;
-  if (before.waiting.least < kInfinity) travel.waiting.looks_at = look_again_at(before.waiting);
+  travel.waiting.looks_at = look_again_at(before.waiting);
   if (before.target != PathMap::kGoal) travel.target = carried->number[before.target];
   if (map.is_whole) {
     travel.map = map_to(key, map.goal, true);
