@@ -84,7 +84,7 @@ inline std::size_t keep_nearest(const NeighborQuery& query, const PlacedPoints& 
 }
 
 /// Puts the keys of many candidates into buckets of equal intervals of their squared distances, of
-/// which even crowds put about one into each. `place` of the order is scratch memory.
+/// which even crowds put about one into each. Where the order will be is scratch memory until then.
 inline void spread_keys(const NeighborQuery& query, const Found& hits, const PlacedPoints& points,
                         SearchScratch& scratch) {
   const float* const distance = scratch.distance_squared.data() + hits.first;

@@ -10,7 +10,7 @@
 
 namespace avo {
 
-/// In [0, 1), number k of those of a key. Exact in any order of its parts: with 32 and 21 bits.
+/// In [0, 1), number k of those of a key: a multiple of 2^-53.
 constexpr double uniform_number(std::uint64_t key, std::uint64_t k) {
   return 0x1p-53 * static_cast<double>(static_cast<std::int64_t>(mixed(key, k) >> 11));
 }

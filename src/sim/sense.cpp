@@ -30,7 +30,7 @@ std::size_t nearest_sought(const World& world) {
 double near_range(const World& world, std::size_t slot) {
   const double everyone = world.sensing_radius;
   if (!world.senses.are_exact() || world.outliers.usual == Scrutiny::everyone) return everyone;
-  if (!world.all_matter()) return -1.0;
+  if (!world.all_matter_to(slot)) return -1.0;
   const Vec2 p = world.fleet.position[slot];
   const double farthest = std::max({std::abs(p.x), std::abs(p.y), everyone});
   if (world.fast || !(farthest <= kMostRelevantPosition)) return everyone;
@@ -245,6 +245,7 @@ bool append_far(const World& world, std::size_t slot, std::size_t query, Worker&
   const Outliers& outliers = world.outliers;
   const Fleet& fleet = world.fleet;
   NeighborColumns& to = worker.tile.neighbors;
+  if (!world.all_matter_to(slot)) return false;
   bool some_are_far = false;
   for (const NeighborHit& hit : worker.outliers.hits) {
     const auto k = static_cast<std::size_t>(hit.index);

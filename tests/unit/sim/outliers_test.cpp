@@ -64,6 +64,11 @@ std::vector<Oddity> oddities() {
       {"priority", of_robot([](RobotSetup& r) { r.priority = 3.0; })},
       {"braking", of_robot([](RobotSetup& r) { r.max_braking = 0.6; })},
       {"method", of_robot([](RobotSetup& r) { r.method = Method::orca; })},
+      {"certified",
+       [](Scenario& scene) {
+         scene.method = Method::orca;
+         scene.robots[0].method = Method::avo;
+       }},
       {"car", of_robot([](RobotSetup& r) { r.model = Car{}; })},
       {"airplane", of_robot([](RobotSetup& r) {
          r.model = Airplane{}, r.velocity = {1.5, 0.0};
