@@ -62,6 +62,19 @@ TEST(HeldPassages, are_gone_around_once_that_has_taken_as_long) {
   EXPECT_FALSE(told.is_at_goal(0)) << "who tells claims waits";
 }
 
+// It never rests, and so it is no wall of the way.
+TEST(HeldPassages, are_gone_around_where_a_mover_walks_to_and_fro) {
+  Scenario scene = held_scene(2, {});
+  MovingObstacle mover;
+  mover.position = {-1, 0}, mover.velocity = {0.2, 0}, mover.radius = 0.4;
+  mover.max_deviation = 0.5, mover.max_speed = 0.3;
+  mover.path = {{1, 0}, {-1, 0}};
+  scene.moving_obstacles = {mover};
+  Simulation simulation(scene, 1);
+  EXPECT_LT(arrival_of(simulation, 120.0), 60.0);
+  EXPECT_TRUE(simulation.is_at_goal(0));
+}
+
 // It comes back out of the first lane and the second one, and finds the third.
 TEST(HeldPassages, are_tried_one_after_the_other) {
   Simulation simulation(held_scene(3, {0, 1}), 1);

@@ -250,6 +250,24 @@ TEST(Claims, InsideHoldHoweverLongThePassageIs) {
   }
 }
 
+// Around the end of its wall a place is as near to the axis as some inside, and the robot sees the
+// lane beside that.
+TEST(Claims, LanesAreNotThoseOfAPassageBehindAWall) {
+  const std::vector<Wall> walls{{{0, 1.5}, {10, 1.5}}, {{0, -1.5}, {10, -1.5}}};
+  const Passages passages(walls, std::vector{0.5}, kClaimRange);
+  const CornerGraph graph = corner_graph(walls, 0.5);
+  LegScratch scratch;
+  const auto lane_from = [&](Vec2 p, Vec2 goal) {
+    const PathMap map = path_map(graph, goal);
+    const Leg leg = next_leg(graph, map, p, 0.5, PathMap::kNothing, true, scratch);
+    return look_ahead(passages, graph, map, p, leg.target).lane;
+  };
+  for (double y = 1.1; y < 1.45; y += 0.1) {
+    EXPECT_TRUE(lane_from({10.75, y}, {2.0, 0.0})) << y;
+    EXPECT_FALSE(lane_from({10.75, y}, {6.0, 2.05})) << y;
+  }
+}
+
 // Each passage's own ones, however many parts there are.
 TEST(Claims, AreListedByPassage) {
   for (const RightOfWay right_of_way : {RightOfWay::seen, RightOfWay::told}) {
