@@ -45,7 +45,7 @@ struct World {
   }
 };
 
-// 600 blocks or 5000 shelves on 512 x 512 m, 4160 walls of 1 m at random, 1000 trees.
+// 600 blocks or 4800 shelves on 512 x 512 m, 4160 walls of 1 m at random, 1000 trees.
 World world_of(std::int64_t map, int robots) {
   World world;
   world.radius = map == shelves ? 0.3 : 0.5;

@@ -121,18 +121,17 @@ bool Horizons::hides(Vec2 low, Vec2 high) const {
   return true;
 }
 
-ViewIndex::ViewIndex(std::span<const Wall> walls, std::span<const Vec2> points)
-    : walls_(walls.begin(), walls.end()), points_(points.begin(), points.end()) {
-  if (walls_.empty()) return;
-  Vec2 low = walls_[0].a, high = low;
+ViewIndex::ViewIndex(std::span<const Wall> walls, std::span<const Vec2> points) {
+  if (walls.empty()) return;
+  Vec2 low = walls[0].a, high = low;
   const auto include = [&](Vec2 p) {
     low = {std::min(low.x, p.x), std::min(low.y, p.y)};
     high = {std::max(high.x, p.x), std::max(high.y, p.y)};
   };
-  for (const Wall& wall : walls_) include(wall.a), include(wall.b);
-  for (const Vec2 point : points_) include(point);
+  for (const Wall& wall : walls) include(wall.a), include(wall.b);
+  for (const Vec2 point : points) include(point);
   const Vec2 size = high - low;
-  const double cells = static_cast<double>(walls_.size() + points_.size()) / kItemsInCell + 1.0;
+  const double cells = static_cast<double>(walls.size() + points.size()) / kItemsInCell + 1.0;
   const double longest = std::max(size.x, size.y);
   side_ = std::max({std::sqrt(size.x * size.y / cells), longest / cells, longest / kMostCellsAcross,
                     std::numeric_limits<double>::min()});
@@ -148,13 +147,16 @@ ViewIndex::ViewIndex(std::span<const Wall> walls, std::span<const Vec2> points)
     std::vector<std::uint32_t> end(first.begin(), first.end() - 1);
     for_each_item([&](std::uint32_t item, std::size_t cell) { items[end[cell]++] = item; });
   };
-  lay(first_wall_, wall_, [&](const auto& visit) {
-    for (std::uint32_t k = 0; k < walls_.size(); ++k)
-      for_each_along(walls_[k], [&](std::size_t cell) { visit(k, cell); });
+  std::vector<std::uint32_t> wall;
+  lay(first_wall_, wall, [&](const auto& visit) {
+    for (std::uint32_t k = 0; k < walls.size(); ++k)
+      for_each_along(walls[k], [&](std::size_t cell) { visit(k, cell); });
   });
   lay(first_point_, point_, [&](const auto& visit) {
-    for (std::uint32_t k = 0; k < points_.size(); ++k) visit(k, number(cell_of(points_[k])));
+    for (std::uint32_t k = 0; k < points.size(); ++k) visit(k, number(cell_of(points[k])));
   });
+  for (const std::uint32_t k : wall) walls_.push_back(walls[k]);
+  for (const std::uint32_t k : point_) points_.push_back(points[k]);
 }
 
 ViewIndex::Cell ViewIndex::cell_of(Vec2 place) const {

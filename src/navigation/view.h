@@ -89,12 +89,13 @@ class ViewIndex {
   template <typename Visit>
   bool look_into(Cell cell, Vec2 place, Horizons& horizons, const Visit& visit) const;
 
-  std::vector<Wall> walls_;
-  std::vector<Vec2> points_;
   Vec2 origin_;        // m
   double side_ = 1.0;  // m, of a cell
   std::int64_t columns_ = 0, rows_ = 0;
-  std::vector<std::uint32_t> first_wall_, wall_, first_point_, point_;  // by cell
+  std::vector<std::uint32_t> first_wall_, first_point_;  // of each cell, in the next ones
+  std::vector<Wall> walls_;                              // by cell; one may come more than once
+  std::vector<Vec2> points_;                             // by cell
+  std::vector<std::uint32_t> point_;                     // the number of each of them
 };
 
 // Whether some of the cell may be in view.
@@ -105,9 +106,9 @@ bool ViewIndex::look_into(Cell cell, Vec2 place, Horizons& horizons, const Visit
   if (horizons.hides(low, low + side_ * Vec2{1.0, 1.0})) return false;
   const std::size_t k = number(cell);
   for (std::uint32_t w = first_wall_[k]; w < first_wall_[k + 1]; ++w)
-    horizons.block_if_seen(walls_[wall_[w]]);
+    horizons.block_if_seen(walls_[w]);
   for (std::uint32_t p = first_point_[k]; p < first_point_[k + 1]; ++p)
-    if (!(points_[point_[p]] == place) && !horizons.is_hidden(points_[point_[p]])) visit(point_[p]);
+    if (!(points_[p] == place) && !horizons.is_hidden(points_[p])) visit(point_[p]);
   return true;
 }
 

@@ -60,6 +60,73 @@ void expect_one(const Passages& passages, Vec2 mouth, Vec2 other, double half_wi
   EXPECT_EQ(passage.two_lanes, two_lanes);
 }
 
+// From each end to each wall, with nothing within the circle between; without those that another
+// one crosses that is no wider.
+std::vector<Gap> gaps_of_all_pairs(const std::vector<Wall>& walls, double radius) {
+  const double wide = 8.0 * radius;
+  std::vector<Gap> all;
+  for (const Wall& wall : walls) {
+    for (const Vec2 end : {wall.a, wall.b}) {
+      for (const Wall& other : walls) {
+        const Vec2 nearest = nearest_on({other.a, other.b}, end);
+        const double width = norm(nearest - end) - wall.radius - other.radius;
+        if (width < 2.0 * radius - kRounding || width >= wide) continue;
+        const Vec2 across = (nearest - end) / norm(nearest - end);
+        const Gap gap{end + wall.radius * across, nearest - other.radius * across, radius, false};
+        const bool is_free = std::all_of(walls.begin(), walls.end(), [&](const Wall& third) {
+          return distance(gap.middle(), {third.a, third.b}) - third.radius >=
+                 0.5 * width - kRounding;
+        });
+        const bool is_known = std::any_of(all.begin(), all.end(), [&](const Gap& one) {
+          return (is_near(one.a, gap.a) && is_near(one.b, gap.b)) ||
+                 (is_near(one.a, gap.b) && is_near(one.b, gap.a));
+        });
+        if (is_free && !is_known) all.push_back(gap);
+      }
+    }
+  }
+  std::vector<Gap> kept;
+  for (const Gap& gap : all) {
+    const bool is_crossed = std::any_of(all.begin(), all.end(), [&](const Gap& other) {
+      const bool shares = is_near(gap.a, other.a) || is_near(gap.a, other.b) ||
+                          is_near(gap.b, other.a) || is_near(gap.b, other.b);
+      return !shares && other.width() <= (1.0 + kRounding) * gap.width() &&
+             distance(Segment{gap.a, gap.b}, Segment{other.a, other.b}) == 0.0;
+    });
+    if (!is_crossed) kept.push_back(gap);
+  }
+  return kept;
+}
+
+TEST(Gaps, AreThoseOfAllPairsAmongDenseWalls) {
+  std::size_t count = 0;
+  for (std::uint64_t seed = 1; seed <= 60; ++seed) {
+    SCOPED_TRACE(seed);
+    test::Random random(seed);
+    // pieces that touch, far shorter than a robot, and no four ends on one circle
+    std::vector<Wall> walls;
+    for (int line = 0; line < 14; ++line) {
+      Vec2 a{random.uniform(0.0, 6.0), random.uniform(0.0, 6.0)};
+      for (int piece = 0; piece < 6; ++piece) {
+        const Vec2 b = a + random.uniform(0.05, 0.3) * random.direction();
+        walls.push_back({a, b, seed % 3 == 0 ? 0.02 : 0.0});
+        a = b;
+      }
+    }
+    const std::vector<Gap> found = gaps_of(walls, {0.2}), all = gaps_of_all_pairs(walls, 0.2);
+    EXPECT_EQ(found.size(), all.size());
+    for (const Gap& gap : all) {
+      const auto is_it = [&](const Gap& one) {
+        return (is_near(one.a, gap.a) && is_near(one.b, gap.b)) ||
+               (is_near(one.a, gap.b) && is_near(one.b, gap.a));
+      };
+      EXPECT_EQ(std::count_if(found.begin(), found.end(), is_it), 1);
+    }
+    count += found.size();
+  }
+  EXPECT_GT(count, 500u);
+}
+
 TEST(Passages, ADoorIsOneFromBeforeItToBehindIt) {
   expect_one(passages_of(test::doorway(1.6)), {-0.65, 0}, {0.65, 0}, 0.8, false);
   expect_one(passages_of(test::corridor(1.6)), {-5.65, 0}, {5.65, 0}, 0.8, false);

@@ -3,6 +3,8 @@
 // first, on how many threads ask, nor on what was known before.
 #include <algorithm>
 #include <gtest/gtest.h>
+#include <optional>
+#include <span>
 #include <vector>
 
 #include "avo/simulation.h"
@@ -56,32 +58,38 @@ TEST(LargeMaps, stepsAreTheSameOnSeveralThreads) {
   }
 }
 
-StaticObstacle short_wall(Vec2 a) {
-  StaticObstacle wall;
-  wall.chains = {{{a, a + Vec2{0.8, 0.3}}, false}};
-  return wall;
+// Across the way of the first robot from `first` on that has room for it ahead, with nobody near.
+std::optional<StaticObstacle> wall_across_a_way(const Simulation& simulation, std::size_t first) {
+  const std::span<const Vec2> positions = simulation.fleet().position;
+  for (std::size_t k = first; k < positions.size(); ++k) {
+    const Vec2 ahead = simulation.way(k).next - positions[k];
+    if (norm(ahead) < 7.0) continue;
+    const Vec2 unit = ahead / norm(ahead), middle = positions[k] + 4.5 * unit;
+    const Vec2 half = 0.8 * perpendicular(unit);
+    if (std::any_of(positions.begin(), positions.end(),
+                    [&](Vec2 p) { return norm(p - middle) < 4.0; }))
+      continue;
+    StaticObstacle wall;
+    wall.chains = {{{middle - half, middle + half}, false}};
+    return wall;
+  }
+  return std::nullopt;
 }
 
 // A restored simulation knows nothing but what is saved, and finds all the rest anew.
 TEST(LargeMaps, goOnTheSameAfterEditsWhateverIsKnown) {
   const Scenario scene = fleet_among_many_walls(40);
-  test::Random random(5);
   Simulation simulation(scene, 1);
   std::vector<ObstacleId> added;
   int edits = 0;
   for (int round = 0; round < 12; ++round) {
-    const Vec2 place{random.uniform(0.0, kSide), random.uniform(0.0, kSide)};
     const std::size_t robots = scene.robots.size();
-    const bool is_free = [&] {
-      for (std::size_t k = 0; k < robots; ++k)
-        if (norm(simulation.fleet().position[k] - place) < 4.0) return false;
-      return true;
-    }();
+    const auto wall = wall_across_a_way(simulation, static_cast<std::size_t>(3 * round));
     if (round % 3 == 2 && !added.empty()) {
       simulation.remove_obstacle(added.back());
       added.pop_back(), ++edits;
-    } else if (is_free) {
-      added.push_back(simulation.add_obstacle(short_wall(place))), ++edits;
+    } else if (wall) {
+      added.push_back(simulation.add_obstacle(*wall)), ++edits;
     }
     simulation.set_goal(RobotId{static_cast<std::uint64_t>(round)},
                         scene.robots[static_cast<std::size_t>(robots - 1 - round)].position);
