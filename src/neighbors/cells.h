@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <span>
 
 #include "avo/vec.h"
@@ -45,6 +46,20 @@ struct Cells {
                                                           : table());
   }
 };
+
+/// The cells that a search has to read.
+struct CellRange {
+  std::int64_t first_column, first_row, last_row;
+  std::size_t columns;
+};
+inline CellRange cells_within(Vec2 p, double radius, const Cells& cells) {
+  constexpr double kTiniest = 0x1p-511;  // squares of smaller distances underflow
+  // a distance within the radius as computed exceeds it by less than 4 ulp, or underflows
+  const double reach = radius * (1.0 + 4.0 * std::numeric_limits<double>::epsilon()) + kTiniest;
+  const std::int64_t column = cells.cell(p.x - reach);
+  return {column, cells.cell(p.y - reach), cells.cell(p.y + reach),
+          static_cast<std::size_t>(cells.cell(p.x + reach) - column) + 1};
+}
 
 /// side: m, may be infinite. Row by row where the positions fill what they span, and with the rows
 /// scattered where they do not.

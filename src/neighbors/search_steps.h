@@ -30,20 +30,6 @@ inline double squared(double radius) {
   return radius < 0.0 ? -1.0 : radius * radius;
 }
 
-/// The cells that a search has to read.
-struct CellRange {
-  std::int64_t first_column, first_row, last_row;
-  std::size_t columns;
-};
-inline CellRange cells_within(Vec2 p, double radius, const Cells& cells) {
-  constexpr double kTiniest = 0x1p-511;  // squares of smaller distances underflow
-  // a distance within the radius as computed exceeds it by less than 4 ulp, or underflows
-  const double reach = radius * (1.0 + 4.0 * std::numeric_limits<double>::epsilon()) + kTiniest;
-  const std::int64_t column = cells.cell(p.x - reach);
-  return {column, cells.cell(p.y - reach), cells.cell(p.y + reach),
-          static_cast<std::size_t>(cells.cell(p.x + reach) - column) + 1};
-}
-
 /// m², of a candidate.
 inline double exact_distance_squared(const NeighborQuery& query, const PlacedPoints& points,
                                      const SearchScratch& scratch, std::size_t candidate) {
