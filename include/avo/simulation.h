@@ -41,9 +41,11 @@ enum class Columns : std::uint16_t {
   applied_acceleration = 256,
   all = 511,
 };
+/// Those of both.
 constexpr Columns operator|(Columns a, Columns b) {
   return static_cast<Columns>(static_cast<unsigned>(a) | static_cast<unsigned>(b));
 }
+/// Whether each of `some` is one of `all`.
 constexpr bool includes(Columns all, Columns some) {
   return (static_cast<unsigned>(some) & ~static_cast<unsigned>(all)) == 0;
 }

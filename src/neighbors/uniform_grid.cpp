@@ -6,7 +6,6 @@
 #include <numeric>
 
 #include "core/plane.h"
-#include "neighbors/search_steps.h"
 
 namespace avo {
 namespace {

@@ -127,13 +127,14 @@ std::vector<Wall> Fleet::parked_discs() const {
 // A robot's rank is its number, less as many as have gone before it.
 std::optional<std::size_t> Fleet::slot(RobotId robot) const {
   if (slot_of.empty()) return std::nullopt;
-  const std::uint64_t number = robot.value, most = slot_of.size() - 1,
-                      last = id[slot_of.back()].value;
+  const std::size_t most = slot_of.size() - 1;
+  const std::uint64_t number = robot.value, last = id[slot_of[most]].value;
   if (number > last) return std::nullopt;
   const std::uint64_t gone = last - most;
   const auto begin =
       slot_of.begin() + static_cast<std::ptrdiff_t>(number > gone ? number - gone : 0);
-  const auto end = slot_of.begin() + static_cast<std::ptrdiff_t>(std::min(number, most));
+  const auto end =
+      slot_of.begin() + static_cast<std::ptrdiff_t>(std::min<std::uint64_t>(number, most));
   const auto place = std::lower_bound(
       begin, end, number, [&](std::uint32_t own, std::uint64_t b) { return id[own].value < b; });
   if (!(id[*place] == robot)) return std::nullopt;
@@ -243,53 +244,6 @@ void Fleet::reorder(std::span<const std::uint32_t> order, Executor& executor, bo
     slot_of[static_cast<std::size_t>(rank[slot])] = static_cast<std::uint32_t>(slot);
   }
   torn = false;
-}
-
-// action(column, of) for each one, where of(fleet, slot) is a robot's entry in it.
-template <typename Action>
-void FleetMirror::for_each_column(Columns wanted, const Action& action) {
-  const auto at = [&](Columns which, auto& column, const auto& of) {
-    if (includes(wanted, which)) action(column, of);
-  };
-  const auto in = [](const auto Fleet::*column) {
-    return [column](const Fleet& fleet, std::size_t slot) { return (fleet.*column)[slot]; };
-  };
-  at(Columns::id, id, in(&Fleet::id));
-  at(Columns::position, position, [](const Fleet& f, std::size_t slot) { return f.place(slot); });
-  at(Columns::velocity, velocity, in(&Fleet::velocity));
-  at(Columns::heading, heading, in(&Fleet::heading));
-  at(Columns::goal, goal, in(&Fleet::goal));
-  at(Columns::setup, setup, [](const Fleet& f, std::size_t slot) { return f.setup(slot); });
-  at(Columns::detour, detour, in(&Fleet::detour));
-  at(Columns::plan, plan, in(&Fleet::plan));
-  at(Columns::applied_acceleration, applied_acceleration, in(&Fleet::applied_acceleration));
-}
-
-void FleetMirror::copy(const Fleet& fleet, Columns wanted) {
-  for_each_column(wanted, [&](auto& column, const auto& of) {
-    column.resize(fleet.size());
-    for (std::size_t k = 0; k < column.size(); ++k) column[k] = of(fleet, fleet.slot_of[k]);
-  });
-}
-
-void FleetMirror::renew(const Fleet& fleet, std::size_t rank, Columns copied) {
-  for_each_column(
-      copied, [&](auto& column, const auto& of) { column[rank] = of(fleet, fleet.slot_of[rank]); });
-}
-
-FleetView FleetMirror::view(Columns wanted) const {
-  const auto shown = [&](Columns which, const auto& column) {
-    return includes(wanted, which) ? std::span(column) : decltype(std::span(column))();
-  };
-  return {shown(Columns::id, id),
-          shown(Columns::position, position),
-          shown(Columns::velocity, velocity),
-          shown(Columns::heading, heading),
-          shown(Columns::goal, goal),
-          shown(Columns::setup, setup),
-          shown(Columns::detour, detour),
-          shown(Columns::plan, plan),
-          shown(Columns::applied_acceleration, applied_acceleration)};
 }
 
 namespace {

@@ -9,6 +9,7 @@
 
 #include "core/mutex.h"
 #include "sim/clocks.h"
+#include "sim/fleet_mirror.h"
 #include "sim/world.h"
 
 namespace avo {
