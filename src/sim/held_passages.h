@@ -3,7 +3,7 @@
 #pragma once
 #include <cstddef>
 
-#include "sim/ways.h"
+#include "sim/travel.h"
 
 namespace avo {
 
