@@ -92,7 +92,7 @@ TEST(LargeMaps, goOnTheSameAfterEditsWhateverIsKnown) {
       added.push_back(simulation.add_obstacle(*wall)), ++edits;
     }
     simulation.set_goal(RobotId{static_cast<std::uint64_t>(round)},
-                        scene.robots[static_cast<std::size_t>(robots - 1 - round)].position);
+                        scene.robots[robots - 1 - static_cast<std::size_t>(round)].position);
     Simulation restored(simulation.save(), 1);
     for (int k = 0; k < 12; ++k) {
       simulation.step(), restored.step();
