@@ -40,10 +40,7 @@ class Memo {
       return *made.release();
     return *value;
   }
-  /// Takes the value away, if there is one; nobody else asks meanwhile.
-  std::unique_ptr<const T> take(std::size_t k) {
-    return std::unique_ptr<const T>(values_[k].exchange(nullptr, std::memory_order_acq_rel));
-  }
+  /// Nobody asks meanwhile.
   void put(std::size_t k, std::unique_ptr<const T> value) {
     delete values_[k].exchange(value.release(), std::memory_order_acq_rel);
   }

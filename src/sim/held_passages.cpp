@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// A robot cannot know for how long others will hold a passage. Whoever sets out for another way
-// once it has waited for as long as that takes longer loses at most twice what it would lose if it
-// knew.
+// A robot cannot know for how long others will hold a passage. It sets out for another way once it
+// has waited for as long as that way takes longer. So it loses at most twice what it would lose if
+// it knew.
 #include "sim/held_passages.h"
 
 #include <utility>
@@ -33,6 +33,11 @@ void wait_on(Waiting& waiting, double left, const RobotTraits& traits, double ti
   waiting.looks_at = patience_of(traits);
 }
 
+// s: for as long as another way takes longer.
+double worth_waiting(double longer, const RobotTraits& traits) {
+  return longer > 0.0 ? longer / traits.preferred_speed : 0.0;
+}
+
 // Around that gap as well, or around it alone where that leads nowhere.
 Travel way_around(const Travel& travel, const Segment& gap, Vec2 position, double radius,
                   LegScratch& scratch) {
@@ -58,8 +63,9 @@ void look_for_another_way(const World& world, std::size_t slot, Travel& travel,
     return;
   }
   Travel other = way_around(travel, *gap, p, traits.radius, scratch);
-  const double longer = length_of(other, p) - length_of(travel, p);
-  waiting.looks_at = longer / traits.preferred_speed;  // never, where there is none
+  waiting.looks_at = other.is_known()
+                         ? worth_waiting(length_of(other, p) - length_of(travel, p), traits)
+                         : kInfinity;
   if (waiting.looks_at <= waiting.waited) travel = std::move(other);
 }
 

@@ -40,9 +40,9 @@ void look_over(World& world) {
   }
 }
 
-void lay_out(World& world, Executor& executor) {
+// Notes the cell of each robot.
+void note_cells(World& world, Executor& executor) {
   Fleet& fleet = world.fleet;
-  lay_out(fleet, world.sensing_radius, world.near, world.most_nearest(), world.snapshot);
   const std::size_t count = fleet.size(), tiles = (count + kTileRobots - 1) / kTileRobots;
   parallel_for(executor, tiles, [&](std::size_t tile, std::size_t) {
     const std::size_t last = std::min((tile + 1) * kTileRobots, count);
@@ -50,6 +50,11 @@ void lay_out(World& world, Executor& executor) {
       fleet.cell[i] = world.snapshot.cells.key(fleet.position[i]);
     }
   });
+}
+
+void lay_out(World& world, Executor& executor) {
+  lay_out(world.fleet, world.sensing_radius, world.near, world.most_nearest(), world.snapshot);
+  note_cells(world, executor);
 }
 
 void take_snapshot(World& world, Executor& executor) {
@@ -146,11 +151,13 @@ void take_by_pace(World& world, Executor& executor) {
   }
 }
 
-// Before an instant at which everybody is looked at.
-void assemble(World& world) {
+// Before an instant at which everybody is looked at. Those who decided since they were filed did so
+// in a snapshot of one cell.
+void assemble(World& world, Executor& executor) {
   const Fleet& fleet = world.fleet;
   catch_up(world);
   unfile(world);
+  note_cells(world, executor);
   if (world.changed) make_agenda(world);
   world.fast = false;
   for (std::size_t slot = 0; slot < fleet.size() && !world.fast; ++slot)
@@ -226,7 +233,7 @@ void step(World& world) {
   forget(world.bystanders);
   Executor& executor = executor_of(world);
   const bool is_free = world.fleet.has_clocks, near = is_free && knows_near(world);
-  if (is_free && !near) assemble(world);
+  if (is_free && !near) assemble(world, executor);
   if (!near) index(world, executor);
   world.torn = true;
   bool fast = false;

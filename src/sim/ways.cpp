@@ -113,12 +113,13 @@ std::shared_ptr<const PathMap> Ways::map_to(GraphKey key, Vec2 end, bool is_whol
   const std::size_t corners = graph.corners();
   const bool are_kept = *kept_corners_ + corners <= kMostKeptCorners;
   if (is_whole || !is_searched(graph) || (are_kept && goal.asked++ >= kAskedOften)) {
+    auto whole = std::make_unique<const PathMap>(path_map(graph, end));
     const auto forget = [kept = kept_corners_, corners](const PathMap* old) {
       *kept -= corners;
       delete old;
     };
-    map = std::shared_ptr<const PathMap>(new PathMap(path_map(graph, end)), forget);
-    *kept_corners_ += corners;
+    *kept_corners_ += corners;  // if there is no memory for the next line, it takes them away again
+    map = std::shared_ptr<const PathMap>(whole.release(), forget);
     goal.map = map;
   } else {
     map = std::make_shared<const PathMap>(goal_of(graph, end));
@@ -189,7 +190,8 @@ Travel Ways::resume(double radius, Vec2 end, std::uint32_t target, bool is_exact
 // own one has changed.
 std::optional<Travel> Ways::carry_over(const Travel& before, Vec2 position, double radius) {
   if (!before.is_known() || before.ends != WayEnd::goal || before.around_movers ||
-      goes_around_movers() || !before.waiting.closed.empty())
+      goes_around_movers() || !before.waiting.closed.empty() ||
+      before.graph->radius != radius_class(radius))  // a graph that a new way asks last
     return std::nullopt;
   const GraphKey key{false, before.graph->radius};
   const CornerGraph& graph = graph_of(key);

@@ -111,9 +111,6 @@ TEST(FreeClocks, explain_tells_the_robots_own_last_decision) {
 }
 
 TEST(FreeClocks, what_has_no_common_steps_is_said_in_a_line) {
-  const ProcessResult bench = run_avo(with({"bench"}, kFree));
-  EXPECT_EQ(bench.exit_code, 2);
-  EXPECT_NE(bench.err.find("clock"), std::string::npos);
   EXPECT_EQ(run_avo(with({"validate"}, kFree)).out,
             "circle-10: valid: 10 robots, 0 moving obstacles, 100 s by clocks of their own\n");
   const ProcessResult common = run_avo({"run", "circle-10", "--set", "robots.2.time_step=0.05"});

@@ -2,9 +2,11 @@
 // Nothing is allocated per step once a simulation is warm: every operator new is counted.
 #include <cmath>
 #include <gtest/gtest.h>
+#include <memory>
 
 #include "avo/simulation.h"
 #include "core/executor.h"
+#include "core/thread_pool.h"
 #include "unit/sim/counting_new.h"
 #include "unit/sim/scenes.h"
 #include "unit/sim/walled_scenes.h"
@@ -22,20 +24,47 @@ TEST(Allocation, the_counter_counts) {
   EXPECT_EQ(allocations - before, 1);
 }
 
-long allocations_when_warm(const Scenario& scene, int threads, int warm_up, int steps) {
-  Simulation simulation(scene, threads);
+// Two workers that change places with every call, so that each of them comes to know every part of
+// the work: which one of a pool does what is left to chance.
+class TakingTurns final : public Executor {
+ public:
+  [[nodiscard]] std::size_t workers() const override { return 2; }
+  void run(std::size_t count, Task task, void* context) override {
+    ++calls_;
+    for (std::size_t k = 0; k < count; ++k) task(context, k, (k + calls_) % 2);
+  }
+
+ private:
+  std::size_t calls_ = 0;
+};
+
+Simulation simulation_on(int workers, const Scenario& scene) {
+  return workers == 1 ? Simulation(scene, 1) : Simulation(scene, std::make_shared<TakingTurns>());
+}
+
+long allocations_when_warm(const Scenario& scene, int workers, int warm_up, int steps) {
+  Simulation simulation = simulation_on(workers, scene);
   for (int k = 0; k < warm_up; ++k) simulation.step();
   const long before = allocations;
   for (int k = 0; k < steps; ++k) simulation.step();
   return allocations - before;
 }
 
+TEST(Allocation, none_per_call_of_a_pool) {
+  ThreadPool pool(2);
+  const auto call = [&] { parallel_for(pool, 8, [](std::size_t, std::size_t) {}); };
+  call();
+  const long before = allocations;
+  for (int k = 0; k < 100; ++k) call();
+  EXPECT_EQ(allocations - before, 0);
+}
+
 TEST(Allocation, none_per_step_in_a_dense_scene) {
-  for (const int threads : {1, 2}) {
+  for (const int workers : {1, 2}) {
     for (const Motion motion : {Motion::held, Motion::exponential}) {
       const Scenario scene = test::dense_scene(280, motion);
       ASSERT_GE(scene.robots.size(), kFewestParallel);
-      EXPECT_EQ(allocations_when_warm(scene, threads, 60, 60), 0) << threads << " threads";
+      EXPECT_EQ(allocations_when_warm(scene, workers, 60, 60), 0) << workers << " workers";
     }
   }
 }
@@ -50,11 +79,11 @@ TEST(Allocation, none_per_step_of_avo_under_any_certificate) {
 }
 
 TEST(Allocation, none_per_step_of_free_clocks) {
-  for (const int threads : {1, 2}) {
+  for (const int workers : {1, 2}) {
     Scenario scene = test::dense_avo_scene(280, Motion::held, Certificate::braking_trajectories);
     scene.clock = Clock::free;
     for (std::size_t i = 0; i < scene.robots.size(); i += 3) scene.robots[i].time_step = 0.05;
-    EXPECT_EQ(allocations_when_warm(scene, threads, 1500, 1500), 0) << threads << " threads";
+    EXPECT_EQ(allocations_when_warm(scene, workers, 1500, 1500), 0) << workers << " workers";
   }
 }
 
@@ -101,14 +130,14 @@ TEST(Allocation, none_per_step_of_the_baselines) {
 }
 
 TEST(Allocation, none_per_step_of_several_methods) {
-  for (const int threads : {1, 2}) {
+  for (const int workers : {1, 2}) {
     Scenario scene = test::dense_scene(280, Motion::held);
     scene.method = Method::avo;
     for (std::size_t i = 0; i < scene.robots.size(); i += 2) {
       scene.robots[i].method = i % 4 == 0 ? Method::orca : Method::avo_paper;
       if (i % 3 == 0) scene.robots[i].time_horizon = 4.0;
     }
-    EXPECT_EQ(allocations_when_warm(scene, threads, 60, 40), 0) << threads << " threads";
+    EXPECT_EQ(allocations_when_warm(scene, workers, 60, 40), 0) << workers << " workers";
   }
 }
 
@@ -143,9 +172,9 @@ TEST(Allocation, none_per_step_beside_walls) {
 // Robots jostle each other off their ways, lose sight of where they were going, and look for
 // something else.
 TEST(Allocation, none_per_step_among_walls) {
-  for (const int threads : {1, 2}) {
+  for (const int workers : {1, 2}) {
     const Scenario scene = test::crowded_maze(280);
-    EXPECT_EQ(allocations_when_warm(scene, threads, 1, 150), 0) << threads << " threads";
+    EXPECT_EQ(allocations_when_warm(scene, workers, 1, 150), 0) << workers << " workers";
   }
 }
 
@@ -153,25 +182,25 @@ TEST(Allocation, none_per_step_among_walls) {
 // long enough yet to look for another way, which needs a map of its own.
 TEST(Allocation, none_per_step_at_passages) {
   for (const RightOfWay right_of_way : {RightOfWay::seen, RightOfWay::told}) {
-    for (const int threads : {1, 2}) {
+    for (const int workers : {1, 2}) {
       const Scenario scene = test::crowd_at_doors(300, right_of_way);
-      EXPECT_EQ(allocations_when_warm(scene, threads, 3, 70), 0) << threads << " threads";
+      EXPECT_EQ(allocations_when_warm(scene, workers, 3, 70), 0) << workers << " workers";
     }
   }
 }
 
 TEST(Allocation, none_per_step_where_others_look_as_the_scene_says) {
-  for (const int threads : {1, 2}) {
+  for (const int workers : {1, 2}) {
     Scenario scene = test::crowded_maze(280);
     scene.sensing.noise.position = 0.01;
     scene.sensing.delay = 1;
     scene.sensing.dropped = 0.1;
     scene.sensing.occlusion = true;
-    EXPECT_EQ(allocations_when_warm(scene, threads, 1, 60), 0) << threads << " threads";
+    EXPECT_EQ(allocations_when_warm(scene, workers, 1, 60), 0) << workers << " workers";
     scene.sensing.localization.position = 0.01;
-    EXPECT_EQ(allocations_when_warm(scene, threads, 1, 60), 0) << threads << " threads";
+    EXPECT_EQ(allocations_when_warm(scene, workers, 1, 60), 0) << workers << " workers";
     scene.clock = Clock::free;
-    EXPECT_EQ(allocations_when_warm(scene, threads, 400, 400), 0) << threads << " threads";
+    EXPECT_EQ(allocations_when_warm(scene, workers, 400, 400), 0) << workers << " workers";
   }
 }
 

@@ -49,6 +49,26 @@ double arrival_of(Simulation& simulation, double time) {
   return simulation.time();
 }
 
+// Two lanes as far from a robot that does not want to move, and one at rest near it.
+TEST(HeldPassages, make_nobody_wait_who_does_not_want_to_move) {
+  Scenario scene;
+  std::vector<Wall> walls = test::ring({{-19, -8}, {19, -8}, {19, 8}, {-19, 8}});
+  for (const auto& [low, high] :
+       {std::pair(-2.2, 2.2), std::pair(3.8, 8.0), std::pair(-8.0, -3.8)}) {
+    const std::vector<Wall> block = test::ring({{-5, low}, {5, low}, {5, high}, {-5, high}});
+    walls.insert(walls.end(), block.begin(), block.end());
+  }
+  scene.obstacles = {test::pieces(walls)};
+  scene.robots = {test::robot_at({-11, 0}, {11, 0}), test::robot_at({-13, 3}, {-13, 3})};
+  scene.robots[0].preferred_speed = 0.0;
+  Simulation simulation(scene, 1);
+  for (int k = 0; k < 200; ++k) {
+    simulation.step();
+    if (k % 10 != 9) continue;
+    EXPECT_EQ(Simulation(simulation.save(), 1).state_hash(), simulation.state_hash());
+  }
+}
+
 TEST(HeldPassages, are_gone_around_once_that_has_taken_as_long) {
   Scenario scene = held_scene(2, {0});
   Simulation free(held_scene(2, {}), 1), held(scene, 1), by_other(held_scene(2, {}), 1);

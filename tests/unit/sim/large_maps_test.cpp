@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "avo/simulation.h"
+#include "sim/ways.h"
 #include "unit/sim/walled_scenes.h"
 
 namespace avo {
@@ -74,6 +75,30 @@ std::optional<StaticObstacle> wall_across_a_way(const Simulation& simulation, st
     return wall;
   }
   return std::nullopt;
+}
+
+// Through a gap that is only wide enough for the robot itself, and not for the largest one that
+// shares graphs with it, until a wide one opens far away.
+TEST(LargeMaps, whoseRadiusIsNoClassGoesAfterAnEditAsOneThatComes) {
+  const auto wall = [](Vec2 a, Vec2 b) { return StaticObstacle{{{{a, b}, false}}}; };
+  Scenario scene;
+  scene.right_of_way = RightOfWay::none;
+  scene.obstacles = {wall({0, 0.522}, {0, 30}),   wall({0, -0.522}, {0, -7}),
+                     wall({0, -11}, {0, -30}),    wall({0, -7}, {0, -11}),
+                     wall({-20, 30}, {20, 30}),   wall({-20, -30}, {20, -30}),
+                     wall({-20, -30}, {-20, 30}), wall({20, -30}, {20, 30})};
+  RobotSetup robot = test::robot_at({-10, 0}, {10, 0});
+  robot.radius = 0.5201;
+  ASSERT_NE(radius_class(robot.radius), robot.radius);
+  scene.robots = {robot};
+  Simulation simulation(scene, 1);
+  for (int k = 0; k < 8; ++k) simulation.step();
+  EXPECT_LT(simulation.way(0).length, 20.1);
+  simulation.remove_obstacle(ObstacleId{3});
+  Simulation anew(simulation.save(), 1);
+  anew.set_goal({0}, {10, 1});
+  anew.set_goal({0}, robot.goal);
+  EXPECT_EQ(simulation.way(0).length, anew.way(0).length);
 }
 
 // A restored simulation knows nothing but what is saved, and finds all the rest anew.
