@@ -4,6 +4,7 @@
 #include <cmath>
 #include <gtest/gtest.h>
 #include <memory>
+#include <numbers>
 
 #include "avo/simulation.h"
 #include "sim/clocks.h"
@@ -47,9 +48,17 @@ TEST(FreeSteps, are_the_same_as_if_all_were_moved) {
   expect_same_when_restored(crowd(80), 3.0);
 }
 
-// They are filed again before cells are laid out anew.
+// They are filed again before cells are laid out anew, and far from the cell of the origin.
 TEST(FreeSteps, are_the_same_of_a_few) {
-  for (const std::uint64_t seed : {1, 2, 3}) expect_same_when_restored(crowd(9, seed), 6.0);
+  constexpr int kRobots = 10;
+  Scenario scene = crowd(kRobots);
+  for (int i = 0; i < kRobots; ++i) {
+    const double angle = 2.0 * std::numbers::pi * i / kRobots;
+    const Vec2 away{12.0 * std::cos(angle), 12.0 * std::sin(angle)}, middle{100.0, 60.0};
+    scene.robots[static_cast<std::size_t>(i)] = robot_at(middle + away, middle - away);
+  }
+  scene.sensing_radius = 8.0;
+  expect_same_when_restored(scene, 15.0);
 }
 
 TEST(FreeSteps, are_the_same_where_robots_sense_all_that_are_near) {
