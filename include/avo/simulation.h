@@ -130,7 +130,8 @@ class AVO_API Simulation {
   /// One sensing-acting cycle of all robots: decide from the present generation, move by Δt. Where
   /// clocks are free: those whose own step ends now decide, from the states of now, and all move to
   /// the next instant at which anybody decides.
-  /// Bit-identical for any number of threads; allocates nothing once warm. Where memory runs out it
+  /// Bit-identical for any number of threads. Allocates nothing once warm, but where a robot
+  /// searches for a way among many walls, or around a held passage. Where memory runs out it
   /// throws std::bad_alloc: either before anyone has moved, so that the step can be tried again, or
   /// after some have, and then every later step throws Error.
   void step();
