@@ -39,14 +39,6 @@ std::shared_ptr<Executor> checked(std::shared_ptr<Executor> executor) {
   return counted(std::move(executor));
 }
 
-// Which do not tell where robots are.
-constexpr Columns kUnmoved =
-    Columns::id | Columns::goal | Columns::detour | Columns::plan | Columns::applied_acceleration;
-
-Columns without(Columns all, Columns some) {
-  return static_cast<Columns>(static_cast<unsigned>(all) & ~static_cast<unsigned>(some));
-}
-
 // m, that the robot is said to be at.
 Vec2 place_now(const World& world, std::size_t slot) {
   if (world.is_current) return world.fleet.place(slot);
@@ -140,59 +132,6 @@ std::vector<std::byte> Simulation::save() const {
 void Simulation::restore(std::span<const std::byte> saved) {
   avo::restore(from_bytes(saved), *state_);
   state_->forget_robots();
-}
-
-FleetView Simulation::fleet(Columns wanted) const {
-  State& state = *state_;
-  if (!includes(state.mirrored, wanted)) {
-    if (without(wanted, kUnmoved) != Columns{}) state.catch_up();
-    const Lock lock(state.looking);
-    state.mirror.copy(state.fleet, without(wanted, state.mirrored));
-    state.mirrored = state.mirrored | wanted;
-  }
-  return state.mirror.view(wanted);
-}
-
-std::size_t Simulation::size() const {
-  return state_->fleet.size();
-}
-
-std::uint64_t Simulation::roster() const {
-  return state_->roster;
-}
-
-RobotState Simulation::robot(std::size_t robot) const {
-  const Fleet& fleet = state_->fleet;
-  const std::uint32_t slot = fleet.slot_of[robot];
-  const MotionState present = present_state(*state_, slot);
-  return {.id = fleet.id[slot],
-          .position = fleet.place(slot, present),
-          .velocity = present.velocity,
-          .heading = present.heading,
-          .goal = fleet.goal[slot],
-          .detour = fleet.detour[slot],
-          .plan = fleet.plan[slot],
-          .applied_acceleration = fleet.applied_acceleration[slot]};
-}
-
-RobotSetup Simulation::setup(std::size_t robot) const {
-  const std::uint32_t slot = state_->fleet.slot_of[robot];
-  return state_->fleet.setup(slot, present_state(*state_, slot));
-}
-
-std::optional<std::size_t> Simulation::index_of(RobotId robot) const {
-  const Fleet& fleet = state_->fleet;
-  const auto slot = fleet.slot(robot);
-  return slot ? std::optional(static_cast<std::size_t>(fleet.rank[*slot])) : std::nullopt;
-}
-
-ObstacleView Simulation::obstacles() const {
-  const ObstacleColumns& o = state_->obstacles;
-  return {o.position, o.velocity, o.setup, o.target};
-}
-
-StaticObstacleView Simulation::static_obstacles() const {
-  return {state_->statics.id, state_->statics.obstacles};
 }
 
 double Simulation::time() const {
