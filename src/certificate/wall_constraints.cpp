@@ -244,15 +244,13 @@ bool keeps_walls(const WallConstraints& constraints, const CandidatePath& path,
 }
 
 void append_wall_cuts(const WallConstraints& constraints, const CandidatePath& path,
-                      const StepLaw& law, double inside, std::vector<HalfPlane>& half_planes) {
+                      const StepLaw& law, std::vector<HalfPlane>& half_planes) {
   if (constraints.near.empty() || constraints.must_brake) return;
   const Pieces pieces = pieces_of(constraints, path, law);
   for (const NearWall& wall : constraints.near) {
     if (keeps_wall(wall, constraints, pieces, path)) continue;
-    std::optional<HalfPlane> cut = cut_of(wall, constraints, pieces, path, law);
-    if (!cut) continue;
-    cut->offset += inside;
-    half_planes.push_back(*cut);
+    const std::optional<HalfPlane> cut = cut_of(wall, constraints, pieces, path, law);
+    if (cut) half_planes.push_back(*cut);
   }
 }
 

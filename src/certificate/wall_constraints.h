@@ -62,9 +62,8 @@ void begin_walls(const Robot& robot, std::span<const Wall> walls, const StepLaw&
 /// Whether the path keeps clear of all walls, or is braking.
 bool keeps_walls(const WallConstraints& constraints, const CandidatePath& path, const StepLaw& law);
 
-/// For every wall that refuses the path, a half-plane in v_1 that cuts the path's off, drawn
-/// `inside` m/s on the safe side.
+/// For every wall that refuses the path, a half-plane in v_1 that cuts the path's off.
 void append_wall_cuts(const WallConstraints& constraints, const CandidatePath& path,
-                      const StepLaw& law, double inside, std::vector<HalfPlane>& half_planes);
+                      const StepLaw& law, std::vector<HalfPlane>& half_planes);
 
 }  // namespace avo
