@@ -15,11 +15,13 @@
 namespace avo::safety {
 namespace {
 
-constexpr std::size_t kMost = 6000;         // states that are kept
+constexpr std::size_t kMost = 4000;         // states that are kept
 constexpr double kHeld = 0.2;               // s, about, of an acceleration
 constexpr int kLooks = 8;                   // at the distances, while it is held
 constexpr int kDirections = 12;             // of accelerations
-constexpr double kCell = 0.3, kPace = 0.25;  // m, m/s: of all states in such a cell one is kept
+// Of all states in a cell one is kept: m, and of what a held acceleration changes, so that it leads
+// to another cell.
+constexpr double kCell = 0.1, kPace = 0.5;
 
 struct State {
   Vec2 position, velocity;  // m, m/s
@@ -68,13 +70,13 @@ class Movers {
   std::vector<PathWalk> walks_;
 };
 
-std::uint64_t cell_of(const State& state) {
+std::uint64_t cell_of(const State& state, double pace) {
   const auto part = [](double value, double size) {
     return static_cast<std::uint64_t>(static_cast<std::int64_t>(std::floor(value / size))) &
            0xffffU;
   };
   return part(state.position.x, kCell) | part(state.position.y, kCell) << 16U |
-         part(state.velocity.x, kPace) << 32U | part(state.velocity.y, kPace) << 48U;
+         part(state.velocity.x, pace) << 32U | part(state.velocity.y, pace) << 48U;
 }
 
 // To hold the velocity, to brake, and full accelerations all around.
@@ -112,13 +114,16 @@ std::vector<State> states_after(const std::vector<State>& states, const Reach& r
   const RobotSetup& robot = reach.scenario.robots[0];
   std::vector<State> next;
   std::unordered_set<std::uint64_t> cells;
+  cells.reserve(2 * states.size());
+  const double pace = kPace * reach.held * robot.max_acceleration;  // m/s
   for (const State& from : states) {
     for (const Vec2 a : accelerations(robot, from.velocity, reach.held)) {
       const Vec2 velocity = from.velocity + reach.held * a;
       const State to{from.position + (0.5 * reach.held) * (from.velocity + velocity), velocity};
-      if (norm(velocity) > robot.max_speed * (1.0 + 1e-9) || cells.count(cell_of(to)) > 0) continue;
+      const std::uint64_t cell = cell_of(to, pace);
+      if (norm(velocity) > robot.max_speed * (1.0 + 1e-9) || cells.count(cell) > 0) continue;
       if (!reach.is_clear(from, a)) continue;
-      cells.insert(cell_of(to));
+      cells.insert(cell);
       next.push_back(to);
     }
   }
