@@ -12,7 +12,7 @@ namespace avo {
 namespace {
 
 constexpr double kLongestWay = 2.0;      // T, until a way brakes,
-constexpr double kLongWay = 4.0;         // and s at least: others may be wide,
+constexpr double kWideWay = 4.0;         // or s, as far as others are that wide,
 constexpr double kMostSteps = 400.0;     // and steps at most
 constexpr double kMostBraking = 1024.0;  // steps of braking; who takes more has no ways
 constexpr int kMostWork = 200000;        // movers and intervals that a level looks at
@@ -79,9 +79,19 @@ void follow_trajectories(Evading& evading) {
   }
 }
 
-// s, until a way brakes.
+// s, until a way brakes, whoever the others are.
 double longest_way(const Robot& robot) {
-  return std::max(kLongestWay * time_to_speed(robot), kLongWay);
+  return std::max(kLongestWay * time_to_speed(robot), kWideWay);
+}
+
+// The same beside these: long enough to leave the strip of the widest one.
+double longest_way(const Robot& robot, std::span<const Neighbor> neighbors) {
+  const double time = time_to_speed(robot);
+  double contact = 0.0;  // m
+  for (const Neighbor& neighbor : neighbors)
+    if (!decides(neighbor)) contact = std::max(contact, robot.radius + neighbor.radius);
+  const double wide = time + 2.0 * contact / robot.max_speed;
+  return std::max(kLongestWay * time, std::min(kWideWay, wide));
 }
 
 // s: what a robot as fast as that takes to brake, and a step and rounding more.
@@ -110,7 +120,8 @@ std::optional<Evading> begin_evading(const CertificateLaw& law, const Robot& rob
       .law = law.step,
       .decrement = decrement_of(robot, law.step),
       .max_speed = fastest_of(robot.model, std::max(robot.max_speed, norm(robot.velocity))),
-      .longest = std::min(longest_way(robot), kMostSteps * law.step.time_step),
+      .longest =
+          std::min(longest_way(robot, sight.neighbors), kMostSteps * law.step.time_step),
       .wheels = is_holonomic(robot.model) ? nullptr : &robot};
   if (!(evading.options.max_speed <= kMostBraking * evading.options.decrement)) return std::nullopt;
   evading.braking = braking_time_of(robot, evading.options.max_speed, law.step);
