@@ -15,10 +15,10 @@
 namespace avo::safety {
 namespace {
 
-constexpr std::size_t kMost = 4000;         // states that are kept
-constexpr double kHeld = 0.2;               // s, about, of an acceleration
-constexpr int kLooks = 8;                   // at the distances, while it is held
-constexpr int kDirections = 12;             // of accelerations
+constexpr std::size_t kMost = 4000;  // states that are kept
+constexpr double kHeld = 0.2;        // s, about, of an acceleration
+constexpr int kLooks = 8;            // at the distances, while it is held
+constexpr int kDirections = 12;      // of accelerations
 // Of all states in a cell one is kept: m, and of what a held acceleration changes, so that it leads
 // to another cell.
 constexpr double kCell = 0.1, kPace = 0.5;
@@ -133,8 +133,8 @@ std::vector<State> states_after(const std::vector<State>& states, const Reach& r
 }  // namespace
 
 bool is_evadable(const Scenario& scenario) {
-  const auto steps =
-      std::max<std::int64_t>(1, static_cast<std::int64_t>(std::llround(kHeld / scenario.time_step)));
+  const auto steps = std::max<std::int64_t>(
+      1, static_cast<std::int64_t>(std::llround(kHeld / scenario.time_step)));
   const double held = static_cast<double>(steps) * scenario.time_step;
   Movers movers(scenario);
   Random random(1, 12);

@@ -30,7 +30,8 @@ struct Verdict {
 
   [[nodiscard]] bool safe() const {
     return overlapping_pairs + moving_contacts + static_contacts + evadable_hits +
-               acceleration_violations + speed_violations + jumps + kinematic_violations + changes ==
+               acceleration_violations + speed_violations + jumps + kinematic_violations +
+               changes ==
            0;
   }
   /// What happened after it, to the same robots.

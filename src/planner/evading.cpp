@@ -12,7 +12,7 @@ namespace avo {
 namespace {
 
 constexpr double kLongestWay = 2.0;      // T, until a way brakes,
-constexpr double kWideWay = 4.0;         // or s, as far as others are that wide,
+constexpr double kWideWay = 3.0;         // or so many, as far as others are that wide,
 constexpr double kMostSteps = 400.0;     // and steps at most
 constexpr double kMostBraking = 1024.0;  // steps of braking; who takes more has no ways
 constexpr int kMostWork = 200000;        // movers and intervals that a level looks at
@@ -79,19 +79,14 @@ void follow_trajectories(Evading& evading) {
   }
 }
 
-// s, until a way brakes, whoever the others are.
-double longest_way(const Robot& robot) {
-  return std::max(kLongestWay * time_to_speed(robot), kWideWay);
-}
-
-// The same beside these: long enough to leave the strip of the widest one.
+// s, until a way brakes: long enough to leave the strip of the widest one.
 double longest_way(const Robot& robot, std::span<const Neighbor> neighbors) {
   const double time = time_to_speed(robot);
   double contact = 0.0;  // m
   for (const Neighbor& neighbor : neighbors)
     if (!decides(neighbor)) contact = std::max(contact, robot.radius + neighbor.radius);
   const double wide = time + 2.0 * contact / robot.max_speed;
-  return std::max(kLongestWay * time, std::min(kWideWay, wide));
+  return std::clamp(wide, kLongestWay * time, kWideWay * time);
 }
 
 // s: what a robot as fast as that takes to brake, and a step and rounding more.
@@ -103,11 +98,11 @@ double braking_time_of(const Robot& robot, double speed, const StepLaw& law) {
 
 double way_range(double radius, double max_speed, double max_acceleration) {
   Robot robot{.radius = radius, .max_acceleration = max_acceleration, .max_speed = max_speed};
-  return (longest_way(robot) + 0.5 * time_to_speed(robot)) * max_speed;
+  return (kWideWay + 0.5) * time_to_speed(robot) * max_speed;
 }
 
 double longest_way_out(const Robot& robot, const StepLaw& law) {
-  const double longest = std::min(longest_way(robot), kMostSteps * law.time_step);
+  const double longest = std::min(kWideWay * time_to_speed(robot), kMostSteps * law.time_step);
   const double braking = braking_time_of(robot, fastest_of(robot.model, robot.max_speed), law);
   return longest + law.time_step + std::min(braking, kMostBraking * law.time_step);
 }
@@ -120,8 +115,7 @@ std::optional<Evading> begin_evading(const CertificateLaw& law, const Robot& rob
       .law = law.step,
       .decrement = decrement_of(robot, law.step),
       .max_speed = fastest_of(robot.model, std::max(robot.max_speed, norm(robot.velocity))),
-      .longest =
-          std::min(longest_way(robot, sight.neighbors), kMostSteps * law.step.time_step),
+      .longest = std::min(longest_way(robot, sight.neighbors), kMostSteps * law.step.time_step),
       .wheels = is_holonomic(robot.model) ? nullptr : &robot};
   if (!(evading.options.max_speed <= kMostBraking * evading.options.decrement)) return std::nullopt;
   evading.braking = braking_time_of(robot, evading.options.max_speed, law.step);
@@ -153,7 +147,7 @@ void keep_walls(Evading& evading) {
   const WallRounding rounding =
       wall_rounding(robot.radius, robot.max_speed, ability_of(robot), law);
   const double needed = wall_reach(robot.max_speed, robot.max_speed, ability_of(robot), law);
-  const double used = way_range(robot.radius, robot.max_speed, robot.max_acceleration);
+  const double used = (evading.options.longest + 0.5 * time_to_speed(robot)) * robot.max_speed;
   const double reach = std::max(needed, std::min(evading.sight.wall_range, used));
   for (const Wall& wall : evading.sight.walls) {
     const Segment segment{wall.a - robot.position, wall.b - robot.position};
