@@ -2,6 +2,7 @@
 // The rows of the table.
 #include "families.h"
 
+#include "alone_scenes.h"
 #include "arrival_scenes.h"
 #include "flow.h"
 #include "passage_scenes.h"
@@ -33,6 +34,19 @@ void add_circles(std::vector<Family>& all) {
     all.push_back(circle_family("circle-" + std::to_string(row.robots) + "-jitter",
                                 "starts and goals up to 0.2 m off", row));
   }
+}
+
+void add_alone(std::vector<Family>& all) {
+  const auto add = [&](const char* name, const char* what, int scenes, auto make) {
+    all.push_back({name, what, scenes, true, make});
+  };
+  add("alone-crossing", "one robot whose way 1 to 10 movers cross", 450, alone_crossing);
+  add("alone-goal", "one robot at its goal that 1 to 10 movers pass over", 360, alone_at_goal);
+  add("alone-road", "one robot over a road of 1 to 3 lanes", 216, alone_over_road);
+  add("alone-surprised", "one robot that sees a mover 0.7 to 3 s before contact", 270,
+      alone_surprised);
+  add("alone-paths", "one robot among 1 to 4 movers to and fro", 180, alone_among_paths);
+  add("eight-movers", "8 robots on a circle that 6 movers cross", 80, eight_among_movers);
 }
 
 void add_arrivals(std::vector<Family>& all) {
@@ -131,6 +145,7 @@ std::vector<Family> families(double soak_steps) {
       {"movers", "robots among obstacles that keep their velocity", 20, true, among_movers});
   all.push_back({"people", "the same among people who walk about and may turn at any time", 100,
                  true, among_people});
+  add_alone(all);
   add_arrivals(all);
   add_passages(all);
   constexpr int kCrushes = 4;

@@ -86,6 +86,7 @@ void Verdict::add(const Verdict& later) {
   moving_contacts += later.moving_contacts;
   resting_contacts += later.resting_contacts;
   static_contacts += later.static_contacts;
+  evadable_hits += later.evadable_hits;
   deepest_contact = std::max(deepest_contact, later.deepest_contact);
   acceleration_violations += later.acceleration_violations;
   speed_violations += later.speed_violations;

@@ -17,6 +17,7 @@ struct Verdict {
   std::int64_t moving_contacts = 0;   ///< robots that touched an obstacle while they moved
   std::int64_t resting_contacts = 0;  ///< robots that an obstacle ran into while they stood
   std::int64_t static_contacts = 0;   ///< robots that touched a static obstacle
+  std::int64_t evadable_hits = 0;     ///< robots of Scene::alone that could have kept clear
   double deepest_contact = 0.0;       ///< m, of those in motion
   std::int64_t acceleration_violations = 0, speed_violations = 0;  ///< robot-steps, robot-states
   std::int64_t jumps = 0;  ///< robot-steps whose positions do not follow the velocities
@@ -28,8 +29,9 @@ struct Verdict {
   std::string violations;            ///< in words, empty where there is none
 
   [[nodiscard]] bool safe() const {
-    return overlapping_pairs + moving_contacts + static_contacts + acceleration_violations +
-               speed_violations + jumps + kinematic_violations + changes ==
+    return overlapping_pairs + moving_contacts + static_contacts + evadable_hits +
+               acceleration_violations + speed_violations + jumps + kinematic_violations +
+               changes ==
            0;
   }
   /// What happened after it, to the same robots.

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "density.h"
+#include "evadable.h"
 #include "flow.h"
 #include "output.h"
 #include "placement.h"
@@ -115,6 +116,15 @@ bool is_covered(const Scenario& scenario) {
   return declared.position >= needed.position && declared.velocity >= needed.velocity;
 }
 
+// Whether hits of a robot that is alone among movers were evadable, which is a fault.
+void judge_hits(const Scene& scene, Verdict& verdict) {
+  const std::int64_t hits = verdict.moving_contacts + verdict.resting_contacts;
+  if (!scene.alone || hits == 0 || !is_evadable(scene.scenario)) return;
+  verdict.evadable_hits = 1;
+  verdict.violations += verdict.violations.empty() ? "" : ", ";
+  verdict.violations += "hit by a mover that it could have evaded";
+}
+
 // Every robot knows all others as the scene says.
 void run_simulation(const Scene& scene, const std::string& record, Outcome& outcome) {
   Scenario scenario = scene.scenario;
@@ -164,6 +174,7 @@ void run_simulation(const Scene& scene, const std::string& record, Outcome& outc
   outcome.seconds = clock.total();
   outcome.worst_second = clock.worst();
   outcome.verdict = judge.verdict();
+  judge_hits(scene, outcome.verdict);
   if (recording) recording->commit();
 }
 

@@ -30,6 +30,7 @@ struct Scene {
   std::vector<std::vector<Vec2>> errands = {};
   /// Unset: all know each other as the scenario says and do as they decide, as Simulation has it.
   std::optional<Sensing> sensing = {};
+  bool alone = false;  ///< one robot among movers: a search judges whether hits were evadable
   std::optional<Flow> flow = {};  ///< set: goes its own way, see run_flow
   Acting acting = {};             ///< read only where `sensing` is set
 };

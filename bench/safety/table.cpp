@@ -49,6 +49,7 @@ void add_safety(const Outcome& outcome, RowResult& row) {
   row.moving_contacts += verdict.moving_contacts;
   row.resting_contacts += verdict.resting_contacts;
   row.static_contacts += verdict.static_contacts;
+  row.evadable_hits += verdict.evadable_hits;
   row.deepest_contact = std::max(row.deepest_contact, verdict.deepest_contact);
   row.acceleration_violations += verdict.acceleration_violations;
   row.speed_violations += verdict.speed_violations;
@@ -238,6 +239,10 @@ std::string table_lines(const RowResult& row) {
         format("  obstacles: touched by %lld robots in motion, by up to %.4g mm, %lld at rest\n",
                static_cast<long long>(row.moving_contacts), 1e3 * row.deepest_contact,
                static_cast<long long>(row.resting_contacts));
+  }
+  if (row.evadable_hits > 0) {
+    line += format("  alone: %lld robots were hit that could have kept clear\n",
+                   static_cast<long long>(row.evadable_hits));
   }
   return line;
 }

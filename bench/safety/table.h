@@ -15,7 +15,7 @@ struct RowResult {
   std::string name;
   std::int64_t scenes = 0, robots = 0, robot_steps = 0;
   std::int64_t overlapping_pairs = 0, moving_contacts = 0, resting_contacts = 0,
-               static_contacts = 0;
+               static_contacts = 0, evadable_hits = 0;
   double deepest_contact = 0.0;  ///< m, of those in motion
   std::int64_t acceleration_violations = 0, speed_violations = 0, jumps = 0, changes = 0;
   std::int64_t kinematic_violations = 0;

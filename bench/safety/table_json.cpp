@@ -94,6 +94,7 @@ std::string json_line(const RowResult& row, const std::vector<Outcome>& outcomes
       .add("moving_contacts", row.moving_contacts)
       .add("resting_contacts", row.resting_contacts)
       .add("static_contacts", row.static_contacts)
+      .add("evadable_hits", row.evadable_hits)
       .add("acceleration_violations", row.acceleration_violations)
       .add("speed_violations", row.speed_violations)
       .add("jumps", row.jumps)

@@ -78,15 +78,16 @@ bool rests_clear(const Predicted& other, Vec2 place, double time) {
     const TrajectorySteps& steps = *other.trajectory;
     return passes_by(steps.trajectory(), steps.now() + time, place + steps.origin(), distance);
   }
+  if (!(time < other.until)) return true;
   if (!is_rest(other.acceleration)) {
-    const double left = std::max(time, leaves_at(other, place, distance));
+    const double left = std::min(std::max(time, leaves_at(other, place, distance)), other.until);
     return keeps_beside_parabola(other, place, time, left, distance, kBisections);
   }
   const Vec2 way = place - other.place_at(time), v = other.velocity_at(time);
   const double squared = norm_squared(v), along = is_rest(v) ? 0.0 : dot(way, v);
   // of one that goes away, or rests, it counts where it is
   if (!(along > 0.0)) return norm(way) >= other.contact + other.spread_at(time);
-  return norm(way - (along / squared) * v) >= distance;
+  return norm(way - std::min(along / squared, other.until - time) * v) >= distance;
 }
 
 bool keeps_from(const Predicted& other, const Hull& own, double time, const StepLaw& law,

@@ -22,6 +22,8 @@ struct Predicted {
   bool asks_to_stop = false;
   double stop_contact = 0.0;
   double max_speed = std::numeric_limits<double>::infinity();  ///< [V] m/s
+  /// s: for so long rest has to be clear of it, where its trajectory is not known.
+  double until = std::numeric_limits<double>::infinity();
   double fastest = 0.0;  ///< m/s: neither it nor its spread ever comes nearer by more in a second
 
   // On a trajectory the time is a whole number of steps.
@@ -42,7 +44,7 @@ struct Hull {
 /// Whether A keeps so far from the other one in the interval of one step from that time on.
 bool keeps_from(const Predicted& other, const Hull& own, double time, const StepLaw& law,
                 double distance);
-/// (C1) of a robot that rests at `place` from that time on, for ever.
+/// (C1) of a robot that rests at `place` from that time on, for ever or `until` then.
 bool rests_clear(const Predicted& other, Vec2 place, double time);
 /// (C2) of an interval that begins `elapsed` s after the time `from`, when A decides to brake and
 /// sees the other one: within one of the two discs of docs/certificate.md, "Movers that do as they

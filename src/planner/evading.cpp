@@ -12,9 +12,10 @@ namespace avo {
 namespace {
 
 constexpr double kLongestWay = 2.0;      // T, until a way brakes,
-constexpr double kMostSteps = 400.0;     // and steps
+constexpr double kWideWay = 3.0;         // or so many, as far as others are that wide,
+constexpr double kMostSteps = 400.0;     // and steps at most
 constexpr double kMostBraking = 1024.0;  // steps of braking; who takes more has no ways
-constexpr int kMostWork = 100000;        // movers and intervals that a decision looks at
+constexpr int kMostWork = 200000;        // movers and intervals that a level looks at
 
 // m/s: from the end of a trajectory that goes round on, it is not known where the mover is.
 double fastest_until(const Neighbor& neighbor, double time) {
@@ -52,6 +53,7 @@ Predicted predicted(const Evading& evading, const Neighbor& neighbor, const Leve
   other.deviation = neighbor.max_deviation;
   other.reaction = reaction;
   other.asks_to_stop = level.stops;
+  other.until = level.until * evading.options.longest;
   other.max_speed = neighbor.max_speed;
   other.fastest =
       (is_followed ? fastest_until(neighbor, time) : speed + time * norm(acceleration)) +
@@ -77,6 +79,16 @@ void follow_trajectories(Evading& evading) {
   }
 }
 
+// s, until a way brakes: long enough to leave the strip of the widest one.
+double longest_way(const Robot& robot, std::span<const Neighbor> neighbors) {
+  const double time = time_to_speed(robot);
+  double contact = 0.0;  // m
+  for (const Neighbor& neighbor : neighbors)
+    if (!decides(neighbor)) contact = std::max(contact, robot.radius + neighbor.radius);
+  const double wide = time + 2.0 * contact / robot.max_speed;
+  return std::clamp(wide, kLongestWay * time, kWideWay * time);
+}
+
 // s: what a robot as fast as that takes to brake, and a step and rounding more.
 double braking_time_of(const Robot& robot, double speed, const StepLaw& law) {
   return law.time_step * (2.0 + speed / decrement_of(robot, law));
@@ -86,12 +98,11 @@ double braking_time_of(const Robot& robot, double speed, const StepLaw& law) {
 
 double way_range(double radius, double max_speed, double max_acceleration) {
   Robot robot{.radius = radius, .max_acceleration = max_acceleration, .max_speed = max_speed};
-  const double time = time_to_speed(robot);
-  return (kLongestWay + 0.5) * time * max_speed;
+  return (kWideWay + 0.5) * time_to_speed(robot) * max_speed;
 }
 
 double longest_way_out(const Robot& robot, const StepLaw& law) {
-  const double longest = std::min(kLongestWay * time_to_speed(robot), kMostSteps * law.time_step);
+  const double longest = std::min(kWideWay * time_to_speed(robot), kMostSteps * law.time_step);
   const double braking = braking_time_of(robot, fastest_of(robot.model, robot.max_speed), law);
   return longest + law.time_step + std::min(braking, kMostBraking * law.time_step);
 }
@@ -104,17 +115,17 @@ std::optional<Evading> begin_evading(const CertificateLaw& law, const Robot& rob
       .law = law.step,
       .decrement = decrement_of(robot, law.step),
       .max_speed = fastest_of(robot.model, std::max(robot.max_speed, norm(robot.velocity))),
-      .longest = std::min(kLongestWay * time_to_speed(robot), kMostSteps * law.step.time_step),
+      .longest = std::min(longest_way(robot, sight.neighbors), kMostSteps * law.step.time_step),
       .wheels = is_holonomic(robot.model) ? nullptr : &robot};
   if (!(evading.options.max_speed <= kMostBraking * evading.options.decrement)) return std::nullopt;
   evading.braking = braking_time_of(robot, evading.options.max_speed, law.step);
-  workspace.around.work = kMostWork;
   follow_trajectories(evading);
   return evading;
 }
 
 void look_around(Evading& evading, const Level& level) {
   Surroundings& around = evading.workspace.around;
+  around.work = kMostWork;
   evading.options.increment =
       level.part * increment(evading.robot.max_acceleration, evading.law.step);
   around.others.clear();
@@ -136,7 +147,7 @@ void keep_walls(Evading& evading) {
   const WallRounding rounding =
       wall_rounding(robot.radius, robot.max_speed, ability_of(robot), law);
   const double needed = wall_reach(robot.max_speed, robot.max_speed, ability_of(robot), law);
-  const double used = way_range(robot.radius, robot.max_speed, robot.max_acceleration);
+  const double used = (evading.options.longest + 0.5 * time_to_speed(robot)) * robot.max_speed;
   const double reach = std::max(needed, std::min(evading.sight.wall_range, used));
   for (const Wall& wall : evading.sight.walls) {
     const Segment segment{wall.a - robot.position, wall.b - robot.position};

@@ -2,6 +2,7 @@
 // What a robot reckons with that keeps a way out (docs/movers.md): movers as it predicts them, the
 // walls that it knows, and its own ways.
 #pragma once
+#include <limits>
 #include <optional>
 #include <span>
 #include <vector>
@@ -35,6 +36,8 @@ struct Level {
   double margin;      ///< of contact
   double reaction;    ///< T
   bool stops = true;  ///< (C2)
+  /// Longest ways, for which rest is to be clear.
+  double until = std::numeric_limits<double>::infinity();
 };
 
 /// One decision.

@@ -27,6 +27,9 @@ constexpr std::array<Level, 6> kLevels{{{0.6, 0.05, 0.5},
 constexpr std::array<Level, 2> kLastLevels{{{1.0, 0.025, 0.0, false},  //
                                             {1.0, 0.0025, 0.0, false}}};
 
+// Where nowhere is clear for ever, for as long as that.
+constexpr Level kForAWhile{1.0, 0.0, 0.0, true, 2.0};
+
 // What ways approach, of v_max. They are fixed in the world, so that after a step the rest of a way
 // is a way as well.
 constexpr double kDiagonal = 0.70710678118654752;
@@ -233,6 +236,7 @@ void keep_a_way_out(const CertificateLaw& law, const Robot& robot, const Sight& 
   Way way = try_all(levels.first(1));
   if (way == Way::none && try_all(levels.last(1)) != Way::none) way = try_all(levels.subspan(1));
   if (way == Way::none && may_swerve && are_exact(evading)) way = try_all(kLastLevels);
+  if (way == Way::none) way = find_way(evading, kForAWhile, wanted, found);
   if (way != Way::another) return;
   const Plan evasive =
       plan_under(law, robot, found.next_velocity, PlanStatus::candidate, plan.violation);

@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 #include <string>
 
+#include "alone_scenes.h"
 #include "options.h"
 #include "output.h"
 #include "table.h"
@@ -196,6 +197,36 @@ Outcome outcome_of(std::vector<double> arrival) {
   outcome.robot_steps = 1000;
   outcome.seconds = 2e-3;
   return outcome;
+}
+
+TEST(Judge, finds_hits_that_were_evadable) {
+  const Scene scene = alone_at_goal(9);
+  EXPECT_TRUE(run_scene(scene, 1, "").verdict.safe());
+  Scene braking = scene;  // only, so it stays where it is
+  braking.scenario.method = Method::avo_paper;
+  braking.scenario.certificate = Certificate::none;
+  braking.scenario.robots[0].preferred_speed = 0.0;
+  braking.scenario.robots[0].max_acceleration = 1e-3;
+  EXPECT_EQ(run_scene(braking, 1, "").verdict.evadable_hits, 0) << "it can do nothing else";
+  Scene late = scene;
+  late.scenario.moving_obstacles[0].radius = 4.0;
+  late.alone = false;
+  EXPECT_EQ(run_scene(late, 1, "").verdict.evadable_hits, 0) << "nobody asks";
+}
+
+// Strong robots whose braking is short, at goals that six to ten movers pass over; some of them
+// have nowhere to rest for ever, and some decide in so small steps that ways take long to search.
+TEST(Alone, nobody_is_hit_who_could_have_kept_clear) {
+  for (const std::uint64_t seed : {45, 267, 268, 429}) {
+    const Outcome outcome = run_scene(alone_at_goal(seed), seed, "");
+    EXPECT_TRUE(outcome.verdict.safe()) << seed << ": " << outcome.verdict.violations;
+  }
+  for (std::uint64_t seed = 1; seed <= 3; ++seed) {
+    for (auto* make : {alone_crossing, alone_over_road, alone_surprised, alone_among_paths}) {
+      const Outcome outcome = run_scene(make(seed), seed, "");
+      EXPECT_TRUE(outcome.verdict.safe()) << seed << ": " << outcome.verdict.violations;
+    }
+  }
 }
 
 TEST(Table, takes_the_99_percent_of_all_robots) {

@@ -8,9 +8,11 @@
 #include <set>
 #include <utility>
 
+#include "alone_scenes.h"
 #include "avo/assumptions.h"
 #include "avo/simulation.h"
 #include "density.h"
+#include "evadable.h"
 #include "families.h"
 #include "passage_scenes.h"
 #include "placement.h"
@@ -43,7 +45,8 @@ TEST(Families, have_names_of_their_own_and_start_clear_and_at_rest) {
     const auto& robots = scenario.robots;
     for (std::size_t i = 0; i < robots.size(); ++i) {
       // airplanes cannot be at rest
-      EXPECT_EQ(robots[i].velocity == Vec2{}, !is_airplane(robots[i].model)) << family.name;
+      const bool moves = is_airplane(robots[i].model) || family.name == "alone-surprised";
+      EXPECT_EQ(robots[i].velocity == Vec2{}, !moves) << family.name;
       for (std::size_t j = 0; j < i; ++j) {
         const double gap = norm(disc_center(robots[i]) - disc_center(robots[j])) -
                            disc_radius(robots[i]) - disc_radius(robots[j]);
@@ -64,8 +67,11 @@ TEST(Families, have_names_of_their_own_and_start_clear_and_at_rest) {
 TEST(Families, seeds_decide_where_they_say_so) {
   for (const Family& family : families(1e4)) {
     const auto start = [&](std::uint64_t seed) {
-      const RobotSetup robot = family.make(seed).scenario.robots[1];
-      return std::pair(robot.position, robot.goal);
+      const Scenario scenario = family.make(seed).scenario;
+      const RobotSetup& robot = scenario.robots.back();
+      if (family.name.starts_with("alone-") || family.name == "eight-movers")
+        return std::pair(scenario.moving_obstacles[0].position, robot.goal);
+      return std::pair(scenario.robots[1].position, scenario.robots[1].goal);
     };
     EXPECT_TRUE(start(1) == start(1)) << family.name;
     EXPECT_EQ(start(1) != start(2), family.seeded) << family.name;
@@ -120,6 +126,62 @@ TEST(Families, among_walls_keep_what_their_certificate_assumes) {
       EXPECT_TRUE(broken_assumptions(scenario).none()) << family.name << " " << seed;
     }
   }
+}
+
+TEST(Families, alone_have_1_to_10_movers_and_all_time_steps) {
+  std::set<std::size_t> counts;
+  std::set<double> time_steps;
+  for (std::uint64_t seed = 1; seed <= 90; ++seed) {
+    const Scene scene = alone_crossing(seed);
+    EXPECT_TRUE(scene.alone);
+    counts.insert(scene.scenario.moving_obstacles.size());
+    time_steps.insert(scene.scenario.time_step);
+  }
+  EXPECT_EQ(counts.size(), 10U);
+  EXPECT_EQ(*counts.rbegin(), 10U);
+  EXPECT_EQ(*time_steps.begin(), 0.02);
+  EXPECT_EQ(*time_steps.rbegin(), 0.25);
+}
+
+// A mover that comes straight at a robot at rest, that far away.
+Scenario comes(double away, double speed, double radius) {
+  Scenario scenario = usual_scenario();
+  scenario.robots = {usual_robot({}, {}, kSpeed)};
+  MovingObstacle mover;
+  mover.position = {-away - radius - 0.5, 0.0}, mover.velocity = {speed, 0.0};
+  mover.radius = radius;
+  scenario.moving_obstacles = {mover};
+  scenario.duration = 6.0;
+  return scenario;
+}
+
+// Aside by 1 m takes a little more than √2 s at 1 m/s².
+TEST(Evadable, is_what_some_motion_evades) {
+  EXPECT_TRUE(is_evadable(comes(4.0, 2.0, 0.5)));
+  EXPECT_TRUE(is_evadable(comes(3.0, 2.0, 0.5)));
+  EXPECT_FALSE(is_evadable(comes(1.0, 2.0, 0.5)));
+  EXPECT_TRUE(is_evadable(comes(1.0, 0.5, 0.5))) << "there is more time";
+  EXPECT_TRUE(is_evadable(comes(3.0, 2.0, 8.0))) << "the robot runs, and becomes as fast";
+  EXPECT_FALSE(is_evadable(comes(1.5, 2.0, 8.0))) << "too late";
+  Scenario row = comes(6.0, 3.0, 0.5);
+  EXPECT_TRUE(is_evadable(row));
+  for (const double y : {-3.8, -1.9, 1.9, 3.8}) {
+    row.moving_obstacles.push_back(row.moving_obstacles[0]);
+    row.moving_obstacles.back().position.y = y;
+  }
+  EXPECT_FALSE(is_evadable(row)) << "between them is no room";
+}
+
+// On a path it turns back; by its velocity it would not.
+TEST(Evadable, knows_paths) {
+  Scenario scenario = comes(4.0, 1.0, 8.0);
+  MovingObstacle& mover = scenario.moving_obstacles[0];
+  mover.max_deviation = 2.0, mover.max_speed = 2.0;
+  mover.path = {mover.position + Vec2{3.0, 0.0}, mover.position};
+  mover.radius = 1.0;
+  EXPECT_TRUE(is_evadable(scenario));
+  mover.radius = 8.0, mover.path[0].x += 30.0, mover.max_speed = 4.0;
+  EXPECT_FALSE(is_evadable(scenario));
 }
 
 // One robot of that radius in the scene's walls, from one place to another.
