@@ -75,9 +75,12 @@ void remember(const Robot& robot, bool is_beside, const PlannerOptions& options,
 
 }  // namespace
 
+double time_to_speed(double max_speed, double max_acceleration, double radius) {
+  return std::max(max_speed / max_acceleration, kLeastTime * radius / max_speed);
+}
+
 double time_to_speed(const Robot& robot) {
-  return std::max(robot.max_speed / robot.max_acceleration,
-                  kLeastTime * robot.radius / robot.max_speed);
+  return time_to_speed(robot.max_speed, robot.max_acceleration, robot.radius);
 }
 
 bool is_sound(const Detour& detour) {
@@ -113,11 +116,9 @@ Vec2 push_of(const Robot& robot, const Neighbor& neighbor) {
   return (nearing * size * nearness / distance) * away;
 }
 
-double unusual_congestion(double ahead, double max_speed, double max_acceleration, double time_step,
-                          Detour& detour) {
-  const double elapsed = time_step * max_acceleration / max_speed;
+double unusual_congestion(double ahead, double time, double time_step, Detour& detour) {
   const double usual = detour.congestion;
-  const double part = std::min(elapsed / kGetsUsed, 1.0);
+  const double part = std::min(time_step / (kGetsUsed * time), 1.0);
   detour.congestion = static_cast<float>(usual + part * (std::min(ahead, kCongestion) - usual));
   return std::max(ahead - kUsual * detour.congestion, 0.0);
 }

@@ -31,6 +31,7 @@ struct Traffic {
 };
 
 /// [T] s, v_max/a_max, and at least the time in which a robot goes four radii.
+double time_to_speed(double max_speed, double max_acceleration, double radius);
 double time_to_speed(const Robot& robot);
 
 /// m, as far as look_around() looks at any neighbor of at most that radius.
@@ -48,9 +49,8 @@ Vec2 push_of(const Robot& robot, const Neighbor& neighbor);
 bool is_sound(const Detour& detour);
 
 /// By how much the way ahead is more congested than what the robot is used to, which it remembers:
-/// to keep right for ever gets nobody anywhere.
-double unusual_congestion(double ahead, double max_speed, double max_acceleration, double time_step,
-                          Detour& detour);
+/// to keep right for ever gets nobody anywhere. time: T, s.
+double unusual_congestion(double ahead, double time, double time_step, Detour& detour);
 
 /// [m/s] which way a robot wishes to go: as it keeps right, or nowhere where it has settled, and in
 /// both cases out of the way of those that push.

@@ -46,9 +46,10 @@ void make_wishes(const Planner& planner, const Tile& tile, DecisionColumns& deci
   }
   look_around(robots, decisions);
   for (std::size_t i = 0; i < robots.count; ++i) {
+    const double time =
+        time_to_speed(robots.max_speed[i], robots.max_acceleration[i], robots.radius[i]);
     decisions.ahead[i] =
-        unusual_congestion(decisions.ahead[i], robots.max_speed[i], robots.max_acceleration[i],
-                           options.time_step, *tile.detour[i]);
+        unusual_congestion(decisions.ahead[i], time, options.time_step, *tile.detour[i]);
   }
   keep_right(robots, decisions);
   const StepLaw law = certificate_law(planner).step;

@@ -6,6 +6,7 @@
 #include "robots/model.h"
 #include "sim/clocks.h"
 #include "sim/held_passages.h"
+#include "sim/ties.h"
 #include "sim/world.h"
 
 namespace avo {
@@ -126,6 +127,20 @@ void set_courses(const Fleet& fleet, std::span<const std::uint32_t> slots, Worke
   }
 }
 
+void break_ties(const Fleet& fleet, Tile& tile) {
+  const NeighborColumns& columns = tile.neighbors;
+  for (std::size_t k = 0; k < tile.slot.size(); ++k) {
+    const Neighbors& neighbors = tile.robots.neighbors[k];
+    Detour& detour = *tile.detour[k];
+    if (detour.congestion != 0.0F || neighbors.count < 2) continue;
+    const auto squared = [&](std::size_t at) {
+      return norm_squared(tile.robots.position(k) - Vec2{columns.x[at], columns.y[at]});
+    };
+    break_tie(fleet.id[tile.slot[k]], squared(neighbors.first), squared(neighbors.first + 1),
+              detour);
+  }
+}
+
 // Lays out what the robots of the tile know of themselves, and where each would go.
 void set_out(World& world, const Pace& pace, std::span<const std::uint32_t> slots, Worker& worker) {
   Fleet& fleet = world.fleet;
@@ -154,6 +169,7 @@ void set_out(World& world, const Pace& pace, std::span<const std::uint32_t> slot
     tile.plan.push_back(&fleet.plan[slot]);
     tile.slot.push_back(slot);
   }
+  if (pace.planner.options().method == Method::avo) break_ties(fleet, tile);
   robots.model.assign(slots.size(), nullptr);
   for (std::size_t k = 0; k < slots.size() && !fleet.models.empty(); ++k) {
     robots.model[k] = fleet.own_model(slots[k]);

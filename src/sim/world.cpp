@@ -14,6 +14,7 @@
 #include "robots/model.h"
 #include "sim/clocks.h"
 #include "sim/scene_checks.h"
+#include "sim/ties.h"
 
 namespace avo {
 namespace {
@@ -230,6 +231,10 @@ Robot World::robot(std::size_t slot, double nearest, Simulation::Perception& see
   const Vec2 aim = heading.goal;
   heading.goal = disc_goal(fleet, slot, aim, end) - own_error(*this, slot);
   seen.detour.goal_taken = false;
+  const std::vector<Neighbor>& others = seen.neighbors;
+  if (fleet.conduct[slot].method == Method::avo && others.size() > 1)
+    break_tie(fleet.id[slot], norm_squared(p - others[0].position),
+              norm_squared(p - others[1].position), seen.detour);
   if (shares_room(*this, slot, aim)) {
     const Seeker seeker = seeker_of(*this, slot, heading.goal);
     Occupied occupied;
