@@ -227,7 +227,7 @@ std::size_t Ways::most_targets() const {
 
 void Ways::find_passages(std::vector<double> radii) {
   if (!sight_ || !heeds_passages_ || radii == passage_radii_) return;
-  passages = Passages(sight_->walls(), radii, kClaimRange);
+  passages = Passages(sight_->walls(), radii, kClaimRange, std::exchange(earlier_, {}));
   passage_radii_ = std::move(radii);
 }
 
