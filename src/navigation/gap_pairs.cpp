@@ -157,10 +157,7 @@ class GapPairing {
   std::uint8_t range_of(std::uint32_t i) const {
     const Vec2 middle = found_.gaps[i].middle();
     for (std::size_t range = ranges_.size() - 1; range > 0; --range) {
-      std::size_t count = 0;
-      const bool are_few = ranges_[range].all_near(
-          middle, middle, [&](std::size_t) { return ++count <= kMostNear; });
-      if (are_few) return static_cast<std::uint8_t>(range);
+      if (ranges_[range].count_near(middle) <= kMostNear) return static_cast<std::uint8_t>(range);
     }
     return 0;
   }

@@ -4,8 +4,10 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <unordered_map>
 #include <utility>
 
+#include "core/hash.h"
 #include "navigation/gaps.h"
 #include "navigation/join_gaps.h"
 #include "walls/segment.h"
@@ -32,6 +34,19 @@ bool is_bay_free(const ClearanceGrid& grid, const Passage& passage, bool forward
   const Vec2 before = mouth.point - kBayOut * unit * mouth.direction;
   const Vec2 bay = before - side * kBayAside * unit * perpendicular(mouth.direction);
   return grid.is_clear(mouth.point, before, room) && grid.is_clear(before, bay, room);
+}
+
+// On the right, unless there is room only on the left.
+void choose_bay(const ClearanceGrid& grid, Passage& passage, bool forward) {
+  if (!is_bay_free(grid, passage, forward, 1.0) && is_bay_free(grid, passage, forward, -1.0))
+    passage.bay_side[forward ? 0 : 1] = -1.0;
+}
+
+std::uint64_t hash_of(const Passage& passage) {
+  std::uint64_t hash = 0;
+  for (const Vec2 p : {passage.axis.front(), passage.axis.back()})
+    hash = mixed(mixed(hash, word_of(p.x)), word_of(p.y));
+  return hash;
 }
 
 // The gaps that lead somewhere, and the number among them of each one told.
@@ -101,33 +116,54 @@ Passages::Passages(std::span<const Wall> walls, std::span<const double> radii, d
 void Passages::find(const Passages* before, double watched) {
   if (walls_.empty() || radii_.empty()) return;
   const ClearanceGrid grid(walls_, gap_reach(radii_, widest_of(walls_)));
-  std::vector<std::uint32_t> ways;
+  std::vector<Wall> lines;
+  std::vector<std::uint32_t> way_of;  // the number, among gaps that lead somewhere, of each one told
   if (before == nullptr) {
     told_ = tell_gaps(grid, radii_);
-    pairs_ = pair_gaps(grid, ways_of(told_, ways));
+    pairs_ = pair_gaps(grid, ways_of(told_, way_of));
+    all_ = join_gaps(pairs_, lines, gap_of_);
+    choose_bays(grid);
   } else {
     const WallChanges changes(before->walls_, walls_);
-    std::vector<std::uint32_t> number, old_ways;
+    std::vector<std::uint32_t> number, old_way_of;
     told_ = tell_gaps(grid, radii_, before->told_, changes, number);
-    std::vector<Gap> gaps = ways_of(told_, ways);
-    (void)ways_of(before->told_, old_ways);
-    std::vector<std::uint32_t> now_ways(before->pairs_.gaps.size(), kNoGap);
+    std::vector<Gap> gaps = ways_of(told_, way_of);
+    (void)ways_of(before->told_, old_way_of);
+    std::vector<std::uint32_t> way_now(before->pairs_.gaps.size(), kNoGap);
     for (std::size_t k = 0; k < number.size(); ++k)
-      if (old_ways[k] != kNoGap && number[k] != kNoGap) now_ways[old_ways[k]] = ways[number[k]];
-    pairs_ = pair_gaps(grid, std::move(gaps), before->pairs_, changes, now_ways);
+      if (old_way_of[k] != kNoGap && number[k] != kNoGap) way_now[old_way_of[k]] = way_of[number[k]];
+    pairs_ = pair_gaps(grid, std::move(gaps), before->pairs_, changes, way_now);
+    all_ = join_gaps(pairs_, lines, gap_of_);
+    keep_bays(grid, *before, changes.around(grid.reach()));
   }
-  std::vector<Wall> lines;
-  all_ = join_gaps(pairs_, lines, gap_of_);
-  choose_bays(grid);
   if (!all_.empty()) index(lines, watched);
 }
 
 void Passages::choose_bays(const ClearanceGrid& grid) {
   for (Passage& passage : all_) {
+    if (passage.two_lanes) continue;
+    for (const bool forward : {true, false}) choose_bay(grid, passage, forward);
+  }
+}
+
+// Far from what has changed bays are where they were.
+void Passages::keep_bays(const ClearanceGrid& grid, const Passages& before,
+                         std::span<const Zone> changed) {
+  std::unordered_map<std::uint64_t, std::uint32_t> number_before;
+  for (std::uint32_t k = 0; k < before.size(); ++k) number_before[hash_of(before[k])] = k;
+  for (Passage& passage : all_) {
+    if (passage.two_lanes) continue;
+    const auto found = number_before.find(hash_of(passage));
+    const bool is_there = found != number_before.end() &&
+                          before[found->second].axis == passage.axis &&
+                          before[found->second].radius == passage.radius;
     for (const bool forward : {true, false}) {
-      if (!passage.two_lanes && !is_bay_free(grid, passage, forward, 1.0) &&
-          is_bay_free(grid, passage, forward, -1.0))
-        passage.bay_side[forward ? 0 : 1] = -1.0;
+      const Vec2 mouth = forward ? passage.axis.front() : passage.axis.back();
+      const std::size_t side = forward ? 0 : 1;
+      if (is_there && !is_in_one(changed, mouth, 0.0))
+        passage.bay_side[side] = before[found->second].bay_side[side];
+      else
+        choose_bay(grid, passage, forward);
     }
   }
 }

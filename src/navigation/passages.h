@@ -91,6 +91,7 @@ class Passages {
  private:
   void find(const Passages* before, double watched);
   void choose_bays(const ClearanceGrid& grid);
+  void keep_bays(const ClearanceGrid& grid, const Passages& before, std::span<const Zone> changed);
   void index(const std::vector<Wall>& gaps, double watched);
 
   std::vector<Wall> walls_;
