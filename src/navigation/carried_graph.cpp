@@ -73,25 +73,39 @@ std::vector<Zone> zones_of(const WallChanges& changes, double radius, const Corn
   return zones;
 }
 
-// Those that what has changed has no say in.
+// Those that a corner had before, without the sectors in which it sees what has changed.
+std::optional<CornerGraph::SomeEdges> edges_left(const CornerGraph& before,
+                                                 const CarriedGraph& carried, std::size_t old) {
+  const CornerGraph::Edges* known = before.edges.known(old);
+  const CornerGraph::SomeEdges* some = before.some_edges.known(old);
+  if (known == nullptr && some == nullptr) return std::nullopt;
+  CornerGraph::SomeEdges left;
+  if (known == nullptr) known = &some->edges, left.open = some->open;
+  for (const Zone& zone : carried.changed) {
+    if (reaches(known->reach, before.points[old], zone.center, zone.reach))
+      left.open |= sectors_of(before.points[old], zone.center, zone.reach);
+  }
+  left.edges.reach = known->reach;
+  for (const CornerGraph::Edge& edge : known->all) {
+    const Vec2 way = before.points[edge.to] - before.points[old];
+    if (left.open[Horizons::sector_of(way)]) continue;
+    if (carried.number[edge.to] == kNoCorner) return std::nullopt;
+    left.edges.all.push_back({carried.number[edge.to], edge.length});
+  }
+  return left;
+}
+
 void carry_edges(const CornerGraph& before, const CarriedGraph& carried, CornerGraph& graph) {
   if (graph.all_within != before.all_within || before.edges.size() == 0) return;
   for (std::size_t old = 0; old < before.corners(); ++old) {
-    const CornerGraph::Edges* known = before.edges.known(old);
     const std::uint32_t now = carried.number[old];
-    if (known == nullptr || now == kNoCorner) continue;
-    const bool is_seen =
-        std::any_of(carried.changed.begin(), carried.changed.end(), [&](const Zone& zone) {
-          return reaches(known->reach, before.points[old], zone.center, zone.reach);
-        });
-    if (is_seen) continue;
-    auto edges = std::make_unique<CornerGraph::Edges>(*known);
-    bool are_there = true;
-    for (CornerGraph::Edge& edge : edges->all) {
-      edge.to = carried.number[edge.to];
-      are_there = are_there && edge.to != kNoCorner;
-    }
-    if (are_there) graph.edges.put(now, std::move(edges));
+    if (now == kNoCorner) continue;
+    std::optional<CornerGraph::SomeEdges> left = edges_left(before, carried, old);
+    if (!left || left->open.all()) continue;
+    if (left->open.none())
+      graph.edges.put(now, std::make_unique<CornerGraph::Edges>(std::move(left->edges)));
+    else
+      graph.some_edges.put(now, std::make_unique<CornerGraph::SomeEdges>(std::move(*left)));
   }
 }
 
@@ -132,6 +146,7 @@ PathMap renumbered(PathMap map, const std::vector<std::uint32_t>& number) {
   };
   for (std::uint32_t& corner : map.corners) renumber(corner);
   for (std::uint32_t& corner : map.next) renumber(corner);
+  for (std::uint32_t& corner : map.beside) renumber(corner);
   if (map.around) {
     std::vector<PathMap::Known> around = *map.around;
     for (PathMap::Known& known : around) renumber(known.corner), renumber(known.next);

@@ -23,15 +23,19 @@ bool comes_nearer(const Segment& way, const Wall& wall, double limit) {
   };
   if (apart(way.a.x, way.b.x, wall.a.x, wall.b.x)) return false;
   if (apart(way.a.y, way.b.y, wall.a.y, wall.b.y)) return false;
-  const Segment line{wall.a, wall.b};
+  // both ends are beyond the limit on one side of the way's line
+  const Vec2 d = way.b - way.a, e = wall.b - wall.a;
+  const double one = cross(d, wall.a - way.a), other = cross(d, wall.b - way.a);
   const double limit_squared = limit * limit;
+  const double aside = limit_squared * norm_squared(d) * (1.0 + kLengthRounding);
+  if (one * other > 0.0 && one * one > aside && other * other > aside) return false;
+  const Segment line{wall.a, wall.b};
   if (distance_squared(wall.a, way) < limit_squared) return true;
   if (distance_squared(wall.b, way) < limit_squared) return true;
   if (distance_squared(way.a, line) < limit_squared) return true;
   if (distance_squared(way.b, line) < limit_squared) return true;
-  const Vec2 d = way.b - way.a, e = line.b - line.a;
   const auto differ = [](double s, double t) { return (s < 0.0) != (t < 0.0); };
-  return differ(cross(d, line.a - way.a), cross(d, line.b - way.a)) &&
+  return differ(one, other) &&
          differ(cross(e, way.a - line.a), cross(e, way.b - line.a));
 }
 
