@@ -6,10 +6,12 @@
 #include <cstddef>
 #include <map>
 #include <memory>
+#include <span>
 #include <utility>
 #include <vector>
 
 #include "core/plane.h"
+#include "navigation/path_search.h"
 
 namespace avo {
 namespace {
@@ -140,19 +142,37 @@ std::vector<Zone> zones_for(const CarriedGraph& carried, const CornerGraph& grap
   return changed;
 }
 
-PathMap renumbered(PathMap map, const std::vector<std::uint32_t>& number) {
-  const auto renumber = [&](std::uint32_t& corner) {
-    if (corner < PathMap::kNothing) corner = number[corner];
+// All ways that are shorter than the least one into what has changed are as before, and so is what
+// is told of corners on them.
+PathMap carried_map(const PathMap& map, std::uint32_t target, const CornerGraph& before,
+                    const CarriedGraph& carried, std::span<const Zone> changed) {
+  const auto now = [&](std::uint32_t corner) {
+    return corner < PathMap::kNothing ? carried.number[corner] : corner;
   };
-  for (std::uint32_t& corner : map.corners) renumber(corner);
-  for (std::uint32_t& corner : map.next) renumber(corner);
-  for (std::uint32_t& corner : map.beside) renumber(corner);
-  if (map.around) {
-    std::vector<PathMap::Known> around = *map.around;
-    for (PathMap::Known& known : around) renumber(known.corner), renumber(known.next);
-    map.around = std::make_shared<const std::vector<PathMap::Known>>(std::move(around));
+  PathMap left;
+  left.goal = map.goal, left.room = map.room, left.is_free = map.is_free;
+  left.is_whole = false;
+  left.from = map.from, left.reach = map.reach, left.longest_edge = map.longest_edge;
+  left.closed = map.closed;
+  left.settled = std::min(
+      map.settled, least_way_into(changed, map.from, map.goal) * (1.0 - 2.0 * kWayRounding));
+  for (std::size_t k = map.place_of(target); k < map.corners.size(); ++k) {
+    left.corners.push_back(now(map.corners[k])), left.next.push_back(now(map.next[k]));
+    left.length.push_back(map.length[k]), left.top.push_back(map.top[k]);
   }
-  return map;
+  const auto is_left = [&](std::uint32_t corner, double length) {
+    return length + norm(before.points[corner] - map.from) < left.settled;
+  };
+  for (const std::uint32_t corner : map.beside)
+    if (is_left(corner, norm(before.points[corner] - map.goal))) left.beside.push_back(now(corner));
+  if (!map.around) return left;
+  std::vector<PathMap::Known> around;
+  for (const PathMap::Known& known : *map.around) {
+    if (is_left(known.corner, known.length))
+      around.push_back({now(known.corner), now(known.next), known.length});
+  }
+  left.around = std::make_shared<const std::vector<PathMap::Known>>(std::move(around));
+  return left;
 }
 
 }  // namespace avo

@@ -11,7 +11,7 @@ namespace {
 constexpr std::size_t kInQuadrant = Horizons::kSectors / 4;
 constexpr double kSlackOfSight = 1e-9;  // of a length, more than is lost
 constexpr double kSureRoom = 0.99;      // of the room: what is nearer to a wall is certainly hidden
-constexpr double kItemsInCell = 8.0;
+constexpr double kItemsInCell = 16.0;
 constexpr double kMostCellsAcross = 4096.0;
 
 // From 0 along the first axis to 4, growing with the angle.

@@ -6,7 +6,10 @@
 #include <gtest/gtest.h>
 #include <limits>
 #include <memory>
+#include <optional>
+#include <vector>
 
+#include "navigation/carried_graph.h"
 #include "navigation/leg.h"
 #include "unit/navigation/mazes.h"
 
@@ -117,6 +120,55 @@ TEST(PathSearch, is_done_once_for_a_long_way) {
     EXPECT_GT(legs, 2500);
     EXPECT_LE(searches, 16u);
   }
+}
+
+// What a robot still knows after an edit near its way is what the whole map among the other walls
+// tells, and all that it takes for farther is.
+TEST(PathSearch, is_of_use_after_an_edit_beside_the_way) {
+  std::size_t known = 0, farther = 0, edits = 0;
+  for (std::uint64_t seed = 1; seed <= 24; ++seed) {
+    SCOPED_TRACE(seed);
+    test::Random random(seed);
+    const Joining joining = seed % 2 == 0 ? Joining::near : Joining::all;
+    const std::vector<Wall> walls = test::random_walls(90, 20.0, seed);
+    const CornerGraph before = corner_graph(walls, kRadius, joining);
+    const Vec2 from = free_place(before, random), goal = free_place(before, random);
+    LegScratch scratch;
+    auto map = std::make_shared<const PathMap>(goal_of(before, goal));
+    const Leg leg = next_leg(before, map, from, kRadius, PathMap::kNothing, false, scratch);
+    for (int edit = 0; edit < 40 && leg.target < PathMap::kNothing; ++edit) {
+      std::vector<Wall> edited = walls;
+      if (edit % 3 != 1) edited.erase(edited.begin() + random.below(90));
+      const Vec2 place{random.uniform(0.0, 20.0), random.uniform(0.0, 20.0)};
+      if (edit % 3 != 0) edited.push_back({place, place + 0.4 * random.direction()});
+      std::optional<CarriedGraph> carried;
+      const CornerGraph now = corner_graph(edited, kRadius, before, carried, joining);
+      if (!carried) continue;
+      const std::vector<Zone> changed = zones_for(*carried, now, *map, leg.length);
+      if (may_meet(changed, from, goal, leg.length * (1.0 + kWayRounding))) continue;
+      const PathMap left = carried_map(*map, leg.target, before, *carried, changed);
+      if (!(left.settled < map->settled)) continue;
+      ++edits;
+      const PathMap whole = path_map(now, goal);
+      ASSERT_EQ(left.corners.front(), carried->number[leg.target]);
+      std::vector<char> is_beside(now.corners(), 0);
+      for (const std::uint32_t corner : left.beside)
+        for (const CornerGraph::Edge& edge : now.edges_of(corner)) is_beside[edge.to] = 1;
+      for (std::uint32_t k = 0; k < now.corners(); ++k) {
+        const double away = norm(now.points[k] - from);
+        if (const PathMap::Known* told = left.around_at(k)) {
+          ASSERT_TRUE(told->length == whole.length[k] && told->next == whole.next[k]) << k;
+          ++known;
+        } else if (away <= left.reach || is_beside[k] != 0) {
+          ASSERT_GE(whole.length[k] + away, left.settled * (1.0 - 1e-9)) << k;
+          ++farther;
+        }
+      }
+    }
+  }
+  EXPECT_GT(edits, 20u);
+  EXPECT_GT(known, 100u);
+  EXPECT_GT(farther, 5000u);
 }
 
 // Who is restored on its way asks for the way from its target on.
