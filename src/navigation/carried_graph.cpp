@@ -6,10 +6,12 @@
 #include <cstddef>
 #include <map>
 #include <memory>
+#include <span>
 #include <utility>
 #include <vector>
 
 #include "core/plane.h"
+#include "navigation/path_search.h"
 
 namespace avo {
 namespace {
@@ -73,25 +75,39 @@ std::vector<Zone> zones_of(const WallChanges& changes, double radius, const Corn
   return zones;
 }
 
-// Those that what has changed has no say in.
+// Those that a corner had before, without the sectors in which it sees what has changed.
+std::optional<CornerGraph::SomeEdges> edges_left(const CornerGraph& before,
+                                                 const CarriedGraph& carried, std::size_t old) {
+  const CornerGraph::Edges* known = before.edges.known(old);
+  const CornerGraph::SomeEdges* some = before.some_edges.known(old);
+  if (known == nullptr && some == nullptr) return std::nullopt;
+  CornerGraph::SomeEdges left;
+  if (known == nullptr) known = &some->edges, left.open = some->open;
+  for (const Zone& zone : carried.changed) {
+    if (reaches(known->reach, before.points[old], zone.center, zone.reach))
+      left.open |= sectors_of(before.points[old], zone.center, zone.reach);
+  }
+  left.edges.reach = known->reach;
+  for (const CornerGraph::Edge& edge : known->all) {
+    const Vec2 way = before.points[edge.to] - before.points[old];
+    if (left.open[Horizons::sector_of(way)]) continue;
+    if (carried.number[edge.to] == kNoCorner) return std::nullopt;
+    left.edges.all.push_back({carried.number[edge.to], edge.length});
+  }
+  return left;
+}
+
 void carry_edges(const CornerGraph& before, const CarriedGraph& carried, CornerGraph& graph) {
   if (graph.all_within != before.all_within || before.edges.size() == 0) return;
   for (std::size_t old = 0; old < before.corners(); ++old) {
-    const CornerGraph::Edges* known = before.edges.known(old);
     const std::uint32_t now = carried.number[old];
-    if (known == nullptr || now == kNoCorner) continue;
-    const bool is_seen =
-        std::any_of(carried.changed.begin(), carried.changed.end(), [&](const Zone& zone) {
-          return reaches(known->reach, before.points[old], zone.center, zone.reach);
-        });
-    if (is_seen) continue;
-    auto edges = std::make_unique<CornerGraph::Edges>(*known);
-    bool are_there = true;
-    for (CornerGraph::Edge& edge : edges->all) {
-      edge.to = carried.number[edge.to];
-      are_there = are_there && edge.to != kNoCorner;
-    }
-    if (are_there) graph.edges.put(now, std::move(edges));
+    if (now == kNoCorner) continue;
+    std::optional<CornerGraph::SomeEdges> left = edges_left(before, carried, old);
+    if (!left || left->open.all()) continue;
+    if (left->open.none())
+      graph.edges.put(now, std::make_unique<CornerGraph::Edges>(std::move(left->edges)));
+    else
+      graph.some_edges.put(now, std::make_unique<CornerGraph::SomeEdges>(std::move(*left)));
   }
 }
 
@@ -126,18 +142,37 @@ std::vector<Zone> zones_for(const CarriedGraph& carried, const CornerGraph& grap
   return changed;
 }
 
-PathMap renumbered(PathMap map, const std::vector<std::uint32_t>& number) {
-  const auto renumber = [&](std::uint32_t& corner) {
-    if (corner < PathMap::kNothing) corner = number[corner];
+// All ways that are shorter than the least one into what has changed are as before, and so is what
+// is told of corners on them.
+PathMap carried_map(const PathMap& map, std::uint32_t target, const CornerGraph& before,
+                    const CarriedGraph& carried, std::span<const Zone> changed) {
+  const auto now = [&](std::uint32_t corner) {
+    return corner < PathMap::kNothing ? carried.number[corner] : corner;
   };
-  for (std::uint32_t& corner : map.corners) renumber(corner);
-  for (std::uint32_t& corner : map.next) renumber(corner);
-  if (map.around) {
-    std::vector<PathMap::Known> around = *map.around;
-    for (PathMap::Known& known : around) renumber(known.corner), renumber(known.next);
-    map.around = std::make_shared<const std::vector<PathMap::Known>>(std::move(around));
+  PathMap left;
+  left.goal = map.goal, left.room = map.room, left.is_free = map.is_free;
+  left.is_whole = false;
+  left.from = map.from, left.reach = map.reach, left.longest_edge = map.longest_edge;
+  left.closed = map.closed;
+  left.settled = std::min(
+      map.settled, least_way_into(changed, map.from, map.goal) * (1.0 - 2.0 * kWayRounding));
+  for (std::size_t k = map.place_of(target); k < map.corners.size(); ++k) {
+    left.corners.push_back(now(map.corners[k])), left.next.push_back(now(map.next[k]));
+    left.length.push_back(map.length[k]), left.top.push_back(map.top[k]);
   }
-  return map;
+  const auto is_left = [&](std::uint32_t corner, double length) {
+    return length + norm(before.points[corner] - map.from) < left.settled;
+  };
+  for (const std::uint32_t corner : map.beside)
+    if (is_left(corner, norm(before.points[corner] - map.goal))) left.beside.push_back(now(corner));
+  if (!map.around) return left;
+  std::vector<PathMap::Known> around;
+  for (const PathMap::Known& known : *map.around) {
+    if (is_left(known.corner, known.length))
+      around.push_back({now(known.corner), now(known.next), known.length});
+  }
+  left.around = std::make_shared<const std::vector<PathMap::Known>>(std::move(around));
+  return left;
 }
 
 }  // namespace avo

@@ -23,15 +23,19 @@ bool comes_nearer(const Segment& way, const Wall& wall, double limit) {
   };
   if (apart(way.a.x, way.b.x, wall.a.x, wall.b.x)) return false;
   if (apart(way.a.y, way.b.y, wall.a.y, wall.b.y)) return false;
-  const Segment line{wall.a, wall.b};
+  // both ends are beyond the limit on one side of the way's line
+  const Vec2 d = way.b - way.a, e = wall.b - wall.a;
+  const double one = cross(d, wall.a - way.a), other = cross(d, wall.b - way.a);
   const double limit_squared = limit * limit;
+  const double aside = limit_squared * norm_squared(d) * (1.0 + kLengthRounding);
+  if (one * other > 0.0 && one * one > aside && other * other > aside) return false;
+  const Segment line{wall.a, wall.b};
   if (distance_squared(wall.a, way) < limit_squared) return true;
   if (distance_squared(wall.b, way) < limit_squared) return true;
   if (distance_squared(way.a, line) < limit_squared) return true;
   if (distance_squared(way.b, line) < limit_squared) return true;
-  const Vec2 d = way.b - way.a, e = line.b - line.a;
   const auto differ = [](double s, double t) { return (s < 0.0) != (t < 0.0); };
-  return differ(cross(d, line.a - way.a), cross(d, line.b - way.a)) &&
+  return differ(one, other) &&
          differ(cross(e, way.a - line.a), cross(e, way.b - line.a));
 }
 
@@ -66,15 +70,20 @@ ClearanceGrid::ClearanceGrid(std::span<const Wall> walls, double reach)
   columns_ = static_cast<std::int64_t>(size.x / cell_) + 1;
   rows_ = static_cast<std::int64_t>(size.y / cell_) + 1;
   first_.assign(static_cast<std::size_t>(columns_ * rows_) + 1, 0);
-  for (const Wall& wall : walls_) {
-    for_each_cell(wall, [&](std::size_t cell) { ++first_[cell + 1]; });
+  std::vector<std::uint32_t> cells_of_all, count(walls_.size(), 0);
+  cells_of_all.reserve(4 * walls_.size());
+  for (std::size_t k = 0; k < walls_.size(); ++k) {
+    for_each_cell(walls_[k], [&](std::size_t cell) {
+      cells_of_all.push_back(static_cast<std::uint32_t>(cell));
+      ++count[k], ++first_[cell + 1];
+    });
   }
   for (std::size_t cell = 1; cell < first_.size(); ++cell) first_[cell] += first_[cell - 1];
   numbers_.resize(first_.back());
   std::vector<std::uint32_t> end(first_.begin(), first_.end() - 1);
-  for (std::size_t k = 0; k < walls_.size(); ++k) {
-    for_each_cell(walls_[k],
-                  [&](std::size_t cell) { numbers_[end[cell]++] = static_cast<std::uint32_t>(k); });
+  const std::uint32_t* cell = cells_of_all.data();
+  for (std::uint32_t k = 0; k < walls_.size(); ++k) {
+    for (; count[k] > 0; --count[k]) numbers_[end[*cell++]++] = k;
   }
 }
 
@@ -133,6 +142,18 @@ double ClearanceGrid::clearance(Vec2 p) const {
     return true;
   });
   return least;
+}
+
+std::size_t ClearanceGrid::count_near(Vec2 p) const {
+  std::size_t count = 0;
+  const std::int64_t row = row_of(p.y);
+  if (rows_ == 0 || row < 0 || row >= rows_) return 0;
+  const Columns columns = columns_of(p, p, row);
+  for (std::int64_t column = columns.first; column <= columns.last; ++column) {
+    const auto cell = static_cast<std::size_t>(row * columns_ + column);
+    count += first_[cell + 1] - first_[cell];
+  }
+  return count;
 }
 
 bool ClearanceGrid::has_room(Vec2 p, double room) const {

@@ -38,6 +38,8 @@ class ClearanceGrid {
   /// false of one; a wall may come more than once. Whether it was true of all.
   template <typename Holds>
   bool all_near(Vec2 p, Vec2 q, const Holds& holds) const;
+  /// How often all_near(p, p) asks, at most.
+  [[nodiscard]] std::size_t count_near(Vec2 p) const;
 
  private:
   struct Columns {

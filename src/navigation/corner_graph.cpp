@@ -37,8 +37,10 @@ void close_aside(const CornerGraph& graph, std::uint32_t corner, Horizons& horiz
   }
 }
 
-// Of the corners beyond all_within, the nearest one in each sector where none is nearer.
-CornerGraph::Edges edges_from(const CornerGraph& graph, std::uint32_t i) {
+// Of the corners beyond all_within, the nearest one in each sector where none is nearer. Sectors do
+// not depend on each other.
+CornerGraph::Edges edges_from(const CornerGraph& graph, std::uint32_t i,
+                              const CornerGraph::SomeEdges* known) {
   const Vec2 p = graph.points[i];
   CornerGraph::Edges found;
   std::vector<CornerGraph::Edge>& edges = found.all;
@@ -46,10 +48,15 @@ CornerGraph::Edges edges_from(const CornerGraph& graph, std::uint32_t i) {
   farther.fill({kNoCorner, kInfinity});
   Horizons horizons(p, graph.radius);
   close_aside(graph, i, horizons);
-  graph.view.look(p, horizons, [&](std::uint32_t k) {
-    const double length = norm(graph.points[k] - p);
+  if (known != nullptr) horizons.close_all_but(known->open), edges = known->edges.all;
+  const double most_lean_squared = graph.most_lean[i] * graph.most_lean[i] * (1.0 + kLengthRounding);
+  graph.view.look(p, horizons, [&](std::uint32_t k, Vec2 q) {
+    const Vec2 way = q - p;
+    const double lean = dot(graph.outward[i], way);
+    if (lean * lean > most_lean_squared * norm_squared(way) || horizons.is_hidden(q)) return;
+    const double length = norm(way);
     if (!(length > 0.0)) return;
-    const std::size_t sector = Horizons::sector_of(graph.points[k] - p);
+    const std::size_t sector = Horizons::sector_of(way);
     CornerGraph::Edge& best = farther[sector];
     const bool is_near = length <= graph.all_within;
     if (!is_near && (length > best.length || (length == best.length && k > best.to))) return;
@@ -65,6 +72,8 @@ CornerGraph::Edges edges_from(const CornerGraph& graph, std::uint32_t i) {
   std::sort(edges.begin(), edges.end(),
             [](const auto& one, const auto& other) { return one.to < other.to; });
   found.reach = horizons.reach();
+  for (std::size_t k = 0; known != nullptr && k < found.reach.size(); ++k)
+    found.reach[k] = std::max(found.reach[k], known->edges.reach[k]);
   return found;
 }
 
@@ -107,6 +116,7 @@ CornerGraph graph_among(std::span<const Wall> walls, double radius, ClearanceGri
   graph.all_within = joining == Joining::all ? kInfinity : kAllWithin * radius;
   graph.view = ViewIndex(walls, graph.points);
   graph.edges = Memo<CornerGraph::Edges>(graph.corners());
+  graph.some_edges = Memo<CornerGraph::SomeEdges>(graph.corners());
   return graph;
 }
 
@@ -115,7 +125,10 @@ ClearanceGrid corner_grid(std::span<const Wall> walls, double radius) {
 }
 
 std::span<const CornerGraph::Edge> CornerGraph::edges_of(std::size_t k) const {
-  return edges.get(k, [&] { return edges_from(*this, static_cast<std::uint32_t>(k)); }).all;
+  const auto find = [&] {
+    return edges_from(*this, static_cast<std::uint32_t>(k), some_edges.known(k));
+  };
+  return edges.get(k, find).all;
 }
 
 CornerGraph corner_graph(std::span<const Wall> walls, double radius, Joining joining) {

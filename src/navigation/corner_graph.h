@@ -27,6 +27,11 @@ struct CornerGraph {
     std::vector<Edge> all;
     std::array<float, Horizons::kParts> reach;  // m: nothing farther off has a say in them
   };
+  /// Those outside of some sectors, which have yet to be looked into.
+  struct SomeEdges {
+    Edges edges;
+    Horizons::Sectors open;
+  };
   double radius = 0.0;  // m, of the robots whose ways it holds
   ClearanceGrid grid;
   std::vector<Vec2> points;       // corners; with a lattice, then the sample of each cell
@@ -35,7 +40,8 @@ struct CornerGraph {
   std::vector<double> most_lean;  // likewise
   double all_within = 0.0;        // m: edges are all that there are as far as that
   ViewIndex view;
-  Memo<Edges> edges;  // of each corner, once somebody has asked for them
+  Memo<Edges> edges;           // of each corner, once somebody has asked for them
+  Memo<SomeEdges> some_edges;  // known before somebody asks
   Corners found;
   Lattice lattice = {};  // instead of edges, where nearly every place has corners
 
@@ -75,8 +81,9 @@ CornerGraph graph_among(std::span<const Wall> walls, double radius, ClearanceGri
 template <typename Visit>
 void for_each_in_sight(const CornerGraph& graph, Vec2 place, double room, const Visit& visit) {
   Horizons horizons(place, std::min(room, graph.radius));
-  graph.view.look(place, horizons, [&](std::uint32_t k) {
-    if (graph.grid.is_clear(place, graph.points[k], std::min(room, graph.room[k]))) visit(k);
+  graph.view.look(place, horizons, [&](std::uint32_t k, Vec2 q) {
+    if (!horizons.is_hidden(q) && graph.grid.is_clear(place, q, std::min(room, graph.room[k])))
+      visit(k);
   });
 }
 

@@ -5,7 +5,9 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <numbers>
 #include <unordered_set>
+#include <utility>
 
 #include "core/hash.h"
 #include "walls/segment.h"
@@ -20,6 +22,40 @@ constexpr double kStraight = 1e-6;      // rad: less is no bend
 constexpr double kLeadsInto = 1e-3;     // cosine: then a joined wall certainly leads into the gap
 constexpr double kMostUnlike =
     100.0;  // times the least radius: rounding is less than that certainty
+constexpr double kFreeSight = 0.999;  // of the radius, on straight ways around a pocket
+constexpr double kPocket = 1.1;       // radii behind a gap: where a robot stands in a pocket
+constexpr double kOutOfPocket = 2.0;  // radii from there: who gets so far is in none
+
+// Whether there is room for a robot on one side of the gap, and it gets nowhere from there: nobody
+// wants through who has not its goal there.
+bool leads_into_pocket(const ClearanceGrid& grid, const Gap& gap) {
+  if (gap.two_lanes) return false;
+  const double room = kFreeSight * gap.radius, farther = kOutOfPocket * gap.radius;
+  const Vec2 middle = gap.middle();
+  for (const Vec2 ahead : {gap.ahead(), -1.0 * gap.ahead()}) {
+    const Vec2 inside = middle + kPocket * gap.radius * ahead, left = perpendicular(ahead);
+    const std::array ways{ahead, left, -1.0 * left, (ahead + left) / std::numbers::sqrt2,
+                          (ahead - left) / std::numbers::sqrt2};
+    const bool has_room = grid.is_clear(middle, inside, room);
+    if (has_room && std::none_of(ways.begin(), ways.end(), [&](Vec2 way) {
+          return grid.is_clear(inside, inside + farther * way, room);
+        }))
+      return true;
+  }
+  return false;
+}
+
+// m: with one of that reach around each change, no wall within the grid's reach of a place outside
+// has changed; and no gap that such a place tells leads farther out than twice that.
+double range_of(const ClearanceGrid& grid) {
+  return (1.0 + kLengthRounding) * grid.reach() + kTouchingEnds * grid.reach();
+}
+
+bool meets(std::span<const Zone> zones, const Gap& gap, double margin) {
+  return std::any_of(zones.begin(), zones.end(), [&](const Zone& zone) {
+    return distance(zone.center, {gap.a, gap.b}) <= zone.reach + margin;
+  });
+}
 
 class GapFinder {
  public:
@@ -29,17 +65,50 @@ class GapFinder {
         touching_(kTouchingEnds * radii.front()),
         joints_(grid.walls(), touching_) {}
 
-  std::vector<Gap> find() {
+  // What ends tell that are far from what has changed is kept.
+  void keep(const ToldGaps& before, const WallChanges& changes,
+            std::vector<std::uint32_t>& number) {
+    before_ = &before, changes_ = &changes, number_ = &number;
+    zones_ = changes.around(range_of(grid_));
+    number.assign(before.all.size(), kNoGap);
+  }
+
+  ToldGaps find() {
     const std::span<const Wall> walls = grid_.walls();
-    for (const Wall& wall : walls) {
-      if (!goes_on(wall, wall.b, wall.a)) add_at(wall.a, wall.radius);
-      if (!(wall.a == wall.b) && !goes_on(wall, wall.a, wall.b)) add_at(wall.b, wall.radius);
+    for (std::size_t k = 0; k < walls.size(); ++k) {
+      for (const bool is_second : {false, true}) {
+        told_.first.push_back(static_cast<std::uint32_t>(told_.all.size()));
+        if (!keeps(k, is_second)) look_at(walls[k], is_second);
+      }
     }
-    return without_repeated_and_diagonal();
+    told_.first.push_back(static_cast<std::uint32_t>(told_.all.size()));
+    judge();
+    return std::move(told_);
   }
 
  private:
   bool is_joined(Vec2 p, Vec2 q) const { return norm(p - q) <= touching_; }
+
+  // Whether the same walls are around the end as before, in the same order.
+  bool keeps(std::size_t wall, bool is_second) {
+    if (before_ == nullptr) return false;
+    const auto old = changes_->number_before(wall);
+    const Wall& here = grid_.walls()[wall];
+    if (!old || is_in_one(zones_, is_second ? here.b : here.a, 0.0)) return false;
+    const std::size_t end = 2 * *old + (is_second ? 1 : 0);
+    for (std::uint32_t k = before_->first[end]; k < before_->first[end + 1]; ++k) {
+      (*number_)[k] = static_cast<std::uint32_t>(told_.all.size());
+      told_.all.push_back(before_->all[k]), told_.kind.push_back(before_->kind[k]);
+    }
+    return true;
+  }
+
+  void look_at(const Wall& wall, bool is_second) {
+    if (is_second && wall.a == wall.b) return;
+    const Vec2 end = is_second ? wall.b : wall.a, from = is_second ? wall.a : wall.b;
+    if (!goes_on(wall, from, end)) add_at(end, wall.radius);
+    told_.kind.resize(told_.all.size(), ToldGaps::Kind::way);
+  }
 
   // Whether other walls, as thick, lead straight on from the wall's end: then nothing is narrowest
   // there, and in how many pieces a wall is given makes no difference.
@@ -104,28 +173,37 @@ class GapFinder {
     });
   }
 
-  // The gaps between this end and the walls around it, with nothing else in between.
+  // The gaps between this end and the walls around it, in their order, with nothing else in between.
   void add_at(Vec2 end, double end_radius) {
     if (!is_new(end, end_radius)) return;
     find_leaving(end, end_radius);
-    const double rounding = kLengthRounding * radii_.back();
-    const double farthest = end_radius + grid_.reach();
+    around_.clear();
     grid_.all_near(end, end, [&](std::size_t k) {
-      const Wall& wall = grid_.walls()[k];
-      if (is_ahead(wall, end, farthest)) return true;
-      const Vec2 nearest = nearest_on({wall.a, wall.b}, end);
-      const double between = norm(end - nearest);
-      const double width = between - end_radius - wall.radius;
-      if (between <= touching_ || width < 2.0 * radii_.front() - rounding) return true;
-      const double radius =
-          *(std::upper_bound(radii_.begin(), radii_.end(), 0.5 * width + rounding) - 1);
-      if (width >= kTwoLanes * radius) return true;
-      const Vec2 across = (nearest - end) / between;
-      const Gap gap{end + end_radius * across, nearest - wall.radius * across, radius,
-                    width >= kOneLane * radius};
-      if (!is_blocked(gap.middle(), 0.5 * width - rounding)) gaps_.push_back(gap);
+      around_.push_back(k);
       return true;
     });
+    if (!std::is_sorted(around_.begin(), around_.end()))  // of two cells
+      std::sort(around_.begin(), around_.end());
+    around_.erase(std::unique(around_.begin(), around_.end()), around_.end());
+    const double farthest = end_radius + grid_.reach();
+    for (const std::size_t k : around_) {
+      const Wall& wall = grid_.walls()[k];
+      if (!is_ahead(wall, end, farthest)) add_between(end, end_radius, wall);
+    }
+  }
+  void add_between(Vec2 end, double end_radius, const Wall& wall) {
+    const double rounding = kLengthRounding * radii_.back();
+    const Vec2 nearest = nearest_on({wall.a, wall.b}, end);
+    const double between = norm(end - nearest);
+    const double width = between - end_radius - wall.radius;
+    if (between <= touching_ || width < 2.0 * radii_.front() - rounding) return;
+    const double radius =
+        *(std::upper_bound(radii_.begin(), radii_.end(), 0.5 * width + rounding) - 1);
+    if (width >= kTwoLanes * radius) return;
+    const Vec2 across = (nearest - end) / between;
+    const Gap gap{end + end_radius * across, nearest - wall.radius * across, radius,
+                  width >= kOneLane * radius};
+    if (!is_blocked(gap.middle(), 0.5 * width - rounding)) told_.all.push_back(gap);
   }
 
   bool is_same(const Gap& one, const Gap& other) const {
@@ -139,24 +217,35 @@ class GapFinder {
 
   // Both ends of a gap may have told of it. And where ways cross there are gaps from corner to
   // corner, which are not where any of them is narrowest: another one, no wider, crosses them.
-  std::vector<Gap> without_repeated_and_diagonal() const {
+  void judge() {
+    const double reach = range_of(grid_);
+    std::vector<std::uint32_t> numbers;  // of all that may cross one that is judged
     std::vector<Wall> lines;
-    for (const Gap& gap : gaps_) lines.push_back({gap.a, gap.b, 0.0});
-    const ClearanceGrid near(lines, radii_.front());
-    std::vector<Gap> kept;
-    for (std::size_t i = 0; i < gaps_.size(); ++i) {
-      const Gap& gap = gaps_[i];
-      const bool is_narrowest = near.all_near(gap.a, gap.b, [&](std::size_t k) {
-        const Gap& other = gaps_[k];
-        if (k == i) return true;
-        if (is_same(gap, other)) return i < k;
-        if (shares_end(gap, other) || other.width() > (1.0 + kLengthRounding) * gap.width())
-          return true;
-        return nearest_points({gap.a, gap.b}, {other.a, other.b}).distance > 0.0;
-      });
-      if (is_narrowest) kept.push_back(gap);
+    for (std::uint32_t k = 0; k < told_.all.size(); ++k) {
+      const Gap& gap = told_.all[k];
+      if (before_ != nullptr && !meets(zones_, gap, 4.0 * reach)) continue;
+      numbers.push_back(k), lines.push_back({gap.a, gap.b, 0.0});
     }
-    return kept;
+    const ClearanceGrid near(lines, radii_.front());
+    for (const std::uint32_t k : numbers) {
+      if (before_ == nullptr || meets(zones_, told_.all[k], 2.0 * reach))
+        told_.kind[k] = kind_of(k, numbers, near), ++told_.judged;
+    }
+  }
+  ToldGaps::Kind kind_of(std::uint32_t number, const std::vector<std::uint32_t>& numbers,
+                         const ClearanceGrid& near) const {
+    const Gap& gap = told_.all[number];
+    const bool is_narrowest = near.all_near(gap.a, gap.b, [&](std::size_t line) {
+      const std::uint32_t k = numbers[line];
+      const Gap& other = told_.all[k];
+      if (k == number) return true;
+      if (is_same(gap, other)) return number < k;
+      if (shares_end(gap, other) || other.width() > (1.0 + kLengthRounding) * gap.width())
+        return true;
+      return nearest_points({gap.a, gap.b}, {other.a, other.b}).distance > 0.0;
+    });
+    if (!is_narrowest) return ToldGaps::Kind::left_out;
+    return leads_into_pocket(grid_, gap) ? ToldGaps::Kind::pocket : ToldGaps::Kind::way;
   }
 
   const ClearanceGrid& grid_;
@@ -166,13 +255,40 @@ class GapFinder {
   std::unordered_set<std::uint64_t> looked_at_;
   std::vector<Vec2> leaving_;
   std::array<std::size_t, 8> blocking_{};  // walls, the last one first
-  std::vector<Gap> gaps_;
+  std::vector<std::size_t> around_;        // walls, likewise
+  ToldGaps told_;
+  const ToldGaps* before_ = nullptr;
+  const WallChanges* changes_ = nullptr;
+  std::vector<std::uint32_t>* number_ = nullptr;
+  std::vector<Zone> zones_;  // outside of which ends tell what they told before
 };
 
 }  // namespace
 
-std::vector<Gap> find_gaps(const ClearanceGrid& grid, std::span<const double> radii) {
+std::vector<std::uint32_t> ToldGaps::numbers_of(Kind which) const {
+  std::vector<std::uint32_t> numbers;
+  for (std::uint32_t k = 0; k < all.size(); ++k)
+    if (kind[k] == which) numbers.push_back(k);
+  return numbers;
+}
+
+ToldGaps tell_gaps(const ClearanceGrid& grid, std::span<const double> radii) {
   return GapFinder(grid, radii).find();
+}
+
+ToldGaps tell_gaps(const ClearanceGrid& grid, std::span<const double> radii, const ToldGaps& before,
+                   const WallChanges& changes, std::vector<std::uint32_t>& number) {
+  GapFinder finder(grid, radii);
+  finder.keep(before, changes, number);
+  return finder.find();
+}
+
+std::vector<Gap> find_gaps(const ClearanceGrid& grid, std::span<const double> radii) {
+  const ToldGaps told = tell_gaps(grid, radii);
+  std::vector<Gap> gaps;
+  for (std::size_t k = 0; k < told.all.size(); ++k)
+    if (told.kind[k] != ToldGaps::Kind::left_out) gaps.push_back(told.all[k]);
+  return gaps;
 }
 
 double gap_reach(std::span<const double> radii, double widest_wall) {

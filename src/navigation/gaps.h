@@ -2,10 +2,13 @@
 // Where walls leave so little room that robots pass one behind the other, or in two lanes
 // (docs/navigation.md).
 #pragma once
+#include <cstddef>
+#include <cstdint>
 #include <span>
 #include <vector>
 
 #include "navigation/clearance_grid.h"
+#include "navigation/wall_changes.h"
 
 namespace avo {
 
@@ -20,7 +23,26 @@ struct Gap {
   [[nodiscard]] Vec2 ahead() const { return perpendicular(b - a) / norm(b - a); }
 };
 
+/// What ends of walls tell, before what is told twice is left out.
+struct ToldGaps {
+  enum class Kind : std::uint8_t { way, pocket, left_out };  ///< left out: a narrower one crosses it
+  std::vector<Gap> all;
+  std::vector<Kind> kind;            // of each
+  std::vector<std::uint32_t> first;  // of each wall's two ends, in all; and how many there are
+  std::size_t judged = 0;            // whose kind has been found anew
+
+  /// Those of that kind, and their numbers in all.
+  [[nodiscard]] std::vector<std::uint32_t> numbers_of(Kind which) const;
+};
 /// radii: of all robots, ascending, each > 0. The grid has to tell walls from gap_reach().
+ToldGaps tell_gaps(const ClearanceGrid& grid, std::span<const double> radii);
+/// The same, sooner: of what was told of the same radii before the walls changed. number: the one
+/// that each of those has now; kNoGap: it has been looked for anew.
+ToldGaps tell_gaps(const ClearanceGrid& grid, std::span<const double> radii, const ToldGaps& before,
+                   const WallChanges& changes, std::vector<std::uint32_t>& number);
+inline constexpr std::uint32_t kNoGap = 0xffffffff;
+
+/// All that lead somewhere, and pockets.
 std::vector<Gap> find_gaps(const ClearanceGrid& grid, std::span<const double> radii);
 double gap_reach(std::span<const double> radii, double widest_wall);
 

@@ -4,14 +4,14 @@
 #include <cstdint>
 #include <vector>
 
-#include "navigation/gaps.h"
+#include "navigation/gap_pairs.h"
 #include "navigation/passages.h"
 
 namespace avo {
 
 /// A passage ends where it widens, and where it branches. Also the gaps of one lane as lines with
 /// the way along the axis to their left, and the passage of each.
-std::vector<Passage> join_gaps(const ClearanceGrid& grid, std::vector<Gap> gaps,
-                               std::vector<Wall>& lines, std::vector<std::uint32_t>& passage_of);
+std::vector<Passage> join_gaps(const GapPairs& pairs, std::vector<Wall>& lines,
+                               std::vector<std::uint32_t>& passage_of);
 
 }  // namespace avo

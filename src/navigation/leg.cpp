@@ -97,7 +97,7 @@ struct Choice {
 std::uint32_t best_by_search(const Lookout& lookout) {
   if (!lookout.map().is_free) return PathMap::kNothing;
   Horizons horizons(lookout.p, std::min(lookout.room, lookout.graph.radius));
-  lookout.graph.view.look(lookout.p, horizons, [](std::uint32_t) {});
+  lookout.graph.view.look(lookout.p, horizons, [](std::uint32_t, Vec2) {});
   PathSearch search(lookout.graph, lookout.map(), lookout.p, lookout.scratch.search);
   std::pair<double, std::uint32_t> best{kInfinity, PathMap::kNothing};
   search.settle(kInfinity, [&](std::uint32_t corner, double length) {
@@ -134,12 +134,13 @@ std::optional<double> known_length(const PathMap& map, std::uint32_t corner) {
   return known != nullptr ? std::optional(known->length) : std::nullopt;
 }
 
-// Whether a corner of which nothing is known is surely no better than what is.
-bool is_surely_longer(const Lookout& lookout, std::uint32_t corner, double least) {
+// Whether a corner of which nothing is known is surely no better than what is. is_beside: it has
+// an edge to one of those whose neighbors are known.
+bool is_surely_longer(const Lookout& lookout, std::uint32_t corner, bool is_beside, double least) {
   const PathMap& map = lookout.map();
   const Vec2 q = lookout.graph.points[corner];
   const double to_from = norm(q - map.from);
-  const double settled = to_from <= map.reach ? map.settled - to_from : 0.0;
+  const double settled = is_beside || to_from <= map.reach ? map.settled - to_from : 0.0;
   const double from_there = std::max(settled, norm(q - map.goal));
   return (from_there + norm(q - lookout.p)) * (1.0 - kWayRounding) >= least;
 }
@@ -147,9 +148,12 @@ bool is_surely_longer(const Lookout& lookout, std::uint32_t corner, double least
 // What the map of one way tells of all that best_around() looks at; false: not enough.
 bool look_beside(Choice& choice, std::uint32_t target) {
   const Lookout& lookout = choice.lookout;
+  const std::vector<std::uint32_t>& ways = lookout.map().beside;
+  const bool is_beside = std::find(ways.begin(), ways.end(), target) != ways.end();
   for (const CornerGraph::Edge& edge : lookout.graph.edges_of(target)) {
     const std::optional<double> known = known_length(lookout.map(), edge.to);
-    if (!known && !is_surely_longer(lookout, edge.to, choice.least) && lookout.sees(edge.to))
+    if (!known && !is_surely_longer(lookout, edge.to, is_beside, choice.least) &&
+        lookout.sees(edge.to))
       return false;
     const double length =
         known.value_or(kInfinity) + norm(lookout.graph.points[edge.to] - lookout.p);
@@ -165,7 +169,8 @@ bool turn_to(const Lookout& lookout, std::uint32_t corner) {
   PathMap turned;
   turned.goal = map.goal, turned.room = map.room, turned.is_free = map.is_free;
   turned.is_whole = false;
-  turned.around = map.around, turned.from = map.from, turned.reach = map.reach;
+  turned.around = map.around, turned.beside = map.beside;
+  turned.from = map.from, turned.reach = map.reach;
   turned.settled = map.settled, turned.longest_edge = map.longest_edge;
   turned.closed = map.closed;
   const auto known = [&](std::uint32_t k) -> std::optional<PathMap::Known> {

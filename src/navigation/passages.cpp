@@ -4,9 +4,10 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
+#include <unordered_map>
 #include <utility>
 
+#include "core/hash.h"
 #include "navigation/gaps.h"
 #include "navigation/join_gaps.h"
 #include "walls/segment.h"
@@ -14,10 +15,8 @@
 namespace avo {
 namespace {
 
-constexpr double kBeside = 0.5;       // radii: nearer to the walls nobody is in the way in
-constexpr double kBayRoom = 0.999;    // of the radius, on the straight way to a bay
-constexpr double kPocket = 1.1;       // radii behind a gap: where a robot stands in a pocket
-constexpr double kOutOfPocket = 2.0;  // radii from there: who gets so far is in none
+constexpr double kBeside = 0.5;     // radii: nearer to the walls nobody is in the way in
+constexpr double kBayRoom = 0.999;  // of the radius, on the straight way to a bay
 constexpr double kAtBends = 1.4;  // of half the width: nobody behind a wall is as near to the axis
 
 // Around the whole axis.
@@ -37,23 +36,28 @@ bool is_bay_free(const ClearanceGrid& grid, const Passage& passage, bool forward
   return grid.is_clear(mouth.point, before, room) && grid.is_clear(before, bay, room);
 }
 
-// Whether there is room for a robot on one side of the gap, and it gets nowhere from there: nobody
-// wants through who has not its goal there.
-bool leads_into_pocket(const ClearanceGrid& grid, const Gap& gap) {
-  if (gap.two_lanes) return false;
-  const double room = kBayRoom * gap.radius, farther = kOutOfPocket * gap.radius;
-  const Vec2 middle = gap.middle();
-  for (const Vec2 ahead : {gap.ahead(), -1.0 * gap.ahead()}) {
-    const Vec2 inside = middle + kPocket * gap.radius * ahead, left = perpendicular(ahead);
-    const std::array ways{ahead, left, -1.0 * left, (ahead + left) / std::numbers::sqrt2,
-                          (ahead - left) / std::numbers::sqrt2};
-    const bool has_room = grid.is_clear(middle, inside, room);
-    if (has_room && std::none_of(ways.begin(), ways.end(), [&](Vec2 way) {
-          return grid.is_clear(inside, inside + farther * way, room);
-        }))
-      return true;
+// On the right, unless there is room only on the left.
+void choose_bay(const ClearanceGrid& grid, Passage& passage, bool forward) {
+  if (!is_bay_free(grid, passage, forward, 1.0) && is_bay_free(grid, passage, forward, -1.0))
+    passage.bay_side[forward ? 0 : 1] = -1.0;
+}
+
+std::uint64_t hash_of(const Passage& passage) {
+  std::uint64_t hash = 0;
+  for (const Vec2 p : {passage.axis.front(), passage.axis.back()})
+    hash = mixed(mixed(hash, word_of(p.x)), word_of(p.y));
+  return hash;
+}
+
+// The gaps that lead somewhere, and the number among them of each one told.
+std::vector<Gap> ways_of(const ToldGaps& told, std::vector<std::uint32_t>& number) {
+  std::vector<Gap> ways;
+  number.assign(told.all.size(), kNoGap);
+  for (const std::uint32_t k : told.numbers_of(ToldGaps::Kind::way)) {
+    number[k] = static_cast<std::uint32_t>(ways.size());
+    ways.push_back(told.all[k]);
   }
-  return false;
+  return ways;
 }
 
 }  // namespace
@@ -95,23 +99,71 @@ AxisPoint axis_point(const Passage& passage, bool forward, double along) {
   return {point, forward ? direction : -1.0 * direction};
 }
 
-Passages::Passages(std::span<const Wall> walls, std::span<const double> radii, double watched) {
-  if (walls.empty() || radii.empty()) return;
-  const ClearanceGrid grid(walls, gap_reach(radii, widest_of(walls)));
-  std::vector<Wall> gaps;
-  std::vector<Gap> all = find_gaps(grid, radii);
-  std::erase_if(all, [&](const Gap& gap) { return leads_into_pocket(grid, gap); });
-  all_ = join_gaps(grid, std::move(all), gaps, gap_of_);
-  choose_bays(grid);
-  if (!all_.empty()) index(gaps, watched);
+Passages::Passages(std::span<const Wall> walls, std::span<const double> radii, double watched)
+    : walls_(walls.begin(), walls.end()), radii_(radii.begin(), radii.end()) {
+  find(nullptr, watched);
+}
+
+Passages::Passages(std::span<const Wall> walls, std::span<const double> radii, double watched,
+                   Passages before)
+    : walls_(walls.begin(), walls.end()), radii_(radii.begin(), radii.end()) {
+  const bool is_like = before.radii_ == radii_ && !before.walls_.empty() && !walls_.empty() &&
+                       widest_of(before.walls_) == widest_of(walls_) &&
+                       WallChanges(before.walls_, walls_).are_few();
+  find(is_like ? &before : nullptr, watched);
+}
+
+void Passages::find(const Passages* before, double watched) {
+  if (walls_.empty() || radii_.empty()) return;
+  const ClearanceGrid grid(walls_, gap_reach(radii_, widest_of(walls_)));
+  std::vector<Wall> lines;
+  std::vector<std::uint32_t> way_of;  // the number, among gaps that lead somewhere, of each one told
+  if (before == nullptr) {
+    told_ = tell_gaps(grid, radii_);
+    pairs_ = pair_gaps(grid, ways_of(told_, way_of));
+    all_ = join_gaps(pairs_, lines, gap_of_);
+    choose_bays(grid);
+  } else {
+    const WallChanges changes(before->walls_, walls_);
+    std::vector<std::uint32_t> number, old_way_of;
+    told_ = tell_gaps(grid, radii_, before->told_, changes, number);
+    std::vector<Gap> gaps = ways_of(told_, way_of);
+    (void)ways_of(before->told_, old_way_of);
+    std::vector<std::uint32_t> way_now(before->pairs_.gaps.size(), kNoGap);
+    for (std::size_t k = 0; k < number.size(); ++k)
+      if (old_way_of[k] != kNoGap && number[k] != kNoGap) way_now[old_way_of[k]] = way_of[number[k]];
+    pairs_ = pair_gaps(grid, std::move(gaps), before->pairs_, changes, way_now);
+    all_ = join_gaps(pairs_, lines, gap_of_);
+    keep_bays(grid, *before, changes.around(grid.reach()));
+  }
+  if (!all_.empty()) index(lines, watched);
 }
 
 void Passages::choose_bays(const ClearanceGrid& grid) {
   for (Passage& passage : all_) {
+    if (passage.two_lanes) continue;
+    for (const bool forward : {true, false}) choose_bay(grid, passage, forward);
+  }
+}
+
+// Far from what has changed bays are where they were.
+void Passages::keep_bays(const ClearanceGrid& grid, const Passages& before,
+                         std::span<const Zone> changed) {
+  std::unordered_map<std::uint64_t, std::uint32_t> number_before;
+  for (std::uint32_t k = 0; k < before.size(); ++k) number_before[hash_of(before[k])] = k;
+  for (Passage& passage : all_) {
+    if (passage.two_lanes) continue;
+    const auto found = number_before.find(hash_of(passage));
+    const bool is_there = found != number_before.end() &&
+                          before[found->second].axis == passage.axis &&
+                          before[found->second].radius == passage.radius;
     for (const bool forward : {true, false}) {
-      if (!passage.two_lanes && !is_bay_free(grid, passage, forward, 1.0) &&
-          is_bay_free(grid, passage, forward, -1.0))
-        passage.bay_side[forward ? 0 : 1] = -1.0;
+      const Vec2 mouth = forward ? passage.axis.front() : passage.axis.back();
+      const std::size_t side = forward ? 0 : 1;
+      if (is_there && !is_in_one(changed, mouth, 0.0))
+        passage.bay_side[side] = before[found->second].bay_side[side];
+      else
+        choose_bay(grid, passage, forward);
     }
   }
 }

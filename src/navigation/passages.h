@@ -10,6 +10,7 @@
 
 #include "avo/wall.h"
 #include "navigation/clearance_grid.h"
+#include "navigation/gap_pairs.h"
 #include "walls/segment.h"
 
 namespace avo {
@@ -57,7 +58,15 @@ class Passages {
   /// radii: of all robots, ascending, each > 0. watched: radii of a passage that walls_near() its
   /// axis are told from.
   Passages(std::span<const Wall> walls, std::span<const double> radii, double watched);
+  /// The same, sooner: of those for the same radii, where few walls have changed since.
+  Passages(std::span<const Wall> walls, std::span<const double> radii, double watched,
+           Passages before);
 
+  /// How much of it has been looked at anew.
+  struct Work {
+    std::size_t gaps = 0, pairs = 0;
+  };
+  [[nodiscard]] Work work() const { return {told_.judged, pairs_.tested}; }
   [[nodiscard]] bool empty() const { return all_.empty(); }
   [[nodiscard]] std::size_t size() const { return all_.size(); }
   [[nodiscard]] const Passage& operator[](std::uint32_t number) const { return all_[number]; }
@@ -80,9 +89,15 @@ class Passages {
   void for_each_watched(Vec2 p, const Visit& visit) const;
 
  private:
+  void find(const Passages* before, double watched);
   void choose_bays(const ClearanceGrid& grid);
+  void keep_bays(const ClearanceGrid& grid, const Passages& before, std::span<const Zone> changed);
   void index(const std::vector<Wall>& gaps, double watched);
 
+  std::vector<Wall> walls_;
+  std::vector<double> radii_;
+  ToldGaps told_;
+  GapPairs pairs_;
   std::vector<Passage> all_;
   std::vector<std::uint32_t> axis_of_, gap_of_, watched_of_;  // passages of the lines of each grid
   std::optional<ClearanceGrid> axes_;                         // from which a point inside is told

@@ -35,9 +35,11 @@ struct PathMap {
     std::uint32_t corner = 0, next = 0;
     double length = 0.0;  // m
   };
-  // Unless it is whole: of corners within `reach` of `from`, ascending. Of any other one there, the
-  // length and the distance to `from` are `settled` m at least.
+  // Unless it is whole: of corners within `reach` of `from`, of those to which one of `beside` has
+  // an edge, and of others, ascending. Of any other one there, the length and the distance to
+  // `from` are `settled` m at least.
   std::shared_ptr<const std::vector<Known>> around = {};
+  std::vector<std::uint32_t> beside;
   Vec2 from = {};
   double reach = 0.0, settled = 0.0;  // m
   double longest_edge = 0.0;          // m, of those that have been looked at

@@ -7,47 +7,64 @@
 namespace avo {
 namespace {
 
-constexpr std::ptrdiff_t kMostAround = 512;  // corners that a robot remembers
+constexpr std::ptrdiff_t kMostAround = 512;  // corners near it that a robot remembers
 
 }  // namespace
 
 PathSearch::PathSearch(const CornerGraph& graph, const PathMap& goal, Vec2 from,
                        PathScratch& scratch)
     : graph_(graph), goal_(goal), from_(from), scratch_(scratch) {
-  const std::size_t corners = graph.corners();
-  if (scratch.known.size() < corners) {
-    scratch.length.resize(corners), scratch.next.resize(corners);
-    scratch.known.assign(corners, 0);
-    scratch.search = 0;
-  }
+  if (scratch.reached.size() < graph.corners())
+    scratch.reached.resize(graph.corners()), scratch.told.resize(graph.corners());
   if (++scratch.search == 0) {
-    std::fill(scratch.known.begin(), scratch.known.end(), 0);
+    for (PathScratch::Reached& reached : scratch.reached) reached.search = 0;
+    std::fill(scratch.told.begin(), scratch.told.end(), 0);
     scratch.search = 1;
   }
-  scratch.open.clear(), scratch.settled.clear();
-  for_each_in_sight(graph, goal.goal, goal.room, [&](std::uint32_t corner) {
-    if (goal.is_open(goal.goal, graph.points[corner]))
-      reach(corner, norm(goal.goal - graph.points[corner]), PathMap::kGoal);
+  scratch.open.clear(), scratch.in_view.clear(), scratch.settled.clear();
+  look_from_goal();
+}
+
+// Whether they are in sight is asked when their turn comes: of most it never does.
+void PathSearch::look_from_goal() {
+  Horizons horizons(goal_.goal, std::min(goal_.room, graph_.radius));
+  graph_.view.look(goal_.goal, horizons, [&](std::uint32_t k, Vec2 q) {
+    if (!horizons.is_hidden(q))
+      scratch_.in_view.push_back({norm(goal_.goal - q) + norm(q - from_), k});
   });
+  std::make_heap(scratch_.in_view.begin(), scratch_.in_view.end(), std::greater<>());
+}
+
+// Those whose turn it is.
+void PathSearch::reach_from_goal() {
+  auto& in_view = scratch_.in_view;
+  while (!in_view.empty() &&
+         (scratch_.open.empty() || in_view.front().first <= scratch_.open.front().first)) {
+    const std::uint32_t corner = in_view.front().second;
+    std::pop_heap(in_view.begin(), in_view.end(), std::greater<>());
+    in_view.pop_back();
+    const Vec2 q = graph_.points[corner];
+    const double room = std::min(goal_.room, graph_.room[corner]);
+    if (goal_.is_open(goal_.goal, q) && graph_.grid.is_clear(goal_.goal, q, room))
+      reach(corner, norm(goal_.goal - q), PathMap::kGoal);
+  }
 }
 
 // Of two ways of one length, the one whose next corner is nearer to the goal, or has the lower
 // number: so Dijkstra's algorithm finds them.
 bool PathSearch::comes_first(std::uint32_t next, std::uint32_t other) const {
-  if (other == PathMap::kGoal) return false;
-  const double length = scratch_.length[next], other_length = scratch_.length[other];
+  if (next == PathMap::kGoal || other == PathMap::kGoal) return other != PathMap::kGoal;
+  const double length = this->length(next), other_length = this->length(other);
   return length < other_length || (length == other_length && next < other);
 }
 
 void PathSearch::reach(std::uint32_t corner, double length, std::uint32_t next) {
-  const bool is_known = scratch_.known[corner] == scratch_.search;
-  if (is_known && length >= scratch_.length[corner]) {
-    if (length == scratch_.length[corner] && comes_first(next, scratch_.next[corner]))
-      scratch_.next[corner] = next;
+  PathScratch::Reached& reached = scratch_.reached[corner];
+  if (reached.search == scratch_.search && length >= reached.length) {
+    if (length == reached.length && comes_first(next, reached.next)) reached.next = next;
     return;
   }
-  scratch_.known[corner] = scratch_.search;
-  scratch_.length[corner] = length, scratch_.next[corner] = next;
+  reached = {length, next, scratch_.search};
   scratch_.open.push_back({sum_of(corner), corner});
   std::push_heap(scratch_.open.begin(), scratch_.open.end(), std::greater<>());
 }
@@ -61,7 +78,7 @@ PathSearch::Front PathSearch::pop() {
 
 void PathSearch::spread(std::uint32_t corner) {
   scratch_.settled.push_back(corner);
-  const double length = scratch_.length[corner];
+  const double length = this->length(corner);
   for (const CornerGraph::Edge& edge : graph_.edges_of(corner)) {
     longest_edge_ = std::max(longest_edge_, edge.length);
     if (goal_.is_open(graph_.points[corner], graph_.points[edge.to]))
@@ -70,11 +87,12 @@ void PathSearch::spread(std::uint32_t corner) {
 }
 
 bool PathSearch::is_settled(std::uint32_t corner) const {
-  return scratch_.known[corner] == scratch_.search &&
+  return scratch_.reached[corner].search == scratch_.search &&
          sum_of(corner) * (1.0 + 0.5 * kWayRounding) < settled_;
 }
 
-// Of those that are settled, the nearest ones to `from`.
+// Of those that are settled, the nearest ones to `from`, those beside the way, and the ways from
+// there.
 void PathSearch::tell_around(PathMap& map) const {
   std::vector<std::pair<double, std::uint32_t>> near;  // m
   for (const std::uint32_t corner : scratch_.settled)
@@ -86,13 +104,22 @@ void PathSearch::tell_around(PathMap& map) const {
     near.resize(kMostAround);
   }
   std::vector<PathMap::Known> around;
-  around.reserve(near.size());
-  for (const auto& [distance, corner] : near)
-    around.push_back({corner, scratch_.next[corner], scratch_.length[corner]});
-  const auto is_less = [](const auto& a, const auto& b) { return a.corner < b.corner; };
-  const auto is_same = [](const auto& a, const auto& b) { return a.corner == b.corner; };
-  std::sort(around.begin(), around.end(), is_less);
-  around.erase(std::unique(around.begin(), around.end(), is_same), around.end());
+  const auto tell = [&](std::uint32_t corner) {
+    if (scratch_.told[corner] == scratch_.search) return false;
+    scratch_.told[corner] = scratch_.search;
+    around.push_back({corner, scratch_.reached[corner].next, length(corner)});
+    return true;
+  };
+  for (const auto& [distance, corner] : near) tell(corner);
+  map.beside = map.corners;
+  for (const std::uint32_t corner : map.beside) {
+    for (const CornerGraph::Edge& edge : graph_.edges_of(corner)) {
+      std::uint32_t next = is_settled(edge.to) ? edge.to : PathMap::kGoal;
+      while (next != PathMap::kGoal && tell(next)) next = scratch_.reached[next].next;
+    }
+  }
+  std::sort(around.begin(), around.end(),
+            [](const auto& a, const auto& b) { return a.corner < b.corner; });
   map.around = std::make_shared<const std::vector<PathMap::Known>>(std::move(around));
 }
 
@@ -102,13 +129,13 @@ PathMap PathSearch::way_from(std::uint32_t target) const {
   map.closed = goal_.closed;
   map.is_whole = false;
   map.from = from_, map.settled = settled_, map.longest_edge = longest_edge_;
-  tell_around(map);
   add_way(
       graph_, target,
       [&](std::uint32_t k) {
-        return std::optional(PathMap::Known{k, scratch_.next[k], scratch_.length[k]});
+        return std::optional(PathMap::Known{k, scratch_.reached[k].next, length(k)});
       },
       map);
+  tell_around(map);
   return map;
 }
 

@@ -12,11 +12,16 @@ namespace avo {
 
 /// Memory to search with.
 struct PathScratch {
-  std::vector<double> length;        // m, by corner, of this search
-  std::vector<std::uint32_t> next;   // likewise
-  std::vector<std::uint32_t> known;  // the search that has found them
+  struct Reached {
+    double length = 0.0;  // m
+    std::uint32_t next = 0;
+    std::uint32_t search = 0;  // the one that has reached it
+  };
+  std::vector<Reached> reached;     // by corner
+  std::vector<std::uint32_t> told;  // by corner, the search that has told of it
   std::uint32_t search = 0;
   std::vector<std::pair<double, std::uint32_t>> open;
+  std::vector<std::pair<double, std::uint32_t>> in_view;  // of the goal, unless walls are between
   std::vector<std::uint32_t> settled;
 };
 
@@ -37,7 +42,9 @@ class PathSearch {
   }
   /// Whether a corner's length is known for sure.
   [[nodiscard]] bool is_settled(std::uint32_t corner) const;
-  [[nodiscard]] double length(std::uint32_t corner) const { return scratch_.length[corner]; }
+  [[nodiscard]] double length(std::uint32_t corner) const {
+    return scratch_.reached[corner].length;
+  }
   [[nodiscard]] std::size_t count() const { return scratch_.settled.size(); }
   /// The map of the way from that target on, which is settled, or the goal.
   [[nodiscard]] PathMap way_from(std::uint32_t target) const;
@@ -48,8 +55,10 @@ class PathSearch {
     std::uint32_t corner;
   };
   [[nodiscard]] double sum_of(std::uint32_t corner) const {
-    return scratch_.length[corner] + norm(graph_.points[corner] - from_);
+    return length(corner) + norm(graph_.points[corner] - from_);
   }
+  void look_from_goal();
+  void reach_from_goal();
   void reach(std::uint32_t corner, double length, std::uint32_t next);
   [[nodiscard]] bool comes_first(std::uint32_t next, std::uint32_t other) const;
   void spread(std::uint32_t corner);
@@ -66,12 +75,15 @@ class PathSearch {
 
 template <typename Visit>
 void PathSearch::settle(double limit, const Visit& visit) {
+  reach_from_goal();
   while (!scratch_.open.empty() &&
          scratch_.open.front().first <= limit * (1.0 + kWayRounding) + kLengthRounding) {
     const Front front = pop();
-    if (front.sum > sum_of(front.corner)) continue;  // it has been reached again since
-    spread(front.corner);
-    limit = visit(front.corner, front.sum);
+    if (front.sum <= sum_of(front.corner)) {  // else it has been reached again since
+      spread(front.corner);
+      limit = visit(front.corner, front.sum);
+    }
+    reach_from_goal();
   }
   settled_ =
       scratch_.open.empty() ? std::numeric_limits<double>::infinity() : scratch_.open.front().first;

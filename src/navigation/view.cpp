@@ -11,7 +11,7 @@ namespace {
 constexpr std::size_t kInQuadrant = Horizons::kSectors / 4;
 constexpr double kSlackOfSight = 1e-9;  // of a length, more than is lost
 constexpr double kSureRoom = 0.99;      // of the room: what is nearer to a wall is certainly hidden
-constexpr double kItemsInCell = 8.0;
+constexpr double kItemsInCell = 16.0;
 constexpr double kMostCellsAcross = 4096.0;
 
 // From 0 along the first axis to 4, growing with the angle.
@@ -73,6 +73,20 @@ bool reaches(const std::array<float, Horizons::kParts>& reach, Vec2 place, Vec2 
   for (std::size_t k = first; k <= last; ++k)
     if (static_cast<double>(reach[k % Horizons::kParts]) >= distance - radius) return true;
   return false;
+}
+
+Horizons::Sectors sectors_of(Vec2 place, Vec2 center, double radius) {
+  constexpr std::size_t kSectors = Horizons::kSectors;
+  Horizons::Sectors sectors;
+  const Vec2 to = center - place;
+  const double distance = norm(to);
+  if (!(distance > radius)) return sectors.set();
+  const double side = radius * distance / std::sqrt(distance * distance - radius * radius);
+  const std::size_t first = Horizons::sector_of(side_of(to, side, -1.0)) + kSectors - 1;
+  std::size_t last = Horizons::sector_of(side_of(to, side, 1.0)) + kSectors + 1;
+  if (last < first) last += kSectors;
+  for (std::size_t k = first; k <= last; ++k) sectors.set(k % kSectors);
+  return sectors;
 }
 
 // The segment between the outer sides of its ends lies within the wall and the room around it.
@@ -174,21 +188,29 @@ bool ViewIndex::covers(Vec2 place) const {
 }
 
 void ViewIndex::next_ring(Cell middle, std::int64_t away, bool is_inside,
-                          std::vector<Cell>& in_view, std::vector<Cell>& ring) const {
+                          const std::vector<Cell>& in_view, std::vector<Cell>& ring,
+                          std::vector<char>& is_in_ring) const {
   ring.clear();
+  is_in_ring.assign(static_cast<std::size_t>(8 * away), 0);
   const auto add = [&](std::int64_t column, std::int64_t row) {
-    const bool is_there = column >= 0 && column < columns_ && row >= 0 && row < rows_;
-    const std::int64_t distance =
-        std::max(std::abs(column - middle.column), std::abs(row - middle.row));
-    if (is_there && distance == away) ring.push_back({column, row});
+    if (column < 0 || column >= columns_ || row < 0 || row >= rows_) return;
+    const std::int64_t right = column - middle.column, up = row - middle.row;
+    std::int64_t place = right + away;  // around the ring: below, above, and else on both sides
+    if (std::abs(up) == away)
+      place += up > 0 ? 2 * away + 1 : 0;
+    else if (std::abs(right) == away)
+      place = 4 * away + 2 + 2 * (up + away - 1) + (right > 0 ? 1 : 0);
+    else
+      return;
+    if (place < 0 || place >= 8 * away || is_in_ring[static_cast<std::size_t>(place)] != 0) return;
+    is_in_ring[static_cast<std::size_t>(place)] = 1;
+    ring.push_back({column, row});
   };
   if (is_inside) {
     for (const Cell cell : in_view)
       for (std::int64_t row = cell.row - 1; row <= cell.row + 1; ++row)
         for (std::int64_t column = cell.column - 1; column <= cell.column + 1; ++column)
           add(column, row);
-    std::sort(ring.begin(), ring.end());
-    ring.erase(std::unique(ring.begin(), ring.end()), ring.end());
     return;
   }
   for (std::int64_t row = middle.row - away; row <= middle.row + away; ++row) {

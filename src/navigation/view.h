@@ -3,6 +3,7 @@
 // covers a sector hides what is behind it there. What is left has yet to be tested exactly.
 #pragma once
 #include <array>
+#include <bitset>
 #include <compare>
 #include <cstddef>
 #include <cstdint>
@@ -18,6 +19,7 @@ namespace avo {
 class Horizons {
  public:
   static constexpr std::size_t kSectors = 256;
+  using Sectors = std::bitset<kSectors>;
 
   /// room: m, that what is seen needs to the walls on the straight way, > 0.
   Horizons(Vec2 place, double room) : place_(place), room_(room) {
@@ -33,6 +35,11 @@ class Horizons {
   /// m: nothing farther off matters there.
   void close(std::size_t sector, double distance) {
     if (distance < far_[sector]) far_[sector] = distance;
+  }
+  /// Nothing in the other sectors matters.
+  void close_all_but(const Sectors& open) {
+    for (std::size_t k = 0; k < kSectors; ++k)
+      if (!open[k]) close(k, 0.0);
   }
   /// m: nothing farther off has been looked at within each of these parts of the full turn.
   static constexpr std::size_t kParts = 32;
@@ -57,13 +64,17 @@ class Horizons {
 bool reaches(const std::array<float, Horizons::kParts>& reach, Vec2 place, Vec2 center,
              double radius);
 
+/// The sectors around a place in which some of a disc is, and perhaps the next ones.
+Horizons::Sectors sectors_of(Vec2 place, Vec2 center, double radius);
+
 /// Walls and points by place.
 class ViewIndex {
  public:
   ViewIndex() = default;
   ViewIndex(std::span<const Wall> walls, std::span<const Vec2> points);
 
-  /// visit(point) of each one that may be in view; the horizons come nearer meanwhile.
+  /// visit(point, place) of those that may be in view, and of some that the horizons hide, which
+  /// come nearer meanwhile.
   template <typename Visit>
   void look(Vec2 place, Horizons& horizons, const Visit& visit) const;
   /// visit(point) of those in the cell of that place.
@@ -84,8 +95,8 @@ class ViewIndex {
   [[nodiscard]] bool covers(Vec2 place) const;
   // Of the ring around the middle, those through which one may see on: all around a place outside,
   // and else those beside cells that are in view.
-  void next_ring(Cell middle, std::int64_t away, bool is_inside, std::vector<Cell>& in_view,
-                 std::vector<Cell>& ring) const;
+  void next_ring(Cell middle, std::int64_t away, bool is_inside, const std::vector<Cell>& in_view,
+                 std::vector<Cell>& ring, std::vector<char>& is_in_ring) const;
   template <typename Visit>
   bool look_into(Cell cell, Vec2 place, Horizons& horizons, const Visit& visit) const;
 
@@ -108,7 +119,7 @@ bool ViewIndex::look_into(Cell cell, Vec2 place, Horizons& horizons, const Visit
   for (std::uint32_t w = first_wall_[k]; w < first_wall_[k + 1]; ++w)
     horizons.block_if_seen(walls_[w]);
   for (std::uint32_t p = first_point_[k]; p < first_point_[k + 1]; ++p)
-    if (!(points_[p] == place) && !horizons.is_hidden(points_[p])) visit(point_[p]);
+    if (!(points_[p] == place)) visit(point_[p], points_[p]);
   return true;
 }
 
@@ -118,11 +129,12 @@ void ViewIndex::look(Vec2 place, Horizons& horizons, const Visit& visit) const {
   const Cell middle = cell_of(place);
   const bool is_inside = covers(place);
   std::vector<Cell> in_view, ring{middle};
+  std::vector<char> is_in_ring;
   for (std::int64_t away = 1; !ring.empty(); ++away) {
     in_view.clear();
     for (const Cell cell : ring)
       if (look_into(cell, place, horizons, visit)) in_view.push_back(cell);
-    next_ring(middle, away, is_inside, in_view, ring);
+    next_ring(middle, away, is_inside, in_view, ring, is_in_ring);
   }
 }
 

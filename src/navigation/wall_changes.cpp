@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace avo {
 namespace {
@@ -63,6 +64,13 @@ bool may_meet(std::span<const Zone> zones, Vec2 p, Vec2 q, double length) {
     const double by = norm(p - zone.center) + norm(q - zone.center);
     return aside <= half_width + zone.reach && by <= length + 2.0 * zone.reach;
   });
+}
+
+double least_way_into(std::span<const Zone> zones, Vec2 p, Vec2 q) {
+  double least = std::numeric_limits<double>::infinity();
+  for (const Zone& zone : zones)
+    least = std::min(least, norm(p - zone.center) + norm(q - zone.center) - 2.0 * zone.reach);
+  return least;
 }
 
 }  // namespace avo

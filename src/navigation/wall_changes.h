@@ -20,6 +20,8 @@ struct Zone {
 bool is_in_one(std::span<const Zone> zones, Vec2 p, double margin);
 /// Whether a way from p to q of that length, m, may come into one of them.
 bool may_meet(std::span<const Zone> zones, Vec2 p, Vec2 q, double length);
+/// m: no shorter way from p to q comes into one of them.
+double least_way_into(std::span<const Zone> zones, Vec2 p, Vec2 q);
 
 /// Lists differ between a common beginning and a common end.
 struct WallChanges {

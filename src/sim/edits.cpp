@@ -71,6 +71,7 @@ void adopt(World& world, Ways ways) noexcept {
     const Vec2 end = ways.travels.empty() ? goal : ways.travels[rank].heads_for(goal);
     if (!(end == world.end_of(slot))) fleet.has_stood[slot] = 0;
   }
+  ways.remember_passages(world.ways);
   world.ways = std::move(ways);
   world.changed = world.has_new_goals = true;
 }

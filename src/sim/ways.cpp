@@ -44,12 +44,12 @@ Travel replanned(const Travel& before, Travel fresh, Vec2 position, double radiu
                  LegScratch& scratch) {
   const auto kept = rest_of(before);
   if (!kept || !rest_of(fresh)) return fresh;
+  const std::uint32_t target =
+      before.target == PathMap::kGoal ? PathMap::kGoal : point_at(*fresh.graph, kept->first);
+  if (target == fresh.target) return fresh;  // without another search
   Travel first = before;
   aim_at_best(first, position, radius, scratch);
   if (rest_of(first) != rest_of(fresh)) return fresh;
-  const std::uint32_t target =
-      before.target == PathMap::kGoal ? PathMap::kGoal : point_at(*fresh.graph, kept->first);
-  if (target == fresh.target) return fresh;
   Travel travel = fresh;
   aim_at(travel, target, scratch);
   return rest_of(travel) == kept ? travel : fresh;
@@ -211,8 +211,8 @@ std::optional<Travel> Ways::carry_over(const Travel& before, Vec2 position, doub
   if (map.is_whole) {
     travel.map = map_to(key, map.goal, true);
   } else {
-    if (may_meet(changed, map.from, map.goal, map.settled)) return std::nullopt;
-    travel.map = std::make_shared<const PathMap>(renumbered(map, carried->number));
+    travel.map = std::make_shared<const PathMap>(
+        carried_map(map, before.target, *before.graph, *carried, changed));
   }
   return travel;
 }
@@ -227,7 +227,7 @@ std::size_t Ways::most_targets() const {
 
 void Ways::find_passages(std::vector<double> radii) {
   if (!sight_ || !heeds_passages_ || radii == passage_radii_) return;
-  passages = Passages(sight_->walls(), radii, kClaimRange);
+  passages = Passages(sight_->walls(), radii, kClaimRange, std::exchange(earlier_, {}));
   passage_radii_ = std::move(radii);
 }
 

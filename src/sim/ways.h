@@ -10,6 +10,7 @@
 #include <optional>
 #include <span>
 #include <tuple>
+#include <utility>
 #include <vector>
 
 #include "avo/scenario.h"
@@ -41,6 +42,10 @@ class Ways {
   [[nodiscard]] const std::vector<Wall>& resting() const { return resting_; }
   [[nodiscard]] bool goes_around_movers() const { return follows_ && !resting_.empty(); }
   void forget_before() { before_ = nullptr, carried_.clear(); }
+  /// Passages of other walls, from which those of these walls are found sooner.
+  void remember_passages(Ways& before) noexcept {
+    earlier_ = std::move(before.passage_radii_.empty() ? before.earlier_ : before.passages);
+  }
   /// A new way; robots of one class of radii and one goal share what it is made of. One that ended
   /// elsewhere than at that goal before still ends there, if nothing nearer can be reached.
   [[nodiscard]] Travel plan(double radius, Vec2 position, Vec2 goal,
@@ -95,6 +100,7 @@ class Ways {
   LegScratch scratch_;
   std::size_t most_maps_ = 0;  // beyond which those that nobody has are forgotten
   std::vector<double> passage_radii_;
+  Passages earlier_;  // until find_passages()
 };
 
 /// Of a whole fleet; of the same one as before among other walls: who would set out as before, and

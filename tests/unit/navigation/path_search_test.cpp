@@ -6,7 +6,10 @@
 #include <gtest/gtest.h>
 #include <limits>
 #include <memory>
+#include <optional>
+#include <vector>
 
+#include "navigation/carried_graph.h"
 #include "navigation/leg.h"
 #include "unit/navigation/mazes.h"
 
@@ -42,7 +45,8 @@ class Walk {
         whole_(path_map(graph, goal)),
         known_(std::make_shared<const PathMap>(goal_of(graph, goal))) {}
 
-  void go(test::Random& random, int steps) {
+  // push: m, in each step, at most
+  void go(test::Random& random, int steps, double push = 0.25) {
     std::uint32_t target = PathMap::kNothing;
     for (int step = 0; step < steps; ++step) {
       const bool looks = step % 3 == 0;
@@ -53,13 +57,15 @@ class Walk {
       searches_ += known_ != before ? 1 : 0;
       legs_ += leg.target < PathMap::kNothing ? 1 : 0;
       target = leg.target;
-      if (target == PathMap::kNothing || norm(leg.aim - p_) < 0.3) return;
-      const Vec2 along = 0.3 / norm(leg.aim - p_) * (leg.aim - p_);
-      const Vec2 pushed = p_ + along + random.uniform(0.0, 0.25) * random.direction();
+      const double left = norm(leg.aim - p_);
+      if (target == PathMap::kNothing || !(left > (leg.is_last() ? 0.3 : 0.0))) return;
+      const Vec2 along = std::min(0.3, left) / left * (leg.aim - p_);
+      const Vec2 pushed = p_ + along + random.uniform(0.0, push) * random.direction();
       if (graph_.grid.has_room(pushed, kRadius)) p_ = pushed;
     }
   }
   [[nodiscard]] int searches() const { return searches_; }
+  [[nodiscard]] std::uint32_t begun() const { return scratch_.search.search; }
   [[nodiscard]] int legs() const { return legs_; }
 
  private:
@@ -91,6 +97,80 @@ TEST(PathSearch, leads_as_the_whole_map_does) {
   EXPECT_LT(searches, legs / 8);  // who knows its way seldom searches again
 }
 
+// Among so many corners that a robot remembers a part of them: it knows those beside its whole way.
+TEST(PathSearch, is_done_once_for_a_long_way) {
+  for (const Joining joining : {Joining::all, Joining::near}) {
+    const CornerGraph graph = corner_graph(test::random_walls(900, 110.0, 3), kRadius, joining);
+    test::Random random(5);
+    std::uint32_t searches = 0;
+    int legs = 0;
+    for (int k = 0; k < 8; ++k) {
+      SCOPED_TRACE(k);
+      const auto place = [&](double x) {
+        while (true) {
+          const Vec2 p{x, random.uniform(0.0, 110.0)};
+          if (graph.grid.has_room(p, kRadius)) return p;
+        }
+      };
+      Walk walk(graph, place(0.0), place(110.0));
+      walk.go(random, 1000, 0.0);
+      if (HasFatalFailure()) return;
+      searches += walk.begun(), legs += walk.legs();
+    }
+    EXPECT_GT(legs, 2500);
+    EXPECT_LE(searches, 16u);
+  }
+}
+
+// What a robot still knows after an edit near its way is what the whole map among the other walls
+// tells, and all that it takes for farther is.
+TEST(PathSearch, is_of_use_after_an_edit_beside_the_way) {
+  std::size_t known = 0, farther = 0, edits = 0;
+  for (std::uint64_t seed = 1; seed <= 24; ++seed) {
+    SCOPED_TRACE(seed);
+    test::Random random(seed);
+    const Joining joining = seed % 2 == 0 ? Joining::near : Joining::all;
+    const std::vector<Wall> walls = test::random_walls(90, 20.0, seed);
+    const CornerGraph before = corner_graph(walls, kRadius, joining);
+    const Vec2 from = free_place(before, random), goal = free_place(before, random);
+    LegScratch scratch;
+    auto map = std::make_shared<const PathMap>(goal_of(before, goal));
+    const Leg leg = next_leg(before, map, from, kRadius, PathMap::kNothing, false, scratch);
+    for (int edit = 0; edit < 40 && leg.target < PathMap::kNothing; ++edit) {
+      std::vector<Wall> edited = walls;
+      if (edit % 3 != 1) edited.erase(edited.begin() + random.below(90));
+      const Vec2 place{random.uniform(0.0, 20.0), random.uniform(0.0, 20.0)};
+      if (edit % 3 != 0) edited.push_back({place, place + 0.4 * random.direction()});
+      std::optional<CarriedGraph> carried;
+      const CornerGraph now = corner_graph(edited, kRadius, before, carried, joining);
+      if (!carried) continue;
+      const std::vector<Zone> changed = zones_for(*carried, now, *map, leg.length);
+      if (may_meet(changed, from, goal, leg.length * (1.0 + kWayRounding))) continue;
+      const PathMap left = carried_map(*map, leg.target, before, *carried, changed);
+      if (!(left.settled < map->settled)) continue;
+      ++edits;
+      const PathMap whole = path_map(now, goal);
+      ASSERT_EQ(left.corners.front(), carried->number[leg.target]);
+      std::vector<char> is_beside(now.corners(), 0);
+      for (const std::uint32_t corner : left.beside)
+        for (const CornerGraph::Edge& edge : now.edges_of(corner)) is_beside[edge.to] = 1;
+      for (std::uint32_t k = 0; k < now.corners(); ++k) {
+        const double away = norm(now.points[k] - from);
+        if (const PathMap::Known* told = left.around_at(k)) {
+          ASSERT_TRUE(told->length == whole.length[k] && told->next == whole.next[k]) << k;
+          ++known;
+        } else if (away <= left.reach || is_beside[k] != 0) {
+          ASSERT_GE(whole.length[k] + away, left.settled * (1.0 - 1e-9)) << k;
+          ++farther;
+        }
+      }
+    }
+  }
+  EXPECT_GT(edits, 20u);
+  EXPECT_GT(known, 100u);
+  EXPECT_GT(farther, 5000u);
+}
+
 // Who is restored on its way asks for the way from its target on.
 TEST(PathSearch, tells_of_the_way_from_any_corner_what_the_whole_map_tells) {
   for (std::uint64_t seed = 1; seed <= 12; ++seed) {
@@ -117,6 +197,7 @@ TEST(PathSearch, settles_few_corners_of_a_large_map) {
   const CornerGraph graph = corner_graph(walls, kRadius);
   test::Random random(5);
   PathScratch scratch;
+  std::size_t in_view = 0;
   for (int k = 0; k < 10; ++k) {
     const auto place = [&] {
       while (true) {
@@ -134,7 +215,9 @@ TEST(PathSearch, settles_few_corners_of_a_large_map) {
     });
     EXPECT_LT(best, 400.0);
     EXPECT_LE(search.count(), graph.corners() / 10);
+    in_view += scratch.in_view.size();
   }
+  EXPECT_GT(in_view, 1000u) << "corners of which nobody has asked whether the goal sees them";
 }
 
 // A line across the only way that is short.
