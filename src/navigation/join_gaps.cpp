@@ -49,7 +49,7 @@ class Joiner {
     for (std::uint32_t i = 0; i < gaps_.size(); ++i) range_.push_back(range_of(i));
   }
 
-  // Also the gaps of one lane, each with the way along the axis of its passage to its left.
+  // Also the gaps, each with the way along the axis of its passage to its left.
   std::vector<Passage> join(std::vector<Wall>& gaps, std::vector<std::uint32_t>& passage_of_gap) {
     for (std::uint32_t i = 0; i < gaps_.size(); ++i) link(i);
     std::vector<Passage> all;
@@ -68,10 +68,8 @@ class Joiner {
         passage.axis.push_back(here.middle());
         passage.half_width = std::min(passage.half_width, 0.5 * here.width());
         passage.radius = std::max(passage.radius, here.radius);
-        if (!here.two_lanes) {
-          gaps.push_back(side == 0 ? Wall{here.a, here.b} : Wall{here.b, here.a});
-          passage_of_gap.push_back(number);
-        }
+        gaps.push_back(side == 0 ? Wall{here.a, here.b} : Wall{here.b, here.a});
+        passage_of_gap.push_back(number);
         const std::uint32_t then = next(gap, side);
         if (then == kNoGap || taken[then]) break;
         side = 1 - side_towards(then, gap);

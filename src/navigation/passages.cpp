@@ -98,12 +98,17 @@ AxisPoint axis_point(const Passage& passage, bool forward, double along) {
 Passages::Passages(std::span<const Wall> walls, std::span<const double> radii, double watched) {
   if (walls.empty() || radii.empty()) return;
   const ClearanceGrid grid(walls, gap_reach(radii, widest_of(walls)));
-  std::vector<Wall> gaps;
-  std::vector<Gap> all = find_gaps(grid, radii);
-  std::erase_if(all, [&](const Gap& gap) { return leads_into_pocket(grid, gap); });
-  all_ = join_gaps(grid, std::move(all), gaps, gap_of_);
+  std::vector<Gap> gaps = find_gaps(grid, radii);
+  std::erase_if(gaps, [&](const Gap& gap) { return leads_into_pocket(grid, gap); });
+  std::vector<Wall> lines;
+  std::vector<std::uint32_t> passage_of;
+  all_ = join_gaps(grid, std::move(gaps), lines, passage_of);
+  for (std::size_t k = 0; k < lines.size(); ++k) {
+    GapLines& kind = all_[passage_of[k]].two_lanes ? two_lanes_ : one_lane_;
+    kind.walls.push_back(lines[k]), kind.passage_of.push_back(passage_of[k]);
+  }
   choose_bays(grid);
-  if (!all_.empty()) index(gaps, watched);
+  if (!all_.empty()) index(watched);
 }
 
 void Passages::choose_bays(const ClearanceGrid& grid) {
@@ -116,7 +121,7 @@ void Passages::choose_bays(const ClearanceGrid& grid) {
   }
 }
 
-void Passages::index(const std::vector<Wall>& gaps, double watched) {
+void Passages::index(double watched) {
   std::vector<Wall> axes, capsules;
   double widest = 0.0, radius = 0.0;
   for (std::uint32_t number = 0; number < all_.size(); ++number) {
@@ -131,9 +136,9 @@ void Passages::index(const std::vector<Wall>& gaps, double watched) {
     watched_of_.push_back(number);
   }
   axes_.emplace(axes, kAtBends * widest);
-  if (gaps.empty()) return;
-  gaps_.emplace(gaps, radius);
-  watched_.emplace(capsules, watched * radius);
+  for (GapLines* kind : {&one_lane_, &two_lanes_})
+    if (!kind->walls.empty()) kind->grid.emplace(kind->walls, radius);
+  if (!capsules.empty()) watched_.emplace(capsules, watched * radius);
 }
 
 std::optional<std::uint32_t> Passages::at(Vec2 p) const {
@@ -156,19 +161,30 @@ std::optional<std::uint32_t> Passages::at(Vec2 p) const {
   return best;
 }
 
-std::optional<Passages::Crossing> Passages::first_crossed(Vec2 p, Vec2 q) const {
+std::optional<Passages::Crossing> Passages::GapLines::first_crossed(Vec2 p, Vec2 q) const {
   std::optional<Crossing> first;
-  if (!gaps_) return first;
-  gaps_->all_near(p, q, [&](std::size_t k) {
-    const Wall& gap = gaps_->walls()[k];
+  if (!grid) return first;
+  grid->all_near(p, q, [&](std::size_t k) {
+    const Wall& gap = grid->walls()[k];
     if (!leads_across({gap.a, gap.b}, p, q)) return true;
     const Vec2 across = gap.b - gap.a;
     const double from = cross(across, p - gap.a), to = cross(across, q - gap.a);
     const double part = from / (from - to);
-    if (!first || part < first->part) first = Crossing{gap_of_[k], part, to > from, {gap.a, gap.b}};
+    if (!first || part < first->part) first = Crossing{passage_of[k], part, to > from, {gap.a, gap.b}};
     return true;
   });
   return first;
+}
+
+std::optional<Passages::Crossing> Passages::first_crossed(Vec2 p, Vec2 q) const {
+  return one_lane_.first_crossed(p, q);
+}
+
+std::optional<Passages::Crossing> Passages::first_narrow(Vec2 p, Vec2 q) const {
+  const std::optional<Crossing> one = one_lane_.first_crossed(p, q);
+  const std::optional<Crossing> two = two_lanes_.first_crossed(p, q);
+  if (!one || !two) return one ? one : two;
+  return two->part < one->part ? two : one;
 }
 
 }  // namespace avo

@@ -124,12 +124,11 @@ Prospect look_ahead(const Passages& passages, const CornerGraph& graph, const Pa
   return prospect;
 }
 
-std::optional<Segment> next_gap(const Passages& passages, const CornerGraph& graph,
-                                const PathMap& map, Vec2 p, std::uint32_t target) {
-  std::optional<Segment> gap;
+std::optional<Passages::Crossing> next_gap(const Passages& passages, const CornerGraph& graph,
+                                           const PathMap& map, Vec2 p, std::uint32_t target) {
+  std::optional<Passages::Crossing> gap;
   walk(graph, map, p, target, kFarthestPassage * graph.radius, [&](const Piece& piece) {
-    const auto crossed = passages.first_crossed(piece.from, piece.to);
-    if (crossed) gap = crossed->gap;
+    gap = passages.first_narrow(piece.from, piece.to);
     return !gap;
   });
   return gap;

@@ -16,4 +16,9 @@ struct World;
 void go_around_held(const World& world, std::size_t slot, double left, double time, Travel& travel,
                     LegScratch& scratch);
 
+/// Whether a robot in company goes back for now: it has waited for long before a passage of two
+/// lanes, and there is no other way. From each power of two of that time on it does for half of
+/// what it has waited.
+bool goes_back(const World& world, std::size_t slot, const Travel& travel);
+
 }  // namespace avo

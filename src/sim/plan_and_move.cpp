@@ -62,6 +62,7 @@ void follow_ways(World& world, const Pace& pace, std::span<const std::uint32_t> 
       heading = heed_passages(world, world.claims, slot, travel, heading, nearest);
       go_around_held(world, slot, left, in_company ? pace.planner.options().time_step : 0.0, travel,
                      worker.legs);
+      if (in_company && goes_back(world, slot, travel)) heading.goal = p - (heading.goal - p);
     }
     if (world.ways.goes_around_movers())
       heading = beside_resting(world.ways.resting(), heading, p, end, fleet.traits[slot].radius);
