@@ -24,4 +24,8 @@ Prospect look_ahead(const Passages& passages, const CornerGraph& graph, const Pa
 std::optional<Passages::Crossing> next_gap(const Passages& passages, const CornerGraph& graph,
                                            const PathMap& map, Vec2 p, std::uint32_t target);
 
+/// Whether all of that way leads through no passage of one lane.
+bool has_room_for_two(const Passages& passages, const CornerGraph& graph, const PathMap& map,
+                      Vec2 p, std::uint32_t target);
+
 }  // namespace avo

@@ -2,7 +2,8 @@
 // A robot cannot know for how long others will hold a passage. It sets out for another way once it
 // has waited for as long as that way takes longer. So it loses at most twice what it would lose if
 // it knew. Where no other way is, somebody in a jam has to go back, and those at its ends alone can:
-// all of them want to, for half of the time.
+// all of them want to, for half of the time. A crowd before a passage of one lane is no jam, but waits
+// in turn.
 #include "sim/held_passages.h"
 
 #include <cmath>
@@ -118,8 +119,9 @@ bool goes_back(const World& world, std::size_t slot, const Travel& travel) {
   const double waited = waiting.waited / (kSteadfast * time_of(world.fleet.traits[slot]));
   int power = 0;
   if (waited < 1.0 || std::frexp(waited, &power) >= kForth) return false;
-  const auto next = gap_ahead(world, travel, world.fleet.position[slot]);
-  return next && has_two_lanes(world, *next);
+  const Vec2 p = world.fleet.position[slot];
+  return gap_ahead(world, travel, p) &&
+         has_room_for_two(world.ways.passages, *travel.graph, *travel.map, p, travel.target);
 }
 
 }  // namespace avo
