@@ -170,7 +170,8 @@ std::optional<Passages::Crossing> Passages::GapLines::first_crossed(Vec2 p, Vec2
     const Vec2 across = gap.b - gap.a;
     const double from = cross(across, p - gap.a), to = cross(across, q - gap.a);
     const double part = from / (from - to);
-    if (!first || part < first->part) first = Crossing{passage_of[k], part, to > from, {gap.a, gap.b}};
+    if (!first || part < first->part)
+      first = Crossing{passage_of[k], part, to > from, {gap.a, gap.b}};
     return true;
   });
   return first;

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // A robot cannot know for how long others will hold a passage. It sets out for another way once it
 // has waited for as long as that way takes longer. So it loses at most twice what it would lose if
-// it knew. Where no other way is, somebody in a jam has to go back, and those at its ends alone can:
-// all of them want to, for half of the time. A crowd before a passage of one lane is no jam, but waits
-// in turn.
+// it knew. Where no other way is, somebody in a jam has to go back, and those at its ends alone
+// can: all of them want to, for half of the time. A crowd before a passage of one lane is no jam,
+// but waits in turn.
 #include "sim/held_passages.h"
 
 #include <cmath>
