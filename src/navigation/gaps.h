@@ -25,7 +25,11 @@ struct Gap {
 
 /// What ends of walls tell, before what is told twice is left out.
 struct ToldGaps {
-  enum class Kind : std::uint8_t { way, pocket, left_out };  ///< left out: a narrower one crosses it
+  enum class Kind : std::uint8_t {
+    way,
+    pocket,
+    left_out
+  };  ///< left out: a narrower one crosses it
   std::vector<Gap> all;
   std::vector<Kind> kind;            // of each
   std::vector<std::uint32_t> first;  // of each wall's two ends, in all; and how many there are

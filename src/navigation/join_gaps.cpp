@@ -25,7 +25,7 @@ class Joiner {
     for (const auto& [i, k] : pairs.joined) link(i, k);
   }
 
-  // Also the gaps of one lane, each with the way along the axis of its passage to its left.
+  // Also the gaps, each with the way along the axis of its passage to its left.
   std::vector<Passage> join(std::vector<Wall>& gaps, std::vector<std::uint32_t>& passage_of_gap) {
     std::vector<Passage> all;
     std::vector<bool> taken(gaps_.size(), false);
@@ -43,10 +43,8 @@ class Joiner {
         passage.axis.push_back(here.middle());
         passage.half_width = std::min(passage.half_width, 0.5 * here.width());
         passage.radius = std::max(passage.radius, here.radius);
-        if (!here.two_lanes) {
-          gaps.push_back(side == 0 ? Wall{here.a, here.b} : Wall{here.b, here.a});
-          passage_of_gap.push_back(number);
-        }
+        gaps.push_back(side == 0 ? Wall{here.a, here.b} : Wall{here.b, here.a});
+        passage_of_gap.push_back(number);
         const std::uint32_t then = next(gap, side);
         if (then == kNoGap || taken[then]) break;
         side = 1 - side_towards(then, gap);

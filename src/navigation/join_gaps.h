@@ -9,8 +9,8 @@
 
 namespace avo {
 
-/// A passage ends where it widens, and where it branches. Also the gaps of one lane as lines with
-/// the way along the axis to their left, and the passage of each.
+/// A passage ends where it widens, and where it branches. Also the gaps as lines with the way along
+/// the axis to their left, and the passage of each.
 std::vector<Passage> join_gaps(const GapPairs& pairs, std::vector<Wall>& lines,
                                std::vector<std::uint32_t>& passage_of);
 

@@ -117,11 +117,13 @@ void Passages::find(const Passages* before, double watched) {
   if (walls_.empty() || radii_.empty()) return;
   const ClearanceGrid grid(walls_, gap_reach(radii_, widest_of(walls_)));
   std::vector<Wall> lines;
-  std::vector<std::uint32_t> way_of;  // the number, among gaps that lead somewhere, of each one told
+  std::vector<std::uint32_t> passage_of;
+  std::vector<std::uint32_t>
+      way_of;  // the number, among gaps that lead somewhere, of each one told
   if (before == nullptr) {
     told_ = tell_gaps(grid, radii_);
     pairs_ = pair_gaps(grid, ways_of(told_, way_of));
-    all_ = join_gaps(pairs_, lines, gap_of_);
+    all_ = join_gaps(pairs_, lines, passage_of);
     choose_bays(grid);
   } else {
     const WallChanges changes(before->walls_, walls_);
@@ -131,12 +133,17 @@ void Passages::find(const Passages* before, double watched) {
     (void)ways_of(before->told_, old_way_of);
     std::vector<std::uint32_t> way_now(before->pairs_.gaps.size(), kNoGap);
     for (std::size_t k = 0; k < number.size(); ++k)
-      if (old_way_of[k] != kNoGap && number[k] != kNoGap) way_now[old_way_of[k]] = way_of[number[k]];
+      if (old_way_of[k] != kNoGap && number[k] != kNoGap)
+        way_now[old_way_of[k]] = way_of[number[k]];
     pairs_ = pair_gaps(grid, std::move(gaps), before->pairs_, changes, way_now);
-    all_ = join_gaps(pairs_, lines, gap_of_);
+    all_ = join_gaps(pairs_, lines, passage_of);
     keep_bays(grid, *before, changes.around(grid.reach()));
   }
-  if (!all_.empty()) index(lines, watched);
+  for (std::size_t k = 0; k < lines.size(); ++k) {
+    GapLines& kind = all_[passage_of[k]].two_lanes ? two_lanes_ : one_lane_;
+    kind.walls.push_back(lines[k]), kind.passage_of.push_back(passage_of[k]);
+  }
+  if (!all_.empty()) index(watched);
 }
 
 void Passages::choose_bays(const ClearanceGrid& grid) {
@@ -168,7 +175,7 @@ void Passages::keep_bays(const ClearanceGrid& grid, const Passages& before,
   }
 }
 
-void Passages::index(const std::vector<Wall>& gaps, double watched) {
+void Passages::index(double watched) {
   std::vector<Wall> axes, capsules;
   double widest = 0.0, radius = 0.0;
   for (std::uint32_t number = 0; number < all_.size(); ++number) {
@@ -183,9 +190,9 @@ void Passages::index(const std::vector<Wall>& gaps, double watched) {
     watched_of_.push_back(number);
   }
   axes_.emplace(axes, kAtBends * widest);
-  if (gaps.empty()) return;
-  gaps_.emplace(gaps, radius);
-  watched_.emplace(capsules, watched * radius);
+  for (GapLines* kind : {&one_lane_, &two_lanes_})
+    if (!kind->walls.empty()) kind->grid.emplace(kind->walls, radius);
+  if (!capsules.empty()) watched_.emplace(capsules, watched * radius);
 }
 
 std::optional<std::uint32_t> Passages::at(Vec2 p) const {
@@ -208,19 +215,31 @@ std::optional<std::uint32_t> Passages::at(Vec2 p) const {
   return best;
 }
 
-std::optional<Passages::Crossing> Passages::first_crossed(Vec2 p, Vec2 q) const {
+std::optional<Passages::Crossing> Passages::GapLines::first_crossed(Vec2 p, Vec2 q) const {
   std::optional<Crossing> first;
-  if (!gaps_) return first;
-  gaps_->all_near(p, q, [&](std::size_t k) {
-    const Wall& gap = gaps_->walls()[k];
+  if (!grid) return first;
+  grid->all_near(p, q, [&](std::size_t k) {
+    const Wall& gap = grid->walls()[k];
     if (!leads_across({gap.a, gap.b}, p, q)) return true;
     const Vec2 across = gap.b - gap.a;
     const double from = cross(across, p - gap.a), to = cross(across, q - gap.a);
     const double part = from / (from - to);
-    if (!first || part < first->part) first = Crossing{gap_of_[k], part, to > from, {gap.a, gap.b}};
+    if (!first || part < first->part)
+      first = Crossing{passage_of[k], part, to > from, {gap.a, gap.b}};
     return true;
   });
   return first;
+}
+
+std::optional<Passages::Crossing> Passages::first_crossed(Vec2 p, Vec2 q) const {
+  return one_lane_.first_crossed(p, q);
+}
+
+std::optional<Passages::Crossing> Passages::first_narrow(Vec2 p, Vec2 q) const {
+  const std::optional<Crossing> one = one_lane_.first_crossed(p, q);
+  const std::optional<Crossing> two = two_lanes_.first_crossed(p, q);
+  if (!one || !two) return one ? one : two;
+  return two->part < one->part ? two : one;
 }
 
 }  // namespace avo

@@ -82,6 +82,8 @@ class Passages {
   };
   /// The first passage of one lane that the straight way from p to q leads through.
   [[nodiscard]] std::optional<Crossing> first_crossed(Vec2 p, Vec2 q) const;
+  /// The same of one lane or two.
+  [[nodiscard]] std::optional<Crossing> first_narrow(Vec2 p, Vec2 q) const;
 
   /// visit(number) of each passage of one lane that p is within `watched` radii of, and of some
   /// others; one may come more than once.
@@ -89,19 +91,27 @@ class Passages {
   void for_each_watched(Vec2 p, const Visit& visit) const;
 
  private:
+  // With the way along the axis to their left.
+  struct GapLines {
+    std::vector<Wall> walls;
+    std::vector<std::uint32_t> passage_of;
+    std::optional<ClearanceGrid> grid;
+    [[nodiscard]] std::optional<Crossing> first_crossed(Vec2 p, Vec2 q) const;
+  };
+
   void find(const Passages* before, double watched);
   void choose_bays(const ClearanceGrid& grid);
   void keep_bays(const ClearanceGrid& grid, const Passages& before, std::span<const Zone> changed);
-  void index(const std::vector<Wall>& gaps, double watched);
+  void index(double watched);
 
   std::vector<Wall> walls_;
   std::vector<double> radii_;
   ToldGaps told_;
   GapPairs pairs_;
   std::vector<Passage> all_;
-  std::vector<std::uint32_t> axis_of_, gap_of_, watched_of_;  // passages of the lines of each grid
-  std::optional<ClearanceGrid> axes_;                         // from which a point inside is told
-  std::optional<ClearanceGrid> gaps_;     // of one lane, with the way along the axis to their left
+  std::vector<std::uint32_t> axis_of_, watched_of_;  // passages of the lines of each grid
+  std::optional<ClearanceGrid> axes_;                // from which a point inside is told
+  GapLines one_lane_, two_lanes_;
   std::optional<ClearanceGrid> watched_;  // of one lane
 };
 

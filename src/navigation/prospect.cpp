@@ -2,6 +2,7 @@
 #include "navigation/prospect.h"
 
 #include <cmath>
+#include <limits>
 
 namespace avo {
 namespace {
@@ -124,15 +125,24 @@ Prospect look_ahead(const Passages& passages, const CornerGraph& graph, const Pa
   return prospect;
 }
 
-std::optional<Segment> next_gap(const Passages& passages, const CornerGraph& graph,
-                                const PathMap& map, Vec2 p, std::uint32_t target) {
-  std::optional<Segment> gap;
+std::optional<Passages::Crossing> next_gap(const Passages& passages, const CornerGraph& graph,
+                                           const PathMap& map, Vec2 p, std::uint32_t target) {
+  std::optional<Passages::Crossing> gap;
   walk(graph, map, p, target, kFarthestPassage * graph.radius, [&](const Piece& piece) {
-    const auto crossed = passages.first_crossed(piece.from, piece.to);
-    if (crossed) gap = crossed->gap;
+    gap = passages.first_narrow(piece.from, piece.to);
     return !gap;
   });
   return gap;
+}
+
+bool has_room_for_two(const Passages& passages, const CornerGraph& graph, const PathMap& map,
+                      Vec2 p, std::uint32_t target) {
+  bool has_room = true;
+  walk(graph, map, p, target, std::numeric_limits<double>::infinity(), [&](const Piece& piece) {
+    has_room = !passages.first_crossed(piece.from, piece.to);
+    return has_room;
+  });
+  return has_room;
 }
 
 }  // namespace avo

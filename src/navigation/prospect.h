@@ -20,8 +20,12 @@ struct Prospect {
 Prospect look_ahead(const Passages& passages, const CornerGraph& graph, const PathMap& map, Vec2 p,
                     std::uint32_t target);
 
-/// The next gap of a passage of one lane on that way.
-std::optional<Segment> next_gap(const Passages& passages, const CornerGraph& graph,
-                                const PathMap& map, Vec2 p, std::uint32_t target);
+/// The next gap on that way, of one lane or two.
+std::optional<Passages::Crossing> next_gap(const Passages& passages, const CornerGraph& graph,
+                                           const PathMap& map, Vec2 p, std::uint32_t target);
+
+/// Whether all of that way leads through no passage of one lane.
+bool has_room_for_two(const Passages& passages, const CornerGraph& graph, const PathMap& map,
+                      Vec2 p, std::uint32_t target);
 
 }  // namespace avo

@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // A robot cannot know for how long others will hold a passage. It sets out for another way once it
 // has waited for as long as that way takes longer. So it loses at most twice what it would lose if
-// it knew.
+// it knew. Where no other way is, somebody in a jam has to go back, and those at its ends alone
+// can: all of them want to, for half of the time. A crowd before a passage of one lane is no jam,
+// but waits in turn.
 #include "sim/held_passages.h"
 
+#include <cmath>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -17,25 +21,36 @@ namespace avo {
 namespace {
 
 constexpr double kComesNearer = 1.0;  // radii of way: whoever does does not wait
-constexpr double kPatience = 4.0;     // T: who lets a few others pass waits for less
+// T: who lets a few others pass waits for less; and of two lanes, where nobody waits in turn
+constexpr double kPatience = 4.0, kPatienceOfTwo = 8.0;
+constexpr double kSteadfast = 32.0;  // T: a jam that has lasted as long does not end by itself
+constexpr double kForth = 0.75;      // of a power of two: from there to the next one it goes on
 
-double patience_of(const RobotTraits& traits) {
+double time_of(const RobotTraits& traits) {
   Robot robot;
   robot.radius = traits.radius;
   robot.max_speed = traits.max_speed, robot.max_acceleration = traits.max_acceleration;
-  return kPatience * time_to_speed(robot);
+  return time_to_speed(robot);
 }
 
 void wait_on(Waiting& waiting, double left, const RobotTraits& traits, double time) {
   waiting.waited += time;
   if (!(left < waiting.least - kComesNearer * traits.radius)) return;
   waiting.least = left, waiting.waited = 0.0;
-  waiting.looks_at = patience_of(traits);
+  waiting.looks_at = kPatience * time_of(traits);
 }
 
 // s: for as long as another way takes longer.
 double worth_waiting(double longer, const RobotTraits& traits) {
   return longer > 0.0 ? longer / traits.preferred_speed : 0.0;
+}
+
+std::optional<Passages::Crossing> gap_ahead(const World& world, const Travel& travel, Vec2 p) {
+  return next_gap(world.ways.passages, *travel.graph, *travel.map, p, travel.target);
+}
+
+bool has_two_lanes(const World& world, const Passages::Crossing& next) {
+  return world.ways.passages[next.passage].two_lanes;
 }
 
 // Around that gap as well, or around it alone where that leads nowhere.
@@ -57,12 +72,17 @@ void look_for_another_way(const World& world, std::size_t slot, Travel& travel,
   const RobotTraits& traits = world.fleet.traits[slot];
   const Vec2 p = world.fleet.position[slot];
   Waiting& waiting = travel.waiting;
-  const auto gap = next_gap(world.ways.passages, *travel.graph, *travel.map, p, travel.target);
-  if (!gap) {
-    waiting.looks_at = waiting.waited + patience_of(traits);
+  const auto next = gap_ahead(world, travel, p);
+  const double time = time_of(traits);
+  if (!next) {
+    waiting.looks_at = waiting.waited + kPatience * time;
     return;
   }
-  Travel other = way_around(travel, *gap, p, traits.radius, scratch);
+  if (has_two_lanes(world, *next) && waiting.waited < kPatienceOfTwo * time) {
+    waiting.looks_at = kPatienceOfTwo * time;
+    return;
+  }
+  Travel other = way_around(travel, next->gap, p, traits.radius, scratch);
   waiting.looks_at = other.is_known()
                          ? worth_waiting(length_of(other, p) - length_of(travel, p), traits)
                          : kInfinity;
@@ -91,6 +111,17 @@ void go_around_held(const World& world, std::size_t slot, double left, double ti
     look_for_another_way(world, slot, travel, scratch);
   if (!travel.waiting.closed.empty() && looks_around(fleet.id[slot], decisions_of(world, slot)))
     open_again(world, slot, travel, scratch);
+}
+
+bool goes_back(const World& world, std::size_t slot, const Travel& travel) {
+  const Waiting& waiting = travel.waiting;
+  if (!travel.is_known() || waiting.looks_at < kInfinity) return false;
+  const double waited = waiting.waited / (kSteadfast * time_of(world.fleet.traits[slot]));
+  int power = 0;
+  if (waited < 1.0 || std::frexp(waited, &power) >= kForth) return false;
+  const Vec2 p = world.fleet.position[slot];
+  return gap_ahead(world, travel, p) &&
+         has_room_for_two(world.ways.passages, *travel.graph, *travel.map, p, travel.target);
 }
 
 }  // namespace avo

@@ -61,8 +61,10 @@ void follow_ways(World& world, const Pace& pace, std::span<const std::uint32_t> 
       const bool in_company = nearest <= kClaimRange * traits.radius;
       const double left = norm(heading.goal - p);
       heading = heed_passages(world, world.claims, slot, travel, heading, nearest);
-      go_around_held(world, slot, left, in_company ? pace.planner.options().time_step : 0.0, travel,
-                     worker.legs);
+      const bool back = goes_back(world, slot, travel);
+      const double time = in_company || back ? pace.planner.options().time_step : 0.0;
+      go_around_held(world, slot, left, time, travel, worker.legs);
+      if (back) heading.goal = in_company ? p - (heading.goal - p) : p;
     }
     if (world.ways.goes_around_movers())
       heading = beside_resting(world.ways.resting(), heading, p, end, fleet.traits[slot].radius);

@@ -448,6 +448,24 @@ TEST(PassageCrossings, TheFirstOneOfOneLaneIsToldWithItsDirection) {
   EXPECT_FALSE(Passages().first_crossed({-1, 0}, {1, 0}));
 }
 
+TEST(PassageCrossings, TheFirstNarrowOneHasOneLaneOrTwo) {
+  const Passages passages = passages_of(three_doors());
+  const auto expect_narrow = [&](Vec2 p, Vec2 q, double x, bool two_lanes) {
+    const auto crossed = passages.first_narrow(p, q);
+    ASSERT_TRUE(crossed);
+    EXPECT_NEAR(passages[crossed->passage].axis[1].x, x, kRounding);
+    EXPECT_EQ(passages[crossed->passage].two_lanes, two_lanes);
+    EXPECT_TRUE(leads_across(crossed->gap, p, q));
+  };
+  expect_narrow({-5, 0.3}, {25, 0.3}, 0.0, false);
+  expect_narrow({25, 0.3}, {-5, 0.3}, 20.0, false);
+  expect_narrow({5, 0.3}, {25, 0.3}, 10.0, true);
+  expect_narrow({5, 0.3}, {15, 0.3}, 10.0, true);
+  expect_narrow({15, 0.3}, {-5, 0.3}, 10.0, true);
+  EXPECT_FALSE(passages.first_narrow({-5, 0}, {-1, 0}));
+  EXPECT_FALSE(Passages().first_narrow({-1, 0}, {1, 0}));
+}
+
 // Of a passage in pieces with a bend the direction is that of its axis at every gap.
 TEST(PassageCrossings, TheDirectionHoldsBehindABend) {
   const Passages passages = passages_of(bend());

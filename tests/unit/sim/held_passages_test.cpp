@@ -13,17 +13,19 @@
 namespace avo {
 namespace {
 
-// Two rooms, and between them so many lanes of 1.6 m from x = -5 to x = 5, 6 m from each other;
+constexpr double kOneLane = 1.6, kTwoLanes = 2.4;  // m
+
+// Two rooms, and between them so many ways of that width from x = -5 to x = 5, 6 m from each other;
 // the first one is at y = 0, the others below it.
-std::vector<Wall> lanes(int count) {
+std::vector<Wall> lanes(int count, double width) {
   const double bottom = -6.0 * count - 2.0;
   std::vector<Wall> walls = test::ring({{-19, bottom}, {19, bottom}, {19, 8}, {-19, 8}});
   double top = 8.0;
   for (int k = 0; k <= count; ++k) {
-    const double low = k < count ? 0.8 - 6.0 * k : bottom;
+    const double low = k < count ? 0.5 * width - 6.0 * k : bottom;
     const std::vector<Wall> block = test::ring({{-5, low}, {5, low}, {5, top}, {-5, top}});
     walls.insert(walls.end(), block.begin(), block.end());
-    top = low - 1.6;
+    top = low - width;
   }
   return walls;
 }
@@ -35,9 +37,9 @@ RobotSetup holder(Vec2 place) {
   return robot;
 }
 
-Scenario held_scene(int count, const std::vector<int>& held) {
+Scenario held_scene(int count, const std::vector<int>& held, double width = kOneLane) {
   Scenario scene;
-  scene.obstacles = {test::pieces(lanes(count))};
+  scene.obstacles = {test::pieces(lanes(count, width))};
   scene.robots = {test::robot_at({-11, 0}, {11, 0})};
   for (const int lane : held) scene.robots.push_back(holder({0, -6.0 * lane}));
   return scene;
@@ -80,6 +82,33 @@ TEST(HeldPassages, are_gone_around_once_that_has_taken_as_long) {
   Simulation told(scene, 1);
   arrival_of(told, 120.0);
   EXPECT_FALSE(told.is_at_goal(0)) << "who tells claims waits";
+}
+
+// One in the middle leaves no way past it, and nobody waits in turn: who waits does so for longer.
+TEST(HeldPassages, of_two_lanes_are_gone_around_later) {
+  Simulation free(held_scene(2, {}, kTwoLanes), 1), held(held_scene(2, {0}, kTwoLanes), 1);
+  const double straight = arrival_of(free, 60.0), around = arrival_of(held, 80.0);
+  EXPECT_LT(straight, 20.0);
+  EXPECT_GT(around, straight + 16.0) << "it waits first, for 8 T";
+  EXPECT_LT(around, 55.0);
+}
+
+// Where no other way is: after 32 T it goes back for as long as half of that, and comes again.
+TEST(HeldPassages, of_two_lanes_without_another_way_send_those_back_who_have_waited) {
+  Simulation simulation(held_scene(1, {0}, kTwoLanes), 1);
+  const auto least_x = [&](double until) {
+    double least = 100.0;
+    while (simulation.time() < until) {
+      simulation.step();
+      least = std::min(least, simulation.robot(0).position.x);
+    }
+    return least;
+  };
+  least_x(20.0);
+  EXPECT_GT(least_x(60.0), -2.5) << "it waits";
+  EXPECT_LT(least_x(100.0), -4.0) << "it goes back";
+  least_x(125.0);
+  EXPECT_GT(simulation.robot(0).position.x, -2.5) << "it has come again";
 }
 
 // It never rests, and so it is no wall of the way.
