@@ -164,6 +164,17 @@ TEST(WayOut, there_is_one_or_not) {
   EXPECT_FALSE(planner.has_way_out(broken, {}, workspace));
 }
 
+// The way that leaves the strip of a wide mover takes more than 2 T = 2.2 s.
+TEST(WayOut, is_long_enough_for_wide_movers) {
+  const Planner planner(default_options(Method::avo));
+  PlanWorkspace workspace;
+  Robot robot = resting();
+  robot.radius = 0.36, robot.max_speed = 1.3, robot.max_acceleration = 2.0;
+  Neighbor truck = walker({-20, 0}, {1, 0});
+  truck.radius = 3.0;
+  EXPECT_TRUE(planner.has_way_out(robot, std::vector{truck}, workspace));
+}
+
 // A mover that comes into sight late. Judged by where both are, as braking would go on from there.
 struct Meeting {
   bool hit = false, unable_to_stop = false;
