@@ -35,8 +35,7 @@ bool comes_nearer(const Segment& way, const Wall& wall, double limit) {
   if (distance_squared(way.a, line) < limit_squared) return true;
   if (distance_squared(way.b, line) < limit_squared) return true;
   const auto differ = [](double s, double t) { return (s < 0.0) != (t < 0.0); };
-  return differ(one, other) &&
-         differ(cross(e, way.a - line.a), cross(e, way.b - line.a));
+  return differ(one, other) && differ(cross(e, way.a - line.a), cross(e, way.b - line.a));
 }
 
 }  // namespace

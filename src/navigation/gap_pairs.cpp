@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <optional>
 #include <span>
 
@@ -100,9 +99,8 @@ class GapPairing {
   bool stays(std::uint32_t i, std::uint32_t k) const {
     if (is_new_[i] != 0 || is_new_[k] != 0) return false;
     const Segment way{found_.gaps[i].middle(), found_.gaps[k].middle()};
-    return std::none_of(changed_.begin(), changed_.end(), [&](const Zone& zone) {
-      return distance(zone.center, way) <= zone.reach;
-    });
+    return std::none_of(changed_.begin(), changed_.end(),
+                        [&](const Zone& zone) { return distance(zone.center, way) <= zone.reach; });
   }
 
   // Whether some wall is nearer than that; most often the one that was before.
