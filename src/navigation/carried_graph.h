@@ -27,8 +27,8 @@ CornerGraph corner_graph(std::span<const Wall> walls, double radius, const Corne
 /// an edge that is long gives way to a shorter one in its sector.
 std::vector<Zone> zones_for(const CarriedGraph& carried, const CornerGraph& graph,
                             const PathMap& map, double length);
-/// What a map still tells, with the numbers that corners have now: the way from the target on,
-/// which what has changed is far from, and whatever else of corners is as before.
+/// What a map still tells, with the numbers that corners have now: the way from the target on, if
+/// what has changed is far from it, and whatever else of corners is as before.
 PathMap carried_map(const PathMap& map, std::uint32_t target, const CornerGraph& before,
                     const CarriedGraph& carried, std::span<const Zone> changed);
 

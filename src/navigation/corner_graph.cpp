@@ -49,12 +49,11 @@ CornerGraph::Edges edges_from(const CornerGraph& graph, std::uint32_t i,
   Horizons horizons(p, graph.radius);
   close_aside(graph, i, horizons);
   if (known != nullptr) horizons.close_all_but(known->open), edges = known->edges.all;
-  const double most_lean_squared =
-      graph.most_lean[i] * graph.most_lean[i] * (1.0 + kLengthRounding);
+  const double most_lean = graph.most_lean[i] * (1.0 + kLengthRounding);
   graph.view.look(p, horizons, [&](std::uint32_t k, Vec2 q) {
     const Vec2 way = q - p;
     const double lean = dot(graph.outward[i], way);
-    if (lean * lean > most_lean_squared * norm_squared(way) || horizons.is_hidden(q)) return;
+    if (lean * lean > most_lean * most_lean * norm_squared(way) || horizons.is_hidden(q)) return;
     const double length = norm(way);
     if (!(length > 0.0)) return;
     const std::size_t sector = Horizons::sector_of(way);

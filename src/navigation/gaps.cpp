@@ -173,8 +173,8 @@ class GapFinder {
     });
   }
 
-  // The gaps between this end and the walls around it, in their order, with nothing else in
-  // between.
+  // The gaps between this end and the walls around it, in the order of their numbers, with nothing
+  // else in between.
   void add_at(Vec2 end, double end_radius) {
     if (!is_new(end, end_radius)) return;
     find_leaving(end, end_radius);

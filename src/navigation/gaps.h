@@ -23,19 +23,19 @@ struct Gap {
   [[nodiscard]] Vec2 ahead() const { return perpendicular(b - a) / norm(b - a); }
 };
 
-/// What ends of walls tell, before what is told twice is left out.
+/// What ends of walls tell.
 struct ToldGaps {
   enum class Kind : std::uint8_t {
     way,
-    pocket,
-    left_out
-  };  ///< left out: a narrower one crosses it
+    pocket,    ///< behind it there is room for a robot, and no way on
+    left_out,  ///< it is told twice, or one that is no wider crosses it
+  };
   std::vector<Gap> all;
   std::vector<Kind> kind;            // of each
   std::vector<std::uint32_t> first;  // of each wall's two ends, in all; and how many there are
   std::size_t judged = 0;            // whose kind has been found anew
 
-  /// Those of that kind, and their numbers in all.
+  /// In all.
   [[nodiscard]] std::vector<std::uint32_t> numbers_of(Kind which) const;
 };
 /// radii: of all robots, ascending, each > 0. The grid has to tell walls from gap_reach().

@@ -118,32 +118,37 @@ void Passages::find(const Passages* before, double watched) {
   const ClearanceGrid grid(walls_, gap_reach(radii_, widest_of(walls_)));
   std::vector<Wall> lines;
   std::vector<std::uint32_t> passage_of;
-  std::vector<std::uint32_t>
-      way_of;  // the number, among gaps that lead somewhere, of each one told
-  if (before == nullptr) {
+  if (before != nullptr) {
+    const WallChanges changes(before->walls_, walls_);
+    find_pairs(grid, *before, changes);
+    all_ = join_gaps(pairs_, lines, passage_of);
+    keep_bays(grid, *before, changes.around(grid.reach()));
+  } else {
+    std::vector<std::uint32_t> way_of;
     told_ = tell_gaps(grid, radii_);
     pairs_ = pair_gaps(grid, ways_of(told_, way_of));
     all_ = join_gaps(pairs_, lines, passage_of);
     choose_bays(grid);
-  } else {
-    const WallChanges changes(before->walls_, walls_);
-    std::vector<std::uint32_t> number, old_way_of;
-    told_ = tell_gaps(grid, radii_, before->told_, changes, number);
-    std::vector<Gap> gaps = ways_of(told_, way_of);
-    (void)ways_of(before->told_, old_way_of);
-    std::vector<std::uint32_t> way_now(before->pairs_.gaps.size(), kNoGap);
-    for (std::size_t k = 0; k < number.size(); ++k)
-      if (old_way_of[k] != kNoGap && number[k] != kNoGap)
-        way_now[old_way_of[k]] = way_of[number[k]];
-    pairs_ = pair_gaps(grid, std::move(gaps), before->pairs_, changes, way_now);
-    all_ = join_gaps(pairs_, lines, passage_of);
-    keep_bays(grid, *before, changes.around(grid.reach()));
   }
   for (std::size_t k = 0; k < lines.size(); ++k) {
     GapLines& kind = all_[passage_of[k]].two_lanes ? two_lanes_ : one_lane_;
     kind.walls.push_back(lines[k]), kind.passage_of.push_back(passage_of[k]);
   }
   if (!all_.empty()) index(watched);
+}
+
+void Passages::find_pairs(const ClearanceGrid& grid, const Passages& before,
+                          const WallChanges& changes) {
+  std::vector<std::uint32_t> told_now, way_of, old_way_of;
+  told_ = tell_gaps(grid, radii_, before.told_, changes, told_now);
+  std::vector<Gap> ways = ways_of(told_, way_of);
+  (void)ways_of(before.told_, old_way_of);
+  std::vector<std::uint32_t> way_now(before.pairs_.gaps.size(), kNoGap);
+  for (std::size_t k = 0; k < told_now.size(); ++k) {
+    const std::uint32_t old = old_way_of[k], now = told_now[k];
+    if (old != kNoGap && now != kNoGap) way_now[old] = way_of[now];
+  }
+  pairs_ = pair_gaps(grid, std::move(ways), before.pairs_, changes, way_now);
 }
 
 void Passages::choose_bays(const ClearanceGrid& grid) {

@@ -100,6 +100,7 @@ class Passages {
   };
 
   void find(const Passages* before, double watched);
+  void find_pairs(const ClearanceGrid& grid, const Passages& before, const WallChanges& changes);
   void choose_bays(const ClearanceGrid& grid);
   void keep_bays(const ClearanceGrid& grid, const Passages& before, std::span<const Zone> changed);
   void index(double watched);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Another way, where the passage that the way leads through is held, or back (docs/arrival.md, rules
-// 13 and 14).
+// Another way, where the passage that the way leads through is held, or back (docs/arrival.md,
+// rules 13 and 14).
 #pragma once
 #include <cstddef>
 

@@ -591,6 +591,25 @@ TEST(PassagesAfterEdits, AreThoseThatAreFoundAnew) {
   EXPECT_LT(2 * in_all.gaps, anew.gaps) << in_all.gaps << " of " << anew.gaps;
 }
 
+// Between two gaps that stay, a hole in a wall beside the way closes and opens: what was one wide
+// place is narrow all along.
+TEST(PassagesAfterEdits, SeeWallsThatAreBesideTheWayAlone) {
+  const std::vector<double> radii{0.35};
+  std::vector<Wall> walls{{{-20, 0}, {30, 0}},
+                          {{-20, 3}, {3.5, 3}},
+                          {{6.5, 3}, {30, 3}},
+                          {{0, 3}, {0, 2}},
+                          {{10, 3}, {10, 2}}};
+  Passages passages = passages_of(walls, radii);
+  ASSERT_EQ(passages.size(), 2u);
+  walls.push_back({{3.5, 3}, {6.5, 3}});
+  passages = Passages(walls, radii, kWatched, std::move(passages));
+  ASSERT_EQ(passages_of(walls, radii).size(), 1u);
+  EXPECT_EQ(passages.size(), 1u);
+  walls.pop_back();
+  EXPECT_EQ(Passages(walls, radii, kWatched, std::move(passages)).size(), 2u);
+}
+
 // What one short wall more costs does not depend on how many walls there are elsewhere.
 TEST(PassagesAfterEdits, AreLookedForNearTheEditAlone) {
   std::vector<Passages::Work> works;

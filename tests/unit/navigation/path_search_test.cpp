@@ -97,14 +97,15 @@ TEST(PathSearch, leads_as_the_whole_map_does) {
   EXPECT_LT(searches, legs / 8);  // who knows its way seldom searches again
 }
 
-// Among so many corners that a robot remembers a part of them: it knows those beside its whole way.
+// Among so many corners that a robot remembers a part of them: it knows those beside its whole way,
+// and no more of others, where it is pushed aside.
 TEST(PathSearch, is_done_once_for_a_long_way) {
   for (const Joining joining : {Joining::all, Joining::near}) {
     const CornerGraph graph = corner_graph(test::random_walls(900, 110.0, 3), kRadius, joining);
     test::Random random(5);
     std::uint32_t searches = 0;
     int legs = 0;
-    for (int k = 0; k < 8; ++k) {
+    for (int k = 0; k < 24; ++k) {
       SCOPED_TRACE(k);
       const auto place = [&](double x) {
         while (true) {
@@ -112,10 +113,11 @@ TEST(PathSearch, is_done_once_for_a_long_way) {
           if (graph.grid.has_room(p, kRadius)) return p;
         }
       };
+      const bool is_pushed = k % 3 > 0;
       Walk walk(graph, place(0.0), place(110.0));
-      walk.go(random, 1000, 0.0);
+      walk.go(random, 800, is_pushed ? 0.6 : 0.0);
       if (HasFatalFailure()) return;
-      searches += walk.begun(), legs += walk.legs();
+      if (!is_pushed) searches += walk.begun(), legs += walk.legs();
     }
     EXPECT_GT(legs, 2500);
     EXPECT_LE(searches, 16u);

@@ -34,8 +34,7 @@ TEST(KeepRight, as_far_as_the_way_is_more_congested_than_usual) {
   Detour detour;
   const auto after = [&](double time, double ahead) {
     double unusual = 0.0;
-    for (double t = 0.0; t < time; t += 0.1)
-      unusual = unusual_congestion(ahead, 2.0, 0.1, detour);
+    for (double t = 0.0; t < time; t += 0.1) unusual = unusual_congestion(ahead, 2.0, 0.1, detour);
     return unusual;
   };
   EXPECT_NEAR(after(0.1, 1.0), 1.0, 2e-3);
