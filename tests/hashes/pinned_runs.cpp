@@ -8,16 +8,16 @@ namespace avo_test {
 
 const std::vector<PinnedRun>& pinned_runs() {
   static const std::vector<PinnedRun> runs{
-      {"circle_100", "circle-100", {}, 0, 0xb99f0bba3d3a8cd9},
+      {"circle_100", "circle-100", {}, 0, 0xd13b5edd4433bf02},
       {"circle_100_by_avo_paper", "circle-100", {"method=avo_paper"}, 0, 0x8cd51b2810556d66},
-      {"swap_blocks", "swap-blocks", {}, 0, 0xa633a5241e82228a},
-      {"uniform_1000", "uniform-1000", {}, 100, 0xe3bcf9fb9afbc68e},
-      {"cars_100", "cars-100", {}, 0, 0x064ecc3e87caef1d},
-      {"drives_100", "drives-100", {}, 0, 0x701044eed0758fbd},
+      {"swap_blocks", "swap-blocks", {}, 0, 0x6ae474484a03c110},
+      {"uniform_1000", "uniform-1000", {}, 100, 0xb99ae99b6c68ae41},
+      {"cars_100", "cars-100", {}, 0, 0x12c213f68ee4557b},
+      {"drives_100", "drives-100", {}, 0, 0x2a42d0bada254048},
       {"planes_12", "planes-12", {}, 0, 0x062b497854bbad13},
-      {"person", "person", {}, 0, 0x3326998f242467b7},
-      {"reversing_cars", "reversing-cars", {}, 0, 0xe8e767353779561f},
-      {"mixed_yard", "mixed-yard", {}, 0, 0xe1e6fe9e1147d57c},
+      {"person", "person", {}, 0, 0xa721cdba7f7b4bf3},
+      {"reversing_cars", "reversing-cars", {}, 0, 0xce938db8b88aa135},
+      {"mixed_yard", "mixed-yard", {}, 0, 0x48220ada1aaabbc1},
       {"moving_obstacle_exponential",
        "moving-obstacle",
        {"motion=exponential"},
@@ -32,12 +32,12 @@ const std::vector<PinnedRun>& pinned_runs() {
         "groups.0.placement.random={min: [0, 0], max: [44, 44], clearance: 0.1}",
         "groups.0.goals.random={min: [0, 0], max: [44, 44], clearance: 0.1}"},
        100,
-       0x38780c69a8391325},
+       0xd1852e4b9cbe8e12},
       {"reversing_cars_that_sense_late",
        "reversing-cars",
        {"sensing.delay=1"},
        0,
-       0xc309723996d39984},
+       0x707a6d8ce35960ae},
   };
   return runs;
 }
