@@ -10,7 +10,7 @@ import rules_in_the_open as free
 
 FIGURES = (free.keep_right, free.give_way, free.settle, free.detour, free.come_to_rest, walls.passages, walls.lanes,
            walls.right_of_way, walls.wait, walls.go_back, walls.make_room,
-           walls.go_around, walls.behind_walls, walls.beside_walls)
+           walls.go_around, walls.go_back_from_a_jam, walls.behind_walls, walls.beside_walls)
 
 
 def main():

@@ -285,6 +285,34 @@ def go_around():
     return figure
 
 
+def go_back_from_a_jam():
+    figure = Figure("go-back-from-a-jam", "Who has waited long in a jam goes back for half of the time", 760, 330)
+    figure.view((40, 92), 27)
+    half, rest = 2.6, (12.6, -1.5)  # r: a way of two lanes, and somebody at its goal in it
+    figure.wall((0, half), (25, half)), figure.wall((0, -half), (25, -half))
+    figure.robot(rest, GRAY, "C")
+    figure.text(rest, "at its goal", GRAY, "middle", 0, 60)
+    for place, color, name, way in (((10.6, 0.9), BLUE, "A", -1), ((8.3, 0.2), BLUE, "", -1), ((6.0, 0.9), BLUE, "", -1),
+                                    ((14.2, 0.9), RED, "B", 1), ((16.5, 0.2), RED, "", 1), ((18.8, 0.9), RED, "", 1)):
+        figure.robot(place, color, name)
+        if place[0] in (6.0, 18.8):
+            figure.arrow(place, (place[0] + 1.9 * way, place[1]), color)
+    figure.text((1.6, -1.9), "those at the ends can move first", BLUE)
+    period, scale = WALLS.kSteadfast, 3.2  # T; pixels for one
+    figure.view((40, 245), 1)
+    figure.line([(0, 0), (scale * 200, 0)], GRAY, 1)
+    figure.text((scale * 200, 0), "t", GRAY, dx=6, dy=5)
+    for start in (period, 2 * period, 4 * period):
+        end = 2 * start * WALLS.kForth
+        figure.area([(scale * start, -7), (scale * end, -7), (scale * end, 7), (scale * start, 7)], BLUE, 0.6)
+        figure.text((scale * start, -7), f"{start:g} T", GRAY, "middle", 0, 18)
+        figure.text((scale * end, -7), f"{end:g} T", GRAY, "middle", 0, 18)
+        figure.text((scale * (start + end) / 2, 7), "goes back", BLUE, "middle", 0, -6)
+    figure.view((0, 330), 1)
+    figure.text((30, 20), "t: since when A, with others near, has not come nearer to its goal, and there is no other way")
+    return figure
+
+
 def behind_walls():
     figure = Figure("behind-walls", "A neighbor behind a wall does not count where the way round is long", 760, 350)
     figure.view((105, 172), 33)

@@ -22,7 +22,8 @@ namespace {
 
 constexpr double kComesNearer = 1.0;  // radii of way: whoever does does not wait
 // T: who lets a few others pass waits for less; and of two lanes, where nobody waits in turn
-constexpr double kPatience = 4.0, kPatienceOfTwo = 8.0;
+constexpr double kPatience = 4.0;
+constexpr double kPatienceOfTwo = 8.0;
 constexpr double kSteadfast = 32.0;  // T: a jam that has lasted as long does not end by itself
 constexpr double kForth = 0.75;      // of a power of two: from there to the next one it goes on
 
