@@ -85,7 +85,7 @@ TEST(Thinned, is_never_called_safe) {
   for (const std::string& line : lines_of(read_file(all.csv)))
     if (!line.starts_with("5.7")) text += line + "\n";
   expect_incomplete({"check", recording(text, "hole.csv"), "--scene", "circle-10"},
-                    "1 of 217 steps");
+                    "1 of 218 steps");
 }
 
 TEST(Thinned, piped_is_judged_alike) {
