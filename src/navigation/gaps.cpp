@@ -5,11 +5,11 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <numbers>
 #include <unordered_set>
 #include <utility>
 
 #include "core/hash.h"
+#include "navigation/pockets.h"
 #include "walls/segment.h"
 
 namespace avo {
@@ -22,28 +22,6 @@ constexpr double kStraight = 1e-6;      // rad: less is no bend
 constexpr double kLeadsInto = 1e-3;     // cosine: then a joined wall certainly leads into the gap
 constexpr double kMostUnlike =
     100.0;  // times the least radius: rounding is less than that certainty
-constexpr double kFreeSight = 0.999;  // of the radius, on straight ways around a pocket
-constexpr double kPocket = 1.1;       // radii behind a gap: where a robot stands in a pocket
-constexpr double kOutOfPocket = 2.0;  // radii from there: who gets so far is in none
-
-// Whether there is room for a robot on one side of the gap, and it gets nowhere from there: nobody
-// wants through who has not its goal there.
-bool leads_into_pocket(const ClearanceGrid& grid, const Gap& gap) {
-  if (gap.two_lanes) return false;
-  const double room = kFreeSight * gap.radius, farther = kOutOfPocket * gap.radius;
-  const Vec2 middle = gap.middle();
-  for (const Vec2 ahead : {gap.ahead(), -1.0 * gap.ahead()}) {
-    const Vec2 inside = middle + kPocket * gap.radius * ahead, left = perpendicular(ahead);
-    const std::array ways{ahead, left, -1.0 * left, (ahead + left) / std::numbers::sqrt2,
-                          (ahead - left) / std::numbers::sqrt2};
-    const bool has_room = grid.is_clear(middle, inside, room);
-    if (has_room && std::none_of(ways.begin(), ways.end(), [&](Vec2 way) {
-          return grid.is_clear(inside, inside + farther * way, room);
-        }))
-      return true;
-  }
-  return false;
-}
 
 // m: with one of that reach around each change, no wall within the grid's reach of a place outside
 // has changed; and no gap that such a place tells leads farther out than twice that.

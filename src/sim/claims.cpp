@@ -102,7 +102,7 @@ Heading heed_passages(const World& world, const Claims& claims, std::size_t slot
   const double rest = norm(heading.goal - p);
   Heading heeding = heading;
   const RobotTraits& traits = world.fleet.traits[slot];
-  const bool in_company = nearest <= kClaimRange * traits.radius;
+  const bool in_company = is_in_company(traits.radius, nearest);
   if (lane && in_company && world.fleet.detour[slot].angle <= kLeavesLane)
     heeding.goal = beyond(p, *lane, rest);
   if (!claim) return heeding;

@@ -36,6 +36,11 @@ void collect_claims(const World& world, Executor& executor, Claims& claims);
 Prospect prospect_of(const World& world, std::size_t slot, const Travel& travel);
 Claimant claimant_of(const World& world, std::size_t slot, const Claim& claim);
 
+/// Whether the nearest other robot that a robot senses is as near as claims count, m.
+inline bool is_in_company(double radius, double nearest) {
+  return nearest <= kClaimRange * radius;
+}
+
 /// What the rules at passages make of the heading. nearest: m, how far off the nearest other one is
 /// that it senses; infinity where there is none.
 Heading heed_passages(const World& world, const Claims& claims, std::size_t slot,

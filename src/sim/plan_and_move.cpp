@@ -58,13 +58,13 @@ void follow_ways(World& world, const Pace& pace, std::span<const std::uint32_t> 
     if (!world.ways.passages.empty()) {
       const RobotTraits& traits = fleet.traits[slot];
       const double nearest = nearest_of(worker.tile.robots.neighbors[k], fleet.position[slot]);
-      const bool in_company = nearest <= kClaimRange * traits.radius;
+      const bool in_company = is_in_company(traits.radius, nearest);
       const double left = norm(heading.goal - p);
       heading = heed_passages(world, world.claims, slot, travel, heading, nearest);
       const bool back = goes_back(world, slot, travel);
       const double time = in_company || back ? pace.planner.options().time_step : 0.0;
       go_around_held(world, slot, left, time, travel, worker.legs);
-      if (back) heading.goal = in_company ? p - (heading.goal - p) : p;
+      if (back) heading.goal = way_back(p, heading.goal, in_company);
     }
     if (world.ways.goes_around_movers())
       heading = beside_resting(world.ways.resting(), heading, p, end, fleet.traits[slot].radius);

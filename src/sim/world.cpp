@@ -13,6 +13,7 @@
 #include "planner/scratch.h"
 #include "robots/model.h"
 #include "sim/clocks.h"
+#include "sim/held_passages.h"
 #include "sim/scene_checks.h"
 #include "sim/ties.h"
 
@@ -89,7 +90,10 @@ Heading heading_of(const World& world, std::size_t slot, double nearest) {
   Claims claims;
   SerialExecutor serial;
   collect_claims(world, serial, claims);
-  return beside(heed_passages(world, claims, slot, travel, heading, nearest));
+  Heading heeding = heed_passages(world, claims, slot, travel, heading, nearest);
+  const bool in_company = is_in_company(fleet.traits[slot].radius, nearest);
+  if (goes_back(world, slot, travel)) heeding.goal = way_back(p, heeding.goal, in_company);
+  return beside(heeding);
 }
 
 void find_passages(World& world) {

@@ -106,7 +106,9 @@ TEST(HeldPassages, of_two_lanes_without_another_way_send_those_back_who_have_wai
   };
   least_x(20.0);
   EXPECT_GT(least_x(60.0), -2.5) << "it waits";
-  EXPECT_LT(least_x(100.0), -4.0) << "it goes back";
+  EXPECT_LT(least_x(80.0), -3.0) << "it goes back";
+  test::expect_as_perceived(simulation);
+  EXPECT_LT(least_x(100.0), -4.0);
   least_x(125.0);
   EXPECT_GT(simulation.robot(0).position.x, -2.5) << "it has come again";
 }

@@ -139,29 +139,13 @@ TEST(RobotsAtPassages, AreTheSameForAnyNumberOfThreadsAndAfterARestore) {
   }
 }
 
-void expect_as_perceived(Simulation& simulation) {
-  const std::size_t robots = simulation.fleet().id.size();
-  std::vector<Plan> plans;
-  PlanWorkspace workspace;
-  for (std::size_t k = 0; k < robots; ++k) {
-    Simulation::Perception seen = simulation.perceive(k);
-    plans.push_back(
-        simulation.planner().plan(seen.robot, seen.neighbors, workspace, &seen.detour, seen.walls));
-  }
-  simulation.step();
-  for (std::size_t k = 0; k < robots; ++k) {
-    EXPECT_EQ(simulation.fleet().plan[k].new_velocity, plans[k].new_velocity) << k;
-    EXPECT_EQ(simulation.fleet().plan[k].status, plans[k].status) << k;
-  }
-}
-
 TEST(RobotsAtPassages, PerceiveIsWhatTheStepDecidesOn) {
   for (const RightOfWay right_of_way : {RightOfWay::seen, RightOfWay::told}) {
     for (const double width : {1.6, 2.4}) {
       Simulation simulation(both_ways(test::corridor(width), 20, right_of_way), 1);
       for (int k = 0; k < 200; ++k) {
         if (k % 10 == 0) {
-          expect_as_perceived(simulation);
+          test::expect_as_perceived(simulation);
         } else {
           simulation.step();
         }
@@ -184,7 +168,7 @@ TEST(RobotsAtPassages, PerceiveIsWhatTheStepDecidesOnBesideACrowdBehindAWall) {
     scene.robots.push_back(test::robot_at(place, {place.x, -place.y}));
   }
   Simulation simulation(scene, 1);
-  for (int k = 0; k < 60; ++k) expect_as_perceived(simulation);
+  for (int k = 0; k < 60; ++k) test::expect_as_perceived(simulation);
 }
 
 TEST(Claims, OutsideOnlyInSightOfTheMouth) {

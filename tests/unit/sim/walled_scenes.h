@@ -2,8 +2,11 @@
 // Fleets among walls.
 #pragma once
 #include <algorithm>
+#include <gtest/gtest.h>
 #include <vector>
 
+#include "avo/planner.h"
+#include "avo/simulation.h"
 #include "navigation/corner_graph.h"
 #include "navigation/free_space.h"
 #include "unit/navigation/mazes.h"
@@ -101,6 +104,23 @@ inline Scenario crowd_at_doors(int robots, RightOfWay right_of_way) {
     scene.robots.push_back(robot);
   }
   return scene;
+}
+
+/// A step decides on what each robot perceives before it.
+inline void expect_as_perceived(Simulation& simulation) {
+  const std::size_t robots = simulation.fleet().id.size();
+  std::vector<Plan> plans;
+  PlanWorkspace workspace;
+  for (std::size_t k = 0; k < robots; ++k) {
+    Simulation::Perception seen = simulation.perceive(k);
+    plans.push_back(
+        simulation.planner().plan(seen.robot, seen.neighbors, workspace, &seen.detour, seen.walls));
+  }
+  simulation.step();
+  for (std::size_t k = 0; k < robots; ++k) {
+    EXPECT_EQ(simulation.fleet().plan[k].new_velocity, plans[k].new_velocity) << k;
+    EXPECT_EQ(simulation.fleet().plan[k].status, plans[k].status) << k;
+  }
 }
 
 }  // namespace avo::test
