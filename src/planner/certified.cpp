@@ -20,9 +20,9 @@ constexpr int kBisections = 5;
 constexpr double kInside = 0x1p-30;
 // What is admitted is bounded by curves that bend away from their tangents, since the way of
 // braking grows with the square of the speed. The next proposal lies on a tangent, so 97 in 100 of
-// them were refused among robots. A cut is therefore moved in by a part of its violation: then 3 in
-// 100 are. Near rest nothing bends, and robots in a jam would back off from each other. So the part
-// grows with the speed between these two, of u.
+// them were refused on Circle-1000. A cut is therefore moved in by a part of its violation: then 1
+// in 100 is. Near rest nothing bends, and robots in a jam would back off from each other. So the
+// part grows with the speed between these two, of u.
 constexpr double kDeeper = 0.125;
 constexpr double kStraight = 2.0, kBent = 7.0;
 
