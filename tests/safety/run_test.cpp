@@ -202,6 +202,13 @@ Outcome outcome_of(std::vector<double> arrival) {
 TEST(Judge, finds_hits_that_were_evadable) {
   const Scene scene = alone_at_goal(9);
   EXPECT_TRUE(run_scene(scene, 1, "").verdict.safe());
+  Scene hit = scene;
+  hit.scenario.method = Method::orca_clamped;
+  hit.scenario.certificate = Certificate::none;
+  EXPECT_EQ(run_scene(hit, 1, "").verdict.evadable_hits, 1);
+  EXPECT_FALSE(run_scene(hit, 1, "").verdict.safe());
+  hit.alone = false;
+  EXPECT_EQ(run_scene(hit, 1, "").verdict.evadable_hits, 0) << "nobody asks";
   Scene braking = scene;  // only, so it stays where it is
   braking.scenario.method = Method::avo_paper;
   braking.scenario.certificate = Certificate::none;
