@@ -238,6 +238,8 @@ Json obstacles_of(const Decision& decision) {
     if (neighbor.age > 0) obstacles.back()["age"] = neighbor.age;
     if (decides) obstacles.back()["max_braking"] = braking_limit(neighbor);
     if (neighbor.loiter) obstacles.back()["loiter"] = to_json(*neighbor.loiter);
+    if (!decides && neighbor.likely_deviation > 0.0)
+      obstacles.back()["likely_deviation"] = neighbor.likely_deviation;
     if (!decides && neighbor.max_deviation > 0.0) {
       obstacles.back()["max_deviation"] = neighbor.max_deviation;
       obstacles.back()["max_speed"] =

@@ -91,6 +91,7 @@ avo::Neighbor neighbor_of(const avo_neighbor& neighbor, const Where& where) {
           .position_error = neighbor.position_error,
           .acceleration = from_c(neighbor.acceleration),
           .max_speed = neighbor.max_speed,
+          .likely_deviation = neighbor.likely_deviation,
           .parting = from_c(neighbor.parting),
           .trajectory = trajectory_of(neighbor.trajectory),
           .trajectory_time = neighbor.trajectory_time};

@@ -20,6 +20,7 @@ struct MoverMotion {
   Vec2 acceleration;           // m/s²
   double max_deviation = 0.0;  // m/s²
   double max_speed = 0.0;      // m/s; of one that decides not kept
+  double likely_deviation = 0.0;  // m/s²
   const Trajectory* trajectory = nullptr;
   double trajectory_time = 0.0;  // s
 };
@@ -81,6 +82,7 @@ struct NeighborColumns {
     if (predicted) {
       motion[count].acceleration = moves_on ? neighbor.acceleration : Vec2{};
       motion[count].max_speed = neighbor.max_speed;
+      motion[count].likely_deviation = neighbor.likely_deviation;
       motion[count].trajectory = moves_on ? neighbor.trajectory : nullptr;
       motion[count].trajectory_time = neighbor.trajectory_time;
     }
@@ -131,6 +133,7 @@ struct NeighborColumns {
     neighbor.behavior = decides[i] == kMover ? Behavior::moves_on : Behavior::cooperates;
     neighbor.acceleration = motion[i].acceleration;
     neighbor.max_speed = motion[i].max_speed;
+    neighbor.likely_deviation = motion[i].likely_deviation;
     neighbor.trajectory = motion[i].trajectory;
     neighbor.trajectory_time = motion[i].trajectory_time;
     return neighbor;

@@ -15,6 +15,7 @@ constexpr double kLongestWay = 2.0;      // T, until a way brakes,
 constexpr double kWideWay = 3.0;         // or so many, as far as others are that wide,
 constexpr double kMostSteps = 400.0;     // and steps at most
 constexpr double kMostBraking = 1024.0;  // steps of braking; who takes more has no ways
+constexpr double kLikelyFor = 1.5;       // T, for which likely deviations are reckoned with
 constexpr int kMostWork = 200000;        // movers and intervals that a level looks at
 
 // m/s: from the end of a trajectory that goes round on, it is not known where the mover is.
@@ -52,12 +53,16 @@ Predicted predicted(const Evading& evading, const Neighbor& neighbor, const Leve
   other.drift = error.velocity;
   other.deviation = neighbor.max_deviation;
   other.reaction = reaction;
+  if (const double likely = level.likely * neighbor.likely_deviation; likely > other.deviation) {
+    other.deviation = likely;
+    other.reaction = kLikelyFor * time_to_speed(robot);
+  }
   other.asks_to_stop = level.stops;
   other.until = level.until * evading.options.longest;
   other.max_speed = neighbor.max_speed;
   other.fastest =
       (is_followed ? fastest_until(neighbor, time) : speed + time * norm(acceleration)) +
-      error.velocity + neighbor.max_deviation * (reaction + braking);
+      error.velocity + other.deviation * (other.reaction + braking);
   return other;
 }
 

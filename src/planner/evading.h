@@ -38,6 +38,7 @@ struct Level {
   bool stops = true;  ///< (C2)
   /// Longest ways, for which rest is to be clear.
   double until = std::numeric_limits<double>::infinity();
+  double likely = 0.0;  ///< of likely deviations
 };
 
 /// One decision.

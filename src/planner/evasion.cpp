@@ -27,6 +27,12 @@ constexpr std::array<Level, 6> kLevels{{{0.6, 0.05, 0.5},
 constexpr std::array<Level, 2> kLastLevels{{{1.0, 0.025, 0.0, false},  //
                                             {1.0, 0.0025, 0.0, false}}};
 
+// Where some are likely to deviate: this part of their likely_deviation is reckoned with.
+constexpr Level likely_level(double part) {
+  return {.part = 1.0, .margin = 0.0, .reaction = 0.5 * part, .likely = part};
+}
+constexpr int kLargerParts = 4;  // bisections
+
 // Where nowhere is clear for ever, for as long as that.
 constexpr Level kForAWhile{1.0, 0.0, 0.0, true, 2.0};
 
@@ -195,20 +201,66 @@ Way find_way(Evading& evading, const Level& level, Vec2 wanted, Taken& found) {
   return find_beside(evading, steps, found) ? Way::another : Way::none;
 }
 
+bool are_some_likely_to_deviate(const Evading& evading) {
+  return std::any_of(evading.sight.neighbors.begin(), evading.sight.neighbors.end(),
+                     [](const Neighbor& n) { return !decides(n) && n.likely_deviation > 0.0; });
+}
+
+Level first_level(const Evading& evading) {
+  return are_some_likely_to_deviate(evading) ? likely_level(1.0) : kLevels[0];
+}
+
+// Reckons with as much of what is likely as leaves a way, found by bisection.
+Way find_way_if_likely(Evading& evading, Vec2 wanted, Taken& found) {
+  Way way = find_way(evading, likely_level(1.0), wanted, found);
+  if (way != Way::none) return way;
+  way = find_way(evading, likely_level(0.0), wanted, found);
+  if (way == Way::none) return way;
+  double kept = 0.0, refused = 1.0;
+  for (int k = 0; k < kLargerParts; ++k) {
+    const double part = 0.5 * (kept + refused);
+    const Way other = find_way(evading, likely_level(part), wanted, found);
+    if (other == Way::none) {
+      refused = part;
+    } else {
+      kept = part, way = other;
+    }
+  }
+  return way;
+}
+
+Way find_way_in_order(Evading& evading, std::span<const Level> levels, Vec2 wanted,
+                      Taken& found) {
+  for (const Level& level : levels) {
+    const Way way = find_way(evading, level, wanted, found);
+    if (way != Way::none) return way;
+  }
+  return Way::none;
+}
+
+// Nearly always the first level has one; and where the weakest has none, hardly any other one has.
+Way find_way_by_levels(Evading& evading, std::span<const Level> levels, Vec2 wanted,
+                       Taken& found) {
+  const Way way = find_way(evading, levels.front(), wanted, found);
+  if (way != Way::none || find_way(evading, levels.back(), wanted, found) == Way::none) return way;
+  return find_way_in_order(evading, levels.subspan(1), wanted, found);
+}
+
 // Whether braking after that step is clear of movers, whoever else is there: it is admitted.
 bool is_far_from_movers(Evading& evading, Vec2 next_velocity) {
   Surroundings& around = evading.workspace.around;
   around.walls.clear();
-  look_around(evading, kLevels[0]);
+  look_around(evading, first_level(evading));
   return take_first_step(evading.options, around, evading.now(), next_velocity) &&
          may_brake(evading.options, around);
 }
 
-// Whether all are seen exactly, and keep their acceleration.
+// Whether all are seen exactly, and surely keep their acceleration.
 bool are_exact(const Evading& evading) {
   return std::all_of(
       evading.sight.neighbors.begin(), evading.sight.neighbors.end(), [&](const Neighbor& n) {
-        return n.max_deviation == 0.0 && error_against(n, evading.law.step) == SensingError{};
+        return n.max_deviation == 0.0 && n.likely_deviation == 0.0 &&
+               error_against(n, evading.law.step) == SensingError{};
       });
 }
 
@@ -224,18 +276,11 @@ void keep_a_way_out(const CertificateLaw& law, const Robot& robot, const Sight& 
   if (is_far_from_movers(evading, wanted)) return;
   keep_walls(evading);
   Taken found;
-  const auto try_all = [&](std::span<const Level> levels) {
-    for (const Level& level : levels) {
-      const Way way = find_way(evading, level, wanted, found);
-      if (way != Way::none) return way;
-    }
-    return Way::none;
-  };
-  // nearly always the first; and where the weakest has none, hardly any other one has
-  const std::span<const Level> levels = kLevels;
-  Way way = try_all(levels.first(1));
-  if (way == Way::none && try_all(levels.last(1)) != Way::none) way = try_all(levels.subspan(1));
-  if (way == Way::none && may_swerve && are_exact(evading)) way = try_all(kLastLevels);
+  Way way = are_some_likely_to_deviate(evading)
+                ? find_way_if_likely(evading, wanted, found)
+                : find_way_by_levels(evading, kLevels, wanted, found);
+  if (way == Way::none && may_swerve && are_exact(evading))
+    way = find_way_in_order(evading, kLastLevels, wanted, found);
   if (way == Way::none) way = find_way(evading, kForAWhile, wanted, found);
   if (way != Way::another) return;
   const Plan evasive =

@@ -72,8 +72,8 @@ bool is_deviation(double value) {
 bool is_valid_mover(const Neighbor& mover) {
   const bool is_placed = mover.trajectory == nullptr || (!mover.trajectory->places().empty() &&
                                                          is_known(mover.trajectory_time) != 0);
-  return is_deviation(mover.max_deviation) && mover.max_speed >= kSmallest && !mover.loiter &&
-         is_placed;
+  return is_deviation(mover.max_deviation) && is_deviation(mover.likely_deviation) &&
+         mover.max_speed >= kSmallest && !mover.loiter && is_placed;
 }
 
 bool is_valid_loiterer(const Neighbor& neighbor) {

@@ -176,6 +176,9 @@ Vec2 Fleet::offset(std::size_t slot, double heading_of_it) const {
 
 namespace {
 
+// Of its max_acceleration, by which one that promises nothing is likely to deviate.
+constexpr double kLikely = 0.6;
+
 Behavior behavior_of(Expectation expected) {
   if (expected == Expectation::decides) return Behavior::decides;
   return expected == Expectation::cooperates ? Behavior::cooperates : Behavior::moves_on;
@@ -193,7 +196,10 @@ Neighbor sensed(const RobotTraits& traits, const Conduct& conduct, Expectation e
                     .behavior = behavior_of(expected),
                     .priority = conduct.priority,
                     .max_braking = max_braking_of(traits)};
-  if (expected == Expectation::cooperates || expected == Expectation::moves_on) return neighbor;
+  if (expected == Expectation::cooperates || expected == Expectation::moves_on) {
+    neighbor.likely_deviation = kLikely * traits.max_acceleration;
+    return neighbor;
+  }
   if (decides && !traits.exceeds) return neighbor;
   neighbor.max_deviation = top_acceleration(traits);
   if (decides) return neighbor;

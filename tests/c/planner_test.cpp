@@ -66,6 +66,7 @@ avo_neighbor to_c(const avo::Neighbor& neighbor) {
   c.position_error = neighbor.position_error;
   c.acceleration = to_c(neighbor.acceleration);
   c.max_speed = neighbor.max_speed;
+  c.likely_deviation = neighbor.likely_deviation;
   c.behavior = static_cast<avo_behavior>(neighbor.behavior);
   c.age = neighbor.age;
   c.parting = to_c(neighbor.parting);

@@ -90,6 +90,7 @@ void make_any_kind(Random& random, Neighbor& other) {
       other.behavior = Behavior::moves_on;
       other.acceleration = in_disc(random, 1.0);
       if (random.below(2) == 0) other.max_deviation = 1.0, other.max_speed = 2.0;
+      if (random.below(2) == 0) other.likely_deviation = random.log_uniform(0.01, 10.0);
       break;
     case 1:
       other.age = 1 + random.below(3);

@@ -237,6 +237,7 @@ class Neighbor:
     position_error: _Number
     acceleration: _Point
     max_speed: _Number
+    likely_deviation: _Number
     parting: _Point
     trajectory: Trajectory | None
     trajectory_time: _Number
@@ -256,6 +257,7 @@ class Neighbor:
         position_error: _Float = 0.0,
         acceleration: _Pair = (0.0, 0.0),
         max_speed: _Float = ...,
+        likely_deviation: _Float = 0.0,
         parting: _Pair = (0.0, 0.0),
         trajectory: Trajectory | None = None,
         trajectory_time: _Float = 0.0,
@@ -486,6 +488,7 @@ class Neighbors:
         age: npt.ArrayLike = 0,
         max_braking: npt.ArrayLike | None = None,
         position_error: npt.ArrayLike = 0.0,
+        likely_deviation: npt.ArrayLike = 0.0,
     ) -> None: ...
     @staticmethod
     def among(robots: Robots, sensing_radius: _Float) -> Neighbors: ...

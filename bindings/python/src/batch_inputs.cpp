@@ -137,10 +137,10 @@ Neighbors make_neighbors(const py::object& position, const py::object& velocity,
                          const py::object& cooperates, const py::object& max_deviation,
                          const py::object& max_speed, const py::object& age,
                          const py::object& max_braking, const py::object& position_error,
-                         const py::kwargs& others) {
+                         const py::object& likely_deviation, const py::kwargs& others) {
   refuse_fields(others, {"position", "velocity", "offsets", "radius", "max_acceleration",
                          "priority", "acceleration", "moves_on", "cooperates", "max_deviation",
-                         "max_speed", "age", "max_braking", "position_error"});
+                         "max_speed", "age", "max_braking", "position_error", "likely_deviation"});
   const Numbers places = numbers("position", position);
   const auto p = rows("position", places);
   const Columns columns{p.size()};
@@ -152,7 +152,8 @@ Neighbors make_neighbors(const py::object& position, const py::object& velocity,
                  shares = columns.of("cooperates", cooperates),
                  deviation = columns.of("max_deviation", max_deviation),
                  speed = columns.of("max_speed", max_speed), ages = columns.of("age", age),
-                 error = columns.of("position_error", position_error);
+                 error = columns.of("position_error", position_error),
+                 likely = columns.of("likely_deviation", likely_deviation);
   const auto braking = columns.if_given("max_braking", max_braking);
   Neighbors neighbors;
   neighbors.first = checked_offsets(offsets, p.size());
@@ -169,7 +170,8 @@ Neighbors make_neighbors(const py::object& position, const py::object& velocity,
                              .max_deviation = deviation[k],
                              .position_error = error[k],
                              .acceleration = a[k],
-                             .max_speed = speed[k]});
+                             .max_speed = speed[k],
+                             .likely_deviation = likely[k]});
   return neighbors;
 }
 
@@ -210,13 +212,14 @@ void bind_neighbors(py::class_<Neighbors>& neighbors) {
            arg("priority") = 1.0, arg("acceleration") = 0.0, arg("moves_on") = false,
            arg("cooperates") = false, arg("max_deviation") = 0.0, arg("max_speed") = kInfinity,
            arg("age") = 0, arg("max_braking") = py::none(), arg("position_error") = 0.0,
+           arg("likely_deviation") = 0.0,
            "position: (m, 2), m, and velocity: (m, 2), m/s, of all that all robots sense, robot "
            "after robot; offsets: (n + 1,), those of robot k are rows offsets[k] to offsets[k + 1] "
            "- 1. One number, or (m,): radius, m; max_acceleration, m/s^2; priority; moves_on: "
            "reacts to nobody, cooperates: does its share and promises nothing; then max_deviation, "
            "m/s^2, max_speed, m/s, and acceleration: (m, "
            "2), m/s^2; age, steps since it was sensed; max_braking, m/s^2, None: "
-           "max_acceleration; position_error, m. Those that sense airplanes plan one by one.")
+           "max_acceleration; position_error, m; likely_deviation, m/s^2. Those that sense airplanes plan one by one.")
       .def_static("among", &among, arg("robots"), arg("sensing_radius"),
                   py::call_guard<py::gil_scoped_release>(),
                   "As Robots sense each other within sensing_radius, m, between centers.")

@@ -112,7 +112,7 @@ py::tuple reduced(const py::object& neighbor) {
   py::dict fields;
   for (const char* name : {"position", "velocity", "radius", "max_acceleration", "behavior", "age",
                            "priority", "max_braking", "loiter", "max_deviation", "position_error",
-                           "acceleration", "max_speed", "parting", "trajectory", "trajectory_time"})
+                           "acceleration", "max_speed", "likely_deviation", "parting", "trajectory", "trajectory_time"})
     fields[name] = neighbor.attr(name);
   const py::object make = py::module_::import("functools").attr("partial");
   return py::make_tuple(make(py::type::of<avo::Neighbor>(), **fields), py::tuple());
@@ -126,26 +126,27 @@ void bind_neighbor(py::module_& module) {
                        double max_acceleration, avo::Behavior behavior, int age, double priority,
                        std::optional<double> max_braking, std::optional<avo::LoiterCircle> loiter,
                        double max_deviation, double position_error, avo::Vec2 acceleration,
-                       double max_speed, avo::Vec2 parting, const avo::Trajectory* trajectory,
+                       double max_speed, double likely_deviation, avo::Vec2 parting, const avo::Trajectory* trajectory,
                        double trajectory_time) {
              return Neighbor{position,  velocity,      radius,         max_acceleration,
                              behavior,  age,           priority,       max_braking,
                              loiter,    max_deviation, position_error, acceleration,
-                             max_speed, parting,       trajectory,     trajectory_time};
+                             max_speed, likely_deviation, parting, trajectory, trajectory_time};
            }),
-           py::keep_alive<1, 16>(), py::kw_only(), arg("position"),
+           py::keep_alive<1, 17>(), py::kw_only(), arg("position"),
            arg("velocity") = py::make_tuple(0.0, 0.0), arg("radius") = 0.5,
            arg("max_acceleration") = 1.0, arg("behavior") = "decides", arg("age") = 0,
            arg("priority") = 1.0, arg("max_braking") = py::none(), arg("loiter") = py::none(),
            arg("max_deviation") = 0.0, arg("position_error") = 0.0,
            arg("acceleration") = py::make_tuple(0.0, 0.0), arg("max_speed") = kInfinity,
-           arg("parting") = py::make_tuple(0.0, 0.0), arg("trajectory") = py::none(),
+           arg("likely_deviation") = 0.0, arg("parting") = py::make_tuple(0.0, 0.0), arg("trajectory") = py::none(),
            arg("trajectory_time") = 0.0,
            "position: (x, y), m; velocity: m/s; radius: m, > 0; max_acceleration: m/s^2, > 0; "
            "behavior: \"decides\", \"moves_on\" or \"cooperates\"; age: steps since it was sensed; "
            "priority: > 0; "
            "max_braking: m/s^2; max_deviation: m/s^2, >= 0; position_error: m, >= 0; acceleration: "
-           "m/s^2, and max_speed: m/s, of one that moves on; parting: see parting_direction(); "
+           "m/s^2, and max_speed: m/s, of one that moves on; likely_deviation: m/s^2, >= 0, that ways "
+           "out reckon with; parting: see parting_direction(); "
            "trajectory: Trajectory of one that moves on, None: unknown; trajectory_time: s, now.")
       .def_readwrite("position", &Neighbor::position, "[p_B] (x, y), m")
       .def_readwrite("velocity", &Neighbor::velocity, "[v_B] (x, y), m/s")
