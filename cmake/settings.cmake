@@ -38,3 +38,15 @@ target_compile_options(avo_settings INTERFACE
 if(AVO_FUSED_INSTRUCTIONS)
   target_compile_definitions(avo_settings INTERFACE AVO_FUSED_INSTRUCTIONS)
 endif()
+
+# Most of the time of a build goes into headers: COUNT files of TARGET at a time are one unit, 0: all of them.
+# CMAKE_UNITY_BUILD=OFF compiles each file alone.
+function(avo_compile_in_units target count)
+  if(CMAKE_UNITY_BUILD OR NOT DEFINED CMAKE_UNITY_BUILD)
+    set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE ${count})
+  endif()
+endfunction()
+# Those of them whose own names other files have as well are units by themselves.
+function(avo_compile_alone)
+  set_source_files_properties(${ARGN} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
+endfunction()

@@ -109,7 +109,7 @@ TEST(Airplanes, explain_says_that_a_circle_keeps_clear) {
 }
 
 /// What is said of two airplanes in a refused scene, the second one at that place.
-std::string refusal(const std::string& place, const Strings& options = {}) {
+std::string refusal_of_two(const std::string& place, const Strings& options = {}) {
   const std::string path = path_of("near.yaml");
   write_file(path, "version: 1\nname: near\nsensing_radius: 60\nrobots:\n" +
                        plane("[0, 0]", "goal: [50, 0], " + kLeaves) +
@@ -125,14 +125,14 @@ std::string refusal(const std::string& place, const Strings& options = {}) {
 
 TEST(Airplanes, starts_that_circles_do_not_keep_apart) {
   // 2 m/s make circles of 4 m, 1 m/s those of 1 m
-  EXPECT_EQ(refusal("[0, 8.5]"),
+  EXPECT_EQ(refusal_of_two("[0, 8.5]"),
             "robot 0 and robot 1 start too fast for their distance: found 0.5 m of overlap when "
             "both circle at once, must be none; slow down, move apart, or --start-at-rest");
   EXPECT_EQ(run_avo({"validate", path_of("near.yaml"), "--start-at-rest"}).exit_code, 0);
-  EXPECT_EQ(refusal("[0, 2.5]", {"--start-at-rest"}),
+  EXPECT_EQ(refusal_of_two("[0, 2.5]", {"--start-at-rest"}),
             "robot 0 and robot 1 start too near each other: found 0.5 m of overlap when both "
             "circle at once, must be none; move apart");
-  EXPECT_EQ(refusal("[0, -8]", {"--set", "robots.1={position: [2, -4], goal: [9, 9]}"}),
+  EXPECT_EQ(refusal_of_two("[0, -8]", {"--set", "robots.1={position: [2, -4], goal: [9, 9]}"}),
             "robot 0 and robot 1 start too fast for their distance: found 1 m of overlap when "
             "robot 0 circles and robot 1 brakes at once, must be none; slow down, move apart, or "
             "--start-at-rest");

@@ -90,7 +90,7 @@ TEST(BadRecording, files_that_cannot_be_read_exit_with_4) {
   }
   EXPECT_EQ(run_avo({"check", "no.h5.part"}).err, "no.h5.part: No such file or directory\n");
   const ProcessResult scene =
-      run_avo({"check", recording(kGood), "--scene", path_of("no-such.yaml")});
+      run_avo({"check", recording(kGoodRun), "--scene", path_of("no-such.yaml")});
   EXPECT_EQ(scene.exit_code, 4);
   EXPECT_EQ(run_avo({"check", "/dev/zero", "--scene", "circle-2"}).err,
             "/dev/zero:1: found more than 65536 characters, a line must be shorter\n");

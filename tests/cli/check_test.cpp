@@ -136,14 +136,14 @@ TEST(Check, cars_of_all_settings_keep_their_limits) {
 }
 
 // A car and a robot without heading, which leaves the fields empty.
-const std::string kScene =
+const std::string kMixed =
     "version: 1\nname: mixed\nduration: 1\nrobots:\n"
     "  - {position: [0, 0], goal: [9, 0], radius: 0.5, max_speed: 2, max_acceleration: 1,\n"
     "     model: car, heading: 0.5, car: {wheelbase: 1, max_curvature: 0.8}}\n"
     "  - {position: [0, 5], goal: [9, 5], radius: 0.5, max_speed: 2, max_acceleration: 1}\n";
 
 TEST(Check, headings_of_mixed_scenes) {
-  write_file(path_of("mixed.yaml"), kScene);
+  write_file(path_of("mixed.yaml"), kMixed);
   const Recorded run = record({path_of("mixed.yaml")});
   const Strings lines = lines_of(read_file(run.csv));
   EXPECT_EQ(lines[0], "time,robot,x,y,vx,vy,heading,speed");

@@ -11,7 +11,7 @@ namespace avo_test {
 namespace {
 
 TEST(Check, says_what_it_found_in_words) {
-  const ProcessResult good = check(kGood);
+  const ProcessResult good = check(kGoodRun);
   EXPECT_EQ(good.exit_code, 0);
   EXPECT_EQ(good.err, "");
   EXPECT_EQ(good.out, path_of("in.csv") +
@@ -59,7 +59,7 @@ TEST(Check, calls_nobody_safe_whose_rows_are_missing) {
 }
 
 TEST(Check, json_has_all_keys_in_order) {
-  const Json json = verdict(kGood);
+  const Json json = verdict(kGoodRun);
   Strings keys;
   for (const auto& [key, value] : json.items()) keys.push_back(key);
   EXPECT_EQ(keys, (Strings{"recording",
@@ -126,7 +126,7 @@ TEST(Check, json_has_all_keys_in_order) {
 
 // What other simulators write.
 TEST(Check, takes_recordings_in_any_dress) {
-  Json expected = verdict(kGood);
+  Json expected = verdict(kGoodRun);
   const std::string others[] = {
       // columns in any order, more of them, rows of one time in any order, CR LF
       "id,vy,vx,robot,y,x,time\r\n"
@@ -149,7 +149,7 @@ TEST(Check, takes_recordings_in_any_dress) {
 }
 
 TEST(Check, reads_the_standard_input) {
-  const std::string path = recording(kGood);
+  const std::string path = recording(kGoodRun);
   const int before = dup(STDIN_FILENO), file = open(path.c_str(), O_RDONLY);
   dup2(file, STDIN_FILENO);
   Strings arguments{"check", "-", "--json"};

@@ -83,7 +83,7 @@ void expect_refused(const Strings& words, int exit_code, const std::string& mess
 }
 
 TEST(Convert, wrong_command_lines_take_one_line) {
-  const std::string csv = recording(kGood);
+  const std::string csv = recording(kGoodRun);
   const auto refused = [&](Strings words, const std::string& message) {
     words.insert(words.begin(), csv);
     expect_refused(words, 2, "avo: " + message);
@@ -133,7 +133,7 @@ TEST(Convert, what_has_no_frames_is_refused_and_nothing_is_written) {
 }
 
 TEST(Convert, files_that_cannot_be_read_or_written_take_one_line) {
-  const std::string none = path_of("none.h5"), csv = recording(kGood);
+  const std::string none = path_of("none.h5"), csv = recording(kGoodRun);
   for (const std::string name : {"out.sqlite", "out.mcap", "out.csv"})
     expect_refused({none, path_of(name)}, 4, none + ": No such file or directory");
   const std::string nowhere = path_of("no/out.sqlite");
@@ -153,7 +153,7 @@ TEST(Convert, old_files_stay_where_it_fails) {
   const std::string csv = recording(kHeader + "0,0,0,0,0,0\n1,0,nan,0,0,0\n");
   EXPECT_EQ(convert({csv, out}).exit_code, 3);
   EXPECT_EQ(read_file(out), "old");
-  EXPECT_EQ(convert({recording(kGood.substr(0, kGood.find("1.5"))), out}).exit_code, 0);
+  EXPECT_EQ(convert({recording(kGoodRun.substr(0, kGoodRun.find("1.5"))), out}).exit_code, 0);
   EXPECT_TRUE(read_file(out).starts_with("SQLite format 3"));
 }
 

@@ -177,7 +177,7 @@ TEST(Volume, quiet_leaves_errors_and_what_options_ask_for) {
   }
   Strings limits{"-q"};
   limits.insert(limits.end(), kLimits.begin(), kLimits.end());
-  EXPECT_EQ(check(kGood, limits).out, "");
+  EXPECT_EQ(check(kGoodRun, limits).out, "");
   EXPECT_EQ(check(kHeader + "0,3,0,0,3,0\n1,3,3,0,3,0\n", limits).exit_code, 1);
 }
 

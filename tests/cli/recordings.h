@@ -13,10 +13,10 @@ const Strings kLimits{"--radius", "0.5", "--max-acceleration", "1", "--max-speed
 const std::string kHeader = "time,robot,x,y,vx,vy\n";
 
 // Robot 0 speeds up at 1 m/s^2 towards robot 7, which stands 3 m ahead.
-const std::string kGood = kHeader +
-                          "0,0,0,0,0,0\n0,7,3,0,0,0\n"
-                          "0.5,0,0.125,0,0.5,0\n0.5,7,3,0,0,0\n"
-                          "1.5,0,1.125,0,1.5,0\n1.5,7,3,0,0,0\n";
+const std::string kGoodRun = kHeader +
+                             "0,0,0,0,0,0\n0,7,3,0,0,0\n"
+                             "0.5,0,0.125,0,0.5,0\n0.5,7,3,0,0,0\n"
+                             "1.5,0,1.125,0,1.5,0\n1.5,7,3,0,0,0\n";
 
 inline std::string recording(const std::string& text, const std::string& name = "in.csv") {
   write_file(path_of(name), text);

@@ -162,7 +162,7 @@ TEST(Streams, numbers_that_are_none_are_refused_by_what_is_wrong) {
   EXPECT_EQ(run_avo({"explain", "circle-2", "--robot", "0", "--time", "nan"}).err,
             "avo: --time: found nan, must be finite and >= 0 s\n");
   const ProcessResult radius =
-      check(kGood, {"--radius", "inf", "--max-acceleration", "inf", "--max-speed", "inf"});
+      check(kGoodRun, {"--radius", "inf", "--max-acceleration", "inf", "--max-speed", "inf"});
   EXPECT_EQ(radius.exit_code, 2);
   EXPECT_EQ(radius.err, "avo: --radius: found inf, must be finite\n");
 }

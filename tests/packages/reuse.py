@@ -4,21 +4,29 @@
 
 usage: reuse.py BUILD FOLDER COMMAND...
 
-BUILD is finished, FOLDER is where the same sources are built now. The same is a command that differs
-in nothing but these two folders, in where it writes, and in the definition that CMake adds for a
-shared library. Any other command is run.
+BUILD is finished, FOLDER is where the same sources, or a copy of them, are built now. The same is a command
+that differs in nothing but the folders of builds and sources, in where it writes, in the definition that CMake
+adds for a shared library, and in whether warnings are errors. Any other command is run.
 """
 import filecmp
 import json
 import os
 import pathlib
+import re
 import shlex
 import shutil
 import subprocess
 import sys
 
 
-def parts(words, working, build):
+def sources_of(build, otherwise):
+    """The folder that BUILD was configured for, if it is a project of its own."""
+    cache = pathlib.Path(build) / "CMakeCache.txt"
+    found = re.search(r"^CMAKE_HOME_DIRECTORY:INTERNAL=(.*)$", cache.read_text(), re.M) if cache.exists() else None
+    return found[1] if found else otherwise
+
+
+def parts(words, working, build, source):
     """What is written, and all else that the outcome depends on."""
     output, rest, words = None, [], iter(words)
     for word in words:
@@ -26,8 +34,8 @@ def parts(words, working, build):
             output = os.path.join(working, next(words))
         elif word in ("-MT", "-MF"):
             next(words)
-        elif word != "-MD" and not (word.startswith("-D") and word.endswith("_EXPORTS")):
-            rest.append(word.replace(build + "/", "BUILD/"))
+        elif word not in ("-MD", "-Werror") and not (word.startswith("-D") and word.endswith("_EXPORTS")):
+            rest.append(word.replace(build + "/", "BUILD/").replace(source + "/", "SOURCE/"))
     return output, rest
 
 
@@ -54,10 +62,11 @@ def made_before(build, folder, command):
     database = pathlib.Path(build) / "compile_commands.json"
     if not database.exists():  # where this project is a part of another one
         return None
-    wanted = parts(command, os.getcwd(), folder)[1]
+    source = sources_of(build, "")
+    wanted = parts(command, os.getcwd(), folder, sources_of(folder, source))[1]
     for entry in json.loads(database.read_text()):
-        if entry["file"].replace(build + "/", "BUILD/") == wanted[-1]:
-            output, rest = parts(shlex.split(entry["command"]), entry["directory"], build)
+        if parts([entry["file"]], "", build, source)[1] == wanted[-1:]:
+            output, rest = parts(shlex.split(entry["command"]), entry["directory"], build, source)
             if rest == wanted and os.path.exists(output) and is_current(output, entry, build, folder):
                 return output
     return None
@@ -68,7 +77,7 @@ def main():
     before = made_before(build, folder, command)
     if before is None:
         os.execvp(command[0], command)
-    shutil.copyfile(before, parts(command, os.getcwd(), folder)[0])
+    shutil.copyfile(before, parts(command, os.getcwd(), folder, folder)[0])
 
 
 if __name__ == "__main__":

@@ -9,6 +9,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include "recorded.h"
 #include "verdicts.h"
 
 namespace avo_test {
@@ -31,14 +32,6 @@ ProcessOptions interrupted_by(int signal, useconds_t wait = 100'000) {
     usleep(wait);
     kill(pid, signal);
   }};
-}
-
-std::string recorded(const Strings& scene) {
-  const std::string h5 = path_of("run.h5");
-  Strings command{"run", "--record", h5, "-q"};
-  command.insert(command.end(), scene.begin(), scene.end());
-  EXPECT_EQ(run_avo(command).exit_code, 0);
-  return h5;
 }
 
 /// An output that was there before is there still, and nothing else.

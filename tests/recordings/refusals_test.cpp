@@ -8,6 +8,7 @@
 #include <unistd.h>
 
 #include "edit_hdf5.h"
+#include "recorded.h"
 #include "spool.h"
 #include "verdicts.h"
 
@@ -16,14 +17,6 @@ namespace {
 
 constexpr double kNotANumber = std::numeric_limits<double>::quiet_NaN();
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
-
-std::string recorded(const Strings& more = {}, const std::string& name = "run.h5") {
-  const std::string h5 = path_of(name);
-  Strings command{"run", "circle-6", "--duration", "9", "--record", h5, "-q"};
-  command.insert(command.end(), more.begin(), more.end());
-  EXPECT_EQ(run_avo(command).exit_code, 0);
-  return h5;
-}
 
 /// With 128 MiB of memory, and 20 s of a processor, which a busy machine does not shorten.
 ProcessResult in_little_memory(const Strings& command) {
@@ -54,7 +47,7 @@ void expect_refused(const std::string& path, const std::string& message) {
 
 TEST(Refusals, of_times_that_no_run_has) {
   const auto expect = [](hsize_t row, double time, const std::string& message) {
-    const std::string h5 = recorded();
+    const std::string h5 = recorded_circle();
     change(h5, "time", {row}, H5T_NATIVE_DOUBLE, time);
     expect_refused(h5, "time: found " + message);
   };
@@ -71,7 +64,7 @@ TEST(Refusals, of_times_that_no_run_has) {
 
 TEST(Refusals, of_times_with_free_clocks_too) {
   const Strings free{"--set", "clock=free"};
-  const std::string h5 = recorded(free);
+  const std::string h5 = recorded_circle(free);
   EXPECT_EQ(run_avo({"check", h5}).exit_code, 0) << "irregular times are those of a run";
   EXPECT_EQ(run_avo({"replay", h5}).exit_code, 0);
   change(h5, "time", {20}, H5T_NATIVE_DOUBLE, 1e6);
@@ -96,7 +89,7 @@ TEST(Refusals, of_csv_whose_times_a_scene_never_has) {
 TEST(Refusals, of_states_that_no_robot_has) {
   const auto expect = [](const Strings& scene, const std::vector<hsize_t>& index, double value,
                          const std::string& message) {
-    const std::string h5 = recorded(scene);
+    const std::string h5 = recorded_circle(scene);
     change(h5, "state", index, H5T_NATIVE_DOUBLE, value);
     expect_refused(h5, message);
   };
@@ -107,7 +100,7 @@ TEST(Refusals, of_states_that_no_robot_has) {
   expect({}, {10, 5, 1}, -kInfinite, "time 1 s, robot 5: y: found -inf" + number);
   expect({}, {90, 2, 0}, 1.5e12, "time 9 s, robot 2: x: found 1500000000000" + range);
   expect({}, {90, 2, 2}, -1.5e12, "time 9 s, robot 2: vx: found -1500000000000" + range);
-  const std::string h5 = recorded();
+  const std::string h5 = recorded_circle();
   change(h5, "status", {30, 4}, H5I_INVALID_HID, std::uint8_t{77});
   expect_refused(h5, "time 3 s, robot 4: status: found 77, must be 0 to 5, or 255, absent");
 }
@@ -121,14 +114,14 @@ TEST(Refusals, not_of_robots_that_are_not_there_or_have_no_heading) {
   const ProcessResult result = run_avo({"check", h5});
   EXPECT_EQ(result.exit_code, 3);
   EXPECT_EQ(result.err, h5 + ": time 0.5 s, robot 0: speed: found nan, must be a finite number\n");
-  const std::string gone = recorded();
+  const std::string gone = recorded_circle();
   change(gone, "status", {90, 2}, H5I_INVALID_HID, std::uint8_t{255});
   change(gone, "state", {90, 2, 0}, H5T_NATIVE_DOUBLE, kNotANumber);
   EXPECT_EQ(run_avo({"check", gone}).exit_code, 7) << "rows are missing";
 }
 
 TEST(Refusals, of_files_that_are_cut_off_before_their_first_word) {
-  const std::string h5 = recorded(), whole = read_file(h5);
+  const std::string h5 = recorded_circle(), whole = read_file(h5);
   for (const std::string& name : {path_of("cut.h5"), path_of("cut.H5"), path_of("cut.h5.part")}) {
     for (const std::size_t size : {0, 1, 5, 7}) {
       write_file(name, whole.substr(0, size));
@@ -151,7 +144,7 @@ TEST(Refusals, of_files_that_are_cut_off_before_their_first_word) {
 }
 
 TEST(Refusals, of_another_number_of_robots_than_its_scene_has) {
-  const std::string h5 = recorded();
+  const std::string h5 = recorded_circle();
   const auto with_scene = [&h5](const std::string& override) {
     set_attribute(h5, "override.0", override);
   };
@@ -191,7 +184,7 @@ avo_io::Hdf5Handle properties() {
 TEST(Refusals, of_chunks_larger_than_a_block) {
   const auto expect = [](const char* table, const std::vector<hsize_t>& chunk,
                          const std::string& message) {
-    const std::string h5 = recorded();
+    const std::string h5 = recorded_circle();
     const avo_io::Hdf5Handle layout = properties();
     ASSERT_GE(H5Pset_chunk(layout.id(), static_cast<int>(chunk.size()), chunk.data()), 0);
     ASSERT_GE(H5Pset_deflate(layout.id(), 1), 0);
@@ -212,7 +205,7 @@ TEST(Refusals, of_chunks_of_another_length_than_the_table_says) {
   const std::string zeros_26("\x78\x9c\x63\x60\xc0\x05\x00\x00\x1a\x00\x01", 11);  // deflated
   const auto expect = [](const char* table, std::size_t rank, unsigned left_out,
                          const std::string& bytes) {
-    const std::string h5 = recorded();
+    const std::string h5 = recorded_circle();
     {
       const avo_io::Hdf5Handle file = open_to_edit(h5);
       const avo_io::Hdf5Handle set(H5Dopen2(file.id(), table, H5P_DEFAULT), H5Dclose);
@@ -232,7 +225,7 @@ TEST(Refusals, of_chunks_of_another_length_than_the_table_says) {
 }
 
 TEST(Refusals, not_of_smaller_chunks_or_none) {
-  const std::string h5 = recorded();
+  const std::string h5 = recorded_circle();
   lay_out(h5, "state", properties());
   EXPECT_EQ(run_avo({"replay", h5}).exit_code, 0);
   const avo_io::Hdf5Handle layout = properties();
@@ -247,16 +240,16 @@ TEST(Refusals, not_of_smaller_chunks_or_none) {
 }
 
 TEST(Refusals, of_rows_in_other_files) {
-  std::string h5 = recorded();
+  std::string h5 = recorded_circle();
   const avo_io::Hdf5Handle outside = properties();
   ASSERT_GE(H5Pset_external(outside.id(), path_of("rows").c_str(), 0, H5F_UNLIMITED), 0);
   lay_out(h5, "state", outside);
   expect_refused(h5, "state: found rows in other files, must be in this one");
-  h5 = recorded();
+  h5 = recorded_circle();
   lay_out(h5, "time", outside);
   expect_refused(h5, "time: found rows in other files, must be in this one");
-  const std::string other = recorded({}, "other.h5");
-  h5 = recorded();
+  const std::string other = recorded_circle({}, "other.h5");
+  h5 = recorded_circle();
   {
     const avo_io::Hdf5Handle file = open_to_edit(h5), layout = properties();
     ASSERT_GE(H5Ldelete(file.id(), "clearance", H5P_DEFAULT), 0);
@@ -269,7 +262,7 @@ TEST(Refusals, of_rows_in_other_files) {
     ASSERT_TRUE(table);
   }
   expect_refused(h5, "clearance: found rows in other files, must be in this one");
-  h5 = recorded();
+  h5 = recorded_circle();
   {
     const avo_io::Hdf5Handle file = open_to_edit(h5);
     ASSERT_GE(H5Ldelete(file.id(), "state", H5P_DEFAULT), 0);
@@ -281,14 +274,14 @@ TEST(Refusals, of_rows_in_other_files) {
 }
 
 TEST(Refusals, of_another_format_or_other_columns) {
-  std::string h5 = recorded();
+  std::string h5 = recorded_circle();
   set_attribute(h5, "format", "avo recording 2");
   expect_refused(h5, "format: found \"avo recording 2\", must be avo recording 1");
   set_attribute(h5, "format", 1);
   expect_refused(h5, "format: found none, must be avo recording 1");
   remove_attribute(h5, "format");
   expect_refused(h5, "format: found none, must be avo recording 1");
-  h5 = recorded();
+  h5 = recorded_circle();
   set_attribute(h5, "columns", "y,x,vy,vx", "state");
   expect_refused(h5, "state: columns: found \"y,x,vy,vx\", must be x,y,vx,vy");
   set_attribute(h5, "columns", "x,y,vx,vy,heading,speed", "state");
@@ -298,7 +291,7 @@ TEST(Refusals, of_another_format_or_other_columns) {
 }
 
 TEST(Refusals, of_scenes_in_recordings_begin_with_the_recording) {
-  const std::string h5 = recorded();
+  const std::string h5 = recorded_circle();
   const auto expect = [&h5](const std::string& message) { expect_refused(h5, message); };
   set_attribute(h5, "override.0", "duration=often");
   expect("its scene: --set duration=often: duration: found \"often\", must be a number (s)");

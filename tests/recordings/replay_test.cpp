@@ -12,16 +12,11 @@
 #include "avo_io/recorded_run.h"
 #include "avo_io/recording.h"
 #include "edit_hdf5.h"
+#include "recorded.h"
 #include "verdicts.h"
 
 namespace avo_test {
 namespace {
-
-std::string recorded() {
-  const std::string h5 = path_of("run.h5");
-  EXPECT_EQ(run_avo({"run", "circle-6", "--duration", "9", "--record", h5, "-q"}).exit_code, 0);
-  return h5;
-}
 
 Json difference(const std::string& h5) {
   const ProcessResult result = run_avo({"replay", h5, "--json", "--threads", "2"});
@@ -32,7 +27,7 @@ Json difference(const std::string& h5) {
 }
 
 TEST(Replay, of_what_was_recorded_is_equal) {
-  const std::string h5 = recorded();
+  const std::string h5 = recorded_circle();
   const ProcessResult words = run_avo({"replay", h5});
   EXPECT_EQ(words.exit_code, 0) << words.err;
   EXPECT_TRUE(
@@ -60,7 +55,7 @@ TEST(Replay, shows_what_metrics_of_the_run_have_seen) {
 }
 
 TEST(Replay, tells_the_first_value_that_differs) {
-  const std::string h5 = recorded();
+  const std::string h5 = recorded_circle();
   change(h5, "state", {80, 1, 3}, H5T_NATIVE_DOUBLE, 7.0);
   Json first = difference(h5);
   EXPECT_EQ(first["time"], 8.0);
@@ -85,7 +80,7 @@ TEST(Replay, tells_the_first_value_that_differs) {
 }
 
 TEST(Replay, sees_the_last_bit) {
-  const std::string h5 = recorded();
+  const std::string h5 = recorded_circle();
   const Json json = Json::parse(run_avo({"check", h5, "--json"}).out);
   const hid_t file = H5Fopen(h5.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT);
   const hid_t set = H5Dopen2(file, "state", H5P_DEFAULT);
@@ -99,7 +94,7 @@ TEST(Replay, sees_the_last_bit) {
 }
 
 TEST(Replay, sees_another_hash_and_refuses_another_version) {
-  const std::string h5 = recorded();
+  const std::string h5 = recorded_circle();
   set_attribute(h5, "state_hash", 1);
   const Json first = difference(h5);
   EXPECT_EQ(first["column"], "state_hash");
@@ -113,7 +108,7 @@ TEST(Replay, sees_another_hash_and_refuses_another_version) {
 }
 
 TEST(Replay, finds_rows_that_are_missing) {
-  const std::string h5 = recorded();
+  const std::string h5 = recorded_circle();
   leave_out(h5, 20, 21);
   Json first = difference(h5);
   EXPECT_EQ(first["time"], 2.0);
@@ -125,7 +120,7 @@ TEST(Replay, finds_rows_that_are_missing) {
             "recorded no row, simulated 2\n");
   leave_out(h5, 0, 1);
   EXPECT_EQ(difference(h5)["time"], 0.0) << "the start";
-  const std::string end = recorded();
+  const std::string end = recorded_circle();
   leave_out(end, 90, 91);
   EXPECT_EQ(difference(end)["column"], "state_hash") << "nobody knows where the run ended";
 }

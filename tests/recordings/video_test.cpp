@@ -12,6 +12,7 @@
 #include "avo_io/frames.h"
 #include "avo_io/recording.h"
 #include "avo_io/scene.h"
+#include "recorded.h"
 #include "verdicts.h"
 
 namespace avo_test {
@@ -32,14 +33,6 @@ std::string probed(const std::string& video) {
       "ffprobe -v error -count_frames -select_streams v:0 -of csv=p=0 -show_entries "
       "stream=width,height,r_frame_rate,nb_read_frames " +
       video);
-}
-
-std::string recorded(const Strings& scene) {
-  const std::string h5 = path_of("run.h5");
-  Strings command{"run", "--record", h5, "-q"};
-  command.insert(command.end(), scene.begin(), scene.end());
-  EXPECT_EQ(run_avo(command).exit_code, 0);
-  return h5;
 }
 
 TEST(Video, has_the_frames_and_pixels_asked_for) {

@@ -4,10 +4,15 @@
 #pragma once
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "avo/model.h"
 
 namespace avo::test {
+
+inline double angle_between(double a, double b) {
+  return std::abs(std::remainder(a - b, 2.0 * std::numbers::pi));
+}
 
 struct AxleState {
   double x = 0.0, y = 0.0, heading = 0.0;

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
-#include <limits>
 #include <memory>
 
 #include "arrays.h"
@@ -14,7 +13,6 @@ namespace {
 
 using py::arg;
 using Whole = py::array_t<std::int64_t, py::array::c_style | py::array::forcecast>;
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 /// Throws Error if there are any: fields that one robot has and batches do not, or that nobody has.
 void refuse_fields(const py::kwargs& others, const std::vector<std::string_view>& known) {

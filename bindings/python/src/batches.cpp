@@ -30,8 +30,8 @@ Plans plan_all(const avo::Planner& planner, const Robots& robots, const Neighbor
   return plans;
 }
 
-Plans plan(const avo::Planner& planner, const Robots& robots, const Neighbors& neighbors,
-           const std::vector<avo::Wall>& walls, Detours* detours) {
+Plans plan_batch(const avo::Planner& planner, const Robots& robots, const Neighbors& neighbors,
+                 const std::vector<avo::Wall>& walls, Detours* detours) {
   const std::size_t n = robots.all.size();
   if (neighbors.first.size() != n + 1)
     throw avo::Error(fmt::format("neighbors: found those of {} robots, must be those of {}",
@@ -115,7 +115,7 @@ void bind_batches(py::module_& module) {
   // another meaning of Planner.plan, which planner.cpp has bound for one robot
   const py::object planner = module.attr("Planner");
   const py::cpp_function batch(
-      &plan, py::name("plan"), py::is_method(planner), py::sibling(planner.attr("plan")),
+      &plan_batch, py::name("plan"), py::is_method(planner), py::sibling(planner.attr("plan")),
       arg("robots"), arg("neighbors"), arg("walls") = py::tuple(), arg("detour") = py::none(),
       "The same for Robots, each among its own of Neighbors; walls: all of theirs; detour: "
       "Detours, updated, None: nothing. Every decision has the bits of that of one robot alone.");

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The parts of the extension, one file a subject; module.cpp calls them in this order.
 #pragma once
+#include <limits>
 #include <string>
 
 #include "avo/scenario.h"
@@ -9,6 +10,8 @@
 namespace avo_python {
 
 namespace py = pybind11;
+
+inline constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 void bind_models(py::module_& module);
 void bind_robots(py::module_& module);

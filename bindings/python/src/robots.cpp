@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Robots: what one knows of itself, what it senses of others, what it remembers, and what a scene
 // says of it. Plain data, which can be changed.
-#include <limits>
 #include <memory>
 #include <tuple>
 #include <vector>
@@ -12,7 +11,6 @@ namespace avo_python {
 namespace {
 
 using py::arg;
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 void bind_robot(py::module_& module) {
   using avo::Robot;

@@ -70,7 +70,7 @@ Scenario load(const std::string& name, const py::object& overrides) {
   return scenario;
 }
 
-py::dict options_of(const Scenario& scenario) {
+py::dict planner_options(const Scenario& scenario) {
   const avo::PlannerOptions options = avo::planner_options(scenario);
   py::dict all;
   all["method"] = options.method;
@@ -186,7 +186,7 @@ void bind_scenario(py::module_& module) {
       .def_property_readonly(
           "walls", [](const Scenario& scenario) { return avo::walls_of(scenario.obstacles); },
           "list of Wall, of all obstacles")
-      .def("planner_options", &options_of,
+      .def("planner_options", &planner_options,
            "What its robots plan with: Planner(**scenario.planner_options()).")
       .def("advice", &avo::advice, "One line for each setting that does not fit the robots.")
       .def("out_of_reach", &out_of_reach_of,

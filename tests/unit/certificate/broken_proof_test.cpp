@@ -54,7 +54,6 @@ Search search_of(Certificate kind, double time_step, int trials, int steps,
 }
 
 constexpr Certificate kCapsules = Certificate::stopping_capsules;
-constexpr Certificate kTrajectories = Certificate::braking_trajectories;
 
 TEST(BrokenProof, middle_coefficient) {
   TrajectoryRule broken;

@@ -10,8 +10,6 @@
 namespace avo::test {
 namespace {
 
-constexpr Certificate kTrajectories = Certificate::braking_trajectories;
-
 TEST(Constraints, of_a_pair_are_mirror_images_bit_for_bit) {
   for (const Motion motion : kMotions) {
     Random random(21);

@@ -14,8 +14,6 @@
 namespace avo::test {
 namespace {
 
-constexpr Certificate kTrajectories = Certificate::braking_trajectories;
-
 // A robot and a few neighbors, some of whom may be movers; now and then with sensing errors.
 struct Crowd {
   CertificateLaw law;

@@ -9,6 +9,7 @@
 
 namespace avo::test {
 
+inline constexpr Certificate kTrajectories = Certificate::braking_trajectories;
 inline constexpr Motion kMotions[] = {Motion::held, Motion::exponential};
 
 /// All that one robot has to keep to beside one other.

@@ -15,6 +15,9 @@
 namespace avo {
 namespace {
 
+using test::room_of;
+using test::turned;
+
 CornerGraph lattice_graph(const std::vector<Wall>& walls, double radius) {
   return corner_graph(walls, radius, Joining::lattice);
 }
@@ -22,18 +25,6 @@ CornerGraph lattice_graph(const std::vector<Wall>& walls, double radius) {
 Leg leg_from(const CornerGraph& graph, const PathMap& map, Vec2 p) {
   LegScratch scratch;
   return next_leg(graph, map, p, graph.radius, PathMap::kNothing, false, scratch);
-}
-
-double room_of(const std::vector<Wall>& walls, Vec2 p, Vec2 q) {
-  double least = 1e9;
-  for (const Wall& wall : walls)
-    least = std::min(least, distance({p, q}, {wall.a, wall.b}) - wall.radius);
-  return least;
-}
-
-Vec2 turned(Vec2 p, double angle) {
-  return {std::cos(angle) * p.x - std::sin(angle) * p.y,
-          std::sin(angle) * p.x + std::cos(angle) * p.y};
 }
 
 std::vector<Wall> any_walls(std::uint64_t seed) {

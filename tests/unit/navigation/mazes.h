@@ -2,13 +2,28 @@
 // Worlds to find ways in.
 #pragma once
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <vector>
 
 #include "avo/wall.h"
 #include "support/generators.h"
+#include "walls/segment.h"
 
 namespace avo::test {
+
+/// m, that a disc has from `p` to `q` between walls.
+inline double room_of(const std::vector<Wall>& walls, Vec2 p, Vec2 q) {
+  double least = 1e9;
+  for (const Wall& wall : walls)
+    least = std::min(least, distance({p, q}, {wall.a, wall.b}) - wall.radius);
+  return least;
+}
+
+inline Vec2 turned(Vec2 p, double angle) {
+  return {std::cos(angle) * p.x - std::sin(angle) * p.y,
+          std::sin(angle) * p.x + std::cos(angle) * p.y};
+}
 
 /// Walls of `count` random pieces in a square, some of them joined, some thick.
 inline std::vector<Wall> random_walls(int count, double extent, std::uint64_t seed) {

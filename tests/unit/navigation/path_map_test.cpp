@@ -13,6 +13,9 @@
 namespace avo {
 namespace {
 
+using test::room_of;
+using test::turned;
+
 constexpr double kRadius = 0.5;
 
 // Of every map, with all pairs of corners joined, with those that are near, and with a lattice.
@@ -34,13 +37,6 @@ Leg leg_from(const CornerGraph& graph, const PathMap& map, Vec2 p, std::uint32_t
              bool looks_around) {
   LegScratch scratch;
   return next_leg(graph, map, p, graph.radius, target, looks_around, scratch);
-}
-
-double room_of(const std::vector<Wall>& walls, Vec2 p, Vec2 q) {
-  double least = 1e9;
-  for (const Wall& wall : walls)
-    least = std::min(least, distance({p, q}, {wall.a, wall.b}) - wall.radius);
-  return least;
 }
 
 /// The shortest way by all pairs of points on circles around all ends: no shorter than the
@@ -154,11 +150,6 @@ TEST_P(Ways, LeadThroughNarrowDoors) {
   const CornerGraph graph = graph_of(test::two_rooms(2.0 * kRadius - 1e-3), kRadius);
   const PathMap map = path_map(graph, {17, 8});
   EXPECT_EQ(leg_from(graph, map, {3, 3}, PathMap::kNothing, false).target, PathMap::kNothing);
-}
-
-Vec2 turned(Vec2 p, double angle) {
-  return {std::cos(angle) * p.x - std::sin(angle) * p.y,
-          std::sin(angle) * p.x + std::cos(angle) * p.y};
 }
 
 // A corridor that turns left, so narrow that a robot touches walls on both sides where it turns.

@@ -16,7 +16,7 @@
 namespace avo {
 namespace {
 
-constexpr double kRadius = 0.4;
+constexpr double kRobotRadius = 0.4;
 
 std::vector<Wall> some_walls(std::uint64_t seed) {
   return seed % 2 == 0 ? test::maze(8, 2.5, seed) : test::random_walls(90, 20.0, seed);
@@ -50,9 +50,9 @@ class Walk {
     std::uint32_t target = PathMap::kNothing;
     for (int step = 0; step < steps; ++step) {
       const bool looks = step % 3 == 0;
-      const Leg leg = next_leg(graph_, whole_, p_, kRadius, target, looks, scratch_);
+      const Leg leg = next_leg(graph_, whole_, p_, kRobotRadius, target, looks, scratch_);
       const std::shared_ptr<const PathMap> before = known_;
-      expect_same(next_leg(graph_, known_, p_, kRadius, target, looks, scratch_), leg);
+      expect_same(next_leg(graph_, known_, p_, kRobotRadius, target, looks, scratch_), leg);
       if (testing::Test::HasFatalFailure()) return;
       searches_ += known_ != before ? 1 : 0;
       legs_ += leg.target < PathMap::kNothing ? 1 : 0;
@@ -61,7 +61,7 @@ class Walk {
       if (target == PathMap::kNothing || !(left > (leg.is_last() ? 0.3 : 0.0))) return;
       const Vec2 along = std::min(0.3, left) / left * (leg.aim - p_);
       const Vec2 pushed = p_ + along + random.uniform(0.0, push) * random.direction();
-      if (graph_.grid.has_room(pushed, kRadius)) p_ = pushed;
+      if (graph_.grid.has_room(pushed, kRobotRadius)) p_ = pushed;
     }
   }
   [[nodiscard]] int searches() const { return searches_; }
@@ -83,7 +83,7 @@ TEST(PathSearch, leads_as_the_whole_map_does) {
     SCOPED_TRACE(seed);
     test::Random random(seed);
     const CornerGraph graph =
-        corner_graph(some_walls(seed), kRadius, seed % 3 == 0 ? Joining::near : Joining::all);
+        corner_graph(some_walls(seed), kRobotRadius, seed % 3 == 0 ? Joining::near : Joining::all);
     for (int k = 0; k < 15; ++k) {
       SCOPED_TRACE(k);
       const Vec2 goal = free_place(graph, random), from = free_place(graph, random);
@@ -101,7 +101,8 @@ TEST(PathSearch, leads_as_the_whole_map_does) {
 // and no more of others, where it is pushed aside.
 TEST(PathSearch, is_done_once_for_a_long_way) {
   for (const Joining joining : {Joining::all, Joining::near}) {
-    const CornerGraph graph = corner_graph(test::random_walls(900, 110.0, 3), kRadius, joining);
+    const CornerGraph graph =
+        corner_graph(test::random_walls(900, 110.0, 3), kRobotRadius, joining);
     test::Random random(5);
     std::uint32_t searches = 0;
     int legs = 0;
@@ -110,7 +111,7 @@ TEST(PathSearch, is_done_once_for_a_long_way) {
       const auto place = [&](double x) {
         while (true) {
           const Vec2 p{x, random.uniform(0.0, 110.0)};
-          if (graph.grid.has_room(p, kRadius)) return p;
+          if (graph.grid.has_room(p, kRobotRadius)) return p;
         }
       };
       const bool is_pushed = k % 3 > 0;
@@ -133,18 +134,18 @@ TEST(PathSearch, is_of_use_after_an_edit_beside_the_way) {
     test::Random random(seed);
     const Joining joining = seed % 2 == 0 ? Joining::near : Joining::all;
     const std::vector<Wall> walls = test::random_walls(90, 20.0, seed);
-    const CornerGraph before = corner_graph(walls, kRadius, joining);
+    const CornerGraph before = corner_graph(walls, kRobotRadius, joining);
     const Vec2 from = free_place(before, random), goal = free_place(before, random);
     LegScratch scratch;
     auto map = std::make_shared<const PathMap>(goal_of(before, goal));
-    const Leg leg = next_leg(before, map, from, kRadius, PathMap::kNothing, false, scratch);
+    const Leg leg = next_leg(before, map, from, kRobotRadius, PathMap::kNothing, false, scratch);
     for (int edit = 0; edit < 40 && leg.target < PathMap::kNothing; ++edit) {
       std::vector<Wall> edited = walls;
       if (edit % 3 != 1) edited.erase(edited.begin() + random.below(90));
       const Vec2 place{random.uniform(0.0, 20.0), random.uniform(0.0, 20.0)};
       if (edit % 3 != 0) edited.push_back({place, place + 0.4 * random.direction()});
       std::optional<CarriedGraph> carried;
-      const CornerGraph now = corner_graph(edited, kRadius, before, carried, joining);
+      const CornerGraph now = corner_graph(edited, kRobotRadius, before, carried, joining);
       if (!carried) continue;
       const std::vector<Zone> changed = zones_for(*carried, now, *map, leg.length);
       if (may_meet(changed, from, goal, leg.length * (1.0 + kWayRounding))) continue;
@@ -178,7 +179,7 @@ TEST(PathSearch, tells_of_the_way_from_any_corner_what_the_whole_map_tells) {
   for (std::uint64_t seed = 1; seed <= 12; ++seed) {
     SCOPED_TRACE(seed);
     test::Random random(seed);
-    const CornerGraph graph = corner_graph(some_walls(seed), kRadius);
+    const CornerGraph graph = corner_graph(some_walls(seed), kRobotRadius);
     const PathMap goal = goal_of(graph, free_place(graph, random));
     const PathMap whole = path_map(graph, goal.goal);
     PathScratch scratch;
@@ -196,7 +197,7 @@ TEST(PathSearch, tells_of_the_way_from_any_corner_what_the_whole_map_tells) {
 
 TEST(PathSearch, settles_few_corners_of_a_large_map) {
   const std::vector<Wall> walls = test::random_walls(2500, 180.0, 3);
-  const CornerGraph graph = corner_graph(walls, kRadius);
+  const CornerGraph graph = corner_graph(walls, kRobotRadius);
   test::Random random(5);
   PathScratch scratch;
   std::size_t in_view = 0;
@@ -204,7 +205,7 @@ TEST(PathSearch, settles_few_corners_of_a_large_map) {
     const auto place = [&] {
       while (true) {
         const Vec2 p{random.uniform(0.0, 180.0), random.uniform(0.0, 180.0)};
-        if (graph.grid.has_room(p, kRadius)) return p;
+        if (graph.grid.has_room(p, kRobotRadius)) return p;
       }
     };
     const PathMap goal = goal_of(graph, place());
@@ -212,7 +213,7 @@ TEST(PathSearch, settles_few_corners_of_a_large_map) {
     PathSearch search(graph, goal, from, scratch);
     double best = std::numeric_limits<double>::infinity();
     search.settle(best, [&](std::uint32_t corner, double sum) {
-      if (graph.grid.is_clear(from, graph.points[corner], kRadius)) best = std::min(best, sum);
+      if (graph.grid.is_clear(from, graph.points[corner], kRobotRadius)) best = std::min(best, sum);
       return best;
     });
     EXPECT_LT(best, 400.0);
@@ -225,15 +226,16 @@ TEST(PathSearch, settles_few_corners_of_a_large_map) {
 // A line across the only way that is short.
 TEST(PathSearch, keeps_off_lines_that_are_closed) {
   const std::vector<Wall> walls{{{0, -10}, {0, -1}}, {{0, 1}, {0, 10}}};
-  const CornerGraph graph = corner_graph(walls, kRadius);
+  const CornerGraph graph = corner_graph(walls, kRobotRadius);
   PathMap goal = goal_of(graph, {5, 0});
   LegScratch scratch;
   auto open = std::make_shared<const PathMap>(goal);
-  EXPECT_LT(next_leg(graph, open, {-5, 0.5}, kRadius, PathMap::kNothing, false, scratch).length,
-            11);
+  EXPECT_LT(
+      next_leg(graph, open, {-5, 0.5}, kRobotRadius, PathMap::kNothing, false, scratch).length, 11);
   goal.closed = {{{0, -1}, {0, 1}}};
   auto closed = std::make_shared<const PathMap>(goal);
-  const Leg leg = next_leg(graph, closed, {-5, 0.5}, kRadius, PathMap::kNothing, false, scratch);
+  const Leg leg =
+      next_leg(graph, closed, {-5, 0.5}, kRobotRadius, PathMap::kNothing, false, scratch);
   EXPECT_GT(leg.length, 20);
   EXPECT_EQ(closed->closed.size(), 1u);
 }

@@ -2,6 +2,7 @@
 // One robot in a crowd: situations for plan(), dense and degenerate ones on purpose.
 #pragma once
 #include <algorithm>
+#include <limits>
 #include <ostream>
 #include <vector>
 
@@ -9,6 +10,9 @@
 #include "support/generators.h"
 
 namespace avo::test {
+
+inline constexpr double kInfinity = std::numeric_limits<double>::infinity();
+inline constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
 /// The paper's method with its constants: δ 4 s, τ 10 s.
 inline PlannerOptions paper_options() {

@@ -6,7 +6,6 @@
 #include <cstdint>
 #include <functional>
 #include <gtest/gtest.h>
-#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -17,10 +16,9 @@ namespace avo {
 namespace {
 
 using test::as_neighbor;
+using test::kInfinity;
+using test::kNaN;
 using test::paper_robot;
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
 bool finite(const Plan& plan) {
   return is_finite(plan.new_velocity) && is_finite(plan.next_velocity) &&

@@ -2,7 +2,6 @@
 // Which options of a planner are refused, and how that is said.
 #include <cmath>
 #include <gtest/gtest.h>
-#include <limits>
 #include <string>
 
 #include "avo/error.h"
@@ -11,8 +10,8 @@
 namespace avo {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+using test::kInfinity;
+using test::kNaN;
 
 void expect_refused(const PlannerOptions& options, const std::string& field) {
   try {

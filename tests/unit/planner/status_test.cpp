@@ -2,7 +2,6 @@
 // How a decision was made: every status, bad options (paper §IV-D and beyond).
 #include <cmath>
 #include <gtest/gtest.h>
-#include <limits>
 #include <string>
 #include <vector>
 
@@ -13,10 +12,9 @@ namespace avo {
 namespace {
 
 using test::as_neighbor;
+using test::kInfinity;
+using test::kNaN;
 using test::paper_robot;
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
 Plan decide(const PlannerOptions& options, const Robot& robot,
             const std::vector<Neighbor>& neighbors) {

@@ -10,10 +10,12 @@
 #include "avo/simulation.h"
 #include "robots/model.h"
 #include "support/generators.h"
+#include "support/wheels.h"
 
 namespace avo {
 namespace {
 
+using test::angle_between;
 using test::Random;
 
 struct CarState {
@@ -69,10 +71,6 @@ Drive random_drive(Random& random, double least_speed) {
     drive.plan.acceleration = (drive.plan.new_velocity - drive.state.velocity) / 4.0;
   } while (norm(drive.plan.acceleration) > 1.0);
   return drive;
-}
-
-double angle_between(double a, double b) {
-  return std::abs(std::remainder(a - b, 2.0 * std::numbers::pi));
 }
 
 TEST(Car, drives_the_arc_of_Eq_24_with_the_controls_of_Eq_25) {

@@ -14,6 +14,7 @@
 namespace avo {
 namespace {
 
+using test::angle_between;
 using test::AxleState;
 using test::Random;
 using test::WheelUse;
@@ -26,10 +27,6 @@ struct Drawn {
 
 Vec2 at_angle(double length, double angle) {
   return {length * std::cos(angle), length * std::sin(angle)};
-}
-
-double angle_between(double a, double b) {
-  return std::abs(std::remainder(a - b, 2.0 * std::numbers::pi));
 }
 
 // Any drive in any state of S, every third on its boundary.

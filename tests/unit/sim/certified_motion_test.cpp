@@ -9,16 +9,12 @@
 #include "avo/error.h"
 #include "avo/metrics.h"
 #include "avo/simulation.h"
+#include "unit/sim/scenes.h"
 
 namespace avo {
 namespace {
 
-RobotSetup robot_at(Vec2 position, Vec2 goal) {
-  RobotSetup robot;
-  robot.position = position;
-  robot.goal = goal;
-  return robot;
-}
+using test::robot_at;
 
 // Contacts with an obstacle during which a robot moved, by the independent judge, and decisions of
 // robots in motion that something is broken.

@@ -33,7 +33,7 @@ struct Trip {
   RobotSetup robot;
 };
 
-struct Outcome {
+struct Arrived {
   double error;         // m, at the end
   double beyond;        // m, how far past the goal along the way, at most
   double restlessness;  // m and m/s, largest change of the state in the last fifth
@@ -43,14 +43,14 @@ struct Outcome {
   double arrival;       // s, first time within half a meter
 };
 
-Outcome travel(const Trip& trip, double time) {
+Arrived travel(const Trip& trip, double time) {
   const Scenario scene = trip.settings.scene(trip.robot);
   Simulation simulation(scene, 1);
   const Vec2 goal = trip.robot.goal;
   const Vec2 way = goal - trip.robot.position;
   const Vec2 along = way / norm(way);
   const int steps = static_cast<int>(time / scene.time_step);
-  Outcome outcome{0, 0, 0, 0, 0, 0, -1};
+  Arrived outcome{0, 0, 0, 0, 0, 0, -1};
   Vec2 p = trip.robot.position, v = trip.robot.velocity;
   for (int k = 0; k < steps; ++k) {
     simulation.step();
@@ -74,7 +74,7 @@ Outcome travel(const Trip& trip, double time) {
   return outcome;
 }
 
-void expect_rest_on_the_goal(const Trip& trip, const Outcome& outcome, double most_beyond) {
+void expect_rest_on_the_goal(const Trip& trip, const Arrived& outcome, double most_beyond) {
   EXPECT_LT(outcome.error, 1e-6);
   EXPECT_LT(outcome.speed, 1e-6);
   EXPECT_LT(outcome.restlessness, 1e-12);
@@ -113,7 +113,7 @@ TEST(Goals, from_rest_the_goal_is_reached_without_overshoot) {
       }
       const double time = 40.0 + 3.0 * distance / trip.robot.preferred_speed +
                           10.0 * settings.delta + 4.0 / trip.robot.max_acceleration;
-      const Outcome outcome = travel(trip, time);
+      const Arrived outcome = travel(trip, time);
       expect_rest_on_the_goal(trip, outcome, 1e-9);
     }
   });
@@ -164,7 +164,7 @@ TEST(Goals, on_the_goal_at_rest_nothing_moves) {
 TEST(Goals, the_way_takes_little_longer_than_it_must) {
   for_all_settings([&](const Settings& settings) {
     const Trip trip{settings, test::robot_at({0, 0}, {20, 0})};
-    const Outcome outcome = travel(trip, 120.0);
+    const Arrived outcome = travel(trip, 120.0);
     EXPECT_GT(outcome.arrival, 10.0);
     const double lags = settings.method == Method::avo ? 0.0 : 1.5 * settings.delta;
     EXPECT_LT(outcome.arrival, 12.5 + lags) << settings.delta;

@@ -245,7 +245,7 @@ Scenario crush(int robots, const SensingModel& sensing, std::uint64_t seed) {
   return scene;
 }
 
-CheckReport judged(const Scenario& scene, double duration) {
+CheckReport judged_among_walls(const Scenario& scene, double duration) {
   std::vector<CheckedRobot> robots;
   for (const RobotSetup& setup : scene.robots) {
     robots.push_back(checked_robot(setup));
@@ -273,7 +273,7 @@ TEST(LateClocks, in_a_crush_nobody_touches_anybody) {
              seed % 2 == 0 ? 0.01 : 0.0, seed % 2 == 0 ? 0.03 : 0.0);
     const Scenario scene = crush(14, model, seed);
     ASSERT_TRUE(broken_assumptions(scene).none());
-    const CheckReport report = judged(scene, 25.0);
+    const CheckReport report = judged_among_walls(scene, 25.0);
     EXPECT_TRUE(report.safe()) << seed << ": " << report.overlaps.count << " overlaps, "
                                << report.changes.count << " changes";
     steps += report.robot_steps;
@@ -287,7 +287,7 @@ TEST(LateClocks, what_is_not_declared_makes_contact) {
   for (std::uint64_t seed = 1; seed <= 4; ++seed) {
     Scenario scene = crush(14, late(3, 0.0), seed);
     scene.sensing_error = SensingError{};
-    overlaps += judged(scene, 15.0).overlaps.count;
+    overlaps += judged_among_walls(scene, 15.0).overlaps.count;
   }
   EXPECT_GT(overlaps, 0);
 }
