@@ -19,9 +19,9 @@ namespace {
 using test::Random;
 using test::robot_at;
 
-constexpr double kStep = 0.1;  // s
+constexpr double kTimeStep = 0.1;  // s
 
-Neighbor walker(double likely_deviation) {
+Neighbor passer_by(double likely_deviation) {
   return {.position = {-6, 0.3},
           .velocity = {1, 0},
           .radius = 0.4,
@@ -40,23 +40,23 @@ Passed pass_by(Vec2 from, double speed, double likely_deviation) {
   const Planner planner(default_options(Method::avo));
   PlanWorkspace workspace;
   Robot robot{.radius = 0.4};
-  Neighbor other = walker(likely_deviation);
+  Neighbor other = passer_by(likely_deviation);
   other.position = from, other.velocity = {speed, 0};
   Passed result;
   for (int k = 0; k < 120; ++k) {
     robot.preferred_velocity = -0.5 * robot.position;
     const Plan plan = planner.plan(robot, std::vector{other}, workspace);
-    if (plan.evading) result.evades_at = std::min(result.evades_at, kStep * k);
+    if (plan.evading) result.evades_at = std::min(result.evades_at, kTimeStep * k);
     for (int part = 1; part <= 8; ++part) {
-      const double t = kStep * part / 8.0;
+      const double t = kTimeStep * part / 8.0;
       const Vec2 place = robot.position + t * robot.velocity + 0.5 * t * t * plan.acceleration;
       result.clearance =
           std::min(result.clearance, norm(place - other.position - t * other.velocity) - 0.8);
     }
     robot.position =
-        robot.position + kStep * robot.velocity + 0.5 * kStep * kStep * plan.acceleration;
-    robot.velocity = robot.velocity + kStep * plan.acceleration;
-    other.position = other.position + kStep * other.velocity;
+        robot.position + kTimeStep * robot.velocity + 0.5 * kTimeStep * kTimeStep * plan.acceleration;
+    robot.velocity = robot.velocity + kTimeStep * plan.acceleration;
+    other.position = other.position + kTimeStep * other.velocity;
     result.leaves = std::max(result.leaves, norm(robot.position));
   }
   return result;
@@ -83,7 +83,7 @@ TEST(LikelyDeviation, has_to_be_a_number_that_is_not_negative) {
   const Planner planner(default_options(Method::avo));
   PlanWorkspace workspace;
   for (const double bad : {-0.1, std::nan(""), std::numeric_limits<double>::infinity()}) {
-    const Plan plan = planner.plan(Robot{}, std::vector{walker(bad)}, workspace);
+    const Plan plan = planner.plan(Robot{}, std::vector{passer_by(bad)}, workspace);
     EXPECT_EQ(plan.status, PlanStatus::invalid_input) << bad;
   }
 }
