@@ -70,8 +70,9 @@ class Poison {
   void spoil(ProgramRow<1>& row) const { each(row.n_x, row.n_y, row.offset, row.relative); }
   void spoil(LoiterCircle& circle) const { each(circle.center, circle.radius); }
   void spoil(MoverMotion& motion) const {
-    auto& [acceleration, max_deviation, max_speed, trajectory, trajectory_time] = motion;
-    each(acceleration, max_deviation, max_speed, trajectory_time);
+    auto& [acceleration, max_deviation, max_speed, likely_deviation, trajectory, trajectory_time] =
+        motion;
+    each(acceleration, max_deviation, max_speed, likely_deviation, trajectory_time);
     trajectory = nullptr;
   }
   void spoil(TrajectorySteps& steps) const { each(steps.x, steps.y, steps.bend); }
