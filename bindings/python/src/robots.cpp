@@ -162,6 +162,8 @@ void bind_neighbor(py::module_& module) {
       .def_readwrite("position_error", &Neighbor::position_error,
                      "m, >= 0: of its position, besides the declared sensing error")
       .def_readwrite("acceleration", &Neighbor::acceleration, "(x, y), m/s^2, where it moves on")
+      .def_readwrite("likely_deviation", &Neighbor::likely_deviation,
+                     "m/s^2, >= 0: of its acceleration, where it does not decide; ways out reckon with it")
       .def_readwrite("max_speed", &Neighbor::max_speed,
                      "m/s, > 0, where it does not decide: that it never exceeds; None: unknown")
       .def_readwrite(
