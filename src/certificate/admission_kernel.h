@@ -4,7 +4,6 @@
 #ifndef AVO_CERTIFICATE_ADMISSION_KERNEL_H
 #define AVO_CERTIFICATE_ADMISSION_KERNEL_H
 
-#include <algorithm>
 #include <cstddef>
 #include <limits>
 
@@ -53,14 +52,13 @@ AVO_KERNEL PackCoefficients<Real> coefficients(const ConstraintColumns& constrai
           select(later, result.end, result.end - Real(path.bend))};
 }
 
-/// Whether the path keeps all constraints, which are judged by it as far as they are asked for.
+/// Whether the path keeps all constraints, which are judged by it.
 template <typename Real>
 bool keeps(const Braking& own, const CandidatePath& path, const StepLaw& law, bool has_cones,
-           Asked asked_for, ConstraintColumns& constraints) {
+           ConstraintColumns& constraints) {
   const Real zero(0.0), infinity(std::numeric_limits<double>::infinity());
   bool kept = true;
-  std::size_t k = 0;
-  for (; k < constraints.count && (kept || asked_for == Asked::all); k += Real::kLanes) {
+  for (std::size_t k = 0; k < constraints.count; k += Real::kLanes) {
     const PackCoefficients<Real> left =
         coefficients<Real>(constraints, k, own, path, law, has_cones);
     const auto asked = Real::load(&constraints.needs[k]) < Real(static_cast<double>(path.moving));
@@ -71,7 +69,7 @@ bool keeps(const Braking& own, const CandidatePath& path, const StepLaw& law, bo
     select(asked, min(min(left.start, left.middle), left.end), infinity)
         .store(&constraints.coefficient[k]);
   }
-  constraints.judged = std::min(k, constraints.count);
+  constraints.judged = constraints.count;
   return kept;
 }
 

@@ -33,7 +33,6 @@ struct Proposals {
   Disc acceleration;  // of v_1
   double top_speed;   // m/s
   Vec2 wanted;
-  Follows follows;  // what is wanted
   CertifiedWorkspace& workspace;
 
   // with what the robot's own motion can follow alone
@@ -66,15 +65,11 @@ bool is_within_limits(const Proposals& proposals) {
 Vec2 followed(const Proposals& proposals, Vec2 next_velocity) {
   const Robot& robot = proposals.robot;
   if (is_holonomic(robot.model) || !has_limits_within_steps(robot.model)) return next_velocity;
-  if (proposals.follows == Follows::surely && next_velocity == proposals.wanted)
-    return next_velocity;
   return within_own_limits(robot, proposals.law.step.braking_time, next_velocity);
 }
 
-bool is_admitted(const Proposals& proposals, Vec2 next_velocity,
-                 Asked asked_for = Asked::until_refused) {
-  return admits(proposals.robot, next_velocity, proposals.law, proposals.workspace.constraints,
-                asked_for);
+bool is_admitted(const Proposals& proposals, Vec2 next_velocity) {
+  return admits(proposals.robot, next_velocity, proposals.law, proposals.workspace.constraints);
 }
 
 void move_in(HalfPlane& cut, const CandidatePath& refused, double u) {
@@ -141,12 +136,11 @@ CertifiedChoice choose_by_cuts(const Proposals& proposals) {
     // it gives way in all half-planes, those of the robot's own motion too
     if (result.state == ProgramState::least_unsafe && has_own_planes) break;
     const Vec2 candidate = followed(proposals, result.point);
-    const bool is_last = result.state == ProgramState::least_unsafe || round + 1 == kRounds;
-    if (is_admitted(proposals, candidate, is_last ? Asked::until_refused : Asked::all)) {
+    if (is_admitted(proposals, candidate)) {
       const bool wanted = round == 0 && candidate == result.point;
       return {candidate, wanted ? Chosen::wanted : Chosen::candidate};
     }
-    if (is_last) break;
+    if (result.state == ProgramState::least_unsafe) break;
     append_cuts(proposals);
   }
   const Vec2 backup = backup_velocity(proposals.robot, proposals.law);
@@ -188,7 +182,7 @@ CertifiedChoice choose_by_half_planes(const Proposals& proposals) {
       const ProgramResult result = propose(proposals, top_speed);
       if (result.state != ProgramState::optimal) break;
       const Vec2 candidate = followed(proposals, result.point);
-      if (is_admitted(proposals, candidate, Asked::all)) {
+      if (is_admitted(proposals, candidate)) {
         return {candidate, candidate == proposals.wanted ? Chosen::wanted : Chosen::candidate};
       }
       const std::size_t before = workspace.hard.size();
@@ -199,7 +193,7 @@ CertifiedChoice choose_by_half_planes(const Proposals& proposals) {
   return {backup_velocity(robot, law), Chosen::backup};
 }
 
-Proposals proposals_of(const Robot& robot, Vec2 wanted, const CertificateLaw& law, Follows follows,
+Proposals proposals_of(const Robot& robot, Vec2 wanted, const CertificateLaw& law,
                        CertifiedWorkspace& workspace) {
   const double u = increment(robot.max_acceleration, law.step);
   return {robot,
@@ -207,7 +201,6 @@ Proposals proposals_of(const Robot& robot, Vec2 wanted, const CertificateLaw& la
           {robot.velocity, is_holonomic(robot.model) ? u : reach_of(robot.model) * u},
           is_holonomic(robot.model) ? robot.max_speed : top_speed_of(robot, u),
           wanted,
-          follows,
           workspace};
 }
 
@@ -215,7 +208,7 @@ Proposals proposals_of(const Robot& robot, Vec2 wanted, const CertificateLaw& la
 
 bool may_choose(const Robot& robot, Vec2 next_velocity, const CertificateLaw& law,
                 CertifiedWorkspace& workspace) {
-  const Proposals proposals = proposals_of(robot, next_velocity, law, Follows::perhaps, workspace);
+  const Proposals proposals = proposals_of(robot, next_velocity, law, workspace);
   proposals.begin();
   if (!is_within_limits(proposals)) return false;
   return law.kind == Certificate::none ||
@@ -223,8 +216,8 @@ bool may_choose(const Robot& robot, Vec2 next_velocity, const CertificateLaw& la
 }
 
 CertifiedChoice choose_certified(const Robot& robot, Vec2 wanted, const CertificateLaw& law,
-                                 CertifiedWorkspace& workspace, Follows follows) {
-  const Proposals proposals = proposals_of(robot, wanted, law, follows, workspace);
+                                 CertifiedWorkspace& workspace) {
+  const Proposals proposals = proposals_of(robot, wanted, law, workspace);
   return law.kind == Certificate::stopping_capsules ? choose_by_half_planes(proposals)
                                                     : choose_by_cuts(proposals);
 }

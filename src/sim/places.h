@@ -2,7 +2,6 @@
 // Where a robot comes to rest whose goal others stand on (docs/arrival.md, rule 4): by what it sees
 // of them.
 #pragma once
-#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -30,9 +29,8 @@ struct Resting {
 /// What a seeker sees of others: add() them.
 struct Occupied {
   std::vector<Resting> resting;
-  mutable std::vector<std::uint32_t> worth;  // scratch memory of place_near()
-  bool is_near = false;                      // one of them is near the seeker
-  bool comes_out = false;                    // one beside the seeker comes from the goal
+  bool is_near = false;     // one of them is near the seeker
+  bool comes_out = false;   // one beside the seeker comes from the goal
   bool has_movers = false;  // some do not decide, so that the seeker may have to evade them
 
   void clear() { resting.clear(), is_near = comes_out = has_movers = false; }
@@ -46,7 +44,7 @@ struct Occupied {
 Vec2 place_near(const Seeker& seeker, const Occupied& occupied, std::span<const Wall> walls);
 
 /// Whether those at rest lead from the seeker to its goal, and one stands there: it gets through
-/// between none of them and the next. Puts those first that it has looked at.
+/// between none of them and the next. Puts these first.
 bool is_at_crowd(const Seeker& seeker, Occupied& occupied);
 
 /// Where the seeker heads for: stays: to where it is. Sets Detour::goal_taken: whoever comes out
