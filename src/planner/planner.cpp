@@ -38,6 +38,7 @@ void PlanWorkspace::Scratch::reserve_choice(std::size_t neighbors, std::size_t b
   evasion.deciding.reserve(neighbors);
   evasion.certified.constraints.seen.reserve(neighbors);
   evasion.certified.constraints.alone.reserve(1);
+  obstacles.reserve(neighbors);
   listed.reserve(neighbors);
 }
 
