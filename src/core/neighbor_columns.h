@@ -17,9 +17,9 @@ inline constexpr std::size_t kSpareNeighbors = 16;
 
 /// What is known of the motion of one that does not decide.
 struct MoverMotion {
-  Vec2 acceleration;           // m/s²
-  double max_deviation = 0.0;  // m/s²
-  double max_speed = 0.0;      // m/s; of one that decides not kept
+  Vec2 acceleration;              // m/s²
+  double max_deviation = 0.0;     // m/s²
+  double max_speed = 0.0;         // m/s; of one that decides not kept
   double likely_deviation = 0.0;  // m/s²
   const Trajectory* trajectory = nullptr;
   double trajectory_time = 0.0;  // s

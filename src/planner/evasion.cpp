@@ -229,8 +229,7 @@ Way find_way_if_likely(Evading& evading, Vec2 wanted, Taken& found) {
   return way;
 }
 
-Way find_way_in_order(Evading& evading, std::span<const Level> levels, Vec2 wanted,
-                      Taken& found) {
+Way find_way_in_order(Evading& evading, std::span<const Level> levels, Vec2 wanted, Taken& found) {
   for (const Level& level : levels) {
     const Way way = find_way(evading, level, wanted, found);
     if (way != Way::none) return way;
@@ -239,8 +238,7 @@ Way find_way_in_order(Evading& evading, std::span<const Level> levels, Vec2 want
 }
 
 // Nearly always the first level has one; and where the weakest has none, hardly any other one has.
-Way find_way_by_levels(Evading& evading, std::span<const Level> levels, Vec2 wanted,
-                       Taken& found) {
+Way find_way_by_levels(Evading& evading, std::span<const Level> levels, Vec2 wanted, Taken& found) {
   const Way way = find_way(evading, levels.front(), wanted, found);
   if (way != Way::none || find_way(evading, levels.back(), wanted, found) == Way::none) return way;
   return find_way_in_order(evading, levels.subspan(1), wanted, found);
@@ -257,11 +255,11 @@ bool is_far_from_movers(Evading& evading, Vec2 next_velocity) {
 
 // Whether all are seen exactly, and surely keep their acceleration.
 bool are_exact(const Evading& evading) {
-  return std::all_of(
-      evading.sight.neighbors.begin(), evading.sight.neighbors.end(), [&](const Neighbor& n) {
-        return n.max_deviation == 0.0 && n.likely_deviation == 0.0 &&
-               error_against(n, evading.law.step) == SensingError{};
-      });
+  return std::all_of(evading.sight.neighbors.begin(), evading.sight.neighbors.end(),
+                     [&](const Neighbor& n) {
+                       return n.max_deviation == 0.0 && n.likely_deviation == 0.0 &&
+                              error_against(n, evading.law.step) == SensingError{};
+                     });
 }
 
 }  // namespace

@@ -301,6 +301,7 @@ int main() {
   check_scene("planes-12", {});
   check_scene("person", {});
   check_scene("person", {"never_swerves=true"});
+  check_scene("mixed-fleet", {});
   check_scene("circle-10", {"robots.3.behavior=cooperates"});
   check_evasion();
   check_scene("reversing-cars", {});

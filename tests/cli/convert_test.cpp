@@ -98,10 +98,9 @@ TEST(Convert, wrong_command_lines_take_one_line) {
   refused({"out.txt"},
           "the output out.txt: found the ending .txt without --to, must be with --to "
           "pedestrian-text or obsmat");
-  refused(
-      {"out.csv", "--to", "mcab"},
-      "--to: found mcab, must be one of csv, sqlite, pedestrian-hdf5, mcap, pedestrian-text, "
-      "obsmat; did you mean mcap?");
+  refused({"out.csv", "--to", "mcab"},
+          "--to: found mcab, must be one of csv, sqlite, pedestrian-hdf5, mcap, pedestrian-text, "
+          "obsmat; did you mean mcap?");
   refused({"out.csv", "--to", "sqlite"},
           "the output out.csv: found the ending .csv, must be .sqlite or none");
   refused({"out.mcap"},

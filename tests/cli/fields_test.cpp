@@ -10,15 +10,16 @@
 #include <string>
 #include <type_traits>
 
-#include "avo/error.h"
 #include "avo_io/scene.h"
 #include "support/json.h"
+#include "support/refusal.h"
 #include "words.h"
 
 namespace avo_test {
 namespace {
 
 using avo::Scenario;
+using avo::test::refusal;
 
 Scenario valid_scenario() {
   Scenario scenario;
@@ -26,15 +27,6 @@ Scenario valid_scenario() {
   scenario.robots[0].model = avo::Car{};
   scenario.moving_obstacles.push_back({.position = {5, 5}, .velocity = {}, .acceleration = {}});
   return scenario;
-}
-
-std::string refusal(const Scenario& scenario) {
-  try {
-    avo::validate(scenario);
-  } catch (const avo::Error& error) {
-    return error.what();
-  }
-  return "";
 }
 
 double next(double value, double towards) {

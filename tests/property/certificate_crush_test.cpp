@@ -7,9 +7,8 @@
 #include <tuple>
 #include <vector>
 
-#include "avo/check.h"
 #include "avo/simulation.h"
-#include "support/generators.h"
+#include "property/crushes.h"
 
 namespace avo::test {
 namespace {
@@ -58,31 +57,6 @@ Scenario scene_of(const Crush& crush, Random& random) {
   scene.duration = 0.1 * crush.steps;
   scene.robots = unequal_robots(crush, random);
   return scene;
-}
-
-Check judge_of(const Scenario& scene) {
-  const PlannerOptions options = planner_options(scene);
-  const double h = options.time_step, ratio = h / options.control_time;
-  std::vector<CheckedRobot> robots;
-  for (const RobotSetup& setup : scene.robots) {
-    CheckedRobot robot{setup.radius, setup.max_acceleration, setup.max_speed};
-    // |x''''| <= a_max/δ², and a cubic through places and velocities errs by Δt⁴ |x''''|/384 at
-    // most
-    if (scene.motion == Motion::exponential) {
-      robot.interpolation_error = ratio * ratio * h * h * setup.max_acceleration / 384.0;
-    }
-    robots.push_back(robot);
-  }
-  return Check(std::move(robots));
-}
-
-void observe(const Simulation& simulation, Check& check) {
-  const FleetView fleet = simulation.fleet();
-  std::vector<CheckedState> rows;
-  for (std::size_t k = 0; k < fleet.id.size(); ++k) {
-    rows.push_back({static_cast<std::int64_t>(k), fleet.position[k], fleet.velocity[k]});
-  }
-  check.add(simulation.time(), rows);
 }
 
 class Crushed : public testing::TestWithParam<Crush> {};

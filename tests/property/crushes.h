@@ -23,10 +23,20 @@ inline Vec2 in_square(Random& random, double extent) {
   return extent * Vec2{x, random.uniform(-0.5, 0.5)};
 }
 
+// m. In exponential motion |x''''| <= a_max/δ², and a cubic through places and velocities errs by
+// Δt⁴ |x''''|/384 at most.
+inline double interpolation_error(const Scenario& scene, const RobotSetup& robot) {
+  if (scene.motion != Motion::exponential) return 0.0;
+  const PlannerOptions options = planner_options(scene);
+  const double h = options.time_step, ratio = h / options.control_time;
+  return ratio * ratio * h * h * robot.max_acceleration / 384.0;
+}
+
 inline Check judge_of(const Scenario& scene) {
   std::vector<CheckedRobot> robots;
   for (const RobotSetup& setup : scene.robots) {
     robots.push_back(checked_robot(setup));
+    robots.back().interpolation_error = interpolation_error(scene, setup);
     if (scene.clock == Clock::free && !setup.parked)
       robots.back().time_step = time_step_of(scene, setup);
   }

@@ -103,6 +103,20 @@ def test_movers_of_a_batch_move_on():
     assert plans[0].acceleration != avo.Planner().plan(robot, avo.Neighbors(**mover))[0].acceleration
 
 
+def test_the_likely_deviation_of_a_mover_counts_in_ways_out():
+    planner, robot = avo.Planner(), avo.Robots(position=[[0, 0]], velocity=[[2, 0]], preferred_velocity=[[2, 0]])
+    mover = dict(position=(3, 2.5), velocity=(0, -0.5))
+    plans = {likely: planner.plan(robot[0], [avo.Neighbor(**mover, behavior="moves_on", likely_deviation=likely)])
+             for likely in (0.0, 0.3, 0.6)}
+    assert len({plan.acceleration for plan in plans.values()}) == 3
+    column = {key: [value] for key, value in mover.items()}
+    for likely, plan in plans.items():
+        same(planner.plan(robot, avo.Neighbors(**column, offsets=[0, 1], moves_on=True, likely_deviation=likely)), 0, plan)
+    assert avo.Neighbor(**mover, likely_deviation=0.3).likely_deviation == 0.3
+    negative = avo.Neighbor(**mover, behavior="moves_on", likely_deviation=-1)
+    assert planner.plan(robot[0], [negative]).status == "invalid_input"
+
+
 def test_those_who_cooperate_do_their_share_and_promise_nothing():
     robot = avo.Robots(position=[[0, 0]], velocity=[[1.5, 0]], preferred_velocity=[[1.5, 0]])
     other = dict(position=[[4, 0.2]], velocity=[[-1.5, 0]], offsets=[0, 1])

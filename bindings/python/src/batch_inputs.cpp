@@ -217,7 +217,8 @@ void bind_neighbors(py::class_<Neighbors>& neighbors) {
            "reacts to nobody, cooperates: does its share and promises nothing; then max_deviation, "
            "m/s^2, max_speed, m/s, and acceleration: (m, "
            "2), m/s^2; age, steps since it was sensed; max_braking, m/s^2, None: "
-           "max_acceleration; position_error, m; likely_deviation, m/s^2. Those that sense airplanes plan one by one.")
+           "max_acceleration; position_error, m; likely_deviation, m/s^2. Those that sense "
+           "airplanes plan one by one.")
       .def_static("among", &among, arg("robots"), arg("sensing_radius"),
                   py::call_guard<py::gil_scoped_release>(),
                   "As Robots sense each other within sensing_radius, m, between centers.")

@@ -108,9 +108,10 @@ void bind_trajectory(py::module_& module) {
 // The trajectory lives as long as the neighbor. A copy is made of its attributes.
 py::tuple reduced(const py::object& neighbor) {
   py::dict fields;
-  for (const char* name : {"position", "velocity", "radius", "max_acceleration", "behavior", "age",
-                           "priority", "max_braking", "loiter", "max_deviation", "position_error",
-                           "acceleration", "max_speed", "likely_deviation", "parting", "trajectory", "trajectory_time"})
+  for (const char* name :
+       {"position", "velocity", "radius", "max_acceleration", "behavior", "age", "priority",
+        "max_braking", "loiter", "max_deviation", "position_error", "acceleration", "max_speed",
+        "likely_deviation", "parting", "trajectory", "trajectory_time"})
     fields[name] = neighbor.attr(name);
   const py::object make = py::module_::import("functools").attr("partial");
   return py::make_tuple(make(py::type::of<avo::Neighbor>(), **fields), py::tuple());
@@ -124,12 +125,14 @@ void bind_neighbor(py::module_& module) {
                        double max_acceleration, avo::Behavior behavior, int age, double priority,
                        std::optional<double> max_braking, std::optional<avo::LoiterCircle> loiter,
                        double max_deviation, double position_error, avo::Vec2 acceleration,
-                       double max_speed, double likely_deviation, avo::Vec2 parting, const avo::Trajectory* trajectory,
-                       double trajectory_time) {
-             return Neighbor{position,  velocity,      radius,         max_acceleration,
-                             behavior,  age,           priority,       max_braking,
-                             loiter,    max_deviation, position_error, acceleration,
-                             max_speed, likely_deviation, parting, trajectory, trajectory_time};
+                       double max_speed, double likely_deviation, avo::Vec2 parting,
+                       const avo::Trajectory* trajectory, double trajectory_time) {
+             return Neighbor{position,         velocity,         radius,
+                             max_acceleration, behavior,         age,
+                             priority,         max_braking,      loiter,
+                             max_deviation,    position_error,   acceleration,
+                             max_speed,        likely_deviation, parting,
+                             trajectory,       trajectory_time};
            }),
            py::keep_alive<1, 17>(), py::kw_only(), arg("position"),
            arg("velocity") = py::make_tuple(0.0, 0.0), arg("radius") = 0.5,
@@ -137,13 +140,14 @@ void bind_neighbor(py::module_& module) {
            arg("priority") = 1.0, arg("max_braking") = py::none(), arg("loiter") = py::none(),
            arg("max_deviation") = 0.0, arg("position_error") = 0.0,
            arg("acceleration") = py::make_tuple(0.0, 0.0), arg("max_speed") = kInfinity,
-           arg("likely_deviation") = 0.0, arg("parting") = py::make_tuple(0.0, 0.0), arg("trajectory") = py::none(),
-           arg("trajectory_time") = 0.0,
+           arg("likely_deviation") = 0.0, arg("parting") = py::make_tuple(0.0, 0.0),
+           arg("trajectory") = py::none(), arg("trajectory_time") = 0.0,
            "position: (x, y), m; velocity: m/s; radius: m, > 0; max_acceleration: m/s^2, > 0; "
            "behavior: \"decides\", \"moves_on\" or \"cooperates\"; age: steps since it was sensed; "
            "priority: > 0; "
            "max_braking: m/s^2; max_deviation: m/s^2, >= 0; position_error: m, >= 0; acceleration: "
-           "m/s^2, and max_speed: m/s, of one that moves on; likely_deviation: m/s^2, >= 0, that ways "
+           "m/s^2, and max_speed: m/s, of one that moves on; likely_deviation: m/s^2, >= 0, that "
+           "ways "
            "out reckon with; parting: see parting_direction(); "
            "trajectory: Trajectory of one that moves on, None: unknown; trajectory_time: s, now.")
       .def_readwrite("position", &Neighbor::position, "[p_B] (x, y), m")
@@ -162,8 +166,9 @@ void bind_neighbor(py::module_& module) {
       .def_readwrite("position_error", &Neighbor::position_error,
                      "m, >= 0: of its position, besides the declared sensing error")
       .def_readwrite("acceleration", &Neighbor::acceleration, "(x, y), m/s^2, where it moves on")
-      .def_readwrite("likely_deviation", &Neighbor::likely_deviation,
-                     "m/s^2, >= 0: of its acceleration, where it does not decide; ways out reckon with it")
+      .def_readwrite(
+          "likely_deviation", &Neighbor::likely_deviation,
+          "m/s^2, >= 0: of its acceleration, where it does not decide; ways out reckon with it")
       .def_readwrite("max_speed", &Neighbor::max_speed,
                      "m/s, > 0, where it does not decide: that it never exceeds; None: unknown")
       .def_readwrite(
@@ -196,9 +201,10 @@ void bind_detour(py::module_& module) {
       .def_readwrite("congestion", &Detour::congestion, "robots ahead, 0 to 2.8.")
       .def_readwrite("has_arrived", &Detour::has_arrived,
                      "whether it was within arrival_distance of its goal, beside others")
-      .def_readwrite("goal_taken", &Detour::goal_taken,
-                     "whether others are at rest on its goal: it comes to rest near them, and neither "
-                     "gives way nor makes a detour")
+      .def_readwrite(
+          "goal_taken", &Detour::goal_taken,
+          "whether others are at rest on its goal: it comes to rest near them, and neither "
+          "gives way nor makes a detour")
       .def_readwrite("acceleration_x", &Detour::acceleration_x, "m/s^2, of its last step.")
       .def_readwrite("acceleration_y", &Detour::acceleration_y, "m/s^2, likewise.");
 }

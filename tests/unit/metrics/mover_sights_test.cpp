@@ -6,18 +6,14 @@
 #include <optional>
 
 #include "runs.h"
+#include "unit/sim/mover_scenes.h"
 
 namespace avo {
 namespace {
 
+using test::mover;
 using test::Random;
 using test::robot_at;
-
-MovingObstacle mover(Vec2 position, Vec2 velocity, double radius) {
-  MovingObstacle result;
-  result.position = position, result.velocity = velocity, result.radius = radius;
-  return result;
-}
 
 // Movers whose straight ways pass near the robot's.
 Scenario among_movers(std::uint64_t seed) {

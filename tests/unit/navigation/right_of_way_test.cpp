@@ -8,20 +8,16 @@
 #include <optional>
 #include <vector>
 
-#include "support/generators.h"
+#include "mazes.h"
 
 namespace avo {
 namespace {
 
 using test::Random;
+using test::turned;
 
 constexpr double kSensed = 40.0;      // m
 constexpr double kMostBraking = 1.0;  // m/s²
-
-Vec2 turned(Vec2 p, double angle) {
-  const Vec2 x{std::cos(angle), std::sin(angle)};
-  return p.x * x + p.y * perpendicular(x);
-}
 
 /// A straight one of 10 m from mouth to mouth, 1.6 m wide, for robots of 0.5 m.
 Passage straight(double angle = 0.0) {

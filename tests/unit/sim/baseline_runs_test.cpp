@@ -42,7 +42,7 @@ struct Outcome {
   double rightmost = 0.0;  // m, of the first robot, in head_on()
 };
 
-Outcome run(const Scenario& scene, int steps) {
+Outcome outcome_of(const Scenario& scene, int steps) {
   Simulation simulation(scene, 1);
   Metrics metrics(scene);
   metrics.observe(simulation);
@@ -63,8 +63,8 @@ Outcome run(const Scenario& scene, int steps) {
 // The reason for RVO: each of two robots takes the other one's evasion for its velocity, and goes
 // back. Their paper, Figs. 2 and 4.
 TEST(BaselineRuns, velocity_obstacles_oscillate_and_reciprocal_ones_do_not) {
-  const Outcome vo = run(head_on(Method::velocity_obstacle), 250);
-  const Outcome rvo = run(head_on(Method::reciprocal_velocity_obstacle), 250);
+  const Outcome vo = outcome_of(head_on(Method::velocity_obstacle), 250);
+  const Outcome rvo = outcome_of(head_on(Method::reciprocal_velocity_obstacle), 250);
   EXPECT_GT(vo.turns, 20);
   EXPECT_LE(rvo.turns, 1);  // out, and back to its line
   EXPECT_EQ(rvo.summary.collision_pairs, 0);
@@ -77,7 +77,7 @@ TEST(BaselineRuns, clamped_to_its_acceleration_orca_collides) {
     Scenario scene = head_on(method);
     scene.time_horizon = 0.5;
     for (RobotSetup& robot : scene.robots) robot.max_acceleration = 0.5;
-    const Outcome result = run(scene, 400);
+    const Outcome result = outcome_of(scene, 400);
     EXPECT_EQ(result.summary.collision_pairs, method == Method::orca ? 0 : 1) << to_string(method);
     const bool keeps_limit = result.summary.max_acceleration <= 0.5 * (1.0 + 1e-9);
     EXPECT_EQ(keeps_limit, method == Method::orca_clamped) << to_string(method);
@@ -87,14 +87,14 @@ TEST(BaselineRuns, clamped_to_its_acceleration_orca_collides) {
 // Where it stops at once, its planned stops and its cells are those of the paper's robots, which
 // adopt velocities.
 TEST(BaselineRuns, buffered_voronoi_cells_keep_apart_who_can_stop_within_a_step) {
-  const Outcome result = run(circle(Method::buffered_voronoi, 24, 20.0), 900);
+  const Outcome result = outcome_of(circle(Method::buffered_voronoi, 24, 20.0), 900);
   EXPECT_EQ(result.summary.arrived, 24);
   EXPECT_GT(result.summary.min_clearance, -1e-6);
 }
 
 // Cells turn faster than 1 m/s² follows: nothing is promised, and little is missed.
 TEST(BaselineRuns, buffered_voronoi_cells_hardly_overlap_with_slow_brakes) {
-  const Outcome result = run(circle(Method::buffered_voronoi, 24, 1.0), 900);
+  const Outcome result = outcome_of(circle(Method::buffered_voronoi, 24, 1.0), 900);
   EXPECT_EQ(result.summary.arrived, 24);
   EXPECT_GT(result.summary.min_clearance, -0.05);
   EXPECT_LE(result.summary.max_acceleration, 1.0 + 1e-9);
@@ -102,7 +102,7 @@ TEST(BaselineRuns, buffered_voronoi_cells_hardly_overlap_with_slow_brakes) {
 
 // Without the rule for the right they would face each other for ever, each at the side of its cell.
 TEST(BaselineRuns, buffered_voronoi_cells_pass_on_the_right) {
-  const Outcome result = run(head_on(Method::buffered_voronoi), 600);
+  const Outcome result = outcome_of(head_on(Method::buffered_voronoi), 600);
   EXPECT_EQ(result.summary.arrived, 2);
   EXPECT_EQ(result.summary.collision_pairs, 0);
   EXPECT_GT(result.rightmost, 0.4);

@@ -11,12 +11,15 @@
 #include "avo/check.h"
 #include "avo/metrics.h"
 #include "avo/simulation.h"
+#include "property/crushes.h"
 #include "support/refusal.h"
 #include "unit/sim/scenes.h"
 
 namespace avo {
 namespace {
 
+using test::judge_of;
+using test::observe;
 using test::Random;
 using test::refusal;
 using test::robot_at;
@@ -33,25 +36,6 @@ RobotSetup parked_at(Vec2 place, double radius = 0.5) {
 RobotSetup in_layer(RobotSetup setup, std::uint32_t layers, std::uint32_t avoids) {
   setup.layers = {layers}, setup.avoids = {avoids};
   return setup;
-}
-
-Check judge_of(const Scenario& scene) {
-  std::vector<CheckedRobot> robots;
-  for (const RobotSetup& setup : scene.robots) {
-    CheckedRobot robot{setup.radius, setup.max_acceleration, setup.max_speed};
-    robot.parked = setup.parked;
-    robot.layers = setup.layers.bits, robot.avoids = setup.avoids.bits;
-    robots.push_back(robot);
-  }
-  return Check(robots);
-}
-
-void observe(const Simulation& simulation, Check& check) {
-  const FleetView fleet = simulation.fleet();
-  std::vector<CheckedState> rows;
-  for (std::size_t k = 0; k < fleet.id.size(); ++k)
-    rows.push_back({static_cast<std::int64_t>(k), fleet.position[k], fleet.velocity[k]});
-  check.add(simulation.time(), rows);
 }
 
 // The first robots are all sent to one place after the other, as near to the origin as `extent`.

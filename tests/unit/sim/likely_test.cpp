@@ -53,8 +53,8 @@ Passed pass_by(Vec2 from, double speed, double likely_deviation) {
       result.clearance =
           std::min(result.clearance, norm(place - other.position - t * other.velocity) - 0.8);
     }
-    robot.position =
-        robot.position + kTimeStep * robot.velocity + 0.5 * kTimeStep * kTimeStep * plan.acceleration;
+    robot.position = robot.position + kTimeStep * robot.velocity +
+                     0.5 * kTimeStep * kTimeStep * plan.acceleration;
     robot.velocity = robot.velocity + kTimeStep * plan.acceleration;
     other.position = other.position + kTimeStep * other.velocity;
     result.leaves = std::max(result.leaves, norm(robot.position));

@@ -332,7 +332,7 @@ typedef struct avo_neighbor {
   double position_error;     ///< m, >= 0, besides the declared sensing_error
   avo_vec2 acceleration;     ///< m/s^2, observed; read where it moves on
   double max_speed;  ///< m/s, > 0, of one that does not decide, with max_deviation; may be infinite
-  double likely_deviation;  ///< m/s^2, >= 0, of one that does not decide; only ways out reckon with it
+  double likely_deviation;  ///< m/s^2, >= 0, where it does not decide; only ways out reckon with it
   avo_behavior behavior;
   int32_t age;  ///< steps since it was sensed, 0 to 1 000 000
   /// Unit, or 0: of one that coincides in place and velocity, the direction in which to leave it;
