@@ -16,14 +16,6 @@ bool cross_each_other(const Segment& first, const Segment& second) {
 
 }  // namespace
 
-Vec2 nearest_on(const Segment& segment, Vec2 p) {
-  const Vec2 d = segment.b - segment.a;
-  const double along = dot(p - segment.a, d), length_squared = dot(d, d);
-  if (!(along > 0.0)) return segment.a;
-  if (!(along < length_squared)) return segment.b;
-  return segment.a + (along / length_squared) * d;
-}
-
 NearestPoints nearest_points(const Segment& first, const Segment& second) {
   if (cross_each_other(first, second)) {
     const Vec2 d = first.b - first.a, e = second.b - second.a;
@@ -41,10 +33,6 @@ NearestPoints nearest_points(const Segment& first, const Segment& second) {
   try_points(nearest_on(first, second.a), second.a);
   try_points(nearest_on(first, second.b), second.b);
   return nearest;
-}
-
-double distance(Vec2 p, const Segment& segment) {
-  return norm(p - nearest_on(segment, p));
 }
 
 double distance(const Segment& first, const Segment& second) {

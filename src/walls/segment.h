@@ -17,13 +17,21 @@ struct NearestPoints {
 };
 
 /// The point of the segment nearest to p. Ends are exact.
-Vec2 nearest_on(const Segment& segment, Vec2 p);
+inline Vec2 nearest_on(const Segment& segment, Vec2 p) {
+  const Vec2 d = segment.b - segment.a;
+  const double along = dot(p - segment.a, d), length_squared = dot(d, d);
+  if (!(along > 0.0)) return segment.a;
+  if (!(along < length_squared)) return segment.b;
+  return segment.a + (along / length_squared) * d;
+}
 
 /// Of segments that cross, the point where they do, up to rounding.
 NearestPoints nearest_points(const Segment& first, const Segment& second);
 
 /// m
-double distance(Vec2 p, const Segment& segment);
+inline double distance(Vec2 p, const Segment& segment) {
+  return norm(p - nearest_on(segment, p));
+}
 double distance(const Segment& first, const Segment& second);
 
 /// Whether the straight way from p to q leads from one side of the line to the other one, between
