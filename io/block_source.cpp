@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <fmt/format.h>
 #include <limits>
+#include <system_error>
 #include <unistd.h>
 
 #include "avo_io/errors.h"

@@ -5,6 +5,7 @@
 #include <charconv>
 #include <fmt/format.h>
 #include <optional>
+#include <system_error>
 
 #include "avo_io/errors.h"
 #include "avo_io/printable.h"

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <charconv>
 #include <fmt/format.h>
+#include <system_error>
 
 #include "avo_io/errors.h"
 #include "reader.h"

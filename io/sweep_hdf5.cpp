@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <limits>
+#include <system_error>
 #include <unistd.h>
 
 #include "core/ranges.h"

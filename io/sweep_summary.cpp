@@ -5,6 +5,7 @@
 #include <charconv>
 #include <fmt/format.h>
 #include <map>
+#include <system_error>
 
 #include "avo_io/sweep.h"
 #include "core/ranges.h"

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <fmt/format.h>
 #include <map>
+#include <system_error>
 
 #include "avo_io/printable.h"
 #include "avo_io/recording.h"

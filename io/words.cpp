@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <cstdlib>
 #include <fmt/format.h>
+#include <system_error>
 
 #include "avo_io/printable.h"
 

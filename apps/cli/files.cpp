@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <fmt/format.h>
 #include <optional>
+#include <system_error>
 #include <unistd.h>
 
 #include "avo_io/errors.h"

@@ -10,6 +10,7 @@
 #include <cstdlib>
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <new>
 #include <sys/ioctl.h>
 #include <system_error>
 #include <unistd.h>

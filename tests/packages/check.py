@@ -161,8 +161,7 @@ def check_parent(arguments):
 
 def check_libcxx(arguments):
     arguments.compiler, arguments.flags = "clang++", "-stdlib=libc++"
-    # each source has to include what it uses
-    check_added(arguments, *QUICK, "-DCMAKE_DISABLE_PRECOMPILE_HEADERS=ON", "-DCMAKE_UNITY_BUILD=OFF")
+    check_added(arguments, *QUICK)
 
 
 def check_fused(arguments):
