@@ -33,6 +33,7 @@ struct Proposals {
   Disc acceleration;  // of v_1
   double top_speed;   // m/s
   Vec2 wanted;
+  Follows follows;  // what is wanted
   CertifiedWorkspace& workspace;
 
   // with what the robot's own motion can follow alone
@@ -65,6 +66,8 @@ bool is_within_limits(const Proposals& proposals) {
 Vec2 followed(const Proposals& proposals, Vec2 next_velocity) {
   const Robot& robot = proposals.robot;
   if (is_holonomic(robot.model) || !has_limits_within_steps(robot.model)) return next_velocity;
+  if (proposals.follows == Follows::surely && next_velocity == proposals.wanted)
+    return next_velocity;
   return within_own_limits(robot, proposals.law.step.braking_time, next_velocity);
 }
 
@@ -193,7 +196,7 @@ CertifiedChoice choose_by_half_planes(const Proposals& proposals) {
   return {backup_velocity(robot, law), Chosen::backup};
 }
 
-Proposals proposals_of(const Robot& robot, Vec2 wanted, const CertificateLaw& law,
+Proposals proposals_of(const Robot& robot, Vec2 wanted, const CertificateLaw& law, Follows follows,
                        CertifiedWorkspace& workspace) {
   const double u = increment(robot.max_acceleration, law.step);
   return {robot,
@@ -201,6 +204,7 @@ Proposals proposals_of(const Robot& robot, Vec2 wanted, const CertificateLaw& la
           {robot.velocity, is_holonomic(robot.model) ? u : reach_of(robot.model) * u},
           is_holonomic(robot.model) ? robot.max_speed : top_speed_of(robot, u),
           wanted,
+          follows,
           workspace};
 }
 
@@ -208,7 +212,7 @@ Proposals proposals_of(const Robot& robot, Vec2 wanted, const CertificateLaw& la
 
 bool may_choose(const Robot& robot, Vec2 next_velocity, const CertificateLaw& law,
                 CertifiedWorkspace& workspace) {
-  const Proposals proposals = proposals_of(robot, next_velocity, law, workspace);
+  const Proposals proposals = proposals_of(robot, next_velocity, law, Follows::perhaps, workspace);
   proposals.begin();
   if (!is_within_limits(proposals)) return false;
   return law.kind == Certificate::none ||
@@ -216,8 +220,8 @@ bool may_choose(const Robot& robot, Vec2 next_velocity, const CertificateLaw& la
 }
 
 CertifiedChoice choose_certified(const Robot& robot, Vec2 wanted, const CertificateLaw& law,
-                                 CertifiedWorkspace& workspace) {
-  const Proposals proposals = proposals_of(robot, wanted, law, workspace);
+                                 CertifiedWorkspace& workspace, Follows follows) {
+  const Proposals proposals = proposals_of(robot, wanted, law, follows, workspace);
   return law.kind == Certificate::stopping_capsules ? choose_by_half_planes(proposals)
                                                     : choose_by_cuts(proposals);
 }

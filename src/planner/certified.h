@@ -33,10 +33,13 @@ struct CertifiedWorkspace {
   ProgramRows rows;  // of programs
 };
 
+/// Whether the robot's model is known to follow a velocity: within_own_limits() returned it.
+enum class Follows : std::uint8_t { perhaps, surely };
+
 /// Nearest to `wanted` with |v_1 - v| <= u and |v_1| <= v_max, as far as a few linear programs
 /// tell; always admitted, or the backup. workspace.constraints are the robot's.
 CertifiedChoice choose_certified(const Robot& robot, Vec2 wanted, const CertificateLaw& law,
-                                 CertifiedWorkspace& workspace);
+                                 CertifiedWorkspace& workspace, Follows follows = Follows::perhaps);
 
 /// Whether choose_certified() could choose what the robot follows of that velocity.
 bool may_choose(const Robot& robot, Vec2 next_velocity, const CertificateLaw& law,

@@ -75,9 +75,9 @@ CertifiedChoice choose_as_turned(const Decision& decision, Vec2 wanted) {
 // The nearest admitted to `wanted`, one step towards what Eq. (23) chose. While a car turns in
 // place it moves nowhere, so anything is admitted: towards what it may not drive in then, it would
 // turn in vain, and back again, for ever.
-CertifiedChoice choose_admitted(const Decision& decision, Vec2 wanted) {
+CertifiedChoice choose_admitted(const Decision& decision, Vec2 wanted, Follows follows) {
   if (!turns_at_rest(decision.robot) || wanted == Vec2{})
-    return choose_certified(decision.robot, wanted, decision.law, decision.certified);
+    return choose_certified(decision.robot, wanted, decision.law, decision.certified, follows);
   const Vec2 later = choose_as_turned(decision, wanted).next_velocity;
   CertifiedChoice choice =
       choose_certified(decision.robot, later, decision.law, decision.certified);
@@ -99,6 +99,8 @@ Vec2 solved(const Decision& decision, std::span<const HalfPlane> half_planes, Ve
 // has been asked for `choice`, lets it be. aim: what v' was chosen for.
 double part_left(const Decision& decision, const CertifiedChoice& choice, Vec2 v_new, Vec2 aim,
                  Vec2 wish) {
+  if (choice.chosen == Chosen::wanted && v_new == aim && !turns_at_rest(decision.robot))
+    return 1.0;  // part_of_wish() of what it would reach if nobody hindered it
   const Vec2 unhindered = decision.reached(aim);
   if (turns_at_rest(decision.robot))
     return part_of_wish(choose_as_turned(decision, unhindered).next_velocity, unhindered, wish);
@@ -114,7 +116,8 @@ CertifiedChoice choose_as_far_off(const Decision& decision, const Detour& detour
   const Vec2 v = robot.velocity;
   const Vec2 aim = v + (turned - v) / decision.haste.gain;  // to have it after the step
   return choose_admitted(decision,
-                         decision.gently(solved(decision, decision.wished.half_planes, aim)));
+                         decision.gently(solved(decision, decision.wished.half_planes, aim)),
+                         Follows::surely);
 }
 
 // What the certificate alone admits on the detour, by and by in place of `choice` as less is left
@@ -127,7 +130,8 @@ CertifiedChoice choose_detour(const Decision& decision, const CertifiedChoice& c
   const Vec2 v_new = solved(decision, walls, turned);
   const double kept = std::clamp((left - kStuck) / (kFree - kStuck), 0.0, 1.0);
   const Vec2 off = decision.smoothly(v_new);
-  CertifiedChoice next = choose_admitted(decision, off + kept * (choice.next_velocity - off));
+  CertifiedChoice next =
+      choose_admitted(decision, off + kept * (choice.next_velocity - off), Follows::perhaps);
   if (left < kBlocked && part_left(decision, next, v_new, turned, turned) < kBlocked)
     turn_off(detour, robot, decision.law.step.time_step, !walls.empty());
   if (left < kBlocked && next.chosen == Chosen::wanted) next.chosen = Chosen::candidate;
@@ -137,7 +141,7 @@ CertifiedChoice choose_detour(const Decision& decision, const CertifiedChoice& c
 CertifiedChoice choose_and_arrive(const Decision& decision, Detour& detour) {
   const Robot& robot = decision.robot;
   const Wished& wished = decision.wished;
-  const CertifiedChoice choice = choose_admitted(decision, wished.next);
+  const CertifiedChoice choice = choose_admitted(decision, wished.next, Follows::surely);
   // those who coincide part by their half-planes, where that is possible at all: on detours from
   // one place to one goal they would stay together
   const bool parts = wished.coinciding && choice.next_velocity != Vec2{};

@@ -219,6 +219,15 @@ Vec2 within_own_limits(const DifferentialDrive& drive, const Robot& robot, doubl
 
 namespace {
 
+// See within_steering(); h: its heading.
+Vec2 within_steering(const DifferentialDrive& drive, const Robot& robot, Vec2 h, Vec2 v) {
+  const double speed = norm(v);
+  if (!(speed > 0.0)) return v;
+  const Vec2 to = v / speed;
+  const double most = kWithin * most_speed(drive, change_limit(robot), dot(h, to), cross(h, to));
+  return std::min(speed, most) * to;
+}
+
 // Where the goal is nearer to the axle than L, that would circle round it: with β the angle of the
 // goal off the heading and d its distance, V cos β ahead and V sin β across make
 // β' = V sin β (cos β/d - 1/L). With as much across as kNear L/d times that, β shrinks at any
@@ -238,7 +247,7 @@ Vec2 steered_near(const DifferentialDrive& drive, const Robot& robot, const Appr
       std::min(needed * speed, std::sqrt(robot.max_acceleration * drive.offset * std::abs(across)));
   const double ahead = needed > 0.0 ? std::min(speed * std::abs(along), turn / needed) : speed;
   const Vec2 side = across * along < 0.0 ? -perpendicular(h) : perpendicular(h);
-  return within_steering(drive, robot, std::copysign(ahead, along) * h + turn * side);
+  return within_steering(drive, robot, now, std::copysign(ahead, along) * h + turn * side);
 }
 
 }  // namespace
@@ -252,17 +261,13 @@ Vec2 steered(const DifferentialDrive& drive, const Robot& robot, const Approach&
   const double along = dot(h, wish) / speed, across = cross(h, wish) / speed;
   if (robot.distance_to_goal < kNear * drive.offset)
     return approach.at_once ? steered_near(drive, robot, approach)
-                            : within_steering(drive, robot, wish);
+                            : within_steering(drive, robot, h, wish);
   const Vec2 turning = across > 0.0 ? perpendicular(h) : -perpendicular(h);
-  return within_steering(drive, robot, along < 0.0 ? speed * turning : wish);
+  return within_steering(drive, robot, h, along < 0.0 ? speed * turning : wish);
 }
 
 Vec2 within_steering(const DifferentialDrive& drive, const Robot& robot, Vec2 v) {
-  const double speed = norm(v);
-  if (!(speed > 0.0)) return v;
-  const Vec2 h = elementary::direction(robot.heading), to = v / speed;
-  const double most = kWithin * most_speed(drive, change_limit(robot), dot(h, to), cross(h, to));
-  return std::min(speed, most) * to;
+  return within_steering(drive, robot, elementary::direction(robot.heading), v);
 }
 
 }  // namespace avo

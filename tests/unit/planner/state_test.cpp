@@ -148,6 +148,14 @@ TEST(StateQuery, contact_is_doomed_at_once) {
   EXPECT_EQ(state_of(driving(), {}, {across(-0.1, 1.0)}).time, 0.0);
 }
 
+TEST(StateQuery, the_contact_that_comes_first_is_named) {
+  const SafetyReport later_first = state_of(driving(), {oncoming(2.0, 2.0), oncoming(1.0, 2.0)});
+  EXPECT_EQ(later_first.neighbor, 1);
+  EXPECT_LT(later_first.time, state_of(driving(), {oncoming(2.0, 2.0)}).time);
+  EXPECT_EQ(state_of(driving(), {oncoming(1.0, 2.0), oncoming(-0.1, 2.0)}).neighbor, 1);
+  EXPECT_EQ(state_of(driving(), {oncoming(-0.1, 2.0), oncoming(-0.1, 2.0)}).neighbor, 0);
+}
+
 TEST(StateQuery, errors_ages_and_free_clocks_leave_more_unknown) {
   const std::vector<Neighbor> near{oncoming(4.01, 2.0)}, lost{oncoming(2.0, 2.0)};
   PlannerOptions wrong, free;
