@@ -37,28 +37,45 @@ double place_reach(const Resting& other) {
 // is last seen.
 class PlaceSearch {
  public:
-  PlaceSearch(const Seeker& seeker, std::span<const Resting> resting, std::span<const Wall> walls)
-      : seeker_(seeker), resting_(resting), walls_(walls), best_(seeker.position) {
+  PlaceSearch(const Seeker& seeker, Occupied& occupied, std::span<const Wall> walls)
+      : seeker_(seeker),
+        resting_(occupied.resting),
+        worth_(occupied.worth),
+        walls_(walls),
+        best_(seeker.position) {
     const double gain = (seeker.has_stood ? kGainAtRest : kGain) * seeker.radius;
     cost_ = norm(seeker.goal - seeker.position) - gain;
   }
 
+  // Places get ever better, so that who is not worth a look will never be.
   Vec2 best() && {
+    worth_.clear();
     for (std::size_t i = 0; i < resting_.size(); ++i) {
       const Resting& other = resting_[i];
+      if (!may_be_worth(other)) continue;
       const double reach = place_reach(other);
-      if (norm(other.position - seeker_.goal) >= cost_ + reach) continue;
-      try_place(point_towards(other.position, seeker_.goal, reach));
-      try_tangents(other);
-      for (std::size_t k = 0; k < i; ++k) {
-        if (may_be_worth(resting_[k])) try_crossings(other, resting_[k]);
-      }
-      for (const Wall& wall : walls_) try_beside(other, wall);
+      if (std::sqrt(other.from_goal_squared) < cost_ + reach) try_circle(other, reach);
+      worth_.push_back(static_cast<std::uint32_t>(i));
     }
     return best_;
   }
 
  private:
+  // Where it is nearest to the goal, last seen, or meets those before it, or a wall.
+  void try_circle(const Resting& other, double reach) {
+    try_place(point_towards(other.position, seeker_.goal, reach));
+    try_tangents(other);
+    std::size_t kept = 0;
+    for (const std::uint32_t k : worth_) {
+      const Resting& before = resting_[k];
+      if (!may_be_worth(before)) continue;
+      worth_[kept++] = k;
+      try_crossings(other, before);
+    }
+    worth_.resize(kept);
+    for (const Wall& wall : walls_) try_beside(other, wall);
+  }
+
   // Whether a place on its circle may be, whatever rounding does.
   bool may_be_worth(const Resting& other) const {
     const double most = (1.0 + kRoundedOff) * (cost_ + place_reach(other));
@@ -141,6 +158,7 @@ class PlaceSearch {
 
   const Seeker& seeker_;
   std::span<const Resting> resting_;
+  std::vector<std::uint32_t>& worth_;  // those of resting_ so far that were worth a look
   std::span<const Wall> walls_;
   Vec2 best_;
   double cost_ = 0.0;        // m
@@ -177,18 +195,20 @@ void Occupied::add(const Seeker& seeker, const Neighbor& neighbor) {
 
 void Occupied::add(const Seeker& seeker, const Neighbors& neighbors) {
   const NeighborColumns& columns = *neighbors.columns;
-  for (std::size_t k = neighbors.first; k < neighbors.first + neighbors.count; ++k) {
-    has_movers = has_movers || columns.is_predicted(k);
-    note(seeker, {columns.x[k], columns.y[k]}, {columns.v_x[k], columns.v_y[k]}, columns.radius[k],
-         *this);
-  }
+  const std::size_t first = neighbors.first, last = first + neighbors.count;
+  for (std::size_t k = first; k < last && columns.has_movers && !has_movers; ++k)
+    has_movers = columns.is_predicted(k);
+  const double *x = columns.x.data(), *y = columns.y.data(), *radius = columns.radius.data();
+  const double *v_x = columns.v_x.data(), *v_y = columns.v_y.data();
+  for (std::size_t k = first; k < last; ++k)
+    note(seeker, {x[k], y[k]}, {v_x[k], v_y[k]}, radius[k], *this);
 }
 
-Vec2 place_near(const Seeker& seeker, const Occupied& occupied, std::span<const Wall> walls) {
+Vec2 place_near(const Seeker& seeker, Occupied& occupied, std::span<const Wall> walls) {
   const std::vector<Resting>& resting = occupied.resting;
   if (!occupied.is_near || std::none_of(resting.begin(), resting.end(), stands_on_goal))
     return seeker.goal;
-  return PlaceSearch(seeker, resting, walls).best();
+  return PlaceSearch(seeker, occupied, walls).best();
 }
 
 bool is_at_crowd(const Seeker& seeker, Occupied& occupied) {
@@ -201,15 +221,19 @@ bool is_at_crowd(const Seeker& seeker, Occupied& occupied) {
   };
   // reach is the sum of two radii: so two of them leave room for one seeker between the surfaces
   auto reached = std::partition(first, last, leads_on(seeker.position, 2.0 * seeker.radius));
-  for (auto one = first; one != reached; ++one) {
+  const auto is_nearer = [](const Resting& one, const Resting& other) {
+    return one.from_goal_squared < other.from_goal_squared;
+  };
+  for (auto one = first; one != reached; ++one) {  // towards the goal first
+    std::iter_swap(one, std::min_element(one, reached, is_nearer));
     if (stands_on_goal(*one)) return true;
     reached = std::partition(reached, last, leads_on(one->position, one->reach));
   }
   return false;
 }
 
-Vec2 place_of(const Seeker& seeker, const Occupied& occupied, std::span<const Wall> walls,
-              bool stays, Detour& detour) {
+Vec2 place_of(const Seeker& seeker, Occupied& occupied, std::span<const Wall> walls, bool stays,
+              Detour& detour) {
   const Vec2 place = place_near(seeker, occupied, walls);
   detour.goal_taken = place != seeker.goal && !occupied.comes_out;
   return stays ? seeker.position : place;
