@@ -53,8 +53,10 @@ bool keeps_swing(const CandidatePath& path, const StepLaw& law,
 }  // namespace
 
 bool keeps_trajectories(const CandidatePath& path, const StepLaw& law,
-                        TrajectoryConstraints& constraints) {
-  bool kept = keeps(constraints.own, path, law, constraints.has_cones, constraints.columns);
+                        TrajectoryConstraints& constraints, Asked asked_for) {
+  bool kept =
+      keeps(constraints.own, path, law, constraints.has_cones, asked_for, constraints.columns);
+  if (!kept && asked_for == Asked::until_refused) return false;
   if (!(path.swing == Vec2{})) kept = keeps_swing(path, law, constraints) && kept;
   return kept && !(constraints.stays_at_rest && path.moving > 0);
 }
@@ -85,7 +87,7 @@ WorstConstraint worst_constraint(const TrajectoryConstraints& constraints,
   if (first >= behind) return worst;
   const std::size_t k = static_cast<std::size_t>(
       std::min_element(coefficient + first, coefficient + behind) - coefficient);
-  if (!(coefficient[k] < worst.coefficient)) return worst;
+  if (!(coefficient[k] < 0.0)) return worst;
   const auto [start, middle, end] = scalar::coefficients<scalar::Pack<double>>(
       columns, k, constraints.own, path, law, constraints.has_cones);
   worst.constraint = constraint_at(columns, k);

@@ -4,6 +4,7 @@
 #ifndef AVO_CERTIFICATE_ADMISSION_KERNEL_H
 #define AVO_CERTIFICATE_ADMISSION_KERNEL_H
 
+#include <algorithm>
 #include <cstddef>
 #include <limits>
 
@@ -52,13 +53,14 @@ AVO_KERNEL PackCoefficients<Real> coefficients(const ConstraintColumns& constrai
           select(later, result.end, result.end - Real(path.bend))};
 }
 
-/// Whether the path keeps all constraints, which are judged by it.
+/// Whether the path keeps all constraints, which are judged by it as far as they are asked for.
 template <typename Real>
 bool keeps(const Braking& own, const CandidatePath& path, const StepLaw& law, bool has_cones,
-           ConstraintColumns& constraints) {
+           Asked asked_for, ConstraintColumns& constraints) {
   const Real zero(0.0), infinity(std::numeric_limits<double>::infinity());
   bool kept = true;
-  for (std::size_t k = 0; k < constraints.count; k += Real::kLanes) {
+  std::size_t k = 0;
+  for (; k < constraints.count && (kept || asked_for == Asked::all); k += Real::kLanes) {
     const PackCoefficients<Real> left =
         coefficients<Real>(constraints, k, own, path, law, has_cones);
     const auto asked = Real::load(&constraints.needs[k]) < Real(static_cast<double>(path.moving));
@@ -69,7 +71,7 @@ bool keeps(const Braking& own, const CandidatePath& path, const StepLaw& law, bo
     select(asked, min(min(left.start, left.middle), left.end), infinity)
         .store(&constraints.coefficient[k]);
   }
-  constraints.judged = constraints.count;
+  constraints.judged = std::min(k, constraints.count);
   return kept;
 }
 

@@ -96,7 +96,9 @@ void collect_pair(const BrakingPair& pair, const Neighbor& neighbor, int index, 
       append_constraints(wanted, law, constraints.own_columns, constraints.columns);
   wanted.held = held_distance(pair, nearest, index, invariant) + inflation;
   if (inflation > 0.0 && nearest < pair.contact + pair.error + inflation) invariant.doubtful = true;
-  if (wanted.held != inflated) {
+  if (!wanted.is_free) {
+    hold(wanted, first, constraints.columns);
+  } else if (wanted.held != inflated) {
     constraints.columns.count = first;
     append_constraints(wanted, law, constraints.own_columns, constraints.columns);
   }

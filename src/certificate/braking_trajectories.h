@@ -64,13 +64,13 @@ void collect_refusing(const Robot& robot, const CandidatePath& path, const StepL
 /// Collects the constraints of all that wait.
 void collect_waiting(const StepLaw& law, TrajectoryConstraints& constraints, Invariant& invariant);
 
-/// Whether the path keeps all constraints, and by how much or how little each of them.
+/// Whether the path keeps all constraints, and by how much or how little each that is asked.
 bool keeps_trajectories(const CandidatePath& path, const StepLaw& law,
-                        TrajectoryConstraints& constraints);
+                        TrajectoryConstraints& constraints, Asked asked_for);
 
-/// The constraint that the path asked about last violates most, or that it is nearest to.
+/// The constraint that the path asked about last violates most.
 struct WorstConstraint {
-  double coefficient;  ///< m, >= 0 iff the candidate is admitted; infinite without constraints
+  double coefficient;  ///< m, < 0; of nothing else is known where it violates none
   TrajectoryConstraint constraint = {};
   int point = 0;   ///< of the three
   Vec2 lean = {};  ///< what a cone takes off the normal there

@@ -75,7 +75,7 @@ bool keeps_reach(const Robot& robot, const CandidatePath& path, const StepLaw& l
 }  // namespace
 
 bool admits(const Robot& robot, Vec2 next_velocity, const CertificateLaw& law,
-            CertificateConstraints& constraints) {
+            CertificateConstraints& constraints, Asked asked_for) {
   const bool holonomic = is_holonomic(robot.model);
   if (constraints.demand_nothing() && (holonomic || !may_exceed_reach(robot.model))) return true;
   // as long as nothing is broken, braking keeps what no test with a reserve for rounding admits
@@ -86,7 +86,7 @@ bool admits(const Robot& robot, Vec2 next_velocity, const CertificateLaw& law,
   collect_refusing(robot, constraints.path, law.step, constraints.trajectories,
                    constraints.invariant);
   const bool trajectories_kept =
-      keeps_trajectories(constraints.path, law.step, constraints.trajectories);
+      keeps_trajectories(constraints.path, law.step, constraints.trajectories, asked_for);
   if (constraints.invariant.unknown ||
       (constraints.invariant.touched && constraints.path.moving > 0))
     return false;

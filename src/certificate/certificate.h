@@ -56,9 +56,9 @@ void collect_constraints(const Robot& robot, std::span<const Neighbor> neighbors
                          std::span<const Wall> walls = {});
 
 /// Whether the robot may have the velocity v_1 after this step. True of backup_velocity() wherever
-/// the invariant holds, up to rounding.
+/// the invariant holds, up to rounding. Cuts need all constraints asked.
 bool admits(const Robot& robot, Vec2 next_velocity, const CertificateLaw& law,
-            CertificateConstraints& constraints);
+            CertificateConstraints& constraints, Asked asked_for = Asked::until_refused);
 
 /// [v_1] of what is always allowed: full braking.
 Vec2 backup_velocity(const Robot& robot, const CertificateLaw& law);

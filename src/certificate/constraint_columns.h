@@ -35,6 +35,9 @@ struct OwnColumns {
 /// Of an entry that is no constraint, it only takes up room: what it needs.
 inline constexpr double kNoConstraint = std::numeric_limits<double>::infinity();
 
+/// Of constraints that are asked about a candidate: all, or only until one refuses it.
+enum class Asked : unsigned char { all, until_refused };
+
 /// See TrajectoryConstraint.
 struct ConstraintColumns {
   std::size_t count = 0;

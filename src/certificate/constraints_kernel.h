@@ -241,12 +241,13 @@ AVO_KERNEL PackConstraints<Real> constraints_of(const PairConstraints& wanted,
       const Real rounding(wanted.pair.contact - wanted.pair.inflated);
       return select(margin.cone > Real(0.0), rounding, gap) - dot(n, of_x);
     } else {
-      return share * (dot(n, of_q) - margin.distance) - dot(n, of_x) - held;
+      return share * (dot(n, of_q) - margin.distance) - dot(n, of_x);  // see hold()
     }
   };
+  const Real loss = share * (margin.distance - distance);
   return {n,
           margin.cone,
-          share * (margin.distance - distance) + held,
+          is_free ? loss + held : loss,
           {offset(q.start, own.start), offset(q.middle, own.middle), offset(q.end, own.end)}};
 }
 
@@ -355,6 +356,20 @@ double append(const PairConstraints& wanted, const Other& other, const StepLaw& 
   alignas(64) std::array<double, Real::kLanes> lanes;
   nearest.store(lanes.data());
   return *std::min_element(lanes.begin(), lanes.end());
+}
+
+/// Takes what is held off the pair's constraints, the last ones from `first` on. Those of free
+/// clocks are made with it.
+template <typename Real>
+void hold(const PairConstraints& wanted, std::size_t first, ConstraintColumns& constraints) {
+  const Real held(wanted.pair.share * wanted.held);
+  for (std::size_t k = first; k < constraints.count; k += Real::kLanes) {
+    (Real::load(&constraints.bound[k]) + held).store(&constraints.bound[k]);
+    for (std::size_t i = 0; i < 3; ++i) {
+      double* offset = &constraints.offset[i][k];
+      (Real::load(offset) - held).store(offset);
+    }
+  }
 }
 
 template <typename Real>

@@ -7,7 +7,7 @@
 #define AVO_KERNEL_STRUCT CertificateKernels
 #define AVO_KERNEL_FUNCTIONS                                                 \
   find_near<Pack<double>>, admit_next<Pack<double>>, fill_own<Pack<double>>, \
-      append_constraints<Pack<double>>, keeps<Pack<double>>
+      append_constraints<Pack<double>>, hold<Pack<double>>, keeps<Pack<double>>
 #include "core/kernel_passes.h"
 
 namespace avo {
@@ -29,9 +29,13 @@ double append_constraints(const PairConstraints& wanted, const StepLaw& law, con
   return kKernels->append_constraints(wanted, law, own, constraints);
 }
 
+void hold(const PairConstraints& wanted, std::size_t first, ConstraintColumns& constraints) {
+  kKernels->hold(wanted, first, constraints);
+}
+
 bool keeps(const Braking& own, const CandidatePath& path, const StepLaw& law, bool has_cones,
-           ConstraintColumns& constraints) {
-  return kKernels->keeps(own, path, law, has_cones, constraints);
+           Asked asked_for, ConstraintColumns& constraints) {
+  return kKernels->keeps(own, path, law, has_cones, asked_for, constraints);
 }
 
 }  // namespace avo

@@ -15,7 +15,9 @@ struct CertificateKernels {
   void (*fill_own)(const Braking&, const Deviation&, const StepLaw&, OwnColumns&);
   double (*append_constraints)(const PairConstraints&, const StepLaw&, const OwnColumns&,
                                ConstraintColumns&);
-  bool (*keeps)(const Braking&, const CandidatePath&, const StepLaw&, bool, ConstraintColumns&);
+  void (*hold)(const PairConstraints&, std::size_t, ConstraintColumns&);
+  bool (*keeps)(const Braking&, const CandidatePath&, const StepLaw&, bool, Asked,
+                ConstraintColumns&);
 };
 
 /// own.count is known, the columns have room for it.
@@ -25,8 +27,11 @@ void fill_own(const Braking& a, const Deviation& deviation, const StepLaw& law, 
 double append_constraints(const PairConstraints& wanted, const StepLaw& law, const OwnColumns& own,
                           ConstraintColumns& constraints);
 
+/// Likewise.
+void hold(const PairConstraints& wanted, std::size_t first, ConstraintColumns& constraints);
+
 /// See admission_kernel.h.
 bool keeps(const Braking& own, const CandidatePath& path, const StepLaw& law, bool has_cones,
-           ConstraintColumns& constraints);
+           Asked asked_for, ConstraintColumns& constraints);
 
 }  // namespace avo

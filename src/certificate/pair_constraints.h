@@ -18,7 +18,7 @@ struct PairConstraints {
   int neighbor;           ///< its index
   std::size_t intervals;  ///< that are looked at
   double inflated;        ///< m, contact and all that is known to be uncertain
-  double held;            ///< m, the distance that is held
+  double held;            ///< m, the distance that is held; until it is known, inflated
   double moving;          ///< the invariant speaks of the intervals below
   bool is_free = false;   ///< both decide, at times of their own
   const TrajectorySteps* trajectory = nullptr;  ///< of one whose future is known, from p_B

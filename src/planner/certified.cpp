@@ -71,8 +71,10 @@ Vec2 followed(const Proposals& proposals, Vec2 next_velocity) {
   return within_own_limits(robot, proposals.law.step.braking_time, next_velocity);
 }
 
-bool is_admitted(const Proposals& proposals, Vec2 next_velocity) {
-  return admits(proposals.robot, next_velocity, proposals.law, proposals.workspace.constraints);
+bool is_admitted(const Proposals& proposals, Vec2 next_velocity,
+                 Asked asked_for = Asked::until_refused) {
+  return admits(proposals.robot, next_velocity, proposals.law, proposals.workspace.constraints,
+                asked_for);
 }
 
 void move_in(HalfPlane& cut, const CandidatePath& refused, double u) {
@@ -139,11 +141,12 @@ CertifiedChoice choose_by_cuts(const Proposals& proposals) {
     // it gives way in all half-planes, those of the robot's own motion too
     if (result.state == ProgramState::least_unsafe && has_own_planes) break;
     const Vec2 candidate = followed(proposals, result.point);
-    if (is_admitted(proposals, candidate)) {
+    const bool is_last = result.state == ProgramState::least_unsafe || round + 1 == kRounds;
+    if (is_admitted(proposals, candidate, is_last ? Asked::until_refused : Asked::all)) {
       const bool wanted = round == 0 && candidate == result.point;
       return {candidate, wanted ? Chosen::wanted : Chosen::candidate};
     }
-    if (result.state == ProgramState::least_unsafe) break;
+    if (is_last) break;
     append_cuts(proposals);
   }
   const Vec2 backup = backup_velocity(proposals.robot, proposals.law);
@@ -185,7 +188,7 @@ CertifiedChoice choose_by_half_planes(const Proposals& proposals) {
       const ProgramResult result = propose(proposals, top_speed);
       if (result.state != ProgramState::optimal) break;
       const Vec2 candidate = followed(proposals, result.point);
-      if (is_admitted(proposals, candidate)) {
+      if (is_admitted(proposals, candidate, Asked::all)) {
         return {candidate, candidate == proposals.wanted ? Chosen::wanted : Chosen::candidate};
       }
       const std::size_t before = workspace.hard.size();

@@ -2,6 +2,7 @@
 #include "planner/contact.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "certificate/pair.h"
 #include "core/plane.h"
@@ -27,6 +28,10 @@ struct ContactSearch {
   Contact contact = {};
   double beyond = -kInfinity;  // m, of its depth, what rounding does not feign
 
+  // Whether no contact of such a depth can be deeper, whatever the way of the other one.
+  bool is_beaten(double depth, double radii) const {
+    return !(depth - feigned_depth(radii, own_way) > beyond);
+  }
   void take(int neighbor, int wall, double depth, double radii, double way) {
     const double left = depth - feigned_depth(radii, own_way + way);
     if (!(depth > 0.0) || !(left > beyond)) return;
@@ -35,18 +40,21 @@ struct ContactSearch {
   }
 };
 
-// Whether discs at rest touch, which is quickly told of all that are far.
-bool touches(const Robot& robot, Vec2 position, double radius) {
-  const double contact = robot.radius + radius;
-  return !(norm_squared(position - robot.position) > contact * contact);
+// Whether discs at rest touch, deeper than the deepest contact so far: of most that is quickly
+// told.
+bool is_deeper(const Robot& robot, Vec2 position, double radius, const ContactSearch& search) {
+  const double contact = robot.radius + radius, squared = norm_squared(position - robot.position);
+  return !(squared > contact * contact) && !search.is_beaten(contact - std::sqrt(squared), contact);
 }
-bool touches(const Robot& robot, std::span<const Neighbor> neighbors, std::size_t k) {
-  return touches(robot, neighbors[k].position, neighbors[k].radius);
+bool is_deeper(const Robot& robot, std::span<const Neighbor> neighbors, std::size_t k,
+               const ContactSearch& search) {
+  return is_deeper(robot, neighbors[k].position, neighbors[k].radius, search);
 }
-bool touches(const Robot& robot, const Neighbors& neighbors, std::size_t k) {
+bool is_deeper(const Robot& robot, const Neighbors& neighbors, std::size_t k,
+               const ContactSearch& search) {
   const NeighborColumns& columns = *neighbors.columns;
   const std::size_t i = neighbors.first + k;
-  return touches(robot, {columns.x[i], columns.y[i]}, columns.radius[i]);
+  return is_deeper(robot, {columns.x[i], columns.y[i]}, columns.radius[i], search);
 }
 
 template <typename Neighbors>
@@ -55,7 +63,7 @@ Contact find_deepest(const Robot& robot, const Neighbors& neighbors, std::span<c
   ContactSearch search{way_of(robot, law)};
   for (std::size_t k = 0; k < neighbors.size(); ++k) {
     const int index = static_cast<int>(k);
-    if (index != neighbor.index && !touches(robot, neighbors, k)) continue;
+    if (index != neighbor.index && !is_deeper(robot, neighbors, k, search)) continue;
     const Neighbor& other = neighbors[k];
     const double hidden = error_against(other, law).position;
     const double radii = robot.radius + other.radius;

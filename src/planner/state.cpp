@@ -24,6 +24,8 @@ struct FirstContact {
     if (!time || (report.state == SafetyState::doomed && !(*time < report.time))) return;
     report = {SafetyState::doomed, neighbor, wall, *time};
   }
+  // No other one comes before it: the rest of a crowd is not asked.
+  bool is_now() const { return report.state == SafetyState::doomed && !(report.time > 0.0); }
 };
 
 // What state() holds a robot against: who has no certificate could brake as others do, too.
@@ -42,14 +44,14 @@ SafetyReport state_of(const Robot& robot, const Neighbors& neighbors, std::span<
   const bool is_safe = braking_keeps_clear(constraints);
   FirstContact first{{is_safe ? SafetyState::safe : SafetyState::unknown}};
   if (may_exceed_reach(robot.model)) return first.report;  // more than its acceleration says
-  for (std::size_t k = 0; k < neighbors.size(); ++k) {
+  for (std::size_t k = 0; k < neighbors.size() && !first.is_now(); ++k) {
     const Neighbor neighbor = neighbors[k];
     if (is_safe && neighbor.behavior == Behavior::decides) continue;
     if (neighbor.loiter) continue;  // it turns faster than its acceleration says
     first.take(inevitable_contact(robot, neighbor, law.step), static_cast<int>(k), -1);
   }
   const bool lost = law.step.localization_error > 0.0;  // it may be elsewhere
-  for (std::size_t k = 0; !is_safe && !lost && k < walls.size(); ++k)
+  for (std::size_t k = 0; !is_safe && !lost && !first.is_now() && k < walls.size(); ++k)
     first.take(inevitable_contact(robot, walls[k]), -1, static_cast<int>(k));
   return first.report;
 }
