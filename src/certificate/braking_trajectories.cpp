@@ -97,7 +97,7 @@ void collect_pair(const BrakingPair& pair, const Neighbor& neighbor, int index, 
   wanted.held = held_distance(pair, nearest, index, invariant) + inflation;
   if (inflation > 0.0 && nearest < pair.contact + pair.error + inflation) invariant.doubtful = true;
   if (!wanted.is_free) {
-    hold(wanted, first, constraints.columns);
+    if (constraints.columns.count > first) hold(wanted, first, constraints.columns);
   } else if (wanted.held != inflated) {
     constraints.columns.count = first;
     append_constraints(wanted, law, constraints.own_columns, constraints.columns);

@@ -37,7 +37,7 @@ double place_reach(const Resting& other) {
 // is last seen.
 class PlaceSearch {
  public:
-  PlaceSearch(const Seeker& seeker, Occupied& occupied, std::span<const Wall> walls)
+  PlaceSearch(const Seeker& seeker, const Occupied& occupied, std::span<const Wall> walls)
       : seeker_(seeker),
         resting_(occupied.resting),
         worth_(occupied.worth),
@@ -204,7 +204,7 @@ void Occupied::add(const Seeker& seeker, const Neighbors& neighbors) {
     note(seeker, {x[k], y[k]}, {v_x[k], v_y[k]}, radius[k], *this);
 }
 
-Vec2 place_near(const Seeker& seeker, Occupied& occupied, std::span<const Wall> walls) {
+Vec2 place_near(const Seeker& seeker, const Occupied& occupied, std::span<const Wall> walls) {
   const std::vector<Resting>& resting = occupied.resting;
   if (!occupied.is_near || std::none_of(resting.begin(), resting.end(), stands_on_goal))
     return seeker.goal;
@@ -232,8 +232,8 @@ bool is_at_crowd(const Seeker& seeker, Occupied& occupied) {
   return false;
 }
 
-Vec2 place_of(const Seeker& seeker, Occupied& occupied, std::span<const Wall> walls, bool stays,
-              Detour& detour) {
+Vec2 place_of(const Seeker& seeker, const Occupied& occupied, std::span<const Wall> walls,
+              bool stays, Detour& detour) {
   const Vec2 place = place_near(seeker, occupied, walls);
   detour.goal_taken = place != seeker.goal && !occupied.comes_out;
   return stays ? seeker.position : place;

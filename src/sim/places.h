@@ -30,9 +30,9 @@ struct Resting {
 /// What a seeker sees of others: add() them.
 struct Occupied {
   std::vector<Resting> resting;
-  std::vector<std::uint32_t> worth;  // scratch memory of place_near()
-  bool is_near = false;              // one of them is near the seeker
-  bool comes_out = false;            // one beside the seeker comes from the goal
+  mutable std::vector<std::uint32_t> worth;  // scratch memory of place_near()
+  bool is_near = false;                      // one of them is near the seeker
+  bool comes_out = false;                    // one beside the seeker comes from the goal
   bool has_movers = false;  // some do not decide, so that the seeker may have to evade them
 
   void clear() { resting.clear(), is_near = comes_out = has_movers = false; }
@@ -43,7 +43,7 @@ struct Occupied {
 /// The goal, where nobody stands on it. Else a free place that is nearer to the goal
 /// and that a straight way leads to, or the seeker's own position where there is none: it is at its
 /// place.
-Vec2 place_near(const Seeker& seeker, Occupied& occupied, std::span<const Wall> walls);
+Vec2 place_near(const Seeker& seeker, const Occupied& occupied, std::span<const Wall> walls);
 
 /// Whether those at rest lead from the seeker to its goal, and one stands there: it gets through
 /// between none of them and the next. Puts those first that it has looked at.
@@ -51,7 +51,7 @@ bool is_at_crowd(const Seeker& seeker, Occupied& occupied);
 
 /// Where the seeker heads for: stays: to where it is. Sets Detour::goal_taken: whoever comes out
 /// from among those at rest has the way.
-Vec2 place_of(const Seeker& seeker, Occupied& occupied, std::span<const Wall> walls, bool stays,
-              Detour& detour);
+Vec2 place_of(const Seeker& seeker, const Occupied& occupied, std::span<const Wall> walls,
+              bool stays, Detour& detour);
 
 }  // namespace avo

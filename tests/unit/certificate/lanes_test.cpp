@@ -83,7 +83,7 @@ std::vector<std::uint64_t> bits_of(const Crowd& crowd, Seen& seen) {
     seen.cones += constraint.cone > 0.0 ? 1 : 0;
   }
   for (const Vec2 candidate : crowd.candidates) {
-    const bool admitted = admits(crowd.robot, candidate, crowd.law, constraints);
+    const bool admitted = admits(crowd.robot, candidate, crowd.law, constraints, Asked::all);
     ++(admitted ? seen.admitted : seen.refused);
     add(admitted ? 1.0 : 0.0);
     const WorstConstraint worst =
