@@ -86,7 +86,7 @@ int compare(const json& rows) {
     CertificateConstraints constraints;
     collect_constraints(a, neighbors, law, constraints);
     const Vec2 next = a.velocity + law.step.braking_time * vec(row.at("candidate"));
-    const bool admitted = admits(a, next, law, constraints);
+    const bool admitted = admits(a, next, law, constraints, Asked::all);
     const Braking braking = braking_of(a.velocity, a.max_acceleration, law.step);
     const BrakingPair pair = braking_pair(a, neighbors[0], braking, law.step);
     if (is_out_of_reach(a, b, law.step)) {

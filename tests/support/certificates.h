@@ -160,9 +160,14 @@ inline bool invariant_holds(const std::vector<Robot>& robots, const CertificateL
   return true;
 }
 
+// Of a path that all constraints have been asked about, also where it violates none.
 inline WorstConstraint worst_of_all(const TrajectoryConstraints& constraints,
                                     const CandidatePath& path, const StepLaw& law) {
-  return worst_constraint(constraints, path, law, 0, constraints.columns.count);
+  const ConstraintColumns& columns = constraints.columns;
+  WorstConstraint worst = worst_constraint(constraints, path, law, 0, columns.count);
+  for (std::size_t k = 0; k < columns.count; ++k)
+    worst.coefficient = std::min(worst.coefficient, columns.coefficient[k]);
+  return worst;
 }
 
 }  // namespace avo::test
