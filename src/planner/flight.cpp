@@ -81,14 +81,14 @@ Plan loiter_on(const Planner& planner, const Robot& robot, PlanStatus status, do
 }
 
 Plan fly_towards(const Planner& planner, const Robot& given, const Neighbors& neighbors,
-                 std::span<const Wall> walls, const Course& course,
+                 std::span<const Wall> walls, const FlightTarget& flight,
                  FlightConstraints& constraints) {
   const Robot robot = with_circle(given);
   const CertificateLaw law = certificate_law(planner);
   collect_flight(robot, neighbors, walls, law.step, constraints);
   const bool certified = law.kind != Certificate::none;
-  const PlanStatus best = status_of(course.violation);
-  if (robot.preferred_velocity == Vec2{}) return loiter_on(planner, robot, best, course.violation);
+  const PlanStatus best = status_of(flight.violation);
+  if (robot.preferred_velocity == Vec2{}) return loiter_on(planner, robot, best, flight.violation);
   const MotionState state = state_of(robot);
   const MotionLimits limits{robot.max_acceleration, robot.max_speed};
   const Vec2 h = elementary::direction(robot.heading), n = perpendicular(h);
@@ -98,16 +98,16 @@ Plan fly_towards(const Planner& planner, const Robot& given, const Neighbors& ne
         constraints, robot,
         fly_along(airplane_of(robot), limits, state, h, acceleration, law.step.time_step));
   };
-  const Controls wanted = wanted_controls(planner, robot, course.target);
+  const Controls wanted = wanted_controls(planner, robot, flight.target);
   const Vec2 first = wanted.ahead * h + wanted.left * n;
-  if (admitted(first)) return plan_of(planner, robot, first, best, course.violation);
+  if (admitted(first)) return plan_of(planner, robot, first, best, flight.violation);
   const Tried tried = controls_near(robot, wanted);
   for (std::size_t k = 0; k < tried.count; ++k) {
     const Vec2 acceleration = tried.controls[k].ahead * h + tried.controls[k].left * n;
     if (admitted(acceleration))
-      return plan_of(planner, robot, acceleration, PlanStatus::candidate, course.violation);
+      return plan_of(planner, robot, acceleration, PlanStatus::candidate, flight.violation);
   }
-  return loiter_on(planner, robot, PlanStatus::braking, course.violation);
+  return loiter_on(planner, robot, PlanStatus::braking, flight.violation);
 }
 
 bool is_on_circle(const Neighbor& neighbor) {

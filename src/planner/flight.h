@@ -10,15 +10,16 @@
 namespace avo {
 
 /// What an airplane flies towards.
-struct Course {
+struct FlightTarget {
   Vec2 target;  ///< [v'] m/s, that Eq. (23) chose
   double violation = 0.0;
 };
 
-/// The controls nearest to the course that keep to all neighbors that decide and to the walls, or
+/// The controls nearest to the target that keep to all neighbors that decide and to the walls, or
 /// the circle that it is on.
 Plan fly_towards(const Planner& planner, const Robot& robot, const Neighbors& neighbors,
-                 std::span<const Wall> walls, const Course& course, FlightConstraints& constraints);
+                 std::span<const Wall> walls, const FlightTarget& flight,
+                 FlightConstraints& constraints);
 
 /// It holds its speed and turns right.
 Plan loiter_on(const Planner& planner, const Robot& robot, PlanStatus status, double violation);

@@ -70,7 +70,7 @@ Pose after(const Pose& pose, const Move& move, double length) {
   return {pose.axle + to_center - turned(to_center, turn), turned(pose.heading, turn)};
 }
 
-std::optional<Leg> leg_to(const Pose& pose, const Move& move, Vec2 place) {
+std::optional<ArcLeg> leg_to(const Pose& pose, const Move& move, Vec2 place) {
   const Vec2 ahead = move.gear * pose.heading;
   const Vec2 from_center = place - pose.axle - (move.side * move.radius) * perpendicular(ahead);
   const double squared = norm_squared(from_center) - move.radius * move.radius;
@@ -81,7 +81,7 @@ std::optional<Leg> leg_to(const Pose& pose, const Move& move, Vec2 place) {
   double turn = move.side * elementary::atan2(cross(ahead, out), dot(ahead, out));
   constexpr double kRounding = 1e-3, kCircle = 2.0 * std::numbers::pi;
   if (turn < 0.0) turn += kCircle;
-  return Leg{turn > kCircle - kRounding ? 0.0 : turn * move.radius, straight};
+  return ArcLeg{turn > kCircle - kRounding ? 0.0 : turn * move.radius, straight};
 }
 
 double Maneuvering::lead_left(double gear) const {
@@ -101,7 +101,7 @@ double Maneuvering::clear_length(const Pose& from, const Move& move, double most
 }
 
 // Ways around walls touch them, and what they lead to next is not known here.
-bool Maneuvering::is_clear_leg(const Pose& from, const Move& move, const Leg& leg,
+bool Maneuvering::is_clear_leg(const Pose& from, const Move& move, const ArcLeg& leg,
                                Nearness nearness) const {
   const bool is_near = norm(goal - pose.axle) <= kNearGoal * turning;
   const double straight = is_near ? leg.straight : std::min(leg.straight, kStraight * turning);

@@ -13,14 +13,14 @@ namespace avo {
 inline constexpr double kGearChange = 1.0;
 
 /// From a pose to a place: an arc, and straight on.
-struct Leg {
+struct ArcLeg {
   double arc = 0.0, straight = 0.0;  // m
 };
 
 Pose after(const Pose& pose, const Move& move, double length);
 
 /// None to places inside the circle.
-std::optional<Leg> leg_to(const Pose& pose, const Move& move, Vec2 place);
+std::optional<ArcLeg> leg_to(const Pose& pose, const Move& move, Vec2 place);
 
 /// One car that looks for a way.
 struct Maneuvering {
@@ -42,7 +42,7 @@ struct Maneuvering {
   /// m, that the car can drive before it comes too near to something
   double clear_length(const Pose& from, const Move& move, double most, Nearness nearness) const;
   /// Whether the leg is clear, as far as it is looked at.
-  bool is_clear_leg(const Pose& from, const Move& move, const Leg& leg, Nearness nearness) const;
+  bool is_clear_leg(const Pose& from, const Move& move, const ArcLeg& leg, Nearness nearness) const;
   /// m: to stop, to come back as far, and to start anew
   double change_from_now(double gear) const {
     return gear * speed < 0.0 ? 2.0 * stopping_way() + kGearChange * turning : 0.0;

@@ -41,7 +41,7 @@ struct WaySearch {
   double best = kInfinity;              // m, the cost of the best way so far
   std::uint32_t before_last = kNoNode;  // where its last leg begins; none: where the car is
   Move last_move = {};
-  Leg last_leg = {};
+  ArcLeg last_leg = {};
 
   // The move that a way goes on with.
   struct Next {
@@ -55,7 +55,7 @@ struct WaySearch {
   struct LastLeg {
     double cost = 0.0;  // m, of the whole way
     Pose pose;          // behind the lead
-    Leg leg;
+    ArcLeg leg;
     Next next;
   };
 
