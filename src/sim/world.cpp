@@ -64,6 +64,7 @@ void reserve(const World& world, Worker& worker) {
   worker.queries.reserve(together);
   worker.staying.reserve(together);
   worker.occupied.resting.reserve(seen);
+  worker.occupied.worth.reserve(seen);
   worker.search.reserve(
       together, std::min(together * robots, kTileCandidates + std::min(robots, kMostAhead)));
   const std::size_t sensed = std::min(together * seen, kTileCandidates + seen);
