@@ -16,7 +16,8 @@ constexpr double kWideWay = 3.0;         // or so many, as far as others are tha
 constexpr double kMostSteps = 400.0;     // and steps at most
 constexpr double kMostBraking = 1024.0;  // steps of braking; who takes more has no ways
 constexpr double kLikelyFor = 1.5;       // T, for which likely deviations are reckoned with
-constexpr int kMostWork = 25000;         // movers and intervals that a level looks at
+constexpr int kMostLikelyWork = 25000;   // likewise, where that is a wish
+constexpr int kMostWork = 200000;        // movers and intervals that a level looks at
 
 // m/s: from the end of a trajectory that goes round on, it is not known where the mover is.
 double fastest_until(const Neighbor& neighbor, double time) {
@@ -130,7 +131,7 @@ std::optional<Evading> begin_evading(const CertificateLaw& law, const Robot& rob
 
 void look_around(Evading& evading, const Level& level) {
   Surroundings& around = evading.workspace.around;
-  around.work = kMostWork;
+  around.work = level.likely > 0.0 ? kMostLikelyWork : kMostWork;
   evading.options.increment =
       level.part * increment(evading.robot.max_acceleration, evading.law.step);
   around.others.clear();
