@@ -163,12 +163,36 @@ MotionState within_step(const DifferentialDrive& drive, const MotionState& from,
 
 namespace {
 
+// Whether bounds of the whole step keep all limits, as those of most steps do. While v > 0,
+// σ' = a·n - v σ/L makes |σ| <= Σ = |σ| at the start + a Δt. And v > 0 stays, since v² + σ² = V²
+// and V > Σ. The speed at the end is within S by G <= s (s + k) and W <= 1 + k s, where s = Σ/V
+// is below 1/2. Twice the reserve makes sure that the samples of follows_along() say the same.
+bool surely_follows(const DifferentialDrive& drive, double most_braking, const Turning& turning,
+                    double top, double next_speed) {
+  const double a = norm(turning.acceleration), k = ratio(drive);
+  const double gained = a * turning.length * turning.substeps;
+  const double sigma = std::abs(turning.velocity.y) + gained;
+  const bool goes_ahead = turning.velocity.x > 0.0 && next_speed - gained > sigma;
+  if (!goes_ahead || !(2.0 * sigma < next_speed)) return false;
+  constexpr double kLeft = 1.0 - 2.0 * kReserve;
+  const Wheels more = between_samples(drive, turning, sigma, top);
+  const double root = norm(Vec2{1.0, k}), s = sigma / next_speed;
+  const double speed = top + k * sigma + more.speed;
+  const double acceleration =
+      a * root + sigma * (sigma + k * top) / drive.offset + more.acceleration;
+  const double left = kLeft * drive.offset * (drive.wheel_acceleration - most_braking * root);
+  return speed <= kLeft * drive.wheel_speed && acceleration <= kLeft * drive.wheel_acceleration &&
+         next_speed * (1.0 + k * s) <= kLeft * drive.wheel_speed &&
+         next_speed * next_speed * (s * (s + k)) <= kLeft * left;
+}
+
 // h: the heading, a unit vector
 bool follows_along(const DifferentialDrive& drive, double most_braking, Vec2 h, Vec2 velocity,
                    Vec2 next_velocity, double time_step) {
   const Turning turning = turning_of(drive, h, velocity, next_velocity, time_step);
   const double top = std::max(norm(velocity), norm(next_velocity));
   if (turning.length * top > drive.offset * (kSubturn + kReserve)) return false;
+  if (surely_follows(drive, most_braking, turning, top, norm(next_velocity))) return true;
   constexpr double kLeft = 1.0 - kReserve;
   const auto kept = [&](const Wheels& wheels, const Wheels& more) {
     return wheels.speed + more.speed <= kLeft * drive.wheel_speed &&
