@@ -14,7 +14,7 @@ export async function launch() {
   return chromium.launch({
     timeout: HANG,
     executablePath: process.env.AVO_CHROMIUM ?? "/usr/bin/chromium",
-    // no processor of graphics is needed: SwiftShader draws; the page is put together without it, which is quicker
+    // No processor of graphics is needed: SwiftShader draws. Chromium puts the page together without it, which is quicker.
     args: ["--no-sandbox", "--disable-gpu-compositing", "--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader"],
   });
 }

@@ -131,7 +131,7 @@ TEST(Allocation, none_per_step_of_the_baselines) {
 
 TEST(Allocation, none_per_step_of_several_methods) {
   for (const int workers : {1, 2}) {
-    Scenario scene = test::dense_scene(140, Motion::held);
+    Scenario scene = test::dense_scene(280, Motion::held);  // as many as two threads plan
     scene.method = Method::avo;
     for (std::size_t i = 0; i < scene.robots.size(); i += 2) {
       scene.robots[i].method = i % 4 == 0 ? Method::orca : Method::avo_paper;

@@ -120,7 +120,7 @@ TEST(Cooperating, those_who_decide_never_touch_each_other) {
       check.add(simulation.time(), rows);
     };
     observe();
-    for (int step = 0; step < 400; ++step) {
+    for (int step = 0; step < 800; ++step) {
       if (step % 60 == 0) {
         const Vec2 rally = test::in_disc(random, 4.0);
         for (std::uint64_t k = 0; k < 24; ++k) simulation.set_goal({k}, rally);
