@@ -28,20 +28,19 @@ double Predicted::spread_at(double time) const {
   return t * (drift + 0.5 * t * deviation);
 }
 
-namespace {
-
-// Whether all of the path is at least so far from the origin, along one of three directions: any
-// one is proof.
-bool keeps_off(const Hull& hull, double distance) {
+// Along one of three directions: any one is proof.
+bool keeps_off(const Hull& relative, double distance) {
   const auto along = [&](Vec2 n) {
-    const double least = (distance + hull.bend) * norm(n);
-    return n != Vec2{} && dot(n, hull.start) >= least && dot(n, hull.middle) >= least &&
-           dot(n, hull.end) >= least;
+    const double least = (distance + relative.bend) * norm(n);
+    return n != Vec2{} && dot(n, relative.start) >= least && dot(n, relative.middle) >= least &&
+           dot(n, relative.end) >= least;
   };
-  return along(nearest_on({hull.start, hull.end}, {})) ||
-         along(nearest_on({hull.start, hull.middle}, {})) ||
-         along(nearest_on({hull.middle, hull.end}, {}));
+  return along(nearest_on({relative.start, relative.end}, {})) ||
+         along(nearest_on({relative.start, relative.middle}, {})) ||
+         along(nearest_on({relative.middle, relative.end}, {}));
 }
+
+namespace {
 
 // Whether A, at rest at the place, is not touched from one time to a later one.
 bool keeps_beside_parabola(const Predicted& other, Vec2 place, double from, double to,
@@ -90,25 +89,43 @@ bool rests_clear(const Predicted& other, Vec2 place, double time) {
   return norm(way - std::min(along / squared, other.until - time) * v) >= distance;
 }
 
-bool keeps_from(const Predicted& other, const Hull& own, double time, const StepLaw& law,
-                double distance) {
+Hull relative_to(const Predicted& other, const Hull& own, double time, const StepLaw& law) {
   const Vec2 place = other.place_at(time);
-  return keeps_off({own.start - place, own.middle - place - law.lag * other.velocity_at(time),
-                    own.end - other.place_at(time + law.time_step), own.bend},
-                   distance + other.bend_at(time));
+  return {own.start - place, own.middle - place - law.lag * other.velocity_at(time),
+          own.end - other.place_at(time + law.time_step), own.bend + other.bend_at(time)};
+}
+
+namespace {
+
+// m, that A keeps of where the other one is seen at `from`, whatever it does after that: without
+// [V].
+double kept_of_place(const Predicted& other, double from, double end) {
+  const double seen = std::min(from, other.reaction);
+  return other.stop_contact + (from + end) * other.drift + 0.5 * other.deviation * seen * seen;
+}
+
+}  // namespace
+
+double kept_before_rest(const Predicted& other, double from, double elapsed) {
+  const double seen = std::min(from, other.reaction);
+  return kept_of_place(other, from, elapsed) + other.deviation * elapsed * (seen + 0.5 * elapsed);
 }
 
 bool is_reached_at_rest(const Predicted& other, const Hull& own, double from, double elapsed,
                         const StepLaw& law) {
-  const double end = elapsed + law.time_step, seen = std::min(from, other.reaction);
-  const double held =
-      other.stop_contact + (from + end) * other.drift + 0.5 * other.deviation * seen * seen;
-  const double by_deviation = other.deviation * end * (seen + 0.5 * end);
-  if (keeps_from(other, own, from + elapsed, law, held + by_deviation)) return true;
+  const double end = elapsed + law.time_step;
+  if (keeps_off(relative_to(other, own, from + elapsed, law), kept_before_rest(other, from, end)))
+    return true;
   if (!(other.deviation > 0.0) || !std::isfinite(other.max_speed)) return false;
   const Vec2 c = other.place_at(from);
   return keeps_off({own.start - c, own.middle - c, own.end - c, own.bend},
-                   held + other.max_speed * end);
+                   kept_of_place(other, from, end) + other.max_speed * end);
+}
+
+double room_before_rest(const Predicted& other, Vec2 place, double from, double elapsed) {
+  const double time = from + elapsed;
+  return norm(place - other.place_at(time)) -
+         std::max(other.contact + other.spread_at(time), kept_before_rest(other, from, elapsed));
 }
 
 double room_to(const Predicted& other, Vec2 place, double time) {

@@ -41,9 +41,10 @@ struct Hull {
   double bend = 0.0;        // m, that the path may be outside of it
 };
 
-/// Whether A keeps so far from the other one in the interval of one step from that time on.
-bool keeps_from(const Predicted& other, const Hull& own, double time, const StepLaw& law,
-                double distance);
+/// A's path in the interval of one step from that time on, as the other one sees it.
+Hull relative_to(const Predicted& other, const Hull& own, double time, const StepLaw& law);
+/// Whether all of a path is at least so far from the origin, m. Who keeps off keeps off any less.
+bool keeps_off(const Hull& relative, double distance);
 /// (C1) of a robot that rests at `place` from that time on, for ever or `until` then.
 bool rests_clear(const Predicted& other, Vec2 place, double time);
 /// (C2) of an interval that begins `elapsed` s after the time `from`, when A decides to brake and
@@ -51,7 +52,11 @@ bool rests_clear(const Predicted& other, Vec2 place, double time);
 /// like", about where it is predicted to be seen then.
 bool is_reached_at_rest(const Predicted& other, const Hull& own, double from, double elapsed,
                         const StepLaw& law);
+/// m: whoever keeps off by that until so long after `from` satisfies (C2).
+double kept_before_rest(const Predicted& other, double from, double elapsed);
 /// m, between contact and where it may be then; until that is used up, nothing that A does matters.
 double room_to(const Predicted& other, Vec2 place, double time);
+/// The same, m, of the braking that was decided on `elapsed` s ago, at `from`.
+double room_before_rest(const Predicted& other, Vec2 place, double from, double elapsed);
 
 }  // namespace avo

@@ -65,7 +65,8 @@ bool is_clear(const WayOptions& options, Surroundings& around, const WayState& f
     look_at(options, around, k, from);
     if (around.clear_until[k] >= end) continue;
     const Predicted& other = around.others[k];
-    if (!keeps_from(other, step, from.time, options.law, other.contact + other.spread_at(end)))
+    if (!keeps_off(relative_to(other, step, from.time, options.law),
+                   other.contact + other.spread_at(end)))
       return false;
   }
   return is_known(options, step.end) &&
@@ -80,6 +81,7 @@ bool is_clear(const WayOptions& options, Surroundings& around, const WayState& f
 // Full braking from a state.
 struct FullBraking {
   BrakingProfile profile;
+  Vec2 position;   // m, where it begins
   Vec2 direction;  // unit, or 0
   double steps = 0.0;
   Vec2 end;  // m
@@ -89,7 +91,7 @@ FullBraking braking_from(const WayOptions& options, const WayState& state) {
   FullBraking braking;
   const double speed = norm(state.velocity);
   braking.profile = braking_profile(speed, options.decrement);
-  braking.end = state.position;
+  braking.position = braking.end = state.position;
   if (is_rest(state.velocity)) return braking;
   braking.direction = state.velocity / speed;
   braking.steps = braking.profile.full_steps + 1.0;
@@ -97,11 +99,19 @@ FullBraking braking_from(const WayOptions& options, const WayState& state) {
   return braking;
 }
 
-Hull interval_of(const FullBraking& braking, const WayState& state, const StepLaw& law, int m) {
-  const BrakingDistances along = braking_distances(braking.profile, law, m);
-  return {state.position + along.start * braking.direction,
-          state.position + along.middle * braking.direction,
-          state.position + along.end * braking.direction};
+Hull interval_of(const FullBraking& braking, const StepLaw& law, std::size_t m) {
+  const BrakingDistances along = braking_distances(braking.profile, law, static_cast<int>(m));
+  return {braking.position + along.start * braking.direction,
+          braking.position + along.middle * braking.direction,
+          braking.position + along.end * braking.direction};
+}
+
+// The same for the last path of braking, computed once for all others.
+const Hull& known_interval(const FullBraking& braking, const StepLaw& law, std::size_t m,
+                           Surroundings& around) {
+  KnownInterval& known = around.intervals[m];
+  if (known.braking != around.brakings) known = {interval_of(braking, law, m), around.brakings};
+  return known.path;
 }
 
 // What braking from a state comes to.
@@ -111,7 +121,7 @@ enum class Stop : unsigned char {
   clear,     // and A is never touched, (C1)
 };
 
-// may_be_clear: nobody else touches A.
+// Towards one of the others. may_be_clear: no other one is known to touch A.
 Stop stop_before(const WayOptions& options, Surroundings& around, std::size_t k,
                  const WayState& state, const FullBraking& braking, bool may_be_clear) {
   const Predicted& other = around.others[k];
@@ -122,13 +132,19 @@ Stop stop_before(const WayOptions& options, Surroundings& around, std::size_t k,
     const double time = state.time + h * m;
     if (clear_until >= time + h) continue;
     --around.work;
-    const Hull own = interval_of(braking, state, options.law, m);
-    if (other.asks_to_stop && !is_reached_at_rest(other, own, state.time, h * m, options.law))
-      return Stop::too_late;
-    clear = clear &&
-            keeps_from(other, own, time, options.law, other.contact + other.spread_at(time + h));
+    const Hull& own = known_interval(braking, options.law, static_cast<std::size_t>(m), around);
+    const Hull relative = relative_to(other, own, time, options.law);
+    const double kept = clear ? other.contact + other.spread_at(time + h) : 0.0;
+    const double before_rest =
+        other.asks_to_stop ? kept_before_rest(other, state.time, h * m + h) : 0.0;
+    // mostly A keeps both at once
+    if (!keeps_off(relative, std::max(kept, before_rest))) {
+      if (other.asks_to_stop && !is_reached_at_rest(other, own, state.time, h * m, options.law))
+        return Stop::too_late;
+      clear = clear && keeps_off(relative, kept);
+    }
     if (!clear && !other.asks_to_stop) break;
-    if (!(other.deviation > 0.0)) clear_until = time + room_to(other, own.start, time) / closing;
+    clear_until = time + room_before_rest(other, own.start, state.time, h * m) / closing;
   }
   // what takes longest comes last
   clear = clear && rests_clear(other, braking.end, state.time + h * braking.steps);
@@ -144,11 +160,21 @@ Stop stop_from(const WayOptions& options, Surroundings& around, const WayState& 
     if (wall.clear_until >= end) continue;
     if (distance({state.position, braking.end}, wall.segment) < wall.kept) return Stop::too_late;
   }
+  ++around.brakings;
+  if (const auto most = static_cast<std::size_t>(braking.steps); around.intervals.size() < most)
+    around.intervals.resize(most);
   Stop worst = Stop::clear;
-  for (std::size_t k = 0; k < around.others.size(); ++k) {
-    worst = std::min(worst, stop_before(options, around, k, state, braking, worst == Stop::clear));
-    if (worst == Stop::too_late) break;
-  }
+  const auto look_at_one = [&](std::size_t k) {
+    const Stop stop = stop_before(options, around, k, state, braking, worst == Stop::clear);
+    if (stop != Stop::clear && worst == Stop::clear) around.in_the_way = k;
+    worst = std::min(worst, stop);
+    return worst != Stop::too_late;
+  };
+  // who was in the way of the last braking mostly is again: then it matters less what the others do
+  const std::size_t count = around.others.size(), first = around.in_the_way;
+  if (first < count && !look_at_one(first)) return worst;
+  for (std::size_t k = 0; k < count; ++k)
+    if (k != first && !look_at_one(k)) break;
   return worst;
 }
 
@@ -161,6 +187,7 @@ void Surroundings::reserve(std::size_t most_others) {
 }
 
 void begin_ways(const WayOptions& options, Surroundings& around) {
+  around.in_the_way = around.others.size();
   around.clear_until.assign(around.others.size(), 0.0);
   for (std::size_t k = 0; k < around.others.size(); ++k) look_at(options, around, k, {});
   around.clear_now = around.clear_until;
@@ -215,7 +242,7 @@ bool stops_in_time(const WayOptions& options, const Surroundings& around, const 
     if (!other.asks_to_stop || !moves) return true;
     if (!is_reached_at_rest(other, step, 0.0, 0.0, law)) return false;
     for (int m = 0; m < braking.steps; ++m) {
-      if (!is_reached_at_rest(other, interval_of(braking, state, law, m), 0.0,
+      if (!is_reached_at_rest(other, interval_of(braking, law, static_cast<std::size_t>(m)), 0.0,
                               law.time_step * (m + 1), law))
         return false;
     }

@@ -3,6 +3,7 @@
 // (docs/movers.md). Places are of A's disc, relative to p_A, and times count from the decision.
 #pragma once
 #include <cstddef>
+#include <cstdint>
 #include <limits>
 #include <vector>
 
@@ -39,6 +40,12 @@ struct WayOptions {
   const Robot* wheels = nullptr;  ///< A, unless it is holonomic
 };
 
+/// An interval of braking, once somebody has asked for it.
+struct KnownInterval {
+  Hull path;
+  std::uint64_t braking = 0;  // number of the braking path whose interval it is
+};
+
 /// Scratch memory; allocates only while it grows.
 struct Surroundings {
   std::vector<Predicted> others;
@@ -49,6 +56,9 @@ struct Surroundings {
   std::vector<double> clear_now, clear_after, clear_until;
   WayState after;          // the first step
   double brakes_at = 0.0;  // s: when the last way begins to brake that was found clear
+  std::vector<KnownInterval> intervals;  // of the last braking path
+  std::uint64_t brakings = 0;            // paths of braking until now
+  std::size_t in_the_way = 0;  // of the others, who touched A in the last that was not clear
   /// So much may still be looked at in this decision; no way is clear once that is used up.
   int work = std::numeric_limits<int>::max();
 

@@ -10,13 +10,16 @@
 namespace avo {
 
 /// Of the places from `from` on, the index of the first one that is later than that; their number
-/// where there is none.
+/// where there is none. Looks near `from` first.
 inline std::size_t first_later(std::span<const TimedPlace> places, double time,
                                std::size_t from = 0) {
   const auto later = [](double t, const TimedPlace& place) { return t < place.time; };
+  std::size_t step = 1;
+  for (; from + step < places.size() && places[from + step].time <= time; step *= 2) from += step;
   const auto begin = places.begin() + static_cast<std::ptrdiff_t>(from);
-  return static_cast<std::size_t>(std::upper_bound(begin, places.end(), time, later) -
-                                  places.begin());
+  const auto end =
+      places.begin() + static_cast<std::ptrdiff_t>(std::min(from + step, places.size()));
+  return static_cast<std::size_t>(std::upper_bound(begin, end, time, later) - places.begin());
 }
 
 /// m/s, from one place to the next.

@@ -7,7 +7,10 @@
 #include "robots/maneuver.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
 #include <limits>
 #include <numbers>
 
@@ -62,10 +65,18 @@ Vec2 wish_to_go_on(const Maneuvering& car) {
 
 }  // namespace
 
-Pose after(const Pose& pose, const Move& move, double length) {
+Vec2 KnownTurns::direction(double turn) {
+  const auto bits = std::bit_cast<std::uint64_t>(turn);
+  const std::size_t k = (bits * 0x9e3779b97f4a7c15U) >> 58U;
+  static_assert(kKnown == 1U << 6U);
+  if (turns[k] != turn) turns[k] = turn, directions[k] = elementary::direction(turn);
+  return directions[k];
+}
+
+Pose after(const Pose& pose, const Move& move, double length, KnownTurns& turns) {
   const Vec2 ahead = move.gear * pose.heading;
   if (move.side == 0.0) return {pose.axle + length * ahead, pose.heading};
-  const Vec2 turn = elementary::direction(move.side * length / move.radius);
+  const Vec2 turn = turns.direction(move.side * length / move.radius);
   const Vec2 to_center = (move.side * move.radius) * perpendicular(ahead);
   return {pose.axle + to_center - turned(to_center, turn), turned(pose.heading, turn)};
 }
@@ -93,7 +104,7 @@ double Maneuvering::clear_length(const Pose& from, const Move& move, double most
                                  Nearness nearness) const {
   for (double length = 0.0; length < most;) {
     const double next = std::min(length + kSample * turning, most);
-    const Pose there = after(from, move, next);
+    const Pose there = after(from, move, next, turns);
     if (!is_clear(there.axle + offset_of(car) * there.heading, nearness)) return length;
     length = next;
   }
@@ -107,7 +118,8 @@ bool Maneuvering::is_clear_leg(const Pose& from, const Move& move, const ArcLeg&
   const double straight = is_near ? leg.straight : std::min(leg.straight, kStraight * turning);
   if (straight < leg.straight) nearness = Nearness::begun;
   const Move ahead{move.gear, 0.0, planned};
-  const Pose turned = after(from, move, leg.arc), end = after(turned, ahead, straight);
+  const Pose turned = after(from, move, leg.arc, turns);
+  const Pose end = after(turned, ahead, straight, turns);
   return is_clear(end.axle + offset_of(car) * end.heading, nearness) &&
          clear_length(from, move, leg.arc, nearness) >= leg.arc &&
          clear_length(turned, ahead, straight, nearness) >= straight;
@@ -134,7 +146,9 @@ std::optional<Vec2> maneuver(const Car& car, const Robot& robot, const Approach&
                                 lead,
                                 axle + (distance / speed) * robot.preferred_velocity,
                                 {axle, h},
-                                dot(h, robot.velocity)};
+                                dot(h, robot.velocity),
+                                memory.turns};
+  memory.turns.begin();
   const auto way = begin_way(maneuvering, memory);
   if (!way) return wish_to_go_on(maneuvering);
   if (!way->is_direct) return wish(maneuvering, way->move, way->turn, way->length);

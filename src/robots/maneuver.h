@@ -17,7 +17,7 @@ struct ArcLeg {
   double arc = 0.0, straight = 0.0;  // m
 };
 
-Pose after(const Pose& pose, const Move& move, double length);
+Pose after(const Pose& pose, const Move& move, double length, KnownTurns& turns);
 
 /// None to places inside the circle.
 std::optional<ArcLeg> leg_to(const Pose& pose, const Move& move, Vec2 place);
@@ -33,6 +33,7 @@ struct Maneuvering {
   Vec2 goal;       // m, of the axle
   Pose pose;
   double speed;  // m/s, along the heading
+  KnownTurns& turns;
 
   bool goes_on(double gear) const { return gear * speed > 0.0; }
   double stopping_way() const { return 0.5 * speed * speed / robot.max_acceleration; }

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // The memory of a search for ways of several moves.
 #pragma once
+#include <array>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 #include "avo/vec.h"
@@ -19,6 +21,17 @@ struct Move {
   double gear = 1.0;    // 1 forward, -1 backwards
   double side = 0.0;    // 1 to the left of where it drives, -1 to the right, 0 straight
   double radius = 0.0;  // m, of its circle
+};
+
+/// Unit vectors of the turns of one search, which asks for few of them again and again.
+struct KnownTurns {
+  static constexpr std::size_t kKnown = 64;
+  std::array<double, kKnown> turns;  // rad; NaN: none yet
+  std::array<Vec2, kKnown> directions;
+
+  void begin() { turns.fill(std::numeric_limits<double>::quiet_NaN()); }
+  /// elementary::direction(turn)
+  Vec2 direction(double turn);
 };
 
 /// Reuse it and nothing is allocated after the first search.
@@ -45,6 +58,7 @@ struct ManeuverMemory {
     std::uint64_t key;
     std::uint32_t node;
   };
+  KnownTurns turns;
   std::vector<Node> nodes;
   std::vector<Open> open;   // a heap, the cheapest first
   std::vector<Cell> cells;  // a hash table: the cheapest node of each

@@ -130,9 +130,9 @@ struct WaySearch {
     node.since = (next.is_first || next.starts ? 0.0 : from.since) + lead + length;
     node.is_first_gear = next.is_first || (from.is_first_gear && !next.starts);
     if (node.moves >= kMostMoves || !is_clear(from.pose, next, lead)) return;
-    if (lead > 0.0) node.pose = after(node.pose, straight_on(next.move.gear), lead);
+    if (lead > 0.0) node.pose = after(node.pose, straight_on(next.move.gear), lead, car.turns);
     if (car.clear_length(node.pose, next.move, length, next.nearness) < length) return;
-    node.pose = after(node.pose, next.move, length);
+    node.pose = after(node.pose, next.move, length, car.turns);
     node.angle += next.move.side * length / next.move.radius;
     const double room = kRoomAround * car.turning;
     if (norm_squared(node.pose.axle - car.pose.axle) <= room * room) push(node);
@@ -182,7 +182,7 @@ struct WaySearch {
       for (const double side : {-1.0, 1.0}) {
         const auto next = next_of(from, number, k == 0 ? 1.0 : -1.0, side);
         if (!next) continue;
-        const Pose pose = after(from.pose, straight_on(next->move.gear), next->lead);
+        const Pose pose = after(from.pose, straight_on(next->move.gear), next->lead, car.turns);
         const auto leg = leg_to(pose, next->move, car.goal);
         if (!leg || (!next->is_first && leg->arc > kMostArc * car.planned)) continue;
         const double cost = from.cost + next->lead + leg->arc + leg->straight + extra_cost(*next);

@@ -238,9 +238,11 @@ class Poison {
   void spoil(KeptWall& wall) const { each(wall.segment, wall.kept, wall.clear_until); }
   void spoil(Surroundings& around) const {
     auto& [others, trajectories, walls, clear_now, clear_after, clear_until, after, brakes_at,
-           work] = around;
-    each(others, trajectories, walls, clear_now, clear_after, clear_until, after.position,
-         after.velocity, after.time, after.heading, brakes_at, work);
+           intervals, brakings, in_the_way, work] = around;
+    for (KnownInterval& known : intervals) spoil(known.path.end);
+    static_cast<void>(brakings);  // no interval is of a path that is still to come
+    each(in_the_way, others, trajectories, walls, clear_now, clear_after, clear_until,
+         after.position, after.velocity, after.time, after.heading, brakes_at, work);
   }
   void spoil(EvasionWorkspace& evasion) const {
     auto& [around, deciding, certified, chosen, put_aside] = evasion;
@@ -262,7 +264,8 @@ class Poison {
   void spoil(SteerMemory::Obstacle& obstacle) const { each(obstacle.segment, obstacle.keep); }
   void spoil(SteerMemory& steering) const {
     auto& [obstacles, maneuvers] = steering;
-    auto& [nodes, open, cells] = maneuvers;
+    auto& [turns, nodes, open, cells] = maneuvers;
+    turns.turns.fill(0.0), spoil(turns.directions);
     each(obstacles, nodes, open, cells);
   }
 

@@ -151,6 +151,47 @@ TEST(WaysOut, that_are_clear_touch_nobody) {
   EXPECT_GT(clear, 300);
 }
 
+Hull interval_of(Vec2 place, Vec2 v, Vec2 next, const StepLaw& law) {
+  const Vec2 middle = place + law.lag * v;
+  return {place, middle, middle + (law.time_step - law.lag) * next};
+}
+
+// Intervals of braking are left out where the other one is too far away to matter; all of them are
+// looked at here.
+TEST(WaysOut, that_are_clear_stop_in_time_in_every_interval) {
+  test::Random random(4);
+  int clear = 0;
+  for (int trial = 0; trial < 4000; ++trial) {
+    Case c = random_case(random, trial);
+    for (Predicted& other : c.around.others) {
+      other.deviation = random.uniform(0.0, 1.0), other.asks_to_stop = true;
+      other.fastest +=
+          other.deviation * (other.reaction + 2.0 / c.options.decrement * c.options.law.time_step);
+    }
+    if (!has_clear_way(c)) continue;
+    ++clear;
+    const StepLaw& law = c.options.law;
+    WayState state = c.around.after;
+    const double half_step = 0.5 * law.time_step;
+    for (; state.time < c.around.brakes_at - half_step; state.time += law.time_step) {
+      const Vec2 next = approach(state.velocity, c.w, c.options.increment);
+      state.position = interval_of(state.position, state.velocity, next, law).end,
+      state.velocity = next;
+    }
+    Vec2 place = state.position, v = state.velocity;
+    for (double elapsed = 0.0; v != Vec2{}; elapsed += law.time_step) {
+      const Hull own = interval_of(place, v, braked(v, c.options.decrement), law);
+      for (Predicted other : c.around.others) {
+        other.stop_contact -= 1e-9;
+        ASSERT_TRUE(is_reached_at_rest(other, own, state.time, elapsed, law))
+            << trial << " " << elapsed;
+      }
+      place = own.end, v = braked(v, c.options.decrement);
+    }
+  }
+  EXPECT_GT(clear, 300);
+}
+
 // As A sees it one step later, others as they were predicted.
 Case after_step(const Case& c) {
   Case later = c;
