@@ -10,7 +10,7 @@ namespace {
 
 // The first robot rests at its goal; the walker comes by at 2.2 s. The second one drives on, into a
 // disc that stands.
-const std::string kScene =
+const std::string kSceneWithMover =
     "version: 1\nduration: 4\nrobots:\n"
     "  - {position: [0, 0], goal: [0, 0]}\n"
     "  - {position: [20, 0], velocity: [1, 0], goal: [60, 0], max_speed: 1}\n"
@@ -35,7 +35,7 @@ Strings judging(const std::string& scene, Strings more = {}) {
 }
 
 TEST(CheckMovers, who_is_run_over_at_rest_is_not_safe) {
-  const ProcessResult words = run_avo(judging(kScene));
+  const ProcessResult words = run_avo(judging(kSceneWithMover));
   EXPECT_EQ(words.exit_code, 1) << words.out << words.err;
   EXPECT_NE(words.out.find(": unsafe\n"), std::string::npos) << words.out;
   EXPECT_NE(
@@ -44,7 +44,7 @@ TEST(CheckMovers, who_is_run_over_at_rest_is_not_safe) {
                      "deep\n"),
       std::string::npos)
       << words.out;
-  const ProcessResult result = run_avo(judging(kScene, {"--json"}));
+  const ProcessResult result = run_avo(judging(kSceneWithMover, {"--json"}));
   EXPECT_EQ(result.exit_code, 1);
   const Json json = Json::parse(result.out);
   EXPECT_EQ(json["safe"], false);
@@ -63,19 +63,19 @@ TEST(CheckMovers, who_is_run_over_at_rest_is_not_safe) {
 }
 
 TEST(CheckMovers, at_rest_ok_says_that_it_may_be) {
-  const ProcessResult words = run_avo(judging(kScene, {"--movers-at-rest", "ok"}));
+  const ProcessResult words = run_avo(judging(kSceneWithMover, {"--movers-at-rest", "ok"}));
   EXPECT_EQ(words.exit_code, 0) << words.out << words.err;
   EXPECT_NE(words.out.find("1 hit a robot at rest, which is allowed\n"), std::string::npos)
       << words.out;
-  const Json json = Json::parse(run_avo(judging(kScene, {"--movers-at-rest", "ok", "--json"})).out);
+  const Json json = Json::parse(run_avo(judging(kSceneWithMover, {"--movers-at-rest", "ok", "--json"})).out);
   EXPECT_EQ(json["safe"], true);
   EXPECT_EQ(json["movers_at_rest"], "ok");
   EXPECT_EQ(json["obstacle_hits"].size(), 1U);
-  EXPECT_EQ(run_avo(judging(kScene, {"--movers-at-rest", "collision"})).exit_code, 1);
+  EXPECT_EQ(run_avo(judging(kSceneWithMover, {"--movers-at-rest", "collision"})).exit_code, 1);
 }
 
 TEST(CheckMovers, at_rest_ok_is_not_ok_in_motion) {
-  const ProcessResult result = run_avo(judging(kScene + kDisc, {"--movers-at-rest=ok", "--json"}));
+  const ProcessResult result = run_avo(judging(kSceneWithMover + kDisc, {"--movers-at-rest=ok", "--json"}));
   EXPECT_EQ(result.exit_code, 1);
   const Json hits = Json::parse(result.out)["obstacle_hits"];
   ASSERT_EQ(hits.size(), 2U);
@@ -86,21 +86,21 @@ TEST(CheckMovers, at_rest_ok_is_not_ok_in_motion) {
 }
 
 TEST(CheckMovers, each_hit_has_a_line) {
-  const std::string out = run_avo(judging(kScene + kDisc)).out;
+  const std::string out = run_avo(judging(kSceneWithMover + kDisc)).out;
   const std::size_t first = out.find("    in motion        robot 1 at 1.0");
   EXPECT_NE(first, std::string::npos) << out;
   EXPECT_NE(out.find(" s, by moving obstacle 1, 0.8 m deep\n    at rest          robot 0 at 2.2 s",
                      first),
             std::string::npos)
       << out;
-  std::string many = kScene;  // eleven more run over it, all at once
+  std::string many = kSceneWithMover;  // eleven more run over it, all at once
   for (int k = 0; k < 11; ++k) many += "  - {position: [-4, 0], velocity: [2, 0], radius: 0.3}\n";
   EXPECT_NE(run_avo(judging(many)).out.find("    ...              2 more, see --json\n"),
             std::string::npos);
 }
 
 TEST(CheckMovers, other_words_are_refused) {
-  const ProcessResult result = run_avo(judging(kScene, {"--movers-at-rest", "fine"}));
+  const ProcessResult result = run_avo(judging(kSceneWithMover, {"--movers-at-rest", "fine"}));
   EXPECT_EQ(result.exit_code, 2);
   EXPECT_EQ(result.out, "");
   EXPECT_NE(result.err.find("--movers-at-rest: found fine, must be ok or collision"),

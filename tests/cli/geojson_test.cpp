@@ -14,11 +14,11 @@ namespace {
 using avo::Chain;
 using avo::Vec2;
 
-const std::string kRobot = "version: 1\nrobots: [{position: [5, 5], goal: [6, 5]}]\n";
+const std::string kOneRobot = "version: 1\nrobots: [{position: [5, 5], goal: [6, 5]}]\n";
 
 avo::StaticObstacle plan(const std::string& text, const std::string& as = "solid") {
   write_file(path_of("plan.geojson"), text);
-  return avo_io::parse_scenario(kRobot + "obstacles: [{geojson: plan.geojson, as: " + as + "}]\n",
+  return avo_io::parse_scenario(kOneRobot + "obstacles: [{geojson: plan.geojson, as: " + as + "}]\n",
                                 path_of("s.yaml"))
       .obstacles.at(0);
 }
@@ -67,7 +67,7 @@ TEST(Geojson, points_and_degrees_are_noted) {
     "features": [{"type": "Feature", "geometry": {"type": "Point", "coordinates": [1, 1]}},
                  {"type": "Feature", "geometry": {"type": "MultiPoint", "coordinates": [[1, 1]]}}]})");
   const std::string scene = path_of("s.yaml");
-  write_file(scene, kRobot + "obstacles: [{geojson: plan.geojson}]\n");
+  write_file(scene, kOneRobot + "obstacles: [{geojson: plan.geojson}]\n");
   const ProcessResult result = run_avo({"validate", scene});
   EXPECT_EQ(result.exit_code, 0);
   const std::string name = "warning: " + path_of("plan.geojson");
@@ -135,7 +135,7 @@ class BadGeojsons : public testing::TestWithParam<BadGeojson> {};
 
 TEST_P(BadGeojsons, are_refused_in_one_line) {
   write_file(path_of("plan.geojson"), GetParam().text);
-  write_file(path_of("s.yaml"), kRobot + "obstacles: [{geojson: plan.geojson}]\n");
+  write_file(path_of("s.yaml"), kOneRobot + "obstacles: [{geojson: plan.geojson}]\n");
   const ProcessResult result = run_avo({"validate", path_of("s.yaml")});
   EXPECT_EQ(result.exit_code, 3);
   EXPECT_EQ(result.err, path_of("plan.geojson") + ":" + GetParam().message + "\n");
@@ -146,7 +146,7 @@ INSTANTIATE_TEST_SUITE_P(All, BadGeojsons, testing::ValuesIn(kBadGeojsons), kGeo
 
 TEST(EmptyWkt, has_no_walls_wherever_it_stands) {
   const auto chains_of = [](const std::string& wkt) {
-    return avo_io::parse_scenario(kRobot + "obstacles: [{wkt: \"" + wkt + "\"}]\n", "s.yaml")
+    return avo_io::parse_scenario(kOneRobot + "obstacles: [{wkt: \"" + wkt + "\"}]\n", "s.yaml")
         .obstacles.at(0)
         .chains.size();
   };

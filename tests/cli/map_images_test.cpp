@@ -15,7 +15,7 @@ namespace {
 
 using avo::Vec2;
 
-const std::string kScene =
+const std::string kSceneOfMap =
     "version: 1\nrobots: [{position: [0.25, 0.75], goal: [0.25, 0.75], radius: 0.2}]\n"
     "obstacles: [{ros_map: m.yaml}]\n";
 
@@ -30,7 +30,7 @@ void write_map(const std::string& image, const std::string& more = "") {
 /// The corners of the free cells' borders.
 std::vector<Vec2> corners_of(const std::string& image, const std::string& more = "") {
   write_map(image, more);
-  const avo::Scenario scenario = avo_io::parse_scenario(kScene, path_of("s.yaml"));
+  const avo::Scenario scenario = avo_io::parse_scenario(kSceneOfMap, path_of("s.yaml"));
   std::vector<Vec2> corners;
   for (const avo::Chain& chain : scenario.obstacles.at(0).chains)
     corners.insert(corners.end(), chain.points.begin(), chain.points.end());
@@ -118,13 +118,13 @@ TEST(MapImages, negate_may_be_a_word) {
   std::string yaml = read_file(path_of("m.yaml"));
   yaml.replace(yaml.find("negate: 0"), 9, "negate: true");
   write_file(path_of("m.yaml"), yaml);
-  EXPECT_EQ(avo_io::parse_scenario(kScene, path_of("s.yaml")).obstacles.at(0).chains.at(0).points,
+  EXPECT_EQ(avo_io::parse_scenario(kSceneOfMap, path_of("s.yaml")).obstacles.at(0).chains.at(0).points,
             kUpperLeft);
 }
 
 TEST(MapImages, unknown_keys_are_noted_and_left_out) {
   write_map("P2 3 2 255 254 0 0 0 0 0\n", "map_type: occupancy\nmde: raw\n");
-  write_file(path_of("s.yaml"), kScene);
+  write_file(path_of("s.yaml"), kSceneOfMap);
   const ProcessResult result = run_avo({"validate", path_of("s.yaml")});
   EXPECT_EQ(result.exit_code, 0);
   EXPECT_EQ(result.err, "warning: " + path_of("m.yaml") +
@@ -138,7 +138,7 @@ TEST(MapImages, unknown_keys_are_noted_and_left_out) {
 
 TEST(MapImages, a_recording_has_the_image_in_itself) {
   write_map(bytes_of(SmallPng{.lines = {line({254, 205, 0}), line({205, 0, 205})}}));
-  write_file(path_of("s.yaml"), kScene);
+  write_file(path_of("s.yaml"), kSceneOfMap);
   const std::string recording = path_of("run.h5");
   EXPECT_EQ(run_avo({"run", path_of("s.yaml"), "--record", recording, "-q"}).exit_code, 0);
   write_file(path_of("image"), "gone");
@@ -230,7 +230,7 @@ class BadImages : public testing::TestWithParam<BadImage> {};
 
 TEST_P(BadImages, are_refused_in_one_line) {
   write_map(GetParam().bytes);
-  write_file(path_of("s.yaml"), kScene);
+  write_file(path_of("s.yaml"), kSceneOfMap);
   const ProcessResult result = run_avo({"validate", path_of("s.yaml")});
   EXPECT_EQ(result.exit_code, 3);
   EXPECT_EQ(result.err, path_of("image") + ":1:1: " + GetParam().message + "\n");

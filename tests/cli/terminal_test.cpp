@@ -29,7 +29,7 @@ struct Typed {
 };
 
 // The terminal repeats what is typed, but for the end.
-const std::string kScene =
+const std::string kSceneInTerminal =
     "version: 1\nname: typed\nrobots:\n  - {position: [0, 0], goal: [5, 0]}\n";
 
 const std::vector<Typed> kTyped = {
@@ -46,8 +46,8 @@ const std::vector<Typed> kTyped = {
     {"avo run circle-3 --duration 1 --json -q", kKeys, kNothing},
     {"avo run circle-3 --duration 1 -v", table("circle-3: 3 robots, 10 steps of 0.1 s"), kSettings},
     {"avo run circle-3 --duration 1 -q", kNothing, kNothing},
-    {"avo run - --duration 1", kScene + table("typed: 1 robots, 10 steps of 0.1 s"), kNothing,
-     kScene},
+    {"avo run - --duration 1", kSceneInTerminal + table("typed: 1 robots, 10 steps of 0.1 s"), kNothing,
+     kSceneInTerminal},
     {"avo run circle-3 --duration soon", kNothing,
      "--duration: found \"soon\", must be a number \\(s\\)\n"},
     {"avo help run", "simulate a scene to its end\nUsage: avo run .*\n(.*\n)*Example: avo run .*\n",

@@ -12,6 +12,8 @@
 namespace avo_test {
 namespace {
 
+using Strings = std::vector<std::string>;
+
 TEST(Verbs, version) {
   for (const char* option : {"--version", "-V"}) {
     const ProcessResult result = run_avo({option});
@@ -128,7 +130,6 @@ TEST(Verbs, a_name_that_is_none_is_told_the_scene_with_its_number) {
 }
 
 TEST(Verbs, usage_errors_take_one_line_and_exit_with_2) {
-  using Strings = std::vector<std::string>;
   for (const Strings& arguments :
        {Strings{}, Strings{"nonsense"}, Strings{"run"}, Strings{"--nonsense"}, Strings{"validate"},
         Strings{"run", "circle-2", "circle-3"}}) {

@@ -15,7 +15,7 @@ namespace {
 using avo_io::Hdf5Handle;
 
 /// With 128 MiB of memory, and 20 s of a processor, which a busy machine does not shorten.
-void expect_refused(const std::string& table, const std::string& message) {
+void expect_no_table(const std::string& table, const std::string& message) {
   const ProcessResult result =
       run_avo({"compare", table}, {.before = [] {
                 const rlimit memory{128U << 20U, 128U << 20U}, seconds{20, 20};
@@ -57,13 +57,13 @@ TEST(SweepTables, as_hdf5_that_promise_more_than_their_bytes_are_refused) {
   const Hdf5Handle chunked = layout();
   ASSERT_GE(H5Pset_chunk(chunked.id(), 1, &chunk), 0);
   put_column(h5, "sweep", many, texts_of(4000), chunked);  // 4 GB that nobody has written
-  expect_refused(h5, kRefused);
+  expect_no_table(h5, kRefused);
   h5 = swept(kSmallSweep, "runs.h5");
   put_column(h5, "sweep", many, texts_of(4000), layout());
-  expect_refused(h5, kRefused);
+  expect_no_table(h5, kRefused);
   h5 = swept(kSmallSweep, "runs.h5");
   put_column(h5, "scene", 24, texts_of(1 << 20), layout());
-  expect_refused(h5, kRefused);
+  expect_no_table(h5, kRefused);
 }
 
 TEST(SweepTables, as_hdf5_with_rows_in_other_files_are_refused) {
@@ -76,20 +76,20 @@ TEST(SweepTables, as_hdf5_with_rows_in_other_files_are_refused) {
                                  H5P_DEFAULT),
               0);
   }
-  expect_refused(h5, kRefused);
+  expect_no_table(h5, kRefused);
   h5 = swept(kSmallSweep, "runs.h5");
   const Hdf5Handle outside = layout(), number(H5Tcopy(H5T_STD_U64LE), H5Tclose);
   write_file(path_of("rows"), std::string(24 * 8, '\1'));
   ASSERT_GE(H5Pset_external(outside.id(), path_of("rows").c_str(), 0, H5F_UNLIMITED), 0);
   put_column(h5, "steps", 24, number, outside);
-  expect_refused(h5, kRefused);
+  expect_no_table(h5, kRefused);
 }
 
 TEST(SweepTables, as_csv_of_one_endless_line_are_refused) {
   const std::string csv = path_of("endless.csv");
   write_file(csv, "");
   ASSERT_EQ(truncate(csv.c_str(), off_t{1} << 30U), 0);  // zeros, which take no room on the disk
-  expect_refused(csv, ":1: found more than 1048576 characters, a line must be shorter");
+  expect_no_table(csv, ":1: found more than 1048576 characters, a line must be shorter");
 }
 
 TEST(SweepTables, as_csv_of_something_else_are_refused_by_their_first_line) {
@@ -97,7 +97,7 @@ TEST(SweepTables, as_csv_of_something_else_are_refused_by_their_first_line) {
   std::string text = "a,b,c,d,e,f\n";
   for (int k = 0; k < 1'000'000; ++k) text += "1,2,3,4,5,6\n";  // in memory 200 MB
   write_file(csv, text);
-  expect_refused(csv,
+  expect_no_table(csv,
                  ": found no table of avo sweep, whose first columns must be sweep, run, scene, "
                  "method, parameters, seed, state_hash");
 }

@@ -21,7 +21,7 @@ namespace {
 using test::Random;
 using test::seen;
 
-StepLaw law;  // held; of the run
+StepLaw law_of_run;  // held
 constexpr int kParts = 8;
 
 enum class Kind { airplane, holonomic, car };
@@ -48,7 +48,7 @@ Robot any_robot(Random& random, Kind kind) {
   }
   Airplane airplane;
   airplane.min_speed = random.uniform(0.5, 1.5);
-  const double most = 3.0 * airplane.min_speed / law.time_step;  // 3 rad a step
+  const double most = 3.0 * airplane.min_speed / law_of_run.time_step;  // 3 rad a step
   airplane.lateral_acceleration = std::min(random.uniform(0.5, 3.0), most);
   robot.velocity = random.uniform(airplane.min_speed, robot.max_speed) * heading;
   robot.model = airplane;
@@ -64,7 +64,7 @@ struct Moved {
 
 Moved fly_on(const Robot& robot, const FlightStep& step, double next_speed) {
   Moved moved{robot, {}};
-  const double speed = norm(robot.velocity), h = law.time_step;
+  const double speed = norm(robot.velocity), h = law_of_run.time_step;
   for (int k = 0; k <= kParts; ++k) {
     const double t = h * k / kParts;
     Arc part = step.way;
@@ -82,19 +82,19 @@ Moved fly_on(const Robot& robot, const FlightStep& step, double next_speed) {
 
 Moved drive_on(const Robot& robot, Vec2 next_velocity) {
   Moved moved{robot, {}};
-  const Plan plan = plan_to(robot, next_velocity, law);
+  const Plan plan = plan_to(robot, next_velocity, law_of_run);
   if (is_holonomic(robot.model)) {
     for (int k = 0; k <= kParts; ++k) {
-      const double t = law.time_step * k / kParts;
+      const double t = law_of_run.time_step * k / kParts;
       moved.places.push_back(robot.position + t * robot.velocity +
-                             (0.5 * t * t / law.time_step) * (next_velocity - robot.velocity));
+                             (0.5 * t * t / law_of_run.time_step) * (next_velocity - robot.velocity));
     }
     moved.robot.position = moved.places.back(), moved.robot.velocity = next_velocity;
     return moved;
   }
   const MotionState state{robot.position, robot.velocity, robot.heading};
   const MotionStep step =
-      advance(robot.model, {robot.max_acceleration, robot.max_speed}, state, plan, law.time_step);
+      advance(robot.model, {robot.max_acceleration, robot.max_speed}, state, plan, law_of_run.time_step);
   moved.places = {robot.position, step.next.position};
   moved.robot.position = step.next.position, moved.robot.velocity = step.next.velocity;
   moved.robot.heading = step.next.heading;
@@ -109,7 +109,7 @@ class Chooser {
     std::optional<Moved> chosen;
     double nearest = std::numeric_limits<double>::infinity();
     const auto consider = [&](const Moved& moved) {
-      const double away = gap_of(footprint_of(moved.robot, law), footprint_of(other, law));
+      const double away = gap_of(footprint_of(moved.robot, law_of_run), footprint_of(other, law_of_run));
       if (chosen && (!worst || away >= nearest)) return;
       nearest = away, chosen = moved;
     };
@@ -126,26 +126,26 @@ class Chooser {
     const Airplane& airplane = std::get<Airplane>(robot.model);
     const MotionLimits limits{robot.max_acceleration, robot.max_speed};
     const MotionState state{robot.position, robot.velocity, robot.heading, *robot.loiter};
-    collect_flight(robot, in_columns(std::span(&other, 1), columns_), {}, law, flight_);
+    collect_flight(robot, in_columns(std::span(&other, 1), columns_), {}, law_of_run, flight_);
     const Vec2 h = elementary::direction(robot.heading);
     for (int k = 0; k < 24; ++k) {
       const double a_lat = usable_acceleration(airplane), a_max = robot.max_acceleration;
       const Plan plan{.acceleration = random.uniform(-a_max, a_max) * h +
                                       random.uniform(-1.5 * a_lat, 1.5 * a_lat) * perpendicular(h)};
-      const FlightStep step = avo::fly(airplane, limits, state, plan, law.time_step);
+      const FlightStep step = avo::fly(airplane, limits, state, plan, law_of_run.time_step);
       if (!keeps_flight(flight_, robot, step)) continue;
       ++admitted;
       consider(fly_on(robot, step, norm(step.motion.next.velocity)));
     }
     const FlightStep hold = avo::fly(airplane, limits, state,
-                                     {.acceleration = loitering(airplane, state)}, law.time_step);
+                                     {.acceleration = loitering(airplane, state)}, law_of_run.time_step);
     consider(fly_on(robot, hold, norm(robot.velocity)));
   }
   template <typename Consider>
   void drive(Random& random, const Robot& robot, const Neighbor& other, const Consider& consider) {
-    const CertificateLaw shared{Certificate::braking_trajectories, law};
+    const CertificateLaw shared{Certificate::braking_trajectories, law_of_run};
     collect_constraints(robot, std::span(&other, 1), shared, constraints_);
-    const double u = robot.max_acceleration * law.time_step;
+    const double u = robot.max_acceleration * law_of_run.time_step;
     for (int k = 0; k < 24; ++k) {
       const Vec2 next = robot.velocity + test::in_disc(random, u);
       if (norm(next) > robot.max_speed || !admits(robot, next, shared, constraints_)) continue;
@@ -166,13 +166,13 @@ struct Result {
 };
 
 Result run(Kind first, Kind second, int situations, int steps, double time_step = 0.1) {
-  law = {.time_step = time_step, .lag = 0.5 * time_step, .braking_time = time_step};
+  law_of_run = {.time_step = time_step, .lag = 0.5 * time_step, .braking_time = time_step};
   Random random(41);
   Result result;
   Chooser chooser;
   for (int k = 0; k < situations;) {
     Robot a = any_robot(random, first), b = any_robot(random, second);
-    if (gap_of(footprint_of(a, law), footprint_of(b, law)) < 1e-9) continue;
+    if (gap_of(footprint_of(a, law_of_run), footprint_of(b, law_of_run)) < 1e-9) continue;
     ++k;
     for (int i = 0; i < steps; ++i) {
       const Moved next_a = chooser.choose(random, a, b), next_b = chooser.choose(random, b, a);
@@ -204,16 +204,16 @@ TEST(Footprints, airplanes_do_not_touch_in_long_steps) {
 }
 
 TEST(Footprints, all_of_an_admitted_step_keeps_to_the_line) {
-  law = {.time_step = 1.0, .lag = 0.5, .braking_time = 1.0};
+  law_of_run = {.time_step = 1.0, .lag = 0.5, .braking_time = 1.0};
   Random random(44);
   FlightConstraints flight;
   NeighborColumns columns;
   int admitted = 0;
   for (int k = 0; k < 20'000; ++k) {
     const Robot a = any_robot(random, Kind::airplane), b = any_robot(random, Kind::airplane);
-    if (gap_of(footprint_of(a, law), footprint_of(b, law)) < 1e-6) continue;
+    if (gap_of(footprint_of(a, law_of_run), footprint_of(b, law_of_run)) < 1e-6) continue;
     const Neighbor other = seen(b);
-    collect_flight(a, in_columns(std::span(&other, 1), columns), {}, law, flight);
+    collect_flight(a, in_columns(std::span(&other, 1), columns), {}, law_of_run, flight);
     const SeparatingLine& line = flight.lines[0];
     const Vec2 h = elementary::direction(a.heading);
     const Plan plan{.acceleration = random.uniform(-3.0, 3.0) * perpendicular(h)};
@@ -238,19 +238,19 @@ TEST(Footprints, airplanes_and_robots_that_brake_do_not_touch_whatever_they_choo
 
 // Both derive one line, and their parts add up to the gap.
 TEST(Footprints, both_of_a_pair_mean_the_same_line) {
-  law = {};
+  law_of_run = {};
   Random random(42);
   FlightConstraints of_a, of_b;
   NeighborColumns columns;
   int pairs = 0;
   while (pairs < 2'000) {
     const Robot a = any_robot(random, Kind::airplane), b = any_robot(random, Kind::airplane);
-    const double gap = gap_of(footprint_of(a, law), footprint_of(b, law));
+    const double gap = gap_of(footprint_of(a, law_of_run), footprint_of(b, law_of_run));
     if (gap < 1e-6) continue;
     ++pairs;
     const Neighbor seen_a = seen(a), seen_b = seen(b);
-    collect_flight(a, in_columns(std::span(&seen_b, 1), columns), {}, law, of_a);
-    collect_flight(b, in_columns(std::span(&seen_a, 1), columns), {}, law, of_b);
+    collect_flight(a, in_columns(std::span(&seen_b, 1), columns), {}, law_of_run, of_a);
+    collect_flight(b, in_columns(std::span(&seen_a, 1), columns), {}, law_of_run, of_b);
     EXPECT_EQ(of_a.lines[0].normal, -of_b.lines[0].normal);
     EXPECT_LE(of_a.lines[0].part + of_b.lines[0].part, gap);
     EXPECT_GE(of_a.lines[0].part + of_b.lines[0].part, gap - 1e-9);
@@ -259,7 +259,7 @@ TEST(Footprints, both_of_a_pair_mean_the_same_line) {
 
 // The circle and the way, beside a wall that is straight ahead.
 TEST(Footprints, an_airplane_keeps_its_circle_off_walls) {
-  law = {};
+  law_of_run = {};
   Random random(43);
   FlightConstraints constraints;
   NeighborColumns nobody;
@@ -272,7 +272,7 @@ TEST(Footprints, an_airplane_keeps_its_circle_off_walls) {
     if (clear(robot.loiter->center) - robot.loiter->radius - robot.radius < 1e-9) continue;
     const Airplane& airplane = std::get<Airplane>(robot.model);
     for (int i = 0; i < 80; ++i) {
-      collect_flight(robot, {&nobody, 0, 0}, std::span(&wall, 1), law, constraints);
+      collect_flight(robot, {&nobody, 0, 0}, std::span(&wall, 1), law_of_run, constraints);
       const MotionState state{robot.position, robot.velocity, robot.heading, *robot.loiter};
       const Vec2 h = elementary::direction(robot.heading);
       Plan plan{.acceleration = loitering(airplane, state)};

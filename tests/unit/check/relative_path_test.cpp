@@ -97,7 +97,7 @@ TEST(RelativePath, bodies_that_keep_their_distance) {
   const RelativePath still{{{{3.0, 4.0}, {3.0, 4.0}, {3.0, 4.0}, {3.0, 4.0}}}};
   EXPECT_EQ(nearest_instant(still).distance, 5.0);
   EXPECT_EQ(nearest_instant(still).fraction, 0.0);
-  EXPECT_EQ(nearest_instant({}).distance, 0.0);
+  EXPECT_EQ(nearest_instant(RelativePath{}).distance, 0.0);
   EXPECT_EQ(first_below(still, 5.0), std::nullopt) << "not less";
   EXPECT_EQ(first_below(still, std::nextafter(5.0, 6.0)), 0.0);
   EXPECT_EQ(last_below(still, std::nextafter(5.0, 6.0)), 1.0);

@@ -16,7 +16,7 @@ namespace {
 using test::room_of;
 using test::turned;
 
-constexpr double kRadius = 0.5;
+constexpr double kMapRadius = 0.5;
 
 // Of every map, with all pairs of corners joined, with those that are near, and with a lattice.
 class Ways : public testing::TestWithParam<Joining> {
@@ -78,20 +78,20 @@ TEST_P(Ways, AreAsShortAsBruteForce) {
   double most = 0.0;
   for (std::uint64_t seed = 1; seed <= 12; ++seed) {
     const std::vector<Wall> walls = test::random_walls(9, 12.0, seed);
-    const CornerGraph graph = graph_of(walls, kRadius);
+    const CornerGraph graph = graph_of(walls, kMapRadius);
     test::Random random(seed);
     for (int k = 0; k < 4; ++k) {
       const auto place = [&] {
         for (;;) {
           const Vec2 p{random.uniform(-2.0, 14.0), random.uniform(-2.0, 14.0)};
-          if (room_of(walls, p, p) >= kRadius + kSpareRoom) return p;
+          if (room_of(walls, p, p) >= kMapRadius + kSpareRoom) return p;
         }
       };
       const Vec2 from = place(), to = place();
       const PathMap map = path_map(graph, to);
       const Leg leg = leg_from(graph, map, from, PathMap::kNothing, false);
-      const double reference = brute_force(walls, from, to, kRadius + kSpareRoom);
-      const double shortest = brute_force(walls, from, to, kRadius);
+      const double reference = brute_force(walls, from, to, kMapRadius + kSpareRoom);
+      const double shortest = brute_force(walls, from, to, kMapRadius);
       if (reference >= 1e9) continue;
       ASSERT_NE(leg.target, PathMap::kNothing) << seed;
       EXPECT_LT(leg.length, 1.03 * reference + 1e-9) << seed;
@@ -126,12 +126,12 @@ double followed(const std::vector<Wall>& walls, const CornerGraph& graph, const 
 TEST_P(Ways, LeadThroughMazes) {
   for (std::uint64_t seed = 1; seed <= 5; ++seed) {
     const std::vector<Wall> walls = test::maze(10, 3.0, seed);
-    const CornerGraph graph = graph_of(walls, kRadius);
+    const CornerGraph graph = graph_of(walls, kMapRadius);
     const PathMap map = path_map(graph, {28.5, 28.5});
     for (int k = 0; k < 99; k += 7) {
       const Vec2 from{1.5 + 3.0 * (k % 10), 1.5 + 3.0 * (k / 10)};
       const double planned = leg_from(graph, map, from, PathMap::kNothing, false).length;
-      const double length = followed(walls, graph, map, from, kRadius - 1e-6);
+      const double length = followed(walls, graph, map, from, kMapRadius - 1e-6);
       EXPECT_GT(length, 0.0) << seed << ' ' << k;
       EXPECT_LT(length, 1.01 * planned);
     }
@@ -140,14 +140,14 @@ TEST_P(Ways, LeadThroughMazes) {
 
 TEST_P(Ways, LeadThroughNarrowDoors) {
   for (const double more : {0.3, 0.12, 0.05, 1e-2, 1e-3, 1e-6}) {
-    const std::vector<Wall> walls = test::two_rooms(2.0 * kRadius + more);
-    const CornerGraph graph = graph_of(walls, kRadius);
+    const std::vector<Wall> walls = test::two_rooms(2.0 * kMapRadius + more);
+    const CornerGraph graph = graph_of(walls, kMapRadius);
     const PathMap map = path_map(graph, {17, 8});
-    const double length = followed(walls, graph, map, {3, 3}, kRadius - 1e-6);
+    const double length = followed(walls, graph, map, {3, 3}, kMapRadius - 1e-6);
     EXPECT_GT(length, 14.0) << more;
     EXPECT_LT(length, 1.03 * (norm(Vec2{7, 2}) + norm(Vec2{7, 3}))) << more;
   }
-  const CornerGraph graph = graph_of(test::two_rooms(2.0 * kRadius - 1e-3), kRadius);
+  const CornerGraph graph = graph_of(test::two_rooms(2.0 * kMapRadius - 1e-3), kMapRadius);
   const PathMap map = path_map(graph, {17, 8});
   EXPECT_EQ(leg_from(graph, map, {3, 3}, PathMap::kNothing, false).target, PathMap::kNothing);
 }
@@ -165,16 +165,16 @@ std::vector<Wall> narrow_bend(double width, double turn) {
 TEST_P(Ways, LeadAroundNarrowBends) {
   for (const double turn : {0.5, 1.0, 1.3, 0.5 * M_PI, 2.0}) {
     for (const double more : {0.3, 0.1, 0.09, 0.05, 0.03, 0.015, 1e-3, 1e-5}) {
-      const double width = 2.0 * kRadius + more, angle = 0.7 + 3.0 * turn;
+      const double width = 2.0 * kMapRadius + more, angle = 0.7 + 3.0 * turn;
       std::vector<Wall> walls = narrow_bend(width, turn);
       const auto placed = [&](Vec2 p) { return turned(p, angle) + Vec2{3.3, -1.7}; };
       for (Wall& wall : walls) wall.a = placed(wall.a), wall.b = placed(wall.b);
       const Vec2 from = placed({-10.0, 0.5 * width});
       const Vec2 to = placed(10.0 * Vec2{std::cos(turn), std::sin(turn)} +
                              0.5 * width * Vec2{-std::sin(turn), std::cos(turn)});
-      const CornerGraph graph = graph_of(walls, kRadius);
+      const CornerGraph graph = graph_of(walls, kMapRadius);
       const PathMap map = path_map(graph, to);
-      const double length = followed(walls, graph, map, from, kRadius - 1e-6);
+      const double length = followed(walls, graph, map, from, kMapRadius - 1e-6);
       EXPECT_GT(length, 10.0) << more << ' ' << turn;
       EXPECT_LT(length, 21.0) << more << ' ' << turn;
     }
@@ -245,7 +245,7 @@ TEST_P(Ways, LeadAroundClosedGaps) {
     for (const double y : {-6.0, 0.0, 6.0}) walls.push_back({{x, y - 2.2}, {x, y + 2.2}});
   }
   const std::vector<Segment> closed{{{0, 2.2}, {0, 3.8}}, {{10, -2.2}, {10, -3.8}}};
-  const CornerGraph graph = graph_of(walls, kRadius);
+  const CornerGraph graph = graph_of(walls, kMapRadius);
   const Vec2 goal{15, -3};
   const PathMap open = path_map(graph, goal), around = path_map(graph, goal, closed);
   int longer = 0;
@@ -274,9 +274,9 @@ TEST_P(Ways, LeadAroundClosedGaps) {
 }
 
 TEST_P(Ways, AreNoneToAGoalNearerThanTheRadiusToAWall) {
-  const CornerGraph graph = graph_of(test::two_rooms(2.0), kRadius);
-  EXPECT_FALSE(path_map(graph, {10.0 - kRadius + 1e-9, 2.0}).is_free);
-  EXPECT_TRUE(path_map(graph, {10.0 - kRadius, 2.0}).is_free);
+  const CornerGraph graph = graph_of(test::two_rooms(2.0), kMapRadius);
+  EXPECT_FALSE(path_map(graph, {10.0 - kMapRadius + 1e-9, 2.0}).is_free);
+  EXPECT_TRUE(path_map(graph, {10.0 - kMapRadius, 2.0}).is_free);
   const PathMap map = path_map(graph, {9.6, 2.0});
   EXPECT_EQ(leg_from(graph, map, {3, 3}, PathMap::kNothing, false).target, PathMap::kNothing);
 }
@@ -289,7 +289,7 @@ TEST_P(Ways, AmongLoosePiecesAreThoseAmongTheWallsThatTheyMakeUp) {
     pieces.push_back({{0.5 * k + 0.5, 0}, {0.5 * k - (k % 2 == 1 ? 0.3 : 0.0), 0}, 0});
     pieces.push_back({{10, 0.25 * k}, {10, 0.25 * k + 0.25}, 0});
   }
-  const CornerGraph graph = graph_of(whole, kRadius), loose = graph_of(pieces, kRadius);
+  const CornerGraph graph = graph_of(whole, kMapRadius), loose = graph_of(pieces, kMapRadius);
   EXPECT_EQ(graph.points.size(), loose.points.size());
   const Vec2 goal{5, 2}, from{8, -3};
   const double length =
@@ -300,14 +300,14 @@ TEST_P(Ways, AmongLoosePiecesAreThoseAmongTheWallsThatTheyMakeUp) {
 
 TEST_P(Ways, AreSlowBeforeTurns) {
   // around the end of a wall: v² = 2 a W / sin² φ + 1.6 a d, and never more before later turns
-  const CornerGraph graph = graph_of(std::vector<Wall>{{{0, 0}, {0, 50}, 0}}, kRadius);
+  const CornerGraph graph = graph_of(std::vector<Wall>{{{0, 0}, {0, 50}, 0}}, kMapRadius);
   const PathMap map = path_map(graph, {0.6, 40});
   const Vec2 from{-0.6, 40};
   const Leg leg = leg_from(graph, map, from, PathMap::kNothing, false);
   ASSERT_FALSE(leg.is_last());
   const double distance = norm(leg.aim - from);
   EXPECT_NEAR(leg.turn, 0.5, 0.02);  // 30 degrees at each corner but the first and last
-  const double turning = 2.0 * 0.3 * kRadius / (leg.turn * leg.turn);
+  const double turning = 2.0 * 0.3 * kMapRadius / (leg.turn * leg.turn);
   EXPECT_LE(speed_limit(leg, 2.0), std::sqrt(2.0 * (turning + 1.6 * distance)) + 1e-9);
   EXPECT_GT(speed_limit(leg, 2.0), std::sqrt(2.0 * 1.6 * distance));
   const Leg last = leg_from(graph, map, {0.6, 39}, PathMap::kNothing, false);

@@ -12,15 +12,15 @@ namespace {
 using test::Crowd;
 using test::Random;
 
-constexpr double kRounding = 1.0 + 1e-12;
+constexpr double kRelative = 1.0 + 1e-12;
 
 void expect_within_limits(const Crowd& crowd, const Plan& plan) {
   const Robot& A = crowd.robot;
   const double delta = crowd.options.control_time;
-  EXPECT_LE(norm(plan.new_velocity - A.velocity), delta * A.max_acceleration * kRounding) << crowd;
-  EXPECT_LE(norm(plan.acceleration), A.max_acceleration * kRounding) << crowd;
+  EXPECT_LE(norm(plan.new_velocity - A.velocity), delta * A.max_acceleration * kRelative) << crowd;
+  EXPECT_LE(norm(plan.acceleration), A.max_acceleration * kRelative) << crowd;
   if (plan.status != PlanStatus::braking) {
-    EXPECT_LE(norm(plan.new_velocity), A.max_speed * kRounding) << crowd;
+    EXPECT_LE(norm(plan.new_velocity), A.max_speed * kRelative) << crowd;
   }
   EXPECT_GE(plan.violation, 0.0);
   switch (plan.status) {
@@ -85,11 +85,11 @@ void expect_step_within_limits(const Crowd& crowd, const Plan& plan) {
   const double rate = Planner(crowd.options).step_rate();
   const double u = rate * crowd.options.control_time * A.max_acceleration;
   const Vec2 change = rate * (plan.new_velocity - A.velocity);
-  EXPECT_LE(norm(plan.acceleration), A.max_acceleration * kRounding) << crowd;
-  EXPECT_LE(norm(change), u * kRounding) << crowd;
+  EXPECT_LE(norm(plan.acceleration), A.max_acceleration * kRelative) << crowd;
+  EXPECT_LE(norm(change), u * kRelative) << crowd;
   // from beyond v_max it comes down as fast as it can
   const double most = std::max(A.max_speed, norm(A.velocity) - u);
-  EXPECT_LE(norm(A.velocity + change), most * kRounding) << crowd;
+  EXPECT_LE(norm(A.velocity + change), most * kRelative) << crowd;
   EXPECT_GE(plan.violation, 0.0);
   if (plan.status == PlanStatus::optimal) {
     EXPECT_EQ(plan.violation, 0.0) << crowd;
@@ -132,7 +132,7 @@ TEST(Limits, orca_and_velocity_obstacle_keep_the_speed_limit) {
       crowd.options.method = method;
       if (crowd.neighbors.size() > 5) crowd.neighbors.resize(5);
       const Plan plan = test::plan_of(crowd);
-      EXPECT_LE(norm(plan.new_velocity), crowd.robot.max_speed * kRounding) << crowd;
+      EXPECT_LE(norm(plan.new_velocity), crowd.robot.max_speed * kRelative) << crowd;
       // adopted at once: the acceleration says so
       const Vec2 a = (plan.new_velocity - crowd.robot.velocity) / crowd.options.time_step;
       EXPECT_EQ(plan.acceleration, a);
