@@ -83,11 +83,12 @@ struct Neighbor {
   /// say, as that of a car whose body is off its axle, and which has been carried on.
   double position_error = 0.0;
   Vec2 acceleration = {};  ///< [a_B] m/s^2, observed; read only where B moves on
-  /// m/s, > 0, of one that does not decide: it is never faster. Read only with a max_deviation.
+  /// m/s, > 0, of one that does not decide: it is never faster. Read only with a max_deviation
+  /// or a likely_deviation.
   double max_speed = std::numeric_limits<double>::infinity();
   /// m/s^2, >= 0: of one that does not decide: its acceleration may well be that far from the one
   /// that max_deviation goes out from. No certificate counts on it; ways out reckon with as much of
-  /// it as leaves a way (docs/movers.md, "Levels").
+  /// it as leaves a way (docs/movers.md, "Rule").
   double likely_deviation = 0.0;
   /// Unit, or 0: of one that does its share, and that coincides with A in place and velocity, the
   /// direction in which A leaves it; B has to mean the opposite one. That of parting_direction()

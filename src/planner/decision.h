@@ -24,10 +24,10 @@ inline std::size_t planned_with(const PlannerOptions& options, const Neighbors& 
 }
 
 /// Taken for one that moves on: of the others nobody has said how they accelerate, and of one that
-/// decides not how it may deviate.
+/// decides not how it may deviate, or is likely to.
 inline void become_mover(Neighbor& neighbor) {
   if (shares(neighbor)) neighbor.acceleration = {}, neighbor.trajectory = nullptr;
-  if (!is_predicted(neighbor)) neighbor.max_deviation = 0.0;
+  if (!is_predicted(neighbor)) neighbor.max_deviation = neighbor.likely_deviation = 0.0;
   neighbor.behavior = Behavior::moves_on;
 }
 

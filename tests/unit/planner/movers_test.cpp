@@ -84,6 +84,21 @@ TEST(Movers, observed_acceleration_of_those_that_decide_is_not_read) {
   }
 }
 
+TEST(Movers, likely_deviation_of_those_that_decide_is_not_read) {
+  const Planner planner(default_options(Method::avo));
+  const Robot A{.velocity = {2, 0}, .preferred_velocity = {2, 0}};
+  PlanWorkspace workspace;
+  const auto plan = [&](Behavior behavior, double likely) {
+    const Neighbor B{.position = {3, 2.5},
+                     .velocity = {0, -0.5},
+                     .behavior = behavior,
+                     .likely_deviation = likely};
+    return planner.plan_among_obstacles(A, std::vector{B}, workspace);
+  };
+  EXPECT_NE(plan(Behavior::moves_on, 0.6).acceleration, plan(Behavior::moves_on, 0).acceleration);
+  EXPECT_EQ(plan(Behavior::decides, 0.6).acceleration, plan(Behavior::decides, 0).acceleration);
+}
+
 TEST(Movers, an_optimal_choice_keeps_clear_of_all_of_them) {
   Random random(3);
   int optimal = 0, busy = 0;
