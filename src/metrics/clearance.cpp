@@ -19,7 +19,7 @@ struct ClearanceDisc {
 };
 
 /// A square grid over all that are there, with about one cell a robot.
-struct ClearanceGrid {
+struct FleetGrid {
   Vec2 corner;        // m, lower left
   double cell = 1.0;  // m
   std::int64_t columns = 1, rows = 1;
@@ -41,14 +41,14 @@ bool avoid_each_other(const ClearanceDisc& a, const ClearanceDisc& b) {
   return (a.avoids & b.layers) != 0 && (b.avoids & a.layers) != 0 && !(a.parked && b.parked);
 }
 
-ClearanceGrid grid_over(std::span<const Vec2> centers, std::size_t count) {
+FleetGrid grid_over(std::span<const Vec2> centers, std::size_t count) {
   Vec2 low{kNobody, kNobody}, high{-kNobody, -kNobody};
   for (const Vec2 center : centers) {
     if (std::isnan(center.x)) continue;
     low = {std::min(low.x, center.x), std::min(low.y, center.y)};
     high = {std::max(high.x, center.x), std::max(high.y, center.y)};
   }
-  ClearanceGrid grid{.corner = low};
+  FleetGrid grid{.corner = low};
   const double size = std::max(high.x - low.x, high.y - low.y);
   const double side = std::ceil(std::sqrt(static_cast<double>(count)));
   if (!(size > 0.0)) return grid;
@@ -65,7 +65,7 @@ struct ClearanceFinder::State {
   std::vector<ClearanceDisc> discs;
   double largest_radius = 0.0;  // m
   std::vector<Vec2> centers;    // of the discs
-  ClearanceGrid grid;
+  FleetGrid grid;
   std::vector<std::uint32_t> cell_of, first, by_cell;  // robots, sorted by cell
 
   std::size_t place(const FleetColumns& fleet);
