@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Ways out from movers that are likely to deviate: as much of it is reckoned with as leaves a way
-// (docs/movers.md, "Those who promise nothing").
+// (docs/movers.md, "Who is likely to deviate").
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
