@@ -11,6 +11,7 @@ namespace {
 
 constexpr double kMoves = 0.2;    // radii a second: slower is at rest
 constexpr double kNear = 5.0;     // who rests farther away has come to its own goal, or makes room
+constexpr double kInARow = 2.2;   // of each one that may stand between: so long is a row
 constexpr double kTowards = 0.5;  // cosine: who moves more across does not come
 constexpr double kDeep = 6.0;     // of what is kept clear before a mouth, outwards
 constexpr double kAside = 1.6;    // and from the axis to the side of the bay
@@ -19,6 +20,7 @@ constexpr double kBack = 2.5;     // from the mouth: where who backs out heads f
 constexpr double kOut = 0.6;      // before the mouth one turns
 constexpr double kBackAside = 2.0;  // to the side of the bay
 constexpr double kLaneRoom = 0.1;   // between walls and a robot in its lane
+constexpr double kBothFit = 1e-9;   // of contact: goals that touch leave room for both
 constexpr double kLane = 1.3;       // from the axis, where there is room: nobody touches anybody
 
 // Of those who enter there.
@@ -37,10 +39,16 @@ bool comes_first(Vec2 p, Vec2 q) {
   return std::pair(p.x, p.y) < std::pair(q.x, q.y);
 }
 
+// Whether there is no room at their goals for both: they come to rest side by side.
+bool share_goal(const Claimant& a, const Claimant& b) {
+  const double contact = (1.0 - kBothFit) * (a.room + b.room);
+  return a.room > 0.0 && b.room > 0.0 && norm(b.goal - a.goal) < contact;
+}
+
 // Whether the robot has to do with the other one at all; who is at its place is itself.
 bool senses(const Claimant& robot, const Claimant& other, double sensing_radius) {
   return !(other.position == robot.position) && (robot.avoids & other.layers) != 0 &&
-         norm(other.position - robot.position) <= sensing_radius;
+         !share_goal(robot, other) && norm(other.position - robot.position) <= sensing_radius;
 }
 
 // Whether it rests too far away to be in the robot's way.
@@ -87,15 +95,24 @@ Course go_on_or_back(const Passage& passage, const Claimant& robot,
   return {.target = way_out(passage, robot.claim.forward, robot.position)};
 }
 
+// How many others inside have the robot's goal.
+double crowd_of(const Claimant& robot, std::span<const Claimant> claimants) {
+  const auto is_of_it = [&](const Claimant& other) {
+    return other.claim.inside && !(other.position == robot.position) && share_goal(robot, other);
+  };
+  return static_cast<double>(std::count_if(claimants.begin(), claimants.end(), is_of_it));
+}
+
 // Whoever has its goal inside is in the way of those who come near: it goes on before them, out of
 // the passage, and enters again in turn. If robots of both directions are inside, it goes with
 // those that go on: others take it for one of these, and so it makes none of them change its mind.
+// Where several rest at one goal, all of them have to go, or the first one cannot.
 Course make_room(const Passage& passage, const Claimant& robot, std::span<const Claimant> claimants,
                  double sensing_radius) {
   const double along = place_in(passage, robot.position).along;
   Foremost ahead, back;  // of those inside, by direction
   std::optional<bool> forward;
-  double least = kNear * passage.radius;
+  double least = (kNear + kInARow * crowd_of(robot, claimants)) * passage.radius;
   for (const Claimant& other : claimants) {
     if (!other.claim.moves || !senses(robot, other, sensing_radius)) continue;
     if (other.claim.inside) (other.claim.forward ? ahead : back).include(passage, other);

@@ -59,7 +59,13 @@ Prospect prospect_of(const World& world, std::size_t slot, const Travel& travel)
 
 Claimant claimant_of(const World& world, std::size_t slot, const Claim& claim) {
   const Conduct& conduct = world.fleet.conduct[slot];
-  return {claim, world.fleet.position[slot], conduct.layers.bits, conduct.avoids.bits,
+  const bool shares = shares_room(world, slot);
+  return {claim,
+          world.fleet.position[slot],
+          conduct.layers.bits,
+          conduct.avoids.bits,
+          shares ? world.end_of(slot) : Vec2{},
+          shares ? world.fleet.traits[slot].radius : 0.0,
           static_cast<std::uint32_t>(world.fleet.rank[slot])};
 }
 
@@ -110,6 +116,7 @@ Heading heed_passages(const World& world, const Claims& claims, std::size_t slot
   const Course course =
       right_of_way(passage, claimant_of(world, slot, *claim), planned_braking(traits),
                    claims.of(claim->passage), world.sensing_radius);
+  heeding.yields = course.target || course.max_speed < heeding.preferred_speed;
   heeding.preferred_speed = std::min(heeding.preferred_speed, course.max_speed);
   if (course.target) heeding.goal = course.stops ? *course.target : beyond(p, *course.target, rest);
   return heeding;

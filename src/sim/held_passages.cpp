@@ -107,7 +107,8 @@ void go_around_held(const World& world, std::size_t slot, double left, double ti
                     LegScratch& scratch) {
   if (!travel.is_known() || world.settings.right_of_way != RightOfWay::seen) return;
   const Fleet& fleet = world.fleet;
-  wait_on(travel.waiting, left, fleet.traits[slot], time);
+  const bool rests = rests_at_place(world, slot);
+  wait_on(travel.waiting, left, fleet.traits[slot], rests ? 0.0 : time);
   if (travel.waiting.waited >= travel.waiting.looks_at)
     look_for_another_way(world, slot, travel, scratch);
   if (!travel.waiting.closed.empty() && looks_around(fleet.id[slot], decisions_of(world, slot)))
@@ -116,7 +117,8 @@ void go_around_held(const World& world, std::size_t slot, double left, double ti
 
 bool goes_back(const World& world, std::size_t slot, const Travel& travel) {
   const Waiting& waiting = travel.waiting;
-  if (!travel.is_known() || waiting.looks_at < kInfinity) return false;
+  if (!travel.is_known() || waiting.looks_at < kInfinity || rests_at_place(world, slot))
+    return false;
   const double waited = waiting.waited / (kSteadfast * time_of(world.fleet.traits[slot]));
   int power = 0;
   if (waited < 1.0 || std::frexp(waited, &power) >= kForth) return false;

@@ -22,10 +22,11 @@ void go_around_held(const World& world, std::size_t slot, double left, double ti
 /// time on it does for half of what it has waited.
 bool goes_back(const World& world, std::size_t slot, const Travel& travel);
 
-/// What a robot at p that goes back heads for in place of that: away from it, or nowhere while
+/// Makes the heading of a robot at p that of one that goes back: away from there, or nowhere while
 /// nobody is in its company.
-inline Vec2 way_back(Vec2 p, Vec2 goal, bool in_company) {
-  return in_company ? p - (goal - p) : p;
+inline void go_back(Vec2 p, bool in_company, Heading& heading) {
+  heading.goal = in_company ? p - (heading.goal - p) : p;
+  heading.yields = true;
 }
 
 }  // namespace avo

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sim/ways.h"
 #include "walls/segment.h"
 
 namespace avo {
@@ -31,10 +32,10 @@ double place_reach(const Resting& other) {
   return (1.0 + kPlaceGap) * other.reach;
 }
 
-// The free place in sight of least cost, which is what is left from there to the goal and a part of
-// the way there. The nearest free place to a goal that is taken lies on a circle around one at
-// rest: where the circle is nearest to the goal, where it meets another one or a wall, or where it
-// is last seen.
+// The free place in sight of least cost, which is what is left from there to what is next on the
+// way, the goal or a corner, and a part of the way there. Where that is taken, the nearest free
+// place lies on a circle around one at rest: where the circle is nearest to it, where it meets
+// another one or a wall, or where it is last seen.
 class PlaceSearch {
  public:
   PlaceSearch(const Seeker& seeker, const Occupied& occupied, std::span<const Wall> walls)
@@ -44,26 +45,27 @@ class PlaceSearch {
         walls_(walls),
         best_(seeker.position) {
     const double gain = (seeker.has_stood ? kGainAtRest : kGain) * seeker.radius;
-    cost_ = norm(seeker.goal - seeker.position) - gain;
+    cost_ = norm(seeker.next - seeker.position) - gain;
   }
 
   // Places get ever better, so that who is not worth a look will never be.
   Vec2 best() && {
     worth_.clear();
+    if (seeker_.next != seeker_.goal) try_place(seeker_.next);
     for (std::size_t i = 0; i < resting_.size(); ++i) {
       const Resting& other = resting_[i];
       if (!may_be_worth(other)) continue;
       const double reach = place_reach(other);
-      if (std::sqrt(other.from_goal_squared) < cost_ + reach) try_circle(other, reach);
+      if (std::sqrt(other.from_next_squared) < cost_ + reach) try_circle(other, reach);
       worth_.push_back(static_cast<std::uint32_t>(i));
     }
     return best_;
   }
 
  private:
-  // Where it is nearest to the goal, last seen, or meets those before it, or a wall.
+  // Where it is nearest to what is next, last seen, or meets those before it, or a wall.
   void try_circle(const Resting& other, double reach) {
-    try_place(point_towards(other.position, seeker_.goal, reach));
+    try_place(point_towards(other.position, seeker_.next, reach));
     try_tangents(other);
     std::size_t kept = 0;
     for (const std::uint32_t k : worth_) {
@@ -79,7 +81,7 @@ class PlaceSearch {
   // Whether a place on its circle may be, whatever rounding does.
   bool may_be_worth(const Resting& other) const {
     const double most = (1.0 + kRoundedOff) * (cost_ + place_reach(other));
-    return other.from_goal_squared <= most * most;
+    return other.from_next_squared <= most * most;
   }
 
   void try_tangents(const Resting& other) {
@@ -121,7 +123,7 @@ class PlaceSearch {
   }
 
   void try_place(Vec2 place) {
-    const double left = norm(place - seeker_.goal);
+    const double left = norm(place - seeker_.next);
     if (!(left < cost_)) return;
     const double cost = left + kWorth * norm(place - seeker_.position);
     if (!(cost < cost_) || !is_free(place)) return;
@@ -176,7 +178,9 @@ void note(const Seeker& seeker, Vec2 position, Vec2 velocity, double radius, Occ
   if (!(distance <= std::max(seeker.range, kBesideReach * reach))) return;
   const Vec2 out = position - seeker.goal;
   if (norm(velocity) <= kStill * seeker.max_speed) {
-    seen.resting.push_back({position, reach, norm_squared(out)});
+    seen.resting.push_back(
+        {position, reach, norm_squared(out), norm_squared(position - seeker.next)});
+    seen.is_on_goal = seen.is_on_goal || stands_on_goal(seen.resting.back());
     seen.is_near = seen.is_near || distance - reach <= kNearResting * seeker.radius;
   }
   if (distance >= kBesideReach * reach) return;
@@ -205,18 +209,17 @@ void Occupied::add(const Seeker& seeker, const Neighbors& neighbors) {
 }
 
 Vec2 place_near(const Seeker& seeker, const Occupied& occupied, std::span<const Wall> walls) {
-  const std::vector<Resting>& resting = occupied.resting;
-  if (!occupied.is_near || std::none_of(resting.begin(), resting.end(), stands_on_goal))
-    return seeker.goal;
+  if (!is_taken(occupied)) return seeker.next;
   return PlaceSearch(seeker, occupied, walls).best();
 }
 
-bool is_at_crowd(const Seeker& seeker, Occupied& occupied) {
+bool is_at_crowd(const Seeker& seeker, Occupied& occupied, const Ways* ways) {
   const auto first = occupied.resting.begin(), last = occupied.resting.end();
-  if (std::none_of(first, last, stands_on_goal)) return false;
-  const auto leads_on = [](Vec2 from, double reach) {
-    return [from, reach](const Resting& next) {
-      return norm(next.position - from) < reach + next.reach;
+  if (!occupied.is_on_goal) return false;
+  const auto leads_on = [ways](Vec2 from, double reach) {
+    return [ways, from, reach](const Resting& next) {
+      return norm(next.position - from) < reach + next.reach &&
+             (ways == nullptr || ways->is_in_sight(from, next.position));
     };
   };
   // reach is the sum of two radii: so two of them leave room for one seeker between the surfaces
@@ -235,7 +238,7 @@ bool is_at_crowd(const Seeker& seeker, Occupied& occupied) {
 Vec2 place_of(const Seeker& seeker, const Occupied& occupied, std::span<const Wall> walls,
               bool stays, Detour& detour) {
   const Vec2 place = place_near(seeker, occupied, walls);
-  detour.goal_taken = place != seeker.goal && !occupied.comes_out;
+  detour.goal_taken = place != seeker.goal && is_taken(occupied) && !occupied.comes_out;
   return stays ? seeker.position : place;
 }
 

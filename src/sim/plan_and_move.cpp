@@ -47,6 +47,7 @@ void list_walls(const World& world, std::span<const std::uint32_t> slots, Worker
 void follow_ways(World& world, const Pace& pace, std::span<const std::uint32_t> slots,
                  Worker& worker) {
   const Fleet& fleet = world.fleet;
+  worker.headings.clear();
   for (std::size_t k = 0; k < slots.size(); ++k) {
     const std::uint32_t slot = slots[k];
     Travel& travel = world.ways.travels[static_cast<std::size_t>(fleet.rank[slot])];
@@ -55,6 +56,7 @@ void follow_ways(World& world, const Pace& pace, std::span<const std::uint32_t> 
         worker.lost.empty() ? fleet.position[slot] : fleet.position[slot] + worker.lost[k];
     Heading heading = follow(travel, p, end, fleet.traits[slot], own_way_of(fleet, slot),
                              looks_around(fleet.id[slot], decisions_of(world, slot)), worker.legs);
+    if (!world.shares_goal.empty()) worker.headings.push_back(heading);
     if (!world.ways.passages.empty()) {
       const RobotTraits& traits = fleet.traits[slot];
       const double nearest = nearest_of(worker.tile.robots.neighbors[k], fleet.position[slot]);
@@ -64,7 +66,8 @@ void follow_ways(World& world, const Pace& pace, std::span<const std::uint32_t> 
       const bool back = goes_back(world, slot, travel);
       const double time = in_company || back ? pace.planner.options().time_step : 0.0;
       go_around_held(world, slot, left, time, travel, worker.legs);
-      if (back) heading.goal = way_back(p, heading.goal, in_company);
+      if (back) go_back(p, in_company, heading);
+      if (!world.shares_goal.empty()) worker.headings[k].yields = heading.yields;
     }
     if (world.ways.goes_around_movers())
       heading = beside_resting(world.ways.resting(), heading, p, end, fleet.traits[slot].radius);
@@ -90,12 +93,15 @@ void aim_discs(World& world, std::span<const std::uint32_t> slots, Worker& worke
     const Vec2 aim{moving.goal_x[k], moving.goal_y[k]};
     const Vec2 lost = worker.lost.empty() ? Vec2{} : worker.lost[k];
     Vec2 goal = disc_goal(fleet, slot, aim, world.end_of(slot)) - lost;
-    if (shares_room(world, slot, aim)) {
-      const Seeker seeker = seeker_of(world, slot, goal);
+    if (shares_room(world, slot)) {
+      const Heading heading = world.ways.empty() ? straight_to(fleet.goal[slot], fleet.traits[slot])
+                                                 : worker.headings[k];
+      const Seeker seeker = seeker_of(world, slot, heading, lost);
       Occupied& occupied = look_at_goal(seeker, worker.tile.robots.neighbors[k], worker);
       const AtSharedGoal decided = at_shared_goal(world, slot, seeker, occupied,
                                                   worker.tile.walls_of(k), fleet.detour[slot]);
-      goal = decided.heads_for;
+      if (decided.heads_for)
+        goal = *decided.heads_for, moving.preferred_speed[k] = heading.preferred_speed;
       fleet.has_stood[slot] = decided.has_stood ? 1 : 0;
       if (decided.stops) worker.staying.push_back(slot);
     }

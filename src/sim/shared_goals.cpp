@@ -163,36 +163,55 @@ void find_shared_goals(World& world) {
   world.has_new_goals = false;
 }
 
-bool shares_room(const World& world, std::size_t slot, Vec2 aim) {
-  if (world.shares_goal.empty() || aim != world.end_of(slot)) return false;
+bool shares_room(const World& world, std::size_t slot) {
+  if (world.shares_goal.empty()) return false;
   return world.shares_goal[static_cast<std::size_t>(world.fleet.rank[slot])] != Shares::nothing;
 }
 
-Seeker seeker_of(const World& world, std::size_t slot, Vec2 goal) {
+Seeker seeker_of(const World& world, std::size_t slot, const Heading& heading, Vec2 lost) {
   const RobotTraits& traits = world.fleet.traits[slot];
   Robot robot;
   robot.radius = traits.radius, robot.max_speed = traits.max_speed;
   robot.max_acceleration = traits.max_acceleration, robot.max_braking = max_braking_of(traits);
   // of those farther away it may know the nearest ones only
   const bool knows_all = !world.pace(slot).planner.options().max_neighbors;
+  const Vec2 end = world.end_of(slot), goal = disc_goal(world.fleet, slot, end, end) - lost;
+  const bool sees_goal = heading.next == end;
   return {.position = world.fleet.position[slot],
           .goal = goal,
+          .next = sees_goal ? goal : heading.next - lost,
+          .beyond = sees_goal ? goal : heading.goal - lost,
           .radius = traits.radius,
           .max_speed = traits.max_speed,
           .range = knows_all ? kInfinity : arrival_range(robot, traits.radius),
+          .steers = traits.has_model,
+          .yields = heading.yields,
           .has_stood = world.fleet.has_stood[slot] != 0};
 }
 
 AtSharedGoal at_shared_goal(const World& world, std::size_t slot, const Seeker& seeker,
                             Occupied& occupied, std::span<const Wall> walls, Detour& detour) {
-  const bool stays = stays_near(world, slot), is_at_rest = world.fleet.velocity[slot] == Vec2{};
+  const bool sees_goal = seeker.next == seeker.goal, taken = is_taken(occupied);
+  const bool is_near = sees_goal && stays_near(world, slot);
+  if (seeker.yields || !(is_near || taken)) return {};
+  const bool is_at_rest = world.fleet.velocity[slot] == Vec2{};
+  const auto is_among_them = [&] { return is_at_crowd(seeker, occupied, &world.ways); };
+  // one with wheels gets to few of the places beside it, and nobody to those right beside a mover
+  const bool is_content = seeker.steers || occupied.has_movers;
+  const bool stays = is_near || (is_content && is_among_them());
   const Vec2 place = place_of(seeker, occupied, walls, stays, detour);
-  const bool is_there = place == seeker.position, stood = is_there && seeker.has_stood;
-  const bool comes_to_rest = is_there && is_at_rest && (stays || is_at_crowd(seeker, occupied));
-  const bool has_stood = stood || comes_to_rest;
-  if (stood && is_at_rest && detour.goal_taken) return {place, has_stood, !occupied.has_movers};
+  const bool is_there = place == seeker.position;
+  const bool may_stand = is_there && (stays || ((is_at_rest || !sees_goal) && is_among_them()));
+  if (is_there && !sees_goal && !may_stand) {  // somebody else is in its way
+    detour.goal_taken = false;
+    return {};
+  }
+  const bool stood = is_there && seeker.has_stood;
+  const bool has_stood = stood || (may_stand && is_at_rest);
+  const Vec2 heads_for = place == seeker.next ? seeker.beyond : place;
+  if (stood && is_at_rest && detour.goal_taken) return {heads_for, has_stood, !occupied.has_movers};
   // once it has stood it gives way to others as all do
-  return {place, has_stood, stays && (!has_stood || detour.goal_taken)};
+  return {heads_for, has_stood, is_near && (!has_stood || detour.goal_taken)};
 }
 
 bool rests_at_place(const World& world, std::size_t slot) {
@@ -202,7 +221,7 @@ bool rests_at_place(const World& world, std::size_t slot) {
       !ways.travels.empty() &&
       ways.travels[static_cast<std::size_t>(fleet.rank[slot])].ends == WayEnd::short_of;
   return !is_kept_out && fleet.has_stood[slot] != 0 && fleet.velocity[slot] == Vec2{} &&
-         shares_room(world, slot, world.end_of(slot));
+         shares_room(world, slot);
 }
 
 Plan stop_of(const World& world, std::size_t slot) {

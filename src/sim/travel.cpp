@@ -80,7 +80,7 @@ Simulation::Way rest_of_way(const Travel& travel, Vec2 position, Vec2 goal) {
 
 Heading follow(Travel& travel, Vec2 position, Vec2 end, const RobotTraits& robot, double own_way,
                bool looks_around, LegScratch& scratch) {
-  const Heading straight{end, robot.preferred_speed};
+  const Heading straight = straight_to(end, robot);
   if (travel.graph == nullptr) return straight;
   const Leg leg = next_leg(*travel.graph, travel.map, position, robot.radius, travel.target,
                            looks_around, scratch);
@@ -90,8 +90,10 @@ Heading follow(Travel& travel, Vec2 position, Vec2 end, const RobotTraits& robot
   const double distance = norm(way), to_end = norm(end - position);
   if (!(distance > 0.0) || (to_end < own_way && leg.length < kLittleDetour * to_end))
     return straight;
-  return {position + (leg.length / distance) * way,
-          std::min(robot.preferred_speed, speed_limit(leg, robot.max_acceleration))};
+  return {
+      .goal = position + (leg.length / distance) * way,
+      .preferred_speed = std::min(robot.preferred_speed, speed_limit(leg, robot.max_acceleration)),
+      .next = leg.aim};
 }
 
 Heading beside_resting(std::span<const Wall> resting, const Heading& heading, Vec2 position,
@@ -108,7 +110,9 @@ Heading beside_resting(std::span<const Wall> resting, const Heading& heading, Ve
   const double distance = norm(way);
   if (!(distance > 0.0)) return heading;
   const double beside = kBeside * (radius + nearest->radius);
-  return {nearest->a + (beside / distance) * way, heading.preferred_speed};
+  Heading to = heading;
+  to.goal = nearest->a + (beside / distance) * way;
+  return to;
 }
 
 bool looks_around(RobotId robot, std::int64_t steps) {

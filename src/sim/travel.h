@@ -61,7 +61,13 @@ struct Travel {
 struct Heading {
   Vec2 goal = {};                // m
   double preferred_speed = 0.0;  // m/s
+  Vec2 next = {};                // m, of its way: the goal itself, or a corner before it
+  bool yields = false;           // to others at a passage
 };
+
+inline Heading straight_to(Vec2 end, const RobotTraits& robot) {
+  return {.goal = end, .preferred_speed = robot.preferred_speed, .next = end};
+}
 
 /// Where the target is, and m, how far it is from there to the end; nothing where there is no
 /// target.

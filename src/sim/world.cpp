@@ -63,6 +63,7 @@ void reserve(const World& world, Worker& worker) {
   const std::size_t together = std::min(kTileRobots, robots);
   worker.queries.reserve(together);
   worker.staying.reserve(together);
+  worker.headings.reserve(together);
   worker.occupied.resting.reserve(seen);
   worker.occupied.worth.reserve(seen);
   worker.search.reserve(
@@ -76,25 +77,26 @@ void reserve(const World& world, Worker& worker) {
                    sensed, most_braking_steps(world), PlanWorkspace::Scratch::of(worker.workspace));
 }
 
-// Where the robot would head for now; it remembers nothing of this.
-Heading heading_of(const World& world, std::size_t slot, double nearest) {
+// Where the robot would head for now, by its way alone and by all rules of ways; it remembers
+// nothing of this.
+std::pair<Heading, Heading> headings_of(const World& world, std::size_t slot, double nearest) {
   const Fleet& fleet = world.fleet;
   Travel travel = world.ways.travels[static_cast<std::size_t>(fleet.rank[slot])];
   LegScratch scratch;
   const Vec2 p = fleet.position[slot] + own_error(world, slot), end = world.end_of(slot);
-  const Heading heading = follow(travel, p, end, fleet.traits[slot], own_way_of(fleet, slot),
-                                 looks_around(fleet.id[slot], decisions_of(world, slot)), scratch);
-  const auto beside = [&](const Heading& to) {
-    return beside_resting(world.ways.resting(), to, p, end, fleet.traits[slot].radius);
-  };
-  if (world.ways.passages.empty()) return beside(heading);
-  Claims claims;
-  SerialExecutor serial;
-  collect_claims(world, serial, claims);
-  Heading heeding = heed_passages(world, claims, slot, travel, heading, nearest);
-  const bool in_company = is_in_company(fleet.traits[slot].radius, nearest);
-  if (goes_back(world, slot, travel)) heeding.goal = way_back(p, heeding.goal, in_company);
-  return beside(heeding);
+  Heading by_way = follow(travel, p, end, fleet.traits[slot], own_way_of(fleet, slot),
+                          looks_around(fleet.id[slot], decisions_of(world, slot)), scratch);
+  Heading heading = by_way;
+  if (!world.ways.passages.empty()) {
+    Claims claims;
+    SerialExecutor serial;
+    collect_claims(world, serial, claims);
+    heading = heed_passages(world, claims, slot, travel, heading, nearest);
+    const bool in_company = is_in_company(fleet.traits[slot].radius, nearest);
+    if (goes_back(world, slot, travel)) go_back(p, in_company, heading);
+    by_way.yields = heading.yields;
+  }
+  return {by_way, beside_resting(world.ways.resting(), heading, p, end, fleet.traits[slot].radius)};
 }
 
 void find_passages(World& world) {
@@ -231,22 +233,23 @@ bool World::is_fast(std::size_t slot) const {
 Robot World::robot(std::size_t slot, double nearest, Simulation::Perception& seen) const {
   const RobotTraits& robot_traits = fleet.traits[slot];
   const Vec2 p = fleet.position[slot], v = fleet.velocity[slot], end = end_of(slot);
-  Heading heading{end, robot_traits.preferred_speed};
-  if (!ways.empty()) heading = heading_of(*this, slot, nearest);
-  const Vec2 aim = heading.goal;
-  heading.goal = disc_goal(fleet, slot, aim, end) - own_error(*this, slot);
+  const Vec2 lost = own_error(*this, slot);
+  const Heading straight = straight_to(end, robot_traits);
+  auto [by_way, heading] =
+      ways.empty() ? std::pair(straight, straight) : headings_of(*this, slot, nearest);
+  heading.goal = disc_goal(fleet, slot, heading.goal, end) - lost;
   seen.detour.goal_taken = false;
   const std::vector<Neighbor>& others = seen.neighbors;
   if (fleet.conduct[slot].method == Method::avo && others.size() > 1)
     break_tie(fleet.id[slot], norm_squared(p - others[0].position),
               norm_squared(p - others[1].position), seen.detour);
-  if (shares_room(*this, slot, aim)) {
-    const Seeker seeker = seeker_of(*this, slot, heading.goal);
+  if (shares_room(*this, slot)) {
+    const Seeker seeker = seeker_of(*this, slot, by_way, lost);
     Occupied occupied;
     for (const Neighbor& neighbor : seen.neighbors) occupied.add(seeker, neighbor);
     const AtSharedGoal decided =
         at_shared_goal(*this, slot, seeker, occupied, seen.walls, seen.detour);
-    heading.goal = decided.heads_for;
+    if (decided.heads_for) heading = {*decided.heads_for, by_way.preferred_speed};
     if (decided.stops) seen.stop = stop_of(*this, slot);
   }
   RobotTraits traits = robot_traits;

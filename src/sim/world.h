@@ -45,6 +45,7 @@ struct alignas(128) Worker {
   SearchScratch search, obstacles;
   SearchScratch outliers, again;  // of robots near outliers, one at a time
   LegScratch legs;
+  std::vector<Heading> headings;    // by ways alone, of a tile, where some share goals
   std::vector<Sighting> sightings;  // where senses are not exact
   Occupied occupied;                // of one robot, see place_near()
   std::vector<Vec2> lost;           // m, see own_error(); of a tile, where there is localization
@@ -153,13 +154,14 @@ void find_shared_goals(World& world);
 
 /// Whether it heads for its goal, and there is no room there for it and another one
 /// (docs/arrival.md, rule 4).
-bool shares_room(const World& world, std::size_t slot, Vec2 aim);
-Seeker seeker_of(const World& world, std::size_t slot, Vec2 goal);
+bool shares_room(const World& world, std::size_t slot);
+/// heading: by its way, whatever passages make of it. lost: see own_error().
+Seeker seeker_of(const World& world, std::size_t slot, const Heading& heading, Vec2 lost);
 /// What such a robot decides there, whatever else it would.
 struct AtSharedGoal {
-  Vec2 heads_for;          // m, of its disc
-  bool has_stood = false;  // then, see Fleet::has_stood
-  bool stops = false;      // it brakes until it stands, and lets nobody put it aside
+  std::optional<Vec2> heads_for = {};  // m, of its disc; none: where its way leads
+  bool has_stood = false;              // then, see Fleet::has_stood
+  bool stops = false;                  // it brakes until it stands, and lets nobody put it aside
 };
 /// Of that robot as a seeker, and what it sees; sets Detour::goal_taken.
 AtSharedGoal at_shared_goal(const World& world, std::size_t slot, const Seeker& seeker,

@@ -52,6 +52,41 @@ bool goes(const Passage& passage, const Claimant& robot, const std::vector<Claim
   return goes(course_of(passage, robot, claimants));
 }
 
+// Those whose goals leave room for one of them come to rest side by side.
+TEST(RightOfWay, WhoSharesAGoalIsNotWaitedFor) {
+  const Passage passage = straight();
+  Claimant robot = outside(passage, true, {-6.0, 0}), comes = inside(false, {-1.0, 0});
+  const auto share = [&](double apart, double room) {
+    robot.goal = {2.0, 0.0}, comes.goal = {2.0 + apart, 0.0};
+    robot.room = 0.5, comes.room = room;
+    return goes(passage, robot, {comes});
+  };
+  EXPECT_TRUE(share(0.0, 0.5));
+  EXPECT_TRUE(share(0.9, 0.5));
+  EXPECT_FALSE(share(1.0, 0.5));
+  EXPECT_FALSE(share(0.0, 0.0)) << "nothing is known of its goal";
+}
+
+// All of a row make room at once, or the first one could not.
+TEST(RightOfWay, AWholeRowMakesRoom) {
+  const Passage passage = straight();
+  std::vector<Claimant> row;
+  for (const double x : {0.0, 1.05, 2.1, 3.15}) {
+    Claimant one = inside(false, {x, 0});
+    one.claim.ends = true, one.claim.moves = false, one.room = 0.5;
+    row.push_back(one);
+  }
+  const Claimant comes = inside(true, {-2.0, 0});
+  for (const Claimant& one : row) {
+    std::vector<Claimant> all = row;
+    EXPECT_TRUE(goes(passage, one, all)) << one.position.x << ": nobody comes";
+    all.push_back(comes);
+    const Course course = course_of(passage, one, all);
+    ASSERT_TRUE(course.target) << one.position.x;
+    EXPECT_GT(course.target->x, 4.0);
+  }
+}
+
 TEST(RightOfWay, NobodyEntersAgainstSomebodyInside) {
   const Passage passage = straight();
   for (const double along : {-4.9, -1.0, 0.0, 4.9}) {

@@ -8,15 +8,17 @@
 #include <numbers>
 #include <vector>
 
-#include "avo/metrics.h"
 #include "avo/simulation.h"
 #include "scenes.h"
+#include "sim/ways.h"
 #include "support/generators.h"
+#include "unit/sim/rallies.h"
 #include "unit/sim/walled_scenes.h"
 
 namespace avo {
 namespace {
 
+using test::expect_rest;
 using test::robot_at;
 
 constexpr double kReach = 1.0;  // m, of two usual robots in contact
@@ -101,6 +103,32 @@ TEST(Places, are_at_the_crowd_where_robots_at_rest_lead_to_the_goal) {
       << "nobody stands on the goal";
 }
 
+TEST(Places, are_at_no_crowd_behind_a_wall) {
+  const std::vector<Wall> walls = {{{-9, -1.2}, {9, -1.2}}};
+  const Ways ways(Scenario{}, walls, {});
+  const Seeker before = seeker_at({0, 1.8}), behind = seeker_at({0, -1.8});
+  const std::vector<Neighbor> others = {one_at({0, 0})};
+  Occupied seen = seen_by(before, others);
+  EXPECT_TRUE(is_at_crowd(before, seen, &ways));
+  seen = seen_by(behind, others);
+  EXPECT_FALSE(is_at_crowd(behind, seen, &ways));
+}
+
+// Round a corner they are as near to that as there is room.
+TEST(Places, are_near_what_is_next_on_the_way) {
+  Seeker seeker = seeker_at({5, 0});
+  seeker.goal = {0, 6}, seeker.next = {0, 0};
+  const Neighbor on_goal = one_at({0, 6});
+  EXPECT_EQ(place(seeker, {on_goal, one_at({4, 1.5})}), seeker.next) << "it is free";
+  EXPECT_EQ(place(seeker, {one_at({0.1, 0.1}), one_at({4, 1.5})}), seeker.next)
+      << "nobody stands on the goal";
+  const Vec2 beside = place(seeker, {on_goal, one_at({-0.3, 0}), one_at({4, 1.5})});
+  EXPECT_NEAR(beside.x, 1.02 * kReach - 0.3, 1e-9);
+  EXPECT_NEAR(beside.y, 0.0, 1e-9);
+  seeker.position = beside;
+  EXPECT_EQ(place(seeker, {on_goal, one_at({-0.3, 0})}), beside);
+}
+
 TEST(Places, are_left_to_those_who_come_out) {
   const Seeker seeker = seeker_at({1.6, 0.0});
   const std::vector<Neighbor> inside = {one_at({0.4, 0.0}), one_at({0.55, 0.0}, {0.1, 0.0})};
@@ -132,42 +160,6 @@ Scenario rally(int robots, double off, bool from_one_side, std::uint64_t seed) {
     scene.robots.push_back(robot_at(from, goal));
   }
   return scene;
-}
-
-struct Rally {
-  std::int64_t arrived = 0, contacts = 0;
-  double rest = 0.0, bound = 0.0;  // s
-};
-
-Rally run(const Scenario& scene, double seconds) {
-  Simulation simulation(scene, 1);
-  Metrics metrics(scene);
-  Rally result;
-  metrics.observe(simulation);
-  while (simulation.can_step_by(seconds)) {
-    simulation.step();
-    metrics.observe(simulation);
-    const std::span<const Vec2> velocity = simulation.fleet().velocity;
-    if (std::any_of(velocity.begin(), velocity.end(), [](Vec2 v) { return v != Vec2{}; }))
-      result.rest = simulation.time();
-  }
-  result.arrived = metrics.summary().arrived;
-  result.contacts = metrics.summary().collision_pairs;
-  double straight = 0.0, slowest = 0.0;
-  for (const RobotSetup& robot : scene.robots) {
-    const double v = robot.preferred_speed, a = robot.max_acceleration;
-    straight = std::max(straight, norm(robot.goal - robot.position) / v + v / a);
-    slowest = std::max(slowest, robot.max_speed / a);
-  }
-  result.bound = straight + 4.0 * slowest * std::sqrt(static_cast<double>(scene.robots.size()));
-  return result;
-}
-
-void expect_rest(const Scenario& scene) {
-  const Rally rally = run(scene, 100.0);
-  EXPECT_EQ(rally.arrived, static_cast<std::int64_t>(scene.robots.size()));
-  EXPECT_LE(rally.rest, rally.bound);
-  EXPECT_EQ(rally.contacts, 0);
 }
 
 TEST(Rallies, come_to_rest_from_a_circle) {
@@ -313,7 +305,7 @@ TEST(Crowds, settle_after_a_visit_however_small_the_arrival_distance_is) {
       const Vec2 place{1.1 * (k % 6) - 2.75, 1.1 * (k / 6) - 2.75};
       scene.robots.push_back(robot_at(place, place));
     }
-    const Rally visit = run(scene, 120.0);
+    const test::Rally visit = test::run_rally(scene, 120.0);
     EXPECT_EQ(visit.arrived, 37) << within;
     EXPECT_LT(visit.rest, 100.0) << within;
     EXPECT_EQ(visit.contacts, 0) << within;
