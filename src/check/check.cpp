@@ -285,12 +285,12 @@ void Check::add(double time, std::span<const CheckedState> rows) {
   state.placed_before = state.placed;
 }
 
-// By robot, of those at rest at the last time.
+// By robot, of the discs of those at rest at the last time.
 std::vector<std::optional<Vec2>> Check::State::places_at_rest() const {
   std::vector<std::optional<Vec2>> places(robots.size());
   for (std::size_t k = 0; k < robots.size(); ++k) {
     const bool rests = seen[k].at == times - 1 && seen[k].row.velocity == Vec2{};
-    if (rests) places[k] = seen[k].row.position;
+    if (rests) places[k] = judge::center_of(robots[k], seen[k].row);
   }
   return places;
 }
@@ -305,7 +305,10 @@ CheckReport Check::report() const {
     if (other.at >= 0) ++report.robots;
     if (!state.robots[i].goal) continue;
     ++report.with_goal;
-    const bool rests = !other.at_goal && judge::rests_at_crowd(i, state.robots, at_rest);
+    // of its disc, as it is turned
+    const Vec2 goal =
+        *state.robots[i].goal + (at_rest[i].value_or(other.row.position) - other.row.position);
+    const bool rests = !other.at_goal && judge::rests_at_crowd(i, goal, state.robots, at_rest);
     if (other.arrived || rests) ++report.arrived;
     if (other.at_goal || rests) ++report.at_goal_at_end;
     if (!other.arrived && !rests) report.not_arrived.push_back(static_cast<std::int64_t>(i));

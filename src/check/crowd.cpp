@@ -6,16 +6,15 @@
 
 namespace avo::judge {
 
-bool rests_at_crowd(std::size_t robot, std::span<const CheckedRobot> robots,
+bool rests_at_crowd(std::size_t robot, Vec2 goal, std::span<const CheckedRobot> robots,
                     std::span<const std::optional<Vec2>> places) {
   if (!places[robot] || !robots[robot].goal) return false;
-  const Vec2 goal = *robots[robot].goal;
   const double radius = robots[robot].radius;
   const auto from_goal = [&](std::size_t k) { return norm(*places[k] - goal); };
   const auto stands_on_goal = [&](std::size_t k) {
     const double contact = radius + robots[k].radius;
-    return k != robot && places[k] && robots[k].goal && norm(*robots[k].goal - goal) < contact &&
-           from_goal(k) < contact;
+    return k != robot && places[k] && robots[k].goal &&
+           norm(*robots[k].goal - *robots[robot].goal) < contact && from_goal(k) < contact;
   };
   std::vector<std::size_t> left, led{robot};  // those that are led to, the nearest to the goal last
   bool is_taken = false;

@@ -12,8 +12,8 @@ namespace avo::judge {
 /// Whether the robot rests, another one rests so near its goal that the two could not be there
 /// both, and others at rest lead from the one to the other, so close that the robot does not get
 /// through between them. The goals of the two are as close together, so neither is on its way
-/// elsewhere. places: m, by robot, of those at rest.
-bool rests_at_crowd(std::size_t robot, std::span<const CheckedRobot> robots,
+/// elsewhere. goal: m, of its disc. places: m, by robot, of the discs of those at rest.
+bool rests_at_crowd(std::size_t robot, Vec2 goal, std::span<const CheckedRobot> robots,
                     std::span<const std::optional<Vec2>> places);
 
 }  // namespace avo::judge

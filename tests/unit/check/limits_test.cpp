@@ -2,6 +2,7 @@
 // Limits on acceleration and speed, positions that do not follow the velocities, arrivals.
 #include <cmath>
 #include <gtest/gtest.h>
+#include <numbers>
 #include <vector>
 
 #include "unit/check/recordings.h"
@@ -157,6 +158,20 @@ TEST(CheckArrivals, are_beside_those_who_stand_on_the_goal) {
   EXPECT_EQ(arrived_at({0.0, 30.0}, 0.0), 1) << "nothing keeps it from coming nearer";
   EXPECT_EQ(arrived_at({0.0, 2.1, 3.2}, 0.0), 1) << "a robot gets through between the first two";
   EXPECT_EQ(arrived_at({1.1, 2.2}, 0.0), 0) << "nobody stands on the goal";
+}
+
+// Cars stand side by side with their discs, which are ahead of the axles.
+TEST(CheckArrivals, of_cars_are_those_of_their_discs) {
+  std::vector<CheckedRobot> robots(2, free_robot(0.5));
+  robots[0].goal = robots[1].goal = Vec2{0, 0};
+  robots[1].kinematics = CheckedCar{.body_offset = 0.5};
+  const auto arrived = [&](double heading) {
+    const std::vector<CheckedState> rows{{0, {0, 0}, {}},
+                                         {1, {2.1, 0}, {}, CheckedHeading{heading, 0.0}}};
+    return report_of(robots, {{0.0, rows}, {1.0, rows}}, {}, {.arrival_distance = 0.4}).arrived;
+  };
+  EXPECT_EQ(arrived(0.0), 1) << "a robot gets through between them";
+  EXPECT_EQ(arrived(std::numbers::pi), 2);
 }
 
 TEST(CheckArrivals, are_counted_at_rows) {

@@ -136,7 +136,7 @@ TEST(RalliesAmongWalls, come_to_rest_around_a_pillar_on_the_goal) {
 
 TEST(RalliesAmongWalls, come_to_rest_around_a_mover_that_rests_on_the_goal) {
   Scenario scene;
-  scene.moving_obstacles = {{.position = {0.1, 0.0}, .radius = 0.5}};
+  scene.moving_obstacles = {{.position = {0.1, 0.0}, .radius = 2.0}};
   const auto is_free = [](Vec2 p) { return norm(p) > 4.0; };
   gather(scene, 12, {-12, -12}, {12, 12}, {}, is_free, 6);
   expect_rest(scene);
