@@ -67,7 +67,8 @@ TEST(CheckMovers, at_rest_ok_says_that_it_may_be) {
   EXPECT_EQ(words.exit_code, 0) << words.out << words.err;
   EXPECT_NE(words.out.find("1 hit a robot at rest, which is allowed\n"), std::string::npos)
       << words.out;
-  const Json json = Json::parse(run_avo(judging(kSceneWithMover, {"--movers-at-rest", "ok", "--json"})).out);
+  const Json json =
+      Json::parse(run_avo(judging(kSceneWithMover, {"--movers-at-rest", "ok", "--json"})).out);
   EXPECT_EQ(json["safe"], true);
   EXPECT_EQ(json["movers_at_rest"], "ok");
   EXPECT_EQ(json["obstacle_hits"].size(), 1U);
@@ -75,7 +76,8 @@ TEST(CheckMovers, at_rest_ok_says_that_it_may_be) {
 }
 
 TEST(CheckMovers, at_rest_ok_is_not_ok_in_motion) {
-  const ProcessResult result = run_avo(judging(kSceneWithMover + kDisc, {"--movers-at-rest=ok", "--json"}));
+  const ProcessResult result =
+      run_avo(judging(kSceneWithMover + kDisc, {"--movers-at-rest=ok", "--json"}));
   EXPECT_EQ(result.exit_code, 1);
   const Json hits = Json::parse(result.out)["obstacle_hits"];
   ASSERT_EQ(hits.size(), 2U);

@@ -18,8 +18,9 @@ const std::string kOneRobot = "version: 1\nrobots: [{position: [5, 5], goal: [6,
 
 avo::StaticObstacle plan(const std::string& text, const std::string& as = "solid") {
   write_file(path_of("plan.geojson"), text);
-  return avo_io::parse_scenario(kOneRobot + "obstacles: [{geojson: plan.geojson, as: " + as + "}]\n",
-                                path_of("s.yaml"))
+  return avo_io::parse_scenario(
+             kOneRobot + "obstacles: [{geojson: plan.geojson, as: " + as + "}]\n",
+             path_of("s.yaml"))
       .obstacles.at(0);
 }
 

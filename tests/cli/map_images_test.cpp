@@ -118,8 +118,9 @@ TEST(MapImages, negate_may_be_a_word) {
   std::string yaml = read_file(path_of("m.yaml"));
   yaml.replace(yaml.find("negate: 0"), 9, "negate: true");
   write_file(path_of("m.yaml"), yaml);
-  EXPECT_EQ(avo_io::parse_scenario(kSceneOfMap, path_of("s.yaml")).obstacles.at(0).chains.at(0).points,
-            kUpperLeft);
+  EXPECT_EQ(
+      avo_io::parse_scenario(kSceneOfMap, path_of("s.yaml")).obstacles.at(0).chains.at(0).points,
+      kUpperLeft);
 }
 
 TEST(MapImages, unknown_keys_are_noted_and_left_out) {

@@ -98,8 +98,8 @@ TEST(SweepTables, as_csv_of_something_else_are_refused_by_their_first_line) {
   for (int k = 0; k < 1'000'000; ++k) text += "1,2,3,4,5,6\n";  // in memory 200 MB
   write_file(csv, text);
   expect_no_table(csv,
-                 ": found no table of avo sweep, whose first columns must be sweep, run, scene, "
-                 "method, parameters, seed, state_hash");
+                  ": found no table of avo sweep, whose first columns must be sweep, run, scene, "
+                  "method, parameters, seed, state_hash");
 }
 
 }  // namespace

@@ -87,14 +87,15 @@ Moved drive_on(const Robot& robot, Vec2 next_velocity) {
     for (int k = 0; k <= kParts; ++k) {
       const double t = law_of_run.time_step * k / kParts;
       moved.places.push_back(robot.position + t * robot.velocity +
-                             (0.5 * t * t / law_of_run.time_step) * (next_velocity - robot.velocity));
+                             (0.5 * t * t / law_of_run.time_step) *
+                                 (next_velocity - robot.velocity));
     }
     moved.robot.position = moved.places.back(), moved.robot.velocity = next_velocity;
     return moved;
   }
   const MotionState state{robot.position, robot.velocity, robot.heading};
-  const MotionStep step =
-      advance(robot.model, {robot.max_acceleration, robot.max_speed}, state, plan, law_of_run.time_step);
+  const MotionStep step = advance(robot.model, {robot.max_acceleration, robot.max_speed}, state,
+                                  plan, law_of_run.time_step);
   moved.places = {robot.position, step.next.position};
   moved.robot.position = step.next.position, moved.robot.velocity = step.next.velocity;
   moved.robot.heading = step.next.heading;
@@ -109,7 +110,8 @@ class Chooser {
     std::optional<Moved> chosen;
     double nearest = std::numeric_limits<double>::infinity();
     const auto consider = [&](const Moved& moved) {
-      const double away = gap_of(footprint_of(moved.robot, law_of_run), footprint_of(other, law_of_run));
+      const double away =
+          gap_of(footprint_of(moved.robot, law_of_run), footprint_of(other, law_of_run));
       if (chosen && (!worst || away >= nearest)) return;
       nearest = away, chosen = moved;
     };
@@ -137,8 +139,9 @@ class Chooser {
       ++admitted;
       consider(fly_on(robot, step, norm(step.motion.next.velocity)));
     }
-    const FlightStep hold = avo::fly(airplane, limits, state,
-                                     {.acceleration = loitering(airplane, state)}, law_of_run.time_step);
+    const FlightStep hold =
+        avo::fly(airplane, limits, state, {.acceleration = loitering(airplane, state)},
+                 law_of_run.time_step);
     consider(fly_on(robot, hold, norm(robot.velocity)));
   }
   template <typename Consider>

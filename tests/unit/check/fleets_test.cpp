@@ -61,8 +61,9 @@ std::optional<judge::Instant> nearest(const Moment& before, const Moment& now, s
   if (a0 == nullptr || b0 == nullptr) return judge::Instant{1.0, norm(to)};
   const double third = (now.time - before.time) / 3.0;
   const Vec2 from = a0->position - b0->position;
-  return judge::nearest_instant(judge::RelativePath{{from, from + third * (a0->velocity - b0->velocity),
-                                  to - third * (a1->velocity - b1->velocity), to}});
+  return judge::nearest_instant(
+      judge::RelativePath{{from, from + third * (a0->velocity - b0->velocity),
+                           to - third * (a1->velocity - b1->velocity), to}});
 }
 
 struct Expected {
