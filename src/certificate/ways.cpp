@@ -180,7 +180,8 @@ Stop stop_from(const WayOptions& options, Surroundings& around, const WayState& 
 
 }  // namespace
 
-void Surroundings::reserve(std::size_t most_others) {
+void Surroundings::reserve(std::size_t most_others, std::size_t braking_steps) {
+  if (intervals.size() < braking_steps) intervals.resize(braking_steps);
   others.reserve(most_others);
   for (std::vector<double>* column : {&clear_now, &clear_after, &clear_until})
     column->reserve(most_others);

@@ -62,7 +62,7 @@ struct Surroundings {
   /// So much may still be looked at in this decision; no way is clear once that is used up.
   int work = std::numeric_limits<int>::max();
 
-  void reserve(std::size_t most_others);
+  void reserve(std::size_t most_others, std::size_t braking_steps);
 };
 
 /// Begins ways among others and walls that have been filled in.

@@ -34,7 +34,7 @@ void PlanWorkspace::Scratch::reserve_choice(std::size_t neighbors, std::size_t b
   reserve_planes(neighbors, 0);
   reserve_constraints(neighbors, braking_steps, kMostConstraints, certified.constraints);
   reserve_constraints(neighbors, braking_steps, kMostConstraints, evasion.certified.constraints);
-  evasion.around.reserve(neighbors);
+  evasion.around.reserve(neighbors, braking_steps);
   evasion.deciding.reserve(neighbors);
   evasion.certified.constraints.seen.reserve(neighbors);
   evasion.certified.constraints.alone.reserve(1);
