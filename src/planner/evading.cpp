@@ -16,8 +16,8 @@ constexpr double kWideWay = 3.0;         // or so many, as far as others are tha
 constexpr double kMostSteps = 400.0;     // and steps at most
 constexpr double kMostBraking = 1024.0;  // steps of braking; who takes more has no ways
 constexpr double kLikelyFor = 1.5;       // T, for which likely deviations are reckoned with
-constexpr int kMostWork = 100000;        // movers and intervals that a level looks at,
-constexpr int kMostLikelyWork = 10000;   // or that one looks at which reckons with what is likely
+constexpr int kMostWork = 200000;        // movers and intervals that a level looks at,
+constexpr int kMostLikelyWork = 25000;   // or that one looks at which reckons with what is likely
 
 // m/s: from the end of a trajectory that goes round on, it is not known where the mover is.
 double fastest_until(const Neighbor& neighbor, double time) {
