@@ -21,6 +21,7 @@ constexpr double kOut = 0.6;      // before the mouth one turns
 constexpr double kBackAside = 2.0;  // to the side of the bay
 constexpr double kLaneRoom = 0.1;   // between walls and a robot in its lane
 constexpr double kBothFit = 1e-9;   // of contact: goals that touch leave room for both
+constexpr double kOverlaps = 1e-6;  // likewise, of crowds in contact
 constexpr double kLane = 1.3;       // from the axis, where there is room: nobody touches anybody
 
 // Of those who enter there.
@@ -43,6 +44,18 @@ bool comes_first(Vec2 p, Vec2 q) {
 bool share_goal(const Claimant& a, const Claimant& b) {
   const double contact = (1.0 - kBothFit) * (a.room + b.room);
   return a.room > 0.0 && b.room > 0.0 && norm(b.goal - a.goal) < contact;
+}
+
+// Whether two of those whose goals are shared overlap. Walls may have squeezed them together.
+bool some_overlap(std::span<const Claimant> claimants) {
+  for (std::size_t k = 0; k < claimants.size(); ++k) {
+    const Claimant& a = claimants[k];
+    for (const Claimant& b : claimants.first(a.room > 0.0 ? k : 0)) {
+      const double contact = (1.0 - kOverlaps) * (a.room + b.room);
+      if (b.room > 0.0 && norm_squared(b.position - a.position) < contact * contact) return true;
+    }
+  }
+  return false;
 }
 
 // Whether the robot has to do with the other one at all; who is at its place is itself.
@@ -178,8 +191,10 @@ std::optional<Claim> seen_claim(const Passage& passage, std::uint32_t number, Ve
   return Claim{number, is_first_near, false, distance};
 }
 
-Course right_of_way(const Passage& passage, const Claimant& robot, double braking,
+Course right_of_way(const Passage& passage, const Claimant& one, double braking,
                     std::span<const Claimant> claimants, double sensing_radius) {
+  Claimant robot = one;
+  if (robot.room > 0.0 && some_overlap(claimants)) robot.room = 0.0;  // they have to part first
   if (robot.claim.inside && robot.claim.ends)
     return make_room(passage, robot, claimants, sensing_radius);
   if (robot.claim.inside) return go_on_or_back(passage, robot, claimants, sensing_radius);

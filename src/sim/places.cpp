@@ -208,20 +208,6 @@ void Occupied::add(const Seeker& seeker, const Neighbors& neighbors) {
     note(seeker, {x[k], y[k]}, {v_x[k], v_y[k]}, radius[k], *this);
 }
 
-bool some_overlap(const Seeker& seeker, const Occupied& occupied) {
-  constexpr double kOverlaps = 1.0 - 1e-6;  // of contact, which crowds may have
-  const auto resting =
-      std::span(occupied.resting).first(std::min<std::size_t>(occupied.resting.size(), 32));
-  for (const Resting& a : resting) {
-    for (const Resting& b : resting) {
-      if (&b == &a) break;
-      const double kept = kOverlaps * (a.reach + b.reach - 2.0 * seeker.radius);
-      if (norm_squared(a.position - b.position) < kept * kept) return true;
-    }
-  }
-  return false;
-}
-
 Vec2 place_near(const Seeker& seeker, const Occupied& occupied, std::span<const Wall> walls) {
   if (!is_taken(occupied)) return seeker.next;
   return PlaceSearch(seeker, occupied, walls).best();

@@ -53,9 +53,6 @@ inline bool is_taken(const Occupied& occupied) {
   return occupied.is_near && occupied.is_on_goal;
 }
 
-/// Whether two of those at rest that it sees overlap, of the first 32.
-bool some_overlap(const Seeker& seeker, const Occupied& occupied);
-
 /// What is next on its way, where the goal is not taken. Else a free place that is nearer to that
 /// and that a straight way leads to, or the seeker's own position where there is none: it is at its
 /// place.

@@ -194,8 +194,6 @@ AtSharedGoal at_shared_goal(const World& world, std::size_t slot, const Seeker& 
   const bool sees_goal = seeker.next == seeker.goal, taken = is_taken(occupied);
   const bool is_near = sees_goal && stays_near(world, slot);
   if (seeker.yields || !(is_near || taken)) return {};
-  // nobody stands in the way of the parting of others
-  if (some_overlap(seeker, occupied)) return {};
   const bool is_at_rest = world.fleet.velocity[slot] == Vec2{};
   const auto is_among_them = [&] { return is_at_crowd(seeker, occupied, &world.ways); };
   // one with wheels gets to few of the places beside it, and nobody to those right beside a mover

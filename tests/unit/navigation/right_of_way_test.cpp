@@ -67,6 +67,23 @@ TEST(RightOfWay, WhoSharesAGoalIsNotWaitedFor) {
   EXPECT_FALSE(share(0.0, 0.0)) << "nothing is known of its goal";
 }
 
+// Where two of them overlap, they have to part first, and the others make room as for strangers.
+TEST(RightOfWay, WhoSharesAGoalIsWaitedForWhereSomeOverlap) {
+  const Passage passage = straight();
+  const auto sharer = [](Claimant one) {
+    one.goal = {2.0, 0.0}, one.room = 0.5;
+    return one;
+  };
+  const Claimant robot = sharer(outside(passage, true, {-6.0, 0}));
+  const auto may_go = [&](double apart) {
+    return goes(passage, robot,
+                {sharer(inside(false, {-1.0, 0})), sharer(inside(false, {-1.0 + apart, 0}))});
+  };
+  EXPECT_TRUE(may_go(1.1));
+  EXPECT_TRUE(may_go(1.0)) << "contact is no overlap";
+  EXPECT_FALSE(may_go(0.9));
+}
+
 // All of a row make room at once, or the first one could not.
 TEST(RightOfWay, AWholeRowMakesRoom) {
   const Passage passage = straight();

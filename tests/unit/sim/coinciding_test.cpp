@@ -119,10 +119,7 @@ TEST(Coinciding, they_part_beside_walls) {
     for (const int robots : {2, 5, 10, 20}) {
       SCOPED_TRACE(robots);
       EXPECT_LE(time(robots, holonomic()), 15.0);
-      // twenty drives do not get out from between two walls, see docs/arrival.md
-      if (robots < 20 || !both) {
-        EXPECT_LE(time(robots, drive()), 33.0);
-      }
+      EXPECT_LE(time(robots, drive()), 33.0);
     }
     for (const RobotSetup& setup : {car(), reversing_car(), forward_car()})
       EXPECT_LE(time(2, setup), 4.0);

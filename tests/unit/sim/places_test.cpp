@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "avo/simulation.h"
+#include "perceived.h"
 #include "scenes.h"
 #include "sim/ways.h"
 #include "support/generators.h"
@@ -273,19 +274,11 @@ TEST(Rallies, change_nothing_where_equal_goals_are_set_in_each_step) {
 TEST(Rallies, are_perceived_as_they_are_stepped_and_restored) {
   Simulation simulation(rally(5, 0.01, false, 2), 1);
   int taken = 0;
+  const auto count = [&](const Simulation::Perception& seen) {
+    taken += seen.detour.goal_taken ? 1 : 0;
+  };
   for (int k = 0; k < 250; ++k) {
-    std::vector<Vec2> expected;
-    PlanWorkspace workspace;
-    for (std::size_t i = 0; i < 5; ++i) {
-      Simulation::Perception seen = simulation.perceive(i);
-      taken += seen.detour.goal_taken ? 1 : 0;
-      const Plan planned = simulation.planner().plan(seen.robot, seen.neighbors, workspace,
-                                                     &seen.detour, seen.walls);
-      expected.push_back(seen.stop.value_or(planned).next_velocity);
-    }
-    simulation.step();
-    for (std::size_t i = 0; i < 5; ++i)
-      ASSERT_EQ(simulation.fleet().plan[i].next_velocity, expected[i]) << k << ", robot " << i;
+    ASSERT_NO_FATAL_FAILURE(test::step_as_perceived(simulation, count));
   }
   EXPECT_GT(taken, 100);
   Simulation restored(simulation.save(), 1);

@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 #include <vector>
 
+#include "perceived.h"
 #include "support/generators.h"
 #include "unit/sim/walled_scenes.h"
 
@@ -163,19 +164,11 @@ TEST(RalliesAmongWalls, are_perceived_as_they_are_stepped_and_restored) {
   gather(scene, 5, {-9, -4}, {9, 4}, {0.7, 0.0}, is_free, 3);
   Simulation simulation(scene, 1);
   int taken = 0;
+  const auto count = [&](const Simulation::Perception& seen) {
+    taken += seen.detour.goal_taken ? 1 : 0;
+  };
   for (int k = 0; k < 250; ++k) {
-    std::vector<Vec2> expected;
-    PlanWorkspace workspace;
-    for (std::size_t i = 0; i < scene.robots.size(); ++i) {
-      Simulation::Perception seen = simulation.perceive(i);
-      taken += seen.detour.goal_taken ? 1 : 0;
-      const Plan planned = simulation.planner().plan(seen.robot, seen.neighbors, workspace,
-                                                     &seen.detour, seen.walls);
-      expected.push_back(seen.stop.value_or(planned).next_velocity);
-    }
-    simulation.step();
-    for (std::size_t i = 0; i < scene.robots.size(); ++i)
-      ASSERT_EQ(simulation.fleet().plan[i].next_velocity, expected[i]) << k << ", robot " << i;
+    ASSERT_NO_FATAL_FAILURE(test::step_as_perceived(simulation, count));
   }
   EXPECT_GT(taken, 100);
   EXPECT_TRUE(simulation.all_at_goal());

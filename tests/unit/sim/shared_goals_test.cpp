@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "avo/simulation.h"
+#include "perceived.h"
 #include "scenes.h"
 
 namespace avo {
@@ -182,19 +183,9 @@ TEST(SharedGoals, stop_those_who_share_them_beside_robots_among_movers) {
   scene.moving_obstacles = {{.position = {205, 2}}, {.position = {204, 403}}};
   Simulation simulation(scene, 1);
   int stops = 0;
+  const auto count = [&](const Simulation::Perception& seen) { stops += seen.stop ? 1 : 0; };
   for (int k = 0; k < 300; ++k) {
-    std::vector<Vec2> expected;
-    PlanWorkspace workspace;
-    for (std::size_t i = 0; i < scene.robots.size(); ++i) {
-      Simulation::Perception seen = simulation.perceive(i);
-      stops += seen.stop ? 1 : 0;
-      const Plan planned = simulation.planner().plan(seen.robot, seen.neighbors, workspace,
-                                                     &seen.detour, seen.walls);
-      expected.push_back(seen.stop.value_or(planned).new_velocity);
-    }
-    simulation.step();
-    for (std::size_t i = 0; i < scene.robots.size(); ++i)
-      ASSERT_EQ(simulation.fleet().plan[i].new_velocity, expected[i]) << k << ", robot " << i;
+    ASSERT_NO_FATAL_FAILURE(test::step_as_perceived(simulation, count));
   }
   EXPECT_GE(stops, 3);
 }
