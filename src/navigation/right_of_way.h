@@ -31,8 +31,8 @@ struct Claimant {
   Vec2 position;  // m
   // bits: it minds whoever is in a layer that it avoids
   std::uint32_t layers = 1, avoids = 0xffffffff;
-  Vec2 goal = {};          // m, of one that shares it,
-  double room = 0.0;       // m, that takes it there; else none
+  Vec2 goal = {};          // m, where it shares its goal
+  double room = 0.0;       // m, its radius there; 0 where the goal is its own
   std::uint32_t rank = 0;  // of those who tell who waits for whom
 };
 

@@ -165,8 +165,9 @@ namespace {
 
 // Whether bounds of the whole step keep all limits, as those of most steps do. While v > 0,
 // σ' = a·n - v σ/L makes |σ| <= Σ = |σ| at the start + a Δt. And v > 0 stays, since v² + σ² = V²
-// and V > Σ. The speed at the end is within S by G <= s (s + k) and W <= 1 + k s, where s = Σ/V
-// is below 1/2. Twice the reserve makes sure that the samples of follows_along() say the same.
+// and V > Σ. The speed at the end is within S by G <= s (s + k), where s = Σ/V is below 1/2,
+// and by W <= 1 + k s, which the bound of the speed of wheels implies. Twice the reserve makes sure
+// that the samples of follows_along() say the same.
 bool surely_follows(const DifferentialDrive& drive, double most_braking, const Turning& turning,
                     double top, double next_speed) {
   const double a = norm(turning.acceleration), k = ratio(drive);
@@ -182,7 +183,6 @@ bool surely_follows(const DifferentialDrive& drive, double most_braking, const T
       a * root + sigma * (sigma + k * top) / drive.offset + more.acceleration;
   const double left = kLeft * drive.offset * (drive.wheel_acceleration - most_braking * root);
   return speed <= kLeft * drive.wheel_speed && acceleration <= kLeft * drive.wheel_acceleration &&
-         next_speed * (1.0 + k * s) <= kLeft * drive.wheel_speed &&
          next_speed * next_speed * (s * (s + k)) <= kLeft * left;
 }
 
