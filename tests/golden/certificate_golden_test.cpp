@@ -2,7 +2,6 @@
 // Admission by braking trajectories and stopping lengths against slow references, for both motions.
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 #include <gtest/gtest.h>
 #include <limits>
 #include <string>
@@ -10,22 +9,11 @@
 
 #include "certificate/certificate.h"
 #include "planner/certify.h"
+#include "rows.h"
 #include "support/certificates.h"
-#include "support/json.h"
 
 namespace avo {
 namespace {
-
-using json = nlohmann::ordered_json;
-
-json cases(const std::string& name) {
-  std::ifstream file(std::string(AVO_TEST_DATA) + "/" + name);
-  return json::parse(file).at("cases");
-}
-
-Vec2 vec(const json& row) {
-  return {row.at(0).get<double>(), row.at(1).get<double>()};
-}
 
 Robot robot_of(const json& row) {
   return {vec(row.at("position")),

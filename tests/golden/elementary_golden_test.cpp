@@ -3,19 +3,16 @@
 // and what holds exactly: symmetries, zeros, axes.
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 #include <gtest/gtest.h>
 #include <limits>
 #include <string>
 #include <vector>
 
 #include "core/elementary.h"
-#include "support/json.h"
+#include "rows.h"
 
 namespace avo {
 namespace {
-
-using json = nlohmann::ordered_json;
 
 struct Case {
   std::vector<double> arguments;
@@ -26,10 +23,9 @@ double number(const json& text) {
   return std::strtod(text.get<std::string>().c_str(), nullptr);
 }
 
-std::vector<Case> cases(const std::string& function) {
-  std::ifstream file(std::string(AVO_TEST_DATA) + "/elementary.json");
+std::vector<Case> cases_of(const std::string& function) {
   std::vector<Case> result;
-  const json rows = json::parse(file).at("cases");
+  const json rows = cases("elementary.json");
   for (const json& row : rows) {
     if (row.at(0) != function) continue;
     Case& added = result.emplace_back();
@@ -49,7 +45,7 @@ double units_off(double value, const Case& expected) {
 template <typename Function>
 void expect_within(double most_units, const std::string& name, std::size_t fewest,
                    const Function& function) {
-  const std::vector<Case> all = cases(name);
+  const std::vector<Case> all = cases_of(name);
   EXPECT_GE(all.size(), fewest);
   for (const Case& c : all) {
     EXPECT_LT(units_off(function(c), c), most_units)
@@ -65,7 +61,7 @@ TEST(Elementary, sine_and_cosine_are_nearly_correctly_rounded) {
 }
 
 TEST(Elementary, sine_is_odd_and_cosine_even_bit_for_bit) {
-  for (const Case& c : cases("sin")) {
+  for (const Case& c : cases_of("sin")) {
     const double x = c.arguments[0];
     EXPECT_EQ(elementary::sin(-x), -elementary::sin(x));
     EXPECT_EQ(elementary::direction(-x).x, elementary::direction(x).x);
@@ -81,7 +77,7 @@ TEST(Elementary, angles_are_nearly_correctly_rounded) {
 }
 
 TEST(Elementary, angles_mirror_bit_for_bit_and_do_not_depend_on_size) {
-  for (const Case& c : cases("atan2")) {
+  for (const Case& c : cases_of("atan2")) {
     const double y = c.arguments[0], x = c.arguments[1];
     EXPECT_EQ(elementary::atan2(-y, x), -elementary::atan2(y, x));
     const double size = std::max(std::abs(x), std::abs(y));

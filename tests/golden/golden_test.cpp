@@ -3,29 +3,17 @@
 // paper's equations alone. It carries about 1e-8 of error; 1e-6 is allowed.
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 #include <gtest/gtest.h>
 #include <string>
 
 #include "avo/half_plane.h"
 #include "avo/velocity_obstacle.h"
-#include "support/json.h"
+#include "rows.h"
 
 namespace avo {
 namespace {
 
-using json = nlohmann::ordered_json;
-
 constexpr double kTolerance = 1e-6;
-
-json cases(const std::string& name) {
-  std::ifstream file(std::string(AVO_TEST_DATA) + "/" + name);
-  return json::parse(file).at("cases");
-}
-
-Vec2 vec(const json& row) {
-  return {row.at(0).get<double>(), row.at(1).get<double>()};
-}
 
 Pair pair_of(const json& row) {
   return {vec(row.at("p")), vec(row.at("v")), row.at("r").get<double>()};

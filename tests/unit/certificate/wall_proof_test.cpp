@@ -12,7 +12,7 @@ namespace avo::test {
 namespace {
 
 // What rounding may cost: the plain rule is not inflated.
-constexpr double kRounding = 1e-9;
+constexpr double kWallRounding = 1e-9;
 constexpr double kTimeStep = 0.4;  // s
 
 struct WallRule {
@@ -81,7 +81,7 @@ double deepest_overlap(const WallRule& rule) {
       const TrueStep step{robot.position, robot.velocity, next};
       const double gap = least_gap(step, walls, options) - robot.radius;
       least = std::min(least, gap);
-      overlaps = overlaps || gap < -kRounding;
+      overlaps = overlaps || gap < -kWallRounding;
       robot.position = step.at(kTimeStep, options);
       robot.velocity = next;
     }
@@ -93,7 +93,7 @@ void expect_needed(const WallRule& broken, double depth) {
   const double deepest = deepest_overlap(broken);
   testing::Test::RecordProperty("overlap", std::to_string(deepest));
   EXPECT_GE(deepest, depth);
-  EXPECT_LE(deepest_overlap(WallRule{}), kRounding);
+  EXPECT_LE(deepest_overlap(WallRule{}), kWallRounding);
 }
 
 TEST(BrokenWallProof, step) {

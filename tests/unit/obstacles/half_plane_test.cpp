@@ -8,7 +8,7 @@
 namespace avo {
 namespace {
 
-constexpr double kNear = 1e-13;
+constexpr double kRounding = 1e-13;
 constexpr double kDelta = 4.0, kTau = 10.0, kStep = 0.1;
 const double kGain = kTau + kDelta * std::expm1(-kTau / kDelta);  // g(τ)
 const Horizon kHorizon(kDelta, kTau, kStep);
@@ -17,9 +17,9 @@ constexpr double kReach = 8.0;
 TEST(HalfPlane, at_rest_is_towards_p) {
   const RelativeHalfPlane found = half_plane({{3.0, 4.0}, {0.0, 0.0}, 1.0}, kReach, kHorizon);
   EXPECT_EQ(found.state, PairState::constrained);
-  EXPECT_NEAR(found.plane.normal.x, 0.6, kNear);
-  EXPECT_NEAR(found.plane.normal.y, 0.8, kNear);
-  EXPECT_NEAR(found.plane.offset, -4.0 / kGain, kNear);  // may close in to contact at τ
+  EXPECT_NEAR(found.plane.normal.x, 0.6, kRounding);
+  EXPECT_NEAR(found.plane.normal.y, 0.8, kRounding);
+  EXPECT_NEAR(found.plane.offset, -4.0 / kGain, kRounding);  // may close in to contact at τ
 }
 
 TEST(HalfPlane, moving_apart_fast_enough_is_free) {
@@ -44,8 +44,8 @@ TEST(HalfPlane, head_on_passes_on_the_right) {
 TEST(HalfPlane, contact_at_rest_forbids_closing) {
   const RelativeHalfPlane found = half_plane({{1.0, 0.0}, {0.0, 0.0}, 1.0}, kReach, kHorizon);
   ASSERT_EQ(found.state, PairState::constrained);
-  EXPECT_NEAR(found.plane.normal.x, 1.0, kNear);
-  EXPECT_NEAR(found.plane.offset, 0.0, kNear);
+  EXPECT_NEAR(found.plane.normal.x, 1.0, kRounding);
+  EXPECT_NEAR(found.plane.offset, 0.0, kRounding);
 }
 
 TEST(HalfPlane, unavoidable_asks_for_all_that_is_in_reach) {
@@ -100,7 +100,7 @@ TEST(HalfPlane, overlap_separates_along_p) {
   ASSERT_EQ(found.state, PairState::overlapping);
   EXPECT_EQ(found.plane.normal, (Vec2{1.0, 0.0}));
   EXPECT_GT(found.plane.offset, 0.0);
-  EXPECT_LE(found.plane.offset, kReach * (1.0 + kNear));
+  EXPECT_LE(found.plane.offset, kReach * (1.0 + kRounding));
   // what it asks for ends the overlap within the window
   const double demand = found.plane.offset;
   const double gain = kTau + kDelta * std::expm1(-kTau / kDelta);
@@ -155,15 +155,15 @@ TEST(SampledHalfPlane, all_within_reach_collides) {
 // |p| = 5, r = 3: the legs of the cone have n . p = 3.
 TEST(Orca, leg_of_the_cone) {
   const RelativeHalfPlane found = orca_half_plane({{5.0, 0.0}, {-9.0, 0.0}, 3.0}, 10.0, 0.1);
-  EXPECT_NEAR(found.plane.normal.x, 0.6, kNear);
-  EXPECT_NEAR(found.plane.normal.y, 0.8, kNear);
-  EXPECT_NEAR(found.plane.offset, 5.4, kNear);
+  EXPECT_NEAR(found.plane.normal.x, 0.6, kRounding);
+  EXPECT_NEAR(found.plane.normal.y, 0.8, kRounding);
+  EXPECT_NEAR(found.plane.offset, 5.4, kRounding);
 }
 
 TEST(Orca, cut_off_of_the_cone) {
   const RelativeHalfPlane found = orca_half_plane({{5.0, 0.0}, {-0.1, 0.0}, 3.0}, 10.0, 0.1);
-  EXPECT_NEAR(found.plane.normal.x, 1.0, kNear);
-  EXPECT_NEAR(found.plane.offset, -0.1, kNear);
+  EXPECT_NEAR(found.plane.normal.x, 1.0, kRounding);
+  EXPECT_NEAR(found.plane.offset, -0.1, kRounding);
 }
 
 TEST(Reciprocity, shares_follow_ability) {
@@ -186,7 +186,7 @@ TEST(Reciprocity, shares_follow_ability) {
 TEST(Reciprocity, apportion_scales_and_moves) {
   const HalfPlane found = apportion({{0.6, 0.8}, -2.0}, {5.0, 10.0}, 0.25);
   EXPECT_EQ(found.normal, (Vec2{0.6, 0.8}));
-  EXPECT_NEAR(found.offset, 11.0 - 0.5, kNear);
+  EXPECT_NEAR(found.offset, 11.0 - 0.5, kRounding);
 }
 
 }  // namespace
