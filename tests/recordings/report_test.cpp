@@ -125,10 +125,10 @@ std::string report_on(const std::string& h5) {
   return read_file(path_of("out.html"));
 }
 
-/// The page's command makes the same rows.
-void expect_exact(const std::string& h5) {
+/// The command of `page`, the report on `h5`, makes the same rows.
+void expect_exact(const std::string& h5, const std::string& page) {
   const std::string a = path_of("a.csv"), b = path_of("b.csv"), again = path_of("again.h5");
-  Strings command = command_in(report_on(h5));
+  Strings command = command_in(page);
   ASSERT_EQ(command.back(), h5);
   command.back() = again;
   command.push_back("-q");
@@ -142,7 +142,7 @@ void expect_exact(const std::string& h5) {
 TEST(Report, has_the_command_of_a_run_until_all_have_arrived) {
   const std::string page = page_of({"circle-4", "--until-arrived", "--every", "3"});
   EXPECT_NE(page.find("avo run circle-4 --every 3 --until-arrived --record"), std::string::npos);
-  expect_exact(path_of("run.h5"));
+  expect_exact(path_of("run.h5"), page);
   // who has not arrived by the end of the scene
   const std::string late = page_of({"circle-4", "--until-arrived", "--duration", "2"});
   EXPECT_NE(late.find("avo run circle-4 --set duration=2 --until-arrived --record"),
@@ -162,8 +162,9 @@ TEST(Report, has_the_command_of_a_run_that_a_signal_has_ended) {
                                                        kill(pid, SIGINT);
                                                      }});
     ASSERT_EQ(run.exit_code, 130) << run.err;
-    EXPECT_NE(report_on(h5).find(" --duration "), std::string::npos);
-    expect_exact(h5);
+    const std::string page = report_on(h5);
+    EXPECT_NE(page.find(" --duration "), std::string::npos);
+    expect_exact(h5, page);
   }
 }
 
