@@ -370,7 +370,7 @@ TEST(Clocks, what_no_clock_can_be_is_refused) {
 // Of a step of 0.8 s, in parts: the axle is on the arc of the whole step, and its speed changes
 // evenly; forwards and backwards, and with a disc ahead of the axle.
 TEST(Clocks, in_the_midst_of_a_step_a_car_is_on_its_arc) {
-  constexpr double kStep = 0.8;
+  constexpr double kLongStep = 0.8;
   Random random(3);
   for (int n = 0; n < 2000; ++n) {
     Car car{.wheelbase = 0.7};
@@ -384,20 +384,20 @@ TEST(Clocks, in_the_midst_of_a_step_a_car_is_on_its_arc) {
     Plan plan;
     plan.acceleration = test::in_disc(random, 1.0);
     plan.new_velocity = from.velocity + 2.0 * plan.acceleration;
-    const MotionState to = advance(car, {1.0, 2.0}, from, plan, kStep).next;
+    const MotionState to = advance(car, {1.0, 2.0}, from, plan, kLongStep).next;
     const auto axle = [&](const MotionState& at) {
       return at.position - offset * along(at.heading);
     };
     MotionState last = from;
     double turn = 0.0;
     for (int k = 1; k <= 64; ++k) {
-      const double time = kStep * k / 64.0;
-      const MotionState now = k == 64 ? to : within(MotionModel(car), from, to, time, kStep);
+      const double time = kLongStep * k / 64.0;
+      const MotionState now = k == 64 ? to : within(MotionModel(car), from, to, time, kLongStep);
       turn += std::remainder(now.heading - last.heading, 2.0 * std::numbers::pi);
       const double speeds = norm(now.velocity) + norm(last.velocity);
-      EXPECT_LE(norm(axle(now) - axle(last)), speeds * kStep / 128.0 + 1e-9) << n << ' ' << k;
+      EXPECT_LE(norm(axle(now) - axle(last)), speeds * kLongStep / 128.0 + 1e-9) << n << ' ' << k;
       EXPECT_NEAR(cross(now.velocity, along(now.heading)), 0.0, 1e-9);
-      EXPECT_LE(norm(now.velocity - last.velocity), 1.5 * kStep / 64.0 + 1e-9) << n << ' ' << k;
+      EXPECT_LE(norm(now.velocity - last.velocity), 1.5 * kLongStep / 64.0 + 1e-9) << n << ' ' << k;
       last = now;
       if (norm(axle(to) - axle(from)) > 1e-12) continue;
       const double part = k / 64.0;  // its disc leaves at rest
