@@ -6,8 +6,8 @@
 #include <array>
 #include <cmath>
 
-#include "core/elementary.h"
 #include "planner/certify.h"
+#include "robots/ahead.h"
 
 namespace avo {
 namespace {
@@ -41,7 +41,7 @@ Plan plan_of(const Planner& planner, const Robot& robot, Vec2 acceleration, Plan
 
 // As fast as it may towards the target.
 Controls wanted_controls(const Planner& planner, const Robot& robot, Vec2 target) {
-  const Vec2 h = elementary::direction(robot.heading), change = target - robot.velocity;
+  const Vec2 h = ahead_of(robot.heading), change = target - robot.velocity;
   const double step = planner.options().time_step, speed = norm(robot.velocity);
   const double a_max = robot.max_acceleration, a_lat = usable_acceleration(airplane_of(robot));
   const double ahead = std::clamp(dot(h, change) / step, -a_max, a_max);
@@ -91,7 +91,7 @@ Plan fly_towards(const Planner& planner, const Robot& given, const Neighbors& ne
   if (robot.preferred_velocity == Vec2{}) return loiter_on(planner, robot, best, flight.violation);
   const MotionState state = state_of(robot);
   const MotionLimits limits{robot.max_acceleration, robot.max_speed};
-  const Vec2 h = elementary::direction(robot.heading), n = perpendicular(h);
+  const Vec2 h = ahead_of(robot.heading), n = perpendicular(h);
   const auto admitted = [&](Vec2 acceleration) {
     if (!certified) return true;
     return keeps_flight(

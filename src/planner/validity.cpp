@@ -6,11 +6,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/elementary.h"
 #include "core/plane.h"
 #include "core/ranges.h"
 #include "planner/certify.h"
 #include "planner/flight.h"
+#include "robots/ahead.h"
 #include "robots/model.h"
 
 namespace avo {
@@ -56,7 +56,7 @@ bool is_valid(const Robot& robot) {
 
 bool follows_heading(const Robot& robot) {
   if (!moves_along_heading(robot.model) || is_rest(robot.velocity)) return true;
-  const Vec2 v = robot.velocity, heading = elementary::direction(robot.heading);
+  const Vec2 v = robot.velocity, heading = ahead_of(robot.heading);
   const bool backwards = can_reverse(robot.model) && dot(v, heading) < 0.0;
   return norm_squared(v - norm(v) * (backwards ? -heading : heading)) <=
          kHeadingTolerance * kHeadingTolerance * norm_squared(v);

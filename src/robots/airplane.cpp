@@ -11,6 +11,7 @@
 
 #include "core/elementary.h"
 #include "core/plane.h"
+#include "robots/ahead.h"
 
 namespace avo {
 namespace {
@@ -41,7 +42,7 @@ FlightStep hold_circle(const Airplane& airplane, const MotionState& state, doubl
   const Vec2 out = state.position - circle.center;
   const Vec2 next = turned(out / norm(out), elementary::direction(-turn));
   FlightStep step;
-  step.way = {state.position, elementary::direction(state.heading), -1.0 / circle.radius, length};
+  step.way = {state.position, ahead_of(state.heading), -1.0 / circle.radius, length};
   step.chord = chord(step.way);
   step.motion.next = {
       circle.center + circle.radius * next, {}, elementary::atan2(-next.x, next.y), circle};
@@ -101,13 +102,12 @@ double sagitta(const Arc& arc) {
 }
 
 Vec2 loitering(const Airplane& airplane, const MotionState& state) {
-  return loitering_along(airplane, elementary::direction(state.heading));
+  return loitering_along(airplane, ahead_of(state.heading));
 }
 
 FlightStep fly(const Airplane& airplane, const MotionLimits& limits, const MotionState& state,
                const Plan& plan, double time_step) {
-  return fly_along(airplane, limits, state, elementary::direction(state.heading), plan.acceleration,
-                   time_step);
+  return fly_along(airplane, limits, state, ahead_of(state.heading), plan.acceleration, time_step);
 }
 
 FlightStep fly_along(const Airplane& airplane, const MotionLimits& limits, const MotionState& state,
@@ -136,7 +136,7 @@ FlightStep fly_along(const Airplane& airplane, const MotionLimits& limits, const
 // Along the heading a_max, across it a_lat.
 void append_own_half_planes(const Airplane& airplane, const Robot& robot, double time,
                             std::vector<HalfPlane>& half_planes) {
-  const Vec2 h = elementary::direction(robot.heading), n = perpendicular(h), v = robot.velocity;
+  const Vec2 h = ahead_of(robot.heading), n = perpendicular(h), v = robot.velocity;
   const auto bound = [&](Vec2 normal, double most) {
     half_planes.push_back({normal, dot(normal, v) - most});
     half_planes.push_back({-normal, -dot(normal, v) - most});
@@ -147,7 +147,7 @@ void append_own_half_planes(const Airplane& airplane, const Robot& robot, double
 
 // Velocities at more than 45 degrees become turns at full: as much across as ahead.
 Vec2 within_steering(const Airplane&, const Robot& robot, Vec2 v) {
-  const Vec2 h = elementary::direction(robot.heading), n = perpendicular(h);
+  const Vec2 h = ahead_of(robot.heading), n = perpendicular(h);
   const double ahead = dot(h, v), across = cross(h, v);
   if (ahead >= std::abs(across)) return v;
   return norm(v) * (h + (across > 0.0 ? n : -n));
@@ -158,7 +158,7 @@ Vec2 within_steering(const Airplane&, const Robot& robot, Vec2 v) {
 Vec2 steered(const Airplane& airplane, const Robot& robot) {
   const double wanted = norm(robot.preferred_velocity);
   if (!(wanted > 0.0)) return {};
-  const Vec2 to = robot.preferred_velocity / wanted, h = elementary::direction(robot.heading);
+  const Vec2 to = robot.preferred_velocity / wanted, h = ahead_of(robot.heading);
   const double across = std::abs(cross(h, to));
   const double radius = across > 0.0 ? robot.distance_to_goal / (2.0 * across)
                                      : std::numeric_limits<double>::infinity();

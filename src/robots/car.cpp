@@ -16,6 +16,7 @@
 
 #include "core/elementary.h"
 #include "core/plane.h"
+#include "robots/ahead.h"
 
 namespace avo {
 namespace {
@@ -47,7 +48,7 @@ bool is_reversing(const Car& car, Vec2 heading, Vec2 velocity, Vec2 wanted) {
 }
 
 Driving driving_of(const Car& car, const MotionState& state, Vec2 wanted) {
-  const Vec2 heading = elementary::direction(state.heading);
+  const Vec2 heading = ahead_of(state.heading);
   const double speed = norm(state.velocity), offset = offset_of(car);
   if (is_reversing(car, heading, state.velocity, wanted))
     return {-heading, state.heading + std::numbers::pi, speed, -offset};
@@ -216,7 +217,7 @@ OwnLimits own_limits(const Car& car, const Robot& robot) {
 
 Vec2 within_own_limits(const Car& car, const Robot& robot, double time, Vec2 v) {
   if (v == Vec2{} && robot.velocity == v) return v;
-  const Vec2 h = elementary::direction(robot.heading), change = v - robot.velocity;
+  const Vec2 h = ahead_of(robot.heading), change = v - robot.velocity;
   const auto [along, across] = own_limits(car, robot);
   const Vec2 result =
       robot.velocity + std::clamp(dot(h, change), -along * time, along * time) * h +
@@ -227,7 +228,7 @@ Vec2 within_own_limits(const Car& car, const Robot& robot, double time, Vec2 v) 
 }
 
 Vec2 approached(const Car& car, const Robot& robot, double time, double increment, Vec2 w) {
-  const Vec2 h = elementary::direction(robot.heading), v = robot.velocity;
+  const Vec2 h = ahead_of(robot.heading), v = robot.velocity;
   const double across = own_limits(car, robot).across * time;
   Vec2 next = approach(v, w, increment);
   const double aside = cross(h, next - v);
@@ -241,7 +242,7 @@ Vec2 approached(const Car& car, const Robot& robot, double time, double incremen
 
 void append_own_half_planes(const Car& car, const Robot& robot, double time,
                             std::vector<HalfPlane>& half_planes) {
-  const Vec2 h = elementary::direction(robot.heading), v = robot.velocity;
+  const Vec2 h = ahead_of(robot.heading), v = robot.velocity;
   const auto bound = [&](Vec2 normal, double most) {
     if (most == std::numeric_limits<double>::infinity()) return;
     half_planes.push_back({normal, dot(normal, v) - most * time});

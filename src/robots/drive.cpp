@@ -12,18 +12,20 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <numbers>
+#include <span>
+#include <variant>
 
 #include "core/elementary.h"
+#include "core/scalar.h"
+#include "robots/ahead.h"
+#include "robots/drive_kernel.h"
+#include "robots/drive_turns.h"
 
 namespace avo {
 namespace {
 
-// rad, of the heading in a substep at most.
-constexpr double kSubturn = 1.0 / 16.0;
-// A step that asks for more is refused.
-constexpr double kMostSubsteps = 1024.0;
-constexpr double kFewestSubsteps = 2.0;
 // Of each limit, for rounding.
 constexpr double kReserve = 0x1p-20;
 // What is wished for stays so much within S, so that it can be followed to the end.
@@ -35,42 +37,31 @@ double ratio(const DifferentialDrive& drive) {  // [k]
   return 0.5 * drive.track / drive.offset;
 }
 
+using One = scalar::Pack<double>;  // drive, not lanes of several
+
 // A step as seen from its first heading, which is (1, 0).
 struct Turning {
+  scalar::Turning<One> packed;
   Vec2 velocity, acceleration;  // of q, at the start
   double length;                // [h] s, of a substep
   int substeps;
 
-  Vec2 velocity_at(double substep) const { return velocity + (substep * length) * acceleration; }
+  explicit Turning(const scalar::Turning<One>& of)
+      : packed(of),
+        velocity(plain(of.velocity)),
+        acceleration(plain(of.acceleration)),
+        length(of.length.value),
+        substeps(static_cast<int>(of.substeps.value)) {}
+
+  Vec2 velocity_at(double substep) const { return plain(packed.velocity_at(One(substep))); }
 };
 
 // h: the first heading, a unit vector
 Turning turning_of(const DifferentialDrive& drive, Vec2 h, Vec2 velocity, Vec2 next_velocity,
                    double time_step) {
-  const auto seen = [&](Vec2 a) { return Vec2{dot(h, a), cross(h, a)}; };
-  const double top = std::max(norm(velocity), norm(next_velocity));
-  const double turn = top * time_step / drive.offset;
-  const double substeps = std::clamp(std::ceil(turn / kSubturn), kFewestSubsteps, kMostSubsteps);
-  return {seen(velocity), seen(next_velocity - velocity) / time_step, time_step / substeps,
-          static_cast<int>(substeps)};
-}
-
-// The heading is p²/|p|², where p has half its angle. From h' = ω n, with complex numbers
-// h' = (V - V* h²)/2L, it follows that p' = V p*/2L: linear, with V linear in time. So a power
-// series solves it exactly; what is left out in a substep is below 1e-17.
-Vec2 turned_by_substep(const DifferentialDrive& drive, const Turning& turning, int substep,
-                       Vec2 half) {
-  constexpr int kTerms = 8;
-  const Vec2 v = turning.velocity_at(substep), gained = turning.length * turning.acceleration;
-  const double scale = 0.5 * turning.length / drive.offset;
-  const auto by_conjugate = [](Vec2 a, Vec2 c) { return Vec2{dot(a, c), cross(c, a)}; };
-  Vec2 sum = half, before{}, term = half;
-  for (int n = 1; n <= kTerms; ++n) {
-    const Vec2 next = (scale / n) * (by_conjugate(v, term) + by_conjugate(gained, before));
-    sum = sum + next;
-    before = term, term = next;
-  }
-  return sum / norm(sum);
+  const auto packed = [](Vec2 a) { return scalar::constant<One>(a); };
+  return Turning(scalar::turning_of(One(drive.offset), packed(h), packed(velocity),
+                                    packed(next_velocity), One(time_step)));
 }
 
 Vec2 heading_of(Vec2 half) {
@@ -126,21 +117,21 @@ double most_speed(const DifferentialDrive& drive, double most_braking, double al
 
 namespace {
 
+// rad, of one that has turned by twice the angle of `half`.
+double turned_twice(double heading, Vec2 half) {
+  return std::remainder(heading + 2.0 * elementary::atan2(half.y, half.x), 2.0 * std::numbers::pi);
+}
+
 // rad, after so much time in which the velocity changes to that one.
 double next_heading(const DifferentialDrive& drive, const MotionState& state, Vec2 next_velocity,
                     double time) {
   const Turning turning =
-      turning_of(drive, elementary::direction(state.heading), state.velocity, next_velocity, time);
-  Vec2 half{1.0, 0.0};
-  for (int k = 0; k < turning.substeps; ++k) half = turned_by_substep(drive, turning, k, half);
-  return std::remainder(state.heading + 2.0 * elementary::atan2(half.y, half.x),
-                        2.0 * std::numbers::pi);
+      turning_of(drive, ahead_of(state.heading), state.velocity, next_velocity, time);
+  return turned_twice(state.heading, plain(scalar::half_turned(turning.packed, One(drive.offset))));
 }
 
-}  // namespace
-
-MotionStep advance_drive(const DifferentialDrive& drive, const MotionState& state, const Plan& plan,
-                         double time_step) {
+// All of the step but its heading.
+MotionStep without_heading(const MotionState& state, const Plan& plan, double time_step) {
   const Vec2 a = plan.acceleration;
   MotionStep step;
   step.next.velocity = state.velocity + time_step * a;
@@ -148,10 +139,30 @@ MotionStep advance_drive(const DifferentialDrive& drive, const MotionState& stat
   if (norm_squared(step.next.velocity) < 0x1p-100 * norm_squared(state.velocity))
     step.next.velocity = {};
   step.next.position = state.position + (0.5 * time_step) * (state.velocity + step.next.velocity);
-  step.next.heading = next_heading(drive, state, step.next.velocity, time_step);
   step.acceleration = norm(a);
   step.way = 0.5 * time_step * (norm(state.velocity) + norm(step.next.velocity));
   return step;
+}
+
+}  // namespace
+
+MotionStep advance_drive(const DifferentialDrive& drive, const MotionState& state, const Plan& plan,
+                         double time_step) {
+  MotionStep step = without_heading(state, plan, time_step);
+  step.next.heading = next_heading(drive, state, step.next.velocity, time_step);
+  return step;
+}
+
+void advance_drives(std::span<ModelStep* const> steps, double time_step) {
+  DriveTurns turns;
+  for (ModelStep* step : steps) {
+    step->result = without_heading(step->state, *step->plan, time_step);
+    turns.add(std::get<DifferentialDrive>(*step->model), ahead_of(step->state.heading),
+              step->state.velocity, step->result.next.velocity);
+  }
+  turn(turns, time_step);
+  for (std::size_t k = 0; k < steps.size(); ++k)
+    steps[k]->result.next.heading = turned_twice(steps[k]->state.heading, turns.half(k));
 }
 
 MotionState within_step(const DifferentialDrive& drive, const MotionState& from,
@@ -198,13 +209,15 @@ bool follows_along(const DifferentialDrive& drive, double most_braking, Vec2 h, 
     return wheels.speed + more.speed <= kLeft * drive.wheel_speed &&
            wheels.acceleration + more.acceleration <= kLeft * drive.wheel_acceleration;
   };
-  Vec2 half{1.0, 0.0}, heading = half;
+  const scalar::HalfTurns<One> turns(turning.packed, One(drive.offset));
+  scalar::Vec<One> half = scalar::constant<One>({1.0, 0.0});
+  Vec2 heading{1.0, 0.0};
   for (int k = 0; k < turning.substeps; ++k) {
     const Vec2 v = turning.velocity_at(k);
     const Wheels more = between_samples(drive, turning, std::abs(cross(heading, v)), top);
     if (!kept(wheels_of(drive, heading, v, turning.acceleration), more)) return false;
-    half = turned_by_substep(drive, turning, k, half);
-    heading = heading_of(half);
+    half = turns.after(One(k), half);
+    heading = heading_of(plain(half));
     const Wheels end = wheels_of(drive, heading, turning.velocity_at(k + 1), turning.acceleration);
     if (!kept(end, more)) return false;
   }
@@ -219,13 +232,13 @@ bool follows_along(const DifferentialDrive& drive, double most_braking, Vec2 h, 
 
 bool follows(const DifferentialDrive& drive, double most_braking, const MotionState& state,
              Vec2 next_velocity, double time_step) {
-  return follows_along(drive, most_braking, elementary::direction(state.heading), state.velocity,
-                       next_velocity, time_step);
+  return follows_along(drive, most_braking, ahead_of(state.heading), state.velocity, next_velocity,
+                       time_step);
 }
 
 // The farthest that it can follow of what lies between straight braking and v.
 Vec2 within_own_limits(const DifferentialDrive& drive, const Robot& robot, double time, Vec2 v) {
-  const Vec2 h = elementary::direction(robot.heading);
+  const Vec2 h = ahead_of(robot.heading);
   const auto can_follow = [&](Vec2 next) {
     return follows_along(drive, change_limit(robot), h, robot.velocity, next, time);
   };
@@ -262,7 +275,7 @@ Vec2 within_steering(const DifferentialDrive& drive, const Robot& robot, Vec2 h,
 Vec2 steered_near(const DifferentialDrive& drive, const Robot& robot, const Approach& approach) {
   const double distance = robot.distance_to_goal;
   if (distance <= std::min(kNearEnough * drive.offset, approach.near_enough)) return {};
-  const Vec2 wish = robot.preferred_velocity, now = elementary::direction(robot.heading);
+  const Vec2 wish = robot.preferred_velocity, now = ahead_of(robot.heading);
   const double turned = approach.time_step * cross(now, robot.velocity) / drive.offset;
   const Vec2 h = elementary::direction(robot.heading + turned);
   const double speed = norm(wish), along = dot(h, wish) / speed, across = cross(h, wish) / speed;
@@ -279,7 +292,7 @@ Vec2 steered_near(const DifferentialDrive& drive, const Robot& robot, const Appr
 // Far from its goal it heads for it at once, and turns as q does. One that has its goal behind it
 // first turns on the spot, by q going round the axle; to the right where both ways are as long.
 Vec2 steered(const DifferentialDrive& drive, const Robot& robot, const Approach& approach) {
-  const Vec2 wish = robot.preferred_velocity, h = elementary::direction(robot.heading);
+  const Vec2 wish = robot.preferred_velocity, h = ahead_of(robot.heading);
   const double speed = norm(wish);
   if (!(speed > 0.0)) return wish;
   const double along = dot(h, wish) / speed, across = cross(h, wish) / speed;
@@ -291,7 +304,7 @@ Vec2 steered(const DifferentialDrive& drive, const Robot& robot, const Approach&
 }
 
 Vec2 within_steering(const DifferentialDrive& drive, const Robot& robot, Vec2 v) {
-  return within_steering(drive, robot, elementary::direction(robot.heading), v);
+  return within_steering(drive, robot, ahead_of(robot.heading), v);
 }
 
 }  // namespace avo

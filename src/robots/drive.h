@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Differential drives (docs/certificate.md, "Differential drives").
 #pragma once
+#include <span>
+
 #include "robots/model.h"
 
 namespace avo {
@@ -8,6 +10,9 @@ namespace avo {
 /// One step: the point q moves as it was decided, and the wheels follow.
 MotionStep advance_drive(const DifferentialDrive& drive, const MotionState& state, const Plan& plan,
                          double time_step);
+
+/// The same of several; at most kMostModelSteps.
+void advance_drives(std::span<ModelStep* const> steps, double time_step);
 
 /// See within() in robots/model.h.
 MotionState within_step(const DifferentialDrive& drive, const MotionState& from,

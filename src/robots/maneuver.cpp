@@ -16,6 +16,7 @@
 
 #include "core/elementary.h"
 #include "core/plane.h"
+#include "robots/ahead.h"
 
 namespace avo {
 namespace {
@@ -133,7 +134,7 @@ std::optional<Vec2> maneuver(const Car& car, const Robot& robot, const Approach&
                              bool is_beside, const ClearPlaces& is_clear, ManeuverMemory& memory) {
   const double speed = norm(robot.preferred_velocity), turning = 1.0 / sharpest(car);
   if (!(speed > 0.0) || is_there(car, robot, approach)) return std::nullopt;
-  const Vec2 h = elementary::direction(robot.heading);
+  const Vec2 h = ahead_of(robot.heading);
   const Vec2 axle = robot.position - offset_of(car) * h;
   const double distance = std::min(robot.distance_to_goal, kFarGoal * turning);
   const double middling = std::sqrt(0.5 * kTurnAcceleration * robot.max_acceleration * turning);

@@ -3,12 +3,14 @@
 #include "robots/model.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
+#include <span>
 
-#include "core/elementary.h"
 #include "core/plane.h"
 #include "core/ranges.h"
+#include "robots/ahead.h"
 #include "robots/airplane.h"
 #include "robots/car.h"
 #include "robots/drive.h"
@@ -41,10 +43,10 @@ double disc_radius(const MotionModel& model, double radius) {
 
 Vec2 disc_center(const MotionModel& model, Vec2 position, double heading) {
   if (const auto* drive = std::get_if<DifferentialDrive>(&model))
-    return position + drive->offset * elementary::direction(heading);
+    return position + drive->offset * ahead_of(heading);
   const Car* car = std::get_if<Car>(&model);
   if (car == nullptr || offset_of(*car) == 0.0) return position;
-  return position + offset_of(*car) * elementary::direction(heading);
+  return position + offset_of(*car) * ahead_of(heading);
 }
 
 MotionStep advance(const MotionModel& model, const MotionLimits& limits, const MotionState& state,
@@ -54,6 +56,19 @@ MotionStep advance(const MotionModel& model, const MotionLimits& limits, const M
   if (const Airplane* airplane = std::get_if<Airplane>(&model))
     return fly(*airplane, limits, state, plan, time_step).motion;
   return advance_car(std::get<Car>(model), limits, state, plan, time_step);
+}
+
+void advance_together(std::span<ModelStep> steps, double time_step) {
+  std::array<ModelStep*, kMostModelSteps> drives;
+  std::size_t count = 0;
+  for (ModelStep& step : steps) {
+    if (std::holds_alternative<DifferentialDrive>(*step.model)) {
+      drives[count++] = &step;
+    } else {
+      step.result = advance(*step.model, step.limits, step.state, *step.plan, time_step);
+    }
+  }
+  if (count > 0) advance_drives(std::span(drives).first(count), time_step);
 }
 
 MotionState within(const MotionModel& model, const MotionState& from, const MotionState& to,

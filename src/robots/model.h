@@ -11,6 +11,7 @@
 #include <cstdint>
 #include <functional>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "avo/half_plane.h"
@@ -28,6 +29,18 @@ struct MotionLimits {
 /// One step of a robot that is not holonomic, exactly; of state.position its disc's center.
 MotionStep advance(const MotionModel& model, const MotionLimits& limits, const MotionState& state,
                    const Plan& plan, double time_step);
+
+/// One of several such steps that are made together.
+struct ModelStep {
+  const MotionModel* model;
+  MotionLimits limits;
+  MotionState state;
+  const Plan* plan;
+  MotionStep result = {};
+};
+inline constexpr std::size_t kMostModelSteps = 16;
+/// At most kMostModelSteps of them.
+void advance_together(std::span<ModelStep> steps, double time_step);
 
 /// The same robot in the midst of such a step, see within() in robots/motion.h.
 MotionState within(const MotionModel& model, const MotionState& from, const MotionState& to,

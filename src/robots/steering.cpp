@@ -7,8 +7,8 @@
 #include <cmath>
 #include <limits>
 
-#include "core/elementary.h"
 #include "core/plane.h"
+#include "robots/ahead.h"
 #include "robots/car.h"
 
 namespace avo {
@@ -28,7 +28,7 @@ constexpr double kKeepDirection = 0.5;
 // Along the heading or against it: whichever is nearer to where it goes, and as it drives already
 // where that is nearly as good.
 Vec2 direction_of(const Car& car, const Robot& robot, Vec2 to) {
-  const Vec2 heading = elementary::direction(robot.heading);
+  const Vec2 heading = ahead_of(robot.heading);
   if (!car.reverse) return heading;
   const double along = dot(heading, to), speed = dot(heading, robot.velocity);
   const double least = speed > 0.0 ? -kKeepDirection : speed < 0.0 ? kKeepDirection : 0.0;

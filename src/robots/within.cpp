@@ -5,6 +5,7 @@
 
 #include "core/elementary.h"
 #include "core/plane.h"
+#include "robots/ahead.h"
 #include "robots/car.h"
 #include "robots/motion.h"
 
@@ -14,7 +15,7 @@ namespace {
 // m/s, negative backwards.
 double signed_speed(const MotionState& state) {
   const double speed = norm(state.velocity);
-  return dot(state.velocity, elementary::direction(state.heading)) < 0.0 ? -speed : speed;
+  return dot(state.velocity, ahead_of(state.heading)) < 0.0 ? -speed : speed;
 }
 
 double sine_ratio(double x) {
@@ -39,7 +40,7 @@ MotionState within_axle_arc(const MotionState& from, const MotionState& to, bool
   const double covered = time * (speed + 0.5 * time * change);
   const double half_turn = 0.5 * turn * (covered / length);
   const Vec2 half = elementary::direction(half_turn);
-  const Vec2 middle = turned(elementary::direction(from.heading), half);
+  const Vec2 middle = turned(ahead_of(from.heading), half);
   state.position = from.position + (covered * sine_ratio(half_turn)) * middle;
   state.heading = wrapped(from.heading + 2.0 * half_turn);
   state.velocity = (speed + time * change) * turned(middle, half);
@@ -48,7 +49,7 @@ MotionState within_axle_arc(const MotionState& from, const MotionState& to, bool
 
 // Its position moved ahead of where it is, m.
 MotionState moved(MotionState state, double ahead) {
-  state.position = state.position + ahead * elementary::direction(state.heading);
+  state.position = state.position + ahead * ahead_of(state.heading);
   return state;
 }
 

@@ -171,7 +171,8 @@ RobotSetup Fleet::setup(std::size_t slot, const MotionState& state) const {
 }
 
 Vec2 Fleet::offset(std::size_t slot, double heading_of_it) const {
-  return traits[slot].has_model ? disc_center(model(slot), {}, heading_of_it) : Vec2{};
+  const MotionModel* own = own_model(slot);
+  return own != nullptr ? disc_center(*own, {}, heading_of_it) : Vec2{};
 }
 
 namespace {

@@ -1,5 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // A tile of robots from what they sense to where they are next.
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <span>
+#include <utility>
+
 #include "planner/decision.h"
 #include "planner/execution.h"
 #include "planner/scratch.h"
@@ -201,26 +209,45 @@ void count(const World& world, Worker& worker) {
   }
 }
 
-void move_by_model(World& world, const Pace& pace, std::size_t slot) {
-  Fleet& fleet = world.fleet;
+ModelStep step_by_model(const Fleet& fleet, std::size_t slot) {
   const RobotTraits& traits = fleet.traits[slot];
-  const MotionLimits limits{planned_braking(traits), traits.max_speed};
-  MotionState state{fleet.position[slot], fleet.velocity[slot], fleet.heading[slot]};
-  Flight* flight = fleet.flight(slot);
-  if (flight != nullptr) state.circle = flight->circle;
-  const double time_step = pace.response.time_step;
-  const MotionStep step =
-      advance(*fleet.own_model(slot), limits, state, fleet.plan[slot], time_step);
-  if (flight != nullptr) {
-    flight->circle = step.next.circle;
-    const double nearest =
-        pass(*fleet.own_model(slot), limits, state, fleet.plan[slot], time_step, fleet.goal[slot]);
+  const Flight* flight = fleet.flight(slot);
+  return {fleet.own_model(slot),
+          {planned_braking(traits), traits.max_speed},
+          {fleet.position[slot], fleet.velocity[slot], fleet.heading[slot],
+           flight != nullptr ? flight->circle : LoiterCircle{}},
+          &fleet.plan[slot]};
+}
+
+void take_step(World& world, const Pace& pace, std::size_t slot, const ModelStep& step) {
+  Fleet& fleet = world.fleet;
+  const MotionState& next = step.result.next;
+  if (Flight* flight = fleet.flight(slot); flight != nullptr) {
+    flight->circle = next.circle;
+    const double nearest = pass(*step.model, step.limits, step.state, *step.plan,
+                                pace.response.time_step, fleet.goal[slot]);
     if (nearest <= world.settings.arrival_distance) flight->has_arrived = true;
   }
-  fleet.position[slot] = step.next.position;
-  fleet.velocity[slot] = fleet.plan[slot].next_velocity = step.next.velocity;
-  fleet.heading[slot] = step.next.heading;
-  fleet.applied_acceleration[slot] = step.acceleration;
+  fleet.position[slot] = next.position;
+  fleet.velocity[slot] = fleet.plan[slot].next_velocity = next.velocity;
+  fleet.heading[slot] = next.heading;
+  fleet.applied_acceleration[slot] = step.result.acceleration;
+}
+
+// Those of a tile that are not holonomic, some at a time.
+void move_by_models(World& world, const Pace& pace, const Tile& tile) {
+  std::array<ModelStep, kMostModelSteps> steps;
+  std::array<std::uint32_t, kMostModelSteps> slots;
+  for (std::size_t k = 0; k < tile.slot.size();) {
+    std::size_t count = 0;
+    for (; k < tile.slot.size() && count < steps.size(); ++k) {
+      if (!world.fleet.traits[tile.slot[k]].has_model) continue;
+      slots[count] = tile.slot[k];
+      steps[count++] = step_by_model(world.fleet, tile.slot[k]);
+    }
+    advance_together(std::span(steps).first(count), pace.response.time_step);
+    for (std::size_t n = 0; n < count; ++n) take_step(world, pace, slots[n], steps[n]);
+  }
 }
 
 void move(World& world, const Pace& pace, Worker& worker) {
@@ -234,10 +261,10 @@ void move(World& world, const Pace& pace, Worker& worker) {
     moving.new_x[k] = v_new.x, moving.new_y[k] = v_new.y;
   }
   std::uint64_t fast = advance(pace.response, moving, tile.robots);
+  if (tile.robots.has_models) move_by_models(world, pace, tile);
   for (std::size_t k = 0; k < tile.slot.size(); ++k) {
     const std::uint32_t slot = tile.slot[k];
     if (fleet.traits[slot].has_model) {
-      move_by_model(world, pace, slot);
       const std::uint64_t bit = std::uint64_t{1} << k;
       fast = world.is_fast(slot) ? fast | bit : fast & ~bit;
     } else {

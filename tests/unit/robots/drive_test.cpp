@@ -4,10 +4,16 @@
 #include "robots/drive.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
 #include <gtest/gtest.h>
 #include <numbers>
+#include <thread>
+#include <vector>
 
+#include "core/elementary.h"
+#include "robots/ahead.h"
 #include "support/generators.h"
 #include "support/wheels.h"
 
@@ -212,6 +218,54 @@ TEST(Drive, brakes_to_rest_exactly) {
     const MotionStep step = advance_drive(d.drive, d.state, plan_by(-10.0 * d.state.velocity), 0.1);
     EXPECT_EQ(step.next.velocity, Vec2{});
   }
+}
+
+// Lanes, whose drives take different numbers of substeps, are what each of them is alone.
+TEST(Drive, of_those_that_move_together_each_moves_as_it_does_alone) {
+  Random random(37);
+  std::array<Plan, kMostModelSteps> plans;
+  std::array<MotionModel, kMostModelSteps> models;
+  for (int k = 0; k < 20'000 && !HasFailure(); ++k) {
+    std::vector<ModelStep> steps;
+    const auto count = static_cast<std::size_t>(1 + random.below(kMostModelSteps));
+    for (std::size_t n = 0; n < count; ++n) {
+      const Drawn d = drawn(random);
+      const bool drives = random.below(8) > 0;
+      models[n] = drives ? MotionModel{d.drive} : MotionModel{Car{}};
+      plans[n] = plan_by(test::in_disc(random, d.max_acceleration));
+      plans[n].new_velocity = d.state.velocity + plans[n].acceleration;
+      steps.push_back({&models[n], {d.max_acceleration, d.drive.wheel_speed}, d.state, &plans[n]});
+    }
+    advance_together(steps, 0.1);
+    for (const ModelStep& step : steps) {
+      const MotionStep alone = advance(*step.model, step.limits, step.state, *step.plan, 0.1);
+      EXPECT_EQ(step.result.next.position, alone.next.position);
+      EXPECT_EQ(step.result.next.velocity, alone.next.velocity);
+      EXPECT_EQ(step.result.next.heading, alone.next.heading);
+      EXPECT_EQ(step.result.acceleration, alone.acceleration);
+    }
+  }
+}
+
+// Headings that are asked for again and again, and many more than are remembered; a thread begins
+// with none.
+TEST(Drive, a_direction_that_is_remembered_is_that_of_the_heading) {
+  Random random(38);
+  std::vector<double> headings = {0.0, -0.0, 1e-9, -1e-9, std::numbers::pi, -std::numbers::pi};
+  for (int k = 0; k < 1'000; ++k) headings.push_back(random.uniform(-4.0, 4.0));
+  int wrong = 0;
+  const auto ask = [&](double heading) {
+    const Vec2 found = ahead_of(heading), expected = elementary::direction(heading);
+    wrong += found == expected && std::signbit(found.y) == std::signbit(expected.y) ? 0 : 1;
+  };
+  std::thread([&] {
+    for (const double heading : headings) ask(heading);
+    for (int k = 0; k < 200'000; ++k) {
+      const int among = random.below(2) == 0 ? 40 : static_cast<int>(headings.size());
+      ask(headings[static_cast<std::size_t>(random.below(among))]);
+    }
+  }).join();
+  EXPECT_EQ(wrong, 0);
 }
 
 // A robot as its planner sees it: the farthest that can be followed, or braking.
