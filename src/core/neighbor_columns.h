@@ -59,6 +59,15 @@ struct NeighborColumns {
     // the last to grow: where memory runs out, some others may have grown already
     if (motion.size() < neighbors + kSpareNeighbors) grow(neighbors + kSpareNeighbors);
   }
+  /// Of one of which no more has to be said.
+  void add_usual(Vec2 position, Vec2 velocity, double own_radius, double own_acceleration) {
+    x[count] = position.x, y[count] = position.y;
+    v_x[count] = velocity.x, v_y[count] = velocity.y;
+    radius[count] = own_radius;
+    max_acceleration[count] = max_braking[count] = own_acceleration;
+    motion[count].max_deviation = 0.0;
+    ++count;
+  }
   void add(const Neighbor& neighbor) {
     x[count] = neighbor.position.x, y[count] = neighbor.position.y;
     v_x[count] = neighbor.velocity.x, v_y[count] = neighbor.velocity.y;

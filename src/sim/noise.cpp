@@ -21,6 +21,7 @@ namespace avo {
 void draw_gaussian(std::uint64_t key, std::uint64_t first, double most, GaussianDraws& draws) {
   if (kKernels->draw_gaussian(key, first, most, draws)) return;
   for (std::size_t k = 0; k < GaussianDraws::kTogether; ++k) {
+    if (draws.taken[k] >= 0) continue;
     const double x = draws.x[k], u = uniform_number(key, first + 2 * k + 1);
     draws.taken[k] = u < 1.0 + elementary::expm1(-0.5 * x * x) ? 1 : 0;
   }

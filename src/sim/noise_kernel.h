@@ -23,8 +23,9 @@ AVO_KERNEL double uniform_by_halves(std::uint64_t key, std::uint64_t k) {
   return 0x1p-53 * (0x1p21 * high + low);
 }
 
-/// Whether a bound of 1/1000 tells which of the draws are taken: u < e^(-x²/2). e^(-y/8) by its
-/// series, of which the next term is less than 1/8000 of it.
+/// Whether a bound of 1/1000 tells of all draws whether they are taken: u < e^(-x²/2); -1 is for
+/// those of which it does not. e^(-y/8) by its series, of which the next term is less than 1/8000
+/// of it.
 template <typename Real>
 bool draw_gaussian(std::uint64_t key, std::uint64_t first, double most, GaussianDraws& draws) {
   constexpr double kMost = 4.8, kBound = 1e-3;
@@ -38,8 +39,9 @@ bool draw_gaussian(std::uint64_t key, std::uint64_t first, double most, Gaussian
     const double fourth = eighth * eighth, half = fourth * fourth, about = half * half;
     const std::int64_t above = u > (1.0 + kBound) * about ? 1 : 0;
     const std::int64_t below = (u < (1.0 - kBound) * about ? 1 : 0) & (y <= kMost ? 1 : 0);
-    draws.x[k] = x, draws.taken[k] = below;
-    untold |= 1 - (above | below);
+    const std::int64_t told = above | below;
+    draws.x[k] = x, draws.taken[k] = below + told - 1;
+    untold |= 1 - told;
   }
   return untold == 0;
 }

@@ -12,14 +12,20 @@
 namespace avo {
 namespace {
 
+struct Perceived {
+  Neighbor neighbor;
+  double distance_squared = 0.0;  // m², to where it looks to be
+  int source = 0;                 // see Sighting
+};
+
 // Whoever is within the sensing radius of a robot, found by looking at everyone; as it is.
-void append_all(const World& world, std::size_t slot, std::vector<Sighting>& robots,
-                std::vector<Sighting>& movers) {
+void append_all(const World& world, std::size_t slot, std::vector<Perceived>& robots,
+                std::vector<Perceived>& movers) {
   const Fleet& fleet = world.fleet;
   if (fleet.conduct[slot].parked) return;
   const Vec2 position = fleet.position[slot];
   const double radius = world.sensing_radius;
-  const auto add = [&](const Neighbor& neighbor, int source, std::vector<Sighting>& to) {
+  const auto add = [&](const Neighbor& neighbor, int source, std::vector<Perceived>& to) {
     const double distance_squared = norm_squared(neighbor.position - position);
     if (!is_finite(neighbor.position) || !is_finite(position)) return;
     if (distance_squared <= radius * radius) to.push_back({neighbor, distance_squared, source});
@@ -42,24 +48,37 @@ std::int64_t number_at(const Fleet& fleet, int index) {
   return static_cast<std::int64_t>(fleet.id[fleet.slot_of[static_cast<std::size_t>(index)]].value);
 }
 
+// The same as it senses them, where senses are not exact.
+std::vector<Perceived> as_sensed(const World& world, std::size_t slot,
+                                 const std::vector<Perceived>& robots,
+                                 const std::vector<Perceived>& movers) {
+  const Fleet& fleet = world.fleet;
+  const auto present = [&](std::size_t rank) {
+    const std::size_t other = fleet.slot_of[rank];
+    return Present{other, rank, {fleet.position[other], fleet.velocity[other]}};
+  };
+  std::vector<Present> others;
+  for (const Perceived& robot : robots)
+    others.push_back(present(static_cast<std::size_t>(robot.source)));
+  std::vector<NeighborHit> hits;
+  for (const Perceived& mover : movers)
+    hits.push_back({mover.distance_squared, -1 - mover.source, 0});
+  std::vector<Sighting> sightings;
+  look(world, present(static_cast<std::size_t>(fleet.rank[slot])), others, hits, sightings);
+  std::vector<Perceived> result;
+  for (const Sighting& seen : sightings)
+    result.push_back({neighbor_of(world, seen), seen.distance_squared, seen.source});
+  return result;
+}
+
 // Those that it senses, in the order in which they are planned with.
-std::vector<Sighting> all_sightings(const World& world, std::size_t slot) {
-  std::vector<Sighting> robots, movers;
+std::vector<Perceived> all_sensed(const World& world, std::size_t slot) {
+  std::vector<Perceived> robots, movers;
   append_all(world, slot, robots, movers);
-  if (!world.senses.are_exact()) {
-    const auto hits = [](const std::vector<Sighting>& sightings) {
-      std::vector<NeighborHit> result;
-      for (const auto& [neighbor, distance_squared, source] : sightings)
-        result.push_back({distance_squared, source < 0 ? -1 - source : source, 0});
-      return result;
-    };
-    std::vector<Sighting> sightings;
-    look(world, slot, hits(robots), hits(movers), sightings);
-    return sightings;
-  }
+  if (!world.senses.are_exact()) return as_sensed(world, slot, robots, movers);
   robots.insert(robots.end(), movers.begin(), movers.end());
   // robots lie before obstacles and ids ascend
-  std::stable_sort(robots.begin(), robots.end(), [](const Sighting& a, const Sighting& b) {
+  std::stable_sort(robots.begin(), robots.end(), [](const Perceived& a, const Perceived& b) {
     return a.distance_squared < b.distance_squared;
   });
   if (!world.all_matter_to(slot) && robots.size() > world.most_nearest())
@@ -92,17 +111,17 @@ Simulation::Perception Simulation::perceive(std::size_t robot) const {
     foresee(state);
   }
   const std::uint32_t slot = state.fleet.slot_of[robot];
-  const std::vector<Sighting> sightings = all_sightings(state, slot);
-  const double nearest = sightings.empty() ? std::numeric_limits<double>::infinity()
-                                           : std::sqrt(sightings.front().distance_squared);
+  const std::vector<Perceived> sensed = all_sensed(state, slot);
+  const double nearest = sensed.empty() ? std::numeric_limits<double>::infinity()
+                                        : std::sqrt(sensed.front().distance_squared);
   Perception seen;
   seen.detour = state.fleet.detour[slot];
-  for (const Sighting& sighting : sightings) {
-    Neighbor& neighbor = seen.neighbors.emplace_back(sighting.neighbor);
+  for (const Perceived& one : sensed) {
+    Neighbor& neighbor = seen.neighbors.emplace_back(one.neighbor);
     if (neighbor.trajectory != nullptr)  // a copy that outlives the step
       neighbor.trajectory =
           seen.trajectories.emplace_back(std::make_shared<Trajectory>(*neighbor.trajectory)).get();
-    const int source = sighting.source;
+    const int source = one.source;
     seen.source.push_back(source < 0 ? source : number_at(state.fleet, source));
   }
   const std::span<const Wall> walls = state.statics.grid.near(state.fleet.position[slot]);

@@ -147,16 +147,30 @@ void append_one_by_one(const World& world, std::size_t slot, std::span<const Nei
 
 // The same as they are sensed, where senses are not exact.
 void append_sighted(const World& world, std::size_t slot, std::size_t query, Worker& worker) {
-  NeighborColumns& to = worker.tile.neighbors;
-  const std::span<const NeighborHit> robots = world.snapshot.grid.list(query, worker.search);
+  const Snapshot& snapshot = world.snapshot;
+  const auto present_at = [&](std::size_t place, int rank) {
+    return Present{snapshot.grid.order()[place],
+                   static_cast<std::size_t>(rank),
+                   {snapshot.grid.position(place), snapshot.sensed[place].velocity}};
+  };
+  const Found& hits = worker.search.results[query];
+  worker.seen.clear();
+  for (std::size_t k = hits.first; k < hits.first + hits.count; ++k) {
+    const std::size_t place = worker.search.order[k];
+    worker.seen.push_back(present_at(place, snapshot.grid.index(place)));
+  }
   std::span<const NeighborHit> movers;
   if (!world.obstacles.setup.empty()) {
     constexpr std::size_t kAll = std::numeric_limits<std::size_t>::max();
     movers = world.obstacle_grid.gather(world.fleet.position[slot], -1, kAll, worker.obstacles);
   }
-  look(world, slot, robots, movers, worker.sightings);
+  const Present own{slot,
+                    static_cast<std::size_t>(world.fleet.rank[slot]),
+                    {world.fleet.position[slot], world.fleet.velocity[slot]}};
+  look(world, own, worker.seen, movers, worker.sightings);
+  NeighborColumns& to = worker.tile.neighbors;
   to.reserve(to.count + worker.sightings.size());
-  for (const Sighting& sighting : worker.sightings) to.add(sighting.neighbor);
+  for (const Sighting& sighting : worker.sightings) append(world, sighting, to);
 }
 
 // m, within which are the nearest, or all if those are fewer.

@@ -21,9 +21,12 @@ constexpr std::uint64_t kMoverBit = std::uint64_t{1} << 63;  // no robot has suc
 // The random numbers of one measurement, the same whoever asks for them, and whenever.
 class Draws {
  public:
-  Draws(std::uint64_t seed, std::int64_t generation, std::uint64_t observer, std::uint64_t neighbor)
-      : key_(mixed(mixed(mixed(mixed(0, seed), static_cast<std::uint64_t>(generation)), observer),
-                   neighbor)) {}
+  Draws(std::uint64_t key, std::uint64_t neighbor) : key_(mixed(key, neighbor)) {}
+
+  // Of all measurements that the observer makes in a generation.
+  static std::uint64_t key_of(std::uint64_t seed, std::int64_t generation, std::uint64_t observer) {
+    return mixed(mixed(mixed(0, seed), static_cast<std::uint64_t>(generation)), observer);
+  }
 
   // In [0, 1).
   double uniform() { return uniform_number(key_, count_++); }
@@ -44,10 +47,11 @@ double most_of_coordinate(const MeasurementNoise& model) {
   return is_gaussian(model) ? model.truncated.value_or(kUsualTruncation) : 1.0;
 }
 
-// Of so many coordinates, in units of what the scene gives. Gaussian noise by rejection: exactly of
-// that density where it is not cut off.
+// Of the first so many coordinates, in units of what the scene gives. Gaussian noise by rejection:
+// exactly of that density where it is not cut off.
 template <std::size_t kCount>
-std::array<double, kCount> noise(const MeasurementNoise& model, Draws& draws) {
+std::array<double, kCount + GaussianDraws::kTogether> noise(const MeasurementNoise& model,
+                                                            Draws& draws) {
   const double most = most_of_coordinate(model);
   std::array<double, kCount + GaussianDraws::kTogether> drawn;
   if (is_gaussian(model)) {
@@ -62,16 +66,13 @@ std::array<double, kCount> noise(const MeasurementNoise& model, Draws& draws) {
   } else {
     for (std::size_t k = 0; k < kCount; ++k) drawn[k] = most * (2.0 * draws.uniform() - 1.0);
   }
-  std::array<double, kCount> noise;
-  std::copy_n(drawn.begin(), kCount, noise.begin());
-  return noise;
+  return drawn;
 }
 
-// Where a robot was, in a generation or at an instant.
-PastState then(const World& world, std::size_t rank, std::int64_t moment) {
+// Where a robot was, in a generation or at an instant before now.
+PastState before(const World& world, std::size_t rank, std::int64_t moment) {
   const Senses& senses = world.senses;
-  if (!senses.by_time || moment == world.now)
-    return senses.at(rank, senses.by_time ? world.steps : moment);
+  if (!senses.by_time) return senses.at(rank, moment);
   const auto state_of = [](const MotionState& state) {
     return PastState{state.position, state.velocity};
   };
@@ -83,40 +84,60 @@ PastState then(const World& world, std::size_t rank, std::int64_t moment) {
                              moment - track[k].at, track[k + 1].at - track[k].at));
 }
 
-// The observer and one other.
-struct Encounter {
+// Likewise, or where it is now.
+PastState then(const World& world, const Present& robot, std::int64_t moment) {
+  return moment == world.moment() ? robot.state : before(world, robot.rank, moment);
+}
+
+// One that measures.
+struct Observer {
   const World& world;
-  std::size_t observer;  // rank
-  std::uint64_t observer_id, other_id;
-  std::int64_t first;  // moment since which both were there
+  const Present& own;
+  std::uint64_t id;
+  std::int64_t interval;  // from one measurement to the next
+  std::int64_t latest;    // moment of its latest one
+  std::uint64_t key;      // of that one's draws
+
+  Observer(const World& of_world, const Present& robot)
+      : world(of_world),
+        own(robot),
+        id(world.fleet.id[own.slot].value),
+        interval(world.senses.by_time ? step_of(world.fleet.clock[own.rank]) : 1),
+        latest(world.moment() - delay()),
+        key(Draws::key_of(world.settings.seed, latest, id)) {}
 
   const SensingModel& model() const { return world.settings.sensing; }
-  Draws draws(std::int64_t moment) const {
-    return {world.settings.seed, moment, observer_id, other_id};
-  }
-
-  // Of the observer: from one measurement to the next, and from the latest to now.
-  std::int64_t interval() const {
-    return world.senses.by_time ? step_of(world.fleet.clock[observer]) : 1;
-  }
   std::int64_t delay() const {
     return world.senses.by_time ? model().delay * nanoseconds(world.settings.time_step)
                                 : model().delay;
+  }
+  Draws draws(std::int64_t moment, std::uint64_t other) const {
+    return {moment == latest ? key : Draws::key_of(world.settings.seed, moment, id), other};
   }
   double seconds_since(std::int64_t moment) const {
     if (world.senses.by_time) return seconds(world.now - moment);
     return static_cast<double>(world.steps - moment) * world.settings.time_step;
   }
   int age(std::int64_t moment) const {
-    const std::int64_t late = world.moment() - moment - delay();
-    return late > 0 ? static_cast<int>((late - 1) / interval() + 1) : 0;
+    return latest > moment ? static_cast<int>((latest - moment - 1) / interval + 1) : 0;
   }
+};
+
+// The observer and one other.
+struct Encounter {
+  const Observer& observer;
+  std::uint64_t other_id;
+  std::int64_t first;  // moment since which both were there
+
+  const SensingModel& model() const { return observer.model(); }
 
   // Whether a measurement succeeds. At first nobody is missed: a start is known to all.
   bool succeeds(Vec2 from, Vec2 to, std::int64_t moment) const {
+    const World& world = observer.world;
     const double radius = world.sensing_radius;
     if (!(norm_squared(to - from) <= radius * radius)) return false;
-    if (model().dropped > 0.0 && moment > first && draws(moment).uniform() < model().dropped)
+    if (model().dropped > 0.0 && moment > first &&
+        observer.draws(moment, other_id).uniform() < model().dropped)
       return false;
     return !model().occlusion || world.ways.is_in_sight(from, to);
   }
@@ -124,34 +145,32 @@ struct Encounter {
   // When the last measurement that the observer has was made; place(moment): where the other was.
   template <typename Place>
   std::optional<std::int64_t> last_measured(const Place& place) const {
-    const std::int64_t latest = std::max(world.moment() - delay(), first);
+    const std::int64_t latest = std::max(observer.latest, first);
     const std::int64_t carried = model().misses() ? kMostCarried : 0;
     for (std::int64_t k = 0; k <= carried; ++k) {
-      const std::int64_t moment = std::max(latest - k * interval(), first);
-      if (succeeds(then(world, observer, moment).position, place(moment), moment)) return moment;
+      const std::int64_t moment = std::max(latest - k * observer.interval, first);
+      const Vec2 from = then(observer.world, observer.own, moment).position;
+      if (succeeds(from, place(moment), moment)) return moment;
       if (moment == first) break;
     }
     return {};
   }
 
-  // seen.neighbor: as it would be by the true state at that moment, carried on.
-  void measure(std::int64_t moment, int source, Sighting& seen) const {
-    Neighbor& neighbor = seen.neighbor;
-    const double time = seconds_since(moment);
+  // seen: as it would be by the true state at that moment, carried on.
+  void measure(std::int64_t moment, Sighting& seen) const {
+    const double time = observer.seconds_since(moment);
     const MeasurementNoise& off = model().noise;
     if (off.position > 0.0 || off.velocity > 0.0) {
-      Draws numbers = draws(moment);
+      Draws numbers = observer.draws(moment, other_id);
       numbers.uniform();  // which told whether it is missed
-      const auto [p_x, p_y, v_x, v_y] = noise<4>(off, numbers);
-      const Vec2 of_position = off.position * Vec2{p_x, p_y};
-      const Vec2 of_velocity = off.velocity * Vec2{v_x, v_y};
-      neighbor.position = neighbor.position + of_position + time * of_velocity;
-      neighbor.velocity = neighbor.velocity + of_velocity;
+      const auto drawn = noise<4>(off, numbers);
+      const Vec2 of_position = off.position * Vec2{drawn[0], drawn[1]};
+      const Vec2 of_velocity = off.velocity * Vec2{drawn[2], drawn[3]};
+      seen.position = seen.position + of_position + time * of_velocity;
+      seen.velocity = seen.velocity + of_velocity;
     }
-    neighbor.age = age(moment);
-    const Vec2 here = world.senses.at(observer, world.steps).position;
-    seen.distance_squared = norm_squared(neighbor.position - here);
-    seen.source = source;
+    seen.age = observer.age(moment);
+    seen.distance_squared = norm_squared(seen.position - observer.own.state.position);
   }
 };
 
@@ -169,40 +188,38 @@ double swung(const World& world, std::size_t slot, const MotionModel& model, dou
 }
 
 // Adds it, if it is seen.
-void look_at_robot(Encounter encounter, std::size_t rank, std::vector<Sighting>& sightings) {
-  const World& world = encounter.world;
+void look_at_robot(const Observer& observer, const Present& robot,
+                   std::vector<Sighting>& sightings) {
+  const World& world = observer.world;
   const Senses& senses = world.senses;
-  const std::uint32_t slot = world.fleet.slot_of[rank];
-  const auto expected = world.fleet.expected(slot, world.fleet.slot_of[encounter.observer]);
+  const Present& own = observer.own;
+  const auto expected = world.fleet.expected(robot.slot, own.slot);
   if (!expected) return;
-  encounter.other_id = world.fleet.id[slot].value;
-  encounter.first = std::max(senses.since[encounter.observer], senses.since[rank]);
+  const Encounter encounter{observer, world.fleet.id[robot.slot].value,
+                            std::max(senses.since[own.rank], senses.since[robot.rank])};
   const auto moment =
-      encounter.last_measured([&](std::int64_t m) { return then(world, rank, m).position; });
+      encounter.last_measured([&](std::int64_t m) { return then(world, robot, m).position; });
   if (!moment) return;
-  const PastState state = then(world, rank, *moment);
-  const double time = encounter.seconds_since(*moment);
-  sightings.push_back({world.fleet.sensed(slot, *expected)});
-  Sighting& seen = sightings.back();
-  Neighbor& neighbor = seen.neighbor;
-  neighbor.position = state.position + time * state.velocity;
-  neighbor.velocity = state.velocity;
+  const PastState state = then(world, robot, *moment);
+  const double time = observer.seconds_since(*moment);
+  Sighting& seen = sightings.emplace_back();
+  seen.source = static_cast<int>(robot.rank);
+  seen.slot = robot.slot, seen.expected = *expected;
+  seen.position = state.position + time * state.velocity;
+  seen.velocity = state.velocity, seen.true_velocity = robot.state.velocity;
   // by their true states: what is sensed of two that move as one looks the same to both
-  const PastState& own = senses.at(encounter.observer, world.steps);
-  const PastState& now = senses.at(rank, world.steps);
-  if (now.position == own.position && now.velocity == own.velocity)
-    neighbor.parting = parting_direction(encounter.observer_id, encounter.other_id);
-  encounter.measure(*moment, static_cast<int>(rank), seen);
-  if (const MotionModel* model = world.fleet.own_model(slot))
-    neighbor.position_error = swung(world, slot, *model, norm(neighbor.velocity), time);
+  if (robot.state.position == own.state.position && robot.state.velocity == own.state.velocity)
+    seen.parting = parting_direction(observer.id, encounter.other_id);
+  encounter.measure(*moment, seen);
+  if (const MotionModel* model = world.fleet.own_model(robot.slot))
+    seen.position_error = swung(world, robot.slot, *model, norm(seen.velocity), time);
 }
 
 // One that keeps its acceleration: the true state carried on is the present one. One on a
 // trajectory is carried on straight from where it was.
-void look_at_mover(Encounter encounter, std::size_t k, std::vector<Sighting>& sightings) {
-  const World& world = encounter.world;
-  encounter.other_id = kMoverBit | k;
-  encounter.first = world.senses.since[encounter.observer];
+void look_at_mover(const Observer& observer, std::size_t k, std::vector<Sighting>& sightings) {
+  const World& world = observer.world;
+  const Encounter encounter{observer, kMoverBit | k, world.senses.since[observer.own.rank]};
   Neighbor now = world.obstacles.sensed(k);
   const MovingObstacle& setup = world.obstacles.setup[k];
   const auto walk_at = [&](std::int64_t m) {
@@ -212,17 +229,19 @@ void look_at_mover(Encounter encounter, std::size_t k, std::vector<Sighting>& si
   };
   const auto moment = encounter.last_measured([&](std::int64_t m) {
     if (!setup.trajectory.empty()) return walk_at(m).position;
-    const double time = encounter.seconds_since(m);
+    const double time = observer.seconds_since(m);
     return now.position - time * now.velocity + (0.5 * time * time) * now.acceleration;
   });
   if (!moment) return;
   if (!setup.trajectory.empty()) {
     const PathWalk then = walk_at(*moment);
-    now.position = then.position + encounter.seconds_since(*moment) * then.velocity;
+    now.position = then.position + observer.seconds_since(*moment) * then.velocity;
     now.velocity = then.velocity;
   }
-  sightings.push_back({now});
-  encounter.measure(*moment, -1 - static_cast<int>(k), sightings.back());
+  Sighting& seen = sightings.emplace_back();
+  seen.source = -1 - static_cast<int>(k);
+  seen.position = now.position, seen.velocity = now.velocity;
+  encounter.measure(*moment, seen);
 }
 
 MeasurementNoise as_measured(const LocalizationNoise& model) {
@@ -245,20 +264,18 @@ Vec2 own_error(const World& world, std::size_t slot) {
   const LocalizationNoise& model = world.settings.sensing.localization;
   if (!(model.position > 0.0)) return {};
   const std::uint64_t own = world.fleet.id[slot].value;
-  Draws numbers(world.settings.seed, world.steps, own, own);
-  const auto [x, y] = noise<2>(as_measured(model), numbers);
-  return model.position * Vec2{x, y};
+  Draws numbers(Draws::key_of(world.settings.seed, world.steps, own), own);
+  const auto drawn = noise<2>(as_measured(model), numbers);
+  return model.position * Vec2{drawn[0], drawn[1]};
 }
 
-void look(const World& world, std::size_t slot, std::span<const NeighborHit> robots,
+void look(const World& world, const Present& own, std::span<const Present> robots,
           std::span<const NeighborHit> movers, std::vector<Sighting>& seen) {
   seen.clear();
-  const Encounter encounter{world, static_cast<std::size_t>(world.fleet.rank[slot]),
-                            world.fleet.id[slot].value, 0, 0};
-  for (const NeighborHit& hit : robots)
-    look_at_robot(encounter, static_cast<std::size_t>(hit.index), seen);
+  const Observer observer(world, own);
+  for (const Present& robot : robots) look_at_robot(observer, robot, seen);
   for (const NeighborHit& hit : movers)
-    look_at_mover(encounter, static_cast<std::size_t>(hit.index), seen);
+    look_at_mover(observer, static_cast<std::size_t>(hit.index), seen);
   const auto nearer = [](const Sighting& a, const Sighting& b) {
     if (a.distance_squared != b.distance_squared) return a.distance_squared < b.distance_squared;
     const bool is_mover = a.source < 0, is_other = b.source < 0;
@@ -270,6 +287,35 @@ void look(const World& world, std::size_t slot, std::span<const NeighborHit> rob
     std::sort(seen.begin(), seen.end(), nearer);
   const bool all_matter = world.all_matter();
   if (!all_matter && seen.size() > world.most_nearest()) seen.resize(world.most_nearest());
+}
+
+// Whom nothing sets apart from most others goes straight into the columns.
+void append(const World& world, const Sighting& seen, NeighborColumns& to) {
+  const Fleet& fleet = world.fleet;
+  if (seen.source >= 0 && seen.expected == Expectation::decides && seen.age == 0 &&
+      seen.position_error == 0.0 && seen.parting == Vec2{}) {
+    const RobotTraits& traits = fleet.traits[seen.slot];
+    if (!traits.exceeds && fleet.conduct[seen.slot].priority == 1.0 && !max_braking_of(traits)) {
+      to.add_usual(seen.position, seen.velocity, traits.radius, traits.max_acceleration);
+      return;
+    }
+  }
+  to.add(neighbor_of(world, seen));
+}
+
+Neighbor neighbor_of(const World& world, const Sighting& seen) {
+  const Fleet& fleet = world.fleet;
+  Neighbor neighbor;
+  if (seen.source < 0) {
+    neighbor = world.obstacles.sensed(static_cast<std::size_t>(-1 - seen.source));
+  } else {
+    neighbor = sensed(fleet.traits[seen.slot], fleet.conduct[seen.slot], seen.expected,
+                      seen.position, seen.true_velocity);
+  }
+  neighbor.position = seen.position, neighbor.velocity = seen.velocity;
+  neighbor.age = seen.age, neighbor.parting = seen.parting;
+  neighbor.position_error = seen.position_error;
+  return neighbor;
 }
 
 }  // namespace avo

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "avo/scenario.h"
+#include "core/neighbor_columns.h"
 #include "neighbors/search.h"
 #include "sim/fleet.h"
 
@@ -19,11 +20,24 @@ struct PastState {
   Vec2 position, velocity;  // m, m/s
 };
 
-/// One robot or mover as it is sensed.
+/// Where a robot is at the beginning of a step.
+struct Present {
+  std::size_t slot, rank;
+  PastState state;
+};
+
+/// One robot or mover as it is sensed; see neighbor_of().
 struct Sighting {
-  Neighbor neighbor;
   double distance_squared = 0.0;  // m², to where it looks to be
   int source = 0;                 // rank of a robot, or -1 - k for moving obstacle k
+  int age = 0;                    // steps
+  Vec2 position, velocity;        // m, m/s
+  Vec2 parting = {};
+  double position_error = 0.0;  // m
+  // of a robot
+  std::size_t slot = 0;
+  Expectation expected = Expectation::decides;
+  Vec2 true_velocity = {};  // m/s, now
 };
 
 /// Where one whose clock is free was when a step of its own began or ended.
@@ -106,7 +120,10 @@ inline Wall moved(const Wall& wall, Vec2 by) {
 
 /// Of the robots and movers within the sensing radius those that the robot in this slot senses,
 /// nearest first where they look to be, robots before movers and by id where that is equal.
-void look(const World& world, std::size_t slot, std::span<const NeighborHit> robots,
+void look(const World& world, const Present& own, std::span<const Present> robots,
           std::span<const NeighborHit> movers, std::vector<Sighting>& seen);
+
+Neighbor neighbor_of(const World& world, const Sighting& seen);
+void append(const World& world, const Sighting& seen, NeighborColumns& to);
 
 }  // namespace avo

@@ -70,7 +70,7 @@ void reserve(const World& world, Worker& worker) {
       together, std::min(together * robots, kTileCandidates + std::min(robots, kMostAhead)));
   const std::size_t sensed = std::min(together * seen, kTileCandidates + seen);
   worker.tile.reserve(together, sensed);
-  if (!world.senses.are_exact()) worker.sightings.reserve(seen);
+  if (!world.senses.are_exact()) worker.seen.reserve(seen), worker.sightings.reserve(seen);
   if (world.planner().options().localization_error > 0.0) worker.lost.reserve(together);
   const std::size_t nearest = std::min(seen, world.most_nearest());
   reserve_together(together, nearest, std::min(together * nearest, kTileCandidates + nearest), seen,

@@ -46,7 +46,8 @@ struct alignas(128) Worker {
   SearchScratch outliers, again;  // of robots near outliers, one at a time
   LegScratch legs;
   std::vector<Heading> headings;    // by ways alone, of a tile, where some share goals
-  std::vector<Sighting> sightings;  // where senses are not exact
+  std::vector<Present> seen;        // where senses are not exact: by one robot,
+  std::vector<Sighting> sightings;  // and how
   Occupied occupied;                // of one robot, see place_near()
   std::vector<Vec2> lost;           // m, see own_error(); of a tile, where there is localization
   std::vector<Wall> walls;          // as those robots see them then
