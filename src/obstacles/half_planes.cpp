@@ -13,6 +13,7 @@ struct HalfPlaneKernels {
   void (*solve)(const PairColumns&, const Horizon&, HalfPlaneWorkspace&, PlaneColumns&);
   void (*relate)(const RobotColumns&, const NeighborColumns&, std::span<const std::size_t>, double,
                  PairColumns&, std::vector<double>&);
+  void (*reserve_room)(const Reserve&, PairColumns&);
   void (*share_out)(const RobotColumns&, std::span<const std::size_t>, std::span<const double>,
                     double, std::span<const double>, const PlaneColumns&, SharedPlanes&);
 };
@@ -21,8 +22,9 @@ struct HalfPlaneKernels {
 #define AVO_KERNEL_HEADER "obstacles/half_planes_kernel.h"
 #define AVO_KERNEL_HEADER_2 "obstacles/shares_kernel.h"
 #define AVO_KERNEL_STRUCT HalfPlaneKernels
-#define AVO_KERNEL_FUNCTIONS \
-  solve<Pack<double>, TwoPacks>, relate<Pack<double>>, share_out<Pack<double>>
+#define AVO_KERNEL_FUNCTIONS                                                       \
+  solve<Pack<double>, TwoPacks>, relate<Pack<double>>, reserve_room<Pack<double>>, \
+      share_out<Pack<double>>
 #include "core/kernel_passes.h"
 
 namespace avo {
@@ -82,6 +84,17 @@ void relate(const RobotColumns& robots, const NeighborColumns& neighbors,
             std::span<const std::size_t> pair_end, double control_time, PairColumns& pairs,
             std::vector<double>& share) {
   kKernels->relate(robots, neighbors, pair_end, control_time, pairs, share);
+}
+
+double reserved_radius(const Pair& pair, const Reserve& reserve) {
+  using Real = scalar::Pack<double>;
+  return scalar::reserved_radius(scalar::constant<Real>(pair.position),
+                                 scalar::constant<Real>(pair.velocity), Real(pair.radius), reserve)
+      .value;
+}
+
+void reserve_room(const Reserve& reserve, PairColumns& pairs) {
+  kKernels->reserve_room(reserve, pairs);
 }
 
 void share_out(const RobotColumns& robots, std::span<const std::size_t> pair_end,

@@ -91,6 +91,18 @@ void relate(const RobotColumns& robots, const NeighborColumns& neighbors,
             std::span<const std::size_t> pair_end, double control_time, PairColumns& pairs,
             std::vector<double>& share);
 
+/// The radius of contact with room for noise, q (σ_p + t σ_v), t being the time until a pair is
+/// nearest, τ at most; less where there is no room for it: noise alone brings nobody into contact.
+/// docs/half_plane.md, "Noise".
+struct Reserve {
+  double position, velocity;  ///< [σ_p, σ_v] m, m/s
+  double quantile;            ///< [q]
+  double horizon;             ///< [τ] s
+};
+double reserved_radius(const Pair& pair, const Reserve& reserve);
+/// That of all pairs becomes their radius.
+void reserve_room(const Reserve& reserve, PairColumns& pairs);
+
 /// Scratch memory and result of share_out().
 struct SharedPlanes {
   std::vector<double> offset;         ///< m/s, of A's half-planes, by pair

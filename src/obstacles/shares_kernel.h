@@ -39,6 +39,30 @@ void relate(const RobotColumns& robots, const NeighborColumns& neighbors,
   pairs.count = i;
 }
 
+/// See Reserve.
+template <typename Real>
+AVO_KERNEL Real reserved_radius(Vec<Real> p, Vec<Real> v, Real radius, const Reserve& reserve) {
+  const Real zero(0.0), towards = -dot(p, v), squared = dot(v, v);
+  // whether they come near each other, and until when
+  const Real latest = select(towards > zero, Real(reserve.horizon), zero);
+  const auto sooner = towards < latest * squared;
+  const Real time = select(sooner, towards / select(sooner, squared, Real(1.0)), latest);
+  const Real wanted =
+      radius + Real(reserve.quantile) * (Real(reserve.position) + time * Real(reserve.velocity));
+  return max(radius, min(wanted, norm(p)));
+}
+
+template <typename Real>
+void reserve_room(const Reserve& reserve, PairColumns& pairs) {
+  for (std::size_t i = 0; i < pairs.count; i += Real::kLanes) {
+    const auto load = [i](const auto& column) { return Real::load(&column[i]); };
+    const Real radius = load(pairs.radius);
+    reserved_radius<Real>({load(pairs.p_x), load(pairs.p_y)}, {load(pairs.v_x), load(pairs.v_y)},
+                          radius, reserve)
+        .store(&pairs.radius[i]);
+  }
+}
+
 /// {A's plane is n . v' >= n . v_A + α h}; kept unless D(0, v_max) or D(v_A, δ a_max) by itself
 /// keeps to it.
 template <typename Real>

@@ -82,7 +82,8 @@ CellSide cell_side(const PlannerOptions& options, const Robot& robot, const Neig
   if (part < 1.0 && neighbor.parting != Vec2{})
     return {-(neighbor.parting / norm(neighbor.parting)), -part * pair.radius};
   if (!(distance > 0.0)) return {};
-  return {-(pair.position / distance), part * (distance - reserved_radius(pair, options))};
+  return {-(pair.position / distance),
+          part * (distance - reserved_radius(pair, reserve_of(options)))};
 }
 
 double speed_within(double gap, double speed, double max_braking, double time_step) {

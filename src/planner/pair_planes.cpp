@@ -38,15 +38,9 @@ double mover_offset(const PlannerOptions& options, const Neighbor& neighbor, Vec
   return shares(neighbor) ? 0.0 : options.control_time * dot(normal, neighbor.acceleration);
 }
 
-double reserved_radius(const Pair& pair, const PlannerOptions& options) {
+Reserve reserve_of(const PlannerOptions& options) {
   const SensingNoise& noise = options.sensing_noise;
-  const double towards = -dot(pair.position, pair.velocity);
-  // whether they come near each other, and until when
-  double time = towards > 0.0 ? options.time_horizon : 0.0;
-  const double squared = norm_squared(pair.velocity);
-  if (towards < time * squared) time = towards / squared;
-  const double wanted = pair.radius + noise.quantile * (noise.position + time * noise.velocity);
-  return std::max(pair.radius, std::min(wanted, norm(pair.position)));
+  return {noise.position, noise.velocity, noise.quantile, options.time_horizon};
 }
 
 Pair relative(const Robot& robot, const Neighbor& neighbor) {
@@ -65,7 +59,7 @@ double pair_reach(const PlannerOptions& options, const Robot& robot, const Neigh
 RelativeHalfPlane relative_half_plane(const PlannerOptions& options, const Horizon& horizon,
                                       const Robot& robot, const Neighbor& neighbor) {
   Pair pair = relative(robot, neighbor);
-  if (has_noise(options.sensing_noise)) pair.radius = reserved_radius(pair, options);
+  if (has_noise(options.sensing_noise)) pair.radius = reserved_radius(pair, reserve_of(options));
   const double margin = shares(neighbor) ? options.margin : mover_margin(options, robot.radius);
   if (margin > 0.0)
     pair.radius = with_margin(pair, margin_on_way(margin, robot.radius, robot.distance_to_goal));

@@ -7,16 +7,14 @@
 #include "avo/horizon.h"
 #include "avo/planner.h"
 #include "avo/robot.h"
+#include "obstacles/half_planes.h"
 
 namespace avo {
 
 /// The pair as Eqs. (2), (3) see it: p_AB, v_AB, r_AB.
 Pair relative(const Robot& robot, const Neighbor& neighbor);
 
-/// The radius of contact with the reserve for noise, q (σ_p + t σ_v), t being the time until they
-/// are nearest, τ at most; less where there is no room for it: noise alone brings nobody into
-/// contact. docs/half_plane.md, "Noise".
-double reserved_radius(const Pair& pair, const PlannerOptions& options);
+Reserve reserve_of(const PlannerOptions& options);
 
 /// A's half-plane against one neighbor, by itself; none where nothing within reach collides, or no
 /// direction can be told. Sets `overlapping` where the two are in contact already.

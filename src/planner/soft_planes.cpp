@@ -143,13 +143,6 @@ void raise_for_movers(const PlannerOptions& options, const RobotColumns& robots,
   }
 }
 
-void add_reserves(const PlannerOptions& options, PairColumns& pairs) {
-  for (std::size_t i = 0; i < pairs.count; ++i) {
-    const Pair pair{{pairs.p_x[i], pairs.p_y[i]}, {pairs.v_x[i], pairs.v_y[i]}, pairs.radius[i]};
-    pairs.radius[i] = reserved_radius(pair, options);
-  }
-}
-
 void add_margins(const PlannerOptions& options, const Tile& tile, SoftPlanes& soft) {
   const RobotColumns& robots = tile.robots;
   PairColumns& pairs = soft.pairs;
@@ -184,7 +177,7 @@ void collect_exact(const PlannerOptions& options, const Horizon& horizon, const 
   reserve(count_pairs(options, robots, soft), soft);
   relate(robots, tile.neighbors, soft.pair_end, options.control_time, soft.pairs, soft.share);
   if (tile.neighbors.has_movers) add_movers(options, tile, soft);
-  if (has_noise(options.sensing_noise)) add_reserves(options, soft.pairs);
+  if (has_noise(options.sensing_noise)) reserve_room(reserve_of(options), soft.pairs);
   if (options.margin > 0.0 || tile.neighbors.has_movers) add_margins(options, tile, soft);
   half_planes(soft.pairs, horizon, soft.workspace, soft.relative);
   if (tile.neighbors.has_partings) part_coinciding(options, horizon, tile, soft);

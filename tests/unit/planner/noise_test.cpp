@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 // Half-planes that keep quantiles of Gaussian noise in reserve, and what is told of the risk.
+#include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <gtest/gtest.h>
 #include <utility>
 #include <vector>
 
 #include "avo/error.h"
 #include "crowds.h"
+#include "obstacles/half_planes.h"
 #include "support/generators.h"
 
 namespace avo {
@@ -52,6 +55,43 @@ std::optional<NeighborPlane> own_plane_of(const Planner& planner, const Meeting&
 std::optional<HalfPlane> plane_of(const Planner& planner, const Meeting& meeting) {
   const auto own = own_plane_of(planner, meeting);
   return own ? std::optional(own->plane) : std::nullopt;
+}
+
+// As docs/half_plane.md says it, of one pair.
+double radius_with_reserve(const Pair& pair, const Reserve& reserve) {
+  const double towards = -dot(pair.position, pair.velocity);
+  double time = towards > 0.0 ? reserve.horizon : 0.0;
+  const double squared = norm_squared(pair.velocity);
+  if (towards < time * squared) time = towards / squared;
+  const double wanted =
+      pair.radius + reserve.quantile * (reserve.position + time * reserve.velocity);
+  return std::max(pair.radius, std::min(wanted, norm(pair.position)));
+}
+
+TEST(Noise, reserves_of_many_pairs_are_those_of_each) {
+  Random random(91);
+  for (int round = 0; round < 3'000 && !HasFailure(); ++round) {
+    const Reserve reserve{random.uniform(0.0, 0.2), random.uniform(0.0, 0.3),
+                          random.uniform(0.0, 3.0), random.uniform(1.0, 10.0)};
+    std::vector<Pair> pairs(static_cast<std::size_t>(1 + random.below(20)));
+    PairColumns columns;
+    columns.reserve(pairs.size());
+    columns.count = pairs.size();
+    for (std::size_t i = 0; i < pairs.size(); ++i) {
+      Pair& pair = pairs[i];
+      pair.position = random.log_uniform(0.5, 20.0) * random.direction();
+      pair.velocity = random.below(8) == 0 ? Vec2{} : test::in_disc(random, 3.0);
+      pair.radius = random.uniform(0.2, 1.5);
+      columns.p_x[i] = pair.position.x, columns.p_y[i] = pair.position.y;
+      columns.v_x[i] = pair.velocity.x, columns.v_y[i] = pair.velocity.y;
+      columns.radius[i] = pair.radius;
+    }
+    reserve_room(reserve, columns);
+    for (std::size_t i = 0; i < pairs.size(); ++i) {
+      EXPECT_EQ(columns.radius[i], radius_with_reserve(pairs[i], reserve));
+      EXPECT_EQ(columns.radius[i], reserved_radius(pairs[i], reserve));
+    }
+  }
 }
 
 // How often the half-plane of the true state is broken by what just keeps the one that is seen.
