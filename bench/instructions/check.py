@@ -38,6 +38,7 @@ CASES = {
     "crush avo": (HERE / "crush.yaml", 30, 4),
     "one-fast avo": (HERE / "one-fast.yaml", 10, 5),
     "drives-100 avo": ("drives-100", 60, 10),
+    "uniform-1000 noise": ("uniform-1000", 20, 10, "sensing.noise.position=0.01"),
 }
 
 
