@@ -172,8 +172,9 @@ def check_fused(arguments):
     configure(arguments, ROOT, build, "-DCMAKE_BUILD_TYPE=Release", "-DAVO_TESTS=OFF", "-DAVO_BENCH=OFF",
               "-DCMAKE_CXX_FLAGS=-march=x86-64-v3")
     targets = run("ninja", "-C", build, "-t", "targets", "all")
-    objects = re.findall(r"^(\S*avo\.dir/\S*(?:robots|obstacles|half_planes)(?:_cxx\.cxx|\.cpp)\.o):", targets, re.M)
-    expect(len(objects) == 3, f"units not found: {objects}")
+    units = r"(?:robots|drive_turns|obstacles|half_planes)(?:_cxx\.cxx|\.cpp)\.o"
+    objects = re.findall(rf"^(\S*avo(?:_one_by_one)?\.dir/\S*{units}):", targets, re.M)
+    expect(len(objects) == 4, f"units not found: {objects}")
     build_all(build, *objects)
     for unit in objects:
         expect_none_fused(build / unit)
