@@ -59,7 +59,8 @@ struct NeighborColumns {
     // the last to grow: where memory runs out, some others may have grown already
     if (motion.size() < neighbors + kSpareNeighbors) grow(neighbors + kSpareNeighbors);
   }
-  /// Of one of which no more has to be said.
+  /// One that decides, with the declared errors and the priority 1, and brakes with all that it
+  /// has.
   void add_usual(Vec2 position, Vec2 velocity, double own_radius, double own_acceleration) {
     x[count] = position.x, y[count] = position.y;
     v_x[count] = velocity.x, v_y[count] = velocity.y;

@@ -7,67 +7,15 @@
 #include <numbers>
 #include <optional>
 
-#include "core/hash.h"
 #include "robots/model.h"
 #include "sim/clocks.h"
-#include "sim/noise.h"
+#include "sim/draws.h"
 #include "sim/world.h"
 
 namespace avo {
 namespace {
 
 constexpr std::uint64_t kMoverBit = std::uint64_t{1} << 63;  // no robot has such an id
-
-// The random numbers of one measurement, the same whoever asks for them, and whenever.
-class Draws {
- public:
-  Draws(std::uint64_t key, std::uint64_t neighbor) : key_(mixed(key, neighbor)) {}
-
-  // Of all measurements that the observer makes in a generation.
-  static std::uint64_t key_of(std::uint64_t seed, std::int64_t generation, std::uint64_t observer) {
-    return mixed(mixed(mixed(0, seed), static_cast<std::uint64_t>(generation)), observer);
-  }
-
-  // In [0, 1).
-  double uniform() { return uniform_number(key_, count_++); }
-  void gaussian(double most, GaussianDraws& draws) {
-    draw_gaussian(key_, count_, most, draws);
-    count_ += 2 * GaussianDraws::kTogether;
-  }
-
- private:
-  std::uint64_t key_, count_ = 0;
-};
-
-bool is_gaussian(const MeasurementNoise& model) {
-  return model.distribution == NoiseDistribution::gaussian;
-}
-
-double most_of_coordinate(const MeasurementNoise& model) {
-  return is_gaussian(model) ? model.truncated.value_or(kUsualTruncation) : 1.0;
-}
-
-// Of the first so many coordinates, in units of what the scene gives. Gaussian noise by rejection:
-// exactly of that density where it is not cut off.
-template <std::size_t kCount>
-std::array<double, kCount + GaussianDraws::kTogether> noise(const MeasurementNoise& model,
-                                                            Draws& draws) {
-  const double most = most_of_coordinate(model);
-  std::array<double, kCount + GaussianDraws::kTogether> drawn;
-  if (is_gaussian(model)) {
-    GaussianDraws together;
-    for (std::size_t count = 0; count < kCount;) {
-      draws.gaussian(most, together);
-      for (std::size_t k = 0; k < GaussianDraws::kTogether; ++k) {
-        drawn[count] = together.x[k];
-        count += static_cast<std::size_t>(together.taken[k]);
-      }
-    }
-  } else {
-    for (std::size_t k = 0; k < kCount; ++k) drawn[k] = most * (2.0 * draws.uniform() - 1.0);
-  }
-  return drawn;
-}
 
 // Where a robot was, in a generation or at an instant before now.
 PastState before(const World& world, std::size_t rank, std::int64_t moment) {

@@ -20,7 +20,7 @@ struct PastState {
   Vec2 position, velocity;  // m, m/s
 };
 
-/// Where a robot is at the beginning of a step.
+/// Where a robot is when a step begins.
 struct Present {
   std::size_t slot, rank;
   PastState state;
@@ -34,7 +34,7 @@ struct Sighting {
   Vec2 position, velocity;        // m, m/s
   Vec2 parting = {};
   double position_error = 0.0;  // m
-  // of a robot
+  // of robots alone:
   std::size_t slot = 0;
   Expectation expected = Expectation::decides;
   Vec2 true_velocity = {};  // m/s, now
@@ -123,7 +123,9 @@ inline Wall moved(const Wall& wall, Vec2 by) {
 void look(const World& world, const Present& own, std::span<const Present> robots,
           std::span<const NeighborHit> movers, std::vector<Sighting>& seen);
 
+/// What the observer decides from: the traits of whom it sees, with what is measured.
 Neighbor neighbor_of(const World& world, const Sighting& seen);
+/// The same into columns, behind the others.
 void append(const World& world, const Sighting& seen, NeighborColumns& to);
 
 }  // namespace avo
