@@ -116,8 +116,8 @@ struct PlannerOptions {
   double control_time = usual_control_time(method);
   double time_horizon = usual_time_horizon(method);  ///< [τ] s, > 0, Definition 2
   /// [κ] >= 0, of T = v_max/a_max; 0 but with method avo: v' is approached with the time constant
-  /// response_time_of(), and the acceleration goes from none to a_max in 0.8 of that time, but
-  /// where the certificate asks for more (docs/smoothness.md). 0: at once.
+  /// response_time_of(), a wish with twice that one, and the acceleration goes from none to a_max
+  /// in 0.8 of it, but where the certificate asks for more (docs/smoothness.md). 0: at once.
   double response_time = usual_response_time(method);
   /// m/s², > 0, of method avo: what is used of a_max but where the certificate asks for more, which
   /// counts on all of a_max; unset: all. Airplanes use all.

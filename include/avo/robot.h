@@ -26,8 +26,8 @@ struct Robot {
   double radius = 0.5;            ///< [r_A] m, > 0, of that disc
   double max_acceleration = 1.0;  ///< [a_A^max] m/s^2, > 0
   double max_speed = 2.0;         ///< [v_A^max] m/s, > 0
-  /// m left to where it comes to rest, where it has such a goal; method avo then makes no detours
-  /// on the last of it.
+  /// m left to where it comes to rest, where it has such a goal. Method avo then makes no detours
+  /// on the last of it, and follows a preferred velocity that brakes there without a lag.
   double distance_to_goal = std::numeric_limits<double>::infinity();
   /// A certificate judges what the model makes of a decision, Eqs. (24), (25).
   MotionModel model = Holonomic{};  // {} would fill the variant with zeros

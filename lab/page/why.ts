@@ -55,12 +55,23 @@ function aimOf(decision: Decision, law: Law, cuts: Cut[]): { choice: Vec; wish_c
   const next = nextVelocity(decision, law);
   if (decision.status !== "optimal") return { choice: next, wish_changed: false };
   const discs = [decision.acceleration_disc, decision.speed_disc].filter((disc) => disc !== null);
-  const target = nearestPoint(cuts.filter((cut) => cut.forbids), discs, decision.preferred_velocity);
-  if (!target) return { choice: next, wish_changed: false };
-  const way = minus(target, decision.velocity), step = minus(next, decision.velocity);
-  const isAhead = Math.abs(cross(way, step)) <= SAME * Math.max(norm(step), SAME) && dot(way, step) >= 0 &&
-    norm(way) >= norm(step) - SAME;
-  return isAhead ? { choice: target, wish_changed: false } : { choice: next, wish_changed: true };
+  const forbidding = cuts.filter((cut) => cut.forbids);
+  const step = minus(next, decision.velocity);
+  for (const aim of aimsOf(decision)) {
+    const target = nearestPoint(forbidding, discs, aim);
+    if (!target) return { choice: next, wish_changed: false };
+    const way = minus(target, decision.velocity);
+    const isAhead = Math.abs(cross(way, step)) <= SAME * Math.max(norm(step), SAME) && dot(way, step) >= 0 &&
+      norm(way) >= norm(step) - SAME;
+    if (isAhead) return { choice: target, wish_changed: false };
+  }
+  return { choice: next, wish_changed: true };
+}
+
+/** What the program may have been asked for: v^pref, or half of the way there (docs/smoothness.md). */
+function aimsOf({ velocity, preferred_velocity, response_time }: Decision): Vec[] {
+  const halfWay = along(velocity, minus(preferred_velocity, velocity), 0.5);
+  return response_time ? [halfWay, preferred_velocity] : [preferred_velocity];
 }
 
 function cutsOf(decision: Decision, law: Law, info: Pick<SceneInfo, "walls">): Cut[] {

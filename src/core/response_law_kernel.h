@@ -14,6 +14,9 @@ inline constexpr double kFewestSteps = 5.0;
 /// Of T_e: in which the acceleration goes from none to all that is used, at the earliest.
 inline constexpr double kEase = 0.8;
 
+/// Of T_w, the time constant by which a robot approaches its wish: T_e without comfort_jerk.
+inline constexpr double kUnhurried = 0.5;
+
 /// m/s², what is used of a limit of acceleration or of braking without need.
 template <typename Real>
 AVO_KERNEL Real used_of(Real limit, Real max_speed, const ResponseLaw& law) {

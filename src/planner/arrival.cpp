@@ -111,7 +111,9 @@ Vec2 push_of(const Robot& robot, const Neighbor& neighbor) {
   const double contact = robot.radius + neighbor.radius, room = kRoom * contact;
   const double distance = norm(away);
   const double nearness = std::min((contact + room - distance) / room, 1.0);
-  const double nearing = std::max(kLeastWeight, 1.0 - robot.distance_to_goal / (kLeash * contact));
+  const double passing = norm(robot.velocity - neighbor.velocity) / robot.max_speed;
+  const double on_the_way = kLeastWeight * std::max(1.0 - passing, 0.0);
+  const double nearing = std::max(on_the_way, 1.0 - robot.distance_to_goal / (kLeash * contact));
   const double size = std::min(neighbor.radius / robot.radius, 1.0);
   return (nearing * size * nearness / distance) * away;
 }
@@ -138,8 +140,12 @@ double part_of_wish(Vec2 next_velocity, Vec2 unhindered_next_velocity, Vec2 wish
   return unhindered > 0.0 ? dot(next_velocity, wish) / unhindered : 1.0;
 }
 
+bool is_near_goal(double distance_to_goal, double radius) {
+  return distance_to_goal < kNear * radius;
+}
+
 bool is_near_goal(const Robot& robot) {
-  return robot.distance_to_goal < kNear * robot.radius;
+  return is_near_goal(robot.distance_to_goal, robot.radius);
 }
 
 bool may_detour(const Robot& robot) {

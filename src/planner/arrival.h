@@ -41,8 +41,8 @@ double arrival_range(const Robot& robot, double largest_radius);
 /// rests beside it has come to its own goal. 1 of a larger one, and on the way of all.
 double motion_of(const Robot& robot, const Neighbor& neighbor);
 
-/// Away from a neighbor that is nearly in contact: less from a smaller one, and the more the nearer
-/// the goal.
+/// Away from a neighbor that is nearly in contact: less from a smaller one, the more the nearer the
+/// goal, and on the way less from one that passes by.
 Vec2 push_of(const Robot& robot, const Neighbor& neighbor);
 
 /// Whether it is something that a robot can remember.
@@ -65,6 +65,7 @@ double part_of_wish(Vec2 next_velocity, Vec2 unhindered_next_velocity, Vec2 wish
 
 /// Whether it is on the last of its way, where it gives way to those that move.
 bool is_near_goal(const Robot& robot);
+bool is_near_goal(double distance_to_goal, double radius);
 
 /// Whether the robot may leave its way at all: not where it has all but arrived.
 bool may_detour(const Robot& robot);

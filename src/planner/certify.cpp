@@ -113,11 +113,8 @@ double part_left(const Decision& decision, const CertifiedChoice& choice, Vec2 v
 CertifiedChoice choose_as_far_off(const Decision& decision, const Detour& detour) {
   const Robot& robot = decision.robot;
   const Vec2 turned = within_steering(robot, turned_right(decision.wished.wish, detour.angle));
-  const Vec2 v = robot.velocity;
-  const Vec2 aim = v + (turned - v) / decision.haste.gain;  // to have it after the step
-  return choose_admitted(decision,
-                         decision.gently(solved(decision, decision.wished.half_planes, aim)),
-                         Follows::surely);
+  const Vec2 v_new = solved(decision, decision.wished.half_planes, turned);
+  return choose_admitted(decision, decision.gently(v_new), Follows::surely);
 }
 
 // What the certificate alone admits on the detour, by and by in place of `choice` as less is left

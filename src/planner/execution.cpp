@@ -26,6 +26,17 @@ Haste haste_at_once(const Robot& robot, const Execution& execution) {
   return {1.0, execution.braking_time * used, kUnlimited};
 }
 
+double unhurried_part(const Robot& robot, const Execution& execution) {
+  using Real = scalar::Pack<double>;
+  const ResponseLaw& law = execution.law;
+  if (!law.is_gentle()) return 1.0;
+  const Real speed(robot.max_speed), acceleration(robot.max_acceleration);
+  const Real used = scalar::used_of(acceleration, speed, law);
+  const double time = scalar::response_time(speed, acceleration, used, law).value;
+  const double usual = scalar::usual_response_time(speed, acceleration, law).value;
+  return std::min(scalar::kUnhurried * (time / usual), 1.0);
+}
+
 Vec2 executed(Vec2 velocity, Vec2 last_change, Vec2 target, const Haste& haste) {
   using Real = scalar::Pack<double>;
   const auto in_lane = [](Vec2 a) { return scalar::constant<Real>(a); };

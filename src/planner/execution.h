@@ -26,6 +26,9 @@ Haste haste_of(const Robot& robot, const Execution& execution);
 /// To have v' as soon as what is used of a_max lets it.
 Haste haste_at_once(const Robot& robot, const Execution& execution);
 
+/// (0, 1], [T_e/T_w]: the part of wish - v that Eq. (23) is asked for where there is no hurry.
+double unhurried_part(const Robot& robot, const Execution& execution);
+
 /// [v_1] m/s, from the velocity, and by how much the last step has changed it.
 Vec2 executed(Vec2 velocity, Vec2 last_change, Vec2 target, const Haste& haste);
 

@@ -271,7 +271,7 @@ void plan_together(const Planner& planner, Tile& tile, PlanWorkspace::Scratch& s
   make_wishes(planner, tile, scratch.decisions);
   if (options.method == Method::buffered_voronoi) wish_within_cells(options, tile.robots, scratch);
   const Execution execution = execution_of(planner, tile.remembers);
-  make_aims(execution, tile, scratch.decisions);
+  make_aims(planner, execution, tile, scratch.decisions);
   clock.lap(Stage::certificate);
   solve_programs(planner, tile.robots, scratch);
   if (tile.robots.has_models || !tile.walls.empty()) keep_to_demands(planner, tile, scratch);

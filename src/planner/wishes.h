@@ -10,8 +10,10 @@ namespace avo {
 /// What each robot wishes for: with method avo as the rules for arriving turn it (docs/arrival.md).
 void make_wishes(const Planner& planner, const Tile& tile, DecisionColumns& decisions);
 
-/// What Eq. (23) is given in place of the wishes: of gentle robots that land what leads to the wish
-/// in one step. And what their last steps have done.
-void make_aims(const Execution& execution, const Tile& tile, DecisionColumns& decisions);
+/// What Eq. (23) is given in place of the wishes of gentle robots, and what their last steps have
+/// done. On the way it is a part of what leads to the wish, see unhurried_part(), and where they
+/// land what leads there in one step.
+void make_aims(const Planner& planner, const Execution& execution, const Tile& tile,
+               DecisionColumns& decisions);
 
 }  // namespace avo

@@ -69,7 +69,7 @@ TEST(Thinned, is_never_called_safe) {
   const std::string few = path_of("few.csv");
   run_avo({"run", "circle-10", "--until-arrived", "--every=10", "--record", few});
   const std::string why =
-      "22 of 22 steps, whose rows in between are missing: every 10 steps have rows\n";
+      "23 of 23 steps, whose rows in between are missing: every 10 steps have rows\n";
   expect_incomplete({"check", few, "--scene", "circle-10"}, why);
   expect_incomplete({"check", few, "--scene", "circle-10", "--require-arrival"}, why);
   Strings limits{"check", few};
@@ -85,7 +85,7 @@ TEST(Thinned, is_never_called_safe) {
   for (const std::string& line : lines_of(read_file(all.csv)))
     if (!line.starts_with("5.7")) text += line + "\n";
   expect_incomplete({"check", recording(text, "hole.csv"), "--scene", "circle-10"},
-                    "1 of 218 steps");
+                    "1 of 221 steps");
 }
 
 TEST(Thinned, piped_is_judged_alike) {

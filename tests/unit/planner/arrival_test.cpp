@@ -68,10 +68,26 @@ TEST(GiveWay, near_its_goal_to_larger_ones_at_rest) {
   EXPECT_GT(push(robot, beside({}, 0.6)), 0.7);
 }
 
-TEST(GiveWay, on_its_way_less_and_to_all) {
-  const Robot robot = at_distance(50.0);
-  EXPECT_EQ(push(robot, beside({})), push(robot, beside({0.0, 1.0})));
-  EXPECT_NEAR(push(robot, beside({})) / push(at_distance(0.0), beside({0.0, 1.0})), 0.3, 1e-12);
+TEST(GiveWay, on_its_way_less_and_to_those_at_rest_as_well) {
+  const double near = push(at_distance(0.0), beside({0.0, 1.0}));
+  EXPECT_NEAR(push(at_distance(50.0), beside({})), 0.3 * near, 1e-12);
+}
+
+// It is the velocity relative to the neighbor that counts, near the goal not at all.
+TEST(GiveWay, on_its_way_not_to_those_that_pass_by) {
+  Robot robot = at_distance(50.0);
+  const double full = push(robot, beside({}));
+  robot.velocity = {0.0, 0.5};
+  EXPECT_DOUBLE_EQ(push(robot, beside({0.0, 0.5})), full) << "side by side";
+  EXPECT_NEAR(push(robot, beside({0.0, 0.5 + 0.5 * robot.max_speed})), 0.5 * full, 1e-12);
+  EXPECT_EQ(push(robot, beside({0.0, 0.5 - robot.max_speed})), 0.0);
+  EXPECT_EQ(push(robot, beside({0.0, -2.0})), 0.0);
+  const Robot at_goal = at_distance(0.0);
+  EXPECT_EQ(push(at_goal, beside({0.0, 1.0})), push(at_goal, beside({0.0, -2.0})));
+  // the more of both counts: radii of 0.5 m, and 6 (r_A + r_B) before the goal it begins to grow
+  const double at_once = push(at_goal, beside({0.0, -2.0}));
+  EXPECT_NEAR(push(at_distance(5.0), beside({0.0, -2.0})), at_once / 6.0, 1e-12);
+  EXPECT_NEAR(push(at_distance(5.0), beside({0.0, 0.4})), 0.8 * 0.3 * at_once, 1e-12);
 }
 
 TEST(GiveWay, to_smaller_ones_less) {

@@ -73,6 +73,31 @@ TEST(Execution, makes_up_for_a_part_of_what_is_missing) {
       << "at once: to the bit";
 }
 
+// T_w is 0.4 s: alone a robot makes up for a quarter of what is missing in a step of 0.1 s, and
+// for the half of what a half-plane asks. comfort_jerk, which makes T_e longer, leaves T_w.
+TEST(Execution, approaches_a_wish_more_slowly_than_what_half_planes_ask) {
+  const Robot robot;
+  EXPECT_DOUBLE_EQ(unhurried_part(robot, usual()), 0.5);
+  EXPECT_DOUBLE_EQ(unhurried_part(robot, execution_of(Planner({.comfort_jerk = 5.0}), true)), 0.625)
+      << "T_e 0.25 s";
+  EXPECT_EQ(unhurried_part(robot, execution_of(Planner({.comfort_jerk = 0.5}), true)), 1.0);
+  EXPECT_EQ(unhurried_part(robot, execution_of(Planner({.response_time = 0.0}), true)), 1.0);
+
+  const Planner planner({});
+  PlanWorkspace workspace;
+  Robot self{.velocity = {1.0, 0.0}, .preferred_velocity = {1.1, 0.0}};
+  EXPECT_NEAR(planner.plan(self, {}, workspace).acceleration.x, 0.25, 1e-9);
+  // two that meet: the half-plane asks for a little to the side, and the wish for next to nothing
+  self.preferred_velocity = self.velocity;
+  const Neighbor oncoming{.position = {6.0, 0.95}, .velocity = {-1.0, 0.0}};
+  const Vec2 at_once =
+      Planner({.response_time = 0.0}).plan(self, {&oncoming, 1}, workspace).acceleration;
+  const Vec2 gently = planner.plan(self, {&oncoming, 1}, workspace).acceleration;
+  ASSERT_GT(norm(at_once), 0.1);
+  ASSERT_LT(norm(at_once), 0.99);
+  EXPECT_NEAR(norm(gently) / norm(at_once), 0.5, 0.1);
+}
+
 // What the certificate refuses is replaced at once: a robot that appears right ahead is braked for
 // with all of a_max, whatever the last acceleration and comfort are.
 TEST(Execution, gives_way_to_the_certificate) {
@@ -136,6 +161,86 @@ TEST(Execution, of_decisions_among_obstacles) {
   EXPECT_NEAR(planner.plan_among_obstacles(self, {&other, 1}, workspace).acceleration.x, 1.0, 1e-9);
 }
 
+// What a robot that moves at 1 m/s aims at, of a wish for 2 m/s across. Before it in the tile is
+// one that senses a mover.
+Vec2 aim_of(Robot robot, const std::vector<Neighbor>& neighbors, bool maneuvers = false,
+            const PlannerOptions& options = {}) {
+  robot.velocity = {1.0, 0.0}, robot.preferred_velocity = {0.0, 2.0};
+  Tile tile;
+  Detour detours[2];
+  DecisionColumns decisions;
+  tile.robots.reserve(2), tile.neighbors.reserve(neighbors.size() + 1), decisions.reserve(2);
+  tile.neighbors.add({.position = {0.0, 30.0}, .behavior = Behavior::moves_on});
+  for (const Neighbor& neighbor : neighbors) tile.neighbors.add(neighbor);
+  tile.robots.add({.distance_to_goal = 50.0}, {&tile.neighbors, 0, 1});
+  tile.robots.add(robot, {&tile.neighbors, 1, neighbors.size()});
+  for (Detour& detour : detours) tile.detour.push_back(&detour);
+  tile.maneuvers = {0, static_cast<std::uint8_t>(maneuvers)};
+  decisions.wish_x[1] = robot.preferred_velocity.x;
+  decisions.wish_y[1] = robot.preferred_velocity.y;
+  const Planner planner(options);
+  make_aims(planner, execution_of(planner, true), tile, decisions);
+  return decisions.aim(1);
+}
+
+// Among movers, on wheels near the goal, and with priority there is a hurry.
+TEST(Execution, aims_half_of_the_way_to_a_wish_that_can_wait) {
+  const Vec2 half{0.5, 1.0}, all{0.0, 2.0};
+  Robot robot{.distance_to_goal = 50.0};
+  Neighbor other{.position = {0.0, 2.0}}, mover{.position = {0.0, 5.0}};
+  mover.behavior = Behavior::moves_on;
+  EXPECT_EQ(aim_of(robot, {}), half);
+  EXPECT_EQ(aim_of(robot, {other}), half);
+  EXPECT_EQ(aim_of(robot, {other, mover}), all);
+  // whom it could not touch within 4 τ, 12 s, at its 2 m/s does not matter
+  mover.position.y = 24.99, mover.radius = 0.5;
+  EXPECT_EQ(aim_of(robot, {mover}), all);
+  mover.position.y = 25.01;
+  EXPECT_EQ(aim_of(robot, {mover}), half);
+  mover.velocity = {0.0, -1.0};
+  EXPECT_EQ(aim_of(robot, {mover}), all);
+  EXPECT_EQ(aim_of(robot, {other, mover}, false, {.max_neighbors = 1}), half) << "no half-plane";
+  mover.behavior = Behavior::cooperates;
+  EXPECT_EQ(aim_of(robot, {mover, other}), all);
+  const MotionModel car = Car{}, drive = DifferentialDrive{}, airplane = Airplane{};
+  for (const MotionModel& model : {car, drive}) {
+    robot.model = model;
+    EXPECT_EQ(aim_of(robot, {}), half);
+    EXPECT_EQ(aim_of(robot, {mover}), all);
+    EXPECT_EQ(aim_of(robot, {}, true), all) << "maneuvers";
+    robot.distance_to_goal = 9.9;  // radius 0.5: on the last of the way
+    EXPECT_EQ(aim_of(robot, {}), all);
+    robot.distance_to_goal = 50.0;
+  }
+  robot.model = airplane;
+  EXPECT_EQ(aim_of(robot, {}), all);
+  robot.model = Holonomic{}, robot.distance_to_goal = 9.9;
+  EXPECT_EQ(aim_of(robot, {}), half);
+}
+
+// Among others of less: alone and among equals priorities change nothing.
+TEST(Execution, aims_farther_with_more_priority_than_all_others) {
+  Robot robot{.distance_to_goal = 50.0, .priority = 3.0};
+  Neighbor low{.position = {0.0, 2.0}, .priority = 0.5}, high{.position = {0.0, 5.0}};
+  EXPECT_EQ(aim_of(robot, {}).y, 1.0);
+  for (const auto& [priority, part] : {std::pair{9.0, 0.5}, {3.0, 0.5}, {2.0, 0.75}, {1.0, 1.0}}) {
+    high.priority = priority;
+    EXPECT_NEAR(aim_of(robot, {low, high}).y, 2.0 * part, 1e-15) << priority;
+    EXPECT_NEAR(aim_of(robot, {high, low}).y, 2.0 * part, 1e-15) << priority;
+  }
+  high.position.y = 50.0;
+  EXPECT_EQ(aim_of(robot, {low, high}).y, 2.0) << "3 in place of 0.5";
+  robot.priority = 1e9;
+  EXPECT_EQ(aim_of(robot, {low}).y, 2.0);
+}
+
+// Where T_e is no longer than a step, v' is adopted at once, far from the goal as well.
+TEST(Execution, aims_at_the_wish_where_a_step_leads_there) {
+  const PlannerOptions options{.control_time = 0.1, .time_step = 0.1};
+  for (const double distance : {9.9, 50.0, 5000.0})
+    EXPECT_EQ(aim_of({.distance_to_goal = distance}, {}, false, options), Vec2(0.0, 2.0));
+}
+
 // The shortcut that most robots take leaves nobody out who comes to rest.
 TEST(Landing, is_noticed_of_whomever_is_near_its_goal) {
   test::Random random(33);
@@ -144,6 +249,7 @@ TEST(Landing, is_noticed_of_whomever_is_near_its_goal) {
     PlannerOptions options{.response_time = random.log_uniform(0.01, 1.0),
                            .time_step = random.log_uniform(0.005, 0.5)};
     if (trial % 3 == 0) options.comfort_acceleration = random.log_uniform(0.01, 10.0);
+    if (trial % 5 == 0) options.comfort_jerk = random.log_uniform(0.1, 10.0);
     Robot robot{.preferred_velocity = random.direction(),
                 .radius = random.log_uniform(0.05, 2.0),
                 .max_acceleration = random.log_uniform(0.05, 50.0),
@@ -160,10 +266,13 @@ TEST(Landing, is_noticed_of_whomever_is_near_its_goal) {
     tile.detour.push_back(&detour);
     decisions.wish_x[0] = robot.preferred_velocity.x;
     decisions.wish_y[0] = robot.preferred_velocity.y;
-    make_aims(execution, tile, decisions);
+    make_aims(planner, execution, tile, decisions);
     const bool lands = is_landing(robot, haste_of(robot, execution), execution);
     ++(lands ? landing : on_the_way);
-    ASSERT_EQ(decisions.aim(0) != decisions.wish(0), lands) << trial;
+    // at rest: what leads to the wish in one step, or a part of the wish
+    const double part =
+        lands ? 1.0 / haste_of(robot, execution).gain : unhurried_part(robot, execution);
+    ASSERT_NEAR(norm(decisions.aim(0) - part * decisions.wish(0)), 0.0, 1e-12 * part) << trial;
   }
   EXPECT_GT(landing, 3000);
   EXPECT_GT(on_the_way, 3000);
@@ -207,7 +316,9 @@ TEST(Landing, is_soft_and_exact_at_any_time_step) {
     EXPECT_GT(landing.rests, 7.0);
     EXPECT_LT(landing.rests, 8.6) << "7 s, and what it takes to brake without a jolt";
     EXPECT_LE(landing.overshoot, 1e-12);
-    EXPECT_LE(landing.jerk, 1.25 / (0.8 * std::max(0.2, 2.0 * time_step)));
+    // after short steps it still approaches its speed, and that ends at once
+    const double most = time_step < 0.02 ? 1.35 : 1.25;
+    EXPECT_LE(landing.jerk, most / (0.8 * std::max(0.2, 2.0 * time_step)));
   }
 }
 

@@ -106,7 +106,7 @@ TEST(PushAmongWalls, who_is_on_its_way_beside_a_wall_is_not_pushed) {
   robot.position = {0.0, 0.6};
   robot.preferred_velocity = {0.05, 0.0};
   robot.distance_to_goal = 50.0;
-  const Neighbor behind{{-1.05, 0.6}, {-0.5, 0.0}};
+  const Neighbor behind{{-1.05, 0.6}, {-0.2, 0.0}};
   const auto speed = [&](const std::vector<Wall>& walls) {
     PlanWorkspace workspace;
     Detour detour;

@@ -125,7 +125,7 @@ TEST(Comfort, jerk_is_not_exceeded_in_the_open) {
     }
   };
   expect_kept(turning_robot(), {2.5, 2.0, 1.0});
-  expect_kept(crossing_pair(), {4.0, 3.5});  // with less the certificate has to intervene
+  expect_kept(crossing_pair(), {4.5, 4.0});  // with less the certificate has to intervene
 }
 
 TEST(Comfort, the_certificate_brakes_with_all_there_is) {

@@ -169,7 +169,7 @@ TEST(Methods, of_others_do_not_break_the_promise_that_robots_of_avo_give_each_ot
           if (k % 8 != 7)
             rows.push_back({static_cast<std::int64_t>(k), fleet.position[k], fleet.velocity[k]});
         check.add(simulation.time(), rows);
-        if (step % 100 == 0) {
+        if (step % 60 == 0) {
           const Vec2 rally = test::in_disc(random, 2.0);
           for (std::uint64_t k = 0; k < 24; ++k) simulation.set_goal({k}, rally);
         }

@@ -188,7 +188,7 @@ TEST(Rallies, come_to_rest_at_goals_that_are_nearly_the_same) {
   for (const double off : {1e-3, 0.01, 0.05, 0.3}) {
     for (const int robots : {2, 5, 12}) {
       SCOPED_TRACE(testing::Message() << off << ' ' << robots);
-      expect_rest(rally(robots, off, false, 3));
+      expect_rest(rally(robots, off, false, 3), 0.5);
     }
   }
 }
@@ -277,7 +277,7 @@ TEST(Rallies, are_perceived_as_they_are_stepped_and_restored) {
   const auto count = [&](const Simulation::Perception& seen) {
     taken += seen.detour.goal_taken ? 1 : 0;
   };
-  for (int k = 0; k < 250; ++k) {
+  for (int k = 0; k < 300; ++k) {
     ASSERT_NO_FATAL_FAILURE(test::step_as_perceived(simulation, count));
   }
   EXPECT_GT(taken, 100);

@@ -143,7 +143,8 @@ TEST(Priority, more_of_it_means_no_longer_path_and_no_later_arrival) {
   for (const Traffic traffic : {Traffic::oncoming, Traffic::crossing, Traffic::circle}) {
     SCOPED_TRACE(static_cast<int>(traffic));
     std::vector<Trip> all(std::size(kPriorities));  // means
-    int runs = 0, longer = 0, later = 0;
+    int runs = 0, longer = 0, later = 0, of_all_priority = 0, aside = 0;
+    double way = 0.0;  // sum of their paths
     for (int others = 2; others <= 9; ++others) {
       SCOPED_TRACE(others);
       std::vector<Trip> mean(std::size(kPriorities));
@@ -160,8 +161,9 @@ TEST(Priority, more_of_it_means_no_longer_path_and_no_later_arrival) {
             later += trip.arrival > before.arrival + 0.15 ? 1 : 0;
           }
           if (kPriorities[k] >= 256.0) {
-            EXPECT_LE(trip.path, 1.002);
-            EXPECT_LE(trip.aside, 0.2);
+            EXPECT_LE(trip.path, 1.01);
+            EXPECT_LE(trip.aside, 0.8);
+            ++of_all_priority, aside += trip.aside > 0.2 ? 1 : 0, way += trip.path;
           }
           before = trip;
         }
@@ -178,9 +180,26 @@ TEST(Priority, more_of_it_means_no_longer_path_and_no_later_arrival) {
       EXPECT_LE(all[k].path, all[k - 1].path + 5e-4) << kPriorities[k];
       EXPECT_LE(all[k].arrival, all[k - 1].arrival + 0.02) << kPriorities[k];
     }
-    EXPECT_LE(longer, 0.03 * runs);
+    // in 96 seeds: aside in 0, 1 and 4.4 %, and mean paths of 1.0002 at most
+    EXPECT_LE(aside, (traffic == Traffic::oncoming ? 0.0 : 0.07) * of_all_priority);
+    EXPECT_LE(way, 1.0004 * of_all_priority);
+    EXPECT_LE(longer, 0.04 * runs);
     EXPECT_LE(later, 0.12 * runs);
   }
+}
+
+// Only ratios of priorities count, in all that robots do.
+TEST(Priority, of_all_robots_changes_no_bit) {
+  std::vector<Vec2> places[2];
+  for (const double priority : {1.0, 4.0}) {
+    Scenario scene = among_others(Traffic::circle, 9, priority, 3);
+    for (RobotSetup& robot : scene.robots) robot.priority = priority;
+    Simulation simulation(scene, 1);
+    for (int step = 0; step < 150; ++step) simulation.step();
+    const FleetView fleet = simulation.fleet();
+    places[priority > 1.0 ? 1 : 0].assign(fleet.position.begin(), fleet.position.end());
+  }
+  EXPECT_EQ(places[0], places[1]);
 }
 
 }  // namespace
