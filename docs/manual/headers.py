@@ -152,7 +152,7 @@ class DocumentLinks(SphinxTransform):
         for text in list(self.document.findall(nodes.Text)):
             if isinstance(text.parent, (nodes.FixedTextElement, nodes.literal)):
                 continue
-            words = re.split(r"\b(docs/\w+)\.md\b", str(text))
+            words = re.split(r"\b(docs/[\w/]+)\.md\b", str(text))
             parts = [self.link(word) if number % 2 else nodes.Text(word) for number, word in enumerate(words)]
             if len(parts) > 1:
                 text.parent.replace(text, parts)

@@ -50,7 +50,7 @@ AVO_API RelativeHalfPlane orca_half_plane(const Pair& pair, double time_horizon,
                                           double time_step) noexcept;
 
 /// Nobody takes less of the responsibility than this, whatever the priorities, and nobody more than
-/// the rest: what covers rounding grows with its inverse (docs/certificate.md, "Rounding").
+/// the rest: what covers rounding grows with its inverse (docs/certificate/rounding.md).
 inline constexpr double kLeastShare = 1.0 / 64.0;
 
 /// Share of the responsibility of A, Eq. (20): proportional to its ability to change velocity, and

@@ -49,9 +49,9 @@ struct Car {
 /// Two wheels on one axle, each driven by itself: its position is the middle of the axle, and it
 /// turns about that where it stands. The limits of the wheels hold at every instant. Others sense
 /// the disc about the point q that is `offset` ahead of the axle, which can accelerate in every
-/// direction (docs/certificate.md, "Differential drives"). The robot's velocity, max_speed and
-/// max_acceleration are those of q: max_speed <= wheel_speed; max_acceleration and max_braking <
-/// most_acceleration().
+/// direction (docs/certificate/wheels.md, "Differential drives"). The robot's velocity, max_speed
+/// and max_acceleration are those of q: max_speed <= wheel_speed; max_acceleration and max_braking
+/// < most_acceleration().
 struct DifferentialDrive {
   double track = 0.4;           ///< [b] m, > 0, between the wheels
   double offset = 0.5 * track;  ///< [L] m, > 0; of a small robot with wide wheels usual_offset()

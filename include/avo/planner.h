@@ -147,7 +147,8 @@ struct PlannerOptions {
   /// those that the certificate needs; infinite: all of them. The farther, the more ways out a
   /// robot has before movers (docs/movers.md).
   double wall_range = 0.0;
-  Clock clock = Clock::common;  ///< free: motion held, no stopping_capsules (docs/certificate.md)
+  /// free: motion held, no stopping_capsules (docs/certificate/clocks.md).
+  Clock clock = Clock::common;
   /// s, >= 0, of a free clock: the largest time_step that any of the others has; 0: that of this
   /// one.
   double longest_step = 0.0;
@@ -156,7 +157,7 @@ struct PlannerOptions {
   double arrival_distance = 0.5;
   /// Of method avo: a mover that keeps to what is known of it touches a robot at rest only, always.
   /// false: where braking comes too late, a robot alone among movers that keep their acceleration
-  /// may pass in front of one without being able to stop before it (docs/movers.md, "The price").
+  /// may pass in front of one without being able to stop before it (docs/movers.md, "Rule").
   bool never_swerves = false;
 };
 
@@ -345,8 +346,8 @@ class AVO_API Planner {
   /// more for rounding: S = max(|v|, v_max), l is the stopping length with planned_braking().
   /// Others change no bit. A neighbor that decides and is behind such a wall does not count where
   /// nobody can come round an end of it before both have stopped: it is taken to keep clear of that
-  /// wall likewise (docs/certificate.md, "Neighbors behind walls"). A wall that is not finite is
-  /// invalid_input. Without a certificate walls only slow the target of method avo. The other
+  /// wall as well (docs/certificate/walls.md, "Neighbors behind walls"). A wall that is not finite
+  /// is invalid_input. Without a certificate walls only slow the target of method avo. The other
   /// methods choose in the half-planes of the walls' obstacles, to which those of neighbors yield;
   /// they need all walls within r + τ max(|v|, v_max), count all neighbors, and promise nothing.
   [[nodiscard]] Plan plan(const Robot& robot, std::span<const Neighbor> neighbors,
@@ -356,7 +357,7 @@ class AVO_API Planner {
   /// One robot among movers that do not react (§III-C, Eqs. 13-14): v' outside the union of their
   /// obstacles, B's new velocity being v_B + δ a_B with the acceleration that the neighbor gives.
   /// They touch it at rest only, as long as they keep that acceleration; with neighbors that call
-  /// plan() nothing is promised (docs/certificate.md, "Movers"). Method buffered_voronoi, which has
+  /// plan() nothing is promised (docs/certificate/movers.md). Method buffered_voronoi, which has
   /// no obstacles, plans as plan() does with all of them moving on.
   [[nodiscard]] Plan plan_among_obstacles(const Robot& robot, std::span<const Neighbor> obstacles,
                                           PlanWorkspace& workspace) const;

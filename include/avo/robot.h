@@ -37,7 +37,8 @@ struct Robot {
   double priority = 1.0;
   /// [b_A] m/s^2, > 0: with which it surely brakes, straight, whenever it has to, and others have
   /// to know it; unset: max_acceleration. Where it is less, a decision may ask for more of that;
-  /// where it is more, it is for braking alone (docs/certificate.md, "Limits of braking").
+  /// where it is more, it is for braking alone (docs/certificate/priorities.md, "Limits of
+  /// braking").
   std::optional<double> max_braking = {};
   /// Of an airplane, the circle that the others know of it; unset: that of position and velocity.
   /// Remember it while the airplane is on it: made anew in each step, it drifts by rounding.
@@ -50,7 +51,7 @@ enum class Behavior : std::uint8_t {
   moves_on,  ///< reacts to nobody; keeps its acceleration, as far as max_deviation says: A does all
   /// Does its share as one that decides, and promises nothing: a robot of another make, a polite
   /// person. Half-planes count on the share. A certificate takes it to keep its velocity, as far as
-  /// max_deviation says (docs/certificate.md, "Whoever cooperates").
+  /// max_deviation says (docs/certificate/movers.md, "Robots that cooperate").
   cooperates,
 };
 AVO_API const char* to_string(Behavior behavior);
@@ -65,7 +66,7 @@ struct Neighbor {
   /// [d] whole steps, 0 to kMostAge: how long ago it was last sensed. It has been carried on since:
   /// at constant velocity, or at its acceleration where it moves on. braking_trajectories then
   /// allows for d Δt of whatever else it may have done, besides the declared SensingError of what
-  /// was sensed (docs/certificate.md, "Age").
+  /// was sensed (docs/certificate/errors.md, "Age").
   int age = 0;
   double priority = 1.0;  ///< [p_B] > 0, see Robot::priority; not read where B moves on
   /// [b_B] m/s^2, see Robot::max_braking; likewise

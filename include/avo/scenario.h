@@ -63,8 +63,8 @@ inline double disc_radius(const RobotSetup& robot) {
 }
 
 /// Whether A avoids B by their layers. To A, one that does not avoid A is a mover: it reacts to
-/// nobody (docs/certificate.md, "Movers"). So is one that avoids A by another method, to A of
-/// method avo: it promises nothing (docs/certificate.md, "Robots of other methods").
+/// nobody (docs/certificate/movers.md). So is one that avoids A by another method, to A of
+/// method avo: it promises nothing (docs/certificate/movers.md, "Robots of other methods").
 constexpr bool avoids(const RobotSetup& a, const RobotSetup& b) {
   return (a.avoids.bits & b.layers.bits) != 0;
 }

@@ -55,7 +55,7 @@ AVO_KERNEL Real stopping_length(const PackProfile<Real>& braking, const StepLaw&
 }
 
 /// [e] m: most that the path of one that brakes is off after `steps` steps, where it is sensed
-/// with the law's errors and looks as it does (docs/certificate.md, "Sensing errors").
+/// with the law's errors and looks as it does (docs/certificate/errors.md, "Sensing errors").
 template <typename Real>
 AVO_KERNEL Real braking_error(const PackProfile<Real>& seen, const StepLaw& law, Real steps) {
   const auto& [position, velocity] = law.sensing_error;

@@ -61,8 +61,8 @@ void begin_constraints(const Robot& robot, const Neighbors& neighbors, std::size
 
 namespace {
 
-// Others who are farther apart than both could come count on it (docs/certificate.md, "Robots with
-// wheels").
+// Others who are farther apart than both could come count on it (docs/certificate/wheels.md,
+// "Cars").
 bool keeps_reach(const Robot& robot, const CandidatePath& path, const StepLaw& law) {
   if (!may_exceed_reach(robot.model)) return true;
   constexpr double kRounding = 1.0 + 0x1p-46;

@@ -16,7 +16,7 @@ namespace avo {
 inline constexpr std::size_t kConstraintLanes = 8;
 
 /// By interval: points of A's braking path, relative to p_A, and how far a candidate's path can get
-/// from it at any of the interval's points (docs/certificate.md, "What can refuse nothing").
+/// from it at any of the interval's points (docs/certificate/left_out.md).
 struct OwnColumns {
   std::size_t count = 0, filled = 0;
   std::vector<double> start_x, start_y, middle_x, middle_y;  ///< m

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The constraints of one pair, for as many intervals at once as Pack has lanes:
-// docs/certificate.md, "Braking trajectories" and "What can refuse nothing".
+// docs/certificate.md, "Braking trajectories", and docs/certificate/left_out.md.
 #ifndef AVO_CERTIFICATE_CONSTRAINTS_KERNEL_H
 #define AVO_CERTIFICATE_CONSTRAINTS_KERNEL_H
 
@@ -149,8 +149,8 @@ struct PackReach {
 
 /// Of two discs in which B is by the end of the interval, the one that is farther off: about where
 /// it keeps its acceleration, by what it may deviate; or about where it is, by its speed. Each
-/// holds that of the next decision, so that A may always brake (docs/certificate.md, "Movers that
-/// do as they like").
+/// holds that of the next decision, so that A may always brake
+/// (docs/certificate/movers.md, "Movers that do as they like").
 template <typename Real>
 AVO_KERNEL PackReach<Real> reach_of(const Neighbor& mover, const PackPoints<Real>& q,
                                     const PackPoints<Real>& from_start, Real time) {
@@ -171,7 +171,7 @@ AVO_KERNEL PackReach<Real> reach_of(const Neighbor& mover, const PackPoints<Real
           select(slow, by_speed, by_deviation)};
 }
 
-/// What the sensing errors of one interval demand (docs/certificate.md, "Sensing errors").
+/// What the sensing errors of one interval demand (docs/certificate/errors.md, "Sensing errors").
 template <typename Real>
 struct PackMargin {
   Real distance;  // m, beyond the inflated contact

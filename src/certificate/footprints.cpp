@@ -35,7 +35,7 @@ Vec2 between(const Footprint& a, const Footprint& b) {
   return nearest_on_segment(p, p + (a.way - b.way));
 }
 
-// docs/certificate.md, "Rounding": a decision shrinks what has added up by a share.
+// docs/certificate/rounding.md: a decision shrinks what has added up by a share.
 double margin_between(const Footprint& a, const Footprint& b, double share) {
   const double lengths =
       length_1(a.start) + length_1(b.start) + norm(a.way) + norm(b.way) + a.radius + b.radius;

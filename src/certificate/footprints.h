@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Lines between what two robots fall back on, one of which loiters: each keeps its part of the gap
-// (docs/certificate.md, "Airplanes").
+// (docs/certificate/airplanes.md).
 #pragma once
 #include <optional>
 #include <span>

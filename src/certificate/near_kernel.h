@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Who is near enough to be braked for: docs/certificate.md, "What can refuse nothing".
+// Who is near enough to be braked for: docs/certificate/left_out.md.
 #ifndef AVO_CERTIFICATE_NEAR_KERNEL_H
 #define AVO_CERTIFICATE_NEAR_KERNEL_H
 

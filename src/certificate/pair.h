@@ -48,7 +48,7 @@ inline constexpr double kMostIntervals = 65536.0;
 struct BrakingPair {
   Vec2 p;           ///< [p_A - p_B] m
   double contact;   ///< [r_A + r_B] m
-  double inflated;  ///< m, contact and what covers all rounding (docs/certificate.md)
+  double inflated;  ///< m, contact and what covers all rounding (docs/certificate/rounding.md)
   double error;     ///< [e] m, most that B's path is off from what is sensed, at its end
   double
       share;  ///< [β] of the free gap that is A's, room_share(), 1 against one that does not decide
@@ -62,7 +62,7 @@ BrakingPair braking_pair(const Robot& robot, const Neighbor& neighbor, const Bra
 double top_acceleration(const Neighbor& neighbor);
 
 /// How far the neighbor may be from how it is given: by the errors that A declares, and by whatever
-/// else it may have done since it was sensed (docs/certificate.md, "Age").
+/// else it may have done since it was sensed (docs/certificate/errors.md, "Age").
 SensingError error_against(const Neighbor& neighbor, const StepLaw& law);
 
 /// Whether no candidates of the two, followed by braking, can bring them into contact.

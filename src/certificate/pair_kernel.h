@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Pairs that may have to brake for each other, as many at once as Pack has lanes:
-// docs/certificate.md, "What can refuse nothing" and "Robots with wheels".
+// docs/certificate/left_out.md and docs/certificate/wheels.md.
 #ifndef AVO_CERTIFICATE_PAIR_KERNEL_H
 #define AVO_CERTIFICATE_PAIR_KERNEL_H
 
@@ -82,7 +82,7 @@ struct PackDeviation {
   Real most_ahead, most_aside;
 };
 
-// docs/certificate.md, "What can refuse nothing"
+// docs/certificate/left_out.md
 template <typename Real>
 AVO_KERNEL PackDeviation<Real> deviation_of(const PackBraking<Real>& a, Real stray_velocity,
                                             Real stray_distance, const StepLaw& law) {
@@ -129,7 +129,7 @@ struct PackCandidateDeviation {
   Real ahead, aside;
 };
 
-// docs/certificate.md, "What can refuse nothing", of v_1 itself instead of all that A may choose
+// docs/certificate/left_out.md, of v_1 itself instead of all that A may choose
 template <typename Real>
 AVO_KERNEL PackCandidateDeviation<Real> candidate_deviation(const PackBraking<Real>& a,
                                                             Vec<Real> next_velocity,
@@ -156,8 +156,8 @@ AVO_KERNEL PackCandidateDeviation<Real> candidate_deviation(const PackBraking<Re
 }
 
 /// Where clocks are free, how far B may be from where it holds its velocity for one step and then
-/// brakes: start + per_time t and not more than `most`, m at the time t (docs/certificate.md,
-/// "Clocks of their own"). In the rest of its step B may speed up, or brake.
+/// brakes: start + per_time t and not more than `most`, m at the time t
+/// (docs/certificate/clocks.md, "Drift"). In the rest of its step B may speed up, or brake.
 template <typename Real>
 struct PackDrift {
   Real start, per_time, most;
@@ -195,7 +195,7 @@ struct PackPair {
 
 /// Rounding moves a pair by at most 2^-50 of its lengths a step. While both brake such errors add
 /// up, for at most so many steps; a decision shrinks what has added up by a share.
-/// docs/certificate.md, "Rounding"; four times what is derived there.
+/// docs/certificate/rounding.md; four times what is derived there.
 template <typename Real>
 AVO_KERNEL Real rounding_margin(Real lengths, Real intervals, Real shrinks) {
   return Real(0x1p-48) * lengths * (Real(1.0) + intervals) / shrinks;
@@ -240,7 +240,7 @@ AVO_KERNEL PackPair<Real> pair_of(const PackSelf<Real>& self, const PackNeighbor
 }
 
 /// What B can refuse at all: nothing to whoever deviates from A's braking path by less than the gap
-/// (docs/certificate.md, "What can refuse nothing").
+/// (docs/certificate/left_out.md).
 template <typename Real>
 struct PackClearance {
   Real gap;      // m, A's share of what joint braking leaves; -∞ where that is not known

@@ -48,8 +48,8 @@ bool keeps_off(const Hull& relative, double distance);
 /// (C1) of a robot that rests at `place` from that time on, for ever or `until` then.
 bool rests_clear(const Predicted& other, Vec2 place, double time);
 /// (C2) of an interval that begins `elapsed` s after the time `from`, when A decides to brake and
-/// sees the other one: within one of the two discs of docs/certificate.md, "Movers that do as they
-/// like", about where it is predicted to be seen then.
+/// sees the other one: within one of the two discs of docs/certificate/movers.md, "Movers that do
+/// as they like", about where it is predicted to be seen then.
 bool is_reached_at_rest(const Predicted& other, const Hull& own, double from, double elapsed,
                         const StepLaw& law);
 /// m: whoever keeps off by that until so long after `from` satisfies (C2).

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Stopping capsules: each robot keeps what it needs to stop on its own side of a line that both
-// robots of a pair derive from the capsules in which they would stop now (docs/certificate.md).
+// robots of a pair derive from the capsules in which they would stop now
+// (docs/certificate/capsules.md).
 #pragma once
 #include <span>
 #include <vector>

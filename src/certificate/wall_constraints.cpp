@@ -52,7 +52,7 @@ bool keeps_bend(const NearestPoints& nearest, Vec2 first, double bend, double le
 }
 
 // Whether no point of the path is nearer to the wall than that of braking at the same time,
-// wherever A may be (docs/certificate.md, "Errors of one's own place").
+// wherever A may be (docs/certificate/walls.md, "Errors of one's own place").
 bool leaves_wall(const NearWall& wall, const WallConstraints& walls, const Pieces& pieces,
                  const CandidatePath& path) {
   if (!(wall.cone < 1.0)) return false;
@@ -170,8 +170,8 @@ WallRounding wall_rounding(double radius, double max_speed, const Ability& abili
           radius + law.time_step * max_speed + stopping_length(braking, law)};
 }
 
-// docs/certificate.md, "Walls"; four times what is derived there. Where the robot is does not
-// count, only that it is within reach of the wall: braking changes no margin.
+// docs/certificate/walls.md, "Rounding"; four times what is derived there. Where the robot is does
+// not count, only that it is within reach of the wall: braking changes no margin.
 double wall_margin(const Wall& wall, const WallRounding& rounding) {
   const double places = std::max(length_1(wall.a), length_1(wall.b));
   const double lengths = 2.0 * places + 3.0 * (wall.radius + rounding.lengths);

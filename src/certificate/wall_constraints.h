@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Walls: neither the step that is decided nor the braking after it may come within a robot's radius
-// of any of them (docs/certificate.md, "Walls").
+// of any of them (docs/certificate/walls.md).
 #pragma once
 #include <span>
 #include <vector>

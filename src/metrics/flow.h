@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// When robots cross a line (docs/metrics.md, "Flow").
+// When robots cross a line (docs/metrics.md).
 #pragma once
 #include <cstdint>
 #include <set>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Neighbors that walls keep away do not count (docs/certificate.md, "Neighbors behind walls").
+// Neighbors that walls keep away do not count
+// (docs/certificate/walls.md, "Neighbors behind walls").
 #pragma once
 #include <span>
 

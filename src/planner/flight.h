@@ -32,7 +32,7 @@ bool can_fly(const Robot& robot, double time_step);
 bool is_on_circle(const Neighbor& neighbor);
 
 /// Whether the planner's options are such that it, or one beside one that loiters, keeps what
-/// docs/certificate.md promises.
+/// docs/certificate/airplanes.md promises.
 bool allows_loiterers(const PlannerOptions& options);
 
 /// The robot with the circle that it is on.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Airplanes: a minimum speed, and turns that a lateral acceleration limits. What one falls back on
-// is a circle to its right, which it holds for ever (docs/certificate.md, "Airplanes").
+// is a circle to its right, which it holds for ever (docs/certificate/airplanes.md).
 #pragma once
 #include <vector>
 

@@ -169,7 +169,7 @@ Vec2 turning_first(const Car& car, const Robot& robot, Vec2 v) {
   return norm(v) * turned(driving.heading, elementary::direction(std::copysign(kEnough, turn)));
 }
 
-// docs/certificate.md, "Robots with wheels"
+// docs/certificate/wheels.md, "Cars"
 Stray stray_of_car(const Car& car, double max_acceleration, double time_step) {
   Stray stray{2.0 * reach_of(car), 0.0};
   if (offset_of(car) == 0.0) return stray;
@@ -178,7 +178,7 @@ Stray stray_of_car(const Car& car, double max_acceleration, double time_step) {
   return stray;
 }
 
-// docs/certificate.md, "Clocks of their own"
+// docs/certificate/clocks.md, "Robots with wheels"
 SensingError unforeseen_of_car(const Car& car, double max_acceleration, double time_step) {
   const double excess = (reach_of(car) - 1.0) * max_acceleration * time_step;  // m/s
   SensingError result{0.5 * excess * time_step, excess};

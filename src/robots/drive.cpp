@@ -7,7 +7,7 @@
 //
 // S = {V² G(φ)/L <= α_w - a_D √(1 + k²), V W(φ) <= w_max}, with V the speed of q, φ the angle of
 // its velocity off the heading, and a_D = change_limit(), is kept by straight braking at up to a_D,
-// and so are the wheels' limits (docs/certificate.md, "Differential drives").
+// and so are the wheels' limits (docs/certificate/wheels.md, "Differential drives").
 #include "robots/drive.h"
 
 #include <algorithm>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Differential drives (docs/certificate.md, "Differential drives").
+// Differential drives (docs/certificate/wheels.md, "Differential drives").
 #pragma once
 #include <span>
 

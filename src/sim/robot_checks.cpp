@@ -74,7 +74,7 @@ void check_drive(std::size_t i, const RobotSetup& robot, const DifferentialDrive
            "<= " + text(drive.wheel_speed) + " m/s, its drive.wheel_speed");
 }
 
-// Of those that others are promised something of, see docs/certificate.md, "Airplanes".
+// Of those that others are promised something of, see docs/certificate/airplanes.md.
 void check_airplane(std::size_t i, const RobotSetup& robot, const Airplane& airplane,
                     double time_step) {
   constexpr double kOff = 1e-9;  // of a speed: the length of a vector of that speed

@@ -40,8 +40,8 @@ inline std::string rounded(double value, int digits) {
 void check_robot(std::size_t i, const RobotSetup& robot, double time_step);
 
 /// What the rest of a step adds to a state that is seen in the midst of it, beyond what
-/// max_acceleration does to the velocity of the disc; of free clocks (docs/certificate.md, "Clocks
-/// of their own").
+/// max_acceleration does to the velocity of the disc; of free clocks
+/// (docs/certificate/clocks.md, "Robots with wheels").
 SensingError unforeseen(const Scenario& scenario);
 
 /// m: ways out before movers need all walls within their reach.

@@ -75,7 +75,7 @@ Vec2 way_of_step(Vec2 v, Vec2 next, const StepLaw& law) {
   return law.lag * v + (law.time_step - law.lag) * next;
 }
 
-// docs/certificate.md, "Sensing errors": two that begin within the errors of each other.
+// docs/certificate/errors.md, "Sensing errors": two that begin within the errors of each other.
 TEST(BrakingPath, errors_move_it_no_farther_than_their_bound_which_is_reached) {
   using Real = scalar::Pack<double>;
   for (const Motion motion : kMotions) {

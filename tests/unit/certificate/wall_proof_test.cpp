@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Every step of the proof in docs/certificate.md, "Walls", is needed: without it a directed search
+// Every step of the proof in docs/certificate/walls.md is needed: without it a directed search
 // finds a robot that overlaps a wall, and with it the same search finds none. The rule is written
 // out plainly here, for held motion.
 #include <functional>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Neighbors that cooperate: their share by half-planes, and no promise (docs/certificate.md,
-// "Whoever cooperates").
+// Neighbors that cooperate: their share by half-planes, and no promise
+// (docs/certificate/movers.md, "Robots that cooperate").
 #include <gtest/gtest.h>
 #include <vector>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // What a decision says of the way out that it takes; and robots that may not swerve
-// (docs/movers.md, "The price").
+// (docs/movers.md, "Rule").
 #include <algorithm>
 #include <cmath>
 #include <gtest/gtest.h>
