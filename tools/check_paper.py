@@ -1,19 +1,27 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Fails unless PAPER.md and the sources name the same equations, and what PAPER.md names exists.
+"""Fails unless PAPER.md and the sources name the same equations, and functions stand where documents say.
 
-Every equation (1)-(29) must have a row in PAPER.md, be cited as `Eq. (n)` or `Eqs. (n)` in the
-sources, and each file that a row names must exist.
+Every equation (1)-(29) must have a row in PAPER.md and be cited as `Eq. (n)` or `Eqs. (n)` in the sources. Each row
+there names a file and a function, and each file that PAPER.md names exists. A function that PAPER.md or a page of docs/
+names together with its file is defined or declared in that file: `file`: `function`, `function` in `file`, or
+file, function().
 """
+import functools
 import pathlib
 import re
 import sys
 
+ROOT = pathlib.Path(__file__).resolve().parent.parent
+FOLDERS = ("include", "src", "apps", "figures", "io", "bindings", "tests", "tools", "scenarios", "docs")
 EQUATIONS = set(range(1, 30))
 # "Eq. (12)", "Eqs. (8), (9)", "Eqs. (10)-(12)"
 CITED = re.compile(r"Eqs?\.\s*((?:\(\d+\)(?:\s*(?:,|-|and)\s*)?)+)")
 ROW = re.compile(r"^\|\s*(\(\d+\)[^|]*)\|", re.M)
 FILE = re.compile(r"`([\w./-]+\.(?:h|cpp|py|md|yaml))`")
+BEFORE = re.compile(r"`([\w./-]+\.(?:h|cpp))`: (`\w+`(?:, `\w+`)*)")
+BEHIND = re.compile(r"`(\w+)(?:\(\))?` in\s+`([\w./-]+\.(?:h|cpp))`")
+CALLED = re.compile(r"([\w/]+/\w+\.(?:h|cpp)), (\w+)\(\)")
 
 
 def numbers(text):
@@ -23,22 +31,54 @@ def numbers(text):
     return found
 
 
-def main():
-    root = pathlib.Path(__file__).resolve().parent.parent
-    paper = (root / "PAPER.md").read_text()
+def equations(paper):
     rows = set().union(*(numbers(row) for row in ROW.findall(paper)))
     cited = set()
     for folder in ("src", "include"):
-        for path in (root / folder).rglob("*.[hc]*"):
+        for path in (ROOT / folder).rglob("*.[hc]*"):
             for match in CITED.findall(path.read_text()):
                 cited |= numbers(match)
-    problems = [f"Eq. ({n}): no row in PAPER.md" for n in sorted(EQUATIONS - rows)]
-    problems += [f"Eq. ({n}): cited by no source" for n in sorted(EQUATIONS - cited)]
-    problems += [f"Eq. ({n}): not in the paper" for n in sorted((rows | cited) - EQUATIONS)]
-    for name in sorted(set(FILE.findall(paper))):
-        if not any(root.rglob(name)) and not (root / name).exists():
-            problems.append(f"PAPER.md names {name}, which does not exist")
-    print("\n".join(problems) or f"{len(rows)} equations in PAPER.md and in the sources")
+    yield from (f"Eq. ({n}): no row in PAPER.md" for n in sorted(EQUATIONS - rows))
+    yield from (f"Eq. ({n}): cited by no source" for n in sorted(EQUATIONS - cited))
+    yield from (f"Eq. ({n}): not in the paper" for n in sorted((rows | cited) - EQUATIONS))
+
+
+def table(paper):
+    for row in re.findall(r"^\|.*\|$", paper, re.M)[2:]:  # but its head
+        if not BEFORE.search(row):
+            yield f"PAPER.md names no file with a function for {row.split('|')[1].strip()}"
+
+
+@functools.cache
+def files(name):
+    return [ROOT / name] if (ROOT / name).is_file() else [path for folder in FOLDERS for path in (ROOT / folder).rglob(name)]
+
+
+@functools.cache
+def has(name, function):
+    """Whether a file of that name defines or declares the function, or a type."""
+    typed = rf"^(?!\s*(?:return|else|throw)\b)[^=;/.(\n]*[\w>&*:\]]\s+[&*]?(?:\w+::)?{function}\("
+    pattern = re.compile(rf"{typed}|^\s*(?:struct|class) (?:\w+ )?{function}\b", re.M)
+    return any(pattern.search(path.read_text()) for path in files(name))
+
+
+def functions(page):
+    text = (ROOT / page).read_text()
+    named = [(name, function) for name, all in BEFORE.findall(text) for function in re.findall(r"\w+", all)]
+    named += [(name, function) for function, name in BEHIND.findall(text)] + CALLED.findall(text)
+    return sorted({(name, function) for name, function in named if files(name)})
+
+
+def main():
+    paper = (ROOT / "PAPER.md").read_text()
+    problems = [*equations(paper), *table(paper)]
+    problems += [f"PAPER.md names {name}, which does not exist" for name in sorted(set(FILE.findall(paper)))
+                 if not files(name)]
+    pages = ["PAPER.md", *(str(path.relative_to(ROOT)) for path in sorted((ROOT / "docs").rglob("*.md")))]
+    named = [(page, *pair) for page in pages for pair in functions(page)]
+    problems += [f"{page}: no {function}() in {name}" for page, name, function in named if not has(name, function)]
+    print("\n".join(problems) or f"{len(EQUATIONS)} equations in PAPER.md and in the sources, "
+          f"{len(named)} functions where documents say")
     return 1 if problems else 0
 
 
