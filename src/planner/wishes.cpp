@@ -15,6 +15,8 @@
 namespace avo {
 namespace {
 
+constexpr double kInSight = 4.0;  // τ: farther off nobody makes a robot hurry
+
 // Beside walls a robot on its way does not give way: pushed back from them and from others at rest
 // it would stand still for ever.
 Vec2 push_among_walls(const Tile& tile, std::size_t i, const StepLaw& law, Vec2 push) {
@@ -30,14 +32,11 @@ bool is_far_from_goal(const RobotColumns& robots, std::size_t i, const Execution
   const ResponseLaw& law = execution.law;
   if (law.comfort_jerk < kUnlimited || law.control_time <= law.time_step) return false;
   const double v = robots.max_speed[i], a = robots.max_acceleration[i];
-  const double fewest = v * (1.0 / (scalar::kFewestSteps * execution.law.time_step));
-  const double b = std::min({a, robots.max_braking[i], execution.law.comfort_acceleration, fewest});
-  const double response =
-      execution.law.response_time * v + 2.0 * execution.law.time_step * a;  // times a
+  const double fewest = v * (1.0 / (scalar::kFewestSteps * law.time_step));
+  const double b = std::min({a, robots.max_braking[i], law.comfort_acceleration, fewest});
+  const double response = law.response_time * v + 2.0 * law.time_step * a;  // times a
   return 2.0 * a * b * robots.distance_to_goal[i] > 1.01 * v * (v * a + 4.0 * b * response);
 }
-
-constexpr double kInSight = 4.0;  // τ: farther off nobody makes a robot hurry
 
 // Whether a robot at its max_speed could touch the neighbor k of the columns by then.
 bool is_in_sight(const RobotColumns& robots, std::size_t i, const NeighborColumns& neighbors,
