@@ -9,7 +9,7 @@
 #include "certificate/braking_trajectories.h"
 #include "certificate/kernels.h"
 
-namespace avo {
+namespace avo::inline certificate {
 
 TrajectoryConstraint constraint_at(const ConstraintColumns& columns, std::size_t index) {
   const std::size_t k = index;
@@ -127,4 +127,4 @@ HalfPlane tangent(const WorstConstraint& worst, const CandidatePath& path, const
   return {gradient / length, (dot(gradient, path.next_velocity) - worst.coefficient) / length};
 }
 
-}  // namespace avo
+}  // namespace avo::inline certificate

@@ -8,7 +8,7 @@
 #include "certificate/kernels.h"
 #include "robots/model.h"
 
-namespace avo {
+namespace avo::inline certificate {
 
 using Real = scalar::Pack<double>;
 double braking_steps(double speed, double decrement) {
@@ -86,4 +86,4 @@ CandidatePath follow(const Robot& robot, Vec2 next_velocity, const StepLaw& law)
   return path;
 }
 
-}  // namespace avo
+}  // namespace avo::inline certificate

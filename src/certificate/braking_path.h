@@ -5,7 +5,7 @@
 #include "avo/robot.h"
 #include "avo/vec.h"
 
-namespace avo {
+namespace avo::inline certificate {
 
 /// What a robot can do to its speed, m/s². Of a_max alone: it brakes with as much.
 struct Ability {
@@ -115,4 +115,4 @@ struct CandidatePath {
 /// wanted.
 CandidatePath follow(const Robot& robot, Vec2 next_velocity, const StepLaw& law);
 
-}  // namespace avo
+}  // namespace avo::inline certificate

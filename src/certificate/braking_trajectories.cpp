@@ -9,7 +9,7 @@
 
 #include "certificate/kernels.h"
 
-namespace avo {
+namespace avo::inline certificate {
 namespace {
 
 using Real = scalar::Pack<double>;
@@ -190,4 +190,4 @@ void collect_waiting(const StepLaw& law, TrajectoryConstraints& constraints, Inv
   constraints.waiting.clear();
 }
 
-}  // namespace avo
+}  // namespace avo::inline certificate

@@ -16,7 +16,7 @@
 #include "certificate/trajectory_steps.h"
 #include "core/neighbor_columns.h"
 
-namespace avo {
+namespace avo::inline certificate {
 
 /// What one neighbor demands on one interval between steps: normal . y_i + offset[i] >= 0 for the
 /// Bézier points y_0, y_1, y_2 of A's path on it, relative to p_A.
@@ -84,4 +84,4 @@ WorstConstraint worst_constraint(const TrajectoryConstraints& constraints,
 /// outside.
 HalfPlane tangent(const WorstConstraint& worst, const CandidatePath& path, const StepLaw& law);
 
-}  // namespace avo
+}  // namespace avo::inline certificate

@@ -8,7 +8,7 @@
 #include "certificate/footprints.h"
 #include "robots/model.h"
 
-namespace avo {
+namespace avo::inline certificate {
 
 void reserve_constraints(std::size_t neighbors, std::size_t braking_steps,
                          std::size_t most_constraints, CertificateConstraints& constraints) {
@@ -112,4 +112,4 @@ void list_constraints(const CertificateConstraints& constraints, Vec2 position,
   }
 }
 
-}  // namespace avo
+}  // namespace avo::inline certificate

@@ -11,7 +11,7 @@
 #include "certificate/wall_constraints.h"
 #include "core/neighbor_columns.h"
 
-namespace avo {
+namespace avo::inline certificate {
 
 /// What all robots have to agree on.
 struct CertificateLaw {
@@ -68,4 +68,4 @@ Vec2 backup_velocity(const Robot& robot, const CertificateLaw& law);
 void list_constraints(const CertificateConstraints& constraints, Vec2 position,
                       std::vector<CertificateConstraint>& list);
 
-}  // namespace avo
+}  // namespace avo::inline certificate

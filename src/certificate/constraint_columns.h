@@ -10,7 +10,7 @@
 
 #include "avo/robot.h"
 
-namespace avo {
+namespace avo::inline certificate {
 
 /// Columns have room for so many more entries than there are, which are read but do not count.
 inline constexpr std::size_t kConstraintLanes = 8;
@@ -62,4 +62,4 @@ struct ConstraintColumns {
   }
 };
 
-}  // namespace avo
+}  // namespace avo::inline certificate

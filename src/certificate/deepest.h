@@ -2,7 +2,7 @@
 // How deep a contact is, and whether that is no more than rounding.
 #pragma once
 
-namespace avo {
+namespace avo::inline certificate {
 
 /// m: how deep a contact rounding may feign, of both radii together and of the ways that both need
 /// to stop. It is sixteen roundings to single precision, in which robots are often told their
@@ -24,4 +24,4 @@ struct Deepest {
   }
 };
 
-}  // namespace avo
+}  // namespace avo::inline certificate

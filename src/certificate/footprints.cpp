@@ -11,7 +11,7 @@
 #include "core/plane.h"
 #include "walls/segment.h"
 
-namespace avo {
+namespace avo::inline certificate {
 namespace {
 
 using Real = scalar::Pack<double>;
@@ -153,4 +153,4 @@ bool keeps_flight(const FlightConstraints& constraints, const Robot& robot,
   });
 }
 
-}  // namespace avo
+}  // namespace avo::inline certificate

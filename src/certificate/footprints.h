@@ -14,7 +14,7 @@
 #include "core/neighbor_columns.h"
 #include "robots/airplane.h"
 
-namespace avo {
+namespace avo::inline certificate {
 
 /// A robot that decides nothing better leaves it no more: a segment with a radius.
 struct Footprint {
@@ -58,4 +58,4 @@ bool keeps_flight(const FlightConstraints& constraints, const Robot& robot, cons
 /// m, what covers all rounding of an airplane beside a wall.
 double flight_margin(const Wall& wall, double radius, double circle);
 
-}  // namespace avo
+}  // namespace avo::inline certificate

@@ -9,7 +9,7 @@
 #include "core/plane.h"
 #include "walls/segment.h"
 
-namespace avo {
+namespace avo::inline certificate {
 namespace {
 
 // m: how far something may be from a path at the time t, start + t speed + t²/2 acceleration.
@@ -195,4 +195,4 @@ std::optional<double> inevitable_contact(const Robot& robot, const Wall& wall) {
                       [&](double lost) { return find_contact_of(robot, wall, lost); });
 }
 
-}  // namespace avo
+}  // namespace avo::inline certificate

@@ -7,7 +7,7 @@
 #include "avo/wall.h"
 #include "certificate/pair.h"
 
-namespace avo {
+namespace avo::inline certificate {
 
 /// s: a time at which A is in contact with the neighbor whatever it does within |a| <= c_A and
 /// |v| <= v_A^max, and whatever the neighbor does within its own c, see change_limit(), if it
@@ -20,4 +20,4 @@ std::optional<double> inevitable_contact(const Robot& robot, const Neighbor& nei
 /// s: a time by which A has been in contact with the wall, likewise.
 std::optional<double> inevitable_contact(const Robot& robot, const Wall& wall);
 
-}  // namespace avo
+}  // namespace avo::inline certificate

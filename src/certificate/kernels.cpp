@@ -10,7 +10,7 @@
       append_constraints<Pack<double>>, hold<Pack<double>>, keeps<Pack<double>>
 #include "core/kernel_passes.h"
 
-namespace avo {
+namespace avo::inline certificate {
 void find_near(const RobotColumns& robots, Whom whom, const StepLaw& law, NearPairs& near) {
   kKernels->find_near(robots, whom, law, near);
 }
@@ -38,4 +38,4 @@ bool keeps(const Braking& own, const CandidatePath& path, const StepLaw& law, bo
   return kKernels->keeps(own, path, law, has_cones, asked_for, constraints);
 }
 
-}  // namespace avo
+}  // namespace avo::inline certificate

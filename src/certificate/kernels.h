@@ -6,7 +6,7 @@
 #include "certificate/near_kernel.h"
 #include "certificate/plan_kernel.h"
 
-namespace avo {
+namespace avo::inline certificate {
 
 struct CertificateKernels {
   void (*find_near)(const RobotColumns&, Whom, const StepLaw&, NearPairs&);
@@ -34,4 +34,4 @@ void hold(const PairConstraints& wanted, std::size_t first, ConstraintColumns& c
 bool keeps(const Braking& own, const CandidatePath& path, const StepLaw& law, bool has_cones,
            Asked asked_for, ConstraintColumns& constraints);
 
-}  // namespace avo
+}  // namespace avo::inline certificate

@@ -5,7 +5,7 @@
 
 #include "robots/model.h"
 
-namespace avo {
+namespace avo::inline certificate {
 
 void BrakingColumns::reserve(std::size_t robots) {
   if (far_reach[2].size() >= robots + kSpareNeighbors) return;  // the last to grow
@@ -54,4 +54,4 @@ Deviation BrakingColumns::deviation(std::size_t i) const {
           .most_aside = most_aside[i]};
 }
 
-}  // namespace avo
+}  // namespace avo::inline certificate

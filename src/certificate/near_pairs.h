@@ -13,7 +13,7 @@
 #include "certificate/pair.h"
 #include "core/robot_columns.h"
 
-namespace avo {
+namespace avo::inline certificate {
 
 /// Whose constraints are wanted.
 enum class Whom : unsigned char { everyone, movers };
@@ -108,4 +108,4 @@ void find_near(const RobotColumns& robots, Whom whom, const StepLaw& law, NearPa
 void admit_next(const RobotColumns& robots, const std::vector<double>& next_x,
                 const std::vector<double>& next_y, const StepLaw& law, NearPairs& near);
 
-}  // namespace avo
+}  // namespace avo::inline certificate

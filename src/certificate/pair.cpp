@@ -8,7 +8,7 @@
 #include "certificate/kernels.h"
 #include "core/timed_places.h"
 
-namespace avo {
+namespace avo::inline certificate {
 namespace {
 
 using Real = scalar::Pack<double>;
@@ -125,4 +125,4 @@ double held_distance(const BrakingPair& pair, double distance, int index, Invari
   return distance;
 }
 
-}  // namespace avo
+}  // namespace avo::inline certificate

@@ -7,7 +7,7 @@
 #include "certificate/braking_path.h"
 #include "certificate/deepest.h"
 
-namespace avo {
+namespace avo::inline certificate {
 
 /// The point of a segment nearest to the origin; odd in (a, b), bit for bit.
 inline Vec2 nearest_on_segment(Vec2 a, Vec2 b) {
@@ -90,4 +90,4 @@ struct Invariant {
 /// can be, and where braking cannot keep that, what braking does keep.
 double held_distance(const BrakingPair& pair, double distance, int index, Invariant& invariant);
 
-}  // namespace avo
+}  // namespace avo::inline certificate

@@ -6,7 +6,7 @@
 #include "certificate/pair.h"
 #include "certificate/trajectory_steps.h"
 
-namespace avo {
+namespace avo::inline certificate {
 
 /// Covers rounding of squares, and of the margin for it what grows with the distance.
 inline constexpr double kFarther = 1.0 + 0x1p-27;
@@ -24,4 +24,4 @@ struct PairConstraints {
   const TrajectorySteps* trajectory = nullptr;  ///< of one whose future is known, from p_B
 };
 
-}  // namespace avo
+}  // namespace avo::inline certificate

@@ -7,7 +7,7 @@
 #include "core/plane.h"
 #include "walls/segment.h"
 
-namespace avo {
+namespace avo::inline certificate {
 
 Vec2 Predicted::place_at(double time) const {
   if (trajectory != nullptr) return trajectory->place(trajectory->step_at(time));
@@ -134,4 +134,4 @@ double room_to(const Predicted& other, Vec2 place, double time) {
          (std::max(other.contact, stop) + other.spread_at(time));
 }
 
-}  // namespace avo
+}  // namespace avo::inline certificate

@@ -7,7 +7,7 @@
 #include "certificate/braking_path.h"
 #include "certificate/trajectory_steps.h"
 
-namespace avo {
+namespace avo::inline certificate {
 
 /// Somebody whom a way has to keep clear of, who keeps its acceleration for ever, or its
 /// trajectory.
@@ -59,4 +59,4 @@ double room_to(const Predicted& other, Vec2 place, double time);
 /// The same, m, of the braking that was decided on `elapsed` s ago, at `from`.
 double room_before_rest(const Predicted& other, Vec2 place, double from, double elapsed);
 
-}  // namespace avo
+}  // namespace avo::inline certificate

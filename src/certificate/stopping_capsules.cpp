@@ -6,7 +6,7 @@
 #include <array>
 #include <cstddef>
 
-namespace avo {
+namespace avo::inline certificate {
 namespace {
 
 // To the origin; between two equally near ones, which only rounding tells apart. The same whichever
@@ -84,4 +84,4 @@ void append_half_planes(std::span<const CapsuleConstraint> constraints, const Ro
   }
 }
 
-}  // namespace avo
+}  // namespace avo::inline certificate

@@ -11,7 +11,7 @@
 #include "certificate/pair.h"
 #include "core/neighbor_columns.h"
 
-namespace avo {
+namespace avo::inline certificate {
 
 /// What one neighbor demands: normal . x >= offset for all of A's next capsule, relative to p_A.
 struct CapsuleConstraint {
@@ -34,4 +34,4 @@ bool keeps_capsules(std::span<const CapsuleConstraint> constraints, const Candid
 void append_half_planes(std::span<const CapsuleConstraint> constraints, const Robot& robot,
                         const StepLaw& law, double top_speed, std::vector<HalfPlane>& half_planes);
 
-}  // namespace avo
+}  // namespace avo::inline certificate

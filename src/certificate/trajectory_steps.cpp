@@ -7,7 +7,7 @@
 #include "core/timed_places.h"
 #include "walls/segment.h"
 
-namespace avo {
+namespace avo::inline certificate {
 void TrajectorySteps::reserve(std::size_t intervals) {
   if (bend.size() >= intervals + 1 + kConstraintLanes) return;  // the last to grow
   for (std::vector<double>* column : {&x, &y, &bend})
@@ -70,4 +70,4 @@ bool passes_by(const Trajectory& trajectory, double from, Vec2 place, double dis
   return !(along > 0.0) || norm(start + (along / squared) * v) >= distance;
 }
 
-}  // namespace avo
+}  // namespace avo::inline certificate

@@ -8,7 +8,7 @@
 #include "certificate/braking_path.h"
 #include "certificate/constraint_columns.h"
 
-namespace avo {
+namespace avo::inline certificate {
 
 /// Interval k of the robot's time: the mover goes straight from place k to place k + 1, but for
 /// bend[k] and the trajectory's own error.
@@ -47,4 +47,4 @@ struct TrajectorySteps {
 /// Whether the mover keeps so far from the place from that time of its trajectory on, for ever.
 bool passes_by(const Trajectory& trajectory, double from, Vec2 place, double distance);
 
-}  // namespace avo
+}  // namespace avo::inline certificate

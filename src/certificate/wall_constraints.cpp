@@ -11,7 +11,7 @@
 #include "core/plane.h"
 #include "robots/model.h"
 
-namespace avo {
+namespace avo::inline certificate {
 namespace {
 
 // A's candidate as segments, relative to p_A: where it stops from p_1 on, and the sides of the
@@ -254,4 +254,4 @@ void append_wall_cuts(const WallConstraints& constraints, const CandidatePath& p
   }
 }
 
-}  // namespace avo
+}  // namespace avo::inline certificate

@@ -12,7 +12,7 @@
 #include "certificate/deepest.h"
 #include "walls/segment.h"
 
-namespace avo {
+namespace avo::inline certificate {
 
 /// One wall near a robot, relative to p_A.
 struct NearWall {
@@ -66,4 +66,4 @@ bool keeps_walls(const WallConstraints& constraints, const CandidatePath& path, 
 void append_wall_cuts(const WallConstraints& constraints, const CandidatePath& path,
                       const StepLaw& law, std::vector<HalfPlane>& half_planes);
 
-}  // namespace avo
+}  // namespace avo::inline certificate

@@ -8,7 +8,7 @@
 #include "core/plane.h"
 #include "robots/model.h"
 
-namespace avo {
+namespace avo::inline certificate {
 namespace {
 
 // Notes how long the one of that number cannot touch A, whose speed is at most v_max.
@@ -251,4 +251,4 @@ bool stops_in_time(const WayOptions& options, const Surroundings& around, const 
   });
 }
 
-}  // namespace avo
+}  // namespace avo::inline certificate

@@ -12,7 +12,7 @@
 #include "certificate/predicted.h"
 #include "walls/segment.h"
 
-namespace avo {
+namespace avo::inline certificate {
 
 /// A wall, as ways see it.
 struct KeptWall {
@@ -84,4 +84,4 @@ bool may_approach(const WayOptions& options, Surroundings& around, Vec2 w);
 bool stops_in_time(const WayOptions& options, const Surroundings& around, const WayState& now,
                    Vec2 next_velocity);
 
-}  // namespace avo
+}  // namespace avo::inline certificate

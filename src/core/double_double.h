@@ -4,7 +4,7 @@
 // products lose their second part.
 #pragma once
 
-namespace avo {
+namespace avo::inline core {
 
 /// high + low, |low| at most half of high's last bit.
 struct DoubleDouble {
@@ -63,4 +63,4 @@ constexpr DoubleDouble operator/(DoubleDouble a, DoubleDouble b) {
   return fast_two_sum(quotient, rest.high / b.high);
 }
 
-}  // namespace avo
+}  // namespace avo::inline core

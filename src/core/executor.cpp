@@ -14,6 +14,9 @@ namespace avo {
 
 Executor::~Executor() = default;
 
+}  // namespace avo
+
+namespace avo::inline core {
 namespace {
 
 // A task is begun by whoever sets its bit. Between two runs all bits are set, so that a host which
@@ -102,4 +105,4 @@ std::shared_ptr<Executor> counted(std::shared_ptr<Executor> host) {
   return std::make_shared<Counted>(std::move(host));
 }
 
-}  // namespace avo
+}  // namespace avo::inline core

@@ -9,7 +9,7 @@
 
 #include "avo/executor.h"
 
-namespace avo {
+namespace avo::inline core {
 
 /// One after the other, on the thread that asks for it.
 class SerialExecutor final : public Executor {
@@ -61,4 +61,4 @@ void parallel_for(Executor& executor, std::size_t count, const Body& body) {
   if (context.failed) std::rethrow_exception(context.reason);
 }
 
-}  // namespace avo
+}  // namespace avo::inline core

@@ -4,7 +4,7 @@
 #include <bit>
 #include <cstdint>
 
-namespace avo {
+namespace avo::inline core {
 
 /// The hash with one more word: finalizer of a 64-bit mixing generator, in which every input bit
 /// reaches every output bit. It is one-to-one in either argument, so that sequences of one length
@@ -21,4 +21,4 @@ inline std::uint64_t word_of(double number) {
   return std::bit_cast<std::uint64_t>(number);
 }
 
-}  // namespace avo
+}  // namespace avo::inline core

@@ -26,7 +26,7 @@ AVO_END_KERNELS
 #include "core/kernel_pass.h"
 #endif
 
-namespace avo {
+namespace avo::inline core {
 static constexpr auto kKernels = [] {
   KernelTable<AVO_KERNEL_STRUCT> table;
 #if AVO_TARGETS & HWY_AVX3
@@ -47,7 +47,7 @@ static constexpr auto kKernels = [] {
   table[SimdTarget::scalar] = &scalar::kKernels;
   return table;
 }();
-}  // namespace avo
+}  // namespace avo::inline core
 
 // what is included from here on belongs to none of these passes
 #undef AVO_KERNEL_HEADER

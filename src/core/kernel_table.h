@@ -16,7 +16,7 @@
 #define AVO_TARGETS 0
 #endif
 
-namespace avo {
+namespace avo::inline core {
 
 /// One struct of function pointers for each SimdTarget; null where this build has none.
 template <typename Kernels>
@@ -32,4 +32,4 @@ struct KernelTable {
   }
 };
 
-}  // namespace avo
+}  // namespace avo::inline core

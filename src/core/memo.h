@@ -6,7 +6,7 @@
 #include <memory>
 #include <utility>
 
-namespace avo {
+namespace avo::inline core {
 
 /// One value for each of a number of places. Several threads may ask at once: whoever comes first
 /// stores its own, so what make() returns has to be the same for all.
@@ -50,4 +50,4 @@ class Memo {
   std::unique_ptr<std::atomic<const T*>[]> values_;
 };
 
-}  // namespace avo
+}  // namespace avo::inline core

@@ -5,7 +5,7 @@
 #include <mutex>
 #endif
 
-namespace avo {
+namespace avo::inline core {
 
 #ifdef AVO_NO_THREADS
 struct Mutex {};
@@ -17,4 +17,4 @@ using Mutex = std::mutex;
 using Lock = std::lock_guard<std::mutex>;
 #endif
 
-}  // namespace avo
+}  // namespace avo::inline core

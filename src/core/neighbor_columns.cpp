@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-namespace avo {
+namespace avo::inline core {
 
 void NeighborColumns::grow(std::size_t size) {
   size = std::max(size, motion.size() + motion.size() / 2);
@@ -28,4 +28,4 @@ Neighbors in_columns(std::span<const Neighbor> neighbors, NeighborColumns& colum
   return {&columns, 0, neighbors.size()};
 }
 
-}  // namespace avo
+}  // namespace avo::inline core

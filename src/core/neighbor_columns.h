@@ -10,7 +10,7 @@
 
 #include "avo/robot.h"
 
-namespace avo {
+namespace avo::inline core {
 
 /// Columns have room for so many more entries than there are, which are read but do not count.
 inline constexpr std::size_t kSpareNeighbors = 16;
@@ -172,4 +172,4 @@ void list(const Neighbors& neighbors, std::vector<Neighbor>& listed);
 /// The neighbors given become the columns' only ones.
 Neighbors in_columns(std::span<const Neighbor> neighbors, NeighborColumns& columns);
 
-}  // namespace avo
+}  // namespace avo::inline core

@@ -7,7 +7,7 @@
 
 #include "avo/vec.h"
 
-namespace avo {
+namespace avo::inline core {
 
 inline constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
@@ -35,4 +35,4 @@ inline double length_1(Vec2 a) {
   return std::abs(a.x) + std::abs(a.y);
 }
 
-}  // namespace avo
+}  // namespace avo::inline core

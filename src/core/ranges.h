@@ -11,7 +11,7 @@
 #include "avo/error.h"
 #include "avo/vec.h"
 
-namespace avo {
+namespace avo::inline core {
 
 /// Lengths and limits whose squares, and those of what is made of them, do not underflow.
 inline constexpr double kSmallest = 1e-60;
@@ -94,4 +94,4 @@ void require(const Name& name, Vec2 value, std::string_view unit) {
   require(std::string(name) + ".1", value.y, kAnyValue, unit);
 }
 
-}  // namespace avo
+}  // namespace avo::inline core

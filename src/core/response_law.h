@@ -5,7 +5,7 @@
 
 #include "avo/planner.h"
 
-namespace avo {
+namespace avo::inline core {
 
 /// Of a change: any. Finite, so that nothing is undefined where nothing changes.
 inline constexpr double kUnlimited = std::numeric_limits<double>::max();
@@ -28,4 +28,4 @@ inline ResponseLaw response_law(const PlannerOptions& options) {
           .comfort_jerk = options.comfort_jerk.value_or(kUnlimited)};
 }
 
-}  // namespace avo
+}  // namespace avo::inline core

@@ -8,7 +8,7 @@
 
 #include "avo/error.h"
 
-namespace avo {
+namespace avo::inline core {
 
 #ifndef AVO_CANNOT_UNWIND
 
@@ -64,4 +64,4 @@ auto retelling(Action&& action, Tell&& tell) {
 
 #endif
 
-}  // namespace avo
+}  // namespace avo::inline core

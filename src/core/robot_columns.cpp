@@ -3,7 +3,7 @@
 
 #include <utility>
 
-namespace avo {
+namespace avo::inline core {
 namespace {
 
 template <typename Columns, typename Action>
@@ -68,4 +68,4 @@ void RobotColumns::swap(std::size_t i, std::size_t k) {
   if (!loiter.empty()) std::swap(loiter[i], loiter[k]);
 }
 
-}  // namespace avo
+}  // namespace avo::inline core

@@ -8,7 +8,7 @@
 #include "avo/robot.h"
 #include "core/neighbor_columns.h"
 
-namespace avo {
+namespace avo::inline core {
 
 /// Allocates only while it grows. Columns have room for kSpareNeighbors more entries than there
 /// are, which are read but do not count.
@@ -45,4 +45,4 @@ struct RobotColumns {
   Vec2 velocity(std::size_t i) const { return {v_x[i], v_y[i]}; }
 };
 
-}  // namespace avo
+}  // namespace avo::inline core

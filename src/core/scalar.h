@@ -21,10 +21,10 @@
 #define AVO_BEGIN_KERNELS namespace avo::scalar {
 #define AVO_END_KERNELS }
 
-namespace avo {
+namespace avo::inline core {
 /// As many doubles as any vector has.
 inline constexpr std::array<double, 8> kLaneNumbers{0, 1, 2, 3, 4, 5, 6, 7};
-}  // namespace avo
+}  // namespace avo::inline core
 
 namespace avo::scalar {
 

@@ -17,7 +17,7 @@
 #error "put -march into CMAKE_CXX_FLAGS: cmake/settings.cmake has to know of it to keep the bits"
 #endif
 
-namespace avo {
+namespace avo::inline core {
 namespace {
 
 constexpr std::array<const char*, kSimdTargets> kNames{"avx512", "avx2",    "sse4",
@@ -102,10 +102,6 @@ SimdTarget current_simd_target() {
   return static_cast<SimdTarget>(current());
 }
 
-const char* simd_target() {
-  return kNames[current()];
-}
-
 std::vector<const char*> simd_targets() {
   std::vector<const char*> names;
   for (std::size_t target = 0; target < kSimdTargets; ++target) {
@@ -119,6 +115,14 @@ bool use_simd_target(std::string_view name) {
   if (target == kSimdTargets || !is_here(target)) return false;
   current() = target;
   return true;
+}
+
+}  // namespace avo::inline core
+
+namespace avo {
+
+const char* simd_target() {
+  return kNames[current()];
 }
 
 void check_simd_target() {

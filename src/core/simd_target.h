@@ -8,7 +8,7 @@
 
 #include "avo/simd.h"
 
-namespace avo {
+namespace avo::inline core {
 
 /// Best first; scalar kernels run one pair or robot at a time, without Highway.
 enum class SimdTarget : std::uint8_t { avx512, avx2, sse4, neon, simd128, scalar };
@@ -23,4 +23,4 @@ std::vector<const char*> simd_targets();
 /// False and no change if there is none of that name here. Not while a kernel runs.
 bool use_simd_target(std::string_view name);
 
-}  // namespace avo
+}  // namespace avo::inline core

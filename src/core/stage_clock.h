@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 
-namespace avo {
+namespace avo::inline core {
 
 enum class Stage : std::uint8_t { index, search, half_planes, program, certificate, motion };
 inline constexpr std::array kStageNames{"index",   "search",      "half_planes",
@@ -42,4 +42,4 @@ class StageClock {
   std::array<double, kStageNames.size()> nanoseconds_{};
 };
 
-}  // namespace avo
+}  // namespace avo::inline core

@@ -13,7 +13,7 @@
 #include <immintrin.h>
 #endif
 
-namespace avo {
+namespace avo::inline core {
 namespace {
 
 // The bits of the gate. Counters of openings may wrap around: who slept through all of them sleeps
@@ -179,4 +179,4 @@ std::shared_ptr<Executor> make_executor(std::size_t workers) {
   return std::make_shared<ThreadPool>(workers);
 }
 
-}  // namespace avo
+}  // namespace avo::inline core

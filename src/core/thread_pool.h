@@ -10,7 +10,7 @@
 
 #include "core/executor.h"
 
-namespace avo {
+namespace avo::inline core {
 
 /// Processors that this process may use: those of its affinity mask, where the system has one.
 std::size_t usable_processors();
@@ -75,4 +75,4 @@ class ThreadPool final : public Executor {
   alignas(64) std::atomic<std::uint32_t> left_ = 0;  // changes when the last one leaves
 };
 
-}  // namespace avo
+}  // namespace avo::inline core

@@ -7,7 +7,7 @@
 
 #include "avo/trajectory.h"
 
-namespace avo {
+namespace avo::inline core {
 
 /// Of the places from `from` on, the index of the first one that is later than that; their number
 /// where there is none. Looks near `from` first.
@@ -39,4 +39,4 @@ inline Vec2 place_on(const Trajectory& trajectory, std::size_t later, double tim
   return a.position + ((time - a.time) / (b.time - a.time)) * (b.position - a.position);
 }
 
-}  // namespace avo
+}  // namespace avo::inline core

@@ -3,7 +3,7 @@
 #pragma once
 #include <limits>
 
-namespace avo {
+namespace avo::inline lp {
 
 constexpr double kUlp = std::numeric_limits<double>::epsilon();
 constexpr double kToleranceUlps = 8.0;
@@ -17,4 +17,4 @@ constexpr double kFarthest = 0x1p400;
 // that are nearly equal that must not look like "outside of both": the corner may be far away.
 constexpr double kRoundingOfSquares = 1.0 + 8.0 * kUlp;
 
-}  // namespace avo
+}  // namespace avo::inline lp

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-namespace avo {
+namespace avo::inline lp {
 namespace {
 
 using Real = Lens::Real;
@@ -49,4 +49,4 @@ double lens_support_min(Vec2 normal, const Lens& lens) noexcept {
   return dot(scalar::constant<Real>(normal), lens.scaled.origin + lowest).value / lens.scale;
 }
 
-}  // namespace avo
+}  // namespace avo::inline lp

@@ -5,7 +5,7 @@
 #include "avo/geometry.h"
 #include "lp/lens_kernel.h"
 
-namespace avo {
+namespace avo::inline lp {
 
 struct Lens {
   using Real = scalar::Pack<double>;
@@ -29,4 +29,4 @@ Vec2 nearest(const Lens& lens, Vec2 u) noexcept;
 /// for everything that the robot may choose. +infinity if the discs do not meet.
 double lens_support_min(Vec2 normal, const Lens& lens) noexcept;
 
-}  // namespace avo
+}  // namespace avo::inline lp

@@ -9,7 +9,7 @@
 #include "lp/lens.h"
 #include "lp/program_kernel.h"
 
-namespace avo {
+namespace avo::inline lp {
 namespace {
 
 using Real = scalar::Pack<double>;
@@ -77,4 +77,4 @@ ProgramResult nearest_point(std::span<const HalfPlane> planes, const Disc& accel
   return result;
 }
 
-}  // namespace avo
+}  // namespace avo::inline lp

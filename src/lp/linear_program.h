@@ -8,7 +8,7 @@
 #include "avo/geometry.h"
 #include "lp/program_columns.h"
 
-namespace avo {
+namespace avo::inline lp {
 
 enum class ProgramState : std::uint8_t {
   optimal,         ///< the point of all constraints nearest the preferred one, Eq. (23)
@@ -56,4 +56,4 @@ constexpr std::size_t program_rows(std::size_t planes) {
 ProgramResult nearest_point(std::span<const HalfPlane> planes, const Disc& acceleration,
                             double top_speed, Vec2 preferred, ProgramRows& scratch);
 
-}  // namespace avo
+}  // namespace avo::inline lp

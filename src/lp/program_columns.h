@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 
-namespace avo {
+namespace avo::inline lp {
 
 template <std::size_t kWidth>
 struct ProgramGroup {
@@ -35,4 +35,4 @@ constexpr std::size_t most_taken(std::size_t count) {
   return 2 * count + 2;
 }
 
-}  // namespace avo
+}  // namespace avo::inline lp

@@ -5,18 +5,18 @@
 #include <algorithm>
 #include <bit>
 
-namespace avo {
+namespace avo::inline lp {
 struct ProgramKernels {
   void (*solve)(Programs&, ProgramRow<kProgramLanes>*, bool);
 };
-}  // namespace avo
+}  // namespace avo::inline lp
 
 #define AVO_KERNEL_HEADER "lp/program_kernel.h"
 #define AVO_KERNEL_STRUCT ProgramKernels
 #define AVO_KERNEL_FUNCTIONS planar::solve_programs<Pack<double>>
 #include "core/kernel_passes.h"
 
-namespace avo {
+namespace avo::inline lp {
 namespace {
 
 using Group = ProgramGroup<kProgramLanes>;
@@ -142,4 +142,4 @@ void nearest_points(ProgramBatch& batch) {
   }
 }
 
-}  // namespace avo
+}  // namespace avo::inline lp

@@ -9,7 +9,7 @@
 #include "avo/geometry.h"
 #include "lp/program_columns.h"
 
-namespace avo {
+namespace avo::inline lp {
 
 /// Robots whose programs' numbers lie side by side: a multiple of every instruction set's lanes.
 inline constexpr std::size_t kProgramLanes = 16;
@@ -74,4 +74,4 @@ class ProgramBatch {
 /// state optimal or least_unsafe, bit for bit, by every instruction set.
 void nearest_points(ProgramBatch& batch);
 
-}  // namespace avo
+}  // namespace avo::inline lp

@@ -7,7 +7,7 @@
 
 #include "core/plane.h"
 
-namespace avo {
+namespace avo::inline metrics {
 
 namespace {
 
@@ -127,4 +127,4 @@ void collect_obstacles(const ObstacleView& now, const BodyStep& step,
   }
 }
 
-}  // namespace avo
+}  // namespace avo::inline metrics

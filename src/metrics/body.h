@@ -13,7 +13,7 @@
 #include "metrics/not_arrived.h"
 #include "metrics/separation.h"
 
-namespace avo {
+namespace avo::inline metrics {
 
 struct Body {
   std::uint64_t name = 0;  // id of a robot, index of an obstacle
@@ -69,4 +69,4 @@ inline double way_of(const Body& body) {
   return way_of(body.path);
 }
 
-}  // namespace avo
+}  // namespace avo::inline metrics

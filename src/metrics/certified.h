@@ -5,7 +5,7 @@
 
 #include "avo/scenario.h"
 
-namespace avo {
+namespace avo::inline metrics {
 
 /// Whether some robot keeps one.
 inline bool some_keep_certificate(const Scenario& scenario) {
@@ -14,4 +14,4 @@ inline bool some_keep_certificate(const Scenario& scenario) {
   });
 }
 
-}  // namespace avo
+}  // namespace avo::inline metrics

@@ -9,7 +9,7 @@
 #include <limits>
 #include <vector>
 
-namespace avo {
+namespace avo::inline metrics {
 
 /// What does not change of a robot.
 struct ClearanceDisc {
@@ -33,6 +33,9 @@ struct FleetGrid {
   }
 };
 
+}  // namespace avo::inline metrics
+
+namespace avo {
 namespace {
 
 constexpr double kNobody = std::numeric_limits<double>::infinity();

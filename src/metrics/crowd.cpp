@@ -6,7 +6,7 @@
 
 #include "core/plane.h"
 
-namespace avo {
+namespace avo::inline metrics {
 namespace {
 
 constexpr double kDanger = 0.2;  // m, between discs: nearer is danger
@@ -76,4 +76,4 @@ void Crowd::describe(RunMetrics& metrics) const {
   if (order_time_ > 0.0) metrics.order = order_ / order_time_;
 }
 
-}  // namespace avo
+}  // namespace avo::inline metrics

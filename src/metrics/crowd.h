@@ -8,7 +8,7 @@
 #include "metrics/voronoi.h"
 #include "neighbors/uniform_grid.h"
 
-namespace avo {
+namespace avo::inline metrics {
 
 /// As robots stand at the ends of steps.
 class Crowd {
@@ -32,4 +32,4 @@ class Crowd {
   VoronoiCell cell_;
 };
 
-}  // namespace avo
+}  // namespace avo::inline metrics

@@ -8,7 +8,7 @@
 #include "core/plane.h"
 #include "metrics/wall_contacts.h"
 
-namespace avo {
+namespace avo::inline metrics {
 namespace {
 
 constexpr double kSurely = 1.0 + 1e-9;  // of lengths
@@ -231,4 +231,4 @@ void Encounters::observe(std::span<const Sweep> sweeps,
   if (step.moves) collision_robot_steps += count_distinct(colliding_);
 }
 
-}  // namespace avo
+}  // namespace avo::inline metrics

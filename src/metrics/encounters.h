@@ -13,7 +13,7 @@
 #include "metrics/body.h"
 #include "neighbors/uniform_grid.h"
 
-namespace avo {
+namespace avo::inline metrics {
 
 /// The step that is observed.
 struct StepSpan {
@@ -73,4 +73,4 @@ struct Encounters {
   UniformGrid grid_;
 };
 
-}  // namespace avo
+}  // namespace avo::inline metrics

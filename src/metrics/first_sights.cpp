@@ -8,7 +8,7 @@
 #include "avo/assumptions.h"
 #include "metrics/certified.h"
 
-namespace avo {
+namespace avo::inline metrics {
 
 FirstSights::FirstSights(const Scenario& scenario) : certified_(some_keep_certificate(scenario)) {
   if (!certified_) return;
@@ -48,4 +48,4 @@ std::optional<std::int64_t> FirstSights::too_late() const {
   return certified_ ? std::optional(static_cast<std::int64_t>(late_.size())) : std::nullopt;
 }
 
-}  // namespace avo
+}  // namespace avo::inline metrics

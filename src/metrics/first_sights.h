@@ -10,7 +10,7 @@
 
 #include "avo/simulation.h"
 
-namespace avo {
+namespace avo::inline metrics {
 
 /// Pairs of which one comes into the other's sight after the start, and is not safe then
 /// (Planner::state() of these two alone).
@@ -34,4 +34,4 @@ class FirstSights {
   PlanWorkspace workspace_;
 };
 
-}  // namespace avo
+}  // namespace avo::inline metrics

@@ -7,7 +7,7 @@
 
 #include "avo/error.h"
 
-namespace avo {
+namespace avo::inline metrics {
 namespace {
 
 // Where a straight step crosses the line, as a part of the step. A center that is on the line is
@@ -49,4 +49,4 @@ void Flow::describe(RunMetrics& metrics) const {
   metrics.crossing_times = std::move(times);
 }
 
-}  // namespace avo
+}  // namespace avo::inline metrics

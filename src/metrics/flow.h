@@ -9,7 +9,7 @@
 #include "avo/metrics.h"
 #include "metrics/body.h"
 
-namespace avo {
+namespace avo::inline metrics {
 
 /// Each robot counts once, whichever way it goes: where the center of its disc first crosses.
 class Flow {
@@ -27,4 +27,4 @@ class Flow {
   std::vector<double> times_;  // s
 };
 
-}  // namespace avo
+}  // namespace avo::inline metrics

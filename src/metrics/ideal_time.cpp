@@ -7,7 +7,7 @@
 
 #include "core/plane.h"
 
-namespace avo {
+namespace avo::inline metrics {
 namespace {
 
 // A part of the way at one acceleration.
@@ -59,4 +59,4 @@ double ideal_time(const IdealTrip& trip) {
   return time;
 }
 
-}  // namespace avo
+}  // namespace avo::inline metrics

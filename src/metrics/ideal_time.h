@@ -2,7 +2,7 @@
 // How long a robot would take if it were alone (docs/metrics.md, "Ideal time").
 #pragma once
 
-namespace avo {
+namespace avo::inline metrics {
 
 /// A way from a start to a goal, and what drives along it.
 struct IdealTrip {
@@ -19,4 +19,4 @@ struct IdealTrip {
 /// or nothing of the speed is.
 double ideal_time(const IdealTrip& trip);
 
-}  // namespace avo
+}  // namespace avo::inline metrics

@@ -6,7 +6,7 @@
 
 #include "metrics/certified.h"
 
-namespace avo {
+namespace avo::inline metrics {
 
 MoverSights::MoverSights(const Scenario& scenario)
     : certified_(some_keep_certificate(scenario)),
@@ -64,4 +64,4 @@ std::optional<std::int64_t> MoverSights::evadable() const {
   return certified_ ? std::optional(evadable_) : std::nullopt;
 }
 
-}  // namespace avo
+}  // namespace avo::inline metrics

@@ -11,7 +11,7 @@
 
 #include "avo/simulation.h"
 
-namespace avo {
+namespace avo::inline metrics {
 
 /// Of each robot, the moving obstacles that it senses, and whether it had a way out from all that
 /// it sensed when each of them came into its sight, the last time (docs/metrics.md).
@@ -37,4 +37,4 @@ class MoverSights {
   PlanWorkspace workspace_;
 };
 
-}  // namespace avo
+}  // namespace avo::inline metrics

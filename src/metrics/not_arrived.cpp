@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <utility>
 
-namespace avo {
+namespace avo::inline metrics {
 namespace {
 
 constexpr double kStands = 0.05;      // of the preferred speed: slower is no motion
@@ -76,4 +76,4 @@ NotArrived LastSeen::describe(std::size_t robot, std::span<const RobotSetup> set
   return result;
 }
 
-}  // namespace avo
+}  // namespace avo::inline metrics

@@ -7,7 +7,7 @@
 
 #include "avo/metrics.h"
 
-namespace avo {
+namespace avo::inline metrics {
 
 /// A fleet as last seen, by ascending id, and the moving obstacles then.
 struct LastSeen {
@@ -29,4 +29,4 @@ struct LastSeen {
   [[nodiscard]] NotArrived describe(std::size_t robot, std::span<const RobotSetup> setups) const;
 };
 
-}  // namespace avo
+}  // namespace avo::inline metrics

@@ -9,7 +9,7 @@
 
 #include "core/elementary.h"
 
-namespace avo {
+namespace avo::inline metrics {
 namespace {
 
 // A piece of a path, in the hull of these points from its start to its end, and the fractions of
@@ -252,4 +252,4 @@ double first_below(const StepPath& a, const StepPath& b, double distance, double
   return high;
 }
 
-}  // namespace avo
+}  // namespace avo::inline metrics

@@ -7,7 +7,7 @@
 #include "avo/vec.h"
 #include "walls/segment.h"
 
-namespace avo {
+namespace avo::inline metrics {
 
 /// A path over one step as a cubic Bézier curve, m. Exact for held accelerations and for straight
 /// lines; Hermite interpolation of both ends' positions and velocities for anything else.
@@ -66,4 +66,4 @@ double separation(const ArcPath& path, const Segment& segment, double cutoff);
 /// `fraction`.
 double first_below(const StepPath& a, const StepPath& b, double distance, double fraction);
 
-}  // namespace avo
+}  // namespace avo::inline metrics

@@ -6,7 +6,7 @@
 #include "core/plane.h"
 #include "metrics/trips.h"
 
-namespace avo {
+namespace avo::inline metrics {
 namespace {
 
 constexpr double kPatience = 3.0;  // ideal times: no later is a success
@@ -86,4 +86,4 @@ void Trips::describe(RunMetrics& metrics) const {
   metrics.deadlock_time = deadlock.value();
 }
 
-}  // namespace avo
+}  // namespace avo::inline metrics

@@ -7,7 +7,7 @@
 #include "core/plane.h"
 #include "metrics/ideal_time.h"
 
-namespace avo {
+namespace avo::inline metrics {
 namespace {
 
 constexpr double kProgress = 0.01;     // of the preferred speed, nearer than ever: less is none
@@ -173,4 +173,4 @@ void Trips::add_touched(std::span<const std::uint64_t> robots) {
   }
 }
 
-}  // namespace avo
+}  // namespace avo::inline metrics

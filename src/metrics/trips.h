@@ -10,7 +10,7 @@
 
 #include "avo/metrics.h"
 
-namespace avo {
+namespace avo::inline metrics {
 
 /// The sorted values' one that more than the share of them does not exceed; 0 <= share < 1, and
 /// there is one. Orders the values anew.
@@ -85,4 +85,4 @@ class Trips {
   std::size_t arrived_ = 0;
 };
 
-}  // namespace avo
+}  // namespace avo::inline metrics

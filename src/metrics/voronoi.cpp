@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-namespace avo {
+namespace avo::inline metrics {
 
 void VoronoiCell::begin() {
   const double half = 0.5 * kCellRadius, rise = std::sqrt(3.0) * half;
@@ -34,4 +34,4 @@ double VoronoiCell::area() const {
   return 0.5 * twice;
 }
 
-}  // namespace avo
+}  // namespace avo::inline metrics

@@ -5,7 +5,7 @@
 
 #include "avo/vec.h"
 
-namespace avo {
+namespace avo::inline metrics {
 
 /// m, of the regular dodecagon beyond whose corners no cell reaches.
 inline constexpr double kCellRadius = 2.0;
@@ -21,4 +21,4 @@ struct VoronoiCell {
   [[nodiscard]] double area() const;  ///< m^2
 };
 
-}  // namespace avo
+}  // namespace avo::inline metrics

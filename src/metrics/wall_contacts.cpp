@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <limits>
 
-namespace avo {
+namespace avo::inline metrics {
 
 void WallContacts::observe(std::span<const Body> robots, const std::optional<Response>& response,
                            double time_step) {
@@ -45,4 +45,4 @@ void WallContacts::observe(std::span<const Body> robots, const std::optional<Res
   least_clearance = least;
 }
 
-}  // namespace avo
+}  // namespace avo::inline metrics

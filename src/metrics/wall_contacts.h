@@ -10,7 +10,7 @@
 #include "metrics/body.h"
 #include "metrics/wall_search.h"
 
-namespace avo {
+namespace avo::inline metrics {
 
 /// Contact begins at this part of the radii: less overlap than that is rounding.
 inline constexpr double kContact = 1e-9;
@@ -26,4 +26,4 @@ struct WallContacts {
                double time_step);
 };
 
-}  // namespace avo
+}  // namespace avo::inline metrics

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <utility>
 
-namespace avo {
+namespace avo::inline metrics {
 namespace {
 
 constexpr double kMostPieces = 1e5;     // besides one a wall
@@ -51,4 +51,4 @@ std::span<const std::size_t> WallSearch::near(Vec2 position) {
   return near_;
 }
 
-}  // namespace avo
+}  // namespace avo::inline metrics

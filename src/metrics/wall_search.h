@@ -8,7 +8,7 @@
 #include "avo/wall.h"
 #include "neighbors/uniform_grid.h"
 
-namespace avo {
+namespace avo::inline metrics {
 
 /// Walls in pieces, whose middles stand in a grid: it fits the walls and the distance.
 class WallSearch {
@@ -34,4 +34,4 @@ class WallSearch {
   std::vector<std::size_t> near_;
 };
 
-}  // namespace avo
+}  // namespace avo::inline metrics

@@ -13,7 +13,7 @@
 #include "core/plane.h"
 #include "navigation/path_search.h"
 
-namespace avo {
+namespace avo::inline navigation {
 namespace {
 
 bool are_equal(const Corner& one, const Corner& other) {
@@ -175,4 +175,4 @@ PathMap carried_map(const PathMap& map, std::uint32_t target, const CornerGraph&
   return left;
 }
 
-}  // namespace avo
+}  // namespace avo::inline navigation

@@ -10,7 +10,7 @@
 #include "navigation/path_map.h"
 #include "navigation/wall_changes.h"
 
-namespace avo {
+namespace avo::inline navigation {
 
 /// What of a graph is in the one among other walls.
 struct CarriedGraph {
@@ -32,4 +32,4 @@ std::vector<Zone> zones_for(const CarriedGraph& carried, const CornerGraph& grap
 PathMap carried_map(const PathMap& map, std::uint32_t target, const CornerGraph& before,
                     const CarriedGraph& carried, std::span<const Zone> changed);
 
-}  // namespace avo
+}  // namespace avo::inline navigation

@@ -6,7 +6,7 @@
 
 #include "walls/segment.h"
 
-namespace avo {
+namespace avo::inline navigation {
 namespace {
 
 constexpr double kMostColumns = 4096.0;  // in either direction
@@ -165,4 +165,4 @@ bool ClearanceGrid::is_clear(Vec2 p, Vec2 q, double room) const {
   return all_near(p, q, [&](std::size_t k) { return !is_in_the_way(walls_[k], p, q, room); });
 }
 
-}  // namespace avo
+}  // namespace avo::inline navigation

@@ -8,7 +8,7 @@
 
 #include "avo/wall.h"
 
-namespace avo {
+namespace avo::inline navigation {
 
 inline constexpr double kLengthRounding = 1e-9;  // of a length, more than is lost
 
@@ -77,4 +77,4 @@ bool ClearanceGrid::all_near(Vec2 p, Vec2 q, const Holds& holds) const {
   return true;
 }
 
-}  // namespace avo
+}  // namespace avo::inline navigation

@@ -9,7 +9,7 @@
 #include "core/plane.h"
 #include "navigation/corners.h"
 
-namespace avo {
+namespace avo::inline navigation {
 namespace {
 
 constexpr std::size_t kMostJoinedCorners = 10000;  // of more, edges would be too many
@@ -154,4 +154,4 @@ std::uint32_t point_at(const CornerGraph& graph, Vec2 place) {
   return found;
 }
 
-}  // namespace avo
+}  // namespace avo::inline navigation

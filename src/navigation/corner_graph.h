@@ -16,7 +16,7 @@
 #include "navigation/lattice.h"
 #include "navigation/view.h"
 
-namespace avo {
+namespace avo::inline navigation {
 
 struct CornerGraph {
   struct Edge {
@@ -90,4 +90,4 @@ void for_each_in_sight(const CornerGraph& graph, Vec2 place, double room, const 
 /// The point at exactly that place; the number of points where there is none.
 std::uint32_t point_at(const CornerGraph& graph, Vec2 place);
 
-}  // namespace avo
+}  // namespace avo::inline navigation

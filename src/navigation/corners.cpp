@@ -11,7 +11,7 @@
 #include "navigation/lattice.h"
 #include "walls/segment.h"
 
-namespace avo {
+namespace avo::inline navigation {
 namespace {
 
 constexpr double kPi = 0x1.921fb54442d18p+1;
@@ -221,4 +221,4 @@ double corner_range(const ClearanceGrid& grid) {
   return 4.0 * grid.reach();
 }
 
-}  // namespace avo
+}  // namespace avo::inline navigation

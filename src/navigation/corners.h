@@ -7,7 +7,7 @@
 #include "navigation/clearance_grid.h"
 #include "navigation/wall_changes.h"
 
-namespace avo {
+namespace avo::inline navigation {
 
 struct Corner {
   Vec2 point = {};
@@ -34,4 +34,4 @@ double corner_range(const ClearanceGrid& grid);
 /// m, from which the grid has to tell walls for corners().
 double corner_reach(double radius, double widest_wall);
 
-}  // namespace avo
+}  // namespace avo::inline navigation

@@ -7,7 +7,7 @@
 #include <queue>
 #include <utility>
 
-namespace avo {
+namespace avo::inline navigation {
 namespace {
 
 constexpr double kFarthest = 256.0;     // radii that a bend is handed on
@@ -106,4 +106,4 @@ void spread_field(const CornerGraph& graph, PathMap& map) {
   Wave(graph, map).spread();
 }
 
-}  // namespace avo
+}  // namespace avo::inline navigation

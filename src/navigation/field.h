@@ -5,9 +5,9 @@
 #include "navigation/corner_graph.h"
 #include "navigation/path_map.h"
 
-namespace avo {
+namespace avo::inline navigation {
 
 /// Fills length and next of a map whose goal is free, for a graph with a lattice.
 void spread_field(const CornerGraph& graph, PathMap& map);
 
-}  // namespace avo
+}  // namespace avo::inline navigation

@@ -5,7 +5,7 @@
 
 #include "walls/segment.h"
 
-namespace avo {
+namespace avo::inline navigation {
 namespace {
 
 Segment line_of(const Wall& wall) {
@@ -85,4 +85,4 @@ std::vector<FreeSpace::Winding> FreeSpace::windings(Vec2 p) const {
   return windings;
 }
 
-}  // namespace avo
+}  // namespace avo::inline navigation

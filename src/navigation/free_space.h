@@ -8,7 +8,7 @@
 #include "avo/wall.h"
 #include "navigation/clearance_grid.h"
 
-namespace avo {
+namespace avo::inline navigation {
 
 /// Where the center of a disc may be without overlapping a wall; contact is allowed.
 class FreeSpace {
@@ -45,4 +45,4 @@ class FreeSpace {
   std::vector<Link> rings_;  // each closes one ring with the tree
 };
 
-}  // namespace avo
+}  // namespace avo::inline navigation

@@ -9,7 +9,7 @@
 
 #include "walls/segment.h"
 
-namespace avo {
+namespace avo::inline navigation {
 namespace {
 
 constexpr double kSampling = 0.5;  // radii
@@ -206,4 +206,4 @@ GapPairs pair_gaps(const ClearanceGrid& grid, std::vector<Gap> gaps, const GapPa
   return pairing.find();
 }
 
-}  // namespace avo
+}  // namespace avo::inline navigation

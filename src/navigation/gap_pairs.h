@@ -8,7 +8,7 @@
 
 #include "navigation/gaps.h"
 
-namespace avo {
+namespace avo::inline navigation {
 
 /// Gaps, and pairs of them between which the way is nowhere wider.
 struct GapPairs {
@@ -24,4 +24,4 @@ GapPairs pair_gaps(const ClearanceGrid& grid, std::vector<Gap> gaps);
 GapPairs pair_gaps(const ClearanceGrid& grid, std::vector<Gap> gaps, const GapPairs& before,
                    const WallChanges& changes, const std::vector<std::uint32_t>& number);
 
-}  // namespace avo
+}  // namespace avo::inline navigation

@@ -12,7 +12,7 @@
 #include "navigation/pockets.h"
 #include "walls/segment.h"
 
-namespace avo {
+namespace avo::inline navigation {
 namespace {
 
 constexpr double kOneLane = 4.4;        // radii: two robots with a tenth of their size to each side
@@ -278,4 +278,4 @@ double most_clearance(const Gap& gap) {
   return 0.5 * (gap.two_lanes ? kTwoLanes : kOneLane) * gap.radius;
 }
 
-}  // namespace avo
+}  // namespace avo::inline navigation

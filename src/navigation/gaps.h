@@ -10,7 +10,7 @@
 #include "navigation/clearance_grid.h"
 #include "navigation/wall_changes.h"
 
-namespace avo {
+namespace avo::inline navigation {
 
 /// The straight line across a way where it is narrowest, between the surfaces of two walls.
 struct Gap {
@@ -53,4 +53,4 @@ double gap_reach(std::span<const double> radii, double widest_wall);
 /// m: a way with more clearance than this is no longer as narrow as the gap.
 double most_clearance(const Gap& gap);
 
-}  // namespace avo
+}  // namespace avo::inline navigation

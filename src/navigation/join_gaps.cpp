@@ -7,7 +7,7 @@
 #include <span>
 #include <utility>
 
-namespace avo {
+namespace avo::inline navigation {
 namespace {
 
 constexpr double kMouth = 1.3;  // radii: from the outermost gap to the mouth
@@ -114,4 +114,4 @@ std::vector<Passage> join_gaps(const GapPairs& pairs, std::vector<Wall>& lines,
   return Joiner(pairs).join(lines, passage_of);
 }
 
-}  // namespace avo
+}  // namespace avo::inline navigation

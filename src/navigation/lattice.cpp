@@ -6,7 +6,7 @@
 
 #include "walls/segment.h"
 
-namespace avo {
+namespace avo::inline navigation {
 namespace {
 
 // Of the radius. Below √2, no wall parts what is free in one cell.
@@ -132,4 +132,4 @@ std::optional<Sample> sample_in(const Lattice& lattice, std::size_t cell, const 
   return {};
 }
 
-}  // namespace avo
+}  // namespace avo::inline navigation

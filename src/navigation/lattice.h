@@ -10,7 +10,7 @@
 
 #include "navigation/clearance_grid.h"
 
-namespace avo {
+namespace avo::inline navigation {
 
 /// m, that ways keep from walls beyond the robot's radius, where there is room for it.
 inline constexpr double kSpareRoom = 0.05;
@@ -88,4 +88,4 @@ void Lattice::for_each_on_border(const Visit& visit) const {
   }
 }
 
-}  // namespace avo
+}  // namespace avo::inline navigation

@@ -8,7 +8,7 @@
 
 #include "core/plane.h"
 
-namespace avo {
+namespace avo::inline navigation {
 namespace {
 
 constexpr double kPassed = 0.3;        // of the radius: so near a corner counts as passed
@@ -292,4 +292,4 @@ double speed_limit(const Leg& leg, double max_acceleration) {
   return std::sqrt(leg.top * max_acceleration);
 }
 
-}  // namespace avo
+}  // namespace avo::inline navigation

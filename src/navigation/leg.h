@@ -10,7 +10,7 @@
 #include "navigation/path_map.h"
 #include "navigation/path_search.h"
 
-namespace avo {
+namespace avo::inline navigation {
 
 /// What a robot aims at next, and how.
 struct Leg {
@@ -45,4 +45,4 @@ PathMap way_from(const CornerGraph& graph, const PathMap& goal, std::uint32_t co
 /// m/s, from which the turns ahead can be made; none for the goal, where the last leg ends.
 double speed_limit(const Leg& leg, double max_acceleration);
 
-}  // namespace avo
+}  // namespace avo::inline navigation

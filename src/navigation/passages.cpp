@@ -12,7 +12,7 @@
 #include "navigation/join_gaps.h"
 #include "walls/segment.h"
 
-namespace avo {
+namespace avo::inline navigation {
 namespace {
 
 constexpr double kBeside = 0.5;     // radii: nearer to the walls nobody is in the way in
@@ -247,4 +247,4 @@ std::optional<Passages::Crossing> Passages::first_narrow(Vec2 p, Vec2 q) const {
   return two->part < one->part ? two : one;
 }
 
-}  // namespace avo
+}  // namespace avo::inline navigation

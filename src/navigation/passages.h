@@ -13,7 +13,7 @@
 #include "navigation/gap_pairs.h"
 #include "walls/segment.h"
 
-namespace avo {
+namespace avo::inline navigation {
 
 /// Where robots that want to enter a passage wait for those who come out: radii of the passage,
 /// from a mouth outwards, and from the axis.
@@ -125,4 +125,4 @@ void Passages::for_each_watched(Vec2 p, const Visit& visit) const {
   });
 }
 
-}  // namespace avo
+}  // namespace avo::inline navigation

@@ -10,7 +10,7 @@
 #include "core/plane.h"
 #include "navigation/field.h"
 
-namespace avo {
+namespace avo::inline navigation {
 namespace {
 
 constexpr double kTurnRoom = 0.3;  // of the radius: how far a robot may be carried off its way
@@ -128,4 +128,4 @@ PathMap path_map(const CornerGraph& graph, Vec2 goal, std::vector<Segment> close
   return map;
 }
 
-}  // namespace avo
+}  // namespace avo::inline navigation

@@ -13,7 +13,7 @@
 #include "navigation/corner_graph.h"
 #include "walls/segment.h"
 
-namespace avo {
+namespace avo::inline navigation {
 
 /// The ways to the goal from all points of a graph, or from those that one robot has asked for.
 /// What it tells of a point follows from the graph and the goal alone.
@@ -103,4 +103,4 @@ bool add_way(const CornerGraph& graph, std::uint32_t corner, const Known& known,
   return true;
 }
 
-}  // namespace avo
+}  // namespace avo::inline navigation

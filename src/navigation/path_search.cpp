@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <functional>
 
-namespace avo {
+namespace avo::inline navigation {
 namespace {
 
 constexpr std::ptrdiff_t kMostAround = 512;  // corners near it that a robot remembers
@@ -139,4 +139,4 @@ PathMap PathSearch::way_from(std::uint32_t target) const {
   return map;
 }
 
-}  // namespace avo
+}  // namespace avo::inline navigation

@@ -8,7 +8,7 @@
 
 #include "navigation/path_map.h"
 
-namespace avo {
+namespace avo::inline navigation {
 
 /// Memory to search with.
 struct PathScratch {
@@ -89,4 +89,4 @@ void PathSearch::settle(double limit, const Visit& visit) {
       scratch_.open.empty() ? std::numeric_limits<double>::infinity() : scratch_.open.front().first;
 }
 
-}  // namespace avo
+}  // namespace avo::inline navigation

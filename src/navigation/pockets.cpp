@@ -5,7 +5,7 @@
 #include <array>
 #include <numbers>
 
-namespace avo {
+namespace avo::inline navigation {
 namespace {
 
 constexpr double kFreeSight = 0.999;  // of the radius, on straight ways around a pocket
@@ -31,4 +31,4 @@ bool leads_into_pocket(const ClearanceGrid& grid, const Gap& gap) {
   return false;
 }
 
-}  // namespace avo
+}  // namespace avo::inline navigation

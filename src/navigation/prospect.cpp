@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-namespace avo {
+namespace avo::inline navigation {
 namespace {
 
 constexpr double kFarthestPassage =
@@ -145,4 +145,4 @@ bool has_room_for_two(const Passages& passages, const CornerGraph& graph, const 
   return has_room;
 }
 
-}  // namespace avo
+}  // namespace avo::inline navigation

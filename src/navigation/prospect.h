@@ -9,7 +9,7 @@
 #include "navigation/path_map.h"
 #include "navigation/right_of_way.h"
 
-namespace avo {
+namespace avo::inline navigation {
 
 struct Prospect {
   std::optional<Claim> claim;  // to the passage of one lane that it is in or comes to next
@@ -28,4 +28,4 @@ std::optional<Passages::Crossing> next_gap(const Passages& passages, const Corne
 bool has_room_for_two(const Passages& passages, const CornerGraph& graph, const PathMap& map,
                       Vec2 p, std::uint32_t target);
 
-}  // namespace avo
+}  // namespace avo::inline navigation

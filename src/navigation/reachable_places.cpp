@@ -10,7 +10,7 @@
 #include "core/hash.h"
 #include "navigation/wall_boundary.h"
 
-namespace avo {
+namespace avo::inline navigation {
 namespace {
 
 constexpr double kOff = 1e-6;   // of the radius: so much farther off walls than it must be
@@ -153,4 +153,4 @@ Vec2 ReachablePlaces::nearest_reached(Vec2 from, Vec2 goal) {
   return nearest_accepted(*start, goal, region, [](Vec2) { return true; }).value_or(from);
 }
 
-}  // namespace avo
+}  // namespace avo::inline navigation

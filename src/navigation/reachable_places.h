@@ -10,7 +10,7 @@
 
 #include "navigation/free_space.h"
 
-namespace avo {
+namespace avo::inline navigation {
 
 /// Remembers what it has found, so that whoever asks next is answered sooner.
 class ReachablePlaces {
@@ -50,4 +50,4 @@ class ReachablePlaces {
   std::unordered_map<std::uint64_t, std::vector<Place>> known_;  // by cell
 };
 
-}  // namespace avo
+}  // namespace avo::inline navigation

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <utility>
 
-namespace avo {
+namespace avo::inline navigation {
 namespace {
 
 constexpr double kMoves = 0.2;    // radii a second: slower is at rest
@@ -207,4 +207,4 @@ double lane_offset(const Passage& passage) {
   return std::max(0.5 * passage.half_width, std::min(kLane * passage.radius, free));
 }
 
-}  // namespace avo
+}  // namespace avo::inline navigation

@@ -10,7 +10,7 @@
 #include "avo/vec.h"
 #include "navigation/passages.h"
 
-namespace avo {
+namespace avo::inline navigation {
 
 /// Radii of a passage, from its mouths, from which right of way is claimed.
 inline constexpr double kClaimRange = 16.0;
@@ -57,4 +57,4 @@ Course right_of_way(const Passage& passage, const Claimant& robot, double brakin
 /// m, from the axis to the middle of the right-hand lane.
 double lane_offset(const Passage& passage);
 
-}  // namespace avo
+}  // namespace avo::inline navigation

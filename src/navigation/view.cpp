@@ -5,7 +5,7 @@
 #include <cmath>
 #include <cstdlib>
 
-namespace avo {
+namespace avo::inline navigation {
 namespace {
 
 constexpr std::size_t kInQuadrant = Horizons::kSectors / 4;
@@ -241,4 +241,4 @@ void ViewIndex::for_each_along(const Wall& wall, const Visit& visit) const {
   }
 }
 
-}  // namespace avo
+}  // namespace avo::inline navigation

@@ -13,7 +13,7 @@
 
 #include "avo/wall.h"
 
-namespace avo {
+namespace avo::inline navigation {
 
 /// How far one sees from a place.
 class Horizons {
@@ -145,4 +145,4 @@ void ViewIndex::for_each_near(Vec2 place, const Visit& visit) const {
   for (std::uint32_t p = first_point_[k]; p < first_point_[k + 1]; ++p) visit(point_[p]);
 }
 
-}  // namespace avo
+}  // namespace avo::inline navigation

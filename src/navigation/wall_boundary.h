@@ -8,7 +8,7 @@
 #include "avo/wall.h"
 #include "walls/segment.h"
 
-namespace avo {
+namespace avo::inline navigation {
 
 struct WallBoundary {
   Segment wall;                  // m
@@ -118,4 +118,4 @@ void visit_crossings(const WallBoundary& one, const WallBoundary& other, const V
   });
 }
 
-}  // namespace avo
+}  // namespace avo::inline navigation

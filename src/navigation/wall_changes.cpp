@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-namespace avo {
+namespace avo::inline navigation {
 namespace {
 
 constexpr std::size_t kMostChanged = 64;  // walls
@@ -73,4 +73,4 @@ double least_way_into(std::span<const Zone> zones, Vec2 p, Vec2 q) {
   return least;
 }
 
-}  // namespace avo
+}  // namespace avo::inline navigation

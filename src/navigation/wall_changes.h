@@ -9,7 +9,7 @@
 
 #include "avo/wall.h"
 
-namespace avo {
+namespace avo::inline navigation {
 
 struct Zone {
   Vec2 center;   // m
@@ -43,4 +43,4 @@ struct WallChanges {
   [[nodiscard]] std::vector<Zone> around(double reach) const;
 };
 
-}  // namespace avo
+}  // namespace avo::inline navigation

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-namespace avo {
+namespace avo::inline neighbors {
 
 void CellSort::resize(std::size_t table, std::size_t count) {
   begin.resize(table + 2);
@@ -38,4 +38,4 @@ SortedPart sort_part(std::span<const std::uint32_t> keys, std::size_t part, std:
   return result;
 }
 
-}  // namespace avo
+}  // namespace avo::inline neighbors

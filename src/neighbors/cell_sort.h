@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-namespace avo {
+namespace avo::inline neighbors {
 
 /// Points by slot of the table, then by index; those of key `table` come last.
 struct CellSort {
@@ -27,4 +27,4 @@ struct SortedPart {
 SortedPart sort_part(std::span<const std::uint32_t> keys, std::size_t part, std::size_t parts,
                      CellSort& sort);
 
-}  // namespace avo
+}  // namespace avo::inline neighbors

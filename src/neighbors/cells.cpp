@@ -5,7 +5,7 @@
 #include <bit>
 #include <limits>
 
-namespace avo {
+namespace avo::inline neighbors {
 namespace {
 
 constexpr double kLargest = std::numeric_limits<double>::max();
@@ -54,4 +54,4 @@ Cells make_cells(std::span<const Vec2> positions, double side) {
   return cells;
 }
 
-}  // namespace avo
+}  // namespace avo::inline neighbors

@@ -11,7 +11,7 @@
 #define AVO_KERNEL_FUNCTIONS find_candidates<Pack<double>, Pack<float>>
 #include "core/kernel_passes.h"
 
-namespace avo {
+namespace avo::inline neighbors {
 void SearchScratch::grow(std::size_t size) {
   size = std::max(size, order.size() + order.size() / 2);
   distance_squared.resize(size);
@@ -26,4 +26,4 @@ std::size_t search_within(const PlacedPoints& points, std::size_t enough, Search
   return kKernels->find_candidates(points, enough, scratch);
 }
 
-}  // namespace avo
+}  // namespace avo::inline neighbors

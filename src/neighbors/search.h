@@ -10,7 +10,7 @@
 #include "avo/vec.h"
 #include "neighbors/cells.h"
 
-namespace avo {
+namespace avo::inline neighbors {
 
 struct NeighborHit {
   double distance_squared = 0.0;  ///< m², between centers
@@ -88,4 +88,4 @@ struct SearchScratch {
 /// candidates; returns how many were. Positions are finite, near and guess at most far.
 std::size_t search_within(const PlacedPoints& points, std::size_t enough, SearchScratch& scratch);
 
-}  // namespace avo
+}  // namespace avo::inline neighbors

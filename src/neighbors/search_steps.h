@@ -12,7 +12,7 @@
 #include "core/scalar.h"
 #include "neighbors/search.h"
 
-namespace avo {
+namespace avo::inline neighbors {
 
 // Candidates that are not near are thinned out when so many more than twice the `most` are left.
 inline constexpr std::size_t kManyHits = 64;
@@ -132,4 +132,4 @@ struct SearchKernels {
   std::size_t (*find_candidates)(const PlacedPoints&, std::size_t, SearchScratch&);
 };
 
-}  // namespace avo
+}  // namespace avo::inline neighbors

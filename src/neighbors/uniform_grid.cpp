@@ -7,7 +7,7 @@
 
 #include "core/plane.h"
 
-namespace avo {
+namespace avo::inline neighbors {
 namespace {
 // Of the far radius: no search begins with less.
 constexpr double kLeastGuess = 0.0625;
@@ -133,4 +133,4 @@ std::span<const NeighborHit> UniformGrid::list(std::size_t query, SearchScratch&
   return scratch.hits;
 }
 
-}  // namespace avo
+}  // namespace avo::inline neighbors

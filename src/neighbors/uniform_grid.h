@@ -12,7 +12,7 @@
 #include "neighbors/cells.h"
 #include "neighbors/search.h"
 
-namespace avo {
+namespace avo::inline neighbors {
 
 /// Finds exactly those that comparing all pairs finds: |p_i - position|² <= radius² as computed in
 /// double, in canonical order. Positions that are not finite are never found.
@@ -66,4 +66,4 @@ class UniformGrid {
   std::vector<int> indices_;
 };
 
-}  // namespace avo
+}  // namespace avo::inline neighbors

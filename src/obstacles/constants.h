@@ -3,7 +3,7 @@
 #pragma once
 #include <cstddef>
 
-namespace avo {
+namespace avo::inline obstacles {
 
 // The most iterations of Newton's method; bisection alone would end by then.
 constexpr int kMaxIterations = 64;
@@ -36,4 +36,4 @@ constexpr double kContact = 1e-9;
 // m/s; slower is at rest.
 constexpr double kSlowest = 1e-100;
 
-}  // namespace avo
+}  // namespace avo::inline obstacles

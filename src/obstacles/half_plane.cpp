@@ -70,6 +70,10 @@ RelativeHalfPlane half_plane(const Pair& pair, double reach, const Horizon& hori
   return turned_back(local_half_plane(frame, horizon), frame, reach);
 }
 
+}  // namespace avo
+
+namespace avo::inline obstacles {
+
 RelativeHalfPlane parting_half_plane(double radius, Vec2 direction, double reach,
                                      const Horizon& horizon) noexcept {
   const double h = scalar::separating<Real>(radius, 0.0, reach, horizon).value;
@@ -84,4 +88,4 @@ RelativeHalfPlane searched_half_plane(const Pair& pair, double reach,
   return turned_back(searched_horn(frame.local, horizon), frame, reach);
 }
 
-}  // namespace avo
+}  // namespace avo::inline obstacles

@@ -8,7 +8,7 @@
 #include "obstacles/half_planes_kernel.h"
 #include "obstacles/horn.h"
 
-namespace avo {
+namespace avo::inline obstacles {
 struct HalfPlaneKernels {
   void (*solve)(const PairColumns&, const Horizon&, HalfPlaneWorkspace&, PlaneColumns&);
   void (*relate)(const RobotColumns&, const NeighborColumns&, std::span<const std::size_t>, double,
@@ -17,7 +17,7 @@ struct HalfPlaneKernels {
   void (*share_out)(const RobotColumns&, std::span<const std::size_t>, std::span<const double>,
                     double, std::span<const double>, const PlaneColumns&, SharedPlanes&);
 };
-}  // namespace avo
+}  // namespace avo::inline obstacles
 
 #define AVO_KERNEL_HEADER "obstacles/half_planes_kernel.h"
 #define AVO_KERNEL_HEADER_2 "obstacles/shares_kernel.h"
@@ -27,7 +27,7 @@ struct HalfPlaneKernels {
       share_out<Pack<double>>
 #include "core/kernel_passes.h"
 
-namespace avo {
+namespace avo::inline obstacles {
 namespace {
 
 // Equal centers, and what the general search of the horn is for.
@@ -106,4 +106,4 @@ void share_out(const RobotColumns& robots, std::span<const std::size_t> pair_end
   kKernels->share_out(robots, pair_end, raise, control_time, share, relative, shared);
 }
 
-}  // namespace avo
+}  // namespace avo::inline obstacles

@@ -10,7 +10,7 @@
 #include "avo/half_plane.h"
 #include "core/robot_columns.h"
 
-namespace avo {
+namespace avo::inline obstacles {
 
 /// Columns have room for so many more entries than there are, which are read but do not count.
 inline constexpr std::size_t kSparePairs = 16;
@@ -118,4 +118,4 @@ void share_out(const RobotColumns& robots, std::span<const std::size_t> pair_end
                std::span<const double> raise, double control_time, std::span<const double> share,
                const PlaneColumns& relative, SharedPlanes& shared);
 
-}  // namespace avo
+}  // namespace avo::inline obstacles

@@ -11,7 +11,7 @@
 #include <cmath>
 #include <utility>
 
-namespace avo {
+namespace avo::inline obstacles {
 namespace {
 
 using Real = scalar::Pack<double>;
@@ -178,4 +178,4 @@ scalar::HornPlane<Real> searched_horn(const scalar::Local<Real>& pair, const Hor
   return {scalar::least_support(hull), {true}, !(hull.disc_in_reach | hull.has_crossing[0])};
 }
 
-}  // namespace avo
+}  // namespace avo::inline obstacles

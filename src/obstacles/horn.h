@@ -7,7 +7,7 @@
 #include "avo/half_plane.h"
 #include "obstacles/half_planes_kernel.h"
 
-namespace avo {
+namespace avo::inline obstacles {
 
 /// Corners of the hull on one side of a horn: where that side crosses the circle |w| = R, in the
 /// order of walking along it with the obstacle on the right, by ascending time.
@@ -41,4 +41,4 @@ scalar::HornPlane<scalar::Pack<double>> searched_horn(
 RelativeHalfPlane searched_half_plane(const Pair& pair, double reach,
                                       const Horizon& horizon) noexcept;
 
-}  // namespace avo
+}  // namespace avo::inline obstacles

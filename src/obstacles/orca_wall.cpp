@@ -8,7 +8,7 @@
 #include "obstacles/constants.h"
 #include "obstacles/wall_pair.h"
 
-namespace avo {
+namespace avo::inline obstacles {
 namespace {
 
 struct Cone {
@@ -71,4 +71,4 @@ RelativeHalfPlane orca_wall_half_plane(const WallPair& pair, double time_horizon
   return {PairState::constrained, cone.least};
 }
 
-}  // namespace avo
+}  // namespace avo::inline obstacles

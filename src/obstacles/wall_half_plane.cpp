@@ -12,7 +12,7 @@
 #include "obstacles/wall_horn.h"
 #include "obstacles/wall_pair.h"
 
-namespace avo {
+namespace avo::inline obstacles {
 namespace {
 
 // As short as a time may be that rounding can tell from 0, of τ.
@@ -176,4 +176,4 @@ RelativeHalfPlane wall_half_plane(const WallPair& pair, double reach, const Hori
   return collision_course(pair, wall, reach, horizon);
 }
 
-}  // namespace avo
+}  // namespace avo::inline obstacles

@@ -6,7 +6,7 @@
 #include "avo/robot.h"
 #include "avo/wall.h"
 
-namespace avo {
+namespace avo::inline obstacles {
 
 /// A robot relative to a wall from a to b, as a Pair is relative to a robot.
 struct WallPair {
@@ -27,4 +27,4 @@ RelativeHalfPlane wall_half_plane(const WallPair& pair, double reach, const Hori
 /// The limit δ -> 0, reach -> infinity; orca_half_plane() where a == b.
 RelativeHalfPlane orca_wall_half_plane(const WallPair& pair, double time_horizon, double time_step);
 
-}  // namespace avo
+}  // namespace avo::inline obstacles

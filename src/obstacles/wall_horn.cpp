@@ -12,7 +12,7 @@
 #include "obstacles/horn.h"
 #include "obstacles/wall_pair.h"
 
-namespace avo {
+namespace avo::inline obstacles {
 namespace {
 
 using Real = scalar::Pack<double>;
@@ -170,4 +170,4 @@ RelativeHalfPlane wall_horn(const WallPair& pair, Vec2 separating, double reach,
   return {PairState::constrained, hull.least};
 }
 
-}  // namespace avo
+}  // namespace avo::inline obstacles

@@ -3,10 +3,10 @@
 #pragma once
 #include "obstacles/wall_half_plane.h"
 
-namespace avo {
+namespace avo::inline obstacles {
 
 /// separating: unit, with separating . v >= 0 and separating . (p - q) >= r for both ends q.
 RelativeHalfPlane wall_horn(const WallPair& pair, Vec2 separating, double reach,
                             const Horizon& horizon);
 
-}  // namespace avo
+}  // namespace avo::inline obstacles

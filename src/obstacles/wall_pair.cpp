@@ -5,7 +5,7 @@
 
 #include "obstacles/constants.h"
 
-namespace avo {
+namespace avo::inline obstacles {
 namespace {
 
 // The ray, not only its line, runs through an inner point of the segment.
@@ -59,4 +59,4 @@ Pair pair_in_contact(const WallPair& pair, Vec2 away) {
   return {(sign * kContact * pair.radius) * n, pair.velocity, pair.radius};
 }
 
-}  // namespace avo
+}  // namespace avo::inline obstacles

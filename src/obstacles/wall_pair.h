@@ -5,7 +5,7 @@
 
 #include "obstacles/wall_half_plane.h"
 
-namespace avo {
+namespace avo::inline obstacles {
 
 /// [p - q] m for both ends q.
 inline std::array<Vec2, 2> ends_of(const WallPair& pair) {
@@ -30,4 +30,4 @@ Facing facing(const WallPair& pair);
 /// center is on it, across it to the side that it moves to.
 Pair pair_in_contact(const WallPair& pair, Vec2 away);
 
-}  // namespace avo
+}  // namespace avo::inline obstacles

@@ -21,8 +21,7 @@
 #include "planner/validity.h"
 #include "robots/model.h"
 
-namespace avo {
-
+namespace avo::inline planner {
 namespace {
 
 // What method avo does towards movers, which leave all of it to A (docs/movers.md, "Towards
@@ -103,6 +102,10 @@ Plan decide_among_obstacles(const Planner& planner, const Robot& robot,
     plan.neighbor = index_in(given, obstacles[static_cast<std::size_t>(plan.neighbor)]);
   return plan;
 }
+
+}  // namespace avo::inline planner
+
+namespace avo {
 
 Plan Planner::plan_among_obstacles(const Robot& robot, std::span<const Neighbor> obstacles,
                                    PlanWorkspace& workspace) const {

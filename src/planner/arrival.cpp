@@ -8,7 +8,7 @@
 
 #include "planner/arrival_kernel.h"
 
-namespace avo {
+namespace avo::inline planner {
 
 namespace {
 
@@ -166,4 +166,4 @@ void turn_back(Detour& detour, const Robot& robot, double time_step) {
   detour.angle = std::max(static_cast<float>(detour.angle - turn), 0.0F);
 }
 
-}  // namespace avo
+}  // namespace avo::inline planner

@@ -6,7 +6,7 @@
 #include "avo/planner.h"
 #include "avo/robot.h"
 
-namespace avo {
+namespace avo::inline planner {
 
 inline constexpr double kMostKeepRight = 30.0 * (3.14159265358979323846 / 180.0);  // rad
 inline constexpr double kCongestion = 2.8;  // robots right ahead that make the way fully congested
@@ -75,4 +75,4 @@ bool may_detour(const Robot& robot);
 void turn_off(Detour& detour, const Robot& robot, double time_step, bool among_walls);
 void turn_back(Detour& detour, const Robot& robot, double time_step);
 
-}  // namespace avo
+}  // namespace avo::inline planner

@@ -11,7 +11,7 @@
 #include "planner/decision.h"
 #include "walls/segment.h"
 
-namespace avo {
+namespace avo::inline planner {
 namespace {
 
 constexpr double kRounding = 0x1p-40;  // of coordinates and lengths, more than all that is lost
@@ -129,4 +129,4 @@ bool is_beside(const Robot& robot, std::span<const Wall> walls, const StepLaw& l
   });
 }
 
-}  // namespace avo
+}  // namespace avo::inline planner

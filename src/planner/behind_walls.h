@@ -8,7 +8,7 @@
 #include "certificate/braking_path.h"
 #include "planner/tile.h"
 
-namespace avo {
+namespace avo::inline planner {
 
 /// Takes out of the robots' neighbors whoever decides as well and is behind a wall, so that neither
 /// can come round an end of it before both have stopped. Only walls that the robot itself could
@@ -23,4 +23,4 @@ bool is_hidden(const Robot& robot, const Neighbor& neighbor, std::span<const Wal
 /// Whether the robot at its max_speed could come to touch any of them, by one step and braking.
 bool is_beside(const Robot& robot, std::span<const Wall> walls, const StepLaw& law);
 
-}  // namespace avo
+}  // namespace avo::inline planner

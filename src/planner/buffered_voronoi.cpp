@@ -13,7 +13,7 @@
 #include "planner/pair_planes.h"
 #include "planner/scratch.h"
 
-namespace avo {
+namespace avo::inline planner {
 namespace {
 
 constexpr double kStuck = 0.1;  // of the radius: nearer to the point of its cell it is stuck there
@@ -118,4 +118,4 @@ void wish_within_cells(const PlannerOptions& options, const RobotColumns& robots
   }
 }
 
-}  // namespace avo
+}  // namespace avo::inline planner

@@ -7,7 +7,7 @@
 #include "avo/planner.h"
 #include "core/robot_columns.h"
 
-namespace avo {
+namespace avo::inline planner {
 
 /// One side of A's cell: { x : n . (x - p_A) <= gap }.
 struct CellSide {
@@ -36,4 +36,4 @@ std::optional<NeighborPlane> cell_half_plane(const PlannerOptions& options, cons
 void wish_within_cells(const PlannerOptions& options, const RobotColumns& robots,
                        PlanWorkspace::Scratch& scratch);
 
-}  // namespace avo
+}  // namespace avo::inline planner

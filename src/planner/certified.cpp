@@ -9,7 +9,7 @@
 #include "lp/linear_program.h"
 #include "robots/model.h"
 
-namespace avo {
+namespace avo::inline planner {
 namespace {
 
 // Each round cuts off the last proposal; more of them find hardly anything nearer.
@@ -229,4 +229,4 @@ CertifiedChoice choose_certified(const Robot& robot, Vec2 wanted, const Certific
                                                     : choose_by_cuts(proposals);
 }
 
-}  // namespace avo
+}  // namespace avo::inline planner

@@ -7,7 +7,7 @@
 #include "certificate/certificate.h"
 #include "lp/linear_program.h"
 
-namespace avo {
+namespace avo::inline planner {
 
 /// Covers rounding of what is within the limits, squared.
 inline constexpr double kLimitRounding = 1.0 + 0x1p-49;
@@ -45,4 +45,4 @@ CertifiedChoice choose_certified(const Robot& robot, Vec2 wanted, const Certific
 bool may_choose(const Robot& robot, Vec2 next_velocity, const CertificateLaw& law,
                 CertifiedWorkspace& workspace);
 
-}  // namespace avo
+}  // namespace avo::inline planner

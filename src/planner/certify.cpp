@@ -16,7 +16,7 @@
 #include "planner/state.h"
 #include "robots/model.h"
 
-namespace avo {
+namespace avo::inline planner {
 
 CertificateLaw certificate_law(const Planner& planner) {
   const PlannerOptions& options = planner.options();
@@ -214,4 +214,4 @@ Plan certify_among_movers(const Planner& planner, const Robot& robot,
   return plan;
 }
 
-}  // namespace avo
+}  // namespace avo::inline planner

@@ -9,7 +9,7 @@
 #include "planner/execution.h"
 #include "planner/passive_obstacles.h"
 
-namespace avo {
+namespace avo::inline planner {
 
 /// What the planner's robots have agreed on.
 CertificateLaw certificate_law(const Planner& planner);
@@ -31,4 +31,4 @@ Plan certify_among_movers(const Planner& planner, const Robot& robot,
                           const PassiveChoice& target, bool overlapping,
                           PlanWorkspace::Scratch& scratch);
 
-}  // namespace avo
+}  // namespace avo::inline planner

@@ -10,7 +10,7 @@
 #include "planner/demands.h"
 #include "robots/model.h"
 
-namespace avo {
+namespace avo::inline planner {
 namespace {
 
 // One by one: those that lanes leave out, and robots that decide alone.
@@ -104,4 +104,4 @@ void keep_to_demands(const Planner& planner, const Tile& tile, PlanWorkspace::Sc
   }
 }
 
-}  // namespace avo
+}  // namespace avo::inline planner

@@ -10,7 +10,7 @@
 #include "planner/scratch.h"
 #include "planner/tile.h"
 
-namespace avo {
+namespace avo::inline planner {
 
 /// Eq. (23) of each, in scratch.decisions.
 void solve_programs(const Planner& planner, const RobotColumns& robots,
@@ -31,4 +31,4 @@ std::span<const HalfPlane> collect_hard_and_soft(const Planner& planner, const R
 /// neighbors yield.
 void keep_to_demands(const Planner& planner, const Tile& tile, PlanWorkspace::Scratch& scratch);
 
-}  // namespace avo
+}  // namespace avo::inline planner

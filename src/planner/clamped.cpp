@@ -5,7 +5,7 @@
 
 #include "core/plane.h"
 
-namespace avo {
+namespace avo::inline planner {
 
 Plan clamped(const Planner& planner, const Robot& robot, const Plan& plan,
              std::span<const HalfPlane> half_planes) {
@@ -32,4 +32,4 @@ PassiveChoice clamped(const PassiveChoice& choice, const Robot& robot, double ti
   return result;
 }
 
-}  // namespace avo
+}  // namespace avo::inline planner

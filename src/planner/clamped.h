@@ -7,7 +7,7 @@
 #include "planner/decision.h"
 #include "planner/passive_obstacles.h"
 
-namespace avo {
+namespace avo::inline planner {
 
 /// The plan of ORCA, its v' brought within a_max Δt of v: the velocity at the end of a step of held
 /// acceleration. Its violation is then the most by which that leaves a neighbor's half-plane.
@@ -18,4 +18,4 @@ Plan clamped(const Planner& planner, const Robot& robot, const Plan& plan,
 PassiveChoice clamped(const PassiveChoice& choice, const Robot& robot, double time_step,
                       std::span<const Limit> limits);
 
-}  // namespace avo
+}  // namespace avo::inline planner

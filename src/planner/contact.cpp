@@ -8,7 +8,7 @@
 #include "core/plane.h"
 #include "walls/segment.h"
 
-namespace avo {
+namespace avo::inline planner {
 namespace {
 
 // m, that each needs to stop: what its velocity is rounded by counts for so long.
@@ -115,4 +115,4 @@ int index_in(std::span<const Neighbor> given, const Neighbor& neighbor) {
   return found == given.end() ? -1 : static_cast<int>(found - given.begin());
 }
 
-}  // namespace avo
+}  // namespace avo::inline planner

@@ -9,7 +9,7 @@
 #include "certificate/deepest.h"
 #include "core/neighbor_columns.h"
 
-namespace avo {
+namespace avo::inline planner {
 
 /// One that a robot touches, or comes to touch while all fall back.
 struct Contact {
@@ -36,4 +36,4 @@ void tell(const Contact& contact, Plan& plan);
 /// Index of the neighbor in the list that it is from.
 int index_in(std::span<const Neighbor> given, const Neighbor& neighbor);
 
-}  // namespace avo
+}  // namespace avo::inline planner

@@ -10,7 +10,7 @@
 #include "lp/linear_program.h"
 #include "robots/model.h"
 
-namespace avo {
+namespace avo::inline planner {
 
 /// How many of the neighbors, the nearest, get a half-plane.
 inline std::size_t planned_with(const PlannerOptions& options, std::size_t neighbors) {
@@ -104,4 +104,4 @@ Plan decide_among_obstacles(const Planner& planner, const Robot& robot,
                             std::span<const Neighbor> obstacles, std::span<const Wall> walls,
                             PlanWorkspace::Scratch& scratch);
 
-}  // namespace avo
+}  // namespace avo::inline planner

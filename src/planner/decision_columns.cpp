@@ -4,13 +4,13 @@
 
 #include <algorithm>
 
-namespace avo {
+namespace avo::inline planner {
 struct ArrivalKernels {
   void (*look_around)(const RobotColumns&, DecisionColumns&);
   void (*keep_right)(const RobotColumns&, DecisionColumns&);
   void (*decide_freely)(const StepLaw&, const Execution&, const RobotColumns&, DecisionColumns&);
 };
-}  // namespace avo
+}  // namespace avo::inline planner
 
 #define AVO_KERNEL_HEADER "planner/arrival_kernel.h"
 #define AVO_KERNEL_STRUCT ArrivalKernels
@@ -18,7 +18,7 @@ struct ArrivalKernels {
   look_around<Pack<double>>, keep_right<Pack<double>>, decide_freely<Pack<double>>
 #include "core/kernel_passes.h"
 
-namespace avo {
+namespace avo::inline planner {
 void look_around(const RobotColumns& robots, DecisionColumns& columns) {
   kKernels->look_around(robots, columns);
 }
@@ -44,4 +44,4 @@ void DecisionColumns::reserve(std::size_t robots) {
   }
 }
 
-}  // namespace avo
+}  // namespace avo::inline planner

@@ -11,7 +11,7 @@
 #include "planner/arrival.h"
 #include "planner/execution.h"
 
-namespace avo {
+namespace avo::inline planner {
 
 /// One entry a robot. Scratch memory; allocates only while it grows.
 struct DecisionColumns {
@@ -58,4 +58,4 @@ void keep_right(const RobotColumns& robots, DecisionColumns& columns);
 void decide_freely(const StepLaw& law, const Execution& execution, const RobotColumns& robots,
                    DecisionColumns& columns);
 
-}  // namespace avo
+}  // namespace avo::inline planner

@@ -13,7 +13,7 @@
 #include "robots/model.h"
 #include "walls/segment.h"
 
-namespace avo {
+namespace avo::inline planner {
 
 // With k whole steps of u and a fraction f of one, V = (k + f) u and
 // V Δt + l(V) = u [Δt k (k + 1)/2 + k s + f (Δt (k + 1) + s)]: a quadratic in k, linear in f.
@@ -116,4 +116,4 @@ bool is_kept(const Demands& demands, Vec2 v_new) {
                      [&](const HalfPlane& plane) { return violation(plane, v_new) <= 0.0; });
 }
 
-}  // namespace avo
+}  // namespace avo::inline planner

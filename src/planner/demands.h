@@ -14,7 +14,7 @@
 #include "avo/wall.h"
 #include "certificate/braking_path.h"
 
-namespace avo {
+namespace avo::inline planner {
 
 /// Whether half-planes of walls are about the speed towards them alone.
 constexpr bool slows_before_walls(Method method) {
@@ -63,4 +63,4 @@ void collect_demands(const Planner& planner, const Robot& robot, std::span<const
 /// Whether v' keeps to them, as far as that is possible at all.
 bool is_kept(const Demands& demands, Vec2 v_new);
 
-}  // namespace avo
+}  // namespace avo::inline planner

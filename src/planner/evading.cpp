@@ -8,7 +8,7 @@
 #include "planner/arrival.h"
 #include "robots/model.h"
 
-namespace avo {
+namespace avo::inline planner {
 namespace {
 
 constexpr double kLongestWay = 2.0;      // T, until a way brakes,
@@ -164,4 +164,4 @@ void keep_walls(Evading& evading) {
   if (!kept.empty()) evading.options.known = reach;
 }
 
-}  // namespace avo
+}  // namespace avo::inline planner

@@ -11,7 +11,7 @@
 #include "planner/certified.h"
 #include "planner/decision.h"
 
-namespace avo {
+namespace avo::inline planner {
 
 /// Scratch memory; allocates only while it grows.
 struct EvasionWorkspace {
@@ -73,4 +73,4 @@ void look_around(Evading& evading, const Level& level);
 /// ways stay within that reach.
 void keep_walls(Evading& evading);
 
-}  // namespace avo
+}  // namespace avo::inline planner

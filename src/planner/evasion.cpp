@@ -11,7 +11,7 @@
 #include "planner/certify.h"
 #include "robots/model.h"
 
-namespace avo {
+namespace avo::inline planner {
 namespace {
 
 constexpr int kNearer = 4;  // bisections
@@ -318,4 +318,4 @@ int find_evaded(const CertificateLaw& law, const Robot& robot, std::span<const N
   return evaded;
 }
 
-}  // namespace avo
+}  // namespace avo::inline planner

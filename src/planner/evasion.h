@@ -5,7 +5,7 @@
 
 #include "planner/evading.h"
 
-namespace avo {
+namespace avo::inline planner {
 
 /// Replaces a plan of method avo that leaves no way out by the nearest first step of a way, where
 /// there is one. Airplanes, and robots without a certificate, have the plan that they have.
@@ -23,4 +23,4 @@ bool has_way_out(const CertificateLaw& law, const Robot& robot, const Sight& sig
 int find_evaded(const CertificateLaw& law, const Robot& robot, std::span<const Neighbor> neighbors,
                 Vec2 put_aside, EvasionWorkspace& workspace);
 
-}  // namespace avo
+}  // namespace avo::inline planner

@@ -7,7 +7,7 @@
 #include "planner/certify.h"
 #include "planner/execution_kernel.h"
 
-namespace avo {
+namespace avo::inline planner {
 Execution execution_of(const Planner& planner, bool remembers) {
   return {.law = response_law(planner.options()),
           .braking_time = certificate_law(planner).step.braking_time,
@@ -57,4 +57,4 @@ void remember(const Plan& plan, Detour& detour) {
   detour.acceleration_y = static_cast<float>(plan.acceleration.y);
 }
 
-}  // namespace avo
+}  // namespace avo::inline planner

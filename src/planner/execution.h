@@ -6,7 +6,7 @@
 #include "avo/robot.h"
 #include "core/response_law.h"
 
-namespace avo {
+namespace avo::inline planner {
 
 /// What is common to all robots of a planner.
 struct Execution {
@@ -39,4 +39,4 @@ bool is_landing(const Robot& robot, const Haste& haste, const Execution& executi
 /// For the next step. Whoever overrules a plan has it remembered anew.
 void remember(const Plan& plan, Detour& detour);
 
-}  // namespace avo
+}  // namespace avo::inline planner

@@ -9,7 +9,7 @@
 #include "planner/certify.h"
 #include "robots/ahead.h"
 
-namespace avo {
+namespace avo::inline planner {
 namespace {
 
 constexpr double kSpeedOff = 1e-9;   // of a limit of the speed, by rounding
@@ -147,4 +147,4 @@ Robot with_circle(const Robot& robot) {
   return on_circle;
 }
 
-}  // namespace avo
+}  // namespace avo::inline planner

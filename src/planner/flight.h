@@ -7,7 +7,7 @@
 #include "certificate/footprints.h"
 #include "planner/decision.h"
 
-namespace avo {
+namespace avo::inline planner {
 
 /// What an airplane flies towards.
 struct FlightTarget {
@@ -38,4 +38,4 @@ bool allows_loiterers(const PlannerOptions& options);
 /// The robot with the circle that it is on.
 Robot with_circle(const Robot& robot);
 
-}  // namespace avo
+}  // namespace avo::inline planner

@@ -12,7 +12,7 @@
 #include "planner/validity.h"
 #include "robots/model.h"
 
-namespace avo {
+namespace avo::inline planner {
 namespace {
 
 // v' that comes to rest within the step if the limits allow, and otherwise brakes straight along
@@ -90,4 +90,4 @@ Plan with_next_velocity(const Planner& planner, const Robot& robot, Plan plan) {
   return plan;
 }
 
-}  // namespace avo
+}  // namespace avo::inline planner

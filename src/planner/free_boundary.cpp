@@ -6,7 +6,7 @@
 #include <array>
 #include <cmath>
 
-namespace avo {
+namespace avo::inline planner {
 namespace {
 
 constexpr int kSidePoints = 16;
@@ -174,4 +174,4 @@ void append_boundary(int k, const Disc& acceleration, const Disc& speed,
   sampler.add_parts(kSegmentPieces);
 }
 
-}  // namespace avo
+}  // namespace avo::inline planner

@@ -7,7 +7,7 @@
 
 #include "planner/free_limits.h"
 
-namespace avo {
+namespace avo::inline planner {
 
 /// A part of a boundary: a side of an obstacle by time, an arc or a segment by the part of it.
 struct Curve {
@@ -48,4 +48,4 @@ struct PassiveWorkspace {
 void append_boundary(int k, const Disc& acceleration, const Disc& speed,
                      PassiveWorkspace& workspace);
 
-}  // namespace avo
+}  // namespace avo::inline planner

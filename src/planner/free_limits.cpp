@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-namespace avo {
+namespace avo::inline planner {
 namespace {
 
 constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
@@ -127,4 +127,4 @@ void append_limit(const Disc& disc, std::vector<Limit>& limits) {
   limits.push_back(limit);
 }
 
-}  // namespace avo
+}  // namespace avo::inline planner

@@ -7,7 +7,7 @@
 #include "avo/geometry.h"
 #include "avo/velocity_obstacle.h"
 
-namespace avo {
+namespace avo::inline planner {
 
 /// A mover B as an obstacle to v'_A: v'_A - v_new_B must not lie in `obstacle`.
 struct PassiveObstacle {
@@ -72,4 +72,4 @@ double last_time(double high, const Holds& holds) {
   return low;
 }
 
-}  // namespace avo
+}  // namespace avo::inline planner

@@ -5,7 +5,7 @@
 
 #include "avo/planner.h"
 
-namespace avo {
+namespace avo::inline planner {
 
 inline constexpr double kMarginFades =
     4.0;  // radii, of the goal: none within, all within twice that
@@ -28,4 +28,4 @@ inline double margin_in_gap(double margin, double gap) {
   return std::min(margin, std::max(kMarginOfGap * gap, 0.0));
 }
 
-}  // namespace avo
+}  // namespace avo::inline planner

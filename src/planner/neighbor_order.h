@@ -10,7 +10,7 @@
 #include "planner/decision.h"
 #include "planner/scratch.h"
 
-namespace avo {
+namespace avo::inline planner {
 
 inline double distance_squared(const Robot& robot, const Neighbor& neighbor) {
   return norm_squared(neighbor.position - robot.position);
@@ -42,4 +42,4 @@ inline std::span<const Neighbor> nearest_first(const Robot& robot,
   return scratch.ordered;
 }
 
-}  // namespace avo
+}  // namespace avo::inline planner

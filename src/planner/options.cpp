@@ -113,6 +113,10 @@ double response_time_of(const PlannerOptions& options, double max_speed, double 
   return scalar::response_time<Real>(max_speed, max_acceleration, used, law).value;
 }
 
+}  // namespace avo
+
+namespace avo::inline planner {
+
 void validate(const PlannerOptions& options, const std::string& prefix) {
   require(prefix + "time_step", options.time_step, kPositive, "s");
   require(prefix + "control_time", options.control_time, kPositive, "s");
@@ -140,4 +144,4 @@ void validate(const PlannerOptions& options, const std::string& prefix) {
   require(prefix + "sensing_noise.quantile", quantile, kNotNegative, "");
 }
 
-}  // namespace avo
+}  // namespace avo::inline planner

@@ -8,7 +8,7 @@
 #include "avo/planner.h"
 #include "avo/scenario.h"
 
-namespace avo {
+namespace avo::inline planner {
 
 /// What the values of an enum are called in scene files, in their order. Hidden by itself: the
 /// instances of public enums would be exported.
@@ -50,4 +50,4 @@ const char* name_of(Choice choice) {
 /// Throws Error naming the first option out of range, with the prefix.
 void validate(const PlannerOptions& options, const std::string& prefix);
 
-}  // namespace avo
+}  // namespace avo::inline planner

@@ -8,7 +8,7 @@
 #include "planner/buffered_voronoi.h"
 #include "planner/margin.h"
 
-namespace avo {
+namespace avo::inline planner {
 
 bool parts(const Neighbor& neighbor) {
   return neighbor.parting != Vec2{} && shares(neighbor);
@@ -104,4 +104,4 @@ std::optional<NeighborPlane> own_half_plane(const PlannerOptions& options, const
   return share_of(options, robot, neighbor, index, plane);
 }
 
-}  // namespace avo
+}  // namespace avo::inline planner

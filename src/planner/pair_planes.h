@@ -9,7 +9,7 @@
 #include "avo/robot.h"
 #include "obstacles/half_planes.h"
 
-namespace avo {
+namespace avo::inline planner {
 
 /// The pair as Eqs. (2), (3) see it: p_AB, v_AB, r_AB.
 Pair relative(const Robot& robot, const Neighbor& neighbor);
@@ -43,4 +43,4 @@ double share_of_plane(double h, double a_A, double a_B, double priority_A, doubl
 /// v'_B = v_B + δ a_B).
 double mover_offset(const PlannerOptions& options, const Neighbor& neighbor, Vec2 normal);
 
-}  // namespace avo
+}  // namespace avo::inline planner

@@ -8,7 +8,7 @@
 #include "lp/lens.h"
 #include "planner/free_boundary.h"
 
-namespace avo {
+namespace avo::inline planner {
 
 inline constexpr int kDescentSteps = 20;
 inline constexpr std::array<double, 4> kFanParts{0.25, 0.5, 0.75, 1.0};  // of the smaller disc
@@ -56,4 +56,4 @@ void try_candidates(const Candidates& candidates, const Vec2& best, const Offer&
   }
 }
 
-}  // namespace avo
+}  // namespace avo::inline planner

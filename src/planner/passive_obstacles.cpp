@@ -9,7 +9,7 @@
 #include "lp/lens.h"
 #include "planner/passive_candidates.h"
 
-namespace avo {
+namespace avo::inline planner {
 namespace {
 
 // Distances that differ by less than this part are equal but for rounding.
@@ -260,4 +260,4 @@ PassiveChoice choose_among_obstacles(std::span<const PassiveObstacle> obstacles,
   return least_unsafe(limits, points, lens, preferred);
 }
 
-}  // namespace avo
+}  // namespace avo::inline planner

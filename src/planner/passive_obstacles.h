@@ -5,7 +5,7 @@
 
 #include "planner/free_boundary.h"
 
-namespace avo {
+namespace avo::inline planner {
 
 enum class PassiveState : unsigned char {
   free,            ///< the velocity lies in CA_A of Eq. (13)
@@ -35,4 +35,4 @@ PassiveChoice choose_among_obstacles(std::span<const PassiveObstacle> obstacles,
                                      PassiveWorkspace& workspace,
                                      std::span<const HalfPlane> walls = {});
 
-}  // namespace avo
+}  // namespace avo::inline planner

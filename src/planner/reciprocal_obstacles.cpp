@@ -9,7 +9,7 @@
 #include "planner/pair_planes.h"
 #include "planner/passive_candidates.h"
 
-namespace avo {
+namespace avo::inline planner {
 namespace {
 
 constexpr double kLineTolerance = 1e-9;  // m/s, rounding of a velocity on a line
@@ -89,4 +89,4 @@ PassiveChoice least_penalty(std::span<const PassiveObstacle> obstacles, const Di
   return choice;
 }
 
-}  // namespace avo
+}  // namespace avo::inline planner

@@ -8,7 +8,7 @@
 #include "avo/robot.h"
 #include "planner/passive_obstacles.h"
 
-namespace avo {
+namespace avo::inline planner {
 
 /// [w] m: what a time to collision of 1 s costs, against 1 m/s of distance to the preferred
 /// velocity. The paper leaves it open; this is what the examples of its authors' library give.
@@ -32,4 +32,4 @@ double time_to_collision(const PassiveObstacle& obstacle, double time_horizon, V
 PassiveChoice least_penalty(std::span<const PassiveObstacle> obstacles, const Disc& speed,
                             double time_horizon, Vec2 preferred, const PassiveWorkspace& workspace);
 
-}  // namespace avo
+}  // namespace avo::inline planner

@@ -11,7 +11,7 @@
 #include "planner/arrival.h"
 #include "planner/certify.h"
 
-namespace avo {
+namespace avo::inline planner {
 namespace {
 
 using Real = scalar::Pack<double>;
@@ -85,4 +85,4 @@ RelevantRange relevant_range(const Planner& planner, const Robot& robot, const P
   return range;
 }
 
-}  // namespace avo
+}  // namespace avo::inline planner

@@ -7,7 +7,7 @@
 
 #include "avo/planner.h"
 
-namespace avo {
+namespace avo::inline planner {
 
 /// What is known of all robots that one may meet, itself among them.
 struct Peers {
@@ -46,4 +46,4 @@ inline constexpr double kMostRelevantPosition = 1e6;
 /// Part of max_speed that is a rounding.
 inline constexpr double kSpeedRounding = 1e-9;
 
-}  // namespace avo
+}  // namespace avo::inline planner

@@ -12,7 +12,7 @@
 #include "planner/margin.h"
 #include "planner/pair_planes.h"
 
-namespace avo {
+namespace avo::inline planner {
 namespace {
 
 // Returns the number of pairs.
@@ -245,4 +245,4 @@ void collect_soft_planes(const PlannerOptions& options, const Horizon& horizon, 
   }
 }
 
-}  // namespace avo
+}  // namespace avo::inline planner

@@ -11,7 +11,7 @@
 #include "obstacles/half_planes.h"
 #include "planner/tile.h"
 
-namespace avo {
+namespace avo::inline planner {
 
 /// Allocates only while it grows.
 struct SoftPlanes {
@@ -46,4 +46,4 @@ void reserve(std::size_t robots, std::size_t pairs, SoftPlanes& soft);
 void collect_soft_planes(const PlannerOptions& options, const Horizon& horizon, const Tile& tile,
                          SoftPlanes& soft);
 
-}  // namespace avo
+}  // namespace avo::inline planner

@@ -13,7 +13,7 @@
 #include "planner/validity.h"
 #include "robots/model.h"
 
-namespace avo {
+namespace avo::inline planner {
 namespace {
 
 // With whom contact comes first, of those with whom it is inevitable.
@@ -56,6 +56,9 @@ SafetyReport state_of(const Robot& robot, const Neighbors& neighbors, std::span<
   return first.report;
 }
 
+}  // namespace avo::inline planner
+
+namespace avo {
 namespace {
 
 void name(const Contact& contact, SafetyReport& report) {

@@ -8,7 +8,7 @@
 #include "certificate/certificate.h"
 #include "core/neighbor_columns.h"
 
-namespace avo {
+namespace avo::inline planner {
 
 /// Whether braking is proved to keep clear of all that the constraints are of.
 inline bool braking_keeps_clear(const CertificateConstraints& constraints) {
@@ -26,4 +26,4 @@ inline bool collides(const CertificateConstraints& constraints) {
 SafetyReport state_of(const Robot& robot, const Neighbors& neighbors, std::span<const Wall> walls,
                       const CertificateLaw& law, const CertificateConstraints& constraints);
 
-}  // namespace avo
+}  // namespace avo::inline planner

@@ -11,7 +11,7 @@
 #include "robots/model.h"
 #include "walls/segment.h"
 
-namespace avo {
+namespace avo::inline planner {
 namespace {
 
 // Of the robot's radius: what a maneuver keeps from walls and others, by nearness.
@@ -100,4 +100,4 @@ void steer(const PlannerOptions& options, const StepLaw& law, Tile& tile, SteerM
   }
 }
 
-}  // namespace avo
+}  // namespace avo::inline planner

@@ -10,7 +10,7 @@
 #include "robots/maneuver_memory.h"
 #include "walls/segment.h"
 
-namespace avo {
+namespace avo::inline planner {
 
 /// Memory to steer with; reuse it and nothing is allocated once it has grown.
 struct SteerMemory {
@@ -27,4 +27,4 @@ struct SteerMemory {
 /// (docs/arrival.md, rule 11). Only the wish depends on it. tile.maneuvers: who has one.
 void steer(const PlannerOptions& options, const StepLaw& law, Tile& tile, SteerMemory& memory);
 
-}  // namespace avo
+}  // namespace avo::inline planner

@@ -10,7 +10,7 @@
 #include "avo/wall.h"
 #include "core/robot_columns.h"
 
-namespace avo {
+namespace avo::inline planner {
 
 /// Allocates only while it grows.
 struct Tile {
@@ -49,4 +49,4 @@ struct Tile {
   }
 };
 
-}  // namespace avo
+}  // namespace avo::inline planner

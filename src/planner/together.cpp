@@ -24,7 +24,7 @@
 #include "planner/wishes.h"
 #include "robots/model.h"
 
-namespace avo {
+namespace avo::inline planner {
 namespace {
 
 // Whom nobody can refuse its choice, neither now nor on a detour that it is still on.
@@ -300,4 +300,4 @@ void reserve_together(std::size_t robots, std::size_t planes_each, std::size_t p
   reserve(robots, planes, scratch.soft);
 }
 
-}  // namespace avo
+}  // namespace avo::inline planner

@@ -9,7 +9,7 @@
 #include "planner/soft_planes.h"
 #include "planner/tile.h"
 
-namespace avo {
+namespace avo::inline planner {
 
 /// Planner::plan() of each. Not for method velocity_obstacle. The robots that decide by half-planes
 /// become the first tile.robots.count of the tile, whose order may change.
@@ -22,4 +22,4 @@ void reserve_together(std::size_t robots, std::size_t planes_each, std::size_t p
                       std::size_t neighbors_each, std::size_t neighbors, std::size_t braking_steps,
                       PlanWorkspace::Scratch& scratch);
 
-}  // namespace avo
+}  // namespace avo::inline planner

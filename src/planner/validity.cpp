@@ -13,7 +13,7 @@
 #include "robots/ahead.h"
 #include "robots/model.h"
 
-namespace avo {
+namespace avo::inline planner {
 namespace {
 
 // 1 or 0, to be joined without a branch: nearly all are.
@@ -177,4 +177,4 @@ bool can_decide(const Robot& robot, std::span<const Neighbor> neighbors,
          follows_heading(robot) && can_follow(robot, neighbors, options);
 }
 
-}  // namespace avo
+}  // namespace avo::inline planner

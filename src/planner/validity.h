@@ -7,7 +7,7 @@
 #include "avo/wall.h"
 #include "core/neighbor_columns.h"
 
-namespace avo {
+namespace avo::inline planner {
 
 /// Whether every number is finite and in range.
 bool is_valid(const Robot& robot);
@@ -36,4 +36,4 @@ bool can_brake(const Robot& robot);
 bool can_drive(const Robot& robot);
 bool has_known_place(const Robot& robot);
 
-}  // namespace avo
+}  // namespace avo::inline planner

@@ -8,7 +8,7 @@
 #include "planner/demands.h"
 #include "walls/segment.h"
 
-namespace avo {
+namespace avo::inline planner {
 namespace {
 
 constexpr int kTries = 64;  // walls that a place is moved out of, one after the other
@@ -111,4 +111,4 @@ Vec2 velocity_out(const Robot& robot, std::span<const Wall> walls, const StepLaw
          way;
 }
 
-}  // namespace avo
+}  // namespace avo::inline planner

@@ -9,7 +9,7 @@
 #include "avo/wall.h"
 #include "certificate/braking_path.h"
 
-namespace avo {
+namespace avo::inline planner {
 
 /// m: a place clear of all walls that the robot gets to straight ahead, on its own side of each:
 /// the nearest one where a single wall or a corner is in its way, and else one that is near. None
@@ -20,4 +20,4 @@ std::optional<Vec2> place_outside(const Robot& robot, std::span<const Wall> wall
 /// it is clear of them. 0 where it is in none, and between walls that leave it no way out.
 Vec2 velocity_out(const Robot& robot, std::span<const Wall> walls, const StepLaw& law);
 
-}  // namespace avo
+}  // namespace avo::inline planner

@@ -12,7 +12,7 @@
 #include "planner/steer.h"
 #include "robots/model.h"
 
-namespace avo {
+namespace avo::inline planner {
 namespace {
 
 constexpr double kInSight = 4.0;  // τ: farther off nobody makes a robot hurry
@@ -162,4 +162,4 @@ void make_aims(const Planner& planner, const Execution& execution, const Tile& t
   }
 }
 
-}  // namespace avo
+}  // namespace avo::inline planner

@@ -5,7 +5,7 @@
 #include "planner/execution.h"
 #include "planner/tile.h"
 
-namespace avo {
+namespace avo::inline planner {
 
 /// What each robot wishes for: with method avo as the rules for arriving turn it (docs/arrival.md).
 void make_wishes(const Planner& planner, const Tile& tile, DecisionColumns& decisions);
@@ -16,4 +16,4 @@ void make_wishes(const Planner& planner, const Tile& tile, DecisionColumns& deci
 void make_aims(const Planner& planner, const Execution& execution, const Tile& tile,
                DecisionColumns& decisions);
 
-}  // namespace avo
+}  // namespace avo::inline planner

@@ -8,7 +8,7 @@
 
 #include "core/elementary.h"
 
-namespace avo {
+namespace avo::inline robots {
 namespace {
 
 struct Known {
@@ -30,4 +30,4 @@ Vec2 ahead_of(double heading) {
   return here.direction;
 }
 
-}  // namespace avo
+}  // namespace avo::inline robots

@@ -13,7 +13,7 @@
 #include "core/plane.h"
 #include "robots/ahead.h"
 
-namespace avo {
+namespace avo::inline robots {
 namespace {
 
 // Of a_lat: kept back, so that a controller can come back to a circle that it has left a little.
@@ -53,15 +53,6 @@ FlightStep hold_circle(const Airplane& airplane, const MotionState& state, doubl
 }
 
 }  // namespace
-
-const char* to_string(AfterGoal after_goal) {
-  return after_goal == AfterGoal::leave ? "leave" : "loiter";
-}
-
-LoiterCircle loiter_circle(const Airplane& airplane, Vec2 position, Vec2 velocity) {
-  const double radius = norm_squared(velocity) / usable_acceleration(airplane);
-  return {position - (radius / norm(velocity)) * perpendicular(velocity), radius};
-}
 
 double usable_acceleration(const Airplane& airplane) {
   return (1.0 - kLateralReserve) * airplane.lateral_acceleration;
@@ -166,6 +157,19 @@ Vec2 steered(const Airplane& airplane, const Robot& robot) {
   if (top < airplane.min_speed) return airplane.min_speed * h;
   const double fastest = std::min({std::max(wanted, airplane.min_speed), top, robot.max_speed});
   return within_steering(airplane, robot, fastest * to);
+}
+
+}  // namespace avo::inline robots
+
+namespace avo {
+
+const char* to_string(AfterGoal after_goal) {
+  return after_goal == AfterGoal::leave ? "leave" : "loiter";
+}
+
+LoiterCircle loiter_circle(const Airplane& airplane, Vec2 position, Vec2 velocity) {
+  const double radius = norm_squared(velocity) / usable_acceleration(airplane);
+  return {position - (radius / norm(velocity)) * perpendicular(velocity), radius};
 }
 
 }  // namespace avo

@@ -6,7 +6,7 @@
 
 #include "robots/model.h"
 
-namespace avo {
+namespace avo::inline robots {
 
 /// A way of constant curvature, of less than half a turn.
 struct Arc {
@@ -53,4 +53,4 @@ void append_own_half_planes(const Airplane& airplane, const Robot& robot, double
 Vec2 steered(const Airplane& airplane, const Robot& robot);
 Vec2 within_steering(const Airplane& airplane, const Robot& robot, Vec2 v);
 
-}  // namespace avo
+}  // namespace avo::inline robots

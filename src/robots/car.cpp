@@ -18,7 +18,7 @@
 #include "core/plane.h"
 #include "robots/ahead.h"
 
-namespace avo {
+namespace avo::inline robots {
 namespace {
 
 // Rest is no speed at all: a car that kept what rounding leaves would creep on for ever, and its
@@ -252,4 +252,4 @@ void append_own_half_planes(const Car& car, const Robot& robot, double time,
   bound(h, along), bound(perpendicular(h), across);
 }
 
-}  // namespace avo
+}  // namespace avo::inline robots

@@ -9,7 +9,7 @@
 
 #include "robots/model.h"
 
-namespace avo {
+namespace avo::inline robots {
 
 MotionStep advance_car(const Car& car, const MotionLimits& limits, const MotionState& state,
                        const Plan& plan, double time_step);
@@ -65,4 +65,4 @@ inline bool is_there(const Car& car, const Robot& robot, const Approach& approac
   const double near = std::max(kNearEnough * circle, kPrecise * robot.radius);
   return robot.distance_to_goal <= std::min(near, approach.near_enough);
 }
-}  // namespace avo
+}  // namespace avo::inline robots

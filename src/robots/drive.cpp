@@ -97,6 +97,10 @@ double most_acceleration(const DifferentialDrive& drive) {
   return drive.wheel_acceleration / norm(Vec2{1.0, ratio(drive)});
 }
 
+}  // namespace avo
+
+namespace avo::inline robots {
+
 // G and W of a unit vector.
 double most_speed(const DifferentialDrive& drive, double most_braking, double along,
                   double across) {
@@ -249,4 +253,4 @@ Vec2 within_own_limits(const DifferentialDrive& drive, const Robot& robot, doubl
   return backup + possible * (v - backup);
 }
 
-}  // namespace avo
+}  // namespace avo::inline robots

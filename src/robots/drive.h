@@ -5,7 +5,7 @@
 
 #include "robots/model.h"
 
-namespace avo {
+namespace avo::inline robots {
 
 /// One step: the point q moves as it was decided, and the wheels follow.
 MotionStep advance_drive(const DifferentialDrive& drive, const MotionState& state, const Plan& plan,
@@ -32,4 +32,4 @@ Vec2 within_own_limits(const DifferentialDrive& drive, const Robot& robot, doubl
 Vec2 steered(const DifferentialDrive& drive, const Robot& robot, const Approach& approach);
 Vec2 within_steering(const DifferentialDrive& drive, const Robot& robot, Vec2 v);
 
-}  // namespace avo
+}  // namespace avo::inline robots

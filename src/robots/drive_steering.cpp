@@ -9,7 +9,7 @@
 #include "robots/ahead.h"
 #include "robots/drive.h"
 
-namespace avo {
+namespace avo::inline robots {
 namespace {
 
 // What is wished for stays so much within S, so that it can be followed to the end.
@@ -68,4 +68,4 @@ Vec2 within_steering(const DifferentialDrive& drive, const Robot& robot, Vec2 v)
   return within_steering(drive, robot, ahead_of(robot.heading), v);
 }
 
-}  // namespace avo
+}  // namespace avo::inline robots

@@ -2,22 +2,22 @@
 // Turns of drives in lanes, for every instruction set; the fittest is chosen at run time.
 #include "robots/drive_turns.h"
 
-namespace avo {
+namespace avo::inline robots {
 struct DriveKernels {
   void (*turn)(DriveTurns&, double);
 };
-}  // namespace avo
+}  // namespace avo::inline robots
 
 #define AVO_KERNEL_HEADER "robots/drive_kernel.h"
 #define AVO_KERNEL_STRUCT DriveKernels
 #define AVO_KERNEL_FUNCTIONS turn<Pack<double>>
 #include "core/kernel_passes.h"
 
-namespace avo {
+namespace avo::inline robots {
 
 void turn(DriveTurns& turns, double time) {
   turns.fill_up();
   kKernels->turn(turns, time);
 }
 
-}  // namespace avo
+}  // namespace avo::inline robots

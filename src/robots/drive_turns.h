@@ -7,7 +7,7 @@
 #include "avo/vec.h"
 #include "robots/model.h"
 
-namespace avo {
+namespace avo::inline robots {
 
 // rad, of the heading in a substep at most.
 inline constexpr double kSubturn = 1.0 / 16.0;
@@ -44,4 +44,4 @@ struct DriveTurns {
 /// Finds half_x and half_y of steps of so many seconds.
 void turn(DriveTurns& turns, double time);
 
-}  // namespace avo
+}  // namespace avo::inline robots

@@ -4,7 +4,7 @@
 #include "robots/holonomic_kernel.h"
 #include "robots/motion.h"
 
-namespace avo {
+namespace avo::inline robots {
 StepResponse step_response(const Planner& planner) {
   const PlannerOptions& options = planner.options();
   const double rate = planner.step_rate(), lag = planner.step_lag();
@@ -32,4 +32,4 @@ MotionStep advance(const MotionState& state, const Plan& plan, const StepRespons
   return step;
 }
 
-}  // namespace avo
+}  // namespace avo::inline robots

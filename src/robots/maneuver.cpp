@@ -18,7 +18,7 @@
 #include "core/plane.h"
 #include "robots/ahead.h"
 
-namespace avo {
+namespace avo::inline robots {
 namespace {
 
 // All of them times the radius of the turning circle.
@@ -158,4 +158,4 @@ std::optional<Vec2> maneuver(const Car& car, const Robot& robot, const Approach&
   return steered_along(car, robot, way->move.gear * h);
 }
 
-}  // namespace avo
+}  // namespace avo::inline robots

@@ -7,7 +7,7 @@
 #include "robots/car.h"
 #include "robots/maneuver_memory.h"
 
-namespace avo {
+namespace avo::inline robots {
 
 /// Of the radius of the turning circle: m of way that standing still and starting anew is worth.
 inline constexpr double kGearChange = 1.0;
@@ -61,4 +61,4 @@ struct Beginning {
 /// The shortest way that is found; none where none is found.
 std::optional<Beginning> begin_way(const Maneuvering& maneuvering, ManeuverMemory& memory);
 
-}  // namespace avo
+}  // namespace avo::inline robots

@@ -10,7 +10,7 @@
 #include "avo/vec.h"
 #include "robots/model.h"
 
-namespace avo {
+namespace avo::inline robots {
 
 /// The middle of the axle.
 struct Pose {
@@ -67,4 +67,4 @@ struct ManeuverMemory {
   static bool is_later(const Open& a, const Open& b);
 };
 
-}  // namespace avo
+}  // namespace avo::inline robots

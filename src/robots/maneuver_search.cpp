@@ -13,7 +13,7 @@
 #include "core/plane.h"
 #include "robots/maneuver.h"
 
-namespace avo {
+namespace avo::inline robots {
 namespace {
 
 constexpr int kHeadings = 32;  // of a full circle, at which arcs end; a power of two
@@ -255,4 +255,4 @@ std::optional<Beginning> begin_way(const Maneuvering& car, ManeuverMemory& memor
   return search.beginning();
 }
 
-}  // namespace avo
+}  // namespace avo::inline robots

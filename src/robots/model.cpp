@@ -49,6 +49,10 @@ Vec2 disc_center(const MotionModel& model, Vec2 position, double heading) {
   return position + offset_of(*car) * ahead_of(heading);
 }
 
+}  // namespace avo
+
+namespace avo::inline robots {
+
 MotionStep advance(const MotionModel& model, const MotionLimits& limits, const MotionState& state,
                    const Plan& plan, double time_step) {
   if (const auto* drive = std::get_if<DifferentialDrive>(&model))
@@ -246,4 +250,4 @@ bool is_valid(const MotionModel& model, double most_change, double max_speed) {
          (!car->max_curvature || kPositive.contains(*car->max_curvature));
 }
 
-}  // namespace avo
+}  // namespace avo::inline robots

@@ -19,7 +19,7 @@
 #include "avo/robot.h"
 #include "robots/motion.h"
 
-namespace avo {
+namespace avo::inline robots {
 
 struct MotionLimits {
   double planned_braking;  // m/s^2, with which a car stops that has to turn in place
@@ -149,4 +149,4 @@ bool can_reverse(const MotionModel& model);
 /// acceleration, change_limit().
 bool is_valid(const MotionModel& model, double most_change, double max_speed);
 
-}  // namespace avo
+}  // namespace avo::inline robots

@@ -7,7 +7,7 @@
 #include "avo/scenario.h"
 #include "core/response_law.h"
 
-namespace avo {
+namespace avo::inline robots {
 
 /// rad, of a car or an airplane in a step at most: less than half a turn, so that the headings at
 /// the ends of a step tell the arc between them, wherever that is asked for.
@@ -50,4 +50,4 @@ MotionStep advance(const MotionState& state, const Plan& plan, const StepRespons
 MotionState within(const MotionState& from, const MotionState& to, bool at_once, double time,
                    double duration);
 
-}  // namespace avo
+}  // namespace avo::inline robots

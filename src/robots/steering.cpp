@@ -11,7 +11,7 @@
 #include "robots/ahead.h"
 #include "robots/car.h"
 
-namespace avo {
+namespace avo::inline robots {
 namespace {
 
 constexpr double kEnough = 0.8;       // of a_max, that turning asks for
@@ -107,4 +107,4 @@ Vec2 within_steering(const Car& car, const Robot& robot, Vec2 v) {
   return bent(ahead, dot(ahead, to), cross(ahead, to), speed);
 }
 
-}  // namespace avo
+}  // namespace avo::inline robots

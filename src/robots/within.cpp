@@ -9,7 +9,7 @@
 #include "robots/car.h"
 #include "robots/motion.h"
 
-namespace avo {
+namespace avo::inline robots {
 namespace {
 
 // m/s, negative backwards.
@@ -73,4 +73,4 @@ MotionState within(const MotionState& from, const MotionState& to, bool at_once,
           from.velocity + part * change, from.heading};
 }
 
-}  // namespace avo
+}  // namespace avo::inline robots

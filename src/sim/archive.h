@@ -15,7 +15,7 @@
 #include "planner/options.h"
 #include "sim/saved_state.h"
 
-namespace avo {
+namespace avo::inline sim {
 
 inline constexpr std::size_t kWord = 8;  // bytes
 inline constexpr std::size_t kPointWords = 2;
@@ -136,4 +136,4 @@ void describe(Archive<kReads>& archive, SensingError& error) {
   describe(archive, error.position), describe(archive, error.velocity);
 }
 
-}  // namespace avo
+}  // namespace avo::inline sim

@@ -14,7 +14,7 @@
 #include "robots/model.h"
 #include "sim/fleet.h"
 
-namespace avo {
+namespace avo::inline sim {
 namespace {
 
 // A robot or an obstacle at the start.
@@ -296,6 +296,10 @@ bool is_mixed(const Scenario& scenario) {
 Vec2 way_to_rest(const RobotSetup& robot, const CertificateLaw& law) {
   return stopping_way(start_velocity(robot), decrement_of(robot, law.step), law.step);
 }
+
+}  // namespace avo::inline sim
+
+namespace avo {
 
 BrokenAssumptions broken_assumptions(const Scenario& scenario) {
   BrokenAssumptions result;

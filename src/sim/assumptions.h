@@ -8,7 +8,7 @@
 #include "certificate/certificate.h"
 #include "robots/motion.h"
 
-namespace avo {
+namespace avo::inline sim {
 
 struct WallNeeds;
 
@@ -73,4 +73,4 @@ inline bool exceeds(double speed, double max_speed) {
   return speed > (1.0 + kStartTolerance) * max_speed;
 }
 
-}  // namespace avo
+}  // namespace avo::inline sim

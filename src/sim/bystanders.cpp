@@ -7,7 +7,7 @@
 #include "neighbors/cells.h"
 #include "sim/fleet.h"
 
-namespace avo {
+namespace avo::inline sim {
 
 void forget(Bystanders& bystanders) {
   bystanders.is_wanted = bystanders.is_made = false;
@@ -53,4 +53,4 @@ std::vector<std::uint32_t> near_place(const Bystanders& bystanders, const Fleet&
   return slots;
 }
 
-}  // namespace avo
+}  // namespace avo::inline sim

@@ -9,7 +9,7 @@
 #include "avo/simulation.h"
 #include "neighbors/uniform_grid.h"
 
-namespace avo {
+namespace avo::inline sim {
 
 struct Fleet;
 
@@ -42,4 +42,4 @@ void make(Bystanders& bystanders, const Fleet& fleet, const MostOfOthers& most, 
 std::vector<std::uint32_t> near_place(const Bystanders& bystanders, const Fleet& fleet, Vec2 center,
                                       double radius);
 
-}  // namespace avo
+}  // namespace avo::inline sim

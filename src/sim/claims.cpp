@@ -6,7 +6,7 @@
 
 #include "sim/world.h"
 
-namespace avo {
+namespace avo::inline sim {
 namespace {
 
 constexpr double kLeavesLane = 1.0;     // rad: who has turned off by more is in a jam
@@ -122,4 +122,4 @@ Heading heed_passages(const World& world, const Claims& claims, std::size_t slot
   return heeding;
 }
 
-}  // namespace avo
+}  // namespace avo::inline sim

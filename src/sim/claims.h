@@ -13,7 +13,7 @@
 #include "navigation/right_of_way.h"
 #include "sim/ways.h"
 
-namespace avo {
+namespace avo::inline sim {
 
 struct World;
 
@@ -49,4 +49,4 @@ Heading heed_passages(const World& world, const Claims& claims, std::size_t slot
 /// For whom the robot waits at a passage, if it does.
 std::optional<Simulation::Wait> wait_of(const World& world, const Claims& claims, std::size_t slot);
 
-}  // namespace avo
+}  // namespace avo::inline sim

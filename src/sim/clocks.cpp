@@ -11,7 +11,7 @@
 #include "robots/model.h"
 #include "sim/world.h"
 
-namespace avo {
+namespace avo::inline sim {
 namespace {
 
 constexpr std::uint64_t kPhases = 0x70686173;  // tells these random numbers from all others
@@ -150,4 +150,4 @@ void catch_up(World& world) {
   world.is_current = true;
 }
 
-}  // namespace avo
+}  // namespace avo::inline sim

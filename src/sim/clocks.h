@@ -11,7 +11,7 @@
 
 #include "sim/fleet.h"
 
-namespace avo {
+namespace avo::inline sim {
 
 struct World;
 
@@ -70,4 +70,4 @@ void put_in_place(World& world, std::size_t slot);
 /// Puts all robots to where they are now, if they are not.
 void catch_up(World& world);
 
-}  // namespace avo
+}  // namespace avo::inline sim

@@ -14,7 +14,7 @@
 #include "avo/error.h"
 #include "sim/scene_checks.h"
 
-namespace avo {
+namespace avo::inline sim {
 namespace {
 
 const RobotSetup& setup_of(const Scenario& scenario, int robot) {
@@ -143,6 +143,22 @@ std::string complaint(const FastStart& start, const Scenario& scenario, const Wo
          wording.remedies.limit_speed + " or " + wording.remedies.start_at_rest;
 }
 
+void refuse_start(const std::string& complaint) {
+  throw Error(complaint + "; or allow_broken_assumptions");
+}
+
+void require_assumptions(const Scenario& scenario) {
+  if (scenario.allow_broken_assumptions) return;
+  const std::vector<std::string> lines = complaints(scenario);
+  if (lines.empty()) return;
+  const std::size_t more = lines.size() - 1;
+  refuse_start(lines.front() + (more > 0 ? " [" + std::to_string(more) + " more]" : ""));
+}
+
+}  // namespace avo::inline sim
+
+namespace avo {
+
 std::vector<std::string> complaints(const Scenario& scenario, const RemedyNames& remedies) {
   const Wording wording{remedies,
                         [](int source) {
@@ -163,18 +179,6 @@ std::vector<std::string> complaints(const Scenario& scenario, const RemedyNames&
   tell(broken.fast, broken.fast_count, "robots start faster than their max_speed");
   if (broken.unseen) lines.push_back(complaint_of(*broken.unseen, scenario, wording));
   return lines;
-}
-
-void refuse_start(const std::string& complaint) {
-  throw Error(complaint + "; or allow_broken_assumptions");
-}
-
-void require_assumptions(const Scenario& scenario) {
-  if (scenario.allow_broken_assumptions) return;
-  const std::vector<std::string> lines = complaints(scenario);
-  if (lines.empty()) return;
-  const std::size_t more = lines.size() - 1;
-  refuse_start(lines.front() + (more > 0 ? " [" + std::to_string(more) + " more]" : ""));
 }
 
 }  // namespace avo

@@ -6,7 +6,7 @@
 
 #include "avo/assumptions.h"
 
-namespace avo {
+namespace avo::inline sim {
 
 /// What is called how where the words are read.
 struct Wording {
@@ -27,4 +27,4 @@ std::string complaint(const FastStart& start, const Scenario& scenario, const Wo
 /// Throws Error with the first thing that the scene breaks, unless it allows for that.
 void require_assumptions(const Scenario& scenario);
 
-}  // namespace avo
+}  // namespace avo::inline sim

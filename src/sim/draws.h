@@ -9,7 +9,7 @@
 #include "core/hash.h"
 #include "sim/noise.h"
 
-namespace avo {
+namespace avo::inline sim {
 
 /// The random numbers of one measurement, the same whoever asks for them, and whenever.
 class Draws {
@@ -63,4 +63,4 @@ std::array<double, kCount + GaussianDraws::kTogether> noise(const MeasurementNoi
   return drawn;
 }
 
-}  // namespace avo
+}  // namespace avo::inline sim

@@ -14,7 +14,7 @@
 #include "sim/scene_checks.h"
 #include "sim/world.h"
 
-namespace avo {
+namespace avo::inline sim {
 
 std::string name_of(RobotId robot) {
   return "robot " + std::to_string(robot.value);
@@ -211,4 +211,4 @@ void check_newly_static(const World& world, const StaticObstacle& obstacle,
   check_certificate(world, obstacle, name);
 }
 
-}  // namespace avo
+}  // namespace avo::inline sim

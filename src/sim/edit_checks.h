@@ -7,7 +7,7 @@
 
 #include "avo/simulation.h"
 
-namespace avo {
+namespace avo::inline sim {
 
 struct World;
 
@@ -36,4 +36,4 @@ void check_newly_static(const World& world, const StaticObstacle& obstacle,
 /// A robot as it is now; where it is matters to nobody whose values are checked.
 RobotSetup standing(const World& world, std::size_t slot);
 
-}  // namespace avo
+}  // namespace avo::inline sim

@@ -18,7 +18,7 @@
 #include "sim/scene_checks.h"
 #include "sim/world.h"
 
-namespace avo {
+namespace avo::inline sim {
 namespace {
 
 // Of the robot that has been added last.
@@ -259,4 +259,4 @@ void remove_obstacle(World& world, ObstacleId obstacle) {
                              world.statics.parked));
 }
 
-}  // namespace avo
+}  // namespace avo::inline sim

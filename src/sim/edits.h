@@ -4,7 +4,7 @@
 #pragma once
 #include "avo/simulation.h"
 
-namespace avo {
+namespace avo::inline sim {
 
 struct World;
 
@@ -18,4 +18,4 @@ void remove_obstacle(World& world, ObstacleId obstacle);
 /// New ways for all, where movers have come to rest, or those at rest move.
 void go_around_resting(World& world);
 
-}  // namespace avo
+}  // namespace avo::inline sim

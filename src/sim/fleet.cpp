@@ -14,7 +14,7 @@
 #include "core/hash.h"
 #include "robots/model.h"
 
-namespace avo {
+namespace avo::inline sim {
 namespace {
 
 std::uint64_t hashed(std::uint64_t hash, double value) {
@@ -289,4 +289,4 @@ std::uint64_t hash_of(const Fleet& fleet, const ObstacleColumns& obstacles, std:
   return hash;
 }
 
-}  // namespace avo
+}  // namespace avo::inline sim

@@ -16,7 +16,7 @@
 #include "robots/motion.h"
 #include "sim/obstacle_columns.h"
 
-namespace avo {
+namespace avo::inline sim {
 
 /// What stays as it is of a RobotSetup.
 struct RobotTraits {
@@ -232,4 +232,4 @@ inline Vec2 course_of(const Flight& flight, Vec2 position, Vec2 goal, double pre
 /// Order-dependent 64-bit hash of the bits of all positions, velocities and headings.
 std::uint64_t hash_of(const Fleet& fleet, const ObstacleColumns& obstacles, std::int64_t steps);
 
-}  // namespace avo
+}  // namespace avo::inline sim

@@ -3,7 +3,7 @@
 
 #include "sim/fleet.h"
 
-namespace avo {
+namespace avo::inline sim {
 
 // action(column, of) for each one, where of(fleet, slot) is a robot's entry in it.
 template <typename Action>
@@ -52,4 +52,4 @@ FleetView FleetMirror::view(Columns wanted) const {
           shown(Columns::applied_acceleration, applied_acceleration)};
 }
 
-}  // namespace avo
+}  // namespace avo::inline sim

@@ -6,7 +6,7 @@
 
 #include "avo/simulation.h"
 
-namespace avo {
+namespace avo::inline sim {
 
 struct Fleet;
 
@@ -30,4 +30,4 @@ struct FleetMirror {
   void for_each_column(Columns wanted, const Action& action);
 };
 
-}  // namespace avo
+}  // namespace avo::inline sim

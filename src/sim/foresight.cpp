@@ -9,7 +9,7 @@
 #include "planner/evading.h"
 #include "sim/world.h"
 
-namespace avo {
+namespace avo::inline sim {
 namespace {
 
 constexpr std::int64_t kStepsForeseen = 64;    // trajectories are made anew after so many
@@ -81,4 +81,4 @@ void foresee(World& world) {
   }
 }
 
-}  // namespace avo
+}  // namespace avo::inline sim

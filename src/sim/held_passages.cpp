@@ -17,7 +17,7 @@
 #include "sim/clocks.h"
 #include "sim/world.h"
 
-namespace avo {
+namespace avo::inline sim {
 namespace {
 
 constexpr double kComesNearer = 1.0;  // radii of way: whoever does does not wait
@@ -127,4 +127,4 @@ bool goes_back(const World& world, std::size_t slot, const Travel& travel) {
          has_room_for_two(world.ways.passages, *travel.graph, *travel.map, p, travel.target);
 }
 
-}  // namespace avo
+}  // namespace avo::inline sim

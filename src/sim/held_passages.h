@@ -6,7 +6,7 @@
 
 #include "sim/travel.h"
 
-namespace avo {
+namespace avo::inline sim {
 
 struct World;
 
@@ -29,4 +29,4 @@ inline void go_back(Vec2 p, bool in_company, Heading& heading) {
   heading.yields = true;
 }
 
-}  // namespace avo
+}  // namespace avo::inline sim

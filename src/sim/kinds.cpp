@@ -5,7 +5,7 @@
 
 #include "core/hash.h"
 
-namespace avo {
+namespace avo::inline sim {
 namespace {
 
 RobotSetup kind_of(RobotSetup setup) {
@@ -57,4 +57,4 @@ std::vector<RobotSetup> Kinds::examples() const {
   return setups;
 }
 
-}  // namespace avo
+}  // namespace avo::inline sim

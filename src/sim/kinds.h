@@ -8,7 +8,7 @@
 
 #include "sim/fleet.h"
 
-namespace avo {
+namespace avo::inline sim {
 
 /// Robots that are alike but for where they are, how fast, and where they go.
 class Kinds {
@@ -32,4 +32,4 @@ class Kinds {
   Table table_;  // by hash_of_kind()
 };
 
-}  // namespace avo
+}  // namespace avo::inline sim

@@ -2,19 +2,19 @@
 // Ways and motion in lanes, for every instruction set; the fittest is chosen at run time.
 #include "sim/moving_columns.h"
 
-namespace avo {
+namespace avo::inline sim {
 struct MovingKernels {
   void (*choose_ways)(const StepResponse&, const MovingColumns&, RobotColumns&);
   std::uint64_t (*advance)(const StepResponse&, MovingColumns&, RobotColumns&);
 };
-}  // namespace avo
+}  // namespace avo::inline sim
 
 #define AVO_KERNEL_HEADER "sim/moving_kernel.h"
 #define AVO_KERNEL_STRUCT MovingKernels
 #define AVO_KERNEL_FUNCTIONS choose_ways<Pack<double>>, advance<Pack<double>>
 #include "core/kernel_passes.h"
 
-namespace avo {
+namespace avo::inline sim {
 
 Vec2 preferred_velocity(Vec2 position, Vec2 velocity, const RobotTraits& robot, Vec2 goal,
                         const StepResponse& step) {
@@ -35,4 +35,4 @@ std::uint64_t advance(const StepResponse& response, MovingColumns& moving, Robot
   return kKernels->advance(response, moving, robots);
 }
 
-}  // namespace avo
+}  // namespace avo::inline sim

@@ -9,7 +9,7 @@
 #include "robots/motion.h"
 #include "sim/fleet.h"
 
-namespace avo {
+namespace avo::inline sim {
 
 /// With ten neighbors each, what is planned at a time stays in the cache; not more than a mask has
 /// bits.
@@ -37,4 +37,4 @@ void choose_ways(const StepResponse& step, const MovingColumns& moving, RobotCol
 /// advance() of all, from v' on. Bit k is set where robot k then exceeds its max_speed.
 std::uint64_t advance(const StepResponse& response, MovingColumns& moving, RobotColumns& robots);
 
-}  // namespace avo
+}  // namespace avo::inline sim

@@ -4,18 +4,18 @@
 
 #include "core/elementary.h"
 
-namespace avo {
+namespace avo::inline sim {
 struct NoiseKernels {
   bool (*draw_gaussian)(std::uint64_t, std::uint64_t, double, GaussianDraws&);
 };
-}  // namespace avo
+}  // namespace avo::inline sim
 
 #define AVO_KERNEL_HEADER "sim/noise_kernel.h"
 #define AVO_KERNEL_STRUCT NoiseKernels
 #define AVO_KERNEL_FUNCTIONS draw_gaussian<Pack<double>>
 #include "core/kernel_passes.h"
 
-namespace avo {
+namespace avo::inline sim {
 
 // The library's own exponential function has the last word, and is asked only where it has to be.
 void draw_gaussian(std::uint64_t key, std::uint64_t first, double most, GaussianDraws& draws) {
@@ -27,4 +27,4 @@ void draw_gaussian(std::uint64_t key, std::uint64_t first, double most, Gaussian
   }
 }
 
-}  // namespace avo
+}  // namespace avo::inline sim

@@ -6,7 +6,7 @@
 #include <numbers>
 #include <optional>
 
-namespace avo {
+namespace avo::inline sim {
 
 ObstacleColumns::ObstacleColumns(const std::vector<MovingObstacle>& obstacles)
     : setup(obstacles), target(obstacles.size(), 0) {
@@ -92,4 +92,4 @@ void ObstacleColumns::advance(double time_step, double time) {
   }
 }
 
-}  // namespace avo
+}  // namespace avo::inline sim

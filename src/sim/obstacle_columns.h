@@ -11,7 +11,7 @@
 #include "avo/trajectory.h"
 #include "avo/wall.h"
 
-namespace avo {
+namespace avo::inline sim {
 
 /// Where moving obstacles with a path will be, for robots that know their paths. All of it follows
 /// from where they are, the number of the step and the fleet.
@@ -46,4 +46,4 @@ struct ObstacleColumns {
   void advance(double time_step, double time);
 };
 
-}  // namespace avo
+}  // namespace avo::inline sim

@@ -7,7 +7,7 @@
 
 #include "robots/model.h"
 
-namespace avo {
+namespace avo::inline sim {
 namespace {
 
 // All robots of the same kind give way to the same others.
@@ -51,4 +51,4 @@ std::optional<OneSided> find_impossible(std::span<const RobotSetup> robots) {
   return std::nullopt;
 }
 
-}  // namespace avo
+}  // namespace avo::inline sim

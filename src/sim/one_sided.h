@@ -8,7 +8,7 @@
 
 #include "avo/scenario.h"
 
-namespace avo {
+namespace avo::inline sim {
 
 struct OneSided {
   std::size_t avoiding, avoided;  // robots
@@ -20,4 +20,4 @@ struct OneSided {
 /// such pair.
 std::optional<OneSided> find_impossible(std::span<const RobotSetup> robots);
 
-}  // namespace avo
+}  // namespace avo::inline sim

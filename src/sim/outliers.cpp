@@ -7,7 +7,7 @@
 #include "core/plane.h"
 #include "sim/world.h"
 
-namespace avo {
+namespace avo::inline sim {
 namespace {
 
 // Where more than one in so many are outliers, nobody is: as many look at everybody.
@@ -167,4 +167,4 @@ void locate_outliers(World& world) {
   for (const Vec2 p : world.obstacles.position) mark(p, world.sensing_radius);
 }
 
-}  // namespace avo
+}  // namespace avo::inline sim

@@ -9,7 +9,7 @@
 #include "avo/vec.h"
 #include "neighbors/uniform_grid.h"
 
-namespace avo {
+namespace avo::inline sim {
 
 struct World;
 
@@ -47,4 +47,4 @@ void find_ranges(World& world);
 /// Where they are, and who may sense them or a moving obstacle.
 void locate_outliers(World& world);
 
-}  // namespace avo
+}  // namespace avo::inline sim

@@ -7,7 +7,7 @@
 #include "sim/ways.h"
 #include "walls/segment.h"
 
-namespace avo {
+namespace avo::inline sim {
 namespace {
 
 constexpr double kNearResting = 8.0;   // radii: a seeker is so near to those at rest
@@ -242,4 +242,4 @@ Vec2 place_of(const Seeker& seeker, const Occupied& occupied, std::span<const Wa
   return stays ? seeker.position : place;
 }
 
-}  // namespace avo
+}  // namespace avo::inline sim

@@ -10,7 +10,7 @@
 #include "avo/wall.h"
 #include "core/neighbor_columns.h"
 
-namespace avo {
+namespace avo::inline sim {
 
 class Ways;
 
@@ -68,4 +68,4 @@ bool is_at_crowd(const Seeker& seeker, Occupied& occupied, const Ways* ways = nu
 Vec2 place_of(const Seeker& seeker, const Occupied& occupied, std::span<const Wall> walls,
               bool stays, Detour& detour);
 
-}  // namespace avo
+}  // namespace avo::inline sim

@@ -17,7 +17,7 @@
 #include "sim/ties.h"
 #include "sim/world.h"
 
-namespace avo {
+namespace avo::inline sim {
 namespace {
 
 // m: they come nearest first.
@@ -294,4 +294,4 @@ void plan_and_move(World& world, const Pace& pace, std::span<const std::uint32_t
   worker.clock.lap(Stage::motion);
 }
 
-}  // namespace avo
+}  // namespace avo::inline sim

@@ -8,7 +8,7 @@
 #include "robots/model.h"
 #include "sim/scene_checks.h"
 
-namespace avo {
+namespace avo::inline sim {
 namespace {
 
 std::string list_of(LayerSet set) {
@@ -130,4 +130,4 @@ void check_robot(std::size_t i, const RobotSetup& robot, double time_step) {
     check_airplane(i, robot, *airplane, time_step);
 }
 
-}  // namespace avo
+}  // namespace avo::inline sim

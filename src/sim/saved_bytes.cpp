@@ -12,7 +12,7 @@
 #include "sim/saved_models.h"
 #include "sim/saved_state.h"
 
-namespace avo {
+namespace avo::inline sim {
 namespace {
 
 constexpr std::uint64_t kMark = 0x65766173206f7661;           // "avo save"
@@ -292,4 +292,4 @@ SavedState from_bytes(std::span<const std::byte> bytes) {
   return state;
 }
 
-}  // namespace avo
+}  // namespace avo::inline sim

@@ -13,7 +13,7 @@
 #include "sim/saved_state.h"
 #include "sim/scene_checks.h"
 
-namespace avo {
+namespace avo::inline sim {
 
 void refuse_saved(const std::string& given, const std::string& allowed) {
   refuse("saved state", given, allowed);
@@ -185,4 +185,4 @@ void check_saved(const SavedState& state) {
   check_states(state);
 }
 
-}  // namespace avo
+}  // namespace avo::inline sim

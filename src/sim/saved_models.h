@@ -7,7 +7,7 @@
 #include "avo/scenario.h"
 #include "sim/archive.h"
 
-namespace avo {
+namespace avo::inline sim {
 
 template <bool kReads>
 void describe(Archive<kReads>&, Holonomic&) {}
@@ -57,4 +57,4 @@ void describe(Archive<kReads>& archive, MotionModel& model) {
   std::visit([&](auto& known) { describe(archive, known); }, model);
 }
 
-}  // namespace avo
+}  // namespace avo::inline sim

@@ -14,7 +14,7 @@
 #include "sim/senses.h"
 #include "sim/ways.h"
 
-namespace avo {
+namespace avo::inline sim {
 
 struct World;
 
@@ -125,4 +125,4 @@ SavedState saved_state(const World& world);
 /// Changes nothing where it throws.
 void restore(const SavedState& state, World& world);
 
-}  // namespace avo
+}  // namespace avo::inline sim

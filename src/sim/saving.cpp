@@ -11,7 +11,7 @@
 #include "sim/saved_state.h"
 #include "sim/world.h"
 
-namespace avo {
+namespace avo::inline sim {
 namespace {
 
 template <typename Value>
@@ -289,4 +289,4 @@ void restore(const SavedState& state, World& world) {
   }
 }
 
-}  // namespace avo
+}  // namespace avo::inline sim

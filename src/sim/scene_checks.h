@@ -11,7 +11,9 @@
 #include "avo/scenario.h"
 #include "core/ranges.h"
 
-namespace avo {
+namespace avo::inline sim {
+
+using core::text;
 
 /// A value's place in a list of the scene.
 struct Place {
@@ -65,4 +67,4 @@ PlannerOptions certified_options(const Scenario& scenario);
 /// An error is declared with a certificate alone. Who keeps one may not be in the scene (any more).
 void forget_undeclared_error(Scenario& scenario);
 
-}  // namespace avo
+}  // namespace avo::inline sim

@@ -10,19 +10,7 @@
 #include "sim/scene_checks.h"
 #include "sim/senses.h"
 
-namespace avo {
-
-std::vector<Wall> parked_discs(const std::vector<RobotSetup>& robots) {
-  std::vector<Wall> discs;
-  for (const RobotSetup& robot : robots) {
-    if (robot.parked) {
-      const Vec2 center = disc_center(robot);
-      discs.push_back({center, center, disc_radius(robot)});
-    }
-  }
-  return discs;
-}
-
+namespace avo::inline sim {
 namespace {
 
 // Of those who decide.
@@ -93,20 +81,12 @@ Agreed agreed_on(const Scenario& scenario) {
           scenario.sensing_error ? *scenario.sensing_error : declared_error(scenario)};
 }
 
-PlannerOptions planner_options(const Scenario& scenario) {
-  return options_of(scenario, scenario.method, agreed_on(scenario));
-}
-
 PlannerOptions planner_options(const Scenario& scenario, const RobotSetup& robot,
                                const Agreed& agreed) {
   PlannerOptions options = options_of(scenario, method_of(scenario, robot), agreed);
   options.time_step = time_step_of(scenario, robot);
   if (robot.time_horizon) options.time_horizon = *robot.time_horizon;
   return options;
-}
-
-PlannerOptions planner_options(const Scenario& scenario, const RobotSetup& robot) {
-  return planner_options(scenario, robot, agreed_on(scenario));
 }
 
 PlannerOptions certified_options(const Scenario& scenario) {
@@ -121,6 +101,29 @@ PlannerOptions certified_options(const Scenario& scenario) {
 
 void forget_undeclared_error(Scenario& scenario) {
   if (certified_options(scenario).certificate == Certificate::none) scenario.sensing_error.reset();
+}
+
+}  // namespace avo::inline sim
+
+namespace avo {
+
+std::vector<Wall> parked_discs(const std::vector<RobotSetup>& robots) {
+  std::vector<Wall> discs;
+  for (const RobotSetup& robot : robots) {
+    if (robot.parked) {
+      const Vec2 center = disc_center(robot);
+      discs.push_back({center, center, disc_radius(robot)});
+    }
+  }
+  return discs;
+}
+
+PlannerOptions planner_options(const Scenario& scenario) {
+  return options_of(scenario, scenario.method, agreed_on(scenario));
+}
+
+PlannerOptions planner_options(const Scenario& scenario, const RobotSetup& robot) {
+  return planner_options(scenario, robot, agreed_on(scenario));
 }
 
 SensingError declared_error(const Scenario& scenario) {

@@ -10,7 +10,7 @@
 #include "core/plane.h"
 #include "sim/world.h"
 
-namespace avo {
+namespace avo::inline sim {
 namespace {
 
 // Whether whomever it senses is valid, however all have moved since they were looked at.
@@ -311,4 +311,4 @@ std::size_t sense(World& world, std::span<const std::uint32_t> slots, Worker& wo
   return robots;
 }
 
-}  // namespace avo
+}  // namespace avo::inline sim

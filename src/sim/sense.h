@@ -7,7 +7,7 @@
 
 #include "neighbors/search.h"
 
-namespace avo {
+namespace avo::inline sim {
 
 struct World;
 struct Worker;
@@ -22,4 +22,4 @@ NeighborQuery sought_by(const World& world, std::size_t slot);
 /// robots there was room for.
 std::size_t sense(World& world, std::span<const std::uint32_t> slots, Worker& worker);
 
-}  // namespace avo
+}  // namespace avo::inline sim

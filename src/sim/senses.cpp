@@ -12,7 +12,7 @@
 #include "sim/draws.h"
 #include "sim/world.h"
 
-namespace avo {
+namespace avo::inline sim {
 namespace {
 
 constexpr std::uint64_t kMoverBit = std::uint64_t{1} << 63;  // no robot has such an id
@@ -266,4 +266,4 @@ Neighbor neighbor_of(const World& world, const Sighting& seen) {
   return neighbor;
 }
 
-}  // namespace avo
+}  // namespace avo::inline sim

@@ -12,7 +12,7 @@
 #include "neighbors/search.h"
 #include "sim/fleet.h"
 
-namespace avo {
+namespace avo::inline sim {
 
 struct World;
 
@@ -128,4 +128,4 @@ Neighbor neighbor_of(const World& world, const Sighting& seen);
 /// The same into columns, behind the others.
 void append(const World& world, const Sighting& seen, NeighborColumns& to);
 
-}  // namespace avo
+}  // namespace avo::inline sim

@@ -7,7 +7,7 @@
 #include "core/hash.h"
 #include "sim/senses.h"
 
-namespace avo {
+namespace avo::inline sim {
 
 bool senses_by_time(const Scenario& scenario) {
   return scenario.clock == Clock::free && (scenario.sensing.delay > 0 || scenario.sensing.misses());
@@ -118,4 +118,4 @@ std::uint64_t hash_of(const Senses& senses, std::uint64_t hash) {
   return hash;
 }
 
-}  // namespace avo
+}  // namespace avo::inline sim

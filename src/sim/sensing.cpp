@@ -23,7 +23,7 @@
 #include "sim/scene_checks.h"
 #include "sim/senses.h"
 
-namespace avo {
+namespace avo::inline sim {
 namespace {
 
 // 5.4 m as a sum of decimal fractions may exceed 5.4 m by its rounding.
@@ -194,6 +194,10 @@ CertificateLaw certificate_law(const Scenario& scenario) {
 bool suffices(double sensing_radius, const std::optional<SensingNeed>& needed) {
   return !needed || sensing_radius >= (1.0 - kSumRounding) * needed->range;
 }
+
+}  // namespace avo::inline sim
+
+namespace avo {
 
 std::optional<SensingNeed> sensing_need(const Scenario& scenario) {
   const CertificateLaw law = certificate_law(scenario);

@@ -14,11 +14,34 @@
 #include "robots/model.h"
 #include "sim/assumptions.h"
 
+namespace avo::inline sim {
+namespace {
+
+constexpr std::size_t kSampled = 200;  // robots, whose neighbors are counted
+
+}  // namespace
+
+double mean_neighbors(const Scenario& scenario, double radius) {
+  std::vector<Vec2> places;
+  for (const RobotSetup& robot : scenario.robots)
+    if (!robot.parked) places.push_back(disc_center(robot));
+  const std::size_t sampled = std::min(places.size(), kSampled);
+  std::int64_t near = 0;
+  for (std::size_t k = 0; k < sampled; ++k) {
+    const Vec2 own = places[k * places.size() / sampled];
+    near += std::count_if(places.begin(), places.end(),
+                          [&](Vec2 place) { return norm_squared(place - own) <= radius * radius; });
+  }
+  const auto others = static_cast<double>(near - static_cast<std::int64_t>(sampled));
+  return sampled > 0 ? others / static_cast<double>(sampled) : 0.0;
+}
+
+}  // namespace avo::inline sim
+
 namespace avo {
 namespace {
 
-constexpr double kAlone = 1.0;         // m, where there is nobody to sense
-constexpr std::size_t kSampled = 200;  // robots, whose neighbors are counted
+constexpr double kAlone = 1.0;  // m, where there is nobody to sense
 
 // Radii: as far as robots look, among walls, for who claims a passage (docs/arrival.md).
 constexpr double kAmongWalls = 30.0;
@@ -80,21 +103,6 @@ double needed_sensing_radius(const Scenario& scenario) {
   const auto need = sensing_need(scenario, certificate_law(scenario));
   const double range = std::max(need ? need->range : 0.0, rules_range(scenario));
   return range > 0.0 ? std::min(range, kLargest) : kAlone;
-}
-
-double mean_neighbors(const Scenario& scenario, double radius) {
-  std::vector<Vec2> places;
-  for (const RobotSetup& robot : scenario.robots)
-    if (!robot.parked) places.push_back(disc_center(robot));
-  const std::size_t sampled = std::min(places.size(), kSampled);
-  std::int64_t near = 0;
-  for (std::size_t k = 0; k < sampled; ++k) {
-    const Vec2 own = places[k * places.size() / sampled];
-    near += std::count_if(places.begin(), places.end(),
-                          [&](Vec2 place) { return norm_squared(place - own) <= radius * radius; });
-  }
-  const auto others = static_cast<double>(near - static_cast<std::int64_t>(sampled));
-  return sampled > 0 ? others / static_cast<double>(sampled) : 0.0;
 }
 
 double sensing_radius_of(const Scenario& scenario) {

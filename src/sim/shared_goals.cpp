@@ -16,7 +16,7 @@
 #include "robots/model.h"
 #include "sim/world.h"
 
-namespace avo {
+namespace avo::inline sim {
 
 namespace {
 
@@ -244,4 +244,4 @@ Plan stop_of(const World& world, std::size_t slot) {
   return plan;
 }
 
-}  // namespace avo
+}  // namespace avo::inline sim

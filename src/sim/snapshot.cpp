@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace avo {
+namespace avo::inline sim {
 namespace {
 
 // Where a search finds more, cells of half its radius leave fewer candidates.
@@ -50,4 +50,4 @@ std::uint64_t take(const Fleet& fleet, std::size_t part, std::size_t parts, Snap
   return sorted.crowding;
 }
 
-}  // namespace avo
+}  // namespace avo::inline sim

@@ -8,7 +8,7 @@
 #include "neighbors/uniform_grid.h"
 #include "sim/fleet.h"
 
-namespace avo {
+namespace avo::inline sim {
 
 /// What is sensed of one robot, besides its position.
 struct Sensed {
@@ -37,4 +37,4 @@ void prepare(const Fleet& fleet, Snapshot& snapshot);
 /// Parts may be taken at the same time, after prepare(). Returns the part's crowding.
 std::uint64_t take(const Fleet& fleet, std::size_t part, std::size_t parts, Snapshot& snapshot);
 
-}  // namespace avo
+}  // namespace avo::inline sim

@@ -16,7 +16,7 @@
 #include "sim/world.h"
 #include "walls/segment.h"
 
-namespace avo {
+namespace avo::inline sim {
 namespace {
 
 // With two steps to spare.
@@ -230,4 +230,4 @@ void check_start(const World& world, const RobotSetup& setup, RobotId robot) {
     refuse_start(complaint(FastStart{0, norm(setup.velocity)}, company.scene, wording));
 }
 
-}  // namespace avo
+}  // namespace avo::inline sim

@@ -8,7 +8,7 @@
 
 #include "core/hash.h"
 
-namespace avo {
+namespace avo::inline sim {
 namespace {
 
 std::uint64_t hash_of(const StaticWorld& statics) {
@@ -76,4 +76,4 @@ StaticWorld static_world(const Scenario& scenario) {
   return {scenario.obstacles, std::move(ids), next, parked_discs(scenario.robots)};
 }
 
-}  // namespace avo
+}  // namespace avo::inline sim

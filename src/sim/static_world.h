@@ -11,7 +11,7 @@
 #include "sim/fleet.h"
 #include "walls/wall_grid.h"
 
-namespace avo {
+namespace avo::inline sim {
 
 /// What the robots beside walls ask of a grid of them.
 struct WallNeeds {
@@ -44,4 +44,4 @@ struct StaticWorld {
 /// The obstacles of a scene, by their place in it, and its parked robots.
 StaticWorld static_world(const Scenario& scenario);
 
-}  // namespace avo
+}  // namespace avo::inline sim

@@ -12,7 +12,7 @@
 #include "sim/sense.h"
 #include "sim/world.h"
 
-namespace avo {
+namespace avo::inline sim {
 namespace {
 
 // Steps for which robots that were put in order stay near their neighbors in memory, and the
@@ -259,4 +259,4 @@ void step(World& world) {
   if (world.workers[0].clock.is_on()) world.robot_steps += static_cast<std::int64_t>(decisions);
 }
 
-}  // namespace avo
+}  // namespace avo::inline sim

@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-namespace avo {
+namespace avo::inline sim {
 namespace {
 
 constexpr double kTie = 0.03;    // robots right ahead: the most, which nobody sees
@@ -26,4 +26,4 @@ void break_tie(RobotId robot, double nearest_squared, double next_squared, Detou
   detour.congestion = static_cast<float>(kTie * spread(robot.value));
 }
 
-}  // namespace avo
+}  // namespace avo::inline sim

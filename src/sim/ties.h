@@ -5,11 +5,11 @@
 #include "avo/planner.h"
 #include "avo/simulation.h"
 
-namespace avo {
+namespace avo::inline sim {
 
 /// A robot of method avo that is not used to any traffic yet, and has its two nearest neighbors at
 /// the same distance, is in a tie. It gets used to a little traffic, by its id. Squares of the
 /// distances, in order, m².
 void break_tie(RobotId robot, double nearest_squared, double next_squared, Detour& detour);
 
-}  // namespace avo
+}  // namespace avo::inline sim

@@ -14,7 +14,7 @@
 #include "navigation/leg.h"
 #include "sim/fleet.h"
 
-namespace avo {
+namespace avo::inline sim {
 
 /// Of the radius: as much farther off than arrival_distance counts as there, of a goal that cannot
 /// be reached, because the nearest place keeps a little more than the radius off walls.
@@ -110,4 +110,4 @@ Heading beside_resting(std::span<const Wall> resting, const Heading& heading, Ve
 /// Whether the robot looks around in this step: not all do at once.
 bool looks_around(RobotId robot, std::int64_t steps);
 
-}  // namespace avo
+}  // namespace avo::inline sim

@@ -5,7 +5,7 @@
 #include "sim/claims.h"
 #include "sim/world.h"
 
-namespace avo {
+namespace avo::inline sim {
 namespace {
 
 // Who is inside comes before who is not, who goes the other way before who goes the same one, and
@@ -48,4 +48,4 @@ std::optional<Simulation::Wait> wait_of(const World& world, const Claims& claims
                           fleet.id[fleet.slot_of[first->rank]]};
 }
 
-}  // namespace avo
+}  // namespace avo::inline sim

@@ -13,7 +13,7 @@
 #include "sim/static_world.h"
 #include "walls/segment.h"
 
-namespace avo {
+namespace avo::inline sim {
 
 void include_start(const Scenario& scenario, const RobotSetup& robot, const MotionState& state,
                    const CertificateLaw& law, WallNeeds& needs) {
@@ -142,4 +142,4 @@ void find_wall_starts(const Scenario& scenario, std::span<const MotionState> sta
   result.beside = std::move(beside);
 }
 
-}  // namespace avo
+}  // namespace avo::inline sim

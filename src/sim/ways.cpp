@@ -8,7 +8,7 @@
 #include "core/plane.h"
 #include "navigation/right_of_way.h"
 
-namespace avo {
+namespace avo::inline sim {
 namespace {
 
 constexpr double kSightReach = 0.1;  // m
@@ -262,4 +262,4 @@ void plan_travels(Ways& ways, const Fleet& fleet, const Ways* before) {
   }
 }
 
-}  // namespace avo
+}  // namespace avo::inline sim

@@ -23,7 +23,7 @@
 #include "sim/fleet.h"
 #include "sim/travel.h"
 
-namespace avo {
+namespace avo::inline sim {
 
 /// m: the radius rounded up, by 5 % at most, to two digits (from 1 to 2, to halves of the second
 /// one). Fleets in which all radii differ share graphs so; most radii that people write stay.
@@ -107,4 +107,4 @@ class Ways {
 /// has as far to go from its target, keeps it.
 void plan_travels(Ways& ways, const Fleet& fleet, const Ways* before = nullptr);
 
-}  // namespace avo
+}  // namespace avo::inline sim

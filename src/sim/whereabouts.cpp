@@ -11,7 +11,7 @@
 #include "sim/sense.h"
 #include "sim/world.h"
 
-namespace avo {
+namespace avo::inline sim {
 namespace {
 
 // Where more than one in so many decide at once, all are moved.
@@ -163,4 +163,4 @@ void renew_step(World& world, std::size_t slot) {
   ++own.decisions;
 }
 
-}  // namespace avo
+}  // namespace avo::inline sim

@@ -8,7 +8,7 @@
 
 #include "sim/snapshot.h"
 
-namespace avo {
+namespace avo::inline sim {
 
 struct World;
 
@@ -48,4 +48,4 @@ void find_near(World& world, std::size_t slot);
 /// That robot has decided.
 void renew_step(World& world, std::size_t slot);
 
-}  // namespace avo
+}  // namespace avo::inline sim

@@ -17,7 +17,7 @@
 #include "sim/scene_checks.h"
 #include "sim/ties.h"
 
-namespace avo {
+namespace avo::inline sim {
 namespace {
 
 bool is_certified(const Pace& pace) {
@@ -273,4 +273,4 @@ Robot World::robot(std::size_t slot, double nearest, Simulation::Perception& see
   return robot;
 }
 
-}  // namespace avo
+}  // namespace avo::inline sim

@@ -28,7 +28,7 @@
 #include "sim/ways.h"
 #include "sim/whereabouts.h"
 
-namespace avo {
+namespace avo::inline sim {
 
 /// Candidates for being a neighbor, of a tile.
 inline constexpr std::size_t kTileCandidates = 4096;
@@ -184,4 +184,4 @@ void plan_and_move(World& world, const Pace& pace, std::span<const std::uint32_t
 /// One sensing-acting cycle of all robots.
 void step(World& world);
 
-}  // namespace avo
+}  // namespace avo::inline sim

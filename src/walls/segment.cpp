@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "walls/segment.h"
 
-namespace avo {
+namespace avo::inline walls {
 namespace {
 
 // Each one's ends lie on different sides of the other one. Where rounding hides a side, an end is
@@ -39,4 +39,4 @@ double distance(const Segment& first, const Segment& second) {
   return nearest_points(first, second).distance;
 }
 
-}  // namespace avo
+}  // namespace avo::inline walls

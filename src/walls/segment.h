@@ -3,7 +3,7 @@
 #pragma once
 #include "avo/vec.h"
 
-namespace avo {
+namespace avo::inline walls {
 
 /// From a to b; a point where they are equal.
 struct Segment {
@@ -42,4 +42,4 @@ inline bool leads_across(const Segment& line, Vec2 p, Vec2 q) {
   return (cross(way, line.a - p) < 0.0) != (cross(way, line.b - p) < 0.0);
 }
 
-}  // namespace avo
+}  // namespace avo::inline walls

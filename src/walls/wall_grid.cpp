@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-namespace avo {
+namespace avo::inline walls {
 namespace {
 
 constexpr double kMostCells = 0x1p18;
@@ -126,4 +126,4 @@ std::span<const Wall> WallGrid::near(Vec2 place) const {
   return std::span(entries_).subspan(first_[cell], first_[cell + 1] - first_[cell]);
 }
 
-}  // namespace avo
+}  // namespace avo::inline walls

@@ -9,7 +9,7 @@
 
 #include "avo/wall.h"
 
-namespace avo {
+namespace avo::inline walls {
 
 class WallGrid {
  public:
@@ -37,4 +37,4 @@ class WallGrid {
   std::size_t most_ = 0;
 };
 
-}  // namespace avo
+}  // namespace avo::inline walls

@@ -8,7 +8,7 @@ import re
 import sys
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
-SCOPE = re.compile(r"^(?P<opens>namespace (?P<name>[\w:]+ )?\{)$|^(?P<closes>\}  // namespace)|"
+SCOPE = re.compile(r"^(?P<opens>namespace (?P<name>[\w:]+ (?:\w+ )?)?\{)$|^(?P<closes>\}  // namespace)|"
                    r"^(?:struct|class|union|enum(?: class)?) (?:AVO_\w+ )?(?:alignas\(\w+\) )?(?P<type>\w+)(?!\w|::|<)[^;{]*\{", re.M)
 
 
@@ -39,6 +39,7 @@ def main():
     assert list(types(one)) == ["avo::Leg", "avo::judge::Arc"] and not several({"one": one, "other": other})
     own = "namespace avo {\nnamespace {\nstruct Leg {\n};\n}  // namespace\nstruct Kind {\n};\n}  // namespace avo\n"
     assert list(types(own)) == ["avo::Kind"]
+    assert list(types(own.replace("avo {", "avo::inline sim {"))) == ["avo::inline sim::Kind"]
     assert several({"one": one, "same": one + other}) == {name: ["one", "same"] for name in types(one)}
     texts = {path.relative_to(ROOT): path.read_text() for folder in ("src", "include", "io", "figures")
              for path in sorted((ROOT / folder).rglob("*.*")) if path.suffix in (".h", ".cpp")}
