@@ -29,6 +29,8 @@ OUTER = {
     "figures": {"avo", "figures"},
     "apps": {"avo", "avo_io", "figures", "cli", "apps", "paper_figures"},
     "bindings/python": {"avo", "avo_io"},
+    "lab/wasm": {"avo", "avo_io", "io", "figures", "core/elementary.h", "core/retell.h", "planner/certify.h",
+                 "sim/saved_state.h", "walls/segment.h", "walls/wall_grid.h"},
 }
 INCLUDE = re.compile(r'^\s*#\s*(?:include|define\s+AVO_KERNEL_HEADER\w*)\s+"([^"]+)"', re.M)
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // What stands in YAML text, as events with lines and columns: the tree that the command line's reader builds of them
-// is the same, and so are the rules about it (io/yaml_builder.h).
+// is the same, and so are the rules about it (io/text/yaml_builder.h).
 import { isAlias, isMap, isScalar, isSeq, LineCounter, parseAllDocuments, Scalar } from "yaml";
 import type { Document, Pair, ParsedNode } from "yaml";
 import { addText, addWhole, emptyBytes, taken } from "./bytes.ts";

@@ -10,7 +10,7 @@
 
 #include "avo/clearance.h"
 #include "host.h"
-#include "json.h"
+#include "io/text/json.h"
 #include "walls/segment.h"
 #include "walls/wall_grid.h"
 

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "host.h"
-#include "yaml_builder.h"
+#include "io/text/yaml_builder.h"
 
 /// Parses `length` bytes at `text` and puts the events into the room.
 extern "C" __attribute__((import_module("avo"), import_name("parse_yaml"))) void

@@ -13,7 +13,7 @@
 #include "avo/planner.h"
 #include "figures/velocity_space.h"
 #include "host.h"
-#include "json.h"
+#include "io/text/json.h"
 #include "planner/certify.h"
 
 namespace avo_lab {

@@ -7,7 +7,7 @@
 #include "avo_io/scene.h"
 #include "core/elementary.h"
 #include "host.h"
-#include "json.h"
+#include "io/text/json.h"
 
 namespace avo_lab {
 

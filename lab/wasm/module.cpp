@@ -11,9 +11,9 @@
 #include "avo/error.h"
 #include "avo_io/recording.h"
 #include "avo_io/scene.h"
-#include "builtin.h"
-#include "file_names.h"
 #include "host.h"
+#include "io/files/file_names.h"
+#include "io/scene/builtin.h"
 
 namespace avo_lab {
 namespace {

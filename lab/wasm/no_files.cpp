@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // There are no files but those that a scene is given, and no images but graymaps.
 #include "avo_io/errors.h"
-#include "image.h"
-#include "regular_file.h"
+#include "io/files/regular_file.h"
+#include "io/maps/image.h"
 
 namespace avo_io {
 

@@ -6,9 +6,9 @@
 #include <variant>
 
 #include "avo_io/complaints.h"
-#include "fields.h"
 #include "host.h"
-#include "json.h"
+#include "io/scene/fields.h"
+#include "io/text/json.h"
 
 namespace avo_lab {
 namespace {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The table of fields, the core's validation and the JSON Schema say the same.
-#include "fields.h"
+#include "io/scene/fields.h"
 
 #include <cmath>
 #include <cstdlib>
@@ -11,9 +11,9 @@
 #include <type_traits>
 
 #include "avo_io/scene.h"
+#include "io/text/words.h"
 #include "support/json.h"
 #include "support/refusal.h"
-#include "words.h"
 
 namespace avo_test {
 namespace {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Where a disc has room: the answers of a search through all discs, whatever their sizes.
-#include "free_space.h"
+#include "io/maps/free_space.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Groups become robots: where they start, where they go, the same on every machine.
-#include "placement.h"
+#include "io/scene/placement.h"
 
 #include <algorithm>
 #include <cmath>
@@ -11,7 +11,7 @@
 
 #include "avo/reachability.h"
 #include "avo_io/scene.h"
-#include "random.h"
+#include "io/scene/random.h"
 
 namespace avo_test {
 namespace {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Statistics of sweeps, against values worked out by hand and with many digits.
-#include "statistics.h"
+#include "io/sweep/statistics.h"
 
 #include <cmath>
 #include <gmock/gmock.h>

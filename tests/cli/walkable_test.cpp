@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "avo/error.h"
-#include "export_rings.h"
-#include "wall_space.h"
+#include "io/export/rings.h"
+#include "io/maps/wall_space.h"
 
 namespace avo_test {
 namespace {

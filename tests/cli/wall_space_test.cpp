@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Random places keep clear of walls, solids and bounds, as a search through all of them says.
-#include "wall_space.h"
+#include "io/maps/wall_space.h"
 
 #include <algorithm>
 #include <cmath>

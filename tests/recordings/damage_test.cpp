@@ -14,9 +14,9 @@
 #include "avo/simulation.h"
 #include "avo_io/recording.h"
 #include "avo_io/scene.h"
-#include "hdf5_recording.h"
+#include "io/recording/hdf5_recording.h"
+#include "io/recording/spool.h"
 #include "run_avo.h"
-#include "spool.h"
 
 namespace avo_test {
 namespace {

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "hdf5_handle.h"
+#include "io/recording/hdf5_handle.h"
 
 namespace avo_test {
 

@@ -8,8 +8,8 @@
 #include <unistd.h>
 
 #include "edit_hdf5.h"
+#include "io/recording/spool.h"
 #include "recorded.h"
-#include "spool.h"
 #include "verdicts.h"
 
 namespace avo_test {

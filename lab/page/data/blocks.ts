@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Recordings in blocks of 64 times, whose chunks are shuffled and compressed as io/recording_blocks.cpp does. What is
+// Recordings in blocks of 64 times, whose chunks are shuffled and compressed as io/recording/recording_blocks.cpp does. What is
 // shown is uncompressed, block by block, and the last ones are kept.
 import { refuse } from "./bytes.ts";
 import { uncompressed } from "./compression.ts";

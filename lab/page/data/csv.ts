@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Recordings as CSV (docs/check.md), read as io/csv_rows.cpp does and refused in its words.
+// Recordings as CSV (docs/check.md), read as io/recording/csv_rows.cpp does and refused in its words.
 import { refuse } from "./bytes.ts";
 import { emptyFrame, LARGEST, LARGEST_RANGE, MOST_ROBOTS, type Recording, type RecordedFrame } from "./recording.ts";
 import { inQuotes, nearest, shortest } from "./words.ts";

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Attributes of HDF5 objects: texts of fixed length and whole numbers; others are left out, as io/hdf5_reader.cpp does.
+// Attributes of HDF5 objects: texts of fixed length and whole numbers; others are left out, as io/recording/hdf5_reader.cpp does.
 import { ByteReader, hexOf, refuse } from "./bytes.ts";
 import { messagesInHeap } from "./hdf5_heap.ts";
 import { ATTRIBUTE, ATTRIBUTE_INFO, type Message, readExtent, refuseForeign, requireVersion } from "./hdf5_objects.ts";

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// HDF5 as our writer makes it (io/hdf5_output.cpp): superblock 2, and objects, whose headers are lists of messages.
+// HDF5 as our writer makes it (io/recording/hdf5_output.cpp): superblock 2, and objects, whose headers are lists of messages.
 // Names and numbers are those of the HDF5 File Format Specification.
 import { beginsWith, ByteReader, hexOf, refuse } from "./bytes.ts";
 import { requireChecksum } from "./hdf5_checksum.ts";

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Tables of HDF5 as our writer makes them (io/hdf5_writer.cpp): the times in one piece, all others in chunks, which a
+// Tables of HDF5 as our writer makes them (io/recording/hdf5_writer.cpp): the times in one piece, all others in chunks, which a
 // B-tree (version 1) leads to.
 import { ByteReader, hexOf, refuse } from "./bytes.ts";
 import { DATA_LAYOUT, DATASPACE, DATATYPE, FILTER_PIPELINE, type Message, messageOf, readExtent, refuseForeign,

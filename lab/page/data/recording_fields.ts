@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a recording tells of itself: its attributes, held to what io/recording_fields.cpp allows.
+// What a recording tells of itself: its attributes, held to what io/recording/recording_fields.cpp allows.
 import type { StoredBlocks } from "./blocks.ts";
 import { refuse } from "./bytes.ts";
 import { textOf } from "./graymap.ts";

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Spools (io/spool.h), which a run that was killed leaves: records with checksums. What is behind the last whole
+// Spools (io/recording/spool.h), which a run that was killed leaves: records with checksums. What is behind the last whole
 // block is lost.
 import { beginsWith, ByteReader, RecordingError, refuse } from "./bytes.ts";
 import { BLOCK_TIMES, type BlockShape, chunksOf } from "./blocks.ts";

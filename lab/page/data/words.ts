@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Words and numbers in messages and tables, as the command line shows them (io/words.cpp, io/printable.cpp).
+// Words and numbers in messages and tables, as the command line shows them (io/text/words.cpp, io/text/printable.cpp).
 
 /** Control characters, line ends and directions of writing: what changes how the rest is shown. */
 const UNPRINTABLE = /[\u0000-\u001f\u007f-\u009f\u2028-\u202e\u2066-\u2069]/;

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: Apache-2.0
+// Reading a whole file without being led astray by pipes, devices or size.
+#include "io/files/regular_file.h"
+
+#include <cerrno>
+#include <fcntl.h>
+#include <filesystem>
+#include <fmt/format.h>
+#include <sys/stat.h>
+#include <system_error>
+#include <unistd.h>
+
+#include "avo_io/errors.h"
+
+namespace avo_io {
+namespace {
+
+constexpr std::size_t kLargest = std::size_t{16} << 20U;
+
+/// Closes what it holds.
+struct Descriptor {
+  explicit Descriptor(int number) : value(number) {}
+  Descriptor(const Descriptor&) = delete;
+  Descriptor& operator=(const Descriptor&) = delete;
+  ~Descriptor() {
+    if (value >= 0) close(value);
+  }
+  int value;
+};
+
+std::string read_all(int descriptor, const std::string& name) {
+  std::string text;
+  while (text.size() <= kLargest) {
+    char buffer[65536];
+    const ssize_t got = read(descriptor, buffer, sizeof buffer);
+    if (got < 0 && errno == EINTR) continue;
+    if (got < 0) throw FileError(with_errno(name));
+    if (got == 0) return text;
+    text.append(buffer, static_cast<std::size_t>(got));
+  }
+  throw SceneError(
+      fmt::format("{}:1:1: found more than {} MiB, must be smaller", name, kLargest >> 20U));
+}
+
+}  // namespace
+
+std::string with_errno(const std::string& name) {
+  return name + ": " + std::generic_category().message(errno);
+}
+
+std::string read_regular_file(const std::string& path) {
+  const Descriptor file(open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC));
+  if (file.value < 0) throw FileError(with_errno(path));
+  struct stat status = {};
+  if (fstat(file.value, &status) != 0) throw FileError(with_errno(path));
+  if (!S_ISREG(status.st_mode))
+    throw FileError(fmt::format("{}: found a {}, must be a regular file", path,
+                                S_ISDIR(status.st_mode)    ? "directory"
+                                : S_ISFIFO(status.st_mode) ? "pipe"
+                                                           : "device"));
+  return read_all(file.value, path);
+}
+
+bool is_missing(const std::string& path) {
+  std::error_code error;
+  return std::filesystem::status(path, error).type() == std::filesystem::file_type::not_found;
+}
+
+std::string read_standard_input() {
+  struct stat status = {};
+  if (fstat(STDIN_FILENO, &status) != 0) throw FileError(with_errno(kStandardInput));
+  if (S_ISDIR(status.st_mode))
+    throw FileError(fmt::format("{}: found a directory, must be a file", kStandardInput));
+  return read_all(STDIN_FILENO, kStandardInput);
+}
+
+}  // namespace avo_io

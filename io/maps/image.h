@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: Apache-2.0
+// Images of maps: portable graymaps (plain P2 and raw P5), PNG and BMP.
+#pragma once
+#include <cstdint>
+#include <vector>
+
+#include "io/text/source_text.h"
+
+namespace avo_io {
+
+/// Pixels row by row, the first is the top.
+struct Image {
+  std::int64_t width = 0, height = 0;
+  std::int64_t white = 255;            ///< the largest value of a channel
+  std::vector<std::uint32_t> color;    ///< red + green + blue, each up to `white`
+  std::vector<std::uint16_t> opacity;  ///< up to `white`, which is opaque; empty: all are
+};
+
+/// What the image is, its first bytes say. Throws SceneError, and allocates nothing that the bytes
+/// cannot hold.
+Image read_image(const SourceText& source);
+
+// The formats by themselves.
+Image read_pgm(const SourceText& source);
+Image read_png(const SourceText& source);
+Image read_bmp(const SourceText& source);
+
+/// Refuses an image of more pixels than there may be.
+void require_pixels(const SourceText& source, const Image& image);
+
+}  // namespace avo_io

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: Apache-2.0
+// Maps of ROS: map.yaml and its image.
+#pragma once
+#include <string>
+
+#include "io/maps/occupancy_grid.h"
+#include "io/scene/scene_files.h"
+#include "io/text/source_text.h"
+
+namespace avo_io {
+
+/// Blocked are occupied cells and those of which nothing is known: all that are not free. `folder`
+/// of map.yaml, relative to the scene. Throws SceneError, FileError.
+OccupancyGrid read_ros_map(const SourceText& source, const std::string& folder, SceneFiles& files);
+
+}  // namespace avo_io

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: Apache-2.0
+// Numbers as from_chars() reads them, and what it has no word for.
+#include "io/recording/row_numbers.h"
+
+#include <charconv>
+#include <cmath>
+#include <limits>
+#include <system_error>
+
+namespace avo_io {
+
+std::optional<double> parsed(std::string_view text) {
+  if (text.starts_with('+') && !text.starts_with("+-")) text.remove_prefix(1);
+  double value = 0.0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (end != text.data() + text.size()) return std::nullopt;
+  if (error == std::errc::result_out_of_range) {
+    const std::size_t exponent = text.find_first_of("eE");
+    const bool small = exponent != std::string_view::npos && text.substr(exponent + 1)[0] == '-';
+    return small ? 0.0 : std::numeric_limits<double>::infinity();
+  }
+  if (error != std::errc()) return std::nullopt;
+  return value;
+}
+
+std::optional<std::int64_t> whole_number(std::string_view text) {
+  std::int64_t number = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+  if (error == std::errc() && end == text.data() + text.size())
+    return number >= 0 ? std::optional(number) : std::nullopt;
+  const std::optional<double> value = parsed(text);
+  constexpr double kExact = 0x1p53;
+  if (!value || !(*value >= 0.0 && *value < kExact) || std::floor(*value) != *value)
+    return std::nullopt;
+  return static_cast<std::int64_t>(*value);
+}
+
+}  // namespace avo_io

@@ -1,0 +1,359 @@
+// SPDX-License-Identifier: Apache-2.0
+// What avo explain says.
+#include "avo_io/decision.h"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+#include <functional>
+#include <numeric>
+#include <set>
+
+#include "avo/half_plane.h"
+#include "avo_io/printable.h"
+#include "io/text/json.h"
+
+namespace avo_io {
+namespace {
+
+using avo::Vec2;
+
+Json to_json(Vec2 v) {
+  return Json::array({v.x, v.y});
+}
+
+Json to_json(const avo::Disc& disc) {
+  if (!std::isfinite(disc.radius)) return nullptr;  // no limit
+  return {{"center", to_json(disc.center)}, {"radius", disc.radius}};
+}
+
+Json to_json(const avo::LoiterCircle& circle) {
+  return to_json(avo::Disc{circle.center, circle.radius});
+}
+
+/// That some neighbor's half-plane is broken: at most the sum.
+double risk_of(const Decision& decision) {
+  return std::min(1.0, std::accumulate(decision.risks.begin(), decision.risks.end(), 0.0));
+}
+
+/// Of what the two have to do, the robot's part.
+double share_of(const avo::Robot& self, const avo::Neighbor& neighbor) {
+  if (neighbor.behavior == avo::Behavior::moves_on) return 1.0;
+  return avo::reciprocal_share(self.max_acceleration, neighbor.max_acceleration, self.priority,
+                               neighbor.priority);
+}
+
+Json constraints_of(const Decision& decision) {
+  Json constraints = Json::array();
+  for (const avo::CertificateConstraint& constraint : decision.constraints)
+    constraints.push_back(
+        {{"neighbor", name_of(decision.seen.source[static_cast<std::size_t>(constraint.neighbor)])},
+         {"interval", constraint.interval},
+         {"normal", to_json(constraint.normal)},
+         {"offset", constraint.offset}});
+  return constraints;
+}
+
+/// The walls that the robot knows.
+Json walls_of(const Decision& decision) {
+  Json walls = Json::array();
+  for (const avo::Wall& wall : decision.seen.walls)
+    walls.push_back({{"a", to_json(wall.a)}, {"b", to_json(wall.b)}, {"radius", wall.radius}});
+  return walls;
+}
+
+Json wall_half_planes_of(const avo::WallPlanes& wall_planes) {
+  Json planes = Json::array();
+  const auto append = [&planes](const char* kind, const std::vector<avo::WallPlane>& of_kind) {
+    for (const avo::WallPlane& plane : of_kind)
+      planes.push_back({{"wall", plane.wall},
+                        {"kind", kind},
+                        {"normal", to_json(plane.plane.normal)},
+                        {"offset", plane.plane.offset}});
+  };
+  append("speed", wall_planes.speeds);
+  append("obstacle", wall_planes.obstacles);
+  return planes;
+}
+
+Json wall_constraints_of(const Decision& decision) {
+  Json constraints = Json::array();
+  for (const avo::WallConstraint& constraint : decision.wall_constraints)
+    constraints.push_back({{"wall", constraint.wall},
+                           {"held", constraint.held},
+                           {"distance", constraint.distance},
+                           {"normal", to_json(constraint.normal)}});
+  return constraints;
+}
+
+std::string text(Vec2 v) {
+  return fmt::format("({:.6g}, {:.6g})", v.x + 0.0, v.y + 0.0);  // no -0
+}
+
+std::string text_of(std::int64_t source) {
+  return source >= 0 ? fmt::format("robot {}", source)
+                     : fmt::format("moving obstacle {}", -1 - source);
+}
+
+std::string text_of(const avo::Wall& wall) {
+  const std::string thick = wall.radius > 0.0 ? fmt::format(", radius {:.6g}", wall.radius) : "";
+  return wall.a == wall.b
+             ? fmt::format("the disc at {}{}", text(wall.a), thick)
+             : fmt::format("the wall from {} to {}{}", text(wall.a), text(wall.b), thick);
+}
+
+/// One of the neighbors or of the walls, or neither.
+Json name_of_either(const Decision& decision, int neighbor, int wall) {
+  if (neighbor >= 0) return name_of(decision.seen.source[static_cast<std::size_t>(neighbor)]);
+  if (wall >= 0) return fmt::format("walls.{}", wall);
+  return nullptr;
+}
+
+std::string text_of_either(const Decision& decision, int neighbor, int wall) {
+  return neighbor >= 0 ? text_of(decision.seen.source[static_cast<std::size_t>(neighbor)])
+                       : text_of(decision.seen.walls[static_cast<std::size_t>(wall)]);
+}
+
+/// With whom or what contact is inevitable.
+Json doomed_by(const Decision& decision) {
+  const avo::SafetyReport& state = decision.state;
+  if (state.state != avo::SafetyState::doomed) return nullptr;
+  return name_of_either(decision, state.neighbor, state.wall);
+}
+
+/// Of a decision that is overlapping.
+std::string contact_text(const Decision& decision) {
+  const avo::Plan& plan = decision.plan;
+  return fmt::format("{:.6g} m deep with {}, now or in spite of braking", plan.depth,
+                     text_of_either(decision, plan.neighbor, plan.wall));
+}
+
+std::string state_text(const Decision& decision) {
+  const avo::SafetyReport& state = decision.state;
+  if (state.state == avo::SafetyState::safe)
+    return is_airplane(decision.seen.robot.model) ? "safe: its circle keeps clear of all others"
+                                                  : "safe: braking avoids contact";
+  if (state.state == avo::SafetyState::unknown) return "unknown: neither safe nor doomed is proved";
+  return fmt::format("doomed: contact with {} within {:.6g} s, whatever it does",
+                     text_of_either(decision, state.neighbor, state.wall), state.time);
+}
+
+/// A line on each of the half-planes of walls that may cut, and on what the certificate keeps.
+void append_walls(const Decision& decision,
+                  const std::function<void(const char*, const std::string&)>& line) {
+  const auto wall_of = [&decision](int index) {
+    return text_of(decision.seen.walls[static_cast<std::size_t>(index)]);
+  };
+  const auto append = [&](const char* name, const std::vector<avo::WallPlane>& planes) {
+    for (const avo::WallPlane& plane : planes)
+      line(name, fmt::format("{} . v' >= {:.6g} m/s, of {}", text(plane.plane.normal),
+                             plane.plane.offset, wall_of(plane.wall)));
+  };
+  const bool is_avo = decision.method == avo::Method::avo;
+  append("speed before wall", decision.wall_planes.speeds);
+  append(is_avo ? "wall's obstacle" : "half-plane", decision.wall_planes.obstacles);
+  for (const avo::WallConstraint& constraint : decision.wall_constraints)
+    line("wall constraint",
+         fmt::format("{:.6g} m from {}, braking leaves {:.6g} m", constraint.held,
+                     wall_of(constraint.wall), constraint.distance));
+}
+
+/// How many constraints there are, and the first one of each of the nearest neighbors.
+void append_certificate(const Decision& decision,
+                        const std::function<void(const char*, const std::string&)>& line) {
+  constexpr int kNamed = 3;
+  const auto& constraints = decision.constraints;
+  std::set<int> neighbors;
+  for (const avo::CertificateConstraint& constraint : constraints)
+    neighbors.insert(constraint.neighbor);
+  line("certificate",
+       fmt::format("{}, {} constraints of {} neighbors", avo::to_string(decision.certificate),
+                   constraints.size(), neighbors.size()));
+  int named = 0, last = -1;
+  for (const avo::CertificateConstraint& constraint : constraints) {
+    if (named == kNamed) break;
+    if (constraint.neighbor == last) continue;
+    last = constraint.neighbor;
+    ++named;
+    line("constraint", fmt::format("{} . q >= {:.6g} m on step {}, of {}", text(constraint.normal),
+                                   constraint.offset, constraint.interval,
+                                   text_of(decision.seen.source[static_cast<std::size_t>(last)])));
+  }
+  if (decision.seen.detour.angle > 0.0)
+    line("detour", fmt::format("{:.6g} rad to the right", decision.seen.detour.angle));
+}
+
+/// Whom it evades, and on which way.
+Json evasion_of(const Decision& decision) {
+  if (!decision.evasion) return nullptr;
+  const auto& [neighbor, velocity, duration] = *decision.evasion;
+  return {{"neighbor", name_of_either(decision, neighbor, -1)},
+          {"velocity", to_json(velocity)},
+          {"until", decision.time + duration}};
+}
+
+std::string evasion_text(const Decision& decision) {
+  const auto& [neighbor, velocity, duration] = *decision.evasion;
+  const std::string whom =
+      neighbor >= 0 ? text_of_either(decision, neighbor, -1) : "those who come";
+  if (!(duration > 0.0)) return whom + ": it brakes";
+  return fmt::format("{}: towards {} m/s until {:.6g} s, and then it could brake", whom,
+                     text(velocity), decision.time + duration);
+}
+
+/// At which passage it waits, and for whom.
+Json wait_of(const Decision& decision) {
+  if (!decision.seen.wait) return nullptr;
+  const auto& [passage, robot] = *decision.seen.wait;
+  return {{"passage", to_json(passage)}, {"for", robot.value}};
+}
+
+Json half_planes_of(const Decision& decision) {
+  Json half_planes = Json::array();
+  for (const avo::NeighborPlane& plane : decision.half_planes.planes)
+    half_planes.push_back(
+        {{"neighbor", name_of(decision.seen.source[static_cast<std::size_t>(plane.neighbor)])},
+         {"normal", to_json(plane.plane.normal)},
+         {"offset", plane.plane.offset}});
+  return half_planes;
+}
+
+// Whom it senses.
+Json obstacles_of(const Decision& decision) {
+  const auto& seen = decision.seen;
+  Json obstacles = Json::array();
+  for (std::size_t k = 0; k < seen.neighbors.size(); ++k) {
+    const avo::Neighbor& neighbor = seen.neighbors[k];
+    const bool decides = neighbor.behavior == avo::Behavior::decides;
+    const bool shares = avo::shares(neighbor);
+    obstacles.push_back({{"neighbor", name_of(seen.source[k])},
+                         {"position", to_json(neighbor.position)},
+                         {"velocity", to_json(neighbor.velocity)},
+                         {"acceleration", to_json(neighbor.acceleration)},
+                         {"radius", neighbor.radius},
+                         {"max_acceleration", shares ? neighbor.max_acceleration : 0.0},
+                         {"priority", shares ? Json(neighbor.priority) : Json()},
+                         {"behavior", to_string(neighbor.behavior)},
+                         {"share", share_of(seen.robot, neighbor)}});
+    if (neighbor.age > 0) obstacles.back()["age"] = neighbor.age;
+    if (decides) obstacles.back()["max_braking"] = braking_limit(neighbor);
+    if (neighbor.loiter) obstacles.back()["loiter"] = to_json(*neighbor.loiter);
+    if (!decides && neighbor.likely_deviation > 0.0)
+      obstacles.back()["likely_deviation"] = neighbor.likely_deviation;
+    if (!decides && neighbor.max_deviation > 0.0) {
+      obstacles.back()["max_deviation"] = neighbor.max_deviation;
+      obstacles.back()["max_speed"] =
+          std::isfinite(neighbor.max_speed) ? Json(neighbor.max_speed) : Json();
+    }
+    if (!decision.risks.empty()) obstacles.back()["risk"] = decision.risks[k];
+  }
+  return obstacles;
+}
+
+}  // namespace
+
+std::string to_json(const Decision& decision) {
+  const auto& seen = decision.seen;
+  const avo::Robot& self = seen.robot;
+  Json json{{"scene", decision.scene},
+            {"robot", decision.robot},
+            {"time", decision.time},
+            {"position", to_json(self.position)},
+            {"velocity", to_json(self.velocity)},
+            {"goal", to_json(decision.goal)},
+            {"radius", self.radius},
+            {"max_speed", self.max_speed},
+            {"max_acceleration", self.max_acceleration},
+            {"max_braking", braking_limit(self)},
+            {"priority", self.priority},
+            {"obstacles", obstacles_of(decision)},
+            {"rule", decision.by_half_planes ? "half_planes" : "union_of_obstacles"},
+            {"half_planes", half_planes_of(decision)},
+            {"walls", walls_of(decision)},
+            {"wall_half_planes", wall_half_planes_of(decision.wall_planes)}};
+  if (decision.method == avo::Method::avo) {
+    json["certificate_kind"] = avo::to_string(decision.certificate);
+    json["certificate"] = constraints_of(decision);
+    json["wall_certificate"] = wall_constraints_of(decision);
+    json["detour"] = seen.detour.angle;
+    json["response_time"] = decision.response_time;
+  }
+  const bool overlaps = decision.plan.status == avo::PlanStatus::overlapping;
+  const Json rest{
+      {"acceleration_disc", to_json(decision.acceleration_disc)},
+      {"speed_disc", to_json(decision.speed_disc)},
+      {"preferred_velocity", to_json(self.preferred_velocity)},
+      {"new_velocity", to_json(decision.plan.new_velocity)},
+      {"acceleration", to_json(decision.plan.acceleration)},
+      {"evading", evasion_of(decision)},
+      {"waits", wait_of(decision)},
+      {"state", avo::to_string(decision.state.state)},
+      {"doomed_by", doomed_by(decision)},
+      {"contact_within",
+       decision.state.state == avo::SafetyState::doomed ? Json(decision.state.time) : Json()},
+      {"status", avo::to_string(decision.plan.status)},
+      {"contact_with", name_of_either(decision, decision.plan.neighbor, decision.plan.wall)},
+      {"contact_depth", overlaps ? Json(decision.plan.depth) : Json()},
+      {"violation", decision.plan.violation}};
+  if (decision.has_own_method) json["method"] = avo::to_string(decision.method);
+  if (self.loiter) json["loiter"] = to_json(*self.loiter);
+  if (!decision.risks.empty()) json["risk"] = risk_of(decision);
+  json.update(rest);
+  // the scene may be called like its file, whose name need not be UTF-8
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+std::string readable(const Decision& decision) {
+  const avo::Robot& self = decision.seen.robot;
+  std::string result = fmt::format("{}, robot {} at {:.6g} s\n", avo_io::printable(decision.scene),
+                                   decision.robot, decision.time);
+  const auto line = [&](const char* name, const std::string& value) {
+    result += fmt::format("  {:<19} {}\n", name, value);
+  };
+  line("position", text(self.position) + " m, goal " + text(decision.goal) + " m");
+  line("velocity", text(self.velocity) + " m/s");
+  if (decision.has_own_method) line("method", avo::to_string(decision.method));
+  if (self.loiter)
+    line("may circle",
+         fmt::format("about {} m, {:.6g} m away", text(self.loiter->center), self.loiter->radius));
+  if (self.priority != 1.0) line("priority", fmt::format("{:.6g}", self.priority));
+  const avo::Disc& reach = decision.acceleration_disc;
+  line("may choose", (std::isfinite(reach.radius) ? fmt::format("|v' - {}| <= {:.6g} m/s, ",
+                                                                text(reach.center), reach.radius)
+                                                  : std::string()) +
+                         fmt::format("|v'| <= {:.6g} m/s", decision.speed_disc.radius));
+  line("sees", fmt::format("{} robots and moving obstacles", decision.seen.neighbors.size()));
+  for (std::size_t k = 0; k < decision.seen.neighbors.size(); ++k) {
+    if (const int age = decision.seen.neighbors[k].age; age > 0)
+      line("carried on", fmt::format("{}, last sensed {} {} ago", text_of(decision.seen.source[k]),
+                                     age, age == 1 ? "step" : "steps"));
+  }
+  if (!decision.by_half_planes) line("avoids", "the union of their obstacles");
+  for (const avo::NeighborPlane& plane : decision.half_planes.planes)
+    line("half-plane",
+         fmt::format("{} . v' >= {:.6g} m/s, of {}", text(plane.plane.normal), plane.plane.offset,
+                     text_of(decision.seen.source[static_cast<std::size_t>(plane.neighbor)])));
+  append_walls(decision, line);
+  if (decision.method == avo::Method::avo) append_certificate(decision, line);
+  line("preferred velocity", text(self.preferred_velocity) + " m/s");
+  line("new velocity", text(decision.plan.new_velocity) + " m/s");
+  if (decision.method == avo::Method::avo)
+    line("response time", decision.response_time > 0.0
+                              ? fmt::format("{:.6g} s", decision.response_time)
+                              : std::string("0: at once"));
+  line("acceleration", text(decision.plan.acceleration) + " m/s^2");
+  if (decision.evasion) line("evades", evasion_text(decision));
+  if (const auto& wait = decision.seen.wait)
+    line("waits", fmt::format("at the passage at {} m for robot {}", text(wait->passage),
+                              wait->robot.value));
+  if (!decision.risks.empty())
+    line("risk",
+         fmt::format("{:.3g} or less that noise hides a broken half-plane", risk_of(decision)));
+  line("state", state_text(decision));
+  if (decision.plan.status == avo::PlanStatus::overlapping) line("contact", contact_text(decision));
+  line("status", fmt::format("{}, violation {:.6g} m/s", avo::to_string(decision.plan.status),
+                             decision.plan.violation));
+  return result;
+}
+
+}  // namespace avo_io

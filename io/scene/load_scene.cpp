@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: Apache-2.0
+// A scene by its name or its path, or from the standard input.
+#include <fmt/format.h>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "avo_io/scene.h"
+#include "io/files/file_names.h"
+#include "io/files/regular_file.h"
+#include "io/scene/scene_text.h"
+#include "io/text/words.h"
+
+namespace avo_io {
+namespace {
+
+std::string not_found(const std::string& path) {
+  std::vector<std::string_view> names;
+  for (const BuiltinScene& scene : builtin_scenes()) names.push_back(scene.name);
+  const auto meant = nearest_scene(path);
+  return fmt::format("{}: found no such file and no scene of that name, scenes are {}{}", path,
+                     joined(names), meant ? fmt::format("; did you mean \"{}\"?", *meant) : "");
+}
+
+avo::Scenario loaded(const std::string& name_or_path, const std::vector<std::string>& overrides,
+                     SceneSource* source, bool may_lack_robots) {
+  SceneFiles files{folder_of(name_or_path)};
+  files.may_lack_robots = may_lack_robots;
+  const auto build_and_tell = [&](std::string yaml, const std::string& file) {
+    avo::Scenario scenario = scenario_of(yaml, file, overrides, files);
+    if (source != nullptr) {
+      *source = {file, std::move(yaml), overrides, std::move(files.read)};
+      source->notes = std::move(files.notes);
+    }
+    return scenario;
+  };
+  if (name_or_path == "-") {
+    files.builtin = BuiltinFiles::last;
+    return build_and_tell(read_standard_input(), kStandardInput);
+  }
+  if (std::optional<std::string> yaml = builtin_text(name_or_path)) {
+    files.builtin = BuiltinFiles::first;
+    return build_and_tell(std::move(*yaml), name_or_path);
+  }
+  if (is_missing(name_or_path)) throw FileError(not_found(name_or_path));
+  return build_and_tell(read_regular_file(name_or_path), name_or_path);
+}
+
+}  // namespace
+
+avo::Scenario load_scenario(const std::string& name_or_path,
+                            const std::vector<std::string>& overrides, SceneSource* source) {
+  return loaded(name_or_path, overrides, source, false);
+}
+
+avo::Scenario load_surroundings(const std::string& name_or_path,
+                                const std::vector<std::string>& overrides, SceneSource* source) {
+  return loaded(name_or_path, overrides, source, true);
+}
+
+}  // namespace avo_io

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: Apache-2.0
+// Entries of `obstacles`, and the robots of a map's scenario.
+#pragma once
+#include <string>
+#include <vector>
+
+#include "io/maps/occupancy_grid.h"
+#include "io/scene/fields.h"
+#include "io/scene/reader.h"
+#include "io/scene/scene_files.h"
+#include "io/text/yaml_tree.h"
+
+namespace avo_io {
+
+/// In a scene and in any of its obstacles.
+inline constexpr std::size_t kMostWalls = 2'000'000;
+
+/// A MovingAI map of the scene.
+struct NamedMap {
+  std::string file;
+  OccupancyGrid grid;
+};
+
+/// Maps that scenarios may refer to are appended to `maps`.
+avo::StaticObstacle read_static_obstacle(const Reader& reader, const YamlNode& node,
+                                         const std::string& path, SceneFiles& files,
+                                         std::vector<NamedMap>& maps);
+
+/// Robots at the starts of the first rows of a .scen file, to be appended to the scene.
+void append_robots_from(const Reader& reader, const YamlNode& node, const std::string& path,
+                        SceneFiles& files, const std::vector<NamedMap>& maps,
+                        avo::Scenario& scenario);
+
+}  // namespace avo_io

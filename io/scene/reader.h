@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: Apache-2.0
+// From the tree of a scene file to structs, by the table of fields.
+#pragma once
+#include <cstddef>
+#include <fmt/format.h>
+#include <string>
+#include <string_view>
+#include <type_traits>
+#include <variant>
+#include <vector>
+
+#include "io/scene/fields.h"
+#include "io/text/words.h"
+#include "io/text/yaml_tree.h"
+
+namespace avo_io {
+
+/// A value's dotted path, e.g. "robots.3.radius"; empty for the scene itself.
+std::string path_to(const std::string& parent, std::string_view key);
+
+/// "in robots.3: " or nothing for the scene itself.
+std::string in_front(const std::string& path);
+
+/// What stands there, for messages: `a list`, `-0.2`, `"fast"`, `nothing`.
+std::string shown(const YamlNode& node);
+
+class Reader {
+ public:
+  explicit Reader(const Document& document) : document_(document) {}
+
+  [[noreturn]] void fail(const YamlNode& node, const std::string& path, const std::string& given,
+                         const std::string& allowed) const;
+  [[nodiscard]] const Document& document() const { return document_; }
+
+  /// Refuses anything but a map, unknown keys and keys given twice.
+  void check_keys(const YamlNode& map, const std::string& path,
+                  const std::vector<std::string_view>& allowed) const;
+  void require_list(const YamlNode& node, const std::string& path) const;
+
+  double number(const YamlNode& node, const std::string& path, const avo::Range& range,
+                std::string_view unit) const;
+  std::uint64_t whole_number(const YamlNode& node, const std::string& path,
+                             const avo::Range& range) const;
+  avo::Vec2 point(const YamlNode& node, const std::string& path, const avo::Range& range,
+                  std::string_view unit) const;
+  std::vector<avo::Vec2> points(const YamlNode& node, const std::string& path,
+                                const avo::Range& range, std::string_view unit) const;
+  /// Triples [time, x, y].
+  std::vector<avo::TimedPlace> places(const YamlNode& node, const std::string& path,
+                                      const avo::Range& range) const;
+  /// A list of layers, each once.
+  avo::LayerSet layers(const YamlNode& node, const std::string& path,
+                       const avo::Range& range) const;
+  bool truth(const YamlNode& node, const std::string& path) const;
+  /// `bytes`: how many it may have.
+  std::string name(const YamlNode& node, const std::string& path, const avo::Range& bytes) const;
+  template <class Names>
+  auto choice(const YamlNode& node, const std::string& path, const Names& names) const {
+    std::vector<std::string_view> words;
+    for (const auto& [word, value] : names) {
+      if (node.kind == YamlNode::Kind::text && node.text == word) return value;
+      words.push_back(word);
+    }
+    fail_choice(node, path, words);
+  }
+  [[noreturn]] void fail_choice(const YamlNode& node, const std::string& path,
+                                const std::vector<std::string_view>& words) const;
+  [[noreturn]] void fail_missing(const YamlNode& map, const std::string& path, std::string_view key,
+                                 std::string_view doc) const;
+
+  /// Reads the values of `map` that the table says how to read; all keys are known to be allowed.
+  /// patch: what is missing stays as it is.
+  template <class T>
+  void read(const YamlNode& map, const std::string& path, const std::vector<Field<T>>& table,
+            T& target, bool patch = false) const {
+    for (const Field<T>& field : table) {
+      const YamlNode* node = map.find(field.key);
+      const auto set_member = [&](auto member) {
+        if constexpr (!std::is_same_v<decltype(member), std::monostate>)
+          set(target.*member, *node, path_to(path, field.key), {field.range, field.unit});
+      };
+      if (node != nullptr)
+        std::visit(set_member, field.member);
+      else if (field.need == Need::required && !patch)
+        fail_missing(map, path, field.key, field.doc);
+    }
+  }
+
+ private:
+  /// What a field says of the value to be read.
+  struct Rule {
+    const avo::Range& range;
+    std::string_view unit;
+  };
+  using Path = std::string;
+  void set(double& value, const YamlNode& node, const Path& path, const Rule& rule) const;
+  void set(std::optional<double>& value, const YamlNode& node, const Path& path,
+           const Rule& rule) const;
+  void set(int& value, const YamlNode& node, const Path& path, const Rule& rule) const;
+  void set(std::optional<int>& value, const YamlNode& node, const Path& path,
+           const Rule& rule) const;
+  void set(std::uint64_t& value, const YamlNode& node, const Path& path, const Rule& rule) const;
+  void set(std::string& value, const YamlNode& node, const Path& path, const Rule& rule) const;
+  void set(avo::Vec2& value, const YamlNode& node, const Path& path, const Rule& rule) const;
+  void set(avo::Method& value, const YamlNode& node, const Path& path, const Rule& rule) const;
+  void set(std::optional<avo::Method>& value, const YamlNode& node, const Path& path,
+           const Rule& rule) const;
+  void set(std::optional<avo::Certificate>& value, const YamlNode& node, const Path& path,
+           const Rule& rule) const;
+  void set(avo::Motion& value, const YamlNode& node, const Path& path, const Rule& rule) const;
+  void set(avo::Clock& value, const YamlNode& node, const Path& path, const Rule& rule) const;
+  void set(avo::RightOfWay& value, const YamlNode& node, const Path& path, const Rule& rule) const;
+  void set(avo::Fill& value, const YamlNode& node, const Path& path, const Rule& rule) const;
+  void set(RosMode& value, const YamlNode& node, const Path& path, const Rule& rule) const;
+  void set(avo::NoiseDistribution& value, const YamlNode& node, const Path& path,
+           const Rule& rule) const;
+  void set(avo::Behavior& value, const YamlNode& node, const Path& path, const Rule& rule) const;
+  void set(avo::AfterGoal& value, const YamlNode& node, const Path& path, const Rule& rule) const;
+  void set(avo::AccelerationSet& value, const YamlNode& node, const Path& path,
+           const Rule& rule) const;
+  void set(avo::LayerSet& value, const YamlNode& node, const Path& path, const Rule& rule) const;
+  void set(bool& value, const YamlNode& node, const Path& path, const Rule& rule) const;
+  void set(std::optional<bool>& value, const YamlNode& node, const Path& path,
+           const Rule& rule) const;
+  void set(std::vector<avo::Vec2>& value, const YamlNode& node, const Path& path,
+           const Rule& rule) const;
+  void set(std::vector<avo::TimedPlace>& value, const YamlNode& node, const Path& path,
+           const Rule& rule) const;
+
+  const Document& document_;
+};
+
+}  // namespace avo_io

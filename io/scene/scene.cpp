@@ -1,0 +1,321 @@
+// SPDX-License-Identifier: Apache-2.0
+// A scene file becomes a scenario: explicit robots first, then the groups.
+#include "avo_io/scene.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <fmt/format.h>
+#include <limits>
+#include <numeric>
+#include <optional>
+#include <span>
+#include <tuple>
+#include <utility>
+
+#include "avo/assumptions.h"
+#include "core/retell.h"
+#include "io/files/file_names.h"
+#include "io/maps/stairs.h"
+#include "io/recording/recorded_scene.h"
+#include "io/scene/overrides.h"
+#include "io/scene/placement.h"
+#include "io/scene/read_obstacles.h"
+#include "io/scene/read_parts.h"
+#include "io/scene/scene_text.h"
+#include "io/text/yaml_tree.h"
+
+namespace avo_io {
+namespace {
+
+using avo::Scenario;
+
+void read_version(const Reader& reader, const YamlNode& root) {
+  const YamlNode* version = root.find("version");
+  if (version == nullptr) reader.fail_missing(root, "", "version", "version: 1");
+  if (version->kind != YamlNode::Kind::text || version->quoted || version->text != "1")
+    reader.fail(*version, "version", shown(*version), "must be 1");
+}
+
+// There is one precision; scenes may say so.
+void check_precision(const Reader& reader, const YamlNode& root) {
+  const YamlNode* precision = root.find("precision");
+  if (precision == nullptr) return;
+  const bool is_text = precision->kind == YamlNode::Kind::text;
+  if (is_text && precision->text == "double") return;
+  const bool is_single = is_text && precision->text == "single";
+  reader.fail(*precision, "precision", shown(*precision),
+              is_single ? "must be double; single precision was removed" : "must be double");
+}
+
+/// A tree becomes a scenario; knows which value each robot comes from.
+class SceneBuilder {
+ public:
+  SceneBuilder(const Document& document, SceneFiles& files)
+      : document_(document), reader_(document), files_(files) {}
+
+  /// `robots`: how many there must be.
+  Scenario build(const std::vector<RobotPatch>& patches, const std::string& default_name,
+                 std::optional<std::int64_t> robots) {
+    const YamlNode& root = document_.root;
+    if (root.kind == YamlNode::Kind::nothing)
+      reader_.fail(root, "", "nothing",
+                   "must be a map with at least version and robots, robots_from or groups");
+    reader_.check_keys(root, "", keys_of(fields<Scenario>()));
+    read_version(reader_, root);
+    check_precision(reader_, root);
+    scenario_.name = default_name;
+    reader_.read(root, "", fields<Scenario>(), scenario_);
+    read_sensing(reader_, root, scenario_);
+    if (robots) require_robots(*robots);
+    add_moving_obstacles();
+    add_obstacles();
+    add_robots();
+    add_robots_from();
+    restore_large_stairs(scenario_.obstacles, smallest_radius());  // before any place is drawn
+    add_groups();
+    if (scenario_.robots.empty() && !files_.may_lack_robots)
+      reader_.fail(root, "", "no robots",
+                   "must have at least one in robots, robots_from or groups");
+    apply(patches);
+    restore_large_stairs(scenario_.obstacles, smallest_radius());
+    if (root.find("duration") == nullptr) set_usual_duration();
+    refuse_coincident();
+    validate();
+    return std::move(scenario_);
+  }
+
+ private:
+  // Of the robots so far, and of those of all groups; 0 where there is nobody.
+  [[nodiscard]] double smallest_radius() const {
+    double radius = std::numeric_limits<double>::infinity();
+    for (const avo::RobotSetup& robot : scenario_.robots) radius = std::min(radius, robot.radius);
+    const YamlNode* groups = document_.root.find("groups");
+    const bool has_maps =
+        std::any_of(scenario_.obstacles.begin(), scenario_.obstacles.end(),
+                    [](const avo::StaticObstacle& one) { return !one.measured.empty(); });
+    if (has_maps && groups != nullptr && groups->kind == YamlNode::Kind::list)
+      for (std::size_t i = 0; i < groups->children.size(); ++i)
+        radius = std::min(
+            radius,
+            read_group(reader_, groups->children[i], fmt::format("groups.{}", i)).robot.radius);
+    return std::isfinite(radius) ? radius : 0.0;
+  }
+
+  // Before any is placed. What is no list is refused where it is read.
+  void require_robots(std::int64_t robots) const {
+    const auto items = [this](const char* key) {
+      const YamlNode* list = document_.root.find(key);
+      return list != nullptr && list->kind == YamlNode::Kind::list ? std::span(list->children)
+                                                                   : std::span<const YamlNode>();
+    };
+    auto found = static_cast<std::int64_t>(items("robots").size());
+    if (const YamlNode* node = document_.root.find("robots_from"))
+      found += read_robots_from(reader_, *node, "robots_from").number;
+    for (std::size_t i = 0; i < items("groups").size(); ++i)
+      found += read_group(reader_, items("groups")[i], fmt::format("groups.{}", i)).number;
+    if (found != robots)
+      throw RecordingError(
+          fmt::format("found {} robots, must be {}, those of its scene", robots, found));
+  }
+
+  void add_robots() {
+    const YamlNode* list = document_.root.find("robots");
+    if (list == nullptr) return;
+    reader_.require_list(*list, "robots");
+    for (const YamlNode& node : list->children) {
+      const std::string path = fmt::format("robots.{}", scenario_.robots.size());
+      read_robot(reader_, node, path, scenario_.robots.emplace_back(), false);
+      origins_.push_back(&node);
+    }
+  }
+
+  void add_robots_from() {
+    const YamlNode* node = document_.root.find("robots_from");
+    if (node == nullptr) return;
+    append_robots_from(reader_, *node, "robots_from", files_, maps_, scenario_);
+    origins_.resize(scenario_.robots.size(), node);
+  }
+
+  void add_obstacles() {
+    const YamlNode* list = document_.root.find("obstacles");
+    if (list == nullptr) return;
+    reader_.require_list(*list, "obstacles");
+    std::size_t walls = 0;
+    for (const YamlNode& node : list->children) {
+      const std::string path = fmt::format("obstacles.{}", scenario_.obstacles.size());
+      scenario_.obstacles.push_back(read_static_obstacle(reader_, node, path, files_, maps_));
+      for (const avo::Chain& chain : scenario_.obstacles.back().chains)
+        walls += chain.points.size();
+      if (walls > kMostWalls)
+        reader_.fail(node, path, fmt::format("{} walls so far", walls),
+                     fmt::format("must be at most {}", kMostWalls));
+    }
+  }
+
+  void add_moving_obstacles() {
+    const YamlNode* list = document_.root.find("moving_obstacles");
+    if (list == nullptr) return;
+    reader_.require_list(*list, "moving_obstacles");
+    for (const YamlNode& node : list->children) {
+      const std::string path =
+          fmt::format("moving_obstacles.{}", scenario_.moving_obstacles.size());
+      read_moving_obstacle(reader_, node, path, files_, scenario_.moving_obstacles.emplace_back());
+    }
+  }
+
+  void add_groups() {
+    const YamlNode* list = document_.root.find("groups");
+    if (list == nullptr) return;
+    reader_.require_list(*list, "groups");
+    auto total = static_cast<std::int64_t>(scenario_.robots.size());
+    for (std::size_t i = 0; i < list->children.size(); ++i) {
+      const YamlNode& node = list->children[i];
+      const std::string path = fmt::format("groups.{}", i);
+      const Group group = read_group(reader_, node, path);
+      total += group.number;
+      if (total > avo::kMostRobots)
+        reader_.fail(*node.find("number"), path_to(path, "number"),
+                     fmt::format("{} robots in all", total),
+                     fmt::format("must be at most {}", avo::kMostRobots));
+      const std::string trouble = append_group(group, i, scenario_);
+      if (!trouble.empty()) document_.fail(node, path_to(path, trouble));
+      origins_.resize(scenario_.robots.size(), &node);
+    }
+  }
+
+  void apply(const std::vector<RobotPatch>& patches) {
+    for (const RobotPatch& patch : patches) {
+      const std::string path = fmt::format("robots.{}", patch.robot);
+      if (patch.robot >= scenario_.robots.size())
+        reader_.fail(patch.map, "", path,
+                     fmt::format("must be robots.0 to robots.{}", scenario_.robots.size() - 1));
+      read_robot(reader_, patch.map, path, scenario_.robots[patch.robot], true);
+      origins_[patch.robot] = &patch.map;
+    }
+  }
+
+  /// Time enough to arrive by detours.
+  void set_usual_duration() {
+    double longest = 0.0;  // s
+    for (const avo::RobotSetup& robot : scenario_.robots)
+      if (robot.preferred_speed > 0.0)
+        longest = std::max(longest, norm(robot.goal - robot.position) / robot.preferred_speed);
+    scenario_.duration = std::ceil(60.0 + 2.0 * longest);
+    if (scenario_.duration / scenario_.time_step > static_cast<double>(avo::kMostSteps))
+      reader_.fail(document_.root, "",
+                   fmt::format("no \"duration\", the usual one of {:g} s has more than {} steps",
+                               scenario_.duration, avo::kMostSteps),
+                   "must be given");
+  }
+
+  /// Robots at one point cannot tell in which direction to part. It does not matter to those who
+  /// avoid nobody there.
+  void refuse_coincident() const {
+    const auto& robots = scenario_.robots;
+    std::vector<std::size_t> order(robots.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    const auto key = [&](std::size_t i) {
+      return std::tuple(robots[i].position.x, robots[i].position.y, i);
+    };
+    std::sort(order.begin(), order.end(),
+              [&](std::size_t a, std::size_t b) { return key(a) < key(b); });
+    avo::RobotSetup all;  // at one point
+    for (std::size_t i = 0, first = 0; i < order.size(); ++i) {
+      const std::size_t b = order[i];
+      if (!(robots[order[first]].position == robots[b].position)) first = i;
+      if (first == i) all = robots[b];
+      const bool clear = first == i || !keep_apart(all, robots[b]);
+      all.layers.bits |= robots[b].layers.bits, all.avoids.bits |= robots[b].avoids.bits;
+      all.parked = all.parked || robots[b].parked;
+      if (clear || scenario_.allow_broken_assumptions) continue;
+      const std::size_t a =
+          *std::find_if(order.begin() + static_cast<std::ptrdiff_t>(first), order.end(),
+                        [&](std::size_t other) { return keep_apart(robots[other], robots[b]); });
+      const YamlNode* position = origins_[b]->find("position");
+      reader_.fail(position != nullptr ? *position : *origins_[b],
+                   fmt::format("robots.{}.position", b),
+                   fmt::format("[{}, {}], the position of robots.{}", robots[b].position.x,
+                               robots[b].position.y, a),
+                   "must differ from it");
+    }
+  }
+
+  void validate() const {
+    avo::retelling<avo::Error>([this] { avo::validate(scenario_); },
+                               [this](const avo::Error& error) {
+                                 const std::string message = error.what();
+                                 document_.fail(origin_of(message.substr(0, message.find(':'))),
+                                                message);
+                               });
+  }
+
+  /// The value with that path, or what contains it.
+  const YamlNode& origin_of(std::string_view path) const {
+    const YamlNode* node = &document_.root;
+    while (!path.empty()) {
+      const std::size_t dot = std::min(path.find('.'), path.size());
+      const std::string part(path.substr(0, dot));
+      path.remove_prefix(std::min(dot + 1, path.size()));
+      const YamlNode* next = node->find(part);
+      if (node->kind == YamlNode::Kind::list) {
+        const std::size_t index = std::stoul(part);
+        const bool robot = node == document_.root.find("robots");
+        if (robot)
+          next = origins_[index];
+        else if (index < node->children.size())
+          next = &node->children[index];
+      } else if (next == nullptr && part == "robots" && !path.empty()) {
+        return *origins_[std::stoul(std::string(path))];  // of a group
+      }
+      if (next == nullptr) break;
+      node = next;
+    }
+    return *node;
+  }
+
+  const Document& document_;
+  Reader reader_;
+  SceneFiles& files_;
+  std::vector<NamedMap> maps_;
+  Scenario scenario_;
+  std::vector<const YamlNode*> origins_;  // of each robot: its own map, its group's, or its patch's
+};
+
+Scenario made_again(const SceneSource& source, std::optional<std::int64_t> robots) {
+  SceneFiles files{folder_of(source.name)};
+  files.given = &source.files;
+  Scenario scenario = scenario_of(source.yaml, source.name, source.overrides, files, robots);
+  if (source.start_at_rest) avo::start_at_rest(scenario);
+  if (source.limit_speed) avo::limit_speed(scenario);
+  return scenario;
+}
+
+}  // namespace
+
+Scenario scenario_of(std::string_view yaml, const std::string& file,
+                     const std::vector<std::string>& overrides, SceneFiles& files,
+                     std::optional<std::int64_t> robots) {
+  Document document;
+  document.root = parse_yaml(yaml, file, document);
+  const std::vector<RobotPatch> patches = apply_overrides(overrides, document);
+  return SceneBuilder(document, files).build(patches, stem_of(file), robots);
+}
+
+Scenario parse_scenario(std::string_view yaml, const std::string& file,
+                        const std::vector<std::string>& overrides) {
+  SceneFiles files{folder_of(file)};
+  files.builtin = BuiltinFiles::last;  // as from the standard input
+  return scenario_of(yaml, file, overrides, files);
+}
+
+Scenario parse_scenario(const SceneSource& source) {
+  return made_again(source, {});
+}
+
+Scenario parse_scenario_of(const SceneSource& source, std::int64_t robots) {
+  return made_again(source, robots);
+}
+
+}  // namespace avo_io

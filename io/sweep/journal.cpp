@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: Apache-2.0
+// The file that a sweep's finished runs are added to.
+#include "io/sweep/journal.h"
+
+#include <cerrno>
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <optional>
+#include <string_view>
+#include <sys/file.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include "avo_io/errors.h"
+#include "io/files/regular_file.h"
+#include "io/sweep/hash.h"
+#include "io/text/csv_text.h"
+
+namespace avo_io {
+namespace {
+
+std::string checksum_of(std::string_view line) {
+  TextHash hash;
+  hash.add(line);
+  return hash.text();
+}
+
+/// The fields of a line without its hash; none where it was torn.
+std::optional<std::vector<std::string>> intact(std::string_view line, std::size_t fields) {
+  const std::size_t comma = line.rfind(',');
+  if (comma == std::string_view::npos) return std::nullopt;
+  const std::string_view row = line.substr(0, comma);
+  if (line.substr(comma + 1) != checksum_of(row)) return std::nullopt;
+  auto found = csv_fields(row);
+  if (found && found->size() != fields) return std::nullopt;
+  return found;
+}
+
+std::string whole_file(int descriptor, const std::string& name) {
+  std::string text;
+  while (true) {
+    char buffer[65536];
+    const ssize_t got = ::read(descriptor, buffer, sizeof buffer);
+    if (got < 0 && errno == EINTR) continue;
+    if (got < 0) throw FileError(with_errno(name));
+    if (got == 0) return text;
+    text.append(buffer, static_cast<std::size_t>(got));
+  }
+}
+
+}  // namespace
+
+SweepJournal::SweepJournal(const std::string& path, const std::string& sweep,
+                           const std::string& shard, std::size_t fields)
+    : path_(path) {
+  try {
+    open_locked();
+    begin(fmt::format("avo sweep journal 1,{},{}\n", sweep, shard), fields);
+  } catch (...) {
+    if (descriptor_ >= 0) close(descriptor_);
+    throw;
+  }
+}
+
+SweepJournal::~SweepJournal() {
+  close(descriptor_);
+}
+
+void SweepJournal::open_locked() {
+  // not to wait for the other end of a pipe; what is no regular file is refused
+  descriptor_ = open(path_.c_str(), O_RDWR | O_CREAT | O_APPEND | O_CLOEXEC | O_NONBLOCK, 0666);
+  if (descriptor_ < 0) throw FileError(with_errno(path_));
+  struct stat status = {};
+  if (fstat(descriptor_, &status) != 0) throw FileError(with_errno(path_));
+  if (!S_ISREG(status.st_mode))
+    throw FileError(path_ + ": found no regular file, must be one: the runs go there");
+  if (flock(descriptor_, LOCK_EX | LOCK_NB) != 0)
+    throw FileError(errno == EWOULDBLOCK ? path_ + ": found in use, another avo sweep writes there"
+                                         : with_errno(path_));
+}
+
+void SweepJournal::begin(const std::string& head, std::size_t fields) {
+  const std::string text = whole_file(descriptor_, path_);
+  std::size_t whole = 0;
+  if (text.starts_with(head)) {
+    whole = head.size();
+    for (std::size_t end = text.find('\n', whole); end != std::string::npos;
+         end = text.find('\n', whole)) {
+      auto row = intact(std::string_view(text).substr(whole, end - whole), fields);
+      if (!row) break;
+      rows_.push_back(std::move(*row));
+      whole = end + 1;
+    }
+  } else if (!head.starts_with(text)) {  // else it was torn within its head
+    throw SceneError(path_ +
+                     ": found the runs of another sweep, shard or version, must be of this one; "
+                     "remove it to begin anew");
+  }
+  if (ftruncate(descriptor_, static_cast<off_t>(whole)) != 0) throw FileError(with_errno(path_));
+  if (whole == 0) write(head);
+}
+
+void SweepJournal::add(const std::vector<std::string>& row) {
+  const std::string line = csv_line(row);
+  write(line + "," + checksum_of(line) + "\n");
+}
+
+void SweepJournal::write(const std::string& text) {
+  std::string_view rest = text;
+  while (!rest.empty()) {
+    const ssize_t written = ::write(descriptor_, rest.data(), rest.size());
+    if (written < 0 && errno == EINTR) continue;
+    if (written < 0) throw FileError(with_errno(path_));
+    rest.remove_prefix(static_cast<std::size_t>(written));
+  }
+}
+
+}  // namespace avo_io

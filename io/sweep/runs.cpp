@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: Apache-2.0
+// The runs of a sweep, one at a time.
+#include "io/sweep/runs.h"
+
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <fmt/format.h>
+#include <utility>
+
+#include "avo/assumptions.h"
+#include "avo/simulation.h"
+#include "avo/version.h"
+#include "avo_io/scene.h"
+#include "core/ranges.h"
+#include "io/sweep/hash.h"
+#include "io/sweep/parallel_work.h"
+
+namespace avo_io {
+namespace {
+
+using SweepClock = std::chrono::steady_clock;
+
+double seconds_since(SweepClock::time_point start) {
+  return std::chrono::duration<double>(SweepClock::now() - start).count();
+}
+
+std::vector<avo::RobotId> judged_of(const SweepSpec& spec) {
+  std::vector<avo::RobotId> robots;
+  for (const std::uint64_t number : spec.judged) robots.push_back({number});
+  return robots;
+}
+
+/// When each robot arrives for the first time, as avo::Metrics counts it.
+class ArrivalTimes {
+ public:
+  void observe(const avo::Simulation& simulation) {
+    has_arrived_.resize(simulation.size());
+    for (std::size_t i = 0; i < has_arrived_.size(); ++i) {
+      if (has_arrived_[i] || !simulation.is_at_goal(i)) continue;
+      has_arrived_[i] = true;
+      if (simulation.setup(i).parked) continue;
+      times_.push_back(simulation.time());
+    }
+  }
+  [[nodiscard]] std::vector<double> times() && { return std::move(times_); }
+
+ private:
+  std::vector<bool> has_arrived_;  // by place in the fleet, from which nobody goes and to which
+  std::vector<double> times_;      // nobody comes
+};
+
+}  // namespace
+
+std::uint64_t hash_of(const SceneSource& source) {
+  TextHash hash;
+  hash.add(source.yaml);
+  for (const SceneFile& file : source.files) hash.add(file.text);
+  return hash.value();
+}
+
+avo::Scenario scenario_of(const SweepSpec& spec, const SweepRun& run, SceneSource& source) {
+  try {
+    avo::Scenario scenario = load_scenario(scene_of(spec, run), overrides_of(spec, run), &source);
+    if (!scenario.allow_broken_assumptions && !avo::broken_assumptions(scenario).none())
+      throw SceneError(
+          "found a scene that breaks what its certificate assumes, must keep it; avo validate says "
+          "where");
+    for (const std::uint64_t robot : spec.judged)
+      if (robot >= scenario.robots.size())
+        throw SceneError(fmt::format("found robot {} judged, must be 0 to {}", robot,
+                                     scenario.robots.size() - 1));
+    return scenario;
+  } catch (const FileError&) {
+    throw;
+  } catch (const avo::Error& error) {
+    throw SceneError(
+        fmt::format("{}: {}: {}", spec.name, run_name(spec, run.number), error.what()));
+  }
+}
+
+RunOutcome simulate_run(const SweepSpec& spec, const avo::Scenario& scenario) {
+  const SweepClock::time_point begin = SweepClock::now();
+  avo::Simulation simulation(scenario, spec.threads);
+  avo::Metrics metrics(scenario, {.crowd = true, .line = spec.line, .judged = judged_of(spec)});
+  ArrivalTimes arrivals;
+  metrics.observe(simulation);
+  arrivals.observe(simulation);
+  bool ends = false;
+  while (!ends && simulation.can_step_by(scenario.duration)) {
+    const SweepClock::time_point start = SweepClock::now();
+    simulation.step();
+    metrics.add_step_time(1e3 * seconds_since(start));
+    metrics.observe(simulation);
+    arrivals.observe(simulation);
+    ends = spec.until_arrived && metrics.all_arrived();
+  }
+  return {metrics.summary(), std::move(arrivals).times(), simulation.state_hash(),
+          seconds_since(begin)};
+}
+
+SweepRunScene scene_of_run(const SweepSpec& spec, std::int64_t number) {
+  const SweepRun run = run_of(spec, number);
+  SceneSource source;
+  avo::Scenario scenario = scenario_of(spec, run, source);
+  return {std::move(scenario), scene_of(spec, run), overrides_of(spec, run),
+          std::move(source.yaml)};
+}
+
+std::uint64_t simulate_again(const SweepSpec& spec, const avo::Scenario& scenario,
+                             const std::function<void(const avo::Simulation&)>& observe) {
+  avo::Simulation simulation(scenario, spec.threads);
+  avo::Metrics metrics(scenario, {.judged = judged_of(spec)});
+  metrics.observe(simulation);
+  observe(simulation);
+  bool ends = false;
+  while (!ends && simulation.can_step_by(scenario.duration)) {
+    simulation.step();
+    metrics.observe(simulation);
+    observe(simulation);
+    ends = spec.until_arrived && metrics.all_arrived();
+  }
+  return simulation.state_hash();
+}
+
+std::int64_t runs_of_one_kind(const SweepSpec& spec) {
+  return std::max<std::int64_t>(std::ssize(spec.seeds), 1);
+}
+
+std::vector<std::uint64_t> hash_sources(const SweepSpec& spec, int jobs,
+                                        const std::function<void(std::int64_t done)>& tell) {
+  const std::int64_t each = runs_of_one_kind(spec);
+  std::vector<std::uint64_t> hashes(static_cast<std::size_t>(run_count(spec) / each));
+  std::atomic<std::int64_t> done = 0;
+  work_through(
+      hashes.size(), jobs,
+      [&](std::size_t kind) {
+        SceneSource source;
+        scenario_of(spec, run_of(spec, static_cast<std::int64_t>(kind) * each), source);
+        hashes[kind] = hash_of(source);
+        ++done;
+      },
+      {},
+      [&] {
+        if (tell) tell(done);
+      });
+  return hashes;
+}
+
+std::string fingerprint(const SweepSpec& spec) {
+  return fingerprint(spec, hash_sources(spec));
+}
+
+std::string fingerprint(const SweepSpec& spec, const std::vector<std::uint64_t>& sources) {
+  TextHash hash;
+  hash.add(avo::kVersion);
+  for (const std::uint64_t source : sources) hash.add(fmt::format("{}", source));
+  for (const auto* list : {&spec.scenes, &spec.methods}) {
+    hash.add(fmt::format("{}", list->size()));
+    for (const std::string& item : *list) hash.add(item);
+  }
+  for (const std::string& column : sweep_columns(spec)) hash.add(column);
+  for (const SweepParameter& parameter : spec.parameters) {
+    hash.add(fmt::format("{}", parameter.values.size()));
+    for (const std::string& value : parameter.values) hash.add(value);
+  }
+  for (const std::uint64_t seed : spec.seeds) hash.add(fmt::format("{}", seed));
+  hash.add(spec.until_arrived ? "until_arrived" : "");
+  for (const std::uint64_t robot : spec.judged) hash.add(fmt::format("judged {}", robot));
+  if (spec.line)
+    for (const avo::Vec2 end : {spec.line->a, spec.line->b})
+      for (const double value : {end.x, end.y}) hash.add(avo::text(value));
+  return hash.text();
+}
+
+}  // namespace avo_io
