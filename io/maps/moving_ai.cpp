@@ -11,7 +11,7 @@ namespace avo_io {
 namespace {
 
 constexpr std::string_view kFree = ".GS", kBlocked = "@OTW";
-constexpr std::int64_t kLongestSide = 1'000'000'000;  // cells
+constexpr std::int64_t kMostCells = 1'000'000'000;  // cells
 
 void expect(Words& words, std::string_view expected) {
   const Word word = words.next();
@@ -50,9 +50,9 @@ OccupancyGrid read_moving_ai_map(const SourceText& source) {
   words.next();  // octile
   OccupancyGrid grid;
   expect(words, "height");
-  grid.height = words.whole_number("the height", 1, kLongestSide);
+  grid.height = words.whole_number("the height", 1, kMostCells);
   expect(words, "width");
-  grid.width = words.whole_number("the width", 1, kLongestSide);
+  grid.width = words.whole_number("the width", 1, kMostCells);
   expect(words, "map");
   const std::string_view text = source.text();
   std::size_t offset = words.offset();
@@ -78,10 +78,10 @@ std::vector<ScenRow> read_scen(const SourceText& source) {
   while (!words.peek().text.empty()) {
     ScenRow row;
     row.offset = words.peek().offset;
-    words.whole_number("the bucket", 0, kLongestSide);
+    words.whole_number("the bucket", 0, kMostCells);
     row.map = words.next().text;
-    row.width = words.whole_number("the width", 1, kLongestSide);
-    row.height = words.whole_number("the height", 1, kLongestSide);
+    row.width = words.whole_number("the width", 1, kMostCells);
+    row.height = words.whole_number("the height", 1, kMostCells);
     row.start_x = words.whole_number("the start's x", 0, row.width - 1);
     row.start_y = words.whole_number("the start's y", 0, row.height - 1);
     row.goal_x = words.whole_number("the goal's x", 0, row.width - 1);

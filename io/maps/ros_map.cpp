@@ -6,9 +6,9 @@
 #include <cmath>
 #include <fmt/format.h>
 
+#include "io/fields/fields.h"
 #include "io/files/file_names.h"
 #include "io/maps/image.h"
-#include "io/scene/fields.h"
 #include "io/scene/reader.h"
 #include "io/text/words.h"
 

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <string>
 
-#include "io/scene/fields.h"
+#include "io/fields/fields.h"
 #include "io/scene/random.h"
 
 namespace avo_io {

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "io/scene/fields.h"
+#include "io/fields/fields.h"
 #include "io/scene/reader.h"
 
 namespace avo_io {

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "io/fields/fields.h"
 #include "io/maps/occupancy_grid.h"
-#include "io/scene/fields.h"
 #include "io/scene/reader.h"
 #include "io/scene/scene_files.h"
 #include "io/text/yaml_tree.h"

@@ -3,7 +3,7 @@
 #pragma once
 #include <string>
 
-#include "io/scene/fields.h"
+#include "io/fields/fields.h"
 #include "io/scene/reader.h"
 #include "io/scene/scene_files.h"
 #include "io/text/yaml_tree.h"

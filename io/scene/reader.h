@@ -9,7 +9,7 @@
 #include <variant>
 #include <vector>
 
-#include "io/scene/fields.h"
+#include "io/fields/fields.h"
 #include "io/text/words.h"
 #include "io/text/yaml_tree.h"
 

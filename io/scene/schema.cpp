@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "avo_io/scene.h"
-#include "io/scene/fields.h"
+#include "io/fields/fields.h"
 #include "io/text/json.h"
 
 namespace avo_io {

@@ -7,7 +7,7 @@
 
 #include "avo_io/complaints.h"
 #include "host.h"
-#include "io/scene/fields.h"
+#include "io/fields/fields.h"
 #include "io/text/json.h"
 
 namespace avo_lab {

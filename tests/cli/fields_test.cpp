@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The table of fields, the core's validation and the JSON Schema say the same.
-#include "io/scene/fields.h"
+#include "io/fields/fields.h"
 
 #include <cmath>
 #include <cstdlib>

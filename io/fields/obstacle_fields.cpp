@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The table of what a scene file may say, continued: obstacles that do not move, and maps.
-#include "io/scene/fields.h"
+#include "io/fields/fields.h"
 
 namespace avo_io {
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // What a scene file may say of the scene, of sensing and of moving obstacles.
-#include "io/scene/fields.h"
+#include "io/fields/fields.h"
 
 namespace avo_io {
 

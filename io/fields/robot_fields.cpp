@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // What a scene file may say of a robot and of its motion model.
-#include "io/scene/fields.h"
+#include "io/fields/fields.h"
 
 namespace avo_io {
 

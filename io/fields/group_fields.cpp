@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // What a scene file may say of many robots: where they start, and where they go.
-#include "io/scene/fields.h"
+#include "io/fields/fields.h"
 
 namespace avo_io {
 
