@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The first words to somebody who has not done anything yet.
 import { element } from "./elements.ts";
-import type { Lab } from "./lab.ts";
+import type { Lab } from "./run/lab.ts";
 
 export function mountHint(lab: Lab, root: HTMLElement): void {
   if (document.body.classList.contains("embedded")) return;

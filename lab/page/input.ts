@@ -4,7 +4,7 @@ import type { Library, SceneFile } from "../avo/avo.ts";
 import { bytesOfBase64 } from "./data/compression.ts";
 import { textOf } from "./data/graymap.ts";
 import type { RecordedScene } from "./data/recording.ts";
-import { makeLab, type PageLab } from "./make_lab.ts";
+import { makeLab, type PageLab } from "./run/make_lab.ts";
 
 /** What a scene reads: as base64 if it is no text. */
 type InputFile = SceneFile | { path: string; base64: string; builtin: boolean };

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // Keys of the page; those that are typed into a field are text.
-import { zoomAt } from "./camera.ts";
-import { removeRobot } from "./changes.ts";
-import type { Tool } from "./dragging.ts";
-import type { PageLab } from "./make_lab.ts";
-import { SPEEDS } from "./transport.ts";
-import { COLORINGS } from "./map_controls.ts";
-import type { WorldView } from "./world_view.ts";
+import { zoomAt } from "./map/camera.ts";
+import { removeRobot } from "./map/changes.ts";
+import type { Tool } from "./map/dragging.ts";
+import type { PageLab } from "./run/make_lab.ts";
+import { SPEEDS } from "./run/transport.ts";
+import { COLORINGS } from "./map/map_controls.ts";
+import type { WorldView } from "./map/world_view.ts";
 
 export interface Openers {
   scenes(): void;

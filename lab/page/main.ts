@@ -1,29 +1,29 @@
 // SPDX-License-Identifier: Apache-2.0
 // The page from its first moment on: the module is unpacked, a scene is opened, the panels stand.
 import { load, type Library } from "../avo/avo.ts";
-import { mountCharts } from "./charts.ts";
+import { mountCharts } from "./run/charts.ts";
 import { bytesOfBase64, uncompressed } from "./data/compression.ts";
-import { mountFigures } from "./figures.ts";
-import { mountFiles } from "./files.ts";
+import { mountFigures } from "./run/figures.ts";
+import { mountFiles } from "./run/files.ts";
 import { mountHelp } from "./help.ts";
 import { mountHint } from "./hint.ts";
 import { first, openInput, type Input } from "./input.ts";
-import { mountInspector } from "./inspector.ts";
+import { mountInspector } from "./inspector/inspector.ts";
 import { mountKeys } from "./keys.ts";
-import type { Lab } from "./lab.ts";
-import type { PageLab } from "./make_lab.ts";
-import { mountMapControls } from "./map_controls.ts";
+import type { Lab } from "./run/lab.ts";
+import type { PageLab } from "./run/make_lab.ts";
+import { mountMapControls } from "./map/map_controls.ts";
 import { mountNotice } from "./notice.ts";
-import { mountPointer, type Hand } from "./pointer.ts";
-import { mountScenePanel } from "./scene_panel.ts";
-import { mountScenePicker } from "./scene_picker.ts";
+import { mountPointer, type Hand } from "./map/pointer.ts";
+import { mountScenePanel } from "./text/scene_panel.ts";
+import { mountScenePicker } from "./text/scene_picker.ts";
 import { keepAddressTrue, openFromAddress } from "./share.ts";
 import { mountTabs } from "./tabs.ts";
 import { mountTheme, chosenTheme } from "./theme.ts";
 import { mountTools } from "./tools.ts";
-import { mountTransport } from "./transport.ts";
-import { toPixels } from "./camera.ts";
-import { makeWorldView, type WorldView } from "./world_view.ts";
+import { mountTransport } from "./run/transport.ts";
+import { toPixels } from "./map/camera.ts";
+import { makeWorldView, type WorldView } from "./map/world_view.ts";
 
 const MOST_MODULE_BYTES = 64e6;
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // What was not done, and why, over the map. What concerns the text is also marked there.
 import { element } from "./elements.ts";
-import type { Lab } from "./lab.ts";
+import type { Lab } from "./run/lab.ts";
 
 export function mountNotice(lab: Lab, root: HTMLElement): void {
   const text = element("p", {});

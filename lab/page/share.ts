@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // A scene in an address: whoever opens the link has the whole scene, and no server has seen it.
-import type { Lab } from "./lab.ts";
+import type { Lab } from "./run/lab.ts";
 import type { SceneOptions } from "../avo/avo.ts";
 import { decodeScene, encodeScene } from "./data/share.ts";
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The tour: a card beside the lab, which stays in use all the time. Arrows turn pages, Escape leaves.
 import { digits, element } from "./elements.ts";
-import type { Lab } from "./lab.ts";
+import type { Lab } from "./run/lab.ts";
 import { TOUR, type Try } from "./tour_steps.ts";
 
 /** Into `place`; whatever tour is there already begins anew. */

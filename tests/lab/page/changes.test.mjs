@@ -2,9 +2,9 @@
 // What the user changes while a scene runs changes that, and nothing else.
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { addRobot, addWall, moveGoal, moveRobot, removeRobot } from "../../../lab/page/changes.ts";
-import { makeLab } from "../../../lab/page/make_lab.ts";
-import { withMethod } from "../../../lab/page/method_text.ts";
+import { addRobot, addWall, moveGoal, moveRobot, removeRobot } from "../../../lab/page/map/changes.ts";
+import { makeLab } from "../../../lab/page/run/make_lab.ts";
+import { withMethod } from "../../../lab/page/text/method_text.ts";
 import { library } from "../wasm/module.mjs";
 
 const SCENE = `version: 1

@@ -2,9 +2,9 @@
 // Decisions as `avo explain --json` of the command line tells them, as the inspector reads and judges them.
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { minus, norm, parseDecision, sceneWall, violation } from "../../../lab/page/decision.ts";
-import { nearestPoint } from "../../../lab/page/nearest.ts";
-import { sentence, why } from "../../../lab/page/why.ts";
+import { minus, norm, parseDecision, sceneWall, violation } from "../../../lab/page/inspector/decision.ts";
+import { nearestPoint } from "../../../lab/page/inspector/nearest.ts";
+import { sentence, why } from "../../../lab/page/inspector/why.ts";
 import { avo } from "../data/native.mjs";
 
 const DELTA = { avo: 2, avo_paper: 4 };  // s, the methods' own

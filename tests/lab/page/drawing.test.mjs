@@ -3,8 +3,8 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { digits } from "../../../lab/page/elements.ts";
-import { thinned, worstByPixel } from "../../../lab/page/thinned.ts";
-import { boxOf, panned, ticks, toScreen, toVelocity, zoomed } from "../../../lab/page/velocity_view.ts";
+import { thinned, worstByPixel } from "../../../lab/page/run/thinned.ts";
+import { boxOf, panned, ticks, toScreen, toVelocity, zoomed } from "../../../lab/page/inspector/velocity_view.ts";
 
 const VIEW = { center: [0.3, -0.2], scale: 90, width: 400, height: 300 };
 const near = (a, b) => a.forEach((value, k) => assert.ok(Math.abs(value - b[k]) < 1e-9, `${a} ${b}`));

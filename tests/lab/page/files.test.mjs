@@ -2,7 +2,7 @@
 // Files that are dropped: which of them is opened, and what it may read.
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { makeOpener } from "../../../lab/page/files.ts";
+import { makeOpener } from "../../../lab/page/run/files.ts";
 
 const file = (name, text) => ({ name, bytes: new TextEncoder().encode(text) });
 const SCENE = file("mine.yaml", "version: 1\nobstacles:\n  - {map: maps/small.map}\n  - {ros_map: ../hall.yaml}\n");

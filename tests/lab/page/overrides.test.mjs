@@ -3,9 +3,9 @@
 // way to what is changed then.
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { valueAt } from "../../../lab/page/scene_text.ts";
+import { valueAt } from "../../../lab/page/text/scene_text.ts";
 import { first } from "../../../lab/page/input.ts";
-import { folded } from "../../../lab/page/overrides.ts";
+import { folded } from "../../../lab/page/text/overrides.ts";
 import { library } from "../wasm/module.mjs";
 
 const LISTED = `version: 1

@@ -3,8 +3,8 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { parse } from "yaml";
-import { flow, hasMoreRobots, robotsListed, valueAt, withEntry, withRobotKey, withValue } from "../../../lab/page/scene_text.ts";
-import { withoutWall, withWallMoved } from "../../../lab/page/wall_text.ts";
+import { flow, hasMoreRobots, robotsListed, valueAt, withEntry, withRobotKey, withValue } from "../../../lab/page/text/scene_text.ts";
+import { withoutWall, withWallMoved } from "../../../lab/page/text/wall_text.ts";
 import { library } from "../wasm/module.mjs";
 
 const SCENE = `# a scene

@@ -4,7 +4,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { parse } from "yaml";
-import { withEntry, withRobotKey, withValue } from "../../../lab/page/scene_text.ts";
+import { withEntry, withRobotKey, withValue } from "../../../lab/page/text/scene_text.ts";
 import { library } from "../wasm/module.mjs";
 
 const BLOCK = `version: 1   # the format

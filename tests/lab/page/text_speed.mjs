@@ -2,7 +2,7 @@
 // What a user waits for while scenes are read and edited, held to bounds; for scripts/lab-check, beside nothing else.
 //   a key of a thousand robots <= 300 ms, of ten thousand <= 50 times as long; a text that wants too much is refused
 //   within 20 s. Exit status 1: one is missed.
-import { withRobotKey } from "../../../lab/page/scene_text.ts";
+import { withRobotKey } from "../../../lab/page/text/scene_text.ts";
 import { library, refused } from "../wasm/module.mjs";
 
 let missed = 0;

@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: Apache-2.0
+// A decision in numbers with units, and whom the robot senses, nearest first.
+import type { Lab } from "../run/lab.ts";
+import type { Decision, Sensed, Vec } from "./decision.ts";
+import { clearanceOf, labelOf, nameOf, norm } from "./decision.ts";
+import { digits, element } from "../elements.ts";
+import { STATUS_COLORS } from "./palette.ts";
+import type { Law, Why } from "./why.ts";
+import { evadedOf, headingOf } from "./why.ts";
+
+interface Row {
+  name: string;     // of the key of `avo explain --json`, or of what follows from it
+  label: Node | string;
+  value: string;
+  exact: unknown;   // as the JSON has it
+  title?: string;
+}
+
+/** "*v*^{pref}" of math_text.ts as elements. */
+export function symbol(letter: string, raised = ""): HTMLElement {
+  return element("span", { class: "insp-symbol" }, element("b", {}, element("i", {}, letter)), raised ? element("sup", {}, raised) : null);
+}
+
+const pair = (v: Vec): string => `(${digits(v[0], 3)}, ${digits(v[1], 3)})`;
+const polar = (v: Vec): string => (norm(v) > 0 ? `, ${digits(norm(v))} m/s at ${digits(headingOf(v), 0)}°` : "");
+
+function motionRows(decision: Decision): Row[] {
+  const { velocity, preferred_velocity, new_velocity, acceleration, max_acceleration, position, goal } = decision;
+  const share = max_acceleration > 0 ? `, ${digits(100 * norm(acceleration) / max_acceleration, 0)} % of aₘₐₓ` : "";
+  return [
+    { name: "position", label: "position", value: `${pair(position)} m`, exact: position },
+    { name: "goal", label: "goal", value: `${pair(goal)} m`, exact: goal },
+    { name: "velocity", label: symbol("v"), value: `${pair(velocity)} m/s${polar(velocity)}`, exact: velocity, title: "velocity" },
+    { name: "preferred_velocity", label: symbol("v", "pref"), value: `${pair(preferred_velocity)} m/s${polar(preferred_velocity)}`, exact: preferred_velocity, title: "preferred velocity: the wish" },
+    { name: "new_velocity", label: symbol("v′"), value: `${pair(new_velocity)} m/s${polar(new_velocity)}`, exact: new_velocity, title: "new velocity: the choice" },
+    { name: "acceleration", label: symbol("a"), value: `${pair(acceleration)} m/s²${share}`, exact: acceleration, title: "acceleration: what follows from the choice, Eq. (7)" },
+  ];
+}
+
+function verdictRows(decision: Decision): Row[] {
+  const rows: Row[] = [
+    { name: "status", label: "status", value: decision.status, exact: decision.status, title: STATUS_COLORS[decision.status]?.says ?? "" },
+    ...contactRows(decision),
+    ...evasionRows(decision),
+    ...waitRows(decision),
+    { name: "violation", label: "violation", value: `${digits(decision.violation, 3)} m/s`, exact: decision.violation, title: "by how much v′ misses CA_A" },
+    { name: "state", label: "state", value: stateText(decision), exact: decision.state, title: "what is proved before anything is decided (docs/states.md)" },
+    { name: "rule", label: "rule", value: decision.rule.replaceAll("_", " "), exact: decision.rule },
+  ];
+  if (decision.certificate_kind !== undefined) {
+    const constraints = decision.certificate ?? [];
+    const whose = new Set(constraints.map((constraint) => constraint.neighbor)).size;
+    rows.push(
+      { name: "detour", label: "detour", value: `${digits((decision.detour ?? 0) * 180 / Math.PI, 1)}° to the right`, exact: decision.detour },
+      { name: "response_time", label: "response time", value: decision.response_time ? `${digits(decision.response_time)} s` : "0: at once", exact: decision.response_time, title: "time constant with which it approaches v′" },
+      { name: "certificate", label: "certificate", value: `${decision.certificate_kind.replaceAll("_", " ")}: ${constraints.length} constraints of ${whose} neighbors`, exact: constraints.length });
+  }
+  if (decision.risk !== undefined)
+    rows.push({ name: "risk", label: "risk", value: decision.risk.toPrecision(2), exact: decision.risk, title: "that noise hides a broken half-plane, at most" });
+  return rows;
+}
+
+function contactRows(decision: Decision): Row[] {
+  if (decision.contact_with === null || decision.contact_depth === null) return [];
+  const whom = labelOf(nameOf(decision.contact_with));
+  return [{ name: "contact", label: "contact", value: `${whom}, ${decision.contact_depth.toPrecision(3)} m deep`, exact: decision.contact_depth, title: "whom it touches, or comes to touch in spite of braking, and how deep" }];
+}
+
+function evasionRows(decision: Decision): Row[] {
+  if (!decision.evading) return [];
+  const { velocity, until } = decision.evading;
+  const way = norm(velocity) > 0 ? `towards ${pair(velocity)} m/s until ${digits(until)} s` : "brakes";
+  return [{ name: "evading", label: "evades", value: `${evadedOf(decision)}: ${way}`, exact: decision.evading, title: "whom it makes room for, and by which way out (docs/movers.md)" }];
+}
+
+function waitRows(decision: Decision): Row[] {
+  if (!decision.waits) return [];
+  const whom = labelOf(nameOf(decision.waits.for));
+  return [{ name: "waits", label: "waits", value: `for ${whom}, at the passage at ${pair(decision.waits.passage)} m`, exact: decision.waits, title: "the right of way at the passage (docs/arrival.md)" }];
+}
+
+function stateText(decision: Decision): string {
+  if (decision.state !== "doomed") return decision.state;
+  const whom = decision.doomed_by === null ? "" : ` by ${labelOf(nameOf(decision.doomed_by))}`;
+  if (decision.contact_within === 0) return `doomed${whom}: in contact`;
+  return `doomed${whom} within ${digits(decision.contact_within ?? 0)} s`;
+}
+
+export function numbersTable(decision: Decision): HTMLElement {
+  const rows = [...motionRows(decision), ...verdictRows(decision)];
+  return element("table", { class: "insp-numbers" }, element("tbody", {}, ...rows.map((row) =>
+    element("tr", { "data-key": row.name, ...(row.title ? { title: row.title } : {}) },
+      element("th", { scope: "row" }, row.label),
+      element("td", { "data-value": JSON.stringify(row.exact) ?? "" }, row.value)))));
+}
+
+function behaviorOf(sensed: Sensed): string {
+  const age = sensed.age ? `, ${sensed.age} steps old` : "";
+  if (sensed.behavior === "decides") return `decides${age}`;
+  const what = sensed.behavior.replaceAll("_", " ");
+  return `${sensed.max_deviation ? `${what}, within ${digits(sensed.max_deviation)} m/s²` : what}${age}`;
+}
+
+const ROWS = 40;  // beyond these nobody reads on
+
+/** `onSelect` is told of a robot that is chosen in the list. */
+export function neighborTable(lab: Lab, decision: Decision, found: Why, law: Law, onSelect: (robot: number) => void): HTMLElement {
+  const sorted = decision.obstacles.map((sensed) => ({ sensed, name: nameOf(sensed.neighbor), clearance: clearanceOf(decision, sensed) }))
+    .sort((a, b) => a.clearance - b.clearance);
+  const rows = sorted.slice(0, ROWS).map(({ sensed, name, clearance }) => {
+    const cut = found.cuts.find((other) => other.of === name);
+    const role = !cut ? (law.method === "buffered_voronoi" || decision.rule !== "half_planes" ? "" : "does not cut")
+      : cut.binds ? "binds" : cut.refuses > 1e-3 ? "refuses the wish" : "cuts";
+    const robot = typeof sensed.neighbor === "number" ? sensed.neighbor : null;
+    const label = robot === null ? labelOf(name)
+      : element("button", { type: "button", class: "insp-link", onclick: () => onSelect(robot), onfocus: () => lab.highlight(name), onblur: () => lab.highlight(null) }, labelOf(name));
+    return element("tr", { "data-name": name, onpointerenter: () => lab.highlight(name), onpointerleave: () => lab.highlight(null) },
+      element("th", { scope: "row" }, label),
+      element("td", { class: clearance < 0 ? "insp-bad" : "" }, digits(clearance)),
+      element("td", {}, digits(100 * sensed.share, 0)),
+      element("td", {}, behaviorOf(sensed)),
+      element("td", { class: cut?.binds ? "insp-binds" : "" }, role));
+  });
+  const heads = [["neighbor", ""], ["clearance", "m"], ["share", "%"], ["behavior", ""], ["half-plane", ""]] as const;
+  const rest = sorted.length - rows.length;
+  return element("table", { class: "insp-neighbors" },
+    element("thead", {}, element("tr", {}, ...heads.map(([head, unit]) =>
+      element("th", { scope: "col" }, head, unit ? element("small", {}, ` ${unit}`) : null)))),
+    element("tbody", {}, ...rows),
+    rest > 0 ? element("caption", {}, `and ${rest} farther away`) : null);
+}
+
+/** Marks the row of what is highlighted in any view. */
+export function markNeighbor(table: ParentNode, highlighted: string | null): void {
+  for (const row of table.querySelectorAll<HTMLElement>("tr[data-name]")) row.classList.toggle("insp-hit", row.dataset.name === highlighted);
+}

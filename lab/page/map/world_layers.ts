@@ -1,0 +1,214 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the world view shows, from the ground up, as rows of discs and lines.
+import { STATUSES } from "../../avo/avo.ts";
+import { roundLength, toMeters, type Camera } from "./camera.ts";
+import { directionColor, rgbOf, shareColor, type Rgb } from "./colors.ts";
+import type { Contact, Lab } from "../run/lab.ts";
+import { STATUS_COLORS } from "../inspector/palette.ts";
+import type { Shown } from "./shown.ts";
+import { forHeads, forTrails, type Trails } from "./trails.ts";
+import { Rows } from "./webgl.ts";
+
+export type Coloring = "goal" | "status" | "speed";
+export const FORM = { disc: 0, ring: 1, dashed: 2, diamond: 3, cross: 4 };
+export const MARK = { none: 0, wedge: 1, dart: 2, dot: 3, bar: 4 };
+
+const LEAST_RADIUS = 1;      // pixels: a disc never vanishes
+const LEAST_OF_FEW = 3.5;    // the same where there are few, so that they are found
+const LEAST_AIRPLANE = 6;    // so that one sees where it flies
+const FEW = 50;              // robots
+const MANY_GOALS = 250;      // robots: of more, only the goals of those that are looked at are drawn
+const BRAKING = STATUSES.indexOf("braking");
+const OVERLAPPING = STATUSES.indexOf("overlapping");
+const LEAST_UNSAFE = STATUSES.indexOf("least_unsafe");
+const INVALID = STATUSES.indexOf("invalid_input");
+
+/** The theme's colors, of the page's style sheet. */
+export interface Paint { world: Rgb; grid: Rgb; ink: Rgb; wall: Rgb; mover: Rgb; accent: Rgb; danger: Rgb }
+
+export function themePaint(): Paint {
+  const style = getComputedStyle(document.documentElement);
+  const of = (name: string) => rgbOf(style.getPropertyValue(`--${name}`));
+  return {
+    world: of("world"), grid: of("grid"), ink: of("ink"), wall: of("wall"), mover: of("mover"), accent: of("accent"),
+    danger: of("danger"),
+  };
+}
+
+/** Rows that are filled anew for each picture; `under` is drawn first, `trail` only changes with the steps. */
+export class Layers {
+  ground = new Rows();
+  trail = new Rows();
+  heads = new Rows();
+  below = new Rows();
+  links = new Rows();
+  discs = new Rows();
+  above = new Rows();
+  clear(): void {
+    for (const rows of [this.ground, this.heads, this.below, this.links, this.discs, this.above]) rows.clear();
+  }
+}
+
+export function line(rows: Rows, ax: number, ay: number, bx: number, by: number, color: Rgb, alpha: number,
+                     half: number, pixels: number, fade = 1, flat = false): void {
+  rows.push(ax, ay, bx, by, color[0], color[1], color[2], alpha, half, pixels, fade, Number(flat));
+}
+
+export interface DiscLook { form?: number; mark?: number; outline?: number; least?: number; heading?: number }
+
+export function disc(rows: Rows, x: number, y: number, radius: number, color: Rgb, alpha: number,
+                     { form = FORM.disc, mark = MARK.none, outline = 0, least = 0, heading = 0 }: DiscLook = {}): void {
+  rows.push(x, y, radius, heading, color[0], color[1], color[2], alpha, form, mark, outline, least);
+}
+
+/** The color of each row of the moment. */
+export function robotColors(lab: Lab, shown: Shown, coloring: Coloring, homes: Map<number, Rgb>): Rgb[] {
+  const { moment, robots } = shown;
+  const statuses = STATUSES.map((status) => rgbOf(STATUS_COLORS[status]![lab.theme]));
+  return Array.from(moment.robot, (robot, i) => {
+    if (coloring === "status") return (moment.decided[i] && statuses[moment.status[i]!]) || rgbOf("#8a8a8a");
+    if (coloring === "goal") return homes.get(robot) ?? directionColor(robot * 2.4, lab.theme);
+    const speed = Math.hypot(moment.velocity[2 * i]!, moment.velocity[2 * i + 1]!);
+    return shareColor(speed / (robots[i]?.max_speed ?? 2));
+  });
+}
+
+/** Of each robot the direction from where it is to its goal, rad. */
+export function homeAngles(shown: Shown): Map<number, number> {
+  const { moment } = shown;
+  return new Map(Array.from(moment.robot, (robot, i) => {
+    const angle = Math.atan2(moment.goal[2 * i + 1]! - shown.y[i]!, moment.goal[2 * i]! - shown.x[i]!);
+    return [robot, Number.isFinite(angle) ? angle : robot * 2.4];
+  }));
+}
+
+export function homeColors(angles: Map<number, number>, theme: Lab["theme"]): Map<number, Rgb> {
+  return new Map([...angles].map(([robot, angle]) => [robot, directionColor(angle, theme)]));
+}
+
+export function drawGrid(layers: Layers, camera: Camera, paint: Paint): void {
+  const step = roundLength(camera, 40);
+  const [left, top] = toMeters(camera, 0, 0);
+  const [right, bottom] = toMeters(camera, camera.width, camera.height);
+  const draw = (k: number, ax: number, ay: number, bx: number, by: number) =>
+    line(layers.ground, ax, ay, bx, by, paint.grid, k % 5 === 0 ? 1 : 0.45, 0, 0.5);
+  for (let k = Math.ceil(left / step); k * step <= right; ++k) draw(k, k * step, bottom, k * step, top);
+  for (let k = Math.ceil(bottom / step); k * step <= top; ++k) draw(k, left, k * step, right, k * step);
+}
+
+export function drawWalls(layers: Layers, lab: Lab, paint: Paint): void {
+  lab.info.walls.forEach(({ a, b, radius }, k) => {
+    const looked = lab.highlighted === `walls.${k}`;
+    const color = looked ? paint.accent : paint.wall;
+    if (radius > 0) {
+      disc(layers.below, a[0], a[1], radius, color, 0.35, { least: LEAST_RADIUS });
+      disc(layers.below, a[0], a[1], radius, color, 1, { form: FORM.ring, outline: 2, least: LEAST_RADIUS });
+    } else line(layers.ground, a[0], a[1], b[0], b[1], color, 1, 0.04, looked ? 2.2 : 1.5);
+  });
+}
+
+/** At the start of a run: who wants to go where. */
+export function drawWays(layers: Layers, shown: Shown, colors: Rgb[]): void {
+  const { moment } = shown;
+  if (moment.steps > 0 || moment.robot.length > MANY_GOALS) return;
+  const alpha = Math.min(0.45, 6 / moment.robot.length);
+  moment.robot.forEach((_, i) => {
+    const [x, y] = [moment.goal[2 * i]!, moment.goal[2 * i + 1]!];
+    if (Number.isFinite(x)) line(layers.ground, shown.x[i]!, shown.y[i]!, x, y, colors[i]!, alpha, 0, 0.6, 0.3);
+  });
+}
+
+/** The pieces of the trails between steps that are past. */
+export function drawTrails(layers: Layers, trails: Trails, shown: Shown, colors: Rgb[]): void {
+  layers.trail.clear();
+  forTrails(trails, shown.moment, (row, ax, ay, bx, by, young) =>
+    line(layers.trail, ax, ay, bx, by, colors[row]!, 0.5 * Math.max(0, young), 0.04, 0.8, 1, true));
+}
+
+export function drawHeads(layers: Layers, trails: Trails, shown: Shown, colors: Rgb[]): void {
+  forHeads(trails, shown, (row, ax, ay, bx, by) => line(layers.heads, ax, ay, bx, by, colors[row]!, 0.5, 0.04, 0.8, 1, true));
+}
+
+const isLookedAt = (lab: Lab, robot: number) => robot === lab.selected || lab.highlighted === `robots.${robot}`;
+
+/** Of row i: goals of many robots, and of who has arrived, are shown where they are looked at. */
+export function hasGoalShown(lab: Lab, { moment }: Shown, i: number): boolean {
+  if (!Number.isFinite(moment.goal[2 * i]!)) return false;
+  return isLookedAt(lab, moment.robot[i]!) || (moment.robot.length <= MANY_GOALS && !moment.arrived[i]);
+}
+
+/** Whether a robot stands in that very place: who presses there means the robot, see pick(). */
+function isTaken({ x, y }: Shown, px: number, py: number, slack: number): boolean {
+  for (let i = 0; i < x.length; ++i) if (Math.abs(x[i]! - px) <= slack && Math.abs(y[i]! - py) <= slack) return true;
+  return false;
+}
+
+/** Above the robots, except where one stands in the same place; `pixel` in m. */
+export function drawGoals(layers: Layers, lab: Lab, shown: Shown, colors: Rgb[], pixel: number): void {
+  const { moment } = shown;
+  moment.robot.forEach((robot, i) => {
+    if (!hasGoalShown(lab, shown, i)) return;
+    const looked = isLookedAt(lab, robot);
+    const [x, y] = [moment.goal[2 * i]!, moment.goal[2 * i + 1]!];
+    const rows = looked || !isTaken(shown, x, y, 2 * pixel) ? layers.above : layers.below;
+    disc(rows, x, y, 0.22, colors[i]!, looked ? 1 : 0.6, { form: FORM.diamond, outline: looked ? 2 : 1.4, least: 3 });
+    if (looked) line(layers.links, shown.x[i]!, shown.y[i]!, x, y, colors[i]!, 0.6, 0, 0.7);
+  });
+}
+
+export function drawMovers(layers: Layers, lab: Lab, shown: Shown, paint: Paint): void {
+  shown.movers.forEach(({ x, y, vx, vy, radius }, k) => {
+    line(layers.links, x, y, x + vx, y + vy, paint.mover, 1, 0, 1.2);
+    disc(layers.below, x, y, radius, paint.mover, 0.85, { least: LEAST_RADIUS });
+    if (lab.highlighted === `moving_obstacles.${k}`) ring(layers, x, y, radius, paint.ink, 1.5);
+  });
+}
+
+/**
+ * Filled: it goes its way. Hollow: it brakes. Dashed: no velocity satisfies all half-planes, or a number is not valid.
+ * A heavy rim: it touches. A dot: it has arrived.
+ */
+export function drawRobots(layers: Layers, shown: Shown, colors: Rgb[], paint: Paint): void {
+  const { moment, robots } = shown;
+  const few = moment.robot.length <= FEW;
+  for (let i = 0; i < moment.robot.length; ++i) {
+    const [x, y, r, color, heading] = [shown.x[i]!, shown.y[i]!, shown.radius[i]!, colors[i]!, shown.heading[i]!];
+    const robot = robots[i];
+    const least = !few ? LEAST_RADIUS : robot?.model === "airplane" ? LEAST_AIRPLANE : LEAST_OF_FEW;
+    const status = moment.decided[i] ? moment.status[i] : -1;
+    if (robot?.parked) {
+      disc(layers.discs, x, y, r, paint.mover, 0.9, { mark: MARK.bar, least });
+      continue;
+    }
+    const model = robot?.model ?? "holonomic";
+    const headed = model === "airplane" ? MARK.dart : model === "holonomic" ? MARK.none : MARK.wedge;
+    const mark = headed || (moment.arrived[i] ? MARK.dot : MARK.none);
+    const touches = status === OVERLAPPING || moment.clearance[i]! < -1e-9;
+    const hollow = !touches && !moment.arrived[i] && (status === BRAKING || status === LEAST_UNSAFE || status === INVALID);
+    disc(layers.discs, x, y, r, color, hollow ? 0.28 : moment.arrived[i] ? 0.55 : 1, { mark, least, heading });
+    if (hollow) {
+      const form = status === BRAKING ? FORM.ring : FORM.dashed;
+      disc(layers.discs, x, y, r, color, 1, { form, outline: 2, least });
+    }
+    if (touches) disc(layers.discs, x, y, r, paint.danger, 1, { form: FORM.ring, outline: 3, least: least + 1 });
+  }
+}
+
+export function ring(layers: Layers, x: number, y: number, radius: number, color: Rgb, outline: number, form = FORM.ring): void {
+  disc(layers.above, x, y, radius, color, 1, { form, outline, least: 4 });
+}
+
+const FEW_TOUCHES = 12;  // of more at once, no rings are around the crosses
+
+/** Crosses where discs touched up to now; those that touch now are larger. */
+export function drawContacts(layers: Layers, contacts: readonly Contact[], time: number, paint: Paint): void {
+  const begun = contacts.filter((contact) => contact.time <= time + 1e-9);
+  const isNow = ({ last }: Contact) => last >= time - 1e-9;
+  const few = begun.filter(isNow).length <= FEW_TOUCHES;
+  for (const contact of begun) {
+    const { x, y } = contact;
+    const now = isNow(contact);
+    disc(layers.above, x, y, now ? 0.35 : 0.2, paint.danger, now ? 1 : 0.7, { form: FORM.cross, outline: now ? 2.2 : 1.5, least: now ? 4 : 3 });
+    if (now && few) disc(layers.above, x, y, 0, paint.danger, 0.9, { form: FORM.ring, outline: 1.5, least: 12 });
+  }
+}

@@ -1,0 +1,217 @@
+// SPDX-License-Identifier: Apache-2.0
+// The map: it draws what the Lab shows, whenever that changes, and knows what is under a pixel.
+import type { Moment } from "../../avo/avo.ts";
+import { emptyBox, fit, include, toPixels, type Camera, type Margin } from "./camera.ts";
+import type { Rgb } from "./colors.ts";
+import type { PageLab } from "../run/make_lab.ts";
+import { drawSelection } from "./selection_layer.ts";
+import { shownOf, type Shown } from "./shown.ts";
+import { noteTrails, type Trails } from "./trails.ts";
+import { look, makePainter, paint, type Painter } from "./webgl.ts";
+import {
+  drawContacts, drawGoals, drawGrid, drawHeads, drawMovers, drawRobots, drawTrails, drawWalls, drawWays, homeAngles, homeColors, Layers, robotColors,
+  themePaint, type Paint,
+} from "./world_layers.ts";
+
+// pixels, for what floats over the map; on a phone nothing is beside it
+const MARGIN = { x: 56, top: 48, bottom: 74 };
+const PHONE_MARGIN = { x: 16, top: 84, bottom: 50 };
+
+export interface WorldView {
+  readonly canvas: HTMLCanvasElement;
+  readonly camera: Camera;
+  readonly shown: Shown;                          // of the last picture, or of a later moment
+  preview: ((layers: Layers, paint: Paint) => void) | null;  // what a gesture is about to do
+  readonly whenDrawn: Set<() => void>;
+  draw(): void;
+  fit(): void;
+  /** Another picture before the next frame. */
+  touch(): void;
+  /** Draws if need be. True: it drew. */
+  frame(): boolean;
+}
+
+/** What is drawn, and what of it is old. */
+interface Drawing {
+  layers: Layers;
+  trails: Trails;
+  theme: Paint;
+  angles: Map<number, number>;  // of each robot's way from start to goal, rad
+  homes: Map<number, Rgb>;      // the colors of these
+  trailsAreOld: boolean;
+  isOld: boolean;
+  shown: Shown;
+  shownIsOld: boolean;
+}
+
+export function makeWorldView(lab: PageLab, canvas: HTMLCanvasElement): WorldView {
+  const gl = canvas.getContext("webgl2", { antialias: false, alpha: false, depth: false, stencil: false });
+  if (!gl) throw new Error("this browser has no WebGL2, which the map is drawn with");
+  let painter: Painter | null = makePainter(gl);
+  canvas.addEventListener("webglcontextlost", (event) => {
+    event.preventDefault();
+    painter = null;
+  });
+  canvas.addEventListener("webglcontextrestored", () => {
+    painter = makePainter(gl);
+    view.touch();
+  });
+
+  const shown = shownOf(lab.run, 1);
+  const drawing: Drawing = {
+    layers: new Layers(), trails: { samples: [] }, theme: themePaint(), angles: homeAngles(shown),
+    homes: homeColors(homeAngles(shown), lab.theme),
+    trailsAreOld: true, isOld: true, shown, shownIsOld: false,
+  };
+  const view: WorldView = {
+    canvas,
+    camera: { x: 0, y: 0, scale: 10, width: 1, height: 1 },
+    get shown() {
+      if (drawing.shownIsOld) drawing.shown = shownOf(lab.run, lab.share);
+      drawing.shownIsOld = false;
+      return drawing.shown;
+    },
+    preview: null,
+    whenDrawn: new Set(),
+    touch() { drawing.isOld = true; },
+    fit() {
+      fit(view.camera, boxOf(lab, view.shown), marginOf(view.camera));
+      drawing.isOld = true;
+    },
+    frame() {
+      if (!drawing.isOld && !lab.playing) return false;
+      view.draw();
+      return true;
+    },
+    draw() {
+      drawing.isOld = false;
+      drawing.shownIsOld = true;  // while it plays, every picture is of another time
+      fillLayers(lab, view, drawing);
+      if (painter) paintLayers(painter, view, drawing);
+      for (const done of view.whenDrawn) done();
+    },
+  };
+  noteTrails(drawing.trails, shown);
+  followLab(lab, view, drawing);
+  new ResizeObserver(() => resize(view)).observe(canvas);
+  resize(view);
+  return view;
+}
+
+function fillLayers(lab: PageLab, view: WorldView, { layers, trails, theme, homes, trailsAreOld }: Drawing): void {
+  const { shown, camera } = view;
+  layers.clear();
+  const colors = robotColors(lab, shown, lab.coloring, homes);
+  if (trailsAreOld) drawTrails(layers, trails, shown, colors);
+  drawGrid(layers, camera, theme);
+  drawWays(layers, shown, colors);
+  drawWalls(layers, lab, theme);
+  drawHeads(layers, trails, shown, colors);
+  drawGoals(layers, lab, shown, colors, 1 / camera.scale);
+  drawMovers(layers, lab, shown, theme);
+  drawRobots(layers, shown, colors, theme);
+  drawSelection(layers, lab, shown, theme);
+  drawContacts(layers, lab.contacts, lab.moment.time, theme);
+  view.preview?.(layers, theme);
+}
+
+function paintLayers(painter: Painter, { canvas, camera }: WorldView, drawing: Drawing): void {
+  const { gl, discs, lines } = painter;
+  const { layers, theme } = drawing;
+  const density = canvas.width / camera.width;
+  gl.viewport(0, 0, canvas.width, canvas.height);
+  gl.clearColor(...theme.world, 1);
+  gl.clear(gl.COLOR_BUFFER_BIT);
+  look(painter, camera.x, camera.y, camera.scale * density, density, [...theme.world, 0.9]);
+  paint(painter, lines, layers.ground);
+  paint(painter, lines, layers.trail, drawing.trailsAreOld);
+  paint(painter, lines, layers.heads);
+  paint(painter, discs, layers.below);
+  paint(painter, lines, layers.links);
+  paint(painter, discs, layers.discs);
+  paint(painter, discs, layers.above);
+  drawing.trailsAreOld = false;
+}
+
+function resize(view: WorldView): void {
+  const { canvas, camera } = view;
+  const { clientWidth, clientHeight } = canvas;
+  if (!clientWidth || !clientHeight) return;
+  const density = Math.min(2, window.devicePixelRatio || 1);
+  canvas.width = Math.round(clientWidth * density);
+  canvas.height = Math.round(clientHeight * density);
+  const first = camera.width <= 1;
+  const grown = Math.min(clientWidth / camera.width, clientHeight / camera.height);
+  camera.width = clientWidth;
+  camera.height = clientHeight;
+  if (first) view.fit();
+  else camera.scale *= grown;
+  view.draw();  // at once: a canvas of another size is empty
+}
+
+function followLab(lab: PageLab, view: WorldView, drawing: Drawing): void {
+  const fitted = { name: lab.name, start: lab.moment };
+  const redraw = () => { drawing.trailsAreOld = drawing.isOld = true; };
+  lab.on("moment", () => {
+    noteTrails(drawing.trails, shownOf(lab.run, 1));
+    drawing.shownIsOld = true;
+    redraw();
+  });
+  lab.on("scene", () => {
+    drawing.shownIsOld = true;
+    if (lab.moment.steps === 0) drawing.angles = homeAngles(view.shown);
+    drawing.homes = homeColors(drawing.angles, lab.theme);
+    const { name, start } = fitted;
+    fitted.name = lab.name;
+    if (lab.moment.steps === 0) fitted.start = lab.moment;
+    if (name === lab.name && !(beginsElsewhere(fitted.start, start) && isOutside(view))) return;
+    drawing.trails.samples.length = 0;
+    view.fit();
+  });
+  lab.on("theme", () => {
+    drawing.theme = themePaint();
+    drawing.homes = homeColors(drawing.angles, lab.theme);
+    redraw();
+  });
+  lab.on("coloring", redraw);
+  for (const event of ["selection", "highlight"] as const) lab.on(event, view.touch);
+}
+
+/** Of a low map most is for what it shows. */
+function marginOf({ height }: Camera): Margin {
+  const { x, top, bottom } = matchMedia("(max-width: 720px)").matches ? PHONE_MARGIN : MARGIN;
+  return { x, top: Math.min(top, 0.36 * height), bottom: Math.min(bottom, 0.3 * height) };
+}
+
+/** Most robots begin where none did before: another scene was opened, which no slider and no drag is. */
+function beginsElsewhere(now: Moment, before: Moment): boolean {
+  if (now === before) return false;
+  const placesOf = ({ robot, position }: Moment) => Array.from(robot, (_, i) => `${position[2 * i]} ${position[2 * i + 1]}`);
+  const known = new Set(placesOf(before));
+  return 2 * placesOf(now).filter((place) => !known.has(place)).length > now.robot.length;
+}
+
+/** Most robots are not in the picture. */
+function isOutside({ camera, shown: { x, y } }: WorldView): boolean {
+  const outside = x.filter((_, i) => {
+    const [px, py] = toPixels(camera, x[i]!, y[i]!);
+    return px < 0 || py < 0 || px > camera.width || py > camera.height;
+  });
+  return 2 * outside.length > x.length;
+}
+
+/** Of all that there is, goals included. */
+function boxOf(lab: PageLab, shown: Shown) {
+  const box = emptyBox();
+  const { moment } = shown;
+  moment.robot.forEach((_, i) => {
+    include(box, shown.x[i]!, shown.y[i]!, shown.radius[i]!);
+    include(box, moment.goal[2 * i]!, moment.goal[2 * i + 1]!, shown.radius[i]!);
+  });
+  for (const { a, b, radius } of lab.info.walls) {
+    include(box, ...a, radius);
+    include(box, ...b, radius);
+  }
+  for (const { x, y, radius } of shown.movers) include(box, x, y, radius);
+  return box;
+}

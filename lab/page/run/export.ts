@@ -1,0 +1,188 @@
+// SPDX-License-Identifier: Apache-2.0
+// The run as files: the scene, a table of states, pictures and films. All are made here and saved by the browser.
+import type { Lab } from "./lab.ts";
+import { csvHeader, csvRows, type SpeedAlong } from "../data/csv_writer.ts";
+import { GifEncoder } from "../data/gif.ts";
+import type { Recording } from "../data/recording.ts";
+import { element } from "../elements.ts";
+import type { PageLab } from "./make_lab.ts";
+import { RecordedRun } from "./recorded_run.ts";
+
+export interface Progress {
+  tell(share: number): void;  // 0 to 1
+  readonly cancelled: boolean;
+}
+
+/** The scene's name as one of a file. */
+export function fileName(lab: Lab, ending: string): string {
+  const base = lab.name.replace(/\.(ya?ml|csv|h5)$/i, "").replace(/[^\w.-]+/g, "-").replace(/^-+|-+$/g, "");
+  return `${base || "scene"}.${ending}`;
+}
+
+export function download(name: string, blob: Blob): void {
+  const address = URL.createObjectURL(blob);
+  element("a", { href: address, download: name }).click();
+  setTimeout(() => URL.revokeObjectURL(address), 60_000);
+}
+
+export function saveYaml(lab: Lab): void {
+  if (!lab.text) throw new Error("this recording does not hold its scene, so there is none to save");
+  download(fileName(lab, "yaml"), new Blob([lab.text], { type: "application/yaml" }));
+}
+
+const MEANWHILE = "another run was opened meanwhile, so nothing was saved";
+
+/** Shows the run at each of `times`, in order, and then goes on as it was. A recording is read as it goes. */
+async function walk(lab: PageLab, times: number[], progress: Progress, visit: (k: number) => Promise<void> | void): Promise<void> {
+  const { run, playing } = lab;
+  const back = lab.moment.time;
+  lab.pause();
+  for (let k = 0; k < times.length && !progress.cancelled; ++k) {
+    if (lab.run !== run) throw new Error(MEANWHILE);
+    lab.seek(times[k]!);
+    if (Math.abs(lab.moment.time - times[k]!) > 1e-6) await arrival(lab, times[k]!);
+    if (lab.run !== run) throw new Error(MEANWHILE);
+    await visit(k);
+    progress.tell((k + 1) / times.length);
+    if (k % 16 === 15) await pause(0);  // the page stays alive
+  }
+  if (lab.run !== run) return;
+  lab.seek(back);
+  if (playing) lab.play();
+}
+
+const pause = (milliseconds: number): Promise<void> => new Promise((done) => setTimeout(done, milliseconds));
+
+function arrival(lab: Lab, time: number): Promise<void> {
+  return new Promise((done) => {
+    const finish = (): void => {
+      stop();
+      clearTimeout(timer);
+      done();
+    };
+    const stop = lab.on("moment", () => Math.abs(lab.moment.time - time) <= 1e-6 && finish());
+    const timer = setTimeout(finish, 3000);
+  });
+}
+
+const timesSoFar = (lab: Lab): number[] => [...lab.past.times.subarray(0, lab.past.size)];
+
+/** As `avo run --record` writes it: all steps of the run so far, all rows of a recording. */
+export async function csvOfRun(lab: PageLab, progress: Progress): Promise<string> {
+  if (lab.run instanceof RecordedRun) return csvOfRecording(lab.run.recording, lab.library.speedAlong, progress);
+  const options = { headings: lab.info.robots.some((robot) => robot.model !== "holonomic"), speedAlong: lab.library.speedAlong };
+  const holonomic = new Set(lab.info.robots.filter((robot) => robot.model === "holonomic").map((robot) => robot.robot));
+  const parts = [csvHeader(options)];
+  await walk(lab, timesSoFar(lab), progress, () => {
+    const { time, robot, position, velocity, heading } = lab.moment;
+    parts.push(csvRows({ time, robot, position, velocity, heading: heading.map((angle, i) => (holonomic.has(robot[i]!) ? NaN : angle)) }, options));
+  });
+  return parts.join("");
+}
+
+async function csvOfRecording(recording: Recording, speedAlong: SpeedAlong, progress: Progress): Promise<string> {
+  const options = { headings: recording.headings, every: recording.every };
+  const parts = [csvHeader(options)];
+  const count = recording.times.length;
+  for (let k = 0; k < count && !progress.cancelled; ++k) {
+    parts.push(csvRows(await recording.frame(k), { ...options, speedAlong }));
+    progress.tell((k + 1) / count);
+    if (k % 16 === 15) await pause(0);  // the page stays alive
+  }
+  return parts.join("");
+}
+
+export async function saveCsv(lab: PageLab, progress: Progress): Promise<void> {
+  const text = await csvOfRun(lab, progress);
+  if (!progress.cancelled) download(fileName(lab, "csv"), new Blob([text], { type: "text/csv" }));
+}
+
+function requirePicture(lab: Lab): NonNullable<Lab["picture"]> {
+  if (!lab.picture) throw new Error("there is no picture to save: this browser does not draw with WebGL2");
+  return lab.picture;
+}
+
+export async function savePng(lab: Lab): Promise<void> {
+  const picture = requirePicture(lab);
+  picture.draw();
+  const blob = await new Promise<Blob | null>((done) => picture.canvas.toBlob(done, "image/png"));
+  if (blob) download(fileName(lab, "png"), blob);
+}
+
+/** The velocity space of the selected robot, as it is on the screen. */
+export async function saveVelocitySpace(lab: Lab): Promise<void> {
+  const canvas = document.querySelector<HTMLCanvasElement>(".insp:not([hidden]) .insp-canvas");
+  if (!canvas || lab.selected === null) throw new Error("select a robot first: its velocity space is what is saved");
+  const blob = await new Promise<Blob | null>((done) => canvas.toBlob(done, "image/png"));
+  if (blob) download(fileName(lab, `robot-${lab.selected}.png`), blob);
+}
+
+const FILM_FRAMES = 150;     // at most
+const FILM_WIDTH = 640;      // px at most
+const FRAME_TIME = 0.05;     // s of the film, from frame to frame
+
+/** Moments of the run so far, evenly; with the scene's title and time over each picture. */
+function filmTimes(lab: Lab): number[] {
+  const times = timesSoFar(lab);
+  const every = Math.max(1, Math.ceil(times.length / FILM_FRAMES));
+  return times.filter((_, k) => k % every === 0);
+}
+
+class Film {
+  readonly canvas: HTMLCanvasElement;
+  private readonly context: CanvasRenderingContext2D;
+  constructor(private readonly lab: Lab) {
+    const { canvas } = requirePicture(lab);
+    const scale = Math.min(1, FILM_WIDTH / canvas.width);
+    const even = (length: number): number => Math.max(2, 2 * Math.round(0.5 * scale * length));  // as codecs want it
+    this.canvas = element("canvas", { width: even(canvas.width), height: even(canvas.height) });
+    this.context = this.canvas.getContext("2d", { willReadFrequently: true })!;
+  }
+  take(): void {
+    const picture = requirePicture(this.lab);
+    picture.draw();
+    const { width, height } = this.canvas;
+    this.context.drawImage(picture.canvas, 0, 0, width, height);
+    this.context.font = "13px system-ui, sans-serif";
+    this.context.textBaseline = "bottom";
+    this.context.fillStyle = this.lab.theme === "dark" ? "#ffffff" : "#000000";
+    this.context.fillText(`${this.lab.info.name} · ${this.lab.info.options.method} · ${this.lab.moment.time.toFixed(1)} s`, 8, height - 6);
+  }
+  pixels(): Uint8ClampedArray {
+    return this.context.getImageData(0, 0, this.canvas.width, this.canvas.height).data;
+  }
+}
+
+export async function saveGif(lab: PageLab, progress: Progress): Promise<void> {
+  const film = new Film(lab);
+  const encoder = new GifEncoder(film.canvas.width, film.canvas.height, { delay: FRAME_TIME });
+  await walk(lab, filmTimes(lab), progress, () => {
+    film.take();
+    encoder.add(film.pixels());
+  });
+  if (!progress.cancelled) download(fileName(lab, "gif"), new Blob([encoder.finish() as BlobPart], { type: "image/gif" }));
+}
+
+/** Filmed as it is shown, so it takes as long as the film. */
+export async function saveWebm(lab: PageLab, progress: Progress): Promise<void> {
+  const type = ["video/webm;codecs=vp9", "video/webm;codecs=vp8", "video/webm"]
+    .find((candidate) => typeof MediaRecorder !== "undefined" && MediaRecorder.isTypeSupported(candidate));
+  if (!type) throw new Error("this browser does not record WebM: save a GIF instead");
+  const film = new Film(lab);
+  const stream = film.canvas.captureStream();
+  const recorder = new MediaRecorder(stream, { mimeType: type, videoBitsPerSecond: 4e6 });
+  const parts: Blob[] = [];
+  recorder.addEventListener("dataavailable", (event) => parts.push(event.data));
+  const stopped = new Promise((done) => recorder.addEventListener("stop", done));
+  let next = performance.now();
+  await walk(lab, filmTimes(lab), progress, async (k) => {
+    film.take();
+    if (k === 0) recorder.start();
+    next = Math.max(next + 1000 * FRAME_TIME, performance.now());
+    await pause(next - performance.now());
+  });
+  if (recorder.state !== "inactive") recorder.stop();
+  await stopped;
+  stream.getTracks().forEach((track) => track.stop());
+  if (!progress.cancelled) download(fileName(lab, "webm"), new Blob(parts, { type: "video/webm" }));
+}
