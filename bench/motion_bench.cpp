@@ -7,8 +7,8 @@
 #include <numbers>
 #include <vector>
 
-#include "planner/arrival.h"
 #include "planner/decision_columns.h"
+#include "planner/rules/arrival.h"
 #include "sim/moving_columns.h"
 
 namespace avo {

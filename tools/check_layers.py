@@ -30,7 +30,7 @@ OUTER = {
     "apps": {"avo", "avo_io", "figures", "cli", "apps", "paper_figures"},
     "bindings/python": {"avo", "avo_io"},
     "lab/wasm": {"avo", "avo_io", "io", "figures", "core/elementary.h", "core/retell.h", "planner/certify.h",
-                 "sim/saved_state.h", "walls/segment.h", "walls/wall_grid.h"},
+                 "sim/state/saved_state.h", "walls/segment.h", "walls/wall_grid.h"},
 }
 INCLUDE = re.compile(r'^\s*#\s*(?:include|define\s+AVO_KERNEL_HEADER\w*)\s+"([^"]+)"', re.M)
 
@@ -47,8 +47,8 @@ def refused(path, allowed):
 def main():
     root = pathlib.Path(__file__).resolve().parent.parent
     bad = []
-    for path in sorted(root.glob("src/*/*.[hc]*")):
-        layer = path.parent.name
+    for path in sorted(root.glob("src/*/**/*.[hc]*")):
+        layer = path.relative_to(root / "src").parts[0]
         allowed = ALLOWED.get(layer, set()) | {layer, "avo"}
         bad += refused(path, allowed)
     for folder, allowed in OUTER.items():

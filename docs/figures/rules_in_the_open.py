@@ -4,7 +4,7 @@ import math
 
 from drawing import BLACK, BLUE, GRAY, RED, Figure, arc, constants, graph, polar
 
-OPEN = constants("planner/arrival.h", "planner/arrival.cpp")
+OPEN = constants("planner/rules/arrival.h", "planner/rules/arrival.cpp")
 
 
 def keep_right():

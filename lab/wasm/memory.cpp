@@ -5,7 +5,7 @@
 #include <cstddef>
 
 #include "host.h"
-#include "sim/saved_state.h"
+#include "sim/state/saved_state.h"
 
 namespace avo_lab {
 namespace {

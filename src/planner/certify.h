@@ -7,7 +7,7 @@
 #include "planner/certified.h"
 #include "planner/decision.h"
 #include "planner/execution.h"
-#include "planner/passive_obstacles.h"
+#include "planner/methods/passive_obstacles.h"
 
 namespace avo::inline planner {
 

@@ -8,8 +8,8 @@
 #include "certificate/braking_path.h"
 #include "core/robot_columns.h"
 #include "lp/linear_program.h"
-#include "planner/arrival.h"
 #include "planner/execution.h"
+#include "planner/rules/arrival.h"
 
 namespace avo::inline planner {
 

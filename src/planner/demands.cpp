@@ -9,7 +9,7 @@
 #include "certificate/wall_constraints.h"
 #include "obstacles/wall_half_plane.h"
 #include "planner/contact.h"
-#include "planner/way_out.h"
+#include "planner/rules/way_out.h"
 #include "robots/model.h"
 #include "walls/segment.h"
 

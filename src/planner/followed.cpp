@@ -7,7 +7,7 @@
 #include "core/plane.h"
 #include "planner/certify.h"
 #include "planner/decision.h"
-#include "planner/flight.h"
+#include "planner/methods/flight.h"
 #include "planner/options.h"
 #include "planner/validity.h"
 #include "robots/model.h"

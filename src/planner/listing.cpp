@@ -14,13 +14,13 @@
 #include "planner/certify.h"
 #include "planner/decision.h"
 #include "planner/demands.h"
-#include "planner/evasion.h"
-#include "planner/flight.h"
+#include "planner/methods/flight.h"
 #include "planner/neighbor_order.h"
 #include "planner/pair_planes.h"
+#include "planner/rules/evasion.h"
+#include "planner/rules/way_out.h"
 #include "planner/scratch.h"
 #include "planner/validity.h"
-#include "planner/way_out.h"
 #include "walls/segment.h"
 
 namespace avo {

@@ -5,8 +5,8 @@
 #include <limits>
 
 #include "obstacles/half_planes.h"
-#include "planner/buffered_voronoi.h"
-#include "planner/margin.h"
+#include "planner/methods/buffered_voronoi.h"
+#include "planner/rules/margin.h"
 
 namespace avo::inline planner {
 

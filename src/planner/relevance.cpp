@@ -8,8 +8,8 @@
 #include "certificate/kernels.h"
 #include "certificate/pair.h"
 #include "core/plane.h"
-#include "planner/arrival.h"
 #include "planner/certify.h"
+#include "planner/rules/arrival.h"
 
 namespace avo::inline planner {
 namespace {

@@ -12,8 +12,8 @@
 #include "planner/certified.h"
 #include "planner/decision_columns.h"
 #include "planner/demands.h"
-#include "planner/evading.h"
-#include "planner/passive_obstacles.h"
+#include "planner/methods/passive_obstacles.h"
+#include "planner/rules/evading.h"
 #include "planner/steer.h"
 #include "planner/together.h"
 

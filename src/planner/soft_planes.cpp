@@ -7,10 +7,10 @@
 #include <limits>
 
 #include "certificate/pair.h"
-#include "planner/buffered_voronoi.h"
 #include "planner/decision.h"
-#include "planner/margin.h"
+#include "planner/methods/buffered_voronoi.h"
 #include "planner/pair_planes.h"
+#include "planner/rules/margin.h"
 
 namespace avo::inline planner {
 namespace {

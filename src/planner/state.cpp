@@ -8,7 +8,7 @@
 #include "planner/certify.h"
 #include "planner/contact.h"
 #include "planner/decision.h"
-#include "planner/flight.h"
+#include "planner/methods/flight.h"
 #include "planner/scratch.h"
 #include "planner/validity.h"
 #include "robots/model.h"

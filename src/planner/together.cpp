@@ -6,22 +6,22 @@
 #include <utility>
 
 #include "lp/linear_program.h"
-#include "planner/arrival.h"
 #include "planner/behind_walls.h"
-#include "planner/buffered_voronoi.h"
 #include "planner/certify.h"
 #include "planner/choice.h"
-#include "planner/clamped.h"
 #include "planner/contact.h"
 #include "planner/demands.h"
-#include "planner/evasion.h"
 #include "planner/execution.h"
-#include "planner/flight.h"
+#include "planner/methods/buffered_voronoi.h"
+#include "planner/methods/clamped.h"
+#include "planner/methods/flight.h"
+#include "planner/rules/arrival.h"
+#include "planner/rules/evasion.h"
+#include "planner/rules/wishes.h"
 #include "planner/scratch.h"
 #include "planner/state.h"
 #include "planner/steer.h"
 #include "planner/validity.h"
-#include "planner/wishes.h"
 #include "robots/model.h"
 
 namespace avo::inline planner {

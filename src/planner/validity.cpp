@@ -9,7 +9,7 @@
 #include "core/plane.h"
 #include "core/ranges.h"
 #include "planner/certify.h"
-#include "planner/flight.h"
+#include "planner/methods/flight.h"
 #include "robots/ahead.h"
 #include "robots/model.h"
 

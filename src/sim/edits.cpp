@@ -14,8 +14,8 @@
 #include "core/ranges.h"
 #include "robots/model.h"
 #include "sim/clocks.h"
-#include "sim/edit_checks.h"
-#include "sim/scene_checks.h"
+#include "sim/scene/edit_checks.h"
+#include "sim/scene/scene_checks.h"
 #include "sim/world.h"
 
 namespace avo::inline sim {

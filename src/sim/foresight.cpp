@@ -6,7 +6,7 @@
 
 #include "core/plane.h"
 #include "planner/certify.h"
-#include "planner/evading.h"
+#include "planner/rules/evading.h"
 #include "sim/world.h"
 
 namespace avo::inline sim {

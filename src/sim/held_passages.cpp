@@ -13,7 +13,7 @@
 
 #include "core/plane.h"
 #include "navigation/prospect.h"
-#include "planner/arrival.h"
+#include "planner/rules/arrival.h"
 #include "sim/clocks.h"
 #include "sim/world.h"
 

@@ -11,8 +11,8 @@
 
 #include "certificate/braking_path.h"
 #include "core/plane.h"
-#include "planner/arrival.h"
 #include "planner/certify.h"
+#include "planner/rules/arrival.h"
 #include "robots/model.h"
 #include "sim/world.h"
 

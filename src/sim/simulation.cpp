@@ -14,10 +14,10 @@
 #include "core/ranges.h"
 #include "planner/decision.h"
 #include "sim/clocks.h"
-#include "sim/complaints.h"
 #include "sim/edits.h"
-#include "sim/saved_state.h"
+#include "sim/scene/complaints.h"
 #include "sim/simulation_state.h"
+#include "sim/state/saved_state.h"
 
 namespace avo {
 namespace {

@@ -9,12 +9,12 @@
 #include "core/plane.h"
 #include "planner/certify.h"
 #include "planner/demands.h"
-#include "planner/evading.h"
+#include "planner/rules/evading.h"
 #include "planner/scratch.h"
 #include "robots/model.h"
 #include "sim/clocks.h"
 #include "sim/held_passages.h"
-#include "sim/scene_checks.h"
+#include "sim/scene/scene_checks.h"
 #include "sim/ties.h"
 
 namespace avo::inline sim {

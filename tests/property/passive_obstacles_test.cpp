@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Eqs. (13), (14): one robot among movers that do not react, against sampling.
-#include "planner/passive_obstacles.h"
+#include "planner/methods/passive_obstacles.h"
 
 #include <cmath>
 #include <gtest/gtest.h>

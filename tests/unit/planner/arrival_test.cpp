@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Giving way (docs/arrival.md, rule 2): whom a robot makes room for, and where it stays.
-#include "planner/arrival.h"
+#include "planner/rules/arrival.h"
 
 #include <cmath>
 #include <gtest/gtest.h>

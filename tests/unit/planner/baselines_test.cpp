@@ -9,8 +9,8 @@
 
 #include "avo/error.h"
 #include "avo/half_plane.h"
-#include "planner/buffered_voronoi.h"
-#include "planner/reciprocal_obstacles.h"
+#include "planner/methods/buffered_voronoi.h"
+#include "planner/methods/reciprocal_obstacles.h"
 #include "unit/planner/crowds.h"
 
 namespace avo {

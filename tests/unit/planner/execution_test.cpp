@@ -9,8 +9,8 @@
 #include "avo/planner.h"
 #include "avo/simulation.h"
 #include "planner/decision_columns.h"
+#include "planner/rules/wishes.h"
 #include "planner/tile.h"
-#include "planner/wishes.h"
 #include "support/generators.h"
 
 namespace avo {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // A clearance that is wished for beyond the radius, and where it fades.
-#include "planner/margin.h"
+#include "planner/rules/margin.h"
 
 #include <cmath>
 #include <gtest/gtest.h>

@@ -11,7 +11,7 @@
 
 #include "certificate/certificate.h"
 #include "certified_scenes.h"
-#include "sim/assumptions.h"
+#include "sim/scene/assumptions.h"
 #include "support/generators.h"
 
 namespace avo {

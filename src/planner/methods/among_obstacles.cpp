@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: Apache-2.0
+// The decision of a robot outside of the union of its obstacles (§III-C): among movers alone, and
+// of the methods that avoid a union whoever the others are.
+#include <span>
+#include <vector>
+
+#include "avo/half_plane.h"
+#include "core/plane.h"
+#include "planner/certify.h"
+#include "planner/contact.h"
+#include "planner/decision.h"
+#include "planner/demands.h"
+#include "planner/methods/clamped.h"
+#include "planner/methods/passive_obstacles.h"
+#include "planner/methods/reciprocal_obstacles.h"
+#include "planner/neighbor_order.h"
+#include "planner/options.h"
+#include "planner/pair_planes.h"
+#include "planner/rules/margin.h"
+#include "planner/scratch.h"
+#include "planner/validity.h"
+#include "robots/model.h"
+
+namespace avo::inline planner {
+namespace {
+
+// What method avo does towards movers, which leave all of it to A (docs/movers.md, "Towards
+// movers"). Those who decide here were asked to avoid alone.
+constexpr double kMoverHorizon = 2.0;  // τ
+
+double horizon_of(const PlannerOptions& options) {
+  const double factor = options.method == Method::avo ? kMoverHorizon : 1.0;
+  return factor * options.time_horizon;
+}
+
+double kept_radius(const PlannerOptions& options, const Robot& robot, const Pair& pair) {
+  return with_margin(pair, margin_on_way(mover_margin(options, robot.radius), robot.radius,
+                                         robot.distance_to_goal));
+}
+
+}  // namespace
+
+Plan decide_among_obstacles(const Planner& planner, const Robot& robot,
+                            std::span<const Neighbor> given, std::span<const Wall> walls,
+                            PlanWorkspace::Scratch& scratch) {
+  const PlannerOptions& options = planner.options();
+  if (!all_valid(robot, given) || !follows_heading(robot) || !can_follow(robot, given, options)) {
+    return brake(planner, robot, PlanStatus::invalid_input, 0.0);
+  }
+  const std::span<const Neighbor> obstacles = nearest_first(robot, given, scratch);
+  const Response response = disregards_acceleration(options.method)
+                                ? Response::velocity()
+                                : Response::proportional(options.control_time);
+  bool overlapping = false;
+  scratch.obstacles.clear();
+  for (const Neighbor& obstacle : obstacles) {
+    Pair pair = relative(robot, obstacle);
+    overlapping = overlapping || norm(pair.position) < pair.radius;
+    pair.radius = kept_radius(options, robot, pair);
+    if (options.method == Method::reciprocal_velocity_obstacle) {
+      scratch.obstacles.push_back(reciprocal_obstacle(options, robot, obstacle));
+      continue;
+    }
+    const double kept = shares(obstacle) ? 0.0 : 1.0;
+    const Vec2 v_new_B =
+        obstacle.velocity + (response.control_time() * kept) * obstacle.acceleration;
+    scratch.obstacles.push_back(
+        {{pair, response, horizon_of(options)}, v_new_B, options.time_step});
+  }
+  Demands& demands = scratch.demands;
+  demands.clear();
+  // what the certificate refuses, it finds a way around
+  if (options.method != Method::avo)
+    collect_demands(planner, robot, walls, certificate_law(planner).step, demands);
+  overlapping = overlapping || demands.overlapping;
+  // Eq. (14)
+  PassiveChoice choice = choose_among_obstacles(scratch.obstacles, planner.acceleration_disc(robot),
+                                                planner.speed_disc(robot), robot.preferred_velocity,
+                                                scratch.passive, demands.planes);
+  if (choice.state == PassiveState::discs_disjoint) {
+    return brake(planner, robot, PlanStatus::braking, choice.violation);
+  }
+  if (choice.state == PassiveState::least_unsafe &&
+      options.method == Method::reciprocal_velocity_obstacle)
+    choice = least_penalty(scratch.obstacles, planner.speed_disc(robot), options.time_horizon,
+                           robot.preferred_velocity, scratch.passive);
+  if (options.method == Method::orca_clamped)
+    choice = clamped(choice, robot, options.time_step, scratch.passive.limits);
+  Plan plan;
+  if (options.method == Method::avo) {
+    plan = certify_among_movers(planner, robot, obstacles, walls, choice, overlapping, scratch);
+  } else {
+    const double violation =
+        with_excess(demands.planes, demands.excess, choice.velocity, choice.violation);
+    const bool is_free = choice.state == PassiveState::free && !(violation > 0.0);
+    const PlanStatus status = is_free ? PlanStatus::optimal : PlanStatus::least_unsafe;
+    plan = plan_of(options, robot.velocity, choice.velocity, status, violation);
+    if (overlapping)
+      tell(deepest_contact(robot, obstacles, walls, certificate_law(planner).step), plan);
+  }
+  if (plan.neighbor >= 0)
+    plan.neighbor = index_in(given, obstacles[static_cast<std::size_t>(plan.neighbor)]);
+  return plan;
+}
+
+}  // namespace avo::inline planner
+
+namespace avo {
+
+Plan Planner::plan_among_obstacles(const Robot& robot, std::span<const Neighbor> obstacles,
+                                   PlanWorkspace& workspace) const {
+  Robot steering = robot;
+  if (is_rest(robot.velocity)) steering.velocity = {};
+  if (is_valid(robot)) steering.preferred_velocity = steered(robot, approach_of(options_));
+  if (options_.method == Method::buffered_voronoi) {
+    std::vector<Neighbor>& movers = PlanWorkspace::Scratch::of(workspace).movers;
+    movers.assign(obstacles.begin(), obstacles.end());
+    for (Neighbor& mover : movers) {
+      if (!is_valid(mover)) continue;  // as it is, for plan() to refuse
+      become_mover(mover);
+    }
+    return plan(robot, movers, workspace);
+  }
+  const Plan plan =
+      decide_among_obstacles(*this, steering, obstacles, {}, PlanWorkspace::Scratch::of(workspace));
+  return with_next_velocity(*this, robot, as_followed(*this, robot, plan));
+}
+
+}  // namespace avo

@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: Apache-2.0
+// Controls are tried from the wanted ones on; what the motion makes of them is judged.
+#include "planner/methods/flight.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "planner/certify.h"
+#include "robots/ahead.h"
+
+namespace avo::inline planner {
+namespace {
+
+constexpr double kSpeedOff = 1e-9;   // of a limit of the speed, by rounding
+constexpr double kCircleOff = 1e-6;  // of a circle's radius
+constexpr int kTurns = 8;            // tried to each side
+constexpr int kRates = 3;            // tried of the speed, besides the wanted one
+constexpr std::size_t kMostTried = std::size_t{kRates + 1} * (2 * kTurns + 2);
+
+// m/s², along the heading and to its left.
+struct Controls {
+  double ahead, left;
+};
+
+const Airplane& airplane_of(const Robot& robot) {
+  return std::get<Airplane>(robot.model);
+}
+
+MotionState state_of(const Robot& robot) {
+  return {robot.position, robot.velocity, robot.heading, *robot.loiter};
+}
+
+Plan plan_of(const Planner& planner, const Robot& robot, Vec2 acceleration, PlanStatus status,
+             double violation) {
+  return {.new_velocity = robot.velocity + planner.options().control_time * acceleration,
+          .acceleration = acceleration,
+          .status = status,
+          .violation = violation};
+}
+
+// As fast as it may towards the target.
+Controls wanted_controls(const Planner& planner, const Robot& robot, Vec2 target) {
+  const Vec2 h = ahead_of(robot.heading), change = target - robot.velocity;
+  const double step = planner.options().time_step, speed = norm(robot.velocity);
+  const double a_max = robot.max_acceleration, a_lat = usable_acceleration(airplane_of(robot));
+  const double ahead = std::clamp(dot(h, change) / step, -a_max, a_max);
+  return {std::clamp(ahead, (airplane_of(robot).min_speed - speed) / step,
+                     (robot.max_speed - speed) / step),
+          std::clamp(cross(h, change) / step, -a_lat, a_lat)};
+}
+
+struct Tried {
+  std::array<Controls, kMostTried> controls;
+  std::size_t count = 0;
+};
+
+// Nearest to the wanted ones first; of equally near ones those that turn right.
+Tried controls_near(const Robot& robot, Controls wanted) {
+  const double a_lat = usable_acceleration(airplane_of(robot)), a_max = robot.max_acceleration;
+  Tried tried;
+  for (const double ahead : {wanted.ahead, 0.0, -a_max, a_max}) {
+    tried.controls[tried.count++] = {ahead, wanted.left};
+    for (int k = -kTurns; k <= kTurns; ++k)
+      tried.controls[tried.count++] = {ahead, a_lat * k / kTurns};
+  }
+  const auto off = [&](const Controls& c) {
+    return norm_squared(Vec2{c.ahead - wanted.ahead, c.left - wanted.left});
+  };
+  std::stable_sort(tried.controls.data(), tried.controls.data() + tried.count,
+                   [&](const Controls& a, const Controls& b) { return off(a) < off(b); });
+  return tried;
+}
+
+}  // namespace
+
+Plan loiter_on(const Planner& planner, const Robot& robot, PlanStatus status, double violation) {
+  const Robot on_circle = with_circle(robot);
+  return plan_of(planner, robot, loitering(airplane_of(robot), state_of(on_circle)), status,
+                 violation);
+}
+
+Plan fly_towards(const Planner& planner, const Robot& given, const Neighbors& neighbors,
+                 std::span<const Wall> walls, const FlightTarget& flight,
+                 FlightConstraints& constraints) {
+  const Robot robot = with_circle(given);
+  const CertificateLaw law = certificate_law(planner);
+  collect_flight(robot, neighbors, walls, law.step, constraints);
+  const bool certified = law.kind != Certificate::none;
+  const PlanStatus best = status_of(flight.violation);
+  if (robot.preferred_velocity == Vec2{}) return loiter_on(planner, robot, best, flight.violation);
+  const MotionState state = state_of(robot);
+  const MotionLimits limits{robot.max_acceleration, robot.max_speed};
+  const Vec2 h = ahead_of(robot.heading), n = perpendicular(h);
+  const auto admitted = [&](Vec2 acceleration) {
+    if (!certified) return true;
+    return keeps_flight(
+        constraints, robot,
+        fly_along(airplane_of(robot), limits, state, h, acceleration, law.step.time_step));
+  };
+  const Controls wanted = wanted_controls(planner, robot, flight.target);
+  const Vec2 first = wanted.ahead * h + wanted.left * n;
+  if (admitted(first)) return plan_of(planner, robot, first, best, flight.violation);
+  const Tried tried = controls_near(robot, wanted);
+  for (std::size_t k = 0; k < tried.count; ++k) {
+    const Vec2 acceleration = tried.controls[k].ahead * h + tried.controls[k].left * n;
+    if (admitted(acceleration))
+      return plan_of(planner, robot, acceleration, PlanStatus::candidate, flight.violation);
+  }
+  return loiter_on(planner, robot, PlanStatus::braking, flight.violation);
+}
+
+bool is_on_circle(const Neighbor& neighbor) {
+  const auto& [center, radius] = *neighbor.loiter;
+  const Vec2 out = neighbor.position - center;
+  const double off = kCircleOff * radius;
+  // it turns to the right
+  return std::abs(norm(out) - radius) <= off &&
+         std::abs(dot(out, neighbor.velocity)) <= off * norm(neighbor.velocity) &&
+         cross(out, neighbor.velocity) < 0.0;
+}
+
+bool can_fly(const Robot& robot, double time_step) {
+  const Airplane& airplane = airplane_of(robot);
+  if (robot.max_braking) return false;
+  if (airplane.lateral_acceleration * time_step > kMostTurn * airplane.min_speed) return false;
+  const double speed = norm(robot.velocity), least = airplane.min_speed;
+  if (!(speed >= least * (1.0 - kSpeedOff) && speed <= robot.max_speed * (1.0 + kSpeedOff)))
+    return false;
+  if (!robot.loiter) return true;
+  const LoiterCircle own = loiter_circle(airplane, robot.position, robot.velocity);
+  const double off = kCircleOff * own.radius;
+  return std::abs(own.radius - robot.loiter->radius) <= off &&
+         norm(own.center - robot.loiter->center) <= off;
+}
+
+bool allows_loiterers(const PlannerOptions& options) {
+  return options.method == Method::avo && options.motion == Motion::held &&
+         options.certificate != Certificate::stopping_capsules && options.clock == Clock::common &&
+         options.sensing_error == SensingError{} && options.localization_error == 0.0;
+}
+
+Robot with_circle(const Robot& robot) {
+  Robot on_circle = robot;
+  if (!robot.loiter)
+    on_circle.loiter = loiter_circle(airplane_of(robot), robot.position, robot.velocity);
+  return on_circle;
+}
+
+}  // namespace avo::inline planner

@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "planner/rules/evading.h"
+
+#include <algorithm>
+#include <cstddef>
+
+#include "core/plane.h"
+#include "planner/rules/arrival.h"
+#include "robots/model.h"
+
+namespace avo::inline planner {
+namespace {
+
+constexpr double kLongestWay = 2.0;      // T, until a way brakes,
+constexpr double kWideWay = 3.0;         // or so many, as far as others are that wide,
+constexpr double kMostSteps = 400.0;     // and steps at most
+constexpr double kMostBraking = 1024.0;  // steps of braking; who takes more has no ways
+constexpr double kLikelyFor = 1.5;       // T, for which likely deviations are reckoned with
+constexpr int kMostWork = 200000;        // movers and intervals that a level looks at,
+constexpr int kMostLikelyWork = 25000;   // or that one looks at which reckons with what is likely
+
+// m/s: from the end of a trajectory that goes round on, it is not known where the mover is.
+double fastest_until(const Neighbor& neighbor, double time) {
+  const Trajectory& trajectory = *neighbor.trajectory;
+  const double end = trajectory.places().back().time;
+  return trajectory.repeats_from() && neighbor.trajectory_time + time >= end
+             ? kInfinity
+             : trajectory.max_speed(neighbor.trajectory_time);
+}
+
+Predicted predicted(const Evading& evading, const Neighbor& neighbor, const Level& level,
+                    TrajectorySteps* trajectory) {
+  const StepLaw& law = evading.law.step;
+  const Robot& robot = evading.robot;
+  const SensingError error = error_against(neighbor, law);
+  Predicted other;
+  other.position = neighbor.position - robot.position;
+  other.velocity = neighbor.velocity;
+  const double contact = robot.radius + neighbor.radius, speed = norm(neighbor.velocity);
+  const bool is_followed = neighbor.trajectory != nullptr;
+  const Vec2 acceleration = shares(neighbor) || is_followed ? Vec2{} : neighbor.acceleration;
+  const double kept =
+      contact + error.position +
+      (is_followed ? neighbor.trajectory->error() : parabola_error(acceleration, law));
+  const double braking = evading.braking;
+  const double time = evading.options.longest + law.time_step + braking;
+  const double reaction = level.reaction * time_to_speed(robot);
+  // what does not matter within that time is rounding
+  const bool accelerates = norm(acceleration) * time * time > 0x1p-30 * contact;
+  if (is_followed) other.trajectory = trajectory;
+  if (accelerates) other.acceleration = acceleration;
+  other.contact = kept + level.margin * contact;
+  other.stop_contact = kept + 0.5 * level.margin * contact;
+  other.drift = error.velocity;
+  other.deviation = neighbor.max_deviation;
+  other.reaction = reaction;
+  if (const double likely = level.likely * neighbor.likely_deviation; likely > other.deviation) {
+    other.deviation = likely;
+    other.reaction = kLikelyFor * time_to_speed(robot);
+  }
+  other.asks_to_stop = level.stops;
+  other.until = level.until * evading.options.longest;
+  other.max_speed = neighbor.max_speed;
+  other.fastest =
+      (is_followed ? fastest_until(neighbor, time) : speed + time * norm(acceleration)) +
+      error.velocity + other.deviation * (other.reaction + braking);
+  return other;
+}
+
+// Of those that are known, in the order of the neighbors.
+void follow_trajectories(Evading& evading) {
+  const auto is_followed = [](const Neighbor& n) { return !decides(n) && n.trajectory != nullptr; };
+  std::vector<TrajectorySteps>& trajectories = evading.workspace.around.trajectories;
+  const auto count = static_cast<std::size_t>(
+      std::count_if(evading.sight.neighbors.begin(), evading.sight.neighbors.end(), is_followed));
+  if (trajectories.size() < count) trajectories.resize(count);
+  const double h = evading.law.step.time_step;
+  const double most = (evading.options.longest + evading.braking) / h + 3.0;
+  std::size_t k = 0;
+  for (const Neighbor& neighbor : evading.sight.neighbors) {
+    if (!is_followed(neighbor)) continue;
+    trajectories[k].reserve(static_cast<std::size_t>(most));
+    trajectories[k++].begin(*neighbor.trajectory, neighbor.trajectory_time, evading.robot.position,
+                            h);
+  }
+}
+
+// s, until a way brakes: long enough to leave the strip of the widest one.
+double longest_way(const Robot& robot, std::span<const Neighbor> neighbors) {
+  const double time = time_to_speed(robot);
+  double contact = 0.0;  // m
+  for (const Neighbor& neighbor : neighbors)
+    if (!decides(neighbor)) contact = std::max(contact, robot.radius + neighbor.radius);
+  const double wide = time + 2.0 * contact / robot.max_speed;
+  return std::clamp(wide, kLongestWay * time, kWideWay * time);
+}
+
+// s: what a robot as fast as that takes to brake, and a step and rounding more.
+double braking_time_of(const Robot& robot, double speed, const StepLaw& law) {
+  return law.time_step * (2.0 + speed / decrement_of(robot, law));
+}
+
+}  // namespace
+
+double way_range(double radius, double max_speed, double max_acceleration) {
+  Robot robot{.radius = radius, .max_acceleration = max_acceleration, .max_speed = max_speed};
+  return (kWideWay + 0.5) * time_to_speed(robot) * max_speed;
+}
+
+double longest_way_out(const Robot& robot, const StepLaw& law) {
+  const double longest = std::min(kWideWay * time_to_speed(robot), kMostSteps * law.time_step);
+  const double braking = braking_time_of(robot, fastest_of(robot.model, robot.max_speed), law);
+  return longest + law.time_step + std::min(braking, kMostBraking * law.time_step);
+}
+
+std::optional<Evading> begin_evading(const CertificateLaw& law, const Robot& robot,
+                                     const Sight& sight, EvasionWorkspace& workspace) {
+  if (law.kind == Certificate::none || is_airplane(robot.model)) return std::nullopt;
+  Evading evading{law, robot, sight, workspace, {}};
+  evading.options = {
+      .law = law.step,
+      .decrement = decrement_of(robot, law.step),
+      .max_speed = fastest_of(robot.model, std::max(robot.max_speed, norm(robot.velocity))),
+      .longest = std::min(longest_way(robot, sight.neighbors), kMostSteps * law.step.time_step),
+      .wheels = is_holonomic(robot.model) ? nullptr : &robot};
+  if (!(evading.options.max_speed <= kMostBraking * evading.options.decrement)) return std::nullopt;
+  evading.braking = braking_time_of(robot, evading.options.max_speed, law.step);
+  follow_trajectories(evading);
+  return evading;
+}
+
+void look_around(Evading& evading, const Level& level) {
+  Surroundings& around = evading.workspace.around;
+  around.work = level.likely > 0.0 ? kMostLikelyWork : kMostWork;
+  evading.options.increment =
+      level.part * increment(evading.robot.max_acceleration, evading.law.step);
+  around.others.clear();
+  TrajectorySteps* trajectory = around.trajectories.data();
+  for (const Neighbor& neighbor : evading.sight.neighbors) {
+    if (decides(neighbor)) continue;
+    around.others.push_back(predicted(evading, neighbor, level, trajectory));
+    if (neighbor.trajectory != nullptr) ++trajectory;
+  }
+  begin_ways(evading.options, around);
+}
+
+void keep_walls(Evading& evading) {
+  const Robot& robot = evading.robot;
+  std::vector<KeptWall>& kept = evading.workspace.around.walls;
+  kept.clear();
+  if (evading.sight.walls.empty()) return;
+  const StepLaw& law = evading.law.step;
+  const WallRounding rounding =
+      wall_rounding(robot.radius, robot.max_speed, ability_of(robot), law);
+  const double needed = wall_reach(robot.max_speed, robot.max_speed, ability_of(robot), law);
+  const double used = (evading.options.longest + 0.5 * time_to_speed(robot)) * robot.max_speed;
+  const double reach = std::max(needed, std::min(evading.sight.wall_range, used));
+  for (const Wall& wall : evading.sight.walls) {
+    const Segment segment{wall.a - robot.position, wall.b - robot.position};
+    const double held = robot.radius + wall.radius + law.localization_error;
+    if (distance(Vec2{}, segment) > held + reach) continue;
+    kept.push_back({segment, held + wall_margin(wall, rounding)});
+  }
+  if (!kept.empty()) evading.options.known = reach;
+}
+
+}  // namespace avo::inline planner

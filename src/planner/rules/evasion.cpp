@@ -1,0 +1,321 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "planner/rules/evasion.h"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <iterator>
+#include <optional>
+
+#include "core/plane.h"
+#include "planner/certify.h"
+#include "robots/model.h"
+
+namespace avo::inline planner {
+namespace {
+
+constexpr int kNearer = 4;  // bisections
+
+// Early, gently and far off at first; each is tried where the one before has none, and keeps less
+// than that by more than rounding may cost.
+constexpr std::array<Level, 6> kLevels{{{0.6, 0.05, 0.5},
+                                        {0.6, 0.035, 0.5},
+                                        {1.0, 0.025, 0.25},
+                                        {1.0, 0.015, 0.125},
+                                        {1.0, 0.005, 0.0},
+                                        {1.0, 0.0, 0.0}}};
+// Where braking is too late, the way itself is proof that A is not touched.
+constexpr std::array<Level, 2> kLastLevels{{{1.0, 0.025, 0.0, false},  //
+                                            {1.0, 0.0025, 0.0, false}}};
+
+// Where some are likely to deviate: this part of their likely_deviation is reckoned with.
+constexpr Level likely_level(double part) {
+  return {.part = 1.0, .margin = 0.0, .reaction = 0.5 * part, .likely = part};
+}
+constexpr int kLargerParts = 4;  // bisections
+
+// Where nowhere is clear for ever, for as long as that.
+constexpr Level kForAWhile{1.0, 0.0, 0.0, true, 2.0};
+
+// What ways approach, of v_max. They are fixed in the world, so that after a step the rest of a way
+// is a way as well.
+constexpr double kDiagonal = 0.70710678118654752;
+constexpr std::array<Vec2, 8> kCompass{{{1, 0},
+                                        {kDiagonal, kDiagonal},
+                                        {0, 1},
+                                        {-kDiagonal, kDiagonal},
+                                        {-1, 0},
+                                        {-kDiagonal, -kDiagonal},
+                                        {0, -1},
+                                        {kDiagonal, -kDiagonal}}};
+constexpr std::array<Vec2, 16> kVelocities = [] {
+  std::array<Vec2, 16> result;
+  for (std::size_t k = 0; k < 8; ++k) result[k] = kCompass[k], result[8 + k] = 0.5 * kCompass[k];
+  return result;
+}();
+
+// The certificate without movers: those are left to (C2).
+CertifiedWorkspace& without_movers(Evading& evading) {
+  std::vector<Neighbor>& deciding = evading.workspace.deciding;
+  CertifiedWorkspace& certified = evading.workspace.certified;
+  if (evading.has_constraints) return certified;
+  deciding.clear();
+  std::copy_if(evading.sight.neighbors.begin(), evading.sight.neighbors.end(),
+               std::back_inserter(deciding), decides);
+  collect_constraints(evading.robot, deciding, evading.law, certified.constraints,
+                      evading.sight.walls);
+  evading.has_constraints = true;
+  return certified;
+}
+
+bool is_allowed(Evading& evading, Vec2 next_velocity) {
+  const Robot& robot = evading.robot;
+  if (norm(next_velocity) > robot.max_speed * (1.0 + 1e-12)) return false;
+  const Surroundings& around = evading.workspace.around;
+  if (!stops_in_time(evading.options, around, evading.now(), next_velocity)) return false;
+  return admits(robot, next_velocity, evading.law, without_movers(evading).constraints);
+}
+
+enum class Then : unsigned char { brakes, holds, approaches };
+
+// A first step, and what comes behind it. What is left of a way after a step is a way of the same
+// kind: w is fixed in the world, or what the step has led to.
+struct FirstStep {
+  Vec2 next_velocity;
+  Then then = Then::brakes;
+  Vec2 w = {};          // m/s, that is approached
+  double detour = 0.0;  // m²/s², from what is wanted, squared
+  std::size_t number = 0;
+};
+
+bool is_clear(Evading& evading, const FirstStep& step) {
+  Surroundings& around = evading.workspace.around;
+  if (!take_first_step(evading.options, around, evading.now(), step.next_velocity)) return false;
+  if (step.then == Then::brakes) return may_brake(evading.options, around);
+  const Vec2 w = step.then == Then::holds ? around.after.velocity : step.w;
+  return may_approach(evading.options, around, w);
+}
+
+using FirstSteps = std::array<FirstStep, kVelocities.size() + 2>;
+
+// Nearest to what is wanted first.
+FirstSteps first_steps(const Evading& evading, Vec2 wanted) {
+  const Vec2 v = evading.robot.velocity;
+  FirstSteps steps;
+  for (std::size_t k = 0; k < kVelocities.size(); ++k) {
+    const Vec2 w = evading.robot.max_speed * kVelocities[k];
+    steps[k] = {next_towards(evading.options, evading.now(), w), Then::approaches, w};
+  }
+  steps[kVelocities.size()] = {v, Then::holds, {}};
+  steps[kVelocities.size() + 1] = {braked(v, evading.options.decrement), Then::brakes, {}};
+  for (std::size_t k = 0; k < steps.size(); ++k) {
+    steps[k].detour = norm_squared(steps[k].next_velocity - wanted);
+    steps[k].number = k;
+  }
+  std::sort(steps.begin(), steps.end(), [](const FirstStep& a, const FirstStep& b) {
+    return a.detour < b.detour || (a.detour == b.detour && a.number < b.number);
+  });
+  return steps;
+}
+
+// Some way that is clear after that step, (M).
+std::optional<Evasion> find_way_after(Evading& evading, Vec2 next_velocity) {
+  const WayOptions& options = evading.options;
+  Surroundings& around = evading.workspace.around;
+  if (!take_first_step(options, around, evading.now(), next_velocity)) return std::nullopt;
+  const Vec2 after = around.after.velocity;
+  if (may_brake(options, around) || may_approach(options, around, after))
+    return Evasion{-1, after, around.brakes_at};
+  for (const Vec2 part : kVelocities) {
+    const Vec2 w = evading.robot.max_speed * part;
+    if (may_approach(options, around, w)) return Evasion{-1, w, around.brakes_at};
+  }
+  return std::nullopt;
+}
+
+Vec2 followed(const Evading& evading, Vec2 next_velocity) {
+  if (evading.options.wheels == nullptr) return next_velocity;
+  return within_own_limits(evading.robot, evading.law.step.braking_time, next_velocity);
+}
+
+// What is taken in place of a choice: the velocity after the step, and the way that begins with it.
+struct Taken {
+  Vec2 next_velocity;
+  Evasion way;
+};
+
+// Of the first step that was found clear last.
+Taken taken(const Evading& evading, const FirstStep& step) {
+  const Surroundings& around = evading.workspace.around;
+  if (step.then == Then::brakes) return {step.next_velocity, {}};
+  const Vec2 w = step.then == Then::holds ? around.after.velocity : step.w;
+  return {step.next_velocity, {-1, w, around.brakes_at}};
+}
+
+bool may_take(Evading& evading, const FirstStep& step) {
+  return is_clear(evading, step) && is_allowed(evading, step.next_velocity);
+}
+
+// As near to what is wanted as bisection finds.
+Taken nearer(Evading& evading, const FirstStep& step, Vec2 wanted) {
+  double refused = 0.0, kept = 1.0;
+  Taken best = taken(evading, step);
+  for (int k = 0; k < kNearer; ++k) {
+    const double part = 0.5 * (refused + kept);
+    const Vec2 between = followed(evading, wanted + part * (step.next_velocity - wanted));
+    const FirstStep candidate{between, step.then, step.w};
+    if (may_take(evading, candidate)) {
+      kept = part, best = taken(evading, candidate);
+    } else {
+      refused = part;
+    }
+  }
+  return best;
+}
+
+enum class Way : unsigned char { none, as_wanted, another };
+
+// Where others refuse the first steps of ways, what is nearest to one of them and leaves a way.
+bool find_beside(Evading& evading, const FirstSteps& steps, Taken& found) {
+  for (const FirstStep& step : steps) {
+    if (!is_clear(evading, step)) continue;
+    const Vec2 v =
+        choose_certified(evading.robot, step.next_velocity, evading.law, without_movers(evading))
+            .next_velocity;
+    const auto way = is_allowed(evading, v) ? find_way_after(evading, v) : std::nullopt;
+    if (!way) continue;
+    found = {v, *way};
+    return true;
+  }
+  return false;
+}
+
+Way find_way(Evading& evading, const Level& level, Vec2 wanted, Taken& found) {
+  look_around(evading, level);
+  if (find_way_after(evading, wanted)) return Way::as_wanted;
+  const FirstSteps steps = first_steps(evading, wanted);
+  for (const FirstStep& step : steps) {
+    if (!may_take(evading, step)) continue;
+    found = nearer(evading, step, wanted);
+    return Way::another;
+  }
+  return find_beside(evading, steps, found) ? Way::another : Way::none;
+}
+
+bool are_some_likely_to_deviate(const Evading& evading) {
+  return std::any_of(evading.sight.neighbors.begin(), evading.sight.neighbors.end(),
+                     [](const Neighbor& n) { return !decides(n) && n.likely_deviation > 0.0; });
+}
+
+Level first_level(const Evading& evading) {
+  return are_some_likely_to_deviate(evading) ? likely_level(1.0) : kLevels[0];
+}
+
+// Reckons with as much of what is likely as leaves a way, found by bisection.
+Way find_way_if_likely(Evading& evading, Vec2 wanted, Taken& found) {
+  Way way = find_way(evading, likely_level(1.0), wanted, found);
+  if (way != Way::none) return way;
+  way = find_way(evading, likely_level(0.0), wanted, found);
+  if (way == Way::none) return way;
+  double kept = 0.0, refused = 1.0;
+  for (int k = 0; k < kLargerParts; ++k) {
+    const double part = 0.5 * (kept + refused);
+    const Way other = find_way(evading, likely_level(part), wanted, found);
+    if (other == Way::none) {
+      refused = part;
+    } else {
+      kept = part, way = other;
+    }
+  }
+  return way;
+}
+
+Way find_way_in_order(Evading& evading, std::span<const Level> levels, Vec2 wanted, Taken& found) {
+  for (const Level& level : levels) {
+    const Way way = find_way(evading, level, wanted, found);
+    if (way != Way::none) return way;
+  }
+  return Way::none;
+}
+
+// Nearly always the first level has one; and where the weakest has none, hardly any other one has.
+Way find_way_by_levels(Evading& evading, std::span<const Level> levels, Vec2 wanted, Taken& found) {
+  const Way way = find_way(evading, levels.front(), wanted, found);
+  if (way != Way::none || find_way(evading, levels.back(), wanted, found) == Way::none) return way;
+  return find_way_in_order(evading, levels.subspan(1), wanted, found);
+}
+
+// Whether braking after that step is clear of movers, whoever else is there: it is admitted.
+bool is_far_from_movers(Evading& evading, Vec2 next_velocity) {
+  Surroundings& around = evading.workspace.around;
+  around.walls.clear();
+  look_around(evading, first_level(evading));
+  return take_first_step(evading.options, around, evading.now(), next_velocity) &&
+         may_brake(evading.options, around);
+}
+
+// Whether all are seen exactly, and surely keep their acceleration.
+bool are_exact(const Evading& evading) {
+  return std::all_of(evading.sight.neighbors.begin(), evading.sight.neighbors.end(),
+                     [&](const Neighbor& n) {
+                       return n.max_deviation == 0.0 && n.likely_deviation == 0.0 &&
+                              error_against(n, evading.law.step) == SensingError{};
+                     });
+}
+
+}  // namespace
+
+void keep_a_way_out(const CertificateLaw& law, const Robot& robot, const Sight& sight,
+                    bool may_swerve, EvasionWorkspace& workspace, Plan& plan) {
+  if (std::all_of(sight.neighbors.begin(), sight.neighbors.end(), decides)) return;
+  std::optional<Evading> begun = begin_evading(law, robot, sight, workspace);
+  if (!begun) return;
+  Evading& evading = *begun;
+  const Vec2 wanted = robot.velocity + law.step.braking_time * plan.acceleration;
+  if (is_far_from_movers(evading, wanted)) return;
+  keep_walls(evading);
+  Taken found;
+  Way way = are_some_likely_to_deviate(evading)
+                ? find_way_if_likely(evading, wanted, found)
+                : find_way_by_levels(evading, kLevels, wanted, found);
+  if (way == Way::none && may_swerve && are_exact(evading))
+    way = find_way_in_order(evading, kLastLevels, wanted, found);
+  if (way == Way::none) way = find_way(evading, kForAWhile, wanted, found);
+  if (way != Way::another) return;
+  const Plan evasive =
+      plan_under(law, robot, found.next_velocity, PlanStatus::candidate, plan.violation);
+  plan.new_velocity = evasive.new_velocity, plan.acceleration = evasive.acceleration;
+  if (plan.status != PlanStatus::overlapping) plan.status = evasive.status;
+  plan.evading = true;
+  workspace.chosen = found.way, workspace.put_aside = wanted;
+}
+
+bool has_way_out(const CertificateLaw& law, const Robot& robot, const Sight& sight,
+                 EvasionWorkspace& workspace) {
+  std::optional<Evading> evading = begin_evading(law, robot, sight, workspace);
+  if (!evading) return false;
+  keep_walls(*evading);
+  return std::any_of(kLevels.begin(), kLevels.end(), [&](const Level& level) {
+    look_around(*evading, level);
+    const FirstSteps steps = first_steps(*evading, robot.velocity);
+    return std::any_of(steps.begin(), steps.end(),
+                       [&](const FirstStep& step) { return is_clear(*evading, step); });
+  });
+}
+
+int find_evaded(const CertificateLaw& law, const Robot& robot, std::span<const Neighbor> neighbors,
+                Vec2 put_aside, EvasionWorkspace& workspace) {
+  int evaded = -1;
+  double nearest = 0.0;  // m²
+  for (std::size_t k = 0; k < neighbors.size(); ++k) {
+    const double squared = norm_squared(neighbors[k].position - robot.position);
+    if (decides(neighbors[k]) || (evaded >= 0 && !(squared < nearest))) continue;
+    std::optional<Evading> alone =
+        begin_evading(law, robot, {neighbors.subspan(k, 1), {}}, workspace);
+    if (!alone || is_far_from_movers(*alone, put_aside)) continue;
+    evaded = static_cast<int>(k), nearest = squared;
+  }
+  return evaded;
+}
+
+}  // namespace avo::inline planner

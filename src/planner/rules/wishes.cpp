@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "planner/rules/wishes.h"
+
+#include <algorithm>
+
+#include "core/response_law_kernel.h"
+#include "planner/behind_walls.h"
+#include "planner/certify.h"
+#include "planner/decision.h"
+#include "planner/execution.h"
+#include "planner/rules/arrival.h"
+#include "planner/steer.h"
+#include "robots/model.h"
+
+namespace avo::inline planner {
+namespace {
+
+constexpr double kInSight = 4.0;  // τ: farther off nobody makes a robot hurry
+
+// Beside walls a robot on its way does not give way: pushed back from them and from others at rest
+// it would stand still for ever.
+Vec2 push_among_walls(const Tile& tile, std::size_t i, const StepLaw& law, Vec2 push) {
+  const std::span<const Wall> walls = tile.walls_of(i);
+  if (walls.empty() || push == Vec2{}) return push;
+  const Robot robot = tile.robots.robot(i);
+  return !is_near_goal(robot) && is_beside(robot, walls, law) ? Vec2{} : push;
+}
+
+// Of a robot by a gentle law. Whether is_landing() surely says no and unhurried_part() kUnhurried,
+// told without a division: nearly always.
+bool is_far_from_goal(const RobotColumns& robots, std::size_t i, const Execution& execution) {
+  const ResponseLaw& law = execution.law;
+  if (law.comfort_jerk < kUnlimited || law.control_time <= law.time_step) return false;
+  const double v = robots.max_speed[i], a = robots.max_acceleration[i];
+  const double fewest = v * (1.0 / (scalar::kFewestSteps * law.time_step));
+  const double b = std::min({a, robots.max_braking[i], law.comfort_acceleration, fewest});
+  const double response = law.response_time * v + 2.0 * law.time_step * a;  // times a
+  return 2.0 * a * b * robots.distance_to_goal[i] > 1.01 * v * (v * a + 4.0 * b * response);
+}
+
+// Whether a robot at its max_speed could touch the neighbor k of the columns by then.
+bool is_in_sight(const RobotColumns& robots, std::size_t i, const NeighborColumns& neighbors,
+                 std::size_t k, double time_horizon) {
+  const double nearing = robots.max_speed[i] + norm(Vec2{neighbors.v_x[k], neighbors.v_y[k]});
+  const double distance = norm(Vec2{neighbors.x[k], neighbors.y[k]} - robots.position(i));
+  return distance - robots.radius[i] - neighbors.radius[k] <= kInSight * time_horizon * nearing;
+}
+
+// Factor of unhurried_part(). Of those in sight that get half-planes, who has more priority than
+// all others has a way that they leave to it, and has to take it. Where a mover is in sight,
+// robots hurry as among movers alone: else movers would run into more of those that rest.
+double hurry_of(const PlannerOptions& options, const RobotColumns& robots, std::size_t i) {
+  const Neighbors& neighbors = robots.neighbors[i];
+  const double priority = robots.priority[i];
+  if (neighbors.count == 0) return 1.0;
+  const NeighborColumns& columns = *neighbors.columns;
+  if (!columns.has_movers && !columns.has_priorities && priority == 1.0) return 1.0;
+  const std::size_t end = neighbors.first + planned_with(options, neighbors);
+  double most = 0.0;
+  for (std::size_t k = neighbors.first; k < end; ++k) {
+    if (!is_in_sight(robots, i, columns, k, options.time_horizon)) continue;
+    if (columns.is_predicted(k)) return kUnlimited;
+    most = std::max(most, columns.priority[k]);
+  }
+  return most > 0.0 ? std::max(priority / most, 1.0) : 1.0;
+}
+
+// [m/s] what Eq. (23) is given in place of a wish that there is no hurry for.
+Vec2 unhurried(Vec2 velocity, Vec2 wish, double part) {
+  return velocity + std::min(part, 1.0) * (wish - velocity);
+}
+
+// [m/s] of a robot that may come to rest now: then it has its wish after the step.
+Vec2 aim_near_goal(const Execution& execution, const Tile& tile, std::size_t i,
+                   DecisionColumns& decisions, double hurry) {
+  const Robot robot = tile.robots.robot(i);
+  const Vec2 v = robot.velocity, wish = decisions.wish(i);
+  const Haste haste = haste_of(robot, execution);
+  if (haste.gain >= 1.0) return wish;
+  if (!is_landing(robot, haste, execution))
+    return unhurried(v, wish, hurry * unhurried_part(robot, execution));
+  if (!is_holonomic(robot.model)) return wish;
+  const Vec2 aim = v + (wish - v) / haste.gain;
+  // what still drives it on has to end at once
+  if (dot(decisions.last_change(i), aim - v) < 0.0) decisions.last_x[i] = decisions.last_y[i] = 0.0;
+  return aim;
+}
+
+// Whether it aims at the wish itself: an airplane, and with wheels who maneuvers, or is on the last
+// of the way, where the wish steers it to the place of its goal.
+bool steers_by_wish(const Tile& tile, std::size_t i) {
+  const MotionModel* model = tile.robots.model[i];
+  return model != nullptr && (tile.maneuvers[i] != 0 || passes_goal(*model) ||
+                              is_near_goal(tile.robots.distance_to_goal[i], tile.robots.radius[i]));
+}
+
+Vec2 aim_of(const PlannerOptions& options, const Execution& execution, const Tile& tile,
+            std::size_t i, DecisionColumns& decisions) {
+  const RobotColumns& robots = tile.robots;
+  if (steers_by_wish(tile, i)) return decisions.wish(i);
+  const double hurry = hurry_of(options, robots, i);
+  if (!is_far_from_goal(robots, i, execution))
+    return aim_near_goal(execution, tile, i, decisions, hurry);
+  return unhurried(robots.velocity(i), decisions.wish(i), hurry * scalar::kUnhurried);
+}
+
+}  // namespace
+
+void make_wishes(const Planner& planner, const Tile& tile, DecisionColumns& decisions) {
+  const PlannerOptions& options = planner.options();
+  const RobotColumns& robots = tile.robots;
+  decisions.reserve(robots.count);
+  if (options.method != Method::avo) {
+    std::copy_n(robots.preferred_x.begin(), robots.count, decisions.wish_x.begin());
+    std::copy_n(robots.preferred_y.begin(), robots.count, decisions.wish_y.begin());
+    return;
+  }
+  look_around(robots, decisions);
+  for (std::size_t i = 0; i < robots.count; ++i) {
+    const double time =
+        time_to_speed(robots.max_speed[i], robots.max_acceleration[i], robots.radius[i]);
+    decisions.ahead[i] =
+        unusual_congestion(decisions.ahead[i], time, options.time_step, *tile.detour[i]);
+  }
+  keep_right(robots, decisions);
+  const StepLaw law = certificate_law(planner).step;
+  for (std::size_t i = 0; i < robots.count; ++i) {
+    if (robots.has_models && tile.maneuvers[i] != 0) {
+      decisions.wish_x[i] = robots.preferred_x[i], decisions.wish_y[i] = robots.preferred_y[i];
+      continue;
+    }
+    Traffic traffic = decisions.traffic(i);
+    Detour& detour = *tile.detour[i];
+    if (detour.goal_taken) {
+      detour.beside = 0.0F, detour.has_arrived = false;
+      decisions.wish_x[i] = robots.preferred_x[i], decisions.wish_y[i] = robots.preferred_y[i];
+      continue;
+    }
+    if (!traffic.is_beside && detour.beside == 0.0F) continue;
+    traffic.push = push_among_walls(tile, i, law, traffic.push);
+    const Vec2 wish = wish_of(robots.robot(i), decisions.wish(i), traffic, options, detour);
+    decisions.wish_x[i] = wish.x, decisions.wish_y[i] = wish.y;
+  }
+}
+
+void make_aims(const Planner& planner, const Execution& execution, const Tile& tile,
+               DecisionColumns& decisions) {
+  const RobotColumns& robots = tile.robots;
+  std::copy_n(decisions.wish_x.begin(), robots.count, decisions.aim_x.begin());
+  std::copy_n(decisions.wish_y.begin(), robots.count, decisions.aim_y.begin());
+  if (!execution.law.is_gentle()) {  // no acceleration counts, but has to be a number
+    std::fill_n(decisions.last_x.begin(), robots.count, 0.0);
+    std::fill_n(decisions.last_y.begin(), robots.count, 0.0);
+    return;
+  }
+  for (std::size_t i = 0; i < robots.count; ++i) {
+    const Detour& detour = *tile.detour[i];
+    decisions.last_x[i] = execution.braking_time * detour.acceleration_x;
+    decisions.last_y[i] = execution.braking_time * detour.acceleration_y;
+    const Vec2 aim = aim_of(planner.options(), execution, tile, i, decisions);
+    decisions.aim_x[i] = aim.x, decisions.aim_y[i] = aim.y;
+  }
+}
+
+}  // namespace avo::inline planner

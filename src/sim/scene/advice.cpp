@@ -1,0 +1,325 @@
+// SPDX-License-Identifier: Apache-2.0
+// Settings that can be simulated but do not fit the robots (paper §VI-A), with the arithmetic.
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <cstddef>
+
+#include "avo/scenario.h"
+#include "robots/model.h"
+#include "sim/scene/assumptions.h"
+
+namespace avo {
+namespace {
+
+std::string in_short(double value) {
+  char buffer[32];
+  const auto format = std::chars_format::general;
+  return {buffer, std::to_chars(buffer, buffer + sizeof buffer, value, format, 6).ptr};
+}
+
+std::string robot_name(std::size_t index) {
+  return "robot " + std::to_string(index);
+}
+
+/// The robot with the largest value, and that value; the first of equals. Of parked ones it is 0.
+struct Worst {
+  std::size_t robot = 0;
+  double value = 0.0;
+};
+
+template <class Measure>
+Worst worst(const std::vector<RobotSetup>& robots, Measure measure) {
+  Worst result;
+  for (std::size_t i = 0; i < robots.size(); ++i) {
+    const double value = robots[i].parked ? 0.0 : measure(robots[i]);
+    if (value > result.value) result = {i, value};
+  }
+  return result;
+}
+
+bool cannot_stop(const RobotSetup& robot) {
+  return least_speed(robot.model) > 0.0;
+}
+
+/// What its decisions slow a robot down by.
+std::string braking_key(const RobotSetup& robot) {
+  return planned_braking(robot) < robot.max_acceleration ? "max_braking" : "max_acceleration";
+}
+
+/// [2 v_max / a_max], the paper's rule for δ: one decision then reaches every valid velocity.
+double usual_control_time(const RobotSetup& robot) {
+  return 2.0 * robot.max_speed / robot.max_acceleration;
+}
+
+std::string usual_control_time_of(const RobotSetup& robot, std::size_t index) {
+  return "2 max_speed / max_acceleration = 2 * " + in_short(robot.max_speed) + " / " +
+         in_short(robot.max_acceleration) + " = " + in_short(usual_control_time(robot)) + " s of " +
+         robot_name(index);
+}
+
+void advise_control_time(const Scenario& scenario, std::vector<std::string>& lines) {
+  // avo approaches v' as fast as it can, the others at once
+  const auto& robots = scenario.robots;
+  const auto is_paper = [&](const RobotSetup& r) {
+    return method_of(scenario, r) == Method::avo_paper;
+  };
+  const auto first = std::find_if(robots.begin(), robots.end(), is_paper);
+  if (first == robots.end()) return;
+  const double delta = planner_options(scenario, *first).control_time;
+  // Twice the rule or half of it still behaves like the paper's own figures.
+  const Worst shortest = worst(robots, [&](const RobotSetup& r) {
+    return is_paper(r) ? usual_control_time(r) / delta : 0.0;
+  });
+  if (shortest.value > 2.0) {
+    const RobotSetup& robot = robots[shortest.robot];
+    lines.push_back("control_time " + in_short(delta) + " s is less than half of " +
+                    usual_control_time_of(robot, shortest.robot) + ": a decision changes its " +
+                    "velocity by at most " + in_short(delta) + " * " +
+                    in_short(robot.max_acceleration) + " = " +
+                    in_short(delta * robot.max_acceleration) + " m/s");
+  }
+  const Worst longest = worst(robots, [&](const RobotSetup& r) {
+    return is_paper(r) ? delta / usual_control_time(r) : 0.0;
+  });
+  if (longest.value > 2.0)
+    lines.push_back("control_time " + in_short(delta) + " s is more than twice " +
+                    usual_control_time_of(robots[longest.robot], longest.robot) +
+                    ": it responds slowly");
+  if (scenario.time_step > 0.5 * delta)
+    lines.push_back("time_step " + in_short(scenario.time_step) + " s is more than half of " +
+                    "control_time = " + in_short(delta) + " s: the control is coarse");
+}
+
+void advise_time_step(const Scenario& scenario, std::vector<std::string>& lines) {
+  const Worst jump = worst(scenario.robots, [&](const RobotSetup& r) {
+    return r.max_speed * time_step_of(scenario, r) / disc_radius(r);
+  });
+  if (jump.value <= 1.0) return;
+  const RobotSetup& robot = scenario.robots[jump.robot];
+  const double dt = time_step_of(scenario, robot);
+  lines.push_back(
+      "time_step " + in_short(dt) + " s lets " + robot_name(jump.robot) + " travel " +
+      in_short(robot.max_speed) + " * " + in_short(dt) + " = " + in_short(robot.max_speed * dt) +
+      " m between decisions, more than its radius = " + in_short(disc_radius(robot)) + " m");
+}
+
+void advise_time_horizon(const Scenario& scenario, std::vector<std::string>& lines) {
+  const auto stops_within = [](const RobotSetup& r) { return r.max_speed / planned_braking(r); };
+  const Worst slowest = worst(scenario.robots, [&](const RobotSetup& r) {
+    return cannot_stop(r) ? 0.0 : stops_within(r) - time_horizon_of(scenario, r);
+  });
+  if (!(slowest.value > 0.0)) return;
+  const RobotSetup& robot = scenario.robots[slowest.robot];
+  const double tau = time_horizon_of(scenario, robot);
+  lines.push_back("time_horizon " + in_short(tau) + " s is shorter than " +
+                  robot_name(slowest.robot) + " needs to stop, max_speed / " + braking_key(robot) +
+                  " = " + in_short(robot.max_speed) + " / " + in_short(planned_braking(robot)) +
+                  " = " + in_short(stops_within(robot)) + " s");
+}
+
+/// A certificate does not warn of what it assumes: broken_assumptions() tells.
+bool keeps_certificate(const Scenario& scenario, const RobotSetup& robot) {
+  return certificate_of(scenario, robot) != Certificate::none;
+}
+bool is_certified(const Scenario& scenario) {
+  return std::any_of(scenario.robots.begin(), scenario.robots.end(),
+                     [&](const RobotSetup& robot) { return keeps_certificate(scenario, robot); });
+}
+
+/// How far a robot's edge gets from where its center is now, if it decides to brake, or to circle,
+/// only a step later: r + v_max Δt + v_max² / (2 b), m.
+double fallback_reach(const RobotSetup& robot, double time_step) {
+  const double v = robot.max_speed;
+  return disc_radius(robot) + v * time_step +
+         (cannot_stop(robot) ? room_to_turn(robot.model, v) : 0.5 * v * v / planned_braking(robot));
+}
+
+std::string fallback_term(const RobotSetup& robot) {
+  if (cannot_stop(robot)) return "2 max_speed^2 / lateral_acceleration";
+  return "max_speed^2 / (2 " + braking_key(robot) + ")";
+}
+
+void advise_sensing_radius(const Scenario& scenario, std::vector<std::string>& lines) {
+  std::vector<RobotSetup> robots = scenario.robots;
+  if (robots.size() < 2 || is_certified(scenario)) return;
+  const auto reach = [&](const RobotSetup& r) {
+    return fallback_reach(r, time_step_of(scenario, r));
+  };
+  const Worst first = worst(robots, reach);
+  robots.erase(robots.begin() + static_cast<std::ptrdiff_t>(first.robot));
+  const Worst second = worst(robots, reach);
+  const double needed = first.value + second.value;
+  const double sensing_radius = sensing_radius_of(scenario);
+  if (sensing_radius >= needed) return;
+  const std::size_t other = second.robot + (second.robot >= first.robot ? 1 : 0);
+  lines.push_back("sensing_radius " + in_short(sensing_radius) + " m is less than " +
+                  robot_name(first.robot) + " and " + robot_name(other) +
+                  " need to keep clear of each other, radius + max_speed * time_step + " +
+                  fallback_term(scenario.robots[first.robot]) + " = " + in_short(first.value) +
+                  " + " + in_short(second.value) + " = " + in_short(needed) + " m");
+}
+
+/// What a step costs is about in proportion to the neighbors of a robot, which each get a
+/// half-plane where max_neighbors does not limit them.
+void advise_crowding(const Scenario& scenario, std::vector<std::string>& lines) {
+  constexpr double kMany = 50.0, kCostly = 4.0;  // neighbors; times as many as are needed
+  if (scenario.max_neighbors || !scenario.sensing_radius) return;
+  const double sensed = *scenario.sensing_radius, needed = needed_sensing_radius(scenario);
+  if (sensed <= needed) return;
+  const double seen = mean_neighbors(scenario, sensed);
+  const double least = std::max(mean_neighbors(scenario, needed), 1.0);
+  if (seen < kMany || seen < kCostly * least) return;
+  const auto rounded = [](double value) {
+    return in_short(value < 10.0 ? std::round(10.0 * value) / 10.0 : std::round(value));
+  };
+  lines.push_back("sensing_radius " + in_short(sensed) + " m is " + rounded(sensed / needed) +
+                  " times the " + in_short(needed) + " m that the robots need: a robot senses " +
+                  rounded(seen) + " others at the start instead of " + rounded(least) +
+                  ", so that a step costs about " + rounded(seen / least) +
+                  " times as much; leave sensing_radius out, or set max_neighbors");
+}
+
+/// docs/navigation.md, "Inside of walls": no direction then leads away from walls for sure.
+void advise_localization(const Scenario& scenario, std::vector<std::string>& lines) {
+  const bool has_walls =
+      !scenario.obstacles.empty() || std::any_of(scenario.robots.begin(), scenario.robots.end(),
+                                                 [](const RobotSetup& r) { return r.parked; });
+  const double error = planner_options(scenario).localization_error;
+  const Worst lost =
+      worst(scenario.robots, [&](const RobotSetup& r) { return 2.0 * error / disc_radius(r); });
+  if (!has_walls || lost.value < 1.0) return;
+  lines.push_back("sensing.localization lets " + robot_name(lost.robot) + " be up to " +
+                  in_short(error) +
+                  " m off where it takes itself to be, and half of its radius is " +
+                  in_short(0.5 * disc_radius(scenario.robots[lost.robot])) +
+                  " m: it may find no way out of a corner");
+}
+
+void advise_slow_flights(const Scenario& scenario, std::vector<std::string>& lines) {
+  const auto advise = [&](const Worst& slow, const char* then) {
+    const RobotSetup& robot = scenario.robots[slow.robot];
+    lines.push_back(
+        "preferred_speed " + in_short(robot.preferred_speed) + " m/s of " + robot_name(slow.robot) +
+        " is less than its min_speed = " + in_short(least_speed(robot.model)) + " m/s" + then);
+  };
+  const Worst circling = worst(scenario.robots, [](const RobotSetup& r) {
+    return r.preferred_speed > 0.0 ? 0.0 : least_speed(r.model);
+  });
+  if (circling.value > 0.0) advise(circling, ": it circles where it starts, for ever");
+  const Worst slow = worst(scenario.robots, [](const RobotSetup& r) {
+    return r.preferred_speed > 0.0 ? least_speed(r.model) / r.preferred_speed : 0.0;
+  });
+  if (slow.value > 1.0) advise(slow, ", with which it flies");
+}
+
+void advise_speeds(const Scenario& scenario, std::vector<std::string>& lines) {
+  const Worst wish =
+      worst(scenario.robots, [](const RobotSetup& r) { return r.preferred_speed / r.max_speed; });
+  if (wish.value > 1.0)
+    lines.push_back("preferred_speed " + in_short(scenario.robots[wish.robot].preferred_speed) +
+                    " m/s of " + robot_name(wish.robot) + " is more than its max_speed = " +
+                    in_short(scenario.robots[wish.robot].max_speed) + " m/s");
+  advise_slow_flights(scenario, lines);
+  const Worst start = worst(scenario.robots, [&](const RobotSetup& r) {
+    return keeps_certificate(scenario, r) ? 0.0 : norm(r.velocity) / r.max_speed;
+  });
+  if (start.value > 1.0)
+    lines.push_back("velocity of " + robot_name(start.robot) + " is " +
+                    in_short(norm(scenario.robots[start.robot].velocity)) +
+                    " m/s at the start, more than its max_speed = " +
+                    in_short(scenario.robots[start.robot].max_speed) + " m/s: it brakes first");
+}
+
+struct StartDisc {
+  Vec2 center;
+  double radius;
+  std::ptrdiff_t source;  // robot i, or -1 - k for moving obstacle k
+};
+
+std::string name(std::ptrdiff_t source) {
+  if (source >= 0) return robot_name(static_cast<std::size_t>(source));
+  return "moving obstacle " + std::to_string(-1 - source);
+}
+
+/// All discs, sorted along the axis on which they are spread wider.
+std::vector<StartDisc> sorted_discs(const Scenario& scenario) {
+  std::vector<StartDisc> discs;
+  for (std::size_t i = 0; i < scenario.robots.size(); ++i)
+    discs.push_back({disc_center(scenario.robots[i]), disc_radius(scenario.robots[i]),
+                     static_cast<std::ptrdiff_t>(i)});
+  for (std::size_t k = 0; k < scenario.moving_obstacles.size(); ++k)
+    discs.push_back({scenario.moving_obstacles[k].position, scenario.moving_obstacles[k].radius,
+                     -1 - static_cast<std::ptrdiff_t>(k)});
+  const auto by_x = [](const StartDisc& a, const StartDisc& b) { return a.center.x < b.center.x; };
+  const auto by_y = [](const StartDisc& a, const StartDisc& b) { return a.center.y < b.center.y; };
+  const auto [left, right] = std::minmax_element(discs.begin(), discs.end(), by_x);
+  const auto [low, high] = std::minmax_element(discs.begin(), discs.end(), by_y);
+  if (high->center.y - low->center.y > right->center.x - left->center.x)
+    for (StartDisc& disc : discs) disc.center = {disc.center.y, disc.center.x};
+  std::stable_sort(discs.begin(), discs.end(), [](const StartDisc& a, const StartDisc& b) {
+    return a.center.x - a.radius < b.center.x - b.radius;
+  });
+  return discs;
+}
+
+/// Whether nobody minds that the two are in one place, or the certificate of one of them does.
+bool may_overlap(const Scenario& scenario, const StartDisc& a, const StartDisc& b) {
+  const auto robot = [&](const StartDisc& disc) {
+    return disc.source < 0 ? nullptr : &scenario.robots[static_cast<std::size_t>(disc.source)];
+  };
+  const RobotSetup *first = robot(a), *second = robot(b);
+  const auto is_told = [&](const RobotSetup* own) {
+    return own != nullptr && keeps_certificate(scenario, *own);
+  };
+  if (is_told(first) || is_told(second)) return true;
+  if (first == nullptr || second == nullptr) return first == second;
+  return !keep_apart(*first, *second);
+}
+
+void advise_overlaps(const Scenario& scenario, std::vector<std::string>& lines) {
+  constexpr int kNamed = 3, kCounted = 1000;
+  const bool all_told =
+      std::all_of(scenario.robots.begin(), scenario.robots.end(),
+                  [&](const RobotSetup& robot) { return keeps_certificate(scenario, robot); });
+  if (all_told) return;
+  const std::vector<StartDisc> discs = sorted_discs(scenario);
+  int advised = 0;
+  for (std::size_t i = 0; i < discs.size() && advised < kCounted; ++i) {
+    const double end = discs[i].center.x + discs[i].radius;
+    for (std::size_t j = i + 1; j < discs.size() && advised < kCounted; ++j) {
+      if (discs[j].center.x - discs[j].radius > end) break;
+      const StartDisc* a = &discs[i];
+      const StartDisc* b = &discs[j];
+      const double touching = a->radius + b->radius;
+      const double distance = norm(a->center - b->center);
+      if (distance >= (1.0 - 1e-9) * touching || may_overlap(scenario, *a, *b)) continue;
+      if (++advised > kNamed) continue;
+      if (b->source >= 0 && (a->source < 0 || b->source < a->source)) std::swap(a, b);
+      lines.push_back(name(a->source) + " and " + name(b->source) + " overlap at the start: " +
+                      in_short(distance) + " m between the centers, radii " + in_short(a->radius) +
+                      " + " + in_short(b->radius) + " = " + in_short(touching) + " m");
+    }
+  }
+  if (advised > kNamed)
+    lines.push_back((advised == kCounted ? "at least " : "") + std::to_string(advised - kNamed) +
+                    " further pairs overlap at the start");
+}
+
+}  // namespace
+
+std::vector<std::string> advice(const Scenario& scenario) {
+  std::vector<std::string> lines;
+  if (scenario.robots.empty()) return lines;
+  advise_control_time(scenario, lines);
+  advise_time_step(scenario, lines);
+  advise_time_horizon(scenario, lines);
+  advise_sensing_radius(scenario, lines);
+  advise_crowding(scenario, lines);
+  advise_localization(scenario, lines);
+  advise_speeds(scenario, lines);
+  advise_overlaps(scenario, lines);
+  return lines;
+}
+
+}  // namespace avo

@@ -1,0 +1,214 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "sim/scene/edit_checks.h"
+
+#include <algorithm>
+#include <vector>
+
+#include "avo/assumptions.h"
+#include "avo/error.h"
+#include "core/ranges.h"
+#include "core/retell.h"
+#include "planner/certify.h"
+#include "sim/scene/assumptions.h"
+#include "sim/scene/one_sided.h"
+#include "sim/scene/scene_checks.h"
+#include "sim/world.h"
+
+namespace avo::inline sim {
+
+std::string name_of(RobotId robot) {
+  return "robot " + std::to_string(robot.value);
+}
+std::string name_of(ObstacleId obstacle) {
+  return "obstacle " + std::to_string(obstacle.value);
+}
+
+void validate_as(const Scenario& scene, std::string_view place, const std::string& name) {
+  retelling<Error>([&] { validate(scene); },
+                   [&](const Error& error) {
+                     const std::string_view what = error.what();
+                     if (what.starts_with(place))
+                       throw Error(name + ": " + std::string(what.substr(place.size())));
+                   });
+}
+
+Scenario settings_for(const World& world, std::span<const RobotSetup> robots) {
+  Scenario scene = world.settings;
+  scene.robots.assign(robots.begin(), robots.end());
+  forget_undeclared_error(scene);
+  return scene;
+}
+
+void check_values(const World& world, const RobotSetup& setup, RobotId robot, bool among_walls) {
+  Scenario scene = settings_for(world, {&setup, 1});
+  if (among_walls) scene.obstacles.push_back({{{{Vec2{}}}}});  // what it needs beside any
+  validate_as(scene, "robots.0.", name_of(robot));
+}
+
+RobotSetup standing(const World& world, std::size_t slot) {
+  RobotSetup setup = world.fleet.setup(slot);
+  setup.position = setup.velocity = {};
+  if (setup.parked) setup.position = setup.goal;
+  return setup;
+}
+
+namespace {
+
+// Those who are there, as far as it matters who they are and not where.
+Scenario present_scene(const World& world) {
+  Scenario scene = world.settings;
+  scene.moving_obstacles = world.obstacles.setup;
+  scene.robots = world.kinds->examples();
+  return scene;
+}
+
+// Throws Error if nobody would see this one in time, or it others.
+void check_sensing(const World& world, const RobotSetup& setup, RobotId robot) {
+  if (!world.settings.sensing_radius) return;  // it grows
+  Scenario scene = present_scene(world);
+  const auto before = sensing_need(scene);
+  scene.robots.push_back(setup);
+  const auto need = sensing_need(scene);
+  if (!need || need->range <= world.sensing_radius * (1.0 + 1e-9)) return;
+  if (before && need->range <= before->range) return;  // that was so without it
+  throw Error(name_of(robot) + ": found a max_speed of " + std::to_string(setup.max_speed) +
+              " m/s, has to be seen from " + std::to_string(need->range) +
+              " m, sensing_radius is " + std::to_string(world.sensing_radius) + " m");
+}
+
+// Throws Error where what all have declared is enough for those who are there, and not for this
+// one.
+void check_declared(const World& world, const RobotSetup& setup, RobotId robot) {
+  const PlannerOptions& options = world.certified_planner().options();
+  const SensingError& declared = options.sensing_error;
+  if (options.certificate != Certificate::braking_trajectories) return;
+  Scenario scene = world.settings;
+  const auto needed_by = [&scene](const RobotSetup& one) {
+    scene.robots.assign(1, one);
+    return declared_error(scene);
+  };
+  const auto suffices = [&declared](const SensingError& needed) {
+    constexpr double kRounding = 1.0 + 1e-9;
+    return needed.position <= kRounding * declared.position &&
+           needed.velocity <= kRounding * declared.velocity;
+  };
+  const SensingError needed = needed_by(setup);
+  if (suffices(needed) || !suffices(declared_error(world.settings))) return;
+  for (std::size_t slot = 0; slot < world.fleet.size(); ++slot)
+    if (!suffices(needed_by(world.fleet.setup(slot)))) return;
+  const auto text_of = [](const SensingError& error) {
+    return "{position: " + rounded(error.position, 6) +
+           ", velocity: " + rounded(error.velocity, 6) + "}";
+  };
+  refuse(name_of(robot) + ": sensing_error", text_of(needed),
+         "at most " + text_of(declared) + ", what all have declared");
+}
+
+// Where an airplane would come among movers.
+void check_flights(const World& world, const RobotSetup& setup, RobotId robot) {
+  const Fleet& fleet = world.fleet;
+  if (setup.parked || (fleet.flights.empty() && !is_airplane(setup.model))) return;
+  if (!world.obstacles.setup.empty())
+    refuse(name_of(robot) + ": model", "airplane", "another one among moving obstacles");
+  if (!fleet.flights.empty() && setup.behavior != Behavior::decides)
+    refuse(name_of(robot) + ": behavior", to_string(setup.behavior), "decides among airplanes");
+  const bool promised =
+      std::all_of(fleet.conduct.begin(), fleet.conduct.end(),
+                  [](const Conduct& conduct) { return conduct.behavior == Behavior::decides; });
+  if (is_airplane(setup.model) && !(promised && setup.behavior == Behavior::decides))
+    refuse(name_of(robot) + ": model", "airplane", "another one among robots that cooperate");
+  if (method_of(world.settings, setup) != Method::avo ||
+      std::any_of(fleet.conduct.begin(), fleet.conduct.end(),
+                  [](const Conduct& other) { return other.method != Method::avo; }))
+    refuse(name_of(robot) + ": method", to_string(method_of(world.settings, setup)),
+           "avo, of all robots, in a scene with airplanes");
+}
+
+// Where one of them would avoid the other, and nothing could be promised to the two.
+void check_one_sided(const World& world, const RobotSetup& setup, RobotId robot) {
+  const Fleet& fleet = world.fleet;
+  std::vector<RobotSetup> robots = world.kinds->examples();
+  robots.push_back(setup);
+  if (!find_impossible(robots)) return;
+  robots.clear();  // all, to tell who it is
+  for (const std::uint32_t slot : fleet.slot_of) robots.push_back(fleet.setup(slot));
+  robots.push_back(setup);
+  const auto pair = find_impossible(robots);
+  if (!pair || (pair->avoiding < fleet.size() && pair->avoided < fleet.size())) return;
+  const auto name_at = [&](std::size_t rank) {
+    return name_of(rank < fleet.size() ? fleet.id[fleet.slot_of[rank]] : robot);
+  };
+  refuse(name_at(pair->avoiding) + ": avoids", name_at(pair->avoided) + ", which does not avoid it",
+         "both or neither: " + std::string(pair->reason));
+}
+
+// Throws Error where braking does not keep the margin to it, or its Fill keeps a robot out.
+void check_certificate(const World& world, const StaticObstacle& obstacle,
+                       const std::string& name) {
+  const CertificateLaw law = certificate_law(world.certified_planner());
+  if (law.kind == Certificate::none) return;
+  const Fleet& fleet = world.fleet;
+  Scenario scene = world.settings;
+  scene.obstacles = {obstacle};
+  std::vector<MotionState> states;
+  for (const std::uint32_t slot : fleet.slot_of) {
+    scene.robots.push_back(fleet.setup(slot));
+    states.push_back(fleet.state(slot));
+  }
+  BrokenAssumptions broken;
+  find_wall_starts(scene, states, law, broken);
+  const auto robot_at = [&](int rank) {
+    const std::uint32_t slot = fleet.slot_of[static_cast<std::size_t>(rank)];
+    const Vec2 p = fleet.position[slot];
+    return name_of(fleet.id[slot]) + " at [" + rounded(p.x, 9) + ", " + rounded(p.y, 9) + "]";
+  };
+  if (broken.beside_count > 0) {
+    const WallStart& worst = broken.beside.front();
+    const double own = disc_radius(scene.robots[static_cast<std::size_t>(worst.robot)]);
+    refuse(name,
+           robot_at(worst.robot) + ", which is " + rounded(worst.distance, 9) + " m from it, " +
+               rounded(worst.kept, 9) + " m once it has braked",
+           ">= " + text(own) + " + " + text(obstacle.radius) + " m and " +
+               rounded(worst.required - own - obstacle.radius, 2) + " m for rounding");
+  }
+  if (broken.misplaced_count > 0) {
+    const bool solid = obstacle.fill == Fill::solid;
+    refuse(name, robot_at(broken.misplaced.front().robot),
+           solid ? "outside of the solid" : "inside of the bounds");
+  }
+}
+
+}  // namespace
+
+void check_newcomer(const World& world, const RobotSetup& setup, RobotId robot) {
+  check_sensing(world, setup, robot);
+  check_declared(world, setup, robot);
+  check_flights(world, setup, robot);
+  check_one_sided(world, setup, robot);
+  check_start(world, setup, robot);
+}
+
+double sensing_radius_with(const World& world, const RobotSetup& setup) {
+  if (world.settings.sensing_radius) return world.sensing_radius;
+  Scenario scene = present_scene(world);
+  const bool is_first = std::all_of(scene.robots.begin(), scene.robots.end(),
+                                    [](const RobotSetup& robot) { return robot.parked; });
+  scene.robots.push_back(setup);
+  const double needed = sensing_radius_of(scene);
+  return is_first ? needed : std::max(world.sensing_radius, needed);
+}
+
+void check_newly_static(const World& world, const StaticObstacle& obstacle,
+                        const std::string& name) {
+  // a robot in the midst of a step cannot brake before it ends
+  if (world.fleet.has_clocks && world.all_matter())
+    refuse(name, "what comes while clocks are free",
+           "there from the start where there is a certificate");
+  if (world.statics.walls.empty()) {  // nobody has been asked yet
+    for (const std::uint32_t slot : world.fleet.slot_of)
+      check_values(world, standing(world, slot), world.fleet.id[slot], true);
+  }
+  check_certificate(world, obstacle, name);
+}
+
+}  // namespace avo::inline sim

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "sim/scene/one_sided.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <vector>
+
+#include "robots/model.h"
+
+namespace avo::inline sim {
+namespace {
+
+// All robots of the same kind give way to the same others.
+struct Kind {
+  std::uint32_t layers, avoids;
+  bool flies, swings;
+
+  friend bool operator==(const Kind&, const Kind&) = default;
+};
+
+struct Example {
+  Kind kind;
+  std::size_t robot;
+};
+
+// One of each kind, of which there are few.
+std::vector<Example> examples_of(std::span<const RobotSetup> robots) {
+  std::vector<Example> examples;
+  for (std::size_t i = 0; i < robots.size(); ++i) {
+    if (robots[i].parked) continue;
+    const Kind own{robots[i].layers.bits, robots[i].avoids.bits, is_airplane(robots[i].model),
+                   swings(robots[i].model)};
+    const bool known = std::any_of(examples.begin(), examples.end(),
+                                   [&](const Example& example) { return example.kind == own; });
+    if (!known) examples.push_back({own, i});
+  }
+  return examples;
+}
+
+}  // namespace
+
+std::optional<OneSided> find_impossible(std::span<const RobotSetup> robots) {
+  const std::vector<Example> examples = examples_of(robots);
+  for (const auto& [a, i] : examples) {
+    for (const auto& [b, j] : examples) {
+      if ((a.avoids & b.layers) == 0 || (b.avoids & a.layers) != 0) continue;
+      if (a.flies || b.flies) return OneSided{i, j, "one of them is an airplane"};
+      if (b.swings) return OneSided{i, j, "its body is not over its axle"};
+    }
+  }
+  return std::nullopt;
+}
+
+}  // namespace avo::inline sim

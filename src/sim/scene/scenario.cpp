@@ -1,0 +1,352 @@
+// SPDX-License-Identifier: Apache-2.0
+// Which scenes can be simulated at all (the ranges of the paper's constants, §VI-A).
+#include "avo/scenario.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <string>
+#include <string_view>
+
+#include "avo/response.h"
+#include "core/ranges.h"
+#include "planner/options.h"
+#include "robots/model.h"
+#include "sim/clocks.h"
+#include "sim/scene/one_sided.h"
+#include "sim/scene/scene_checks.h"
+#include "sim/senses.h"
+
+namespace avo {
+namespace {
+
+constexpr int kMostRemembered = 1 << 16;  // steps
+
+void check_max_speed(std::size_t k, const MovingObstacle& obstacle) {
+  const std::string_view list = "moving_obstacles";
+  const double most = *obstacle.max_speed;
+  require(Place{list, k, "max_speed"}, most, kPositive, "m/s");
+  if (!(obstacle.max_deviation > 0.0))
+    refuse(std::string(Place{list, k, "max_speed"}), text(most),
+           "left out without max_deviation: it keeps its acceleration");
+  if (!(obstacle.acceleration == Vec2{}))
+    refuse(std::string(Place{list, k, "acceleration"}), text(obstacle.acceleration),
+           "[0, 0] with max_speed, which it would exceed");
+  if (norm(obstacle.velocity) > most)
+    refuse(std::string(Place{list, k, "velocity"}), text(obstacle.velocity),
+           "at most max_speed = " + text(most) + " m/s long");
+}
+
+void check_trajectory(std::size_t k, const MovingObstacle& obstacle) {
+  const auto at = [&](std::string_view field) {
+    return std::string(Place{"moving_obstacles", k, field});
+  };
+  const std::string beside = " beside a trajectory";
+  if (!obstacle.path.empty()) refuse(at("path"), "one", "left out" + beside);
+  if (!(obstacle.acceleration == Vec2{}))
+    refuse(at("acceleration"), text(obstacle.acceleration), "[0, 0]" + beside);
+  const TimedPlace* before = nullptr;
+  for (const TimedPlace& place : obstacle.trajectory) {
+    require(Place{"moving_obstacles", k, "trajectory"}, place.time, kAnyValue, "s");
+    require(Place{"moving_obstacles", k, "trajectory"}, place.position, "m");
+    if (before != nullptr && !(place.time > before->time))
+      refuse(at("trajectory"), text(place.time) + " s after " + text(before->time) + " s",
+             "ascending times");
+    const double speed = before != nullptr
+                             ? norm(place.position - before->position) / (place.time - before->time)
+                             : 0.0;
+    if (!(speed <= kLargest))
+      refuse(at("trajectory"), text(speed) + " m/s", "at most " + text(kLargest) + " m/s");
+    if (obstacle.max_speed && speed > *obstacle.max_speed * (1.0 + 1e-9))
+      refuse(at("max_speed"), text(*obstacle.max_speed),
+             ">= " + text(speed) + " m/s, what its trajectory has");
+    before = &place;
+  }
+  const PathWalk start = on_trajectory(obstacle, 0.0);
+  if (!(obstacle.position == start.position))
+    refuse(at("position"), text(obstacle.position),
+           text(start.position) + ", where its trajectory has it at 0 s");
+  if (!(obstacle.velocity == start.velocity))
+    refuse(at("velocity"), text(obstacle.velocity),
+           text(start.velocity) + ", what its trajectory has at 0 s");
+}
+
+void check_obstacle(std::size_t k, const MovingObstacle& obstacle) {
+  const std::string_view list = "moving_obstacles";
+  require(Place{list, k, "position"}, obstacle.position, "m");
+  require(Place{list, k, "velocity"}, obstacle.velocity, "m/s");
+  require(Place{list, k, "acceleration"}, obstacle.acceleration, "m/s^2");
+  require(Place{list, k, "radius"}, obstacle.radius, kPositive, "m");
+  require(Place{list, k, "max_deviation"}, obstacle.max_deviation, kNotNegative, "m/s^2");
+  if (obstacle.max_speed) check_max_speed(k, obstacle);
+  if (!obstacle.trajectory.empty()) check_trajectory(k, obstacle);
+  if (obstacle.path.empty()) return;
+  if (!obstacle.max_speed)
+    refuse(std::string(Place{list, k, "path"}), "one",
+           "left out without max_speed and max_deviation, within which it is followed");
+  for (const Vec2 point : obstacle.path) require(Place{list, k, "path"}, point, "m");
+}
+
+void check_static_obstacle(std::size_t k, const StaticObstacle& obstacle) {
+  const std::string_view list = "obstacles";
+  require(Place{list, k, "radius"}, obstacle.radius, kNotNegative, "m");
+  if (obstacle.chains.empty() && obstacle.fill != Fill::solid)  // nothing may be solid of a plan
+    refuse(std::string(Place{list, k, "chains"}), "none", "one at least");
+  for (const Chain& chain : obstacle.chains) {
+    if (chain.points.empty())
+      refuse(std::string(Place{list, k, "chains"}), "one without points", "of a point at least");
+    for (const Vec2 point : chain.points) require(Place{list, k, "points"}, point, "m");
+  }
+}
+
+void check_duration(const Scenario& scenario) {
+  double dt = scenario.time_step;
+  if (scenario.clock == Clock::free) {
+    require("duration", scenario.duration, Range{0.0, kMostClockTime, true}, "s");
+    for (const RobotSetup& robot : scenario.robots)
+      dt = std::min(dt, time_step_of(scenario, robot));
+  }
+  require("duration", scenario.duration, kPositive, "s");
+  if (scenario.duration < dt)
+    refuse("duration", text(scenario.duration), ">= time_step = " + text(dt) + " s");
+  if (scenario.duration / dt > static_cast<double>(kMostSteps))
+    refuse("duration", text(scenario.duration),
+           "at most " + std::to_string(kMostSteps) + " steps of " + text(dt) + " s");
+}
+
+// Decisions are at whole nanoseconds.
+template <typename Name>
+void check_clock(const Name& name, double time_step) {
+  require(name, time_step, Range{0.0, kMostClockTime, true}, "s");
+  if (whole_nanoseconds(time_step)) return;
+  const double near = std::max(1.0, std::round(time_step * 1e9)) / 1e9;
+  refuse(std::string(name), text(time_step),
+         "a whole number of nanoseconds where clock is free, such as " + text(near) + " s");
+}
+
+// Of every robot its steps are remembered, as far back as anybody's measurements are.
+void check_memory(const Scenario& scenario, const PlannerOptions& options) {
+  if (!senses_by_time(scenario)) return;
+  const double past = time_remembered(scenario, options.longest_step);
+  const double least = past / static_cast<double>(kMostRemembered);
+  for (std::size_t i = 0; i < scenario.robots.size(); ++i) {
+    const double step = time_step_of(scenario, scenario.robots[i]);
+    if (scenario.robots[i].parked || step >= least) continue;
+    refuse(std::string(Place{"robots", i, "time_step"}), text(step),
+           ">= " + text(least) + " s, of which " + std::to_string(kMostRemembered) +
+               " are in the " + text(past) + " s that sensing looks back");
+  }
+}
+
+void check_clocks(const Scenario& scenario, const PlannerOptions& options) {
+  const bool is_free = scenario.clock == Clock::free;
+  if (is_free) check_clock("time_step", scenario.time_step);
+  if (scenario.longest_step && !is_free)
+    refuse("longest_step", text(*scenario.longest_step), "left out where clock is common");
+  for (std::size_t i = 0; i < scenario.robots.size(); ++i) {
+    const RobotSetup& robot = scenario.robots[i];
+    const Place place{"robots", i, "time_step"};
+    if (robot.time_step && robot.parked)
+      refuse(std::string(place), text(*robot.time_step), "left out: it is parked");
+    if (robot.time_step && !is_free)
+      refuse(std::string(place), text(*robot.time_step), "left out where clock is common");
+    if (!is_free || robot.parked) continue;
+    const double step = time_step_of(scenario, robot);
+    if (robot.time_step) check_clock(place, step);
+    if (step > options.longest_step)
+      refuse(std::string(place), text(step),
+             "<= longest_step = " + text(options.longest_step) + " s");
+  }
+  if (is_free) check_memory(scenario, options);
+}
+
+// Those who have something of their own.
+void check_methods(const Scenario& scenario) {
+  const Agreed agreed = agreed_on(scenario);
+  for (std::size_t i = 0; i < scenario.robots.size(); ++i) {
+    const RobotSetup& robot = scenario.robots[i];
+    if (!robot.method && !robot.time_horizon && !robot.time_step) continue;
+    const auto at = [&](std::string_view field) { return std::string(Place{"robots", i, field}); };
+    if (robot.parked && robot.method)
+      refuse(at("method"), to_string(*robot.method), "left out: it is parked");
+    if (robot.parked && robot.time_horizon)
+      refuse(at("time_horizon"), text(*robot.time_horizon), "left out: it is parked");
+    if (robot.parked) continue;
+    const Method method = method_of(scenario, robot);
+    if (reaches_within_step(method) && scenario.motion != Motion::held)
+      refuse(at("method"), to_string(method), "another one where motion is exponential");
+    validate(planner_options(scenario, robot, agreed), "robots." + std::to_string(i) + ".");
+  }
+}
+
+void check_declared(const Scenario& scenario, const PlannerOptions& certified) {
+  const Certificate certificate = certified.certificate;
+  if (!scenario.sensing_error || *scenario.sensing_error == SensingError{} ||
+      certificate == Certificate::braking_trajectories)
+    return;
+  refuse("sensing_error", "one", std::string("none with certificate ") + to_string(certificate));
+}
+
+// Braking lasts for so many steps only as can be looked at one by one.
+void check_braking(const Scenario& scenario, const PlannerOptions& options) {
+  const double steps = static_cast<double>(kMostBrakingSteps);
+  double time_step = options.time_step;  // of anybody, who counts the others' braking by it
+  for (const RobotSetup& robot : scenario.robots)
+    if (method_of(scenario, robot) == options.method)
+      time_step = std::min(time_step, time_step_of(scenario, robot));
+  const double longest =
+      options.motion == Motion::held
+          ? steps * time_step
+          : steps * Response::proportional(options.control_time).rate(options.time_step) *
+                options.control_time;
+  for (std::size_t i = 0; i < scenario.robots.size(); ++i) {
+    const RobotSetup& robot = scenario.robots[i];
+    if (method_of(scenario, robot) != options.method) continue;
+    const double most = longest * braking_limit(robot);
+    if (robot.max_speed <= most) continue;
+    refuse(std::string(Place{"robots", i, "max_speed"}), text(robot.max_speed),
+           "<= " + text(most) + " m/s, " + std::to_string(kMostBrakingSteps) +
+               " steps of braking, with a certificate");
+  }
+}
+
+template <typename Noise>
+void check_truncation(const std::string& key, const Noise& noise) {
+  if (!noise.truncated) return;
+  require(key + ".truncated", *noise.truncated, kTruncation, "");
+  if (noise.distribution == NoiseDistribution::uniform)
+    refuse(key + ".truncated", text(*noise.truncated),
+           "left out with distribution uniform, which stays within what is given");
+}
+
+void check_sensing(const SensingModel& sensing) {
+  require("sensing.noise.position", sensing.noise.position, kNoise, "m");
+  require("sensing.noise.velocity", sensing.noise.velocity, kNoise, "m/s");
+  check_truncation("sensing.noise", sensing.noise);
+  require("sensing.localization.position", sensing.localization.position, kNoise, "m");
+  check_truncation("sensing.localization", sensing.localization);
+  require("sensing.delay", sensing.delay, Range{0.0, kMostDelay, false}, "steps");
+  require("sensing.dropped", sensing.dropped, kShareMissed, "");
+}
+
+// A measurement of the past is carried on from where it was: nobody remembers that of one on a
+// path.
+void check_paths(const Scenario& scenario) {
+  const SensingModel& sensing = scenario.sensing;
+  if (sensing.delay == 0 && !sensing.misses()) return;
+  for (std::size_t k = 0; k < scenario.moving_obstacles.size(); ++k) {
+    if (!scenario.moving_obstacles[k].path.empty())
+      refuse(std::string(Place{"moving_obstacles", k, "path"}), "one",
+             "left out where sensing has delay, dropped or occlusion");
+  }
+}
+
+// The sides of a step's triangle are looked at, not what is inside: no wall may hide there.
+void check_beside_walls(const Scenario& scenario, Method method) {
+  const std::vector<RobotSetup>& robots = scenario.robots;
+  const bool has_walls =
+      !scenario.obstacles.empty() ||
+      std::any_of(robots.begin(), robots.end(), [](const RobotSetup& r) { return r.parked; });
+  for (std::size_t i = 0; i < robots.size() && has_walls; ++i) {
+    const RobotSetup& robot = robots[i];
+    if (robot.parked || method_of(scenario, robot) != method) continue;
+    const double time_step = time_step_of(scenario, robot);
+    const double most = std::min(change_limit(robot) * time_step, 2.0 * robot.max_speed);
+    const double height = 0.25 * most * time_step;
+    if (disc_radius(robot) > height) continue;
+    refuse(std::string(Place{"robots", i, "radius"}), text(disc_radius(robot)),
+           "> " + text(height) + " m beside obstacles, with a certificate: what a step of " +
+               text(time_step) + " s can turn off its way");
+  }
+}
+
+// What an airplane is promised and promises holds under these only.
+void check_flights(const Scenario& scenario, const PlannerOptions& options) {
+  const std::vector<RobotSetup>& robots = scenario.robots;
+  const auto first = std::find_if(robots.begin(), robots.end(),
+                                  [](const RobotSetup& r) { return is_airplane(r.model); });
+  if (first == robots.end()) return;
+  const std::string among = " in a scene with airplanes";
+  if (!scenario.moving_obstacles.empty())
+    refuse("moving_obstacles", std::to_string(scenario.moving_obstacles.size()) + " of them",
+           "none" + among + ", which cannot stop for them");
+  for (std::size_t i = 0; i < robots.size(); ++i) {
+    if (robots[i].behavior != Behavior::decides)
+      refuse(std::string(Place{"robots", i, "behavior"}), to_string(robots[i].behavior),
+             "decides" + among + ", which cannot stop for it");
+  }
+  if (options.method != Method::avo) refuse("method", to_string(options.method), "avo" + among);
+  for (std::size_t i = 0; i < robots.size(); ++i) {
+    if (const Method own = method_of(scenario, robots[i]); own != Method::avo)
+      refuse(std::string(Place{"robots", i, "method"}), to_string(own), "avo" + among);
+  }
+  if (options.motion != Motion::held) refuse("motion", to_string(options.motion), "held" + among);
+  if (options.clock != Clock::common) refuse("clock", to_string(options.clock), "common" + among);
+  if (options.certificate == Certificate::stopping_capsules)
+    refuse("certificate", to_string(options.certificate), "braking_trajectories or none" + among);
+  if (!scenario.sensing.is_exact()) refuse("sensing", "one that is not exact", "left out" + among);
+  if (options.sensing_error != SensingError{})
+    refuse("sensing_error", "one that is not 0", "left out" + among);
+}
+
+void check_one_sided(const Scenario& scenario) {
+  if (const auto pair = find_impossible(scenario.robots))
+    refuse(std::string(Place{"robots", pair->avoiding, "avoids"}),
+           "robot " + std::to_string(pair->avoided) + ", which does not avoid it",
+           "both or neither: " + std::string(pair->reason));
+}
+
+void check_certificate(const Scenario& scenario, const PlannerOptions& options) {
+  if (options.certificate == Certificate::none) return;
+  for (std::size_t i = 0; i < scenario.robots.size(); ++i) {
+    const RobotSetup& robot = scenario.robots[i];
+    if (!is_holonomic(robot.model) && method_of(scenario, robot) == options.method &&
+        options.motion != Motion::held)
+      refuse(std::string(Place{"robots", i, "model"}), "one that is not holonomic",
+             "holonomic with a certificate where motion is exponential");
+  }
+  check_braking(scenario, options);
+  check_beside_walls(scenario, options.method);
+  if (!scenario.sensing_error || scenario.clock == Clock::common) return;
+  constexpr double kRounding = 1.0 + 1e-9;
+  const SensingError least = unforeseen(scenario);
+  const auto& [position, velocity] = *scenario.sensing_error;
+  const auto require_least = [](const char* key, double found, double least_of_all,
+                                const char* unit) {
+    if (least_of_all > kRounding * found)
+      refuse(std::string("sensing_error.") + key, text(found),
+             ">= " + text(least_of_all) + unit +
+                 ", what the rest of a step of a car may add where clock is free");
+  };
+  require_least("position", position, least.position, " m");
+  require_least("velocity", velocity, least.velocity, " m/s");
+}
+
+}  // namespace
+
+void validate(const Scenario& scenario) {
+  check_sensing(scenario.sensing);
+  const PlannerOptions options = planner_options(scenario);
+  const PlannerOptions certified = certified_options(scenario);
+  validate(options, "");
+  check_declared(scenario, certified);
+  check_clocks(scenario, options);
+  check_duration(scenario);
+  if (scenario.sensing_radius) require("sensing_radius", *scenario.sensing_radius, kPositive, "m");
+  const auto robots = static_cast<std::int64_t>(scenario.robots.size());
+  if (robots > kMostRobots)
+    refuse("robots", std::to_string(robots), "at most " + std::to_string(kMostRobots));
+  for (std::size_t i = 0; i < scenario.robots.size(); ++i)
+    check_robot(i, scenario.robots[i], scenario.time_step);
+  check_methods(scenario);
+  for (std::size_t k = 0; k < scenario.moving_obstacles.size(); ++k)
+    check_obstacle(k, scenario.moving_obstacles[k]);
+  check_paths(scenario);
+  for (std::size_t k = 0; k < scenario.obstacles.size(); ++k)
+    check_static_obstacle(k, scenario.obstacles[k]);
+  check_flights(scenario, options);
+  check_one_sided(scenario);
+  check_certificate(scenario, certified);
+}
+
+}  // namespace avo

@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: Apache-2.0
+// How far robots sense whose scene does not say it (docs/scenes.md, "How far robots sense").
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "avo/assumptions.h"
+#include "core/ranges.h"
+#include "planner/certify.h"
+#include "planner/rules/arrival.h"
+#include "robots/model.h"
+#include "sim/scene/assumptions.h"
+
+namespace avo::inline sim {
+namespace {
+
+constexpr std::size_t kSampled = 200;  // robots, whose neighbors are counted
+
+}  // namespace
+
+double mean_neighbors(const Scenario& scenario, double radius) {
+  std::vector<Vec2> places;
+  for (const RobotSetup& robot : scenario.robots)
+    if (!robot.parked) places.push_back(disc_center(robot));
+  const std::size_t sampled = std::min(places.size(), kSampled);
+  std::int64_t near = 0;
+  for (std::size_t k = 0; k < sampled; ++k) {
+    const Vec2 own = places[k * places.size() / sampled];
+    near += std::count_if(places.begin(), places.end(),
+                          [&](Vec2 place) { return norm_squared(place - own) <= radius * radius; });
+  }
+  const auto others = static_cast<double>(near - static_cast<std::int64_t>(sampled));
+  return sampled > 0 ? others / static_cast<double>(sampled) : 0.0;
+}
+
+}  // namespace avo::inline sim
+
+namespace avo {
+namespace {
+
+constexpr double kAlone = 1.0;  // m, where there is nobody to sense
+
+// Radii: as far as robots look, among walls, for who claims a passage (docs/arrival.md).
+constexpr double kAmongWalls = 30.0;
+
+// Of the robots that decide.
+struct Largest {
+  double radius = 0.0, speed = 0.0;  // m, m/s
+  bool some_yield = false;           // priorities differ
+};
+
+Largest largest_of(const Scenario& scenario) {
+  Largest largest;
+  std::optional<double> priority;  // of the first one
+  for (const RobotSetup& robot : scenario.robots) {
+    if (robot.parked) continue;
+    largest.radius = std::max(largest.radius, disc_radius(robot));
+    largest.speed = std::max(largest.speed, robot.max_speed);
+    if (!priority) priority = robot.priority;
+    largest.some_yield = largest.some_yield || robot.priority != *priority;
+  }
+  return largest;
+}
+
+// m: one that heads for the robot is seen in time for the robot alone to be out of its way, from
+// rest to rest, which takes 2 √(r/a) for the way r. Where one of two has to make more of the
+// correction, it is seen as soon as half-planes say so, from the time horizon on: seen later, it
+// leaves less of the correction to the one that should make it, and not in the order of priorities.
+double evading_range(const Robot& robot, const Largest& others, double time_horizon) {
+  const double r = robot.radius + others.radius;
+  const double time = 2.0 * std::sqrt(r / robot.max_acceleration);
+  return r + (robot.max_speed + others.speed) *
+                 (others.some_yield ? std::max(time, time_horizon) : time);
+}
+
+// m: as far as a method's rules look, beside the certificate.
+double rules_range(const Scenario& scenario) {
+  const bool among_walls = !scenario.obstacles.empty() && scenario.navigation.value_or(true) &&
+                           scenario.right_of_way != RightOfWay::none;
+  const Largest largest = largest_of(scenario);
+  double range = 0.0;
+  for (const RobotSetup& setup : scenario.robots) {
+    if (setup.parked) continue;
+    Robot robot;
+    robot.radius = disc_radius(setup), robot.max_speed = setup.max_speed;
+    robot.max_acceleration = setup.max_acceleration, robot.max_braking = setup.max_braking;
+    range = std::max(range, arrival_range(robot, largest.radius));
+    if (among_walls) range = std::max(range, kAmongWalls * robot.radius);
+    const double tau = time_horizon_of(scenario, setup);
+    range = std::max(range, method_of(scenario, setup) == Method::avo
+                                ? evading_range(robot, largest, tau)
+                                : robot.radius + largest.radius + tau * robot.max_speed);
+  }
+  return range;
+}
+
+}  // namespace
+
+double needed_sensing_radius(const Scenario& scenario) {
+  const auto need = sensing_need(scenario, certificate_law(scenario));
+  const double range = std::max(need ? need->range : 0.0, rules_range(scenario));
+  return range > 0.0 ? std::min(range, kLargest) : kAlone;
+}
+
+double sensing_radius_of(const Scenario& scenario) {
+  return scenario.sensing_radius ? *scenario.sensing_radius : needed_sensing_radius(scenario);
+}
+
+}  // namespace avo

@@ -1,0 +1,233 @@
+// SPDX-License-Identifier: Apache-2.0
+// Whether a robot may be put where it is added or moved to: as a start of a scene, beside those who
+// are there now.
+#include <algorithm>
+#include <numbers>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "core/plane.h"
+#include "planner/certify.h"
+#include "sim/clocks.h"
+#include "sim/scene/assumptions.h"
+#include "sim/scene/complaints.h"
+#include "sim/scene/edit_checks.h"
+#include "sim/world.h"
+#include "walls/segment.h"
+
+namespace avo::inline sim {
+namespace {
+
+// With two steps to spare.
+double time_until_rest(double speed, double max_braking, const CertificateLaw& law) {
+  const double step = std::max(law.step.time_step, longest_first_step(law));
+  return step * (2.0 + braking_steps(speed, braking_decrement(max_braking, law.step)));
+}
+
+// The newcomer and all whom it could meet while they brake as a scene, in which the newcomer is the
+// first one.
+struct Company {
+  Scenario scene;
+  std::vector<RobotId> id;        // of its robots
+  std::vector<std::size_t> slot;  // of the others
+
+  Company(const World& world, const RobotSetup& setup, RobotId robot);
+};
+
+// By what each covers at its highest speed until both are at rest.
+class Reach {
+ public:
+  Reach(const World& world, const RobotSetup& setup)
+      : world_(world),
+        law_(certificate_law(world.certified_planner())),
+        flies_(is_airplane(setup.model) || !world.fleet.flights.empty()),
+        center_(disc_center(setup)),
+        radius_(disc_radius(setup)),
+        top_speed_(std::max(setup.max_speed, norm(setup.velocity))),
+        seconds_(until_rest(norm(setup.velocity), braking_limit(setup))) {}
+
+  /// m, from the center of its disc; infinite where an airplane may come from anywhere.
+  [[nodiscard]] double farthest(const MostOfOthers& most) const {
+    if (flies_) return kInfinity;
+    return radius_ + most.radius + std::max(seconds_, most.seconds) * (top_speed_ + most.speed);
+  }
+  [[nodiscard]] Vec2 center() const { return center_; }
+
+  [[nodiscard]] bool includes(std::size_t slot) const {
+    const Fleet& fleet = world_.fleet;
+    if (flies_) return true;  // no airplane comes to rest
+    const RobotTraits& other = fleet.traits[slot];
+    const double speed = norm(fleet.velocity[slot]);
+    const double time = std::max(seconds_, until_rest(speed, other.max_braking));
+    const double way = time * (top_speed_ + std::max(other.max_speed, speed));
+    return !(norm(fleet.position[slot] - center_) > radius_ + other.radius + way);
+  }
+
+ private:
+  [[nodiscard]] double until_rest(double speed, double max_braking) const {
+    return time_until_rest(speed, max_braking, law_);
+  }
+
+  const World& world_;
+  CertificateLaw law_;
+  bool flies_;
+  Vec2 center_;
+  double radius_, top_speed_, seconds_;
+};
+
+// Where it begins to brake, if it decides nothing any more: now, or where its own step ends. The
+// disc of a drive moves otherwise than one that starts along its heading: as any disc does.
+RobotSetup committed(const Fleet& fleet, std::size_t slot) {
+  RobotSetup setup = fleet.setup(slot);
+  if (setup.parked) return setup;
+  const MotionState begin = fleet.has_clocks ? fleet.clock_of(slot).to : fleet.state(slot);
+  if (moves_along_heading(setup.model) && !fleet.has_clocks) return setup;
+  if (!moves_along_heading(setup.model)) {
+    setup.radius = disc_radius(setup);
+    setup.model = Holonomic{};
+  }
+  setup.heading = begin.heading;
+  setup.position = begin.position - disc_center(setup.model, {}, begin.heading);
+  setup.velocity = begin.velocity;
+  return setup;
+}
+
+Company::Company(const World& world, const RobotSetup& setup, RobotId robot)
+    : scene(world.settings), id{robot} {
+  const Fleet& fleet = world.fleet;
+  scene.robots.push_back(setup);
+  const Reach reach(world, setup);
+  for (const std::uint32_t other :
+       near_place(world.bystanders, fleet, reach.center(), reach.farthest(world.bystanders.most))) {
+    if (fleet.id[other] == robot || !reach.includes(other)) continue;
+    scene.robots.push_back(committed(fleet, other));
+    id.push_back(fleet.id[other]);
+    slot.push_back(other);
+  }
+  for (std::size_t k = 0; k < world.obstacles.setup.size(); ++k) {
+    MovingObstacle& mover = scene.moving_obstacles.emplace_back(world.obstacles.setup[k]);
+    mover.position = world.obstacles.position[k];
+    mover.velocity = world.obstacles.velocity[k];
+  }
+}
+
+// Whether it keeps the certificate that some do.
+bool keeps_any(const World& world, const RobotSetup& robot) {
+  return keeps(world.settings, robot, certificate_law(world.certified_planner()));
+}
+
+// Of those in the midst of a step, who go on to where it ends; it may be no straight way.
+std::optional<BrokenStart> find_on_way(const World& world, const Company& company) {
+  const Fleet& fleet = world.fleet;
+  const RobotSetup& own = company.scene.robots.front();
+  for (std::size_t k = 0; k < company.slot.size() && fleet.has_clocks; ++k) {
+    const std::size_t slot = company.slot[k];
+    const RobotSetup& other = company.scene.robots[k + 1];
+    const OwnClock& clock = fleet.clock_of(slot);
+    if (other.parked || clock.end <= world.now || !keep_apart(own, other)) continue;
+    if (!keeps_any(world, own) && !keeps_any(world, other)) continue;
+    const double left = seconds(clock.end - world.now);
+    const double bow =
+        0.125 * std::numbers::sqrt2 * other.max_acceleration * left * left +
+        (fleet.traits[slot].has_model ? world.certified_planner().options().sensing_error.position
+                                      : 0.0);
+    const double contact = disc_radius(own) + disc_radius(other);
+    const double gap = distance(disc_center(own), {fleet.position[slot], clock.to.position}) - bow -
+                       norm(own.velocity) * left;
+    if (gap < (1.0 - kStartTolerance) * contact)
+      return BrokenStart{0, static_cast<int>(k) + 1, norm(fleet.position[slot] - disc_center(own)),
+                         contact - gap};
+  }
+  return {};
+}
+
+// Of those that are no robots, where the newcomer lacks most; the scene gets that obstacle alone.
+std::optional<WallStart> find_wall(const World& world, const CertificateLaw& law, Company& company,
+                                   ObstacleId& obstacle) {
+  const StaticWorld& statics = world.statics;
+  const RobotSetup& own = company.scene.robots.front();
+  const MotionState state = start_of(own);
+  WallNeeds needs;
+  include_start(company.scene, own, state, law, needs);
+  if (statics.needs && statics.needs->cover(needs) &&
+      !worst_wall(company.scene, 0, state, statics.grid.near(state.position), law))
+    return {};
+  const std::span<const Wall> walls =
+      std::span(statics.walls).first(statics.walls.size() - statics.parked.size());
+  auto worst = worst_wall(company.scene, 0, state, walls, law);
+  if (!worst) return worst;
+  auto before = static_cast<std::size_t>(worst->obstacle);
+  for (std::size_t k = 0; k < statics.obstacles.size(); ++k) {
+    const std::size_t walls_of_it = walls_of(std::span(&statics.obstacles[k], 1)).size();
+    if (before < walls_of_it) {
+      company.scene.obstacles = {statics.obstacles[k]};
+      obstacle = statics.id[k];
+      break;
+    }
+    before -= walls_of_it;
+  }
+  worst->obstacle = 0;
+  return worst;
+}
+
+Wording wording_of(const Company& company, const ObstacleId& obstacle) {
+  return {{},
+          [&company](int source) {
+            return source >= 0 ? name_of(company.id[static_cast<std::size_t>(source)])
+                               : "moving obstacle " + std::to_string(-1 - source);
+          },
+          [&obstacle](int) { return name_of(obstacle); }};
+}
+
+}  // namespace
+
+void look_around_starts(World& world) {
+  Bystanders& bystanders = world.bystanders;
+  if (world.settings.allow_broken_assumptions || !world.all_matter()) return;
+  if (bystanders.is_made && !has_many_late(bystanders)) return;
+  if (!std::exchange(bystanders.is_wanted, true)) return;
+  const Fleet& fleet = world.fleet;
+  const CertificateLaw law = certificate_law(world.certified_planner());
+  MostOfOthers most;
+  for (std::size_t slot = 0; slot < fleet.size(); ++slot) {
+    const RobotTraits& traits = fleet.traits[slot];
+    const double speed = norm(fleet.velocity[slot]);
+    most.radius = std::max(most.radius, traits.radius);
+    most.speed = std::max({most.speed, traits.max_speed, speed});
+    most.seconds = std::max(most.seconds, time_until_rest(speed, traits.max_braking, law));
+  }
+  make(bystanders, fleet, most, 2.0 * (most.radius + most.seconds * most.speed));
+}
+
+void check_start(const World& world, const RobotSetup& setup, RobotId robot) {
+  if (world.settings.allow_broken_assumptions || !world.all_matter()) return;
+  Company company(world, setup, robot);
+  const CertificateLaw law = certificate_law(world.certified_planner());
+  ObstacleId obstacle;
+  const Wording wording = wording_of(company, obstacle);
+  BrokenAssumptions broken;
+  const double late =  // whoever is in the midst of a step begins to brake so much later
+      world.fleet.has_clocks ? longest_first_step(law) * norm(setup.velocity) : 0.0;
+  find_starts_of_first(company.scene, law, late, broken);
+  if (const auto start = find_on_way(world, company); start && broken.starts.empty())
+    broken.starts.push_back(*start);
+  if (!broken.starts.empty()) {
+    BrokenStart& worst = broken.starts.front();
+    if (worst.other == 0) std::swap(worst.robot, worst.other);
+    refuse_start(complaint(worst, company.scene, wording));
+  }
+  if (setup.parked || !keeps_any(world, setup)) return;
+  if (const auto wall = find_wall(world, law, company, obstacle))
+    refuse_start(complaint(*wall, company.scene, wording));
+  for (std::size_t k = 0; k < world.statics.obstacles.size(); ++k) {
+    if (leaves_room(disc_center(setup), world.statics.obstacles[k])) continue;
+    company.scene.obstacles = {world.statics.obstacles[k]};
+    obstacle = world.statics.id[k];
+    refuse_start(complaint(MisplacedStart{0, 0}, company.scene, wording));
+  }
+  if (exceeds(norm(setup.velocity), setup.max_speed))
+    refuse_start(complaint(FastStart{0, norm(setup.velocity)}, company.scene, wording));
+}
+
+}  // namespace avo::inline sim

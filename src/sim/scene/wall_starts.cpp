@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: Apache-2.0
+// Starts beside static obstacles: what the certificate against walls begins with.
+#include <algorithm>
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "certificate/footprints.h"
+#include "robots/model.h"
+#include "sim/fleet.h"
+#include "sim/scene/assumptions.h"
+#include "sim/static_world.h"
+#include "walls/segment.h"
+
+namespace avo::inline sim {
+
+void include_start(const Scenario& scenario, const RobotSetup& robot, const MotionState& state,
+                   const CertificateLaw& law, WallNeeds& needs) {
+  const StepLaw own = step_law(scenario, robot, law);
+  const double stray = stray_of(robot.model, robot.max_acceleration, own.time_step).distance +
+                       room_to_turn(robot.model, robot.max_speed);
+  needs.include(traits_of(robot), stray, norm(state.velocity), own);
+}
+
+namespace {
+
+// The walls of all obstacles, and which obstacle each belongs to.
+struct ListedWalls {
+  std::vector<Wall> walls;
+  std::vector<int> obstacle;
+  WallGrid grid;  // of those that a robot of the scene may be too near to
+};
+
+ListedWalls list_walls(const Scenario& scenario, std::span<const MotionState> states,
+                       const CertificateLaw& law) {
+  ListedWalls listed;
+  for (std::size_t k = 0; k < scenario.obstacles.size(); ++k) {
+    const std::vector<Wall> walls = walls_of(std::span(&scenario.obstacles[k], 1));
+    listed.walls.insert(listed.walls.end(), walls.begin(), walls.end());
+    listed.obstacle.insert(listed.obstacle.end(), walls.size(), static_cast<int>(k));
+  }
+  WallNeeds needs;
+  for (std::size_t i = 0; i < states.size(); ++i)
+    include_start(scenario, scenario.robots[i], states[i], law, needs);
+  listed.grid = grid_of(listed.walls, needs);
+  return listed;
+}
+
+}  // namespace
+
+// What braking leaves is less than what it has to.
+std::optional<WallStart> worst_wall(const Scenario& scenario, int number, const MotionState& state,
+                                    std::span<const Wall> walls, const CertificateLaw& law) {
+  const RobotSetup& robot = scenario.robots[static_cast<std::size_t>(number)];
+  const Vec2 center = state.position;
+  const double radius = disc_radius(robot);
+  const WallRounding rounding =
+      wall_rounding(radius, robot.max_speed, ability_of(robot), step_law(scenario, robot, law));
+  const double late = late_phase(robot, longest_first_step(law));
+  const Vec2 way = stopping_way(state.velocity, decrement_of(robot, law.step), law.step);
+  const LoiterCircle* circle = passes_goal(robot.model) ? &state.circle : nullptr;
+  const auto start_at = [&](const Wall& wall) {
+    const Segment segment{wall.a - center, wall.b - center};
+    if (circle)
+      return WallStart{number, 0, distance(Vec2{}, segment),
+                       distance(circle->center, {wall.a, wall.b}) - circle->radius,
+                       radius + wall.radius + flight_margin(wall, radius, circle->radius)};
+    return WallStart{number, 0, distance(Vec2{}, segment), distance({{}, way}, segment) - late,
+                     radius + wall.radius + wall_margin(wall, rounding)};
+  };
+  const auto lacks = [](const WallStart& start) { return start.required - start.kept; };
+  std::optional<WallStart> worst;
+  for (std::size_t k = 0; k < walls.size(); ++k) {
+    WallStart start = start_at(walls[k]);
+    start.obstacle = static_cast<int>(k);
+    if (lacks(start) > 0.0 && (!worst || lacks(start) > lacks(*worst))) worst = start;
+  }
+  return worst;
+}
+
+namespace {
+
+// Even-odd rule: how often a ray to the right crosses the closed chains.
+bool is_inside(Vec2 p, const StaticObstacle& obstacle) {
+  bool inside = false;
+  for (const Chain& chain : obstacle.chains) {
+    if (!chain.closed || chain.points.empty()) continue;
+    Vec2 a = chain.points.back();
+    for (const Vec2 b : chain.points) {
+      if ((a.y > p.y) != (b.y > p.y)) {
+        const double side = cross(b - a, p - a);
+        if ((b.y > a.y) == (side > 0.0)) inside = !inside;
+      }
+      a = b;
+    }
+  }
+  return inside;
+}
+
+}  // namespace
+
+bool leaves_room(Vec2 p, const StaticObstacle& obstacle) {
+  if (obstacle.fill == Fill::none) return true;
+  return is_inside(p, obstacle) == (obstacle.fill == Fill::bounds);
+}
+
+MotionState start_of(const RobotSetup& robot) {
+  MotionState state{disc_center(robot), start_velocity(robot), robot.heading};
+  if (const auto circle = circle_of(robot.model, state.position, state.velocity))
+    state.circle = *circle;
+  return state;
+}
+
+void find_wall_starts(const Scenario& scenario, std::span<const MotionState> states,
+                      const CertificateLaw& law, BrokenAssumptions& result) {
+  if (scenario.obstacles.empty()) return;
+  const ListedWalls listed = list_walls(scenario, states, law);
+  std::vector<WallStart> beside;
+  for (std::size_t i = 0; i < scenario.robots.size(); ++i) {
+    const RobotSetup& robot = scenario.robots[i];
+    if (robot.parked || !keeps(scenario, robot, law)) continue;
+    const int number = static_cast<int>(i);
+    const MotionState& state = states[i];
+    if (worst_wall(scenario, number, state, listed.grid.near(state.position), law)) {
+      beside.push_back(*worst_wall(scenario, number, state, listed.walls, law));
+      beside.back().obstacle = listed.obstacle[static_cast<std::size_t>(beside.back().obstacle)];
+    }
+    for (std::size_t k = 0; k < scenario.obstacles.size(); ++k) {
+      if (leaves_room(states[i].position, scenario.obstacles[k])) continue;
+      ++result.misplaced_count;
+      if (result.misplaced.size() < BrokenAssumptions::kNamed)
+        result.misplaced.push_back({number, static_cast<int>(k)});
+      break;
+    }
+  }
+  result.beside_count = static_cast<std::int64_t>(beside.size());
+  std::stable_sort(beside.begin(), beside.end(), [](const WallStart& a, const WallStart& b) {
+    return a.required - a.kept > b.required - b.kept;
+  });
+  beside.resize(std::min(beside.size(), BrokenAssumptions::kNamed));
+  result.beside = std::move(beside);
+}
+
+}  // namespace avo::inline sim

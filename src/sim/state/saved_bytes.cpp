@@ -1,0 +1,295 @@
+// SPDX-License-Identifier: Apache-2.0
+// A saved state as the words of an archive: a mark, the number of bytes, the version of the
+// library, the settings, obstacles, robots, and at the end a checksum of all the words before it.
+#include <algorithm>
+#include <string>
+#include <utility>
+
+#include "avo/version.h"
+#include "core/hash.h"
+#include "core/plane.h"
+#include "sim/state/archive.h"
+#include "sim/state/saved_models.h"
+#include "sim/state/saved_state.h"
+
+namespace avo::inline sim {
+namespace {
+
+constexpr std::uint64_t kMark = 0x65766173206f7661;           // "avo save"
+constexpr std::size_t kFewestWords = 3;                       // mark, number of bytes, checksum
+constexpr std::size_t kObstacleWords = 17, kRobotWords = 19;  // at least
+constexpr std::size_t kPastWords = 4, kClockWords = 15, kKnotWords = 6;
+constexpr std::size_t kStaticWords = 4, kChainWords = 2;  // at least
+constexpr std::size_t kGapWords = 4;
+
+std::uint64_t checksum(std::span<const std::byte> bytes) {
+  std::uint64_t hash = 0;
+  for (std::size_t k = 0; k < bytes.size() / kWord; ++k) hash = mixed(hash, word_at(bytes, k));
+  return hash;
+}
+
+template <bool kReads>
+void describe(Archive<kReads>& archive, SensingModel& model) {
+  MeasurementNoise& noise = model.noise;
+  describe(archive, noise.position), describe(archive, noise.velocity);
+  describe(archive, noise.distribution), describe(archive, noise.truncated);
+  describe(archive, model.delay), describe(archive, model.dropped);
+  // one word for both: without localization as before there was any
+  const LocalizationNoise exact;
+  std::uint64_t kinds = (model.occlusion ? 1U : 0U) | (model.localization == exact ? 0U : 2U);
+  archive.word(kinds);
+  if (kinds > 3) refuse_saved("the kinds of sensing " + std::to_string(kinds), "0 to 3");
+  model.occlusion = (kinds & 1) != 0;
+  if ((kinds & 2) == 0) return;
+  LocalizationNoise& own = model.localization;
+  describe(archive, own.position), describe(archive, own.distribution);
+  describe(archive, own.truncated);
+}
+
+template <bool kReads>
+void describe(Archive<kReads>& archive, Knot& knot) {
+  describe(archive, knot.at), describe(archive, knot.state.position);
+  describe(archive, knot.state.velocity), describe(archive, knot.state.heading);
+}
+
+template <bool kReads>
+void describe(Archive<kReads>& archive, PastState& state) {
+  describe(archive, state.position), describe(archive, state.velocity);
+}
+
+template <bool kReads>
+void describe(Archive<kReads>& archive, SavedClock& clock, RobotSetup& setup) {
+  describe(archive, clock.begin), describe(archive, clock.end);
+  for (MotionState* state : {&clock.from, &clock.to}) {
+    describe(archive, state->position), describe(archive, state->velocity);
+    describe(archive, state->heading);
+  }
+  describe(archive, clock.has_decided);
+  describe(archive, setup.time_step);
+}
+
+template <bool kReads>
+void describe(Archive<kReads>& archive, MovingObstacle& setup, PathWalk& state) {
+  for_each_obstacle_value([&](const char*, auto member) { describe(archive, setup.*member); });
+  describe(archive, state.position), describe(archive, state.velocity);
+  describe(archive, state.target);
+}
+
+template <bool kReads>
+void describe(Archive<kReads>& archive, StaticObstacle& obstacle, ObstacleId& id) {
+  describe(archive, id.value);
+  auto fill = static_cast<std::uint8_t>(obstacle.fill);
+  describe(archive, obstacle.radius), describe(archive, fill);
+  if (fill > static_cast<std::uint8_t>(Fill::bounds))
+    refuse_saved("an unknown fill", "a known one");
+  obstacle.fill = static_cast<Fill>(fill);
+  archive.size(obstacle.chains, kChainWords);
+  for (Chain& chain : obstacle.chains) {
+    describe(archive, chain.closed);
+    describe(archive, chain.points);
+  }
+}
+
+template <bool kReads>
+void describe(Archive<kReads>& archive, Waiting& waiting) {
+  describe(archive, waiting.least), describe(archive, waiting.waited);
+  describe(archive, waiting.looks_at), describe(archive, waiting.opens_at);
+  archive.size(waiting.closed, kGapWords);
+  for (Segment& gap : waiting.closed) describe(archive, gap.a), describe(archive, gap.b);
+}
+
+// In one word, and more where it ends elsewhere than at the goal, and where passages may be held.
+template <bool kReads>
+void describe(Archive<kReads>& archive, SavedWay& way) {
+  const bool waits = way.waiting.least < kInfinity || !way.waiting.closed.empty();
+  std::uint64_t word =
+      (waits ? std::uint64_t{1} << 36 : 0) | static_cast<std::uint64_t>(way.ends) << 34 |
+      std::uint64_t{way.around_movers} << 33 | std::uint64_t{way.is_exact} << 32 | way.target;
+  archive.word(word);
+  const std::uint64_t ends = word >> 34 & 3;
+  if (word >> 37 != 0 || ends > static_cast<std::uint64_t>(WayEnd::short_of))
+    refuse_saved("the way " + std::to_string(word), "one of 37 bits, and how it ends");
+  way = {static_cast<std::uint32_t>(word),
+         (word >> 32 & 1) != 0,
+         (word >> 33 & 1) != 0,
+         static_cast<WayEnd>(ends),
+         way.place,
+         std::move(way.waiting)};
+  if (way.ends != WayEnd::goal) describe(archive, way.place);
+  if ((word >> 36 & 1) != 0) describe(archive, way.waiting);
+}
+
+template <bool kReads>
+void describe(Archive<kReads>& archive, SavedFlight& flight) {
+  describe(archive, flight.circle.center), describe(archive, flight.circle.radius);
+  describe(archive, flight.has_arrived);
+}
+
+template <bool kReads>
+void describe(Archive<kReads>& archive, Detour& detour) {
+  const auto packed = [](float low, std::uint64_t high) {
+    return std::uint64_t{std::bit_cast<std::uint32_t>(low)} | high << 32;
+  };
+  const auto number = [](std::uint64_t word) {
+    return std::bit_cast<float>(static_cast<std::uint32_t>(word));
+  };
+  std::uint64_t first = packed(detour.angle, std::bit_cast<std::uint32_t>(detour.beside));
+  std::uint64_t second =
+      packed(detour.congestion, (detour.has_arrived ? 1U : 0U) | (detour.goal_taken ? 2U : 0U));
+  std::uint64_t third =
+      packed(detour.acceleration_x, std::bit_cast<std::uint32_t>(detour.acceleration_y));
+  archive.word(first), archive.word(second), archive.word(third);
+  if (second >> 34 != 0) refuse_saved("a detour that no robot can remember", "a sound one");
+  detour = {number(first),     number(first >> 32), number(second),     (second >> 32 & 1) != 0,
+            second >> 33 != 0, number(third),       number(third >> 32)};
+}
+
+// What few robots have, in one word with the horizon behind it.
+template <bool kReads>
+void describe_kinds(Archive<kReads>& archive, RobotSetup& setup) {
+  const auto method = static_cast<std::uint64_t>(setup.method.value_or(Method{}));
+  std::uint64_t kinds = (setup.parked ? 1U : 0U) | (setup.method ? 2U | method << 8 : 0U) |
+                        (setup.time_horizon ? 4U : 0U) |
+                        (setup.behavior == Behavior::cooperates ? 8U : 0U);
+  archive.word(kinds);
+  if constexpr (kReads) {
+    const bool has_method = (kinds & 2) != 0;
+    const bool is_more_than_parked = (kinds & 1) != 0 && kinds != 1;
+    if ((kinds & 0xf0) != 0 || (!has_method && kinds >> 8 != 0) || is_more_than_parked ||
+        kinds >> 8 >= kNames<Method>.size())
+      refuse_saved("the kinds of a robot " + std::to_string(kinds), "known ones");
+    setup.parked = (kinds & 1) != 0;
+    setup.behavior = (kinds & 8) != 0 ? Behavior::cooperates : Behavior::decides;
+    if (has_method) setup.method = static_cast<Method>(kinds >> 8);
+    if ((kinds & 4) != 0) setup.time_horizon.emplace();
+  }
+  if (setup.time_horizon) describe(archive, *setup.time_horizon);
+}
+
+template <bool kReads>
+void describe(Archive<kReads>& archive, RobotSetup& setup, SavedRobot& state) {
+  describe(archive, setup.goal), describe(archive, setup.radius);
+  describe(archive, setup.max_speed), describe(archive, setup.max_acceleration);
+  double max_braking = setup.max_braking.value_or(0.0);  // 0: unset
+  describe(archive, max_braking);
+  if (max_braking != 0.0) setup.max_braking = max_braking;
+  describe(archive, setup.preferred_speed), describe(archive, setup.priority);
+  describe_kinds(archive, setup);
+  std::uint64_t layers = std::uint64_t{setup.layers.bits} << 32 | setup.avoids.bits;
+  archive.word(layers);
+  setup.layers.bits = static_cast<std::uint32_t>(layers >> 32);
+  setup.avoids.bits = static_cast<std::uint32_t>(layers);
+  if (kReads && setup.parked) setup.position = setup.goal;
+  describe(archive, setup.model);
+
+  describe(archive, state.id.value), describe(archive, state.position);
+  describe(archive, state.velocity), describe(archive, state.heading);
+  describe(archive, state.detour);
+}
+
+template <bool kReads>
+void describe(Archive<kReads>& archive, SavedState& state) {
+  std::string version = kVersion;
+  describe(archive, version);
+  if (version != kVersion) {
+    const bool is_plain = version.find_first_not_of("0123456789.") == std::string::npos;
+    refuse_saved("one of " + (is_plain ? "avo " + version : "another program"),
+                 std::string("one of avo ") + kVersion);
+  }
+  Scenario& scene = state.scene;
+  for_each_setting([&](const char*, auto member) { describe(archive, scene.*member); });
+  describe(archive, scene.allow_broken_assumptions);
+  archive.size(scene.obstacles, kStaticWords);
+  state.static_ids.resize(scene.obstacles.size());
+  for (std::size_t k = 0; k < scene.obstacles.size(); ++k) {
+    describe(archive, scene.obstacles[k], state.static_ids[k]);
+  }
+  describe(archive, state.sensing_radius);
+  archive.size(state.stood, 1);
+  for (std::uint64_t& id : state.stood) describe(archive, id);
+  describe(archive, state.next_obstacle);
+  archive.size(state.ways, 1);
+  for (SavedWay& way : state.ways) describe(archive, way);
+  describe(archive, state.steps), describe(archive, state.next_id);
+
+  archive.size(scene.moving_obstacles, kObstacleWords);
+  state.obstacles.resize(scene.moving_obstacles.size());
+  for (std::size_t k = 0; k < state.obstacles.size(); ++k) {
+    describe(archive, scene.moving_obstacles[k], state.obstacles[k]);
+  }
+  archive.size(scene.robots, kRobotWords);
+  state.robots.resize(scene.robots.size());
+  for (std::size_t k = 0; k < state.robots.size(); ++k) {
+    describe(archive, scene.robots[k], state.robots[k]);
+  }
+  if (kReads)
+    state.flights.resize(static_cast<std::size_t>(
+        std::count_if(scene.robots.begin(), scene.robots.end(),
+                      [](const RobotSetup& robot) { return is_airplane(robot.model); })));
+  for (SavedFlight& flight : state.flights) describe(archive, flight);
+  if (scene.clock == Clock::free) {
+    describe(archive, state.now);
+    archive.size(state.clocks, kClockWords);
+    if (state.clocks.size() != scene.robots.size())
+      refuse_saved(std::to_string(state.clocks.size()) + " clocks",
+                   std::to_string(scene.robots.size()));
+    for (std::size_t k = 0; k < state.clocks.size(); ++k)
+      describe(archive, state.clocks[k], scene.robots[k]);
+  }
+  const bool by_time = senses_by_time(scene);
+  if (generations_needed(scene) < 2 && !by_time) return;  // they remember nothing
+  archive.size(state.since, 1);
+  for (std::int64_t& generation : state.since) describe(archive, generation);
+  if (by_time) {
+    archive.size(state.tracks, 1);
+    for (std::vector<Knot>& track : state.tracks) {
+      archive.size(track, kKnotWords);
+      for (Knot& knot : track) describe(archive, knot);
+    }
+    return;
+  }
+  archive.size(state.past, kPastWords);
+  for (PastState& past : state.past) describe(archive, past);
+}
+
+}  // namespace
+
+std::vector<std::byte> to_bytes(SavedState state) {
+  constexpr std::size_t kSettings = 64;  // words, about
+  Archive<false> archive;
+  std::vector<std::byte>& bytes = archive.written;
+  bytes.reserve(kWord * (kSettings + kRobotWords * state.robots.size() +
+                         kObstacleWords * state.obstacles.size()));
+  std::uint64_t mark = kMark, size = 0;
+  archive.word(mark), archive.word(size);
+  describe(archive, state);
+  put_word(bytes.size() + kWord, &bytes[kWord]);
+  std::uint64_t sum = checksum(bytes);
+  archive.word(sum);
+  return std::move(bytes);
+}
+
+SavedState from_bytes(std::span<const std::byte> bytes) {
+  if (bytes.size() < kFewestWords * kWord) {
+    refuse_saved(std::to_string(bytes.size()) + " bytes", "whole");
+  }
+  if (word_at(bytes, 0) != kMark) refuse_saved("something else", "bytes of Simulation::save()");
+  if (word_at(bytes, 1) != bytes.size() || bytes.size() % kWord != 0) {
+    refuse_saved(std::to_string(bytes.size()) + " bytes",
+                 "the " + std::to_string(word_at(bytes, 1)) + " that were saved");
+  }
+  const std::span<const std::byte> checked = bytes.first(bytes.size() - kWord);
+  if (checksum(checked) != word_at(bytes, bytes.size() / kWord - 1)) {
+    refuse_saved("bytes that have changed", "those that were saved");
+  }
+  Archive<true> archive{{}, checked.subspan(2 * kWord)};
+  SavedState state;
+  describe(archive, state);
+  if (!archive.unread.empty()) {
+    refuse_saved(std::to_string(archive.unread.size()) + " more bytes", "no more");
+  }
+  check_saved(state);
+  return state;
+}
+
+}  // namespace avo::inline sim

@@ -1,0 +1,188 @@
+// SPDX-License-Identifier: Apache-2.0
+// What a saved state has to be that no bytes of another program, or forged ones, are.
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+
+#include "core/plane.h"
+#include "core/ranges.h"
+#include "planner/rules/arrival.h"
+#include "robots/model.h"
+#include "sim/clocks.h"
+#include "sim/scene/scene_checks.h"
+#include "sim/state/saved_state.h"
+
+namespace avo::inline sim {
+
+void refuse_saved(const std::string& given, const std::string& allowed) {
+  refuse("saved state", given, allowed);
+}
+
+namespace {
+
+constexpr std::int64_t kLastInstant = std::int64_t{1} << 62;  // ns
+constexpr std::int64_t kLastStep = std::int64_t{1} << 53;     // time() tells no later ones apart
+
+// As many robots at a time as a scene may have: more of them may have been added to a simulation.
+void check_setups(const Scenario& scene) {
+  Scenario part = scene;
+  constexpr auto kMost = static_cast<std::size_t>(kMostRobots);
+  for (std::size_t first = 0; first == 0 || first < scene.robots.size(); first += kMost) {
+    const std::size_t last = std::min(first + kMost, scene.robots.size());
+    const auto begin = scene.robots.begin();
+    part.robots.assign(begin + static_cast<std::ptrdiff_t>(first),
+                       begin + static_cast<std::ptrdiff_t>(last));
+    part.sensing_error = scene.sensing_error;
+    forget_undeclared_error(part);
+    validate(part);
+  }
+}
+
+// On its circle, as a step leaves it.
+void check_flights(const SavedState& state) {
+  constexpr double kOff = 1e-6;  // of the radius
+  std::size_t k = 0;
+  for (std::size_t i = 0; i < state.robots.size(); ++i) {
+    const SavedRobot& robot = state.robots[i];
+    if (!is_airplane(state.scene.robots[i].model)) continue;
+    const LoiterCircle own =
+        *circle_of(state.scene.robots[i].model, robot.position, robot.velocity);
+    const LoiterCircle& saved = state.flights[k++].circle;
+    const double off = kOff * own.radius;
+    if (!(norm(own.center - saved.center) <= off && std::abs(own.radius - saved.radius) <= off))
+      refuse_saved("an airplane off its circle", "one on it");
+  }
+}
+
+// Steps one after the other, up to the present one.
+bool is_sound(const std::vector<Knot>& track, const SavedClock& clock) {
+  const bool whole = track.size() >= 2 && track.front().at >= 0 && track.back().at == clock.end;
+  const bool ascends = std::is_sorted(track.begin(), track.end(),
+                                      [](const Knot& a, const Knot& b) { return a.at < b.at; });
+  return whole && ascends && std::all_of(track.begin(), track.end(), [](const Knot& knot) {
+           return is_finite(knot.state.position) && is_finite(knot.state.velocity) &&
+                  kAnyValue.contains(knot.state.heading);
+         });
+}
+
+// Where it is told by instants.
+void check_tracks(const SavedState& state) {
+  const std::size_t robots = state.robots.size();
+  bool sound = state.since.size() == robots && state.tracks.size() == robots &&
+               state.clocks.size() == robots;
+  for (std::size_t k = 0; k < robots && sound; ++k)
+    sound = state.since[k] >= 0 && state.since[k] <= state.now &&
+            is_sound(state.tracks[k], state.clocks[k]);
+  if (!sound) refuse_saved("a past that no robots can have", "theirs");
+}
+
+void check_past(const SavedState& state) {
+  if (senses_by_time(state.scene)) return check_tracks(state);
+  const std::size_t depth = generations_needed(state.scene), robots = state.robots.size();
+  if (depth < 2) return;
+  const bool whole = state.since.size() == robots && state.past.size() == robots * depth;
+  const bool dated = std::all_of(state.since.begin(), state.since.end(), [&](std::int64_t since) {
+    return since >= 0 && since <= state.steps;
+  });
+  const bool finite = std::all_of(state.past.begin(), state.past.end(), [](const PastState& past) {
+    return is_finite(past.position) && is_finite(past.velocity);
+  });
+  if (!whole || !dated || !finite) refuse_saved("a past that no robots can have", "theirs");
+}
+
+// Of a robot that may do as it likes within its step, the step has to be one.
+void check_clocks(const SavedState& state) {
+  if (state.scene.clock != Clock::free) return;
+  const auto is_whole = [](const MotionState& s) {
+    return is_finite(s.position) && is_finite(s.velocity) && kAnyValue.contains(s.heading);
+  };
+  bool sound = state.now >= 0 && state.now <= kLastInstant;
+  for (std::size_t k = 0; k < state.clocks.size() && sound; ++k) {
+    const SavedClock& clock = state.clocks[k];
+    const RobotSetup& robot = state.scene.robots[k];
+    sound = clock.begin >= 0 && clock.begin <= state.now && clock.end >= state.now &&
+            is_whole(clock.from) && is_whole(clock.to);
+    if (robot.parked) sound = sound && clock.end == std::numeric_limits<Instant>::max();
+    if (robot.parked || !sound) continue;
+    const auto step = whole_nanoseconds(time_step_of(state.scene, robot));
+    sound = step && clock.end - clock.begin <= *step &&
+            (!clock.has_decided || clock.end - clock.begin == *step);
+  }
+  if (!sound) refuse_saved("clocks that no robots can have", "theirs");
+}
+
+bool is_sound(const Waiting& waiting) {
+  const bool is_none = waiting.least == kInfinity && waiting.closed.empty();
+  const bool is_one = waiting.least >= 0.0 && waiting.waited >= 0.0 && waiting.looks_at >= 0.0 &&
+                      waiting.opens_at >= 0.0;
+  return (is_none || is_one) && waiting.waited < kInfinity &&
+         std::all_of(waiting.closed.begin(), waiting.closed.end(),
+                     [](const Segment& gap) { return is_finite(gap.a) && is_finite(gap.b); });
+}
+
+// Refuses what no simulation comes to: only forged bytes have it.
+void check_states(const SavedState& state) {
+  const auto is_finite_motion = [](const auto& body) {
+    return is_finite(body.position) && is_finite(body.velocity);
+  };
+  const bool moves = std::all_of(state.robots.begin(), state.robots.end(), is_finite_motion) &&
+                     std::all_of(state.obstacles.begin(), state.obstacles.end(), is_finite_motion);
+  if (!moves) refuse_saved("a position or velocity that is not finite", "finite");
+  if (!std::all_of(state.ways.begin(), state.ways.end(),
+                   [](const SavedWay& way) { return is_finite(way.place); }))
+    refuse_saved("the end of a way that is not finite", "finite");
+  if (!std::all_of(state.ways.begin(), state.ways.end(),
+                   [](const SavedWay& way) { return is_sound(way.waiting); }))
+    refuse_saved("a wait that no robot can remember", "a sound one");
+  for (std::size_t k = 0; k < state.obstacles.size(); ++k) {
+    const std::size_t points =
+        std::max<std::size_t>(state.scene.moving_obstacles[k].path.size(), 1);
+    if (state.obstacles[k].target >= points)
+      refuse_saved("way point " + std::to_string(state.obstacles[k].target),
+                   "below " + std::to_string(points));
+  }
+  std::uint64_t next = 0;  // id, at least
+  const auto check_id = [&next](std::uint64_t id, std::uint64_t beyond) {
+    if (id < next || id >= beyond)
+      refuse_saved("id " + std::to_string(id),
+                   "ascending and below the next, " + std::to_string(beyond));
+    next = id + 1;
+  };
+  for (const ObstacleId id : state.static_ids) check_id(id.value, state.next_obstacle);
+  check_flights(state);
+  check_past(state);
+  check_clocks(state);
+  next = 0;
+  for (const std::uint64_t id : state.stood) check_id(id, state.next_id);
+  next = 0;
+  for (const SavedRobot& robot : state.robots) {
+    if (!kAnyValue.contains(robot.heading))
+      refuse_saved("heading " + text(robot.heading), "an angle in rad");
+    if (!is_sound(robot.detour)) refuse_saved("a detour that no robot can remember", "a sound one");
+    check_id(robot.id.value, state.next_id);
+  }
+  for (std::size_t k = 0; k < state.robots.size(); ++k) {
+    const SavedRobot& robot = state.robots[k];
+    if (!state.scene.robots[k].parked) continue;
+    const RobotSetup& setup = state.scene.robots[k];
+    const Vec2 center = disc_center(setup.model, setup.goal, robot.heading);
+    if (!(robot.position == center && robot.velocity == Vec2{}))
+      refuse_saved("a parked robot that has moved", "one at its goal");
+  }
+  if (state.steps < 0 || state.steps > kLastStep) {
+    refuse_saved(std::to_string(state.steps) + " steps", "0 to " + std::to_string(kLastStep));
+  }
+}
+
+}  // namespace
+
+void check_saved(const SavedState& state) {
+  check_setups(state.scene);
+  const double radius = state.sensing_radius, named = state.scene.sensing_radius.value_or(radius);
+  if (!kPositive.contains(radius) || radius != named)
+    refuse_saved("a sensing radius of " + text(radius) + " m", "that of the scene");
+  check_states(state);
+}
+
+}  // namespace avo::inline sim

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: Apache-2.0
+// Motion models in a saved state.
+#pragma once
+#include <cstdint>
+#include <variant>
+
+#include "avo/scenario.h"
+#include "sim/state/archive.h"
+
+namespace avo::inline sim {
+
+template <bool kReads>
+void describe(Archive<kReads>&, Holonomic&) {}
+
+template <bool kReads>
+void describe(Archive<kReads>& archive, Car& car) {
+  bool has_body = car.body.has_value();
+  double curvature = car.max_curvature.value_or(0.0);  // 0: unbounded
+  auto set = static_cast<std::uint8_t>(car.acceleration_set);
+  describe(archive, car.wheelbase), describe(archive, curvature);
+  describe(archive, has_body), describe(archive, car.reverse), describe(archive, set);
+  if (set > static_cast<std::uint8_t>(AccelerationSet::exact))
+    refuse_saved("an unknown set of accelerations", "a known one");
+  if (curvature != 0.0) car.max_curvature = curvature;
+  car.acceleration_set = static_cast<AccelerationSet>(set);
+  if (!has_body) return;
+  if (kReads) car.body.emplace();
+  describe(archive, car.body->offset), describe(archive, car.body->radius);
+}
+
+template <bool kReads>
+void describe(Archive<kReads>& archive, DifferentialDrive& drive) {
+  describe(archive, drive.track), describe(archive, drive.offset);
+  describe(archive, drive.wheel_speed), describe(archive, drive.wheel_acceleration);
+}
+
+template <bool kReads>
+void describe(Archive<kReads>& archive, Airplane& airplane) {
+  auto after = static_cast<std::uint8_t>(airplane.after_goal);
+  describe(archive, airplane.min_speed), describe(archive, airplane.lateral_acceleration);
+  describe(archive, after);
+  if (after > static_cast<std::uint8_t>(AfterGoal::leave))
+    refuse_saved("an unknown after_goal", "a known one");
+  airplane.after_goal = static_cast<AfterGoal>(after);
+}
+
+// Its kind and then what that has.
+template <bool kReads>
+void describe(Archive<kReads>& archive, MotionModel& model) {
+  auto kind = static_cast<std::uint64_t>(model.index());
+  archive.word(kind);
+  if (kReads && kind == 0) model = Holonomic{};
+  if (kReads && kind == 1) model = Car{};
+  if (kReads && kind == 2) model = DifferentialDrive{};
+  if (kReads && kind == 3) model = Airplane{};
+  if (kind != model.index()) refuse_saved("an unknown motion model", "a known one");
+  std::visit([&](auto& known) { describe(archive, known); }, model);
+}
+
+}  // namespace avo::inline sim

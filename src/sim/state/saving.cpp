@@ -1,0 +1,292 @@
+// SPDX-License-Identifier: Apache-2.0
+// A world's state, taken out and put back.
+#include <algorithm>
+#include <limits>
+#include <optional>
+#include <string>
+#include <type_traits>
+#include <utility>
+
+#include "core/ranges.h"
+#include "sim/state/saved_state.h"
+#include "sim/world.h"
+
+namespace avo::inline sim {
+namespace {
+
+template <typename Value>
+std::string shown(const Value& value) {
+  if constexpr (std::is_enum_v<Value>) {
+    return to_string(value);
+  } else if constexpr (std::is_same_v<Value, std::string>) {
+    std::string line = value;
+    std::replace_if(
+        line.begin(), line.end(), [](unsigned char letter) { return letter < ' '; }, ' ');
+    return '"' + line + '"';
+  } else if constexpr (std::is_floating_point_v<Value>) {
+    return text(value);
+  } else {
+    return std::to_string(value);
+  }
+}
+
+std::string shown(const SensingError& error) {
+  return text(error.position) + " m and " + text(error.velocity) + " m/s";
+}
+
+std::string shown(const LocalizationNoise& noise) {
+  return "{position: " + text(noise.position) + ", distribution: " + to_string(noise.distribution) +
+         (noise.truncated ? ", truncated: " + text(*noise.truncated) : "") + "}";
+}
+
+std::string shown(const SensingModel& model) {
+  const MeasurementNoise& noise = model.noise;
+  return "{noise: {position: " + text(noise.position) + ", velocity: " + text(noise.velocity) +
+         ", distribution: " + to_string(noise.distribution) +
+         (noise.truncated ? ", truncated: " + text(*noise.truncated) : "") +
+         "}, delay: " + std::to_string(model.delay) + ", dropped: " + text(model.dropped) +
+         ", occlusion: " + (model.occlusion ? "true" : "false") +
+         (model.localization == LocalizationNoise{}
+              ? ""
+              : ", localization: " + shown(model.localization)) +
+         "}";
+}
+
+template <typename Value>
+std::string shown(const std::optional<Value>& value) {
+  return value ? shown(*value) : "none";
+}
+
+void require_same_scene(const Scenario& saved, const World& world) {
+  for_each_setting([&](const char* key, auto member) {
+    const auto &theirs = saved.*member, &ours = world.settings.*member;
+    if (theirs == ours) return;
+    refuse(std::string("saved state: ") + key, shown(theirs),
+           shown(ours) + " as in this simulation");
+  });
+  const auto same = [](const MovingObstacle& a, const MovingObstacle& b) {
+    bool all = true;
+    for_each_obstacle_value([&](const char*, auto member) { all = all && a.*member == b.*member; });
+    return all;
+  };
+  const std::vector<MovingObstacle>&theirs = saved.moving_obstacles, &ours = world.obstacles.setup;
+  if (!std::equal(theirs.begin(), theirs.end(), ours.begin(), ours.end(), same))
+    refuse("saved state: moving_obstacles", "others", "those of this simulation");
+}
+
+bool are_same(const std::vector<Wall>& theirs, const std::vector<Wall>& ours) {
+  return std::equal(theirs.begin(), theirs.end(), ours.begin(), ours.end(),
+                    [](const Wall& a, const Wall& b) {
+                      return a.a == b.a && a.b == b.b && a.radius == b.radius;
+                    });
+}
+
+void add_clocks(const SavedState& state, Fleet& fleet) {
+  for (std::size_t k = 0; k < state.clocks.size(); ++k) {
+    const SavedClock& saved = state.clocks[k];
+    OwnClock& clock = fleet.clock[k];
+    clock.time_step = time_step_of(state.scene, state.scene.robots[k]);
+    clock.begin = saved.begin, clock.end = saved.end;
+    clock.from = saved.from, clock.to = saved.to;
+    if (is_holonomic(state.scene.robots[k].model))
+      clock.from.heading = clock.to.heading = fleet.heading[k];
+    clock.has_decided = saved.has_decided;
+  }
+}
+
+// The paces are the world's.
+Fleet fleet_of(const SavedState& state, World& world) {
+  Fleet fleet;
+  fleet.has_clocks = state.scene.clock == Clock::free;
+  fleet.method = state.scene.method;
+  fleet.reserve(state.robots.size());
+  for (std::size_t k = 0; k < state.robots.size(); ++k) {
+    const SavedRobot& robot = state.robots[k];
+    RobotSetup setup = state.scene.robots[k];
+    setup.heading = robot.heading;
+    fleet.add(robot.id, setup, world.pace_of(setup));
+    fleet.position[k] = robot.position;  // of its disc, to the last bit
+    fleet.velocity[k] = robot.velocity;  // to the last bit, along a heading as well
+    fleet.detour[k] = robot.detour;
+    fleet.has_stood[k] =
+        std::binary_search(state.stood.begin(), state.stood.end(), robot.id.value) ? 1 : 0;
+  }
+  std::size_t flights = 0;
+  for (std::size_t k = 0; k < state.robots.size(); ++k) {
+    Flight* flight = fleet.flight(k);
+    if (flight == nullptr) continue;
+    const SavedFlight& saved = state.flights[flights++];
+    *flight = {saved.circle, saved.has_arrived};
+  }
+  return fleet;
+}
+
+ObstacleColumns obstacles_of(const SavedState& state) {
+  ObstacleColumns obstacles(state.scene.moving_obstacles);
+  for (std::size_t k = 0; k < state.obstacles.size(); ++k) {
+    obstacles.position[k] = state.obstacles[k].position;
+    obstacles.velocity[k] = state.obstacles[k].velocity;
+    obstacles.target[k] = state.obstacles[k].target;
+  }
+  obstacles.steps = state.steps;
+  return obstacles;
+}
+
+// Its steps so far, in a track with room for more.
+Track track_of(const SavedState& state, std::size_t k, double longest_step) {
+  Track track;
+  track.ring.resize(knots_needed(state.scene, longest_step, state.scene.robots[k]));
+  for (const Knot& knot : state.tracks[k]) track.add(knot);
+  return track;
+}
+
+Senses senses_of(const SavedState& state, const Fleet& fleet, double longest_step) {
+  Senses senses = senses_of(state.scene);
+  if (senses.by_time) {
+    senses.since = state.since;
+    senses.past.resize(fleet.size() * senses.depth);
+    for (std::size_t k = 0; k < fleet.size(); ++k)
+      senses.tracks.push_back(track_of(state, k, longest_step));
+    senses.note(fleet, state.steps);
+    return senses;
+  }
+  if (senses.remember()) {
+    senses.since = state.since;
+    senses.past = state.past;
+    return senses;
+  }
+  for (std::size_t k = 0; k < fleet.size(); ++k) senses.add(state.steps);
+  senses.note(fleet, state.steps);
+  return senses;
+}
+
+// As long as it has waited, and around the gaps that it goes around.
+void keep_waiting(const SavedWay& way, Vec2 position, double radius, LegScratch& scratch,
+                  Travel& travel) {
+  if (!way.waiting.closed.empty() && travel.graph != nullptr) {
+    travel = around(travel, position, radius, way.waiting.closed, scratch);
+    aim_at(travel, way.target, scratch);
+  }
+  travel.waiting.least = way.waiting.least, travel.waiting.waited = way.waiting.waited;
+  travel.waiting.looks_at = way.waiting.looks_at;
+  travel.waiting.opens_at = way.waiting.opens_at;
+}
+
+// With the targets that were saved: nobody looks for its way anew.
+std::vector<Travel> travels_of(const SavedState& state, Ways& ways) {
+  const std::size_t count = ways.empty() ? 0 : state.robots.size();
+  if (state.ways.size() != count)
+    refuse("saved state", std::to_string(state.ways.size()) + " ways", std::to_string(count));
+  std::vector<Travel> travels;
+  travels.reserve(count);
+  for (std::size_t k = 0; k < count; ++k) {
+    const RobotSetup& setup = state.scene.robots[k];
+    if (setup.parked) {
+      travels.emplace_back();
+      continue;
+    }
+    const SavedWay& way = state.ways[k];
+    const Vec2 end = way.ends == WayEnd::goal ? setup.goal : way.place;
+    Travel travel = ways.resume(disc_radius(setup), end, way.target, way.is_exact,
+                                way.around_movers && ways.goes_around_movers());
+    travel.ends = way.ends, travel.place = way.place;
+    keep_waiting(way, state.robots[k].position, disc_radius(setup), ways.scratch(), travel);
+    travels.push_back(std::move(travel));
+  }
+  return travels;
+}
+
+}  // namespace
+
+SavedState saved_state(const World& world) {
+  const Fleet& fleet = world.fleet;
+  SavedState state;
+  state.scene = world.settings;
+  state.sensing_radius = world.sensing_radius;
+  state.steps = world.steps, state.now = world.now;
+  state.next_id = world.next_id;
+  state.next_obstacle = world.statics.next_id;
+  state.static_ids = world.statics.id;
+  if (world.senses.remember()) {
+    state.since = world.senses.since;
+    if (!world.senses.by_time) state.past = world.senses.past;
+    for (const Track& track : world.senses.tracks) {
+      std::vector<Knot>& knots = state.tracks.emplace_back();
+      for (std::size_t k = 0; k < track.count; ++k) knots.push_back(track[k]);
+    }
+  }
+  state.ways.reserve(world.ways.travels.size());
+  for (std::size_t rank = 0; rank < world.ways.travels.size(); ++rank) {
+    const Travel& travel = world.ways.travels[rank];
+    const double radius = fleet.traits[fleet.slot_of[rank]].radius;
+    state.ways.push_back({travel.target, travel.graph && travel.graph->radius == radius,
+                          travel.around_movers, travel.ends, travel.place, travel.waiting});
+  }
+  state.scene.moving_obstacles = world.obstacles.setup;
+  state.scene.obstacles = world.statics.obstacles;
+  for (std::size_t k = 0; k < world.obstacles.setup.size(); ++k) {
+    state.obstacles.push_back(
+        {world.obstacles.position[k], world.obstacles.velocity[k], world.obstacles.target[k]});
+  }
+  state.scene.robots.reserve(fleet.size());
+  state.robots.reserve(fleet.size());
+  for (const std::uint32_t slot : fleet.slot_of) {
+    state.scene.robots.push_back(fleet.setup(slot));
+    state.robots.push_back({fleet.id[slot], fleet.position[slot], fleet.velocity[slot],
+                            fleet.heading[slot], fleet.detour[slot]});
+    if (fleet.has_stood[slot] != 0) state.stood.push_back(fleet.id[slot].value);
+    if (const Flight* flight = fleet.flight(slot))
+      state.flights.push_back({flight->circle, flight->has_arrived});
+    if (!fleet.has_clocks) continue;
+    const OwnClock& clock = fleet.clock_of(slot);
+    state.clocks.push_back({clock.begin, clock.end, clock.from, clock.to, clock.has_decided});
+  }
+  return state;
+}
+
+void restore(const SavedState& state, World& world) {
+  require_same_scene(state.scene, world);
+  Fleet fleet = fleet_of(state, world);
+  add_clocks(state, fleet);
+  Senses senses = senses_of(state, fleet, world.planner().options().longest_step);
+  ObstacleColumns obstacles = obstacles_of(state);
+  std::optional<StaticWorld> statics;
+  std::optional<Ways> other_ways;
+  std::vector<Wall> parked = fleet.parked_discs();
+  if (state.static_ids != world.statics.id || state.scene.obstacles != world.statics.obstacles ||
+      !are_same(parked, world.statics.parked))
+    statics.emplace(state.scene.obstacles, state.static_ids, state.next_obstacle,
+                    std::move(parked));
+  std::vector<Wall> resting = obstacles.resting();
+  if (statics || !are_same(resting, world.ways.resting()))
+    other_ways.emplace(world.settings, statics ? statics->walls : world.statics.walls,
+                       std::move(resting), &world.ways);
+  Ways& ways = other_ways ? *other_ways : world.ways;
+  std::vector<Travel> travels = travels_of(state, ways);
+  if (other_ways) other_ways->forget_before();
+  // nothing throws from here on
+  std::swap(world.fleet, fleet);
+  world.kinds.reset();
+  forget(world.bystanders);
+  std::swap(world.senses, senses);
+  std::swap(world.obstacles, obstacles);
+  std::swap(ways.travels, travels);
+  if (statics) std::swap(world.statics, *statics);
+  if (other_ways) std::swap(world.ways, *other_ways);
+  world.statics.next_id = state.next_obstacle;
+  world.sensing_radius = state.sensing_radius;
+  world.steps = state.steps;
+  world.now = state.now;
+  world.before = -1;
+  world.next_id = state.next_id;
+  world.next_layout = state.steps + 1;
+  world.changed = world.has_new_goals = world.is_current = true;
+  world.torn = false;
+  for (Worker& worker : world.workers) {
+    worker.tile.clear();  // of a torn step
+    worker.staying.clear();
+    worker.fast = false;
+  }
+}
+
+}  // namespace avo::inline sim
