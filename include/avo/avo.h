@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Everything of the library.
+// Includes the whole library.
 #pragma once
 #include "avo/assumptions.h"
 #include "avo/check.h"

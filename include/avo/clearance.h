@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// How far each robot of a fleet is from the nearest other one: of recordings and of figures.
+// How far each robot of a fleet is from the nearest other robot: for recordings and figures.
 #pragma once
 #include <memory>
 #include <span>
@@ -9,8 +9,8 @@
 
 namespace avo {
 
-/// Where all robots of a scenario are at one time, a column each, by their numbers. Not a number: a
-/// robot that is not there.
+/// Places of all robots of a scenario at one time, one column each, by their numbers. NaN marks a
+/// robot that is not present.
 struct FleetColumns {
   std::span<const double> x;        ///< m, see disc_center()
   std::span<const double> y;        ///< m
@@ -25,10 +25,10 @@ class AVO_API ClearanceFinder {
   ClearanceFinder(ClearanceFinder&&) noexcept;
   ClearanceFinder& operator=(ClearanceFinder&&) noexcept;
 
-  /// m, of each robot: the least distance of its disc from that of another robot, of those of which
-  /// both avoid the other, less than 0 where they overlap. Two parked robots are no such pair.
-  /// Infinite where there is nobody, not a number of who is not there. All spans are as long as
-  /// the scenario has robots.
+  /// m, for each robot: the least distance of its disc from the disc of another robot, over pairs
+  /// that avoid each other. It is less than 0 where they overlap. Two parked robots are no such
+  /// pair. The value is infinite without another robot, and NaN for a robot that is not present.
+  /// All spans are as long as the scenario has robots.
   void find(const FleetColumns& fleet, std::span<float> clearance);
 
  private:

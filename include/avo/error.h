@@ -9,7 +9,7 @@
 
 namespace avo {
 
-/// One line that says where, what was found and what is allowed.
+/// One line that says where the error is, what was found and what is allowed.
 class AVO_API Error : public std::runtime_error {
  public:
   explicit Error(const std::string& message) : std::runtime_error(message) {}

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Discs and half-planes, the only sets that a robot's choice is made of (paper §II-A).
+// Discs and half-planes, the only sets that a robot chooses from (paper §II-A).
 #pragma once
 #include "avo/vec.h"
 
@@ -17,7 +17,7 @@ struct HalfPlane {
   double offset = 0.0;
 };
 
-/// How far u lies outside the half-plane; negative inside. Same unit as the offset.
+/// Returns how far u lies outside the half-plane; negative inside. Same unit as the offset.
 constexpr double violation(const HalfPlane& plane, Vec2 u) {
   return plane.offset - dot(plane.normal, u);
 }

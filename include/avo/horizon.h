@@ -16,7 +16,7 @@ struct ResponseAt {
   double per_rate = 0.0;  ///< [1/g'(t)], t > 0
 };
 
-/// The table as kernels read it: g and g' at the nodes k · seconds_per_node, 0 <= k <= last.
+/// The table that the kernels read: g and g' at the nodes k · seconds_per_node, 0 <= k <= last.
 struct ResponseTable {
   const double* gain;  ///< s
   const double* rate;
@@ -39,7 +39,7 @@ class AVO_API Horizon {
   [[nodiscard]] const ResponseAt& step() const noexcept { return step_; }
   [[nodiscard]] double control_time() const noexcept { return control_time_; }
 
-  /// Valid as long as the Horizon is.
+  /// The table is valid as long as the Horizon is.
   [[nodiscard]] ResponseTable table() const noexcept;
 
  private:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which places robots get to among walls, as if each were alone. SI units.
+// Which places robots can reach among walls, each as if it were alone. SI units.
 #pragma once
 #include <cstddef>
 #include <memory>
@@ -13,8 +13,8 @@
 
 namespace avo {
 
-/// Of one radius, decided exactly. It remembers what it has found, so that the next answers come
-/// sooner: not for several threads at once.
+/// Reachability for one radius, decided exactly. It remembers its results, so that the next answers
+/// come sooner: it must not be used by several threads at once.
 class AVO_API Reachability {
  public:
   /// Throws Error on a radius, m, that is not > 0 and finite.
@@ -23,11 +23,11 @@ class AVO_API Reachability {
   Reachability(Reachability&&) noexcept;
   Reachability& operator=(Reachability&&) noexcept;
 
-  /// Whether a robot at one place, m, gets to the other one: no wall is nearer to either than the
-  /// radius, and some way is as wide as the robot.
+  /// Returns whether a robot at one place, m, can reach the other one. No wall is then nearer to
+  /// either place than the radius, and some route is as wide as the robot.
   [[nodiscard]] bool connects(Vec2 from, Vec2 to);
-  /// m: the place nearest to `to` that a robot gets to; `to` itself where it gets there, and `from`
-  /// where it gets nowhere.
+  /// m: the place nearest to `to` that a robot at `from` can reach. It is `to` itself if the robot
+  /// can reach it, and `from` if the robot can reach no other place.
   [[nodiscard]] Vec2 nearest(Vec2 from, Vec2 to);
 
  private:
@@ -35,16 +35,18 @@ class AVO_API Reachability {
   std::unique_ptr<State> state_;
 };
 
-/// A robot that obstacles and parked robots keep from its goal.
+/// A robot that cannot reach its goal because of obstacles and parked robots.
 struct OutOfReach {
   std::size_t robot = 0;       ///< index into the scene's robots
-  Vec2 nearest = {};           ///< m, the place nearest to its goal that it gets to
+  Vec2 nearest = {};           ///< m, the reachable place nearest to its goal
   double distance_left = 0.0;  ///< m, from there to the goal
-  bool is_in_wall = false;     ///< the goal is nearer to a wall than the radius; else no way leads
-  bool counts_as_there = false;  ///< it has arrived there: within arrival_distance of the goal
+  /// the goal is nearer to a wall than the radius; if false, there is no route
+  bool is_in_wall = false;
+  /// the robot has arrived there: within arrival_distance of the goal
+  bool counts_as_there = false;
 };
 
-/// Of a scene that passes validate(), by robot.
+/// Returns the robots that cannot reach their goals, by robot, for a scene that passes validate().
 AVO_API std::vector<OutOfReach> out_of_reach(const Scenario& scenario);
 
 }  // namespace avo

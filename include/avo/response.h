@@ -5,9 +5,9 @@
 
 namespace avo {
 
-/// The response g of a robot to a change of its commanded velocity (or acceleration). Needed of
-/// any response: g(0) = 0, g' > 0 for t > 0, g convex. Evaluated to a few ulp at every t, without
-/// the cancellation of t + δ (e^{-t/δ} - 1) at small t/δ.
+/// The response g of a robot to a change of its commanded velocity (or acceleration). Any response
+/// needs g(0) = 0, g' > 0 for t > 0, g convex. It is evaluated to a few ulp at every t, without the
+/// cancellation of t + δ (e^{-t/δ} - 1) at small t/δ.
 class AVO_API Response {
  public:
   /// g = t: v' is adopted at once (velocity obstacle, ORCA).
@@ -36,7 +36,7 @@ class AVO_API Response {
   enum class Kind { velocity, acceleration, proportional, held };
   Response(Kind kind, double control_time) : kind_(kind), control_time_(control_time) {}
   Kind kind_;
-  double control_time_;  // s; of an acceleration 1: it is held as (v' - v)/δ is
+  double control_time_;  // s; 1 for an acceleration, which is held as (v' - v)/δ is
 };
 
 }  // namespace avo

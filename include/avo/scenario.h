@@ -14,7 +14,7 @@
 
 namespace avo {
 
-/// Some of the layers 0 to 31, by which robots choose whom they avoid.
+/// Some of the layers 0 to 31, by which robots choose the robots that they avoid.
 struct LayerSet {
   std::uint32_t bits = 0;  ///< bit k: layer k
   friend constexpr bool operator==(LayerSet, LayerSet) = default;
@@ -23,8 +23,8 @@ struct LayerSet {
 /// A robot as a scene lists it: where it starts, where it goes, what it can do.
 struct RobotSetup {
   Vec2 position = {};  ///< m, see disc_center()
-  /// m/s; of one with wheels its length counts, along the heading, or against it where it may drive
-  /// backwards and the velocity points there.
+  /// m/s; for a robot with wheels its length counts, along the heading. It counts against the
+  /// heading where the robot may drive backwards and the velocity points there.
   Vec2 velocity = {};
   Vec2 goal = {};                 ///< m
   double radius = 0.5;            ///< m, > 0, about the position; see disc_radius()
@@ -32,29 +32,30 @@ struct RobotSetup {
   double max_acceleration = 1.0;  ///< m/s^2, > 0
   double preferred_speed = 2.0;   ///< m/s, >= 0
   MotionModel model = {};         ///< how it moves
-  double heading = 0.0;           ///< rad, counter-clockwise from +x; not of holonomic ones
+  double heading = 0.0;           ///< rad, counter-clockwise from +x; not read for holonomic robots
   double priority = 1.0;          ///< > 0, see Robot::priority
-  /// Never moves and decides nothing: to the others a disc that does not move, and that nobody may
-  /// touch. Its goal is its position, and its velocity is 0.
+  /// It never moves and decides nothing: to the others it is a disc that does not move, and that no
+  /// robot may touch. Its goal is its position, and its velocity is 0.
   bool parked = false;
-  LayerSet layers{1};           ///< that it is in; of one that is parked the usual ones
-  LayerSet avoids{0xffffffff};  ///< it avoids those who are in one of these
+  LayerSet layers{1};           ///< layers that it is in; a parked robot has the default
+  LayerSet avoids{0xffffffff};  ///< it avoids robots that are in one of these layers
   /// [Δt] s, > 0, whole nanoseconds: between its own decisions. Only where Scenario::clock is free;
   /// unset: the scene's.
   std::optional<double> time_step = {};
   /// [b] m/s^2, > 0, see Robot::max_braking; unset: max_acceleration
   std::optional<double> max_braking = {};
-  /// What others count on: decides, or cooperates. Who reacts to nobody is a MovingObstacle.
+  /// What others count on: decides, or cooperates. A robot that reacts to no other is a
+  /// MovingObstacle.
   Behavior behavior = Behavior::decides;
-  /// How it chooses its velocities; unset: as the scene says. One of another method than the
-  /// scene's has what is customary for its own, see planner_options().
+  /// The method that chooses its velocities; unset: the scene's. A robot with a method other than
+  /// the scene's has the usual options of its own method, see planner_options().
   std::optional<Method> method = {};
-  std::optional<double> time_horizon = {};  ///< [τ] s, > 0; unset: that of its method
+  std::optional<double> time_horizon = {};  ///< [τ] s, > 0; unset: the horizon of its method
 
   friend bool operator==(const RobotSetup&, const RobotSetup&) = default;
 };
 
-/// Of the disc that others sense.
+/// Returns the center of the disc that others sense.
 inline Vec2 disc_center(const RobotSetup& robot) {
   return disc_center(robot.model, robot.position, robot.heading);
 }
@@ -62,128 +63,137 @@ inline double disc_radius(const RobotSetup& robot) {
   return disc_radius(robot.model, robot.radius);
 }
 
-/// Whether A avoids B by their layers. To A, one that does not avoid A is a mover: it reacts to
-/// nobody (docs/certificate/movers.md). So is one that avoids A by another method, to A of
-/// method avo: it promises nothing (docs/certificate/movers.md, "Robots of other methods").
+/// Returns whether A avoids B by their layers. If B does not avoid A, B is a mover to A: it reacts
+/// to no other (docs/certificate/movers.md). If A has method avo, B is also a mover to A if it has
+/// another method: B promises nothing (docs/certificate/movers.md, "Robots of other methods").
 constexpr bool avoids(const RobotSetup& a, const RobotSetup& b) {
   return (a.avoids.bits & b.layers.bits) != 0;
 }
 
-/// Whether the two may not be in one place: one of them avoids the other, or is parked.
+/// Returns whether the two may not be in one place: one of them avoids the other, or is parked.
 constexpr bool keep_apart(const RobotSetup& a, const RobotSetup& b) {
   return a.parked || b.parked || avoids(a, b) || avoids(b, a);
 }
 
-/// A disc that reacts to nobody. It moves with constant acceleration, along a path, or as a
+/// A disc that reacts to no robot. It moves with constant acceleration, along a path, or as a
 /// trajectory says.
 struct MovingObstacle {
   Vec2 position = {};      ///< m
   Vec2 velocity = {};      ///< m/s
   Vec2 acceleration = {};  ///< m/s^2; 0 with max_speed
   double radius = 0.5;     ///< m, > 0
-  /// m/s^2, >= 0: robots count on its acceleration being so far from that one, at any time.
+  /// m/s^2, >= 0: robots allow for its acceleration to differ that much from `acceleration`, at any
+  /// time.
   double max_deviation = 0.0;
-  std::optional<double> max_speed = {};  ///< m/s, > 0, with max_deviation: that it never exceeds
-  /// m: it goes for these points one after the other and then for the first again, see
-  /// next_on_path(). With max_deviation and max_speed; empty: it has none. Robots that sense
-  /// exactly and decide at the same times know where it will be.
+  /// m/s, > 0, with max_deviation: a speed that it never exceeds
+  std::optional<double> max_speed = {};
+  /// m: it moves to these points in turn, and then to the first again, see next_on_path(). A path
+  /// needs max_deviation and max_speed; empty: no path. Robots that sense exactly and decide at the
+  /// same times know where it will be.
   std::vector<Vec2> path = {};
-  /// By ascending times: it goes straight and evenly from each of these to the next. Before the
-  /// first time and after the last one it stands there. Its position and velocity have to be those
-  /// at 0 s, see start_on_trajectory(); it has no acceleration and no path. Empty: it has none.
+  /// By ascending times: it moves straight and evenly from each of these places to the next. Before
+  /// the first time and after the last one it stands there. Its position and velocity must be those
+  /// at 0 s, see start_on_trajectory(). It then has no acceleration and no path. Empty: no
+  /// trajectory.
   std::vector<TimedPlace> trajectory = {};
 };
 
 /// Where a moving obstacle is on its path at the beginning of a step.
 struct PathWalk {
   Vec2 position, velocity;   ///< m, m/s
-  std::uint32_t target = 0;  ///< index of the point that it goes for
+  std::uint32_t target = 0;  ///< index of the point that it moves to
 };
-/// One step on, with an acceleration held over the step that is within max_deviation: straight for
-/// the target, as fast as max_speed and stopping there allow. It has reached a point when its disc
-/// covers it.
+/// Returns the walk one step later. The acceleration is held over the step and is within
+/// max_deviation. It moves straight to the target, as fast as max_speed and stopping there allow.
+/// It has reached a point when its disc covers the point.
 AVO_API PathWalk next_on_path(const MovingObstacle& obstacle, const PathWalk& walk,
                               double time_step);
 
-/// Where it is on its trajectory at a time, and with what velocity it goes on; at the ends of
-/// steps: within a step it goes straight from one to the other. target: index of the place that it
-/// goes for.
+/// Returns its place on its trajectory at a time, and the velocity with which it goes on. The time
+/// is the end of a step: within a step it moves straight from one place to the other. target: index
+/// of the place that it moves to.
 AVO_API PathWalk on_trajectory(const MovingObstacle& obstacle, double time);
-/// Puts it where its trajectory has it at 0 s, if it has one.
+/// Sets its state to that of its trajectory at 0 s, if it has one.
 AVO_API void start_on_trajectory(MovingObstacle& obstacle);
 
-/// How robots on their ways know who else is about to go through a narrow passage.
+/// How robots on their routes know which other robots are about to pass a narrow passage.
 enum class RightOfWay : std::uint8_t {
-  none,  ///< they heed no passages
-  seen,  ///< by where each one is and how it moves
-  told,  ///< each one tells by which passage it goes, and in which direction
+  none,  ///< they ignore passages
+  seen,  ///< from the place and the motion of each robot
+  told,  ///< each robot tells which passage it will take, and in which direction
 };
 AVO_API const char* to_string(RightOfWay right_of_way);
 
-/// Of MeasurementNoise.
+/// The distribution of MeasurementNoise.
 enum class NoiseDistribution : std::uint8_t { gaussian, uniform };
 AVO_API const char* to_string(NoiseDistribution distribution);
 
-/// How far each coordinate of a measurement is off, by itself and each time anew.
+/// The error of each coordinate of a measurement, independent and new each time.
 struct MeasurementNoise {
-  double position = 0.0;  ///< m, >= 0: standard deviation; of uniform noise the bound
-  double velocity = 0.0;  ///< m/s, >= 0: likewise
+  double position = 0.0;  ///< m, >= 0: standard deviation; for uniform noise the bound
+  double velocity = 0.0;  ///< m/s, >= 0: standard deviation; for uniform noise the bound
   NoiseDistribution distribution = NoiseDistribution::gaussian;
   /// Gaussian noise stays within so many standard deviations, > 0, <= 8; unset: 3. Uniform noise
-  /// has none.
+  /// has no truncation.
   std::optional<double> truncated = {};
   friend constexpr bool operator==(const MeasurementNoise&, const MeasurementNoise&) = default;
 };
 
-/// How far each coordinate of where a robot takes itself to be is off, each time anew. It knows its
+/// The error of each coordinate of a robot's own position, new each time. A robot knows its
 /// velocity and heading.
 struct LocalizationNoise {
-  double position = 0.0;  ///< m, >= 0: standard deviation; of uniform noise the bound
+  double position = 0.0;  ///< m, >= 0: standard deviation; for uniform noise the bound
   NoiseDistribution distribution = NoiseDistribution::gaussian;
-  std::optional<double> truncated = {};  ///< as of MeasurementNoise
+  std::optional<double> truncated = {};  ///< see MeasurementNoise
   friend constexpr bool operator==(const LocalizationNoise&, const LocalizationNoise&) = default;
 };
 
-/// How robots sense others and themselves: what a simulation makes of the true states before
-/// anybody sees them. All of it depends on the seed, the step and the two robots alone
+/// How robots sense others and themselves: what a simulation makes of the true states before a
+/// robot uses them. All of it depends on the seed, the step and the two robots alone
 /// (docs/scenes.md, "Sensing").
 struct SensingModel {
   MeasurementNoise noise = {};
-  /// Whole steps, 0 to kMostDelay, from a measurement to the decision; carried on meanwhile.
+  /// Whole steps, 0 to kMostDelay, from a measurement to the decision; states are extrapolated
+  /// meanwhile.
   int delay = 0;           ///< where the clock is free, steps of Scenario::time_step
   double dropped = 0.0;    ///< 0 to 0.999: share of the measurements that are missed
-  bool occlusion = false;  ///< nobody is sensed whose center is behind an obstacle
-  /// Others are sensed relative to the robot; what it knows of the map is off by this: walls, and
-  /// its goal.
+  bool occlusion = false;  ///< a robot is not sensed if its center is behind an obstacle
+  /// Others are sensed relative to the robot. This is the error of the map that it knows: walls,
+  /// and its goal.
   LocalizationNoise localization = {};
   friend constexpr bool operator==(const SensingModel&, const SensingModel&) = default;
 
-  /// Others look as they are, and all know where they are.
+  /// Returns whether robots sense the true states of others and of themselves.
   [[nodiscard]] constexpr bool is_exact() const { return *this == SensingModel{}; }
-  /// Some may be sensed in one step and not in the next, and are carried on meanwhile.
+  /// Returns whether a robot may be sensed in one step and not in the next; it is extrapolated
+  /// meanwhile.
   [[nodiscard]] constexpr bool misses() const { return dropped > 0.0 || occlusion; }
 };
 inline constexpr double kUsualTruncation = 3.0;  ///< standard deviations
 inline constexpr int kMostDelay = 100;           ///< steps
-/// Steps for which one that is missed is carried on, with its Neighbor::age; then it is forgotten.
+/// Steps for which a missed robot is extrapolated, with its Neighbor::age; then it is forgotten.
 inline constexpr int kMostCarried = 10;
 
-/// A scene: who moves, among what, and how that is simulated. Its fields are the keys of scene
-/// files.
+/// A scene: the moving bodies, their surroundings, and how they are simulated. Its fields are the
+/// keys of scene files.
 struct Scenario {
   std::string name = {};
   double time_step = 0.1;  ///< [Δt] s, > 0; whole nanoseconds where the clock is free
   double duration = 60.0;  ///< s, >= time_step
-  std::optional<double> control_time = {};   ///< [δ] s, > 0; unset: default_options(method)
-  std::optional<double> response_time = {};  ///< [κ] >= 0, of T = v_max/a_max; likewise
+  std::optional<double> control_time = {};  ///< [δ] s, > 0; unset: default_options(method)
+  /// [κ] >= 0, in units of T = v_max/a_max; unset: default_options(method)
+  std::optional<double> response_time = {};
   /// m/s², > 0, of method avo: see PlannerOptions; unset: none
   std::optional<double> comfort_acceleration = {};
-  std::optional<double> comfort_jerk = {};    ///< m/s³, likewise
-  double margin = 0.0;                        ///< [m] m, >= 0, of method avo: see PlannerOptions
-  bool never_swerves = false;                 ///< of method avo: see PlannerOptions
-  std::optional<double> time_horizon = {};    ///< [τ] s, > 0; likewise
-  std::optional<double> sensing_radius = {};  ///< m, > 0, between centers; unset: what they need
-  std::optional<int> max_neighbors = {};  ///< nearest neighbors that get a half-plane; unset: all
+  /// m/s³, > 0, of method avo: see PlannerOptions; unset: none
+  std::optional<double> comfort_jerk = {};
+  double margin = 0.0;                      ///< [m] m, >= 0, of method avo: see PlannerOptions
+  bool never_swerves = false;               ///< of method avo: see PlannerOptions
+  std::optional<double> time_horizon = {};  ///< [τ] s, > 0; unset: default_options(method)
+  /// m, > 0, between centers; unset: the radius that the robots need
+  std::optional<double> sensing_radius = {};
+  /// so many nearest neighbors get a half-plane; unset: all
+  std::optional<int> max_neighbors = {};
   Method method = Method::avo;
   std::optional<Certificate> certificate = {};  ///< unset: default_options(method)
   Motion motion = Motion::held;
@@ -192,44 +202,45 @@ struct Scenario {
   std::uint64_t seed = 1;         ///< of random placements
   std::vector<RobotSetup> robots = {};
   std::vector<MovingObstacle> moving_obstacles = {};
-  std::vector<StaticObstacle> obstacles = {};  ///< that do not move; nobody may touch them
-  /// The preferred velocity follows a path around the obstacles, and around moving ones at rest;
-  /// unset: where there are any.
+  std::vector<StaticObstacle> obstacles = {};  ///< they do not move; no robot may touch them
+  /// The preferred velocity follows a route around the obstacles, and around moving obstacles at
+  /// rest; unset: where there are any.
   std::optional<bool> navigation = {};
   RightOfWay right_of_way = RightOfWay::seen;  ///< at passages, with navigation
   SensingModel sensing = {};
-  /// What the robots declare to braking_trajectories; unset: declared_error() of `sensing`.
+  /// The error that the robots declare to braking_trajectories; unset: declared_error() of
+  /// `sensing`.
   std::optional<SensingError> sensing_error = {};
-  /// free: each robot decides at times of its own, its own time_step apart, from a phase that the
-  /// seed gives it (docs/scenes.md, "Clocks").
+  /// free: each robot decides at its own times, one time_step of its own apart, from a phase that
+  /// the seed gives it (docs/scenes.md, "Clocks").
   Clock clock = Clock::common;
-  /// s, where the clock is free: the longest time_step that any robot may have, those that are
-  /// added later too; unset: that of the scene's robots.
+  /// s, where the clock is free: the longest time_step that any robot may have, including robots
+  /// that are added later; unset: that of the scene's robots.
   std::optional<double> longest_step = {};
-  /// Simulations of the scene are made whatever broken_assumptions() finds, and robots may be added
-  /// and moved to wherever they break what the certificate assumes, as onto others. They part then,
-  /// and nothing is promised until they have.
+  /// Simulations of the scene are made whatever broken_assumptions() finds. Robots may be added and
+  /// moved to places where they break the assumptions of the certificate, as onto others. They part
+  /// then, and nothing is promised until they have parted.
   bool allow_broken_assumptions = false;
 };
 
-/// s, between decisions of one of the scene's robots.
+/// s, between decisions of a robot of the scene.
 constexpr double time_step_of(const Scenario& scenario, const RobotSetup& robot) {
   return robot.time_step.value_or(scenario.time_step);
 }
 
-/// By which one of the scene's robots chooses.
+/// The method by which a robot of the scene chooses.
 constexpr Method method_of(const Scenario& scenario, const RobotSetup& robot) {
   return robot.method.value_or(scenario.method);
 }
 
-/// What its decisions never break.
+/// The certificate that the robot's decisions never break.
 constexpr Certificate certificate_of(const Scenario& scenario, const RobotSetup& robot) {
   const Method method = method_of(scenario, robot);
   const Certificate usual = usual_certificate(method);
   return method == scenario.method ? scenario.certificate.value_or(usual) : usual;
 }
 
-/// [τ] s, > 0, of one of the scene's robots: its own, the scene's, or what its method is used with.
+/// [τ] s, > 0, of a robot of the scene: its own, the scene's, or the usual one of its method.
 constexpr double time_horizon_of(const Scenario& scenario, const RobotSetup& robot) {
   if (robot.time_horizon) return *robot.time_horizon;
   const Method method = method_of(scenario, robot);
@@ -237,29 +248,31 @@ constexpr double time_horizon_of(const Scenario& scenario, const RobotSetup& rob
   return method == scenario.method ? scenario.time_horizon.value_or(usual) : usual;
 }
 
-/// m, > 0: the sensing radius that its robots need, whatever its sensing_radius: the range of their
-/// certificate (sensing_need()) and of their method's rules (docs/scenes.md, "How far robots
-/// sense"). The scene has to pass validate().
+/// m, > 0: the sensing radius that its robots need, whatever its sensing_radius. It covers the
+/// range of their certificate (sensing_need()) and of their method's rules (docs/scenes.md, "How
+/// far robots sense"). The scene must pass validate().
 AVO_API double needed_sensing_radius(const Scenario& scenario);
-/// m: how far its robots sense at the start: sensing_radius, or where that is unset what they need.
+/// m: how far its robots sense at the start: sensing_radius, or the radius that they need where
+/// that is unset.
 AVO_API double sensing_radius_of(const Scenario& scenario);
 
-/// What covers the noise and the delay of the scene's robots: the bounds of the noise, and what the
-/// strongest of them can do within the delay. Missed measurements are told by Neighbor::age.
+/// The error that covers the noise and the delay of the scene's robots. It is the bounds of the
+/// noise, and the change of motion that the strongest of them can make within the delay. Missed
+/// measurements are told by Neighbor::age.
 AVO_API SensingError declared_error(const Scenario& scenario);
 
 /// Throws Error naming the first field out of range, e.g. "robots.3.radius: found -0.2, must be
 /// > 0 m".
 AVO_API void validate(const Scenario& scenario);
 
-/// What a simulation makes of the parked robots, in their order.
+/// The walls that a simulation makes of the parked robots, in their order.
 AVO_API std::vector<Wall> parked_discs(const std::vector<RobotSetup>& robots);
 
-/// The scene's settings, with its method's own for what it leaves unset.
+/// The scene's settings; settings that it leaves unset have the values of its method.
 AVO_API PlannerOptions planner_options(const Scenario& scenario);
-/// Those of one of its robots. What the scene says of control_time, response_time, comfort, margin,
-/// time_horizon, certificate and sensing_error is said to robots of the scene's method; others have
-/// what is customary for theirs.
+/// The settings of one of its robots. The scene's control_time, response_time, comfort, margin,
+/// time_horizon, certificate and sensing_error apply to robots of the scene's method. Other robots
+/// have the usual options of their method.
 AVO_API PlannerOptions planner_options(const Scenario& scenario, const RobotSetup& robot);
 
 /// Number of the last step that begins no later than `time` >= 0 (s), of a common clock: step k is
@@ -267,8 +280,9 @@ AVO_API PlannerOptions planner_options(const Scenario& scenario, const RobotSetu
 /// With either clock Simulation::can_step_by() tells whether it goes on.
 AVO_API std::int64_t last_step(const Scenario& scenario, double time);
 
-/// One line for each setting that does not fit the robots (δ, τ, Δt, sensing radius), with the
-/// arithmetic; empty where all is well. What a certificate assumes is told by broken_assumptions().
+/// Returns one line for each setting (δ, τ, Δt, sensing radius) that does not fit the robots, with
+/// the arithmetic; empty where all is well. broken_assumptions() tells about the assumptions of a
+/// certificate.
 AVO_API std::vector<std::string> advice(const Scenario& scenario);
 
 }  // namespace avo

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which instructions the batch kernels use. Whatever they are, the results have the same bits.
+// The instruction set of the batch kernels. All instruction sets give the same bits.
 #pragma once
 #include "avo/export.h"
 
 namespace avo {
 
-/// "avx512", "avx2", "sse4", "neon", "simd128" (WebAssembly) or "scalar": what AVO_SIMD asks for in
-/// the environment, or the best of this machine where it asks for nothing, for "auto", or for what
-/// cannot be had.
+/// Returns "avx512", "avx2", "sse4", "neon", "simd128" (WebAssembly) or "scalar". It is the value
+/// of AVO_SIMD in the environment. It is the best set of this machine where AVO_SIMD is unset, is
+/// "auto", or names a set that is not available.
 AVO_API const char* simd_target();
 
 /// Throws Error if AVO_SIMD names no instruction set, or one that this machine or build lacks.

@@ -45,17 +45,17 @@ AVO_API Vec2 relative_position(const Obstacle& obstacle, Vec2 u, double t);
 /// Smallest distance of the centers over the window, exact to rounding (branch and bound on t).
 AVO_API ClosestApproach closest_approach(const Obstacle& obstacle, Vec2 u);
 
-/// Is u forbidden: a distance below r_AB somewhere in the window? Eqs. (4), (10).
+/// Returns whether u is forbidden: a distance below r_AB somewhere in the window, Eqs. (4), (10).
 AVO_API bool contains(const Obstacle& obstacle, Vec2 u);
 
 /// The disc of all u that collide at time t > 0, Eqs. (5), (11), (27), (28).
 AVO_API Disc disc(const Obstacle& obstacle, double t);
 
-/// Points where the two tangents from the origin touch `disc`, left q- then right q+, Eq. (26).
-/// From inside the disc there are none: both are its center then.
+/// Points where the two tangents from the origin touch `disc`, left q- then right q+, Eq. (26). No
+/// tangent exists if the origin is inside the disc: both points are then its center.
 AVO_API std::pair<Vec2, Vec2> tangent_points(const Disc& disc);
 
-/// Times whose disc lies inside the discs just before them bear no boundary and are left out.
+/// Times are left out if their disc lies inside the discs just before: they add no boundary.
 struct Boundary {
   std::vector<Vec2> left;   ///< b-(t), from time_horizon back to the earliest time
   std::vector<Vec2> right;  ///< b+(t), at the same times

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Static obstacles: what does not move, and nobody may touch. SI units.
+// Static obstacles: they do not move, and no robot may touch them. SI units.
 #pragma once
 #include <cstdint>
 #include <span>
@@ -10,39 +10,41 @@
 
 namespace avo {
 
-/// All that is within `radius` of the segment from a to b; a disc where a == b.
+/// All points within `radius` of the segment from a to b; a disc where a == b.
 struct Wall {
   Vec2 a = {};          ///< m
   Vec2 b = {};          ///< m
   double radius = 0.0;  ///< m, >= 0
 };
 
-/// Walls from each point to the next one, and from the last one to the first where it is closed.
+/// Walls from each point to the next one; if `closed`, also from the last point to the first.
 struct Chain {
   std::vector<Vec2> points = {};  ///< m, at least one
   bool closed = false;
   friend bool operator==(const Chain&, const Chain&) = default;
 };
 
-/// Where a robot may not start, though no wall is near.
+/// Where a robot may not start even if no wall is near.
 enum class Fill : std::uint8_t {
-  none,    ///< robots may be on either side of the walls
-  solid,   ///< not inside the closed chains; inside of a hole is outside (even-odd rule)
-  bounds,  ///< not outside of them, likewise
+  none,  ///< robots may be on either side of the walls
+  /// robots may not be inside the closed chains; the inside of a hole is outside (even-odd rule)
+  solid,
+  bounds,  ///< robots may not be outside the closed chains (even-odd rule)
 };
 
 /// A static obstacle as a scene lists it.
 struct StaticObstacle {
-  std::vector<Chain> chains = {};  ///< at least one, but of a solid
-  double radius = 0.0;  ///< m, >= 0, of all its walls: that of a disc, or half of a thickness
+  std::vector<Chain> chains = {};  ///< at least one, except for a solid
+  double radius = 0.0;  ///< m, >= 0, of all its walls: the radius of a disc, or half of a thickness
   Fill fill = Fill::none;
-  /// Of a map whose stairs of cells have become straight, its own walls: behind `chains`, where
-  /// nobody gets who keeps clear of these. A judge looks at both, and nobody else looks at them.
+  /// The exact walls of a map, for an obstacle in which stairs of cells have become straight. They
+  /// are behind `chains`: a robot that keeps clear of `chains` does not reach them. Only a judge
+  /// reads both.
   std::vector<Chain> measured = {};
   friend bool operator==(const StaticObstacle&, const StaticObstacle&) = default;
 };
 
-/// The walls of all chains, in their order; a chain of one point is a disc.
+/// Returns the walls of all chains, in their order; a chain of one point is a disc.
 AVO_API std::vector<Wall> walls_of(std::span<const StaticObstacle> obstacles);
 
 }  // namespace avo
