@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a scene breaks of what its certificate assumes, in the words of the command line.
+// The assumptions of a certificate that a scene breaks, in the words of the command line.
 #pragma once
 #include <string>
 #include <vector>
@@ -8,8 +8,8 @@
 
 namespace avo_io {
 
-/// A line on each thing that avo::broken_assumptions() finds, and what to change, e.g. by options
-/// of the command line; none where nothing is broken.
+/// Returns one line for each thing that avo::broken_assumptions() finds, with what to change, e.g.
+/// by options of the command line; none where nothing is broken.
 inline std::vector<std::string> complaints(const avo::Scenario& scenario) {
   return avo::complaints(scenario, {"--start-at-rest", "--limit-speed"});
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Recordings for other programs: what `avo convert` writes.
+// Recordings for other programs: the output of `avo convert`.
 #pragma once
 #include <array>
 #include <cstdint>
@@ -14,7 +14,7 @@
 
 namespace avo_io {
 
-/// docs/exports.md
+/// The formats, see docs/exports.md.
 enum class ExportFormat {
   csv,              ///< as CsvRecording writes it
   sqlite,           ///< of JuPedSim, version 2
@@ -23,7 +23,7 @@ enum class ExportFormat {
   pedestrian_text,  ///< of the archive, as PedPy reads it
   obsmat,           ///< of ETH and UCY
 };
-/// Their words on the command line.
+/// The names of the formats on the command line.
 inline constexpr std::array<std::pair<std::string_view, ExportFormat>, 6> kExportFormats{
     {{"csv", ExportFormat::csv},
      {"sqlite", ExportFormat::sqlite},
@@ -32,31 +32,30 @@ inline constexpr std::array<std::pair<std::string_view, ExportFormat>, 6> kExpor
      {"pedestrian-text", ExportFormat::pedestrian_text},
      {"obsmat", ExportFormat::obsmat}}};
 
-/// How convert() writes.
+/// Options of convert().
 struct ConvertOptions {
   ExportFormat format = ExportFormat::csv;
-  /// Of the recording; unset: the one that it has in itself, if it has. One without robots says
-  /// where walls are.
+  /// The scene of the recording; unset: the scene that the recording contains, if any. A scene
+  /// without robots gives the walls.
   std::optional<avo::Scenario> scenario = {};
   /// Called with each time of the recording, s, once it is converted.
   std::function<void(double time)> converted = {};
 };
 
-/// What convert() has written.
+/// The result of convert().
 struct Converted {
   std::int64_t times = 0, rows = 0;
-  /// Frames in a second; of the formats that have frames.
+  /// Frames in a second; for formats that have frames.
   std::optional<double> fps = {};
-  /// s: the last time, which is no frame and has been left out.
+  /// s: the last time, if it is no frame and has been left out.
   std::optional<double> left_out = {};
-  /// The walkable area knows of no walls: there is no scene.
+  /// The walkable area has no walls, because there is no scene.
   bool without_walls = false;
 };
 
 /// Writes the recording at `input` (CSV, HDF5, a spool, trajectories of others; "-" is the standard
-/// input, of CSV) to
-/// `output`, whole or not at all. Never holds more than one time, of HDF5 64. Throws FileError,
-/// RecordingError, and Error where the format needs a scene and there is none.
+/// input, of CSV) to `output`, whole or not at all. It never holds more than one time, of HDF5 64.
+/// Throws FileError, RecordingError, and Error where the format needs a scene and there is none.
 AVO_API Converted convert(const std::string& input, const std::string& output,
                           const ConvertOptions& options);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// One decision of a robot, and all that it was made from: what `avo explain` says.
+// One decision of a robot, and all its inputs: the output of `avo explain`.
 #pragma once
 #include <cstddef>
 #include <cstdint>
@@ -13,46 +13,47 @@
 
 namespace avo_io {
 
-/// All that there is to say of one decision.
+/// All facts about one decision.
 struct Decision {
   std::string scene;
   std::int64_t robot = 0;
   double time = 0.0;
   avo::Vec2 goal;
   avo::Method method{};
-  bool has_own_method = false;  ///< another one than the scene's
+  bool has_own_method = false;  ///< a method other than the scene's
   avo::Simulation::Perception seen;
-  bool by_half_planes = true;  ///< else outside the union of the obstacles (§III-C)
+  bool by_half_planes = true;  ///< false: outside the union of the obstacles (§III-C)
   avo::HalfPlanes half_planes;
-  std::vector<double> risks;  ///< of each neighbor seen, see Planner::half_plane_risk(); or none
+  std::vector<double> risks;  ///< for each neighbor seen, see Planner::half_plane_risk(); or none
   std::vector<avo::CertificateConstraint> constraints;
   avo::WallPlanes wall_planes;
   std::vector<avo::WallConstraint> wall_constraints;
   avo::Certificate certificate{};
-  double response_time = 0.0;  ///< s, with which it approaches v'; 0: at once
+  double response_time = 0.0;  ///< s, with which the robot approaches v'; 0: at once
   avo::Plan plan;
   std::optional<avo::Evasion> evasion;
   avo::SafetyReport state;  ///< of the state in which it decides
   avo::Disc acceleration_disc, speed_disc;
 };
 
-/// What the robot (an index into the fleet) would decide now. `scene`: what the scene is called.
+/// Returns what the robot (an index into the fleet) would decide now. `scene`: the name of the
+/// scene.
 AVO_API Decision explain(const avo::Simulation& simulation, const std::string& scene,
                          std::size_t robot);
 
 /// Throws Error unless the scene has that robot, it decides, and the scene lasts until `time`, s.
 AVO_API void require_explainable(const avo::Scenario& scenario, std::int64_t robot, double time);
-/// Steps to the last decision of the robot by `time`, s, as long as go_on(), where it is given,
-/// says so before each step, and returns the robot's index into the fleet; none where it did not
-/// say so. Throws Error where there is no such decision.
+/// Steps to the last decision of the robot by `time`, s, and returns the robot's index into the
+/// fleet. Where go_on() is given, it is asked before each step; the result is none where it returns
+/// false. Throws Error where there is no such decision.
 AVO_API std::optional<std::size_t> approach_decision(const avo::Scenario& scenario,
                                                      std::int64_t robot, double time,
                                                      avo::Simulation& simulation,
                                                      const std::function<bool()>& go_on = {});
 
-/// A line on each thing.
+/// Returns one line for each fact.
 AVO_API std::string readable(const Decision& decision);
-/// One JSON object (docs/scenes.md).
+/// Returns one JSON object (docs/scenes.md).
 AVO_API std::string to_json(const Decision& decision);
 
 }  // namespace avo_io

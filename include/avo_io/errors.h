@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What goes wrong at the boundary, by whose fault it is.
+// Errors at the boundary, by their cause.
 #pragma once
 #include <string>
 

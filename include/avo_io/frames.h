@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A recording as pictures see it: where everybody is, at any time.
+// A recording for pictures: where all robots and obstacles are, at any time.
 #pragma once
 #include <memory>
 #include <optional>
@@ -12,11 +12,11 @@
 
 namespace avo_io {
 
-/// Where everybody is at one time, by the numbers of the scene.
+/// Where all robots and obstacles are at one time, by the numbers of the scene.
 struct RecordedFrame {
   double time = 0.0;                ///< s
-  std::vector<avo::Vec2> position;  ///< m; of who is not there, where it was last
-  std::vector<double> heading;      ///< rad, 0 of who has none
+  std::vector<avo::Vec2> position;  ///< m; of a robot that is not present, its last place
+  std::vector<double> heading;      ///< rad; 0 for a robot without a heading
   std::vector<bool> there;
   std::vector<avo::Vec2> obstacle_position;  ///< m, of the moving obstacles
 };
@@ -30,8 +30,9 @@ class AVO_API FrameReader {
   FrameReader(FrameReader&&) noexcept;
   FrameReader& operator=(FrameReader&&) noexcept;
 
-  /// At that time, s, not before the one asked for last; between two rows on the cubic with their
-  /// positions and velocities. None after the last row. Throws RecordingError.
+  /// Returns the frame at that time, s, not before the time of the last call; between two rows it
+  /// is on the cubic with their positions and velocities. None after the last row. Throws
+  /// RecordingError.
   std::optional<RecordedFrame> at(double time);
   [[nodiscard]] double first_time() const;  ///< s
 

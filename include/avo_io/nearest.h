@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// "Did you mean": the nearest of the words that are allowed.
+// "Did you mean": the nearest of the allowed words.
 #pragma once
 #include <optional>
 #include <string_view>
@@ -9,7 +9,7 @@
 
 namespace avo_io {
 
-/// The word most like `given`, if any is so like it that it may have been meant.
+/// Returns the word most like `given`, if a word is so like it that it may have been meant.
 AVO_API std::optional<std::string_view> nearest(std::string_view given,
                                                 const std::vector<std::string_view>& words);
 

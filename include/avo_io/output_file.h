@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Files that are whole or not there at all.
+// Files that are whole or absent.
 #pragma once
 #include <span>
 #include <string>
@@ -10,9 +10,9 @@
 
 namespace avo_io {
 
-/// Written under a temporary name beside its target, with the target's permissions where that
-/// exists; commit() gives it its name, else it goes away. Links are followed. Devices, pipes and
-/// the standard output are written directly.
+/// A file that is written under a temporary name beside its target, with the target's permissions
+/// if the target exists. commit() gives it its name; without commit() it is removed. Links are
+/// followed. Devices, pipes and the standard output are written directly.
 class AVO_API OutputFile {
  public:
   /// "-" is the standard output. Throws FileError if the place cannot be written.
@@ -21,12 +21,12 @@ class AVO_API OutputFile {
   OutputFile& operator=(const OutputFile&) = delete;
   ~OutputFile();
 
-  /// Buffered. Throws FileError, e.g. where the disk is full.
+  /// Writes to a buffer. Throws FileError, e.g. where the disk is full.
   void write(std::string_view bytes);
-  /// The same as commit_all() of this one.
+  /// Does what commit_all() does with this file alone.
   void commit();
-  /// Where its bytes are until then, for who writes them by other means than write(); empty where
-  /// they are written directly, and once it has its name.
+  /// The name of its bytes before commit(), for callers that write them without write(). It is
+  /// empty where they are written directly, and after commit().
   [[nodiscard]] const std::string& temporary() const { return temporary_; }
 
  private:
@@ -40,7 +40,7 @@ class AVO_API OutputFile {
   AVO_LOCAL bool put_old_back();
   [[noreturn]] AVO_LOCAL void fail() const;
 
-  std::string name_;                // what messages call it
+  std::string name_;                // the name in messages
   std::string target_;              // behind all links; empty: written directly
   std::string temporary_, backup_;  // empty: none
   std::string buffer_;
@@ -49,14 +49,14 @@ class AVO_API OutputFile {
   Old old_ = Old::none;
 };
 
-/// Gives all of them their names, or none: first all bytes go to the disk, then the files are
-/// renamed; where that fails for one, those before it get their old content back. Throws FileError,
-/// which names those that could not get it back. Files that have their names already are left
-/// alone.
+/// Gives all of them their names, or none. First all bytes go to the disk, then the files are
+/// renamed; where that fails for one, the files before it get their old content back. Throws
+/// FileError, which names the files that could not get it back. Files that have their names already
+/// are left alone.
 AVO_API void commit_all(std::span<OutputFile* const> files);
 
-/// For a program that is about to end: removes what is not committed. Whoever writes on from
-/// another thread waits for ever; none is caught between two renames.
+/// For a program that is about to end: removes all files without commit(). A thread that continues
+/// to write waits for ever; no thread is stopped between two renames.
 AVO_API void abandon_outputs();
 
 }  // namespace avo_io

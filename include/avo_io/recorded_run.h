@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A recorded run as comparisons need it: who has arrived, how near robots came, where they went.
+// A recorded run for comparisons: arrivals, the least clearance, places.
 #pragma once
 #include <cstddef>
 #include <cstdint>
@@ -13,15 +13,17 @@
 
 namespace avo_io {
 
-/// One time of it.
+/// One time of a run.
 struct RecordedMoment {
-  double time = 0.0;                ///< s
-  std::int64_t arrived = 0;         ///< robots that have been at their goals by then, none parked
-  std::optional<double> clearance;  ///< m, the least of two robots that avoid each other; none: inf
-  double fastest = 0.0;             ///< m/s, of all robots
+  double time = 0.0;  ///< s
+  /// robots that have been at their goals by then; parked robots do not count
+  std::int64_t arrived = 0;
+  /// m, the least over pairs that avoid each other; none: infinite
+  std::optional<double> clearance;
+  double fastest = 0.0;  ///< m/s, of all robots
 };
 
-/// What read_run() has found.
+/// The result of read_run().
 struct RecordedRun {
   avo::Scenario scenario;
   std::int64_t travelers = 0;  ///< robots that are not parked

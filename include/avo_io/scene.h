@@ -14,51 +14,54 @@ namespace avo_io {
 
 /// A file that a scene names, e.g. a map.
 struct SceneFile {
-  std::string path;  ///< as the scene leads to it
+  std::string path;  ///< the path from the scene
   std::string text;
   bool builtin = false;
 };
 
-/// The image of a map as a raw graymap (P5), for readers that know no other. None where it is no
-/// PNG and no BMP, is damaged, or has opacity, which ROS counts in some modes.
+/// Returns the image of a map as a raw graymap (P5), for readers that know no other format. It is
+/// none where the image is no PNG and no BMP, is damaged, or has opacity, which ROS counts in some
+/// modes.
 AVO_API std::optional<std::string> as_graymap(const SceneFile& file);
 
-/// All that a scenario is made of: it can be made again where the scene's files are not.
+/// All inputs of a scenario: it can be made again without the scene's files.
 struct SceneSource {
-  std::string name;  ///< in front of messages: a built-in name, a file, "standard input"
+  std::string name;  ///< the name in messages: a built-in name, a file, "standard input"
   std::string yaml;
   std::vector<std::string> overrides;
   std::vector<SceneFile> files;
   bool start_at_rest = false;  ///< avo::start_at_rest() follows
   bool limit_speed = false;    ///< and then avo::limit_speed()
-  /// What its files have that no scene can use, and that is left out: a line each. load_scenario()
-  /// sets them.
+  /// Entries of its files that no scene can use, and that are left out: one line each.
+  /// load_scenario() sets them.
   std::vector<std::string> notes = {};
 };
 
-/// The scene called `name_or_path`: a built-in name (circle-N and uniform-N for any N >= 2), a
-/// file, or "-", the standard input, which is relative to the current folder, and may name built-in
-/// files besides. Each override is "key=value" on a key of the scene, e.g. "robots.0.radius=0.4";
-/// robots that a group makes can be named as well. Files that the scene names (maps, plans) are
-/// relative to its own. `source`, where it is given, becomes what it was made of. Throws
-/// SceneError, OverrideError or FileError; the scene returned has passed avo::validate.
+/// Returns the scene called `name_or_path`: a built-in name (circle-N and uniform-N for any N >=
+/// 2), a file, or "-", the standard input. The standard input is relative to the current folder,
+/// and may also name built-in files. Each override is "key=value" on a key of the scene, e.g.
+/// "robots.0.radius=0.4"; it can also name robots that a group makes. Files that the scene names
+/// (maps, plans) are relative to its own. `source`, where it is given, is set to the inputs of the
+/// scene. Throws SceneError, OverrideError or FileError; the returned scene has passed
+/// avo::validate.
 AVO_API avo::Scenario load_scenario(const std::string& name_or_path,
                                     const std::vector<std::string>& overrides = {},
                                     SceneSource* source = nullptr);
-/// The same of a scene that may have no robots: where others move, whose recording has its own.
+/// Loads a scene that may have no robots: the surroundings of a recording, which has its own
+/// robots.
 AVO_API avo::Scenario load_surroundings(const std::string& name_or_path,
                                         const std::vector<std::string>& overrides = {},
                                         SceneSource* source = nullptr);
-/// The same scenario again; reads no file.
+/// Makes the same scenario again; reads no file.
 AVO_API avo::Scenario parse_scenario(const SceneSource& source);
 
-/// The same from text; `file` stands in front of error messages, and the scene's files are relative
-/// to it, or else built-in ones.
+/// Makes a scenario from text. Error messages begin with `file`. The scene's files are relative to
+/// it, or else built-in ones.
 AVO_API avo::Scenario parse_scenario(std::string_view yaml, const std::string& file,
                                      const std::vector<std::string>& overrides = {});
 
-/// Is it a built-in name, so that load_scenario() reads no file? Throws OverrideError for N out of
-/// range.
+/// Returns whether it is a built-in name, so that load_scenario() reads no file. Throws
+/// OverrideError for N out of range.
 AVO_API bool is_builtin_scene(const std::string& name);
 
 /// A scene that needs no file.
@@ -70,16 +73,16 @@ struct BuiltinScene {
 /// All built-in scenes, by ascending name.
 AVO_API const std::vector<BuiltinScene>& builtin_scenes();
 
-/// The YAML that load_scenario() reads where a built-in scene is named, of circle-N and uniform-N
-/// that with the N of the name; none where it is no such name. Throws OverrideError for N out of
-/// range.
+/// Returns the YAML that load_scenario() reads for a built-in scene; for circle-N and uniform-N it
+/// has the N of the name. It is none for any other name. Throws OverrideError for N out of range.
 AVO_API std::optional<std::string> builtin_text(const std::string& name);
 
-/// The name of a built-in scene that may have been meant by `name`, which is none: "circle-10" by
-/// "circle10"; none where no name is like it.
+/// Returns the built-in name that an unknown `name` may have meant: "circle-10" for "circle10";
+/// none where no name is like it.
 AVO_API std::optional<std::string> nearest_scene(const std::string& name);
 
-/// The text of a file that a built-in scene names, e.g. "arena.map"; empty where there is none.
+/// Returns the text of a file that a built-in scene names, e.g. "arena.map"; empty where there is
+/// none.
 AVO_API std::string_view builtin_file(std::string_view name);
 
 /// JSON Schema (draft 2020-12) of scene files.
@@ -88,9 +91,9 @@ AVO_API std::string scenario_schema();
 /// A key of scene files that takes a plain value.
 struct SceneSetting {
   std::string key;
-  std::vector<std::string> values;  ///< all that are allowed; empty where they are numbers
+  std::vector<std::string> values;  ///< all allowed values; empty where they are numbers
 };
-/// All of them, in the order of the schema.
+/// Returns all settings, in the order of the schema.
 AVO_API std::vector<SceneSetting> scene_settings();
 
 }  // namespace avo_io
