@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Braking trajectories: the test of a candidate against the constraints, and what would have been
-// admitted instead.
+// Braking trajectories: the test of a candidate against the constraints, and the half-planes of the
+// candidates that would have been admitted.
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -24,7 +24,7 @@ TrajectoryConstraint constraint_at(const ConstraintColumns& columns, std::size_t
 
 namespace {
 
-// m, of the middle point of the step itself, which a disc that swings moves off the braking path.
+// m, for the middle point of the step itself, which moves off the braking path if the disc swings.
 double swing_coefficient(const TrajectoryConstraints& constraints, std::size_t k,
                          const CandidatePath& path, const StepLaw& law) {
   const ConstraintColumns& columns = constraints.columns;
@@ -35,7 +35,7 @@ double swing_coefficient(const TrajectoryConstraints& constraints, std::size_t k
   return dot(normal, middle) + columns.offset[1][k] - cone;
 }
 
-// Likewise of all constraints, which keeps() has judged.
+// Tests the middle points of all constraints, which keeps() has judged.
 bool keeps_swing(const CandidatePath& path, const StepLaw& law,
                  TrajectoryConstraints& constraints) {
   ConstraintColumns& columns = constraints.columns;
@@ -63,7 +63,7 @@ bool keeps_trajectories(const CandidatePath& path, const StepLaw& law,
 
 namespace {
 
-// From the point of A's braking path to that of the path.
+// The vector from the point of A's braking path to the point of the path.
 Vec2 deviation_at(const Braking& own, const TrajectoryConstraint& constraint, int point,
                   const CandidatePath& path, const StepLaw& law) {
   const auto pick = [point](const BrakingDistances& along) {
@@ -93,7 +93,7 @@ WorstConstraint worst_constraint(const TrajectoryConstraints& constraints,
   worst.constraint = constraint_at(columns, k);
   worst.coefficient = coefficient[k];
   worst.point = start.value <= worst.coefficient ? 0 : middle.value <= worst.coefficient ? 1 : 2;
-  if (worst.point == 2 && end.value > worst.coefficient) worst.point = 1;  // it swings
+  if (worst.point == 2 && end.value > worst.coefficient) worst.point = 1;  // the disc swings
   if (worst.constraint.cone > 0.0) {
     const Vec2 deviation = deviation_at(constraints.own, worst.constraint, worst.point, path, law);
     const double length = norm(deviation);
@@ -104,8 +104,8 @@ WorstConstraint worst_constraint(const TrajectoryConstraints& constraints,
 
 HalfPlane tangent(const WorstConstraint& worst, const CandidatePath& path, const StepLaw& law) {
   const TrajectoryConstraint& constraint = worst.constraint;
-  // the point is (Δt - s) v_1 + (v_1/|v_1|) D(|v_1|) and a constant; the second term grows with v_1
-  // by D/|v_1| across it and by D', the time for which braking moves it, along it
+  // the point is (Δt - s) v_1 + (v_1/|v_1|) D(|v_1|) and a constant. The second term grows with v_1
+  // by D/|v_1| across it, and along it by D', the time for which braking moves it.
   double across = law.time_step - law.lag, along = across;
   if (constraint.interval > 0) {
     const int m = constraint.interval - 1;
@@ -113,7 +113,7 @@ HalfPlane tangent(const WorstConstraint& worst, const CandidatePath& path, const
     const double distance = worst.point == 0   ? distances.start
                             : worst.point == 1 ? distances.middle
                                                : distances.end;
-    // of the step that ends at rest, the lag only
+    // in the step that ends at rest only the lag counts
     const double to_point = worst.point == 0 ? 0.0 : worst.point == 1 ? law.lag : law.time_step;
     const double to_rest = law.time_step * path.braking.full_steps + law.lag;
     across += path.speed > 0.0 ? distance / path.speed : law.lag;

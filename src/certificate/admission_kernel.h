@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A candidate against constraints, as many at once as Pack has lanes: docs/certificate.md, "Braking
-// trajectories".
+// Tests a candidate against constraints, as many at once as Pack has lanes: docs/certificate.md,
+// "Braking trajectories".
 #ifndef AVO_CERTIFICATE_ADMISSION_KERNEL_H
 #define AVO_CERTIFICATE_ADMISSION_KERNEL_H
 
@@ -12,8 +12,8 @@
 
 AVO_BEGIN_KERNELS
 
-/// normal . y_i + offset_i of the three points of the constraint's interval, less what its cone
-/// takes, m.
+/// normal . y_i + offset_i at the three points of the constraint's interval, minus the part of its
+/// cone, m.
 template <typename Real>
 struct PackCoefficients {
   Real start, middle, end;
@@ -26,8 +26,8 @@ AVO_KERNEL PackCoefficients<Real> coefficients(const ConstraintColumns& constrai
   const Real zero(0.0), one(1.0), infinity(std::numeric_limits<double>::infinity());
   const Vec<Real> n{Real::load(&constraints.normal_x[k]), Real::load(&constraints.normal_y[k])};
   const Real m = Real::load(&constraints.interval[k]);
-  const auto later = m > zero;  // than the step that is decided
-  // the interval's points lie so far along the braking that follows the first step
+  const auto later = m > zero;  // the interval is later than the step of the decision
+  // the distances of the interval's points along the braking path that follows the first step
   const PackProfile<Real> braking = constant<Real>(path.braking);
   const PackDistances<Real> before = distances(braking, law, max(m - one, zero));
   const Real end = distances(braking, law, m).start;
@@ -47,13 +47,13 @@ AVO_KERNEL PackCoefficients<Real> coefficients(const ConstraintColumns& constrai
               result.middle - off(before.middle, x.middle),
               result.end - off(end, x.end) - cone * Real(path.bend)};
   }
-  // y_0 and y_1 of the step itself are those of the braking path, but see keeps_swing(); its end
-  // pays for an arc
+  // y_0 and y_1 of the step itself are those of the braking path, except in keeps_swing(); the bend
+  // of an arc is subtracted at the end
   return {select(later, result.start, infinity), select(later, result.middle, infinity),
           select(later, result.end, result.end - Real(path.bend))};
 }
 
-/// Whether the path keeps all constraints, which are judged by it as far as they are asked for.
+/// Returns whether the path keeps all constraints. They are judged as far as they are asked for.
 template <typename Real>
 bool keeps(const Braking& own, const CandidatePath& path, const StepLaw& law, bool has_cones,
            Asked asked_for, ConstraintColumns& constraints) {
@@ -65,7 +65,7 @@ bool keeps(const Braking& own, const CandidatePath& path, const StepLaw& law, bo
         coefficients<Real>(constraints, k, own, path, law, has_cones);
     const auto asked = Real::load(&constraints.needs[k]) < Real(static_cast<double>(path.moving));
     const auto counted = lane_numbers<Real>() < Real(static_cast<double>(constraints.count - k));
-    // nothing that is not known is admitted
+    // a value that is not a number is never admitted
     const auto good = (left.start >= zero) & (left.middle >= zero) & (left.end >= zero);
     kept = kept && !any(counted & asked & !good);
     select(asked, min(min(left.start, left.middle), left.end), infinity)

@@ -20,23 +20,23 @@ AVO_KERNEL PackProfile<Real> constant(const BrakingProfile& braking) {
   return {Real(braking.speed), Real(braking.decrement), Real(braking.full_steps)};
 }
 
-/// Of so many steps nobody asks for the fraction: neither a step more nor one less of braking is
-/// wrong by more than rounding, as long as all use the same number.
+/// Beyond this number of steps the fraction does not matter. One step of braking more or less
+/// changes nothing beyond rounding, as long as all robots use the same number.
 template <typename Real>
 AVO_KERNEL PackProfile<Real> profile(Real speed, Real decrement) {
   const Real most(0x1p30), steps = speed / decrement;
   return {speed, decrement, select(steps < most, floor(min(steps, most)), steps)};
 }
 
-/// Distances where an interval begins and at its middle Bézier point, m; it ends where the next one
-/// begins.
+/// Distances at the start of an interval and at its middle Bézier point, m; its end is the start of
+/// the next interval.
 template <typename Real>
 struct PackDistances {
   Real start, middle;
 };
 
-/// Of the interval after `steps` >= 0 steps of braking. With c steps done, of which all were full,
-/// and the speed T left: c [Δt (u (c - 1)/2 + T) + s u]. No term is negative, nothing cancels.
+/// Distances of the interval after `steps` >= 0 steps of braking. After c steps, all of them full,
+/// the speed T is left: c [Δt (u (c - 1)/2 + T) + s u]. No term is negative, nothing cancels.
 template <typename Real>
 AVO_KERNEL PackDistances<Real> distances(const PackProfile<Real>& braking, const StepLaw& law,
                                          Real steps) {
@@ -54,12 +54,12 @@ AVO_KERNEL Real stopping_length(const PackProfile<Real>& braking, const StepLaw&
   return distances(braking, law, braking.full_steps).middle;
 }
 
-/// [e] m: most that the path of one that brakes is off after `steps` steps, where it is sensed
-/// with the law's errors and looks as it does (docs/certificate/errors.md, "Sensing errors").
+/// [e] m: the largest error of the path of a braking robot after `steps` steps. The robot is sensed
+/// with the law's errors and brakes as it is seen (docs/certificate/errors.md, "Sensing errors").
 template <typename Real>
 AVO_KERNEL Real braking_error(const PackProfile<Real>& seen, const StepLaw& law, Real steps) {
   const auto& [position, velocity] = law.sensing_error;
-  const Real to_rest = seen.full_steps + Real(1.0);  // of the one that is seen
+  const Real to_rest = seen.full_steps + Real(1.0);  // for the sensed speed
   const PackProfile<Real> left = profile(Real(velocity), seen.decrement);
   return Real(position) + Real(velocity * law.time_step) * min(steps, to_rest) +
          distances(left, law, max(steps - to_rest, Real(0.0))).start;

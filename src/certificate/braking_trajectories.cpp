@@ -14,12 +14,12 @@ namespace {
 
 using Real = scalar::Pack<double>;
 
-// Of the path of one that is seen moving for `time`, m.
+// The error of the path of a robot that is sensed in motion for `time`, m.
 double error_at(const StepLaw& law, double time) {
   return law.sensing_error.position + law.sensing_error.velocity * time;
 }
 
-// Where braking is seen to leave less than the margin, A may not lose more of it.
+// Where braking leaves less than the margin as sensed, A may not lose more of it.
 void allow_braking(const Braking& own, const StepLaw& law, ConstraintColumns& constraints,
                    std::size_t k) {
   const auto [start, middle, end] =
@@ -31,7 +31,7 @@ void allow_braking(const Braking& own, const StepLaw& law, ConstraintColumns& co
   }
 }
 
-// What errors and movers take off the pair's constraints.
+// Subtracts the errors and the effects of movers from the pair's constraints.
 void take_off(const PairConstraints& wanted, std::size_t first, const StepLaw& law,
               TrajectoryConstraints& constraints) {
   ConstraintColumns& columns = constraints.columns;
@@ -48,7 +48,7 @@ void take_off(const PairConstraints& wanted, std::size_t first, const StepLaw& l
       if (!wanted.is_free) allow_braking(constraints.own, law, columns, k);
     }
     if (holds || m > 0.0) continue;
-    // Where A starts cannot be inflated: at rest beside what does not decide it could never leave.
+    // The start of A cannot be inflated: A could then never leave a place at rest beside a mover.
     for (std::size_t i = 0; i < 2; ++i) {
       columns.offset[i][k] +=
           wanted.held - (wanted.inflated - wanted.pair.inflated) - wanted.pair.contact;
@@ -57,9 +57,9 @@ void take_off(const PairConstraints& wanted, std::size_t first, const StepLaw& l
   }
 }
 
-// Of a pair that nearly coincides, the intervals on which nobody knows in which direction the two
-// are apart, as they are not, or as errors hide it: in a crowd they would refuse all but braking,
-// for ever.
+// For a pair that nearly coincides, drops the intervals on which the direction between the two is
+// unknown, because they are not apart or errors hide it. In a crowd these intervals would refuse
+// all but braking, for ever.
 void drop_undirected(std::size_t first, ConstraintColumns& columns) {
   for (std::size_t k = first; k < columns.count; ++k) {
     const bool has_direction = columns.normal_x[k] != 0.0 || columns.normal_y[k] != 0.0;
@@ -114,7 +114,7 @@ StepLaw law_against(const Neighbor& neighbor, const StepLaw& law) {
   return result;
 }
 
-// Where the pair is worth it.
+// Collects the constraints if the pair can refuse a candidate.
 void collect_close(const BrakingPair& pair, const Neighbor& neighbor, std::size_t index,
                    const StepLaw& law, TrajectoryConstraints& constraints, Invariant& invariant) {
   const double most = std::max(pair.a.intervals, pair.b.intervals);
@@ -133,7 +133,7 @@ void collect_close(const BrakingPair& pair, const Neighbor& neighbor, std::size_
 
 void collect_near(const NearPair& near, const StepLaw& law, TrajectoryConstraints& constraints,
                   Invariant& invariant) {
-  constexpr static Neighbor kDecides;  // the pair has all that matters of it
+  constexpr static Neighbor kDecides;  // the pair has all its data that matter
   collect_close(near.with(constraints.own), kDecides, near.neighbor, law, constraints, invariant);
 }
 

@@ -15,7 +15,7 @@ void reserve_constraints(std::size_t neighbors, std::size_t braking_steps,
   constraints.capsules.reserve(neighbors);
   constraints.near.reserve(1, neighbors);
   constraints.trajectories.waiting.reserve(neighbors);
-  // those of a pair are stored by whole packs
+  // the constraints of a pair are stored by whole packs
   const std::size_t steps =
       (braking_steps + kConstraintLanes - 1) / kConstraintLanes * kConstraintLanes;
   constraints.trajectories.columns.reserve(std::min(neighbors * steps, most_constraints));
@@ -61,7 +61,7 @@ void begin_constraints(const Robot& robot, const Neighbors& neighbors, std::size
 
 namespace {
 
-// Others who are farther apart than both could come count on it (docs/certificate/wheels.md,
+// Neighbors farther apart than both could reach count on this limit (docs/certificate/wheels.md,
 // "Cars").
 bool keeps_reach(const Robot& robot, const CandidatePath& path, const StepLaw& law) {
   if (!may_exceed_reach(robot.model)) return true;
@@ -78,7 +78,8 @@ bool admits(const Robot& robot, Vec2 next_velocity, const CertificateLaw& law,
             CertificateConstraints& constraints, Asked asked_for) {
   const bool holonomic = is_holonomic(robot.model);
   if (constraints.demand_nothing() && (holonomic || !may_exceed_reach(robot.model))) return true;
-  // as long as nothing is broken, braking keeps what no test with a reserve for rounding admits
+  // as long as nothing is broken, braking keeps the invariant, which a test with a margin for
+  // rounding would not admit
   if (law.step.has_free_clocks() && next_velocity == backup_velocity(robot, law)) return true;
   constraints.path = follow(robot, next_velocity, law.step);
   constraints.trajectories.columns.judged = 0;

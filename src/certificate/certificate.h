@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// One robot's certificate for one decision, of any kind: what it must keep to, whatever it wants.
+// One robot's certificate for one decision, of any kind: the constraints that its decision must
+// keep.
 #pragma once
 #include <cstddef>
 #include <span>
@@ -13,22 +14,22 @@
 
 namespace avo::inline certificate {
 
-/// What all robots have to agree on.
+/// The constants that all robots must share.
 struct CertificateLaw {
   Certificate kind = Certificate::braking_trajectories;
   StepLaw step;
 };
 
-/// What neighbors and walls demand of a robot. Scratch memory; allocates only while it grows.
+/// The demands of neighbors and walls on a robot. Scratch memory; allocates only while it grows.
 struct CertificateConstraints {
   Invariant invariant;
   TrajectoryConstraints
-      trajectories;  ///< braking_trajectories; of movers also for stopping_capsules
-  std::vector<CapsuleConstraint> capsules;  ///< stopping_capsules; of all that loiter
+      trajectories;  ///< of braking_trajectories; those of movers also for stopping_capsules
+  std::vector<CapsuleConstraint> capsules;  ///< of stopping_capsules; of all neighbors that loiter
   WallConstraints walls;                    ///< by begin_walls()
-  CandidatePath path;                       ///< of the last candidate asked about
-  NearPairs near;                           ///< of all robots of find_near()
-  // of a robot that is looked at by itself
+  CandidatePath path;                       ///< of the last judged candidate
+  NearPairs near;                           ///< of all robots that find_near() was given
+  // of a robot that is planned alone
   RobotColumns alone;
   NeighborColumns seen;
 
@@ -38,33 +39,34 @@ struct CertificateConstraints {
   }
 };
 
-/// Room for the constraints of so many neighbors, each of which brakes for so many steps.
+/// Reserves room for the constraints of so many neighbors, each of which brakes for so many steps.
 void reserve_constraints(std::size_t neighbors, std::size_t braking_steps,
                          std::size_t most_constraints, CertificateConstraints& constraints);
 
-/// Of robots in lanes what begin_constraints() asks, before it is asked of each of them.
+/// Computes for many robots in lanes what begin_constraints() needs for each of them.
 void find_near(const RobotColumns& robots, const CertificateLaw& law,
                CertificateConstraints& constraints);
 
-/// Those of the neighbors of robot i of the robots that find_near() was given last; admits()
-/// collects what a candidate may be refused by. Its walls are what begin_walls() made of them.
+/// Begins the constraints of the neighbors of robot i, an index into the robots that find_near()
+/// was last given. admits() collects the constraints that may refuse a candidate. Its walls come
+/// from begin_walls().
 void begin_constraints(const Robot& robot, const Neighbors& neighbors, std::size_t i,
                        const CertificateLaw& law, CertificateConstraints& constraints);
-/// All of those of one robot, looked at by itself.
+/// Collects all constraints of one robot that is planned alone.
 void collect_constraints(const Robot& robot, std::span<const Neighbor> neighbors,
                          const CertificateLaw& law, CertificateConstraints& constraints,
                          std::span<const Wall> walls = {});
 
-/// Whether the robot may have the velocity v_1 after this step. True of backup_velocity() wherever
-/// the invariant holds, up to rounding. Cuts need all constraints asked.
+/// Returns whether the robot may have the velocity v_1 after this step. It is true for
+/// backup_velocity() wherever the invariant holds, up to rounding. Cuts need all constraints to be
+/// asked.
 bool admits(const Robot& robot, Vec2 next_velocity, const CertificateLaw& law,
             CertificateConstraints& constraints, Asked asked_for = Asked::until_refused);
 
-/// [v_1] of what is always allowed: full braking.
+/// [v_1] of the decision that is always allowed: full braking.
 Vec2 backup_velocity(const Robot& robot, const CertificateLaw& law);
 
-/// All constraints, for those who want to look at them (see CertificateConstraint in
-/// avo/planner.h).
+/// Lists all constraints for inspection (see CertificateConstraint in avo/planner.h).
 void list_constraints(const CertificateConstraints& constraints, Vec2 position,
                       std::vector<CertificateConstraint>& list);
 

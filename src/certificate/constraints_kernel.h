@@ -18,7 +18,7 @@
 
 AVO_BEGIN_KERNELS
 
-/// A's braking path and what its candidates can deviate from it.
+/// A's braking path and the largest deviation of its candidates from it.
 template <typename Real>
 void fill_own(const Braking& a, const Deviation& deviation, const StepLaw& law, OwnColumns& own) {
   for (; own.filled <= own.count; own.filled += Real::kLanes) {
@@ -76,7 +76,7 @@ struct HoldingOther {
   }
 };
 
-/// B's path from p_B, where it keeps the acceleration that it is seen to have.
+/// B's path from p_B, where it keeps its sensed acceleration.
 template <typename Real>
 struct MovingOther {
   const Neighbor& neighbor;
@@ -91,7 +91,7 @@ struct MovingOther {
   }
 };
 
-/// The same, where its acceleration may differ from that one.
+/// B's path from p_B, where its acceleration may differ from the sensed one.
 template <typename Real>
 struct DeviatingOther : MovingOther<Real> {};
 
@@ -99,9 +99,9 @@ struct DeviatingOther : MovingOther<Real> {};
 template <typename Real>
 struct FollowingOther {
   const TrajectorySteps& steps;
-  double lag;  // part of a step
+  double lag;  // fraction of a step
 
-  /// Of the intervals from k on, as many as Pack has lanes.
+  /// The points of as many intervals as Pack has lanes, from k on.
   AVO_KERNEL PackPoints<Real> at(std::size_t k) const {
     const Vec<Real> start{Real::load(&steps.x[k]), Real::load(&steps.y[k])};
     const Vec<Real> end{Real::load(&steps.x[k + 1]), Real::load(&steps.y[k + 1])};
@@ -119,9 +119,10 @@ AVO_KERNEL Vec<Real> nearest_on_segment(Vec<Real> a, Vec<Real> b) {
   return a + min(max(part, zero), one) * ab;
 }
 
-/// Direction of the point of the triangle's edges nearest to the origin; 0 where that is the
-/// origin. Whether the origin lies inside is not asked: no sign of rounding noise decides anything,
-/// since any direction makes a sound constraint, and its distance tells what it is worth.
+/// The direction of the point of the triangle's edges nearest to the origin; 0 where that point is
+/// the origin. Whether the origin lies inside is not tested, so that no sign of rounding noise
+/// decides anything. Any direction makes a sound constraint, and its distance gives the value of
+/// the constraint.
 template <typename Real>
 AVO_KERNEL Vec<Real> normal_of(const PackPoints<Real>& q) {
   const Real zero(0.0), one(1.0);
@@ -140,17 +141,18 @@ AVO_KERNEL Vec<Real> normal_of(const PackPoints<Real>& q) {
   return select(has_length, per_length * nearest, {zero, zero});
 }
 
-/// q_i - radius keeps A clear of B wherever it may be in the interval.
+/// q_i - radius keeps A clear of all places of B in the interval.
 template <typename Real>
 struct PackReach {
   PackPoints<Real> q;
   Real radius;  // m
 };
 
-/// Of two discs in which B is by the end of the interval, the one that is farther off: about where
-/// it keeps its acceleration, by what it may deviate; or about where it is, by its speed. Each
-/// holds that of the next decision, so that A may always brake
-/// (docs/certificate/movers.md, "Movers that do as they like").
+/// B is in each of two discs by the end of the interval; this is the disc that is farther from A.
+/// One is about the place with constant acceleration, with the radius of the possible deviation.
+/// The other is about the present place, with the radius of the distance at its speed. Each
+/// contains the disc of the next decision, so that A may always brake (docs/certificate/movers.md,
+/// "Movers that do as they like").
 template <typename Real>
 AVO_KERNEL PackReach<Real> reach_of(const Neighbor& mover, const PackPoints<Real>& q,
                                     const PackPoints<Real>& from_start, Real time) {
@@ -159,7 +161,7 @@ AVO_KERNEL PackReach<Real> reach_of(const Neighbor& mover, const PackPoints<Real
     return min(min(dot(n, points.start), dot(n, points.middle)), dot(n, points.end)) - radius;
   };
   const Real by_deviation = Real(0.5 * mover.max_deviation) * time * time;
-  const bool has_speed = mover.max_deviation > 0.0;  // else it is on its trajectory
+  const bool has_speed = mover.max_deviation > 0.0;  // false: the mover is on its trajectory
   const Real by_speed =
       Real(has_speed ? mover.max_speed : std::numeric_limits<double>::infinity()) * time;
   const auto slow = left(from_start, by_speed) > left(q, by_deviation);
@@ -171,14 +173,15 @@ AVO_KERNEL PackReach<Real> reach_of(const Neighbor& mover, const PackPoints<Real
           select(slow, by_speed, by_deviation)};
 }
 
-/// What the sensing errors of one interval demand (docs/certificate/errors.md, "Sensing errors").
+/// The demands of the sensing errors of one interval (docs/certificate/errors.md, "Sensing
+/// errors").
 template <typename Real>
 struct PackMargin {
   Real distance;  // m, beyond the inflated contact
-  Real cone;      // most that the normal differs from that of the true paths
+  Real cone;      // the largest difference of the normal from that of the true paths
 };
 
-/// distance: of the constraint; moved: how far B gets from A on the interval, m.
+/// distance: of the constraint; moved: how far B moves relative to A on the interval, m.
 template <typename Real>
 AVO_RARE_KERNEL PackMargin<Real> error_margin(const BrakingPair& pair, const StepLaw& law, Real m,
                                               Real distance, Real moved) {
@@ -188,15 +191,16 @@ AVO_RARE_KERNEL PackMargin<Real> error_margin(const BrakingPair& pair, const Ste
                                   : Real(position) + Real(velocity) * (Real(law.time_step) * seen);
   const Real one_step(velocity * law.time_step);
   const auto beyond = distance > error;
-  const Real d = select(beyond, distance, two * error);  // any beyond it
+  // if not, any value beyond it, which is not used
+  const Real d = select(beyond, distance, two * error);
   const Real by_angle = two * sqrt(error / (d + error));
   const Real by_length = (moved + error) / sqrt(d * (d - error));
   const Real cone = select(beyond, min(by_angle, by_length), two);
   return {error + cone * (moved + one_step), cone};
 }
 
-/// The same where clocks are free. At a distance within the margin B may come as near as contact:
-/// then the cone alone says where A may go.
+/// The margin where clocks are free. At a distance within the margin B may come as near as contact:
+/// the cone alone then limits A.
 template <typename Real>
 AVO_KERNEL PackMargin<Real> drift_margin(const BrakingPair& pair, const StepLaw& law, Real m,
                                          Real distance, Real moved) {
@@ -221,7 +225,7 @@ AVO_KERNEL Real one_norm(Vec<Real> a) {
   return abs(a.x) + abs(a.y);
 }
 
-/// What the constraints of a pair are.
+/// The constraints of a pair.
 template <typename Real>
 struct PackConstraints {
   Vec<Real> normal;
@@ -236,7 +240,7 @@ AVO_KERNEL PackConstraints<Real> constraints_of(const PairConstraints& wanted,
                                                 Real distance, const PackMargin<Real>& margin) {
   const Real share(wanted.pair.share), held(wanted.pair.share * wanted.held);
   const auto offset = [&](Vec<Real> of_q, Vec<Real> of_x) {
-    if constexpr (is_free) {  // a cone counts on no gap
+    if constexpr (is_free) {  // a cone does not use the gap
       const Real gap = dot(n, of_q) - margin.distance - held;
       const Real rounding(wanted.pair.contact - wanted.pair.inflated);
       return select(margin.cone > Real(0.0), rounding, gap) - dot(n, of_x);
@@ -251,8 +255,8 @@ AVO_KERNEL PackConstraints<Real> constraints_of(const PairConstraints& wanted,
           {offset(q.start, own.start), offset(q.middle, own.middle), offset(q.end, own.end)}};
 }
 
-/// Those of the lanes that are kept. The others take up room without being constraints: nothing has
-/// to be moved.
+/// Stores the constraints of the kept lanes. The other lanes take up room without being
+/// constraints: nothing has to be moved.
 template <typename Real, typename Mask>
 AVO_KERNEL void push(const PackConstraints<Real>& fresh, Real m, Mask kept,
                      const PairConstraints& wanted, ConstraintColumns& constraints) {
@@ -270,7 +274,7 @@ AVO_KERNEL void push(const PackConstraints<Real>& fresh, Real m, Mask kept,
 }
 
 /// Appends the constraints that can refuse a candidate. Returns the least distance of the intervals
-/// that are looked at closely; of the others it is beyond contact.
+/// that are computed in full; in the others it is beyond contact.
 template <typename Real, bool is_free, typename Other>
 double append(const PairConstraints& wanted, const Other& other, const StepLaw& law,
               const OwnColumns& own, ConstraintColumns& constraints) {
@@ -315,18 +319,19 @@ double append(const PairConstraints& wanted, const Other& other, const StepLaw& 
         spread = spread + Real::load(&other.steps.bend[k]) + Real(other.steps.trajectory().error());
       inflated = inflated + spread;
     }
-    // those that are looked at closely: each for itself, so that no number of lanes has a say
+    // intervals that are computed in full, each by itself, so that the number of lanes has no
+    // influence
     auto close = m < Real(static_cast<double>(wanted.intervals));
     {
       const Real before = one_norm(q.middle - q.start), after = one_norm(q.end - q.middle);
       PackMargin<Real> margin = margin_at(m, contact, before + after);
-      if (is_free) margin.cone = zero;  // whoever is out of reach asks for none
+      if (is_free) margin.cone = zero;  // a neighbor out of reach needs no cone
       const Real around = max(before, after), length = norm(q.middle);
       const Real gap = share * (length - (inflated + around + margin.distance));
       const Real left = gap - margin.cone * most;
       close = close & !(left > most);
       if (!any(close)) continue;
-      // n points to what is so near to q_1 that it is turned by less than around/w
+      // n points to a point so near q_1 that n is turned by less than around/w
       const Real w = length - Real(0.5) * around;
       const Real E = Real::load(&own.ahead[k]), F = Real::load(&own.across[k]);
       const Real loss = max(-dot(q.middle, d), zero) * E + abs(cross(q.middle, d)) * F;
@@ -336,17 +341,17 @@ double append(const PairConstraints& wanted, const Other& other, const StepLaw& 
     }
     const Vec<Real> n = normal_of(q);
     const Real distance = min(min(dot(n, q.start), dot(n, q.middle)), dot(n, q.end));
-    const auto holds = m < Real(wanted.moving);  // the invariant speaks of it
+    const auto holds = m < Real(wanted.moving);  // the invariant covers the interval
     const Real left = kDeviates ? distance - spread : distance;
     nearest = select(close & holds & (left < nearest), left, nearest);
     const Real moved =
-        is_exact ? zero : norm(q.middle - q.start) + norm(q.end - q.middle);  // only errors ask
+        is_exact ? zero : norm(q.middle - q.start) + norm(q.end - q.middle);  // only errors need it
     PackMargin<Real> margin = margin_at(m, distance, moved);
     const Real loss = max(-dot(n, d), zero) * Real::load(&own.ahead[k]) +
                       abs(cross(n, d)) * Real::load(&own.across[k]) + Real::load(&own.anyhow[k]) +
                       margin.cone * most;
     const auto kept = close & !(share * (distance - inflated - margin.distance) > loss);
-    // of intervals at rest it says nothing: all three points stay clear along n there
+    // the invariant does not cover intervals at rest: all three points stay clear along n there
     margin = {select(holds, margin.distance, zero), select(holds, margin.cone, zero)};
     if constexpr (kDeviates) margin.distance = margin.distance + spread;
     if (any(kept))
@@ -358,8 +363,8 @@ double append(const PairConstraints& wanted, const Other& other, const StepLaw& 
   return *std::min_element(lanes.begin(), lanes.end());
 }
 
-/// Takes what is held off the pair's constraints, the last ones from `first` on. Those of free
-/// clocks are made with it.
+/// Subtracts the held distance from the pair's constraints, the last ones from `first` on.
+/// Constraints of free clocks already contain it.
 template <typename Real>
 void hold(const PairConstraints& wanted, std::size_t first, ConstraintColumns& constraints) {
   const Real held(wanted.pair.share * wanted.held);

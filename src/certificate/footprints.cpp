@@ -16,7 +16,8 @@ namespace {
 
 using Real = scalar::Pack<double>;
 
-constexpr double kLoitering = 4.0;  // roundings of a circle that is remembered, in steps of braking
+// rounding errors of a circle that is remembered, in steps of braking
+constexpr double kLoitering = 4.0;
 
 Footprint braking_footprint(Vec2 position, Vec2 velocity, double radius, const Ability& ability,
                             const StepLaw& law) {
@@ -28,14 +29,14 @@ Footprint loitering_footprint(const LoiterCircle& circle, double radius) {
   return {circle.center, {}, circle.radius + radius, kLoitering};
 }
 
-// From B's to A's, odd in the exchange of the two, bit for bit. One of them is a point: of a and b
-// one way at least is 0.
+// The vector from B's to A's, odd in the exchange of the two, bit for bit. One of them is a point:
+// the displacement of a or of b is 0.
 Vec2 between(const Footprint& a, const Footprint& b) {
   const Vec2 p = a.start - b.start;
   return nearest_on_segment(p, p + (a.way - b.way));
 }
 
-// docs/certificate/rounding.md: a decision shrinks what has added up by a share.
+// docs/certificate/rounding.md: a decision reduces the accumulated error by a share.
 double margin_between(const Footprint& a, const Footprint& b, double share) {
   const double lengths =
       length_1(a.start) + length_1(b.start) + norm(a.way) + norm(b.way) + a.radius + b.radius;
@@ -49,7 +50,7 @@ struct Between {
   double gap, part;  // m
 };
 
-// A pair that overlaps keeps what it has.
+// A pair that overlaps keeps its present distance.
 Between line_between(const Footprint& a, const Footprint& b, double share) {
   const Vec2 nearest = between(a, b);
   const double distance = norm(nearest), gap = distance - (a.radius + b.radius);
@@ -89,7 +90,7 @@ void collect_loiterers(const Robot& robot, const Neighbors& neighbors, const Ste
     invariant.slack = std::min(invariant.slack, line.gap);
     if (line.gap < 0.0)
       invariant.broken.take(static_cast<int>(k), -line.gap), invariant.doubtful = true;
-    // A's begins at n . x = min(0, n . way)
+    // A's footprint begins at n . x = min(0, n . way)
     const double begin = std::min(0.0, dot(line.normal, own.way));
     constraints.push_back({static_cast<int>(k), line.normal, begin - line.part, begin});
   }

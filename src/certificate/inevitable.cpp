@@ -12,12 +12,12 @@
 namespace avo::inline certificate {
 namespace {
 
-// m: how far something may be from a path at the time t, start + t speed + t²/2 acceleration.
+// m: the largest distance from a path at the time t, start + t speed + t²/2 acceleration.
 struct Spread {
   double start = 0.0, speed = 0.0, acceleration = 0.0;
 
   double at(double t) const { return start + t * (speed + 0.5 * t * acceleration); }
-  // s: when it is as large as `size` at the latest.
+  // s: a time by which it has reached `size`.
   double time_of(double size) const {
     const double left = std::max(size - start, 0.0);
     return std::min(speed > 0.0 ? left / speed : kLongest,
@@ -28,8 +28,8 @@ struct Spread {
   static constexpr double kLongest = 1e12;
 };
 
-// The time at which the function is negative, by golden sections of [0, end]; where it is convex,
-// it is found unless it hardly is.
+// A time at which the function is negative, by golden sections of [0, end]. For a convex function
+// it is found, unless the function is hardly negative.
 template <typename Function>
 std::optional<double> find_negative(const Function& f, double end) {
   constexpr double kGolden = 0.6180339887498949;
@@ -52,23 +52,23 @@ std::optional<double> find_negative(const Function& f, double end) {
   return std::nullopt;
 }
 
-// Where A is relative to B, as far as that is known.
+// The place of A relative to B, as far as that is known.
 struct Closing {
-  Vec2 position, velocity, acceleration;  // of the middle
-  Spread spread;                          // of where it may be around that
-  const Neighbor* followed = nullptr;  // B, where its trajectory is known; then `velocity` is A's
+  Vec2 position, velocity, acceleration;  // of the center of the possible places
+  Spread spread;                          // of the possible places around it
+  const Neighbor* followed = nullptr;  // B, where its trajectory is known; `velocity` is then A's
 
   Vec2 at(double t) const {
     const Vec2 place = position + t * (velocity + (0.5 * t) * acceleration);
     if (followed == nullptr) return place;
     return place - (followed->trajectory->at(followed->trajectory_time + t) - followed->position);
   }
-  // s: from then on it is not known where B is.
+  // s: after that time B's place is not known.
   double known_until() const {
     if (followed == nullptr || !followed->trajectory->repeats_from()) return kInfinity;
     return std::max(followed->trajectory->places().back().time - followed->trajectory_time, 0.0);
   }
-  // m, at most, by which the two get nearer until then.
+  // m, an upper bound of the distance by which the two approach until then.
   double way_until(double t) const {
     const double of_trajectory =
         followed != nullptr ? followed->trajectory->max_speed(followed->trajectory_time) : 0.0;
@@ -76,7 +76,7 @@ struct Closing {
   }
 };
 
-// Whether at some time all that A can reach is within contact.
+// Finds a time at which all places that A can reach are within contact.
 std::optional<double> find_contact(const Closing& closing, double contact) {
   const double end = std::min(closing.spread.time_of(contact), closing.known_until());
   if (!(norm(closing.at(0.0)) < contact + closing.way_until(end))) return std::nullopt;
@@ -88,18 +88,18 @@ double top_speed(const Robot& robot) {
   return std::max(robot.max_speed, norm(robot.velocity));
 }
 
-// A straight line beside a wall that nobody reaches without contact.
+// A straight line beside a wall that no robot reaches without contact.
 struct Front {
   double gap = 0.0;      // m, to the line
   double closing = 0.0;  // m/s, towards it
-  double place = 0.0;    // m, of the foot, from the line's one end
+  double place = 0.0;    // m, from one end of the line to the foot
   double sliding = 0.0;  // m/s, along it
   double length = 0.0;   // m, of the line
 };
 constexpr int kLines = 17;
 
-// The time by which A has come to the line whatever it does, changing its velocity by `most` m/s²:
-// the latest is that of full braking, and by then its foot has not left the line.
+// The time by which A has reached the line for any change of its velocity by `most` m/s². The
+// latest time is that of full braking, if the foot has not left the line by then.
 std::optional<double> find_crossing(const Front& front, double most) {
   const auto& [gap, closing, place, sliding, length] = front;
   const double left = closing * closing - 2.0 * most * gap;
@@ -111,7 +111,7 @@ std::optional<double> find_crossing(const Front& front, double most) {
   return stays ? std::optional(latest) : std::nullopt;
 }
 
-// lost: m, that rounding may have cost of the two radii.
+// lost: m, the part of the two radii that rounding may have lost.
 std::optional<double> find_contact_of(const Robot& robot, const Neighbor& neighbor,
                                       const StepLaw& law, double lost) {
   const bool decides = neighbor.behavior == Behavior::decides;
@@ -124,7 +124,8 @@ std::optional<double> find_contact_of(const Robot& robot, const Neighbor& neighb
   const Neighbor* followed = is_followed ? &neighbor : nullptr;
   double contact = robot.radius + neighbor.radius - lost;
   if (is_followed) contact -= neighbor.trajectory->error();
-  // A may be off its present course by what its acceleration does, and off its place by its speed
+  // A may leave its present course by the effect of its acceleration, and its present place by the
+  // effect of its speed
   const std::array closings{
       Closing{p, robot.velocity - v_B, -kept, {position, velocity, a_A + a_B}, followed},
       Closing{p, -v_B, -kept, {position, velocity + top_speed(robot), a_B}, followed}};
@@ -152,7 +153,7 @@ std::optional<double> find_contact_of(const Robot& robot, const Wall& wall, doub
   const Vec2 along = (segment.b - segment.a) / length;
   const double side = cross(along, -segment.a);  // of A
   const Vec2 normal = side < 0.0 ? Vec2{along.y, -along.x} : Vec2{-along.y, along.x};
-  // any of these lines beside the wall is within contact, and a little beyond the wall's ends
+  // each of these lines beside the wall is within contact, and a little beyond the wall's ends
   for (int k = 0; k < kLines; ++k) {
     const double off = contact * (kLines - 1 - k) / (kLines - 1);
     const double beyond = std::sqrt(contact * contact - off * off) - lost;
@@ -164,8 +165,8 @@ std::optional<double> find_contact_of(const Robot& robot, const Wall& wall, doub
   return std::nullopt;
 }
 
-// What rounding may feign dooms nobody; of the others no more is taken off than these very sums
-// may have lost.
+// A contact that rounding may cause does not count as doomed. Otherwise only the rounding error of
+// these sums is subtracted.
 template <typename Find>
 std::optional<double> find_certain(double coordinates, double radii, const Find& find) {
   constexpr double kRounding = 0x1p-40;
@@ -179,7 +180,8 @@ std::optional<double> find_certain(double coordinates, double radii, const Find&
 
 std::optional<double> inevitable_contact(const Robot& robot, const Neighbor& neighbor,
                                          const StepLaw& law) {
-  if (neighbor.behavior == Behavior::cooperates) {  // it too may do its best
+  // a neighbor that cooperates may also do its best
+  if (neighbor.behavior == Behavior::cooperates) {
     Neighbor best = neighbor;
     best.behavior = Behavior::decides;
     return inevitable_contact(robot, best, law);

@@ -20,14 +20,14 @@ struct CertificateKernels {
                 ConstraintColumns&);
 };
 
-/// own.count is known, the columns have room for it.
+/// own.count must be set, and the columns must have room for it.
 void fill_own(const Braking& a, const Deviation& deviation, const StepLaw& law, OwnColumns& own);
 
-/// See constraints_kernel.h; the columns have room for all intervals.
+/// See constraints_kernel.h; the columns must have room for all intervals.
 double append_constraints(const PairConstraints& wanted, const StepLaw& law, const OwnColumns& own,
                           ConstraintColumns& constraints);
 
-/// Likewise.
+/// See constraints_kernel.h.
 void hold(const PairConstraints& wanted, std::size_t first, ConstraintColumns& constraints);
 
 /// See admission_kernel.h.

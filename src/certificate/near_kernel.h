@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Who is near enough to be braked for: docs/certificate/left_out.md.
+// Finds the neighbors that are near enough that a robot may have to brake for them:
+// docs/certificate/left_out.md.
 #ifndef AVO_CERTIFICATE_NEAR_KERNEL_H
 #define AVO_CERTIFICATE_NEAR_KERNEL_H
 
@@ -46,7 +47,7 @@ void fill(const RobotColumns& robots, const StepLaw& law, BrakingColumns& own) {
   }
 }
 
-/// Of one robot i and the chosen of its neighbors.
+/// Queues the selected neighbors of robot i.
 template <bool kUnlike, typename Real>
 AVO_KERNEL void push(const RobotColumns& robots, const BrakingColumns& a, std::size_t i,
                      const PackNeighbor<Real>& other, Real neighbor,
@@ -107,7 +108,8 @@ AVO_KERNEL NearPair lane_of(const PackPair<Real>& pair, const PackClearance<Real
           .against = number(clearance.against)};
 }
 
-/// Keeps those of the queue that may meet A and can refuse a candidate, and empties it.
+/// Keeps the pairs of the queue that may meet and can refuse a candidate of A, and empties the
+/// queue.
 template <typename Real, bool kUnlike>
 void judge(const StepLaw& law, NearQueue& queue, std::vector<NearPair>& kept) {
   const bool exact = law.is_exact();
@@ -118,7 +120,7 @@ void judge(const StepLaw& law, NearQueue& queue, std::vector<NearPair>& kept) {
         {load(queue.other_x), load(queue.other_y)},
         {load(queue.other_v_x), load(queue.other_v_y)},
         load(queue.other_radius),
-        select(is_pair, load(queue.other_max_acceleration), Real(1.0)),  // a divisor
+        select(is_pair, load(queue.other_max_acceleration), Real(1.0)),  // a divisor must not be 0
         kUnlike ? select(is_pair, load(queue.other_max_braking), Real(1.0)) : Real(1.0),
         load(queue.other_priority)};
     const PackSelf<Real> self{{load(queue.x), load(queue.y)},
@@ -149,8 +151,8 @@ void judge(const StepLaw& law, NearQueue& queue, std::vector<NearPair>& kept) {
   queue.count = 0;
 }
 
-/// Neighbors of robot i that are not far go to the queue; returns whether there are any that lanes
-/// leave out: movers, and those of an age.
+/// Queues the neighbors of robot i that are not far. Returns whether there are neighbors that the
+/// lanes leave out: movers, and neighbors with an age.
 template <typename Real, bool kUnlike>
 AVO_KERNEL bool look_for(const RobotColumns& robots, std::size_t i, Whom whom, const StepLaw& law,
                          NearPairs& pairs) {
@@ -206,7 +208,7 @@ AVO_KERNEL bool look_for(const RobotColumns& robots, std::size_t i, Whom whom, c
   return any(others);
 }
 
-/// Whether some have another priority than 1, or a limit of braking.
+/// Returns whether a robot has a priority other than 1, or a limit of braking.
 inline bool are_unlike(const RobotColumns& robots) {
   for (std::size_t i = 0; i < robots.count; ++i) {
     const NeighborColumns& others = *robots.neighbors[i].columns;
@@ -217,7 +219,7 @@ inline bool are_unlike(const RobotColumns& robots) {
   return false;
 }
 
-/// kUnlike: see are_unlike(); else nobody looks at priorities and limits of braking, which takes
+/// kUnlike: see are_unlike(). If false, priorities and limits of braking are not read, which takes
 /// fewer instructions.
 template <typename Real, bool kUnlike>
 AVO_KERNEL void look_for_all(const RobotColumns& robots, Whom whom, const StepLaw& law,
@@ -234,7 +236,7 @@ void find_near(const RobotColumns& robots, Whom whom, const StepLaw& law, NearPa
   pairs.own.take_strays(robots, law);
   fill<Real>(robots, law, pairs.own);
   pairs.kept.clear();
-  pairs.queue.count = 0;  // some are left where memory ran out
+  pairs.queue.count = 0;  // entries may be left where memory ran out
   pairs.has_others.resize(robots.count);
   pairs.whom = whom;
   if (are_unlike(robots)) {

@@ -8,7 +8,7 @@
 namespace avo::inline certificate {
 
 void BrakingColumns::reserve(std::size_t robots) {
-  if (far_reach[2].size() >= robots + kSpareNeighbors) return;  // the last to grow
+  if (far_reach[2].size() >= robots + kSpareNeighbors) return;  // this column grows last
   for (Column* column :
        {&speed,          &decrement,    &increment,      &full_steps,     &direction_x,
         &direction_y,    &length,       &stray_velocity, &stray_distance, &reach,

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Whom each of many robots may have to brake for: by far bounds the most of a fleet is told by
-// little arithmetic, what is left is judged in full lanes, whosever it is.
+// Finds the neighbors for which each of many robots may have to brake. Bounds exclude most far
+// pairs with little arithmetic; the rest of all robots is judged in full lanes.
 #pragma once
 #include <array>
 #include <cstddef>
@@ -15,11 +15,11 @@
 
 namespace avo::inline certificate {
 
-/// Whose constraints are wanted.
+/// Which neighbors' constraints are wanted.
 enum class Whom : unsigned char { everyone, movers };
 
-/// By robot: its braking path, how far its candidates' paths get from it, and by which bounds it is
-/// told who can refuse nothing, see PackBound.
+/// By robot: its braking path, how far its candidates' paths get from it, and the bounds that tell
+/// which neighbors can refuse nothing, see PackBound.
 struct BrakingColumns {
   using Column = std::vector<double>;
   Column speed, decrement, increment, full_steps, direction_x, direction_y, length, reach,
@@ -30,17 +30,17 @@ struct BrakingColumns {
   Column fast_speed, fast_steps, slow_speed, slow_steps, most_ahead, most_aside;
   Column far_distance, far_speed_squared;  // m, m²/s²
   Column clear_distance, per_decrement;    // m, s/m
-  Column next_ahead, next_aside;           // m, of one candidate; by admit_next()
-  std::array<Column, 3> far_reach;         // of the other's speed, a polynomial: m, s, s²/m
+  Column next_ahead, next_aside;           // m, of one candidate; set by admit_next()
+  std::array<Column, 3> far_reach;         // a polynomial in the other's speed: m, s, s²/m
 
   void reserve(std::size_t robots);
-  /// How far the models of the robots stray.
+  /// Sets how far the models of the robots stray.
   void take_strays(const RobotColumns& robots, const StepLaw& law);
   Braking braking(std::size_t i) const;
   Deviation deviation(std::size_t i) const;
 };
 
-/// Pairs that are not far, until there are enough of them to fill lanes.
+/// Pairs that are not far, until there are enough of them to fill the lanes.
 struct NearQueue {
   static constexpr std::size_t kSize = 64, kSpare = 16;
   struct Column : std::array<double, kSize + kSpare> {
@@ -55,9 +55,9 @@ struct NearQueue {
       other_max_braking, other_priority;
 };
 
-/// A pair that can refuse a candidate of A's: see BrakingPair.
+/// A pair that can refuse a candidate of A: see BrakingPair.
 struct NearPair {
-  std::uint32_t robot, neighbor;  ///< of the robots, and of this one's neighbors
+  std::uint32_t robot, neighbor;  ///< index of the robot, and index into its neighbors
   Vec2 p;
   double contact, inflated, error, share;
   Braking b;
@@ -79,12 +79,12 @@ struct NearPair {
 struct NearPairs {
   BrakingColumns own;
   NearQueue queue;
-  Whom whom = Whom::everyone;    ///< was asked for
+  Whom whom = Whom::everyone;    ///< which constraints were asked for
   std::vector<NearPair> kept;    ///< robot by robot, by ascending neighbor
-  std::vector<std::size_t> end;  ///< behind those of robot i
-  /// Whether robot i has some that do not decide, or are of an age: they are looked at one by one.
+  std::vector<std::size_t> end;  ///< one past the pairs of robot i
+  /// Whether robot i has neighbors that do not decide, or have an age: they are judged one by one.
   std::vector<std::uint8_t> has_others;
-  std::vector<std::uint8_t> admits;  ///< by admit_next()
+  std::vector<std::uint8_t> admits;  ///< set by admit_next()
 
   std::span<const NearPair> of(std::size_t i) const {
     const std::size_t first = i == 0 ? 0 : end[i - 1];
@@ -99,12 +99,13 @@ struct NearPairs {
   }
 };
 
-/// Of each robot's neighbors that decide and are of age 0, if everyone's constraints are wanted,
-/// those that may meet it and can refuse a candidate.
+/// Finds each robot's neighbors that decide and have age 0, if everyone's constraints are wanted.
+/// It keeps the neighbors that may meet the robot and can refuse a candidate.
 void find_near(const RobotColumns& robots, Whom whom, const StepLaw& law, NearPairs& near);
 
-/// Whether robot i, which is no car and has no others, may have the next velocity whatever its
-/// near pairs demand, after find_near() for everyone: it deviates too little from braking.
+/// Finds whether robot i may have the next velocity whatever its near pairs demand: the velocity
+/// deviates too little from braking. The robot must be no car and have no others, and find_near()
+/// must have run for everyone.
 void admit_next(const RobotColumns& robots, const std::vector<double>& next_x,
                 const std::vector<double>& next_y, const StepLaw& law, NearPairs& near);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// How far two robots that brake can get.
+// How far two robots that brake can move.
 #include "certificate/pair.h"
 
 #include <algorithm>
@@ -34,7 +34,8 @@ scalar::PackBraking<Real> pack(const Braking& braking) {
   return scalar::constant<Real>(braking);
 }
 
-// m, that one on a trajectory may come from where it is sensed until a time from now on, s.
+// m, the largest distance of a mover on a trajectory from its sensed place until a time from now
+// on, s.
 double way_on_trajectory(const Neighbor& mover, double time) {
   const Trajectory& trajectory = *mover.trajectory;
   const double end = mover.trajectory_time + time;
@@ -48,7 +49,7 @@ double way_on_trajectory(const Neighbor& mover, double time) {
   return way + trajectory.error() + 0.5 * time * time * mover.max_deviation;
 }
 
-// m, that a mover may come in all intervals in which A may move.
+// m, the largest distance that a mover may move in all intervals in which A may move.
 double way_of_mover(const Neighbor& mover, const Braking& a, const StepLaw& law) {
   const double t = law.time_step * a.intervals;
   if (mover.trajectory != nullptr) return way_on_trajectory(mover, t);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Two robots that may have to brake for each other: how far each gets, and what rounding costs.
+// Two robots that may have to brake for each other: how far each moves, and the margin for
+// rounding.
 #pragma once
 #include <algorithm>
 
@@ -23,71 +24,77 @@ struct Braking {
   double increment = 0.0;  ///< [u_a] m/s, see increment()
   Vec2 direction;          ///< unit, or 0 at rest
   double length = 0.0;     ///< [l] m until rest
-  double reach = 0.0;      ///< m that no candidate's path leaves
-  double intervals = 0.0;  ///< in which it or one of its candidates may move
+  double reach = 0.0;      ///< m, the radius that no candidate's path leaves
+  /// number of intervals in which the robot or one of its candidates may move
+  double intervals = 0.0;
 };
 Braking braking_of(Vec2 velocity, const Ability& ability, const StepLaw& law);
 
-/// How far any candidate's path gets from A's braking path, m, by interval: ahead and to a side of
-/// A's direction, and anyhow, growing with the distance that braking from the candidates' largest
-/// speed has covered where the interval begins (ahead: what that is more than for their least).
+/// The largest distance of any candidate's path from A's braking path, m, by interval: ahead of A's
+/// direction, to a side of it, and in any direction. It grows with the distance that braking from
+/// the candidates' largest speed has covered at the start of the interval. For `ahead` only the
+/// excess over the least speed of the candidates counts.
 struct Deviation {
   struct Line {
     double start = 0.0, per_distance = 0.0;
   };
   Line ahead, across, anyhow;
   BrakingProfile fast, slow;
-  double most_ahead = 0.0, most_aside = 0.0;  ///< of all intervals: ahead; across and anyhow
+  /// maxima over all intervals: ahead; across and in any direction
+  double most_ahead = 0.0, most_aside = 0.0;
 };
 
-/// Pairs whose braking takes more intervals than this are not looked at but braked for.
+/// Pairs with more braking intervals than this are not computed: the robot brakes for them.
 inline constexpr double kMostIntervals = 65536.0;
 
-/// Robot A and one neighbor B. Whatever both must agree on is odd in the exchange of the two, bit
-/// for bit.
+/// Robot A and one neighbor B. Each value on which both must agree is odd in the exchange of the
+/// two, bit for bit.
 struct BrakingPair {
   Vec2 p;           ///< [p_A - p_B] m
   double contact;   ///< [r_A + r_B] m
-  double inflated;  ///< m, contact and what covers all rounding (docs/certificate/rounding.md)
-  double error;     ///< [e] m, most that B's path is off from what is sensed, at its end
+  double inflated;  ///< m, contact and a margin for all rounding (docs/certificate/rounding.md)
+  double error;     ///< [e] m, the largest error of B's path relative to the sensed one, at its end
   double
-      share;  ///< [β] of the free gap that is A's, room_share(), 1 against one that does not decide
-  bool decides;  ///< B does
+      /// [β] A's share of the free gap, room_share(), 1 against a neighbor that does not decide
+      share;
+  bool decides;  ///< whether B decides
   Braking a, b;
 };
 BrakingPair braking_pair(const Robot& robot, const Neighbor& neighbor, const Braking& a,
                          const StepLaw& law);
 
-/// m/s²: by which the neighbor's acceleration may differ from the one that it is carried on with.
+/// m/s²: the largest difference of the neighbor's acceleration from the one used for extrapolation.
 double top_acceleration(const Neighbor& neighbor);
 
-/// How far the neighbor may be from how it is given: by the errors that A declares, and by whatever
-/// else it may have done since it was sensed (docs/certificate/errors.md, "Age").
+/// The error of the given state of the neighbor: by the errors that A declares, and by any motion
+/// since it was sensed (docs/certificate/errors.md, "Age").
 SensingError error_against(const Neighbor& neighbor, const StepLaw& law);
 
-/// Whether no candidates of the two, followed by braking, can bring them into contact.
+/// Returns whether no candidates of the two, followed by braking, can bring them into contact.
 bool cannot_meet(const BrakingPair& pair, const Neighbor& neighbor, const StepLaw& law);
 
-/// Whether two in contact, at that distance, are so deep in it that they nearly coincide.
+/// Returns whether two robots in contact, at that distance, are so deep that they nearly coincide.
 inline bool nearly_coincide(double distance, double contact) {
   return distance < 0.5 * contact;
 }
 
 /// The state of a robot's pairs before it decides.
 struct Invariant {
-  /// m, least distance beyond contact while all brake, of pairs and intervals that are near enough
-  /// to refuse anything; infinite if none is
+  /// m, the least distance beyond contact while all brake, over pairs and intervals that are near
+  /// enough to refuse a candidate; infinite if there is none
   double slack = 0.0;
   Deepest broken =
-      {};  ///< of the neighbors with which braking collides, for all that errors may hide
-  /// One that does not decide is in contact, or braking does not avoid it: brake, and stay at rest.
+      /// the deepest neighbor with which braking collides, with the possible errors subtracted
+      {};
+  /// A neighbor that does not decide is in contact, or braking does not avoid it: brake, and stay
+  /// at rest.
   bool touched = false;
-  bool unknown = false;   ///< one brakes for longer than kMostIntervals: brake
+  bool unknown = false;   ///< a neighbor brakes for longer than kMostIntervals: brake
   bool doubtful = false;  ///< braking collides, or errors may hide that it does
 };
 
-/// The invariant held by a pair, and the distance that it is held to from now on: contact where it
-/// can be, and where braking cannot keep that, what braking does keep.
+/// Returns the distance that the pair must keep from now on: contact where possible, and the
+/// distance that braking keeps where braking cannot keep contact. It also updates the invariant.
 double held_distance(const BrakingPair& pair, double distance, int index, Invariant& invariant);
 
 }  // namespace avo::inline certificate

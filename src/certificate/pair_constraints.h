@@ -8,20 +8,20 @@
 
 namespace avo::inline certificate {
 
-/// Covers rounding of squares, and of the margin for it what grows with the distance.
+/// Covers rounding of squares, and the part of the rounding margin that grows with the distance.
 inline constexpr double kFarther = 1.0 + 0x1p-27;
 
-/// One pair whose constraints are wanted.
+/// One pair for which constraints are computed.
 struct PairConstraints {
   const BrakingPair& pair;
   const Neighbor& other;
   int neighbor;           ///< its index
-  std::size_t intervals;  ///< that are looked at
-  double inflated;        ///< m, contact and all that is known to be uncertain
-  double held;            ///< m, the distance that is held; until it is known, inflated
-  double moving;          ///< the invariant speaks of the intervals below
-  bool is_free = false;   ///< both decide, at times of their own
-  const TrajectorySteps* trajectory = nullptr;  ///< of one whose future is known, from p_B
+  std::size_t intervals;  ///< number of intervals that are judged
+  double inflated;        ///< m, contact and all known uncertainty
+  double held;            ///< m, the distance that is held; `inflated` until it is known
+  double moving;          ///< the invariant covers the intervals below this one
+  bool is_free = false;   ///< both decide, each at its own times
+  const TrajectorySteps* trajectory = nullptr;  ///< of a neighbor with a known future, from p_B
 };
 
 }  // namespace avo::inline certificate

@@ -46,7 +46,7 @@ AVO_KERNEL PackBraking<Real> braking_of(Vec<Real> velocity, Real max_acceleratio
   result.profile = profile(speed, u);
   result.increment = max_acceleration * Real(law.braking_time);
   result.direction = {select(moves, direction.x, zero), select(moves, direction.y, zero)};
-  // it may be faster than it looks
+  // the robot may be faster than it is sensed
   const PackProfile<Real> top =
       profile(speed + Real(law.sensing_error.velocity) + result.increment, u);
   result.length = stopping_length(result.profile, law);
@@ -102,13 +102,12 @@ AVO_KERNEL PackDeviation<Real> deviation_of(const PackBraking<Real>& a, Real str
                   select(steady, rounding, zero)};
   result.across = {select(steady, rounding * lead * u_a, zero),
                    select(steady, rounding * u_a / (speed + u_a), zero)};
-  Real behind =
-      zero;  // so far y falls behind x, where what may be chosen brakes harder than braking
+  Real behind = zero;  // how far y falls behind x, where a candidate brakes harder than braking
   if (any(u_a > u)) {
     const Real least = stopping_length(profile(max(speed - u_a, zero), u), law);
     behind = max(lead * (u_a - u) + (left - least), zero);
   }
-  // a velocity moves a braking path by no more than itself times the time
+  // a change of velocity moves a braking path by no more than the change times the time
   const Real apart = Real(0.5) * stray_velocity * (u_a + max(u_a, u));
   const Real astray = apart * Real(law.time_step) * a.intervals + stray_distance;
   const Real slow_start = lead * (speed + u_a + braked.speed) + left;
@@ -122,14 +121,14 @@ AVO_KERNEL PackDeviation<Real> deviation_of(const PackBraking<Real>& a, Real str
   return result;
 }
 
-/// How far the path of one candidate gets from A's braking path, m: at most so far against A's
-/// direction, and so far anyhow.
+/// The distance of one candidate's path from A's braking path, m: the largest distance against A's
+/// direction, and in any direction.
 template <typename Real>
 struct PackCandidateDeviation {
   Real ahead, aside;
 };
 
-// docs/certificate/left_out.md, of v_1 itself instead of all that A may choose
+// docs/certificate/left_out.md, applied to v_1 itself instead of all candidates of A
 template <typename Real>
 AVO_KERNEL PackCandidateDeviation<Real> candidate_deviation(const PackBraking<Real>& a,
                                                             Vec<Real> next_velocity,
@@ -155,8 +154,8 @@ AVO_KERNEL PackCandidateDeviation<Real> candidate_deviation(const PackBraking<Re
   return {select(steady, rounding * max(ahead, zero) + margin, zero), rounding * aside + margin};
 }
 
-/// Where clocks are free, how far B may be from where it holds its velocity for one step and then
-/// brakes: start + per_time t and not more than `most`, m at the time t
+/// Where clocks are free, a bound of B's distance from the path on which it holds its velocity for
+/// one step and then brakes. It is start + per_time t and at most `most`, m at the time t
 /// (docs/certificate/clocks.md, "Drift"). In the rest of its step B may speed up, or brake.
 template <typename Real>
 struct PackDrift {
@@ -167,17 +166,16 @@ template <typename Real>
 AVO_KERNEL PackDrift<Real> drift_of(Real speed, Real increment, Real decrement,
                                     const StepLaw& law) {
   const double H = law.time_step, L = law.longest_step;  // s
-  const double V = L > H ? 2.0 * L - H : H;              // s: a V is how much faster it may be
+  const double V = L > H ? 2.0 * L - H : H;              // s: B may be faster by a V
   const Real change = max(increment, decrement);
   const Real a = change / Real(law.braking_time), weakness = change / decrement;
   const Real start = Real(0.125 * (H * H + L * L) - 0.5 * H * H) * a;
-  const Real to_rest =  // a times it
+  const Real to_rest =  // a times the time to rest
       Real(H) * a + weakness * (speed + Real(law.sensing_error.velocity));
   return {start, Real(V) * a, start + Real(V) * to_rest + Real(0.5 * V * V) * a * weakness};
 }
 
-/// Steps by which the intervals of a pair are more where clocks are free: B holds its velocity, and
-/// stops later than that.
+/// Additional intervals of a pair where clocks are free: B holds its velocity, and so stops later.
 template <typename Real>
 AVO_KERNEL Real later_intervals(Real increment, Real decrement, const StepLaw& law) {
   if (!law.has_free_clocks()) return Real(0.0);
@@ -185,7 +183,7 @@ AVO_KERNEL Real later_intervals(Real increment, Real decrement, const StepLaw& l
   return Real(1.0) + floor(max(increment, decrement) / decrement * Real(steps));
 }
 
-/// See BrakingPair, of one that decides.
+/// See BrakingPair, for a neighbor that decides.
 template <typename Real>
 struct PackPair {
   Vec<Real> p;
@@ -193,15 +191,15 @@ struct PackPair {
   PackBraking<Real> b;
 };
 
-/// Rounding moves a pair by at most 2^-50 of its lengths a step. While both brake such errors add
-/// up, for at most so many steps; a decision shrinks what has added up by a share.
-/// docs/certificate/rounding.md; four times what is derived there.
+/// Rounding moves a pair by at most 2^-50 of its lengths a step. While both brake these errors add
+/// up, for at most so many steps; a decision reduces the sum by a share.
+/// docs/certificate/rounding.md; four times the bound that is derived there.
 template <typename Real>
 AVO_KERNEL Real rounding_margin(Real lengths, Real intervals, Real shrinks) {
   return Real(0x1p-48) * lengths * (Real(1.0) + intervals) / shrinks;
 }
 
-/// Most that B's path is ever off from what is sensed, m.
+/// The largest error of B's path relative to the sensed one at any time, m.
 template <typename Real>
 AVO_KERNEL Real error_of(const PackBraking<Real>& b, const StepLaw& law) {
   if (law.is_exact()) return Real(0.0);
@@ -211,7 +209,7 @@ AVO_KERNEL Real error_of(const PackBraking<Real>& b, const StepLaw& law) {
          drift_of(b.profile.speed, b.increment, b.profile.decrement, law).most;
 }
 
-/// kUnlike: by priorities and limits of braking, which matter only where some differ.
+/// kUnlike: with priorities and limits of braking, which matter only where some differ.
 template <bool kUnlike = true, typename Real>
 AVO_KERNEL PackPair<Real> pair_of(const PackSelf<Real>& self, const PackNeighbor<Real>& other,
                                   const StepLaw& law) {
@@ -239,12 +237,12 @@ AVO_KERNEL PackPair<Real> pair_of(const PackSelf<Real>& self, const PackNeighbor
   return pair;
 }
 
-/// What B can refuse at all: nothing to whoever deviates from A's braking path by less than the gap
+/// What B can refuse: B refuses no path that deviates from A's braking path by less than the gap
 /// (docs/certificate/left_out.md).
 template <typename Real>
 struct PackClearance {
-  Real gap;      // m, A's share of what joint braking leaves; -∞ where that is not known
-  Real against;  // in [0, 1], largest part of any of the normals against A's direction
+  Real gap;      // m, A's share of the gap that joint braking leaves; -∞ where it is not known
+  Real against;  // in [0, 1], the largest part of any of the normals against A's direction
 };
 
 template <bool kUnlike = true, typename Real>
@@ -257,7 +255,7 @@ AVO_KERNEL PackClearance<Real> clearance_of(const PackSelf<Real>& self, const Pa
   const Real towards =
       min(zero, length_A * dot(pair.p, d_A)) - max(zero, pair.b.length * dot(pair.p, d_B));
   const Real alone = d + towards / select(apart, d, one);
-  // of those who brake alike the relative velocity never grows
+  // the relative velocity of robots with equal braking never grows
   const Real steps = one + max(self.braking.profile.full_steps, pair.b.profile.full_steps);
   const Real drift = Real(law.time_step) * steps * norm(self.velocity - other.velocity);
   const Real b_A = kUnlike ? self.max_braking : self.max_acceleration;
@@ -268,21 +266,21 @@ AVO_KERNEL PackClearance<Real> clearance_of(const PackSelf<Real>& self, const Pa
   const Real passes = pair.b.length * max(zero, dot(d_A, d_B));
   const Real shift = select(brake_alike, min(passes, drift), passes);
   const auto clear = apart & (nearest > zero);
-  // and what rounding of p . d may hide
+  // with the part that rounding of p . d may hide
   const Real towards_B = max(zero, shift - dot(pair.p, d_A)) + Real(0x1p-40) * d;
   const Real against = towards_B / select(clear, nearest, one);
   const Real unknown(-std::numeric_limits<double>::infinity());
   return {select(clear, pair.share * (nearest - pair.inflated), unknown), min(against, one)};
 }
 
-/// A as are_far() and are_clear() see it.
+/// The values of A that are_far() and are_clear() read.
 template <typename Real>
 struct BrakingPoint {
   Vec<Real> position, velocity, direction;
   Real speed, max_acceleration;
 };
 
-/// What is known of A before it looks at anybody: see BrakingColumns.
+/// The values of A that do not depend on a neighbor: see BrakingColumns.
 template <typename Real>
 struct PackBound {
   Real far_distance;            // m
@@ -293,12 +291,13 @@ struct PackBound {
   Real most_ahead, most_aside;  // m
 };
 
-/// At least what one step and stopping take of one as fast as v, as a polynomial in v: v²/2a and
-/// what is lost by stopping in steps.
+/// An upper bound of the distance of one step and stopping for a robot of speed v, as a polynomial
+/// in v: v²/2a and the loss by stopping in steps.
 template <typename Real>
 AVO_KERNEL std::array<Real, 3> reach_bound(Real increment, Real u, const StepLaw& law) {
   const Real h(law.time_step), half(0.5), per_u = Real(1.0) / u;
-  const Real top = Real(law.sensing_error.velocity) + increment;  // that one at rest may have
+  // that a robot sensed at rest may have
+  const Real top = Real(law.sensing_error.velocity) + increment;
   const Real lost(std::abs(law.lag - 0.5 * law.time_step));
   return {(h - Real(law.lag) + lost) * top + h * (half * top * top * per_u + Real(0.125) * u),
           h + h * top * per_u + lost, half * h * per_u};
@@ -317,7 +316,7 @@ AVO_KERNEL PackBound<Real> bound_of(Vec<Real> position, Real radius, const PackB
   const Real intervals = (Real(3.0) + later_intervals(a.increment, u, law)) + (speed + top) * per_u;
   Real error = Real(law.sensing_error.position) + Real(law.sensing_error.velocity) * h * intervals;
   if (law.has_free_clocks()) error = error + drift_of(speed, a.increment, u, law).most;
-  // of the rounding margin, what does not grow with the distance
+  // the part of the rounding margin that does not grow with the distance
   const Real places = abs(position.x) + abs(position.y);
   const Real lengths = radius + reach_at(own.speed);
   const Real margin = Real(0x1p-46) * (places + lengths + radius + reach_at(speed)) * intervals;
@@ -332,8 +331,8 @@ AVO_KERNEL PackBound<Real> bound_of(Vec<Real> position, Real radius, const PackB
           deviation.most_aside};
 }
 
-/// B is of A's a_max, and no faster than A may be. Its priority and its limit of braking have to be
-/// A's as well.
+/// Returns whether B has A's a_max, and is no faster than A may be. B's priority and limit of
+/// braking must be A's as well.
 template <typename Real>
 AVO_KERNEL auto is_alike(const PackBound<Real>& bound, const BrakingPoint<Real>& self,
                          const PackNeighbor<Real>& other) {
@@ -342,7 +341,7 @@ AVO_KERNEL auto is_alike(const PackBound<Real>& bound, const BrakingPoint<Real>&
          (other.max_acceleration >= self.max_acceleration);
 }
 
-/// Whether they are alike, and farther apart than both reach.
+/// Returns whether the two are alike, and farther apart than both reach.
 template <typename Real>
 AVO_KERNEL auto are_far(const PackBound<Real>& bound, const BrakingPoint<Real>& self,
                         const PackNeighbor<Real>& other) {
@@ -353,9 +352,9 @@ AVO_KERNEL auto are_far(const PackBound<Real>& bound, const BrakingPoint<Real>& 
          (distance > Real(kFarther) * (bound.far_distance + other.radius + reach));
 }
 
-/// Whether they are alike, and drift towards each other too slowly for B to refuse anything: the
-/// gap of clearance_of(), with the intervals of the faster one, times what drifting leaves of the
-/// distance. It takes no division.
+/// Returns whether the two are alike, and drift towards each other too slowly for B to refuse a
+/// candidate. It uses the gap of clearance_of(), with the intervals of the faster one, times the
+/// part of the distance that remains after drifting. It takes no division.
 template <typename Real>
 AVO_KERNEL auto are_clear(const PackBound<Real>& bound, const BrakingPoint<Real>& self,
                           const PackNeighbor<Real>& other, const StepLaw& law) {

@@ -28,7 +28,7 @@ double Predicted::spread_at(double time) const {
   return t * (drift + 0.5 * t * deviation);
 }
 
-// Along one of three directions: any one is proof.
+// Tests three directions: any one of them is proof.
 bool keeps_off(const Hull& relative, double distance) {
   const auto along = [&](Vec2 n) {
     const double least = (distance + relative.bend) * norm(n);
@@ -42,7 +42,7 @@ bool keeps_off(const Hull& relative, double distance) {
 
 namespace {
 
-// Whether A, at rest at the place, is not touched from one time to a later one.
+// Returns whether A, at rest at the place, is not touched from one time to a later one.
 bool keeps_beside_parabola(const Predicted& other, Vec2 place, double from, double to,
                            double distance, int bisections) {
   const Vec2 c = other.place_at(from);
@@ -55,15 +55,16 @@ bool keeps_beside_parabola(const Predicted& other, Vec2 place, double from, doub
          keeps_beside_parabola(other, place, half, to, distance, bisections - 1);
 }
 
-// s, from which on one that accelerates for ever moves away from the place, beyond the distance:
-// along n = a/|a|, n·(c(t) - place) = s + n·v t + |a| t²/2.
+// s, the time after which a mover with constant acceleration moves away from the place, beyond the
+// distance: along n = a/|a|, n·(c(t) - place) = s + n·v t + |a| t²/2.
 double leaves_at(const Predicted& other, Vec2 place, double distance) {
   const double a = norm(other.acceleration);
   const Vec2 n = other.acceleration / a;
   const double s = dot(n, other.position - place) - distance, v = dot(n, other.velocity);
   if (s >= 0.0 && v >= 0.0) return 0.0;
   const double root = std::sqrt(std::max(v * v - 2.0 * a * s, 0.0));
-  // of its two forms the one in which nothing cancels; where it comes back, once it moves away
+  // the form without cancellation; where the mover comes back, the time at which it moves away
+  // again
   return std::max(v > 0.0 ? -2.0 * s / (root + v) : (root - v) / a, 0.0);
 }
 
@@ -84,7 +85,7 @@ bool rests_clear(const Predicted& other, Vec2 place, double time) {
   }
   const Vec2 way = place - other.place_at(time), v = other.velocity_at(time);
   const double squared = norm_squared(v), along = is_rest(v) ? 0.0 : dot(way, v);
-  // of one that goes away, or rests, it counts where it is
+  // for a mover that moves away, or rests, its place at that time counts
   if (!(along > 0.0)) return norm(way) >= other.contact + other.spread_at(time);
   return norm(way - std::min(along / squared, other.until - time) * v) >= distance;
 }
@@ -97,8 +98,8 @@ Hull relative_to(const Predicted& other, const Hull& own, double time, const Ste
 
 namespace {
 
-// m, that A keeps of where the other one is seen at `from`, whatever it does after that: without
-// [V].
+// m, the distance that A keeps from the place where the mover is seen at `from`, for any later
+// motion of it: without [V].
 double kept_of_place(const Predicted& other, double from, double end) {
   const double seen = std::min(from, other.reaction);
   return other.stop_contact + (from + end) * other.drift + 0.5 * other.deviation * seen * seen;

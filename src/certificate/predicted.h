@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where somebody who does not decide is predicted to be, and what keeps clear of it for sure
-// (docs/movers.md). Places are relative to p_A, and times count from the decision.
+// The predicted places of a mover, and proofs that a path keeps clear of them (docs/movers.md).
+// Places are relative to p_A, and times count from the decision.
 #pragma once
 #include <limits>
 
@@ -9,54 +9,59 @@
 
 namespace avo::inline certificate {
 
-/// Somebody whom a way has to keep clear of, who keeps its acceleration for ever, or its
+/// A mover that a way out must keep clear of. It keeps its acceleration for ever, or its
 /// trajectory.
 struct Predicted {
   Vec2 position, velocity, acceleration;  // m, m/s, m/s²; read where there is no trajectory
   TrajectorySteps* trajectory = nullptr;  // from p_A, in steps of A
-  double contact = 0.0;                   ///< m, to be kept from it
-  double drift = 0.0;                     ///< [e] m/s, by which its velocity may be another one
-  double deviation = 0.0;                 ///< [η] m/s², likewise its acceleration
-  double reaction = 0.0;                  ///< [T] s: e and η are reckoned with for so long
-  /// (C2): A has to be able to be at rest when it comes, and keeps stop_contact (m) until then.
+  double contact = 0.0;                   ///< m, to be kept from the mover
+  double drift = 0.0;                     ///< [e] m/s, the error of its velocity
+  double deviation = 0.0;                 ///< [η] m/s², the deviation of its acceleration
+  double reaction = 0.0;                  ///< [T] s: e and η are counted for so long
+  /// (C2): A must be able to be at rest when the mover comes, and keeps stop_contact (m) until
+  /// then.
   bool asks_to_stop = false;
   double stop_contact = 0.0;
   double max_speed = std::numeric_limits<double>::infinity();  ///< [V] m/s
-  /// s: for so long rest has to be clear of it, where its trajectory is not known.
+  /// s: rest must be clear of the mover until this time, where its trajectory is not known.
   double until = std::numeric_limits<double>::infinity();
-  double fastest = 0.0;  ///< m/s: neither it nor its spread ever comes nearer by more in a second
+  /// m/s: the mover and its spread never come nearer by more than this in a second
+  double fastest = 0.0;
 
-  // On a trajectory the time is a whole number of steps.
+  // On a trajectory the time must be a whole number of steps.
   Vec2 place_at(double time) const;
   Vec2 velocity_at(double time) const;
-  /// m, by which it may be off the parabola of three points in the step that begins then.
+  /// m, the distance of the mover from the parabola of three points in the step that begins then.
   double bend_at(double time) const;
-  /// [ρ] m, by which it may be elsewhere then.
+  /// [ρ] m, the radius of its possible places at that time.
   double spread_at(double time) const;
 };
 
 /// A's path on an interval: the Bézier points of a hull.
 struct Hull {
   Vec2 start, middle, end;  // m
-  double bend = 0.0;        // m, that the path may be outside of it
+  double bend = 0.0;        // m, by which the path may leave the hull
 };
 
-/// A's path in the interval of one step from that time on, as the other one sees it.
+/// A's path in the interval of one step from that time on, relative to the other body.
 Hull relative_to(const Predicted& other, const Hull& own, double time, const StepLaw& law);
-/// Whether all of a path is at least so far from the origin, m. Who keeps off keeps off any less.
+/// Returns whether a whole path is at least so far from the origin, m. If it keeps off by a
+/// distance, it keeps off by any smaller one.
 bool keeps_off(const Hull& relative, double distance);
-/// (C1) of a robot that rests at `place` from that time on, for ever or `until` then.
+/// Tests (C1) for a robot that rests at `place` from that time on, for ever or `until` then.
 bool rests_clear(const Predicted& other, Vec2 place, double time);
-/// (C2) of an interval that begins `elapsed` s after the time `from`, when A decides to brake and
-/// sees the other one: within one of the two discs of docs/certificate/movers.md, "Movers that do
-/// as they like", about where it is predicted to be seen then.
+/// Tests (C2) for an interval that begins `elapsed` s after the time `from`, when A decides to
+/// brake and sees the mover. It tests whether the path is within one of the two discs of
+/// docs/certificate/movers.md, "Movers that do as they like", about the predicted place at that
+/// time.
 bool is_reached_at_rest(const Predicted& other, const Hull& own, double from, double elapsed,
                         const StepLaw& law);
-/// m: whoever keeps off by that until so long after `from` satisfies (C2).
+/// m: a path that keeps off by that until so long after `from` satisfies (C2).
 double kept_before_rest(const Predicted& other, double from, double elapsed);
-/// m, between contact and where it may be then; until that is used up, nothing that A does matters.
+/// m, between contact and the places where the mover may be then. Until that is used up, no motion
+/// of A matters.
 double room_to(const Predicted& other, Vec2 place, double time);
-/// The same, m, of the braking that was decided on `elapsed` s ago, at `from`.
+/// m, the same room for braking that was decided `elapsed` s ago, at `from`.
 double room_before_rest(const Predicted& other, Vec2 place, double from, double elapsed);
 
 }  // namespace avo::inline certificate

@@ -9,18 +9,20 @@
 namespace avo::inline certificate {
 namespace {
 
-// To the origin; between two equally near ones, which only rounding tells apart. The same whichever
-// is named first, negated if both are, and turned by 90 degrees if both are.
+// The vector that is nearer to the origin, or the middle of two equally near ones, which only
+// rounding tells apart. The result is the same for either order, negated if both are, and turned by
+// 90 degrees if both are.
 Vec2 nearer_of(Vec2 a, Vec2 b) {
   const double of_a = norm_squared(a), of_b = norm_squared(b);
   if (of_a != of_b) return of_a < of_b ? a : b;
   return 0.5 * (a + b);
 }
 
-// The line of largest margin between two segments, as its normal from B's to A's: the direction of
-// the point nearest to the origin of their difference, a parallelogram. Unique even where the
-// segments are parallel. Odd in the exchange of A and B bit for bit: each edge runs from where the
-// robots are to where they stop, and the edges that change places are compared with each other.
+// The line of largest margin between two segments, as its normal from B's to A's. It is the
+// direction of the point of their difference, a parallelogram, that is nearest to the origin. It is
+// unique even where the segments are parallel. It is odd in the exchange of A and B, bit for bit.
+// Each edge runs from the places of the robots to where they stop; the edges that change places are
+// compared with each other.
 Vec2 separating_normal(const std::array<Vec2, 4>& corners) {
   const auto edge = [&](std::size_t from, std::size_t to) {
     return nearest_on_segment(corners[from], corners[to]);
@@ -47,7 +49,7 @@ void collect_capsules(const Robot& robot, const Neighbors& neighbors, const Step
     double distance = dot(n, corners[0]);
     for (const Vec2 corner : corners) distance = std::min(distance, dot(n, corner));
     const double held = held_distance(pair, distance, static_cast<int>(k), invariant);
-    if (n == Vec2{}) continue;  // they coincide: no direction, and nothing to lose
+    if (n == Vec2{}) continue;  // they coincide: there is no direction, and nothing to lose
     // A's capsule begins at n . x = min(0, n . s_A), and may use its share of the gap
     const double begin = std::min(0.0, dot(n, s_A));
     constraints.push_back({static_cast<int>(k), n, begin - pair.share * (distance - held), begin});
@@ -72,11 +74,11 @@ void append_half_planes(std::span<const CapsuleConstraint> constraints, const Ro
                         const StepLaw& law, double top_speed, std::vector<HalfPlane>& half_planes) {
   const double decrement = decrement_of(robot, law);
   const double lead = law.time_step - law.lag;
-  // l(S)/S, nondecreasing: a slower robot stops earlier than the half-plane counts on
+  // l(S)/S, nondecreasing: a slower robot stops earlier than the half-plane assumes
   const double stopping_time =
       top_speed > 0.0 ? stopping_length(top_speed, decrement, law) / top_speed : law.lag;
   for (const CapsuleConstraint& constraint : constraints) {
-    if (constraint.normal == Vec2{}) continue;  // equal centers: no direction
+    if (constraint.normal == Vec2{}) continue;  // the centers are equal: there is no direction
     // n . (s v + (Δt - s) v_1 + l(S)/S v_1) >= offset, exact for |v_1| = S
     const double start = law.lag * dot(constraint.normal, robot.velocity);
     const double rest = constraint.offset - start;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Stopping capsules: each robot keeps what it needs to stop on its own side of a line that both
-// robots of a pair derive from the capsules in which they would stop now
+// Stopping capsules: each robot keeps the area that it needs to stop on its own side of a line.
+// Both robots of a pair derive the line from the capsules in which they would stop now
 // (docs/certificate/capsules.md).
 #pragma once
 #include <span>
@@ -13,19 +13,19 @@
 
 namespace avo::inline certificate {
 
-/// What one neighbor demands: normal . x >= offset for all of A's next capsule, relative to p_A.
+/// The demand of one neighbor: normal . x >= offset for all of A's next capsule, relative to p_A.
 struct CapsuleConstraint {
   int neighbor = 0;
   Vec2 normal;          ///< unit, from B's capsule to A's
   double offset = 0.0;  ///< m
-  double begin = 0.0;   ///< m, where A's present capsule begins
+  double begin = 0.0;   ///< m, the start of A's present capsule
 };
 
-/// Appends the constraints of the neighbors that decide and whose capsules can come to meet A's.
+/// Appends the constraints of the neighbors that decide and have capsules that can meet A's.
 void collect_capsules(const Robot& robot, const Neighbors& neighbors, const StepLaw& law,
                       std::vector<CapsuleConstraint>& constraints, Invariant& invariant);
 
-/// Whether the capsule after the candidate's first step, and with it that step, keeps to all
+/// Returns whether the capsule after the candidate's first step, and with it that step, keeps all
 /// constraints.
 bool keeps_capsules(std::span<const CapsuleConstraint> constraints, const CandidatePath& path,
                     const StepLaw& law);

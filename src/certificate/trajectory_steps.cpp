@@ -9,7 +9,7 @@
 
 namespace avo::inline certificate {
 void TrajectorySteps::reserve(std::size_t intervals) {
-  if (bend.size() >= intervals + 1 + kConstraintLanes) return;  // the last to grow
+  if (bend.size() >= intervals + 1 + kConstraintLanes) return;  // this column grows last
   for (std::vector<double>* column : {&x, &y, &bend})
     column->resize(intervals + 1 + kConstraintLanes);
 }
@@ -55,7 +55,7 @@ bool passes_by(const Trajectory& trajectory, double from, Vec2 place, double dis
     if (avo::distance(Vec2{}, Segment{start, end}) < distance) return false;
     std::size_t next = k + 1;
     if (fastest > 0.0) {
-      // until then no leg brings it that near, so that most legs need not be looked at
+      // until then no leg comes that near, so that most legs need no test
       const double clear_until = places[k].time + (norm(end) - distance) / fastest;
       next = first_later(places, clear_until, next);
     }
@@ -64,7 +64,7 @@ bool passes_by(const Trajectory& trajectory, double from, Vec2 place, double dis
   }
   if (norm(start) < distance) return false;
   if (trajectory.repeats_from() || places.size() == 1) return true;
-  // as it was before the last place, it goes on
+  // after the last place the mover goes on as before it
   const Vec2 v = places.back().position - places[places.size() - 2].position;
   const double squared = norm_squared(v), along = is_rest(v) ? 0.0 : -dot(start, v);
   return !(along > 0.0) || norm(start + (along / squared) * v) >= distance;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A mover's trajectory in the steps of the robot that looks at it.
+// A mover's trajectory in the time steps of the robot that plans.
 #pragma once
 #include <cstddef>
 #include <vector>
@@ -10,20 +10,21 @@
 
 namespace avo::inline certificate {
 
-/// Interval k of the robot's time: the mover goes straight from place k to place k + 1, but for
+/// In interval k of the robot's time the mover moves straight from place k to place k + 1, up to
 /// bend[k] and the trajectory's own error.
 struct TrajectorySteps {
-  std::vector<double> x, y;  // m, from `origin`; with room for the lanes of a pack behind them
+  std::vector<double> x, y;  // m, from `origin`; with room for the lanes of a pack after them
   std::vector<double> bend;  // m
 
-  /// Room for so many intervals; allocates only while it grows.
+  /// Reserves room for so many intervals; allocates only while it grows.
   void reserve(std::size_t intervals);
-  /// Begins at `now` on the trajectory.
+  /// Begins at the time `now` of the trajectory.
   void begin(const Trajectory& trajectory, double now, Vec2 origin, double time_step);
-  /// Looks ahead until the end of that interval.
+  /// Computes the places until the end of that interval.
   void look_ahead(std::size_t intervals);
 
-  /// The step that begins at that time from now on, s; looks ahead until there.
+  /// The index of the step that begins at that time from now on, s. It computes the places until
+  /// there.
   std::size_t step_at(double time) {
     const auto step = static_cast<std::size_t>(time / time_step_ + 0.5);
     look_ahead(step + 1);
@@ -41,10 +42,11 @@ struct TrajectorySteps {
   double now_ = 0.0, time_step_ = 0.0;
   Vec2 origin_;
   std::size_t known_ = 0;  // intervals
-  std::size_t ahead_ = 0;  // of the places, the first that is later
+  std::size_t ahead_ = 0;  // index of the first place that is later
 };
 
-/// Whether the mover keeps so far from the place from that time of its trajectory on, for ever.
+/// Returns whether the mover keeps so far from the place, for ever after that time of its
+/// trajectory.
 bool passes_by(const Trajectory& trajectory, double from, Vec2 place, double distance);
 
 }  // namespace avo::inline certificate

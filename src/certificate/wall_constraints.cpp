@@ -14,14 +14,14 @@
 namespace avo::inline certificate {
 namespace {
 
-// A's candidate as segments, relative to p_A: where it stops from p_1 on, and the sides of the
-// triangle of its step. The side from p lies in the present capsule, but where the disc swings.
+// A's candidate as segments, relative to p_A: the braking segment from p_1, and the sides of the
+// triangle of its step. The side from p lies in the present capsule, except where the disc swings.
 struct Pieces {
   std::array<Segment, 4> segment;
   std::size_t count = 3;
-  double extent = 0.0;  // m, that no point of them is farther than from p_A
+  double extent = 0.0;  // m, the largest distance of any of their points from p_A
   double height =
-      0.0;  // m, of its middle point over [p, p_1]: that no point of the triangle exceeds
+      0.0;  // m, the height of its middle point over [p, p_1]: no point of the triangle is higher
 };
 constexpr std::size_t kBraking = 0;
 constexpr double kMoreThanRounding = 1.0 + 0x1p-20;
@@ -36,14 +36,15 @@ Pieces pieces_of(const WallConstraints& walls, const CandidatePath& path, const 
   return pieces;
 }
 
-// m. A robot at rest within a margin of the wall has to be able to leave: its step keeps less than
-// what a choice keeps.
+// m. A robot at rest within a margin of the wall must be able to leave: its step keeps less than a
+// choice keeps.
 double demanded(const NearWall& wall, std::size_t piece) {
   return wall.held + (piece == kBraking ? wall.margin : 0.5 * wall.margin);
 }
 
-// An arc is within bend t²/Δt² of the step's parabola, whose last Bézier point has this weight: p_1
-// alone pays for it, on the line across the nearest points where that is enough.
+// An arc is within bend t²/Δt² of the step's parabola, and this is the weight of the last Bézier
+// point. So only p_1 must keep the bend in addition, on the line across the nearest points where
+// that is enough.
 bool keeps_bend(const NearestPoints& nearest, Vec2 first, double bend, double least) {
   if (nearest.distance >= least + bend) return true;
   if (!(nearest.distance > 0.0)) return false;
@@ -51,8 +52,9 @@ bool keeps_bend(const NearestPoints& nearest, Vec2 first, double bend, double le
   return dot(normal, first - nearest.on_second) - bend >= least;
 }
 
-// Whether no point of the path is nearer to the wall than that of braking at the same time,
-// wherever A may be (docs/certificate/walls.md, "Errors of one's own place").
+// Returns whether each point of the path is at least as far from the wall as the point of braking
+// at the same time. It holds for all possible places of A (docs/certificate/walls.md, "Errors of
+// one's own place").
 bool leaves_wall(const NearWall& wall, const WallConstraints& walls, const Pieces& pieces,
                  const CandidatePath& path) {
   if (!(wall.cone < 1.0)) return false;
@@ -66,7 +68,7 @@ bool leaves_wall(const NearWall& wall, const WallConstraints& walls, const Piece
 
 bool keeps_wall(const NearWall& wall, const WallConstraints& walls, const Pieces& pieces,
                 const CandidatePath& path) {
-  // the margin is more than what rounding may hide
+  // the margin covers more than rounding may hide
   if (wall.distance - pieces.extent > wall.held + wall.margin) return true;
   if (leaves_wall(wall, walls, pieces, path)) return true;
   if (pieces.height > wall.held) return false;  // the wall may lie inside the triangle
@@ -80,13 +82,13 @@ bool keeps_wall(const NearWall& wall, const WallConstraints& walls, const Pieces
   return true;
 }
 
-// A point of the path that is to come no nearer to one of the wall's.
+// A point of the path that must not come nearer to a point of the wall.
 struct WorstPoint {
   std::size_t piece = 0;
   Vec2 on_path, on_wall, normal;  // m, m, unit: from the wall
 };
 
-// Where the path crosses the wall, its way out is the one that braking leaves open.
+// Where the path crosses the wall, the normal points to the side of braking.
 std::optional<WorstPoint> worst_point(const NearWall& wall, const Pieces& pieces, Vec2 stop) {
   WorstPoint worst;
   double least = std::numeric_limits<double>::infinity(), distance = least;
@@ -110,13 +112,14 @@ std::optional<WorstPoint> worst_point(const NearWall& wall, const Pieces& pieces
   return worst;
 }
 
-// How far along the segment the point lies, in [0, 1].
+// The relative position of the point along the segment, in [0, 1].
 double fraction_of(Vec2 point, const Segment& segment) {
   const double length = norm(segment.b - segment.a);
   return length > 0.0 ? std::min(norm(point - segment.a) / length, 1.0) : 0.0;
 }
 
-// What a path point moves by for each m/s of v_1, in the direction of the normal: the gradient.
+// The displacement of a path point for each m/s of v_1, in the direction of the normal: the
+// gradient.
 Vec2 gradient_at(const WorstPoint& worst, const Pieces& pieces, const CandidatePath& path,
                  const StepLaw& law) {
   const double fraction = fraction_of(worst.on_path, pieces.segment[worst.piece]);
@@ -136,7 +139,7 @@ std::optional<HalfPlane> cut_of(const NearWall& wall, const WallConstraints& wal
                                 const StepLaw& law) {
   const bool is_lost = wall.cone < 1.0;
   if (is_lost && distance({{}, walls.stop}, wall.segment) < wall.held + wall.margin) {
-    // it may leave, see leaves_wall()
+    // the robot may leave the wall, see leaves_wall()
     const double change = norm(path.next_velocity - walls.backup);
     const double least = wall.cone * change + wall.margin / (law.time_step - law.lag);
     return HalfPlane{wall.normal, dot(wall.normal, walls.backup) + kMoreThanRounding * least};
@@ -170,8 +173,8 @@ WallRounding wall_rounding(double radius, double max_speed, const Ability& abili
           radius + law.time_step * max_speed + stopping_length(braking, law)};
 }
 
-// docs/certificate/walls.md, "Rounding"; four times what is derived there. Where the robot is does
-// not count, only that it is within reach of the wall: braking changes no margin.
+// docs/certificate/walls.md, "Rounding"; four times the bound that is derived there. The place of
+// the robot does not count, only that it is within reach of the wall: braking changes no margin.
 double wall_margin(const Wall& wall, const WallRounding& rounding) {
   const double places = std::max(length_1(wall.a), length_1(wall.b));
   const double lengths = 2.0 * places + 3.0 * (wall.radius + rounding.lengths);
@@ -180,8 +183,8 @@ double wall_margin(const Wall& wall, const WallRounding& rounding) {
 
 namespace {
 
-// What a robot holds that does not know exactly where it is. Within the error braking is taken to
-// keep clear, as it does if it has done so before.
+// The distance held by a robot that does not know exactly where it is. Within the error, braking is
+// assumed to keep clear, as it does if it has done so before.
 void hold_lost(NearWall& near, const WallConstraints& constraints, double contact, double lost) {
   near.held = contact + lost;
   const NearestPoints braking = nearest_points({{}, constraints.stop}, near.segment);
@@ -213,12 +216,13 @@ void begin_walls(const Robot& robot, std::span<const Wall> walls, const StepLaw&
     const double margin = wall_margin(wall, rounding);
     if (!(away <= contact + lost + margin + reach)) continue;
     NearWall near{segment, away, contact, margin};
-    if (!(away > 0.0)) {  // the center is on it: there is no side to keep, nor anything deeper
+    // the center is on the wall: there is no side to keep, and nothing is deeper
+    if (!(away > 0.0)) {
       constraints.broken.take(static_cast<int>(k), contact);
       constraints.doubtful = true;
       continue;
     }
-    // beyond what rounding can have cost, there is no more to hold than what braking gives
+    // beyond the possible effect of rounding, only the distance of braking can be held
     const double kept = distance({{}, constraints.stop}, segment);
     if (lost > 0.0 && kept >= contact - lost)
       hold_lost(near, constraints, contact, lost);
@@ -234,7 +238,7 @@ void begin_walls(const Robot& robot, std::span<const Wall> walls, const StepLaw&
 bool keeps_walls(const WallConstraints& constraints, const CandidatePath& path,
                  const StepLaw& law) {
   if (constraints.near.empty()) return true;
-  // one that comes to rest on an arc does not brake as it is expected to
+  // a robot that comes to rest on an arc does not brake as others expect
   if (path.next_velocity == constraints.backup && path.bend == 0.0) return true;
   if (constraints.must_brake) return false;
   const Pieces pieces = pieces_of(constraints, path, law);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Walls: neither the step that is decided nor the braking after it may come within a robot's radius
-// of any of them (docs/certificate/walls.md).
+// Walls: neither the step of the decision nor the braking after it may come within a robot's radius
+// of a wall (docs/certificate/walls.md).
 #pragma once
 #include <span>
 #include <vector>
@@ -18,51 +18,55 @@ namespace avo::inline certificate {
 struct NearWall {
   Segment segment;
   double distance = 0.0;  ///< m, from p_A to the segment
-  double held = 0.0;      ///< m, that the center keeps from the segment
-  double margin = 0.0;    ///< m, what covers all rounding; 0 of a wall that braking comes too near
-  /// Where A does not know exactly where it is: from the wall to where braking comes nearest, as A
-  /// sees it, and most that this is off. A may go that way without knowing how near the wall is.
+  double held = 0.0;      ///< m, that the center must keep from the segment
+  /// m, a margin for all rounding; 0 for a wall that braking comes too near
+  double margin = 0.0;
+  /// Used where A does not know exactly where it is. The normal points from the wall to the nearest
+  /// point of braking, as A sees it; the cone is the largest error of this direction. A may move in
+  /// this direction without knowing how near the wall is.
   Vec2 normal = {};
   double cone = 2.0;
 };
 
-/// What the walls demand of a robot. Scratch memory; allocates only while it grows.
+/// The demands of the walls on a robot. Scratch memory; allocates only while it grows.
 struct WallConstraints {
-  std::vector<NearWall> near;  ///< those that any candidate can come to touch
+  std::vector<NearWall> near;  ///< walls that a candidate can touch
   Vec2 middle;                 ///< [s v] m, relative to p_A
-  Vec2 stop;                   ///< m, likewise: where braking ends
+  Vec2 stop;                   ///< m, relative to p_A: where braking ends
   Vec2 backup;                 ///< m/s, the velocity after one step of braking
-  Vec2 first;                  ///< m, relative to p_A: where that step leads
-  Deepest broken = {};         ///< of the walls that braking touches
-  bool doubtful = false;       ///< it touches one, or may do so, by where A may be
-  bool must_brake = false;     ///< and takes the center across one: nothing but braking is admitted
+  Vec2 first;                  ///< m, relative to p_A: the end of that step
+  Deepest broken = {};         ///< the deepest of the walls that braking touches
+  /// braking touches a wall, or may touch one because of the error of A's place
+  bool doubtful = false;
+  /// braking takes the center across a wall: nothing but braking is admitted
+  bool must_brake = false;
 
   void clear() { near.clear(), broken = {}, doubtful = must_brake = false; }
 };
 
-/// m: S Δt + l(S), S the largest speed that it can have after this step. No candidate leads a robot
+/// m: S Δt + l(S), S the largest speed of the robot after this step. No candidate leads a robot
 /// farther from its center, and no farther wall can ask it to slow down.
 double wall_reach(double speed, double max_speed, const Ability& ability, const StepLaw& law);
 
-/// What the margins of a robot beside all walls have in common.
+/// The common part of a robot's margins beside all walls.
 struct WallRounding {
-  double steps = 0.0;    ///< of braking from max_speed, and the one that is decided
-  double lengths = 0.0;  ///< m, its radius and the way that these steps take
+  double steps = 0.0;    ///< of braking from max_speed, and the step of the decision
+  double lengths = 0.0;  ///< m, its radius and the distance of these steps
 };
 WallRounding wall_rounding(double radius, double max_speed, const Ability& ability,
                            const StepLaw& law);
 
-/// [m] m, what covers all rounding of a robot beside a wall: the same in all its decisions.
+/// [m] m, covers all rounding of a robot beside a wall: the same in all its decisions.
 double wall_margin(const Wall& wall, const WallRounding& rounding);
 
-/// Those of the walls that are near. Walls out of reach change nothing.
+/// Begins the constraints of the walls that are near. Walls out of reach change nothing.
 void begin_walls(const Robot& robot, std::span<const Wall> walls, const StepLaw& law,
                  WallConstraints& constraints);
 
-/// Whether the path keeps clear of all walls, or is braking.
+/// Returns whether the path keeps clear of all walls, or is braking.
 bool keeps_walls(const WallConstraints& constraints, const CandidatePath& path, const StepLaw& law);
 
-/// For every wall that refuses the path, a half-plane in v_1 that cuts the path's off.
+/// Appends for every wall that refuses the path a half-plane in v_1 that excludes the path's v_1.
 void append_wall_cuts(const WallConstraints& constraints, const CandidatePath& path,
                       const StepLaw& law, std::vector<HalfPlane>& half_planes);
 

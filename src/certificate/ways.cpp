@@ -11,7 +11,7 @@
 namespace avo::inline certificate {
 namespace {
 
-// Notes how long the one of that number cannot touch A, whose speed is at most v_max.
+// Stores how long the mover of that number cannot touch A; A's speed is at most v_max.
 void look_at(const WayOptions& options, Surroundings& around, std::size_t k,
              const WayState& state) {
   const Predicted& other = around.others[k];
@@ -25,7 +25,7 @@ bool is_known(const WayOptions& options, Vec2 place) {
   return norm_squared(place) <= options.known * options.known;
 }
 
-// One step of a way.
+// One step of a way out.
 struct WayStep {
   Hull path;
   WayState next;
@@ -55,7 +55,7 @@ WayStep step_of(const WayOptions& options, const WayState& from, Vec2 next_veloc
           {position, velocity, end, heading}};
 }
 
-// (C1) and (C3) of one step.
+// Tests (C1) and (C3) of one step.
 bool is_clear(const WayOptions& options, Surroundings& around, const WayState& from,
               const Hull& step) {
   const double end = from.time + options.law.time_step;
@@ -106,7 +106,7 @@ Hull interval_of(const FullBraking& braking, const StepLaw& law, std::size_t m) 
           braking.position + along.end * braking.direction};
 }
 
-// The same for the last path of braking, computed once for all others.
+// An interval of the last path of braking, computed once for all others.
 const Hull& known_interval(const FullBraking& braking, const StepLaw& law, std::size_t m,
                            Surroundings& around) {
   KnownInterval& known = around.intervals[m];
@@ -114,14 +114,14 @@ const Hull& known_interval(const FullBraking& braking, const StepLaw& law, std::
   return known.path;
 }
 
-// What braking from a state comes to.
+// The result of braking from a state.
 enum class Stop : unsigned char {
   too_late,  // (C2) or (C3) does not hold
-  in_time,   // they do
+  in_time,   // (C2) and (C3) hold
   clear,     // and A is never touched, (C1)
 };
 
-// Towards one of the others. may_be_clear: no other one is known to touch A.
+// Judges braking towards one of the others. may_be_clear: no other body is known to touch A.
 Stop stop_before(const WayOptions& options, Surroundings& around, std::size_t k,
                  const WayState& state, const FullBraking& braking, bool may_be_clear) {
   const Predicted& other = around.others[k];
@@ -137,7 +137,7 @@ Stop stop_before(const WayOptions& options, Surroundings& around, std::size_t k,
     const double kept = clear ? other.contact + other.spread_at(time + h) : 0.0;
     const double before_rest =
         other.asks_to_stop ? kept_before_rest(other, state.time, h * m + h) : 0.0;
-    // mostly A keeps both at once
+    // in most cases A keeps both distances at once
     if (!keeps_off(relative, std::max(kept, before_rest))) {
       if (other.asks_to_stop && !is_reached_at_rest(other, own, state.time, h * m, options.law))
         return Stop::too_late;
@@ -146,7 +146,7 @@ Stop stop_before(const WayOptions& options, Surroundings& around, std::size_t k,
     if (!clear && !other.asks_to_stop) break;
     clear_until = time + room_before_rest(other, own.start, state.time, h * m) / closing;
   }
-  // what takes longest comes last
+  // the slowest test comes last
   clear = clear && rests_clear(other, braking.end, state.time + h * braking.steps);
   return clear ? Stop::clear : Stop::in_time;
 }
@@ -170,7 +170,8 @@ Stop stop_from(const WayOptions& options, Surroundings& around, const WayState& 
     worst = std::min(worst, stop);
     return worst != Stop::too_late;
   };
-  // who was in the way of the last braking mostly is again: then it matters less what the others do
+  // the mover that touched A in the last braking often does so again: the tests of the others then
+  // matter less
   const std::size_t count = around.others.size(), first = around.in_the_way;
   if (first < count && !look_at_one(first)) return worst;
   for (std::size_t k = 0; k < count; ++k)

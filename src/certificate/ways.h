@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Ways out: motions of a robot A that keep clear of all who are predicted, for ever
+// Ways out: motions of a robot A that keep clear of all predicted movers, for ever
 // (docs/movers.md). Places are of A's disc, relative to p_A, and times count from the decision.
 #pragma once
 #include <cstddef>
@@ -14,73 +14,75 @@
 
 namespace avo::inline certificate {
 
-/// A wall, as ways see it.
+/// A wall for the test of ways out.
 struct KeptWall {
   Segment segment;
   double kept = 0.0;         ///< m, by A's center
-  double clear_until = 0.0;  ///< s, whatever A does; 0: not known
+  double clear_until = 0.0;  ///< s, until then no motion of A can touch it; 0: not known
 };
 
-/// A state on a way.
+/// A state on a way out.
 struct WayState {
   Vec2 position, velocity;  // m, m/s
   double time = 0.0;        // s
   double heading = 0.0;     // rad; not of holonomic robots
 };
 
-/// What all ways of one decision have in common.
+/// The common values of all ways out of one decision.
 struct WayOptions {
   StepLaw law;
-  double increment = 0.0;  ///< m/s a step, on the way
-  double decrement = 0.0;  ///< [u_b] m/s a step, of braking, which is full
+  double increment = 0.0;  ///< m/s a step, while the way out approaches its velocity
+  double decrement = 0.0;  ///< [u_b] m/s a step, of full braking
   double max_speed = 0.0;  ///< m/s, that the disc never exceeds
   double longest = 0.0;    ///< s, until A brakes
-  /// m: the center stays that near to p_A, where A knows the walls.
+  /// m: the center stays within this distance of p_A, where A knows the walls.
   double known = std::numeric_limits<double>::infinity();
   const Robot* wheels = nullptr;  ///< A, unless it is holonomic
 };
 
-/// An interval of braking, once somebody has asked for it.
+/// An interval of braking, once it has been computed.
 struct KnownInterval {
   Hull path;
-  std::uint64_t braking = 0;  // number of the braking path whose interval it is
+  std::uint64_t braking = 0;  // number of the braking path to which the interval belongs
 };
 
 /// Scratch memory; allocates only while it grows.
 struct Surroundings {
   std::vector<Predicted> others;
-  std::vector<TrajectorySteps> trajectories;  // of those of the others whose trajectories are known
+  std::vector<TrajectorySteps> trajectories;  // of the movers with known trajectories
   std::vector<KeptWall> walls;
-  // s, until which nothing that A does matters to each of the others: from now on, from the first
-  // step on, and from the last state of a way on
+  // s, until these times no motion of A matters to each of the others. They are counted from now
+  // on, from the first step on, and from the last state of a way out on.
   std::vector<double> clear_now, clear_after, clear_until;
-  WayState after;          // the first step
-  double brakes_at = 0.0;  // s: when the last way begins to brake that was found clear
+  WayState after;          // the state after the first step
+  double brakes_at = 0.0;  // s: the time at which the last clear way out begins to brake
   std::vector<KnownInterval> intervals;  // of the last braking path
-  std::uint64_t brakings = 0;            // paths of braking until now
-  std::size_t in_the_way = 0;  // of the others, who touched A in the last that was not clear
-  /// So much may still be looked at in this decision; no way is clear once that is used up.
+  std::uint64_t brakings = 0;            // number of braking paths until now
+  // index of the mover that touched A in the last way out that was not clear
+  std::size_t in_the_way = 0;
+  /// The work that is left for this decision; no way out counts as clear once it is used up.
   int work = std::numeric_limits<int>::max();
 
   void reserve(std::size_t most_others, std::size_t braking_steps);
 };
 
-/// Begins ways among others and walls that have been filled in.
+/// Begins the search of ways out among the others and walls in `around`.
 void begin_ways(const WayOptions& options, Surroundings& around);
 
-/// [v_1] m/s, by which a way goes on towards the velocity w.
+/// [v_1] m/s, the next velocity of a way out towards the velocity w.
 Vec2 next_towards(const WayOptions& options, const WayState& from, Vec2 w);
 
-/// Whether the first step, to v_1, keeps clear, (C1) and (C3). The following are of what comes
-/// behind it.
+/// Returns whether the first step, to v_1, keeps clear, (C1) and (C3). The functions below judge
+/// the motion after it.
 bool take_first_step(const WayOptions& options, Surroundings& around, const WayState& now,
                      Vec2 next_velocity);
-/// Whether A keeps clear, (C1) to (C3), if it brakes.
+/// Returns whether A keeps clear, (C1) to (C3), if it brakes.
 bool may_brake(const WayOptions& options, Surroundings& around);
-/// The same if it goes on towards the velocity w for some steps, and brakes then.
+/// Returns whether A keeps clear, (C1) to (C3), if it moves towards the velocity w for some steps,
+/// and then brakes.
 bool may_approach(const WayOptions& options, Surroundings& around, Vec2 w);
 
-/// (C2) of a step and of braking after it: what the certificate asks of A towards movers.
+/// Tests (C2) of a step and of braking after it: the certificate's demand on A towards movers.
 bool stops_in_time(const WayOptions& options, const Surroundings& around, const WayState& now,
                    Vec2 next_velocity);
 
