@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The rules for arriving (docs/arrival.md), as many neighbors or robots at once as Pack has lanes.
+// The rules for arriving (docs/arrival.md), for as many neighbors or robots at once as Pack has
+// lanes.
 #ifndef AVO_PLANNER_ARRIVAL_KERNEL_H
 #define AVO_PLANNER_ARRIVAL_KERNEL_H
 
@@ -17,20 +18,20 @@
 
 AVO_BEGIN_KERNELS
 
-/// m: half of L, the way to stop from v_max.
+/// m: half of L, the distance to stop from v_max.
 template <typename Real>
 AVO_KERNEL Real stopping_distance(Real max_speed, Real braking) {
   return Real(0.5) * max_speed * (max_speed / braking);
 }
 
-/// m, how far traffic is looked at.
+/// m, the range in which traffic counts.
 template <typename Real>
 AVO_KERNEL Real traffic_range(Real max_speed, Real braking, Real radius) {
   const Real stopping = stopping_distance(max_speed, braking);
   return max(Real(3.0) * stopping, Real(8.0) * radius);
 }
 
-/// a turned clockwise by an angle in [0, π) rad, nearly; its length is kept.
+/// a turned clockwise by an angle in [0, π) rad, approximately; its length is kept.
 template <typename Real>
 AVO_KERNEL Vec<Real> turned_right(Vec<Real> a, Real angle) {
   // tan(angle / 2) = t/u by its continued fraction; any t and u make a rotation
@@ -41,8 +42,8 @@ AVO_KERNEL Vec<Real> turned_right(Vec<Real> a, Real angle) {
   return {c * a.x + s * a.y, c * a.y - s * a.x};
 }
 
-/// What a neighbor of another priority counts in the rules: twice the part of all that both have to
-/// do to avoid each other that priorities leave to the robot, 1 where they are equal.
+/// The weight of a neighbor of another priority in the rules. It is twice the part of the avoidance
+/// of both that priorities leave to the robot; 1 where they are equal.
 template <typename Real>
 AVO_KERNEL Real deference(Real own, Real other) {
   return Real(2.0) * room_share(Real(1.0), Real(1.0), other, own);
@@ -77,7 +78,8 @@ AVO_KERNEL Traffic look_around(const RobotColumns& robots, std::size_t i, double
     const bool last = k + Real::kLanes >= neighbors.count || any(squared > most_squared);
     const Real distance = sqrt(squared);
     const Real per_distance = one / select(distance > zero, distance, one);
-    // all that drive alongside count, so that a block's rear learns of what is before its front
+    // all neighbors that drive alongside count, so that the rear of a block learns about obstacles
+    // before its front
     const Real closes = one + per_distance * dot(towards, v - velocity) * per_closing;
     const Real rests = Real(2.0) - norm(velocity) * per_slow;
     const Real in_front = per_distance * dot(towards, way) * per_front;
@@ -85,13 +87,13 @@ AVO_KERNEL Traffic look_around(const RobotColumns& robots, std::size_t i, double
     Real weight =
         (one - per_range * distance) * min(max(max(closes, rests), zero), one) * min(in_front, one);
     Real defers = one;
-    if (has_priorities) {  // a mover gives way to nobody
+    if (has_priorities) {  // a mover never yields
       const Real decides = load(columns.decides);
       defers = select((decides < zero) | (decides > zero),
                       deference(priority, load(columns.priority)), one);
       weight = weight * defers;
     }
-    // eight at a time in the same order: no number of lanes has a say, nor zeros at the end
+    // sums of eight in a fixed order: the number of lanes and zeros at the end have no influence
     select(counted & near, weight, zero).store(weights + k % 8);
     if ((k + Real::kLanes) % 8 == 0 || last) {
       traffic.ahead += ((weights[0] + weights[4]) + (weights[2] + weights[6])) +
@@ -146,7 +148,7 @@ void keep_right(const RobotColumns& robots, DecisionColumns& columns) {
     const Real ahead = load(columns.ahead);
     const Real braking = min(load(robots.max_acceleration), load(robots.max_braking));
     const Real stopping = stopping_distance(load(robots.max_speed), braking);
-    // by and by no more: on the last of its way a robot needs its acceleration to brake
+    // the turn fades to 0: on the last part of its route a robot needs its acceleration to brake
     const Real left = (load(robots.distance_to_goal) - stopping) / stopping;
     const Real part = min(left, Real(1.0)) * min(ahead, Real(kCongestion)) / Real(kCongestion);
     const auto turns = (left > Real(0.0)) & (ahead > Real(0.0));

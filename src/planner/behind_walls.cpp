@@ -14,9 +14,9 @@
 namespace avo::inline planner {
 namespace {
 
-constexpr double kRounding = 0x1p-40;  // of coordinates and lengths, more than all that is lost
+constexpr double kRounding = 0x1p-40;  // of coordinates and lengths, more than all losses together
 
-// m, from its center, of all that it can come to touch.
+// m, from its center, the range of everything that it can touch.
 double reach_of(const Robot& robot, const StepLaw& law) {
   return robot.radius + wall_reach(norm(robot.velocity), robot.max_speed, ability_of(robot), law);
 }
@@ -29,7 +29,7 @@ double distance_to(const Wall& wall, Vec2 p) {
   return distance(p, {wall.a, wall.b});
 }
 
-// Whether the straight way from p to q crosses the wall's middle line.
+// Returns whether the straight line from p to q crosses the wall's middle line.
 bool crosses(Vec2 p, Vec2 q, const Wall& wall) {
   const Vec2 way = q - p, along = wall.b - wall.a;
   const double a = cross(way, wall.a - p), b = cross(way, wall.b - p);
@@ -37,19 +37,19 @@ bool crosses(Vec2 p, Vec2 q, const Wall& wall) {
   return (a < 0.0) != (b < 0.0) && (from < 0.0) != (to < 0.0);
 }
 
-// m, from p to q round the nearer end.
+// m, from p to q around the nearer end.
 double way_round(Vec2 p, Vec2 q, const Wall& wall) {
   return std::min(norm(p - wall.a) + norm(wall.a - q), norm(p - wall.b) + norm(wall.b - q));
 }
 
-// Whether what it needs in order to stop does.
+// Returns whether the path that it needs to stop keeps clear of the wall.
 bool keeps_clear(Vec2 p, Vec2 velocity, double max_braking, double radius, const Wall& wall,
                  const StepLaw& law) {
   const Vec2 way = stopping_way(velocity, braking_decrement(max_braking, law), law);
   return distance(Segment{p, p + way}, {wall.a, wall.b}) >= radius + wall.radius;
 }
 
-// The walls that may hide somebody from a robot. Of more, the others hide nobody.
+// The walls that may hide a neighbor from a robot. If there are more walls, the others hide none.
 struct HidingWalls {
   static constexpr std::size_t kMost = 32;
   std::array<const Wall*, kMost> walls;
@@ -58,7 +58,7 @@ struct HidingWalls {
 
   HidingWalls(const Robot& robot, std::span<const Wall> all, const StepLaw& law)
       : reach(reach_of(robot, law)) {
-    if (is_airplane(robot.model)) return;  // it does not brake
+    if (is_airplane(robot.model)) return;  // an airplane does not brake
     for (const Wall& wall : all) {
       if (count == kMost) break;
       if (distance_to(wall, robot.position) > reach + wall.radius) continue;
@@ -84,7 +84,7 @@ struct HidingWalls {
   }
 };
 
-// Whether robots are where they seem to be, among the walls too.
+// Returns whether robots are where they seem to be, also among the walls.
 bool knows_places(const StepLaw& law) {
   return law.is_exact() && law.localization_error == 0.0;
 }

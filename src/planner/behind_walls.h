@@ -10,17 +10,17 @@
 
 namespace avo::inline planner {
 
-/// Takes out of the robots' neighbors whoever decides as well and is behind a wall, so that neither
-/// can come round an end of it before both have stopped. Only walls that the robot itself could
-/// come to touch are looked at. With sensing errors all neighbors count, and those of an age do in
-/// any case.
+/// Removes from the robots' neighbors each one that decides as well and is behind a wall. Neither
+/// robot can then come round an end of the wall before both have stopped. Only walls that the robot
+/// itself can touch are tested. With sensing errors all neighbors count, and neighbors with an age
+/// always count.
 void leave_out_hidden(const PlannerOptions& options, const StepLaw& law, Tile& tile);
 
-/// Whether it takes the neighbor out.
+/// Returns whether it removes the neighbor.
 bool is_hidden(const Robot& robot, const Neighbor& neighbor, std::span<const Wall> walls,
                const StepLaw& law);
 
-/// Whether the robot at its max_speed could come to touch any of them, by one step and braking.
+/// Returns whether the robot at its max_speed could touch any of them, by one step and braking.
 bool is_beside(const Robot& robot, std::span<const Wall> walls, const StepLaw& law);
 
 }  // namespace avo::inline planner

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Choosing under a certificate: linear programs propose, the certificate's own test decides.
+// Chooses under a certificate: linear programs propose, the certificate's own test decides.
 #include "planner/certified.h"
 
 #include <algorithm>
@@ -12,31 +12,31 @@
 namespace avo::inline planner {
 namespace {
 
-// Each round cuts off the last proposal; more of them find hardly anything nearer.
+// Each round cuts off the last proposal; more rounds find hardly anything nearer.
 constexpr auto kRounds = static_cast<int>(kMostCuts);
 constexpr int kBisections = 5;
-// Half-planes are drawn so far on the safe side, of u: a point of them passes the exact test
-// whatever rounding does.
+// Half-planes are drawn so far on the safe side, of u: a point of them passes the exact test for
+// any rounding.
 constexpr double kInside = 0x1p-30;
-// What is admitted is bounded by curves that bend away from their tangents, since the way of
-// braking grows with the square of the speed. The next proposal lies on a tangent, so 97 in 100 of
+// The admitted set has curved boundaries that bend away from their tangents, since the braking
+// distance grows with the square of the speed. The next proposal lies on a tangent, so 97 in 100 of
 // them were refused on Circle-1000. A cut is therefore moved in by a part of its violation: then 1
-// in 100 is. Near rest nothing bends, and robots in a jam would back off from each other. So the
-// part grows with the speed between these two, of u.
+// in 100 is refused. Near rest nothing bends, and robots in a jam would back off from each other.
+// So the part grows with the speed between these two, of u.
 constexpr double kDeeper = 0.125;
 constexpr double kStraight = 2.0, kBent = 7.0;
 
-// What the proposals are made from.
+// The inputs of the proposals.
 struct Proposals {
   const Robot& robot;
   const CertificateLaw& law;
   Disc acceleration;  // of v_1
   double top_speed;   // m/s
   Vec2 wanted;
-  Follows follows;  // what is wanted
+  Follows follows;  // for the wanted velocity
   CertifiedWorkspace& workspace;
 
-  // with what the robot's own motion can follow alone
+  // begins with the half-planes of the robot's own motion alone
   void begin() const {
     workspace.hard.clear();
     if (!is_holonomic(robot.model))
@@ -49,7 +49,8 @@ ProgramResult propose(const Proposals& proposals, double top_speed) {
                        proposals.wanted, proposals.workspace.rows);
 }
 
-// What a program with the robot's own half-planes alone would return.
+// Returns whether a program with the robot's own half-planes alone would return the wanted
+// velocity.
 bool is_within_limits(const Proposals& proposals) {
   const auto within = [](Vec2 a, double radius) {
     return norm_squared(a) <= kLimitRounding * radius * radius;
@@ -62,7 +63,7 @@ bool is_within_limits(const Proposals& proposals) {
          });
 }
 
-// What the robot can follow of a proposal.
+// The part of a proposal that the robot can follow.
 Vec2 followed(const Proposals& proposals, Vec2 next_velocity) {
   const Robot& robot = proposals.robot;
   if (is_holonomic(robot.model) || !has_limits_within_steps(robot.model)) return next_velocity;
@@ -83,7 +84,8 @@ void move_in(HalfPlane& cut, const CandidatePath& refused, double u) {
   cut.offset += kInside * u + deeper * std::max(violation(cut, refused.next_velocity), 0.0);
 }
 
-// For every neighbor that refuses the path asked about last, the tangent of its worst constraint.
+// For every neighbor that refuses the last judged path, appends the tangent of its worst
+// constraint.
 void append_trajectory_cuts(const Proposals& proposals) {
   const CertificateConstraints& constraints = proposals.workspace.constraints;
   const ConstraintColumns& columns = constraints.trajectories.columns;
@@ -101,7 +103,7 @@ void append_trajectory_cuts(const Proposals& proposals) {
   }
 }
 
-// Those of capsules are exact: their half-planes are no tangents.
+// The cuts of capsules are exact: their half-planes are no tangents.
 void append_capsule_cuts(const Proposals& proposals) {
   const CertificateConstraints& constraints = proposals.workspace.constraints;
   if (keeps_capsules(constraints.capsules, constraints.path, proposals.law.step)) return;
@@ -113,7 +115,7 @@ void append_capsule_cuts(const Proposals& proposals) {
   for (std::size_t k = before; k < hard.size(); ++k) hard[k].offset += kInside * u;
 }
 
-// Of everything that refuses the path asked about last.
+// Appends the cuts of all constraints that refuse the last judged path.
 void append_cuts(const Proposals& proposals) {
   append_trajectory_cuts(proposals);
   append_capsule_cuts(proposals);
@@ -126,8 +128,8 @@ void append_cuts(const Proposals& proposals) {
 }
 
 // Braking trajectories are not convex in v_1: the constraints that a proposal violates are added as
-// their tangents there. At last, the admitted point between the backup and what is wanted that
-// bisection finds.
+// their tangents there. The last resort is the admitted point between the backup and the wanted
+// velocity that bisection finds.
 CertifiedChoice choose_by_cuts(const Proposals& proposals) {
   const bool rests = proposals.wanted == Vec2{} && proposals.robot.velocity == Vec2{};
   if (rests && is_admitted(proposals, {})) return {{}, Chosen::wanted};
@@ -138,7 +140,7 @@ CertifiedChoice choose_by_cuts(const Proposals& proposals) {
     result.point = proposals.wanted;
     if (round > 0 || !is_within_limits(proposals)) result = propose(proposals, proposals.top_speed);
     if (result.state == ProgramState::discs_disjoint) break;
-    // it gives way in all half-planes, those of the robot's own motion too
+    // the result violates all half-planes, also those of the robot's own motion
     if (result.state == ProgramState::least_unsafe && has_own_planes) break;
     const Vec2 candidate = followed(proposals, result.point);
     const bool is_last = result.state == ProgramState::least_unsafe || round + 1 == kRounds;
@@ -168,8 +170,8 @@ CertifiedChoice choose_by_cuts(const Proposals& proposals) {
   return choice;
 }
 
-// Stopping capsules are half-planes in v_1 up to a speed: the present one and a step more, the
-// present one, or a step less, at which braking satisfies them where it is no more than a_max.
+// Stopping capsules are half-planes in v_1 up to a speed: the present speed and a step more, the
+// present speed, or a step less. Braking satisfies the last one if it is no more than a_max.
 CertifiedChoice choose_by_half_planes(const Proposals& proposals) {
   const Robot& robot = proposals.robot;
   const CertificateLaw& law = proposals.law;
@@ -180,7 +182,7 @@ CertifiedChoice choose_by_half_planes(const Proposals& proposals) {
   for (const double limit : {speed + u, speed, braked_speed}) {
     const double top_speed = std::min(limit, proposals.top_speed);
     proposals.begin();
-    const std::size_t own = workspace.hard.size();  // what a car at rest may do lies on a line
+    const std::size_t own = workspace.hard.size();  // the velocities of a car at rest lie on a line
     append_half_planes(workspace.constraints.capsules, robot, law.step, top_speed, workspace.hard);
     for (std::size_t k = own; k < workspace.hard.size(); ++k)
       workspace.hard[k].offset += kInside * u;

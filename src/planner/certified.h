@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The next velocity nearest to a wanted one that the certificate admits.
+// The next velocity nearest to a wanted velocity that the certificate admits.
 #pragma once
 #include <cstdint>
 #include <vector>
@@ -9,13 +9,13 @@
 
 namespace avo::inline planner {
 
-/// Covers rounding of what is within the limits, squared.
+/// Covers rounding of a squared value within the limits.
 inline constexpr double kLimitRounding = 1.0 + 0x1p-49;
 
 enum class Chosen : std::uint8_t {
-  wanted,     ///< it was admitted as it was
-  candidate,  ///< another one, admitted
-  backup,     ///< none but braking
+  wanted,     ///< the wanted velocity was admitted
+  candidate,  ///< another velocity, admitted
+  backup,     ///< nothing but braking was admitted
 };
 
 struct CertifiedChoice {
@@ -23,7 +23,7 @@ struct CertifiedChoice {
   Chosen chosen = Chosen::wanted;
 };
 
-/// A neighbor is cut off by so many half-planes at most.
+/// A neighbor is cut off by at most so many half-planes.
 inline constexpr std::size_t kMostCuts = 6;
 
 /// Scratch memory; allocates only while it grows.
@@ -33,15 +33,17 @@ struct CertifiedWorkspace {
   ProgramRows rows;  // of programs
 };
 
-/// Whether the robot's model is known to follow a velocity: within_own_limits() returned it.
+/// Whether the robot's model is known to follow a velocity: surely if within_own_limits() returned
+/// it.
 enum class Follows : std::uint8_t { perhaps, surely };
 
-/// Nearest to `wanted` with |v_1 - v| <= u and |v_1| <= v_max, as far as a few linear programs
-/// tell; always admitted, or the backup. workspace.constraints are the robot's.
+/// The velocity nearest to `wanted` with |v_1 - v| <= u and |v_1| <= v_max, as far as a few linear
+/// programs find it. It is always admitted, or the backup. workspace.constraints are the robot's.
 CertifiedChoice choose_certified(const Robot& robot, Vec2 wanted, const CertificateLaw& law,
                                  CertifiedWorkspace& workspace, Follows follows = Follows::perhaps);
 
-/// Whether choose_certified() could choose what the robot follows of that velocity.
+/// Returns whether choose_certified() could choose the part of that velocity that the robot
+/// follows.
 bool may_choose(const Robot& robot, Vec2 next_velocity, const CertificateLaw& law,
                 CertifiedWorkspace& workspace);
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Method avo: the paper's program says where to (soft), the certificate what may be done (hard),
-// and the rules for arriving which way to wish for.
+// Method avo: the paper's program gives the target (soft), the certificate limits it (hard), and
+// the rules for arriving turn the wish.
 #include "planner/certify.h"
 
 #include <algorithm>
@@ -20,7 +20,7 @@ namespace avo::inline planner {
 
 CertificateLaw certificate_law(const Planner& planner) {
   const PlannerOptions& options = planner.options();
-  // Held, to the bit: what others expect of a robot may not depend on its δ.
+  // Held motion uses exactly time_step: what others expect of a robot may not depend on its δ.
   const double braking_time = options.motion == Motion::held
                                   ? options.time_step
                                   : planner.step_rate() * options.control_time;
@@ -38,7 +38,7 @@ CertificateLaw certificate_law(const Planner& planner) {
 
 namespace {
 
-// What a decision is made from; the constraints of the robot lie in `certified`.
+// The inputs of a decision; the constraints of the robot are in `certified`.
 struct Decision {
   const Robot& robot;
   CertificateLaw law;
@@ -50,9 +50,9 @@ struct Decision {
   Vec2 followed(Vec2 next) const {
     return is_holonomic(robot.model) ? next : within_own_limits(robot, law.step.braking_time, next);
   }
-  // As far as one step leads to v.
+  // The velocity after one step towards v.
   Vec2 reached(Vec2 v) const { return followed(approach(robot.velocity, v, haste.most)); }
-  // The same without haste, or on a detour without any but that of its acceleration.
+  // The same without haste; on a detour only the acceleration limits it.
   Vec2 gently(Vec2 v) const {
     return followed(executed(robot.velocity, wished.last_change, v, haste));
   }
@@ -65,16 +65,16 @@ bool turns_at_rest(const Robot& robot) {
   return turns_in_place(robot.model) && robot.velocity == Vec2{};
 }
 
-// One that turns before it drives: what would be admitted once it has turned.
+// The choice of a robot that turns before it drives: what would be admitted once it has turned.
 CertifiedChoice choose_as_turned(const Decision& decision, Vec2 wanted) {
   Robot turned = decision.robot;
   turned.model = Holonomic{};
   return choose_certified(turned, wanted, decision.law, decision.certified);
 }
 
-// The nearest admitted to `wanted`, one step towards what Eq. (23) chose. While a car turns in
-// place it moves nowhere, so anything is admitted: towards what it may not drive in then, it would
-// turn in vain, and back again, for ever.
+// The admitted velocity nearest to `wanted`, one step towards the choice of Eq. (23). A car that
+// turns in place does not move, so anything is admitted. It would turn in vain towards a direction
+// in which it may not drive then, and back again, for ever.
 CertifiedChoice choose_admitted(const Decision& decision, Vec2 wanted, Follows follows) {
   if (!turns_at_rest(decision.robot) || wanted == Vec2{})
     return choose_certified(decision.robot, wanted, decision.law, decision.certified, follows);
@@ -95,12 +95,13 @@ Vec2 solved(const Decision& decision, std::span<const HalfPlane> half_planes, Ve
       .point;
 }
 
-// What is left of the way along `wish` if v' is gone for at once, as far as the certificate, which
-// has been asked for `choice`, lets it be. aim: what v' was chosen for.
+// The remaining part of the velocity along `wish` if v' is approached at once, as far as the
+// certificate allows it. The certificate has been asked for `choice`. aim: the input for which v'
+// was chosen.
 double part_left(const Decision& decision, const CertifiedChoice& choice, Vec2 v_new, Vec2 aim,
                  Vec2 wish) {
   if (choice.chosen == Chosen::wanted && v_new == aim && !turns_at_rest(decision.robot))
-    return 1.0;  // part_of_wish() of what it would reach if nobody hindered it
+    return 1.0;  // part_of_wish() of the velocity that an unhindered robot would reach
   const Vec2 unhindered = decision.reached(aim);
   if (turns_at_rest(decision.robot))
     return part_of_wish(choose_as_turned(decision, unhindered).next_velocity, unhindered, wish);
@@ -109,7 +110,7 @@ double part_left(const Decision& decision, const CertifiedChoice& choice, Vec2 v
   return part_of_wish(next, unhindered, wish);
 }
 
-// As far off the way as the detour has led, but by the half-planes.
+// The choice as far off the route as the detour has led, within the half-planes.
 CertifiedChoice choose_as_far_off(const Decision& decision, const Detour& detour) {
   const Robot& robot = decision.robot;
   const Vec2 turned = within_steering(robot, turned_right(decision.wished.wish, detour.angle));
@@ -117,8 +118,8 @@ CertifiedChoice choose_as_far_off(const Decision& decision, const Detour& detour
   return choose_admitted(decision, decision.gently(v_new), Follows::surely);
 }
 
-// What the certificate alone admits on the detour, by and by in place of `choice` as less is left
-// of the way.
+// The choice on the detour that the certificate alone admits. It gradually replaces `choice` as
+// less of the route is left.
 CertifiedChoice choose_detour(const Decision& decision, const CertifiedChoice& choice, double left,
                               Detour& detour) {
   const Robot& robot = decision.robot;
@@ -139,7 +140,7 @@ CertifiedChoice choose_and_arrive(const Decision& decision, Detour& detour) {
   const Robot& robot = decision.robot;
   const Wished& wished = decision.wished;
   const CertifiedChoice choice = choose_admitted(decision, wished.next, Follows::surely);
-  // those who coincide part by their half-planes, where that is possible at all: on detours from
+  // robots that coincide part by their half-planes, where that is possible at all: on detours from
   // one place to one goal they would stay together
   const bool parts = wished.coinciding && choice.next_velocity != Vec2{};
   if (!may_detour(robot) || detour.goal_taken || parts) {
@@ -191,7 +192,7 @@ Plan certify_among_movers(const Planner& planner, const Robot& robot,
     become_mover(mover);
   }
   collect_constraints(robot, movers, law, certified.constraints, walls);
-  // nobody remembers its last acceleration here
+  // the last acceleration is not stored here
   const Execution execution = execution_of(planner, false);
   const bool with_robots =
       std::any_of(neighbors.begin(), neighbors.end(), [](const Neighbor& n) { return shares(n); });

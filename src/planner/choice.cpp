@@ -13,7 +13,7 @@
 namespace avo::inline planner {
 namespace {
 
-// One by one: those that lanes leave out, and robots that decide alone.
+// Solves one program: for the robots that lanes leave out, and for robots that decide alone.
 ProgramResult solve_program(const Planner& planner, const Robot& robot,
                             std::span<const HalfPlane> planes, Vec2 wish, ProgramRows& rows) {
   return nearest_point(planes, planner.acceleration_disc(robot), robot.max_speed, wish, rows);
@@ -61,7 +61,7 @@ bool has_demands(const Tile& tile, std::size_t i, const DecisionColumns& decisio
   const Vec2 target{decisions.target_x[i], decisions.target_y[i]};
   const bool rests = target == Vec2{} && decisions.wish(i) == target &&
                      tile.robots.velocity(i) == target && tile.detour[i]->angle == 0.0;
-  return !rests;  // which anybody can
+  return !rests;  // every robot can rest
 }
 
 std::span<const HalfPlane> collect_hard_and_soft(const Planner& planner, const Robot& robot,
@@ -88,7 +88,7 @@ void keep_to_demands(const Planner& planner, const Tile& tile, PlanWorkspace::Sc
     const auto planes = collect_hard_and_soft(planner, robot, tile, i, law, scratch);
     const Demands& demands = scratch.demands;
     if (demands.overlapping) scratch.soft.overlapping[i] = 1;
-    if (demands.out != Vec2{})  // out of walls first
+    if (demands.out != Vec2{})  // first out of walls
       decisions.aim_x[i] = decisions.wish_x[i] = demands.out.x,
       decisions.aim_y[i] = decisions.wish_y[i] = demands.out.y;
     else if (is_kept(demands, target))

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Eq. (23): the velocities that robots choose in the half-planes of their neighbors, and again with
-// what walls and their own motion demand.
+// the demands of walls and of their own motion.
 #pragma once
 #include <cstddef>
 #include <span>
@@ -12,11 +12,12 @@
 
 namespace avo::inline planner {
 
-/// Eq. (23) of each, in scratch.decisions.
+/// Solves Eq. (23) for each robot, in scratch.decisions.
 void solve_programs(const Planner& planner, const RobotColumns& robots,
                     PlanWorkspace::Scratch& scratch);
 
-/// Whether walls or its own motion demand anything of robot i, for whom Eq. (23) is solved.
+/// Returns whether walls or its own motion demand anything of robot i, for which Eq. (23) is
+/// solved.
 bool has_demands(const Tile& tile, std::size_t i, const DecisionColumns& decisions);
 
 /// The half-planes of robot i: those of its walls and of its own motion, which are scratch.demands,
@@ -26,8 +27,8 @@ std::span<const HalfPlane> collect_hard_and_soft(const Planner& planner, const R
                                                  const StepLaw& law,
                                                  PlanWorkspace::Scratch& scratch);
 
-/// Walls are hard, and so is what a robot cannot do: where a target does not keep to these
-/// half-planes, Eq. (23) is asked again with them, and where that has no solution those of
+/// Walls are hard, and so are the limits of a robot's motion. Where a target does not keep these
+/// half-planes, Eq. (23) is solved again with them. Where that has no solution, the half-planes of
 /// neighbors yield.
 void keep_to_demands(const Planner& planner, const Tile& tile, PlanWorkspace::Scratch& scratch);
 

@@ -11,7 +11,7 @@
 namespace avo::inline planner {
 namespace {
 
-// m, that each needs to stop: what its velocity is rounded by counts for so long.
+// m, the distance that each needs to stop: the rounding of its velocity acts on it.
 double way_of(const Robot& robot, const StepLaw& law) {
   return stopping_length(norm(robot.velocity), decrement_of(robot, law), law);
 }
@@ -22,13 +22,14 @@ double way_of(const Neighbor& neighbor, const StepLaw& law) {
   return stopping_length(norm(neighbor.velocity), decrement_of(neighbor, law), law);
 }
 
-// Takes those in contact, in the order of neighbors and walls.
+// Takes the bodies in contact, in the order of neighbors and walls.
 struct ContactSearch {
   double own_way;
   Contact contact = {};
-  double beyond = -kInfinity;  // m, of its depth, what rounding does not feign
+  double beyond = -kInfinity;  // m, the part of its depth beyond rounding
 
-  // Whether no contact of such a depth can be deeper, whatever the way of the other one.
+  // Returns whether no contact of such a depth can be deeper, for any stopping distance of the
+  // other body.
   bool is_beaten(double depth, double radii) const {
     return !(depth - feigned_depth(radii, own_way) > beyond);
   }
@@ -40,8 +41,8 @@ struct ContactSearch {
   }
 };
 
-// Whether discs at rest touch, deeper than the deepest contact so far: of most that is quickly
-// told.
+// Returns whether discs at rest touch, deeper than the deepest contact so far; for most discs this
+// takes little time.
 bool is_deeper(const Robot& robot, Vec2 position, double radius, const ContactSearch& search) {
   const double contact = robot.radius + radius, squared = norm_squared(position - robot.position);
   return !(squared > contact * contact) && !search.is_beaten(contact - std::sqrt(squared), contact);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// With whom a robot is in contact, and what only looks like it: docs/on_board.md, "Contact".
+// The body with which a robot is in contact, and apparent contact by rounding: docs/on_board.md,
+// "Contact".
 #pragma once
 #include <span>
 
@@ -11,29 +12,29 @@
 
 namespace avo::inline planner {
 
-/// One that a robot touches, or comes to touch while all fall back.
+/// A body that a robot touches, or comes to touch while all fall back.
 struct Contact {
-  int neighbor = -1, wall = -1;  // one of them, or none
-  double depth = 0.0;            // m, more than the declared errors may hide
-  bool is_certain = false;       // it is deeper than rounding may feign
+  int neighbor = -1, wall = -1;  // index of one of them, or none
+  double depth = 0.0;            // m, with the possible errors subtracted
+  bool is_certain = false;       // it is deeper than rounding may cause
 };
 
-/// The deepest of those that the robot touches now, of the neighbor and the wall that its fallback
-/// comes to touch, and of all of them what rounding feigns least. Looks at everybody: for the rare
-/// robot of which a contact is suspected.
+/// The deepest contact of the bodies that the robot touches now, and of the neighbor and the wall
+/// that its fallback comes to touch. Among them it selects the one that exceeds rounding most. It
+/// tests all neighbors: only for the rare robot with a suspected contact.
 Contact deepest_contact(const Robot& robot, const Neighbors& neighbors, std::span<const Wall> walls,
                         const StepLaw& law, const Deepest& neighbor = {}, const Deepest& wall = {});
 Contact deepest_contact(const Robot& robot, std::span<const Neighbor> neighbors,
                         std::span<const Wall> walls, const StepLaw& law,
                         const Deepest& neighbor = {}, const Deepest& wall = {});
 
-/// m: no deeper a contact with the wall may be that is none but for rounding.
+/// m: the largest depth of a contact with the wall that rounding may cause.
 double feigned(const Robot& robot, const Wall& wall, const StepLaw& law);
 
-/// The plan says so if the contact is certain.
+/// Writes the contact into the plan if it is certain.
 void tell(const Contact& contact, Plan& plan);
 
-/// Index of the neighbor in the list that it is from.
+/// Index of the neighbor in the given list.
 int index_in(std::span<const Neighbor> given, const Neighbor& neighbor);
 
 }  // namespace avo::inline planner

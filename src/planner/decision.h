@@ -12,28 +12,28 @@
 
 namespace avo::inline planner {
 
-/// How many of the neighbors, the nearest, get a half-plane.
+/// The number of nearest neighbors that get a half-plane.
 inline std::size_t planned_with(const PlannerOptions& options, std::size_t neighbors) {
   if (!options.max_neighbors) return neighbors;
   return std::min(neighbors, static_cast<std::size_t>(*options.max_neighbors));
 }
 
-/// Those behind walls count among the nearest: whoever is farther is not sensed in their place.
+/// Neighbors behind walls count among the nearest: a farther neighbor does not take their place.
 inline std::size_t planned_with(const PlannerOptions& options, const Neighbors& neighbors) {
   return planned_with(options, neighbors.size() + neighbors.hidden) - neighbors.hidden;
 }
 
-/// Taken for one that moves on: of the others nobody has said how they accelerate, and of one that
-/// decides not how it may deviate, or is likely to.
+/// Makes the neighbor one that moves on. A neighbor that does not move on has no stated
+/// acceleration. A neighbor that decides has no stated deviation, and no likely one.
 inline void become_mover(Neighbor& neighbor) {
   if (shares(neighbor)) neighbor.acceleration = {}, neighbor.trajectory = nullptr;
   if (!is_predicted(neighbor)) neighbor.max_deviation = neighbor.likely_deviation = 0.0;
   neighbor.behavior = Behavior::moves_on;
 }
 
-/// Whether a robot has to do with movers alone, none of which does a share: it avoids the union of
-/// their obstacles (§III-C) instead of taking its part of half-planes. Nearest first; without a
-/// certificate only the nearest matter.
+/// Returns whether a robot has movers alone as neighbors, none of which does a share. It then
+/// avoids the union of their obstacles (§III-C) instead of taking its part of half-planes.
+/// Neighbors must come nearest first; without a certificate only the nearest count.
 template <typename Neighbors>
 bool is_among_movers(const PlannerOptions& options, const Neighbors& neighbors) {
   if (avoids_union(options.method)) return true;
@@ -47,18 +47,19 @@ bool is_among_movers(const PlannerOptions& options, const Neighbors& neighbors) 
   return count > 0;
 }
 
-/// What the paper's program made of a wish.
+/// The result of the paper's program for a wish.
 struct Wished {
   std::span<const HalfPlane> half_planes;
-  std::span<const HalfPlane> walls;  ///< those of them that walls ask for
-  Vec2 wish, aim, target;   ///< m/s, what Eq. (23) was given for the wish, and what it chose
-  Vec2 next, last_change;   ///< m/s, what one step makes of the choice; what the last one made
+  std::span<const HalfPlane> walls;  ///< the half-planes of walls among them
+  Vec2 wish, aim, target;  ///< m/s: the wish, what Eq. (23) was given for it, and what it chose
+  /// m/s: the velocity after one step towards the choice; the change of velocity in the last step
+  Vec2 next, last_change;
   double violation = 0.0;   ///< m/s
-  bool coinciding = false;  ///< nearly, with another one that decides
+  bool coinciding = false;  ///< nearly coincides with another robot that decides
 };
 
-/// m/s: the program's violation, with what no program sees. A neighbor or a wall with which
-/// everything within reach collides leaves CA_A empty.
+/// m/s: the program's violation, or the excess, which no program sees. CA_A is empty if everything
+/// within reach collides with a neighbor or a wall.
 inline double with_excess(std::span<const HalfPlane> planes, std::span<const double> excess,
                           Vec2 v_new, double worst) {
   for (std::size_t k = 0; k < excess.size(); ++k) {
@@ -68,14 +69,15 @@ inline double with_excess(std::span<const HalfPlane> planes, std::span<const dou
   return worst;
 }
 
-/// The status of a choice that the program made and that is kept, where nobody is in contact.
+/// The status of a choice of the program that is kept, without contact.
 inline PlanStatus status_of(double violation) {
   return violation > 0.0 ? PlanStatus::least_unsafe : PlanStatus::optimal;
 }
 
-// The parts of a plan below leave next_velocity to whoever moves the robot.
+// The functions below that make parts of a plan leave next_velocity to the code that moves the
+// robot.
 
-// Here to be inlined: passing a vector by value costs more than the division.
+// This is inline: passing a vector by value costs more than the division.
 inline Plan plan_of(const PlannerOptions& options, Vec2 velocity, Vec2 new_velocity,
                     PlanStatus status, double violation) {
   const double time = adopts_at_once(options.method) ? options.time_step : options.control_time;
@@ -90,10 +92,10 @@ inline Approach approach_of(const PlannerOptions& options) {
   return {at_once, options.time_step, 0.5 * options.arrival_distance};
 }
 
-/// Without a certificate: what the robot's own motion can follow of the plan.
+/// Without a certificate: the plan that the robot's own motion can follow.
 Plan as_followed(const Planner& planner, const Robot& robot, Plan plan);
 
-/// Full braking; where the robot cannot even know how to, nothing but invalid_input.
+/// Full braking, or only invalid_input where the robot's state does not allow it.
 Plan brake(const Planner& planner, const Robot& robot, PlanStatus status, double violation);
 
 /// The plan with the velocity that the robot has after it, moved as a simulation moves it.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What robots of method avo make of their state by themselves, in lanes: traffic, wish, and the
-// plan of whom nobody hinders.
+// What robots of method avo compute from their own state, in lanes: traffic, wish, and the plans of
+// unhindered robots.
 #pragma once
 #include <cstddef>
 #include <vector>
@@ -13,21 +13,24 @@
 
 namespace avo::inline planner {
 
-/// One entry a robot. Scratch memory; allocates only while it grows.
+/// One entry for each robot. Scratch memory; allocates only while it grows.
 struct DecisionColumns {
   using Column = std::vector<double>;
-  Column range;                             // m, by look_around()
-  Column ahead, is_beside, push_x, push_y;  // likewise, see Traffic
-  Column push_at_rest_x, push_at_rest_y;    // likewise
-  Column wish_x, wish_y;                    // m/s, by keep_right(), and then by wish_of()
-  Column aim_x, aim_y;    // m/s, what Eq. (23) is given in place of the wish, see aim()
-  Column last_x, last_y;  // m/s, by how much the last step has changed the velocity
-  // [v'], m/s: what Eq. (23) made of the wish, by how much it misses CA_A, and how
+  Column range;                             // m, set by look_around()
+  Column ahead, is_beside, push_x, push_y;  // set by look_around(), see Traffic
+  Column push_at_rest_x, push_at_rest_y;    // set by look_around(), see Traffic
+  Column wish_x, wish_y;                    // m/s, set by keep_right(), and then by wish_of()
+  // m/s, the velocity that Eq. (23) is given in place of the wish, see aim()
+  Column aim_x, aim_y;
+  Column last_x, last_y;  // m/s, the change of velocity in the last step
+  // [v'], m/s: the result of Eq. (23) for the wish, its violation of CA_A, and its state
   Column target_x, target_y, violation;
   std::vector<ProgramState> state;
-  Column next_x, next_y;  // [v_1] m/s, by decide_freely(): what one step makes of the target
-  Column new_x, new_y, a_x, a_y;  // m/s, m/s², likewise: the decision for it
-  Column is_free;                 // likewise: 1 where neither limits nor being blocked object, or 0
+  // [v_1] m/s, set by decide_freely(): the velocity after one step towards the target
+  Column next_x, next_y;
+  Column new_x, new_y, a_x, a_y;  // m/s, m/s², set by decide_freely(): the decision for it
+  // set by decide_freely(): 1 where the limits allow the choice and the robot is not blocked, or 0
+  Column is_free;
 
   void reserve(std::size_t robots);
   void take(std::size_t i, const ProgramResult& result) {
@@ -46,15 +49,15 @@ struct DecisionColumns {
   [[nodiscard]] Vec2 last_change(std::size_t i) const { return {last_x[i], last_y[i]}; }
 };
 
-/// What each sees of its traffic.
+/// Sets each robot's view of its traffic.
 void look_around(const RobotColumns& robots, DecisionColumns& columns);
 
-/// The preferred velocity turned to the right by how congested the way ahead is; as it is on the
-/// last of the way to the goal.
+/// Turns the preferred velocity to the right by the congestion of the route ahead. It stays the
+/// same on the last part of the route to the goal.
 void keep_right(const RobotColumns& robots, DecisionColumns& columns);
 
-/// From a wish, and the target that the program has made of it, to the plan of one to whom no
-/// certificate objects.
+/// Makes a plan from a wish, and from the target of the program for the wish, for a robot that no
+/// certificate limits.
 void decide_freely(const StepLaw& law, const Execution& execution, const RobotColumns& robots,
                    DecisionColumns& columns);
 

@@ -30,9 +30,9 @@ double speed_before(double gap, double max_braking, const StepLaw& law) {
 
 namespace {
 
-// m/s: away from a wall that is touched by no more than rounding feigns, so that a robot whose
-// place is rounded in each step drifts into none, however long it drives along it. What no
-// double-precision sum loses stays as it is.
+// m/s: the speed away from a wall that is touched only within rounding. A robot with a place that
+// is rounded in each step then does not drift into a wall, however long it drives along it. Values
+// that no double-precision sum loses stay the same.
 double leaving_speed(double depth, const Robot& robot, const Wall& wall, const StepLaw& law) {
   const WallRounding rounding =
       wall_rounding(robot.radius, robot.max_speed, ability_of(robot), law);
@@ -81,7 +81,7 @@ std::optional<WallPlane> obstacle_plane(const PlannerOptions& options, const Hor
   const bool coincident = relative.state == PairState::coincident;
   if (coincident || relative.state == PairState::overlapping) overlapping = true;
   if (coincident || relative.state == PairState::free) return {};
-  // near contact it has no bound; finite all the same
+  // near contact it has no bound; keep it finite
   const double excess = std::min(relative.excess, std::numeric_limits<double>::max());
   return WallPlane{index, apportion(relative.plane, robot.velocity, 1.0), excess};
 }

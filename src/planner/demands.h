@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the target of the first program has to keep to: what a robot's own motion can follow, and
-// what walls ask. Of methods avo and buffered_voronoi: no more speed towards one than braking can
-// take off before it. Of the others: the half-planes of the walls' obstacles.
+// The demands that the target of the first program must keep: the limits of a robot's own motion,
+// and the demands of walls. For methods avo and buffered_voronoi a robot moves no faster towards a
+// wall than braking can take off before it. For the others they are the half-planes of the walls'
+// obstacles.
 #pragma once
 #include <algorithm>
 #include <cstddef>
@@ -16,7 +17,7 @@
 
 namespace avo::inline planner {
 
-/// Whether half-planes of walls are about the speed towards them alone.
+/// Returns whether half-planes of walls limit only the speed towards them.
 constexpr bool slows_before_walls(Method method) {
   return method == Method::avo || method == Method::buffered_voronoi;
 }
@@ -24,32 +25,33 @@ constexpr bool slows_before_walls(Method method) {
 /// m/s: the largest V with V Δt + l(V) <= gap.
 double speed_before(double gap, double max_braking, const StepLaw& law);
 
-/// A half-plane n . v' >= -V for each wall that the robot can reach with this decision, n away from
-/// it, V by its gap. Of one that it is in, n . v' >= n . out, at least 0, out being its
-/// velocity_out(); one that is touched by as little as rounding feigns is left within the step. 0
-/// is in all others. Returns whether it is in any.
+/// Appends a half-plane n . v' >= -V for each wall that the robot can reach with this decision. n
+/// points away from the wall, V depends on its gap. For a wall that the robot is in, it is n . v'
+/// >= n . out, at least 0; out is velocity_out(). A wall that is touched only within rounding is
+/// left within the step. 0 satisfies all others. Returns whether the robot is in any wall.
 bool append_speed_planes(const Robot& robot, std::span<const Wall> walls, const StepLaw& law,
                          Vec2 out, std::vector<HalfPlane>& half_planes);
 
-/// m, from its surface: no farther wall can be touched before τ by a robot that is so fast now.
+/// m, from the wall's surface: a robot that is now so fast can touch no farther wall before τ.
 inline double obstacle_reach(double speed, double max_speed, const PlannerOptions& options) {
   return options.time_horizon * std::max(speed, max_speed);
 }
 
-/// The half-plane of the wall's obstacle, in v', all of it the robot's: that of its
-/// acceleration-velocity obstacle, or of the limit δ -> 0 where v' is adopted at once. None of a
-/// wall out of reach. Sets `overlapping` where the robot touches it already.
+/// The half-plane of the wall's obstacle, in v', with the whole share of the robot. It is that of
+/// the acceleration-velocity obstacle, or of the limit δ -> 0 where v' is adopted at once. None for
+/// a wall out of reach. Sets `overlapping` where the robot touches the wall already.
 std::optional<WallPlane> obstacle_plane(const PlannerOptions& options, const Horizon& horizon,
                                         const Robot& robot, const Wall& wall, int index,
                                         bool& overlapping);
 
-/// What a decision has to keep to. Scratch memory; allocates only while it grows.
+/// The demands on a decision. Scratch memory; allocates only while it grows.
 struct Demands {
   std::vector<HalfPlane> planes;
   std::vector<double>
-      excess;  ///< m/s, of those of walls, which come first, see WallPlane; none of speed planes
-  bool overlapping = false;  ///< with a wall
-  Vec2 out;                  ///< m/s, see velocity_out(); of speed planes
+      /// m/s, of the planes of walls, which come first, see WallPlane; none for speed planes
+      excess;
+  bool overlapping = false;  ///< whether the robot overlaps a wall
+  Vec2 out;                  ///< m/s, see velocity_out(); for speed planes
 
   void clear() { planes.clear(), excess.clear(), overlapping = false, out = {}; }
   void reserve(std::size_t walls) { planes.reserve(walls), excess.reserve(walls); }
@@ -60,7 +62,7 @@ struct Demands {
 void collect_demands(const Planner& planner, const Robot& robot, std::span<const Wall> walls,
                      const StepLaw& law, Demands& demands);
 
-/// Whether v' keeps to them, as far as that is possible at all.
+/// Returns whether v' keeps them, as far as that is possible at all.
 bool is_kept(const Demands& demands, Vec2 v_new);
 
 }  // namespace avo::inline planner

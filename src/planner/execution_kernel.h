@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// How a choice is executed, as many robots at once as Pack has lanes: see execution.h.
+// How a choice is executed, for as many robots at once as Pack has lanes: see execution.h.
 #ifndef AVO_PLANNER_EXECUTION_KERNEL_H
 #define AVO_PLANNER_EXECUTION_KERNEL_H
 
@@ -25,7 +25,7 @@ AVO_KERNEL PackHaste<Real> haste_of(Real radius, Real max_speed, Real max_accele
   const Real time = response_time(max_speed, max_acceleration, used, execution.law);
   const Real gain = Real(execution.law.time_step) / time;
   if (!execution.remembers) return {gain, most, unlimited};
-  // there it would swing about its goal
+  // with a jerk limit it would oscillate about its goal there
   const Real usual = usual_response_time(max_speed, max_acceleration, execution.law);
   const auto is_there = distance_to_goal < max(radius, max_speed * usual);
   return {gain, most, select(is_there, unlimited, gain / Real(kEase) * most)};

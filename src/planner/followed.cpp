@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the robot itself makes of a plan: how it brakes, what its motion can follow, and the
-// velocity that it then has.
+// The robot's motion for a plan: how it brakes, what it can follow, and the velocity that it then
+// has.
 #include <algorithm>
 #include <optional>
 
@@ -16,8 +16,8 @@ namespace avo::inline planner {
 namespace {
 
 // v' that comes to rest within the step if the limits allow, and otherwise brakes straight along
-// -v, Eq. (7); |v' - v| <= δ b always, |v'| <= v_max unless that is farther than δ b away.
-// rate: the part of v' - v that one step turns into velocity.
+// -v, Eq. (7); |v' - v| <= δ b always, |v'| <= v_max unless that is farther than δ b away. rate:
+// the part of v' - v that one step turns into velocity.
 Vec2 braking_velocity(const Robot& robot, double control_time, double rate) noexcept {
   const double speed = norm(robot.velocity);
   if (!(speed > 0.0)) return {};
@@ -26,8 +26,8 @@ Vec2 braking_velocity(const Robot& robot, double control_time, double rate) noex
   return ((speed - change) / speed) * robot.velocity;
 }
 
-// An airplane can hold its speed and turn right, which is all that is left to it where a number is
-// wrong, wherever it is: if its place or its circle is unknown, as if it were at the origin.
+// An airplane can hold its speed and turn right. That is its only choice where a number is wrong,
+// at any place. If its place or its circle is unknown, it acts as if it were at the origin.
 std::optional<Robot> flying(const Robot& robot, double time_step) {
   if (!can_brake(robot) || !can_drive(robot)) return std::nullopt;
   if (has_known_place(robot) && can_fly(robot, time_step)) return robot;

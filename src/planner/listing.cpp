@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a decision is made from, listed for whoever wants to see it: half-planes, and what the
-// certificate demands, of neighbors and of walls.
+// The inputs of a decision, listed for inspection: half-planes, and the demands of the certificate,
+// of neighbors and of walls.
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
@@ -26,7 +26,7 @@
 namespace avo {
 namespace {
 
-// As plan() does, of those whose numbers are given.
+// Leaves out hidden neighbors as plan() does, among the given numbers.
 void leave_out_hidden(const Planner& planner, const Robot& robot,
                       std::span<const Neighbor> neighbors, std::span<const Wall> walls,
                       std::vector<std::uint32_t>& numbers) {
@@ -36,7 +36,7 @@ void leave_out_hidden(const Planner& planner, const Robot& robot,
   numbers.erase(std::remove_if(numbers.begin(), numbers.end(), hidden), numbers.end());
 }
 
-// Which of the neighbors get a half-plane, in the order in which they are given.
+// The neighbors that get a half-plane, in the order in which they are given.
 std::span<const std::uint32_t> list_planned(const Planner& planner, const Robot& robot,
                                             std::span<const Neighbor> neighbors,
                                             std::span<const Wall> walls,
@@ -48,7 +48,7 @@ std::span<const std::uint32_t> list_planned(const Planner& planner, const Robot&
   return scratch.order;
 }
 
-// scratch.listed becomes those that a certificate looks at, in the order of scratch.order.
+// Sets scratch.listed to the neighbors that a certificate uses, in the order of scratch.order.
 void list_seen(const Planner& planner, const Robot& robot, std::span<const Neighbor> neighbors,
                std::span<const Wall> walls, PlanWorkspace::Scratch& scratch) {
   rank(robot, neighbors, scratch);
@@ -58,7 +58,7 @@ void list_seen(const Planner& planner, const Robot& robot, std::span<const Neigh
   for (const std::uint32_t k : scratch.order) scratch.listed.push_back(neighbors[k]);
 }
 
-// What the circle of an airplane keeps from each.
+// Lists the distance that the circle of an airplane keeps from each wall.
 void list_walls_of_flight(const Robot& robot, double time_step, std::span<const Wall> walls,
                           std::vector<WallConstraint>& constraints) {
   if (!can_fly(robot, time_step)) return;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The canonical order of neighbors, nearest first, whatever the order in which they are given.
+// The canonical order of neighbors, nearest first, for any order of the input.
 #pragma once
 #include <algorithm>
 #include <cstdint>
@@ -16,7 +16,7 @@ inline double distance_squared(const Robot& robot, const Neighbor& neighbor) {
   return norm_squared(neighbor.position - robot.position);
 }
 
-// The canonical order of neighbors, ties as they are given, into scratch.order.
+// Writes the canonical order of neighbors into scratch.order; ties keep the input order.
 inline void rank(const Robot& robot, std::span<const Neighbor> neighbors,
                  PlanWorkspace::Scratch& scratch) {
   scratch.order.resize(neighbors.size());
@@ -28,7 +28,7 @@ inline void rank(const Robot& robot, std::span<const Neighbor> neighbors,
             [&](std::uint32_t a, std::uint32_t b) { return key(a) < key(b); });
 }
 
-// The neighbors in their canonical order: sorted, into scratch memory, only where they have to be.
+// The neighbors in their canonical order; they are sorted into scratch memory only if necessary.
 inline std::span<const Neighbor> nearest_first(const Robot& robot,
                                                std::span<const Neighbor> neighbors,
                                                PlanWorkspace::Scratch& scratch) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Options of a planner: what is customary, what is possible, and what they are called.
+// Options of a planner: usual values, valid ranges, and names.
 #include "planner/options.h"
 
 #include <string>
@@ -10,7 +10,7 @@
 namespace avo {
 namespace {
 
-// Motion has to be able to follow the response within a step.
+// Checks that motion can follow the response within a step.
 void validate_control(const PlannerOptions& options, const std::string& prefix) {
   const double dt = options.time_step, delta = options.control_time;
   const bool held = options.motion == Motion::held;

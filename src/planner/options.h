@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a planner can be asked to do.
+// The options of a planner.
 #pragma once
 #include <array>
 #include <cstddef>
@@ -10,8 +10,8 @@
 
 namespace avo::inline planner {
 
-/// What the values of an enum are called in scene files, in their order. Hidden by itself: the
-/// instances of public enums would be exported.
+/// The names of the values of an enum in scene files, in their order. The template is hidden
+/// explicitly: the instances of public enums would be exported.
 template <typename Choice>
 AVO_LOCAL inline constexpr std::array<const char*, 0> kNames{};
 template <>

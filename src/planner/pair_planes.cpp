@@ -50,7 +50,8 @@ Pair relative(const Robot& robot, const Neighbor& neighbor) {
 
 namespace {
 
-// [R] m/s, what both can do: δ (a_A + a_B); a mover that moves on does what it is seen to do.
+// [R] m/s, the largest change of both: δ (a_A + a_B); for a mover that moves on, its sensed
+// acceleration counts.
 double pair_reach(const PlannerOptions& options, const Robot& robot, const Neighbor& neighbor) {
   const double other = shares(neighbor) ? neighbor.max_acceleration : norm(neighbor.acceleration);
   return options.control_time * (robot.max_acceleration + other);
@@ -74,7 +75,7 @@ RelativeHalfPlane relative_half_plane(const PlannerOptions& options, const Horiz
                              : half_plane(pair, reach, horizon);
 }
 
-// A's half-plane in v' of the relative one.
+// A's half-plane in v', from the relative one.
 NeighborPlane share_of(const PlannerOptions& options, const Robot& robot, const Neighbor& neighbor,
                        int index, const RelativeHalfPlane& relative) {
   const double alpha =
@@ -86,7 +87,7 @@ NeighborPlane share_of(const PlannerOptions& options, const Robot& robot, const 
   if (!disregards_acceleration(options.method)) {
     plane.offset += mover_offset(options, neighbor, plane.normal);
   }
-  // near contact it has no bound; finite all the same
+  // near contact it has no bound; keep it finite
   return {index, plane, std::min(alpha * relative.excess, std::numeric_limits<double>::max())};
 }
 

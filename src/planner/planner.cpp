@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// One robot's decision (paper §IV-D): collect a half-plane per neighbor, choose the allowed
+// One robot's decision (paper §IV-D): collects a half-plane per neighbor, chooses the allowed
 // velocity nearest the preferred one.
 #include "avo/planner.h"
 
@@ -21,7 +21,8 @@
 namespace avo {
 namespace {
 
-constexpr std::size_t kMostConstraints = 8192;  // for more, memory grows when it is needed
+// memory for more constraints is allocated when it is needed
+constexpr std::size_t kMostConstraints = 8192;
 
 }  // namespace
 
@@ -49,7 +50,7 @@ void PlanWorkspace::Scratch::reserve_walls(std::size_t neighbors, std::size_t mo
   reserve_planes(neighbors, most_walls);
 }
 
-// Room for those of one program, and for the cuts of its rounds.
+// Reserves room for the half-planes of one program, and for the cuts of its rounds.
 void PlanWorkspace::Scratch::reserve_planes(std::size_t neighbors, std::size_t most_walls) {
   const std::size_t cuts = kMostCuts * (neighbors + most_walls) + kMostOwnPlanes;
   for (CertifiedWorkspace* own : {&certified, &evasion.certified}) {
@@ -103,15 +104,16 @@ double Planner::step_lag() const {
 
 namespace {
 
-// Lists lie where the caller keeps them, far from the caches where it asks for many robots in turn.
+// Prefetches a neighbor. Lists are in the caller's memory, far from the caches if the caller plans
+// many robots in turn.
 void prefetch(const Neighbor* neighbor) {
   constexpr std::size_t kLine = 64;  // bytes
   for (std::size_t at = 0; at < sizeof(Neighbor); at += kLine)
     __builtin_prefetch(reinterpret_cast<const char*>(neighbor) + at);
 }
 
-// The only ones of the tile, nearest first; nothing where one is invalid. In one pass where they
-// come in that order.
+// Takes the neighbors as the only ones of the tile, nearest first; none if one is invalid. It takes
+// one pass if they come in that order.
 std::optional<Neighbors> take_neighbors(const Robot& robot, std::span<const Neighbor> given,
                                         PlanWorkspace::Scratch& scratch) {
   NeighborColumns& columns = scratch.alone.neighbors;
@@ -162,7 +164,7 @@ Plan Planner::plan(const Robot& robot, std::span<const Neighbor> neighbors,
     tile.remembers = detour != nullptr;
     if (!walls.empty()) tile.walls.push_back(walls);
     plan_together(*this, tile, scratch, clock);
-    if (plan.neighbor >= 0)  // of the order in which it was planned with
+    if (plan.neighbor >= 0)  // an index into the order of planning
       plan.neighbor =
           index_in(neighbors, tile.robots.neighbors[0][static_cast<std::size_t>(plan.neighbor)]);
   } else {

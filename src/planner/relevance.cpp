@@ -18,7 +18,7 @@ using Real = scalar::Pack<double>;
 
 constexpr double kReachRounding = 1e-9;  // of a sum of lengths, generously
 
-// How a robot brakes that is as fast as it may be: the reach grows with the speed.
+// The braking of a robot at its largest speed: the reach grows with the speed.
 Braking fastest(const Planner& planner, const Robot& robot) {
   return braking_of({(1.0 + kSpeedRounding) * robot.max_speed, 0.0}, ability_of(robot),
                     certificate_law(planner).step);
@@ -30,7 +30,7 @@ double least_of_shares(const Peers& peers) {
   return peers.least_priority == peers.most_priority ? share : std::min(share, kLeastShare);
 }
 
-// m: at least drift_of() of any of them, where clocks are free.
+// m: an upper bound of drift_of() of all of them, where clocks are free.
 double most_drift(const Peers& peers, const StepLaw& law) {
   const double H = law.time_step, L = law.longest_step, V = std::max(H, 2.0 * L - H);
   const double time = H * (peers.intervals + 1.0);  // until rest
@@ -38,8 +38,8 @@ double most_drift(const Peers& peers, const StepLaw& law) {
   return peers.most_change * (V * (time + later) + 0.125 * (H * H + L * L));
 }
 
-// Beyond it cannot_meet() holds of all pairs. What covers rounding grows with the places of both,
-// of which the neighbor's is at most the distance farther out, √2 of it in one-norms.
+// Beyond it cannot_meet() holds for all pairs. The margin for rounding grows with the places of
+// both. The neighbor's place is at most the distance farther out, √2 of it in one-norms.
 std::array<double, 3> certificate_range(const Planner& planner, const Robot& robot,
                                         const Peers& peers) {
   const StepLaw law = certificate_law(planner).step;

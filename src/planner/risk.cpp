@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// How likely it is that noise hides a broken half-plane.
+// The probability that noise hides a violated half-plane.
 #include <numbers>
 
 #include "avo/planner.h"
@@ -15,8 +15,8 @@ constexpr double kMostQuantile = 8.0;  // beyond it the probability is below 1e-
 constexpr int kRiskBisections = 40;
 constexpr double kKept = 1e-9;  // m/s, rounding of a choice on the half-plane
 
-// Of a standard normal variable to exceed q >= 0: by a series about 0, beyond by a continued
-// fraction.
+// The probability that a standard normal variable exceeds q >= 0: by a series about 0, beyond that
+// by a continued fraction.
 double tail(double q) {
   const double root = 1.0 + elementary::expm1(-q * q / 16.0);  // in eight parts, none of them tiny
   const double square = root * root, fourth = square * square;

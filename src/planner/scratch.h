@@ -27,9 +27,9 @@ struct PlanWorkspace::Scratch {
   ProgramBatch programs;
   ProgramRows rows;
   Demands demands;                       // of one robot
-  std::vector<HalfPlane> hard_and_soft;  // those of its demands, and its other ones behind them
+  std::vector<HalfPlane> hard_and_soft;  // those of its demands, followed by its other ones
   std::vector<PassiveObstacle> obstacles;
-  // of the neighbors given: numbers, and themselves sorted by distance
+  // the order of the given neighbors, and the neighbors sorted by distance
   std::vector<std::uint32_t> order;
   std::vector<Neighbor> ordered;
   Tile alone;  // of one robot
@@ -40,9 +40,10 @@ struct PlanWorkspace::Scratch {
   EvasionWorkspace evasion;
   SteerMemory steering;
 
-  /// Room for the certificate of so many neighbors, each of which brakes for so many steps.
+  /// Reserves room for the certificate of so many neighbors, each of which brakes for so many
+  /// steps.
   void reserve_choice(std::size_t neighbors, std::size_t braking_steps);
-  /// The same beside so many walls.
+  /// Reserves room for so many walls in addition.
   void reserve_walls(std::size_t neighbors, std::size_t most_walls);
   void reserve_planes(std::size_t neighbors, std::size_t most_walls);
 };

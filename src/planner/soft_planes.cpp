@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// From what robots sense to their half-planes, all pairs at once.
+// From the sensed states to the half-planes of all pairs at once.
 #include "planner/soft_planes.h"
 
 #include <algorithm>
@@ -28,7 +28,7 @@ std::size_t count_pairs(const PlannerOptions& options, const RobotColumns& robot
   return end;
 }
 
-// What those that move on make of a pair, and by how much it can raise the offset.
+// Adds the effect of movers on a pair, and the largest increase of the offset by it.
 void add_movers(const PlannerOptions& options, const Tile& tile, SoftPlanes& soft) {
   const NeighborColumns& neighbors = tile.neighbors;
   std::size_t i = 0;
@@ -43,7 +43,7 @@ void add_movers(const PlannerOptions& options, const Tile& tile, SoftPlanes& sof
   }
 }
 
-// What priorities make of the shares of half-planes.
+// Applies the priorities to the shares of half-planes.
 void weigh(const Tile& tile, SoftPlanes& soft) {
   const RobotColumns& robots = tile.robots;
   const NeighborColumns& neighbors = tile.neighbors;
@@ -65,7 +65,7 @@ bool has_priorities(const Tile& tile) {
                      [](double priority) { return priority != 1.0; });
 }
 
-// The half-planes of those who coincide: nothing that robots see tells them apart.
+// The half-planes of robots that coincide: nothing that robots sense distinguishes them.
 void part_coinciding(const PlannerOptions& options, const Horizon& horizon, const Tile& tile,
                      SoftPlanes& soft) {
   const NeighborColumns& neighbors = tile.neighbors;
@@ -96,10 +96,10 @@ void mark_coinciding(const Tile& tile, SoftPlanes& soft) {
   }
 }
 
-// Robots in contact. Without an early end, several pairs are looked at in one instruction.
+// Marks robots in contact. Without an early end, one instruction tests several pairs.
 void mark_overlaps(const PlannerOptions& options, const Tile& tile, SoftPlanes& soft) {
   if (soft.workspace.cases.contact == 0) return;
-  if (options.method == Method::avo) mark_coinciding(tile, soft);  // who makes detours alone
+  if (options.method == Method::avo) mark_coinciding(tile, soft);  // only method avo makes detours
   const std::vector<PairState>& states = soft.relative.state;
   std::size_t i = 0;
   for (std::size_t r = 0; r < soft.pair_end.size(); ++r) {
@@ -118,11 +118,11 @@ void keep(std::size_t robots, SoftPlanes& soft) {
   soft.excess.assign(count, 0.0);
   soft.exceeding = soft.shared.exceeding;
   for (std::size_t k = 0; k < count; ++k) {
-    // signed: what processors convert to
+    // signed, because processors convert to signed integers
     const auto i = static_cast<std::size_t>(static_cast<std::int64_t>(soft.shared.kept[k]));
     soft.planes[k] = {{relative.n_x[i], relative.n_y[i]}, soft.shared.offset[i]};
     if (!soft.exceeding) continue;
-    // near contact it has no bound; finite all the same
+    // near contact it has no bound; keep it finite
     soft.excess[k] =
         std::min(soft.share[i] * relative.excess[i], std::numeric_limits<double>::max());
   }
@@ -189,7 +189,7 @@ void collect_exact(const PlannerOptions& options, const Horizon& horizon, const 
   if (tile.neighbors.has_movers) raise_for_movers(options, robots, soft);
 }
 
-// ORCA's half-planes, and those of the paper's samples.
+// Collects ORCA's half-planes, and those of the paper's samples.
 void collect_others(const PlannerOptions& options, const Horizon& horizon, const Tile& tile,
                     SoftPlanes& soft) {
   soft.planes.clear();

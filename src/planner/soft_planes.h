@@ -17,15 +17,17 @@ namespace avo::inline planner {
 struct SoftPlanes {
   std::vector<HalfPlane> planes;          ///< of all robots, each in the order of its neighbors
   std::vector<double> excess;             ///< m/s, of each plane, see NeighborPlane
-  bool exceeding = false;                 ///< some of it is not 0
+  bool exceeding = false;                 ///< whether an excess is not 0
   std::vector<std::size_t> first{0};      ///< of robot i: [first[i], first[i + 1])
   std::vector<std::uint8_t> overlapping;  ///< whether robot i is in contact already
-  std::vector<std::uint8_t> coinciding;   ///< likewise, so deep that it nearly coincides with one
+  /// whether robot i is so deep in contact that it nearly coincides with a neighbor
+  std::vector<std::uint8_t> coinciding;
 
   // scratch memory
   std::vector<double> share;          // of each pair, Eq. (20)
-  std::vector<std::size_t> pair_end;  // behind those of each robot
-  std::vector<double> raise;          // m/s, of each robot: most that movers add to its offsets
+  std::vector<std::size_t> pair_end;  // one past the pairs of each robot
+  // m/s, of each robot: the largest increase of its offsets by movers
+  std::vector<double> raise;
   SharedPlanes shared;
   PairColumns pairs;
   HalfPlaneWorkspace workspace;
@@ -41,8 +43,8 @@ struct SoftPlanes {
 
 void reserve(std::size_t robots, std::size_t pairs, SoftPlanes& soft);
 
-/// Collects the half-planes of all robots of the tile. One that either limit alone keeps to is left
-/// out: it cannot cut.
+/// Collects the half-planes of all robots of the tile. A half-plane that contains one of the two
+/// limit discs is left out: it cannot cut.
 void collect_soft_planes(const PlannerOptions& options, const Horizon& horizon, const Tile& tile,
                          SoftPlanes& soft);
 

@@ -16,7 +16,7 @@
 namespace avo::inline planner {
 namespace {
 
-// With whom contact comes first, of those with whom it is inevitable.
+// The earliest of the inevitable contacts.
 struct FirstContact {
   SafetyReport report;
 
@@ -24,11 +24,11 @@ struct FirstContact {
     if (!time || (report.state == SafetyState::doomed && !(*time < report.time))) return;
     report = {SafetyState::doomed, neighbor, wall, *time};
   }
-  // No other one comes before it: the rest of a crowd is not asked.
+  // Returns whether no other contact can come earlier: the rest of a crowd is not tested.
   bool is_now() const { return report.state == SafetyState::doomed && !(report.time > 0.0); }
 };
 
-// What state() holds a robot against: who has no certificate could brake as others do, too.
+// The law that state() uses: a robot without a certificate could brake as others do.
 CertificateLaw law_of_state(const Planner& planner) {
   CertificateLaw law = certificate_law(planner);
   if (law.kind == Certificate::none) law.kind = Certificate::braking_trajectories;
@@ -43,14 +43,15 @@ SafetyReport state_of(const Robot& robot, const Neighbors& neighbors, std::span<
   if (law.kind == Certificate::none) return {};
   const bool is_safe = braking_keeps_clear(constraints);
   FirstContact first{{is_safe ? SafetyState::safe : SafetyState::unknown}};
-  if (may_exceed_reach(robot.model)) return first.report;  // more than its acceleration says
+  // it may accelerate more than its limit says
+  if (may_exceed_reach(robot.model)) return first.report;
   for (std::size_t k = 0; k < neighbors.size() && !first.is_now(); ++k) {
     const Neighbor neighbor = neighbors[k];
     if (is_safe && neighbor.behavior == Behavior::decides) continue;
     if (neighbor.loiter) continue;  // it turns faster than its acceleration says
     first.take(inevitable_contact(robot, neighbor, law.step), static_cast<int>(k), -1);
   }
-  const bool lost = law.step.localization_error > 0.0;  // it may be elsewhere
+  const bool lost = law.step.localization_error > 0.0;  // the robot may be elsewhere
   for (std::size_t k = 0; !is_safe && !lost && !first.is_now() && k < walls.size(); ++k)
     first.take(inevitable_contact(robot, walls[k]), -1, static_cast<int>(k));
   return first.report;
@@ -84,7 +85,7 @@ Contact deepest_contact(const Robot& robot, std::span<const Neighbor> neighbors,
                          constraints.walls.broken);
 }
 
-// The one of k, or nothing.
+// The element k, or none.
 template <typename T>
 std::span<const T> one_of(std::span<const T> all, int k) {
   return k < 0 ? std::span<const T>{} : all.subspan(static_cast<std::size_t>(k), 1);
@@ -104,7 +105,8 @@ SafetyReport Planner::state(const Robot& robot, std::span<const Neighbor> neighb
   if (report.state == SafetyState::unknown)
     name(deepest_contact(robot, neighbors, walls, law, constraints), report);
   if (report.state != SafetyState::doomed) return report;
-  const auto other = one_of(neighbors, report.neighbor);  // how deep with that one
+  // for the depth of the contact with this body
+  const auto other = one_of(neighbors, report.neighbor);
   const auto wall = one_of(walls, report.wall);
   collect_constraints(robot, other, law, constraints, wall);
   report.depth = deepest_contact(robot, other, wall, law, constraints).depth;

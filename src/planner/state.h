@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What is proved of the state in which a robot decides: docs/states.md.
+// The proved properties of the state in which a robot decides: docs/states.md.
 #pragma once
 #include <span>
 
@@ -10,19 +10,19 @@
 
 namespace avo::inline planner {
 
-/// Whether braking is proved to keep clear of all that the constraints are of.
+/// Returns whether braking is proved to keep clear of all bodies in the constraints.
 inline bool braking_keeps_clear(const CertificateConstraints& constraints) {
   const Invariant& invariant = constraints.invariant;
   return !invariant.doubtful && !invariant.touched && !invariant.unknown &&
          !constraints.walls.doubtful;
 }
 
-/// Whether braking is seen to touch a neighbor or a wall.
+/// Returns whether braking touches a neighbor or a wall, as sensed.
 inline bool collides(const CertificateConstraints& constraints) {
   return constraints.invariant.broken.any() || constraints.walls.broken.any();
 }
 
-/// The constraints are those of the robot under the law, its neighbors and walls.
+/// The constraints must be those of the robot under the law, of its neighbors and walls.
 SafetyReport state_of(const Robot& robot, const Neighbors& neighbors, std::span<const Wall> walls,
                       const CertificateLaw& law, const CertificateConstraints& constraints);
 

@@ -14,14 +14,15 @@
 namespace avo::inline planner {
 namespace {
 
-// Of the robot's radius: what a maneuver keeps from walls and others, by nearness.
+// Of the robot's radius: the distances that a maneuver keeps from walls and others, by nearness.
 constexpr std::array kKeeps{0.01, 0.03, 0.05};
-constexpr double kTouching = 0.001;    // likewise: who is nearer already may stay as near
-constexpr double kNearlyAtRest = 0.1;  // of its radius, m that a neighbor needs to stop
+// of the robot's radius: a body that is nearer already may stay as near
+constexpr double kTouching = 0.001;
+constexpr double kNearlyAtRest = 0.1;  // of its radius: the stopping distance of a slow neighbor, m
 
 using Obstacle = SteerMemory::Obstacle;
 
-// m, beyond contact: how far it is to what is added, where that may be in the way.
+// m, beyond contact: the distance to the added obstacle, where it may block the robot.
 std::optional<double> add_obstacle(const Robot& robot, double room, const Segment& segment,
                                    double radius, std::vector<Obstacle>& obstacles) {
   const double away = distance(robot.position, segment), contact = robot.radius + radius;
@@ -40,7 +41,7 @@ bool are_clear(const std::vector<Obstacle>& obstacles, Vec2 place, Nearness near
   });
 }
 
-// Whether the robot could come to touch one of them soon.
+// Adds walls; returns whether the robot could touch one of them soon.
 bool add_walls(const Robot& robot, std::span<const Wall> walls, const StepLaw& law, double room,
                std::vector<Obstacle>& obstacles) {
   const double reach = wall_reach(robot.max_speed, robot.max_speed, ability_of(robot), law);
@@ -53,8 +54,8 @@ bool add_walls(const Robot& robot, std::span<const Wall> walls, const StepLaw& l
   return is_beside;
 }
 
-// Who cannot back off stays for ever where it has come nose to nose with others: they are in its
-// way as walls are, once they are slow.
+// A robot that cannot reverse stays for ever where it meets others face to face. These others block
+// it as walls do, once they are slow.
 void add_slow_neighbors(const Robot& robot, const Neighbors& neighbors, double room,
                         std::vector<Obstacle>& obstacles) {
   if (can_reverse(robot.model)) return;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Robots that cannot go everywhere at once go about it in their own way.
+// Steering of robots that cannot move in every direction at once.
 #pragma once
 #include <array>
 #include <vector>
@@ -12,9 +12,9 @@
 
 namespace avo::inline planner {
 
-/// Memory to steer with; reuse it and nothing is allocated once it has grown.
+/// Memory for steering; reuse it, and nothing is allocated once it has grown.
 struct SteerMemory {
-  /// What is in the way of a maneuver.
+  /// An obstacle to a maneuver.
   struct Obstacle {
     Segment segment;
     std::array<double, 3> keep;  // m, from the segment, by nearness
@@ -23,8 +23,9 @@ struct SteerMemory {
   ManeuverMemory maneuvers;
 };
 
-/// Makes of each preferred velocity what the robot can steer to, beside walls with maneuvers
-/// (docs/arrival.md, rule 11). Only the wish depends on it. tile.maneuvers: who has one.
+/// Replaces each preferred velocity by the one that the robot can steer to, beside walls with
+/// maneuvers (docs/arrival.md, rule 11). Only the wish depends on it. tile.maneuvers: set for
+/// robots with a maneuver.
 void steer(const PlannerOptions& options, const StepLaw& law, Tile& tile, SteerMemory& memory);
 
 }  // namespace avo::inline planner

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Robots that are planned together: what they know, sense and remember, and what they decide.
+// Robots that are planned together: their states, neighbors and memory, and their decisions.
 #pragma once
 #include <cstddef>
 #include <cstdint>
@@ -15,14 +15,17 @@ namespace avo::inline planner {
 /// Allocates only while it grows.
 struct Tile {
   RobotColumns robots;
-  NeighborColumns neighbors;    ///< of all the robots, each one's by distance and id
+  NeighborColumns neighbors;    ///< of all the robots, for each robot by distance and id
   std::vector<Detour*> detour;  ///< of each robot; updated
-  std::vector<Plan*> plan;      ///< filled, but for next_velocity: moving the robot tells that
+  /// filled, except next_velocity, which is known after the robot is moved
+  std::vector<Plan*> plan;
   std::vector<std::span<const Wall>> walls;  ///< of each robot; none where no robot has any
-  std::vector<std::uint32_t> slot;           ///< what whoever fills the tile calls each robot
-  std::vector<std::uint8_t> maneuvers;  ///< by steer(): 1 of a robot that maneuvers beside walls
-  bool remembers = true;                ///< what is in `detour` is of the robots' last decisions
-  bool trusted = true;  ///< the robots and their neighbors are known to be finite and in range
+  std::vector<std::uint32_t> slot;           ///< the caller's name of each robot
+  /// set by steer(): 1 for a robot that maneuvers beside walls
+  std::vector<std::uint8_t> maneuvers;
+  bool remembers = true;  ///< whether `detour` is of the robots' last decisions
+  /// whether the robots and their neighbors are known to be finite and in range
+  bool trusted = true;
 
   std::span<const Wall> walls_of(std::size_t i) const {
     return walls.empty() ? std::span<const Wall>{} : walls[i];

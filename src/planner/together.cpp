@@ -27,7 +27,8 @@
 namespace avo::inline planner {
 namespace {
 
-// Whom nobody can refuse its choice, neither now nor on a detour that it is still on.
+// Returns whether no neighbor can refuse the robot's choice, neither now nor on a detour that it
+// still follows.
 bool is_unhindered(const CertificateLaw& law, const Tile& tile, const NearPairs& near,
                    std::size_t i) {
   if (law.kind == Certificate::braking_trajectories) {
@@ -38,15 +39,15 @@ bool is_unhindered(const CertificateLaw& law, const Tile& tile, const NearPairs&
   return tile.robots.model[i] == nullptr && tile.detour[i]->angle == 0.0;
 }
 
-// m/s: the program's, and by how much a neighbor with which everything within reach collides asks
-// for more.
+// m/s: the program's violation, or the larger excess of a neighbor with which everything within
+// reach collides.
 double most_violation(const SoftPlanes& soft, std::size_t i, double violation) {
   if (!soft.exceeding) return violation;
   for (const double excess : soft.excess_of(i)) violation = std::max(violation, excess);
   return violation;
 }
 
-// With no certificate there is nothing that they demand.
+// Without a certificate walls demand nothing.
 void begin_walls(const RobotColumns& robots, const Tile& tile, std::size_t i,
                  const CertificateLaw& law, WallConstraints& walls) {
   const std::span<const Wall> near = tile.walls_of(i);
@@ -57,8 +58,8 @@ void begin_walls(const RobotColumns& robots, const Tile& tile, std::size_t i,
   }
 }
 
-// Of any model. Who maneuvers leaves no arc that is clear, and those with wheels have their own way
-// to come to rest.
+// The haste of a robot of any model. A robot that maneuvers must not leave its clear arc, and
+// robots with wheels come to rest by their own rule.
 Haste haste_of_any(const Robot& robot, bool maneuvers, const Execution& execution) {
   Haste haste = haste_of(robot, execution);
   if (is_holonomic(robot.model)) return haste;
@@ -68,7 +69,7 @@ Haste haste_of_any(const Robot& robot, bool maneuvers, const Execution& executio
   return haste;
 }
 
-// What the plans of method avo are made by and from.
+// The inputs of the plans of method avo.
 struct Deciding {
   const Planner& planner;
   const Execution& execution;
@@ -91,7 +92,7 @@ struct Deciding {
   }
 };
 
-// An airplane, which can only turn.
+// Plans for an airplane, which can only turn.
 void fly(const Deciding& deciding, std::size_t i) {
   const auto& [planner, execution, tile, scratch, law] = deciding;
   FlightConstraints& flight = scratch.flight;
@@ -105,7 +106,7 @@ void fly(const Deciding& deciding, std::size_t i) {
                           certified ? flight.broken_wall : Deepest{});
 }
 
-// Whom nobody and no wall hinders: by decide_freely().
+// Plans for a robot that no neighbor and no wall hinders: by decide_freely().
 void go_freely(const Deciding& deciding, std::size_t i) {
   const DecisionColumns& decisions = deciding.scratch.decisions;
   Plan& plan = *deciding.tile.plan[i];
@@ -118,7 +119,7 @@ void go_freely(const Deciding& deciding, std::size_t i) {
   if (deciding.scratch.soft.overlapping[i] != 0) deciding.tell_contact(i, {}, {});
 }
 
-// Who has to ask the certificate, one by one.
+// Plans for a robot that must ask the certificate, one by one.
 void go_certified(const Deciding& deciding, std::size_t i) {
   const auto& [planner, execution, tile, scratch, law] = deciding;
   const RobotColumns& robots = tile.robots;
@@ -154,7 +155,7 @@ void go_certified(const Deciding& deciding, std::size_t i) {
                    : state_of(robot, robots.neighbors[i], tile.walls_of(i), law, constraints).state;
 }
 
-// The plans of method avo: of nearly all robots in lanes, of the others one by one.
+// The plans of method avo: for nearly all robots in lanes, for the others one by one.
 void decide(const Planner& planner, const Execution& execution, Tile& tile,
             PlanWorkspace::Scratch& scratch) {
   const Deciding deciding{planner, execution, tile, scratch, certificate_law(planner)};
@@ -207,7 +208,7 @@ void adopt(const Planner& planner, Tile& tile, const PlanWorkspace::Scratch& scr
   }
 }
 
-// Plans made without a certificate, whose choices are made of what robots can follow.
+// Limits plans made without a certificate to velocities that the robots can follow.
 void keep_within_models(const Planner& planner, Tile& tile) {
   if (planner.options().certificate != Certificate::none || !tile.robots.has_models) return;
   for (std::size_t i = 0; i < tile.plan.size(); ++i) {
@@ -216,7 +217,7 @@ void keep_within_models(const Planner& planner, Tile& tile) {
   }
 }
 
-// Whether the robot decides by something else than half-planes: it does so here.
+// Returns whether the robot decides by a rule other than half-planes; it then decides here.
 bool decides_otherwise(const Planner& planner, const Tile& tile, std::size_t i,
                        PlanWorkspace::Scratch& scratch) {
   const PlannerOptions& options = planner.options();
@@ -240,7 +241,7 @@ bool decides_otherwise(const Planner& planner, const Tile& tile, std::size_t i,
   return true;
 }
 
-// They come last, and the others are the robots of the tile from now on.
+// Moves these robots to the end; the others are then the robots of the tile.
 void set_apart(const Planner& planner, Tile& tile, PlanWorkspace::Scratch& scratch) {
   for (std::size_t i = 0; i < tile.robots.count;) {
     if (!decides_otherwise(planner, tile, i, scratch)) {
@@ -286,7 +287,7 @@ void plan_together(const Planner& planner, Tile& tile, PlanWorkspace::Scratch& s
 }
 
 namespace {
-constexpr std::size_t kMostNear = 2048;  // pairs; of more, memory grows when it is needed
+constexpr std::size_t kMostNear = 2048;  // pairs; memory for more is allocated when it is needed
 }  // namespace
 
 void reserve_together(std::size_t robots, std::size_t planes_each, std::size_t planes,

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What can be decided about: numbers that are finite and in range, and robots that can do what the
-// others expect of them. All of it is asked in release builds as well.
+// Valid inputs of a decision: numbers that are finite and in range, and robots that can do what the
+// others expect of them. All of it is tested in release builds as well.
 #include "planner/validity.h"
 
 #include <algorithm>
@@ -16,7 +16,7 @@
 namespace avo::inline planner {
 namespace {
 
-// 1 or 0, to be joined without a branch: nearly all are.
+// 1 or 0, to be joined without a branch: nearly all values are valid.
 int is_known(double value) {
   return static_cast<int>(std::abs(value) <= kLargest);
 }
@@ -68,7 +68,8 @@ bool is_deviation(double value) {
   return value >= 0.0 && value <= kLargest;
 }
 
-// Of one that is predicted. What nearly all of them have is asked of all in is_valid().
+// Tests a predicted neighbor. is_valid() tests for all neighbors the values that nearly all of them
+// have.
 bool is_valid_mover(const Neighbor& mover) {
   const bool is_placed = mover.trajectory == nullptr || (!mover.trajectory->places().empty() &&
                                                          is_known(mover.trajectory_time) != 0);
@@ -114,7 +115,7 @@ bool all_valid(const Robot& robot, std::span<const Neighbor> neighbors) {
 
 namespace {
 
-// Of one that decides, and of which nothing is known but what all have; as is_valid() has it.
+// Tests a neighbor that decides and has only the common values; equal to is_valid().
 bool is_valid_usual(const NeighborColumns& columns, std::size_t k) {
   const double a_max = columns.max_acceleration[k];
   const int places = is_known(columns.x[k]) & is_known(columns.y[k]);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The decision of a robot outside of the union of its obstacles (§III-C): among movers alone, and
-// of the methods that avoid a union whoever the others are.
+// for the methods that avoid a union of any neighbors.
 #include <span>
 #include <vector>
 
@@ -24,8 +24,8 @@
 namespace avo::inline planner {
 namespace {
 
-// What method avo does towards movers, which leave all of it to A (docs/movers.md, "Towards
-// movers"). Those who decide here were asked to avoid alone.
+// The rules of method avo towards movers, which leave all avoidance to A (docs/movers.md, "Towards
+// movers"). A neighbor that decides is here only if A was asked to avoid it alone.
 constexpr double kMoverHorizon = 2.0;  // τ
 
 double horizon_of(const PlannerOptions& options) {
@@ -69,7 +69,7 @@ Plan decide_among_obstacles(const Planner& planner, const Robot& robot,
   }
   Demands& demands = scratch.demands;
   demands.clear();
-  // what the certificate refuses, it finds a way around
+  // in method avo the certificate itself finds a path around what it refuses
   if (options.method != Method::avo)
     collect_demands(planner, robot, walls, certificate_law(planner).step, demands);
   overlapping = overlapping || demands.overlapping;
@@ -116,7 +116,7 @@ Plan Planner::plan_among_obstacles(const Robot& robot, std::span<const Neighbor>
     std::vector<Neighbor>& movers = PlanWorkspace::Scratch::of(workspace).movers;
     movers.assign(obstacles.begin(), obstacles.end());
     for (Neighbor& mover : movers) {
-      if (!is_valid(mover)) continue;  // as it is, for plan() to refuse
+      if (!is_valid(mover)) continue;  // unchanged, for plan() to refuse
       become_mover(mover);
     }
     return plan(robot, movers, workspace);

@@ -16,10 +16,11 @@
 namespace avo::inline planner {
 namespace {
 
-constexpr double kStuck = 0.1;  // of the radius: nearer to the point of its cell it is stuck there
+// of the radius: nearer to the point of its cell the robot is stuck there
+constexpr double kStuck = 0.1;
 constexpr double kOnSide = 1e-6;  // of the radius: rounding of a point on a side
 
-// n . v of what the side is at rest to.
+// n . v of the frame in which the side is at rest.
 double side_velocity(const CellSide& side, const Neighbor& neighbor) {
   return shares(neighbor) ? 0.0 : dot(side.normal, neighbor.velocity);
 }
@@ -30,7 +31,8 @@ Vec2 nearest_in_cell(std::span<const HalfPlane> sides, Vec2 goal, ProgramRows& r
   return nearest_point(sides, everywhere, 2.0 * norm(goal), goal, rows).point;
 }
 
-// The right-hand rule: along the side that `place` lies on and that is most in the way.
+// The right-hand rule: the direction along the side that `place` lies on and that blocks the robot
+// most.
 Vec2 to_the_right(std::span<const HalfPlane> sides, Vec2 place, Vec2 goal, double radius,
                   ProgramRows& rows) {
   Vec2 inward{};
@@ -87,8 +89,9 @@ CellSide cell_side(const PlannerOptions& options, const Robot& robot, const Neig
 }
 
 double speed_within(double gap, double speed, double max_braking, double time_step) {
-  // Δt (speed + V)/2 + l(V) <= gap, l(V) = Δt (V/2 + (V - u) + (V - 2 u) + ...) being the way of
-  // braking from V: Δt V/2 + l(V) is what speed_before() takes of a law without lag
+  // Δt (speed + V)/2 + l(V) <= gap, where l(V) = Δt (V/2 + (V - u) + (V - 2 u) + ...) is the
+  // braking distance from V. Δt V/2 + l(V) is the distance that speed_before() uses for a law
+  // without lag.
   const double room = gap - 0.5 * time_step * speed;
   if (!(room > 0.0)) return 2.0 * room / time_step;
   const StepLaw law{.time_step = time_step, .lag = 0.0, .braking_time = time_step};

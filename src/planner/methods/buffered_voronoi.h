@@ -15,24 +15,25 @@ struct CellSide {
   double gap = 0.0;  ///< m, from p_A; negative in contact
 };
 
-/// The bisector less r_A. Of unequal radii it is moved by (r_A - r_B)/2 to B's side, so that each
-/// of the two has half of the gap between the discs, and the discs of centers in two cells are
-/// disjoint. With one that reacts to nobody, the whole gap is A's.
+/// The bisector less r_A. For unequal radii it is moved by (r_A - r_B)/2 to B's side. Then each
+/// robot has half of the gap between the discs, and the discs of centers in two cells are disjoint.
+/// Against a mover, the whole gap is A's.
 CellSide cell_side(const PlannerOptions& options, const Robot& robot, const Neighbor& neighbor);
 
-/// m/s: the largest speed V at the end of a step that begins with `speed`, both towards what is
-/// `gap` away, the acceleration held, so that braking from V on stops there or before: at most
-/// sqrt(2 b gap). Where there is none, the one that leads back to there at the end of the step.
+/// m/s: the largest speed V at the end of a step that begins with `speed`, with the acceleration
+/// held. Both are towards a side at the distance `gap`, and braking from V must stop there or
+/// before: V is at most sqrt(2 b gap). If there is no such V, it is the speed that leads back to
+/// the side at the end of the step.
 double speed_within(double gap, double speed, double max_braking, double time_step);
 
-/// n . v' <= speed_within() of one side; relative to the velocity of one that reacts to nobody.
+/// n . v' <= speed_within() of one side; for a mover relative to its velocity.
 std::optional<NeighborPlane> cell_half_plane(const PlannerOptions& options, const Robot& robot,
                                              const Neighbor& neighbor, int index,
                                              bool& overlapping);
 
-/// What each robot wishes for, into scratch.decisions: the preferred velocity where its goal is in
-/// its cell, and else to get to the point of the cell nearest the goal (their Algorithm 1), and to
-/// rest there. Near that point it keeps to the right along the side that is in its way.
+/// Writes each robot's wish into scratch.decisions: the preferred velocity where its goal is in its
+/// cell. Otherwise the robot goes to the point of the cell nearest the goal (their Algorithm 1),
+/// and rests there. Near that point it keeps to the right along the side that blocks it.
 void wish_within_cells(const PlannerOptions& options, const RobotColumns& robots,
                        PlanWorkspace::Scratch& scratch);
 

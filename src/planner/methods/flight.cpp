@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Controls are tried from the wanted ones on; what the motion makes of them is judged.
+// Tries controls, beginning with the wanted ones; the motion that follows from them is judged.
 #include "planner/methods/flight.h"
 
 #include <algorithm>
@@ -15,7 +15,7 @@ namespace {
 constexpr double kSpeedOff = 1e-9;   // of a limit of the speed, by rounding
 constexpr double kCircleOff = 1e-6;  // of a circle's radius
 constexpr int kTurns = 8;            // tried to each side
-constexpr int kRates = 3;            // tried of the speed, besides the wanted one
+constexpr int kRates = 3;            // speeds tried, besides the wanted one
 constexpr std::size_t kMostTried = std::size_t{kRates + 1} * (2 * kTurns + 2);
 
 // m/s², along the heading and to its left.
@@ -39,7 +39,7 @@ Plan plan_of(const Planner& planner, const Robot& robot, Vec2 acceleration, Plan
           .violation = violation};
 }
 
-// As fast as it may towards the target.
+// The fastest allowed controls towards the target.
 Controls wanted_controls(const Planner& planner, const Robot& robot, Vec2 target) {
   const Vec2 h = ahead_of(robot.heading), change = target - robot.velocity;
   const double step = planner.options().time_step, speed = norm(robot.velocity);
@@ -55,7 +55,7 @@ struct Tried {
   std::size_t count = 0;
 };
 
-// Nearest to the wanted ones first; of equally near ones those that turn right.
+// The controls nearest to the wanted ones first; of equally near ones right turns come first.
 Tried controls_near(const Robot& robot, Controls wanted) {
   const double a_lat = usable_acceleration(airplane_of(robot)), a_max = robot.max_acceleration;
   Tried tried;
@@ -114,7 +114,7 @@ bool is_on_circle(const Neighbor& neighbor) {
   const auto& [center, radius] = *neighbor.loiter;
   const Vec2 out = neighbor.position - center;
   const double off = kCircleOff * radius;
-  // it turns to the right
+  // the airplane turns right
   return std::abs(norm(out) - radius) <= off &&
          std::abs(dot(out, neighbor.velocity)) <= off * norm(neighbor.velocity) &&
          cross(out, neighbor.velocity) < 0.0;

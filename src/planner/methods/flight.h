@@ -9,33 +9,33 @@
 
 namespace avo::inline planner {
 
-/// What an airplane flies towards.
+/// The target of an airplane.
 struct FlightTarget {
   Vec2 target;  ///< [v'] m/s, that Eq. (23) chose
   double violation = 0.0;
 };
 
-/// The controls nearest to the target that keep to all neighbors that decide and to the walls, or
-/// the circle that it is on.
+/// The controls nearest to the target that keep clear of all neighbors that decide and of the
+/// walls, or the circle that the airplane is on.
 Plan fly_towards(const Planner& planner, const Robot& robot, const Neighbors& neighbors,
                  std::span<const Wall> walls, const FlightTarget& flight,
                  FlightConstraints& constraints);
 
-/// It holds its speed and turns right.
+/// The airplane holds its speed and turns right.
 Plan loiter_on(const Planner& planner, const Robot& robot, PlanStatus status, double violation);
 
-/// Whether it flies as fast as it may, not slower than it must, turns by kMostTurn at most in a
-/// step, and is on its circle; it has no max_braking, because it does not brake.
+/// Returns whether the airplane can fly: its speed is within its limits, it turns by at most
+/// kMostTurn in a step, and it is on its circle. It has no max_braking, because it does not brake.
 bool can_fly(const Robot& robot, double time_step);
 
-/// Whether the circle of one that loiters is that of its position and velocity.
+/// Returns whether the circle of a neighbor that loiters matches its position and velocity.
 bool is_on_circle(const Neighbor& neighbor);
 
-/// Whether the planner's options are such that it, or one beside one that loiters, keeps what
-/// docs/certificate/airplanes.md promises.
+/// Returns whether an airplane, or a robot beside one, can keep the promise of
+/// docs/certificate/airplanes.md with the planner's options.
 bool allows_loiterers(const PlannerOptions& options);
 
-/// The robot with the circle that it is on.
+/// The robot with its present circle.
 Robot with_circle(const Robot& robot);
 
 }  // namespace avo::inline planner

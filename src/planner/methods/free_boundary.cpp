@@ -41,7 +41,8 @@ struct Window {
   double from, to;
 };
 
-// The times that have tangents, |p + s(t) v| >= r: all, or two windows around those that do not.
+// The times that have tangents, |p + s(t) v| >= r: all, or two windows around the times without
+// tangents.
 std::array<Window, 2> tangent_windows(const Obstacle& obstacle, double first) {
   const Pair& pair = obstacle.pair;
   const double last = obstacle.time_horizon;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The boundaries of what bounds the free velocities of one robot among passive movers, Eq. (13), as
-// exact parametrized curves.
+// The boundaries of the limits on the free velocities of one robot among passive movers, Eq. (13),
+// as exact parametrized curves.
 #pragma once
 #include <span>
 #include <vector>
@@ -9,7 +9,8 @@
 
 namespace avo::inline planner {
 
-/// A part of a boundary: a side of an obstacle by time, an arc or a segment by the part of it.
+/// A part of a boundary. The parameter is the time on a side of an obstacle, and the fraction on an
+/// arc or a segment.
 struct Curve {
   enum class Kind : unsigned char { side, arc, segment };
   Kind kind = Kind::segment;
@@ -24,16 +25,17 @@ struct CurvePoint {
   double parameter = 0.0;
   Vec2 position;            ///< v'_A
   Vec2 normal;              ///< unit, across the curve
-  int violated = kUnknown;  ///< index of a limit that it violates, or kFree; filled in on demand
+  int violated = kUnknown;  ///< index of a limit that it violates, or kFree; computed on demand
 };
 
 CurvePoint point_at(const Curve& curve, std::span<const Limit> limits, double parameter);
 
-/// Between two neighboring points of a curve.
+/// The part of a curve between two neighboring points.
 struct Piece {
   int curve = 0;
   int first = 0, second = 0;  ///< indices of points
-  double bound = 0.0;         ///< no point of it is nearer the preferred velocity, m/s
+  /// m/s, a lower bound of the distance of its points from the preferred velocity
+  double bound = 0.0;
 };
 
 /// The limits of one decision and their boundaries. Scratch memory; allocates only while it grows.
@@ -44,7 +46,7 @@ struct PassiveWorkspace {
   std::vector<Piece> pieces;
 };
 
-/// The boundary of limit k as far as the discs reach, cut into points.
+/// Appends the boundary of limit k as far as the discs reach, cut into points.
 void append_boundary(int k, const Disc& acceleration, const Disc& speed,
                      PassiveWorkspace& workspace);
 

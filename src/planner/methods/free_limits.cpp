@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The tests of Eq. (13)'s limits, and how they are drawn on the safe side.
+// The tests of the limits of Eq. (13), and their drawing on the safe side.
 #include "planner/methods/free_limits.h"
 
 #include <algorithm>
@@ -10,11 +10,11 @@ namespace avo::inline planner {
 namespace {
 
 constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
-// Roundings that a distance or a boundary point may carry, as ulp of the sum of its terms.
+// Roundings that a distance or a boundary point may carry, in ulp of the sum of its terms.
 constexpr double kSlackUlps = 64.0;
 
-// The line that parts an overlapping pair: n = p/|p| over the shortest window at whose end the
-// pair can be apart, n . w >= (r - |p| - T n . v)/g(T). No direction if both p and v are 0.
+// The line that parts an overlapping pair: n = p/|p| over the shortest window after which the pair
+// can be apart, n . w >= (r - |p| - T n . v)/g(T). No direction if both p and v are 0.
 void append_line(const PassiveObstacle& mover, double reach, std::vector<Limit>& limits) {
   const Obstacle& obstacle = mover.obstacle;
   const Pair& pair = obstacle.pair;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What bounds the free velocities of one robot among passive movers, Eq. (13): obstacles, lines
+// The limits on the free velocities of one robot among passive movers, Eq. (13): obstacles, lines
 // and discs, each with an exact test.
 #pragma once
 #include <vector>
@@ -13,12 +13,12 @@ namespace avo::inline planner {
 struct PassiveObstacle {
   Obstacle obstacle;             ///< of velocities, not of accelerations
   Vec2 v_new_B;                  ///< [v'_B] m/s, v_B or v_B + δ a_B
-  double shortest_window = 0.0;  ///< s: a pair that overlaps need not be apart before
+  double shortest_window = 0.0;  ///< s: a pair that overlaps need not be apart earlier
 };
 
-/// Something that v'_A must stay outside of (an obstacle, a line) or inside of (a disc). Boundaries
-/// are drawn `slack` on the safe side of what is asked, and tests allow half of it: so a point of
-/// a boundary passes the test of that boundary whatever rounding does, and is safe.
+/// A set that v'_A must stay outside of (an obstacle, a line) or inside of (a disc). Boundaries are
+/// drawn `slack` on the safe side, and tests allow half of it. So a point of a boundary passes the
+/// test of that boundary for any rounding, and is safe.
 struct Limit {
   enum class Kind : unsigned char { obstacle, line, disc };
   Kind kind = Kind::disc;
@@ -36,14 +36,14 @@ double clearance(const Limit& limit, Vec2 v_new);
 /// clearance(limit, v_new) < 0, decided faster.
 bool violates(const Limit& limit, Vec2 v_new);
 
-/// The most that the clearance changes per m/s of v_new: g(τ) for an obstacle.
+/// The largest change of the clearance per m/s of v_new: g(τ) for an obstacle.
 double steepness(const Limit& limit);
 
-/// How deep v_new lies in what is forbidden, m/s; 0 if it does not.
+/// The depth of v_new in the forbidden set, m/s; 0 if it is outside.
 double violation(const Limit& limit, Vec2 v_new);
 
-/// Appends the limits of one mover: its obstacle, or a line if the pair overlaps; none if out of
-/// reach of both discs.
+/// Appends the limits of one mover: its obstacle, or a line if the pair overlaps; none if it is out
+/// of reach of both discs.
 void append_limit(const PassiveObstacle& mover, const Disc& acceleration, const Disc& speed,
                   std::vector<Limit>& limits);
 
@@ -53,7 +53,7 @@ void append_limit(const HalfPlane& plane, std::vector<Limit>& limits);
 /// Appends a disc that v'_A must stay in; nothing if its radius is infinite.
 void append_limit(const Disc& disc, std::vector<Limit>& limits);
 
-/// v'_A whose change w is 0.
+/// The v'_A with the change w = 0.
 inline Vec2 unchanged(const Obstacle& obstacle, Vec2 v_new_B) {
   return obstacle.pair.velocity + v_new_B;
 }
@@ -61,7 +61,7 @@ inline Vec2 unchanged(const Obstacle& obstacle, Vec2 v_new_B) {
 /// The largest |v' - from| that both discs allow.
 double reach_from(Vec2 from, const Disc& acceleration, const Disc& speed);
 
-/// Largest time in (0, high] up to which `holds`, which holds at first and then no longer.
+/// Largest time in (0, high] up to which `holds` is true; it is true at first and then false.
 template <typename Holds>
 double last_time(double high, const Holds& holds) {
   double low = 0.0;

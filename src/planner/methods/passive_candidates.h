@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where no velocity is free: the velocities among which the least bad one is looked for.
+// The candidate velocities for the least bad one, where no velocity is free.
 #pragma once
 #include <algorithm>
 #include <array>
@@ -20,9 +20,9 @@ struct Candidates {
   Vec2 preferred;
 };
 
-/// Offers the preferred velocity, a fan of velocities and the boundary points; then goes downhill
-/// from `best` by compass steps. offer(u) judges the nearest velocity to u in both discs, takes it
-/// as `best` where it is better, and says whether it was.
+/// Offers the preferred velocity, a fan of velocities and the boundary points; then descends from
+/// `best` by compass steps. offer(u) judges the velocity nearest to u in both discs. It takes this
+/// velocity as `best` where it is better, and returns whether it was.
 template <typename Offer>
 void try_candidates(const Candidates& candidates, const Vec2& best, const Offer& offer) {
   const auto& [limits, points, lens, preferred] = candidates;

@@ -12,10 +12,10 @@
 namespace avo::inline planner {
 namespace {
 
-// Distances that differ by less than this part are equal but for rounding.
+// Distances that differ by less than this part are equal up to rounding.
 constexpr double kTie = 0x1p-40;
 constexpr int kRootSteps = 100;
-// How finely a piece is searched for a way out of one limit; obstacles cost much more to test.
+// How finely a piece is searched for a point outside one limit; obstacles cost much more to test.
 constexpr int kObstacleHalvings = 4;
 constexpr int kDiscHalvings = 12;
 
@@ -31,7 +31,8 @@ struct Search {
   double distance_to(Vec2 u) const { return norm(u - preferred); }
   bool too_far(double d) const { return d > distance * (1.0 + kTie); }
 
-  // Nearest to `preferred` wins; of equally near ones the one farthest to the right of it.
+  // The velocity nearest to `preferred` wins; of equally near ones the one farthest to the right of
+  // it.
   void offer(Vec2 u) {
     const double d = distance_to(u);
     if (too_far(d)) return;
@@ -42,8 +43,8 @@ struct Search {
     has_free = true;
   }
 
-  // The index of a limit that the point violates, or kFree. Discs and lines are quickly tested;
-  // of the obstacles the one that was violated last is tried first.
+  // The index of a limit that the point violates, or kFree. Discs and lines are tested quickly; of
+  // the obstacles the last violated one is tried first.
   int violated(Vec2 u) {
     const std::size_t count = limits.size();
     for (std::size_t k = 0; k < count; ++k) {
@@ -67,9 +68,10 @@ struct Search {
   }
 };
 
-// Where f, negative at one point of the curve and not at the other, changes sign: the end of the
-// last bracket where it is not negative. False position with halved weights (Illinois), and
-// bisection where that does not halve the bracket in three steps.
+// The point where f changes sign; f is negative at one of the two points of the curve and not at
+// the other. The result is the end of the last bracket where f is not negative. It uses false
+// position with halved weights (Illinois), and bisection where that does not halve the bracket in
+// three steps.
 template <typename F>
 CurvePoint crossing(const Search& search, const Curve& curve, CurvePoint negative, double f_low,
                     CurvePoint positive, double f_high, F&& f) {
@@ -102,13 +104,13 @@ CurvePoint crossing(const Search& search, const Curve& curve, CurvePoint negativ
   return positive;
 }
 
-// A point between a and b, both of which violate the limit, at which it is left; the first found
+// A point between a and b at which the limit holds, although both violate it; the first one found
 // from a on. Halves are given up where the clearance cannot rise to 0 at the rate that `steepness`
 // allows, or after `depth` halvings.
 std::optional<CurvePoint> release(const Search& search, const Curve& curve, const Limit& limit,
                                   const CurvePoint& a, double f_a, const CurvePoint& b, double f_b,
                                   int depth) {
-  // the curve turns too little in a piece to be longer than its chord by a quarter
+  // the curve turns so little in a piece that it is at most a quarter longer than its chord
   const double length = 1.25 * norm(b.position - a.position);
   if (depth == 0 || f_a + f_b + steepness(limit) * length < 0.0) return std::nullopt;
   const CurvePoint middle = point_at(curve, search.limits, 0.5 * (a.parameter + b.parameter));
@@ -119,14 +121,14 @@ std::optional<CurvePoint> release(const Search& search, const Curve& curve, cons
   return release(search, curve, limit, middle, f_middle, b, f_b, depth - 1);
 }
 
-// A stretch on which the distance to `preferred` only grows: its first free point is offered.
+// Walks a stretch on which the distance to `preferred` only grows: its first free point is offered.
 void walk(Search& search, const Curve& curve, CurvePoint& first, const CurvePoint& last) {
   if (search.too_far(search.distance_to(first.position))) return;
   int k = search.violated(first);
   CurvePoint from = first;
   for (std::size_t turns = 0; k != CurvePoint::kFree; ++turns) {
     if (turns > search.limits.size()) return;
-    // on to where that limit is left, at the end or in between
+    // continue to where that limit no longer is violated, at the end or in between
     const Limit& limit = search.limits[static_cast<std::size_t>(k)];
     const auto f = [&](const CurvePoint& point) { return clearance(limit, point.position); };
     const double f_from = f(from), f_last = f(last);
@@ -144,7 +146,8 @@ void walk(Search& search, const Curve& curve, CurvePoint& first, const CurvePoin
   search.offer(from.position);
 }
 
-// A piece of a boundary: cut at the projection of `preferred`, each part walked outwards.
+// Tries a piece of a boundary: it is cut at the projection of `preferred`, and each part is walked
+// outwards.
 void try_piece(Search& search, const Curve& curve, CurvePoint& a, CurvePoint& b) {
   const auto side = [&](const CurvePoint& point) {
     return cross(point.normal, search.preferred - point.position);
@@ -168,8 +171,8 @@ void try_piece(Search& search, const Curve& curve, CurvePoint& a, CurvePoint& b)
   }
 }
 
-// No point of the piece is nearer to p: the distance to its chord, less half its length, which a
-// piece that turns by less than a half circle does not bulge by.
+// A lower bound of the distance of the piece from p: the distance to its chord, less half its
+// length. A piece that turns by less than a half circle bulges by less than that.
 double piece_bound(Vec2 a, Vec2 b, Vec2 p) {
   const Vec2 along = b - a;
   const double length = norm(along);
@@ -179,7 +182,7 @@ double piece_bound(Vec2 a, Vec2 b, Vec2 p) {
 }
 
 // The largest violation, or one that is not below `enough`. `worst` is the limit that was the worst
-// last time, most likely to be so again, and is replaced.
+// last time, and is likely to be so again; it is replaced.
 double worst_violation(std::span<const Limit> limits, Vec2 u, double enough, std::size_t& worst) {
   const std::size_t first = worst;
   double largest = violation(limits[first], u);
@@ -195,7 +198,7 @@ double worst_violation(std::span<const Limit> limits, Vec2 u, double enough, std
 }
 
 // The least violation among the preferred velocity, a fan of velocities and the boundary points,
-// all brought into the discs; then downhill from there by compass steps.
+// all brought into the discs; then it descends from there by compass steps.
 PassiveChoice least_unsafe(std::span<const Limit> limits, std::span<const CurvePoint> points,
                            const Lens& lens, Vec2 preferred) {
   PassiveChoice choice{{}, std::numeric_limits<double>::infinity(), PassiveState::least_unsafe};

@@ -15,7 +15,7 @@ enum class PassiveState : unsigned char {
 
 struct PassiveChoice {
   Vec2 velocity;           ///< [v'_A] m/s
-  double violation = 0.0;  ///< m/s: how deep it lies in an obstacle, or the gap of the discs
+  double violation = 0.0;  ///< m/s: its depth in an obstacle, or the gap of the discs
   PassiveState state = PassiveState::free;
 };
 

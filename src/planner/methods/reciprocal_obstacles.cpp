@@ -15,7 +15,7 @@ namespace {
 constexpr double kLineTolerance = 1e-9;  // m/s, rounding of a velocity on a line
 
 struct Penalty {
-  double line = std::numeric_limits<double>::infinity();   // m/s, the most of any line
+  double line = std::numeric_limits<double>::infinity();   // m/s, the largest violation of any line
   double value = std::numeric_limits<double>::infinity();  // m/s
 
   bool operator<(const Penalty& other) const {
@@ -41,7 +41,7 @@ PassiveObstacle reciprocal_obstacle(const PlannerOptions& options, const Robot& 
                            : 1.0;
   Pair pair = relative(robot, neighbor);
   pair.velocity = alpha * pair.velocity;
-  // α VO: a disc of the time t is (-p/t, r/t), so times are longer by 1/α
+  // α VO: the disc of the time t is (-p/t, r/t), so times are longer by 1/α
   return {{pair, Response::velocity(), options.time_horizon / alpha},
           robot.velocity - pair.velocity,
           options.time_step / alpha};

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Keep right in traffic, give way, back out of a jam. Angles in rad; times and lengths are measured
-// in the robot's own: T = v_max/a_max to reach its speed, L = v_max²/a_max, twice its way to stop.
+// Keep right in traffic, give way, back out of a jam. Angles in rad; times and lengths are in the
+// robot's own units: T = v_max/a_max, the time to reach its speed, and L = v_max²/a_max, twice its
+// stopping distance.
 #include "planner/rules/arrival.h"
 
 #include <algorithm>
@@ -14,37 +15,39 @@ namespace {
 
 using Real = scalar::Pack<double>;
 
-constexpr double kLeash = 6.0;  // r_A + r_B: distance to the goal within which it gives way more
-constexpr double kNear = 20.0;  // radii, of the goal: the last of the way
-constexpr double kLeastWeight = 0.3;     // of giving way on the way
-constexpr double kPush = 1.2;            // v_max, in contact
-constexpr double kPushAtRest = 5.0;      // v_max, of one at rest
-constexpr double kAtRest = 0.01;         // of v_max: so slow, nobody pushes who is near its goal
-constexpr double kInMotion = 0.2;        // of v_max: so fast, in full
-constexpr double kLeastTime = 4.0;       // radii at v_max: T of the strongest
-constexpr double kTry = 14.0;            // T: of that long, on the last of the way,
-constexpr double kYields = 0.9;          // it gives way for this part to those at rest as well
-constexpr double kSettles = 2.0;         // T beside others, until it stays where it is
+constexpr double kLeash = 6.0;        // r_A + r_B: distance to the goal within which it yields more
+constexpr double kNear = 20.0;        // radii, of the goal: the last part of the route
+constexpr double kLeastWeight = 0.3;  // of yielding on the rest of the route
+constexpr double kPush = 1.2;         // v_max, in contact
+constexpr double kPushAtRest = 5.0;   // v_max, of a neighbor at rest
+constexpr double kAtRest = 0.01;      // of v_max: a slower neighbor does not push near the goal
+constexpr double kInMotion = 0.2;     // of v_max: a faster neighbor pushes in full
+constexpr double kLeastTime = 4.0;    // radii at v_max: T of the strongest
+constexpr double kTry = 14.0;         // T: in each such time, on the last part of the route,
+constexpr double kYields = 0.9;       // it yields to neighbors at rest as well for this part
+constexpr double kSettles = 2.0;      // T beside others, until it stays in place
 constexpr double kSettleDistance = 0.9;  // of the arrival distance, from the goal
-constexpr double kPatience = 6.0;        // T beside others: from then on that grows
+constexpr double kPatience = 6.0;        // T beside others: after that its distance grows
 constexpr double kGrowth = 0.15;         // arrival distances per T
 constexpr double kMostGrowth = 3.0;      // arrival distances
-constexpr double kSmall = 0.5;           // radii: of smaller ones, both are in radii
-constexpr double kLongest = 200.0;       // T beside others that it counts to, then in the last try
-constexpr double kRecovers = 10.0;       // T alone, in which it forgets all of them but 1/e
-constexpr double kGetsUsed = 100.0;      // T, to the congestion ahead
-constexpr double kUsual = 2.0;           // times what it is used to does not make it keep right
-constexpr float kMostDetour = 2.4F;      // rad, almost back
-constexpr double kTurnOff = 1.0;         // per T
-constexpr double kTurnBack = 2.0;        // per T
+constexpr double kSmall = 0.5;           // radii: below it, both are in radii
+// T beside others, the largest count; beyond it the last try repeats
+constexpr double kLongest = 200.0;
+constexpr double kRecovers = 10.0;   // T alone, in which it forgets all of the count but 1/e
+constexpr double kGetsUsed = 100.0;  // T, to get used to the congestion ahead
+constexpr double kUsual = 2.0;       // times the usual congestion does not make it keep right
+constexpr float kMostDetour = 2.4F;  // rad, almost back
+constexpr double kTurnOff = 1.0;     // per T
+constexpr double kTurnBack = 2.0;    // per T
 
 scalar::Vec<Real> pack(Vec2 a) {
   return scalar::constant<Real>(a);
 }
 
-// m, of its goal: there it stays where it is, once it has been beside others for a while. Whoever
-// has been at its goal and finds no way back settles farther and farther away. Where arrival
-// distances are small that is measured in radii: others have put it aside by a part of those.
+// m, from its goal: within it a robot stays in place, once it has been beside others for a while. A
+// robot that has been at its goal and finds no route back settles farther and farther away. Where
+// arrival distances are small, the unit is the radius: others push the robot aside by a part of
+// their radii.
 double settling_distance(const Detour& detour, double radius, double arrival_distance) {
   if (detour.beside < kSettles) return 0.0;
   const double unit = arrival_distance < kSmall * radius ? radius / arrival_distance : 1.0;
@@ -52,7 +55,8 @@ double settling_distance(const Detour& detour, double radius, double arrival_dis
   return (kSettleDistance + (detour.has_arrived ? growth : 0.0)) * arrival_distance;
 }
 
-// Whether it gives way to those at rest as well: for most of each try, on the last of the way.
+// Returns whether it yields to neighbors at rest as well: for most of each try, on the last part of
+// the route.
 bool yields_to_all(const Robot& robot, const Detour& detour, double arrival_distance) {
   if (!is_near_goal(robot) || robot.distance_to_goal < kSettleDistance * arrival_distance)
     return false;
@@ -61,7 +65,7 @@ bool yields_to_all(const Robot& robot, const Detour& detour, double arrival_dist
 }
 
 void remember(const Robot& robot, bool is_beside, const PlannerOptions& options, Detour& detour) {
-  // a step that is longer than all that is counted to counts as that
+  // a step longer than the largest count has the length of that count
   const double elapsed = std::min(options.time_step / time_to_speed(robot), kLongest);
   const bool is_near = is_near_goal(robot);
   const double beside = detour.beside;

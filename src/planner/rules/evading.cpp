@@ -11,15 +11,16 @@
 namespace avo::inline planner {
 namespace {
 
-constexpr double kLongestWay = 2.0;      // T, until a way brakes,
-constexpr double kWideWay = 3.0;         // or so many, as far as others are that wide,
-constexpr double kMostSteps = 400.0;     // and steps at most
-constexpr double kMostBraking = 1024.0;  // steps of braking; who takes more has no ways
-constexpr double kLikelyFor = 1.5;       // T, for which likely deviations are reckoned with
-constexpr int kMostWork = 200000;        // movers and intervals that a level looks at,
-constexpr int kMostLikelyWork = 25000;   // or that one looks at which reckons with what is likely
+constexpr double kLongestWay = 2.0;   // T, until a way out brakes,
+constexpr double kWideWay = 3.0;      // or so many for wide neighbors,
+constexpr double kMostSteps = 400.0;  // and steps at most
+// steps of braking; a robot that takes more has no ways out
+constexpr double kMostBraking = 1024.0;
+constexpr double kLikelyFor = 1.5;      // T, for which likely deviations count
+constexpr int kMostWork = 200000;       // movers and intervals that a level may test,
+constexpr int kMostLikelyWork = 25000;  // or that a level with likely deviations may test
 
-// m/s: from the end of a trajectory that goes round on, it is not known where the mover is.
+// m/s: after the end of a repeating trajectory the mover's place is not known.
 double fastest_until(const Neighbor& neighbor, double time) {
   const Trajectory& trajectory = *neighbor.trajectory;
   const double end = trajectory.places().back().time;
@@ -45,7 +46,7 @@ Predicted predicted(const Evading& evading, const Neighbor& neighbor, const Leve
   const double braking = evading.braking;
   const double time = evading.options.longest + law.time_step + braking;
   const double reaction = level.reaction * time_to_speed(robot);
-  // what does not matter within that time is rounding
+  // an effect below this within that time is rounding
   const bool accelerates = norm(acceleration) * time * time > 0x1p-30 * contact;
   if (is_followed) other.trajectory = trajectory;
   if (accelerates) other.acceleration = acceleration;
@@ -67,7 +68,7 @@ Predicted predicted(const Evading& evading, const Neighbor& neighbor, const Leve
   return other;
 }
 
-// Of those that are known, in the order of the neighbors.
+// Follows the known trajectories, in the order of the neighbors.
 void follow_trajectories(Evading& evading) {
   const auto is_followed = [](const Neighbor& n) { return !decides(n) && n.trajectory != nullptr; };
   std::vector<TrajectorySteps>& trajectories = evading.workspace.around.trajectories;
@@ -85,7 +86,7 @@ void follow_trajectories(Evading& evading) {
   }
 }
 
-// s, until a way brakes: long enough to leave the strip of the widest one.
+// s, until a way out brakes: long enough to leave the strip of the widest neighbor.
 double longest_way(const Robot& robot, std::span<const Neighbor> neighbors) {
   const double time = time_to_speed(robot);
   double contact = 0.0;  // m
@@ -95,7 +96,7 @@ double longest_way(const Robot& robot, std::span<const Neighbor> neighbors) {
   return std::clamp(wide, kLongestWay * time, kWideWay * time);
 }
 
-// s: what a robot as fast as that takes to brake, and a step and rounding more.
+// s: the braking time of a robot of that speed, plus a step and rounding.
 double braking_time_of(const Robot& robot, double speed, const StepLaw& law) {
   return law.time_step * (2.0 + speed / decrement_of(robot, law));
 }

@@ -16,29 +16,29 @@ namespace {
 
 constexpr int kNearer = 4;  // bisections
 
-// Early, gently and far off at first; each is tried where the one before has none, and keeps less
-// than that by more than rounding may cost.
+// The first levels are early, gentle and far off. Each level is tried where the one before has
+// none, and keeps less than that by more than rounding may cost.
 constexpr std::array<Level, 6> kLevels{{{0.6, 0.05, 0.5},
                                         {0.6, 0.035, 0.5},
                                         {1.0, 0.025, 0.25},
                                         {1.0, 0.015, 0.125},
                                         {1.0, 0.005, 0.0},
                                         {1.0, 0.0, 0.0}}};
-// Where braking is too late, the way itself is proof that A is not touched.
+// Where braking is too late, the way out itself is proof that A is not touched.
 constexpr std::array<Level, 2> kLastLevels{{{1.0, 0.025, 0.0, false},  //
                                             {1.0, 0.0025, 0.0, false}}};
 
-// Where some are likely to deviate: this part of their likely_deviation is reckoned with.
+// Where some neighbors are likely to deviate: this part of their likely_deviation counts.
 constexpr Level likely_level(double part) {
   return {.part = 1.0, .margin = 0.0, .reaction = 0.5 * part, .likely = part};
 }
 constexpr int kLargerParts = 4;  // bisections
 
-// Where nowhere is clear for ever, for as long as that.
+// Where no place is clear for ever: rest must be clear for so long.
 constexpr Level kForAWhile{1.0, 0.0, 0.0, true, 2.0};
 
-// What ways approach, of v_max. They are fixed in the world, so that after a step the rest of a way
-// is a way as well.
+// The velocities that ways out approach, of v_max. They are fixed in the world, so that after a
+// step the rest of a way out is a way out as well.
 constexpr double kDiagonal = 0.70710678118654752;
 constexpr std::array<Vec2, 8> kCompass{{{1, 0},
                                         {kDiagonal, kDiagonal},
@@ -54,7 +54,7 @@ constexpr std::array<Vec2, 16> kVelocities = [] {
   return result;
 }();
 
-// The certificate without movers: those are left to (C2).
+// The certificate without movers: (C2) covers the movers.
 CertifiedWorkspace& without_movers(Evading& evading) {
   std::vector<Neighbor>& deciding = evading.workspace.deciding;
   CertifiedWorkspace& certified = evading.workspace.certified;
@@ -78,13 +78,13 @@ bool is_allowed(Evading& evading, Vec2 next_velocity) {
 
 enum class Then : unsigned char { brakes, holds, approaches };
 
-// A first step, and what comes behind it. What is left of a way after a step is a way of the same
-// kind: w is fixed in the world, or what the step has led to.
+// A first step, and the motion after it. The rest of a way out after a step is of the same kind: w
+// is fixed in the world, or is the velocity after the step.
 struct FirstStep {
   Vec2 next_velocity;
   Then then = Then::brakes;
-  Vec2 w = {};          // m/s, that is approached
-  double detour = 0.0;  // m²/s², from what is wanted, squared
+  Vec2 w = {};          // m/s, the approached velocity
+  double detour = 0.0;  // m²/s², squared distance from the wanted velocity
   std::size_t number = 0;
 };
 
@@ -98,7 +98,7 @@ bool is_clear(Evading& evading, const FirstStep& step) {
 
 using FirstSteps = std::array<FirstStep, kVelocities.size() + 2>;
 
-// Nearest to what is wanted first.
+// Returns the steps, nearest to the wanted velocity first.
 FirstSteps first_steps(const Evading& evading, Vec2 wanted) {
   const Vec2 v = evading.robot.velocity;
   FirstSteps steps;
@@ -118,7 +118,7 @@ FirstSteps first_steps(const Evading& evading, Vec2 wanted) {
   return steps;
 }
 
-// Some way that is clear after that step, (M).
+// Finds a way out that is clear after that step, (M).
 std::optional<Evasion> find_way_after(Evading& evading, Vec2 next_velocity) {
   const WayOptions& options = evading.options;
   Surroundings& around = evading.workspace.around;
@@ -138,13 +138,13 @@ Vec2 followed(const Evading& evading, Vec2 next_velocity) {
   return within_own_limits(evading.robot, evading.law.step.braking_time, next_velocity);
 }
 
-// What is taken in place of a choice: the velocity after the step, and the way that begins with it.
+// The replacement of a choice: the velocity after the step, and the way out that begins with it.
 struct Taken {
   Vec2 next_velocity;
   Evasion way;
 };
 
-// Of the first step that was found clear last.
+// The replacement by the first step that was last found clear.
 Taken taken(const Evading& evading, const FirstStep& step) {
   const Surroundings& around = evading.workspace.around;
   if (step.then == Then::brakes) return {step.next_velocity, {}};
@@ -156,7 +156,7 @@ bool may_take(Evading& evading, const FirstStep& step) {
   return is_clear(evading, step) && is_allowed(evading, step.next_velocity);
 }
 
-// As near to what is wanted as bisection finds.
+// The replacement nearest to the wanted velocity that bisection finds.
 Taken nearer(Evading& evading, const FirstStep& step, Vec2 wanted) {
   double refused = 0.0, kept = 1.0;
   Taken best = taken(evading, step);
@@ -175,7 +175,8 @@ Taken nearer(Evading& evading, const FirstStep& step, Vec2 wanted) {
 
 enum class Way : unsigned char { none, as_wanted, another };
 
-// Where others refuse the first steps of ways, what is nearest to one of them and leaves a way.
+// Where others refuse the first steps of ways out: finds the velocity nearest to one of them that
+// leaves a way out.
 bool find_beside(Evading& evading, const FirstSteps& steps, Taken& found) {
   for (const FirstStep& step : steps) {
     if (!is_clear(evading, step)) continue;
@@ -211,7 +212,7 @@ Level first_level(const Evading& evading) {
   return are_some_likely_to_deviate(evading) ? likely_level(1.0) : kLevels[0];
 }
 
-// Reckons with as much of what is likely as leaves a way, found by bisection.
+// Counts as much of the likely deviation as leaves a way out, found by bisection.
 Way find_way_if_likely(Evading& evading, Vec2 wanted, Taken& found) {
   Way way = find_way(evading, likely_level(1.0), wanted, found);
   if (way != Way::none) return way;
@@ -238,14 +239,16 @@ Way find_way_in_order(Evading& evading, std::span<const Level> levels, Vec2 want
   return Way::none;
 }
 
-// Nearly always the first level has one; and where the weakest has none, hardly any other one has.
+// Nearly always the first level has one; where the weakest has none, hardly any other level has
+// one.
 Way find_way_by_levels(Evading& evading, std::span<const Level> levels, Vec2 wanted, Taken& found) {
   const Way way = find_way(evading, levels.front(), wanted, found);
   if (way != Way::none || find_way(evading, levels.back(), wanted, found) == Way::none) return way;
   return find_way_in_order(evading, levels.subspan(1), wanted, found);
 }
 
-// Whether braking after that step is clear of movers, whoever else is there: it is admitted.
+// Returns whether braking after that step is clear of movers, for any other neighbors: the
+// certificate has admitted the step.
 bool is_far_from_movers(Evading& evading, Vec2 next_velocity) {
   Surroundings& around = evading.workspace.around;
   around.walls.clear();
@@ -254,7 +257,7 @@ bool is_far_from_movers(Evading& evading, Vec2 next_velocity) {
          may_brake(evading.options, around);
 }
 
-// Whether all are seen exactly, and surely keep their acceleration.
+// Returns whether all movers are seen exactly, and surely keep their acceleration.
 bool are_exact(const Evading& evading) {
   return std::all_of(evading.sight.neighbors.begin(), evading.sight.neighbors.end(),
                      [&](const Neighbor& n) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The clearance that method avo wishes for beyond contact (docs/scenes.md, "Margin").
+// The clearance that method avo prefers beyond contact (docs/scenes.md, "Margin").
 #pragma once
 #include <algorithm>
 
@@ -8,22 +8,23 @@
 namespace avo::inline planner {
 
 inline constexpr double kMarginFades =
-    4.0;  // radii, of the goal: none within, all within twice that
-inline constexpr double kMarginOfGap = 0.5;  // at most: so each of two comes nearer to the other
+    4.0;  // radii from the goal: no margin within, the full margin beyond twice that
+// at most this part, so that each of two robots may come nearer to the other
+inline constexpr double kMarginOfGap = 0.5;
 
-inline constexpr double kMoverMargin = 0.5;  // of A's radius: at least, of method avo
+inline constexpr double kMoverMargin = 0.5;  // of A's radius: the least margin of method avo
 
-/// m: towards one that does not decide.
+/// m: the margin towards a neighbor that does not decide.
 inline double mover_margin(const PlannerOptions& options, double radius) {
   return options.method == Method::avo ? std::max(options.margin, kMoverMargin * radius) : 0.0;
 }
 
-/// m: what is left of the margin so far from the goal.
+/// m: the remaining margin at that distance from the goal.
 inline double margin_on_way(double margin, double radius, double distance_to_goal) {
   return margin * std::clamp(distance_to_goal / (kMarginFades * radius) - 1.0, 0.0, 1.0);
 }
 
-/// m: what a gap (m, negative in contact) leaves of a margin.
+/// m: the part of a margin that a gap (m, negative in contact) leaves.
 inline double margin_in_gap(double margin, double gap) {
   return std::min(margin, std::max(kMarginOfGap * gap, 0.0));
 }

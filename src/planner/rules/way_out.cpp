@@ -11,8 +11,9 @@
 namespace avo::inline planner {
 namespace {
 
-constexpr int kTries = 64;  // walls that a place is moved out of, one after the other
-// Of the radius, that a place keeps from walls: as much as there is room for.
+constexpr int kTries = 64;  // number of walls that a place is moved out of, one after the other
+// Of the radius: the distance that a place keeps from walls, the largest one for which there is
+// room.
 constexpr double kClear[] = {0.02, 0.002, 0.0002};
 
 // A wall that reaches into a disc.
@@ -21,7 +22,8 @@ struct Reaching {
   Vec2 out;            // unit, or 0
 };
 
-// Unit, or 0: away from a wall; where the place is on its segment, to the side of the wish.
+// Unit, or 0: the direction away from a wall; where the place is on its segment, it is towards the
+// side of the wish.
 Vec2 away_from(const Wall& wall, Vec2 place, Vec2 wish) {
   const Vec2 away = place - nearest_on({wall.a, wall.b}, place),
              left = perpendicular(wall.b - wall.a);
@@ -50,7 +52,7 @@ bool is_straight_ahead(const Robot& robot, std::span<const Wall> walls, Vec2 pla
   });
 }
 
-// Where no place is found: out of all at once, of the deepest one most of all.
+// Where no place is found: the direction out of all walls at once, weighted by depth.
 Vec2 all_out(const Robot& robot, std::span<const Wall> walls) {
   Vec2 sum{};
   for (const Wall& wall : walls) {
@@ -60,7 +62,7 @@ Vec2 all_out(const Robot& robot, std::span<const Wall> walls) {
   return sum;
 }
 
-// From a place out of one wall after the other, the deepest first.
+// The place after moving out of one wall after the other, the deepest first.
 std::optional<Vec2> moved_out(const Robot& robot, std::span<const Wall> walls, Vec2 place,
                               double clear) {
   for (int k = 0; k < kTries; ++k) {
@@ -72,8 +74,8 @@ std::optional<Vec2> moved_out(const Robot& robot, std::span<const Wall> walls, V
   return std::nullopt;
 }
 
-// Where walls on both sides leave no room, it may be ahead or behind: the nearest that is found
-// from places around.
+// Where walls on both sides leave no room, a place may be ahead or behind: the nearest one that is
+// found from the places around.
 std::optional<Vec2> place_around(const Robot& robot, std::span<const Wall> walls) {
   constexpr int kDirections = 12;
   constexpr double kRings[] = {1.0, 2.0, 3.0};  // radii

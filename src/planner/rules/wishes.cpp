@@ -15,10 +15,10 @@
 namespace avo::inline planner {
 namespace {
 
-constexpr double kInSight = 4.0;  // τ: farther off nobody makes a robot hurry
+constexpr double kInSight = 4.0;  // τ: a neighbor farther off does not make a robot hurry
 
-// Beside walls a robot on its way does not give way: pushed back from them and from others at rest
-// it would stand still for ever.
+// Beside walls a robot on its route does not yield: pushed back by walls and by others at rest, it
+// would stand still for ever.
 Vec2 push_among_walls(const Tile& tile, std::size_t i, const StepLaw& law, Vec2 push) {
   const std::span<const Wall> walls = tile.walls_of(i);
   if (walls.empty() || push == Vec2{}) return push;
@@ -26,8 +26,8 @@ Vec2 push_among_walls(const Tile& tile, std::size_t i, const StepLaw& law, Vec2 
   return !is_near_goal(robot) && is_beside(robot, walls, law) ? Vec2{} : push;
 }
 
-// Of a robot by a gentle law. Whether is_landing() surely says no and unhurried_part() kUnhurried,
-// told without a division: nearly always.
+// For a robot with a gentle law: returns whether is_landing() is surely false and unhurried_part()
+// is kUnhurried. It is computed without a division, and is nearly always true.
 bool is_far_from_goal(const RobotColumns& robots, std::size_t i, const Execution& execution) {
   const ResponseLaw& law = execution.law;
   if (law.comfort_jerk < kUnlimited || law.control_time <= law.time_step) return false;
@@ -38,7 +38,7 @@ bool is_far_from_goal(const RobotColumns& robots, std::size_t i, const Execution
   return 2.0 * a * b * robots.distance_to_goal[i] > 1.01 * v * (v * a + 4.0 * b * response);
 }
 
-// Whether a robot at its max_speed could touch the neighbor k of the columns by then.
+// Returns whether a robot at its max_speed could touch the neighbor k of the columns by then.
 bool is_in_sight(const RobotColumns& robots, std::size_t i, const NeighborColumns& neighbors,
                  std::size_t k, double time_horizon) {
   const double nearing = robots.max_speed[i] + norm(Vec2{neighbors.v_x[k], neighbors.v_y[k]});
@@ -46,9 +46,9 @@ bool is_in_sight(const RobotColumns& robots, std::size_t i, const NeighborColumn
   return distance - robots.radius[i] - neighbors.radius[k] <= kInSight * time_horizon * nearing;
 }
 
-// Factor of unhurried_part(). Of those in sight that get half-planes, who has more priority than
-// all others has a way that they leave to it, and has to take it. Where a mover is in sight,
-// robots hurry as among movers alone: else movers would run into more of those that rest.
+// The factor of unhurried_part(). Neighbors in sight that get half-planes count. If a robot has
+// more priority than all of them, they leave it a path, and it must use it. Where a mover is in
+// sight, robots hurry as among movers alone: otherwise movers would run into more robots at rest.
 double hurry_of(const PlannerOptions& options, const RobotColumns& robots, std::size_t i) {
   const Neighbors& neighbors = robots.neighbors[i];
   const double priority = robots.priority[i];
@@ -65,12 +65,12 @@ double hurry_of(const PlannerOptions& options, const RobotColumns& robots, std::
   return most > 0.0 ? std::max(priority / most, 1.0) : 1.0;
 }
 
-// [m/s] what Eq. (23) is given in place of a wish that there is no hurry for.
+// [m/s] The velocity that Eq. (23) is given in place of a wish without hurry.
 Vec2 unhurried(Vec2 velocity, Vec2 wish, double part) {
   return velocity + std::min(part, 1.0) * (wish - velocity);
 }
 
-// [m/s] of a robot that may come to rest now: then it has its wish after the step.
+// [m/s] For a robot that may come to rest now: it must have its wish after the step.
 Vec2 aim_near_goal(const Execution& execution, const Tile& tile, std::size_t i,
                    DecisionColumns& decisions, double hurry) {
   const Robot robot = tile.robots.robot(i);
@@ -81,13 +81,14 @@ Vec2 aim_near_goal(const Execution& execution, const Tile& tile, std::size_t i,
     return unhurried(v, wish, hurry * unhurried_part(robot, execution));
   if (!is_holonomic(robot.model)) return wish;
   const Vec2 aim = v + (wish - v) / haste.gain;
-  // what still drives it on has to end at once
+  // an acceleration against the aim has to end at once
   if (dot(decisions.last_change(i), aim - v) < 0.0) decisions.last_x[i] = decisions.last_y[i] = 0.0;
   return aim;
 }
 
-// Whether it aims at the wish itself: an airplane, and with wheels who maneuvers, or is on the last
-// of the way, where the wish steers it to the place of its goal.
+// Returns whether the robot aims at the wish itself. An airplane does, and so does a robot with
+// wheels that maneuvers. A robot with wheels on the last part of its route does too: the wish
+// steers it to the place of its goal.
 bool steers_by_wish(const Tile& tile, std::size_t i) {
   const MotionModel* model = tile.robots.model[i];
   return model != nullptr && (tile.maneuvers[i] != 0 || passes_goal(*model) ||
@@ -148,7 +149,7 @@ void make_aims(const Planner& planner, const Execution& execution, const Tile& t
   const RobotColumns& robots = tile.robots;
   std::copy_n(decisions.wish_x.begin(), robots.count, decisions.aim_x.begin());
   std::copy_n(decisions.wish_y.begin(), robots.count, decisions.aim_y.begin());
-  if (!execution.law.is_gentle()) {  // no acceleration counts, but has to be a number
+  if (!execution.law.is_gentle()) {  // accelerations are not used, but must be numbers
     std::fill_n(decisions.last_x.begin(), robots.count, 0.0);
     std::fill_n(decisions.last_y.begin(), robots.count, 0.0);
     return;
