@@ -14,7 +14,7 @@ void forget(Bystanders& bystanders) {
 }
 
 bool has_many_late(const Bystanders& bystanders) {
-  constexpr std::size_t kFew = 1024, kOfOne = 8;  // looks at one that is late, for one in the grid
+  constexpr std::size_t kFew = 1024, kOfOne = 8;  // tests of a late robot, for one in the grid
   const std::size_t late = bystanders.late.size();
   return late * late > kFew + kOfOne * bystanders.id.size();
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Who is near where somebody is put down between two steps, while nobody moves.
+// The robots near a place where a robot is put down between two steps, while no robot moves.
 #pragma once
 #include <cstdint>
 #include <optional>
@@ -13,32 +13,34 @@ namespace avo::inline sim {
 
 struct Fleet;
 
-/// What a search has to allow for of any robot.
+/// The largest values of any robot that a search has to allow for.
 struct MostOfOthers {
   double radius = 0.0;   // m
   double speed = 0.0;    // m/s
   double seconds = 0.0;  // until rest
 };
 
-/// Made when somebody looks for a second time before the next step: one search of all costs less.
+/// Robots near a place, from a grid. The grid is made at the second search before the next step:
+/// one search of all robots costs less.
 struct Bystanders {
   bool is_wanted = false, is_made = false;
-  MostOfOthers most;          // of those in the grid
+  MostOfOthers most;          // of the robots in the grid
   double side = 0.0;          // m, of its cells
-  UniformGrid grid;           // of all when it was made
-  std::vector<RobotId> id;    // by what the grid calls them
-  std::vector<RobotId> late;  // that came or were moved since
+  UniformGrid grid;           // of all robots at the time when it was made
+  std::vector<RobotId> id;    // by index in the grid
+  std::vector<RobotId> late;  // robots that came or were moved since then
 };
 
-/// Once all have moved.
+/// Forgets the grid; call it once all robots have moved.
 void forget(Bystanders& bystanders);
-/// Whether those who have come since cost more than to make it anew, which is spread over them.
+/// Returns whether the robots that came since then cost more than a new grid; its cost is spread
+/// over them.
 bool has_many_late(const Bystanders& bystanders);
-/// That robot has come, or has been moved.
+/// Notes that the robot has come, or has been moved.
 void note_late(Bystanders& bystanders, RobotId robot);
 void make(Bystanders& bystanders, const Fleet& fleet, const MostOfOthers& most, double side);
-/// Slots, in the order of ids, of all within the radius and of some others; of all where the
-/// bystanders are not known as far as that.
+/// Slots, in the order of ids, of all robots within the radius and of some others. It returns all
+/// slots where the grid does not cover the radius.
 std::vector<std::uint32_t> near_place(const Bystanders& bystanders, const Fleet& fleet, Vec2 center,
                                       double radius);
 

@@ -9,14 +9,15 @@
 namespace avo::inline sim {
 namespace {
 
-constexpr double kLeavesLane = 1.0;     // rad: who has turned off by more is in a jam
-constexpr std::size_t kMostClaims = 4;  // of a robot; of more, memory grows when it is needed
+constexpr double kLeavesLane = 1.0;  // rad: a robot that has turned off by more is in a jam
+// of a robot; memory for more is allocated when it is needed
+constexpr std::size_t kMostClaims = 4;
 
 const Travel& travel_of(const World& world, std::size_t slot) {
   return world.ways.travels[static_cast<std::size_t>(world.fleet.rank[slot])];
 }
 
-// Claims within kClaimRange that the robot has, or seems to have.
+// Appends the claims within kClaimRange that the robot has, or seems to have.
 void append_claims(const World& world, std::size_t slot, std::vector<Claimant>& claimants) {
   const Ways& ways = world.ways;
   const Vec2 p = world.fleet.position[slot];
@@ -40,7 +41,8 @@ void append_claims(const World& world, std::size_t slot, std::vector<Claimant>& 
   });
 }
 
-// As far off as the rest of the way, so that nobody brakes for the place, unless it is to stop.
+// A point as far off as the rest of the route, so that no robot brakes for the place, unless it
+// must stop.
 Vec2 beyond(Vec2 p, Vec2 target, double rest) {
   const Vec2 way = target - p;
   const double distance = norm(way);
@@ -92,7 +94,7 @@ void collect_claims(const World& world, Executor& executor, Claims& claims) {
   for (std::size_t k = 1; k < first.size(); ++k) first[k] += first[k - 1];
   claims.claimants.reserve(kMostClaims * robots);
   claims.claimants.resize(first.back());
-  // each first becomes the next one's, and then its own again
+  // each `first` becomes that of the next passage, and then its own again
   for_each([&](const Claimant& claimant) {
     claims.claimants[first[claimant.claim.passage]++] = claimant;
   });

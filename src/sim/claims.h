@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Who goes through which passage, as all robots see it, and where each robot goes for it.
+// The claims of passages, as all robots see them, and the effect on each robot's heading.
 #pragma once
 #include <cstddef>
 #include <cstdint>
@@ -17,10 +17,11 @@ namespace avo::inline sim {
 
 struct World;
 
-/// Of one moment.
+/// The claims of one moment.
 struct Claims {
-  std::vector<Claimant> claimants;   // by passage
-  std::vector<std::uint32_t> first;  // of each passage; one more than passages
+  std::vector<Claimant> claimants;  // by passage
+  // index of the first claimant of each passage; one more than passages
+  std::vector<std::uint32_t> first;
   std::vector<std::vector<Claimant>> parts;
 
   [[nodiscard]] std::span<const Claimant> of(std::uint32_t passage) const {
@@ -28,25 +29,25 @@ struct Claims {
   }
 };
 
-/// Seen, or told, as the scene says. There are passages.
+/// Collects the claims, seen or told, as the scene says. There must be passages.
 void collect_claims(const World& world, Executor& executor, Claims& claims);
 
-/// What the robot claims itself, as the scene lets it: who tells claims makes no room. The way is
-/// known.
+/// The robot's own claim, as the scene allows it: a robot that tells claims makes no room. Its
+/// route must be known.
 Prospect prospect_of(const World& world, std::size_t slot, const Travel& travel);
 Claimant claimant_of(const World& world, std::size_t slot, const Claim& claim);
 
-/// Whether the nearest other robot that a robot senses is as near as claims count, m.
+/// Returns whether the nearest other robot that a robot senses is within the range of claims, m.
 inline bool is_in_company(double radius, double nearest) {
   return nearest <= kClaimRange * radius;
 }
 
-/// What the rules at passages make of the heading. nearest: m, how far off the nearest other one is
-/// that it senses; infinity where there is none.
+/// Applies the rules at passages to the heading. nearest: m, the distance of the nearest other
+/// robot that it senses; infinity if there is none.
 Heading heed_passages(const World& world, const Claims& claims, std::size_t slot,
                       const Travel& travel, const Heading& heading, double nearest);
 
-/// For whom the robot waits at a passage, if it does.
+/// The robot for which this robot waits at a passage, if it waits.
 std::optional<Simulation::Wait> wait_of(const World& world, const Claims& claims, std::size_t slot);
 
 }  // namespace avo::inline sim

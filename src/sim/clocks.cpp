@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Whole nanoseconds, so that instants are the same on every machine, and equal ones are equal.
+// Times are whole nanoseconds, so that instants are the same on every machine, and equal ones are
+// equal.
 #include "sim/clocks.h"
 
 #include <algorithm>
@@ -14,7 +15,7 @@
 namespace avo::inline sim {
 namespace {
 
-constexpr std::uint64_t kPhases = 0x70686173;  // tells these random numbers from all others
+constexpr std::uint64_t kPhases = 0x70686173;  // distinguishes these random numbers from all others
 
 MotionState state_at(const World& world, std::size_t slot, Instant instant) {
   const OwnClock& clock = world.fleet.clock_of(slot);

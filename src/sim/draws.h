@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// By how much measurements are off, drawn by chance that is the same in every run.
+// Errors of measurements, drawn from random numbers that are the same in every run.
 #pragma once
 #include <array>
 #include <cstddef>
@@ -11,12 +11,12 @@
 
 namespace avo::inline sim {
 
-/// The random numbers of one measurement, the same whoever asks for them, and whenever.
+/// The random numbers of one measurement, the same for any caller and at any time.
 class Draws {
  public:
   Draws(std::uint64_t key, std::uint64_t neighbor) : key_(mixed(key, neighbor)) {}
 
-  /// Of all measurements that the observer makes in a generation.
+  /// The key of all measurements that the observer makes in a generation.
   static std::uint64_t key_of(std::uint64_t seed, std::int64_t generation, std::uint64_t observer) {
     return mixed(mixed(mixed(0, seed), static_cast<std::uint64_t>(generation)), observer);
   }
@@ -36,13 +36,13 @@ inline bool is_gaussian(const MeasurementNoise& model) {
   return model.distribution == NoiseDistribution::gaussian;
 }
 
-/// Of what the scene gives: no coordinate is farther off.
+/// The largest error of a coordinate, in units of the scene's value.
 inline double most_of_coordinate(const MeasurementNoise& model) {
   return is_gaussian(model) ? model.truncated.value_or(kUsualTruncation) : 1.0;
 }
 
-/// Of the first so many coordinates, in units of what the scene gives. Gaussian noise by rejection:
-/// exactly of that density where it is not cut off.
+/// The errors of the first so many coordinates, in units of the scene's value. Gaussian noise is
+/// drawn by rejection: it has exactly that density where it is not cut off.
 template <std::size_t kCount>
 std::array<double, kCount + GaussianDraws::kTogether> noise(const MeasurementNoise& model,
                                                             Draws& draws) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Robots and static obstacles come and go. All that may throw comes before anything changes.
+// Adds and removes robots and static obstacles. Everything that may throw comes before any change.
 #include "sim/edits.h"
 
 #include <algorithm>
@@ -21,7 +21,7 @@
 namespace avo::inline sim {
 namespace {
 
-// Of the robot that has been added last.
+// Adds the clock of the last added robot.
 void add_clock(World& world, const RobotSetup& setup) {
   if (!world.fleet.has_clocks) return;
   const std::size_t slot = world.fleet.size() - 1;
@@ -30,8 +30,8 @@ void add_clock(World& world, const RobotSetup& setup) {
   start_clock(world, slot);
 }
 
-// One more in all that has an entry for each robot, but the ways; nothing has changed where it
-// throws.
+// Adds one entry to all data that have an entry for each robot, except the routes; nothing has
+// changed where it throws.
 void join(World& world, const RobotSetup& setup, RobotId robot) {
   const OwnPace pace = world.pace_of(setup);
   world.senses.reserve_one(
@@ -61,7 +61,7 @@ Ways ways_among(const World& world, const StaticWorld& statics) {
   return ways;
 }
 
-// Who heads for another place than before has not stood near it.
+// A robot that has another end than before has not stood near it.
 void adopt(World& world, Ways ways) noexcept {
   Fleet& fleet = world.fleet;
   for (std::size_t slot = 0; slot < fleet.size(); ++slot) {
@@ -76,7 +76,7 @@ void adopt(World& world, Ways ways) noexcept {
   world.changed = world.has_new_goals = true;
 }
 
-// The same fleet among others.
+// Replaces the static world for the same fleet.
 void replace(World& world, StaticWorld statics) {
   Ways ways = ways_among(world, statics);
   world.statics = std::move(statics);
@@ -167,7 +167,7 @@ void remove_robot(World& world, RobotId robot) {
 
 namespace {
 
-// What the goal of a robot is called where it is refused.
+// The name of a robot's goal in messages.
 struct GoalOf {
   RobotId robot;
 
@@ -180,8 +180,8 @@ void set_goal(World& world, RobotId robot, Vec2 goal) {
   const std::size_t slot = world.fleet.find(robot);
   if (world.fleet.conduct[slot].parked)
     refuse(name_of(robot), "a goal for it", "one that is not parked");
-  require(GoalOf{robot}, goal, "m");           // all else has been checked when the robot came
-  if (goal == world.fleet.goal[slot]) return;  // it goes on with what it does
+  require(GoalOf{robot}, goal, "m");           // everything else was checked when the robot came
+  if (goal == world.fleet.goal[slot]) return;  // it continues as before
   Ways& ways = world.ways;
   if (!ways.empty()) {
     put_in_place(world, slot);
@@ -191,7 +191,7 @@ void set_goal(World& world, RobotId robot, Vec2 goal) {
   world.fleet.goal[slot] = goal;
   world.has_new_goals = true;
   Detour& detour = world.fleet.detour[slot];
-  // the rest is about the way to that goal
+  // the rest belongs to the route to the old goal
   detour = {.congestion = detour.congestion,
             .acceleration_x = detour.acceleration_x,
             .acceleration_y = detour.acceleration_y};

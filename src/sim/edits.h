@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What users change between steps: robots, goals, static obstacles. Each of these throws Error on
+// Changes by users between steps: robots, goals, static obstacles. Each function throws Error on
 // bad input, and changes nothing where it throws.
 #pragma once
 #include "avo/simulation.h"
@@ -15,7 +15,7 @@ void move_robot(World& world, RobotId robot, Vec2 position);
 ObstacleId add_obstacle(World& world, const StaticObstacle& obstacle);
 void remove_obstacle(World& world, ObstacleId obstacle);
 
-/// New ways for all, where movers have come to rest, or those at rest move.
+/// Plans new routes for all robots, where movers have come to rest, or resting movers move again.
 void go_around_resting(World& world);
 
 }  // namespace avo::inline sim

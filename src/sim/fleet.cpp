@@ -67,14 +67,14 @@ void Fleet::reserve(std::size_t count) {
 
 void Fleet::add(RobotId robot, const RobotSetup& setup, const OwnPace& own_pace) {
   const std::size_t slot = size();
-  // all that may throw, before anything changes
+  // everything that may throw comes before any change
   bool full = slot_of.capacity() == slot;
   for_each_column([&](auto& column) { full = full || column.capacity() == slot; });
   if (full) reserve(2 * slot + 8);
   if (has_clocks) clock.resize(slot + 1);
   if (!models.empty() || !is_holonomic(setup.model)) {
     for (std::size_t k = own_radius.size(); k < slot; ++k)
-      own_radius.push_back(traits[slot_of[k]].radius);  // of those that are holonomic
+      own_radius.push_back(traits[slot_of[k]].radius);  // of the holonomic robots
     own_radius.resize(slot + 1);
     models.resize(slot + 1);
   }
@@ -105,7 +105,7 @@ void Fleet::remove(std::size_t slot) {
   if (!flights.empty()) flights.erase(flights.begin() + rank[slot]);
   if (has_clocks) clock.erase(clock.begin() + rank[slot]);
   if (!pace.empty()) pace.erase(pace.begin() + rank[slot]);
-  const std::size_t last = size() - 1;  // takes the slot
+  const std::size_t last = size() - 1;  // it takes over the slot
   for (auto k = static_cast<std::size_t>(rank[slot]); k < slot_of.size(); ++k) --rank[slot_of[k]];
   if (slot != last)
     slot_of[static_cast<std::size_t>(rank[last])] = static_cast<std::uint32_t>(slot);
@@ -124,7 +124,7 @@ std::vector<Wall> Fleet::parked_discs() const {
   return discs;
 }
 
-// A robot's rank is its number, less as many as have gone before it.
+// A robot's rank is its number, less the number of removed robots before it.
 std::optional<std::size_t> Fleet::slot(RobotId robot) const {
   if (slot_of.empty()) return std::nullopt;
   const std::size_t most = slot_of.size() - 1;
@@ -177,7 +177,7 @@ Vec2 Fleet::offset(std::size_t slot, double heading_of_it) const {
 
 namespace {
 
-// Of its max_acceleration, by which one that promises nothing is likely to deviate.
+// Part of its max_acceleration: the likely deviation of a robot that promises nothing.
 constexpr double kLikely = 0.6;
 
 Behavior behavior_of(Expectation expected) {
@@ -223,9 +223,10 @@ void Fleet::reorder(std::span<const std::uint32_t> order, Executor& executor, bo
       body(chunk * kChunk, std::min((chunk + 1) * kChunk, count));
     });
   };
-  // bytes of an entry that are moved at once, which bounds the memory: a wider one in two parts
+  // bytes of an entry that are moved at once, which bounds the memory: a wider entry takes two
+  // parts
   constexpr std::size_t kMost = 48;
-  if (scratch_.size() < count * kMost) scratch_.resize(count * kMost);  // before anything changes
+  if (scratch_.size() < count * kMost) scratch_.resize(count * kMost);  // before any change
   torn = true;
   const auto move_part = [&]<std::size_t kBegin, std::size_t kWidth>(std::byte* column,
                                                                      std::size_t entry) {
@@ -255,7 +256,7 @@ void Fleet::reorder(std::span<const std::uint32_t> order, Executor& executor, bo
 
 namespace {
 
-// When it decides again, and all that tells where it is until then.
+// Hashes when the robot decides again, and all data that give its place until then.
 std::uint64_t hashed(std::uint64_t hash, const OwnClock& clock) {
   hash = mixed(hash, static_cast<std::uint64_t>(clock.begin));
   hash = mixed(hash, static_cast<std::uint64_t>(clock.end));

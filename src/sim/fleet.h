@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The state of a simulation in columns, one entry a robot.
+// The state of a simulation in columns, one entry for each robot.
 #pragma once
 #include <algorithm>
 #include <cstddef>
@@ -18,7 +18,7 @@
 
 namespace avo::inline sim {
 
-/// What stays as it is of a RobotSetup.
+/// The constant part of a RobotSetup.
 struct RobotTraits {
   double radius = 0.0;            // m, of its disc
   double max_speed = 0.0;         // m/s
@@ -42,31 +42,31 @@ inline std::optional<double> max_braking_of(const RobotTraits& traits) {
   return traits.max_braking;
 }
 
-/// m/s²: by which its velocity may change.
+/// m/s²: the largest change of its velocity in a second.
 inline double top_acceleration(const RobotTraits& traits) {
   const double reach = traits.exceeds ? std::numbers::sqrt2 : 1.0;
   return std::max(reach * traits.max_acceleration, traits.max_braking);
 }
 
-/// How a robot and the others give way to each other. Nearly all are alike.
+/// How a robot and the others avoid each other. Nearly all robots have the same.
 struct Conduct {
   double priority = 1.0;
   bool parked = false;
   Method method = Method::avo;
   LayerSet layers = RobotSetup{}.layers, avoids = RobotSetup{}.avoids;
-  Behavior behavior = RobotSetup{}.behavior;  // to those whom it avoids
+  Behavior behavior = RobotSetup{}.behavior;  // towards robots that it avoids
   friend bool operator==(const Conduct&, const Conduct&) = default;
 };
-/// usual: of those who have no method of their own.
+/// usual: the method of robots that have none of their own.
 Conduct conduct_of(const RobotSetup& setup, Method usual);
 /// What A counts on from another robot that it avoids.
 enum class Expectation : std::uint8_t {
   decides,           ///< it does its share, and keeps the certificate of A, if A has one
-  cooperates,        ///< it is said to do its share, and promises nothing
-  moves_on,          ///< it has a method of its own: its velocity is all that is known
+  cooperates,        ///< it should do its share, and promises nothing
+  moves_on,          ///< it has a method of its own: only its velocity is known
   does_as_it_likes,  ///< it does not avoid A, and keeps its limits
 };
-/// Nothing where A does not avoid B.
+/// None where A does not avoid B.
 inline std::optional<Expectation> expected_of(const Conduct& b, const Conduct& a) {
   if ((a.avoids.bits & b.layers.bits) == 0) return std::nullopt;
   const bool is_like = a.method != Method::avo || b.method == a.method;
@@ -75,28 +75,28 @@ inline std::optional<Expectation> expected_of(const Conduct& b, const Conduct& a
   if (b.behavior == Behavior::cooperates) return Expectation::cooperates;
   return is_like ? Expectation::decides : Expectation::moves_on;
 }
-/// A robot as others sense it who count on that much of it.
+/// A robot in the view of others with that expectation.
 Neighbor sensed(const RobotTraits& traits, const Conduct& conduct, Expectation expected,
                 Vec2 position, Vec2 velocity);
-/// m/s; that of a robot with a heading points along it, or against it.
+/// m/s; for a robot with a heading it points along the heading, or against it.
 Vec2 start_velocity(const RobotSetup& setup);
 
-/// What airplanes remember.
+/// The memory of airplanes.
 struct Flight {
-  LoiterCircle circle;       // that it falls back on
+  LoiterCircle circle;       // the circle that it falls back on
   bool has_arrived = false;  // it has passed its goal
 };
 
-/// Nanoseconds since the start of a run. Two robots decide at once or they do not: no rounding
-/// tells.
+/// Nanoseconds since the start of a run. Whole numbers decide exactly whether two robots decide at
+/// the same time.
 using Instant = std::int64_t;
 
-/// The clock of one robot, and the step of its own that it is in.
+/// The clock of one robot, and its present step.
 struct OwnClock {
   double time_step = 0.0;      // s, from decision to decision
   Instant begin = 0, end = 0;  // of the step
-  MotionState from, to;        // at both
-  bool has_decided = false;    // else it brakes until its first decision
+  MotionState from, to;        // states at both times
+  bool has_decided = false;    // false: it brakes until its first decision
 
   // m/s², on average.
   Vec2 acceleration() const {
@@ -105,21 +105,21 @@ struct OwnClock {
   }
 };
 
-/// By what a robot decides.
+/// The planner by which a robot decides.
 struct OwnPace {
   std::uint32_t index = 0;                  // see World::paces
-  std::optional<double> time_horizon = {};  // s, of its setup
+  std::optional<double> time_horizon = {};  // s, from its setup
 };
 
-/// Columns by slot: robots that are near each other lie near each other once the fleet has been
-/// put in order. Ids ascend by rank.
+/// Columns by slot. Robots that are near each other are near in memory once the fleet has been put
+/// in order. Ids ascend by rank.
 struct Fleet {
   std::vector<RobotId> id;
   std::vector<int> rank;
   std::vector<RobotTraits> traits;
   std::vector<Conduct> conduct;
   std::vector<RelevantRange> range;
-  std::vector<float> nearest;  // m, within which it found its nearest neighbors in the last step
+  std::vector<float> nearest;  // m, the radius with its nearest neighbors in the last step
   std::vector<Vec2> goal;
   std::vector<Vec2> position;  // of its disc
   std::vector<Vec2> velocity;
@@ -127,27 +127,27 @@ struct Fleet {
   std::vector<Detour> detour;
   std::vector<Plan> plan;
   std::vector<double> applied_acceleration;
-  std::vector<std::uint8_t> has_stood;  // near its goal, which others share
+  std::vector<std::uint8_t> has_stood;  // whether it has stood near its goal, which others share
   std::vector<std::uint32_t> cell;      // key of its cell, see Cells
 
   std::vector<std::uint32_t> slot_of;  // by rank
   std::vector<OwnClock> clock;         // by rank; empty where the clock is common
   bool has_clocks = false;
-  Method method = Method::avo;      // of those who have none of their own
-  std::vector<OwnPace> pace;        // by rank; empty where all decide by the first one
+  Method method = Method::avo;      // of robots that have none of their own
+  std::vector<OwnPace> pace;        // by rank; empty where all use the first one
   std::vector<MotionModel> models;  // by rank; empty where all are holonomic
-  std::vector<double> own_radius;   // m, of their setups; likewise
-  std::vector<Flight> flights;      // by rank; empty where nobody is an airplane
+  std::vector<double> own_radius;   // m, from their setups, by rank; empty where all are holonomic
+  std::vector<Flight> flights;      // by rank; empty where there are no airplanes
 
   std::size_t size() const { return id.size(); }
   void reserve(std::size_t count);
   void add(RobotId robot, const RobotSetup& setup, const OwnPace& own_pace = {});
   void remove(std::size_t slot);
-  /// Of those that are parked, in the order of their ids.
+  /// The discs of parked robots, in the order of their ids.
   std::vector<Wall> parked_discs() const;
   /// Slot of the robot.
   std::optional<std::size_t> slot(RobotId robot) const;
-  /// Throws Error if there is none.
+  /// Throws Error if there is no such robot.
   std::size_t find(RobotId robot) const;
   OwnClock& clock_of(std::size_t slot) { return clock[static_cast<std::size_t>(rank[slot])]; }
   const OwnClock& clock_of(std::size_t slot) const {
@@ -159,11 +159,11 @@ struct Fleet {
   MotionModel model(std::size_t slot) const {
     return models.empty() ? MotionModel{} : models[static_cast<std::size_t>(rank[slot])];
   }
-  /// Nothing of one that is holonomic.
+  /// None for a holonomic robot.
   const MotionModel* own_model(std::size_t slot) const {
     return traits[slot].has_model ? &models[static_cast<std::size_t>(rank[slot])] : nullptr;
   }
-  /// m: how far its disc is ahead of the place that the robot is said to be at, and that place.
+  /// m: the offset of its disc from the reported place of the robot, and that place.
   Vec2 offset(std::size_t slot) const { return offset(slot, heading[slot]); }
   Vec2 offset(std::size_t slot, double heading_of_it) const;
   Vec2 place(std::size_t slot) const {
@@ -172,10 +172,10 @@ struct Fleet {
   Vec2 place(std::size_t slot, const MotionState& state) const {
     return state.position - offset(slot, state.heading);
   }
-  /// With its goal, position, velocity and heading.
+  /// The setup with its goal, position, velocity and heading.
   RobotSetup setup(std::size_t slot) const { return setup(slot, state(slot)); }
   RobotSetup setup(std::size_t slot, const MotionState& state) const;
-  /// Nothing of one that is no airplane.
+  /// None for a robot that is no airplane.
   const Flight* flight(std::size_t slot) const {
     if (flights.empty() || !traits[slot].has_model || !passes_goal(*own_model(slot)))
       return nullptr;
@@ -191,30 +191,30 @@ struct Fleet {
   MotionState state(std::size_t slot) const {
     return {position[slot], velocity[slot], heading[slot], circle(slot).value_or(LoiterCircle{})};
   }
-  /// What robot a counts on from robot b; nothing where it does not mind it as a neighbor.
+  /// What robot a counts on from robot b; none where it does not avoid b as a neighbor.
   std::optional<Expectation> expected(std::size_t b, std::size_t a) const {
     if (conduct[a].parked || conduct[b].parked) return std::nullopt;
     return expected_of(conduct[b], conduct[a]);
   }
-  /// As others sense it who count on that much of it.
+  /// The robot in the view of others with that expectation.
   Neighbor sensed(std::size_t slot, Expectation expected = Expectation::decides) const;
-  /// Slot k becomes what slot order[k] was. Where the executor fails in the midst of it, the fleet
-  /// is none any more, and torn stays true.
+  /// Moves the robot in slot order[k] to slot k. If the executor fails during that, the fleet is
+  /// unusable, and torn stays true.
   void reorder(std::span<const std::uint32_t> order, Executor& executor, bool& torn);
 
  private:
   template <typename Action>
   void for_each_column(const Action& action);
-  std::vector<std::byte> scratch_;  // of reorder()
+  std::vector<std::byte> scratch_;  // for reorder()
 };
 
-/// m: where its disc has to go for its place to come to the end of its way; other aims are the
-/// disc's.
+/// m: the target of its disc that brings its place to the end of its route; other aims are for the
+/// disc.
 inline Vec2 disc_goal(const Fleet& fleet, std::size_t slot, Vec2 aim, Vec2 end) {
   return aim == end ? aim + fleet.offset(slot) : aim;
 }
 
-/// m, from its goal: one that maneuvers finds its own way there.
+/// m, from its goal: a robot that maneuvers finds its own path within this distance.
 inline double own_way_of(const Fleet& fleet, std::size_t slot) {
   constexpr double kOwnWay = 0.6;  // of its room for maneuvers
   const MotionModel* model = fleet.own_model(slot);

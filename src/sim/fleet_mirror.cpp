@@ -5,7 +5,7 @@
 
 namespace avo::inline sim {
 
-// action(column, of) for each one, where of(fleet, slot) is a robot's entry in it.
+// Calls action(column, of) for each column; of(fleet, slot) is a robot's entry in it.
 template <typename Action>
 void FleetMirror::for_each_column(Columns wanted, const Action& action) {
   const auto at = [&](Columns which, auto& column, const auto& of) {

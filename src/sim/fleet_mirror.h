@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A fleet for those who look at it from outside.
+// A fleet for readers outside the simulation.
 #pragma once
 #include <cstddef>
 #include <vector>
@@ -10,8 +10,7 @@ namespace avo::inline sim {
 
 struct Fleet;
 
-/// Columns by ascending id, for those who look at a fleet from outside. They are copied when
-/// somebody asks for them, each by itself.
+/// Columns by ascending id, for readers outside the simulation. Each column is copied on demand.
 struct FleetMirror {
   std::vector<RobotId> id;
   std::vector<Vec2> position, velocity, goal;
@@ -21,7 +20,7 @@ struct FleetMirror {
   std::vector<Plan> plan;
 
   void copy(const Fleet& fleet, Columns wanted);
-  /// What has been copied, of one robot anew. Throws nothing.
+  /// Copies one robot again in the columns that have been copied. Throws nothing.
   void renew(const Fleet& fleet, std::size_t rank_of_it, Columns copied);
   FleetView view(Columns wanted) const;
 

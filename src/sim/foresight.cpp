@@ -12,10 +12,11 @@
 namespace avo::inline sim {
 namespace {
 
-constexpr std::int64_t kStepsForeseen = 64;    // trajectories are made anew after so many
-constexpr std::int64_t kLongestRound = 16384;  // steps; of more the beginning is known
+constexpr std::int64_t kStepsForeseen = 64;  // steps, after which trajectories are made anew
+// steps; of a longer round only the beginning is known
+constexpr std::int64_t kLongestRound = 16384;
 
-// The longest way out of any of the fleet.
+// The longest way out of any robot of the fleet.
 double horizon_of(const World& world) {
   double longest = 0.0;
   const StepLaw law = certificate_law(world.planner()).step;
@@ -32,8 +33,8 @@ double horizon_of(const World& world) {
   return longest;
 }
 
-// Until that step, and then until it has been at all points of the path once more: so all places
-// are known at which it will ever be, to within a step of it.
+// Follows the path until that step, and then until the obstacle has been at all points of the path
+// once more. So all its future places are known, to within a step.
 void follow_path(const MovingObstacle& obstacle, PathWalk walk, std::int64_t step,
                  std::int64_t until, double time_step, std::vector<TimedPlace>& places,
                  Trajectory& trajectory) {
@@ -44,7 +45,7 @@ void follow_path(const MovingObstacle& obstacle, PathWalk walk, std::int64_t ste
     places.push_back({time_of(++step), walk.position});
   };
   while (step < until) go_on();
-  // to the end of the leg on which it is, and of all others
+  // to the end of its present leg, and of all others
   for (std::size_t left = obstacle.path.size() + 1; left > 0 && step < until + kLongestRound;) {
     const PathWalk before = walk;
     go_on();

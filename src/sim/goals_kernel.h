@@ -11,12 +11,12 @@
 
 AVO_BEGIN_KERNELS
 
-/// What preferred_velocity() depends on.
+/// The inputs of preferred_velocity().
 template <typename Real>
 struct Traveller {
   Vec<Real> position, velocity, goal;
   Real preferred_speed, planned_braking, max_speed, max_acceleration;
-  Real is_holonomic;  // 1 or 0: others come to rest as hard as they can
+  Real is_holonomic;  // 1 or 0: other robots come to rest with full braking
 };
 
 template <typename Real>
@@ -24,25 +24,25 @@ struct Way {
   Real distance;        // m, to the goal
   Vec<Real> direction;  // unit, or 0 at the goal
   Real along;           // m/s, velocity in that direction
-  Real left;            // m, of the distance, where the next decision takes effect
+  Real left;            // m, of the distance, that is left when the next decision takes effect
 };
 
-/// Highest next speed from which full braking, `decrement` m/s a step, ends within `distance`
-/// of where the robot will be. Braking from (k + f) q, q = decrement, after a step that ends with
-/// this speed, takes Δt q (k + 1)(k/2 + f) in all.
+/// Highest next speed from which full braking, `decrement` m/s a step, ends within `distance` of
+/// the robot's next place. Braking from (k + f) q, q = decrement, after a step that ends with this
+/// speed, takes Δt q (k + 1)(k/2 + f) in all.
 template <typename Real>
 AVO_KERNEL Real admissible_speed(Real distance, Real decrement, Real time_step) {
   const Real zero(0.0), half(0.5), one(1.0), most(0x1p30);
   const Real y = distance / (decrement * time_step);
   const Real steps = half * (sqrt(one + Real(8.0) * y) - one);
-  // of so many, a part of one does not matter
+  // of so many, a fraction does not matter
   const Real k = select(steps < most, floor(select(steps < most, steps, zero)), steps);
   const Real f = (y - half * k * (k + one)) / (k + one);
   return select(distance > zero, (k + f) * decrement, zero);
 }
 
-/// Whether admissible_speed() is at least `speed`, told without root or floor: with x = k + f,
-/// (k + 1)(k/2 + f) <= (x + 1) x. False where it is not as clear as that.
+/// Returns whether admissible_speed() is surely at least `speed`, without root or floor: with x = k
+/// + f, (k + 1)(k/2 + f) <= (x + 1) x. False where this test does not prove it.
 template <typename Real>
 AVO_KERNEL auto surely_admits(Real distance, Real speed, Real decrement, Real time_step) {
   const Real margin(1.001);  // for rounding
@@ -69,13 +69,12 @@ AVO_KERNEL Way<Real> way_of(const Traveller<Real>& robot, const StepResponse& st
   return result;
 }
 
-/// The deceleration with which a soft landing ends, of the planned braking.
+/// The deceleration at the end of a soft landing, as a part of the planned braking.
 inline constexpr double kLanding = 0.25;
 
-/// Highest next speed of a braking that begins, and ends, without a jolt. It goes along the path
-/// that speed²/2b + speed T leave of the distance, T = (T_e + Δt)/2, so that it takes hold within
-/// T; and where it would creep, along that of a quarter of b or of what the acceleration may change
-/// by.
+/// Highest next speed of a braking that begins, and ends, without a jolt. It follows speed²/2b +
+/// speed T of the distance, T = (T_e + Δt)/2, so that it takes hold within T. Where it would creep,
+/// it follows the curve of a quarter of b or of the possible change of the acceleration.
 template <typename Real>
 AVO_KERNEL Real soft_speed(Real distance, Real braking, Real response_time, Real time_step) {
   const Real lead = braking * Real(0.5) * (response_time + time_step);
@@ -84,7 +83,7 @@ AVO_KERNEL Real soft_speed(Real distance, Real braking, Real response_time, Real
   return max(speed, admissible_speed(distance, softly, time_step));
 }
 
-/// Method avo has v' after the step, so v' needs no lead but that of a soft landing.
+/// Method avo reaches v' in one step, so v' needs only the lead of a soft landing.
 template <typename Real>
 AVO_KERNEL Vec<Real> approach(const Traveller<Real>& robot, const Way<Real>& way,
                               const StepResponse& step) {
@@ -102,7 +101,7 @@ AVO_KERNEL Vec<Real> approach(const Traveller<Real>& robot, const Way<Real>& way
   const auto known =
       surely_admits(way.left - speed * response, speed, u, time_step) & (way.distance > around);
   if (!any(!known)) return at_speed;
-  // nearer than rounding can tell: there
+  // nearer than rounding can tell counts as there
   const auto there = way.distance <= Real(0x1p-46) * (norm(p) + norm(goal));
   const Real hard = admissible_speed(way.left, u, time_step);
   const Real stops = select(is_soft, soft_speed(way.left, u / time_step, time, time_step), hard);
@@ -122,8 +121,8 @@ AVO_KERNEL Vec<Real> lead(const Traveller<Real>& robot, const Way<Real>& way,
   const auto known = surely_admits(way.left, top, rate * change, time_step) &
                      (Real(2.0) * way.distance >= Real(1.001) * control_time * top);
   if (!any(!known)) return at_speed;
-  // 2 distance/δ: among parked robots less than the full deceleration is left, and a robot that
-  // counts on it swings about its goal for ever
+  // 2 distance/δ: among parked robots less than the full deceleration is left. A robot that counts
+  // on the full deceleration oscillates about its goal for ever.
   const Real speed = min(Real(2.0) * way.distance / control_time,
                          admissible_speed(way.left, rate * change, time_step));
   const Vec<Real> v = robot.velocity;

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// A robot cannot know for how long others will hold a passage. It sets out for another way once it
-// has waited for as long as that way takes longer. So it loses at most twice what it would lose if
-// it knew. Where no other way is, somebody in a jam has to go back, and those at its ends alone
-// can: all of them want to, for half of the time. A crowd before a passage of one lane is no jam,
-// but waits in turn.
+// A robot cannot know how long others will hold a passage. It takes another route once it has
+// waited for as long as that route takes in addition. So it loses at most twice the time that it
+// would lose with that knowledge. Where there is no other route, some robots in a jam must go back,
+// and only those at its ends can: all of them try to, for half of the time. A crowd before a
+// passage of one lane is no jam, but waits in turn.
 #include "sim/held_passages.h"
 
 #include <cmath>
@@ -20,12 +20,15 @@
 namespace avo::inline sim {
 namespace {
 
-constexpr double kComesNearer = 1.0;  // radii of way: whoever does does not wait
-// T: who lets a few others pass waits for less; and of two lanes, where nobody waits in turn
+// radii of route length: a robot that comes nearer by this does not wait
+constexpr double kComesNearer = 1.0;
+// T: a robot that lets a few others pass waits for less; and for two lanes, where robots do not
+// wait in turn
 constexpr double kPatience = 4.0;
 constexpr double kPatienceOfTwo = 8.0;
 constexpr double kSteadfast = 32.0;  // T: a jam that has lasted as long does not end by itself
-constexpr double kForth = 0.75;      // of a power of two: from there to the next one it goes on
+// of a power of two: from there to the next power the robot goes on
+constexpr double kForth = 0.75;
 
 double time_of(const RobotTraits& traits) {
   Robot robot;
@@ -41,7 +44,7 @@ void wait_on(Waiting& waiting, double left, const RobotTraits& traits, double ti
   waiting.looks_at = kPatience * time_of(traits);
 }
 
-// s: for as long as another way takes longer.
+// s: as long as the additional time of another route.
 double worth_waiting(double longer, const RobotTraits& traits) {
   return longer > 0.0 ? longer / traits.preferred_speed : 0.0;
 }
@@ -54,7 +57,7 @@ bool has_two_lanes(const World& world, const Passages::Crossing& next) {
   return world.ways.passages[next.passage].two_lanes;
 }
 
-// Around that gap as well, or around it alone where that leads nowhere.
+// A route around that gap as well, or around it alone where that leads nowhere.
 Travel way_around(const Travel& travel, const Segment& gap, Vec2 position, double radius,
                   LegScratch& scratch) {
   std::vector<Segment> closed = travel.waiting.closed;
@@ -90,7 +93,8 @@ void look_for_another_way(const World& world, std::size_t slot, Travel& travel,
   if (waiting.looks_at <= waiting.waited) travel = std::move(other);
 }
 
-// Once it has come as near to its end as where it waited, and the shortest way leads elsewhere.
+// Opens the gaps once the robot has come as near to its end as where it waited, and the shortest
+// route leads elsewhere.
 void open_again(const World& world, std::size_t slot, Travel& travel, LegScratch& scratch) {
   const double radius = world.fleet.traits[slot].radius;
   const Vec2 p = world.fleet.position[slot];

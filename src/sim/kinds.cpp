@@ -14,7 +14,7 @@ RobotSetup kind_of(RobotSetup setup) {
   return setup;
 }
 
-// Kinds that differ in their models alone are few.
+// Kinds that differ only in their models are few.
 std::uint64_t hash_of_kind(const RobotSetup& kind) {
   std::uint64_t hash = mixed(kind.layers.bits, kind.avoids.bits);
   for (const double value : {kind.radius, kind.max_speed, kind.max_acceleration,

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which different robots are there: what a newcomer needs of the others depends on little more.
+// The kinds of robots in a fleet: what a new robot needs of the others depends on little more.
 #pragma once
 #include <cstddef>
 #include <cstdint>
@@ -10,15 +10,15 @@
 
 namespace avo::inline sim {
 
-/// Robots that are alike but for where they are, how fast, and where they go.
+/// Robots that differ only in place, velocity and goal are of one kind.
 class Kinds {
  public:
   explicit Kinds(const Fleet& fleet);
 
   void add(const RobotSetup& setup);
-  /// One of which there is at least one. Throws nothing.
+  /// Removes a robot of that kind; there must be one. Throws nothing.
   void remove(const RobotSetup& setup);
-  /// At most two of each kind, in no order.
+  /// At most two robots of each kind, in no order.
   [[nodiscard]] std::vector<RobotSetup> examples() const;
 
  private:

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Ways and motion in lanes, for every instruction set; the fittest is chosen at run time.
+// Preferred velocities and motion in lanes, for every instruction set; the best one is chosen at
+// run time.
 #include "sim/moving_columns.h"
 
 namespace avo::inline sim {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The ways and the motion of a tile's robots, in lanes.
+// The preferred velocities and the motion of a tile's robots, in lanes.
 #pragma once
 #include <array>
 #include <cstddef>
@@ -11,30 +11,29 @@
 
 namespace avo::inline sim {
 
-/// With ten neighbors each, what is planned at a time stays in the cache; not more than a mask has
-/// bits.
+/// With ten neighbors each, the data of one tile stay in the cache; a mask must have as many bits.
 inline constexpr std::size_t kTileRobots = 64;
 
-/// One entry a robot, beside RobotColumns: what a simulation alone knows.
+/// One entry for each robot, beside RobotColumns: the values that only a simulation knows.
 struct alignas(64) MovingColumns {
   using Column = std::array<double, kTileRobots>;
   Column goal_x{}, goal_y{}, preferred_speed{};  // m, m/s
   Column new_x{}, new_y{};                       // m/s, v'
-  Column acceleration{};                         // m/s^2, see MotionStep; by advance()
+  Column acceleration{};                         // m/s^2, see MotionStep; set by advance()
 };
 
 /// [v_A^pref] m/s: towards the goal at preferred_speed (the paper's), until the distance left is
-/// the one that braking needs; then the v' whose next speed is the highest that still stops at the
-/// goal. Without other robots it comes to rest on the goal, does not overshoot and does not
-/// oscillate, at any δ: v' leads the velocity by the lag of the controller, so near the goal it
+/// the braking distance. Then it is the v' with the highest next speed that still stops at the
+/// goal. Without other robots the robot comes to rest on the goal. It does not overshoot and does
+/// not oscillate, at any δ. v' leads the velocity by the lag of the controller, so near the goal it
 /// points away from it.
 Vec2 preferred_velocity(Vec2 position, Vec2 velocity, const RobotTraits& robot, Vec2 goal,
                         const StepResponse& step);
 
-/// preferred_velocity() of all, and how far they are from their goals.
+/// preferred_velocity() of all robots, and their distances from their goals.
 void choose_ways(const StepResponse& step, const MovingColumns& moving, RobotColumns& robots);
 
-/// advance() of all, from v' on. Bit k is set where robot k then exceeds its max_speed.
+/// advance() of all robots, from v' on. Bit k is set where robot k then exceeds its max_speed.
 std::uint64_t advance(const StepResponse& response, MovingColumns& moving, RobotColumns& robots);
 
 }  // namespace avo::inline sim

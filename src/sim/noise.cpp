@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Noise for every instruction set; the fittest is chosen at run time.
+// Noise for every instruction set; the best one is chosen at run time.
 #include "sim/noise.h"
 
 #include "core/elementary.h"
@@ -17,7 +17,7 @@ struct NoiseKernels {
 
 namespace avo::inline sim {
 
-// The library's own exponential function has the last word, and is asked only where it has to be.
+// The library's own exponential function decides, and is called only where necessary.
 void draw_gaussian(std::uint64_t key, std::uint64_t first, double most, GaussianDraws& draws) {
   if (kKernels->draw_gaussian(key, first, most, draws)) return;
   for (std::size_t k = 0; k < GaussianDraws::kTogether; ++k) {

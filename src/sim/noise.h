@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Random numbers that are found by what they are for, and not by the ones before: draws need no
+// Random numbers that follow from their use, and not from the previous numbers: draws need no
 // memory, and several are made at once.
 #pragma once
 #include <array>
@@ -10,13 +10,13 @@
 
 namespace avo::inline sim {
 
-/// In [0, 1), number k of those of a key: a multiple of 2^-53.
+/// In [0, 1), number k of a key: a multiple of 2^-53.
 constexpr double uniform_number(std::uint64_t key, std::uint64_t k) {
   return 0x1p-53 * static_cast<double>(static_cast<std::int64_t>(mixed(key, k) >> 11));
 }
 
-/// Numbers in [-most, most] by two draws each, of which those that are taken have the density of
-/// e^(-x²/2) there.
+/// Numbers in [-most, most] from two draws each; the taken ones have the density of e^(-x²/2)
+/// there.
 struct GaussianDraws {
   static constexpr std::size_t kTogether = 16;
   alignas(64) std::array<double, kTogether> x;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Draws side by side, in loops of which compilers make lanes: no turn has a branch, or waits for
-// the one before. Each number is the same, whatever the instruction set.
+// Draws side by side, in loops that compilers vectorize: no iteration has a branch, or waits for
+// the one before. The numbers are the same for every instruction set.
 #ifndef AVO_SIM_NOISE_KERNEL_H
 #define AVO_SIM_NOISE_KERNEL_H
 
@@ -23,9 +23,9 @@ AVO_KERNEL double uniform_by_halves(std::uint64_t key, std::uint64_t k) {
   return 0x1p-53 * (0x1p21 * high + low);
 }
 
-/// Whether a bound of 1/1000 tells of all draws whether they are taken: u < e^(-x²/2); -1 is for
-/// those of which it does not. e^(-y/8) by its series, of which the next term is less than 1/8000
-/// of it.
+/// Returns whether a bound of 1/1000 decides for all draws whether they are taken: u < e^(-x²/2).
+/// Undecided draws have -1. e^(-y/8) comes from its series; the next term is less than 1/8000 of
+/// it.
 template <typename Real>
 bool draw_gaussian(std::uint64_t key, std::uint64_t first, double most, GaussianDraws& draws) {
   constexpr double kMost = 4.8, kBound = 1e-3;

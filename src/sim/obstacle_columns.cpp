@@ -20,9 +20,11 @@ ObstacleColumns::ObstacleColumns(const std::vector<MovingObstacle>& obstacles)
 namespace {
 
 constexpr double kNearlyAtRest = 0.05;  // m/s
-constexpr double kMoved = 0.25;         // of the radius: a slow one is told in steps of so much
+// of the radius: the places of a slow obstacle are rounded to steps of this size
+constexpr double kMoved = 0.25;
 
-// The disc of one at rest, or within which a slow one is; nothing of one that moves, or will.
+// The disc of an obstacle at rest, or a disc that contains a slow one; none for an obstacle that
+// moves, or will move.
 std::optional<Wall> resting_disc(const ObstacleColumns& obstacles, std::size_t k) {
   const MovingObstacle& setup = obstacles.setup[k];
   const Vec2 p = obstacles.position[k], v = obstacles.velocity[k];

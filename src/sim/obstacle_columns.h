@@ -13,14 +13,14 @@
 
 namespace avo::inline sim {
 
-/// Where moving obstacles with a path will be, for robots that know their paths. All of it follows
-/// from where they are, the number of the step and the fleet.
+/// Future places of moving obstacles with a path, for robots that know their paths. They follow
+/// from the present places, the number of the step and the fleet.
 struct Foresight {
-  // by obstacle, of nobody where it has no path; empty where nobody knows
+  // by obstacle, empty where it has no path; no entries where no robot knows the paths
   std::vector<Trajectory> trajectory;
-  double time_step = 0.0;          // s; their times begin with the run
-  double horizon = 0.0;            // s, for which they last at least, before they go round
-  std::int64_t until = -1;         // step, until which they do
+  double time_step = 0.0;          // s; the times count from the start of the run
+  double horizon = 0.0;            // s, for which they last at least, before they repeat
+  std::int64_t until = -1;         // step, until which they are valid
   std::vector<TimedPlace> places;  // scratch
 };
 
@@ -30,19 +30,20 @@ struct ObstacleColumns {
   std::vector<Vec2> position, velocity;
   std::vector<std::uint32_t> target;  // see PathWalk
   std::int64_t steps = 0;             // of the run, where the clock is common
-  bool has_paths = false;             // some have one
+  bool has_paths = false;             // whether some have a path
   Foresight foresight;
 
   explicit ObstacleColumns(const std::vector<MovingObstacle>& obstacles);
   Neighbor sensed(std::size_t index) const;
-  /// The discs of those that are at rest, or nearly, and stay so as far as anybody knows.
+  /// The discs of the obstacles that are at rest, or nearly, and are not known to move again.
   std::vector<Wall> resting() const;
-  /// Whether those are they.
+  /// Returns whether these discs are the present ones.
   bool rest_as(std::span<const Wall> discs) const;
   PathWalk walk(std::size_t index) const {
     return {position[index], velocity[index], target[index]};
   }
-  /// Constant acceleration, exactly; along a path; or as trajectories say of `time`, s, at the end.
+  /// Advances all by constant acceleration, exactly; along a path; or by trajectories at `time`, s,
+  /// at the end.
   void advance(double time_step, double time);
 };
 

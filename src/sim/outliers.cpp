@@ -10,9 +10,10 @@
 namespace avo::inline sim {
 namespace {
 
-// Where more than one in so many are outliers, nobody is: as many look at everybody.
+// Where more than one in so many are outliers, all robots are examined closely, and there are no
+// outliers.
 constexpr std::size_t kUnlikeOfMany = 8, kFarOfMany = 64;
-// A far reach is so much longer than that of all others.
+// A far reach is this factor longer than that of all others.
 constexpr double kFarther = 1.25;
 
 Robot limits_of(const Fleet& fleet, std::size_t slot) {
@@ -26,8 +27,8 @@ Robot limits_of(const Fleet& fleet, std::size_t slot) {
   return robot;
 }
 
-// m: the reach of all but a few robots, of which each reaches much farther; infinite where there
-// are none of those.
+// m: the reach of all robots except a few that each reach much farther; infinite where there are no
+// such robots.
 double usual_reach(const World& world) {
   const Fleet& fleet = world.fleet;
   const Planner& planner = world.certified_planner();
@@ -69,7 +70,7 @@ void find_outliers(World& world) {
   Outliers& outliers = world.outliers;
   outliers.usual = Scrutiny::plain;
   outliers.robots.clear();
-  if (!world.senses.are_exact()) return;  // there all are looked at one by one
+  if (!world.senses.are_exact()) return;  // all robots are then examined one by one
   const double reach = usual_reach(world);
   std::size_t unlike = 0, apart = 0;
   for (const std::uint32_t slot : world.fleet.slot_of) {
@@ -81,7 +82,7 @@ void find_outliers(World& world) {
   }
   const std::size_t movers = world.obstacles.setup.size();
   const bool are_few = (unlike + movers) * kUnlikeOfMany <= world.fleet.size();
-  // where clocks are free, nobody is moved only to know who is near it
+  // where clocks are free, no robot is moved only to find which robots are near it
   if (are_few && (!world.fleet.has_clocks || unlike + movers == 0)) return;
   outliers.usual = apart + movers > 0 ? Scrutiny::everyone : Scrutiny::one_by_one;
   std::erase_if(outliers.robots, [](const Outlier& outlier) { return !outlier.reaches_far; });
@@ -95,7 +96,7 @@ bool reaches_far(const World& world, std::size_t slot) {
   return place != robots.end() && place->rank == world.fleet.rank[slot] && place->reaches_far;
 }
 
-// Whom those of one pace may meet, reaching far or not.
+// The robots that a robot of one pace may meet, with or without those of far reach.
 Peers whom_they_meet(const World& world, const Pace& pace, bool with_far) {
   const Fleet& fleet = world.fleet;
   Peers met;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A moving obstacle that goes from point to point, in the same steps as the robots, or that is
-// where a trajectory says.
+// A moving obstacle that moves from point to point, in the same steps as the robots, or that
+// follows a trajectory.
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What one robot senses now, and for whom it waits, for those who ask: a step finds it for all.
+// What one robot senses now, and the robot for which it waits, on demand: a step computes it for
+// all.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -14,11 +15,12 @@ namespace {
 
 struct Perceived {
   Neighbor neighbor;
-  double distance_squared = 0.0;  // m², to where it looks to be
+  double distance_squared = 0.0;  // m², to its sensed place
   int source = 0;                 // see Sighting
 };
 
-// Whoever is within the sensing radius of a robot, found by looking at everyone; as it is.
+// Appends all robots and movers within the sensing radius of a robot, in their true states, by
+// testing all.
 void append_all(const World& world, std::size_t slot, std::vector<Perceived>& robots,
                 std::vector<Perceived>& movers) {
   const Fleet& fleet = world.fleet;
@@ -48,7 +50,7 @@ std::int64_t number_at(const Fleet& fleet, int index) {
   return static_cast<std::int64_t>(fleet.id[fleet.slot_of[static_cast<std::size_t>(index)]].value);
 }
 
-// The same as it senses them, where senses are not exact.
+// The same as the robot senses them, where senses are not exact.
 std::vector<Perceived> as_sensed(const World& world, std::size_t slot,
                                  const std::vector<Perceived>& robots,
                                  const std::vector<Perceived>& movers) {
@@ -71,13 +73,13 @@ std::vector<Perceived> as_sensed(const World& world, std::size_t slot,
   return result;
 }
 
-// Those that it senses, in the order in which they are planned with.
+// The neighbors that it senses, in the order in which it plans with them.
 std::vector<Perceived> all_sensed(const World& world, std::size_t slot) {
   std::vector<Perceived> robots, movers;
   append_all(world, slot, robots, movers);
   if (!world.senses.are_exact()) return as_sensed(world, slot, robots, movers);
   robots.insert(robots.end(), movers.begin(), movers.end());
-  // robots lie before obstacles and ids ascend
+  // robots come before obstacles and ids ascend
   std::stable_sort(robots.begin(), robots.end(), [](const Perceived& a, const Perceived& b) {
     return a.distance_squared < b.distance_squared;
   });

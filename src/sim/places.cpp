@@ -10,18 +10,20 @@
 namespace avo::inline sim {
 namespace {
 
-constexpr double kNearResting = 8.0;   // radii: a seeker is so near to those at rest
-constexpr double kBesideReach = 1.25;  // of contact: so near, others are beside it
-constexpr double kStill = 0.2;         // of v_max: slower ones rest, or soon will
-constexpr double kComesOut = 0.004;    // likewise, away from the goal
+// radii: a seeker within this distance is near the robots at rest
+constexpr double kNearResting = 8.0;
+constexpr double kBesideReach = 1.25;  // of contact: others within this distance are beside it
+constexpr double kStill = 0.2;         // of v_max: slower robots rest, or soon will
+constexpr double kComesOut = 0.004;    // of v_max, away from the goal
 constexpr double kPlaceGap = 0.02;     // of contact, between a place and those at rest
-constexpr double kWayGap = 0.01;       // likewise of the way there
-constexpr double kWorth = 0.25;        // of a way: a place has to be nearer to the goal by that
-constexpr double kGain = 0.1;          // radii: and by so much besides,
-constexpr double kGainAtRest = 0.8;    // or by so much of one that has come to rest
-constexpr double kRoundedOff = 1e-9;   // places touch circles, and ways begin in contact
+constexpr double kWayGap = 0.01;       // of contact, for the line to the place
+// of the distance to a place: it must be nearer to the goal by that
+constexpr double kWorth = 0.25;
+constexpr double kGain = 0.1;         // radii: and by so much in addition,
+constexpr double kGainAtRest = 0.8;   // or by so much for a robot that has come to rest
+constexpr double kRoundedOff = 1e-9;  // places touch circles, and lines begin in contact
 
-// The point so far from one point towards another.
+// The point at that distance from one point towards another.
 Vec2 point_towards(Vec2 from, Vec2 to, double length) {
   const Vec2 way = to - from;
   const double distance = norm(way);
@@ -32,10 +34,10 @@ double place_reach(const Resting& other) {
   return (1.0 + kPlaceGap) * other.reach;
 }
 
-// The free place in sight of least cost, which is what is left from there to what is next on the
-// way, the goal or a corner, and a part of the way there. Where that is taken, the nearest free
-// place lies on a circle around one at rest: where the circle is nearest to it, where it meets
-// another one or a wall, or where it is last seen.
+// The free place in sight of least cost. The cost is the distance from there to the next point of
+// the route, the goal or a corner, and a part of the distance to the place. Where the next point is
+// taken, the nearest free place lies on a circle around a robot at rest. It is where the circle is
+// nearest to the next point, where it meets another circle or a wall, or where it is last seen.
 class PlaceSearch {
  public:
   PlaceSearch(const Seeker& seeker, const Occupied& occupied, std::span<const Wall> walls)
@@ -48,7 +50,7 @@ class PlaceSearch {
     cost_ = norm(seeker.next - seeker.position) - gain;
   }
 
-  // Places get ever better, so that who is not worth a look will never be.
+  // Places only get better, so that a robot that is not worth a test never will be.
   Vec2 best() && {
     worth_.clear();
     if (seeker_.next != seeker_.goal) try_place(seeker_.next);
@@ -63,7 +65,8 @@ class PlaceSearch {
   }
 
  private:
-  // Where it is nearest to what is next, last seen, or meets those before it, or a wall.
+  // Tries the points where the circle is nearest to the next point, is last seen, or meets earlier
+  // circles, or a wall.
   void try_circle(const Resting& other, double reach) {
     try_place(point_towards(other.position, seeker_.next, reach));
     try_tangents(other);
@@ -78,7 +81,7 @@ class PlaceSearch {
     for (const Wall& wall : walls_) try_beside(other, wall);
   }
 
-  // Whether a place on its circle may be, whatever rounding does.
+  // Returns whether a place on its circle may be better, for any rounding.
   bool may_be_worth(const Resting& other) const {
     const double most = (1.0 + kRoundedOff) * (cost_ + place_reach(other));
     return other.from_next_squared <= most * most;
@@ -130,7 +133,7 @@ class PlaceSearch {
     cost_ = cost, best_ = place;
   }
 
-  // Whoever is in contact with one at rest, or a wall, may leave it.
+  // A robot in contact with a robot at rest, or a wall, may leave it.
   static bool is_clear(double on_way, double needed, double before) {
     return on_way >= std::min(needed, (1.0 - kRoundedOff) * before);
   }
@@ -141,7 +144,7 @@ class PlaceSearch {
                     norm(seeker_.position - other.position));
   }
 
-  // One that is in the way to a place is often in the way to the next one.
+  // A robot that blocks the line to a place often blocks the line to the next one.
   bool is_free(Vec2 place) {
     const Segment way{seeker_.position, place};
     if (!is_free_of(resting_[blocker_], way)) return false;
@@ -160,15 +163,15 @@ class PlaceSearch {
 
   const Seeker& seeker_;
   std::span<const Resting> resting_;
-  std::vector<std::uint32_t>& worth_;  // those of resting_ so far that were worth a look
+  std::vector<std::uint32_t>& worth_;  // the elements of resting_ so far that were worth a test
   std::span<const Wall> walls_;
   Vec2 best_;
   double cost_ = 0.0;        // m
-  std::size_t blocker_ = 0;  // that was found last
+  std::size_t blocker_ = 0;  // the last one that was found
 };
 
 bool stands_on_goal(const Resting& other) {
-  const double most = (1.0 + kRoundedOff) * other.reach;  // most are told without a root
+  const double most = (1.0 + kRoundedOff) * other.reach;  // most are decided without a root
   return other.from_goal_squared < most * most && std::sqrt(other.from_goal_squared) < other.reach;
 }
 
@@ -222,7 +225,7 @@ bool is_at_crowd(const Seeker& seeker, Occupied& occupied, const Ways* ways) {
              (ways == nullptr || ways->is_in_sight(from, next.position));
     };
   };
-  // reach is the sum of two radii: so two of them leave room for one seeker between the surfaces
+  // reach is the sum of two radii: so two robots leave room for one seeker between their surfaces
   auto reached = std::partition(first, last, leads_on(seeker.position, 2.0 * seeker.radius));
   const auto is_nearer = [](const Resting& one, const Resting& other) {
     return one.from_goal_squared < other.from_goal_squared;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A tile of robots from what they sense to where they are next.
+// Takes a tile of robots from their sensed neighbors to their next states.
 #include <algorithm>
 #include <array>
 #include <cstddef>
@@ -20,13 +20,13 @@
 namespace avo::inline sim {
 namespace {
 
-// m: they come nearest first.
+// m: neighbors come nearest first.
 double nearest_of(const Neighbors& neighbors, Vec2 position) {
   if (neighbors.count == 0) return std::numeric_limits<double>::infinity();
   return norm(neighbors[0].position - position);
 }
 
-// Those who do not know exactly where they are see walls and goals off by that.
+// Robots that do not know exactly where they are see walls and goals with that error.
 void lose_places(const World& world, std::span<const std::uint32_t> slots, Worker& worker) {
   worker.lost.clear();
   if (!(world.settings.sensing.localization.position > 0.0)) return;
@@ -42,7 +42,7 @@ void list_walls(const World& world, std::span<const std::uint32_t> slots, Worker
   }
   if (worker.lost.empty()) return;
   worker.walls.clear();
-  worker.walls.reserve(all);  // none of the spans moves
+  worker.walls.reserve(all);  // so that no span is invalidated
   for (std::size_t k = 0; k < slots.size(); ++k) {
     const std::size_t first = worker.walls.size();
     for (const Wall& wall : worker.tile.walls[k])
@@ -51,7 +51,7 @@ void list_walls(const World& world, std::span<const std::uint32_t> slots, Worker
   }
 }
 
-// Around walls: towards what is next on each robot's way, as passages allow.
+// Around walls: the heading to the next point of each robot's route, as passages allow.
 void follow_ways(World& world, const Pace& pace, std::span<const std::uint32_t> slots,
                  Worker& worker) {
   const Fleet& fleet = world.fleet;
@@ -91,8 +91,9 @@ Occupied& look_at_goal(const Seeker& seeker, const Neighbors& neighbors, Worker&
   return worker.occupied;
 }
 
-// The place that comes to a goal is not the center of every disc, not all come to shared goals, and
-// who is lost takes its goal to be elsewhere.
+// Sets the targets of the discs. The place that reaches a goal is not the center of every disc, and
+// not all robots reach shared goals. A robot with an error of its own place sees its goal
+// elsewhere.
 void aim_discs(World& world, std::span<const std::uint32_t> slots, Worker& worker) {
   MovingColumns& moving = worker.moving;
   Fleet& fleet = world.fleet;
@@ -117,7 +118,7 @@ void aim_discs(World& world, std::span<const std::uint32_t> slots, Worker& worke
   }
 }
 
-// Whoever stays near a goal that others share brakes until it stands, and lets no one push it.
+// A robot that stays near a goal that others share brakes until it stands, and does not yield.
 void stop(World& world, Worker& worker) {
   for (const std::uint32_t slot : worker.staying) {
     Plan& plan = world.fleet.plan[slot];
@@ -130,7 +131,7 @@ void stop(World& world, Worker& worker) {
   worker.staying.clear();
 }
 
-// Airplanes do not slow down at their goals, and circle where they are once they have passed them.
+// Airplanes do not slow down at their goals, and circle after they have passed them.
 void set_courses(const Fleet& fleet, std::span<const std::uint32_t> slots, Worker& worker) {
   RobotColumns& robots = worker.tile.robots;
   const MovingColumns& moving = worker.moving;
@@ -157,7 +158,7 @@ void break_ties(const Fleet& fleet, Tile& tile) {
   }
 }
 
-// Lays out what the robots of the tile know of themselves, and where each would go.
+// Fills in what the robots of the tile know of themselves, and their preferred velocities.
 void set_out(World& world, const Pace& pace, std::span<const std::uint32_t> slots, Worker& worker) {
   Fleet& fleet = world.fleet;
   Tile& tile = worker.tile;
@@ -234,7 +235,7 @@ void take_step(World& world, const Pace& pace, std::size_t slot, const ModelStep
   fleet.applied_acceleration[slot] = step.result.acceleration;
 }
 
-// Those of a tile that are not holonomic, some at a time.
+// Moves the robots of a tile that are not holonomic, some at a time.
 void move_by_models(World& world, const Pace& pace, const Tile& tile) {
   std::array<ModelStep, kMostModelSteps> steps;
   std::array<std::uint32_t, kMostModelSteps> slots;
@@ -256,7 +257,8 @@ void move(World& world, const Pace& pace, Worker& worker) {
   Tile& tile = worker.tile;
   tile.robots.count = tile.slot.size();
   for (std::size_t k = 0; k < tile.slot.size(); ++k) {
-    tile.plan[k]->neighbor = tile.plan[k]->wall = -1;  // of lists that nobody else has
+    // indices into lists that do not exist outside
+    tile.plan[k]->neighbor = tile.plan[k]->wall = -1;
     const Vec2 v_new = tile.plan[k]->new_velocity;
     moving.new_x[k] = v_new.x, moving.new_y[k] = v_new.y;
   }

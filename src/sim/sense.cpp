@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Whom the robots of a tile sense, from the snapshot.
+// Finds the neighbors that the robots of a tile sense, from the snapshot.
 #include "sim/sense.h"
 
 #include <algorithm>
@@ -13,14 +13,15 @@
 namespace avo::inline sim {
 namespace {
 
-// Whether whomever it senses is valid, however all have moved since they were looked at.
+// Returns whether all sensed neighbors are valid, for any motion since they were checked.
 bool is_trusted(const World& world, std::size_t slot) {
   const Vec2 p = world.fleet.position[slot];
   return world.valid && !world.fast && world.senses.are_exact() &&
          std::abs(p.x) <= kFarthestTrusted && std::abs(p.y) <= kFarthestTrusted;
 }
 
-// How many a search finds for being the nearest: of all, those are chosen later whom it minds.
+// The number of nearest neighbors that a search finds. It is all where the robot selects the
+// neighbors that it avoids later.
 std::size_t nearest_sought(const World& world) {
   return world.outliers.usual == Scrutiny::everyone ? std::numeric_limits<std::size_t>::max()
                                                     : world.most_nearest();
@@ -38,7 +39,7 @@ double near_range(const World& world, std::size_t slot) {
 }
 
 NeighborQuery query_of(const World& world, std::size_t slot) {
-  constexpr double kMargin = 1.125;  // for having moved since
+  constexpr double kMargin = 1.125;  // for motion since then
   const Fleet& fleet = world.fleet;
   return {.position = fleet.position[slot],
           .self = fleet.rank[slot],
@@ -54,7 +55,7 @@ double range_of(const NeighborQuery& query) {
   return is_less ? query.near : std::numeric_limits<double>::infinity();
 }
 
-// In canonical order, behind the others.
+// Appends in canonical order.
 void append(const Snapshot& snapshot, const Found& hits, const SearchScratch& search,
             NeighborColumns& to) {
   to.reserve(to.count + hits.count);
@@ -69,21 +70,23 @@ void append(const Snapshot& snapshot, const Found& hits, const SearchScratch& se
   }
 }
 
-// Those just appended who coincide with the one that looks: nothing but their ids tells them apart.
+// Sets the parting direction of the neighbors just appended that coincide with the robot: only
+// their ids distinguish them.
 void part_coinciding(const World& world, std::size_t slot, const Found& hits,
                      const SearchScratch& search, NeighborColumns& to) {
   const Vec2 position = world.fleet.position[slot], velocity = world.fleet.velocity[slot];
   const std::size_t before = to.count - hits.count;
   for (std::size_t k = 0; k < hits.count; ++k) {
     const std::size_t place = before + k;
-    if (Vec2{to.x[place], to.y[place]} != position) return;  // nor anybody behind it
+    if (Vec2{to.x[place], to.y[place]} != position) return;  // and neither does any later neighbor
     const std::uint32_t other = world.snapshot.grid.order()[search.order[hits.first + k]];
     if (Vec2{to.v_x[place], to.v_y[place]} == velocity)
       to.part(place, parting_direction(world.fleet.id[slot].value, world.fleet.id[other].value));
   }
 }
 
-// What those just appended are told of besides, where some accelerate by more than others expect.
+// Sets the deviations of the neighbors just appended, where some accelerate by more than others
+// expect.
 void append_deviations(const World& world, const Found& hits, const SearchScratch& search,
                        NeighborColumns& to) {
   to.has_deviations = true;
@@ -95,13 +98,13 @@ void append_deviations(const World& world, const Found& hits, const SearchScratc
   }
 }
 
-// Likewise, where some have another limit of braking.
+// Sets their limits of braking, where some have another one.
 void append_braking(const Found& hits, NeighborColumns& to) {
   const auto before = static_cast<std::ptrdiff_t>(to.count - hits.count);
   std::copy_n(to.max_acceleration.begin() + before, hits.count, to.max_braking.begin() + before);
 }
 
-// The robot in slot B as the one in slot A senses it there; nothing where A does not mind it.
+// The robot in slot B as the one in slot A senses it there; none where A does not avoid it.
 std::optional<Neighbor> sensed_by(const World& world, std::size_t a, std::size_t b, Vec2 position,
                                   Vec2 velocity) {
   const Fleet& fleet = world.fleet;
@@ -123,8 +126,8 @@ std::optional<Neighbor> sensed_at(const World& world, std::size_t place, std::si
   return neighbor;
 }
 
-// The same among moving obstacles, robots first where distances are equal, and where robots are not
-// all alike.
+// Appends the neighbors one by one: among moving obstacles, robots first where distances are equal,
+// and where robots are not all alike.
 void append_one_by_one(const World& world, std::size_t slot, std::span<const NeighborHit> robots,
                        Worker& worker) {
   NeighborColumns& to = worker.tile.neighbors;
@@ -145,7 +148,7 @@ void append_one_by_one(const World& world, std::size_t slot, std::span<const Nei
   }
 }
 
-// The same as they are sensed, where senses are not exact.
+// Appends them as they are sensed, where senses are not exact.
 void append_sighted(const World& world, std::size_t slot, std::size_t query, Worker& worker) {
   const Snapshot& snapshot = world.snapshot;
   const auto present_at = [&](std::size_t place, int rank) {
@@ -173,7 +176,7 @@ void append_sighted(const World& world, std::size_t slot, std::size_t query, Wor
   for (const Sighting& sighting : worker.sightings) append(world, sighting, to);
 }
 
-// m, within which are the nearest, or all if those are fewer.
+// m, a radius that contains the nearest, or all if those are fewer.
 float reach_of_nearest(Vec2 position, const Found& hits, std::size_t nearest,
                        const Snapshot& snapshot, const SearchScratch& search) {
   if (hits.candidates < nearest) return std::numeric_limits<float>::infinity();
@@ -182,7 +185,7 @@ float reach_of_nearest(Vec2 position, const Found& hits, std::size_t nearest,
   return static_cast<float>(norm(snapshot.grid.position(farthest) - position));
 }
 
-// Whether a search has found that one: it finds the first ones in canonical order.
+// Returns whether a search has found that robot: it finds the first ones in canonical order.
 bool has_found(const World& world, const Found& hits, const SearchScratch& search, Vec2 position,
                const NeighborHit& outlier, int rank) {
   if (hits.count == 0) return false;
@@ -192,7 +195,7 @@ bool has_found(const World& world, const Found& hits, const SearchScratch& searc
            NeighborHit{outlier.distance_squared, rank});
 }
 
-// How robot A looks at others that may sense an outlier or a moving obstacle. Those outliers are
+// How robot A examines others, if it may sense an outlier or a moving obstacle. Those outliers are
 // left in the scratch memory.
 Scrutiny look_at_outliers(const World& world, std::size_t a, std::size_t query, Worker& worker) {
   const Fleet& fleet = world.fleet;
@@ -218,7 +221,7 @@ Scrutiny look_at_outliers(const World& world, std::size_t a, std::size_t query, 
   return scrutiny;
 }
 
-// Whoever is sensed: found anew where the search has not looked for all.
+// All sensed robots: found anew where the search has not looked for all.
 std::span<const NeighborHit> find_everyone(const World& world, std::size_t query, Worker& worker) {
   if (world.outliers.usual == Scrutiny::everyone)
     return world.snapshot.grid.list(query, worker.search);
@@ -228,7 +231,8 @@ std::span<const NeighborHit> find_everyone(const World& world, std::size_t query
   return world.snapshot.grid.list(0, worker.again);
 }
 
-// Whom the robot senses, but for those who reach far. Returns how it has looked at them.
+// Appends the neighbors that the robot senses, except those of far reach. Returns how it has
+// examined them.
 Scrutiny append_sensed(const World& world, std::size_t slot, std::size_t query, Worker& worker) {
   if (!world.senses.are_exact()) {
     append_sighted(world, slot, query, worker);
@@ -253,8 +257,8 @@ Scrutiny append_sensed(const World& world, std::size_t slot, std::size_t query, 
   return scrutiny;
 }
 
-// Appends those who matter within a longer range than others, where the search has not found them
-// anyway. Returns whether there are any.
+// Appends the neighbors that matter within a longer range than others, where the search has not
+// found them anyway. Returns whether there are any.
 bool append_far(const World& world, std::size_t slot, std::size_t query, Worker& worker) {
   const Outliers& outliers = world.outliers;
   const Fleet& fleet = world.fleet;
@@ -299,7 +303,7 @@ std::size_t sense(World& world, std::span<const std::uint32_t> slots, Worker& wo
     const std::size_t first = neighbors.count;
     const Scrutiny scrutiny = append_sensed(world, slot, i, worker);
     double range = scrutiny == Scrutiny::everyone ? kInfinity : range_of(worker.queries[i]);
-    // these matter beyond the range, wherever they are in the list
+    // these matter beyond the range, at any place in the list
     if (scrutiny != Scrutiny::everyone && append_far(world, slot, i, worker)) range = kInfinity;
     fleet.nearest[slot] = reach_of_nearest(fleet.position[slot], worker.search.results[i],
                                            nearest_sought(world), snapshot, worker.search);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Measurements, and what becomes of them until a decision is made.
+// Measurements, and their processing until a decision is made.
 #include "sim/senses.h"
 
 #include <algorithm>
@@ -17,7 +17,7 @@ namespace {
 
 constexpr std::uint64_t kMoverBit = std::uint64_t{1} << 63;  // no robot has such an id
 
-// Where a robot was, in a generation or at an instant before now.
+// The state of a robot, in a generation or at an instant before now.
 PastState before(const World& world, std::size_t rank, std::int64_t moment) {
   const Senses& senses = world.senses;
   if (!senses.by_time) return senses.at(rank, moment);
@@ -32,19 +32,19 @@ PastState before(const World& world, std::size_t rank, std::int64_t moment) {
                              moment - track[k].at, track[k + 1].at - track[k].at));
 }
 
-// Likewise, or where it is now.
+// The state of a robot at that moment, or its present state.
 PastState then(const World& world, const Present& robot, std::int64_t moment) {
   return moment == world.moment() ? robot.state : before(world, robot.rank, moment);
 }
 
-// One that measures.
+// A robot that measures.
 struct Observer {
   const World& world;
   const Present& own;
   std::uint64_t id;
   std::int64_t interval;  // from one measurement to the next
   std::int64_t latest;    // moment of its latest one
-  std::uint64_t key;      // of that one's draws
+  std::uint64_t key;      // of the draws of that measurement
 
   Observer(const World& of_world, const Present& robot)
       : world(of_world),
@@ -71,15 +71,15 @@ struct Observer {
   }
 };
 
-// The observer and one other.
+// The observer and one other body.
 struct Encounter {
   const Observer& observer;
   std::uint64_t other_id;
-  std::int64_t first;  // moment since which both were there
+  std::int64_t first;  // moment since which both have been present
 
   const SensingModel& model() const { return observer.model(); }
 
-  // Whether a measurement succeeds. At first nobody is missed: a start is known to all.
+  // Returns whether a measurement succeeds. At first no measurement fails: a start is known to all.
   bool succeeds(Vec2 from, Vec2 to, std::int64_t moment) const {
     const World& world = observer.world;
     const double radius = world.sensing_radius;
@@ -90,7 +90,8 @@ struct Encounter {
     return !model().occlusion || world.ways.is_in_sight(from, to);
   }
 
-  // When the last measurement that the observer has was made; place(moment): where the other was.
+  // The time of the last measurement that the observer has; place(moment): the place of the other
+  // then.
   template <typename Place>
   std::optional<std::int64_t> last_measured(const Place& place) const {
     const std::int64_t latest = std::max(observer.latest, first);
@@ -104,13 +105,13 @@ struct Encounter {
     return {};
   }
 
-  // seen: as it would be by the true state at that moment, carried on.
+  // seen: the true state at that moment, extrapolated.
   void measure(std::int64_t moment, Sighting& seen) const {
     const double time = observer.seconds_since(moment);
     const MeasurementNoise& off = model().noise;
     if (off.position > 0.0 || off.velocity > 0.0) {
       Draws numbers = observer.draws(moment, other_id);
-      numbers.uniform();  // which told whether it is missed
+      numbers.uniform();  // the draw that decided whether it is missed
       const auto drawn = noise<4>(off, numbers);
       const Vec2 of_position = off.position * Vec2{drawn[0], drawn[1]};
       const Vec2 of_velocity = off.velocity * Vec2{drawn[2], drawn[3]};
@@ -122,9 +123,9 @@ struct Encounter {
   }
 };
 
-// m: how far the disc of one that had that speed so long ago, as measured, may have swung off the
-// way on which it is carried on. Of one that turns in place the end of a step alone may count, in
-// which it swings twice as fast as over the whole.
+// m: how far the disc of a robot with that speed so long ago, as measured, may have swung off its
+// extrapolated path. For a robot that turns in place the end of a step alone may count, in which
+// the disc swings twice as fast as over the whole step.
 double swung(const World& world, std::size_t slot, const MotionModel& model, double speed,
              double time) {
   const RobotTraits& traits = world.fleet.traits[slot];
@@ -135,7 +136,7 @@ double swung(const World& world, std::size_t slot, const MotionModel& model, dou
   return time * swing_of(model, traits.max_acceleration, top, step);
 }
 
-// Adds it, if it is seen.
+// Adds the robot, if it is sensed.
 void look_at_robot(const Observer& observer, const Present& robot,
                    std::vector<Sighting>& sightings) {
   const World& world = observer.world;
@@ -155,7 +156,7 @@ void look_at_robot(const Observer& observer, const Present& robot,
   seen.slot = robot.slot, seen.expected = *expected;
   seen.position = state.position + time * state.velocity;
   seen.velocity = state.velocity, seen.true_velocity = robot.state.velocity;
-  // by their true states: what is sensed of two that move as one looks the same to both
+  // by their true states: two robots that move as one must see the same
   if (robot.state.position == own.state.position && robot.state.velocity == own.state.velocity)
     seen.parting = parting_direction(observer.id, encounter.other_id);
   encounter.measure(*moment, seen);
@@ -163,8 +164,8 @@ void look_at_robot(const Observer& observer, const Present& robot,
     seen.position_error = swung(world, robot.slot, *model, norm(seen.velocity), time);
 }
 
-// One that keeps its acceleration: the true state carried on is the present one. One on a
-// trajectory is carried on straight from where it was.
+// Adds a mover that keeps its acceleration: its true state extrapolated is the present one. A mover
+// on a trajectory is extrapolated straight from its past place.
 void look_at_mover(const Observer& observer, std::size_t k, std::vector<Sighting>& sightings) {
   const World& world = observer.world;
   const Encounter encounter{observer, kMoverBit | k, world.senses.since[observer.own.rank]};
@@ -230,14 +231,14 @@ void look(const World& world, const Present& own, std::span<const Present> robot
     if (is_mover != is_other) return is_other;
     return is_mover ? a.source > b.source : a.source < b.source;
   };
-  // they come as they are in truth
+  // they come in the order of their true distances
   if (!std::is_sorted(seen.begin(), seen.end(), nearer))
     std::sort(seen.begin(), seen.end(), nearer);
   const bool all_matter = world.all_matter();
   if (!all_matter && seen.size() > world.most_nearest()) seen.resize(world.most_nearest());
 }
 
-// Whom nothing sets apart from most others goes straight into the columns.
+// A robot without special properties goes straight into the columns.
 void append(const World& world, const Sighting& seen, NeighborColumns& to) {
   const Fleet& fleet = world.fleet;
   if (seen.source >= 0 && seen.expected == Expectation::decides && seen.age == 0 &&

@@ -26,7 +26,7 @@ double time_remembered(const Scenario& scenario, double longest_step) {
 }
 
 std::size_t knots_needed(const Scenario& scenario, double longest_step, const RobotSetup& robot) {
-  constexpr std::size_t kEnds = 4;  // of the steps in which that begins and ends
+  constexpr std::size_t kEnds = 4;  // of the steps in which the remembered time begins and ends
   if (!senses_by_time(scenario)) return 0;
   if (robot.parked) return kEnds;
   const double steps = time_remembered(scenario, longest_step) / time_step_of(scenario, robot);

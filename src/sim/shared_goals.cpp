@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Who shares its goal with others stands near it, and does not fight for a point at which only one
-// can be (docs/arrival.md, rule 4): a rule for arriving, of method avo alone.
+// A robot that shares its goal with others stands near it, and does not fight for a point at which
+// only one can be. It is a rule for arriving (docs/arrival.md, rule 4), of method avo alone.
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
@@ -22,7 +22,7 @@ namespace {
 
 constexpr double kTouching = 1e-9;  // of contact: goals that touch leave room for both
 
-// What is set in anybody's layers, and in those of two.
+// The layers of at least one robot, and those of at least two.
 struct LayersOfMany {
   std::uint32_t once = 0, twice = 0;
 
@@ -30,11 +30,11 @@ struct LayersOfMany {
     twice |= once & layers.bits;
     once |= layers.bits;
   }
-  // In those of anybody but the one whose layers these are.
+  // The layers of all robots except the one with these layers.
   std::uint32_t without(LayerSet own) const { return twice | (once & ~own.bits); }
 };
 
-// Those who have one goal.
+// The robots that have one goal.
 struct Sharers {
   LayersOfMany layers, avoids;
 
@@ -53,7 +53,7 @@ bool hinder(const Conduct& a, const Conduct& b) {
   return (a.avoids.bits & b.layers.bits) != 0 || (b.avoids.bits & a.layers.bits) != 0;
 }
 
-// Whether goals lie along y rather than along x: a sweep along them meets few at a time.
+// Returns whether goals lie along y rather than along x: a sweep along them meets few at a time.
 bool are_along_y(std::span<const Vec2> goals) {
   const auto by_x = [](Vec2 a, Vec2 b) { return a.x < b.x; };
   const auto by_y = [](Vec2 a, Vec2 b) { return a.y < b.y; };
@@ -62,7 +62,7 @@ bool are_along_y(std::span<const Vec2> goals) {
   return left != goals.end() && high->y - low->y > right->x - left->x;
 }
 
-// By rank, of those of method avo.
+// What robots of method avo share, by rank.
 class Sharing {
  public:
   explicit Sharing(const World& world) : fleet_(world.fleet) {
@@ -112,7 +112,7 @@ class Sharing {
     }
   }
 
-  // Of two whose goals are so close that they cannot be there both.
+  // Finds pairs with goals so close that they cannot both be there.
   void find_close() {
     double largest = 0.0;  // m
     for (std::size_t k = 0; k < slots_.size(); ++k) largest = std::max(largest, radius(k));
@@ -138,14 +138,14 @@ class Sharing {
   }
 
   const Fleet& fleet_;
-  std::vector<Vec2> goals_;  // m, or the nearest places that can be reached
+  std::vector<Vec2> goals_;  // m, or the nearest reachable places
   bool along_y_ = false;
-  std::vector<std::uint32_t> slots_;  // of those who come to rest at their goals
+  std::vector<std::uint32_t> slots_;  // of the robots that come to rest at their goals
   std::vector<Shares> shares_;
 };
 
-// Whether it is within the arrival distance of a goal that others have as well: there it stays
-// where it is (docs/arrival.md, rule 4).
+// Returns whether the robot is within the arrival distance of a goal that others have as well: it
+// stays in place there (docs/arrival.md, rule 4).
 bool stays_near(const World& world, std::size_t slot) {
   const Fleet& fleet = world.fleet;
   return world.shares_goal[static_cast<std::size_t>(fleet.rank[slot])] == Shares::goal &&
@@ -173,7 +173,7 @@ Seeker seeker_of(const World& world, std::size_t slot, const Heading& heading, V
   Robot robot;
   robot.radius = traits.radius, robot.max_speed = traits.max_speed;
   robot.max_acceleration = traits.max_acceleration, robot.max_braking = max_braking_of(traits);
-  // of those farther away it may know the nearest ones only
+  // farther away it may know the nearest ones only
   const bool knows_all = !world.pace(slot).planner.options().max_neighbors;
   const Vec2 end = world.end_of(slot), goal = disc_goal(world.fleet, slot, end, end) - lost;
   const bool sees_goal = heading.next == end;
@@ -196,13 +196,14 @@ AtSharedGoal at_shared_goal(const World& world, std::size_t slot, const Seeker& 
   if (seeker.yields || !(is_near || taken)) return {};
   const bool is_at_rest = world.fleet.velocity[slot] == Vec2{};
   const auto is_among_them = [&] { return is_at_crowd(seeker, occupied, &world.ways); };
-  // one with wheels gets to few of the places beside it, and nobody to those right beside a mover
+  // a robot with wheels reaches few of the places beside it, and no robot reaches those right
+  // beside a mover
   const bool is_content = seeker.steers || occupied.has_movers;
   const bool stays = is_near || (is_content && is_among_them());
   const Vec2 place = place_of(seeker, occupied, walls, stays, detour);
   const bool is_there = place == seeker.position;
   const bool may_stand = is_there && (stays || ((is_at_rest || !sees_goal) && is_among_them()));
-  if (is_there && !sees_goal && !may_stand) {  // somebody else is in its way
+  if (is_there && !sees_goal && !may_stand) {  // another robot is in its path
     detour.goal_taken = false;
     return {};
   }
@@ -210,7 +211,7 @@ AtSharedGoal at_shared_goal(const World& world, std::size_t slot, const Seeker& 
   const bool has_stood = stood || (may_stand && is_at_rest);
   const Vec2 heads_for = place == seeker.next ? seeker.beyond : place;
   if (stood && is_at_rest && detour.goal_taken) return {heads_for, has_stood, !occupied.has_movers};
-  // once it has stood it gives way to others as all do
+  // once it has stood it yields to others as all do
   return {heads_for, has_stood, is_near && (!has_stood || detour.goal_taken)};
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A fleet as its users see it: by id, and in the order of ids.
+// A fleet for its users: by id, and in the order of ids.
 #include "avo/simulation.h"
 
 #include <algorithm>
@@ -39,7 +39,7 @@ std::shared_ptr<Executor> checked(std::shared_ptr<Executor> executor) {
   return counted(std::move(executor));
 }
 
-// m, that the robot is said to be at.
+// m, the robot's reported place.
 Vec2 place_now(const World& world, std::size_t slot) {
   if (world.is_current) return world.fleet.place(slot);
   return world.fleet.place(slot, present_state(world, slot));
@@ -180,7 +180,8 @@ bool Simulation::is_at_goal(std::size_t robot) const {
   if (norm(goal - p) <= state_->settings.arrival_distance + slack &&
       ways.is_in_sight(p, is_beside ? ways.travels[robot].place : goal))
     return true;
-  if (state_->fleet.has_stood[slot] == 0) return false;  // goals are compared for few
+  // so that goals are compared for few robots
+  if (state_->fleet.has_stood[slot] == 0) return false;
   if (state_->has_new_goals) {
     const Lock lock(state_->looking);
     find_shared_goals(*state_);

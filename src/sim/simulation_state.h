@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a simulation is made of besides its world: what is told of it, once somebody asks.
+// The parts of a simulation besides its world: the views that are made on demand.
 #pragma once
 #include <atomic>
 #include <cstddef>
@@ -17,15 +17,15 @@ namespace avo {
 struct Simulation::State : World {
   using World::World;
 
-  // in the order of ids; made when it is asked for
+  // in the order of ids; made on demand
   Mutex looking;
   std::atomic<Columns> mirrored = Columns{};
   FleetMirror mirror;
   std::uint64_t roster = next_roster();
-  bool has_claims = false;  // of the present generation, for those who ask
+  bool has_claims = false;  // of the present generation, for readers
   Claims present_claims;
 
-  /// See avo::catch_up(), of those who only look.
+  /// See avo::catch_up(), for readers.
   void catch_up() {
     if (is_current) return;
     const Lock lock(looking);
@@ -39,7 +39,7 @@ struct Simulation::State : World {
     forget_views();
     roster = next_roster();
   }
-  /// Of one robot alone, which is still there.
+  /// Updates the views of one robot alone, which is still present.
   void forget_views_of(RobotId robot) {
     const Columns copied = mirrored;
     if (copied != Columns{})

@@ -10,26 +10,25 @@
 
 namespace avo::inline sim {
 
-/// What is sensed of one robot, besides its position.
+/// The sensed values of one robot, besides its position.
 struct Sensed {
   Vec2 velocity;                  // m/s
   double radius = 0.0;            // m
   double max_acceleration = 0.0;  // m/s^2
 };
 
-/// Robots by place: in the order of their cells. Hits are called by their rank, so that ties are
-/// settled by id. While robots are moved it stays as it was: no robot ever sees a half-updated
-/// neighbor.
+/// Robots by place: in the order of their cells. Hits carry ranks, so that ids settle ties. It does
+/// not change while robots are moved: no robot ever sees a half-updated neighbor.
 struct Snapshot {
   Cells cells;
   double side = 0.0;  // m, of a cell
   UniformGrid grid;
   std::vector<Sensed> sensed;
-  std::vector<LoiterCircle> circle;  // of radius 0 of those that brake; empty where all do
+  std::vector<LoiterCircle> circle;  // with radius 0 for robots that brake; empty where all do
   std::uint64_t crowding = 0;        // see SortedPart
 };
 
-/// Chooses the cells: as large as a search is wide, or half of that in crowds. radius: m, of
+/// Chooses the size of the cells: the width of a search, or half of that in crowds. radius: m, of
 /// sensing; near: m, typical of relevant_range(); most: neighbors found farther away.
 void lay_out(const Fleet& fleet, double radius, double near, std::size_t most, Snapshot& snapshot);
 

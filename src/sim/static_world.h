@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Static obstacles of a simulation, and the walls that they are made of.
+// Static obstacles of a simulation, and their walls.
 #pragma once
 #include <cstdint>
 #include <optional>
@@ -13,9 +13,9 @@
 
 namespace avo::inline sim {
 
-/// What the robots beside walls ask of a grid of them.
+/// The needs of the robots beside walls, for a grid of walls.
 struct WallNeeds {
-  double reach = 0.0;  // m, from a robot's center, of what it could come to touch
+  double reach = 0.0;  // m, from a robot's center, of everything that it could touch
   WallRounding rounding;
 
   /// stray: m, see Stray.
@@ -23,10 +23,10 @@ struct WallNeeds {
   bool cover(const WallNeeds& needs) const;
 };
 
-/// The walls that matter to those robots, wherever they are.
+/// The grid of the walls that matter to those robots, at any place.
 WallGrid grid_of(std::span<const Wall> walls, const WallNeeds& needs);
 
-/// What does not move. Nobody looks at it where there are no walls.
+/// Everything that does not move. Steps do not read it where there are no walls.
 struct StaticWorld {
   std::vector<ObstacleId> id;  // ascending
   std::vector<StaticObstacle> obstacles;
@@ -35,7 +35,7 @@ struct StaticWorld {
   std::vector<Wall> walls;   // of all obstacles, in their order, and parked robots
   std::uint64_t hash = 0;    // of ids and obstacles
   WallGrid grid;
-  std::optional<WallNeeds> needs;  // that the grid is for; none is built yet
+  std::optional<WallNeeds> needs;  // the needs that the grid serves; unset: none is built yet
 
   StaticWorld(std::vector<StaticObstacle> obstacles, std::vector<ObstacleId> id,
               std::uint64_t next_id, std::vector<Wall> parked);

@@ -16,7 +16,7 @@ namespace avo::inline sim {
 namespace {
 
 // Steps for which robots that were put in order stay near their neighbors in memory, and the
-// smallest fleet that does not stay in the cache as it is.
+// smallest fleet that does not fit into the cache.
 constexpr std::int64_t kStepsInOrder = 16;
 constexpr std::size_t kFewestOrdered = 1024;
 
@@ -25,7 +25,7 @@ Executor& executor_of(World& world) {
   return *world.executor;
 }
 
-// What is true of some of the fleet, or of all of it.
+// Sets what is true of some robots of the fleet, or of all.
 void look_over(World& world) {
   const Fleet& fleet = world.fleet;
   world.parked = static_cast<std::size_t>(
@@ -101,7 +101,7 @@ void index(World& world, Executor& executor) {
   clock.lap(Stage::index);
 }
 
-// Without those that are parked.
+// The slots without parked robots.
 std::span<const std::uint32_t> deciding(const World& world, std::span<const std::uint32_t> slots,
                                         Worker& worker) {
   if (world.parked == 0) return slots;
@@ -133,7 +133,7 @@ void take_tiles(World& world, const Pace& pace, std::span<const std::uint32_t> s
                });
 }
 
-// Those who are due, robots of one pace together.
+// Takes the robots that are due, robots of one pace together.
 void take_by_pace(World& world, Executor& executor) {
   std::vector<std::uint32_t>& due = world.due;
   const auto pace_of = [&](std::uint32_t slot) { return world.fleet.pace_of(slot); };
@@ -151,8 +151,8 @@ void take_by_pace(World& world, Executor& executor) {
   }
 }
 
-// Before an instant at which everybody is looked at. Those who decided since they were filed did so
-// in a snapshot of one cell.
+// Prepares an instant at which all robots are examined. Robots that decided since they were filed
+// did so in a snapshot of one cell.
 void assemble(World& world, Executor& executor) {
   const Fleet& fleet = world.fleet;
   catch_up(world);
@@ -169,7 +169,7 @@ void collect_due(World& world) {
   for (const std::uint32_t rank : world.agenda.now) world.due.push_back(world.fleet.slot_of[rank]);
 }
 
-// Those whose own steps end now decide; then all are on their ways to the next instant.
+// Robots decide where their own steps end now; then all move on to the next instant.
 void step_freely(World& world, Executor& executor) {
   collect_due(world);
   take_by_pace(world, executor);
@@ -177,7 +177,7 @@ void step_freely(World& world, Executor& executor) {
   carry_on(world, next_instant(world));
 }
 
-// The same where only a few decide: each is shown those who are near it.
+// The same where only a few robots decide: each uses the robots near it.
 void step_near(World& world) {
   Worker& worker = world.workers[0];
   worker.clock.start();
@@ -198,7 +198,7 @@ void step_near(World& world) {
   carry_on(world, next_instant(world));
 }
 
-// All robots, where the clock is common.
+// A step of all robots, where the clock is common.
 void step_together(World& world, Executor& executor) {
   const std::span<const std::uint32_t> all = world.snapshot.grid.order();
   if (world.fleet.pace.empty()) {
@@ -215,7 +215,7 @@ void step_together(World& world, Executor& executor) {
 
 namespace {
 
-// Those that have passed their goals, and do not stay.
+// Removes the robots that have passed their goals, and do not stay.
 void leave(World& world) {
   const Fleet& fleet = world.fleet;
   for (std::size_t rank = fleet.flights.size(); rank > 0; --rank) {

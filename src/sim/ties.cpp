@@ -6,10 +6,10 @@
 namespace avo::inline sim {
 namespace {
 
-constexpr double kTie = 0.03;    // robots right ahead: the most, which nobody sees
-constexpr double kAlike = 1e-5;  // of a squared distance: places may be given in some digits
+constexpr double kTie = 0.03;    // robots right ahead: the largest value, too small to be visible
+constexpr double kAlike = 1e-5;  // of a squared distance: places may be given in few digits
 
-// [0, 1), van der Corput's sequence: of any numbers in a row, no two are near each other.
+// [0, 1), van der Corput's sequence: no two of consecutive numbers are near each other.
 double spread(std::uint64_t number) {
   double place = 0.0;
   for (double half = 0.5; number != 0; number /= 2, half /= 2) {

@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::uint64_t kStepsBetweenLooks = 10;
 constexpr double kBeside = 1.1;        // of contact, where a mover stands on the goal
-constexpr double kLittleDetour = 1.5;  // times the straight way
+constexpr double kLittleDetour = 1.5;  // times the straight distance
 constexpr std::size_t kFewCorners = 1000;
 
 }  // namespace

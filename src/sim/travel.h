@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// One robot's way: what it aims at, what it makes of that in a step, and ways around gaps.
+// One robot's route: its target, its heading in a step, and routes around gaps.
 #pragma once
 #include <cstdint>
 #include <limits>
@@ -16,98 +16,103 @@
 
 namespace avo::inline sim {
 
-/// Of the radius: as much farther off than arrival_distance counts as there, of a goal that cannot
-/// be reached, because the nearest place keeps a little more than the radius off walls.
+/// A part of the radius: a robot may be this much farther off than arrival_distance and still count
+/// as there, for a goal that it cannot reach. The nearest place keeps a little more than the radius
+/// from walls.
 inline constexpr double kBesideSlack = 1e-5;
 
-/// Where a robot's way ends.
+/// Where a robot's route ends.
 enum class WayEnd : std::uint8_t {
   goal,
-  beside,    ///< the nearest place that it gets to, within arrival_distance: it has arrived then
-  short_of,  ///< the nearest place that it gets to, farther off
+  beside,    ///< the nearest reachable place, within arrival_distance: the robot has arrived then
+  short_of,  ///< the nearest reachable place, farther off
 };
 
 /// What a robot remembers where passages are held (docs/arrival.md, rule 13).
 struct Waiting {
-  double least = std::numeric_limits<double>::infinity();  // m, that have been left of its way
-  double waited = 0.0;                                     // s, since then
-  // s, of waiting, after which it looks for another way
+  // m, the least remaining length of its route so far
+  double least = std::numeric_limits<double>::infinity();
+  double waited = 0.0;  // s, since then
+  // s, of waiting, after which it searches for another route
   double looks_at = std::numeric_limits<double>::infinity();
-  std::vector<Segment> closed = {};          // gaps that it does not go through
-  double opens_at = 0.0;                     // m, of its way left, before which they stay closed
-  std::shared_ptr<const PathMap> open = {};  // the map without these; none where there are none
+  std::vector<Segment> closed = {};  // gaps that it does not go through
+  // m, of its remaining route: they stay closed while more is left
+  double opens_at = 0.0;
+  // the map without the closed gaps; none where there are none
+  std::shared_ptr<const PathMap> open = {};
 };
 
-/// One robot's way. The target is the part that steps change: a corner of the graph, the end, or
-/// nothing yet.
+/// One robot's route. Steps change the target: a corner of the graph, the end, or nothing yet.
 struct Travel {
-  const CornerGraph* graph = nullptr;  // none: it heads straight for its end
+  const CornerGraph* graph = nullptr;  // none: the robot moves straight to its end
   std::shared_ptr<const PathMap> map = {};
   std::uint32_t target = PathMap::kNothing;
-  bool around_movers = false;  // the graph is of walls and of movers at rest
+  bool around_movers = false;  // whether the graph is of walls and of movers at rest
   WayEnd ends = WayEnd::goal;
   Vec2 place = {};  // m, where it ends, if not at the goal
   Waiting waiting = {};
 
-  /// Whether it has a way to its end.
+  /// Returns whether a route to its end is known.
   [[nodiscard]] bool is_known() const { return graph != nullptr && target != PathMap::kNothing; }
-  /// m, where it ends, of a robot with that goal.
+  /// m, its end, for a robot with that goal.
   [[nodiscard]] Vec2 end(Vec2 goal) const { return ends == WayEnd::goal ? goal : place; }
-  /// m, what such a robot heads for in the end: the goal itself without navigation.
+  /// m, the final target of such a robot: the goal itself without navigation.
   [[nodiscard]] Vec2 heads_for(Vec2 goal) const { return graph != nullptr ? end(goal) : goal; }
 };
 
-/// Where a robot heads for: a place as far off as its goal is by way, and how fast at most.
+/// The place that a robot moves to, as far off as its goal is along the route, and its speed at
+/// most.
 struct Heading {
   Vec2 goal = {};                // m
   double preferred_speed = 0.0;  // m/s
-  Vec2 next = {};                // m, of its way: the goal itself, or a corner before it
-  bool yields = false;           // to others at a passage
+  // m, next point of its route: the goal itself, or a corner before it
+  Vec2 next = {};
+  bool yields = false;  // to others at a passage
 };
 
 inline Heading straight_to(Vec2 end, const RobotTraits& robot) {
   return {.goal = end, .preferred_speed = robot.preferred_speed, .next = end};
 }
 
-/// Where the target is, and m, how far it is from there to the end; nothing where there is no
+/// The place of the target, and m, the distance from there to the end; none where there is no
 /// target.
 std::optional<std::pair<Vec2, double>> rest_of(const Travel& travel);
 
-/// Makes the one on the shortest way its target, of all in view.
+/// Sets the target to the one on the shortest route, of all in view.
 void aim_at_best(Travel& travel, Vec2 position, double radius, LegScratch& scratch);
 
-/// Whether a robot on that graph may search for its own way: there are many corners.
+/// Returns whether a robot on that graph may search for its own route: there are many corners.
 bool is_searched(const CornerGraph& graph);
 
-/// A way to the same end that leads around those gaps, of a robot that begins to wait anew; its
-/// target is unknown where there is none.
+/// A route to the same end that leads around those gaps, for a robot that begins to wait anew. Its
+/// target is unknown where there is no such route.
 Travel around(const Travel& travel, Vec2 position, double radius, std::vector<Segment> closed,
               LegScratch& scratch);
 
-/// The way that is open again, of one that leads around gaps.
+/// The route with all gaps open, for a route that leads around gaps.
 Travel reopened(const Travel& travel, Vec2 position, double radius, LegScratch& scratch);
 
-/// Makes that its target, and has its map tell of it.
+/// Sets the target, and makes its map contain it.
 void aim_at(Travel& travel, std::uint32_t target, LegScratch& scratch);
 
-/// m, from there to its end by way of the target, which is known.
+/// m, from there to its end through the target, which is known.
 double length_of(const Travel& travel, Vec2 position);
 
-/// What is left of it, of a robot with that goal: by the target, unless that is unknown.
+/// The rest of the route of a robot with that goal: through the target, unless that is unknown.
 Simulation::Way rest_of_way(const Travel& travel, Vec2 position, Vec2 goal);
 
-/// Updates the target. end: of the way, or the goal where there are no walls. `looks_around` is
-/// asked for from time to time, see next_leg(). A robot that finds its own way within `own_way` m
-/// of the end heads for it there, unless the way around is much longer.
+/// Updates the target. end: of the route, or the goal where there are no walls. `looks_around` must
+/// be true from time to time, see next_leg(). A robot that finds its own path within `own_way` m of
+/// the end moves straight to it there, unless the route around is much longer.
 Heading follow(Travel& travel, Vec2 position, Vec2 end, const RobotTraits& robot, double own_way,
                bool looks_around, LegScratch& scratch);
 
-/// The same of a robot of that radius on whose end a mover at rest stands, if it heads for that: it
-/// comes to rest beside the mover, on the side that it comes from.
+/// Changes the heading of a robot of that radius, if a mover at rest stands on its end and it moves
+/// there. The robot then comes to rest beside the mover, on its own side.
 Heading beside_resting(std::span<const Wall> resting, const Heading& heading, Vec2 position,
                        Vec2 end, double radius);
 
-/// Whether the robot looks around in this step: not all do at once.
+/// Returns whether the robot looks around in this step: not all robots do at once.
 bool looks_around(RobotId robot, std::int64_t steps);
 
 }  // namespace avo::inline sim

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a simulation shows of its robots and obstacles.
+// The views of a simulation's robots and obstacles.
 #include <optional>
 
 #include "avo/simulation.h"
@@ -9,7 +9,7 @@
 namespace avo {
 namespace {
 
-// Which do not tell where robots are.
+// The columns that do not depend on where robots are.
 constexpr Columns kUnmoved =
     Columns::id | Columns::goal | Columns::detour | Columns::plan | Columns::applied_acceleration;
 

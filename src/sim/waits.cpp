@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Who waits for whom at a passage: what the right of way has decided, told. It moves nobody.
+// Reports which robot waits for which at a passage: what the right of way has decided. It moves no
+// robot.
 #include <optional>
 
 #include "sim/claims.h"
@@ -8,8 +9,8 @@
 namespace avo::inline sim {
 namespace {
 
-// Who is inside comes before who is not, who goes the other way before who goes the same one, and
-// then who is nearer.
+// A robot inside comes before a robot outside, a robot in the opposite direction before one in the
+// same direction, and then the nearer one first.
 bool is_waited_for_first(const Claimant& robot, const Claimant& a, const Claimant& b) {
   if (a.claim.inside != b.claim.inside) return a.claim.inside;
   const bool a_comes = a.claim.forward != robot.claim.forward;

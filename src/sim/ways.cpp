@@ -12,20 +12,20 @@ namespace avo::inline sim {
 namespace {
 
 constexpr double kSightReach = 0.1;  // m
-constexpr double kJoint = 1e-9;      // m: nobody sees through where pieces of walls touch
-// Where corners are many, a robot searches for its own way, until robots have asked often for one
-// goal and the whole maps that there are have no more corners than that in all.
+constexpr double kJoint = 1e-9;      // m: lines of sight do not pass where pieces of walls touch
+// Where corners are many, a robot searches for its own route, until robots have asked often for one
+// goal and the existing whole maps have no more corners than that in all.
 constexpr std::uint32_t kAskedOften = 4;
 constexpr std::size_t kMostKeptCorners = 4'000'000;
 
-// s: where walls have changed there may be another way where there was none.
+// s: where walls have changed there may be another route where there was none.
 double look_again_at(const Waiting& waiting) {
   const bool has_decided = waiting.least < kInfinity, sees_none = waiting.looks_at == kInfinity;
   return has_decided && sees_none ? waiting.waited : waiting.looks_at;
 }
 
-// Whoever waits does so among other walls as well, and goes around the same gaps where a way leads
-// there.
+// A robot that waits does so among other walls as well, and goes around the same gaps where a route
+// leads there.
 void keep_waiting_on(const Travel& before, Vec2 position, double radius, Travel& fresh,
                      LegScratch& scratch) {
   if (!fresh.is_known() || !before.is_known() || !(fresh.map->goal == before.map->goal)) return;
@@ -39,7 +39,7 @@ void keep_waiting_on(const Travel& before, Vec2 position, double radius, Travel&
   fresh.waiting.looks_at = look_again_at(known);
 }
 
-// The travel where it goes on, of those that are planned anew where walls have changed.
+// The route where it continues, among the routes that are planned anew because walls have changed.
 Travel replanned(const Travel& before, Travel fresh, Vec2 position, double radius,
                  LegScratch& scratch) {
   const auto kept = rest_of(before);
@@ -104,7 +104,7 @@ ReachablePlaces& Ways::places_of(double radius) {
   return *places_.emplace(radius, std::move(places)).first->second;
 }
 
-// The whole map, or the goal alone for a robot that searches for its own way.
+// The whole map, or the goal alone for a robot that searches for its own route.
 std::shared_ptr<const PathMap> Ways::map_to(GraphKey key, Vec2 end, bool is_whole) {
   const CornerGraph& graph = graph_of(key);
   Goal& goal = maps_[{key.first, key.second, end.x, end.y}];
@@ -118,7 +118,8 @@ std::shared_ptr<const PathMap> Ways::map_to(GraphKey key, Vec2 end, bool is_whol
       *kept -= corners;
       delete old;
     };
-    *kept_corners_ += corners;  // if there is no memory for the next line, it takes them away again
+    // if there is no memory for the next line, `forget` subtracts them again
+    *kept_corners_ += corners;
     map = std::shared_ptr<const PathMap>(whole.release(), forget);
     goal.map = map;
   } else {
@@ -137,7 +138,7 @@ Travel Ways::lead(double radius, Vec2 position, Vec2 end, bool is_exact, bool ar
   return travel;
 }
 
-// Around movers at rest where that can be done, and else by the walls alone.
+// A route around movers at rest where possible, and otherwise around the walls alone.
 Travel Ways::lead(double radius, Vec2 position, Vec2 end) {
   for (const bool is_exact : {false, true}) {
     if (!goes_around_movers() || (is_exact && radius_class(radius) == radius)) break;
@@ -147,7 +148,7 @@ Travel Ways::lead(double radius, Vec2 position, Vec2 end) {
   return sight_ ? lead(radius, position, end, false, false) : Travel{};
 }
 
-// The goal, or the nearest place to it; the robot's own where it gets nowhere.
+// The goal, or the nearest place to it; the robot's own place where it can reach nothing.
 Vec2 Ways::reachable_end(double radius, Vec2 position, Vec2 goal, const Travel* before) {
   ReachablePlaces& places = places_of(radius);
   const Vec2 nearest = places.nearest_reached(position, goal);
@@ -186,12 +187,12 @@ Travel Ways::resume(double radius, Vec2 end, std::uint32_t target, bool is_exact
   return travel;
 }
 
-// Where what has changed lies apart from all ways that are as short: nothing that is known of the
-// own one has changed.
+// Keeps the route where all changes lie apart from all routes of the same length: all facts about
+// the old route still hold.
 std::optional<Travel> Ways::carry_over(const Travel& before, Vec2 position, double radius) {
   if (!before.is_known() || before.ends != WayEnd::goal || before.around_movers ||
       goes_around_movers() || !before.waiting.closed.empty() ||
-      before.graph->radius != radius_class(radius))  // a graph that a new way asks last
+      before.graph->radius != radius_class(radius))  // a graph that a new route tries last
     return std::nullopt;
   const GraphKey key{false, before.graph->radius};
   const CornerGraph& graph = graph_of(key);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The robots' ways around walls: where each goes next, as a goal and a speed. Only the wish depends
-// on it, never safety.
+// The robots' routes around walls: where each robot goes next, as a goal and a speed. Only the wish
+// depends on it, never safety.
 #pragma once
 #include <cstddef>
 #include <cstdint>
@@ -26,15 +26,15 @@
 namespace avo::inline sim {
 
 /// m: the radius rounded up, by 5 % at most, to two digits (from 1 to 2, to halves of the second
-/// one). Fleets in which all radii differ share graphs so; most radii that people write stay.
+/// one). Fleets with many different radii share graphs by this; most radii that people write stay.
 double radius_class(double radius);
 
-/// What robots know of the walls, and of movers at rest, which ways lead around where that can be
-/// done. Without any of them there are no ways.
+/// What robots know of the walls, and of movers at rest; routes lead around movers where possible.
+/// Without walls and movers at rest there are no routes.
 class Ways {
  public:
-  /// resting: discs. Ways among mostly the same walls save time; they have to stay while new ways
-  /// are planned.
+  /// resting: discs. Earlier routes among mostly the same walls save time; they must stay alive
+  /// while new routes are planned.
   Ways(const Scenario& settings, std::span<const Wall> walls, std::vector<Wall> resting,
        const Ways* before = nullptr);
 
@@ -42,35 +42,35 @@ class Ways {
   [[nodiscard]] const std::vector<Wall>& resting() const { return resting_; }
   [[nodiscard]] bool goes_around_movers() const { return follows_ && !resting_.empty(); }
   void forget_before() { before_ = nullptr, carried_.clear(); }
-  /// Passages of other walls, from which those of these walls are found sooner.
+  /// Keeps the passages of other walls, from which those of these walls are found sooner.
   void remember_passages(Ways& before) noexcept {
     earlier_ = std::move(before.passage_radii_.empty() ? before.earlier_ : before.passages);
   }
-  /// A new way; robots of one class of radii and one goal share what it is made of. One that ended
+  /// Plans a new route; robots of one radius class and one goal share its data. A route that ended
   /// elsewhere than at that goal before still ends there, if nothing nearer can be reached.
   [[nodiscard]] Travel plan(double radius, Vec2 position, Vec2 goal,
                             const Travel* before = nullptr);
-  /// The same way as before among other walls, where it is sure that a new one would be the same.
+  /// The same route as before among other walls, where a new one would surely be the same.
   [[nodiscard]] std::optional<Travel> carry_over(const Travel& before, Vec2 position,
                                                  double radius);
-  /// A way to that end on which the target is known, and whether its graph is that of the very
+  /// A route to that end with a known target. The flags say whether its graph is that of the exact
   /// radius, and around movers at rest.
   [[nodiscard]] Travel resume(double radius, Vec2 end, std::uint32_t target, bool is_exact,
                               bool around_movers);
-  /// Whether a disc of that radius may be there. There are walls.
+  /// Returns whether a disc of that radius may be there. There must be walls.
   [[nodiscard]] bool is_free(double radius, Vec2 p) { return places_of(radius).is_free(p); }
-  /// That a robot may have to choose from.
+  /// The largest number of targets that a robot may have to choose from.
   [[nodiscard]] std::size_t most_targets() const;
-  /// Memory to plan with.
+  /// Memory for planning.
   [[nodiscard]] LegScratch& scratch() { return scratch_; }
-  /// Whether no wall lies on the straight way between them.
+  /// Returns whether no wall lies on the straight line between them.
   [[nodiscard]] bool is_in_sight(Vec2 p, Vec2 q) const;
 
   /// Finds the passages for robots of these radii, ascending, unless they are known.
   void find_passages(std::vector<double> radii);
 
   std::vector<Travel> travels;  // by rank; none without walls
-  Passages passages;            // none where nobody heeds them
+  Passages passages;            // empty where robots do not heed passages
 
  private:
   using GraphKey = std::pair<bool, double>;              // around movers, radius
@@ -91,20 +91,20 @@ class Ways {
   std::map<GraphKey, std::optional<CarriedGraph>> carried_;  // until forget_before()
   std::map<double, std::unique_ptr<ReachablePlaces>> places_;
   struct Goal {
-    std::weak_ptr<const PathMap> map;  // the whole one, if there is one
-    std::uint32_t asked = 0;           // times, before there was one
+    std::weak_ptr<const PathMap> map;  // the whole map, if there is one
+    std::uint32_t asked = 0;           // number of requests, before there was one
   };
   std::map<Key, Goal> maps_;
-  // of all whole maps that there are, where corners are many
+  // of all whole maps that exist, where corners are many
   std::shared_ptr<std::size_t> kept_corners_ = std::make_shared<std::size_t>(0);
   LegScratch scratch_;
-  std::size_t most_maps_ = 0;  // beyond which those that nobody has are forgotten
+  std::size_t most_maps_ = 0;  // beyond this number, unused maps are forgotten
   std::vector<double> passage_radii_;
   Passages earlier_;  // until find_passages()
 };
 
-/// Of a whole fleet; of the same one as before among other walls: who would set out as before, and
-/// has as far to go from its target, keeps it.
+/// Plans the routes of a whole fleet. With a fleet before among other walls, a robot keeps its
+/// target if it would set out as before, and has as far to go from there.
 void plan_travels(Ways& ways, const Fleet& fleet, const Ways* before = nullptr);
 
 }  // namespace avo::inline sim

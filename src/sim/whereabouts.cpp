@@ -14,13 +14,13 @@
 namespace avo::inline sim {
 namespace {
 
-// Where more than one in so many decide at once, all are moved.
+// Where more than one in so many decide at once, all robots are moved.
 constexpr std::size_t kFewDecide = 16;
-// Of the sensing radius: no search begins with less.
+// A part of the sensing radius: no search begins with less.
 constexpr double kLeastLook = 0.0625;
-// Of places and ways: more than rounding makes of them.
+// A part of places and distances: more than their rounding.
 constexpr double kRounding = 1e-12;
-// Room for so many that are near.
+// Room for so many near robots.
 constexpr std::size_t kUsuallyNear = 1024;
 
 StepUnderWay step_under_way(const World& world, std::size_t slot) {
@@ -60,7 +60,7 @@ Place present_place(const World& world, const StepUnderWay& step, std::size_t sl
           step.velocity + part * step.change};
 }
 
-// The speed of one between two others does not exceed theirs, but for rounding.
+// The speed at an interpolated time does not exceed that at both ends, up to rounding.
 void note_speeds(World& world, std::size_t slot) {
   const Fleet& fleet = world.fleet;
   const OwnClock& clock = fleet.clock_of(slot);
@@ -71,13 +71,13 @@ void note_speeds(World& world, std::size_t slot) {
     world.whereabouts.fast_until = std::max(world.whereabouts.fast_until, clock.end);
 }
 
-// m: how far anybody may have come since all were filed.
+// m: how far any robot may have moved since all were filed.
 double drift_of(const World& world) {
   const Whereabouts& own = world.whereabouts;
   return own.top_speed * seconds(world.now - own.since);
 }
 
-// Those within the radius by now, among them the one that looks. Returns how many there are.
+// Gathers the robots within the radius at present, with the searching one. Returns their number.
 std::size_t gather(World& world, Vec2 center, double radius) {
   Whereabouts& own = world.whereabouts;
   const std::span<const std::uint32_t> order = own.filed.grid.order();

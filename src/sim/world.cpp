@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Making a world, with room for all that its steps will need.
+// Makes a world, with room for all that its steps will need.
 #include "sim/world.h"
 
 #include <algorithm>
@@ -24,16 +24,17 @@ bool is_certified(const Pace& pace) {
   return pace.planner.options().certificate != Certificate::none;
 }
 
-// How many steps any robot may brake for, from what it may decide on.
+// The largest number of steps that any robot may brake for, from the velocities that it may choose.
 std::size_t most_braking_steps(const World& world) {
   if (!world.all_matter()) return 0;
-  constexpr double kMostAhead = 4096.0;  // of more, memory grows when it is needed
+  constexpr double kMostAhead = 4096.0;  // memory for more is allocated when it is needed
   double braking_time = kInfinity;       // s, of the shortest step
   for (const Pace& pace : world.paces)
     if (is_certified(pace))
       braking_time = std::min(braking_time, certificate_law(pace.planner).step.braking_time);
   const double error =
-      world.certified_planner().options().sensing_error.velocity;  // m/s that one may be faster
+      // m/s by which a robot may be faster
+      world.certified_planner().options().sensing_error.velocity;
   double most = 0.0;
   for (const RobotTraits& robot_traits : world.fleet.traits) {
     const double fastest = robot_traits.max_speed + error;
@@ -44,16 +45,17 @@ std::size_t most_braking_steps(const World& world) {
   return static_cast<std::size_t>(std::min(most + 3.0, kMostAhead));
 }
 
-constexpr std::size_t kMostAhead = 1024;  // of more, memory grows when it is needed
+constexpr std::size_t kMostAhead = 1024;  // memory for more is allocated when it is needed
 
-// How many a robot may sense, of those that room is made for.
+// The number of neighbors that a robot may sense, among those with reserved room.
 std::size_t most_seen(const World& world) {
   const std::size_t all = world.fleet.size() + world.obstacles.setup.size();
   const std::size_t seen = std::min(all, kMostAhead);
   return world.all_matter() ? seen : std::min(seen, world.most_nearest());
 }
 
-// Room for so many within the sensing radius: a crowd that thickens in mid-run allocates nothing.
+// Reserves room for so many within the sensing radius: a crowd that grows during a run allocates
+// nothing.
 void reserve(const World& world, Worker& worker) {
   const std::size_t robots = world.fleet.size(), obstacles = world.obstacles.setup.size();
   worker.obstacles.reserve(1, std::min(obstacles, kMostAhead));
@@ -77,8 +79,8 @@ void reserve(const World& world, Worker& worker) {
                    sensed, most_braking_steps(world), PlanWorkspace::Scratch::of(worker.workspace));
 }
 
-// Where the robot would head for now, by its way alone and by all rules of ways; it remembers
-// nothing of this.
+// The present heading of the robot, by its route alone and by all rules of routes; the robot
+// remembers nothing of this.
 std::pair<Heading, Heading> headings_of(const World& world, std::size_t slot, double nearest) {
   const Fleet& fleet = world.fleet;
   Travel travel = world.ways.travels[static_cast<std::size_t>(fleet.rank[slot])];
@@ -135,7 +137,7 @@ World::World(const Scenario& scenario, std::shared_ptr<Executor> steps_by)
   settings.robots = std::vector<RobotSetup>();  // {} would keep their memory
   settings.moving_obstacles = std::vector<MovingObstacle>();
   settings.obstacles = std::vector<StaticObstacle>();
-  // they were made of the robots that there were at first
+  // they follow from the robots at the start
   const PlannerOptions agreed = certified_options(scenario);
   if (agreed.sensing_error != SensingError{}) settings.sensing_error = agreed.sensing_error;
   if (fleet.has_clocks) settings.longest_step = agreed.longest_step;
@@ -169,7 +171,7 @@ void find_walls(World& world) {
             ? stray_of(*fleet.own_model(slot), traits.max_acceleration, law.time_step).distance +
                   room_to_turn(*fleet.own_model(slot), traits.max_speed)
             : 0.0;
-    // from where it takes itself to be
+    // from where the robot takes itself to be
     needs.include(traits, stray + 2.0 * law.localization_error, speed, law);
     const double ways = way_range(traits.radius, traits.max_speed, traits.max_acceleration);
     const double wished = options.method == Method::avo

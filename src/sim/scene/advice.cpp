@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Settings that can be simulated but do not fit the robots (paper §VI-A), with the arithmetic.
+// Finds settings that can be simulated but do not fit the robots (paper §VI-A), with the
+// arithmetic.
 #include <algorithm>
 #include <charconv>
 #include <cmath>
@@ -22,7 +23,8 @@ std::string robot_name(std::size_t index) {
   return "robot " + std::to_string(index);
 }
 
-/// The robot with the largest value, and that value; the first of equals. Of parked ones it is 0.
+/// The robot with the largest value, and that value; the first of equals. For parked robots it is
+/// 0.
 struct Worst {
   std::size_t robot = 0;
   double value = 0.0;
@@ -42,7 +44,7 @@ bool cannot_stop(const RobotSetup& robot) {
   return least_speed(robot.model) > 0.0;
 }
 
-/// What its decisions slow a robot down by.
+/// The name of the value with which decisions slow a robot down.
 std::string braking_key(const RobotSetup& robot) {
   return planned_braking(robot) < robot.max_acceleration ? "max_braking" : "max_acceleration";
 }
@@ -59,7 +61,7 @@ std::string usual_control_time_of(const RobotSetup& robot, std::size_t index) {
 }
 
 void advise_control_time(const Scenario& scenario, std::vector<std::string>& lines) {
-  // avo approaches v' as fast as it can, the others at once
+  // avo approaches v' as fast as it can, these others at once
   const auto& robots = scenario.robots;
   const auto is_paper = [&](const RobotSetup& r) {
     return method_of(scenario, r) == Method::avo_paper;
@@ -118,7 +120,7 @@ void advise_time_horizon(const Scenario& scenario, std::vector<std::string>& lin
                   " = " + in_short(stops_within(robot)) + " s");
 }
 
-/// A certificate does not warn of what it assumes: broken_assumptions() tells.
+/// A certificate does not warn about its assumptions: broken_assumptions() does.
 bool keeps_certificate(const Scenario& scenario, const RobotSetup& robot) {
   return certificate_of(scenario, robot) != Certificate::none;
 }
@@ -127,8 +129,8 @@ bool is_certified(const Scenario& scenario) {
                      [&](const RobotSetup& robot) { return keeps_certificate(scenario, robot); });
 }
 
-/// How far a robot's edge gets from where its center is now, if it decides to brake, or to circle,
-/// only a step later: r + v_max Δt + v_max² / (2 b), m.
+/// How far a robot's edge gets from the present place of its center, if the robot decides to brake,
+/// or to circle, only a step later. It is r + v_max Δt + v_max² / (2 b), m.
 double fallback_reach(const RobotSetup& robot, double time_step) {
   const double v = robot.max_speed;
   return disc_radius(robot) + v * time_step +
@@ -160,10 +162,10 @@ void advise_sensing_radius(const Scenario& scenario, std::vector<std::string>& l
                   " + " + in_short(second.value) + " = " + in_short(needed) + " m");
 }
 
-/// What a step costs is about in proportion to the neighbors of a robot, which each get a
+/// The cost of a step is about in proportion to the neighbors of a robot, which each get a
 /// half-plane where max_neighbors does not limit them.
 void advise_crowding(const Scenario& scenario, std::vector<std::string>& lines) {
-  constexpr double kMany = 50.0, kCostly = 4.0;  // neighbors; times as many as are needed
+  constexpr double kMany = 50.0, kCostly = 4.0;  // neighbors; factor over the needed number
   if (scenario.max_neighbors || !scenario.sensing_radius) return;
   const double sensed = *scenario.sensing_radius, needed = needed_sensing_radius(scenario);
   if (sensed <= needed) return;
@@ -180,7 +182,7 @@ void advise_crowding(const Scenario& scenario, std::vector<std::string>& lines) 
                   " times as much; leave sensing_radius out, or set max_neighbors");
 }
 
-/// docs/navigation.md, "Inside of walls": no direction then leads away from walls for sure.
+/// docs/navigation.md, "Inside of walls": no direction then surely leads away from walls.
 void advise_localization(const Scenario& scenario, std::vector<std::string>& lines) {
   const bool has_walls =
       !scenario.obstacles.empty() || std::any_of(scenario.robots.begin(), scenario.robots.end(),
@@ -242,7 +244,7 @@ std::string name(std::ptrdiff_t source) {
   return "moving obstacle " + std::to_string(-1 - source);
 }
 
-/// All discs, sorted along the axis on which they are spread wider.
+/// All discs, sorted along the axis of their wider spread.
 std::vector<StartDisc> sorted_discs(const Scenario& scenario) {
   std::vector<StartDisc> discs;
   for (std::size_t i = 0; i < scenario.robots.size(); ++i)
@@ -263,7 +265,7 @@ std::vector<StartDisc> sorted_discs(const Scenario& scenario) {
   return discs;
 }
 
-/// Whether nobody minds that the two are in one place, or the certificate of one of them does.
+/// Returns whether the two may be in one place, or the certificate of one of them reports it.
 bool may_overlap(const Scenario& scenario, const StartDisc& a, const StartDisc& b) {
   const auto robot = [&](const StartDisc& disc) {
     return disc.source < 0 ? nullptr : &scenario.robots[static_cast<std::size_t>(disc.source)];

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Starts that a certificate cannot keep apart. Every pair that can be in reach of each other is put
-// to the certificate itself.
+// Finds starts that a certificate cannot keep apart. The certificate itself tests every pair that
+// can reach each other.
 #include "sim/scene/assumptions.h"
 
 #include <algorithm>
@@ -21,8 +21,8 @@ namespace {
 struct Starter {
   Vec2 position;
   int source = 0;      // robot i, or -1 - k for moving obstacle k
-  Vec2 way;            // m, from where a robot is to where it would stop
-  double reach = 0.0;  // m, radius and the farthest it can get while the robots brake
+  Vec2 way;            // m, displacement from the robot's place to where it would stop
+  double reach = 0.0;  // m, radius and the largest distance that it can move while the robots brake
   bool loiters = false;
 };
 
@@ -30,9 +30,9 @@ struct Starter {
 struct Starts {
   const Scenario& scenario;
   CertificateLaw law;  // by which all brake at once, also where clocks are free: see late_phase()
-  double longest_step = 0.0;  // s, where they are
+  double longest_step = 0.0;  // s, where clocks are free
   bool mixed = false;
-  double margin = 0.0;  // m, that all pairs keep besides
+  double margin = 0.0;  // m, that all pairs keep in addition
   std::vector<Starter> starters = {};
   CertificateConstraints constraints = {};
   std::vector<BrokenStart> broken = {};
@@ -75,8 +75,8 @@ void collect_starters(Starts& starts) {
   }
 }
 
-// Whether the line across p keeps the two apart on all of their ways: most pairs of a crowd need no
-// more than that.
+// Returns whether the line across p separates the two on their whole paths: most pairs of a crowd
+// need no more than this test.
 bool are_apart(const Starter& a, const Starter& b, Behavior behavior, double contact,
                double margin) {
   const Vec2 p = a.position - b.position;
@@ -87,8 +87,8 @@ bool are_apart(const Starter& a, const Starter& b, Behavior behavior, double con
          contact;
 }
 
-// What a robot counts on from another one by its certificate; nothing where that is not asked.
-// Everybody who keeps one avoids obstacles, and parked robots, which keep everything.
+// What a robot counts on from another one by its certificate; none where no certificate asks. Every
+// robot with a certificate avoids obstacles, and parked robots, which keep any certificate.
 std::optional<Expectation> counted_on(const Starter& b, const Starter& a, const Starts& starts) {
   const Scenario& scenario = starts.scenario;
   const auto robot = [&](const Starter& starter) -> const RobotSetup& {
@@ -149,7 +149,8 @@ void examine(const Starter& a, const Starter& b, Expectation expected, Starts& s
     collect_constraints(robot, std::span(&neighbor, 1), law, starts.constraints);
   }
   const double distance = norm(robot.position - neighbor.position);
-  // beside a robot at rest the slack does not count what may touch it, but that is contact
+  // the slack beside a robot at rest leaves out bodies that may touch it, but their touch is
+  // contact here
   const double depth =
       std::max(contact - distance, std::min(contact, margin - starts.constraints.invariant.slack));
   if (depth > kStartTolerance * contact) {
@@ -157,11 +158,11 @@ void examine(const Starter& a, const Starter& b, Expectation expected, Starts& s
   }
 }
 
-// Unless nobody of the pair has to keep clear of the other.
+// Examines a pair, unless neither has to keep clear of the other.
 void examine_pair(const Starter* a, const Starter* b, Starts& starts) {
   if (b->source >= 0 && (a->source < 0 || b->source < a->source)) std::swap(a, b);
   if (a->source < 0) return;
-  // of two of whom one promises nothing, the other one has to see to it
+  // if one of the two promises nothing, the other one must keep clear
   if (b->source >= 0 && cooperates(*a, starts.scenario) && counted_on(*a, *b, starts))
     std::swap(a, b);
   if (const auto expected = counted_on(*b, *a, starts)) {
@@ -171,9 +172,9 @@ void examine_pair(const Starter* a, const Starter* b, Starts& starts) {
   }
 }
 
-// Pairs with one of a group of starters whose reaches differ by a factor of two at most: those of
-// the group itself, and those with all that reach less far. So one that reaches far costs the
-// others nothing.
+// Examines the pairs of one group of starters with reaches that differ by a factor of two at most.
+// These are pairs within the group, and pairs with all starters of less reach. So a starter with a
+// long reach costs the others nothing.
 void examine_group(std::size_t first, std::size_t last, Starts& starts) {
   const std::vector<Starter>& starters = starts.starters;
   std::vector<Vec2> positions;
@@ -189,7 +190,7 @@ void examine_group(std::size_t first, std::size_t last, Starts& starts) {
     for (const NeighborHit& hit :
          grid.gather(starters[i].position, -1, positions.size(), scratch)) {
       const std::size_t j = first + static_cast<std::size_t>(hit.index);
-      if (j <= i) continue;  // itself, or met already
+      if (j <= i) continue;  // the starter itself, or a pair that was examined already
       examine_pair(&starters[i], &starters[j], starts);
       if (starts.broken.size() >= BrokenAssumptions::kCounted) return;
     }
@@ -203,7 +204,7 @@ Starts starts_of(const Scenario& scenario, const CertificateLaw& law) {
   return starts;
 }
 
-// The deepest ones.
+// Takes the deepest ones.
 void take_starts(const std::vector<BrokenStart>& broken, BrokenAssumptions& result) {
   result.start_count = static_cast<std::int64_t>(broken.size());
   result.starts.resize(std::min(broken.size(), BrokenAssumptions::kNamed));

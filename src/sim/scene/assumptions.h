@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the two halves of the assumptions share: starts and sensing.
+// The common part of the two halves of the assumptions: starts and sensing.
 #pragma once
 #include <optional>
 #include <span>
@@ -12,61 +12,62 @@ namespace avo::inline sim {
 
 struct WallNeeds;
 
-/// What the robots of the scene that keep a certificate agree on.
+/// The constants that the scene's robots with a certificate share.
 CertificateLaw certificate_law(const Scenario& scenario);
-/// Whether the robot is one of these; where nobody is, whether it would be.
+/// Returns whether the robot keeps the certificate; where no robot does, whether it would.
 inline bool keeps(const Scenario& scenario, const RobotSetup& robot, const CertificateLaw& law) {
   return law.kind == Certificate::none || certificate_of(scenario, robot) != Certificate::none;
 }
 
-/// That of a robot, which may have a time step of its own.
+/// The law of one robot, which may have a time step of its own.
 StepLaw step_law(const Scenario& scenario, const RobotSetup& robot, const CertificateLaw& law);
 
-/// s: where clocks are free, the longest step of anybody's braking; else 0.
+/// s: where clocks are free, the longest braking step of any robot; else 0.
 double longest_first_step(const CertificateLaw& law);
 
-/// m: the first step of a robot that starts in motion may then be a short one, with which it stops
-/// at most so much farther.
+/// m: the first step of a robot that starts in motion may then be short; this is how much farther
+/// the robot then stops at most.
 double late_phase(const RobotSetup& robot, double longest_step);
 
-/// m, from where the robot starts to where it would stop.
+/// m, the displacement from the robot's start to where it would stop.
 Vec2 way_to_rest(const RobotSetup& robot, const CertificateLaw& law);
 
-/// The state in which a robot of that setup starts.
+/// The start state of a robot of that setup.
 MotionState start_of(const RobotSetup& robot);
 
-/// Pairs of the scene's first robot alone, which keeps `margin` (m) besides.
+/// Finds the pairs of the scene's first robot alone, which also keeps `margin` (m).
 void find_starts_of_first(const Scenario& scenario, const CertificateLaw& law, double margin,
                           BrokenAssumptions& result);
 
-/// What the robot asks of a grid of walls in that state.
+/// Includes the robot's demands on a grid of walls in that state.
 void include_start(const Scenario& scenario, const RobotSetup& robot, const MotionState& state,
                    const CertificateLaw& law, WallNeeds& needs);
-/// Of these walls the one that the robot lacks most of, if it is too near any in that state;
-/// WallStart::obstacle is the wall's index. A robot on its way may move otherwise than one that
-/// starts: the disc of a drive moves off its heading.
+/// The wall to which the robot is too near by most in that state, if it is too near to any;
+/// WallStart::obstacle is the wall's index. A robot in motion may move differently from a robot
+/// that starts: the disc of a drive moves off its heading.
 std::optional<WallStart> worst_wall(const Scenario& scenario, int robot, const MotionState& state,
                                     std::span<const Wall> walls, const CertificateLaw& law);
-/// Whether the obstacle's Fill lets a robot be there.
+/// Returns whether the obstacle's Fill lets a robot be there.
 bool leaves_room(Vec2 p, const StaticObstacle& obstacle);
 
-/// Robots in these states beside static obstacles, in solids and out of bounds: `states` has one
-/// for each robot of the scene.
+/// Finds the robots in these states that break assumptions beside static obstacles, in solids and
+/// out of bounds: `states` has one entry for each robot of the scene.
 void find_wall_starts(const Scenario& scenario, std::span<const MotionState> states,
                       const CertificateLaw& law, BrokenAssumptions& result);
 
-/// Whether not everybody avoids everybody, or not all by one method.
+/// Returns whether some robot does not avoid another, or the robots have several methods.
 bool is_mixed(const Scenario& scenario);
 
-/// As if the scene had the certificate braking_trajectories, whatever it has.
+/// The need of a scene with the certificate braking_trajectories, whatever certificate it has.
 std::optional<SensingNeed> sensing_need(const Scenario& scenario, const CertificateLaw& law);
 
-/// How many others within the radius, m, a robot has at the start, in the mean of a sample.
+/// The mean number of others within the radius, m, of a robot at the start, over a sample.
 double mean_neighbors(const Scenario& scenario, double radius);
 
 bool suffices(double sensing_radius, const std::optional<SensingNeed>& needed);
 
-/// What separates a broken start from the rounding of decimal fractions, of the length or speed.
+/// The relative tolerance of a length or speed that separates a broken start from the rounding of
+/// decimal fractions.
 inline constexpr double kStartTolerance = 1e-9;
 
 inline bool exceeds(double speed, double max_speed) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A scene and its simulation, in the words of the judge of recorded motion.
+// Turns a scene and its simulation into the types of the judge of recorded motion.
 #include "avo/checked.h"
 
 #include <cstddef>
@@ -35,7 +35,7 @@ CheckedKinematics kinematics_of(const Airplane& airplane) {
                          .lateral_acceleration = airplane.lateral_acceleration};
 }
 
-// m: a drive is judged by its own disc, about its axle; the one that others sense holds that.
+// m: a drive is judged by its own disc, about its axle; the disc that others sense contains it.
 double judged_radius(const RobotSetup& robot) {
   const bool drives = std::holds_alternative<DifferentialDrive>(robot.model);
   return drives ? robot.radius : disc_radius(robot);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Words for what a certificate assumes.
+// The words for broken assumptions of a certificate.
 #include "sim/scene/complaints.h"
 
 #include <charconv>
@@ -21,7 +21,7 @@ const RobotSetup& setup_of(const Scenario& scenario, int robot) {
   return scenario.robots[static_cast<std::size_t>(robot)];
 }
 
-// One of the sixth digit: a power of ten, as formatting and reading round it, correctly.
+// One unit of the sixth digit: a power of ten, as formatting and reading round it, correctly.
 double sixth_digit(double value) {
   char buffer[32];
   constexpr auto kScientific = std::chars_format::scientific;
@@ -30,7 +30,7 @@ double sixth_digit(double value) {
   const int power = std::atoi(digits.c_str() + digits.find('e') + 1);
   return std::strtod(("1e" + std::to_string(power - 5)).c_str(), nullptr);
 }
-// Six digits, rounded so that whoever types them is within the limit: upwards or downwards.
+// Six digits, rounded upwards or downwards so that a user with these digits is within the limit.
 std::string at_least(double value) {
   const double unit = sixth_digit(value);
   return rounded(std::ceil(value / unit * (1.0 - 5e-13)) * unit, 6);
@@ -50,7 +50,7 @@ bool flies(const Scenario& scenario, int source) {
   return source >= 0 && is_airplane(setup_of(scenario, source).model);
 }
 
-// What keeps the two apart, "both brake at once" or the like.
+// What should keep the two apart, "both brake at once" or the like.
 std::string fallback_of(const BrokenStart& start, const Scenario& scenario,
                         const Wording& wording) {
   const auto alone = [&](int robot) {
@@ -63,7 +63,7 @@ std::string fallback_of(const BrokenStart& start, const Scenario& scenario,
   return flight ? "both circle at once" : "both brake at once";
 }
 
-// Whether start_at_rest() would change how it starts.
+// Returns whether start_at_rest() would change its start.
 bool can_slow_down(const Scenario& scenario, int source) {
   Scenario alone;
   if (source >= 0) alone.robots.push_back(setup_of(scenario, source));

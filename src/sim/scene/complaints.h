@@ -8,7 +8,7 @@
 
 namespace avo::inline sim {
 
-/// What is called how where the words are read.
+/// The names that the readers of the words use.
 struct Wording {
   RemedyNames remedies = {};
   std::function<std::string(int source)> name_of;        // robot i, or -1 - k for moving obstacle k
@@ -21,10 +21,10 @@ std::string complaint(const MisplacedStart& start, const Scenario& scenario,
                       const Wording& wording);
 std::string complaint(const FastStart& start, const Scenario& scenario, const Wording& wording);
 
-/// Throws Error with the complaint, and with what accepts such a start.
+/// Throws Error with the complaint, and with the option that accepts such a start.
 [[noreturn]] void refuse_start(const std::string& complaint);
 
-/// Throws Error with the first thing that the scene breaks, unless it allows for that.
+/// Throws Error with the first broken assumption of the scene, unless the scene allows it.
 void require_assumptions(const Scenario& scenario);
 
 }  // namespace avo::inline sim

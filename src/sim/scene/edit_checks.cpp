@@ -41,7 +41,7 @@ Scenario settings_for(const World& world, std::span<const RobotSetup> robots) {
 
 void check_values(const World& world, const RobotSetup& setup, RobotId robot, bool among_walls) {
   Scenario scene = settings_for(world, {&setup, 1});
-  if (among_walls) scene.obstacles.push_back({{{{Vec2{}}}}});  // what it needs beside any
+  if (among_walls) scene.obstacles.push_back({{{{Vec2{}}}}});  // what it needs beside any wall
   validate_as(scene, "robots.0.", name_of(robot));
 }
 
@@ -54,7 +54,7 @@ RobotSetup standing(const World& world, std::size_t slot) {
 
 namespace {
 
-// Those who are there, as far as it matters who they are and not where.
+// The present robots, for checks that do not depend on their places.
 Scenario present_scene(const World& world) {
   Scenario scene = world.settings;
   scene.moving_obstacles = world.obstacles.setup;
@@ -62,22 +62,21 @@ Scenario present_scene(const World& world) {
   return scene;
 }
 
-// Throws Error if nobody would see this one in time, or it others.
+// Throws Error if the others would not see this robot in time, or it would not see them.
 void check_sensing(const World& world, const RobotSetup& setup, RobotId robot) {
-  if (!world.settings.sensing_radius) return;  // it grows
+  if (!world.settings.sensing_radius) return;  // the radius grows
   Scenario scene = present_scene(world);
   const auto before = sensing_need(scene);
   scene.robots.push_back(setup);
   const auto need = sensing_need(scene);
   if (!need || need->range <= world.sensing_radius * (1.0 + 1e-9)) return;
-  if (before && need->range <= before->range) return;  // that was so without it
+  if (before && need->range <= before->range) return;  // this need existed without the robot
   throw Error(name_of(robot) + ": found a max_speed of " + std::to_string(setup.max_speed) +
               " m/s, has to be seen from " + std::to_string(need->range) +
               " m, sensing_radius is " + std::to_string(world.sensing_radius) + " m");
 }
 
-// Throws Error where what all have declared is enough for those who are there, and not for this
-// one.
+// Throws Error where the declared error is enough for the present robots, and not for this one.
 void check_declared(const World& world, const RobotSetup& setup, RobotId robot) {
   const PlannerOptions& options = world.certified_planner().options();
   const SensingError& declared = options.sensing_error;
@@ -104,7 +103,7 @@ void check_declared(const World& world, const RobotSetup& setup, RobotId robot) 
          "at most " + text_of(declared) + ", what all have declared");
 }
 
-// Where an airplane would come among movers.
+// Refuses an airplane among movers.
 void check_flights(const World& world, const RobotSetup& setup, RobotId robot) {
   const Fleet& fleet = world.fleet;
   if (setup.parked || (fleet.flights.empty() && !is_airplane(setup.model))) return;
@@ -124,13 +123,13 @@ void check_flights(const World& world, const RobotSetup& setup, RobotId robot) {
            "avo, of all robots, in a scene with airplanes");
 }
 
-// Where one of them would avoid the other, and nothing could be promised to the two.
+// Refuses a pair in which only one would avoid the other, and nothing could be promised.
 void check_one_sided(const World& world, const RobotSetup& setup, RobotId robot) {
   const Fleet& fleet = world.fleet;
   std::vector<RobotSetup> robots = world.kinds->examples();
   robots.push_back(setup);
   if (!find_impossible(robots)) return;
-  robots.clear();  // all, to tell who it is
+  robots.clear();  // all robots, to name the other one
   for (const std::uint32_t slot : fleet.slot_of) robots.push_back(fleet.setup(slot));
   robots.push_back(setup);
   const auto pair = find_impossible(robots);
@@ -142,7 +141,8 @@ void check_one_sided(const World& world, const RobotSetup& setup, RobotId robot)
          "both or neither: " + std::string(pair->reason));
 }
 
-// Throws Error where braking does not keep the margin to it, or its Fill keeps a robot out.
+// Throws Error where braking does not keep the margin from the obstacle, or its Fill excludes a
+// robot.
 void check_certificate(const World& world, const StaticObstacle& obstacle,
                        const std::string& name) {
   const CertificateLaw law = certificate_law(world.certified_planner());
@@ -200,11 +200,11 @@ double sensing_radius_with(const World& world, const RobotSetup& setup) {
 
 void check_newly_static(const World& world, const StaticObstacle& obstacle,
                         const std::string& name) {
-  // a robot in the midst of a step cannot brake before it ends
+  // a robot within a step cannot brake before the step ends
   if (world.fleet.has_clocks && world.all_matter())
     refuse(name, "what comes while clocks are free",
            "there from the start where there is a certificate");
-  if (world.statics.walls.empty()) {  // nobody has been asked yet
+  if (world.statics.walls.empty()) {  // the robots have not been checked for walls yet
     for (const std::uint32_t slot : world.fleet.slot_of)
       check_values(world, standing(world, slot), world.fleet.id[slot], true);
   }

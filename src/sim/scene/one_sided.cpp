@@ -10,7 +10,7 @@
 namespace avo::inline sim {
 namespace {
 
-// All robots of the same kind give way to the same others.
+// All robots of the same kind avoid the same others.
 struct Kind {
   std::uint32_t layers, avoids;
   bool flies, swings;
@@ -23,7 +23,7 @@ struct Example {
   std::size_t robot;
 };
 
-// One of each kind, of which there are few.
+// One robot of each kind; there are few kinds.
 std::vector<Example> examples_of(std::span<const RobotSetup> robots) {
   std::vector<Example> examples;
   for (std::size_t i = 0; i < robots.size(); ++i) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Pairs of robots of which one only avoids the other.
+// Pairs of robots in which only one avoids the other.
 #pragma once
 #include <cstddef>
 #include <optional>
@@ -12,12 +12,12 @@ namespace avo::inline sim {
 
 struct OneSided {
   std::size_t avoiding, avoided;  // robots
-  std::string_view reason;        // why nothing could be promised
+  std::string_view reason;        // the reason why nothing could be promised
 };
 
-/// Whoever avoids B and is not avoided by it takes it for a mover of its acceleration, which does
-/// not tell how a disc ahead of its axle swings; and an airplane cannot stop for movers. The first
-/// such pair.
+/// The first pair without a possible promise. A robot that avoids B without being avoided by B
+/// takes B for a mover with its acceleration. This does not describe the swing of a disc ahead of
+/// its axle. An airplane cannot stop for movers.
 std::optional<OneSided> find_impossible(std::span<const RobotSetup> robots);
 
 }  // namespace avo::inline sim

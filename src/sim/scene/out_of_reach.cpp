@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Whose goals cannot be reached, of a scene that nobody simulates yet.
+// Finds the robots that cannot reach their goals, for a scene before its simulation.
 #include "avo/reachability.h"
 #include "robots/model.h"
 #include "sim/static_world.h"
@@ -12,7 +12,7 @@ std::vector<OutOfReach> out_of_reach(const Scenario& scenario) {
   std::vector<OutOfReach> result;
   if (walls.empty()) return result;
   Scenario settings = scenario;
-  settings.navigation = false;  // where ways end does not depend on how they lead there
+  settings.navigation = false;  // the ends of routes do not depend on how the routes lead there
   Ways ways(settings, walls, {});
   for (std::size_t k = 0; k < scenario.robots.size(); ++k) {
     const RobotSetup& robot = scenario.robots[k];

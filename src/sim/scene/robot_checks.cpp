@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which robots a scene may have: ranges of their values, and what their motion model asks for.
+// Which robots a scene may have: ranges of their values, and the demands of their motion models.
 #include <string>
 #include <string_view>
 #include <variant>
@@ -21,7 +21,7 @@ std::string list_of(LayerSet set) {
   return list.append("]");
 }
 
-// It has arrived where it stands.
+// A parked robot has arrived where it stands.
 void check_parked(std::size_t i, const RobotSetup& robot) {
   if (!(robot.goal == robot.position))
     refuse(std::string(Place{"robots", i, "goal"}), text(robot.goal),
@@ -74,10 +74,10 @@ void check_drive(std::size_t i, const RobotSetup& robot, const DifferentialDrive
            "<= " + text(drive.wheel_speed) + " m/s, its drive.wheel_speed");
 }
 
-// Of those that others are promised something of, see docs/certificate/airplanes.md.
+// Checks an airplane, for the promise to others, see docs/certificate/airplanes.md.
 void check_airplane(std::size_t i, const RobotSetup& robot, const Airplane& airplane,
                     double time_step) {
-  constexpr double kOff = 1e-9;  // of a speed: the length of a vector of that speed
+  constexpr double kOff = 1e-9;  // of a speed: error of the length of a vector of that speed
   const std::string_view list = "robots";
   const auto at = [&](std::string_view field) { return std::string(Place{list, i, field}); };
   require(Place{list, i, "airplane.min_speed"}, airplane.min_speed, kPositive, "m/s");

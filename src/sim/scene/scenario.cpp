@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which scenes can be simulated at all (the ranges of the paper's constants, §VI-A).
+// Decides which scenes can be simulated at all (the ranges of the paper's constants, §VI-A).
 #include "avo/scenario.h"
 
 #include <algorithm>
@@ -90,7 +90,7 @@ void check_obstacle(std::size_t k, const MovingObstacle& obstacle) {
 void check_static_obstacle(std::size_t k, const StaticObstacle& obstacle) {
   const std::string_view list = "obstacles";
   require(Place{list, k, "radius"}, obstacle.radius, kNotNegative, "m");
-  if (obstacle.chains.empty() && obstacle.fill != Fill::solid)  // nothing may be solid of a plan
+  if (obstacle.chains.empty() && obstacle.fill != Fill::solid)  // a plan may have nothing solid
     refuse(std::string(Place{list, k, "chains"}), "none", "one at least");
   for (const Chain& chain : obstacle.chains) {
     if (chain.points.empty())
@@ -114,7 +114,7 @@ void check_duration(const Scenario& scenario) {
            "at most " + std::to_string(kMostSteps) + " steps of " + text(dt) + " s");
 }
 
-// Decisions are at whole nanoseconds.
+// Checks that decisions are at whole nanoseconds.
 template <typename Name>
 void check_clock(const Name& name, double time_step) {
   require(name, time_step, Range{0.0, kMostClockTime, true}, "s");
@@ -124,7 +124,7 @@ void check_clock(const Name& name, double time_step) {
          "a whole number of nanoseconds where clock is free, such as " + text(near) + " s");
 }
 
-// Of every robot its steps are remembered, as far back as anybody's measurements are.
+// Every robot's steps are remembered, as far back as any measurement.
 void check_memory(const Scenario& scenario, const PlannerOptions& options) {
   if (!senses_by_time(scenario)) return;
   const double past = time_remembered(scenario, options.longest_step);
@@ -160,7 +160,7 @@ void check_clocks(const Scenario& scenario, const PlannerOptions& options) {
   if (is_free) check_memory(scenario, options);
 }
 
-// Those who have something of their own.
+// Checks the robots with values of their own.
 void check_methods(const Scenario& scenario) {
   const Agreed agreed = agreed_on(scenario);
   for (std::size_t i = 0; i < scenario.robots.size(); ++i) {
@@ -187,10 +187,11 @@ void check_declared(const Scenario& scenario, const PlannerOptions& certified) {
   refuse("sensing_error", "one", std::string("none with certificate ") + to_string(certificate));
 }
 
-// Braking lasts for so many steps only as can be looked at one by one.
+// Braking may last only for as many steps as can be tested one by one.
 void check_braking(const Scenario& scenario, const PlannerOptions& options) {
   const double steps = static_cast<double>(kMostBrakingSteps);
-  double time_step = options.time_step;  // of anybody, who counts the others' braking by it
+  // of any robot, which counts the others' braking in its own steps
+  double time_step = options.time_step;
   for (const RobotSetup& robot : scenario.robots)
     if (method_of(scenario, robot) == options.method)
       time_step = std::min(time_step, time_step_of(scenario, robot));
@@ -229,8 +230,8 @@ void check_sensing(const SensingModel& sensing) {
   require("sensing.dropped", sensing.dropped, kShareMissed, "");
 }
 
-// A measurement of the past is carried on from where it was: nobody remembers that of one on a
-// path.
+// A measurement of the past is extrapolated from the past state, which is not stored for an
+// obstacle on a path.
 void check_paths(const Scenario& scenario) {
   const SensingModel& sensing = scenario.sensing;
   if (sensing.delay == 0 && !sensing.misses()) return;
@@ -241,7 +242,7 @@ void check_paths(const Scenario& scenario) {
   }
 }
 
-// The sides of a step's triangle are looked at, not what is inside: no wall may hide there.
+// The certificate tests the sides of a step's triangle, not its interior: no wall may hide there.
 void check_beside_walls(const Scenario& scenario, Method method) {
   const std::vector<RobotSetup>& robots = scenario.robots;
   const bool has_walls =
@@ -260,7 +261,7 @@ void check_beside_walls(const Scenario& scenario, Method method) {
   }
 }
 
-// What an airplane is promised and promises holds under these only.
+// The promises to and of an airplane hold only under these conditions.
 void check_flights(const Scenario& scenario, const PlannerOptions& options) {
   const std::vector<RobotSetup>& robots = scenario.robots;
   const auto first = std::find_if(robots.begin(), robots.end(),

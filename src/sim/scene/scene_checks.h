@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the checks of a scene share: where a value stands, and how points are told.
+// The common part of the checks of a scene: the place of a value, and the text of points.
 #pragma once
 
 #include <charconv>
@@ -38,12 +38,12 @@ inline std::string rounded(double value, int digits) {
   return {buffer, end};
 }
 
-/// Refuses what no robot of its model can be, number i of the scene.
+/// Refuses robot i of the scene if no robot of its model can have its values.
 void check_robot(std::size_t i, const RobotSetup& robot, double time_step);
 
-/// What the rest of a step adds to a state that is seen in the midst of it, beyond what
-/// max_acceleration does to the velocity of the disc; of free clocks
-/// (docs/certificate/clocks.md, "Robots with wheels").
+/// The effect of the rest of a step on a state that is seen during the step, for free clocks
+/// (docs/certificate/clocks.md, "Robots with wheels"). It excludes the effect of max_acceleration
+/// on the velocity of the disc.
 SensingError unforeseen(const Scenario& scenario);
 
 /// m: ways out before movers need all walls within their reach.
@@ -51,20 +51,20 @@ inline double wall_range(bool has_movers) {
   return has_movers ? std::numeric_limits<double>::infinity() : 0.0;
 }
 
-/// What all robots of a scene have agreed on, whatever their methods are.
+/// The values that all robots of a scene share, whatever their methods are.
 struct Agreed {
-  double longest_step = 0.0;  // s, of anybody
-  SensingError declared;      // that those declare who keep a certificate
+  double longest_step = 0.0;  // s, of any robot
+  SensingError declared;      // the error that robots with a certificate declare
 };
 Agreed agreed_on(const Scenario& scenario);
-/// planner_options() of a robot, where what all have agreed on is known.
+/// planner_options() of a robot, where the shared values are known.
 PlannerOptions planner_options(const Scenario& scenario, const RobotSetup& robot,
                                const Agreed& agreed);
 
-/// Those of the robots that keep a certificate, which are all of one method; the scene's where
-/// nobody does.
+/// The options of the robots with a certificate, which all have one method; the scene's where there
+/// are none.
 PlannerOptions certified_options(const Scenario& scenario);
-/// An error is declared with a certificate alone. Who keeps one may not be in the scene (any more).
+/// Clears a declared error without a certificate: the last robot with a certificate may be gone.
 void forget_undeclared_error(Scenario& scenario);
 
 }  // namespace avo::inline sim

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a scene says to the planners of its robots.
+// The options that a scene gives to the planners of its robots.
 #include <algorithm>
 #include <cmath>
 
@@ -13,7 +13,7 @@
 namespace avo::inline sim {
 namespace {
 
-// Of those who decide.
+// The longest step of the robots that decide.
 double longest_step_of(const Scenario& scenario) {
   if (scenario.longest_step) return *scenario.longest_step;
   double longest = 0.0;
@@ -39,7 +39,7 @@ SensingError unforeseen(const Scenario& scenario) {
 
 namespace {
 
-// What the scene says to robots of its own method.
+// Takes the scene's options for robots of its own method.
 void take_settings(const Scenario& scenario, PlannerOptions& options) {
   if (scenario.control_time) options.control_time = *scenario.control_time;
   if (scenario.time_horizon) options.time_horizon = *scenario.time_horizon;
@@ -146,7 +146,7 @@ SensingError declared_error(const Scenario& scenario) {
 }
 
 std::int64_t last_step(const Scenario& scenario, double time) {
-  // The quotient of two decimal fractions may fall short of the whole number that is meant.
+  // The quotient of two decimal fractions may be slightly less than the intended whole number.
   return static_cast<std::int64_t>(std::floor(time / scenario.time_step * (1.0 + 1e-12)));
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// How far robots have to see for their certificate, and how fast they may be for what they see
+// How far robots must see for their certificate, and how fast they may be for their sensing radius
 // (docs/certificate.md, "Statement", assumption 3).
 #include <algorithm>
 #include <bit>
@@ -29,10 +29,10 @@ namespace {
 // 5.4 m as a sum of decimal fractions may exceed 5.4 m by its rounding.
 constexpr double kSumRounding = 1e-12;
 
-// What a robot at its highest speed needs that is unseen until the next step.
+// What a robot at its highest speed needs, if it is unseen until the next step.
 struct Part {
   int robot = 0;
-  double length = 0.0;   // m, radius and way
+  double length = 0.0;   // m, radius and distance
   double seconds = 0.0;  // until rest
 };
 
@@ -71,7 +71,8 @@ double part_of(const MovingObstacle& obstacle, double seconds, double duration,
   return obstacle.radius + std::min(way, most) + parabola_error(obstacle.acceleration, law.step);
 }
 
-// Whoever needs more time or more length than all others: all that an obstacle can be worst for.
+// The robots that need more time or more length than all others: only they can be the worst for an
+// obstacle.
 std::vector<Part> worst_for_obstacles(std::vector<Part> parts) {
   std::stable_sort(parts.begin(), parts.end(), [](const Part& a, const Part& b) {
     return a.seconds != b.seconds ? a.seconds > b.seconds : a.length > b.length;
@@ -83,16 +84,17 @@ std::vector<Part> worst_for_obstacles(std::vector<Part> parts) {
   return front;
 }
 
-// A robot on which nobody counts to brake, as far as it is from another one that needs so many
+// The part of a robot that is not counted on to brake, towards another one that needs so many
 // seconds until rest.
 double part_of_mover(const RobotSetup& robot, double seconds) {
   return disc_radius(robot) + seconds * fastest_of(robot.model, robot.max_speed);
 }
 
-// Robots of the same layers and behavior that all keep the certificate or do not, longest first.
+// Robots of the same layers and behavior that all keep the certificate, or all do not, longest
+// first.
 using Kinds = std::map<std::tuple<std::uint32_t, std::uint32_t, Behavior, bool>, std::vector<Part>>;
 
-// Pairs of which one avoids the other at least, and keeps the certificate.
+// Takes pairs in which at least one robot avoids the other, and keeps the certificate.
 template <typename Take>
 void take_by_kind(const Scenario& scenario, const CertificateLaw& law,
                   const std::vector<Part>& parts, const Take& take) {
@@ -172,7 +174,7 @@ std::optional<SensingNeed> sensing_need(const Scenario& scenario, const Certific
 
 namespace {
 
-// m/s: an airplane cannot be slower than it flies.
+// m/s: an airplane cannot be slower than its min_speed.
 double limited_speed(const RobotSetup& robot, double limit) {
   return std::min(robot.max_speed, std::max(limit, least_speed(robot.model)));
 }
@@ -210,7 +212,7 @@ double admissible_speed(const Scenario& scenario) {
   if (law.kind == Certificate::none) return kInfinity;
   const double sensing_radius = sensing_radius_of(scenario);
   Scenario limited = scenario;
-  const auto is_seen = [&](double limit) {  // with no robot faster than the limit
+  const auto is_seen = [&](double limit) {  // if no robot is faster than the limit
     for (std::size_t i = 0; i < scenario.robots.size(); ++i) {
       const RobotSetup& robot = scenario.robots[i];
       if (keeps(scenario, robot, law)) limited.robots[i].max_speed = limited_speed(robot, limit);
@@ -221,7 +223,7 @@ double admissible_speed(const Scenario& scenario) {
   if (is_seen(top)) return kInfinity;
   const double least = std::numeric_limits<double>::min();
   if (!is_seen(least)) return 0.0;
-  // positive doubles are in the order of their bits
+  // positive doubles have the order of their bits
   auto seen = std::bit_cast<std::uint64_t>(least), unseen = std::bit_cast<std::uint64_t>(top);
   while (unseen - seen > 1) {
     const std::uint64_t middle = seen + (unseen - seen) / 2;

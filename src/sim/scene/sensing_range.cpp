@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// How far robots sense whose scene does not say it (docs/scenes.md, "How far robots sense").
+// The sensing radius where the scene does not give it (docs/scenes.md, "How far robots sense").
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -41,15 +41,16 @@ double mean_neighbors(const Scenario& scenario, double radius) {
 namespace avo {
 namespace {
 
-constexpr double kAlone = 1.0;  // m, where there is nobody to sense
+constexpr double kAlone = 1.0;         // m, where there is no other to sense
+constexpr std::size_t kSampled = 200;  // number of robots for which neighbors are counted
 
-// Radii: as far as robots look, among walls, for who claims a passage (docs/arrival.md).
+// Radii: the range in which robots among walls search for claims of passages (docs/arrival.md).
 constexpr double kAmongWalls = 30.0;
 
-// Of the robots that decide.
+// The largest values of the robots that decide.
 struct Largest {
   double radius = 0.0, speed = 0.0;  // m, m/s
-  bool some_yield = false;           // priorities differ
+  bool some_yield = false;           // whether priorities differ
 };
 
 Largest largest_of(const Scenario& scenario) {
@@ -65,10 +66,11 @@ Largest largest_of(const Scenario& scenario) {
   return largest;
 }
 
-// m: one that heads for the robot is seen in time for the robot alone to be out of its way, from
-// rest to rest, which takes 2 √(r/a) for the way r. Where one of two has to make more of the
-// correction, it is seen as soon as half-planes say so, from the time horizon on: seen later, it
-// leaves less of the correction to the one that should make it, and not in the order of priorities.
+// m: the robot sees another one that moves towards it in time to get out of its path alone, from
+// rest to rest. For the distance r this takes 2 √(r/a). Where one of two has to make more of the
+// correction, it must see the other as soon as half-planes ask for it, from the time horizon on. If
+// it sees the other later, less of the correction is left to the one that should make it, against
+// the order of priorities.
 double evading_range(const Robot& robot, const Largest& others, double time_horizon) {
   const double r = robot.radius + others.radius;
   const double time = 2.0 * std::sqrt(r / robot.max_acceleration);
@@ -76,7 +78,7 @@ double evading_range(const Robot& robot, const Largest& others, double time_hori
                  (others.some_yield ? std::max(time, time_horizon) : time);
 }
 
-// m: as far as a method's rules look, beside the certificate.
+// m: the range of a method's rules, beside the certificate.
 double rules_range(const Scenario& scenario) {
   const bool among_walls = !scenario.obstacles.empty() && scenario.navigation.value_or(true) &&
                            scenario.right_of_way != RightOfWay::none;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Whether a robot may be put where it is added or moved to: as a start of a scene, beside those who
-// are there now.
+// Checks whether a robot may be put where it is added or moved to: as a start of a scene, beside
+// the present robots.
 #include <algorithm>
 #include <numbers>
 #include <optional>
@@ -25,8 +25,8 @@ double time_until_rest(double speed, double max_braking, const CertificateLaw& l
   return step * (2.0 + braking_steps(speed, braking_decrement(max_braking, law.step)));
 }
 
-// The newcomer and all whom it could meet while they brake as a scene, in which the newcomer is the
-// first one.
+// The new robot and all robots that it could meet while they brake, as a scene; the new robot comes
+// first.
 struct Company {
   Scenario scene;
   std::vector<RobotId> id;        // of its robots
@@ -35,7 +35,7 @@ struct Company {
   Company(const World& world, const RobotSetup& setup, RobotId robot);
 };
 
-// By what each covers at its highest speed until both are at rest.
+// Finds them by the distance that each moves at its highest speed until both are at rest.
 class Reach {
  public:
   Reach(const World& world, const RobotSetup& setup)
@@ -76,8 +76,9 @@ class Reach {
   double radius_, top_speed_, seconds_;
 };
 
-// Where it begins to brake, if it decides nothing any more: now, or where its own step ends. The
-// disc of a drive moves otherwise than one that starts along its heading: as any disc does.
+// The state in which it begins to brake, if it decides nothing more: now, or where its own step
+// ends. The disc of a drive then moves differently from a drive that starts along its heading: as
+// any disc does.
 RobotSetup committed(const Fleet& fleet, std::size_t slot) {
   RobotSetup setup = fleet.setup(slot);
   if (setup.parked) return setup;
@@ -112,12 +113,13 @@ Company::Company(const World& world, const RobotSetup& setup, RobotId robot)
   }
 }
 
-// Whether it keeps the certificate that some do.
+// Returns whether it keeps the certificate that some robots keep.
 bool keeps_any(const World& world, const RobotSetup& robot) {
   return keeps(world.settings, robot, certificate_law(world.certified_planner()));
 }
 
-// Of those in the midst of a step, who go on to where it ends; it may be no straight way.
+// Finds a contact with a robot within a step, which continues to the end of the step; its path may
+// be curved.
 std::optional<BrokenStart> find_on_way(const World& world, const Company& company) {
   const Fleet& fleet = world.fleet;
   const RobotSetup& own = company.scene.robots.front();
@@ -142,7 +144,8 @@ std::optional<BrokenStart> find_on_way(const World& world, const Company& compan
   return {};
 }
 
-// Of those that are no robots, where the newcomer lacks most; the scene gets that obstacle alone.
+// Finds the obstacle, not a robot, to which the new robot is too near by most; the scene gets that
+// obstacle alone.
 std::optional<WallStart> find_wall(const World& world, const CertificateLaw& law, Company& company,
                                    ObstacleId& obstacle) {
   const StaticWorld& statics = world.statics;
@@ -207,7 +210,7 @@ void check_start(const World& world, const RobotSetup& setup, RobotId robot) {
   ObstacleId obstacle;
   const Wording wording = wording_of(company, obstacle);
   BrokenAssumptions broken;
-  const double late =  // whoever is in the midst of a step begins to brake so much later
+  const double late =  // a robot within a step begins to brake so much later
       world.fleet.has_clocks ? longest_first_step(law) * norm(setup.velocity) : 0.0;
   find_starts_of_first(company.scene, law, late, broken);
   if (const auto start = find_on_way(world, company); start && broken.starts.empty())

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Starts beside static obstacles: what the certificate against walls begins with.
+// Starts beside static obstacles: the first state of the certificate against walls.
 #include <algorithm>
 #include <cstddef>
 #include <optional>
@@ -29,7 +29,7 @@ namespace {
 struct ListedWalls {
   std::vector<Wall> walls;
   std::vector<int> obstacle;
-  WallGrid grid;  // of those that a robot of the scene may be too near to
+  WallGrid grid;  // of the walls that a robot of the scene may be too near to
 };
 
 ListedWalls list_walls(const Scenario& scenario, std::span<const MotionState> states,
@@ -49,7 +49,7 @@ ListedWalls list_walls(const Scenario& scenario, std::span<const MotionState> st
 
 }  // namespace
 
-// What braking leaves is less than what it has to.
+// Braking leaves less than the required distance.
 std::optional<WallStart> worst_wall(const Scenario& scenario, int number, const MotionState& state,
                                     std::span<const Wall> walls, const CertificateLaw& law) {
   const RobotSetup& robot = scenario.robots[static_cast<std::size_t>(number)];

@@ -32,7 +32,7 @@ inline void put_word(std::uint64_t word, std::byte* to) {
   for (std::size_t k = 0; k < kWord; ++k) to[k] = static_cast<std::byte>(word >> (8 * k) & 0xff);
 }
 
-// Writes values behind `written`, or takes them off the front of `unread`.
+// Writes values after `written`, or removes them from the front of `unread`.
 template <bool kReads>
 struct Archive {
   std::vector<std::byte> written = {};
@@ -48,7 +48,7 @@ struct Archive {
       put_word(value, &written[written.size() - kWord]);
     }
   }
-  /// Makes room for as many entries as there are, of so many words each.
+  /// Makes room for so many entries as there are, each of so many words.
   template <typename Entry>
   void size(std::vector<Entry>& list, std::size_t words) {
     std::uint64_t count = list.size();
@@ -85,7 +85,7 @@ void describe(Archive<kReads>& archive, Choice& choice) {
   choice = static_cast<Choice>(number);
 }
 
-// Eight letters a word.
+// Eight letters in a word.
 template <bool kReads>
 void describe(Archive<kReads>& archive, std::string& text) {
   std::uint64_t count = text.size();

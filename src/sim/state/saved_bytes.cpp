@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// A saved state as the words of an archive: a mark, the number of bytes, the version of the
-// library, the settings, obstacles, robots, and at the end a checksum of all the words before it.
+// A saved state as the words of an archive. They are a mark, the number of bytes, the version of
+// the library, the settings, obstacles and robots. At the end there is a checksum of all the words
+// before it.
 #include <algorithm>
 #include <string>
 #include <utility>
@@ -34,7 +35,7 @@ void describe(Archive<kReads>& archive, SensingModel& model) {
   describe(archive, noise.position), describe(archive, noise.velocity);
   describe(archive, noise.distribution), describe(archive, noise.truncated);
   describe(archive, model.delay), describe(archive, model.dropped);
-  // one word for both: without localization as before there was any
+  // one word for both: without localization the format is the older one
   const LocalizationNoise exact;
   std::uint64_t kinds = (model.occlusion ? 1U : 0U) | (model.localization == exact ? 0U : 2U);
   archive.word(kinds);
@@ -98,7 +99,7 @@ void describe(Archive<kReads>& archive, Waiting& waiting) {
   for (Segment& gap : waiting.closed) describe(archive, gap.a), describe(archive, gap.b);
 }
 
-// In one word, and more where it ends elsewhere than at the goal, and where passages may be held.
+// In one word; more where it ends elsewhere than at the goal, and where passages may be held.
 template <bool kReads>
 void describe(Archive<kReads>& archive, SavedWay& way) {
   const bool waits = way.waiting.least < kInfinity || !way.waiting.closed.empty();
@@ -144,7 +145,7 @@ void describe(Archive<kReads>& archive, Detour& detour) {
             second >> 33 != 0, number(third),       number(third >> 32)};
 }
 
-// What few robots have, in one word with the horizon behind it.
+// Rare properties of robots, in one word with the horizon after it.
 template <bool kReads>
 void describe_kinds(Archive<kReads>& archive, RobotSetup& setup) {
   const auto method = static_cast<std::uint64_t>(setup.method.value_or(Method{}));

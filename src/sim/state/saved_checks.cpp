@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a saved state has to be that no bytes of another program, or forged ones, are.
+// Checks of a saved state that bytes of another program, or forged ones, do not pass.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -22,9 +22,10 @@ void refuse_saved(const std::string& given, const std::string& allowed) {
 namespace {
 
 constexpr std::int64_t kLastInstant = std::int64_t{1} << 62;  // ns
-constexpr std::int64_t kLastStep = std::int64_t{1} << 53;     // time() tells no later ones apart
+// time() cannot distinguish later ones
+constexpr std::int64_t kLastStep = std::int64_t{1} << 53;
 
-// As many robots at a time as a scene may have: more of them may have been added to a simulation.
+// Checks as many robots at a time as a scene may have: a simulation may have more after additions.
 void check_setups(const Scenario& scene) {
   Scenario part = scene;
   constexpr auto kMost = static_cast<std::size_t>(kMostRobots);
@@ -39,7 +40,7 @@ void check_setups(const Scenario& scene) {
   }
 }
 
-// On its circle, as a step leaves it.
+// Checks that airplanes are on their circles, as after a step.
 void check_flights(const SavedState& state) {
   constexpr double kOff = 1e-6;  // of the radius
   std::size_t k = 0;
@@ -55,7 +56,7 @@ void check_flights(const SavedState& state) {
   }
 }
 
-// Steps one after the other, up to the present one.
+// Returns whether the steps are consecutive, up to the present one.
 bool is_sound(const std::vector<Knot>& track, const SavedClock& clock) {
   const bool whole = track.size() >= 2 && track.front().at >= 0 && track.back().at == clock.end;
   const bool ascends = std::is_sorted(track.begin(), track.end(),
@@ -66,7 +67,7 @@ bool is_sound(const std::vector<Knot>& track, const SavedClock& clock) {
          });
 }
 
-// Where it is told by instants.
+// Checks the tracks, where past states are by instants.
 void check_tracks(const SavedState& state) {
   const std::size_t robots = state.robots.size();
   bool sound = state.since.size() == robots && state.tracks.size() == robots &&
@@ -91,7 +92,7 @@ void check_past(const SavedState& state) {
   if (!whole || !dated || !finite) refuse_saved("a past that no robots can have", "theirs");
 }
 
-// Of a robot that may do as it likes within its step, the step has to be one.
+// For a robot that may move in any manner within its step, the step must be valid.
 void check_clocks(const SavedState& state) {
   if (state.scene.clock != Clock::free) return;
   const auto is_whole = [](const MotionState& s) {
@@ -121,7 +122,7 @@ bool is_sound(const Waiting& waiting) {
                      [](const Segment& gap) { return is_finite(gap.a) && is_finite(gap.b); });
 }
 
-// Refuses what no simulation comes to: only forged bytes have it.
+// Refuses states that no simulation can reach: only forged bytes have them.
 void check_states(const SavedState& state) {
   const auto is_finite_motion = [](const auto& body) {
     return is_finite(body.position) && is_finite(body.velocity);
@@ -142,7 +143,7 @@ void check_states(const SavedState& state) {
       refuse_saved("way point " + std::to_string(state.obstacles[k].target),
                    "below " + std::to_string(points));
   }
-  std::uint64_t next = 0;  // id, at least
+  std::uint64_t next = 0;  // lower bound of the id
   const auto check_id = [&next](std::uint64_t id, std::uint64_t beyond) {
     if (id < next || id >= beyond)
       refuse_saved("id " + std::to_string(id),

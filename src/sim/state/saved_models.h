@@ -44,7 +44,7 @@ void describe(Archive<kReads>& archive, Airplane& airplane) {
   airplane.after_goal = static_cast<AfterGoal>(after);
 }
 
-// Its kind and then what that has.
+// The kind and then its values.
 template <bool kReads>
 void describe(Archive<kReads>& archive, MotionModel& model) {
   auto kind = static_cast<std::uint64_t>(model.index());

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the future of a simulation depends on, as data and as bytes. What only the time of a step
-// depends on is not saved, such as the order of the robots in memory.
+// The data on which the future of a simulation depends, as data and as bytes. Data that affect only
+// the duration of a step are not saved, such as the order of the robots in memory.
 #pragma once
 #include <cstddef>
 #include <cstdint>
@@ -18,7 +18,7 @@ namespace avo::inline sim {
 
 struct World;
 
-/// What steps change of a robot: its state, beside its setup.
+/// The part of a robot that steps change: its state, beside its setup.
 struct SavedRobot {
   RobotId id;
   Vec2 position, velocity;  // m, m/s
@@ -27,23 +27,23 @@ struct SavedRobot {
 };
 static_assert(sizeof(SavedRobot) == 72, "it says so in avo/simulation.h");
 
-/// What steps change of a robot's way around walls.
+/// The part of a robot's route around walls that steps change.
 struct SavedWay {
   std::uint32_t target = 0;    // see Travel
-  bool is_exact = false;       // of the graph of the robot's own radius
-  bool around_movers = false;  // and of movers at rest
+  bool is_exact = false;       // with the graph of the robot's own radius
+  bool around_movers = false;  // with the graph around movers at rest
   WayEnd ends = WayEnd::goal;
   Vec2 place = {};       // m, where it ends, if not at the goal
-  Waiting waiting = {};  // but for the map that is made of it
+  Waiting waiting = {};  // without the map that is made from it
 };
 
-/// What steps change of an airplane besides.
+/// The additional state of an airplane that steps change.
 struct SavedFlight {
   LoiterCircle circle;
   bool has_arrived = false;
 };
 
-/// What else there is of a robot whose clock is free, see OwnClock.
+/// The additional state of a robot with a free clock, see OwnClock.
 struct SavedClock {
   std::int64_t begin = 0, end = 0;  // ns
   MotionState from, to;
@@ -51,26 +51,27 @@ struct SavedClock {
 };
 
 struct SavedState {
-  Scenario scene;               // what is in SavedRobot does not count in its robots
+  Scenario scene;               // values in SavedRobot do not count in its robots
   double sensing_radius = 0.0;  // m, at present
   std::int64_t steps = 0;
   std::uint64_t next_id = 0;
-  std::vector<SavedRobot> robots;   // by ascending id, as many as the scene has
-  std::vector<PathWalk> obstacles;  // likewise; without a path the target is 0
-  std::vector<SavedWay> ways;       // of the robots; none without walls and movers at rest
+  std::vector<SavedRobot> robots;  // by ascending id, as many as the scene has
+  // in the order of the scene, as many as it has; without a path the target is 0
+  std::vector<PathWalk> obstacles;
+  std::vector<SavedWay> ways;  // of the robots; none without walls and movers at rest
   std::uint64_t next_obstacle = 0;
   std::vector<ObstacleId> static_ids;  // ascending, as many as the scene has static obstacles
-  std::vector<std::int64_t> since;  // of the robots, see Senses; none where they remember nothing
+  std::vector<std::int64_t> since;  // of the robots, see Senses; empty where they remember nothing
   std::vector<PastState> past;
-  std::int64_t now = 0;              // ns, of free clocks
-  std::vector<SavedClock> clocks;    // of the robots; none where the clock is common
-  std::vector<std::uint64_t> stood;  // ids of robots that have, see Fleet::has_stood; ascending
-  std::vector<SavedFlight> flights;  // of the airplanes among the robots, in their order
+  std::int64_t now = 0;                   // ns, of free clocks
+  std::vector<SavedClock> clocks;         // of the robots; empty where the clock is common
+  std::vector<std::uint64_t> stood;       // ids of robots with Fleet::has_stood; ascending
+  std::vector<SavedFlight> flights;       // of the airplanes among the robots, in their order
   std::vector<std::vector<Knot>> tracks;  // of the robots, where senses are by time, oldest first
 };
 
-/// visit(key, member) for all that a scene has besides robots and obstacles and that its motion
-/// depends on.
+/// visit(key, member) for all values of a scene that affect its motion, except robots and
+/// obstacles.
 template <typename Visit>
 void for_each_setting(const Visit& visit) {
   visit("name", &Scenario::name);
@@ -99,7 +100,7 @@ void for_each_setting(const Visit& visit) {
   visit("never_swerves", &Scenario::never_swerves);
 }
 
-/// visit(key, member) for all that a moving obstacle's setup has.
+/// visit(key, member) for all values of a moving obstacle's setup.
 template <typename Visit>
 void for_each_obstacle_value(const Visit& visit) {
   visit("position", &MovingObstacle::position);
@@ -112,16 +113,16 @@ void for_each_obstacle_value(const Visit& visit) {
   visit("trajectory", &MovingObstacle::trajectory);
 }
 
-/// Throws Error on what no simulation comes to.
+/// Throws Error on a state that no simulation can reach.
 void check_saved(const SavedState& state);
 [[noreturn]] void refuse_saved(const std::string& given, const std::string& allowed);
 
 std::vector<std::byte> to_bytes(SavedState state);
-/// Throws Error on all that to_bytes() did not make; reads no size that it has not checked.
+/// Throws Error on bytes that to_bytes() did not make; reads no size without a check.
 SavedState from_bytes(std::span<const std::byte> bytes);
 
 SavedState saved_state(const World& world);
-/// Throws Error unless the state is one of a scene with the world's settings and moving obstacles.
+/// Throws Error unless the state is of a scene with the world's settings and moving obstacles.
 /// Changes nothing where it throws.
 void restore(const SavedState& state, World& world);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A world's state, taken out and put back.
+// Saves and restores a world's state.
 #include <algorithm>
 #include <limits>
 #include <optional>
@@ -94,7 +94,7 @@ void add_clocks(const SavedState& state, Fleet& fleet) {
   }
 }
 
-// The paces are the world's.
+// Makes the fleet. The paces are the world's.
 Fleet fleet_of(const SavedState& state, World& world) {
   Fleet fleet;
   fleet.has_clocks = state.scene.clock == Clock::free;
@@ -106,7 +106,7 @@ Fleet fleet_of(const SavedState& state, World& world) {
     setup.heading = robot.heading;
     fleet.add(robot.id, setup, world.pace_of(setup));
     fleet.position[k] = robot.position;  // of its disc, to the last bit
-    fleet.velocity[k] = robot.velocity;  // to the last bit, along a heading as well
+    fleet.velocity[k] = robot.velocity;  // to the last bit, also along a heading
     fleet.detour[k] = robot.detour;
     fleet.has_stood[k] =
         std::binary_search(state.stood.begin(), state.stood.end(), robot.id.value) ? 1 : 0;
@@ -160,7 +160,7 @@ Senses senses_of(const SavedState& state, const Fleet& fleet, double longest_ste
   return senses;
 }
 
-// As long as it has waited, and around the gaps that it goes around.
+// Restores the time that it has waited, and the gaps that it goes around.
 void keep_waiting(const SavedWay& way, Vec2 position, double radius, LegScratch& scratch,
                   Travel& travel) {
   if (!way.waiting.closed.empty() && travel.graph != nullptr) {
@@ -172,7 +172,7 @@ void keep_waiting(const SavedWay& way, Vec2 position, double radius, LegScratch&
   travel.waiting.opens_at = way.waiting.opens_at;
 }
 
-// With the targets that were saved: nobody looks for its way anew.
+// Makes the routes with the saved targets: no robot searches for its route again.
 std::vector<Travel> travels_of(const SavedState& state, Ways& ways) {
   const std::size_t count = ways.empty() ? 0 : state.robots.size();
   if (state.ways.size() != count)
@@ -283,7 +283,7 @@ void restore(const SavedState& state, World& world) {
   world.changed = world.has_new_goals = world.is_current = true;
   world.torn = false;
   for (Worker& worker : world.workers) {
-    worker.tile.clear();  // of a torn step
+    worker.tile.clear();  // after a torn step
     worker.staying.clear();
     worker.fast = false;
   }
