@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What an edit of few walls leaves of a corner graph.
+// The part of a corner graph that an edit of few walls keeps.
 #include "navigation/carried_graph.h"
 
 #include <algorithm>
@@ -21,8 +21,8 @@ bool are_equal(const Corner& one, const Corner& other) {
          one.most_lean == other.most_lean;
 }
 
-// Corners that were looked for anew, and are as before. None that comes in another order: of ways
-// of one length the order decides.
+// Matches corners that were searched for anew and have not changed. Corners in another order are
+// not matched: the order decides among routes of one length.
 void match_found_anew(const Corners& before, const Corners& now,
                       std::vector<std::uint32_t>& number) {
   std::vector<std::uint32_t> old_of(now.all.size(), kNoCorner);
@@ -52,7 +52,7 @@ void match_found_anew(const Corners& before, const Corners& now,
   }
 }
 
-// Around the walls that have changed and the corners that have.
+// Zones around the changed walls and the changed corners.
 std::vector<Zone> zones_of(const WallChanges& changes, double radius, const Corners& before,
                            const Corners& now, const std::vector<std::uint32_t>& number) {
   std::vector<Zone> zones = changes.around(radius + 2.0 * kSpareRoom);
@@ -75,7 +75,7 @@ std::vector<Zone> zones_of(const WallChanges& changes, double radius, const Corn
   return zones;
 }
 
-// Those that a corner had before, without the sectors in which it sees what has changed.
+// The edges that a corner had before, without the sectors in which it sees changes.
 std::optional<CornerGraph::SomeEdges> edges_left(const CornerGraph& before,
                                                  const CarriedGraph& carried, std::size_t old) {
   const CornerGraph::Edges* known = before.edges.known(old);
@@ -133,7 +133,7 @@ CornerGraph corner_graph(std::span<const Wall> walls, double radius, const Corne
 
 std::vector<Zone> zones_for(const CarriedGraph& carried, const CornerGraph& graph,
                             const PathMap& map, double length) {
-  constexpr double kSectorWidth = 0.03;  // rad, more than a sector has
+  constexpr double kSectorWidth = 0.03;  // rad, more than the width of a sector
   std::vector<Zone> changed = carried.changed;
   if (!(graph.all_within < kInfinity)) return changed;
   const bool has_long_edges = map.is_whole || map.longest_edge > graph.all_within;
@@ -142,8 +142,8 @@ std::vector<Zone> zones_for(const CarriedGraph& carried, const CornerGraph& grap
   return changed;
 }
 
-// All ways that are shorter than the least one into what has changed are as before, and so is what
-// is told of corners on them.
+// All routes that are shorter than the shortest one into a change are the same, and so are the
+// entries of corners on them.
 PathMap carried_map(const PathMap& map, std::uint32_t target, const CornerGraph& before,
                     const CarriedGraph& carried, std::span<const Zone> changed) {
   const auto now = [&](std::uint32_t corner) {

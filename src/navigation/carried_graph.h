@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The corner graph after an edit, made of the one before (docs/navigation.md).
+// The corner graph after an edit, made from the graph before it (docs/navigation.md).
 #pragma once
 #include <cstdint>
 #include <optional>
@@ -12,23 +12,25 @@
 
 namespace avo::inline navigation {
 
-/// What of a graph is in the one among other walls.
+/// The part of a graph that is kept among other walls.
 struct CarriedGraph {
-  std::vector<std::uint32_t> number;  // that each corner has now; kNoCorner: it has been found anew
-  std::vector<Zone> changed;          // outside of them all is as it was
+  // the present number of each corner; kNoCorner: it has been searched for anew
+  std::vector<std::uint32_t> number;
+  std::vector<Zone> changed;  // outside of all these zones nothing has changed
 };
-/// The graph that is made of nothing, sooner. Nothing is carried where much has changed: then
-/// `carried` is empty.
+/// The same graph as one made from nothing, but sooner. Nothing is kept where much has changed:
+/// then `carried` is empty.
 CornerGraph corner_graph(std::span<const Wall> walls, double radius, const CornerGraph& before,
                          std::optional<CarriedGraph>& carried,
                          Joining joining = Joining::by_number);
 
-/// Where changes matter to ways of that length, m, and to what the map tells: among many corners,
-/// an edge that is long gives way to a shorter one in its sector.
+/// The zones in which changes matter to routes of that length, m, and to the entries of the map.
+/// Among many corners, a shorter edge in its sector replaces a long edge.
 std::vector<Zone> zones_for(const CarriedGraph& carried, const CornerGraph& graph,
                             const PathMap& map, double length);
-/// What a map still tells, with the numbers that corners have now: the way from the target on, if
-/// what has changed is far from it, and whatever else of corners is as before.
+/// The entries of a map that still hold, with the present numbers of corners. They are the route
+/// from the target on, if all changes are far from it, and all other entries of corners that have
+/// not changed.
 PathMap carried_map(const PathMap& map, std::uint32_t target, const CornerGraph& before,
                     const CarriedGraph& carried, std::span<const Zone> changed);
 

@@ -16,14 +16,14 @@ double distance_squared(Vec2 p, const Segment& segment) {
   return norm_squared(p - nearest_on(segment, p));
 }
 
-// Whether the straight way comes nearer than `limit` to the wall's middle line.
+// Returns whether the segment comes nearer than `limit` to the wall's middle line.
 bool comes_nearer(const Segment& way, const Wall& wall, double limit) {
   const auto apart = [limit](double a, double b, double c, double d) {
     return std::min(a, b) - std::max(c, d) >= limit || std::min(c, d) - std::max(a, b) >= limit;
   };
   if (apart(way.a.x, way.b.x, wall.a.x, wall.b.x)) return false;
   if (apart(way.a.y, way.b.y, wall.a.y, wall.b.y)) return false;
-  // both ends are beyond the limit on one side of the way's line
+  // both ends are beyond the limit on one side of the segment's line
   const Vec2 d = way.b - way.a, e = wall.b - wall.a;
   const double one = cross(d, wall.a - way.a), other = cross(d, wall.b - way.a);
   const double limit_squared = limit * limit;

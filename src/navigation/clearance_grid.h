@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Walls by place: clearances of points and of straight ways, wherever the walls are.
+// Walls by place: clearances of points and of line segments, for any walls.
 #pragma once
 #include <cstddef>
 #include <cstdint>
@@ -10,12 +10,12 @@
 
 namespace avo::inline navigation {
 
-inline constexpr double kLengthRounding = 1e-9;  // of a length, more than is lost
+inline constexpr double kLengthRounding = 1e-9;  // of a length, more than its rounding
 
-/// m, the radius of the widest.
+/// m, the radius of the widest wall.
 double widest_of(std::span<const Wall> walls);
 
-/// Whether the wall's surface is nearer than `room` to the straight way from p to q.
+/// Returns whether the wall's surface is nearer than `room` to the segment from p to q.
 bool is_in_the_way(const Wall& wall, Vec2 p, Vec2 q, double room);
 
 /// A uniform grid in which each cell lists the walls that come within `reach` of it.
@@ -25,20 +25,20 @@ class ClearanceGrid {
   ClearanceGrid(std::span<const Wall> walls, double reach);
 
   [[nodiscard]] std::span<const Wall> walls() const { return walls_; }
-  /// m, how far walls are told from.
+  /// m, the range in which walls are found.
   [[nodiscard]] double reach() const { return reach_; }
-  /// m, from p to the nearest wall's surface, negative within it; reach() where none is nearer.
+  /// m, from p to the nearest wall's surface, negative inside it; reach() where none is nearer.
   [[nodiscard]] double clearance(Vec2 p) const;
-  /// Whether clearance(p) >= room, at most reach(); sooner.
+  /// Returns whether clearance(p) >= room, which is at most reach(); it takes less time.
   [[nodiscard]] bool has_room(Vec2 p, double room) const;
-  /// Whether no wall's surface is nearer than `room` <= reach() to the straight way from p to q.
+  /// Returns whether no wall's surface is nearer than `room` <= reach() to the segment from p to q.
   [[nodiscard]] bool is_clear(Vec2 p, Vec2 q, double room) const;
 
-  /// holds(index) of the walls within reach() of the straight way, and of some others, until it is
-  /// false of one; a wall may come more than once. Whether it was true of all.
+  /// Calls holds(index) for the walls within reach() of the segment, and for some others, until it
+  /// returns false; a wall may come more than once. Returns whether it was true for all.
   template <typename Holds>
   bool all_near(Vec2 p, Vec2 q, const Holds& holds) const;
-  /// How often all_near(p, p) asks, at most.
+  /// The largest number of calls by all_near(p, p).
   [[nodiscard]] std::size_t count_near(Vec2 p) const;
 
  private:
@@ -46,7 +46,7 @@ class ClearanceGrid {
     std::int64_t first, last;
   };
   [[nodiscard]] std::int64_t row_of(double y) const;
-  // Of the cells of a row, those that the way meets; slightly more for rounding.
+  // The cells of a row that the segment meets; slightly more for rounding.
   [[nodiscard]] Columns columns_of(Vec2 p, Vec2 q, std::int64_t row) const;
   template <typename Visit>
   void for_each_cell(const Wall& wall, const Visit& visit) const;
@@ -56,7 +56,7 @@ class ClearanceGrid {
   Vec2 origin_ = {};
   double cell_ = 1.0;                    // m
   std::int64_t columns_ = 0, rows_ = 0;  // none without walls
-  std::vector<std::uint32_t> first_;     // of each cell, in numbers_
+  std::vector<std::uint32_t> first_;     // of each cell, index into numbers_
   std::vector<std::uint32_t> numbers_;   // of walls
 };
 

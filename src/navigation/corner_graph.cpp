@@ -12,10 +12,11 @@
 namespace avo::inline navigation {
 namespace {
 
-constexpr std::size_t kMostJoinedCorners = 10000;  // of more, edges would be too many
-constexpr double kAllWithin = 64.0;                // radii: long edges are longer
+// with more corners, there would be too many edges
+constexpr std::size_t kMostJoinedCorners = 10000;
+constexpr double kAllWithin = 64.0;  // radii: long edges are longer
 
-// Whether a shortest way may lead straight from one point to the other one.
+// Returns whether a shortest route may lead straight from one point to the other one.
 bool are_joined(const CornerGraph& graph, std::uint32_t i, std::uint32_t k, double length) {
   const Vec2 direction = (graph.points[k] - graph.points[i]) / length;
   if (!graph.may_bend(i, direction) || !graph.may_bend(k, direction)) return false;
@@ -23,7 +24,7 @@ bool are_joined(const CornerGraph& graph, std::uint32_t i, std::uint32_t k, doub
   return graph.grid.is_clear(graph.points[std::min(i, k)], graph.points[std::max(i, k)], room);
 }
 
-// Where ways neither come from nor go to nobody has to look.
+// Closes the directions that no route comes from or goes to.
 void close_aside(const CornerGraph& graph, std::uint32_t corner, Horizons& horizons) {
   const Vec2 outward = graph.outward[corner];
   const double least = graph.most_lean[corner];
@@ -31,14 +32,14 @@ void close_aside(const CornerGraph& graph, std::uint32_t corner, Horizons& horiz
   for (std::size_t k = 0; k < Horizons::kSectors; ++k) {
     const double one = dot(outward, borders[k]);
     const double other = dot(outward, borders[(k + 1) % Horizons::kSectors]);
-    // the sine has no least value within a sector whose borders are both beyond
+    // the sine has no least value within a sector if both of its borders are beyond
     if (std::min(std::abs(one), std::abs(other)) > least + kLengthRounding && one * other > 0.0)
       horizons.close(k, 0.0);
   }
 }
 
-// Of the corners beyond all_within, the nearest one in each sector where none is nearer. Sectors do
-// not depend on each other.
+// The edges. Beyond all_within, only the nearest corner in each sector without a nearer one gets an
+// edge. Sectors do not depend on each other.
 CornerGraph::Edges edges_from(const CornerGraph& graph, std::uint32_t i,
                               const CornerGraph::SomeEdges* known) {
   const Vec2 p = graph.points[i];

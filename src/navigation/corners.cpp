@@ -17,7 +17,7 @@ namespace {
 constexpr double kPi = 0x1.921fb54442d18p+1;
 constexpr double kPointAngle = kPi / 6.0;  // between neighboring points around an end, at most
 constexpr double kStretch = 1.0353;        // > 1 / cos(kPointAngle / 2)
-constexpr double kTouching = 1e-3;         // of the radius: walls as near as that are joined
+constexpr double kTouching = 1e-3;         // of the radius: walls this near are joined
 constexpr double kLeanSlack = 0.1;         // where neighbors of a point are cut off
 constexpr double kWidestGap = 1.15;        // of what points around ends need to pass
 
@@ -29,7 +29,7 @@ class CornerFinder {
  public:
   CornerFinder(const ClearanceGrid& grid, double radius) : grid_(grid), radius_(radius) {}
 
-  // Those at ends far from what has changed are kept.
+  // Keeps the corners at ends far from all changes.
   void keep(const Corners& before, const WallChanges& changes, std::vector<std::uint32_t>& number) {
     before_ = &before, changes_ = &changes, number_ = &number;
     number.assign(before.all.size(), kNoCorner);
@@ -42,7 +42,7 @@ class CornerFinder {
       if (!old || is_in_one(changed, wall.a, 0.0) || is_in_one(changed, wall.b, 0.0)) continue;
       stays_[k] = 1;
       for (std::uint32_t c = before.in_gaps[*old]; c < before.in_gaps[*old + 1]; ++c)
-        is_new(before.all[c].point);  // no longer, for walls that are looked at anew
+        is_new(before.all[c].point);  // marks the place as taken, for walls that are examined anew
     }
   }
 
@@ -66,7 +66,7 @@ class CornerFinder {
   }
 
  private:
-  // Whether the wall stays, and so do its corners among those by these first ones.
+  // Returns whether the wall stays, and so do its corners among those by these first ones.
   bool is_kept(std::size_t wall, const std::vector<std::uint32_t>& first) {
     if (stays_[wall] == 0) return false;
     const std::size_t old = *changes_->number_before(wall);
@@ -79,7 +79,7 @@ class CornerFinder {
 
   bool is_joined(Vec2 p, Vec2 q) const { return norm(p - q) <= kTouching * radius_; }
 
-  // Whether the same end, up to joints, was looked at before.
+  // Returns whether the same end, up to joints, was examined before.
   bool is_repeated(std::size_t wall, Vec2 end, bool is_second) const {
     return !grid_.all_near(end, end, [&](std::size_t k) {
       const Wall& other = grid_.walls()[k];
@@ -88,7 +88,7 @@ class CornerFinder {
     });
   }
 
-  // The directions that no wall at this end is within 90 degrees of; none at a concave corner.
+  // The directions that are not within 90 degrees of a wall at this end; none at a concave corner.
   Arc free_arc(Vec2 end, double& widest) const {
     std::vector<double> angles;
     grid_.all_near(end, end, [&](std::size_t k) {
@@ -133,7 +133,7 @@ class CornerFinder {
     }
   }
 
-  // A point of which there is none as near as rounding.
+  // Returns whether there is no point within rounding of this one.
   bool is_new(Vec2 point) {
     const double cell = kTouching * radius_;
     const auto word = [cell](double x) {
@@ -152,8 +152,8 @@ class CornerFinder {
   struct Gap {
     Vec2 middle, across;  // m; unit
   };
-  // Where the middle lines of two gaps at one end meet: the way bends around that end between walls
-  // on its other side.
+  // Adds the point where the middle lines of two gaps at one end meet: the route bends around that
+  // end between walls on its other side.
   void add_in_bend(const Gap& one, const Gap& other, double widest) {
     const double sine = cross(one.across, other.across);
     const Vec2 apart = other.middle - one.middle;
@@ -163,10 +163,11 @@ class CornerFinder {
     if (norm(point - one.middle) <= widest) add_in_gap(point);
   }
 
-  // The middle of each gap between this end and another wall, and the places before and behind.
+  // Adds the middle of each gap between this end and another wall, and the places before and
+  // behind.
   void add_in_gaps(Vec2 end, double own) {
     const std::uint64_t place = mixed(mixed(0, word_of(end.x)), word_of(end.y));
-    if (!looked_at_.insert(mixed(place, word_of(own))).second) return;  // of pieces that touch
+    if (!looked_at_.insert(mixed(place, word_of(own))).second) return;  // for pieces that touch
     const double rounding = kLengthRounding * radius_;
     const double widest = kWidestGap * (1.0 + kStretch) * (radius_ + kSpareRoom);
     std::vector<Gap> gaps;
@@ -177,7 +178,7 @@ class CornerFinder {
       if (gap < 2.0 * (radius_ - rounding) || gap > widest) return true;
       const Vec2 across = (end - nearest) / between;
       const Vec2 middle = nearest + (other.radius + 0.5 * gap) * across;
-      if (!grid_.has_room(middle, 0.5 * gap - rounding)) return true;  // some wall is in the gap
+      if (!grid_.has_room(middle, 0.5 * gap - rounding)) return true;  // a wall is in the gap
       const Vec2 along = (radius_ + kSpareRoom) * perpendicular(across);
       for (const Vec2 point : {middle, middle + along, middle - along}) add_in_gap(point);
       gaps.push_back({middle, across});
@@ -215,7 +216,7 @@ Corners corners(const ClearanceGrid& grid, double radius, const Corners& before,
   return finder.find();
 }
 
-// An end's points and the walls that they keep off are within twice the reach, and so are other
+// The points of an end, and the walls that limit them, are within twice the reach, and so are other
 // ends of the same points.
 double corner_range(const ClearanceGrid& grid) {
   return 4.0 * grid.reach();

@@ -13,25 +13,26 @@ struct Corner {
   Vec2 point = {};
   double room = 0.0;     // m, to the nearest wall, at most radius + kSpareRoom
   Vec2 outward = {};     // unit, from the wall's end that it lies around
-  double most_lean = 1;  // |sine| of the angle between shortest ways and the tangent there
+  double most_lean = 1;  // |sine| of the angle between shortest routes and the tangent there
 };
 
-/// Points around all ends of walls where convex corners stick out, and then those in gaps that are
-/// hardly wider than a robot, by the walls at whose ends they were found.
+/// Points around all ends of walls with convex corners, and then the points in gaps that are hardly
+/// wider than a robot, by the walls at their ends.
 struct Corners {
   std::vector<Corner> all;
-  std::vector<std::uint32_t> around, in_gaps;  // the first one of each wall; one more than walls
+  // index of the first one of each wall; one more than walls
+  std::vector<std::uint32_t> around, in_gaps;
 };
 Corners corners(const ClearanceGrid& grid, double radius);
-/// The same, where most walls are those of before. number: that each corner of before has now;
-/// kNoCorner of one that has been looked for anew.
+/// The corners where most walls are those of `before`. number: the present number of each corner of
+/// `before`; kNoCorner for a corner that was searched for anew.
 inline constexpr std::uint32_t kNoCorner = 0xffffffff;
 Corners corners(const ClearanceGrid& grid, double radius, const Corners& before,
                 const WallChanges& changes, std::vector<std::uint32_t>& number);
-/// m, from a wall: farther off no corner depends on it.
+/// m, from a wall: no corner farther off depends on it.
 double corner_range(const ClearanceGrid& grid);
 
-/// m, from which the grid has to tell walls for corners().
+/// m, range in which the grid must find walls for corners().
 double corner_reach(double radius, double widest_wall);
 
 }  // namespace avo::inline navigation

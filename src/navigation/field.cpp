@@ -10,11 +10,11 @@
 namespace avo::inline navigation {
 namespace {
 
-constexpr double kFarthest = 256.0;     // radii that a bend is handed on
+constexpr double kFarthest = 256.0;     // radii, over which a bend is handed on
 constexpr std::int64_t kGoalRings = 2;  // of cells around the goal that may see it
 
-// Spreads from the goal. Each point hands on what it aims at to those around it that see that, and
-// offers itself to those that do not.
+// Spreads from the goal. Each point hands on its aim to those points around it that see the aim,
+// and offers itself to the others.
 class Wave {
  public:
   Wave(const CornerGraph& graph, PathMap& map)
@@ -71,7 +71,7 @@ class Wave {
     offer(to, from);
   }
 
-  // False where `to` does not see the bend and would go by it.
+  // False where `to` does not see the bend and would use it.
   bool offer(std::uint32_t to, std::uint32_t bend) {
     const bool is_goal = bend == PathMap::kGoal;
     const Vec2 q = is_goal ? map_.goal : graph_.points[bend];

@@ -7,7 +7,7 @@
 
 namespace avo::inline navigation {
 
-/// Fills length and next of a map whose goal is free, for a graph with a lattice.
+/// Fills length and next of a map with a free goal, for a graph with a lattice.
 void spread_field(const CornerGraph& graph, PathMap& map);
 
 }  // namespace avo::inline navigation

@@ -13,7 +13,7 @@ Segment line_of(const Wall& wall) {
 }
 
 // +1 where the piece crosses the ray from p to the right upwards, -1 downwards. Each piece has its
-// lower end and not its upper one, so that no crossing is lost or counted twice.
+// lower end and not its upper one, so that each crossing counts exactly once.
 std::int32_t crossing(Vec2 a, Vec2 b, Vec2 p) {
   const bool up = a.y <= p.y && p.y < b.y, down = b.y <= p.y && p.y < a.y;
   if (!up && !down) return 0;
@@ -26,7 +26,7 @@ std::int32_t crossing(Vec2 a, Vec2 b, Vec2 p) {
 
 FreeSpace::FreeSpace(std::span<const Wall> walls, double radius)
     : radius_(radius), grid_(walls, 2.0 * radius + widest_of(walls)) {
-  // walls between which the disc does not pass
+  // walls between which the disc does not fit
   const auto for_each_link = [&](std::uint32_t from, std::vector<std::uint32_t>& last_from,
                                  const auto& visit) {
     const Wall& wall = walls[from];

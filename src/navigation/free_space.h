@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which places a disc can get to from where, decided at its exact radius (docs/navigation.md).
+// Which places a disc can reach from which others, decided at its exact radius
+// (docs/navigation.md).
 #pragma once
 #include <cstdint>
 #include <span>
@@ -10,19 +11,20 @@
 
 namespace avo::inline navigation {
 
-/// Where the center of a disc may be without overlapping a wall; contact is allowed.
+/// The places where the center of a disc may be without overlapping a wall; contact is allowed.
 class FreeSpace {
  public:
   FreeSpace(std::span<const Wall> walls, double radius);
 
   [[nodiscard]] double radius() const { return radius_; }
-  /// Tells walls from two radii and as much as the widest wall is wide.
+  /// Finds walls within two radii plus the width of the widest wall.
   [[nodiscard]] const ClearanceGrid& grid() const { return grid_; }
-  /// Whether the center may be there.
+  /// Returns whether the center may be there.
   [[nodiscard]] bool is_free(Vec2 p) const;
 
-  /// Equal for two places of the free space exactly if the disc gets from one to the other: how
-  /// often each ring of walls runs around it, of the rings that do.
+  /// Two places of the free space have equal windings exactly if the disc can move from one to the
+  /// other. A winding counts how often a ring of walls runs around the place; only rings that do
+  /// are listed.
   struct Winding {
     std::uint32_t ring = 0;
     std::int32_t times = 0;
@@ -32,7 +34,8 @@ class FreeSpace {
   [[nodiscard]] bool are_connected(Vec2 p, Vec2 q) const { return windings(p) == windings(q); }
 
  private:
-  // The way from the first end of wall `from` to that of wall `to`, along both and straight across.
+  // The line from the first end of wall `from` to the first end of wall `to`, along both and
+  // straight across.
   struct Link {
     std::uint32_t from, to;
     Vec2 leaves, meets;
@@ -41,7 +44,7 @@ class FreeSpace {
 
   double radius_ = 0.0;
   ClearanceGrid grid_;
-  std::vector<Link> tree_;   // each `to` comes once and later than it is a `from`
+  std::vector<Link> tree_;   // each `to` comes once, and no earlier link has it as `from`
   std::vector<Link> rings_;  // each closes one ring with the tree
 };
 

@@ -13,10 +13,10 @@ namespace avo::inline navigation {
 namespace {
 
 constexpr double kSampling = 0.5;  // radii
-constexpr double kJoint = 1e-3;    // radii: nobody sees through where pieces of walls touch
+constexpr double kJoint = 1e-3;    // radii: lines of sight do not pass where pieces of walls touch
 
-// Radii, between neighboring gaps of a passage: the farthest within which there are no more gaps
-// than kMostNear, or else the first one.
+// Radii, between neighboring gaps of a passage: the largest range with no more gaps than kMostNear,
+// or otherwise the first one.
 constexpr std::array kRanges{16.0, 32.0, 64.0, 128.0, 256.0};
 constexpr std::size_t kMostNear = 500;
 
@@ -43,8 +43,8 @@ class GapPairing {
     is_new_.assign(found_.gaps.size(), 1);
   }
 
-  // Between gaps that have been there and are looked for as far as before, a way stays as it is
-  // far from walls and gaps that are new or gone.
+  // Keeps pairs of old gaps that are searched for in the same range as before. Far from new or
+  // removed walls and gaps the free space between them has not changed.
   void keep(const GapPairs& before, const WallChanges& changes,
             const std::vector<std::uint32_t>& number) {
     const double largest = largest_of(found_.gaps);
@@ -91,7 +91,7 @@ class GapPairing {
   void add_change(const Gap& gap) {
     changed_.push_back({gap.middle(), 0.5 * gap.width() + joint_});
   }
-  // As far as others are looked for.
+  // Tests the range in which others are searched for.
   bool is_near_change(std::uint32_t i) const {
     const double reach = (1.0 + kLengthRounding) * ranges_[found_.range[i]].reach();
     return is_in_one(changed_, found_.gaps[i].middle(), reach);
@@ -103,7 +103,7 @@ class GapPairing {
                         [&](const Zone& zone) { return distance(zone.center, way) <= zone.reach; });
   }
 
-  // Whether some wall is nearer than that; most often the one that was before.
+  // Returns whether a wall is nearer than that; most often it is the one of the test before.
   bool is_nearer_wall(Vec2 p, double limit) {
     const std::span<const Wall> walls = grid_.walls();
     const auto is_nearer = [&](std::size_t k) {
@@ -121,8 +121,8 @@ class GapPairing {
     return norm(found_.gaps[k].middle() - found_.gaps[i].middle()) <= reach;
   }
 
-  // Whether the way from one gap's middle to that of another one of its kind is as narrow all
-  // along, and leads through no third one.
+  // Returns whether the free space between the middles of two gaps of one kind is narrow all along,
+  // and has no third gap.
   bool is_narrow_between(std::uint32_t i, std::uint32_t k) {
     const Gap &one = found_.gaps[i], &other = found_.gaps[k];
     const Vec2 from = one.middle(), to = other.middle();
@@ -142,7 +142,8 @@ class GapPairing {
     });
   }
 
-  // Whether there is so much room at p, or beside it: a way along a wall is not narrow for that.
+  // Returns whether there is so much room at p, or beside it: free space along a wall is not narrow
+  // for that reason.
   bool is_wide(Vec2 p, Vec2 way, double room) {
     const Vec2 left = (room / norm(way)) * perpendicular(way);
     for (const Vec2 place : {p, p + left, p - left}) {
@@ -160,7 +161,7 @@ class GapPairing {
     return 0;
   }
 
-  // At those of a higher number.
+  // Tests the gaps of a higher number.
   void look_around(std::uint32_t i) {
     const Vec2 middle = found_.gaps[i].middle();
     others_.clear();
@@ -182,14 +183,14 @@ class GapPairing {
   const ClearanceGrid& grid_;
   GapPairs found_;
   double joint_ = 0.0;                  // m
-  std::optional<ClearanceGrid> sight_;  // of the walls, for straight ways
+  std::optional<ClearanceGrid> sight_;  // of the walls, for segments
   std::optional<ClearanceGrid> lines_;  // of the gaps
   std::vector<ClearanceGrid> ranges_;   // of their middles
   std::vector<std::uint32_t> others_;
   std::size_t nearer_wall_ = 0;
   bool keeps_ = false;
-  std::vector<char> is_new_;        // by gap: it was not there, or others were looked for elsewhere
-  std::vector<std::uint32_t> new_;  // those
+  std::vector<char> is_new_;        // by gap: it is new, or its range has changed
+  std::vector<std::uint32_t> new_;  // the new ones
   std::vector<Zone> changed_;
 };
 

@@ -15,16 +15,15 @@
 namespace avo::inline navigation {
 namespace {
 
-constexpr double kOneLane = 4.4;        // radii: two robots with a tenth of their size to each side
-constexpr double kTwoLanes = 8.0;       // radii: wider ways need no lanes
-constexpr double kTouchingEnds = 1e-3;  // of the least radius: ends as near as that are joined
-constexpr double kStraight = 1e-6;      // rad: less is no bend
-constexpr double kLeadsInto = 1e-3;     // cosine: then a joined wall certainly leads into the gap
-constexpr double kMostUnlike =
-    100.0;  // times the least radius: rounding is less than that certainty
+constexpr double kOneLane = 4.4;        // radii: two robots with a tenth of their size on each side
+constexpr double kTwoLanes = 8.0;       // radii: wider gaps need no lanes
+constexpr double kTouchingEnds = 1e-3;  // of the least radius: ends this near are joined
+constexpr double kStraight = 1e-6;      // rad: a smaller angle is no bend
+constexpr double kLeadsInto = 1e-3;     // cosine: a joined wall then certainly leads into the gap
+constexpr double kMostUnlike = 100.0;   // times the least radius: rounding is less than that margin
 
-// m: with one of that reach around each change, no wall within the grid's reach of a place outside
-// has changed; and no gap that such a place tells leads farther out than twice that.
+// m: with a zone of that reach around each change, no wall within the grid's reach of a place
+// outside has changed. No gap that is found at such a place leads farther out than twice that.
 double range_of(const ClearanceGrid& grid) {
   return (1.0 + kLengthRounding) * grid.reach() + kTouchingEnds * grid.reach();
 }
@@ -43,7 +42,7 @@ class GapFinder {
         touching_(kTouchingEnds * radii.front()),
         joints_(grid.walls(), touching_) {}
 
-  // What ends tell that are far from what has changed is kept.
+  // Keeps the gaps of ends that are far from all changes.
   void keep(const ToldGaps& before, const WallChanges& changes,
             std::vector<std::uint32_t>& number) {
     before_ = &before, changes_ = &changes, number_ = &number;
@@ -67,7 +66,7 @@ class GapFinder {
  private:
   bool is_joined(Vec2 p, Vec2 q) const { return norm(p - q) <= touching_; }
 
-  // Whether the same walls are around the end as before, in the same order.
+  // Returns whether the same walls are around the end as before, in the same order.
   bool keeps(std::size_t wall, bool is_second) {
     if (before_ == nullptr) return false;
     const auto old = changes_->number_before(wall);
@@ -88,8 +87,8 @@ class GapFinder {
     told_.kind.resize(told_.all.size(), ToldGaps::Kind::way);
   }
 
-  // Whether other walls, as thick, lead straight on from the wall's end: then nothing is narrowest
-  // there, and in how many pieces a wall is given makes no difference.
+  // Returns whether other walls, at least as thick, lead straight on from the wall's end. Then
+  // nothing is narrowest there, and the number of pieces of a wall makes no difference.
   bool goes_on(const Wall& wall, Vec2 from, Vec2 end) const {
     const Vec2 way = end - from;
     return !joints_.all_near(end, end, [&](std::size_t k) {
@@ -104,14 +103,14 @@ class GapFinder {
     });
   }
 
-  // Pieces that touch at an end tell of the same gaps.
+  // Pieces that touch at an end give the same gaps.
   bool is_new(Vec2 end, double radius) {
     const std::uint64_t place = mixed(mixed(0, word_of(end.x)), word_of(end.y));
     return looked_at_.insert(mixed(place, word_of(radius))).second;
   }
 
-  // Units, of walls, no thinner, that begin at this end: they lead into the circle of whatever gap
-  // lies ahead of them.
+  // Finds unit directions of walls, no thinner, that begin at this end: they lead into the circle
+  // of any gap ahead of them.
   void find_leaving(Vec2 end, double end_radius) {
     leaving_.clear();
     if (radii_.back() > kMostUnlike * radii_.front()) return;
@@ -132,7 +131,7 @@ class GapFinder {
     });
   }
 
-  // Whether some wall is nearer; most often the one that was for the gap before.
+  // Returns whether a wall is nearer; most often it is the one of the gap before.
   bool is_blocked(Vec2 middle, double room) {
     const auto is_nearer = [&](std::size_t k) {
       const Wall& wall = grid_.walls()[k];
@@ -151,8 +150,8 @@ class GapFinder {
     });
   }
 
-  // The gaps between this end and the walls around it, in the order of their numbers, with nothing
-  // else in between.
+  // Adds the gaps between this end and the walls around it, in the order of their numbers, with
+  // nothing else in between.
   void add_at(Vec2 end, double end_radius) {
     if (!is_new(end, end_radius)) return;
     find_leaving(end, end_radius);
@@ -194,11 +193,12 @@ class GapFinder {
            is_joined(one.b, other.b);
   }
 
-  // Both ends of a gap may have told of it. And where ways cross there are gaps from corner to
-  // corner, which are not where any of them is narrowest: another one, no wider, crosses them.
+  // Judges the kinds. Both ends of a gap may have found it. Where routes cross there are also gaps
+  // from corner to corner, which are not where any route is narrowest: another gap, no wider,
+  // crosses them.
   void judge() {
     const double reach = range_of(grid_);
-    std::vector<std::uint32_t> numbers;  // of all that may cross one that is judged
+    std::vector<std::uint32_t> numbers;  // of all gaps that may cross a judged one
     std::vector<Wall> lines;
     for (std::uint32_t k = 0; k < told_.all.size(); ++k) {
       const Gap& gap = told_.all[k];
@@ -230,16 +230,16 @@ class GapFinder {
   const ClearanceGrid& grid_;
   std::span<const double> radii_;
   double touching_;
-  ClearanceGrid joints_;  // tells walls that touch
+  ClearanceGrid joints_;  // finds walls that touch
   std::unordered_set<std::uint64_t> looked_at_;
   std::vector<Vec2> leaving_;
   std::array<std::size_t, 8> blocking_{};  // walls, the last one first
-  std::vector<std::size_t> around_;        // walls, likewise
+  std::vector<std::size_t> around_;        // walls around the present end
   ToldGaps told_;
   const ToldGaps* before_ = nullptr;
   const WallChanges* changes_ = nullptr;
   std::vector<std::uint32_t>* number_ = nullptr;
-  std::vector<Zone> zones_;  // outside of which ends tell what they told before
+  std::vector<Zone> zones_;  // outside of them the gaps of ends have not changed
 };
 
 }  // namespace

@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kMouth = 1.3;  // radii: from the outermost gap to the mouth
 
-// What a gap has on each of its sides: 0 is ahead, 1 behind.
+// The next gaps on each side of a gap: 0 is ahead, 1 behind.
 struct Links {
   std::array<std::uint32_t, 2> gap{kNoGap, kNoGap};
   std::array<int, 2> count{0, 0};
@@ -25,7 +25,7 @@ class Joiner {
     for (const auto& [i, k] : pairs.joined) link(i, k);
   }
 
-  // Also the gaps, each with the way along the axis of its passage to its left.
+  // Also gives the gaps, each with the direction of the axis of its passage to its left.
   std::vector<Passage> join(std::vector<Wall>& gaps, std::vector<std::uint32_t>& passage_of_gap) {
     std::vector<Passage> all;
     std::vector<bool> taken(gaps_.size(), false);
@@ -79,7 +79,8 @@ class Joiner {
     return links_[k].count[side_towards(k, i)] == 1 ? k : kNoGap;
   }
 
-  // Where the passage of gap i begins, and on which side of that gap it goes on; of a ring, i.
+  // The first gap of the passage of gap i, and the side of that gap on which the passage goes on;
+  // for a ring, i.
   std::pair<std::uint32_t, std::size_t> first_of(std::uint32_t i) const {
     std::uint32_t gap = i;
     std::size_t back = 1;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Gaps of one way make a passage (docs/navigation.md).
+// Joins the gaps of one narrow route to a passage (docs/navigation.md).
 #pragma once
 #include <cstdint>
 #include <vector>
@@ -9,8 +9,8 @@
 
 namespace avo::inline navigation {
 
-/// A passage ends where it widens, and where it branches. Also the gaps as lines with the way along
-/// the axis to their left, and the passage of each.
+/// A passage ends where it widens, and where it branches. The function also gives the gaps as
+/// lines, each with the direction of the axis to its left, and the passage of each.
 std::vector<Passage> join_gaps(const GapPairs& pairs, std::vector<Wall>& lines,
                                std::vector<std::uint32_t>& passage_of);
 

@@ -9,7 +9,7 @@
 namespace avo::inline navigation {
 namespace {
 
-// Of the radius. Below √2, no wall parts what is free in one cell.
+// In radii. Below √2, no wall separates two free places in one cell.
 constexpr double kSpacing = 1.4;
 constexpr double kMostCells = 1 << 20;
 constexpr double kHalfDiagonal = 0.7072;  // of a cell

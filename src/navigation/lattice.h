@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Cells over walls, for maps with too many corners to look at all pairs of them
-// (docs/navigation.md).
+// Cells over walls, for maps with too many corners to test all pairs of them (docs/navigation.md).
 #pragma once
 #include <array>
 #include <cstdint>
@@ -12,17 +11,17 @@
 
 namespace avo::inline navigation {
 
-/// m, that ways keep from walls beyond the robot's radius, where there is room for it.
+/// m, that routes keep from walls beyond the robot's radius, where there is room for it.
 inline constexpr double kSpareRoom = 0.05;
 inline constexpr std::array kSpareParts{1.0, 0.25, 0.02, 1e-4, 1e-7};  // tried in this order
 
-/// Square cells that cover all walls and one free cell around them. Where they lie depends on the
-/// spacing alone, so that no wall far off changes what there is of a cell.
+/// Square cells that cover all walls and one free cell around them. Their places depend on the
+/// spacing alone, so that no distant wall changes the content of a cell.
 struct Lattice {
   double spacing = 0.0;                          // m
   std::int64_t first_column = 0, first_row = 0;  // spacings from the origin
   std::int64_t columns = 0, rows = 0;
-  std::vector<std::uint32_t> first;    // of each cell's corners; one more than cells
+  std::vector<std::uint32_t> first;    // index of each cell's first corner; one more than cells
   std::vector<std::uint32_t> corners;  // by cell
 
   [[nodiscard]] bool empty() const { return columns == 0; }
@@ -39,10 +38,10 @@ struct Lattice {
     const Place place = place_of(p);
     return static_cast<std::size_t>(place.row * columns + place.column);
   }
-  /// visit(cell) of those that are so many columns or rows away, not more.
+  /// Calls visit(cell) for the cells that are exactly so many columns or rows away.
   template <typename Visit>
   void for_each_around(Place place, std::int64_t away, const Visit& visit) const;
-  /// visit(cell) of the outermost ones.
+  /// Calls visit(cell) for the outermost cells.
   template <typename Visit>
   void for_each_on_border(const Visit& visit) const;
   [[nodiscard]] std::span<const std::uint32_t> corners_in(std::size_t cell) const {
@@ -50,20 +49,21 @@ struct Lattice {
   }
 };
 
-/// Over the walls of the grid, with the corners sorted into it. The radius is the robots'.
+/// Makes the lattice over the walls of the grid, with the corners sorted into it. The radius is the
+/// robots'.
 Lattice make_lattice(const ClearanceGrid& grid, std::span<const Vec2> corners, double radius);
 
-/// About how many cells it would have.
+/// Its approximate number of cells.
 double lattice_cells(const ClearanceGrid& grid, double radius);
 
-/// A place where a robot may be, and what it has to walls, at most radius + kSpareRoom.
+/// A place where a robot may be, and its clearance from walls, at most radius + kSpareRoom.
 struct Sample {
   Vec2 point = {};
   double room = 0.0;  // m
 };
 
-/// One in that cell; none where it is hard to find one, which nearly always means that there is
-/// none.
+/// A sample in that cell. It is none where one is hard to find, which nearly always means that
+/// there is none.
 std::optional<Sample> sample_in(const Lattice& lattice, std::size_t cell, const ClearanceGrid& grid,
                                 double radius);
 

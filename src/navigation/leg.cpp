@@ -11,27 +11,28 @@
 namespace avo::inline navigation {
 namespace {
 
-constexpr double kPassed = 0.3;        // of the radius: so near a corner counts as passed
+constexpr double kPassed = 0.3;        // of the radius: a corner this near counts as passed
 constexpr double kSearchMargin = 4.0;  // radii
-constexpr std::int64_t kRings = 3;     // of cells around a robot that are looked at
+constexpr std::int64_t kRings = 3;     // of cells around a robot that are examined
 
-// One robot's looking for its next target.
+// The state of one robot's search for its next target.
 struct Lookout {
   const CornerGraph& graph;
   std::shared_ptr<const PathMap>& known;
   Vec2 p;
   double radius;  // m
-  double room;    // m, that its way keeps where it has it
+  double room;    // m, that its route keeps where it has it
   LegScratch& scratch;
 
   const PathMap& map() const { return *known; }
-  // m, that a search goes on for, so that who is pushed aside need not search again.
+  // m, by which a search goes beyond the best route, so that a robot that is pushed aside need not
+  // search again.
   double margin() const { return kSearchMargin * radius; }
   double length_by(std::uint32_t target) const {
     if (target == PathMap::kGoal) return map().is_free ? norm(map().goal - p) : kInfinity;
     return length_from(graph, map(), target) + norm(graph.points[target] - p);
   }
-  // The same, which asks for no more room than the robot takes.
+  // The same with no more room than the robot takes.
   Lookout closely() const {
     Lookout closest = *this;
     closest.room = std::min(room, (1.0 - 2.0 * kLengthRounding) * radius);
@@ -42,11 +43,11 @@ struct Lookout {
     const Vec2 aim = point_of(graph, map(), target);
     return map().is_open(p, aim) && graph.grid.is_clear(p, aim, std::min(room, there));
   }
-  // Then nothing is nearer by way, but for rounding.
+  // If true, no other route is shorter, up to rounding.
   bool sees_goal() const { return map().is_free && sees(PathMap::kGoal); }
 };
 
-// The target in view with the shortest way, of all.
+// The target in view with the shortest route, among all targets.
 std::uint32_t best_of_all(const Lookout& lookout) {
   const PathMap& map = lookout.map();
   std::vector<std::pair<double, std::uint32_t>>& targets = lookout.scratch.targets;
@@ -66,7 +67,7 @@ std::uint32_t best_of_all(const Lookout& lookout) {
   return PathMap::kNothing;
 }
 
-// The shortest way by one of several targets.
+// The shortest route through one of several targets.
 struct Choice {
   const Lookout& lookout;
   std::uint32_t best = PathMap::kNothing;
@@ -76,7 +77,7 @@ struct Choice {
     const double length = lookout.length_by(target);
     if (length < least && lookout.sees(target)) best = target, least = length;
   }
-  // By the points of a cell: what its sample aims at, its corners, and else the sample.
+  // Tries the points of a cell: the aim of its sample, its corners, and otherwise the sample.
   void look_from(std::size_t cell) {
     const CornerGraph& graph = lookout.graph;
     const auto sample = static_cast<std::uint32_t>(graph.corners() + cell);
@@ -92,8 +93,8 @@ struct Choice {
   }
 };
 
-// The same by a search: it settles targets in the order of their ways, so the first one in view is
-// the best, but for rounding.
+// The same by a search: it settles targets in the order of their routes, so the first one in view
+// is the best, up to rounding.
 std::uint32_t best_by_search(const Lookout& lookout) {
   if (!lookout.map().is_free) return PathMap::kNothing;
   Horizons horizons(lookout.p, std::min(lookout.room, lookout.graph.radius));
@@ -126,7 +127,7 @@ std::uint32_t best_in_view(const Lookout& lookout) {
   return choice.best;
 }
 
-// m, of the way from that corner on; nothing where it is not known.
+// m, of the route from that corner on; none where it is not known.
 std::optional<double> known_length(const PathMap& map, std::uint32_t corner) {
   const std::size_t place = map.place_of(corner);
   if (place < map.length.size()) return map.length[place];
@@ -134,8 +135,8 @@ std::optional<double> known_length(const PathMap& map, std::uint32_t corner) {
   return known != nullptr ? std::optional(known->length) : std::nullopt;
 }
 
-// Whether a corner of which nothing is known is surely no better than what is. is_beside: it has
-// an edge to one of those whose neighbors are known.
+// Returns whether an unknown corner is surely no better than the known ones. is_beside: an edge
+// joins it to a corner with known neighbors.
 bool is_surely_longer(const Lookout& lookout, std::uint32_t corner, bool is_beside, double least) {
   const PathMap& map = lookout.map();
   const Vec2 q = lookout.graph.points[corner];
@@ -145,7 +146,8 @@ bool is_surely_longer(const Lookout& lookout, std::uint32_t corner, bool is_besi
   return (from_there + norm(q - lookout.p)) * (1.0 - kWayRounding) >= least;
 }
 
-// What the map of one way tells of all that best_around() looks at; false: not enough.
+// Tries the entries of a map of one route for everything that best_around() examines; false: the
+// entries do not suffice.
 bool look_beside(Choice& choice, std::uint32_t target) {
   const Lookout& lookout = choice.lookout;
   const std::vector<std::uint32_t>& ways = lookout.map().beside;
@@ -163,7 +165,7 @@ bool look_beside(Choice& choice, std::uint32_t target) {
   return true;
 }
 
-// Makes the map one of the way from that corner on; false where it does not know all of it.
+// Makes the map one of the route from that corner on; false where it does not know all of it.
 bool turn_to(const Lookout& lookout, std::uint32_t corner) {
   const PathMap& map = lookout.map();
   PathMap turned;
@@ -184,7 +186,7 @@ bool turn_to(const Lookout& lookout, std::uint32_t corner) {
   return true;
 }
 
-// The best one of those around the target, where a part of the map is known.
+// The best target around the present one, where a part of the map is known.
 std::uint32_t best_beside(const Lookout& lookout, std::uint32_t target, bool is_in_view) {
   Choice choice{lookout};
   if (is_in_view) choice.best = target, choice.least = lookout.length_by(target);
@@ -216,8 +218,8 @@ std::uint32_t best_beside(const Lookout& lookout, std::uint32_t target, bool is_
   return choice.best;
 }
 
-// The best one in view of those around the target, or around the robot, and, where it is in view,
-// the target itself.
+// The best target in view of those around the present target, or around the robot. The present
+// target counts where it is in view.
 std::uint32_t best_around(const Lookout& lookout, std::uint32_t target, bool is_in_view) {
   Choice choice{lookout};
   if (is_in_view) choice.best = target, choice.least = lookout.length_by(target);
@@ -232,13 +234,13 @@ std::uint32_t best_around(const Lookout& lookout, std::uint32_t target, bool is_
   return choice.best;
 }
 
-// Whether there is a way from the target on; targets of other graphs may be asked for.
+// Returns whether there is a route from the target on; the target may be of another graph.
 bool is_known(const PathMap& map, std::uint32_t target) {
   if (target == PathMap::kGoal) return map.is_free;
   return target < PathMap::kNothing && map.after(target) != PathMap::kNothing;
 }
 
-// Whether what follows the target is in view, from near the target as closely as may be.
+// Returns whether the point after the target is in view; near the target the least room suffices.
 bool sees_next(const Lookout& lookout, std::uint32_t target) {
   const double left = norm(lookout.graph.points[target] - lookout.p);
   const std::uint32_t next = lookout.map().after(target);
@@ -248,7 +250,7 @@ bool sees_next(const Lookout& lookout, std::uint32_t target) {
 std::uint32_t target_from(const Lookout& lookout, std::uint32_t target, bool looks_around) {
   if (!is_known(lookout.map(), target)) return best_in_view(lookout);
   if (target != PathMap::kGoal && sees_next(lookout, target)) return lookout.map().after(target);
-  // who has set out keeps on where there is less room on the way than here
+  // a robot on its route continues where there is less room on the route than here
   const bool is_in_view = lookout.closely().sees(target);
   if (is_in_view && !looks_around) return target;
   const std::uint32_t best = best_around(lookout, target, is_in_view);
@@ -259,8 +261,8 @@ std::uint32_t target_from(const Lookout& lookout, std::uint32_t target, bool loo
 
 Leg next_leg(const CornerGraph& graph, std::shared_ptr<const PathMap>& map, Vec2 p, double radius,
              std::uint32_t target, bool looks_around, LegScratch& scratch) {
-  // half of what corners keep, so that a robot slightly off its way still sees them; one that is
-  // in a wall sees what is on its own side of it
+  // half of what corners keep, so that a robot slightly off its route still sees them. A robot in a
+  // wall sees the places on its own side of the wall.
   const double room = std::clamp(graph.grid.clearance(p) - kLengthRounding * radius,
                                  kLengthRounding * radius, graph.radius + 0.5 * kSpareRoom);
   const Lookout lookout{graph, map, p, radius, room, scratch};

@@ -15,11 +15,12 @@
 namespace avo::inline navigation {
 namespace {
 
-constexpr double kBeside = 0.5;     // radii: nearer to the walls nobody is in the way in
-constexpr double kBayRoom = 0.999;  // of the radius, on the straight way to a bay
-constexpr double kAtBends = 1.4;  // of half the width: nobody behind a wall is as near to the axis
+constexpr double kBeside = 0.5;     // radii: nearer to the walls a robot is not in the entrance
+constexpr double kBayRoom = 0.999;  // of the radius, on the segment to a bay
+// of half the width: no robot behind a wall is this near to the axis
+constexpr double kAtBends = 1.4;
 
-// Around the whole axis.
+// The capsule around the whole axis.
 Wall capsule_of(const Passage& passage) {
   Wall capsule{passage.axis.front(), passage.axis.back(), 0.0};
   for (const Vec2 p : passage.axis)
@@ -27,7 +28,7 @@ Wall capsule_of(const Passage& passage) {
   return capsule;
 }
 
-// Whether a robot gets straight from before the mouth to the bay on that side.
+// Returns whether a robot can move straight from before the mouth to the bay on that side.
 bool is_bay_free(const ClearanceGrid& grid, const Passage& passage, bool forward, double side) {
   const AxisPoint mouth = axis_point(passage, forward, 0.0);
   const double unit = passage.radius, room = kBayRoom * unit;
@@ -36,7 +37,7 @@ bool is_bay_free(const ClearanceGrid& grid, const Passage& passage, bool forward
   return grid.is_clear(mouth.point, before, room) && grid.is_clear(before, bay, room);
 }
 
-// On the right, unless there is room only on the left.
+// Chooses the right side, unless there is room only on the left.
 void choose_bay(const ClearanceGrid& grid, Passage& passage, bool forward) {
   if (!is_bay_free(grid, passage, forward, 1.0) && is_bay_free(grid, passage, forward, -1.0))
     passage.bay_side[forward ? 0 : 1] = -1.0;
@@ -49,7 +50,7 @@ std::uint64_t hash_of(const Passage& passage) {
   return hash;
 }
 
-// The gaps that lead somewhere, and the number among them of each one told.
+// The gaps that lead somewhere, and the number of each found gap among them.
 std::vector<Gap> ways_of(const ToldGaps& told, std::vector<std::uint32_t>& number) {
   std::vector<Gap> ways;
   number.assign(told.all.size(), kNoGap);
@@ -158,7 +159,7 @@ void Passages::choose_bays(const ClearanceGrid& grid) {
   }
 }
 
-// Far from what has changed bays are where they were.
+// Keeps the bays far from all changes.
 void Passages::keep_bays(const ClearanceGrid& grid, const Passages& before,
                          std::span<const Zone> changed) {
   std::unordered_map<std::uint64_t, std::uint32_t> number_before;

@@ -13,10 +13,10 @@
 namespace avo::inline navigation {
 namespace {
 
-constexpr double kTurnRoom = 0.3;  // of the radius: how far a robot may be carried off its way
-constexpr double kBraking = 1.6;   // of 2, the part of full braking that is counted upon
+constexpr double kTurnRoom = 0.3;  // of the radius: how far a robot may be carried off its route
+constexpr double kBraking = 1.6;   // of 2, the part of full braking that is used
 
-// m, what v²/a may be at a turn, see speed_limit().
+// m, the largest allowed v²/a at a turn, see speed_limit().
 double top_at(double turn, double radius) {
   return turn > 0.0 ? 2.0 * kTurnRoom * radius / (turn * turn) : kInfinity;
 }
@@ -52,7 +52,7 @@ void spread_along_edges(const CornerGraph& graph, PathMap& map) {
   }
 }
 
-// Of corners, those nearer to the goal come first.
+// Fills the values at corners; corners nearer to the goal come first.
 void fill_tops(const CornerGraph& graph, PathMap& map) {
   std::vector<std::pair<double, std::uint32_t>> known;
   for (std::uint32_t k = 0; k < map.length.size(); ++k) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Shortest ways to one goal (docs/navigation.md).
+// Shortest routes to one goal (docs/navigation.md).
 #pragma once
 #include <algorithm>
 #include <cstddef>
@@ -15,42 +15,43 @@
 
 namespace avo::inline navigation {
 
-/// The ways to the goal from all points of a graph, or from those that one robot has asked for.
-/// What it tells of a point follows from the graph and the goal alone.
+/// The routes to the goal from all points of a graph, or from the points that one robot has asked
+/// for. Its entry for a point follows from the graph and the goal alone.
 struct PathMap {
-  static constexpr std::uint32_t kGoal = 0xffffffff;     // instead of a point
-  static constexpr std::uint32_t kNothing = 0xfffffffe;  // likewise
+  static constexpr std::uint32_t kGoal = 0xffffffff;     // in place of a point
+  static constexpr std::uint32_t kNothing = 0xfffffffe;  // in place of a point
   Vec2 goal = {};
   double room = 0.0;     // m, that the last leg keeps from walls
   bool is_free = false;  // whether the robot can be at the goal
   bool is_whole = true;
-  std::vector<std::uint32_t> corners;  // unless it is whole, of those below: one way, to the goal
-  std::vector<double> length;          // m, from each corner on; infinity: no way
-  std::vector<std::uint32_t> next;     // the point after it, kGoal or kNothing
-  std::vector<double> top;  // m, what v²/a may be at each corner for all the turns behind it
-  // of a field: what is next from the border of the lattice, ascending
+  // unless it is whole, the corners of the vectors below: one route, to the goal
+  std::vector<std::uint32_t> corners;
+  std::vector<double> length;       // m, from each corner on; infinity: no route
+  std::vector<std::uint32_t> next;  // the point after it, kGoal or kNothing
+  std::vector<double> top;  // m, the largest allowed v²/a at each corner for all the turns after it
+  // of a field: the next points from the border of the lattice, ascending
   std::vector<std::uint32_t> from_outside;
-  /// What is known of a corner.
+  /// A known corner.
   struct Known {
     std::uint32_t corner = 0, next = 0;
     double length = 0.0;  // m
   };
-  // Unless it is whole: of corners within `reach` of `from`, of those to which one of `beside` has
-  // an edge, and of others, ascending. Of any other one there, the length and the distance to
-  // `from` are `settled` m at least.
+  // Unless it is whole: known corners, ascending. They are within `reach` of `from`, or an edge
+  // joins them to a corner of `beside`, or they are others. For any other corner there, the sum of
+  // its length and its distance to `from` is at least `settled` m.
   std::shared_ptr<const std::vector<Known>> around = {};
   std::vector<std::uint32_t> beside;
   Vec2 from = {};
   double reach = 0.0, settled = 0.0;  // m
-  double longest_edge = 0.0;          // m, of those that have been looked at
-  std::vector<Segment> closed = {};   // across gaps between walls: no way leads through them
+  double longest_edge = 0.0;          // m, of the examined edges
+  std::vector<Segment> closed = {};   // across gaps between walls: no route leads through them
 
   [[nodiscard]] bool is_open(Vec2 p, Vec2 q) const {
     return std::none_of(closed.begin(), closed.end(),
                         [&](const Segment& gap) { return leads_across(gap, p, q); });
   }
 
-  /// Where that point is in what it tells of points; length.size() where it tells nothing.
+  /// The index of that point in the entries of points; length.size() where there is none.
   [[nodiscard]] std::size_t place_of(std::uint32_t point) const {
     if (is_whole) return std::min(std::size_t{point}, next.size());
     const auto found = std::find(corners.begin(), corners.end(), point);
@@ -63,7 +64,7 @@ struct PathMap {
   }
 };
 
-/// The goal alone, and nothing of any point.
+/// A map of the goal alone, without entries of points.
 PathMap goal_of(const CornerGraph& graph, Vec2 goal, std::vector<Segment> closed = {});
 /// The whole map.
 PathMap path_map(const CornerGraph& graph, Vec2 goal, std::vector<Segment> closed = {});
@@ -72,16 +73,16 @@ inline Vec2 point_of(const CornerGraph& graph, const PathMap& map, std::uint32_t
   return target == PathMap::kGoal ? map.goal : graph.points[target];
 }
 
-/// Adds the way from that corner on to a map that has none, where `known` tells of each corner on
-/// it: false where it does not, of one at least.
+/// Adds the route from that corner on to a map without one, if `known` has an entry for each corner
+/// on it; returns false if one is missing.
 template <typename Known>
 bool add_way(const CornerGraph& graph, std::uint32_t corner, const Known& known, PathMap& map);
 
-/// m, of the way from the target on; infinity: no way is known.
+/// m, of the route from the target on; infinity: no route is known.
 double length_from(const CornerGraph& graph, const PathMap& map, std::uint32_t target);
 
-/// m, what v²/a may be at p on the way to the target; and the turn there, |sin φ|, 1 beyond 90
-/// degrees.
+/// m, the largest allowed v²/a at p on the route to the target; and the turn there, |sin φ|, 1
+/// beyond 90 degrees.
 double top_before(const CornerGraph& graph, const PathMap& map, Vec2 p, std::uint32_t target,
                   double& turn);
 

@@ -25,7 +25,7 @@ PathSearch::PathSearch(const CornerGraph& graph, const PathMap& goal, Vec2 from,
   look_from_goal();
 }
 
-// Whether they are in sight is asked when their turn comes: of most it never does.
+// Their visibility is tested when their turn comes: for most of them it never comes.
 void PathSearch::look_from_goal() {
   Horizons horizons(goal_.goal, std::min(goal_.room, graph_.radius));
   graph_.view.look(goal_.goal, horizons, [&](std::uint32_t k, Vec2 q) {
@@ -35,7 +35,7 @@ void PathSearch::look_from_goal() {
   std::make_heap(scratch_.in_view.begin(), scratch_.in_view.end(), std::greater<>());
 }
 
-// Those whose turn it is.
+// Reaches the corners that are due.
 void PathSearch::reach_from_goal() {
   auto& in_view = scratch_.in_view;
   while (!in_view.empty() &&
@@ -50,8 +50,8 @@ void PathSearch::reach_from_goal() {
   }
 }
 
-// Of two ways of one length, the one whose next corner is nearer to the goal, or has the lower
-// number: so Dijkstra's algorithm finds them.
+// Between two routes of one length, the one with the next corner nearer to the goal, or with the
+// lower number, comes first: Dijkstra's algorithm has the same order.
 bool PathSearch::comes_first(std::uint32_t next, std::uint32_t other) const {
   if (next == PathMap::kGoal || other == PathMap::kGoal) return other != PathMap::kGoal;
   const double length = this->length(next), other_length = this->length(other);
@@ -91,8 +91,7 @@ bool PathSearch::is_settled(std::uint32_t corner) const {
          sum_of(corner) * (1.0 + 0.5 * kWayRounding) < settled_;
 }
 
-// Of those that are settled, the nearest ones to `from`, those beside the way, and the ways from
-// there.
+// Stores the settled corners nearest to `from`, those beside the route, and the routes from there.
 void PathSearch::tell_around(PathMap& map) const {
   std::vector<std::pair<double, std::uint32_t>> near;  // m
   for (const std::uint32_t corner : scratch_.settled)

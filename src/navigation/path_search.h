@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// One robot's way to its goal: A* on the corner graph, from the goal towards the robot. What it
-// finds of a corner is what the whole map of the goal tells, to the last bit.
+// One robot's route to its goal: A* on the corner graph, from the goal towards the robot. Its
+// result for a corner equals that of the whole map of the goal, to the last bit.
 #pragma once
 #include <cstdint>
 #include <utility>
@@ -10,43 +10,44 @@
 
 namespace avo::inline navigation {
 
-/// Memory to search with.
+/// Memory for a search.
 struct PathScratch {
   struct Reached {
     double length = 0.0;  // m
     std::uint32_t next = 0;
-    std::uint32_t search = 0;  // the one that has reached it
+    std::uint32_t search = 0;  // number of the search that has reached it
   };
   std::vector<Reached> reached;     // by corner
-  std::vector<std::uint32_t> told;  // by corner, the search that has told of it
+  std::vector<std::uint32_t> told;  // by corner, number of the search that has stored it
   std::uint32_t search = 0;
   std::vector<std::pair<double, std::uint32_t>> open;
-  std::vector<std::pair<double, std::uint32_t>> in_view;  // of the goal, unless walls are between
+  // from the goal, before the test for walls in between
+  std::vector<std::pair<double, std::uint32_t>> in_view;
   std::vector<std::uint32_t> settled;
 };
 
-/// Of a sum of lengths, more than is lost.
+/// A part of a sum of lengths, more than its rounding.
 inline constexpr double kWayRounding = 1e-9;
 
 class PathSearch {
  public:
-  /// The goal has to be free.
+  /// The goal must be free.
   PathSearch(const CornerGraph& graph, const PathMap& goal, Vec2 from, PathScratch& scratch);
 
-  /// Settles corners in the order of their lengths and distances to `from`, (m, corner), up to that
-  /// limit, m, which visit(corner, both) returns for the time after it.
+  /// Settles corners in ascending order of the sum of their lengths and their distances to `from`,
+  /// (m, corner). It goes up to that limit, m; visit(corner, both) returns the new limit.
   template <typename Visit>
   void settle(double limit, const Visit& visit);
   void settle(double limit) {
     settle(limit, [=](std::uint32_t, double) { return limit; });
   }
-  /// Whether a corner's length is known for sure.
+  /// Returns whether a corner's length is final.
   [[nodiscard]] bool is_settled(std::uint32_t corner) const;
   [[nodiscard]] double length(std::uint32_t corner) const {
     return scratch_.reached[corner].length;
   }
   [[nodiscard]] std::size_t count() const { return scratch_.settled.size(); }
-  /// The map of the way from that target on, which is settled, or the goal.
+  /// The map of the route from that target on, which is settled, or the goal.
   [[nodiscard]] PathMap way_from(std::uint32_t target) const;
 
  private:
@@ -69,7 +70,7 @@ class PathSearch {
   const PathMap& goal_;
   Vec2 from_;
   PathScratch& scratch_;
-  double settled_ = 0.0;       // m: the sum of whatever is not settled is as much
+  double settled_ = 0.0;       // m: the sum of all corners that are not settled is at least this
   double longest_edge_ = 0.0;  // m
 };
 
@@ -79,7 +80,7 @@ void PathSearch::settle(double limit, const Visit& visit) {
   while (!scratch_.open.empty() &&
          scratch_.open.front().first <= limit * (1.0 + kWayRounding) + kLengthRounding) {
     const Front front = pop();
-    if (front.sum <= sum_of(front.corner)) {  // else it has been reached again since
+    if (front.sum <= sum_of(front.corner)) {  // otherwise it has been reached again since
       spread(front.corner);
       limit = visit(front.corner, front.sum);
     }

@@ -8,9 +8,9 @@
 namespace avo::inline navigation {
 namespace {
 
-constexpr double kFreeSight = 0.999;  // of the radius, on straight ways around a pocket
-constexpr double kPocket = 1.1;       // radii behind a gap: where a robot stands in a pocket
-constexpr double kOutOfPocket = 2.0;  // radii from there: who gets so far is in none
+constexpr double kFreeSight = 0.999;  // of the radius, on segments around a pocket
+constexpr double kPocket = 1.1;       // radii behind a gap: the place of a robot in a pocket
+constexpr double kOutOfPocket = 2.0;  // radii from there: a robot that gets so far is in no pocket
 
 }  // namespace
 

@@ -9,20 +9,21 @@ namespace {
 
 constexpr double kFarthestPassage =
     24.0;                             // radii of the robot: passages farther off do not matter yet
-constexpr double kAhead = 3.0;        // radii, along the way, to where a lane is looked for
+constexpr double kAhead = 3.0;        // radii, along the route, to where a lane is searched for
 constexpr double kLeavesLane = 6.0;   // radii before the next passage of one lane
-constexpr double kAlong = 0.5;        // cosine: a way that leads more across keeps no lane
-constexpr double kSight = 1e-9;       // m: nobody sees through where pieces of walls touch
-constexpr double kRoom = 1.0 - 1e-3;  // of the radius, that the straight way into a lane needs
+constexpr double kAlong = 0.5;        // cosine: a route that leads more across keeps no lane
+constexpr double kSight = 1e-9;       // m: lines of sight do not pass where pieces of walls touch
+constexpr double kRoom = 1.0 - 1e-3;  // of the radius, that the segment into a lane needs
 
-// A straight piece of the way.
+// A straight piece of the route.
 struct Piece {
   Vec2 from, to;
-  double before = 0.0, length = 0.0;  // m, of the way
+  double before = 0.0, length = 0.0;  // m, of the route
   bool is_last = false;
 };
 
-// visit(piece) of the way until it is false, or the way has become longer than `farthest` m.
+// Calls visit(piece) for the route until it returns false, or the route has become longer than
+// `farthest` m.
 template <typename Visit>
 void walk(const CornerGraph& graph, const PathMap& map, Vec2 p, std::uint32_t target,
           double farthest, const Visit& visit) {
@@ -37,7 +38,7 @@ void walk(const CornerGraph& graph, const PathMap& map, Vec2 p, std::uint32_t ta
   }
 }
 
-// In which direction the way leaves the passage that it begins in.
+// The direction in which the route leaves the passage that it begins in.
 template <typename Walk>
 std::optional<Claim> claim_inside(const Passage& passage, std::uint32_t number, Vec2 p,
                                   const Walk& walk_on) {
@@ -56,7 +57,7 @@ std::optional<Claim> claim_inside(const Passage& passage, std::uint32_t number, 
   return claim;
 }
 
-// To the passage that the way leads through next, and how far that is by way.
+// The claim of the passage that the route leads through next, and the route length to it.
 template <typename Walk>
 std::optional<Claim> claim_outside(const Passages& passages, Vec2 p, const Walk& walk_on,
                                    double& way) {
@@ -72,8 +73,8 @@ std::optional<Claim> claim_outside(const Passages& passages, Vec2 p, const Walk&
   return claim;
 }
 
-// Beside the place ahead on the way, in the right-hand lane, or half as far where something is
-// between.
+// The place beside the point ahead on the route, in the right-hand lane, or half as far where
+// something is between.
 template <typename Walk>
 std::optional<Vec2> lane_ahead(const Passages& passages, const CornerGraph& graph, Vec2 p,
                                const Walk& walk_on) {
@@ -88,7 +89,7 @@ std::optional<Vec2> lane_ahead(const Passages& passages, const CornerGraph& grap
     const Passage& passage = passages[*number];
     AxisPoint axis = axis_point(passage, true, place_in(passage, place).along);
     const double cosine = dot(axis.direction, direction);
-    // a place behind the wall at a bend may be as near to the axis
+    // a place behind the wall at a bend may be equally near to the axis
     if (std::abs(cosine) <= kAlong || !graph.grid.is_clear(place, axis.point, kSight)) return false;
     if (cosine < 0.0) axis.direction = -1.0 * axis.direction;
     for (const double part : {1.0, 0.5}) {
@@ -111,7 +112,7 @@ Prospect look_ahead(const Passages& passages, const CornerGraph& graph, const Pa
   const auto number = passages.at(p);
   if (number && !passages[*number].two_lanes) {
     const Passage& passage = passages[*number];
-    // however long it is, the way leads out of it
+    // the route leads out of it at any length
     prospect.claim = claim_inside(passage, *number, p, [&](const auto& visit) {
       walk(graph, map, p, target, passage.length() + farthest, visit);
     });

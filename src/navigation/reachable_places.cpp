@@ -13,12 +13,13 @@
 namespace avo::inline navigation {
 namespace {
 
-constexpr double kOff = 1e-6;   // of the radius: so much farther off walls than it must be
-constexpr double kTie = 1e-7;   // of the radius: places that are as near count as equally near
-constexpr double kEdge = 1e-7;  // of a reach: what is nearer to a wall is no place of its boundary
-constexpr double kCell = 4.0;   // radii: around a place, others that it sees are known
-constexpr double kMostCellsAway = 0x1p62;  // from the origin: the last cells have all beyond
-constexpr std::size_t kMostKnown = 8;      // places in a cell
+constexpr double kOff = 1e-6;   // of the radius: additional distance from walls
+constexpr double kTie = 1e-7;   // of the radius: places with this difference count as equally near
+constexpr double kEdge = 1e-7;  // of a reach: a point nearer to a wall is no place of its boundary
+constexpr double kCell = 4.0;   // radii: around a place, other places in its sight are known
+// from the origin: the outermost cells contain everything beyond
+constexpr double kMostCellsAway = 0x1p62;
+constexpr std::size_t kMostKnown = 8;  // places in a cell
 
 std::uint64_t cell_key(std::int64_t column, std::int64_t row) {
   return mixed(mixed(0, static_cast<std::uint64_t>(column)), static_cast<std::uint64_t>(row));
@@ -34,7 +35,7 @@ bool ReachablePlaces::are_connected(Vec2 p, Vec2 q) {
   return region_of(p) == region_of(q);
 }
 
-// That of a place in view near by, and else that of those with as many windings.
+// The region of a place in view near by, and otherwise the region with the same windings.
 std::uint32_t ReachablePlaces::region_of(Vec2 p) {
   const double radius = space_.radius();
   const auto number = [radius](double x) {
@@ -93,14 +94,16 @@ const ReachablePlaces::Boundary& ReachablePlaces::boundary_of(std::uint32_t wall
   return boundary;
 }
 
-// Wall by wall, those first that may have the nearest place. Of the region, if there is one.
+// Tests wall by wall, beginning with walls that may have the nearest place. Only places of the
+// region count, if one is given.
 template <typename Accepts>
 std::optional<Vec2> ReachablePlaces::nearest_accepted(Vec2 from, Vec2 goal,
                                                       std::optional<std::uint32_t> region,
                                                       const Accepts& accepts) {
   const double radius = (1.0 + kOff) * space_.radius(), tie = kTie * space_.radius();
   const std::span<const Wall> walls = space_.grid().walls();
-  std::vector<std::pair<double, std::uint32_t>> open;  // m, no place of its boundary is nearer
+  // m, a lower bound of the distance to its boundary
+  std::vector<std::pair<double, std::uint32_t>> open;
   open.reserve(walls.size());
   for (std::uint32_t k = 0; k < walls.size(); ++k) {
     const double reach = radius + walls[k].radius;
@@ -108,7 +111,8 @@ std::optional<Vec2> ReachablePlaces::nearest_accepted(Vec2 from, Vec2 goal,
   }
   std::make_heap(open.begin(), open.end(), std::greater<>());
   std::optional<Vec2> best;
-  double least = std::numeric_limits<double>::infinity(), way = least;  // m, to the goal; to go
+  // m, to the goal; m, from the disc
+  double least = std::numeric_limits<double>::infinity(), way = least;
   const auto consider = [&](Vec2 point, const auto& is_accepted) {
     const double away = norm(goal - point), far = norm(point - from);
     const bool is_nearer = away < least - tie || (away <= least + tie && far < way);

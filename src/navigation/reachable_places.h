@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The places that a disc gets to from where it is, and of them the nearest one to where it would go
+// The places that a disc can reach from its place, and among them the one nearest to its goal
 // (docs/navigation.md).
 #pragma once
 #include <cstdint>
@@ -12,18 +12,18 @@
 
 namespace avo::inline navigation {
 
-/// Remembers what it has found, so that whoever asks next is answered sooner.
+/// Remembers its results, so that later requests are answered sooner.
 class ReachablePlaces {
  public:
   ReachablePlaces(std::span<const Wall> walls, double radius);
 
-  /// Whether the center may be there.
+  /// Returns whether the center may be there.
   [[nodiscard]] bool is_free(Vec2 p) const { return space_.is_free(p); }
-  /// Whether the disc gets from one to the other.
+  /// Returns whether the disc can move from one to the other.
   [[nodiscard]] bool are_connected(Vec2 p, Vec2 q);
-  /// The goal where it gets there, and else the nearest place to it; of equally near ones the
-  /// nearest to where it is. A disc in a wall first leaves it for the nearest free place on its own
-  /// side. Its own place where it gets nowhere.
+  /// The goal where the disc can reach it, and otherwise the reachable place nearest to it. Among
+  /// equally near ones it is the one nearest to the disc. A disc in a wall first leaves it for the
+  /// nearest free place on its own side. The result is its own place where it can reach no other.
   [[nodiscard]] Vec2 nearest_reached(Vec2 from, Vec2 goal);
 
  private:
@@ -31,13 +31,13 @@ class ReachablePlaces {
     Vec2 point;
     std::uint32_t region;
   };
-  // What is known of the boundary of the places that one wall leaves free.
+  // The known facts about the boundary of the places that one wall leaves free.
   struct Boundary {
     bool is_known = false;
-    std::vector<Place> places;  // where it bends, and where that of another wall crosses it
-    std::vector<std::uint32_t> regions;  // that it has a part in, ascending
+    std::vector<Place> places;  // where it bends, and where the boundary of another wall crosses it
+    std::vector<std::uint32_t> regions;  // regions that contain a part of it, ascending
   };
-  std::uint32_t region_of(Vec2 p);  // of a free place; equal for those that are connected
+  std::uint32_t region_of(Vec2 p);  // of a free place; equal for connected places
   const Boundary& boundary_of(std::uint32_t wall);
   std::optional<Vec2> way_out(Vec2 from);
   template <typename Accepts>

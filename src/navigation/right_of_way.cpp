@@ -9,22 +9,24 @@
 namespace avo::inline navigation {
 namespace {
 
-constexpr double kMoves = 0.2;    // radii a second: slower is at rest
-constexpr double kNear = 5.0;     // who rests farther away has come to its own goal, or makes room
-constexpr double kInARow = 2.2;   // of each one that may stand between: so long is a row
-constexpr double kTowards = 0.5;  // cosine: who moves more across does not come
-constexpr double kDeep = 6.0;     // of what is kept clear before a mouth, outwards
-constexpr double kAside = 1.6;    // and from the axis to the side of the bay
-constexpr double kQueue = 2.2;    // beside the way in, from the mouth: nobody waits nearer
-constexpr double kBack = 2.5;     // from the mouth: where who backs out heads for
-constexpr double kOut = 0.6;      // before the mouth one turns
+constexpr double kMoves = 0.2;  // radii a second: a slower robot is at rest
+// a robot that rests farther away has come to its own goal, or makes room
+constexpr double kNear = 5.0;
+constexpr double kInARow = 2.2;     // for each robot that may stand between: the length of a row
+constexpr double kTowards = 0.5;    // cosine: a robot that moves more across does not come
+constexpr double kDeep = 6.0;       // outward depth of the area before a mouth that is kept clear
+constexpr double kAside = 1.6;      // and its width from the axis to the side of the bay
+constexpr double kQueue = 2.2;      // beside the entrance, from the mouth: no robot waits nearer
+constexpr double kBack = 2.5;       // from the mouth: the target of a robot that backs out
+constexpr double kOut = 0.6;        // before the mouth: where it turns
 constexpr double kBackAside = 2.0;  // to the side of the bay
 constexpr double kLaneRoom = 0.1;   // between walls and a robot in its lane
 constexpr double kBothFit = 1e-9;   // of contact: goals that touch leave room for both
-constexpr double kOverlaps = 1e-6;  // likewise, of crowds in contact
-constexpr double kLane = 1.3;       // from the axis, where there is room: nobody touches anybody
+constexpr double kOverlaps = 1e-6;  // of contact, for crowds in contact
+// from the axis, where there is room: robots in both lanes do not touch
+constexpr double kLane = 1.3;
 
-// Of those who enter there.
+// The mouth of the robots that enter there.
 struct Mouth {
   Vec2 center, inward, aside;  // m; unit; unit, to the side of the bay
 };
@@ -35,18 +37,18 @@ Mouth mouth_of(const Passage& passage, bool forward) {
   return {start.point, start.direction, -side * perpendicular(start.direction)};
 }
 
-// Who is as far takes precedence by this, which all can see.
+// The precedence between robots at equal distances; all robots can see it.
 bool comes_first(Vec2 p, Vec2 q) {
   return std::pair(p.x, p.y) < std::pair(q.x, q.y);
 }
 
-// Whether there is no room at their goals for both: they come to rest side by side.
+// Returns whether there is no room at their goals for both: they come to rest side by side.
 bool share_goal(const Claimant& a, const Claimant& b) {
   const double contact = (1.0 - kBothFit) * (a.room + b.room);
   return a.room > 0.0 && b.room > 0.0 && norm(b.goal - a.goal) < contact;
 }
 
-// Whether two of those whose goals are shared overlap. Walls may have squeezed them together.
+// Returns whether two robots with shared goals overlap. Walls may have squeezed them together.
 bool some_overlap(std::span<const Claimant> claimants) {
   for (std::size_t k = 0; k < claimants.size(); ++k) {
     const Claimant& a = claimants[k];
@@ -58,20 +60,21 @@ bool some_overlap(std::span<const Claimant> claimants) {
   return false;
 }
 
-// Whether the robot has to do with the other one at all; who is at its place is itself.
+// Returns whether the other claimant matters to the robot; a claimant at its place is the robot
+// itself.
 bool senses(const Claimant& robot, const Claimant& other, double sensing_radius) {
   return !(other.position == robot.position) && (robot.avoids & other.layers) != 0 &&
          !share_goal(robot, other) && norm(other.position - robot.position) <= sensing_radius;
 }
 
-// Whether it rests too far away to be in the robot's way.
+// Returns whether it rests too far away to block the robot.
 bool rests_apart(const Passage& passage, const Claimant& robot, const Claimant& other) {
   return !other.claim.moves && norm(other.position - robot.position) > kNear * passage.radius;
 }
 
-// Whoever has come farthest of one direction.
+// The robot of one direction that has come farthest.
 struct Foremost {
-  double way = -1.0;  // m, from where it entered; none is inside
+  double way = -1.0;  // m, from where it entered; < 0: none is inside
   Vec2 position = {};
 
   void include(const Passage& passage, const Claimant& robot) {
@@ -84,8 +87,8 @@ struct Foremost {
   }
 };
 
-// Where to go from inside, to be out of the way of those who come out of the mouth at which those
-// of that direction enter.
+// The target of a robot inside that must clear the path of robots that come out of the mouth where
+// that direction enters.
 Vec2 way_out(const Passage& passage, bool forward, Vec2 position) {
   const Mouth mouth = mouth_of(passage, forward);
   const bool is_out = dot(position - mouth.center, mouth.inward) < kOut * passage.radius;
@@ -93,7 +96,7 @@ Vec2 way_out(const Passage& passage, bool forward, Vec2 position) {
   return mouth.center + passage.radius * (aside * mouth.aside - kBack * mouth.inward);
 }
 
-// Both directions inside: the one that has come less far goes back, all of it.
+// With both directions inside, the direction that has come less far goes back, all of it.
 Course go_on_or_back(const Passage& passage, const Claimant& robot,
                      std::span<const Claimant> claimants, double sensing_radius) {
   Foremost ours, theirs;
@@ -108,7 +111,7 @@ Course go_on_or_back(const Passage& passage, const Claimant& robot,
   return {.target = way_out(passage, robot.claim.forward, robot.position)};
 }
 
-// How many others inside have the robot's goal.
+// The number of others inside with the robot's goal.
 double crowd_of(const Claimant& robot, std::span<const Claimant> claimants) {
   const auto is_of_it = [&](const Claimant& other) {
     return other.claim.inside && !(other.position == robot.position) && share_goal(robot, other);
@@ -116,14 +119,14 @@ double crowd_of(const Claimant& robot, std::span<const Claimant> claimants) {
   return static_cast<double>(std::count_if(claimants.begin(), claimants.end(), is_of_it));
 }
 
-// Whoever has its goal inside is in the way of those who come near: it goes on before them, out of
-// the passage, and enters again in turn. If robots of both directions are inside, it goes with
-// those that go on: others take it for one of these, and so it makes none of them change its mind.
-// Where several rest at one goal, all of them have to go, or the first one cannot.
+// A robot with its goal inside blocks robots that come near: it goes on before them, out of the
+// passage, and enters again in turn. If robots of both directions are inside, it goes with the
+// direction that goes on. Others take it for one of these, so it makes none of them change its
+// decision. Where several robots rest at one goal, all of them must go, or the first one cannot.
 Course make_room(const Passage& passage, const Claimant& robot, std::span<const Claimant> claimants,
                  double sensing_radius) {
   const double along = place_in(passage, robot.position).along;
-  Foremost ahead, back;  // of those inside, by direction
+  Foremost ahead, back;  // of the robots inside, by direction
   std::optional<bool> forward;
   double least = (kNear + kInARow * crowd_of(robot, claimants)) * passage.radius;
   for (const Claimant& other : claimants) {
@@ -138,8 +141,8 @@ Course make_room(const Passage& passage, const Claimant& robot, std::span<const 
   return {.target = way_out(passage, !*forward, robot.position)};
 }
 
-// Nobody comes, nor is anybody who does nearer to where it enters. Who rests farther inside does
-// not come.
+// The robot may enter if no robot comes towards it inside, or nearer to the mouth where it enters.
+// A robot that rests farther inside does not come.
 bool may_enter(const Passage& passage, const Claimant& robot, std::span<const Claimant> claimants,
                double sensing_radius) {
   return std::none_of(claimants.begin(), claimants.end(), [&](const Claimant& other) {
@@ -151,7 +154,8 @@ bool may_enter(const Passage& passage, const Claimant& robot, std::span<const Cl
   });
 }
 
-// Off the way of those who come out, which is beyond the bay.
+// The course of a waiting robot, off the path of robots that come out. In the area before the mouth
+// it goes to the bay; outside it stops at the border.
 Course wait(const Passage& passage, const Claimant& robot, double braking) {
   const double unit = passage.radius;
   const Mouth mouth = mouth_of(passage, robot.claim.forward);
@@ -194,7 +198,8 @@ std::optional<Claim> seen_claim(const Passage& passage, std::uint32_t number, Ve
 Course right_of_way(const Passage& passage, const Claimant& one, double braking,
                     std::span<const Claimant> claimants, double sensing_radius) {
   Claimant robot = one;
-  if (robot.room > 0.0 && some_overlap(claimants)) robot.room = 0.0;  // they have to part first
+  // the overlapping robots must part first
+  if (robot.room > 0.0 && some_overlap(claimants)) robot.room = 0.0;
   if (robot.claim.inside && robot.claim.ends)
     return make_room(passage, robot, claimants, sensing_radius);
   if (robot.claim.inside) return go_on_or_back(passage, robot, claimants, sensing_radius);

@@ -9,8 +9,8 @@ namespace avo::inline navigation {
 namespace {
 
 constexpr std::size_t kInQuadrant = Horizons::kSectors / 4;
-constexpr double kSlackOfSight = 1e-9;  // of a length, more than is lost
-constexpr double kSureRoom = 0.99;      // of the room: what is nearer to a wall is certainly hidden
+constexpr double kSlackOfSight = 1e-9;  // of a length, more than its rounding
+constexpr double kSureRoom = 0.99;      // of the room: a place nearer to a wall is certainly hidden
 constexpr double kItemsInCell = 16.0;
 constexpr double kMostCellsAcross = 4096.0;
 
@@ -33,7 +33,8 @@ std::array<Vec2, Horizons::kSectors> all_borders() {
   return borders;
 }
 
-// Of the disc around an end, where it is widest as seen from the place; on the left or the right.
+// The side of the disc around an end, where it is widest as seen from the place; on the left or the
+// right.
 Vec2 side_of(Vec2 end, double reach, double side) {
   return end + (side * reach / norm(end)) * perpendicular(end);
 }
@@ -221,7 +222,7 @@ void ViewIndex::next_ring(Cell middle, std::int64_t away, bool is_inside,
   }
 }
 
-// Cells that it leads through, and others; where one is left out, it hides less.
+// Visits cells that the wall leads through, and others; if a cell is left out, the wall hides less.
 template <typename Visit>
 void ViewIndex::for_each_along(const Wall& wall, const Visit& visit) const {
   const Vec2 low = wall.a.y < wall.b.y ? wall.a : wall.b;

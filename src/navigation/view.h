@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which places may be in view of another one: directions around it come in sectors, and a wall that
-// covers a sector hides what is behind it there. What is left has yet to be tested exactly.
+// Which places may be in view of another one. Directions around it are divided into sectors, and a
+// wall that covers a sector hides everything behind it there. The rest must be tested exactly.
 #pragma once
 #include <array>
 #include <bitset>
@@ -21,7 +21,7 @@ class Horizons {
   static constexpr std::size_t kSectors = 256;
   using Sectors = std::bitset<kSectors>;
 
-  /// room: m, that what is seen needs to the walls on the straight way, > 0.
+  /// room: m, clearance from walls that the segment to a seen place needs, > 0.
   Horizons(Vec2 place, double room) : place_(place), room_(room) {
     far_.fill(std::numeric_limits<double>::infinity());
   }
@@ -32,24 +32,24 @@ class Horizons {
   [[nodiscard]] bool is_hidden(Vec2 q) const {
     return norm_squared(q - place_) > square(far_[sector_of(q - place_)]);
   }
-  /// m: nothing farther off matters there.
+  /// m: nothing farther off matters in that sector.
   void close(std::size_t sector, double distance) {
     if (distance < far_[sector]) far_[sector] = distance;
   }
-  /// Nothing in the other sectors matters.
+  /// Closes the other sectors: nothing in them matters.
   void close_all_but(const Sectors& open) {
     for (std::size_t k = 0; k < kSectors; ++k)
       if (!open[k]) close(k, 0.0);
   }
-  /// m: nothing farther off has been looked at within each of these parts of the full turn.
+  /// m: nothing farther off has been examined within each of these parts of the full turn.
   static constexpr std::size_t kParts = 32;
   [[nodiscard]] std::array<float, kParts> reach() const;
-  /// What that wall hides; nothing where it is most likely hidden itself.
+  /// Hides the places behind that wall; nothing if the wall is most likely hidden itself.
   void block_if_seen(const Wall& wall) {
     if (!is_hidden(wall.a) || !is_hidden(wall.b) || !is_hidden(0.5 * (wall.a + wall.b)))
       block(wall);
   }
-  /// Whether no place of the square is in view.
+  /// Returns whether no place of the square is in view.
   [[nodiscard]] bool hides(Vec2 low, Vec2 high) const;
 
  private:
@@ -60,11 +60,11 @@ class Horizons {
   std::array<double, kSectors> far_;
 };
 
-/// Whether some of a disc is within that reach of a place.
+/// Returns whether a part of a disc is within that reach of a place.
 bool reaches(const std::array<float, Horizons::kParts>& reach, Vec2 place, Vec2 center,
              double radius);
 
-/// The sectors around a place in which some of a disc is, and perhaps the next ones.
+/// The sectors around a place that contain a part of a disc, and perhaps the next ones.
 Horizons::Sectors sectors_of(Vec2 place, Vec2 center, double radius);
 
 /// Walls and points by place.
@@ -73,11 +73,11 @@ class ViewIndex {
   ViewIndex() = default;
   ViewIndex(std::span<const Wall> walls, std::span<const Vec2> points);
 
-  /// visit(point, place) of those that may be in view, and of some that the horizons hide, which
-  /// come nearer meanwhile.
+  /// Calls visit(point, place) for the points that may be in view, and for some that the horizons
+  /// hide, which come nearer meanwhile.
   template <typename Visit>
   void look(Vec2 place, Horizons& horizons, const Visit& visit) const;
-  /// visit(point) of those in the cell of that place.
+  /// Calls visit(point) for the points in the cell of that place.
   template <typename Visit>
   void for_each_near(Vec2 place, const Visit& visit) const;
 
@@ -93,8 +93,8 @@ class ViewIndex {
   template <typename Visit>
   void for_each_along(const Wall& wall, const Visit& visit) const;
   [[nodiscard]] bool covers(Vec2 place) const;
-  // Of the ring around the middle, those through which one may see on: all around a place outside,
-  // and else those beside cells that are in view.
+  // The cells of the ring around the middle through which one may see on: all cells around a place
+  // outside, and otherwise those beside cells in view.
   void next_ring(Cell middle, std::int64_t away, bool is_inside, const std::vector<Cell>& in_view,
                  std::vector<Cell>& ring, std::vector<char>& is_in_ring) const;
   template <typename Visit>
@@ -103,13 +103,14 @@ class ViewIndex {
   Vec2 origin_;        // m
   double side_ = 1.0;  // m, of a cell
   std::int64_t columns_ = 0, rows_ = 0;
-  std::vector<std::uint32_t> first_wall_, first_point_;  // of each cell, in the next ones
-  std::vector<Wall> walls_;                              // by cell; one may come more than once
-  std::vector<Vec2> points_;                             // by cell
-  std::vector<std::uint32_t> point_;                     // the number of each of them
+  // of each cell, index into the next vectors
+  std::vector<std::uint32_t> first_wall_, first_point_;
+  std::vector<Wall> walls_;           // by cell; one may come more than once
+  std::vector<Vec2> points_;          // by cell
+  std::vector<std::uint32_t> point_;  // the number of each of them
 };
 
-// Whether some of the cell may be in view.
+// Returns whether a part of the cell may be in view.
 template <typename Visit>
 bool ViewIndex::look_into(Cell cell, Vec2 place, Horizons& horizons, const Visit& visit) const {
   const Vec2 low =

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The line around a wall on which the center of a disc is that just keeps off it: two straight
+// The line around a wall on which the center of a disc that touches the wall lies: two straight
 // sides, and circles around the wall's ends.
 #pragma once
 #include <array>
@@ -27,8 +27,8 @@ inline WallBoundary boundary_around(const Wall& wall, double radius) {
   return boundary;
 }
 
-/// visit(point) of its places where it goes over from a side to a circle, and in the middle of each
-/// circle.
+/// Calls visit(point) for the places where it changes from a side to a circle, and for the middle
+/// of each circle.
 template <typename Visit>
 void visit_bends(const WallBoundary& boundary, const Visit& visit) {
   if (boundary.is_disc) {
@@ -42,8 +42,8 @@ void visit_bends(const WallBoundary& boundary, const Visit& visit) {
   visit(boundary.wall.a - out), visit(boundary.wall.b + out);
 }
 
-/// visit(point) of all that may be the nearest one of it to the goal, bends left out. `towards`:
-/// where to look from the middle of a circle.
+/// Calls visit(point) for all points that may be the nearest one to the goal, without bends.
+/// `towards`: the direction from the middle of a circle.
 template <typename Visit>
 void visit_feet(const WallBoundary& boundary, Vec2 goal, Vec2 towards, const Visit& visit) {
   for (const Vec2 center : {boundary.wall.a, boundary.wall.b}) {
@@ -55,7 +55,7 @@ void visit_feet(const WallBoundary& boundary, Vec2 goal, Vec2 towards, const Vis
   for (const Segment& side : boundary.sides) visit(nearest_on(side, goal));
 }
 
-/// visit(point) of where two circles cross.
+/// Calls visit(point) where two circles cross.
 template <typename Visit>
 void visit_crossings(Vec2 center, double radius, Vec2 other_center, double other_radius,
                      const Visit& visit) {
@@ -71,7 +71,7 @@ void visit_crossings(Vec2 center, double radius, Vec2 other_center, double other
   visit(middle + aside), visit(middle - aside);
 }
 
-/// visit(point) of where a circle crosses the line of a segment.
+/// Calls visit(point) where a circle crosses the line of a segment.
 template <typename Visit>
 void visit_crossings(Vec2 center, double radius, const Segment& line, const Visit& visit) {
   const Vec2 along = line.b - line.a;
@@ -85,7 +85,7 @@ void visit_crossings(Vec2 center, double radius, const Segment& line, const Visi
   visit(foot + half), visit(foot - half);
 }
 
-/// visit(point) of where the lines of two segments cross.
+/// Calls visit(point) where the lines of two segments cross.
 template <typename Visit>
 void visit_crossings(const Segment& one, const Segment& other, const Visit& visit) {
   const Vec2 d = one.b - one.a, e = other.b - other.a;
@@ -94,8 +94,8 @@ void visit_crossings(const Segment& one, const Segment& other, const Visit& visi
   visit(one.a + (cross(other.a - one.a, e) / sine) * d);
 }
 
-/// visit(point) of all places where two boundaries cross, and of others, which are nearer to one of
-/// the walls or farther from it.
+/// Calls visit(point) for all places where two boundaries cross, and for others, which are nearer
+/// to one of the walls or farther from it.
 template <typename Visit>
 void visit_crossings(const WallBoundary& one, const WallBoundary& other, const Visit& visit) {
   const auto circles_of = [](const WallBoundary& boundary, const auto& visit_circle) {

@@ -55,7 +55,7 @@ bool is_in_one(std::span<const Zone> zones, Vec2 p, double margin) {
   });
 }
 
-// All ways of that length lie in an ellipse.
+// All routes of that length lie in an ellipse.
 bool may_meet(std::span<const Zone> zones, Vec2 p, Vec2 q, double length) {
   const double apart = norm(q - p);
   const double half_width = 0.5 * std::sqrt(std::max(length * length - apart * apart, 0.0));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What an edit has changed of a list of walls, and where that matters.
+// The changes of a list of walls by an edit, and where they matter.
 #pragma once
 #include <cstddef>
 #include <cstdint>
@@ -16,14 +16,14 @@ struct Zone {
   double reach;  // m
 };
 
-/// Whether p is within one of them, or as near as the margin, m.
+/// Returns whether p is within one of them, or within the margin of one, m.
 bool is_in_one(std::span<const Zone> zones, Vec2 p, double margin);
-/// Whether a way from p to q of that length, m, may come into one of them.
+/// Returns whether a route from p to q of that length, m, may enter one of them.
 bool may_meet(std::span<const Zone> zones, Vec2 p, Vec2 q, double length);
-/// m: no shorter way from p to q comes into one of them.
+/// m: no shorter route from p to q enters one of them.
 double least_way_into(std::span<const Zone> zones, Vec2 p, Vec2 q);
 
-/// Lists differ between a common beginning and a common end.
+/// Two lists that differ between a common beginning and a common end.
 struct WallChanges {
   std::span<const Wall> before, now;
   std::size_t same_first = 0, same_last = 0;
@@ -35,11 +35,11 @@ struct WallChanges {
   [[nodiscard]] std::span<const Wall> added() const {
     return now.subspan(same_first, now.size() - same_first - same_last);
   }
-  /// More are not worth to be told apart.
+  /// Returns whether the changes are few enough to be worth tracking.
   [[nodiscard]] bool are_few() const;
-  /// The number that a wall of now had before.
+  /// The number that a present wall had before.
   [[nodiscard]] std::optional<std::size_t> number_before(std::size_t wall) const;
-  /// Around all pieces of walls that are new or gone, as far as that from them, m.
+  /// Zones around all pieces of walls that are new or gone, with that reach, m.
   [[nodiscard]] std::vector<Zone> around(double reach) const;
 };
 
