@@ -11,10 +11,12 @@ namespace avo {
 namespace {
 
 constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
-// Open intervals at once. Each split leaves at most 3/4 of an interval, so this many levels reach
-// the spacing of doubles anywhere but next to t = 0, where positions differ by less than rounding.
+// The largest number of open intervals. Each split leaves at most 3/4 of an interval. So this many
+// levels reach the spacing of doubles anywhere except next to t = 0, where positions differ by less
+// than rounding.
 constexpr int kMaxOpen = 160;
-// Splits in all. Random and degenerate tests need below 100; the bound makes termination plain.
+// The largest number of splits. Random and degenerate tests need below 100; the bound ensures
+// termination.
 constexpr int kMaxSplits = 4096;
 
 // The relative motion x(t) = p + t v + g(t) w, Eq. (9).
@@ -44,7 +46,7 @@ Instant at(const RelativeMotion& motion, double t) {
   return {t, gain, rate, position, velocity, dot(position, velocity)};
 }
 
-// The error with which a position is known: a few roundings of its three terms, m.
+// The error of a position: a few roundings of its three terms, m.
 double position_error(const RelativeMotion& motion, const Instant& instant) {
   return kEpsilon * (norm(motion.p) + instant.t * norm(motion.v) + instant.gain * norm(motion.w));
 }
@@ -63,16 +65,16 @@ double triangle_distance(Vec2 a, Vec2 b, Vec2 c) {
   return std::min({segment_distance(a, b), segment_distance(b, c), segment_distance(c, a)});
 }
 
-// (t, g(t)) is convex and bends no less at its start than at its end: it stays in the triangle of
-// both ends and the point where the tangent of the start is at half time (or at the lag, where the
-// tangents meet, which costs nothing at t = 0). So does the motion, as a linear image of it.
+// (t, g(t)) is convex and bends no less at its start than at its end. It stays in the triangle of
+// both ends and the point where the tangent of the start is at half time. (At t = 0 it is at the
+// lag, where the tangents meet, at no extra cost.) The motion does so too, as a linear image of it.
 Vec2 apex(const Instant& from, const Instant& to) {
   const double half = from.t == 0.0 ? to.t - to.gain / to.rate : 0.5 * (to.t - from.t);
   return from.position + half * from.velocity;
 }
 
-// Is the squared distance monotone? Its slope x . x' is bilinear, x in the triangle and x' on the
-// segment of the end velocities: the signs at the corners decide.
+// Returns whether the squared distance is monotone. Its slope x . x' is bilinear, x in the triangle
+// and x' on the segment of the end velocities: the signs at the corners decide.
 bool is_monotone(const Instant& from, const Instant& to, Vec2 corner) {
   const auto [low, high] = std::minmax({from.slope, to.slope, dot(from.position, to.velocity),
                                         dot(to.position, from.velocity), dot(corner, from.velocity),
@@ -80,8 +82,9 @@ bool is_monotone(const Instant& from, const Instant& to, Vec2 corner) {
   return low >= 0.0 || high <= 0.0;
 }
 
-// Is the squared distance convex? |x'|² + g'' x . w > 0 with the least |x'|, the largest g'' and
-// the least x . w of the interval. g'' does not grow: it is at most that at 0, or the mean so far.
+// Returns whether the squared distance is convex: |x'|² + g'' x . w > 0 with the least |x'|, the
+// largest g'' and the least x . w of the interval. g'' does not grow: it is at most that at 0, or
+// the mean so far.
 bool is_convex(const RelativeMotion& motion, const Instant& from, const Instant& to, Vec2 corner) {
   const double least =
       std::min({dot(from.position, motion.w), dot(to.position, motion.w), dot(corner, motion.w)});
@@ -91,8 +94,9 @@ bool is_convex(const RelativeMotion& motion, const Instant& from, const Instant&
   return speed * speed > bend * std::max(0.0, -least);
 }
 
-// The zero of the slope between `from` (slope < 0) and `to` (slope > 0): regula falsi with the
-// weights of Anderson and Björck, and a bisection wherever three steps did not halve the bracket.
+// The zero of the slope between `from` (slope < 0) and `to` (slope > 0). It uses regula falsi with
+// the weights of Anderson and Björck, and a bisection wherever three steps did not halve the
+// bracket.
 Instant bottom(const RelativeMotion& motion, Instant from, Instant to) {
   double low = from.slope, high = to.slope;  // weighted
   double width = to.t - from.t;
@@ -126,14 +130,14 @@ Instant bottom(const RelativeMotion& motion, Instant from, Instant to) {
   return middle;
 }
 
-// Where to split: at the zero of the slope's chord if there is one, kept off the ends.
+// The time of the split: at the zero of the slope's chord if there is one, not too near the ends.
 double split_time(const Instant& from, const Instant& to) {
   double part = 0.5;
   if (from.slope < 0.0 && to.slope > 0.0) part = from.slope / (from.slope - to.slope);
   return from.t + std::clamp(part, 0.25, 0.75) * (to.t - from.t);
 }
 
-// The smallest distance seen so far; of equal ones the earliest.
+// Keeps the smallest distance so far; of equal ones the earliest.
 void keep_nearer(const Instant& instant, ClosestApproach& best) {
   const double distance = norm(instant.position);
   if (distance < best.distance || (distance == best.distance && instant.t < best.time)) {
@@ -141,8 +145,8 @@ void keep_nearer(const Instant& instant, ClosestApproach& best) {
   }
 }
 
-// Nothing in the interval is nearer than `limit`, or than `best` by more than 2^-46 of it or than
-// rounding.
+// Returns whether nothing in the interval is nearer than `limit`, or than `best` by more than 2^-46
+// of it or than rounding.
 bool is_farther(const RelativeMotion& motion, const Instant& from, const Instant& to, Vec2 corner,
                 const ClosestApproach& best, double limit) {
   const double least = triangle_distance(from.position, to.position, corner);
@@ -151,8 +155,8 @@ bool is_farther(const RelativeMotion& motion, const Instant& from, const Instant
 }
 
 // Intervals are settled from left to right. Their right ends wait on a stack, all of them already
-// compared; an interval that is settled hands its right end over as the left end of the next.
-// With a limit, only distances below it are of interest and the first of them ends the search.
+// compared. The right end of a settled interval becomes the left end of the next. With a limit,
+// only distances below it matter and the first of them ends the search.
 ClosestApproach search(const Obstacle& obstacle, Vec2 u, double limit) {
   const RelativeMotion motion{obstacle.pair.position, obstacle.pair.velocity, change(obstacle, u),
                               obstacle.response, initial_bend(obstacle.response)};
@@ -192,7 +196,7 @@ ClosestApproach closest_approach(const Obstacle& obstacle, Vec2 u) {
   return search(obstacle, u, std::numeric_limits<double>::infinity());
 }
 
-// Eqs. (4), (10), decided as soon as it is plain. A distance below r at an end of the window is one
+// Eqs. (4), (10), decided as early as possible. A distance below r at an end of the window is one
 // inside it as well.
 bool contains(const Obstacle& obstacle, Vec2 u) {
   return search(obstacle, u, obstacle.pair.radius).distance < obstacle.pair.radius;

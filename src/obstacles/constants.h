@@ -7,33 +7,33 @@ namespace avo::inline obstacles {
 
 // The most iterations of Newton's method; bisection alone would end by then.
 constexpr int kMaxIterations = 64;
-// How often a horn's near side may cross the circle |w| = R: once, which is nearly always known
-// beforehand, or so often, when it has to be followed.
+// How often a horn's near side may cross the circle |w| = R. It is once, which is nearly always
+// known beforehand, or several times; the near side must then be followed.
 enum class Look : unsigned char { once, often };
 constexpr std::size_t kMostCrossings = 3;
-// Along a near side that is followed, halved ones included.
+// Along a near side that is followed, with halved strides.
 constexpr int kMaxStrides = 48;
-// `cusp` may change its sign twice within a stride. Not proved, measured: in 10^7 random close
-// passes none did unseen where long strides near R, with a `cusp` near 0, are halved (at most as
-// many again).
+// `cusp` may change its sign twice within a stride. This is not proved but measured. In 10^7 random
+// close passes none was missed where long strides near R, with a `cusp` near 0, are halved (at most
+// as many again).
 constexpr double kFlat = 0.1;   // of l²
 constexpr double kWide = 0.25;  // of the time, and of R
-// The product of the last two steps may be so large, relative, which leaves an error of about its
-// square: every use is of second order in the time.
+// The bound of the relative product of the last two steps, which leaves an error of about its
+// square. Every use is of second order in the time.
 constexpr double kTimeTolerance = 1e-4;
-// The same where the near side may have cusps near by.
+// The same bound where the near side may have cusps near by.
 constexpr double kCloseTolerance = 1e-8;
-// Relative, of Newton's last step in σ, which leaves about its square.
+// Relative bound of Newton's last step in σ, which leaves about its square.
 constexpr double kConvexTolerance = 1e-8;
 // Its square does not underflow.
 constexpr double kTiniest = 1e-150;
-// |sin| of an angle that may be one of rounding.
+// An angle with a smaller |sin| may come from rounding.
 constexpr double kTie = 1e-9;
-// Supports that differ by less than this part of the reach are equal but for rounding: a tie.
+// Supports that differ by less than this part of the reach differ only by rounding: a tie.
 constexpr double kEqualSupports = 0x1p-40;
-// A part of r: nearer than this, what is left is of the order of rounding.
+// A part of r: nearer than this, the distance left is of the order of rounding.
 constexpr double kContact = 1e-9;
-// m/s; slower is at rest.
+// m/s; a slower pair is at rest.
 constexpr double kSlowest = 1e-100;
 
 }  // namespace avo::inline obstacles

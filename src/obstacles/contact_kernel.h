@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Pairs that overlap already: outside the paper, whose guarantee starts from a free pair. Lemma 10
-// of docs/half_plane.md.
+// Pairs that overlap already: outside the paper, which guarantees safety from a free pair on. Lemma
+// 10 of docs/half_plane.md.
 #ifndef AVO_OBSTACLES_CONTACT_KERNEL_H
 #define AVO_OBSTACLES_CONTACT_KERNEL_H
 
@@ -9,10 +9,10 @@
 
 AVO_BEGIN_KERNELS
 
-/// [m/s] What n . w must be for a pair `depth` > 0 deep, n . v = along, over the shortest window T
-/// in [Δt, τ] at whose end it can be apart. That takes d(T) = (depth - T along)/g(T), which falls
-/// as long as it is positive: the window is Δt where d(Δt) is within reach R, and else that of
-/// d = R. More than R: even τ is too short.
+/// [m/s] The demand on n . w for a pair `depth` > 0 deep, n . v = along, over the shortest window T
+/// in [Δt, τ] after which the pair can be apart. A window needs d(T) = (depth - T along)/g(T),
+/// which falls as long as it is positive. The window is Δt where d(Δt) is within reach R, and else
+/// the window with d = R. A result above R means that even τ is too short.
 template <typename Real>
 AVO_KERNEL Real separating(Real depth, Real along, Real R, const Horizon& horizon) {
   const auto demand = [&](const ResponseAt& window) {

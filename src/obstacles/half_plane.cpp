@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The half-plane of one pair: the scalar instance of the kernels, which the batch of
-// half_planes.cpp equals bit for bit, and the rare cases that kernels leave to it.
+// The half-plane of one pair: the scalar instance of the kernels, and the rare cases that the
+// kernels do not handle. The batch of half_planes.cpp equals it bit for bit.
 #include "avo/half_plane.h"
 
 #include <algorithm>
@@ -13,9 +13,9 @@ namespace {
 
 using Real = scalar::Pack<double>;
 
-// The line that takes an overlapping pair apart: outside the paper, whose guarantee starts from a
-// free pair. n = p/|p| over the shortest window in [Δt, τ] at whose end the pair can be apart, see
-// contact_kernel.h. If even τ is too short, h = reach, and excess says by how much more. Equal
+// The line that separates an overlapping pair: outside the paper, which guarantees safety from a
+// free pair on. n = p/|p| over the shortest window in [Δt, τ] after which the pair can be apart,
+// see contact_kernel.h. If even τ is too short, h = reach, and excess says by how much more. Equal
 // centers separate along the relative velocity; at rest they have no direction (coincident).
 RelativeHalfPlane separate(const Pair& pair, double reach, const Horizon& horizon) {
   const double d = norm(pair.position);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The paper's half-plane H, Eqs. (15), (16), in closed form (§IV-B): the unit normal n of least
-// support of hull(D(0, R) ∩ AVO), with that support as offset, for as many pairs as Pack has lanes.
-// Lemmas 1 to 3 of docs/half_plane.md, which has the figure and the symbols.
+// The paper's half-plane H, Eqs. (15), (16), in closed form (§IV-B). It has the unit normal n of
+// least support of hull(D(0, R) ∩ AVO), with that support as offset, for as many pairs as Pack has
+// lanes. Lemmas 1 to 3 of docs/half_plane.md, which has the figure and the symbols.
 #ifndef AVO_OBSTACLES_HALF_PLANE_KERNEL_H
 #define AVO_OBSTACLES_HALF_PLANE_KERNEL_H
 
@@ -11,8 +11,8 @@
 
 AVO_BEGIN_KERNELS
 
-/// A pair in its own frame: first axis along p, second across it on v's side: p = (d, 0), v.y >= 0
-/// but for ties. Exchanging the robots turns this frame by 180 degrees and changes no number in it.
+/// A pair in its own frame: first axis along p, second across it on v's side: p = (d, 0), v.y >= 0,
+/// ties apart. Exchanging the robots turns this frame by 180 degrees and changes no number in it.
 template <typename Real>
 struct Local {
   Real d;       // |p|, m
@@ -35,7 +35,7 @@ struct Plane {
 template <typename Real>
 struct Tip {
   Plane<Real> plane;
-  decltype(Real() < Real()) nearest;  // the line n = x(τ)/|x(τ)| is nowhere higher than at τ
+  decltype(Real() < Real()) nearest;  // the line with n = x(τ)/|x(τ)| is highest at τ
 };
 
 // A test without search: A <= 0, B s >= A.
@@ -51,8 +51,8 @@ AVO_KERNEL Tip<Real> tip(const Local<Real>& pair, const ResponseAt& horizon_end)
 
 // ---- convex: lemma 3
 
-// Collision course: p . v < 0 and the miss distance |b| below r. With û = -v/|v| and ê across it,
-// x(t) = σ û + b ê, σ = |v| (t_m - t), t_m the time of closest approach.
+// A collision course: p . v < 0 and the miss distance |b| is below r. With û = -v/|v| and ê across
+// it, x(t) = σ û + b ê, σ = |v| (t_m - t), t_m the time of closest approach.
 template <typename Real>
 struct Approach {
   Real speed, per_speed, t_m, b;  // m/s, s/m, s, m; b < 0 only in a tie
@@ -77,8 +77,8 @@ AVO_KERNEL Approach<Real> approach(const Local<Real>& pair) {
   return result;
 }
 
-// Two starts, each near the root where the other is far: the lag of the latest time, and |x|
-// linear in t halfway through the disc of radius r.
+// Two starts, each near the root where the other is far. One is the lag of the latest time, the
+// other is |x| linear in t halfway through the disc of radius r.
 template <typename Real>
 AVO_KERNEL Real first_sigma(const Local<Real>& pair, const Approach<Real>& approach, Real cosine,
                             const ResponseTable& table, Real low, Real high) {
@@ -115,7 +115,7 @@ AVO_KERNEL Real solve_approach(const Local<Real>& pair, const Approach<Real>& ap
     const Real slope = b2 * (m - sigma) * inverse(x2) + sigma * lag_rate;
     const auto rises = slope > Real(0.0);
     const Real newton = sigma - excess / select(rises, slope, Real(1.0));
-    // the last step is taken too, but for the guard's, where rounding is all that is left
+    // the last step is taken too, except a step of the guard, where only rounding is left
     const auto moves = (!rises) | (abs(newton - sigma) > Real(kConvexTolerance) * sigma);
     const Real next = select(rises & (newton > low) & (newton < high), newton,
                              select(moves, Real(0.5) * (low + high), sigma));
@@ -136,8 +136,8 @@ AVO_KERNEL Plane<Real> convex(const Local<Real>& pair, const ResponseTable& tabl
   const Real sigma =
       solve_approach(pair, course, min((pair.r - abs(course.b)) * per_m, Real(0.95)), table);
   const Real x = sqrt(sigma * sigma + course.b * course.b), per_x = inverse(x);
-  // F(t), stationary here. In contact t, and with it r - |x|, is known to rounding only: there the
-  // equal -n . v/g' keeps the demand high, and the least time that rounding can tell, finite.
+  // F(t), stationary here. In contact t, and with it r - |x|, is known only to rounding. There the
+  // equal -n . v/g' keeps the demand high, and the least time above rounding keeps it finite.
   constexpr double kRounding = 4 * std::numeric_limits<double>::epsilon();
   const At<Real> crossing = at(table, max(course.time(sigma, tau), Real(kRounding) * course.t_m));
   Real h = (pair.r - x) / crossing.gain;
@@ -145,8 +145,8 @@ AVO_KERNEL Plane<Real> convex(const Local<Real>& pair, const ResponseTable& tabl
   h = select(touching, max(h, course.speed * (sigma * per_x) * crossing.per_rate), h);
   Vec<Real> n = per_x * (sigma * course.u + course.b * course.e);
 
-  // head-on, both sides are equally near, and n is where n . y = r at t_m itself; so it is where a
-  // miss distance, of either side, is one of rounding
+  // head-on, both sides are equally near, and n is where n . y = r at t_m itself. The same holds
+  // where a miss distance, of either side, comes from rounding
   const Real rounding = Real(std::numeric_limits<double>::epsilon()) * pair.d;
   const auto head_on = (course.b <= rounding) & (course.t_m <= tau) & (cosine < Real(1.0));
   const Real sine = sqrt(max(Real(1.0) - cosine * cosine, Real(0.0)));

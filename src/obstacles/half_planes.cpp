@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// half_planes() for every instruction set; the fittest is chosen at run time.
+// half_planes() for every instruction set; the best one is chosen at run time.
 #include "obstacles/half_planes.h"
 
 #include <algorithm>
@@ -30,7 +30,7 @@ struct HalfPlaneKernels {
 namespace avo::inline obstacles {
 namespace {
 
-// Equal centers, and what the general search of the horn is for.
+// Solves equal centers, and the pairs for the general search of the horn.
 void solve_rest(const PairColumns& pairs, const Horizon& horizon, HalfPlaneWorkspace& workspace,
                 PlaneColumns& planes) {
   for (std::size_t k = 0; k < workspace.rest_count; ++k) {

@@ -12,7 +12,7 @@
 
 namespace avo::inline obstacles {
 
-/// Columns have room for so many more entries than there are, which are read but do not count.
+/// Columns have room for so many extra entries, which are read but do not count.
 inline constexpr std::size_t kSparePairs = 16;
 
 template <typename T>
@@ -20,7 +20,7 @@ void grow(std::vector<T>& column, std::size_t size) {
   if (column.size() < size) column.resize(size);
 }
 
-/// The states of eight pairs: those whose bits are set are free, the others constrained.
+/// The states of eight pairs: pairs with set bits are free, the others constrained.
 inline constexpr auto kFreeOrNot = [] {
   std::array<std::array<PairState, 8>, 256> states{};
   for (std::size_t lanes = 0; lanes < 256; ++lanes) {
@@ -37,7 +37,7 @@ struct PairColumns {
   std::vector<double> p_x, p_y, v_x, v_y, radius;
   std::vector<double> reach;  // δ (a_A + a_B), m/s
 
-  /// Room for so many; allocates only while it grows.
+  /// Reserves room for so many; allocates only while it grows.
   void reserve(std::size_t pairs);
   void add(Vec2 p, Vec2 v, double r, double R) {
     p_x[count] = p.x, p_y[count] = p.y;
@@ -53,13 +53,13 @@ struct PlaneColumns {
   std::vector<PairState> state;
 };
 
-/// Pairs that wait for their case, with their frames: read by whole packs.
+/// Pairs that wait for their case, with their frames; read by whole packs.
 struct HalfPlaneQueue {
   std::size_t count = 0;
   std::vector<double> index, d, v_x, v_y, radius, reach, e_x, e_y, side;
 };
 
-/// How many pairs each case had.
+/// The number of pairs of each case.
 struct HalfPlaneCases {
   std::size_t contact = 0, tip = 0, convex = 0, horn = 0, follow = 0, rest = 0;
   friend bool operator==(const HalfPlaneCases&, const HalfPlaneCases&) = default;
@@ -73,26 +73,27 @@ struct HalfPlaneWorkspace {
   HalfPlaneCases cases;      // of the last call
 };
 
-/// Room for so many pairs.
+/// Reserves room for so many pairs.
 void reserve(std::size_t pairs, HalfPlaneWorkspace& workspace, PlaneColumns& planes);
 
 /// Fills planes[0 .. pairs.count).
 void half_planes(const PairColumns& pairs, const Horizon& horizon, HalfPlaneWorkspace& workspace,
                  PlaneColumns& planes);
 
-/// That of a pair that coincides in place and velocity, and parts along a direction that is not 0.
+/// The half-plane of a pair that coincides in place and velocity, and parts along a direction that
+/// is not 0.
 RelativeHalfPlane parting_half_plane(double radius, Vec2 direction, double reach,
                                      const Horizon& horizon) noexcept;
 
-/// Eqs. (2), (3), (20): the pairs of robots with their neighbors, and A's share of each. Those of
-/// robot r end at pair_end[r], where those of the next one begin; they are the first of its
-/// neighbors. All neighbors decide. δ in s; columns have room for kSparePairs more.
+/// Eqs. (2), (3), (20): the pairs of robots with their neighbors, and A's share of each. The pairs
+/// of robot r end at pair_end[r], where those of the next robot begin; they are its first
+/// neighbors. All neighbors decide. δ in s; columns must have room for kSparePairs more.
 void relate(const RobotColumns& robots, const NeighborColumns& neighbors,
             std::span<const std::size_t> pair_end, double control_time, PairColumns& pairs,
             std::vector<double>& share);
 
-/// The radius of contact with room for noise, q (σ_p + t σ_v), t being the time until a pair is
-/// nearest, τ at most; less where there is no room for it: noise alone brings nobody into contact.
+/// The radius of contact with room for noise, q (σ_p + t σ_v), where t is the time until a pair is
+/// nearest, τ at most. It is less where there is no room: noise alone brings no pair into contact.
 /// docs/half_plane.md, "Noise".
 struct Reserve {
   double position, velocity;  ///< [σ_p, σ_v] m, m/s
@@ -100,20 +101,20 @@ struct Reserve {
   double horizon;             ///< [τ] s
 };
 double reserved_radius(const Pair& pair, const Reserve& reserve);
-/// That of all pairs becomes their radius.
+/// Sets the radius of all pairs to reserved_radius().
 void reserve_room(const Reserve& reserve, PairColumns& pairs);
 
 /// Scratch memory and result of share_out().
 struct SharedPlanes {
   std::vector<double> offset;         ///< m/s, of A's half-planes, by pair
-  std::vector<double> kept;           ///< pairs whose half-plane can cut, robot by robot
-  std::vector<std::size_t> kept_end;  ///< behind those of each robot
-  bool exceeding = false;             ///< the excess of some is not 0
+  std::vector<double> kept;           ///< pairs with a half-plane that can cut, robot by robot
+  std::vector<std::size_t> kept_end;  ///< one past the pairs of each robot
+  bool exceeding = false;             ///< whether some excess is not 0
 };
 
-/// Eq. (17): the relative half-planes of pairs as their robots' own, apportioned by the share of
-/// Eq. (20). A half-plane is kept unless one of the robot's limits alone keeps to it, though its
-/// offset be raised by raise[r], m/s. Columns have room for kSparePairs more.
+/// Eq. (17): turns the relative half-planes of pairs into their robots' own, apportioned by the
+/// share of Eq. (20). A half-plane is left out if one of the robot's limit discs lies inside it,
+/// even with its offset raised by raise[r], m/s. Columns must have room for kSparePairs more.
 void share_out(const RobotColumns& robots, std::span<const std::size_t> pair_end,
                std::span<const double> raise, double control_time, std::span<const double> share,
                const PlaneColumns& relative, SharedPlanes& shared);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Many pairs: what can be told at once is told at once, the rest waits in a queue for its case, so
-// that all lanes work on the same one. docs/half_plane.md, "The order of the cases".
+// Many pairs: simple cases are decided at once. The other pairs wait in a queue for their case, so
+// that all lanes work on the same case. docs/half_plane.md, "The order of the cases".
 #ifndef AVO_OBSTACLES_HALF_PLANES_KERNEL_H
 #define AVO_OBSTACLES_HALF_PLANES_KERNEL_H
 
@@ -17,13 +17,13 @@
 
 AVO_BEGIN_KERNELS
 
-/// A pair's own frame (see Local), and what is known of it without more ado.
+/// A pair's own frame (see Local), and what is known without further computation.
 template <typename Real>
 struct Frame {
   using Mask = decltype(Real() < Real());
   Local<Real> local;
   Vec<Real> e;  // first axis, p/|p|
-  Real side;    // of p on which v is counted: 1 left, -1 right
+  Real side;    // the side of p on which v is counted: 1 left, -1 right
   Mask in_contact, too_far, on_collision_course;
 
   AVO_KERNEL Vec<Real> turned_back(Vec<Real> n) const {
@@ -32,8 +32,8 @@ struct Frame {
   }
 };
 
-// Parallel vectors are a tie, which goes to the left of p: A passes B on its own right. A tie has
-// to survive rounding, or robots on a circle would each choose a side at random.
+// Parallel vectors are a tie, which goes to the left of p: A passes B on its own right. A tie must
+// survive rounding, or robots on a circle would each choose a side at random.
 template <typename Real>
 AVO_KERNEL Frame<Real> frame_of(Vec<Real> p, Vec<Real> v, Real r, Real R, const ResponseAt& end) {
   const Real d = norm(p), per_d = inverse(d), v2 = dot(v, v);
@@ -44,15 +44,16 @@ AVO_KERNEL Frame<Real> frame_of(Vec<Real> p, Vec<Real> v, Real r, Real R, const 
   frame.e = per_d * p;
   frame.local = {d, {dot(p, v) * per_d, frame.side * across}, r, R};
   frame.in_contact = (d < r) | !(d > Real(0.0));
-  // too far to touch before τ whatever both do: |p + t v| > r + R g(t) on the whole window
+  // too far to touch before τ for any motion of both: |p + t v| > r + R g(t) on the whole window
   const Real gap = d - r - R * Real(end.gain), sine = r * per_d;
   frame.too_far = gap * abs(gap) > v2 * Real(end.time * end.time);
   frame.on_collision_course = (frame.local.v.x < Real(0.0)) & (abs(across2) < sine * sine * v2);
   return frame;
 }
 
-/// Those chosen of a pack go behind the others, `count` of them. Of a pack that was just read from
-/// the same queue they stay in it: whole packs are written, but no farther than where it was.
+/// Moves the chosen lanes of a pack behind the other entries, `count` of them. If the pack was just
+/// read from the same queue, they stay in it: whole packs are written, but no farther than its old
+/// end.
 template <typename Real>
 AVO_KERNEL void push(HalfPlaneQueue& queue, Real index, const Frame<Real>& frame,
                      typename Frame<Real>::Mask chosen, std::size_t count) {
@@ -69,7 +70,7 @@ AVO_KERNEL void push(HalfPlaneQueue& queue, Real index, const Frame<Real>& frame
 template <typename Real>
 AVO_KERNEL Frame<Real> queued(const HalfPlaneQueue& queue, std::size_t i) {
   const auto load = [i](const std::vector<double>& column) { return Real::load(&column[i]); };
-  Frame<Real> frame{};  // nobody asks its masks again
+  Frame<Real> frame{};  // its masks are not read again
   frame.local = {
       load(queue.d), {load(queue.v_x), load(queue.v_y)}, load(queue.radius), load(queue.reach)};
   frame.e = {load(queue.e_x), load(queue.e_y)};
@@ -77,7 +78,7 @@ AVO_KERNEL Frame<Real> queued(const HalfPlaneQueue& queue, std::size_t i) {
   return frame;
 }
 
-/// Its last place is repeated, as far as the last pack reads.
+/// Repeats the last entry, as far as the last pack reads.
 template <typename Real>
 AVO_KERNEL void fill_up(HalfPlaneQueue& queue) {
   if (queue.count == 0) return;
@@ -94,14 +95,14 @@ AVO_KERNEL void set_state(PlaneColumns& planes, std::size_t first, std::uint32_t
   }
 }
 
-/// Of all lanes, of which those whose bits are set are free.
+/// Sets the states of all lanes; lanes with set bits are free.
 template <typename Real>
 AVO_KERNEL void set_states(PlaneColumns& planes, std::size_t first, std::uint32_t free) {
   std::copy_n(kFreeOrNot[free].begin(), Real::kLanes, &planes.state[first]);
 }
 
-/// Frames of all pairs, half-planes of those in contact and of those that the tip decides, queues
-/// of the others.
+/// Computes the frames of all pairs, the half-planes of pairs in contact and of pairs that the tip
+/// decides, and the queues of the others.
 template <typename Real>
 void classify(const PairColumns& pairs, const Horizon& horizon, HalfPlaneWorkspace& work,
               PlaneColumns& planes) {
@@ -199,7 +200,7 @@ void solve_convex(const Horizon& horizon, HalfPlaneWorkspace& work, PlaneColumns
   }
 }
 
-/// A pack of a queue of `count`; those that are not settled stay in it.
+/// Solves a pack of a queue of `count`; pairs that are not settled stay in it.
 template <Look look, typename Real>
 AVO_KERNEL void solve_horns_at(std::size_t first, std::size_t count, const Horizon& horizon,
                                HalfPlaneQueue& queue, PlaneColumns& planes) {
@@ -221,7 +222,7 @@ AVO_KERNEL void solve_horns_at(std::size_t first, std::size_t count, const Horiz
        static_cast<std::size_t>(std::popcount(open)));
 }
 
-/// By wide packs as long as they are more than half full. Returns how many pairs there were.
+/// Uses wide packs as long as they are more than half full. Returns the number of pairs.
 template <Look look, typename Real, typename Wide>
 std::size_t solve_horns(const Horizon& horizon, HalfPlaneQueue& queue, PlaneColumns& planes) {
   fill_up<Wide>(queue);
@@ -235,7 +236,7 @@ std::size_t solve_horns(const Horizon& horizon, HalfPlaneQueue& queue, PlaneColu
   return count;
 }
 
-/// Wide: what hides the time that Newton's iterations wait for their divisions.
+/// Wide: a pack that hides the latency of the divisions in Newton's iterations.
 template <typename Real, typename Wide>
 void solve(const PairColumns& pairs, const Horizon& horizon, HalfPlaneWorkspace& work,
            PlaneColumns& planes) {

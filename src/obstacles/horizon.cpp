@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The table of Eq. (9)'s gain, once per (δ, τ); see response_kernel.h for what lies between nodes.
+// The table of Eq. (9)'s gain, once per (δ, τ); see response_kernel.h for values between nodes.
 #include "avo/horizon.h"
 
 #include <algorithm>
@@ -12,7 +12,7 @@ namespace avo {
 namespace {
 
 constexpr double kNodesPerControlTime = 32.0;
-// Past 40 δ the exponential is below 2^-57 of what it is added to.
+// Past 40 δ the exponential is below 2^-57 of the other terms.
 constexpr double kTableControlTimes = 40.0;
 
 }  // namespace

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// Eqs. (15), (16) where the present velocity does not lead into a collision: the obstacle is a
-// bent horn whose near side, the one towards w = 0, is concave. Its hull within reach then has as
-// near corners the disc of τ and the points Q where the near side crosses the circle |w| = R; the
-// half-plane is the least among the tangent of that disc and the chords between those corners.
-// Here is the search that takes any number of crossings, for the few horns that kernels leave.
+// Eqs. (15), (16) where the present velocity does not lead into a collision. The obstacle is a bent
+// horn with a concave near side, the side towards w = 0. Its hull within reach has as near corners
+// the disc of τ and the points Q where the near side crosses the circle |w| = R. The half-plane is
+// the least among the tangent of that disc and the chords between those corners. This search takes
+// any number of crossings, for the few horns that the kernels leave.
 #include "obstacles/horn.h"
 
 #include <algorithm>
@@ -24,8 +24,8 @@ struct Search {
   scalar::Horn<Real> horn;
   ResponseTable table;
   double R, speed;  // m/s
-  double t_m;       // time of the closest approach or 0, s
-  double first;     // the time from which on the near side matters, s
+  double t_m;       // s, time of the closest approach, or 0
+  double first;     // s, the near side matters only after this time
 };
 
 struct Touch {
@@ -46,7 +46,7 @@ double beyond(const Search& search, double t) {
   return (search.horn.gap2 + search.horn.rise(Real(search.speed * t))).value;
 }
 
-// The crossing of a piece that has one at most, if there is one.
+// The crossing of a piece that has at most one, if there is one.
 void cross(const Search& search, const Touch& from, const Touch& to, NearCorners& corners) {
   if (from.outside == to.outside) return;
   // |b|^{-1/2} is nearly linear in time; the limit keeps the step in balance
@@ -59,12 +59,12 @@ void cross(const Search& search, const Touch& from, const Touch& to, NearCorners
   const scalar::TwoPoints<Real> ends =
       scalar::circle_points(search.horn, scalar::at(search.table, crossed.time));
   const bool on_near_end = crossed.tangential.value >= 0.0;
-  // In contact, the first disc's edge can be the near side, up to where the others take over.
+  // In contact, the edge of the first disc can be the near side, up to where the others take over.
   if (!on_near_end && corners.count == 0) corners.add(ends.near);
   corners.add(on_near_end ? ends.near : ends.far);
 }
 
-// Where |b| turns as `sign` does, by false position (Illinois), then bisection.
+// The point where |b| turns as `sign` does, by false position (Illinois), then bisection.
 Touch turn(const Search& search, const Touch& from, const Touch& to, Real Side::*sign) {
   double low = from.t, high = to.t, f_low = (from.side.*sign).value, f_high = (to.side.*sign).value;
   const double negligible = 1e-8 * (std::abs(f_low) + std::abs(f_high));
@@ -97,7 +97,7 @@ bool changes(const Touch& from, const Touch& to, Real Side::*sign) {
 void cross_turning(const Search& search, const Touch& from, const Touch& to, NearCorners& corners) {
   const bool one = changes(from, to, &Side::tangential), other = changes(from, to, &Side::cusp);
   const bool falls = (from.side.tangential.value < 0.0) == (from.side.cusp.value < 0.0);
-  // no turn; or one, and not through R and back: down from outside, or up from inside
+  // no turn; or one turn that does not pass R and come back: down from outside, or up from inside
   const bool simple = one != other ? from.outside != to.outside || from.outside != falls : !one;
   if (simple) return cross(search, from, to, corners);
   Touch first = one ? turn(search, from, to, &Side::tangential) : from;
@@ -108,13 +108,14 @@ void cross_turning(const Search& search, const Touch& from, const Touch& to, Nea
   cross(search, second, to, corners);
 }
 
-// Earlier than this a pair in contact cannot be told from one that touches at rest: its discs have
-// tended to a half-plane, to first order in t.
+// Earlier than this a pair in contact looks like a pair that touches at rest: its discs have tended
+// to a half-plane, to first order in t.
 double contact_time(const Search& search) {
   return 1e-7 * std::min(search.horn.pair.r.value / search.speed, search.table.control_time);
 }
 
-// Is |b| below R from here on? |b| <= |x|/g, and |x|/g <= R stays so once |v| <= R g'.
+// Returns whether |b| stays below R from here on: |b| <= |x|/g, and |x|/g <= R stays true once |v|
+// <= R g'.
 bool stays_in_reach(const Search& search, const Touch& touch) {
   const scalar::At<Real>& at = touch.side.at;
   return !touch.outside && search.speed <= search.R * at.rate.value &&
@@ -143,9 +144,9 @@ void find_crossings(const Search& search, NearCorners& corners) {
   }
 }
 
-// Never nearer than `closest`, all is out of reach while R t²/(2 δ) < closest - r. A pair in
-// contact with a miss distance of r to rounding is at 2 t_m as far apart as now; sooner, its discs
-// demand what no reach suffices for, to prevent an overlap of rounding.
+// With a distance of at least `closest`, everything is out of reach while R t²/(2 δ) < closest - r.
+// A pair in contact with a miss distance of r up to rounding has the present distance again at 2
+// t_m. Before that, its discs demand more than any reach, only to prevent an overlap of rounding.
 Search search_of(const scalar::Local<Real>& pair, const Horizon& horizon) {
   const scalar::Horn<Real> horn = scalar::horn_of(pair);
   const double speed = horn.speed.value, R = pair.R.value;

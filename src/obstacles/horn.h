@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The general search for the half-plane in the horn case, and where half_planes() asks for it.
+// The general search for the half-plane in the horn case, and the entry by which half_planes() uses
+// it.
 #pragma once
 #include <array>
 #include <cstddef>
@@ -9,10 +10,10 @@
 
 namespace avo::inline obstacles {
 
-/// Corners of the hull on one side of a horn: where that side crosses the circle |w| = R, in the
-/// order of walking along it with the obstacle on the right, by ascending time.
+/// Corners of the hull on one side of a horn: the crossings of that side and the circle |w| = R.
+/// They have the order of walking along it with the obstacle on the right, by ascending time.
 struct NearCorners {
-  // |b| turns five times at most (three signs of `tangential`, two cusps): six pieces with a
+  // |b| turns at most five times (three signs of `tangential`, two cusps): six pieces with one
   // crossing each, three ends of the first disc.
   static constexpr std::size_t kMost = 9;
   using Point = scalar::Vec<scalar::Pack<double>>;
@@ -28,12 +29,12 @@ struct NearCorners {
   }
 };
 
-/// Of the side on the left of p, as the pair's frame has it, along which n . v >= 0: v.y >= 0, or
-/// v.x >= 0 and a miss distance below r.
+/// The corners of the side on the left of p, in the pair's frame, along which n . v >= 0: v.y >= 0,
+/// or v.x >= 0 and a miss distance below r.
 NearCorners near_corners(const scalar::Local<scalar::Pack<double>>& pair, const Horizon& horizon);
 
-/// The horn case: v does not lead into a collision (p . v >= 0 or a miss distance >= r, and
-/// d >= r), and the disc of τ alone is not nearest. Settled always.
+/// The horn case: v does not lead into a collision (p . v >= 0 or a miss distance >= r, and d >=
+/// r), and the disc of τ alone is not nearest. The result is always settled.
 scalar::HornPlane<scalar::Pack<double>> searched_horn(
     const scalar::Local<scalar::Pack<double>>& pair, const Horizon& horizon);
 

@@ -11,7 +11,7 @@
 
 AVO_BEGIN_KERNELS
 
-// The time whose lag is t_m, where y comes nearest, in two steps of Newton's iteration: what lies
+// The time with the lag t_m, where y comes nearest, by two steps of Newton's iteration: the region
 // between the cusps of a close pass lies around it.
 template <typename Real>
 AVO_KERNEL Real cusp_time(Real t_m, const ResponseTable& table) {
@@ -32,7 +32,7 @@ AVO_KERNEL auto signs_differ(Real a, Real b) {
   return ((a < zero) & (b >= zero)) | ((a >= zero) & (b < zero));
 }
 
-/// Times to look at the near side, as close as the passage is wide.
+/// Times at which the near side is examined, as dense as the passage is wide.
 template <typename Real>
 struct Strides {
   decltype(Real() < Real()) closing;
@@ -63,11 +63,11 @@ AVO_KERNEL Real pace(const NearSide<Real>& side) {
          abs(side.cusp * inverse(side.l * sqrt(side.b2)));
 }
 
-/// The near side at one time, as far as it says what may happen up to the next.
+/// The near side at one time, with the values that limit what may happen up to the next time.
 template <typename Real>
 struct Stop {
   using Mask = decltype(Real() < Real());
-  Real time, length, pace;  // s; |b|, m/s; d|b|/dt without its sign, m/s²
+  Real time, length, pace;  // s; |b|, m/s; absolute value of d|b|/dt, m/s²
   Real tangential, cusp;
   Mask flat;     // `cusp` is near 0
   Mask settled;  // from here on |b| can only fall through R, once
@@ -100,8 +100,8 @@ AVO_KERNEL void move(decltype(Real() < Real()) moves, const Stop<Real>& to, Stop
   }
 }
 
-// Whether |b| may reach R between two times at both of which it is on the same side of it: it turns
-// in between, not too far from R to get there, or `cusp` may change its sign twice.
+// Returns whether |b| may reach R between two times at which it is on the same side of R. Either it
+// turns in between, near enough to R to get there, or `cusp` may change its sign twice.
 template <typename Real>
 AVO_KERNEL auto may_turn_at(Real R, const Stop<Real>& from, const Stop<Real>& to) {
   const Real stride = to.time - from.time;

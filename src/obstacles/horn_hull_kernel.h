@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The horn case: where its near side crosses the circle |w| = R once at most, the half-plane from
-// that corner of the hull and those of the disc of τ; and where it does so up to three times.
-// Lemma 8 of docs/half_plane.md.
+// The horn case. Where its near side crosses the circle |w| = R at most once, it takes the
+// half-plane from that corner of the hull and those of the disc of τ. It also handles up to three
+// crossings. Lemma 8 of docs/half_plane.md.
 #ifndef AVO_OBSTACLES_HORN_HULL_KERNEL_H
 #define AVO_OBSTACLES_HORN_HULL_KERNEL_H
 
@@ -13,7 +13,7 @@
 
 AVO_BEGIN_KERNELS
 
-// Normal on the left of the way from a to b, and to the tangent point of a disc.
+// Normals on the left of the direction from a to b, and of the line to the tangent point of a disc.
 template <typename Real>
 AVO_KERNEL Vec<Real> chord_normal(Vec<Real> a, Vec<Real> b) {
   const Vec<Real> m = b - a;
@@ -31,7 +31,7 @@ template <typename Real>
 struct HornPlane {
   using Mask = decltype(Real() < Real());
   Plane<Real> plane;
-  Mask settled;  // else look more closely, and then by the general search (horn.cpp)
+  Mask settled;  // if false, examine more closely, and then use the general search (horn.cpp)
   Mask free;     // the obstacle is out of reach
 };
 
@@ -45,7 +45,8 @@ struct Hull {
   Real radius, R;
   Mask disc_in_reach, is_cut;
 
-  // Of the points within reach: where the disc's extreme point is not, its corners take its place.
+  // The support of the points within reach: where the disc's extreme point is out of reach, its
+  // corners replace it.
   AVO_KERNEL Real support(Vec<Real> n) const {
     const Real none = Real(-std::numeric_limits<double>::infinity());
     const Vec<Real> extreme = center + radius * n;
@@ -92,7 +93,7 @@ AVO_KERNEL Plane<Real> least_support(const Hull<Real, kCrossings>& hull) {
   return best;
 }
 
-/// The disc of τ; the crossings are left.
+/// Sets the disc of τ; the crossings remain to be set.
 template <std::size_t kCrossings, typename Real>
 AVO_KERNEL Hull<Real, kCrossings> hull_of(const Horn<Real>& horn, const At<Real>& end,
                                           const ResponseAt& horizon_end) {
@@ -112,7 +113,7 @@ AVO_KERNEL Hull<Real, kCrossings> hull_of(const Horn<Real>& horn, const At<Real>
   return hull;
 }
 
-/// One crossing at most, as Passage says.
+/// At most one crossing, as Passage says.
 template <typename Real>
 AVO_KERNEL HornPlane<Real> once_crossed(const Local<Real>& pair, const ResponseAt& horizon_end,
                                         const ResponseTable& table) {
@@ -120,7 +121,7 @@ AVO_KERNEL HornPlane<Real> once_crossed(const Local<Real>& pair, const ResponseA
   const At<Real> end = constant<Real>(horizon_end);
   const Passage<Real> way = passage(shape, horizon_end, table);
   Hull<Real, 1> hull = hull_of<1>(shape, end, horizon_end);
-  // |b| <= |x|/g: whoever is in reach at the end has crossed
+  // |b| <= |x|/g: a near side that is in reach at the end has crossed
   const Real reach = pair.R * end.gain;
   auto has_crossing =
       way.crosses | ((norm(pair.x(end)) <= reach) & (shape.speed <= pair.R * end.rate));
@@ -143,8 +144,8 @@ AVO_KERNEL HornPlane<Real> once_crossed(const Local<Real>& pair, const ResponseA
 }
 
 /// As many crossings as follow() finds. b is the near end of its disc's arc on the circle where
-/// `tangential` is positive; should it be the far one at the first, near contact, the disc of the
-/// time of that crossing has corners of its own, which are left to the general search.
+/// `tangential` is positive. If it is the far end at the first crossing, near contact, the disc of
+/// that time has corners of its own. The general search handles that case.
 template <typename Real>
 AVO_KERNEL HornPlane<Real> often_crossed(const Local<Real>& pair, const ResponseAt& horizon_end,
                                          const ResponseTable& table) {

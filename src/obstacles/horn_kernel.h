@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The horn case: its near side, and whether that crosses the circle |w| = R once at most, as it
+// The horn case: its near side, and whether that crosses the circle |w| = R at most once, as it
 // nearly always does. Lemmas 4 to 7 of docs/half_plane.md.
 #ifndef AVO_OBSTACLES_HORN_KERNEL_H
 #define AVO_OBSTACLES_HORN_KERNEL_H
@@ -8,9 +8,9 @@
 
 AVO_BEGIN_KERNELS
 
-/// A pair along its relative motion. After a way of |v| t the distance squared is closest² +
-/// rise(|v| t), of terms that do not cancel: `closest` is the miss distance, or |p| where p . v >=
-/// 0.
+/// A pair along its relative motion. After the distance |v| t the squared distance of the pair is
+/// closest² + rise(|v| t), with terms that do not cancel. `closest` is the miss distance, or |p|
+/// where p . v >= 0.
 template <typename Real>
 struct Horn {
   Local<Real> pair;
@@ -32,7 +32,7 @@ AVO_KERNEL Horn<Real> horn_of(const Local<Real>& pair) {
   horn.z = pair.d * pair.v.x * horn.per_speed;
   horn.miss = pair.d * pair.v.y * horn.per_speed;
   horn.closest = select(horn.z < Real(0.0), horn.miss, pair.d);
-  // near contact the miss distance is r to rounding: |p|² - z² tells them apart
+  // near contact the miss distance equals r up to rounding: |p|² - z² distinguishes them
   const Real back = min(horn.z, Real(0.0)), from_p = (pair.d - pair.r) * (pair.d + pair.r);
   horn.gap2 = select(abs(back) < horn.closest, from_p - back * back,
                      (horn.closest - pair.r) * (horn.closest + pair.r));
@@ -79,7 +79,7 @@ struct TwoPoints {
   Vec<Real> near, far;
 };
 
-/// Where the circle |w| = R cuts the disc of one time, the end on the near side first.
+/// The points where the circle |w| = R cuts the disc of one time, the end on the near side first.
 template <typename Real>
 AVO_KERNEL TwoPoints<Real> circle_points(const Horn<Real>& horn, const At<Real>& at) {
   const Vec<Real> x = horn.pair.x(at);
@@ -96,19 +96,19 @@ AVO_KERNEL TwoPoints<Real> circle_points(const Horn<Real>& horn, const At<Real>&
   return {{c * u.x - s * u.y, c * u.y + s * u.x}, {c * u.x + s * u.y, c * u.y - s * u.x}};
 }
 
-/// When the search for the crossing begins and ends, and whether there is one only.
+/// The begin and the end of the search for the crossing, and whether there is only one.
 template <typename Real>
 struct Passage {
   using Mask = decltype(Real() < Real());
   Real first, last;  // s
   Mask once;         // at most one crossing, between them
-  Mask crosses;      // one for sure
+  Mask crosses;      // one crossing surely
   Mask ordinary;     // not in contact
-  Real t_m;          // time of the closest approach or 0, s
+  Real t_m;          // s, time of the closest approach, or 0
 };
 
-// Lemma 7.2, the first half: `tangential` > 0 up to the time from which the robot outruns the
-// boundary (lemma 6), here bounded by Padé's approximation of ln, and q by t/2 + t²/(12 δ).
+// Lemma 7.2, the first half: `tangential` > 0 up to the time after which the robot outruns the
+// boundary (lemma 6). This time is bounded by Padé's approximation of ln, and q by t/2 + t²/(12 δ).
 template <typename Real>
 AVO_KERNEL auto never_tangential(const Horn<Real>& horn, const ResponseAt& horizon_end,
                                  const ResponseTable& table) {
@@ -167,8 +167,8 @@ AVO_KERNEL Passage<Real> passage(const Horn<Real>& horn, const ResponseAt& horiz
           t_m};
 }
 
-/// About where |b| = R. |g b|² is near l² at t = 0 and |v t|² at last: here the parabola with both
-/// and the slope at t = 0, and g is t²/(2 δ k²), k = 1 + t/(6 δ).
+/// An approximate time with |b| = R. |g b|² is near l² at t = 0 and |v t|² at the end. This uses
+/// the parabola with both and the slope at t = 0; g is t²/(2 δ k²), k = 1 + t/(6 δ).
 template <typename Real>
 AVO_KERNEL Real first_time(const Horn<Real>& horn, const ResponseTable& table) {
   const Local<Real>& pair = horn.pair;
@@ -193,8 +193,9 @@ AVO_KERNEL Real first_time(const Horn<Real>& horn, const ResponseTable& table) {
   return t;
 }
 
-/// A zero of f by the slopes dt/df at two times: how far beyond Newton's step from the second the
-/// cubic t(f) through both has it. `back` is from the second time to the first.
+/// A zero of f from the slopes dt/df at two times. The cubic t(f) through both has it; the result
+/// is its distance beyond Newton's step from the second time. `back` is from the second time to the
+/// first.
 template <typename Real>
 AVO_KERNEL Real beyond_newton(Real back, Real first_f, Real first_pace, Real f, Real pace) {
   const Real per_df = Real(1.0) / (first_f - f), secant = back * per_df;
@@ -204,17 +205,17 @@ AVO_KERNEL Real beyond_newton(Real back, Real first_f, Real first_pace, Real f, 
 }
 
 /// Times between which |b| passes R once, a guess, and whether |b| falls there (1) or rises (-1).
-/// The search ends with two steps whose product, relative, is `tolerance`; what it leaves is about
-/// the square of that where the near side is smooth.
+/// The search ends when the relative product of two steps is `tolerance`. The remaining error is
+/// about the square of that where the near side is smooth.
 template <typename Real>
 struct Bracket {
   Real low, high, guess, sense, tolerance;
 };
 
-/// Where |b| = R, that is f = 0 where f = (|b|² - R²)/(|b|² + 3/5 R²), which is nearly linear in
-/// time as (|b|/R)^{-1/2} is: Newton's iteration, then by the cubic t(f) through the last two
-/// times, guarded by bisection. `tangential` is of the last time but one. Means something in the
-/// lanes that are wanted.
+/// The time with |b| = R, that is f = 0, where f = (|b|² - R²)/(|b|² + 3/5 R²). f is nearly linear
+/// in time, as (|b|/R)^{-1/2} is. It uses Newton's iteration, then the cubic t(f) through the last
+/// two times, guarded by bisection. `tangential` is of the last time but one. The result is valid
+/// in the wanted lanes only.
 template <typename Real>
 struct Crossing {
   Real time, tangential;
@@ -246,8 +247,8 @@ AVO_KERNEL Crossing<Real> crossing(const Horn<Real>& horn, const Bracket<Real>& 
     const Real pace = Real(-1.0 / 3.2) * bracket.sense * sum * sum *
                       (side.l2 * side.per_y2 * side.lead) * sum * per;
     const Real direct = f * pace;  // Newton's
-    // not through two points nearer to each other than to where f = 0: their difference is
-    // rounding; Newton's step then has to be as small as a first one
+    // the cubic is not used through two points nearer to each other than to f = 0: their difference
+    // is rounding. Newton's step must then be as small as a first one
     const auto curved = again & (abs(last_f - f) > abs(f));
     const Real first_f = select(curved, last_f, f + one);
     const Real beyond = beyond_newton(last_t - t, first_f, last_pace, f, pace);

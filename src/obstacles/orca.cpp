@@ -10,7 +10,7 @@ namespace avo {
 namespace {
 
 // The side of p on which v is counted: 1 left, -1 right. Parallel vectors are a tie, which goes to
-// the left of p: A passes B on its own right. A tie has to survive rounding: it is |sin| <= kTie.
+// the left of p: A passes B on its own right. A tie must survive rounding: it is |sin| <= kTie.
 double side_of(Vec2 p, Vec2 v, double length_p, double length_v) {
   return cross(p, v) < -kTie * length_p * length_v ? -1.0 : 1.0;
 }
@@ -20,7 +20,7 @@ RelativeHalfPlane disc_plane(const Pair& pair, double t, PairState state) {
   Vec2 x = pair.position + t * pair.velocity;
   double length = norm(x);
   const double h = (pair.radius - length) / t;
-  if (!(length > 0.0)) {  // centers meet at t: along p, or v where there is no p
+  if (!(length > 0.0)) {  // centers meet at t: along p, or along v where p is 0
     x = pair.position == Vec2{} ? pair.velocity : pair.position;
     length = norm(x);
     if (!(length > 0.0)) return {PairState::coincident, {}};
@@ -41,7 +41,7 @@ RelativeHalfPlane orca_half_plane(const Pair& pair, double time_horizon,
   if (dot(x, p) >= r * norm(x) && norm_squared(x) > 0.0) {
     return disc_plane(pair, time_horizon, PairState::constrained);
   }
-  // a leg of the cone: n . p = r, on the side where v is; the left of p where they are parallel
+  // a leg of the cone: n . p = r, on the side of v; the left of p where they are parallel
   const double l = std::sqrt(d2 - r * r) * side_of(p, v, std::sqrt(d2), norm(v));
   const Vec2 n = (r * p + l * perpendicular(p)) / d2;
   return {PairState::constrained, {n, -dot(n, v)}};

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// ORCA's half-plane of a wall: its velocity obstacle is a cone cut off by the wall of τ, a convex
-// set, of whose edges one is nearest. Lemma 14 of docs/half_plane.md.
+// ORCA's half-plane of a wall. Its velocity obstacle is a cone cut off by the wall of τ, a convex
+// set; one of its edges is nearest. Lemma 14 of docs/half_plane.md.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -17,21 +17,21 @@ struct Cone {
   double tolerance;     // m/s
   HalfPlane least{{}, std::numeric_limits<double>::infinity()};
 
-  // n is a normal of the cone or of what cuts it off: n . p >= r for both ends.
+  // n is a normal of the cone or of its cut: n . p >= r for both ends.
   void offer(Vec2 n, double h) {
     if (h < least.offset - tolerance) least = {n, h};
   }
 };
 
-// Where it faces the robot.
+// Offers the flat side that faces the robot.
 void offer_flat(Cone& cone) {
   const auto [n, distance] = facing(cone.pair);
   const double r = cone.pair.radius;
   if (distance >= r) cone.offer(n, (r - distance) / cone.time_horizon - dot(n, cone.pair.velocity));
 }
 
-// A line from the robot that touches the disc of an end, on its left (1) or on its right (-1),
-// beyond which the other end does not reach.
+// Offers a line from the robot that touches the disc of an end, on its left (1) or on its right
+// (-1), if the other end does not reach beyond it.
 void offer_leg(Vec2 from_end, Vec2 from_other, double side, Cone& cone) {
   const double r = cone.pair.radius, d2 = norm_squared(from_end);
   const double l = std::sqrt(std::max(0.0, d2 - r * r));

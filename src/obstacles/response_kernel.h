@@ -10,7 +10,7 @@
 
 AVO_BEGIN_KERNELS
 
-/// 1/a for a >= 0; finite for a = 0, where nobody wants it, but lanes compute it all the same.
+/// 1/a for a >= 0; finite for a = 0: this value is not used, but lanes compute it.
 template <typename Real>
 AVO_KERNEL Real inverse(Real a) {
   return Real(1.0) / max(a, Real(kTiniest));
@@ -33,13 +33,13 @@ AVO_KERNEL Real response_series(Real u) {
   return low + u2 * u2 * high;
 }
 
-/// Where t >= 0. Past the table, at 40 δ, g grows by the time itself.
+/// For t >= 0. Past the table, at 40 δ, g grows like the time itself.
 template <typename Real>
 AVO_KERNEL At<Real> at(const ResponseTable& table, Real t) {
   const Real k = floor(min(t * Real(table.nodes_per_second), Real(table.last)));
   const Real h = max(t - k * Real(table.seconds_per_node), Real(0.0));
   const Real node_rate = lookup(table.rate, k), decay = Real(1.0) - node_rate;
-  // at most 1/32 and a rounding more
+  // at most 1/32 plus rounding
   const Real u = min(h * Real(table.per_control_time), Real(1.0 / 16.0));
   const Real sum = response_series(u);
   const Real extra = Real(0.5) * u * u * sum;

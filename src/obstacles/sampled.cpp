@@ -11,7 +11,8 @@
 namespace avo {
 namespace {
 
-// Directions in which the circle of reach is tried: its arcs inside the polygon belong to the hull.
+// Directions in which the circle of reach is tested: its arcs inside the polygon belong to the
+// hull.
 constexpr int kCircleOctant = 8;
 
 using Polygon = std::vector<Vec2>;
@@ -67,7 +68,8 @@ std::vector<Vec2> compass(Vec2 p) {
 }
 
 // The first sampled disc that lies inside the one before, as a polygon; empty if there is none. A
-// pair that closes in fast has such discs: they bear no boundary of their own, and hold the next.
+// pair that approaches fast has such discs: they have no boundary of their own, and contain the
+// next one.
 Polygon nested_disc(const Obstacle& obstacle, int samples) {
   const Pair& pair = obstacle.pair;
   Polygon polygon;
@@ -82,7 +84,8 @@ Polygon nested_disc(const Obstacle& obstacle, int samples) {
   return polygon;
 }
 
-// Appends the extreme points of D(0, reach) ∩ polygon; false if the polygon holds all of the disc.
+// Appends the extreme points of D(0, reach) ∩ polygon; false if the polygon contains all of the
+// disc.
 bool clip(const Polygon& polygon, double reach, Vec2 p, Polygon& points) {
   const std::size_t before = points.size();
   for (std::size_t k = 0; k < polygon.size(); ++k) {
@@ -123,7 +126,8 @@ Polygon convex_hull(const Polygon& points) {
   return hull;
 }
 
-// The direction of least support among those of the hull's edges and towards its corners, Eq. (16).
+// The direction of least support among the normals of the hull's edges and the directions of its
+// corners, Eq. (16).
 HalfPlane least_support(const Polygon& hull, double reach, Vec2 p) {
   std::optional<HalfPlane> best;
   const auto offer = [&](Vec2 normal) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Eqs. (2), (3), (17)-(20) for many robots. What lanes write beyond a robot's last pair is the next
-// robot's to write.
+// Eqs. (2), (3), (17)-(20) for many robots. Lanes may write beyond a robot's last pair; the next
+// robot overwrites this.
 #ifndef AVO_OBSTACLES_SHARES_KERNEL_H
 #define AVO_OBSTACLES_SHARES_KERNEL_H
 
@@ -43,7 +43,7 @@ void relate(const RobotColumns& robots, const NeighborColumns& neighbors,
 template <typename Real>
 AVO_KERNEL Real reserved_radius(Vec<Real> p, Vec<Real> v, Real radius, const Reserve& reserve) {
   const Real zero(0.0), towards = -dot(p, v), squared = dot(v, v);
-  // whether they come near each other, and until when
+  // whether they approach each other, and until when
   const Real latest = select(towards > zero, Real(reserve.horizon), zero);
   const auto sooner = towards < latest * squared;
   const Real time = select(sooner, towards / select(sooner, squared, Real(1.0)), latest);
@@ -63,8 +63,8 @@ void reserve_room(const Reserve& reserve, PairColumns& pairs) {
   }
 }
 
-/// {A's plane is n . v' >= n . v_A + α h}; kept unless D(0, v_max) or D(v_A, δ a_max) by itself
-/// keeps to it.
+/// {A's plane is n . v' >= n . v_A + α h}; kept unless D(0, v_max) or D(v_A, δ a_max) lies inside
+/// it.
 template <typename Real>
 void share_out(const RobotColumns& robots, std::span<const std::size_t> pair_end,
                std::span<const double> raise, double control_time, std::span<const double> share,

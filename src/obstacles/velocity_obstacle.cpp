@@ -7,7 +7,7 @@
 namespace avo {
 namespace {
 
-// What u = 0 means as a change: -base. Obstacles of velocities are centered on the present one.
+// The change of u = 0 is -base. Obstacles of velocities are centered on the present velocity.
 Vec2 base(const Obstacle& obstacle) {
   return obstacle.response.is_acceleration() ? Vec2{} : obstacle.pair.velocity;
 }
@@ -84,7 +84,7 @@ Boundary boundary(const Obstacle& obstacle, int samples) {
     const Disc at_t = disc(obstacle, t);
     const Vec2 apex = base(obstacle) - v / obstacle.response.rate(t);
     const Disc seen{at_t.center - apex, at_t.radius};
-    // a disc around the apex holds the discs of the next times and bears no boundary
+    // a disc around the apex contains the discs of the next times and has no boundary
     if (!(norm(seen.center) >= seen.radius)) continue;
     const auto [left, right] = tangent_points(seen);
     result.left.push_back(apex + left);

@@ -15,7 +15,7 @@
 namespace avo::inline obstacles {
 namespace {
 
-// As short as a time may be that rounding can tell from 0, of τ.
+// A part of τ: the shortest time that rounding can distinguish from 0.
 constexpr double kShortest = 4 * std::numeric_limits<double>::epsilon();
 
 // ds/dt
@@ -23,8 +23,8 @@ double lag_rate(const ResponseAt& at, double control_time) {
   return at.gain * (1.0 - at.rate) * at.per_rate * at.per_rate / control_time;
 }
 
-// The instant at which the lag is so large, or τ. The lag is concave and at most t/2: Newton's
-// iteration comes from the left.
+// The instant of that lag, or τ. The lag is concave and at most t/2: Newton's iteration comes from
+// the left.
 ResponseAt instant_of_lag(double lag, const Horizon& horizon) {
   const ResponseAt& end = horizon.end();
   if (!(lag < end.lag)) return end;
@@ -37,7 +37,7 @@ ResponseAt instant_of_lag(double lag, const Horizon& horizon) {
   return at;
 }
 
-// The robot drives at the wall, and the flat side of it faces the robot: Lemma 12.
+// A robot that drives at the wall, with the flat side of the wall towards it: Lemma 12.
 struct Course {
   const WallPair& pair;
   const Horizon& horizon;
@@ -54,7 +54,7 @@ void offer_facing(const Facing& wall, Course& course) {
   const Vec2 n = wall.normal;
   const double closing = -dot(n, course.pair.velocity), gap = wall.distance - course.pair.radius;
   const ResponseAt& end = course.horizon.end();
-  // in contact, it may be rounding that the robot drives at the wall at all
+  // in contact, the course towards the wall may come from rounding
   const ResponseAt at = closing > 0.0 ? instant_of_lag(gap / closing, course.horizon) : end;
   const bool at_end = at.time >= end.time;
   course.offer(n, at_end ? (at.time * closing - gap) / at.gain : closing * at.per_rate);
@@ -79,7 +79,7 @@ void offer_tip(Vec2 from_end, Vec2 from_other, Course& course) {
 struct WallSide {
   double speed, t_m, c, r;  // m/s; s; m; m
 
-  // m: how far the robot has come with v beyond the place where the line of the side would be
+  // m: how far the robot has moved with v beyond the place where the line of the side would be
   // nearest; and its rate, m/s
   [[nodiscard]] std::pair<double, double> ahead(const ResponseAt& at, double lag_rate) const {
     const double m = speed * (t_m - at.lag), l2 = m * m + c * c - r * r;
@@ -96,7 +96,7 @@ struct WallSide {
 };
 
 // The first instant at which the line of the side is nearest to w = 0: Newton's iteration, guarded
-// by bisection where there is one for sure. On the far side there may be two or none: a step that
+// by bisection where there is surely one. On the far side there may be two or none: a step that
 // takes the rate for |v| never passes the first.
 std::optional<ResponseAt> turning_instant(const WallSide& side, const Horizon& horizon) {
   const double last_lag = side.last_lag(), control_time = horizon.control_time();
@@ -129,7 +129,8 @@ void offer_side(Vec2 from_end, Vec2 from_other, double sign, Course& course) {
   const Vec2 v = course.pair.velocity;
   const double speed = norm(v), r = course.pair.radius;
   const double c = -sign * cross(from_end, v) / speed;
-  if (c < -(1.0 + kContact) * r) return;  // it is passed by, but for the other end
+  // the robot passes it, unless the other end is in its path
+  if (c < -(1.0 + kContact) * r) return;
   const auto at =
       turning_instant({speed, -dot(from_end, v) / (speed * speed), c, r}, course.horizon);
   if (!at) return;

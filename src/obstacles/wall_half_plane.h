@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The half-plane of a robot and a wall: Eqs. (15), (16) with the obstacle of a whole segment, of
-// which the robot takes all. "Walls" in docs/half_plane.md.
+// The half-plane of a robot and a wall: Eqs. (15), (16) with the obstacle of a whole segment; the
+// robot takes the whole share. "Walls" in docs/half_plane.md.
 #pragma once
 #include "avo/half_plane.h"
 #include "avo/robot.h"
@@ -17,11 +17,11 @@ struct WallPair {
 
 WallPair relative(const Robot& robot, const Wall& wall);
 
-/// Tangent at the point of the boundary of hull(D(0, reach) ∩ AVO) nearest to w = 0, AVO being the
+/// Tangent at the point of the boundary of hull(D(0, reach) ∩ AVO) nearest to w = 0; AVO is the
 /// union of the obstacles of all points of the wall. reach = δ a_A, m/s. half_plane() where a == b.
-///  (1) sound: |w| <= reach and n . w >= h imply a distance of at least r on (0, τ];
-///  (2) h <= reach; where every reachable w collides h = reach, and excess says by how much more;
-///  (3) ties are broken towards the left of the wall's normal, so that A passes on its right.
+/// (1) sound: |w| <= reach and n . w >= h imply a distance of at least r on (0, τ]; (2) h <= reach;
+/// where every reachable w collides h = reach, and excess says by how much more; (3) ties are
+/// broken towards the left of the wall's normal, so that A passes on its right.
 RelativeHalfPlane wall_half_plane(const WallPair& pair, double reach, const Horizon& horizon);
 
 /// The limit δ -> 0, reach -> infinity; orca_half_plane() where a == b.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Lemmas 12 and 13 of docs/half_plane.md: the hull of what is within reach has as near corners the
-// wall of τ and points of the circle |w| = R, where near sides of its two ends cross it, or the
-// wall of τ does.
+// Lemmas 12 and 13 of docs/half_plane.md. The hull within reach has as near corners the wall of τ
+// and points of the circle |w| = R. These are crossings of the circle and near sides of its two
+// ends, or of the circle and the wall of τ.
 #include "obstacles/wall_horn.h"
 
 #include <algorithm>
@@ -21,8 +21,8 @@ struct Hull {
   Vec2 separating{};
   double R = 0.0;              // m/s
   std::array<Disc, 2> last{};  // the ends' discs of τ
-  bool last_in_reach = false;  // some of the wall of τ is
-  // on the circle: four near sides at most; the discs of τ and the sides between them cut it in two
+  bool last_in_reach = false;  // a part of the wall of τ is in reach
+  // on the circle: at most four near sides; the discs of τ and the sides between them cut it in two
   // points each
   std::array<Vec2, 4 * NearCorners::kMost + 8> corners{};
   std::size_t count = 0;
@@ -30,8 +30,8 @@ struct Hull {
 
   void add(Vec2 corner) { corners[count++] = corner; }
 
-  // Of what matters on the near side: where the extreme point of the wall of τ is out of reach, its
-  // corners on the circle take its place.
+  // The support on the near side: where the extreme point of the wall of τ is out of reach, its
+  // corners on the circle replace it.
   double support(Vec2 n) const {
     double h = -std::numeric_limits<double>::infinity();
     for (const Disc& disc : last) {
@@ -66,7 +66,7 @@ void add_near_sides(const WallPair& pair, Vec2 from_end, const Horizon& horizon,
   }
 }
 
-// Where a circle of the radius R about 0 cuts a disc's edge.
+// The points where the circle of radius R about 0 cuts a disc's edge.
 void add_cuts(const Disc& disc, Hull& hull) {
   const double c = norm(disc.center), R = hull.R;
   if (!(c > 0.0) || c > R + disc.radius || c < std::abs(R - disc.radius)) return;
@@ -77,7 +77,7 @@ void add_cuts(const Disc& disc, Hull& hull) {
   hull.add(foot * e - half * perpendicular(e));
 }
 
-// Where it cuts a side between the two discs.
+// The points where it cuts a side between the two discs.
 void add_cuts(Vec2 from, Vec2 to, Hull& hull) {
   const Vec2 along = to - from;
   const double length = norm(along);
@@ -91,7 +91,7 @@ void add_cuts(Vec2 from, Vec2 to, Hull& hull) {
   }
 }
 
-// The wall of τ, a disc about each end and what lies between them.
+// The wall of τ, a disc about each end and the area between them.
 void add_last_wall(const WallPair& pair, Vec2 wall_normal, const Horizon& horizon, Hull& hull) {
   const ResponseAt& end = horizon.end();
   const Vec2 coasted = end.time * pair.velocity;
@@ -107,12 +107,12 @@ void add_last_wall(const WallPair& pair, Vec2 wall_normal, const Horizon& horizo
   }
 }
 
-// Of the corners, all on one half of the circle, the two that the others lie between.
+// The two outermost of the corners, which all lie on one half of the circle.
 struct Outermost {
   Vec2 left, right;
 };
 Outermost outermost(const Hull& hull) {
-  // tan(φ/2), φ being the angle from the middle of the half circle
+  // tan(φ/2), φ is the angle from the middle of the half circle
   const Vec2 up = hull.separating;
   const auto place = [&](Vec2 w) { return cross(up, w) / (hull.R - dot(up, w)); };
   const auto begin = hull.corners.begin();

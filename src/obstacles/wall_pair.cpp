@@ -8,7 +8,7 @@
 namespace avo::inline obstacles {
 namespace {
 
-// The ray, not only its line, runs through an inner point of the segment.
+// Returns whether the ray, not only its line, runs through an inner point of the segment.
 bool crosses(const WallPair& pair) {
   const Vec2 a = pair.from_a, b = pair.from_b, v = pair.velocity;
   const double side_a = cross(v, a), side_b = cross(v, b);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where a robot that keeps its velocity passes a wall.
+// How a robot that keeps its velocity passes a wall.
 #pragma once
 #include <array>
 
@@ -12,22 +12,22 @@ inline std::array<Vec2, 2> ends_of(const WallPair& pair) {
   return {pair.from_a, pair.from_b};
 }
 
-/// m, from the nearest point of the wall to where the robot is after it has moved by `way`.
+/// m, from the nearest point of the wall to the robot's place after the displacement `way`.
 Vec2 away_from_wall(const WallPair& pair, Vec2 way);
 
 /// m, from the nearest point of the wall to that of the ray on which the robot keeps its velocity;
 /// 0 where the ray crosses the wall.
 Vec2 nearest_pass(const WallPair& pair);
 
-/// The unit normal of the wall's line on whose side the robot is, and its distance from the line.
+/// The unit normal of the wall's line towards the robot, and the robot's distance from the line.
 struct Facing {
   Vec2 normal;
   double distance = 0.0;  // m, >= 0
 };
 Facing facing(const WallPair& pair);
 
-/// The pair to part where the two overlap: away from the wall's nearest point; where the robot's
-/// center is on it, across it to the side that it moves to.
+/// The pair that separates the two where they overlap: away from the wall's nearest point. Where
+/// the robot's center is on the wall, it is across the wall to the side that the robot moves to.
 Pair pair_in_contact(const WallPair& pair, Vec2 away);
 
 }  // namespace avo::inline obstacles
