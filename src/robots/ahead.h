@@ -5,7 +5,7 @@
 namespace avo::inline robots {
 
 /// elementary::direction() of a robot's heading, rad. Each stage of a step asks for the headings of
-/// the same robots, and what this thread has been asked for lately it does not compute again.
+/// the same robots; each thread caches its recent results.
 Vec2 ahead_of(double heading);
 
 }  // namespace avo::inline robots

@@ -16,12 +16,12 @@
 namespace avo::inline robots {
 namespace {
 
-// Of a_lat: kept back, so that a controller can come back to a circle that it has left a little.
+// A part of a_lat: a reserve, so that a controller can return to a circle after a small deviation.
 constexpr double kLateralReserve = 1e-6;
-// Goals are steered to where a circle leads there that is so much wider than the least one.
+// Goals are steered to if a circle leads there that is this factor wider than the least one.
 constexpr double kWiderLoiter = 1.05;
 
-// From the start to where so much of the arc is behind it.
+// The vector from the start to the point at that length of the arc.
 Vec2 chord(const Arc& arc, double length) {
   const double half = 0.5 * arc.curvature * length;
   const Vec2 by = elementary::direction(half);
@@ -34,7 +34,8 @@ Vec2 loitering_along(const Airplane& airplane, Vec2 heading) {
   return -usable_acceleration(airplane) * perpendicular(heading);
 }
 
-// It is set back onto the circle in each step: nothing piles up, however long it stays there.
+// The airplane is set back onto the circle in each step: no errors accumulate, however long it
+// stays there.
 FlightStep hold_circle(const Airplane& airplane, const MotionState& state, double time_step) {
   const LoiterCircle& circle = state.circle;
   const double speed = std::sqrt(usable_acceleration(airplane) * circle.radius);
@@ -66,8 +67,8 @@ ArcEnd end_of(const Arc& arc, Vec2 chord) {
   return {chord, turned(arc.heading, elementary::direction(arc.curvature * arc.length))};
 }
 
-// Where the way stops leading down, heading and n are at right angles. With σ the sign of κ it has
-// come down by (1 + σ n × h)/|κ| by then, here without the difference of nearly equal numbers.
+// Where the path stops leading down, heading and n are at right angles. With σ the sign of κ it has
+// come down by (1 + σ n × h)/|κ| by then. The code avoids the difference of nearly equal numbers.
 double lowest(const Arc& arc, const ArcEnd& end, Vec2 n) {
   const double turn = arc.curvature * arc.length, down = dot(n, arc.heading);
   const double least = std::min(0.0, dot(n, end.chord));
@@ -88,7 +89,7 @@ double distance(const Arc& arc, Vec2 p) {
 }
 
 double sagitta(const Arc& arc) {
-  // of half a turn at most: (1 - cos x) <= x²/2, and the chord is no longer than the arc
+  // for half a turn at most: (1 - cos x) <= x²/2, and the chord is no longer than the arc
   return 0.125 * arc.length * arc.length * std::abs(arc.curvature);
 }
 
@@ -136,7 +137,7 @@ void append_own_half_planes(const Airplane& airplane, const Robot& robot, double
   bound(n, usable_acceleration(airplane) * time);
 }
 
-// Velocities at more than 45 degrees become turns at full: as much across as ahead.
+// Velocities at more than 45 degrees become turns at full rate: as much across as ahead.
 Vec2 within_steering(const Airplane&, const Robot& robot, Vec2 v) {
   const Vec2 h = ahead_of(robot.heading), n = perpendicular(h);
   const double ahead = dot(h, v), across = cross(h, v);
@@ -144,8 +145,8 @@ Vec2 within_steering(const Airplane&, const Robot& robot, Vec2 v) {
   return norm(v) * (h + (across > 0.0 ? n : -n));
 }
 
-// By pure pursuit (Coulter, CMU 1992), no faster than its circle allows. From a goal inside the
-// smallest circle it flies away, until it is outside.
+// Pure pursuit (Coulter, CMU 1992), no faster than its circle allows. If the goal is inside the
+// smallest circle, the airplane flies away from the goal until the goal is outside.
 Vec2 steered(const Airplane& airplane, const Robot& robot) {
   const double wanted = norm(robot.preferred_velocity);
   if (!(wanted > 0.0)) return {};

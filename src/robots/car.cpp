@@ -21,11 +21,12 @@
 namespace avo::inline robots {
 namespace {
 
-// Rest is no speed at all: a car that kept what rounding leaves would creep on for ever, and its
-// sign would say where it may drive. Of the speed before the step:
+// Rest is exactly 0: a car with the speed that rounding leaves would creep on for ever, and the
+// sign of that speed would decide where it may drive. As a part of the speed before the step:
 constexpr double kRestRounding = 0x1p-48;
-// Of the speed that one step of braking takes away: less is no decision. The choices of a
-// certificate are drawn by as much on the safe side, and rounding of places makes more of it.
+// Part of the speed that one step of braking takes off: a smaller change is no decision. The
+// choices of a certificate are drawn by as much on the safe side, and rounding of places increases
+// this.
 constexpr double kLeastDecided = 0x1p-30;
 
 struct Controls {
@@ -33,7 +34,7 @@ struct Controls {
   double curvature = 0.0;  // [κ] 1/m
 };
 
-// As it drives forward, or backwards and seen from its rear.
+// The car as it drives forward, or as it drives backwards, seen from its rear.
 struct Driving {
   Vec2 heading;   // [h] unit
   double angle;   // [θ] rad, of h
@@ -41,7 +42,7 @@ struct Driving {
   double offset;  // [e] m
 };
 
-// Whether it drives backwards; one at rest, if that is where it is to go.
+// Returns whether it drives backwards; for a car at rest, whether it should.
 bool is_reversing(const Car& car, Vec2 heading, Vec2 velocity, Vec2 wanted) {
   if (!car.reverse) return false;
   return dot(heading, is_rest(velocity) ? wanted : velocity) < 0.0;
@@ -56,9 +57,9 @@ Driving driving_of(const Car& car, const MotionState& state, Vec2 wanted) {
 }
 
 // Eq. (25) solved for the controls. κ is that of the highest speed in the step, so that |v² κ|
-// stays below what was decided all through it. At the end of a step at the earliest it stands. One
-// that brakes weakly could turn by more than kMostTurn at little speed; it does not. slow: m/s,
-// that it can brake from within the step.
+// stays below the decided value all through it. The car comes to rest at the end of a step at the
+// earliest. A car that brakes weakly could turn by more than kMostTurn at low speed; this is
+// limited. slow: m/s, the speed from which it can brake within the step.
 Controls controls(const Car& car, Vec2 acceleration, const Driving& driving, double slow,
                   double time_step) {
   Controls result;
@@ -75,8 +76,8 @@ Controls controls(const Car& car, Vec2 acceleration, const Driving& driving, dou
 }
 
 // See MotionStep. With s = v κ the disc's acceleration changes by s (3 a_lin - e v s κ) across the
-// heading and by -s (v s + 3 e a_lin κ) along it, less than J(v) in all, which is convex in time:
-// at most linear between J_0 and J_1. With y = v_0 t + t² z(t), z is an average of the
+// heading and by -s (v s + 3 e a_lin κ) along it. Together it is less than J(v), which is convex in
+// time: at most linear between J_0 and J_1. With y = v_0 t + t² z(t), z is an average of the
 // acceleration, and |z(Δt) - z(t)| <= Δt (3 J_0 + J_1)/24.
 double bend(const Driving& driving, double next_speed, const Controls& control, double time_step) {
   const double lever = 1.0 + std::abs(driving.offset * control.curvature);
@@ -87,7 +88,7 @@ double bend(const Driving& driving, double next_speed, const Controls& control, 
   return time_step * time_step * time_step * (3.0 * jerk(driving.speed) + jerk(next_speed)) / 24.0;
 }
 
-// m/s²: what its limit is about, along and across each or both together.
+// m/s²: the value that its limit applies to, along and across separately or both together.
 double largest(const Car& car, Vec2 acceleration) {
   if (car.acceleration_set == AccelerationSet::incircle) return norm(acceleration);
   return std::max(std::abs(acceleration.x), std::abs(acceleration.y));
@@ -120,8 +121,8 @@ MotionStep drive(const Car& car, const MotionState& state, const Driving& drivin
   return step;
 }
 
-// At rest, by an angle that grows with the square of the time: so the disc leaves at rest as well,
-// and stays within e times the angle's square of a straight line.
+// A turn at rest, by an angle that grows with the square of the time. The disc then starts at rest
+// as well, and stays within e times the angle's square of a straight line.
 MotionStep turn_in_place(const MotionState& state, const Driving& driving, double angle) {
   MotionStep step{state, 0.0};
   step.next.heading = wrapped(state.heading + angle);
@@ -155,7 +156,7 @@ MotionStep advance_car(const Car& car, const MotionLimits& limits, const MotionS
 
   // the front axle, one wheelbase ahead, moves at v_max at most
   double most = std::min(limits.max_speed / car.wheelbase * time_step, kMostTurn);
-  // and the disc accelerates by a_max at most; the turn ends twice as fast as it is in the mean
+  // and the disc accelerates by a_max at most; the turn rate at the end is twice the mean
   if (driving.offset != 0.0)
     most = std::min(0.5 * most, 0.5 * slow * time_step / std::abs(driving.offset));
   return turn_in_place(state, driving, std::clamp(turn, -most, most));
@@ -188,8 +189,8 @@ SensingError unforeseen_of_car(const Car& car, double max_acceleration, double t
   return result;
 }
 
-// Others count on no more than |v| + u of whoever decides, which the corners of the square exceed;
-// and the disc of a car that turns about its axle comes farther than the axle.
+// Others count on at most |v| + u of a robot that decides, which the corners of the square exceed.
+// The disc of a car that turns about its axle moves farther than the axle.
 double top_speed_of(const Car& car, const Robot& robot, double u) {
   constexpr double kForTurning = 0.9;
   if (!may_exceed_reach(robot.model)) return std::numeric_limits<double>::infinity();
@@ -198,7 +199,7 @@ double top_speed_of(const Car& car, const Robot& robot, double u) {
 
 namespace {
 
-// Of a_lin and of v² κ, m/s²; infinite where |a| <= a_max says it all. At rest a car has to drive
+// Limits of a_lin and of v² κ, m/s²; infinite where |a| <= a_max suffices. A car at rest must drive
 // before it turns.
 struct OwnLimits {
   double along, across;

@@ -27,7 +27,7 @@ void append_own_half_planes(const Car& car, const Robot& robot, double time,
 
 /// src/robots/steering.cpp
 Vec2 steered(const Car& car, const Robot& robot, const Approach& approach);
-/// m/s: along `ahead`, its heading or against it, towards where it goes.
+/// m/s: along `ahead`, its heading or the opposite direction, towards its target.
 Vec2 steered_along(const Car& car, const Robot& robot, Vec2 ahead);
 Vec2 within_steering(const Car& car, const Robot& robot, Vec2 v);
 
@@ -40,27 +40,27 @@ inline double offset_of(const Car& car) {
   return car.body ? car.body->offset : 0.0;
 }
 
-/// Not bound to drive on in order to turn.
+/// Returns whether it can turn without driving.
 inline bool turns_in_place(const Car& car) {
   return !car.max_curvature;
 }
-/// 1/m, while it drives. Others expect a disc to come about as far as two steps of its axle's speed
-/// lead (keeps_reach() in src/certificate), so that one ahead of the axle may sweep aside as fast
-/// as the car drives, and no car could stay on a sharper curve. Where the curvature has no bound,
-/// it adds a quarter to its speed at most.
+/// 1/m, while it drives. Others expect a disc to move about as far as two steps at its axle's speed
+/// (keeps_reach() in src/certificate). So a disc ahead of the axle may sweep aside as fast as the
+/// car drives, and no car could stay on a sharper curve. Where the curvature has no bound, the
+/// sweep adds a quarter to its speed at most.
 inline double sharpest(const Car& car) {
   const double offset = std::abs(offset_of(car));
   if (offset == 0.0) return car.max_curvature.value_or(std::numeric_limits<double>::infinity());
   return car.max_curvature ? std::min(*car.max_curvature, 1.0 / offset) : 0.25 / offset;
 }
 /// Near v = 0 Eq. (25) asks for unbounded curvature. Below the speed that one step of braking takes
-/// away, a car that would have to turn by more than this first stops, and then turns in place
-/// about its rear axle (front wheels across), which does not move the axle.
+/// off, a car that would have to turn by more than this first stops. It then turns in place about
+/// its rear axle (front wheels across), which does not move the axle.
 inline constexpr double kTurnInPlace = 0.25;  // rad
-/// So near its goal that it does not turn round for what is left.
+/// Returns whether it is so near its goal that it does not turn round for the rest.
 inline bool is_there(const Car& car, const Robot& robot, const Approach& approach) {
   constexpr double kNearEnough = 0.05;  // times the radius of the circle that it turns on
-  constexpr double kPrecise = 0.01;     // times its own radius: nobody turns round for less
+  constexpr double kPrecise = 0.01;     // times its own radius: it does not turn round for less
   const double circle = turns_in_place(car) ? std::abs(offset_of(car)) : 1.0 / sharpest(car);
   const double near = std::max(kNearEnough * circle, kPrecise * robot.radius);
   return robot.distance_to_goal <= std::min(near, approach.near_enough);

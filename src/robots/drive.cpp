@@ -26,15 +26,15 @@
 namespace avo {
 namespace {
 
-// Of each limit, for rounding.
+// A part of each limit, for rounding.
 constexpr double kReserve = 0x1p-20;
 double ratio(const DifferentialDrive& drive) {  // [k]
   return 0.5 * drive.track / drive.offset;
 }
 
-using One = scalar::Pack<double>;  // drive, not lanes of several
+using One = scalar::Pack<double>;  // one drive, not lanes of several
 
-// A step as seen from its first heading, which is (1, 0).
+// A step in the frame of its first heading, which is (1, 0).
 struct Turning {
   scalar::Turning<One> packed;
   Vec2 velocity, acceleration;  // of q, at the start
@@ -64,7 +64,7 @@ Vec2 heading_of(Vec2 half) {
 }
 
 struct Wheels {
-  double speed, acceleration;  // of the one that has more of it
+  double speed, acceleration;  // the larger one of both wheels
 };
 
 Wheels wheels_of(const DifferentialDrive& drive, Vec2 heading, Vec2 velocity, Vec2 acceleration) {
@@ -116,12 +116,12 @@ double most_speed(const DifferentialDrive& drive, double most_braking, double al
 
 namespace {
 
-// rad, of one that has turned by twice the angle of `half`.
+// rad, after a turn by twice the angle of `half`.
 double turned_twice(double heading, Vec2 half) {
   return std::remainder(heading + 2.0 * elementary::atan2(half.y, half.x), 2.0 * std::numbers::pi);
 }
 
-// rad, after so much time in which the velocity changes to that one.
+// rad, after that time, in which the velocity changes to next_velocity.
 double next_heading(const DifferentialDrive& drive, const MotionState& state, Vec2 next_velocity,
                     double time) {
   const Turning turning =
@@ -129,12 +129,12 @@ double next_heading(const DifferentialDrive& drive, const MotionState& state, Ve
   return turned_twice(state.heading, plain(scalar::half_turned(turning.packed, One(drive.offset))));
 }
 
-// All of the step but its heading.
+// The whole step except its heading.
 MotionStep without_heading(const MotionState& state, const Plan& plan, double time_step) {
   const Vec2 a = plan.acceleration;
   MotionStep step;
   step.next.velocity = state.velocity + time_step * a;
-  // less than the rounding of its making is rest
+  // a speed below the rounding of its computation counts as rest
   if (norm_squared(step.next.velocity) < 0x1p-100 * norm_squared(state.velocity))
     step.next.velocity = {};
   step.next.position = state.position + (0.5 * time_step) * (state.velocity + step.next.velocity);
@@ -173,11 +173,11 @@ MotionState within_step(const DifferentialDrive& drive, const MotionState& from,
 
 namespace {
 
-// Whether bounds of the whole step keep all limits, as those of most steps do. While v > 0,
-// σ' = a·n - v σ/L makes |σ| <= Σ = |σ| at the start + a Δt. And v > 0 stays, since v² + σ² = V²
-// and V > Σ. The speed at the end is within S by G <= s (s + k), where s = Σ/V is below 1/2,
-// and by W <= 1 + k s, which the bound of the speed of wheels implies. Twice the reserve makes sure
-// that the samples of follows_along() say the same.
+// Returns whether bounds over the whole step keep all limits, as they do for most steps. While v >
+// 0, σ' = a·n - v σ/L makes |σ| <= Σ = |σ| at the start + a Δt. And v > 0 stays, since v² + σ² = V²
+// and V > Σ. The speed at the end is within S by G <= s (s + k), where s = Σ/V is below 1/2, and by
+// W <= 1 + k s, which the bound of the speed of wheels implies. Twice the reserve ensures that the
+// samples of follows_along() agree.
 bool surely_follows(const DifferentialDrive& drive, double most_braking, const Turning& turning,
                     double top, double next_speed) {
   const double a = norm(turning.acceleration), k = ratio(drive);
@@ -235,7 +235,7 @@ bool follows(const DifferentialDrive& drive, double most_braking, const MotionSt
                        time_step);
 }
 
-// The farthest that it can follow of what lies between straight braking and v.
+// The farthest velocity between straight braking and v that it can follow.
 Vec2 within_own_limits(const DifferentialDrive& drive, const Robot& robot, double time, Vec2 v) {
   const Vec2 h = ahead_of(robot.heading);
   const auto can_follow = [&](Vec2 next) {

@@ -7,24 +7,25 @@
 
 namespace avo::inline robots {
 
-/// One step: the point q moves as it was decided, and the wheels follow.
+/// One step: the point q moves as decided, and the wheels follow.
 MotionStep advance_drive(const DifferentialDrive& drive, const MotionState& state, const Plan& plan,
                          double time_step);
 
-/// The same of several; at most kMostModelSteps.
+/// The same for several robots; at most kMostModelSteps.
 void advance_drives(std::span<ModelStep* const> steps, double time_step);
 
 /// See within() in robots/model.h.
 MotionState within_step(const DifferentialDrive& drive, const MotionState& from,
                         const MotionState& to, double time, double duration);
 
-/// Whether the wheels keep their limits while q accelerates evenly to that velocity, at every
-/// instant of the step, and also if it then brakes straight at up to most_braking.
+/// Returns whether the wheels keep their limits while q accelerates evenly to that velocity, at
+/// every instant of the step. They must also keep them if it then brakes straight at up to
+/// most_braking.
 bool follows(const DifferentialDrive& drive, double most_braking, const MotionState& state,
              Vec2 next_velocity, double time_step);
 
-/// m/s: so fast may q be in a direction, its parts along the heading and across it, that straight
-/// braking keeps the limits: the set S.
+/// m/s: the largest speed of q in a direction for which straight braking keeps the limits: the set
+/// S. `along` and `across` are the direction's components along the heading and across it.
 double most_speed(const DifferentialDrive& drive, double most_braking, double along, double across);
 
 /// See robots/model.h.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// How differential drives turn within a step, as many at once as Pack has lanes.
+// The turns of differential drives within a step, as many at once as Pack has lanes.
 #ifndef AVO_ROBOTS_DRIVE_KERNEL_H
 #define AVO_ROBOTS_DRIVE_KERNEL_H
 
@@ -10,7 +10,7 @@
 
 AVO_BEGIN_KERNELS
 
-/// A step as seen from its first heading, which is (1, 0).
+/// A step in the frame of its first heading, which is (1, 0).
 template <typename Real>
 struct Turning {
   Vec<Real> velocity, acceleration;  // of q, at the start
@@ -34,9 +34,9 @@ AVO_KERNEL Turning<Real> turning_of(Real offset, Vec<Real> h, Vec<Real> velocity
   return {seen(velocity), seen(next_velocity - velocity) / time, time / substeps, substeps};
 }
 
-/// The heading is p²/|p|², where p has half its angle. From h' = ω n, with complex numbers
-/// h' = (V - V* h²)/2L, it follows that p' = V p*/2L: linear, with V linear in time. So a power
-/// series solves it exactly; what is left out in a substep is below 1e-17.
+/// The heading is p²/|p|², where p has half its angle. From h' = ω n, with complex numbers h' = (V
+/// - V* h²)/2L, it follows that p' = V p*/2L: linear, with V linear in time. So a power series
+/// solves it exactly; the terms left out in a substep are below 1e-17.
 template <typename Real>
 struct HalfTurns {
   static constexpr int kTerms = 8;

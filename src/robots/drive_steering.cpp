@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where differential drives steer. As in drive.cpp, q is the point L ahead of the axle, and V its
-// speed.
+// The steering of differential drives. As in drive.cpp, q is the point L ahead of the axle, and V
+// its speed.
 #include <algorithm>
 #include <cmath>
 
@@ -12,10 +12,10 @@
 namespace avo::inline robots {
 namespace {
 
-// What is wished for stays so much within S, so that it can be followed to the end.
+// The wish stays this far within S, so that the drive can follow it to the end.
 constexpr double kWithin = 1.0 - 0x1p-9;
 constexpr double kNear = 2.0;         // [L], of the goal from the axle
-constexpr double kNearEnough = 0.05;  // [L]: nobody turns round for that
+constexpr double kNearEnough = 0.05;  // [L]: the drive does not turn round for less
 
 // See within_steering(); h: its heading.
 Vec2 within_steering(const DifferentialDrive& drive, const Robot& robot, Vec2 h, Vec2 v) {
@@ -26,13 +26,13 @@ Vec2 within_steering(const DifferentialDrive& drive, const Robot& robot, Vec2 h,
   return std::min(speed, most) * to;
 }
 
-// Where the goal is nearer to the axle than L, that would circle round it: with β the angle of the
-// goal off the heading and d its distance, V cos β ahead and V sin β across make
-// β' = V sin β (cos β/d - 1/L). With as much across as kNear L/d times that, β shrinks at any
-// distance. It may shrink no faster than it can be stopped, and then less of V is ahead. A goal
-// behind it is there driven to backwards. A velocity that is across the heading of now has a part
-// along that of the step's end, σ² Δt/L, on which the drive would circle beside its goal for ever:
-// it steers by the heading that it will have.
+// A goal nearer to the axle than L would make the drive circle round it. With β the angle of the
+// goal off the heading and d its distance, V cos β ahead and V sin β across make β' = V sin β (cos
+// β/d - 1/L). With kNear L/d times as much across, β shrinks at any distance. It must not shrink
+// faster than it can be stopped; then less of V is ahead. The drive moves backwards to a goal
+// behind it. A velocity across the present heading has a part along the heading at the step's end,
+// σ² Δt/L, on which the drive would circle beside its goal for ever. So it steers by the heading
+// that it will have.
 Vec2 steered_near(const DifferentialDrive& drive, const Robot& robot, const Approach& approach) {
   const double distance = robot.distance_to_goal;
   if (distance <= std::min(kNearEnough * drive.offset, approach.near_enough)) return {};
@@ -50,8 +50,9 @@ Vec2 steered_near(const DifferentialDrive& drive, const Robot& robot, const Appr
 
 }  // namespace
 
-// Far from its goal it heads for it at once, and turns as q does. One that has its goal behind it
-// first turns on the spot, by q going round the axle; to the right where both ways are as long.
+// Far from its goal it moves straight to the goal, and turns as q does. If the goal is behind it,
+// it first turns on the spot, as q goes round the axle; it turns right where both directions are
+// equally long.
 Vec2 steered(const DifferentialDrive& drive, const Robot& robot, const Approach& approach) {
   const Vec2 wish = robot.preferred_velocity, h = ahead_of(robot.heading);
   const double speed = norm(wish);

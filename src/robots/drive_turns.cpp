@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Turns of drives in lanes, for every instruction set; the fittest is chosen at run time.
+// Turns of drives in lanes, for every instruction set; the best one is chosen at run time.
 #include "robots/drive_turns.h"
 
 namespace avo::inline robots {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Differential drives that turn together.
+// The turns of several differential drives together.
 #pragma once
 #include <array>
 #include <cstddef>
@@ -9,25 +9,25 @@
 
 namespace avo::inline robots {
 
-// rad, of the heading in a substep at most.
+// rad, the largest turn of the heading in a substep.
 inline constexpr double kSubturn = 1.0 / 16.0;
-// A step that asks for more is refused.
+// A step that needs more substeps is refused.
 inline constexpr double kMostSubsteps = 1024.0;
 inline constexpr double kFewestSubsteps = 2.0;
 
-/// Their steps, in columns: as many as any vector has lanes, or a multiple of that.
+/// Their steps, in columns: the number is a multiple of the number of lanes of any vector.
 struct DriveTurns {
   static constexpr std::size_t kMost = kMostModelSteps;
   using Column = std::array<double, kMost>;
   std::size_t count = 0;
   // m/s, of q; the headings at the start and the offsets, m
   Column ahead_x, ahead_y, v_x, v_y, next_x, next_y, offset;
-  Column half_x, half_y;  // unit: half of the angle that each has turned by, see turn()
+  Column half_x, half_y;  // unit: half of the angle of each turn, see turn()
 
   void add(const DifferentialDrive& drive, Vec2 ahead, Vec2 velocity, Vec2 next_velocity) {
     set(count++, drive.offset, ahead, velocity, next_velocity);
   }
-  /// Lanes behind the last one do as little as any.
+  /// Lanes after the last step get a trivial step.
   void fill_up() {
     for (std::size_t k = count; k < kMost; ++k) set(k, 1.0, {1.0, 0.0}, {}, {});
   }
@@ -41,7 +41,7 @@ struct DriveTurns {
   }
 };
 
-/// Finds half_x and half_y of steps of so many seconds.
+/// Finds half_x and half_y for steps of so many seconds.
 void turn(DriveTurns& turns, double time);
 
 }  // namespace avo::inline robots

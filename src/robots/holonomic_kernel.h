@@ -21,7 +21,7 @@ AVO_KERNEL Moved<Real> moved(Vec<Real> position, Vec<Real> velocity, Vec<Real> n
   Moved<Real> next;
   next.position = position + Real(response.time_step) * velocity + Real(response.gain) * w;
   next.velocity = velocity + Real(response.rate) * w;
-  // less than the rounding of its making is rest
+  // a speed below the rounding of its computation counts as rest
   const auto rests = dot(next.velocity, next.velocity) < Real(0x1p-100) * dot(velocity, velocity);
   next.velocity = select(rests, constant<Real>({}), next.velocity);
   next.acceleration = norm(w) / Real(response.control_time);

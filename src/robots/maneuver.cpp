@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// How a car that cannot turn in place goes about it beside walls: by a few moves, forward or
-// backwards, on arcs or straight, and the straight way to where it would go. Of the ways that are
-// found the shortest is begun, and the next decision chooses anew. What the car does already may
-// come nearer to walls than what it would have to begin. So it does not change its mind over and
-// over, and its velocity is all that it has to remember.
+// The maneuvers of a car that cannot turn in place, beside walls. It makes a few moves, forward or
+// backwards, on arcs or straight, and then drives straight to its target. It begins the shortest
+// path that is found, and the next decision chooses again. Its present move may come nearer to
+// walls than a move that it would have to begin. So it does not change its decision repeatedly, and
+// it has to remember nothing but its velocity.
 #include "robots/maneuver.h"
 
 #include <algorithm>
@@ -21,21 +21,23 @@
 namespace avo::inline robots {
 namespace {
 
-// All of them times the radius of the turning circle.
-constexpr double kNearGoal = 3.0;  // goals are looked at to the end of the way
-constexpr double kStraight = 2.0;  // of the straight way to others, that has to be clear
-constexpr double kLongest = 3.2;   // of a move: hardly more than half a circle
+// All in radii of the turning circle.
+constexpr double kNearGoal = 3.0;  // paths to nearer goals are examined to their end
+// of the straight path to farther goals: the part that must be clear
+constexpr double kStraight = 2.0;
+constexpr double kLongest = 3.2;  // of a move: hardly more than half a circle
 constexpr double kSample = 1.0 / 8.0;
 constexpr double kFarGoal = 100.0;  // goals are not farther than that
 constexpr double kMostRoom = 5.0;
-constexpr double kPlanned = 1.1;  // the circles that ways are made of: a car can correct itself
-constexpr double kTurnAcceleration = 0.8;              // of a_max, that turning asks for
-constexpr double kLeadSteps = 2.0;                     // until a car that starts turns
-constexpr double kFullLock = 0.25 * std::numbers::pi;  // rad, of wishes that ask for all of it
-// rad: for less it steers towards its goal, as it does far from walls
+constexpr double kPlanned = 1.1;           // the circles of planned paths: a car can correct itself
+constexpr double kTurnAcceleration = 0.8;  // of a_max, used for turning
+constexpr double kLeadSteps = 2.0;         // until a car that starts turns
+// rad, wishes at this angle use the full lock
+constexpr double kFullLock = 0.25 * std::numbers::pi;
+// rad: for less the car steers towards its goal, as it does far from walls
 constexpr double kSharpTurn = 0.3;
 
-// m/s: a wish that makes the car do it; length: m, until it changes gear.
+// m/s: a wish that makes the car do the move; length: m, until it changes gear.
 Vec2 wish(const Maneuvering& car, const Move& move, double turn, double length) {
   const Vec2 ahead = move.gear * car.pose.heading;
   const double a_max = car.robot.max_acceleration;
@@ -48,7 +50,7 @@ Vec2 wish(const Maneuvering& car, const Move& move, double turn, double length) 
   return v * (ahead + move.side * perpendicular(ahead));
 }
 
-// The longest clear move, where no way is found.
+// The longest clear move, where no path is found.
 Vec2 wish_to_go_on(const Maneuvering& car) {
   Move farthest;
   double longest = 0.0;
@@ -88,7 +90,7 @@ std::optional<ArcLeg> leg_to(const Pose& pose, const Move& move, Vec2 place) {
   const double squared = norm_squared(from_center) - move.radius * move.radius;
   if (squared < 0.0) return std::nullopt;
   const double straight = std::sqrt(squared);
-  // in the frame of the straight way the place lies at (straight, -side radius) from the center
+  // in the frame of the straight path the place lies at (straight, -side radius) from the center
   const Vec2 out = turned(from_center, {straight, move.side * move.radius});
   double turn = move.side * elementary::atan2(cross(ahead, out), dot(ahead, out));
   constexpr double kRounding = 1e-3, kCircle = 2.0 * std::numbers::pi;
@@ -112,7 +114,7 @@ double Maneuvering::clear_length(const Pose& from, const Move& move, double most
   return most;
 }
 
-// Ways around walls touch them, and what they lead to next is not known here.
+// Routes around walls touch them, and the part after the corner is not known here.
 bool Maneuvering::is_clear_leg(const Pose& from, const Move& move, const ArcLeg& leg,
                                Nearness nearness) const {
   const bool is_near = norm(goal - pose.axle) <= kNearGoal * turning;

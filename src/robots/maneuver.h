@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the ways of a maneuvering car are made of: moves on arcs or straight, and the last leg to
-// its goal (docs/arrival.md, "Cars").
+// The parts of a maneuvering car's path: moves on arcs or straight, and the last leg to its goal
+// (docs/arrival.md, "Cars").
 #pragma once
 #include <optional>
 
@@ -9,27 +9,27 @@
 
 namespace avo::inline robots {
 
-/// Of the radius of the turning circle: m of way that standing still and starting anew is worth.
+/// The cost of stopping and starting again, in radii of the turning circle, as length of path.
 inline constexpr double kGearChange = 1.0;
 
-/// From a pose to a place: an arc, and straight on.
+/// From a pose to a place: an arc, and then straight on.
 struct ArcLeg {
   double arc = 0.0, straight = 0.0;  // m
 };
 
 Pose after(const Pose& pose, const Move& move, double length, KnownTurns& turns);
 
-/// None to places inside the circle.
+/// None for places inside the circle.
 std::optional<ArcLeg> leg_to(const Pose& pose, const Move& move, Vec2 place);
 
-/// One car that looks for a way.
+/// One car that searches for a path.
 struct Maneuvering {
   const Car& car;
   const Robot& robot;
   const ClearPlaces& is_clear;
   double turning;  // m, the radius of the turning circle
-  double planned;  // m, of the circles that ways are made of
-  double lead;     // m, that it drives straight where it starts, before it turns
+  double planned;  // m, radius of the circles in planned paths
+  double lead;     // m, straight distance at its start, before it turns
   Vec2 goal;       // m, of the axle
   Pose pose;
   double speed;  // m/s, along the heading
@@ -37,20 +37,20 @@ struct Maneuvering {
 
   bool goes_on(double gear) const { return gear * speed > 0.0; }
   double stopping_way() const { return 0.5 * speed * speed / robot.max_acceleration; }
-  /// m, of the lead, that is left of it now
+  /// m, the remaining part of the lead
   double lead_left(double gear) const;
   int gears() const { return car.reverse ? 2 : 1; }
-  /// m, that the car can drive before it comes too near to something
+  /// m, distance that the car can drive before it comes too near to an obstacle
   double clear_length(const Pose& from, const Move& move, double most, Nearness nearness) const;
-  /// Whether the leg is clear, as far as it is looked at.
+  /// Returns whether the examined part of the leg is clear.
   bool is_clear_leg(const Pose& from, const Move& move, const ArcLeg& leg, Nearness nearness) const;
-  /// m: to stop, to come back as far, and to start anew
+  /// m: the cost to stop, to come back as far, and to start again
   double change_from_now(double gear) const {
     return gear * speed < 0.0 ? 2.0 * stopping_way() + kGearChange * turning : 0.0;
   }
 };
 
-/// How a way begins.
+/// The begin of a path.
 struct Beginning {
   Move move;
   double turn = 0.0;       // rad, of this move
@@ -58,7 +58,7 @@ struct Beginning {
   bool is_direct = false;  // the last leg alone
 };
 
-/// The shortest way that is found; none where none is found.
+/// The shortest path that is found; none where none is found.
 std::optional<Beginning> begin_way(const Maneuvering& maneuvering, ManeuverMemory& memory);
 
 }  // namespace avo::inline robots

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The memory of a search for ways of several moves.
+// The memory of a search for paths of several moves.
 #pragma once
 #include <array>
 #include <cstddef>
@@ -19,11 +19,11 @@ struct Pose {
 
 struct Move {
   double gear = 1.0;    // 1 forward, -1 backwards
-  double side = 0.0;    // 1 to the left of where it drives, -1 to the right, 0 straight
+  double side = 0.0;    // 1 to the left of its driving direction, -1 to the right, 0 straight
   double radius = 0.0;  // m, of its circle
 };
 
-/// Unit vectors of the turns of one search, which asks for few of them again and again.
+/// Unit vectors of the turns of one search, which uses few of them many times.
 struct KnownTurns {
   static constexpr std::size_t kKnown = 64;
   std::array<double, kKnown> turns;  // rad; NaN: none yet
@@ -36,22 +36,23 @@ struct KnownTurns {
 
 /// Reuse it and nothing is allocated after the first search.
 struct ManeuverMemory {
-  static constexpr std::size_t kMostNodes = 2048;  // of a search; more find hardly any other way
+  // of a search; more nodes find hardly any other path
+  static constexpr std::size_t kMostNodes = 2048;
   static constexpr std::uint32_t kNone = 0xffffffff;
   struct Node {
     Pose pose;
     double angle = 0.0;            // rad, of the heading
-    double cost = 0.0;             // m of way, until there
+    double cost = 0.0;             // m of path, up to this node
     double since = 0.0;            // m, since the last change of gear
-    Move move;                     // that has led there
-    std::uint32_t parent = kNone;  // none: where the car is
+    Move move;                     // the move that led there
+    std::uint32_t parent = kNone;  // none: the present place of the car
     int moves = 0;                 // until there
     Nearness nearness = Nearness::later;
-    bool stops = false;          // the car brakes until there
-    bool is_first_gear = false;  // no change of gear has led there
+    bool stops = false;          // the car brakes up to this node
+    bool is_first_gear = false;  // no change of gear before this node
   };
   struct Open {
-    double cost;  // m, with what is left at least
+    double cost;  // m, with a lower bound of the rest
     std::uint32_t node;
   };
   struct Cell {

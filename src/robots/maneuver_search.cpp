@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // A* (Hart, Nilsson and Raphael 1968) over places and headings, by short pieces of arcs and of
-// straight lines, forward and backwards. Of all ways that come to one cell of a lattice with nearly
-// one heading, the shortest one goes on (hybrid A*: Dolgov et al. 2010). From each place that is
-// reached, the last leg to the goal is tried. Arcs end at headings, and straight moves at places,
-// that do not depend on where the car is now. So what is left of a way that has been begun is among
-// the ways that the next decision looks at.
+// straight lines, forward and backwards. Several paths may come to one cell of a lattice with
+// nearly the same heading; only the shortest one continues (hybrid A*: Dolgov et al. 2010). From
+// each reached place, the last leg to the goal is tried. Arcs end at headings, and straight moves
+// at places, that do not depend on the present place of the car. So the next decision also finds
+// the rest of the present path.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -17,15 +17,17 @@ namespace avo::inline robots {
 namespace {
 
 constexpr int kHeadings = 32;  // of a full circle, at which arcs end; a power of two
-constexpr int kMostMoves = 6;  // of a way, with the last leg
+constexpr int kMostMoves = 6;  // of a path, with the last leg
 constexpr double kPiece = 2.0 * std::numbers::pi / kHeadings;  // rad
 constexpr double kMostArc = std::numbers::pi;  // rad, of the last leg behind other moves
-constexpr double kEase = 1.25;  // times the stopping way, within which a car comes to rest
-// All of them times the radius of the turning circle.
+// times the stopping distance: the distance in which a car comes to rest
+constexpr double kEase = 1.25;
+// All in radii of the turning circle.
 constexpr double kCell = 1.0 / 8.0;         // of the lattice
-constexpr double kSideChange = 1.0 / 16.0;  // m of way that a change of side is worth
-constexpr double kDetour = 1.5;      // the last leg alone is taken where it is longer by no more
-constexpr double kRoomAround = 4.0;  // that a way is looked for in
+constexpr double kSideChange = 1.0 / 16.0;  // cost of a change of side, in m of path
+// the last leg alone is taken if it is longer by no more than this
+constexpr double kDetour = 1.5;
+constexpr double kRoomAround = 4.0;  // range of the search for a path
 
 using Node = ManeuverMemory::Node;
 constexpr std::uint32_t kNoNode = ManeuverMemory::kNone;
@@ -38,23 +40,23 @@ double to_mark(double pieces) {
 struct WaySearch {
   const Maneuvering& car;
   ManeuverMemory& memory;
-  double best = kInfinity;              // m, the cost of the best way so far
-  std::uint32_t before_last = kNoNode;  // where its last leg begins; none: where the car is
+  double best = kInfinity;              // m, the cost of the best path so far
+  std::uint32_t before_last = kNoNode;  // start of its last leg; none: the present place of the car
   Move last_move = {};
   ArcLeg last_leg = {};
 
-  // The move that a way goes on with.
+  // The next move of a path.
   struct Next {
     Move move;
-    bool is_first = false;  // of the way
+    bool is_first = false;  // of the path
     bool starts = false;    // from rest
-    bool same = false;      // as before
+    bool same = false;      // the same move as before
     double lead = 0.0;      // m, straight on, before it turns
     Nearness nearness = Nearness::later;
   };
   struct LastLeg {
-    double cost = 0.0;  // m, of the whole way
-    Pose pose;          // behind the lead
+    double cost = 0.0;  // m, of the whole path
+    Pose pose;          // after the lead
     ArcLeg leg;
     Next next;
   };
@@ -62,7 +64,7 @@ struct WaySearch {
   double left(const Pose& pose) const { return norm(car.goal - pose.axle); }
   Move straight_on(double gear) const { return {gear, 0.0, car.planned}; }
 
-  // Of cell and heading, as seen from the goal, and gear.
+  // The key of cell and heading, relative to the goal, and gear.
   std::uint64_t key(const Node& node) const {
     const Vec2 place = (1.0 / (kCell * car.turning)) * (node.pose.axle - car.goal);
     const auto whole = [](double x) {
@@ -73,7 +75,7 @@ struct WaySearch {
            (node.move.gear > 0.0 ? 1U : 0U);
   }
 
-  // Whether no way as short has come there.
+  // Returns whether no path of at most this length has reached the cell.
   bool is_new(const Node& node) {
     const std::uint64_t own = key(node);
     const std::size_t mask = memory.cells.size() - 1;
@@ -93,7 +95,8 @@ struct WaySearch {
     memory.nodes.push_back(node);
   }
 
-  // None where the car cannot stop with ease before it would change gear, or brakes at once to.
+  // None where the car could not stop comfortably before it changes gear, or would have to brake at
+  // once.
   std::optional<Next> next_of(const Node& from, std::uint32_t number, double gear,
                               double side) const {
     Next next{.move = {gear, side, car.planned}, .is_first = number == kNoNode};
@@ -112,14 +115,14 @@ struct WaySearch {
     return next;
   }
 
-  // m of way that the move costs, besides its length
+  // m of path, additional cost of the move
   double extra_cost(const Next& next) const {
     if (next.is_first) return car.change_from_now(next.move.gear);
     if (next.starts) return kGearChange * car.turning;
     return next.same ? 0.0 : kSideChange * car.turning;
   }
 
-  // A piece of a move, where it is clear.
+  // Adds a piece of a move, where it is clear.
   void go(const Node& from, std::uint32_t number, const Next& next, double length,
           bool stops = false) {
     const double lead = next.move.side == 0.0 ? 0.0 : next.lead;
@@ -152,7 +155,7 @@ struct WaySearch {
     return to_mark(along / piece()) * piece();
   }
 
-  // Who is on its way may stop as soon as it can, and goes on to where it meant to.
+  // A car on its path may stop as soon as it can, or continue to the planned end.
   void go_on(const Node& from, std::uint32_t number, const Next& next, double length) {
     const double stop = car.stopping_way() - next.lead;
     if (stop > 0.0) go(from, number, next, stop, true);
@@ -166,7 +169,7 @@ struct WaySearch {
         if (!next) continue;
         const double length = length_to_mark(from, next->move);
         if (next->is_first && !next->starts) go_on(from, number, *next, length);
-        // nothing else is begun for less than half a piece
+        // no other move begins for less than half a piece
         const bool is_short = length < 0.5 * piece();
         if (is_short || !next->is_first || next->starts)
           go(from, number, *next, is_short ? length + piece() : length);
@@ -174,7 +177,7 @@ struct WaySearch {
     }
   }
 
-  // The shortest clear one, if it makes the best way so far; of equal ones the first.
+  // The shortest clear leg, if it makes the best path so far; of equal ones the first.
   void try_last_leg(const Node& from, std::uint32_t number) {
     std::array<LastLeg, 4> legs;
     std::size_t count = 0;
@@ -205,7 +208,7 @@ struct WaySearch {
            car.is_clear_leg(end.pose, end.next.move, end.leg, end.next.nearness);
   }
 
-  // How the best way begins.
+  // The begin of the best path.
   Beginning beginning() const {
     if (before_last == kNoNode) return {last_move, last_leg.arc / car.planned, kInfinity, true};
     std::uint32_t move_end = kNoNode, gear_end = kNoNode;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The one place that tells motion models apart.
+// The only place that distinguishes motion models.
 #include "robots/model.h"
 
 #include <algorithm>

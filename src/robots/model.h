@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a motion model is to all others: what it makes of a decision, how far that may be from what
-// it falls back on, which decisions it can follow, and where it steers. An airplane falls back
-// on a circle (src/robots/airplane.h), every other robot on straight braking of its disc
+// The interface of motion models for all other code: the motion after a decision, its distance from
+// the
+// fallback, the decisions that it can follow, and its steering. An airplane falls back on a circle
+// (src/robots/airplane.h), every other robot on straight braking of its disc
 // (src/certificate/braking_path.h).
 //
-// All of it is about the robot's disc, see disc_center(). Models are told apart in src/robots
-// alone.
+// Everything is about the robot's disc, see disc_center(). Only src/robots distinguishes models.
 #pragma once
 #include <cstddef>
 #include <cstdint>
@@ -22,11 +22,11 @@
 namespace avo::inline robots {
 
 struct MotionLimits {
-  double planned_braking;  // m/s^2, with which a car stops that has to turn in place
+  double planned_braking;  // m/s^2, with which a car stops if it must turn in place
   double max_speed;        // m/s
 };
 
-/// One step of a robot that is not holonomic, exactly; of state.position its disc's center.
+/// One exact step of a robot that is not holonomic; state.position is its disc's center.
 MotionStep advance(const MotionModel& model, const MotionLimits& limits, const MotionState& state,
                    const Plan& plan, double time_step);
 
@@ -42,111 +42,114 @@ inline constexpr std::size_t kMostModelSteps = 16;
 /// At most kMostModelSteps of them.
 void advance_together(std::span<ModelStep> steps, double time_step);
 
-/// The same robot in the midst of such a step, see within() in robots/motion.h.
+/// The same robot within such a step, see within() in robots/motion.h.
 MotionState within(const MotionModel& model, const MotionState& from, const MotionState& to,
                    double time, double duration);
 
-/// How far any two decisions may lead apart, besides what holonomic motion makes of them.
+/// The largest distance between the motions of any two decisions, beyond that of holonomic motion.
 struct Stray {
-  double velocity = 0.0;  // of the mean of what a step adds and braking takes off at most; 0: as
-                          // holonomic ones
+  // factor on the mean of the largest velocities that a step adds and that braking takes off; 0: as
+  // for holonomic robots
+  double velocity = 0.0;
   double distance = 0.0;  // m, within the step
 };
 Stray stray_of(const MotionModel& model, double max_acceleration, double time_step);
 
-/// What others who see it in the midst of a step of that length, and expect of it what a_max does
-/// to the velocity of its disc, may be off by in place and velocity.
+/// The errors in place and velocity of others that see it within a step of that length. They expect
+/// the effect of a_max on the velocity of its disc.
 SensingError unforeseen(const MotionModel& model, double max_acceleration, double time_step);
 
-/// m/s, over whole steps: by how much the velocity of its disc may differ from that of its axle,
-/// which is not faster than top_speed.
+/// m/s, over whole steps: the largest difference between the velocities of its disc and of its
+/// axle. The axle is not faster than top_speed.
 double swing_of(const MotionModel& model, double max_acceleration, double top_speed,
                 double time_step);
 
-/// m/s: that its disc never exceeds, where the robot itself keeps to max_speed.
+/// m/s: a speed that its disc never exceeds, where the robot itself keeps max_speed.
 double fastest_of(const MotionModel& model, double max_speed);
 
-/// Whether its disc moves otherwise than its axle.
+/// Returns whether its disc moves differently from its axle.
 bool swings(const MotionModel& model);
 
-/// Whether a decision could lead it farther than others expect of its acceleration: it has to keep
-/// to that.
+/// Returns whether a decision could lead it farther than others expect from its acceleration: it
+/// must then keep their expectation.
 bool may_exceed_reach(const MotionModel& model);
 
-/// [1, √2]: of the decisions, |v' - v| is at most that much of a_max times the time.
+/// [1, √2]: for its decisions |v' - v| is at most this times a_max times the time.
 double reach_of(const MotionModel& model);
 
-/// The half-planes of v' that the robot can follow, where a disc about v does not say it all:
-/// Fig. 6(b). Velocities that are reached after `time` s.
+/// Appends the half-planes of v' that the robot can follow, where a disc about v does not suffice:
+/// Fig. 6(b). The velocities are reached after `time` s.
 void append_own_half_planes(const Robot& robot, double time, std::vector<HalfPlane>& half_planes);
 
-/// How a goal is come to.
+/// How a goal is approached.
 struct Approach {
-  bool at_once;        // a wish is gone for as fast as the limits allow, and not approached with δ
+  bool at_once;        // a wish is approached as fast as the limits allow, and not with δ
   double time_step;    // s
-  double near_enough;  // m, from the goal, to stay there
+  double near_enough;  // m, from the goal: near enough to stay
 };
 
-/// m/s: the preferred velocity as the model can go about it. One that can turn in place, or that is
-/// holonomic, heads for it at once.
+/// m/s: the preferred velocity that the model can steer to. A robot that can turn in place, or that
+/// is holonomic, moves straight to its target.
 Vec2 steered(const Robot& robot, const Approach& approach);
-/// m/s: v, or what comes near it of the directions that the robot can turn to while it drives.
+/// m/s: v, or a velocity near it in a direction that the robot can turn to while it drives.
 Vec2 within_steering(const Robot& robot, Vec2 v);
 
-/// m/s, of one at rest that turns in place: v, where necessary so far off its heading to the same
-/// side that it turns before it drives.
+/// m/s, for a robot at rest that turns in place: v, if necessary turned off its heading to the same
+/// side. The angle is so large that the robot turns before it drives.
 Vec2 turning_first(const Robot& robot, Vec2 v);
 
-/// What leads a maneuvering car to a place: what it does already, what it would begin with, or what
-/// comes later.
+/// How soon a maneuvering car comes to a place: by its present move, by a first new move, or later.
 enum class Nearness : std::uint8_t { begun, next, later };
-/// Whether the disc may be at a place.
+/// Returns whether the disc may be at a place.
 using ClearPlaces = std::function<bool(Vec2 place, Nearness nearness)>;
 struct ManeuverMemory;  // robots/maneuver_memory.h
-/// m/s: beside what is in the way, instead of steered().
+/// m/s: the velocity beside obstacles, in place of steered().
 std::optional<Vec2> maneuver(const Robot& robot, const Approach& approach, bool is_beside,
                              const ClearPlaces& is_clear, ManeuverMemory& memory);
-/// m, from its disc, of what may be in the way; 0: it needs none.
+/// m, from its disc: the range of possible obstacles; 0: it needs none.
 double room_for_maneuvers(const MotionModel& model);
 
-/// m/s, after a step that a_max changes by u: what the program is given.
+/// m/s, after a step that a_max changes by u: the limit for the program.
 double top_speed_of(const Robot& robot, double u);
-/// m/s: v, or what comes near it of the velocities that the robot can have after `time` s.
+/// m/s: v, or a velocity near it that the robot can have after `time` s.
 Vec2 within_own_limits(const Robot& robot, double time, Vec2 v);
 
-/// m/s: what comes nearest to w within `increment` of its velocity, of those velocities.
+/// m/s: the velocity nearest to w within `increment` of its velocity, among the velocities that it
+/// can have.
 Vec2 approached(const Robot& robot, double time, double increment, Vec2 w);
 
 bool has_own_half_planes(const MotionModel& model);
-/// Whether these do not say it all: what it can follow is asked of within_own_limits().
+/// Returns whether these half-planes do not suffice: within_own_limits() then decides which
+/// velocities it can follow.
 bool has_limits_within_steps(const MotionModel& model);
 inline bool has_own_limits(const MotionModel& model) {
   return has_own_half_planes(model) || has_limits_within_steps(model);
 }
 
-/// append_own_half_planes() appends no more.
+/// append_own_half_planes() appends at most so many.
 inline constexpr std::size_t kMostOwnPlanes = 4;
 
-/// Whether it cannot stop: it comes to its goal by passing it, at its preferred speed.
+/// Returns whether it cannot stop: it reaches its goal by passing it, at its preferred speed.
 bool passes_goal(const MotionModel& model);
-/// Whether it leaves the scene once it has passed its goal.
+/// Returns whether it leaves the scene after it has passed its goal.
 bool leaves_at_goal(const MotionModel& model);
-/// m: how near a step of one that passes its goal comes to it.
+/// m: the least distance from the goal of a step of a robot that passes its goal.
 double pass(const MotionModel& model, const MotionLimits& limits, const MotionState& state,
             const Plan& plan, double time_step, Vec2 goal);
-/// The circle that it falls back on; none of one that brakes.
+/// The circle that it falls back on; none for a robot that brakes.
 std::optional<LoiterCircle> circle_of(const MotionModel& model, Vec2 position, Vec2 velocity);
-/// m: farther from its center than its disc and braking reach, what it may need to fall back on.
+/// m: the additional distance from its center, beyond its disc and braking, that its fallback may
+/// need.
 double room_to_turn(const MotionModel& model, double max_speed);
-/// m/s: with which it starts that is said to be at rest.
+/// m/s: its start speed if it should start at rest.
 double least_speed(const MotionModel& model);
 
-/// Whether it turns before it drives where it is at rest.
+/// Returns whether it turns before it drives when it is at rest.
 bool turns_in_place(const MotionModel& model);
 /// Whether it may move against its heading.
 bool can_reverse(const MotionModel& model);
-/// Whether every number is finite and in range, and the model keeps up with these limits; of the
-/// acceleration, change_limit().
+/// Returns whether every number is finite and in range, and the model allows these limits; the
+/// acceleration is change_limit().
 bool is_valid(const MotionModel& model, double most_change, double max_speed);
 
 }  // namespace avo::inline robots

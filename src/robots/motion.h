@@ -9,28 +9,28 @@
 
 namespace avo::inline robots {
 
-/// rad, of a car or an airplane in a step at most: less than half a turn, so that the headings at
-/// the ends of a step tell the arc between them, wherever that is asked for.
+/// rad, the largest turn of a car or an airplane in a step. It is less than half a turn, so that
+/// the headings at the ends of a step determine the arc between them.
 inline constexpr double kMostTurn = 3.0;
 
 struct MotionState {
   Vec2 position;             // m, of its disc
   Vec2 velocity;             // m/s
   double heading = 0.0;      // rad; not of holonomic robots
-  LoiterCircle circle = {};  // of an airplane: what it falls back on
+  LoiterCircle circle = {};  // for an airplane: its fallback
 };
 
 struct MotionStep {
   MotionState next;
   double acceleration = 0.0;  // m/s^2, the largest |a| within the step
-  // m: at time t of the step it is within bend t²/Δt² of the parabola with the same ends that
-  // leaves with state.velocity + swing; infinite where that is not known
+  // m: at time t of the step the disc is within bend t²/Δt² of the parabola with the same ends and
+  // the start velocity state.velocity + swing; infinite where that is not known
   double bend = 0.0;
   Vec2 swing = {};   // m/s, of a disc ahead of the axle that the robot turns about
-  double way = 0.0;  // m, at least the length of the disc's way; not of holonomic robots
+  double way = 0.0;  // m, an upper bound of the length of the disc's path; not for holonomic robots
 };
 
-/// What one step of a given motion turns w = v' - v into: v + rate w, p + Δt v + gain w.
+/// The effect of one step on w = v' - v: v + rate w, p + Δt v + gain w.
 struct StepResponse {
   Method method;
   double time_step;     // [Δt] s
@@ -45,8 +45,8 @@ StepResponse step_response(const Planner& planner);
 /// A holonomic robot, Eqs. (7)-(9).
 MotionStep advance(const MotionState& state, const Plan& plan, const StepResponse& response);
 
-/// Where a holonomic robot is `time` s after the start of a step of `duration` s, 0 <= time <
-/// duration; at_once: it has had the velocity of the end from the start.
+/// The state of a holonomic robot `time` s after the start of a step of `duration` s, 0 <= time <
+/// duration. at_once: it has had the end velocity from the start.
 MotionState within(const MotionState& from, const MotionState& to, bool at_once, double time,
                    double duration);
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where a car steers that cannot turn in place: towards its goal by pure pursuit (Coulter, CMU
-// 1992), the circle that leaves along the heading and goes through the goal. A goal inside its
-// turning circle it drives away from, until it is outside: straight ahead, or straight back where
-// it may drive backwards.
+// The steering of a car that cannot turn in place. It drives towards its goal by pure pursuit
+// (Coulter, CMU 1992), on the circle that begins along the heading and passes through the goal. If
+// the goal is inside its turning circle, it drives away until the goal is outside: straight ahead,
+// or straight back where it may drive backwards.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -14,18 +14,18 @@
 namespace avo::inline robots {
 namespace {
 
-constexpr double kEnough = 0.8;       // of a_max, that turning asks for
+constexpr double kEnough = 0.8;       // of a_max, used for turning
 constexpr double kWiderCircle = 1.1;  // times the turning circle: goals outside are steered to
-// likewise, of one that may drive backwards and is not on its way to the goal
+// the same for a car that may drive backwards and does not drive to the goal
 constexpr double kWellOutside = 1.3;
-// While it speeds up, less is left of what others expect for its disc to sweep aside: per offset.
+// While it accelerates, less is left of the sweep of its disc that others expect: per offset.
 constexpr double kWhileStarting = 0.6;
-constexpr double kWidest = 4.0;  // times that circle: turned round on at most
+constexpr double kWidest = 4.0;  // times that circle: the largest circle of a turn round
 constexpr double kTurnInPlaceCosine = 0.96891242171064473;  // of kTurnInPlace
-// It drives on in its direction until it had to turn by 90 degrees and more, by this cosine.
+// It keeps its direction until it had to turn by at least 90 degrees, by this cosine.
 constexpr double kKeepDirection = 0.5;
 
-// Along the heading or against it: whichever is nearer to where it goes, and as it drives already
+// Along the heading or against it: the direction nearer to its target, or the present direction
 // where that is nearly as good.
 Vec2 direction_of(const Car& car, const Robot& robot, Vec2 to) {
   const Vec2 heading = ahead_of(robot.heading);
@@ -42,20 +42,21 @@ Vec2 bent(Vec2 ahead, double x, double y, double speed) {
   return speed * (ahead + std::copysign(1.0, y) * left);
 }
 
-// m/s: on a circle of that radius.
+// m/s: the speed on a circle of that radius.
 double cornering_speed(double max_acceleration, double radius) {
   return std::sqrt(kEnough * max_acceleration * radius);
 }
 
-// m/s: it stops at its goal although it first turns, by a sine y. That takes v y/a, in which it
-// does not brake. One that may drive backwards comes back where it could not stop.
+// m/s: a speed from which it stops at its goal although it first turns, by a sine y. The turn takes
+// v y/a, in which it does not brake. A car that may drive backwards comes back if it could not
+// stop.
 double stopping_speed(const Car& car, const Robot& robot, double y) {
   if (car.reverse) return std::numeric_limits<double>::infinity();
   return std::sqrt(2.0 * planned_braking(robot) * robot.distance_to_goal /
                    (1.0 + 2.0 * std::abs(y)));
 }
 
-// Of the circle to the goal, times the turning circle's.
+// The least radius of the circle to the goal, in radii of the turning circle.
 double least_radius(const Car& car, const Robot& robot, Vec2 to) {
   if (!car.reverse) return kWiderCircle;
   if (dot(robot.velocity, to) > 0.0) return 1.0;
@@ -80,8 +81,8 @@ Vec2 steered_along(const Car& car, const Robot& robot, Vec2 ahead) {
   return bent(ahead, x, y, std::min(speed, top));
 }
 
-// One that turns in place would turn to and fro at its goal, where its disc swings and rounding
-// leaves some of the way.
+// A car that turns in place would turn to and fro at its goal, where its disc swings and rounding
+// leaves a part of the distance.
 Vec2 steered(const Car& car, const Robot& robot, const Approach& approach) {
   const double speed = norm(robot.preferred_velocity);
   if (!(speed > 0.0)) return robot.preferred_velocity;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Robots in the midst of a step, from its ends: for those who decide while others are on their way.
+// Robots within a step, computed from its ends: for robots that decide while others are in motion.
 #include <algorithm>
 #include <cmath>
 
@@ -22,9 +22,9 @@ double sine_ratio(double x) {
   return std::abs(x) < 1e-8 ? 1.0 : elementary::direction(x).y / x;
 }
 
-// The arc of the axle, Eq. (24): its length grows with the speed, and its turn with its length. In
-// place it turns evenly, or, where its disc swings, by an angle that grows with the square of the
-// time.
+// The arc of the axle, Eq. (24): its length follows the speed, and its turn is proportional to its
+// length. In place it turns evenly, or, where its disc swings, by an angle that grows with the
+// square of the time.
 MotionState within_axle_arc(const MotionState& from, const MotionState& to, bool swings,
                             double time, double duration) {
   const double speed = signed_speed(from), next_speed = signed_speed(to);
@@ -47,7 +47,7 @@ MotionState within_axle_arc(const MotionState& from, const MotionState& to, bool
   return state;
 }
 
-// Its position moved ahead of where it is, m.
+// The state with its position moved ahead, m.
 MotionState moved(MotionState state, double ahead) {
   state.position = state.position + ahead * ahead_of(state.heading);
   return state;
