@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Sums of two doubles, 106 bits: what functions of core/elementary.h need between their steps.
-// They are made of + - × ÷ alone, without fused operations. Nothing may overflow; below 2^-960
-// products lose their second part.
+// Sums of two doubles, 106 bits, for intermediate values in functions of core/elementary.h. They
+// use only + - × ÷, without fused operations. Nothing may overflow; below 2^-960 products lose
+// their second part.
 #pragma once
 
 namespace avo::inline core {

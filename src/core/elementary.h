@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Elementary functions of + - × ÷ alone: the same bits with every C library. The libraries' own
-// differ from each other, and from one processor to the next, by a last bit here and there.
+// Elementary functions that use only + - × ÷: they have the same bits with every C library. The
+// libraries' own functions differ from each other, and between processors, sometimes in the last
+// bit.
 #pragma once
 #include <bit>
 #include <cmath>
@@ -19,14 +20,14 @@ namespace detail {
 inline constexpr double kHalfPi[] = {0x1.921fb54442d18p+0, 0x1.1a62633145c07p-54,
                                      -0x1.f1976b7ed8fbcp-110};
 
-/// x - quadrant π/2, in [-π/4, π/4] and a rounding more.
+/// x - quadrant π/2, in [-π/4, π/4] up to a rounding.
 struct Reduced {
   DoubleDouble rest;
   int quadrant = 0;  // 0 to 3, modulo 4
 };
 
-// With |x| <= 2^40 nothing but the last sum rounds by more than 2^-160 x, and no such double lies
-// nearer than 2^-60 to a multiple of π/2.
+// For |x| <= 2^40 only the last sum rounds by more than 2^-160 x, and no such double lies nearer
+// than 2^-60 to a multiple of π/2.
 constexpr Reduced reduced(double x) {
   constexpr double kRound = 0x1.8p52;  // a + kRound - kRound is the whole number nearest to a
   const double quarters = (x * 0x1.45f306dc9c883p-1 + kRound) - kRound;
@@ -40,7 +41,7 @@ constexpr Reduced reduced(double x) {
   return {rest, static_cast<int>(static_cast<std::int64_t>(quarters) & 3)};
 }
 
-// Coefficients of Taylor's series that are small enough to be doubles: of x^7 and up, and of x^6.
+// Coefficients of Taylor's series that are small enough for doubles: of x^7 and up, and of x^6.
 inline constexpr double kSineTail[] = {
     -1.0 / 5040.0,          1.0 / 362880.0,          -1.0 / 39916800.0,          1.0 / 6227020800.0,
     -1.0 / 1307674368000.0, 1.0 / 355687428096000.0, -1.0 / 121645100408832000.0};
@@ -101,7 +102,7 @@ inline constexpr DoubleDouble kArctangents[] = {
 // atan(b/a) for 2^-60 a <= b <= a: from the nearest tan(α) = k/16, by
 // tan(β - α) = (b - a tan(α)) / (a + b tan(α)), at most 1/32.
 constexpr DoubleDouble arctangent(double b, double a) {
-  const double sixteenths = 16.0 * (b / a) + 0.5;  // rounded to the nearest, once cut off
+  const double sixteenths = 16.0 * (b / a) + 0.5;  // rounded to the nearest after truncation
   const auto k = static_cast<std::size_t>(sixteenths);
   const double tangent = static_cast<double>(k) / 16.0;
   const DoubleDouble z = (-two_product(tangent, a) + b) / (two_product(tangent, b) + a);
@@ -119,7 +120,7 @@ constexpr double sin(double x) {
   return detail::sine_of(detail::reduced(x));
 }
 
-/// {cos x, sin x}, the unit vector of heading x, |x| <= 2^40; errors as of sin.
+/// {cos x, sin x}, the unit vector of heading x, |x| <= 2^40; the error is that of sin.
 constexpr Vec2 direction(double x) {
   if (-0x1p-27 < x && x < 0x1p-27) return {1.0, x};
   const detail::Reduced sine = detail::reduced(x);
@@ -128,7 +129,7 @@ constexpr Vec2 direction(double x) {
 }
 
 /// The angle of (x, y) in [-π, π], both finite; error below 0.501 of a unit in the last place.
-/// Signs of zeros count as in the C library.
+/// Signs of zeros have the same effect as in the C library.
 inline double atan2(double y, double x) {
   double a = std::abs(x), b = std::abs(y);
   const bool steep = b > a;

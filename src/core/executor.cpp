@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Whether a host's executor has done what it was asked for.
+// Checks whether a host's executor has done its tasks.
 #include "core/executor.h"
 
 #include <bit>
@@ -19,8 +19,8 @@ Executor::~Executor() = default;
 namespace avo::inline core {
 namespace {
 
-// A task is begun by whoever sets its bit. Between two runs all bits are set, so that a host which
-// comes back too late finds nothing to do.
+// The thread that sets the bit of a task begins the task. Between two runs all bits are set, so
+// that a host that comes back too late finds nothing to do.
 class Counted final : public Executor {
  public:
   explicit Counted(std::shared_ptr<Executor> host)
@@ -56,14 +56,14 @@ class Counted final : public Executor {
     for (std::size_t k = 0; k < words; ++k) begun_[k].store(0, std::memory_order_release);
   }
 
-  // Returns how many tasks were begun, once they are done.
+  // Returns the number of begun tasks, once they are done.
   std::size_t close() {
     std::size_t begun = 0;
     for (std::size_t first = 0; first < count_; first += kBits) {
       const std::uint64_t all = ~std::uint64_t{0};
       begun += static_cast<std::size_t>(std::popcount(begun_[first / kBits].exchange(all)));
     }
-    while (done_.load(std::memory_order_acquire) < begun) continue;  // of a host that did not wait
+    while (done_.load(std::memory_order_acquire) < begun) continue;  // for a host that did not wait
     return begun;
   }
 
@@ -73,7 +73,7 @@ class Counted final : public Executor {
     own.is_wrong_.store(true, std::memory_order_relaxed);
   }
 
-  // Returns whether it has: what a worker writes is no one else's meanwhile.
+  // Returns whether it has run the task: only one thread at a time may write a worker's data.
   bool do_once(std::size_t index, std::size_t worker) {
     if (is_busy_[worker].exchange(true, std::memory_order_acquire)) return false;
     const bool is_first = begins(index);

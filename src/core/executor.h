@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The seam between the simulation and threads, behind which a host's own job system, or none, can
-// take the place of ThreadPool.
+// The interface between the simulation and threads: a host's own job system, or none, can take the
+// place of ThreadPool.
 #pragma once
 #include <atomic>
 #include <cstddef>
@@ -11,7 +11,7 @@
 
 namespace avo::inline core {
 
-/// One after the other, on the thread that asks for it.
+/// Runs tasks one after the other, on the calling thread.
 class SerialExecutor final : public Executor {
  public:
   [[nodiscard]] std::size_t workers() const override { return 1; }
@@ -21,20 +21,21 @@ class SerialExecutor final : public Executor {
 };
 
 inline constexpr std::size_t kMostWorkers = 1024;
-/// The library's own: so many workers, at most kMostWorkers, or for 0 one a processor. Where it is
-/// built without threads there is one.
+/// The library's own executor: so many workers, at most kMostWorkers, or for 0 one for each
+/// processor. Without threads it has one worker.
 std::shared_ptr<Executor> make_executor(std::size_t workers);
 
-/// The host's executor, which is not trusted: run() throws Error unless each task was called once,
-/// by one of the workers that the host had at first. A task that is called again does nothing.
+/// Wraps the host's executor, which is not trusted. run() throws Error unless each task was called
+/// once, by one of the workers that the host had at first. A task that is called again does
+/// nothing.
 std::shared_ptr<Executor> counted(std::shared_ptr<Executor> host);
 
-/// Below so many robots threads cost more than they save, and on a busy machine far more.
+/// With fewer robots threads cost more than they save, and on a busy machine far more.
 inline constexpr std::size_t kFewestParallel = 256;
 
-/// body(index, worker) for every index in [0, count), see Executor::run(); a single one is done by
-/// the caller. What body does must not depend on the order or on the worker. Throws what a body
-/// threw, the first one of them; some others have not been called then.
+/// Calls body(index, worker) for every index in [0, count), see Executor::run(); the caller runs a
+/// single one itself. The effect of body must not depend on the order or on the worker. Throws the
+/// first exception of a body; some other bodies have not been called then.
 template <typename Body>
 void parallel_for(Executor& executor, std::size_t count, const Body& body) {
   if (count <= 1) {
@@ -44,7 +45,7 @@ void parallel_for(Executor& executor, std::size_t count, const Body& body) {
   struct Context {
     const Body& body;
     std::atomic<bool> failed = false;
-    std::exception_ptr reason = nullptr;  // written by whoever sets failed
+    std::exception_ptr reason = nullptr;  // written by the thread that sets failed
   } context{body};
   executor.run(
       count,

@@ -19,7 +19,7 @@ AVO_END_KERNELS
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "core/kernel_pass.h"
 #include <hwy/foreach_target.h>
-// what is left is the instruction set of the whole build
+// only the instruction set of the whole build is left
 #include "core/kernel_pass.h"
 #endif
 #ifdef AVO_SIMD128
@@ -49,7 +49,7 @@ static constexpr auto kKernels = [] {
 }();
 }  // namespace avo::inline core
 
-// what is included from here on belongs to none of these passes
+// headers included from here on belong to none of these passes
 #undef AVO_KERNEL_HEADER
 #undef AVO_KERNEL_HEADER_2
 #undef AVO_KERNEL_STRUCT

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-// Kernels by instruction set: a table of our own, filled by the compiler. Highway's own dispatch
-// keeps the choice in a variable that all users of Highway in a program share.
+// Kernels by instruction set: a table of the library's own, filled by the compiler. Highway's own
+// dispatch keeps the choice in a variable that all users of Highway in a program share.
 #pragma once
 #include <array>
 #include <cstddef>
 
 #include "core/simd_target.h"
 
-// Highway's bits of the instruction sets that this build has kernels for. A build for any machine
-// has a plain one besides, which hwy/foreach_target.h visits last and nobody uses.
+// Highway's bits of the instruction sets for which this build has kernels. A build for any machine
+// also has a plain one, which hwy/foreach_target.h visits last and which is not used.
 #ifdef AVO_HIGHWAY
 #include <hwy/detect_targets.h>
 #define AVO_TARGETS (HWY_TARGETS & (HWY_AVX3 | HWY_AVX2 | HWY_SSE4 | HWY_NEON))
@@ -26,7 +26,7 @@ struct KernelTable {
   constexpr const Kernels*& operator[](SimdTarget target) {
     return by_target[static_cast<std::size_t>(target)];
   }
-  /// Those of the instruction set in use.
+  /// The kernels of the instruction set in use.
   const Kernels* operator->() const {
     return by_target[static_cast<std::size_t>(current_simd_target())];
   }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Highway's vectors under the names of core/scalar.h. Included once per instruction set, after
-// hwy/foreach_target.h; kernels are templates over Pack. Nothing here is approximate, and min and
-// max return the second operand where the comparison fails: what those of x86 do by themselves.
+// hwy/foreach_target.h; kernels are templates over Pack. All operations are exact. min and max
+// return the second operand where the comparison fails, as those of x86 do.
 #include <bit>
 #include <cstddef>
 #include <cstdint>
@@ -76,7 +76,7 @@ struct Pack {
   friend HWY_INLINE Pack floor(Pack a) { return Pack(hn::Trunc(a.raw)); }
 };
 
-/// table[a] of whole a, 0 <= a < 2^52: added to 2^52, they are its last bits.
+/// table[a] of an integer a, 0 <= a < 2^52: added to 2^52, it is in the last bits.
 HWY_INLINE Pack<double> lookup(const double* table, Pack<double> a) {
   const hn::ScalableTag<double> lanes;
   const hn::RebindToSigned<hn::ScalableTag<double>> whole;
@@ -85,14 +85,14 @@ HWY_INLINE Pack<double> lookup(const double* table, Pack<double> a) {
       lanes, table, hn::Xor(hn::BitCast(whole, hn::Add(a.raw, shift)), hn::BitCast(whole, shift))));
 }
 
-/// The sum of all lanes, of numbers whose sum is exact.
+/// The sum of all lanes, for numbers with an exact sum.
 template <typename T>
 HWY_INLINE T sum_of(Pack<T> a) {
   return hn::GetLane(hn::SumOfLanes(hn::ScalableTag<T>(), a.raw));
 }
 
-/// Stores the chosen lanes side by side and returns how many those are; may write all lanes.
-/// (Highway's own compresses into memory, which is slow on some processors, or by tables that g++
+/// Stores the chosen lanes side by side and returns their number; may write all lanes. (Highway's
+/// own function compresses into memory, which is slow on some processors, or uses tables that g++
 /// copies first.)
 HWY_INLINE std::size_t store_chosen(MaskOf<double> chosen, Pack<double> a, double* to) {
 #if HWY_TARGET == HWY_AVX3
@@ -127,7 +127,7 @@ HWY_INLINE std::size_t store_chosen(std::uint32_t chosen, const Pack<double> (&v
 }
 #endif
 
-// Both of these return the second where the comparison fails, as x86 has them.
+// Both functions return the second operand where the comparison fails, as on x86.
 HWY_INLINE Pack<double> min(Pack<double> a, Pack<double> b) {
   return HWY_ARCH_X86 ? Pack<double>(hn::Min(a.raw, b.raw)) : select(a < b, a, b);
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Values that are made when somebody first asks for them.
+// Values that are made at the first request.
 #pragma once
 #include <atomic>
 #include <cstddef>
@@ -8,8 +8,8 @@
 
 namespace avo::inline core {
 
-/// One value for each of a number of places. Several threads may ask at once: whoever comes first
-/// stores its own, so what make() returns has to be the same for all.
+/// One value for each of a number of places. Several threads may request it at once: the first one
+/// to finish stores its value, so make() must return the same for all.
 template <typename T>
 class Memo {
  public:
@@ -27,7 +27,7 @@ class Memo {
   }
 
   [[nodiscard]] std::size_t size() const { return size_; }
-  /// Nothing where nobody has asked yet.
+  /// None before the first request.
   [[nodiscard]] const T* known(std::size_t k) const {
     return values_[k].load(std::memory_order_acquire);
   }
@@ -40,7 +40,7 @@ class Memo {
       return *made.release();
     return *value;
   }
-  /// Nobody asks meanwhile.
+  /// There must be no request at the same time.
   void put(std::size_t k, std::unique_ptr<const T> value) {
     delete values_[k].exchange(value.release(), std::memory_order_acq_rel);
   }

@@ -12,14 +12,14 @@
 
 namespace avo::inline core {
 
-/// Columns have room for so many more entries than there are, which are read but do not count.
+/// Columns have room for so many extra entries, which are read but do not count.
 inline constexpr std::size_t kSpareNeighbors = 16;
 
-/// What is known of the motion of one that does not decide.
+/// The known motion of a neighbor that does not decide.
 struct MoverMotion {
   Vec2 acceleration;              // m/s²
   double max_deviation = 0.0;     // m/s²
-  double max_speed = 0.0;         // m/s; of one that decides not kept
+  double max_speed = 0.0;         // m/s; not kept for a neighbor that decides
   double likely_deviation = 0.0;  // m/s²
   const Trajectory* trajectory = nullptr;
   double trajectory_time = 0.0;  // s
@@ -30,37 +30,38 @@ struct NeighborColumns {
   std::size_t count = 0;
   bool has_movers = false;                       // some do not decide: they move on or cooperate
   bool has_aged = false;                         // some have errors of their own
-  bool has_priorities = false;                   // some have another one than 1
-  bool has_max_braking = false;                  // some have one
-  bool has_deviations = false;                   // likewise a max_deviation
-  bool has_partings = false;                     // likewise a parting
+  bool has_priorities = false;                   // some have a priority other than 1
+  bool has_max_braking = false;                  // some have a max_braking
+  bool has_deviations = false;                   // some have a max_deviation
+  bool has_partings = false;                     // some have a parting
   std::vector<double> x, y, v_x, v_y;            // m, m/s
   std::vector<double> radius, max_acceleration;  // m, m/s²
   std::vector<double> decides;         // see below; kPrompt unless add() was told otherwise
-  std::vector<double> priority;        // likewise 1
-  std::vector<double> max_braking;     // m/s², read where some have one
-  std::vector<int> age;                // steps, of all that are not kPrompt
-  std::vector<double> position_error;  // m, likewise
-  std::vector<MoverMotion> motion;     // of those that do not decide; else its max_deviation
+  std::vector<double> priority;        // 1 unless add() was told otherwise
+  std::vector<double> max_braking;     // m/s², read where has_max_braking
+  std::vector<int> age;                // steps, of all neighbors that are not kPrompt
+  std::vector<double> position_error;  // m, of all neighbors that are not kPrompt
+  // of neighbors that do not decide; of others only its max_deviation
+  std::vector<MoverMotion> motion;
   bool has_loiterers = false;
-  std::vector<LoiterCircle> loiter;  // of those of kLoiterer
+  std::vector<LoiterCircle> loiter;  // of neighbors of kind kLoiterer
   std::vector<Vec2> parting;         // 0 unless add() was told otherwise
 
-  // It decides and has the declared errors; it decides and has its own; it moves on; it decides and
-  // does not brake; it cooperates.
+  // The values of `decides`: it decides and has the declared errors; it decides and has its own
+  // errors; it moves on; it decides and does not brake; it cooperates.
   static constexpr double kPrompt = 1.0, kAged = -1.0, kMover = 0.0, kLoiterer = -2.0,
                           kCooperator = -3.0;
   bool is_predicted(std::size_t k) const {
     return decides[k] == kMover || decides[k] == kCooperator;
   }
 
-  /// Room for so many.
+  /// Reserves room for so many.
   void reserve(std::size_t neighbors) {
-    // the last to grow: where memory runs out, some others may have grown already
+    // this column grows last: where memory runs out, some others may have grown already
     if (motion.size() < neighbors + kSpareNeighbors) grow(neighbors + kSpareNeighbors);
   }
-  /// One that decides, with the declared errors and the priority 1, and brakes with all that it
-  /// has.
+  /// Adds a neighbor that decides, with the declared errors and the priority 1, and brakes with its
+  /// max_acceleration.
   void add_usual(Vec2 position, Vec2 velocity, double own_radius, double own_acceleration) {
     x[count] = position.x, y[count] = position.y;
     v_x[count] = velocity.x, v_y[count] = velocity.y;
@@ -108,7 +109,7 @@ struct NeighborColumns {
     parting[place] = direction;
     has_partings = true;
   }
-  /// The one at `place` by the one at `other`, which stays.
+  /// Replaces the neighbor at `place` by the one at `other`, which stays.
   void replace(std::size_t place, std::size_t other) {
     x[place] = x[other], y[place] = y[other];
     v_x[place] = v_x[other], v_y[place] = v_y[other];
@@ -153,23 +154,25 @@ struct NeighborColumns {
   void grow(std::size_t size);
 };
 
-/// Those of one robot: neighbors [first, first + count) of the columns. Where the range is not
-/// infinite they are in the order of their distances, and those beyond it all decide and matter to
-/// half-planes only.
+/// The neighbors of one robot: neighbors [first, first + count) of the columns. If the range is not
+/// infinite they have the order of their distances. Beyond the range all of them decide and matter
+/// to half-planes only.
 struct Neighbors {
   const NeighborColumns* columns = nullptr;
   std::size_t first = 0, count = 0;
   double range = std::numeric_limits<double>::infinity();  // m
-  std::size_t hidden = 0;  // taken out behind walls, of the nearest that would get a half-plane
+  // number of nearest neighbors that would get a half-plane, but were removed because they are
+  // behind walls
+  std::size_t hidden = 0;
 
   std::size_t size() const { return count; }
   Neighbor operator[](std::size_t k) const { return (*columns)[first + k]; }
 };
 
-/// One after the other.
+/// Lists them in order.
 void list(const Neighbors& neighbors, std::vector<Neighbor>& listed);
 
-/// The neighbors given become the columns' only ones.
+/// Sets the given neighbors as the columns' only ones.
 Neighbors in_columns(std::span<const Neighbor> neighbors, NeighborColumns& columns);
 
 }  // namespace avo::inline core

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// In the place of thread_pool.cpp where there are no threads (AVO_THREADS=OFF).
+// Replaces thread_pool.cpp where there are no threads (AVO_THREADS=OFF).
 #include "core/executor.h"
 
 namespace avo::inline core {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What several layers ask of numbers and plane vectors, and is no part of the interface.
+// Helpers for numbers and plane vectors that several layers use, and that are no part of the
+// interface.
 #pragma once
 #include <cmath>
 #include <limits>
@@ -25,12 +26,12 @@ inline Vec2 approach(Vec2 velocity, Vec2 target, double most) {
   const double length = norm(change);
   return length > most ? velocity + (most / length) * change : target;
 }
-/// Whether a velocity is none: the squares of slower ones have lost their digits, and so has
-/// norm().
+/// Returns whether a velocity counts as 0: the squares of slower ones have lost their digits, and
+/// so has norm().
 constexpr bool is_rest(Vec2 velocity) {
   return norm_squared(velocity) < std::numeric_limits<double>::min();
 }
-/// At least the length, and at most sqrt(2) times it.
+/// An upper bound of the length, at most sqrt(2) times it.
 inline double length_1(Vec2 a) {
   return std::abs(a.x) + std::abs(a.y);
 }

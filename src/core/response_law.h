@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the options of a planner say of how gently its robots move (docs/smoothness.md).
+// How gently robots move, from the options of a planner (docs/smoothness.md).
 #pragma once
 #include <limits>
 
@@ -7,16 +7,16 @@
 
 namespace avo::inline core {
 
-/// Of a change: any. Finite, so that nothing is undefined where nothing changes.
+/// Means no limit of a change. It is finite, so that nothing is undefined where nothing changes.
 inline constexpr double kUnlimited = std::numeric_limits<double>::max();
 
 struct ResponseLaw {
   double time_step = 0.1, control_time = 0.1;  ///< s
-  double response_time = 0.0;                  ///< [κ], of v_max/a_max
-  double comfort_acceleration = kUnlimited;    ///< m/s², kUnlimited where none is asked for
-  double comfort_jerk = kUnlimited;            ///< m/s³, likewise
+  double response_time = 0.0;                  ///< [κ], in units of v_max/a_max
+  double comfort_acceleration = kUnlimited;    ///< m/s², kUnlimited without a request
+  double comfort_jerk = kUnlimited;            ///< m/s³, kUnlimited without a request
 
-  /// Else v' is adopted at once.
+  /// If false, v' is adopted at once.
   bool is_gentle() const { return response_time > 0.0 || comfort_jerk < kUnlimited; }
 };
 

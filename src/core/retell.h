@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// An error that says more than the one beneath it: where the value stands that is refused.
+// Extends an error with more context: the place of the refused value.
 #pragma once
 #ifdef AVO_CANNOT_UNWIND
 #include <functional>
@@ -12,8 +12,8 @@ namespace avo::inline core {
 
 #ifndef AVO_CANNOT_UNWIND
 
-/// Does `action`. An E that it throws is told to `tell`, which throws what says more, or returns:
-/// then the E goes on.
+/// Does `action`. If it throws an E, `tell` is called with it. `tell` throws an error with more
+/// context, or returns: the E then propagates.
 template <class E, class Action, class Tell>
 auto retelling(Action&& action, Tell&& tell) {
   try {
@@ -26,8 +26,8 @@ auto retelling(Action&& action, Tell&& tell) {
 
 #else
 
-/// Whoever throws asks these first, the innermost one first, and calls none while it is told: with
-/// them errors say the same where no catch is ever reached.
+/// Code that throws calls these first, the innermost one first, and calls none while one runs. With
+/// them errors have the same text where no catch is ever reached.
 class Retelling {
  public:
   explicit Retelling(std::function<void(const Error&)> tell)
@@ -38,7 +38,7 @@ class Retelling {
   Retelling(const Retelling&) = delete;
   Retelling& operator=(const Retelling&) = delete;
 
-  /// Of an error that is about to be thrown.
+  /// Call it with an error that is about to be thrown.
   static void tell(const Error& error) {
     while (innermost != nullptr) {
       const Retelling& present = *innermost;

@@ -21,7 +21,7 @@ void for_each_column(Columns& robots, const Action& action) {
 void RobotColumns::reserve(std::size_t robots) {
   neighbors.reserve(robots);
   model.reserve(robots);
-  if (heading.size() >= robots + kSpareNeighbors) return;  // the last to grow
+  if (heading.size() >= robots + kSpareNeighbors) return;  // this column grows last
   for_each_column(*this, [&](Column& column) { column.resize(robots + kSpareNeighbors, 1.0); });
 }
 

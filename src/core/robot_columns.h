@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Robots that decide together, in columns: their state is laid out here once a step, and read here
-// by every kernel.
+// Robots that decide together, in columns: their state is written here once a step, and every
+// kernel reads it here.
 #pragma once
 #include <cstddef>
 #include <vector>
@@ -10,8 +10,8 @@
 
 namespace avo::inline core {
 
-/// Allocates only while it grows. Columns have room for kSpareNeighbors more entries than there
-/// are, which are read but do not count.
+/// Allocates only while it grows. Columns have room for kSpareNeighbors extra entries, which are
+/// read but do not count.
 struct RobotColumns {
   using Column = std::vector<double>;
   std::size_t count = 0;
@@ -22,10 +22,10 @@ struct RobotColumns {
   Column max_braking;                  // m/s²
   Column heading;                      // rad; read where there is a model
   Column priority;
-  std::vector<const MotionModel*> model;    // of holonomic robots none
+  std::vector<const MotionModel*> model;    // null for holonomic robots
   bool has_models = false;                  // some are not holonomic
-  std::vector<Neighbors> neighbors;         // that each senses, nearest first
-  std::vector<const LoiterCircle*> loiter;  // of airplanes; empty where nobody is one
+  std::vector<Neighbors> neighbors;         // that each robot senses, nearest first
+  std::vector<const LoiterCircle*> loiter;  // of airplanes; empty where there are none
 
   void reserve(std::size_t robots);
   void clear() {
@@ -35,10 +35,10 @@ struct RobotColumns {
     neighbors.clear();
     loiter.clear();
   }
-  /// robot.model and robot.loiter have to stay where they are.
+  /// robot.model and robot.loiter must stay at their addresses.
   void add(const Robot& robot, const Neighbors& sensed);
   Robot robot(std::size_t i) const;
-  /// Two robots in each other's place.
+  /// Exchanges two robots.
   void swap(std::size_t i, std::size_t k);
 
   Vec2 position(std::size_t i) const { return {x[i], y[i]}; }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// One number in the shape of many: kernels written over a pack of lanes run on these one at a
+// One number with the interface of many: kernels written over a pack of lanes run on these one at a
 // time. core/lanes.h has the same names for Highway's vectors.
 #pragma once
 #include <array>
@@ -9,15 +9,15 @@
 
 #include "avo/vec.h"
 
-// Every part of a kernel carries it: a call would cost more than what it does.
+// Every part of a kernel has this attribute: a call would cost more than the work.
 #define AVO_KERNEL inline __attribute__((always_inline))
-// What is rare and would make what is not slower by being inlined.
+// For rare code that would slow down the common code if it were inlined.
 #define AVO_RARE_KERNEL static __attribute__((noinline))
 
 // A kernel header, *_kernel.h, is compiled once per pass: first for the pack above, then once for
-// each instruction set, beginning with core/lanes.h, which forgets the guards of all kernel headers
-// (core/kernel_guards.h, written by CMake). It opens the namespace of the pass itself. So a file
-// with several passes includes the same kernel headers in each of them.
+// each instruction set, beginning with core/lanes.h. The latter undefines the guards of all kernel
+// headers (core/kernel_guards.h, written by CMake). The header opens the namespace of the pass
+// itself. So a file with several passes includes the same kernel headers in each of them.
 #define AVO_BEGIN_KERNELS namespace avo::scalar {
 #define AVO_END_KERNELS }
 
@@ -37,7 +37,7 @@ struct Mask {
 inline bool any(Mask mask) {
   return mask.bit;
 }
-/// Bit k is that of lane k.
+/// Bit k is the bit of lane k.
 inline std::uint32_t bits(Mask mask) {
   return mask.bit ? 1U : 0U;
 }
@@ -69,7 +69,7 @@ struct Pack {
   friend Pack sqrt(Pack a) { return make(std::sqrt(a.value)); }
   friend Pack abs(Pack a) { return make(std::abs(a.value)); }
   friend Pack select(Mask mask, Pack yes, Pack no) { return mask.bit ? yes : no; }
-  /// table[a] of whole a, 0 <= a < 2^31
+  /// table[a] of an integer a, 0 <= a < 2^31
   friend Pack lookup(const T* table, Pack a) {
     return make(table[static_cast<std::size_t>(a.value)]);
   }
@@ -82,7 +82,7 @@ struct Pack {
   }
 };
 
-/// One number has nothing to wait beside, see core/lanes.h.
+/// One number has no latency to hide, see core/lanes.h.
 using TwoPacks = Pack<double>;
 
 template <typename T>
@@ -96,7 +96,7 @@ std::size_t store_chosen(Mask chosen, Pack<T> a, T* to) {
   return chosen.bit ? 1 : 0;
 }
 
-// Both of these return the second where the comparison fails, as a blend does.
+// Both functions return the second operand where the comparison fails, as a blend does.
 template <typename T>
 Pack<T> min(Pack<T> a, Pack<T> b) {
   return select(a < b, a, b);

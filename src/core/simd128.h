@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The compiler's own vectors of 16 bytes under the names of core/scalar.h, for WebAssembly, for
-// which Highway has no vectors of double. Stands in for core/lanes.h and is as exact: min and max
+// which Highway has no vectors of double. It replaces core/lanes.h and is as exact: min and max
 // return the second operand where the comparison fails.
 #include <bit>
 #include <cstddef>
@@ -37,7 +37,7 @@ struct MaskOf {
 #ifdef __wasm_simd128__
     if constexpr (sizeof(T) == 8) return __builtin_wasm_bitmask_i64x2(mask.raw);
     if constexpr (sizeof(T) == 4) return __builtin_wasm_bitmask_i32x4(mask.raw);
-#else  // elsewhere for tests alone
+#else  // elsewhere only for tests
     std::uint32_t result = 0;
     for (std::size_t k = 0; k < 16 / sizeof(T); ++k) result |= (mask.raw[k] & 1U) << k;
     return result;
@@ -91,13 +91,13 @@ struct Pack {
   friend AVO_KERNEL Pack max(Pack a, Pack b) { return select(a > b, a, b); }
 };
 
-/// table[a] of whole a, 0 <= a < 2^32: added to 2^52, they are its last bits.
+/// table[a] of an integer a, 0 <= a < 2^32: added to 2^52, it is in the last bits.
 AVO_KERNEL Pack<double> lookup(const double* table, Pack<double> a) {
   const auto whole = std::bit_cast<Vector<std::uint32_t>>(a.raw + 0x1p52);
   return Pack<double>(Vector<double>{table[whole[0]], table[whole[2]]});
 }
 
-/// The sum of all lanes, of numbers whose sum is exact.
+/// The sum of all lanes, for numbers with an exact sum.
 template <typename T>
 AVO_KERNEL T sum_of(Pack<T> a) {
   T sum = 0;
@@ -105,7 +105,7 @@ AVO_KERNEL T sum_of(Pack<T> a) {
   return sum;
 }
 
-/// Stores the chosen lanes side by side and returns how many those are; may write all lanes.
+/// Stores the chosen lanes side by side and returns their number; may write all lanes.
 AVO_KERNEL std::size_t store_chosen(MaskOf<double> chosen, Pack<double> a, double* to) {
   const std::uint32_t lanes = bits(chosen);
   to[0] = a.raw[0];

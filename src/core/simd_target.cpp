@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// AVO_SIMD, and what this machine and build have.
+// AVO_SIMD, and the instruction sets of this machine and build.
 #include "core/simd_target.h"
 
 #include <array>
@@ -23,8 +23,8 @@ namespace {
 constexpr std::array<const char*, kSimdTargets> kNames{"avx512", "avx2",    "sse4",
                                                        "neon",   "simd128", "scalar"};
 
-// What the kernels' instruction sets consist of, see HWY_TARGET_STR. The compiler's own test asks
-// the operating system as well.
+// The instructions of the kernels' instruction sets, see HWY_TARGET_STR. The compiler's own test
+// also asks the operating system.
 #if AVO_TARGETS != 0 && (defined(__x86_64__) || defined(__i386__))
 bool has_sse4() {
   return __builtin_cpu_supports("ssse3") && __builtin_cpu_supports("sse4.1") &&
@@ -52,7 +52,7 @@ std::array<bool, kSimdTargets> find_targets() {
           true};
 }
 #elif AVO_TARGETS != 0
-std::array<bool, kSimdTargets> find_targets() {  // compiled for it: the machine has it
+std::array<bool, kSimdTargets> find_targets() {  // compiled for it, so the machine has it
   return {false, false, false, (AVO_TARGETS & HWY_NEON) != 0, false, true};
 }
 #else

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where the time of a step goes: one clock per worker, read between stages.
+// Measures the stages of a step: one clock per worker, read between stages.
 #pragma once
 #include <array>
 #include <chrono>
@@ -15,16 +15,16 @@ inline constexpr std::array kStageNames{"index",   "search",      "half_planes",
 /// Adds up the time between laps by stage. While off, a lap costs one branch.
 class StageClock {
  public:
-  /// Begins anew.
+  /// Clears the sums.
   void measure(bool on) {
     on_ = on;
     nanoseconds_ = {};
   }
-  /// A lap begins.
+  /// Begins a lap.
   void start() {
     if (on_) last_ = Clock::now();
   }
-  /// The time since the last lap, or since start(), was that of the stage.
+  /// Adds the time since the last lap, or since start(), to the stage.
   void lap(Stage stage) {
     if (!on_) return;
     const Clock::time_point now = Clock::now();

@@ -16,14 +16,14 @@
 namespace avo::inline core {
 namespace {
 
-// The bits of the gate. Counters of openings may wrap around: who slept through all of them sleeps
-// on.
+// The bits of the gate. Counters of openings may wrap around: a helper that slept through all of
+// them sleeps on.
 constexpr std::uint32_t kInside = (1U << 16U) - 1, kOpen = 1U << 16U, kOpening = 1U << 17U;
 constexpr std::uint32_t kStop = 0xffffffff;
 
-// Calls: then help is tried again, which costs a busy machine's time slice at worst.
+// Calls: after these help is tried again, which costs at most a time slice of a busy machine.
 constexpr std::size_t kMostAlone = 255;
-// No wait worth speaking of.
+// A shorter wait does not count.
 constexpr std::chrono::nanoseconds kTrifle{10'000};
 
 using Clock = std::chrono::steady_clock;
@@ -36,7 +36,7 @@ void pause() {
 #endif
 }
 
-// Looks for as long as is left of the patience. What was worth waiting for makes it longer.
+// Spins for as long as the patience lasts. A wait that paid makes it longer.
 template <typename Done>
 bool spin_until(const Done& done, Patience& patience) {
   constexpr std::chrono::nanoseconds kLeast{1'000};
@@ -78,25 +78,25 @@ void ThreadPool::start() {
       helpers_.emplace_back(&ThreadPool::help, this, helpers_.size() + 1);
     }
   } catch (const std::exception&) {
-    return;  // of the system or of memory: as many as there are
+    return;  // the system or memory is exhausted: use the threads that exist
   }
 }
 
 ThreadPool::~ThreadPool() {
 #if defined(__unix__)
-  // In a child of a fork the threads stay behind, and so do their handles.
+  // In a child of a fork the threads stay behind, and their handles are leaked on purpose.
   if (started_ && process_ != getpid()) {
     // NOLINTNEXTLINE(bugprone-unhandled-exception-at-new): a child without memory ends here
     static_cast<void>(new std::vector<std::thread>(std::move(helpers_)));
     return;
   }
 #endif
-  gate_.store(kStop);  // sequentially consistent: who is about to fall asleep is told, too
+  gate_.store(kStop);  // sequentially consistent: a helper that is about to sleep sees it, too
   gate_.notify_all();
   for (std::thread& helper : helpers_) helper.join();
 }
 
-// Returns how many.
+// Returns the number of tasks.
 std::size_t ThreadPool::take_tasks(std::size_t worker) {
   std::size_t taken = 0;
   for (std::size_t k = 0; k < workers_; ++k) {

@@ -9,8 +9,8 @@
 
 namespace avo::inline core {
 
-/// Of the places from `from` on, the index of the first one that is later than that; their number
-/// where there is none. Looks near `from` first.
+/// The index of the first of the places from `from` on that is later than that; their number where
+/// there is none. It searches near `from` first.
 inline std::size_t first_later(std::span<const TimedPlace> places, double time,
                                std::size_t from = 0) {
   const auto later = [](double t, const TimedPlace& place) { return t < place.time; };
@@ -27,7 +27,7 @@ inline double leg_speed(const TimedPlace& from, const TimedPlace& to) {
   return norm(to.position - from.position) / (to.time - from.time);
 }
 
-/// Trajectory::at(), where first_later() of its places is known, m.
+/// Trajectory::at(), m, where first_later() of its places is known.
 inline Vec2 place_on(const Trajectory& trajectory, std::size_t later, double time) {
   const std::span<const TimedPlace> places = trajectory.places();
   const std::size_t count = places.size();

@@ -11,7 +11,7 @@
 namespace avo {
 namespace {
 
-// A number of one of the places, spelled out only where it is refused.
+// A number of one of the places, converted to text only where it is refused.
 struct OfPlace {
   std::size_t index;
   const char* name;

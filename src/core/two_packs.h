@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Two packs as one: while the one waits for its divisions the other goes on. What has packs of
+// Two packs as one: while one waits for its divisions the other continues. Code with packs of
 // several lanes includes it, once per pass.
 #include <cstddef>
 #include <cstdint>

@@ -44,8 +44,8 @@ AVO_KERNEL Vec2 plain(Vec<Real> a) {
   return {a.x.value, a.y.value};
 }
 
-/// Stores of `values`, narrowed, those whose bits are set side by side, and beside them their
-/// numbers, the first one being `first`; returns how many those are. May write all.
+/// Stores those of `values` with set bits, narrowed, side by side, and beside them their numbers;
+/// the first number is `first`. Returns how many there are. May write all.
 template <typename Real, std::size_t N>
 AVO_KERNEL std::size_t store_chosen(std::uint32_t chosen, const Real (&values)[N],
                                     std::uint32_t first, float* to, std::uint32_t* number) {
