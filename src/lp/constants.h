@@ -11,10 +11,10 @@ constexpr double kTouchingUlps = 2.0;
 // The corners need fourth powers, of numbers that are not denormal.
 constexpr double kLargestSize = 0x1p200;
 constexpr double kSmallestSize = 0x1p-200;
-// Preferred points that are not farther away can be squared as well.
+// Squares of preferred points within this distance do not overflow.
 constexpr double kFarthest = 0x1p400;
-// A point just computed on one circle may miss the other one's inside by rounding alone. For discs
-// that are nearly equal that must not look like "outside of both": the corner may be far away.
+// A point just computed on one circle may miss the other one's inside by rounding alone. For nearly
+// equal discs that must not count as "outside of both": the corner may be far away.
 constexpr double kRoundingOfSquares = 1.0 + 8.0 * kUlp;
 
 }  // namespace avo::inline lp

@@ -9,7 +9,7 @@ namespace avo::inline lp {
 
 struct Lens {
   using Real = scalar::Pack<double>;
-  scalar::planar::Lens<Real> scaled;  ///< all lengths times `scale`
+  scalar::planar::Lens<Real> scaled;  ///< in this, all lengths are multiplied by `scale`
   double scale = 1.0;                 ///< power of two; 1 unless squares would over- or underflow
   Disc smaller;                       ///< of the two discs, as given
   double gap = 0.0;                   ///< m/s, between the discs, > 0 if they do not meet
@@ -25,8 +25,8 @@ Lens make_lens(const Disc& acceleration, double top_speed) noexcept;
 /// The point of the lens nearest u. Lens not empty.
 Vec2 nearest(const Lens& lens, Vec2 u) noexcept;
 
-/// The smallest normal . u over both discs, m/s: a half-plane whose offset is not above it holds
-/// for everything that the robot may choose. +infinity if the discs do not meet.
+/// The smallest normal . u over both discs, m/s. A half-plane with at most this offset holds for
+/// every velocity that the robot may choose. +infinity if the discs do not meet.
 double lens_support_min(Vec2 normal, const Lens& lens) noexcept;
 
 }  // namespace avo::inline lp

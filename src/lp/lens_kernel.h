@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// The intersection of two closed discs in closed form: what the limits on acceleration and speed
-// leave a robot to choose from (paper §IV-D, Eqs. (21), (22)), one robot per lane. In coordinates
-// relative to the center of the smaller disc numbers are as small as the set, and nothing cancels
-// where the discs lie far from the origin. Nothing invalid is computed, not even in a lane that
-// does not ask.
+// The intersection of two closed discs in closed form: the velocities that the limits on
+// acceleration and speed allow a robot (paper §IV-D, Eqs. (21), (22)), one robot per lane. In
+// coordinates relative to the center of the smaller disc, numbers are as small as the set, and
+// nothing cancels where the discs are far from the origin. No invalid operation occurs, not even in
+// an unused lane.
 #ifndef AVO_LP_LENS_KERNEL_H
 #define AVO_LP_LENS_KERNEL_H
 
@@ -34,13 +34,14 @@ template <typename Real>
 struct Lens {
   Vec<Real> origin;  // center of the smaller disc
   Real radius;       // of the smaller disc
-  // What rounding may do to a plane's violation near the set: 8 ulp of the largest number that
-  // takes part. Planes violated by less count as satisfied; so it is with the larger disc's edge.
+  // The effect of rounding on a plane's violation near the set: 8 ulp of the largest number
+  // involved. Planes violated by less count as satisfied; the same holds for the larger disc's
+  // edge.
   Real tolerance, larger_tolerance;
   Vec<Real> larger_center;
   Real larger_radius, distance;  // between the centers
   Mask<Real> speed_is_larger;
-  Mask<Real> two_arcs;  // else the larger disc holds the smaller one and plays no part
+  Mask<Real> two_arcs;  // if false, the larger disc contains the smaller one and has no effect
   Mask<Real> ordinary;  // the discs meet, and squares of their numbers neither over- nor underflow
 };
 
@@ -54,7 +55,7 @@ AVO_KERNEL Mask<Real> is_within(Vec<Real> a, double largest) {
   return (abs(a.x) <= Real(largest)) & (abs(a.y) <= Real(largest));
 }
 
-/// An infinite radius is no limit, and none of the sizes.
+/// An infinite radius is no limit, and does not count as a size.
 template <typename Real>
 AVO_KERNEL Mask<Real> is_ordinary(const Discs<Real>& discs) {
   const Real zero = 0.0;
@@ -154,7 +155,7 @@ AVO_KERNEL Vec<Real> farthest_along(const Lens<Real>& lens, Vec<Real> direction)
   return select(smaller, on_smaller, select(larger, on_larger, corner_towards(lens, n)));
 }
 
-/// Back into the discs, the smaller one last.
+/// Moves the point back into the discs, the smaller one last.
 template <typename Real>
 AVO_KERNEL Vec<Real> absolute_point(const Lens<Real>& lens, const Discs<Real>& discs,
                                     Vec<Real> relative) {

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Eqs. (22), (23) for one robot: a group of one lane, scaled where its numbers are out of the
-// ordinary.
+// Eqs. (22), (23) for one robot: a group of one lane, scaled where its numbers are not ordinary.
 #include "lp/linear_program.h"
 
 #include <algorithm>
@@ -14,7 +13,7 @@ namespace {
 
 using Real = scalar::Pack<double>;
 
-// A point farther away than kFarthest has the same nearest points as the one there.
+// A point farther away than kFarthest has the same nearest points as the point at that distance.
 Vec2 within_farthest(Vec2 u, double scale) {
   const double size = std::max(std::abs(u.x), std::abs(u.y)), limit = kFarthest / scale;
   return size > limit ? (limit / size) * u : u;
@@ -39,8 +38,8 @@ ProgramResult nearest_to_speed_disc(const Disc& acceleration, double top_speed) 
   return result;
 }
 
-// The largest violation of the half-planes as given. It is not 0 even where scaling the point back
-// has made it so, among denormal numbers.
+// The largest violation of the half-planes as given. It is positive even where scaling the point
+// back has made it 0, among denormal numbers.
 double violation_at(std::span<const HalfPlane> planes, Vec2 u, double scaled_back) {
   double largest = 0.0;
   for (const HalfPlane& plane : planes) largest = std::max(largest, violation(plane, u));

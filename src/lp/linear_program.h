@@ -12,14 +12,14 @@ namespace avo::inline lp {
 
 enum class ProgramState : std::uint8_t {
   optimal,         ///< the point of all constraints nearest the preferred one, Eq. (23)
-  least_unsafe,    ///< the half-planes leave nothing: smallest largest violation
+  least_unsafe,    ///< the half-planes leave nothing: the smallest largest violation
   discs_disjoint,  ///< the discs do not meet: point of the acceleration disc nearest the speed disc
 };
 
 struct ProgramResult {
   Vec2 point;
   /// How far the point lies outside: of the half-planes (least_unsafe), of the speed disc
-  /// (discs_disjoint). 0 if optimal, else > 0. Unit of offsets.
+  /// (discs_disjoint). It is 0 if optimal, otherwise > 0. The unit is that of the offsets.
   double violation = 0.0;
   ProgramState state = ProgramState::optimal;
 };
@@ -27,7 +27,7 @@ struct ProgramResult {
 /// Scratch memory of one program.
 using ProgramRows = std::vector<ProgramRow<1>>;
 
-/// How many rows a program of so many half-planes needs.
+/// The number of rows that a program of so many half-planes needs.
 constexpr std::size_t program_rows(std::size_t planes) {
   return planes + 3 * most_taken(planes);
 }

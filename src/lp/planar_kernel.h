@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Eq. (23) in the plane, one robot per lane: one half-plane after the other, one line at a time.
-// Each lane takes the half-plane that it violates most, until the last one has done: the best point
-// then lies on its boundary, and only those taken before limit it there.
+// Each lane takes the half-plane that it violates most, until the last lane is done. The best point
+// then lies on the boundary of this half-plane, and only those taken before limit it there.
 #ifndef AVO_LP_PLANAR_KERNEL_H
 #define AVO_LP_PLANAR_KERNEL_H
 
@@ -19,7 +19,7 @@ struct Plane {
   Real offset;
 };
 
-/// The offset of no half-plane at all.
+/// The offset of an absent half-plane.
 template <typename Real>
 AVO_KERNEL Real none() {
   return -std::numeric_limits<double>::infinity();
@@ -31,7 +31,7 @@ AVO_KERNEL Real violation(const Plane<Real>& plane, Vec<Real> u) {
 }
 
 /// Half-planes relative to Lens::origin, of lanes first .. first + Real::kLanes. Normals may have
-/// any length where Goal::direction is not zero: a violation is in the unit of the offset.
+/// any length if Goal::direction is not zero: a violation is in the unit of the offset.
 template <typename Real, typename Row>
 struct Planes {
   Row* rows;
@@ -51,8 +51,8 @@ struct Planes {
   }
 };
 
-/// The point nearest `preferred`; or, if `direction` is not zero, the one farthest along it, and
-/// among equals that nearest `preferred`.
+/// The point nearest `preferred`; or, if `direction` is not zero, the farthest point along it, and
+/// among equals the one nearest `preferred`.
 template <typename Real>
 struct Goal {
   Vec<Real> preferred, direction;
@@ -64,7 +64,7 @@ struct Line {
   Real offset;
 };
 
-/// What is left of a line, lo <= t <= hi.
+/// The remaining part of a line, lo <= t <= hi.
 template <typename Real>
 struct Range {
   Real lo, hi;
@@ -94,8 +94,8 @@ AVO_KERNEL Range<Real> clip_to_discs(const Lens<Real>& lens, const Line<Real>& l
   return range;
 }
 
-/// Along the line, a plane reads t * slope >= excess. Where the whole lens cannot change t * slope
-/// by more than rounding, the two lines are parallel and only the excess counts.
+/// Along the line, a plane is t * slope >= excess. Where the whole lens cannot change t * slope by
+/// more than rounding, the two lines are parallel and only the excess counts.
 template <bool kRelaxed, typename Real, typename Row>
 AVO_KERNEL Range<Real> clip(const Lens<Real>& lens, const Line<Real>& line,
                             const Planes<Real, Row>& planes) {
@@ -116,10 +116,10 @@ AVO_KERNEL Range<Real> clip(const Lens<Real>& lens, const Line<Real>& line,
   return range;
 }
 
-/// The best point of the plane's boundary within the discs and all planes before it, as long as
-/// the lane takes part. False where there is none. Nothing is given up to rounding: where exact
-/// clipping leaves nothing (planes through one point, touching discs), all bounds are relaxed by
-/// half the tolerance; by half, so that the point counts as inside for every plane to come.
+/// The best point of the plane's boundary within the discs and all planes before it, in active
+/// lanes. False where there is none. No solution is lost by rounding. Where exact clipping leaves
+/// nothing (planes through one point, touching discs), all bounds are relaxed by half the
+/// tolerance. Half of it, so that the point counts as inside for all later planes.
 template <bool kLinear, typename Real, typename Row>
 AVO_KERNEL Mask<Real> move_to_boundary(const Lens<Real>& lens, const Planes<Real, Row>& before,
                                        const Plane<Real>& plane, const Goal<Real>& goal,
@@ -167,9 +167,9 @@ AVO_KERNEL Violation<Real> larger(const Violation<Real>& a, const Violation<Real
           select(second, b.by, a.by)};
 }
 
-/// The half-plane violated by most and by more than `least`, which becomes that violation. Lanes
-/// compare two by two, since a comparison takes longer than what it waits for; one number alone
-/// would have to guess which of two it is.
+/// The half-plane violated by most and by more than `least`, which is set to that violation. Lanes
+/// compare in pairs, since the latency of a comparison exceeds its cost; a single number would need
+/// a branch prediction.
 template <typename Real, typename Row>
 AVO_KERNEL Plane<Real> most_violated(const Planes<Real, Row>& planes, Vec<Real> u, Real& least) {
   const auto at = [&](std::size_t i) -> Violation<Real> {
@@ -208,8 +208,8 @@ struct Outcome {
   Plane<Real> next;  // where failed: the half-plane that leaves nothing
 };
 
-/// Where others go on, a lane that has failed looks at the same half-plane again and again: what it
-/// adds to `taken` is the one that is taken next for the least unsafe point, and twice does no
+/// While others continue, a lane that has failed tests the same half-plane repeatedly. It adds to
+/// `taken` the half-plane that is taken next for the least unsafe point; adding it twice does no
 /// harm.
 template <bool kLinear, typename Real, typename Row>
 AVO_KERNEL Outcome<Real> solve_planar(const Lens<Real>& lens, const Planes<Real, Row>& planes,

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Programs of kWidth robots whose numbers lie side by side, as kernels read them.
+// Programs of kWidth robots with their numbers side by side, as kernels read them.
 #pragma once
 #include <cstddef>
 #include <cstdint>
@@ -12,7 +12,7 @@ struct ProgramGroup {
   Lanes c_x, c_y, radius;    // acceleration disc
   Lanes top_speed;           // speed disc around 0
   Lanes p_x, p_y;            // preferred
-  Lanes planes;              // how many
+  Lanes planes;              // number of half-planes
   Lanes x, y, violation;     // result
   std::uint32_t settled;     // bit l: lane l
   std::uint32_t moved;       // the result is not the preferred one
@@ -20,7 +20,7 @@ struct ProgramGroup {
   std::size_t first, count;  // rows
 };
 
-/// One half-plane of each lane, anything where a robot has fewer.
+/// One half-plane of each lane, an arbitrary one where a robot has fewer.
 template <std::size_t kWidth>
 struct ProgramRow {
   using Lanes = double[kWidth];
@@ -28,9 +28,9 @@ struct ProgramRow {
   Lanes relative;  // the offset, from Lens::origin
 };
 
-/// How many of `count` half-planes all lanes of a pack take at most, in the plane and then on the
-/// way to the least unsafe point: some lanes begin with the second when others have done with the
-/// first.
+/// The largest number of half-planes, out of `count`, that all lanes of a pack take, in the plane
+/// and then for the least unsafe point. Some lanes begin the second part when others have finished
+/// the first.
 constexpr std::size_t most_taken(std::size_t count) {
   return 2 * count + 2;
 }

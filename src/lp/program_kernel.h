@@ -13,12 +13,12 @@ AVO_BEGIN_KERNELS
 namespace planar {
 
 /// CA_A of Eq. (22) is empty, the 3-D program: the smallest s such that some point of the lens
-/// violates no plane by more than s. Incremental as well: of the planes violated by more than s,
-/// the one violated most is taken next. It is then the worst of those taken, and the new point lies
-/// farthest along its normal among the points that violate none of them more than this one. Where
-/// plane a is violated no more than plane b, (n_a - n_b) . u >= o_a - o_b: its violations are
-/// differences of theirs, so it is left unnormalized. Equals are settled by the distance to
-/// `preferred` in each program, hence in the whole. For the lanes in which `next` cannot be added.
+/// violates no plane by more than s. It is incremental as well: of the planes violated by more than
+/// s, the one violated most is taken next. It is then the worst of the taken planes. The new point
+/// lies farthest along its normal among the points that violate none of them more than this one.
+/// Where plane a is violated no more than plane b, (n_a - n_b) . u >= o_a - o_b: its violations are
+/// differences of theirs, so it is not normalized. The distance to `preferred` settles ties in each
+/// program, hence in the whole. It applies to the lanes in which `next` cannot be added.
 template <typename Real, typename Row>
 AVO_KERNEL void least_unsafe(const Lens<Real>& lens, const Planes<Real, Row>& give,
                              Plane<Real> next, Vec<Real> preferred, Mask<Real> active,
@@ -50,7 +50,7 @@ AVO_KERNEL Real largest_violation(const Planes<Real, Row>& planes, Vec<Real> u) 
   return largest;
 }
 
-/// How far the point, as it is returned, lies outside the half-planes as given.
+/// How far the returned point lies outside the half-planes as given.
 template <typename Real, typename Row>
 AVO_KERNEL Real reported_violation(const Lens<Real>& lens, const Planes<Real, Row>& planes,
                                    Vec<Real> relative, Vec<Real> point) {
@@ -66,8 +66,8 @@ AVO_KERNEL Real reported_violation(const Lens<Real>& lens, const Planes<Real, Ro
   return select(worst > lens.tolerance, select(largest > zero, largest, worst), zero);
 }
 
-/// The programs of one pack. Where as many as `enough` have no solution, the least unsafe points of
-/// these are found as well, else they are left and marked as failed.
+/// Solves the programs of one pack. If at least `enough` have no solution, it also finds their
+/// least unsafe points; otherwise they are marked as failed.
 template <typename Real, typename Group, typename Row>
 AVO_KERNEL void solve_pack(Group& group, Row* rows, Row* scratch, std::size_t first, int enough) {
   const Discs<Real> discs{{Real::load(group.c_x + first), Real::load(group.c_y + first)},
@@ -108,7 +108,7 @@ AVO_KERNEL void solve_pack(Group& group, Row* rows, Row* scratch, std::size_t fi
   group.moved |= bits(start.moved | outcome.moved | outcome.failed) << first;
 }
 
-/// Unless all are solved, few in a pack that have no solution are left.
+/// Unless all must be solved, a few in a pack without a solution are left unsolved.
 template <typename Real>
 void solve_programs(Programs& programs, ProgramRow<kProgramLanes>* scratch, bool all) {
   const int enough = all ? 1 : static_cast<int>(Real::kLanes * 3 / 4 + 1);

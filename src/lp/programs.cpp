@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Programs in lanes, for every instruction set; the fittest is chosen at run time.
+// Programs in lanes, for every instruction set; the best one is chosen at run time.
 #include "lp/programs.h"
 
 #include <algorithm>
@@ -28,8 +28,8 @@ std::size_t most_rows(const Programs& programs) {
   return most;
 }
 
-// How many half-planes a robot has cannot be foreseen, and a processor that guesses wrong loses
-// more than what writing a few for nothing costs.
+// The number of half-planes of a robot cannot be predicted. A mispredicted branch costs more than
+// writing a few unused rows.
 constexpr std::size_t kRowsAtOnce = 4;
 
 // Copies one robot's program to the end of others.
@@ -113,8 +113,8 @@ void ProgramBatch::add(const Disc& acceleration, double top_speed, Vec2 preferre
   }
 }
 
-// Those that half-planes leave nothing to need far more time: gathered, they fill lanes of their
-// own, unless they nearly do already.
+// Programs that half-planes leave no solution take far more time: gathered, they fill lanes of
+// their own, unless they nearly do already.
 void nearest_points(ProgramBatch& batch) {
   Programs& all = batch.programs_;
   Programs& infeasible = batch.infeasible_;

@@ -11,7 +11,7 @@
 
 namespace avo::inline lp {
 
-/// Robots whose programs' numbers lie side by side: a multiple of every instruction set's lanes.
+/// Number of robots with program numbers side by side: a multiple of every instruction set's lanes.
 inline constexpr std::size_t kProgramLanes = 16;
 
 struct Programs {
@@ -23,26 +23,27 @@ struct Programs {
 
   /// The group of the next robot; its lane is robots % kProgramLanes before the call.
   ProgramGroup<kProgramLanes>& add_robot();
-  /// Room for so many rows in the last group.
+  /// Reserves so many rows in the last group.
   void add_rows(std::size_t count);
 };
 
-/// Programs to be solved at once, filled robot by robot; allocates only while it grows.
+/// Programs that are solved together, filled robot by robot; allocates only while it grows.
 class ProgramBatch {
  public:
   void clear();
-  /// Room for so many robots with at most so many half-planes each, and in all.
+  /// Reserves room for so many robots with at most so many half-planes each, and in all.
   void reserve(std::size_t robots, std::size_t planes_each, std::size_t planes);
 
-  /// The next robot. Nothing is required of the numbers but |normal| = 1.
+  /// Adds the next robot. The only requirement on the numbers is |normal| = 1.
   void add(const Disc& acceleration, double top_speed, Vec2 preferred,
            std::span<const HalfPlane> planes);
 
   [[nodiscard]] std::size_t size() const { return programs_.robots; }
 
-  /// False: out of the ordinary, and left to nearest_point(); the results mean nothing then.
+  /// False: the program is not ordinary, and is left to nearest_point(); its results are
+  /// meaningless.
   [[nodiscard]] bool settled(std::size_t robot) const { return bit(group(robot).settled, robot); }
-  /// The preferred one, bit for bit, where that violates nothing.
+  /// The preferred point, bit for bit, if it violates nothing.
   [[nodiscard]] Vec2 point(std::size_t robot) const {
     const std::size_t lane = robot % kProgramLanes;
     if (!bit(group(robot).moved, robot)) return preferred_[robot];
@@ -65,13 +66,13 @@ class ProgramBatch {
 
   Programs programs_;
   std::vector<Vec2> preferred_;      // as given
-  Programs infeasible_;              // those that failed, side by side
-  std::vector<std::size_t> robots_;  // whose these are
+  Programs infeasible_;              // the failed ones, side by side
+  std::vector<std::size_t> robots_;  // the robots of these programs
   std::vector<ProgramRow<kProgramLanes>> scratch_;
 };
 
-/// Solves all programs of the batch: nearest_point() of lp/linear_program.h, and what it says in
-/// state optimal or least_unsafe, bit for bit, by every instruction set.
+/// Solves all programs of the batch: the results equal nearest_point() of lp/linear_program.h in
+/// state optimal or least_unsafe, bit for bit, for every instruction set.
 void nearest_points(ProgramBatch& batch);
 
 }  // namespace avo::inline lp
