@@ -11,8 +11,8 @@ namespace {
 constexpr double kLargest = std::numeric_limits<double>::max();
 constexpr double kTiniest = 0x1p-511;  // squares of smaller distances underflow
 
-constexpr std::size_t kFewestSlots = 1024;  // so that kMostSpan scattered rows keep apart
-// Multiples of the golden ratio spread evenly: any 20 that follow each other stay 0.034 apart.
+constexpr std::size_t kFewestSlots = 1024;  // so that kMostSpan scattered rows stay apart
+// Multiples of the golden ratio spread evenly: any 20 consecutive ones stay 0.034 apart.
 constexpr double kGolden = 0.6180339887498949;
 
 // Rows and columns between the outermost finite positions.
@@ -40,7 +40,7 @@ Cells make_cells(std::span<const Vec2> positions, double side) {
   Cells cells;
   cells.per_meter = 1.0 / std::max(side, kTiniest);
   const std::size_t scattered = std::bit_ceil(std::max(2 * positions.size(), kFewestSlots));
-  // robots leave what they span now: a few columns more
+  // robots leave their present extent: add a few columns
   const Extent extent = extent_of(positions, cells);
   const double stride = extent.columns + static_cast<double>(kMostSpan);
   const double slots = stride * std::max(extent.rows, static_cast<double>(kMostSpan));

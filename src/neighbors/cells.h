@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Square cells of the plane, unbounded in number, and where they lie in a table of bounded size.
+// Square cells of the plane, unbounded in number, and their places in a table of bounded size.
 #pragma once
 #include <algorithm>
 #include <cstddef>
@@ -13,16 +13,16 @@ namespace avo::inline neighbors {
 
 /// A search reads at most so many cell sides around a place...
 inline constexpr double kMostSides = 4.0;
-/// ...which are at most so many rows and columns: twice as many as it should be where a position is
-/// so large that `x - radius` is rounded by as much as the radius.
+/// ...which are at most so many rows and columns. It is twice the expected number where a position
+/// is so large that `x - radius` is rounded by as much as the radius.
 inline constexpr std::size_t kMostSpan = 20;
 
-inline constexpr double kFarthestCell = 0x1p52;  ///< cells beyond it are one
+inline constexpr double kFarthestCell = 0x1p52;  ///< cells beyond it are merged
 
-/// The cells of one row follow each other in the table, and each row begins a stride after the one
+/// The cells of one row are consecutive in the table, and each row begins a stride after the one
 /// before, all modulo the size of the table. Rows that a search reads do not overlap in it, so no
-/// point is found twice; far cells may share a slot, and their points fail the test of distance. So
-/// a far outlier costs nothing.
+/// point is found twice. Distant cells may share a slot, and their points fail the test of
+/// distance. So a distant outlier costs nothing.
 struct Cells {
   double per_meter = 1.0;  ///< 1/m, of one side
   std::size_t stride = kMostSpan;
@@ -30,8 +30,8 @@ struct Cells {
 
   [[nodiscard]] std::size_t table() const { return mask + 1; }
   /// Rounding is monotone, here and where a search adds and subtracts its radius: where the exact
-  /// numbers are in order, the cells are. So no point is missed for being rounded into the next
-  /// cell. (Rounding towards 0 makes the cells around 0 twice as wide, which is as good.)
+  /// numbers are in order, the cells are. So no point is missed because it is rounded into the next
+  /// cell. (Rounding towards 0 makes the cells around 0 twice as wide, which does no harm.)
   [[nodiscard]] std::int64_t cell(double coordinate) const {
     if (per_meter == 0.0) return 0;  // sides are infinite
     return static_cast<std::int64_t>(
@@ -47,7 +47,7 @@ struct Cells {
   }
 };
 
-/// The cells that a search has to read.
+/// The cells that a search must read.
 struct CellRange {
   std::int64_t first_column, first_row, last_row;
   std::size_t columns;
@@ -61,8 +61,8 @@ inline CellRange cells_within(Vec2 p, double radius, const Cells& cells) {
           static_cast<std::size_t>(cells.cell(p.x + reach) - column) + 1};
 }
 
-/// side: m, may be infinite. Row by row where the positions fill what they span, and with the rows
-/// scattered where they do not.
+/// side: m, may be infinite. Rows are consecutive where the positions fill their extent, and
+/// scattered otherwise.
 Cells make_cells(std::span<const Vec2> positions, double side);
 
 }  // namespace avo::inline neighbors

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The grid search for every instruction set; the fittest is chosen at run time.
+// The grid search for every instruction set; the best one is chosen at run time.
 #include "neighbors/search.h"
 
 #include <algorithm>

@@ -14,7 +14,7 @@ namespace avo::inline neighbors {
 
 struct NeighborHit {
   double distance_squared = 0.0;  ///< m², between centers
-  int index = 0;                  ///< of the point, or what it was called instead
+  int index = 0;                  ///< of the point, or the number given to it instead
   std::uint32_t place = 0;        ///< in the order of the cells
 
   /// The canonical order of neighbors: by distance, ties by index.
@@ -27,7 +27,7 @@ struct NeighborHit {
   }
 };
 
-/// Columns of points have room for so many more, which are read but do not count.
+/// Columns of points have room for so many extra entries, which are read but do not count.
 inline constexpr std::size_t kSparePoints = 16;
 
 /// Points in the order of their cells.
@@ -39,14 +39,14 @@ struct PlacedPoints {
   const double* index;  ///< numbers of 32 bits
 };
 
-/// Whom a search is to find: all within `near`, and of those within `far` the `most` first.
+/// What a search must find: all points within `near`, and the first `most` points within `far`.
 struct NeighborQuery {
   Vec2 position;
   int self = -1;  ///< index of a point that is not found, -1: none
   std::size_t most = std::numeric_limits<std::size_t>::max();
-  double near = -1.0;  ///< m; negative: nobody for being near
+  double near = -1.0;  ///< m; negative: this finds no points
   double far = 0.0;    ///< m, at most kMostSides sides of a cell
-  double guess = 0.0;  ///< m, where to look first; only the time depends on it
+  double guess = 0.0;  ///< m, first search radius; only the time depends on it
 };
 
 /// The candidates of one search, [first, first + candidates) among those of all; the first `count`
@@ -55,19 +55,19 @@ struct Found {
   std::size_t first = 0, candidates = 0, count = 0;
 };
 
-/// Of searches that are made together. Allocates only while it grows.
+/// Memory of searches that are made together. Allocates only while it grows.
 struct SearchScratch {
   std::vector<NeighborQuery> queries;
   std::vector<Found> results;  // of each
 
-  std::size_t used = 0;                 // of the following columns, one entry a candidate
+  std::size_t used = 0;                 // of the following columns, one entry for each candidate
   std::vector<float> distance_squared;  // m², narrowed
   std::vector<std::uint32_t> place;     // in the order of the cells
-  std::vector<std::uint32_t> order;     // the same places, in canonical order in the end
+  std::vector<std::uint32_t> order;     // the same places, finally in canonical order
   std::vector<NeighborHit> keys;        // of one search, while many are sorted
   std::vector<NeighborHit> hits;        // of UniformGrid::list()
 
-  /// Room for so many queries with so many candidates in all, and what it takes to find them.
+  /// Reserves room for so many queries with so many candidates in all, and for the search.
   void reserve(std::size_t most_queries, std::size_t candidates) {
     constexpr std::size_t kInTransit = 256;
     queries.reserve(most_queries);
@@ -75,7 +75,7 @@ struct SearchScratch {
     hits.reserve(candidates);
     reserve(candidates + most_queries * kSparePoints + kInTransit);
   }
-  /// Room for so many candidates.
+  /// Reserves room for so many candidates.
   void reserve(std::size_t count) {
     if (order.size() < count + 2 * kSparePoints) grow(count + 2 * kSparePoints);
   }
@@ -85,7 +85,7 @@ struct SearchScratch {
 };
 
 /// Answers scratch.queries, one after the other, until all are answered or there are `enough`
-/// candidates; returns how many were. Positions are finite, near and guess at most far.
+/// candidates; returns the number answered. Positions must be finite, near and guess at most far.
 std::size_t search_within(const PlacedPoints& points, std::size_t enough, SearchScratch& scratch);
 
 }  // namespace avo::inline neighbors

@@ -14,21 +14,21 @@
 
 AVO_BEGIN_KERNELS
 
-// So many places are looked at together: how many cells hold cannot be foreseen, and a processor
-// that guesses wrong loses more than what it does for nothing.
+// So many places are tested together: the number of points in a cell cannot be predicted, and a
+// mispredicted branch costs more than a few unused tests.
 template <typename Real>
 constexpr std::size_t kTogether = Real::kLanes >= 4 ? 16 : Real::kLanes;
 
-// So many candidates are ranked by comparing all, which takes the less the more lanes there are.
+// So many candidates are ranked by comparing all pairs, which takes less time with more lanes.
 template <typename Narrow>
 constexpr std::size_t kFewHits = std::max<std::size_t>(48, 11 * Narrow::kLanes);
 
-/// Candidates while they are collected, and how many of them are near.
+/// Candidates during the collection, and the number of near ones.
 struct Collected {
   std::size_t end, near;
 };
 
-/// What the points are compared with, in all lanes.
+/// The values that the points are compared with, in all lanes.
 template <typename Real>
 struct Bounds {
   Real x, y, self;       // m, m, index
@@ -44,7 +44,7 @@ struct Bounds {
         near(squared(query.near)) {}
 };
 
-/// Appends those of the points at [first, first + kTogether) that lie before `last` and within the
+/// Appends the points at [first, first + kTogether) that come before `last` and are within the
 /// bounds.
 template <typename Real>
 AVO_KERNEL void append_candidates(const Bounds<Real>& bounds, const PlacedPoints& points,
@@ -69,7 +69,7 @@ AVO_KERNEL void append_candidates(const Bounds<Real>& bounds, const PlacedPoints
   collected.near += static_cast<std::size_t>(std::popcount(chosen & near_ones));
 }
 
-/// All candidates within the radius behind those of the others, in no order.
+/// Appends all candidates within the radius after those of the others, in no order.
 template <typename Real>
 AVO_KERNEL Collected collect(const NeighborQuery& query, double radius, const PlacedPoints& points,
                              std::size_t begin, SearchScratch& scratch) {
@@ -80,7 +80,7 @@ AVO_KERNEL Collected collect(const NeighborQuery& query, double radius, const Pl
   const std::size_t many = many_beside(query.most);
   for (std::int64_t row = range.first_row; row <= range.last_row; ++row) {
     std::size_t slot = points.cells.slot(range.first_column, row), columns = range.columns;
-    while (columns > 0) {  // twice where the row goes on at the beginning of the table
+    while (columns > 0) {  // twice where the row continues at the beginning of the table
       const std::size_t run = std::min(columns, points.cells.table() - slot);
       const std::size_t last = points.begin[slot + run];
       for (std::size_t place = points.begin[slot]; place < last; place += kTogether<Real>) {
@@ -97,7 +97,8 @@ AVO_KERNEL Collected collect(const NeighborQuery& query, double radius, const Pl
   return hits;
 }
 
-/// The ranks of few candidates, by distances that end in infinite ones. False where some are equal.
+/// The ranks of few candidates, from distances padded with infinite ones. False where some are
+/// equal.
 template <typename Real>
 AVO_KERNEL bool rank_candidates(const typename Real::Number* distances, std::size_t count,
                                 std::uint32_t* ranks) {
@@ -121,13 +122,13 @@ AVO_KERNEL bool rank_candidates(const typename Real::Number* distances, std::siz
     }
     sum = sum + rank;
   }
-  // all ranks there are, and `count` of each beyond
+  // all existing ranks, and `count` for each entry beyond
   const std::size_t all = (count * count - count) / 2 + count * (k - count);
   return sum_of(sum) == static_cast<Number>(all);
 }
 
-/// Puts the candidates in order: by distances in single precision where these tell all apart, in
-/// double precision where those do, and by sorting elsewhere.
+/// Puts the candidates in order: by distances in single precision where these distinguish all, in
+/// double precision where those do, and by sorting otherwise.
 template <typename Real, typename Narrow>
 AVO_KERNEL void put_in_order(const NeighborQuery& query, const Found& hits,
                              const PlacedPoints& points, SearchScratch& scratch) {
@@ -150,8 +151,8 @@ AVO_KERNEL void put_in_order(const NeighborQuery& query, const Found& hits,
   for (std::size_t k = 0; k < count; ++k) order[ranks[k]] = place[k];
 }
 
-/// Returns how many queries were answered. Each step is made for all of them before the next one:
-/// none waits for what its own last step has put in memory.
+/// Returns the number of answered queries. Each step is made for all of them before the next step:
+/// none waits for the memory writes of its own last step.
 template <typename Real, typename Narrow>
 std::size_t find_candidates(const PlacedPoints& points, std::size_t enough,
                             SearchScratch& scratch) {

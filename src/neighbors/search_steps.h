@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a search does besides its lanes, whatever the instruction set.
+// The parts of a search without lanes, for every instruction set.
 #pragma once
 #include <algorithm>
 #include <cmath>
@@ -14,17 +14,18 @@
 
 namespace avo::inline neighbors {
 
-// Candidates that are not near are thinned out when so many more than twice the `most` are left.
+// Candidates that are not near are thinned out when so many more than twice `most` are left.
 inline constexpr std::size_t kManyHits = 64;
 
-/// Those that may still be found: nearer than the limit, or as near and of a lower index.
+/// The limit of points that may still be found: nearer than the limit, or equally near with a lower
+/// index.
 struct HitLimit {
   double distance_squared = 0.0;
   int index = std::numeric_limits<int>::max();
 };
 
-/// From how many candidates on that are not near these are thinned out: then as many as are kept
-/// are left out, at least.
+/// The number of candidates that are not near at which these are thinned out: at least as many as
+/// are kept are then removed.
 inline std::size_t many_beside(std::size_t most) {
   constexpr std::size_t kAll = std::numeric_limits<std::size_t>::max();
   return most < (kAll - kManyHits) / 2 ? 2 * most + kManyHits : kAll;
@@ -52,8 +53,8 @@ inline auto nearer(const NeighborQuery& query, const PlacedPoints& points,
   };
 }
 
-/// Leaves of the candidates [first, end) the `most` first, and whoever else is near; the limit
-/// becomes that of the candidates yet to come. Returns where they end then.
+/// Keeps the first `most` of the candidates [first, end), and all others that are near. The limit
+/// becomes that of later candidates. Returns their new end.
 inline std::size_t keep_nearest(const NeighborQuery& query, const PlacedPoints& points,
                                 std::size_t first, std::size_t end, HitLimit& limit,
                                 SearchScratch& scratch) {
@@ -75,7 +76,7 @@ inline std::size_t keep_nearest(const NeighborQuery& query, const PlacedPoints& 
   const auto kept = std::partition(at(first + query.most), at(end), [&](std::uint32_t k) {
     return exact_distance_squared(query, points, scratch, k) <= near_squared;
   });
-  std::sort(at(first), kept);  // each moves to where nobody is that still has to
+  std::sort(at(first), kept);  // each moves to a place that no other still has to leave
   for (auto k = at(first); k != kept; ++k, ++first) {
     scratch.distance_squared[first] = scratch.distance_squared[*k];
     scratch.place[first] = scratch.place[*k];
@@ -83,8 +84,8 @@ inline std::size_t keep_nearest(const NeighborQuery& query, const PlacedPoints& 
   return first;
 }
 
-/// Puts the keys of many candidates into buckets of equal intervals of their squared distances, of
-/// which even crowds put about one into each. Where the order will be is scratch memory until then.
+/// Puts the keys of many candidates into buckets of equal intervals of their squared distances;
+/// even crowds put about one into each. The memory of the order is scratch memory until then.
 inline void spread_keys(const NeighborQuery& query, const Found& hits, const PlacedPoints& points,
                         SearchScratch& scratch) {
   const float* const distance = scratch.distance_squared.data() + hits.first;
@@ -107,7 +108,7 @@ inline void spread_keys(const NeighborQuery& query, const Found& hits, const Pla
   }
 }
 
-/// Sorts what is nearly sorted in a few moves each, and anything else.
+/// Sorts a nearly sorted list in a few moves each, and any other list.
 inline void settle(std::span<NeighborHit> keys) {
   std::size_t moves = 8 * keys.size();
   for (std::size_t i = 1; i < keys.size(); ++i) {

@@ -9,10 +9,10 @@
 
 namespace avo::inline neighbors {
 namespace {
-// Of the far radius: no search begins with less.
+// Part of the far radius: no search begins with less.
 constexpr double kLeastGuess = 0.0625;
 
-// A radius whose square overflows is infinite.
+// A radius counts as infinite if its square overflows.
 double searchable(double radius) {
   return radius * radius < kInfinity ? radius : kInfinity;
 }
@@ -79,7 +79,7 @@ void UniformGrid::list_within(Vec2 center, double radius,
     places.resize(count + last - first);
     for (std::size_t place = first; place < last; ++place) {
       places[count] =
-          static_cast<std::uint32_t>(place);  // counts if it is near: nothing is guessed
+          static_cast<std::uint32_t>(place);  // counts if it is near: no branch to predict
       count += norm_squared(position(place) - center) <= radius * radius ? 1 : 0;
     }
   };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Who is near: an exact search on a uniform grid (paper §VI-A).
+// Finds near points: an exact search on a uniform grid (paper §VI-A).
 #pragma once
 #include <cstddef>
 #include <cstdint>
@@ -14,53 +14,54 @@
 
 namespace avo::inline neighbors {
 
-/// Finds exactly those that comparing all pairs finds: |p_i - position|² <= radius² as computed in
-/// double, in canonical order. Positions that are not finite are never found.
+/// Finds exactly the points that comparing all pairs finds: |p_i - position|² <= radius² as
+/// computed in double, in canonical order. Positions that are not finite are never found.
 class UniformGrid {
  public:
   /// Copies the positions. radius: m, of gather(), >= 0, may be infinite. Allocates only while the
   /// number of points grows.
   void build(std::span<const Vec2> positions, double radius);
 
-  /// The points within the radius other than `self`, of those the `most` first, see find().
+  /// The first `most` of the points within the radius other than `self`, see find().
   std::span<const NeighborHit> gather(Vec2 position, int self, std::size_t most,
                                       SearchScratch& scratch) const;
 
-  /// The same in parts, for points whose cells are known by their keys: prepare(), then each part,
-  /// which may be at the same time. `indices` is what the points are called.
+  /// Builds in parts, for points with cells known by their keys: prepare(), then each part, which
+  /// may be at the same time. `indices` are the numbers given to the points.
   void prepare(const Cells& cells, std::size_t count);
   SortedPart build_part(std::span<const std::uint32_t> keys, std::span<const Vec2> positions,
                         std::span<const int> indices, std::size_t part, std::size_t parts);
 
-  /// Of these points alone, as few as a search would read anyway: positions[k] is that of
-  /// points[k], which is called indices[k].
+  /// Builds with these points alone, as few as a search would read anyway: positions[k] is that of
+  /// points[k], with the number indices[k].
   void take(std::span<const std::uint32_t> points, std::span<const Vec2> positions,
             std::span<const int> indices);
-  /// Places of all points within the radius of one that is finite, in no order.
+  /// Places of all points within the radius of a finite place, in no order.
   void list_within(Vec2 center, double radius, std::vector<std::uint32_t>& places) const;
 
-  /// Searches for one after the other until all are done or there are `enough` candidates: how many
-  /// were done, and what was found, in the scratch memory. Safe to call from several threads.
+  /// Answers one query after the other until all are done or there are `enough` candidates. Returns
+  /// the number done; the found points are in the scratch memory. Safe to call from several
+  /// threads.
   std::size_t find(std::span<const NeighborQuery> queries, std::size_t enough,
                    SearchScratch& scratch) const;
-  /// What a query found, in canonical order, in the scratch memory.
+  /// The points that a query found, in canonical order, in the scratch memory.
   std::span<const NeighborHit> list(std::size_t query, SearchScratch& scratch) const;
 
-  /// Which of the points given is at each place.
+  /// The index of the given point at each place.
   [[nodiscard]] std::span<const std::uint32_t> order() const { return sort_.order; }
-  /// Once whoever gave the points has put them in that order.
+  /// Call it once the owner of the points has put them in that order.
   void forget_order();
   [[nodiscard]] Vec2 position(std::size_t place) const { return {x_[place], y_[place]}; }
-  /// What the point there is called.
+  /// The number given to the point there.
   [[nodiscard]] int index(std::size_t place) const { return static_cast<int>(index_[place]); }
 
  private:
   Cells cells_;
   CellSort sort_;
   std::vector<double> x_, y_;  // m, by place, and kSparePoints more
-  std::vector<double> index_;  // likewise; numbers of 32 bits
+  std::vector<double> index_;  // by place, and kSparePoints more; numbers of 32 bits
 
-  // of build() and gather()
+  // for build() and gather()
   double radius_ = 0.0;  // m
   std::vector<std::uint32_t> keys_;
   std::vector<int> indices_;
