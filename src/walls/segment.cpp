@@ -4,8 +4,8 @@
 namespace avo::inline walls {
 namespace {
 
-// Each one's ends lie on different sides of the other one. Where rounding hides a side, an end is
-// as near to the other segment as that rounding.
+// Returns whether the ends of each lie on different sides of the other one. Where rounding hides a
+// side, an end is as near to the other segment as that rounding.
 bool cross_each_other(const Segment& first, const Segment& second) {
   const Vec2 d = first.b - first.a, e = second.b - second.a;
   const double from_a = cross(d, second.a - first.a), from_b = cross(d, second.b - first.a);

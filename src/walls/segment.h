@@ -25,7 +25,7 @@ inline Vec2 nearest_on(const Segment& segment, Vec2 p) {
   return segment.a + (along / length_squared) * d;
 }
 
-/// Of segments that cross, the point where they do, up to rounding.
+/// For segments that cross, both are the crossing point, up to rounding.
 NearestPoints nearest_points(const Segment& first, const Segment& second);
 
 /// m
@@ -34,8 +34,8 @@ inline double distance(Vec2 p, const Segment& segment) {
 }
 double distance(const Segment& first, const Segment& second);
 
-/// Whether the straight way from p to q leads from one side of the line to the other one, between
-/// its ends. A place on the line is on the same side of it for every way.
+/// Returns whether the segment from p to q crosses the line between its ends, from one side to the
+/// other. A place on the line is on the same side of it for every segment.
 inline bool leads_across(const Segment& line, Vec2 p, Vec2 q) {
   const Vec2 across = line.b - line.a, way = q - p;
   if ((cross(across, p - line.a) < 0.0) == (cross(across, q - line.a) < 0.0)) return false;

@@ -12,14 +12,14 @@ namespace {
 constexpr double kMostCells = 0x1p18;
 constexpr std::size_t kMostEntries = std::size_t{1} << 22, kMostEntriesEach = 64;
 constexpr double kCellsPerReach = 2.0;
-// Of a cell: what rounding may hide of where its border is.
+// Part of a cell: the error of its border that rounding may cause.
 constexpr double kCellRounding = 0x1p-20;
 
 struct Interval {
   double min, max;  // m
 };
 
-// x of the part of the wall's segment whose y lies within [low, high], and a little more.
+// x of the part of the wall's segment with y within [low, high], and a little more.
 Interval columns_between(const Wall& wall, double low, double high) {
   const double least = std::min(wall.a.x, wall.b.x), most = std::max(wall.a.x, wall.b.x);
   const double rise = wall.b.y - wall.a.y;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The walls near a place: cells of a uniform grid, each of which lists the walls that matter to
-// anybody within it. One look-up, no search.
+// robots within it. One look-up, no search.
 #pragma once
 #include <cstddef>
 #include <cstdint>
@@ -18,7 +18,7 @@ class WallGrid {
   /// All walls within their reach of the place, and more; by their index. Valid until the next
   /// build().
   [[nodiscard]] std::span<const Wall> near(Vec2 place) const;
-  /// The most that near() returns.
+  /// The largest number of walls that near() returns.
   [[nodiscard]] std::size_t most() const { return most_; }
 
  private:
