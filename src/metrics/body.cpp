@@ -11,10 +11,11 @@ namespace avo::inline metrics {
 
 namespace {
 
-// A cubic of so small a part of a step is off an arc by a 65536th of what that of the step is.
+// The cubic of such a small part of a step has a 65536th of the error of the cubic of the whole
+// step.
 constexpr int kParts = 16;
 
-// m: at least what the cubic of the whole step may be off the arc.
+// m: an upper bound of the distance of the cubic of the whole step from the arc.
 double off_arc(const Body& body) {
   return body.arc ? body.arc->path.length * std::abs(body.arc->path.turn) : 0.0;
 }
@@ -77,7 +78,7 @@ Body body_of(const FleetView& fleet, const BodyStep& step, BodyRow row) {
   } else {
     const double turn = wrapped(fleet.heading[i] - last.heading[j]);
     const double speed = norm(body.velocity), next_speed = norm(fleet.velocity[i]);
-    const bool in_place = speed == 0.0 && next_speed == 0.0;  // its disc leaves at rest
+    const bool in_place = speed == 0.0 && next_speed == 0.0;  // its disc starts at rest
     body.arc = {arc_path(body.position, next, turn), speed, in_place ? 1.0 : next_speed};
     body.path = hermite_path(*body.arc, step.duration);
   }

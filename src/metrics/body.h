@@ -19,14 +19,15 @@ struct Body {
   std::uint64_t name = 0;  // id of a robot, index of an obstacle
   double radius = 0.0;
   Vec2 position, velocity;
-  Vec2 w;             // v' - v, m/s
-  bool exact = true;  // the scene's Eqs. (8), (9) hold, not only their interpolation
+  Vec2 w;  // v' - v, m/s
+  // whether Eqs. (8), (9) of the scene hold exactly, not only their interpolation
+  bool exact = true;
   StepPath path;
   const RobotSetup* setup = nullptr;  // of a robot
-  std::optional<ArcMotion> arc = {};  // of one that turns, which `path` interpolates
+  std::optional<ArcMotion> arc = {};  // of a body that turns, which `path` interpolates
 };
 
-/// Between what was seen last and now.
+/// The step from the last observation to the present one.
 struct BodyStep {
   const LastSeen& last;
   double duration;  // s
@@ -34,17 +35,17 @@ struct BodyStep {
   Method method;    // of robots that have none of their own
 };
 
-/// Where a robot is in the columns of now and of what was seen last.
+/// The index of a robot in the present columns and in those of the last observation.
 struct BodyRow {
   std::size_t now, before;
 };
-/// The robots that were there before the step and are there after it.
+/// The robots that are present before and after the step.
 void collect_rows(const FleetView& fleet, const LastSeen& last, std::vector<BodyRow>& rows);
 Body body_of(const FleetView& fleet, const BodyStep& step, BodyRow row);
 void collect_robots(const FleetView& fleet, const BodyStep& step, std::span<const BodyRow> rows,
                     std::vector<Body>& robots);
 
-/// The way of a disc, which tells of most robots that they do not meet.
+/// The path of a disc; for most pairs of robots it shows that they do not meet.
 struct Sweep {
   StepPath path;        // of its center
   double radius = 0.0;  // m
@@ -55,10 +56,11 @@ Sweep sweep_of(const FleetView& fleet, const BodyStep& step, BodyRow row);
 void collect_obstacles(const ObstacleView& now, const BodyStep& step, std::vector<Body>& obstacles);
 
 /// Least distance of the centers over the step; exact for held accelerations and straight lines,
-/// and of arcs to 1e-8 m. A distance beyond the cutoff may be any that is beyond it as well.
+/// and for arcs to 1e-8 m. If the distance is beyond the cutoff, any distance beyond the cutoff may
+/// be returned.
 Separation separation_of(const Body& a, const Body& b, double step, double cutoff);
 
-/// Bounds how far the body goes in the step, m.
+/// An upper bound of the displacement of the body in the step, m.
 inline double way_of(const StepPath& path) {
   double squared = 0.0;
   for (std::size_t k = 0; k < 3; ++k)

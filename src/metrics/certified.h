@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Whether there is a certificate whose promises metrics look at.
+// Whether there is a certificate with promises for metrics to examine.
 #pragma once
 #include <algorithm>
 
@@ -7,7 +7,7 @@
 
 namespace avo::inline metrics {
 
-/// Whether some robot keeps one.
+/// Returns whether some robot keeps one.
 inline bool some_keep_certificate(const Scenario& scenario) {
   return std::any_of(scenario.robots.begin(), scenario.robots.end(), [&](const RobotSetup& robot) {
     return certificate_of(scenario, robot) != Certificate::none;

@@ -11,14 +11,14 @@
 
 namespace avo::inline metrics {
 
-/// What does not change of a robot.
+/// The constant data of a robot.
 struct ClearanceDisc {
   double radius = 0.0;  // m
   std::uint32_t layers = 0, avoids = 0;
   bool parked = false;
 };
 
-/// A square grid over all that are there, with about one cell a robot.
+/// A square grid over all present robots, with about one cell for each.
 struct FleetGrid {
   Vec2 corner;        // m, lower left
   double cell = 1.0;  // m
@@ -78,7 +78,7 @@ struct ClearanceFinder::State {
   void search_cell(std::size_t robot, std::int64_t column, std::int64_t row, double& least) const;
 };
 
-// Returns how many are there.
+// Returns the number of present robots.
 std::size_t ClearanceFinder::State::place(const FleetColumns& fleet) {
   std::size_t count = 0;
   for (std::size_t i = 0; i < centers.size(); ++i) {
@@ -104,7 +104,7 @@ void ClearanceFinder::State::sort_by_cell(std::size_t count) {
   for (std::size_t k = 1; k < first.size(); ++k) first[k] += first[k - 1];
   for (std::size_t i = centers.size(); i-- > 0;)
     if (!std::isnan(centers[i].x)) by_cell[--first[cell_of[i] + 1]] = static_cast<std::uint32_t>(i);
-  // each entry is now where the cell before it begins
+  // each entry is now the begin of the cell before it
   std::rotate(first.begin(), first.begin() + 1, first.end());
   first.back() = static_cast<std::uint32_t>(count);
 }
@@ -143,7 +143,7 @@ double ClearanceFinder::State::clearance_of(std::size_t robot) const {
   const double radii = discs[robot].radius + largest_radius;
   const std::int64_t rings = std::max(grid.columns, grid.rows);
   for (std::int64_t ring = 0; ring < rings; ++ring) {
-    // nobody of this ring is nearer than that; cells are found by rounded numbers
+    // no robot of this ring is nearer than that; cells are found from rounded numbers
     const double nearest = static_cast<double>(ring - 1) * grid.cell * (1.0 - 1e-9);
     if (nearest - radii >= least) break;
     search_ring(robot, ring, least);

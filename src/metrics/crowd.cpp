@@ -9,11 +9,11 @@
 namespace avo::inline metrics {
 namespace {
 
-constexpr double kDanger = 0.2;  // m, between discs: nearer is danger
+constexpr double kDanger = 0.2;  // m, between discs: a smaller distance is danger
 
 }  // namespace
 
-// Of one robot: whom it is near to, and its cell.
+// Examines one robot: the robots near it, and its cell.
 void Crowd::look_around(const FleetView& fleet, std::size_t robot, double duration) {
   double nearest = kInfinity;  // m, between discs
   cell_.begin();
@@ -61,7 +61,7 @@ void Crowd::observe(const Simulation& simulation, const Trips& trips, double dur
     directions = directions + fleet.velocity[i] / speed;
     moving += 1.0;
   }
-  if (moving < 2.0) return;  // one alone is always in order
+  if (moving < 2.0) return;  // a single robot is always in order
   order_time_ += duration;
   order_ += norm(directions) / moving * duration;
 }

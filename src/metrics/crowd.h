@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What robots on their trips are among: danger, order and density (docs/metrics.md).
+// The surroundings of robots on their trips: danger, order and density (docs/metrics.md).
 #pragma once
 #include <vector>
 
@@ -10,10 +10,10 @@
 
 namespace avo::inline metrics {
 
-/// As robots stand at the ends of steps.
+/// From the states of robots at the ends of steps.
 class Crowd {
  public:
-  /// After a step of that duration, s.
+  /// Call it after a step of that duration, s.
   void observe(const Simulation& simulation, const Trips& trips, double duration);
   void describe(RunMetrics& metrics) const;
 
@@ -25,7 +25,7 @@ class Crowd {
   double order_time_ = 0.0, order_ = 0.0;                  // s
   double density_ = 0.0, densest_ = 0.0;                   // s/m^2, 1/m^2
 
-  std::vector<Vec2> positions_;  // m, of the robots, and behind them of moving obstacles
+  std::vector<Vec2> positions_;  // m, of the robots, followed by those of moving obstacles
   std::vector<double> radii_;    // m
   UniformGrid grid_;
   SearchScratch scratch_;

@@ -12,9 +12,9 @@ namespace avo::inline metrics {
 namespace {
 
 constexpr double kSurely = 1.0 + 1e-9;  // of lengths
-constexpr double kAtRest = 1e-9;        // of max_speed: no faster is at rest
+constexpr double kAtRest = 1e-9;        // of max_speed: a slower robot is at rest
 
-// Which of two robots avoid the other. Parked ones cannot help standing where they do.
+// Which of two robots avoid the other. Parked robots cannot avoid others.
 enum class Avoidance : unsigned char { none, one_sided, mutual };
 Avoidance avoidance(const RobotSetup& a, const RobotSetup& b) {
   if (a.parked || b.parked) return a.parked && b.parked ? Avoidance::none : Avoidance::mutual;
@@ -32,8 +32,8 @@ double distance(const Body& a, const Body& b, double cutoff, const StepSpan& ste
   return closest_approach(obstacle, pair.velocity + (a.w - b.w)).distance;
 }
 
-// Whether the two are surely farther apart than that, m, all along: a curve lies in the hull of its
-// control points, see lower_bound().
+// Returns whether the two are surely farther apart than that, m, all the time: a curve lies in the
+// hull of its control points, see lower_bound().
 bool stay_apart(const StepPath& a, const StepPath& b, double distance) {
   const Vec2 towards = a.control[0] - b.control[0];
   double least = norm_squared(towards);
@@ -43,13 +43,13 @@ bool stay_apart(const StepPath& a, const StepPath& b, double distance) {
   return least > 0.0 && least * least > most;
 }
 
-// Whether that is how they move, and no interpolation of it.
+// Returns whether the paths are exact, and not interpolations.
 bool is_known(const Sweep& a, const Sweep& b, const StepSpan& step) {
   return !step.response && !a.turns && !b.turns;
 }
 
-// m: any pair bounds the smallest clearance, here the first robot that avoids somebody and its
-// nearest.
+// m: the clearance of any pair bounds the smallest one; this takes the first robot that avoids
+// another and its nearest such robot.
 std::optional<double> any_clearance(std::span<const Sweep> sweeps,
                                     const std::function<Body(std::size_t)>& body) {
   std::optional<double> nearest;
@@ -65,7 +65,7 @@ std::optional<double> any_clearance(std::span<const Sweep> sweeps,
   return nearest;
 }
 
-// How many different ones; orders them anew.
+// The number of distinct names; it reorders them.
 std::int64_t count_distinct(std::vector<std::uint64_t>& names) {
   std::sort(names.begin(), names.end());
   return std::unique(names.begin(), names.end()) - names.begin();
@@ -95,7 +95,7 @@ void Encounters::meet(const Body& a, const Body& b, const StepSpan& step) {
   }
   overlap_depth = std::max(overlap_depth, (contact - d) / contact);
   const Separation closest = separation_of(a, b, step.duration, overlaps);
-  const bool turns = a.arc || b.arc;  // some time at which they overlap will do
+  const bool turns = a.arc || b.arc;  // any time at which they overlap suffices
   const double fraction =
       turns ? closest.fraction : first_below(a.path, b.path, overlaps, closest.fraction);
   const double time = step.begin + fraction * step.duration;
@@ -121,8 +121,8 @@ void Encounters::append_company(std::size_t robot, double reach) {
   }
 }
 
-// Farther than this step needs, for some of the next ones. Where robots are crowded, or one goes
-// far, nobody is listed for a while.
+// Lists robots farther away than this step needs, for some of the next steps. Where robots are
+// crowded, or one moves far, none are listed for a while.
 void Encounters::list_company(std::uint64_t roster, double need, double farthest) {
   constexpr double kSteps = 8.0;           // of both robots together
   constexpr std::size_t kMostListed = 32;  // a robot
@@ -145,7 +145,8 @@ void Encounters::list_company(std::uint64_t roster, double need, double farthest
   company_.roster = roster;
 }
 
-// Those who can come nearer than the smallest clearance so far, or overlap, nearest first.
+// Meets the robots that can come nearer than the smallest clearance so far, or overlap, nearest
+// first.
 void Encounters::meet_company(std::span<const Sweep> sweeps, std::size_t robot, double need,
                               std::span<const std::uint32_t> others,
                               const std::function<Body(std::size_t)>& body, const StepSpan& step) {
@@ -169,7 +170,8 @@ void Encounters::meet_company(std::span<const Sweep> sweeps, std::size_t robot, 
   }
 }
 
-// Whether the two neither touch nor come nearer than any have, by the distance that meet() finds.
+// Returns whether the two neither touch nor come nearer than any pair before, by the distance that
+// meet() finds.
 bool Encounters::changes_nothing(const Sweep& a, const Sweep& b) const {
   if (!min_clearance) return false;
   const double contact = a.radius + b.radius;
@@ -193,7 +195,7 @@ void Encounters::observe(std::span<const Sweep> sweeps,
   touched_by_movers.clear();
   new_hits.clear();
   colliding_.clear();
-  double largest = 0.0, farthest = 0.0;  // radius and way of a step, m
+  double largest = 0.0, farthest = 0.0;  // radius and displacement of a step, m
   for (const Sweep& sweep : sweeps) {
     largest = std::max(largest, sweep.radius);
     farthest = std::max(farthest, way_of(sweep.path));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Who overlapped whom within steps, and how near robots came to each other.
+// Which robots overlapped within steps, and how near robots came to each other.
 #pragma once
 #include <cstdint>
 #include <functional>
@@ -15,12 +15,12 @@
 
 namespace avo::inline metrics {
 
-/// The step that is observed.
+/// The observed step.
 struct StepSpan {
   double begin = 0.0;                     // s
   double duration = 0.0;                  // s
   bool moves = false;                     // false before the first step
-  std::optional<Response> response = {};  // of robots that move by Eqs. (8), (9)
+  std::optional<Response> response = {};  // for robots that move by Eqs. (8), (9)
 };
 
 /// Pairs by their names; distinct ones over the run.
@@ -28,27 +28,27 @@ struct Encounters {
   using Pairs = std::set<std::pair<std::uint64_t, std::uint64_t>>;
   Pairs collided = {}, one_sided = {}, with_obstacle = {}, with_obstacle_in_motion = {};
   std::optional<double> min_clearance = {};         // m, of robots that avoid each other
-  std::optional<double> first_collision_time = {};  // s, of them
+  std::optional<double> first_collision_time = {};  // s, of such robots
   double overlap_depth = 0.0;                       // the deepest, as a part of r_A + r_B
   std::int64_t collision_robot_steps = 0;
-  /// Robots that overlapped in this step whom they avoid.
+  /// Robots that overlapped in this step with a robot that they avoid.
   std::vector<std::uint64_t> overlapping = {};
-  /// Those that a moving obstacle touched, in motion or at rest.
+  /// Robots that a moving obstacle touched, in motion or at rest.
   std::vector<std::uint64_t> touched_by_movers = {};
   /// Pairs of a robot and a moving obstacle that had never touched before this step.
   std::vector<std::pair<std::uint64_t, std::uint64_t>> new_hits = {};
 
-  /// body: of a row's robot; sweeps: of all rows.
+  /// body: the body of a row's robot; sweeps: of all rows.
   void observe(std::span<const Sweep> sweeps, const std::function<Body(std::size_t)>& body,
                std::uint64_t roster, const std::vector<Body>& obstacles, const StepSpan& step);
 
  private:
-  /// Whom each robot may meet in this step and some of the next ones.
+  /// The robots that each robot may meet in this step and some of the next ones.
   struct Company {
-    std::uint64_t roster = 0;          // of whose robots; 0: nobody's
-    double reach = 0.0;                // m, of centers; it shrinks by what they move
-    int pause = 0;                     // steps, in which nobody is listed
-    std::vector<std::size_t> first;    // of each robot, in `other`
+    std::uint64_t roster = 0;          // of the robots in it; 0: none
+    double reach = 0.0;                // m, of centers; it shrinks by their displacements
+    int pause = 0;                     // steps, in which no robots are listed
+    std::vector<std::size_t> first;    // of each robot, index into `other`
     std::vector<std::uint32_t> other;  // later rows
   };
 
@@ -66,7 +66,7 @@ struct Encounters {
   std::vector<std::uint64_t> colliding_;  // robots of pairs that overlap in this step
   std::vector<Vec2> positions_;
   Company company_;
-  double farthest_ = 0.0;  // m, the longest way of a robot in the step before
+  double farthest_ = 0.0;  // m, the longest displacement of a robot in the step before
   std::vector<std::uint32_t> places_;
   std::vector<std::pair<double, std::uint32_t>> near_;  // m², and row
   SearchScratch scratch_;

@@ -23,7 +23,7 @@ void FirstSights::observe(const Simulation& simulation) {
   for (std::size_t i = 0; i < fleet.id.size(); ++i) {
     const auto self = static_cast<std::int64_t>(fleet.id[i].value);
     const auto before = in_sight_.find(self);
-    if (simulation.next_decision(i) != simulation.time()) {  // it looks when it decides
+    if (simulation.next_decision(i) != simulation.time()) {  // a robot senses when it decides
       if (before != in_sight_.end()) in_sight.insert(*before);
       continue;
     }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Who comes into sight too late to be braked for.
+// Robots that come into sight too late for braking.
 #pragma once
 #include <cstdint>
 #include <map>
@@ -12,12 +12,12 @@
 
 namespace avo::inline metrics {
 
-/// Pairs of which one comes into the other's sight after the start, and is not safe then
+/// Pairs in which one robot comes into the other's sight after the start, and is not safe then
 /// (Planner::state() of these two alone).
 class FirstSights {
  public:
-  /// Of scenes with a certificate. Where everybody is seen from far enough away at all times, none
-  /// can be too late and nothing is looked at.
+  /// For scenes with a certificate. If all robots are seen from far enough away at all times, none
+  /// can be too late and nothing is examined.
   explicit FirstSights(const Scenario& scenario);
 
   void observe(const Simulation& simulation);
@@ -29,7 +29,7 @@ class FirstSights {
   using Names = std::set<std::int64_t>;
 
   bool certified_ = false, may_be_late_ = false;
-  std::map<std::int64_t, Names> in_sight_;  // by the robot that looks
+  std::map<std::int64_t, Names> in_sight_;  // by the robot that senses
   std::set<std::pair<std::int64_t, std::int64_t>> late_;
   PlanWorkspace workspace_;
 };

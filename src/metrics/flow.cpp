@@ -10,8 +10,8 @@
 namespace avo::inline metrics {
 namespace {
 
-// Where a straight step crosses the line, as a part of the step. A center that is on the line is
-// beyond it: none counts twice.
+// The point where a straight step crosses the line, as a fraction of the step. A center on the line
+// counts as beyond it: no crossing counts twice.
 std::optional<double> crossing(const MeasuringLine& line, Vec2 from, Vec2 to) {
   const Vec2 along = line.b - line.a;
   const double before = cross(along, from - line.a), after = cross(along, to - line.a);

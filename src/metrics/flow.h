@@ -11,13 +11,13 @@
 
 namespace avo::inline metrics {
 
-/// Each robot counts once, whichever way it goes: where the center of its disc first crosses.
+/// Each robot counts once, in either direction: where the center of its disc first crosses.
 class Flow {
  public:
   /// Throws Error where the ends are not two points.
   explicit Flow(const MeasuringLine& line);
 
-  /// Robots over a step that begins at that time, s.
+  /// Observes robots over a step that begins at that time, s.
   void observe(std::span<const Body> robots, double begin, double duration);
   void describe(RunMetrics& metrics) const;
 

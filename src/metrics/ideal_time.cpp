@@ -10,7 +10,7 @@
 namespace avo::inline metrics {
 namespace {
 
-// A part of the way at one acceleration.
+// A part of the route at one acceleration.
 struct Phase {
   double length;        // m
   double speed;         // m/s, at its start
@@ -23,8 +23,8 @@ double time_of(const Phase& phase, double length) {
   return 2.0 * length / (phase.speed + std::sqrt(std::max(end_squared, 0.0)));
 }
 
-// From a speed >= 0: up or down to the peak, on at it, and down to rest. A robot that is too fast
-// to stop at the goal brakes all along.
+// The phases from a speed >= 0: up or down to the peak, on at it, and down to rest. A robot that is
+// too fast to stop at the goal brakes all the time.
 std::array<Phase, 3> phases_of(const IdealTrip& trip, double speed, double way) {
   const double a = trip.acceleration, top = trip.top_speed;
   const double stopping = trip.stops ? speed * speed / (2.0 * a) : 0.0;
@@ -44,7 +44,7 @@ double ideal_time(const IdealTrip& trip) {
   if (trip.way <= trip.margin) return 0.0;
   if (!(trip.way < kInfinity)) return kInfinity;
   double speed = trip.speed, way = trip.way, time = 0.0;
-  if (speed < 0.0) {  // it has to turn round first
+  if (speed < 0.0) {  // the robot must turn round first
     time = -speed / trip.acceleration;
     way += 0.5 * time * -speed;
     speed = 0.0;

@@ -1,22 +1,22 @@
 // SPDX-License-Identifier: Apache-2.0
-// How long a robot would take if it were alone (docs/metrics.md, "Ideal time").
+// The duration of a robot's trip if it were alone (docs/metrics.md, "Ideal time").
 #pragma once
 
 namespace avo::inline metrics {
 
-/// A way from a start to a goal, and what drives along it.
+/// A route from a start to a goal, and the robot on it.
 struct IdealTrip {
   double way = 0.0;           // m, >= 0, to the goal; may be infinite
-  double margin = 0.0;        // m, >= 0: it has arrived so far before the goal
-  double speed = 0.0;         // m/s, along the way at the start; negative: away from it
-  double top_speed = 0.0;     // m/s, >= 0, that it strives for
+  double margin = 0.0;        // m, >= 0: it has arrived at this distance before the goal
+  double speed = 0.0;         // m/s, along the route at the start; negative: away from it
+  double top_speed = 0.0;     // m/s, >= 0, that it aims for
   double acceleration = 0.0;  // m/s^2, > 0
-  bool stops = true;          // at the goal; else it passes
+  bool stops = true;          // at the goal; if false, it passes
 };
 
 /// s, of the trapezoidal profile: to the top speed at full acceleration, on at it, and with full
-/// braking so that it comes to rest at the goal; up to where it has arrived. Infinite where the way
-/// or nothing of the speed is.
+/// braking so that it comes to rest at the goal. The time ends where it has arrived. It is infinite
+/// if the route is infinite or the speed is 0.
 double ideal_time(const IdealTrip& trip);
 
 }  // namespace avo::inline metrics

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a run did, measured from the states before and after each step.
+// Results of a run, measured from the states before and after each step.
 #include "avo/metrics.h"
 
 #include <algorithm>
@@ -20,8 +20,8 @@
 namespace avo {
 namespace {
 
-constexpr std::size_t kMostListed = 100;  // of those that have not arrived
-constexpr double kRounding = 1e-12;       // of a limit: less excess than that is rounding
+constexpr std::size_t kMostListed = 100;  // robots that have not arrived
+constexpr double kRounding = 1e-12;       // of a limit: a smaller excess is rounding
 
 // In the order of PlanStatus.
 constexpr std::array kCounts{&Decisions::optimal,     &Decisions::least_unsafe,
@@ -70,27 +70,27 @@ struct Metrics::State {
   }
 
   Scenario settings;
-  std::optional<Response> response;  // of robots that move by Eqs. (8), (9)
+  std::optional<Response> response;  // for robots that move by Eqs. (8), (9)
   RunSummary summary;
   Trips trips;
   std::vector<double> step_milliseconds;
-  std::vector<double> distances_left;  // m, of those whose goals are unreachable, in their order
+  std::vector<double> distances_left;  // m, of robots with unreachable goals, in their order
   FirstSights first_sights;
   MoverSights mover_sights;
 
   bool started = false;
   double last_time = 0.0, duration = 0.0;  // s, of the last step
-  std::uint64_t roster = 0;                // whose setups these are; 0: none
-  std::vector<RobotSetup> setups;          // which stay, but for states and goals
+  std::uint64_t roster = 0;                // of the setups below; 0: none
+  std::vector<RobotSetup> setups;          // they stay, except states and goals
   LastSeen last;
 
-  std::vector<BodyRow> rows;  // of the robots that were there before and are there now
-  std::vector<Sweep> sweeps;  // theirs
-  std::vector<Body> robots;   // likewise, where walls or a line are looked at
+  std::vector<BodyRow> rows;  // of the robots that were present before and are present now
+  std::vector<Sweep> sweeps;  // of these robots
+  std::vector<Body> robots;   // of these robots, where walls or a line are examined
   std::vector<Body> obstacles;
   Encounters encounters;
   WallContacts walls;
-  std::vector<ObstacleId> static_ids;  // whose walls these are
+  std::vector<ObstacleId> static_ids;  // of the obstacles that the walls belong to
   std::optional<Crowd> crowd;
   std::optional<Flow> flow;
 
@@ -119,7 +119,7 @@ void Metrics::State::remember(const Simulation& simulation, const FleetView& fle
   last.look_at(simulation, fleet);
 }
 
-// Those that the step was taken among.
+// Collects the walls of the step.
 void Metrics::State::collect_walls(const Simulation& simulation) {
   const StaticObstacleView now = simulation.static_obstacles();
   if (std::equal(now.id.begin(), now.id.end(), static_ids.begin(), static_ids.end())) return;
@@ -144,7 +144,7 @@ void Metrics::State::observe_limits(const Simulation& simulation, const FleetVie
   }
 }
 
-// Everything that happened on the way from what was seen last.
+// Observes everything that happened since the last observation.
 void Metrics::State::observe_step(const Simulation& simulation, const FleetView& fleet) {
   const BodyStep step{last, duration, started, settings.method};
   collect_rows(fleet, last, rows);

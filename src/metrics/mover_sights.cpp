@@ -12,8 +12,8 @@ MoverSights::MoverSights(const Scenario& scenario)
     : certified_(some_keep_certificate(scenario)),
       has_movers_(!scenario.moving_obstacles.empty()) {}
 
-// Nobody is asked what it senses but one who has somebody else in reach than before: most steps
-// cost distances alone.
+// Only a robot with a new obstacle in reach is asked what it senses: most steps cost distances
+// alone.
 void MoverSights::observe(const Simulation& simulation) {
   if (!certified_ || !has_movers_) return;
   const FleetView fleet = simulation.fleet();
@@ -21,7 +21,8 @@ void MoverSights::observe(const Simulation& simulation) {
   const double reach = simulation.sensing_radius();
   for (std::size_t i = 0; i < fleet.id.size(); ++i) {
     if (fleet.setup[i].parked) continue;
-    if (simulation.next_decision(i) != simulation.time()) continue;  // it looks when it decides
+    // a robot senses when it decides
+    if (simulation.next_decision(i) != simulation.time()) continue;
     std::map<std::uint64_t, bool>& sights = sights_[fleet.id[i].value];
     near_.clear();
     for (std::size_t k = 0; k < movers.position.size(); ++k) {

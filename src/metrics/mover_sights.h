@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which robots had a way out when they came to sense a moving obstacle.
+// Which robots had a way out when they first sensed a moving obstacle.
 #pragma once
 #include <cstdint>
 #include <map>
@@ -13,16 +13,17 @@
 
 namespace avo::inline metrics {
 
-/// Of each robot, the moving obstacles that it senses, and whether it had a way out from all that
-/// it sensed when each of them came into its sight, the last time (docs/metrics.md).
+/// The moving obstacles that each robot senses. For each obstacle it stores whether the robot had a
+/// way out from everything that it sensed when the obstacle last came into its sight
+/// (docs/metrics.md).
 class MoverSights {
  public:
-  /// Of scenes with a certificate and moving obstacles; of others nothing is looked at.
+  /// For scenes with a certificate and moving obstacles; in others nothing is examined.
   explicit MoverSights(const Scenario& scenario);
 
-  /// What robots sense now that decide now.
+  /// Observes what the robots that decide now sense now.
   void observe(const Simulation& simulation);
-  /// Robots (RobotId) and moving obstacles (index) that first touched in the step before.
+  /// Takes robots (RobotId) and moving obstacles (index) that first touched in the step before.
   void take_hits(std::span<const std::pair<std::uint64_t, std::uint64_t>> hits);
   /// Hits of robots that had a way out; none without a certificate.
   [[nodiscard]] std::optional<std::int64_t> evadable() const;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Robots that have not arrived, as they stand at the end of a run.
+// Robots that have not arrived, in their states at the end of a run.
 #include "metrics/not_arrived.h"
 
 #include <algorithm>
@@ -9,9 +9,9 @@
 namespace avo::inline metrics {
 namespace {
 
-constexpr double kStands = 0.05;      // of the preferred speed: slower is no motion
-constexpr double kTouching = 0.15;    // of the sum of radii: nearer than that, it holds
-constexpr std::size_t kMostHeld = 5;  // named of those that hold one
+constexpr double kStands = 0.05;      // of the preferred speed: a slower robot is not in motion
+constexpr double kTouching = 0.15;    // of the sum of radii: a nearer body holds the robot
+constexpr std::size_t kMostHeld = 5;  // number of bodies named that hold a robot
 
 }  // namespace
 
@@ -47,7 +47,7 @@ NotArrived LastSeen::describe(std::size_t robot, std::span<const RobotSetup> set
                     .held_by = {},
                     .passage = {},
                     .distance_left = 0.0};
-  std::vector<std::pair<double, std::int64_t>> near;  // m beyond contact, and who
+  std::vector<std::pair<double, std::int64_t>> near;  // m beyond contact, and the name
   const auto consider = [&](Vec2 other, double other_radius, std::int64_t name) {
     const double contact = self.radius + other_radius;
     const double beyond = norm(other - position[robot]) - contact;

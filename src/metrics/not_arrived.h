@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Who has not arrived, and who is in the way.
+// The robots that have not arrived, and the robots that block them.
 #pragma once
 #include <cstddef>
 #include <span>
@@ -13,11 +13,11 @@ namespace avo::inline metrics {
 struct LastSeen {
   std::vector<RobotId> id;
   std::vector<Vec2> position, velocity, goal;
-  std::vector<double> heading;  // rad, of those that have one
+  std::vector<double> heading;  // rad, of robots that have one
   std::vector<PlanStatus> status;
   std::vector<double> detour;          // rad
-  std::vector<Simulation::Wait> wait;  // of those at rest that wait
-  std::vector<std::size_t> waiting;    // which these are, ascending
+  std::vector<Simulation::Wait> wait;  // of robots at rest that wait
+  std::vector<std::size_t> waiting;    // indices of these robots, ascending
   struct Obstacle {
     Vec2 position, velocity;
     double radius;
@@ -25,7 +25,7 @@ struct LastSeen {
   std::vector<Obstacle> obstacles;
 
   void look_at(const Simulation& simulation, const FleetView& fleet);
-  /// setups: of those who were seen.
+  /// setups: of the robots last seen.
   [[nodiscard]] NotArrived describe(std::size_t robot, std::span<const RobotSetup> setups) const;
 };
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Distances in continuous time over one step: paths are halved until the hulls of their parts tell.
+// Distances in continuous time over one step: paths are halved until the hulls of their parts
+// suffice.
 #include "metrics/separation.h"
 
 #include <algorithm>
@@ -13,7 +14,7 @@ namespace avo::inline metrics {
 namespace {
 
 // A piece of a path, in the hull of these points from its start to its end, and the fractions of
-// the step that it spans.
+// the step that it covers.
 struct Piece {
   std::array<Vec2, 4> b;
   double from, to;
@@ -44,7 +45,7 @@ Piece piece_of(const ResponsePath& path, double from, double to) {
   return {{first, first + (end - start) * velocity, last, last}, from, to};
 }
 
-// The chord of an arc that turns by twice that, by the arc's length: sin x/x.
+// The chord of an arc that turns by twice that angle, divided by the arc's length: sin x/x.
 double chord_of_arc(double half_turn) {
   return std::abs(half_turn) < 1e-8 ? 1.0 : elementary::sin(half_turn) / half_turn;
 }
@@ -65,8 +66,8 @@ Piece piece_of(const ArcPath& path, double from, double to) {
   return {{first, apex, apex, last}, from, to};
 }
 
-// A curve lies in the hull of its control points, so in any direction none of it is nearer to the
-// origin than they are; the direction of its middle makes the bound sharp to second order.
+// A curve lies in the hull of its control points, so in any direction no point of it is nearer to
+// the origin than they are. The direction of its middle makes the bound sharp to second order.
 double lower_bound(const Piece& piece) {
   const Vec2 towards = piece.b[0] + piece.b[3];
   const double length = norm(towards);
@@ -76,9 +77,10 @@ double lower_bound(const Piece& piece) {
   return least / length;
 }
 
-// Of two bounds the better one. All the piece is as near to its chord as the points of its hull
-// are. In the direction from the segment to the chord, no point of the piece is nearer than theirs:
-// exact for a motion along the segment; but of two that nearly touch, rounding hides the direction.
+// The better one of two bounds. The whole piece is as near to its chord as the points of its hull
+// are. In the direction from the segment to the chord, no point of the piece is nearer than theirs.
+// This is exact for a motion along the segment; but for two that nearly touch, rounding hides the
+// direction.
 double lower_bound(const Piece& piece, const Segment& segment) {
   const Segment chord{piece.b[0], piece.b[3]};
   const auto [on_chord, foot, apart] = nearest_points(chord, segment);
@@ -97,8 +99,9 @@ double lower_bound(const Piece& piece, const Segment& segment) {
   return std::max(least - most, apart - off);
 }
 
-// Whether its hull ends at the line through that end across the way to it from the origin, so that
-// no point of the piece is nearer: so it is of most pairs, who close in on each other or part.
+// Returns whether its hull ends at the line through that end perpendicular to the direction from
+// the origin, so that no point of the piece is nearer. This holds for most pairs, which approach
+// each other or part.
 bool is_nearest(const Piece& piece, Vec2 end) {
   const double square = norm_squared(end);
   return dot(end, piece.b[0]) >= square && dot(end, piece.b[1]) >= square &&
@@ -111,8 +114,8 @@ double size_of(const Piece& piece, Vec2 origin) {
   return size;
 }
 
-// Least distance(point) of the path, to `resolution`; bound(piece) is not above that of any of its
-// points.
+// Least distance(point) of the path, to `resolution`; bound(piece) must not exceed the distance of
+// any of its points.
 template <typename Halves, typename Distance, typename Bound>
 Separation least(const Piece& whole, const Halves& halve, const Distance& distance,
                  const Bound& bound, double cutoff, double resolution) {
@@ -187,7 +190,7 @@ StepPath hermite_path(const ArcMotion& arc, double time_step) {
   const auto& [path, speed, next_speed] = arc;
   const double half_turn = 0.5 * path.turn, chord = path.length * chord_of_arc(half_turn);
   const Vec2 next = path.position + chord * elementary::direction(path.heading + half_turn);
-  // in proportion to the robot's speed all along
+  // in proportion to the robot's speed all the time
   const double lever = path.length / (0.5 * (speed + next_speed) * time_step);
   return hermite_path(path.position, lever * speed * elementary::direction(path.heading), next,
                       lever * next_speed * elementary::direction(path.heading + path.turn),
@@ -210,7 +213,7 @@ ArcMotion part_of(const ArcMotion& arc, double from, double to) {
   const double speed = arc.speed, next_speed = arc.next_speed;
   const ArcPath& path = arc.path;
   const auto speed_at = [&](double u) { return speed + u * (next_speed - speed); };
-  const auto covered_at = [&](double u) {  // of the way
+  const auto covered_at = [&](double u) {  // part of the path
     return u * (speed + speed_at(u)) / (speed + next_speed);
   };
   const double first = covered_at(from), part = covered_at(to) - first;

@@ -9,8 +9,9 @@
 
 namespace avo::inline metrics {
 
-/// A path over one step as a cubic Bézier curve, m. Exact for held accelerations and for straight
-/// lines; Hermite interpolation of both ends' positions and velocities for anything else.
+/// A path over one step as a cubic Bézier curve, m. It is exact for held accelerations and for
+/// straight lines. For anything else it is the Hermite interpolation of both ends' positions and
+/// velocities.
 struct StepPath {
   std::array<Vec2, 4> control;
 };
@@ -32,16 +33,17 @@ struct ArcPath {
   double length;         // m
 };
 
-/// How a disc moves along it, by a robot that has those speeds along its heading and changes its
-/// speed evenly; m/s, not both 0. Only their ratio matters.
+/// The motion of a disc along the arc, for a robot with those speeds along its heading that changes
+/// its speed evenly; m/s, not both 0. Only their ratio matters.
 struct ArcMotion {
   ArcPath path;
   double speed, next_speed;
 };
 
-/// That from one place to the next one, turning by less than half a turn.
+/// The arc from one place to the next one, turning by less than half a turn.
 ArcPath arc_path(Vec2 position, Vec2 next_position, double turn);
-/// As a cubic, of which a part of the step is off by the fourth power of that part.
+/// The arc as a cubic; its error in a part of the step is proportional to the fourth power of that
+/// part.
 StepPath hermite_path(const ArcMotion& arc, double time_step);
 
 /// The same motion within a part of the step, as a path of that part alone; 0 <= from < to <= 1.
@@ -53,11 +55,11 @@ struct Separation {
   double fraction = 0.0;  // of the step, where it is smallest
 };
 
-/// Smallest distance between the two bodies, to 1e-12 of the paths' size. Stops early, with a
+/// Smallest distance between the two bodies, to 1e-12 of the paths' size. It stops early, with a
 /// distance that is still an upper bound, once it is known to exceed `cutoff`.
 Separation separation(const StepPath& a, const StepPath& b, double cutoff);
 
-/// Smallest distance from the segment, likewise.
+/// Smallest distance from the segment, with the same precision and cutoff.
 double separation(const StepPath& path, const Segment& segment, double cutoff);
 double separation(const ResponsePath& path, const Segment& segment, double cutoff);
 double separation(const ArcPath& path, const Segment& segment, double cutoff);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the trips of a fleet tell together (docs/metrics.md).
+// The common results of the trips of a fleet (docs/metrics.md).
 #include <cmath>
 #include <vector>
 
@@ -9,7 +9,7 @@
 namespace avo::inline metrics {
 namespace {
 
-constexpr double kPatience = 3.0;  // ideal times: no later is a success
+constexpr double kPatience = 3.0;  // ideal times: a later arrival is no success
 
 // Sums up values and their number.
 struct Mean {

@@ -10,11 +10,12 @@
 namespace avo::inline metrics {
 namespace {
 
-constexpr double kProgress = 0.01;     // of the preferred speed, nearer than ever: less is none
-constexpr double kNoDirection = 0.01;  // of a_max: less has none
-constexpr double kStrong = 0.3;        // of a_max: no more may turn
+// of the preferred speed, nearer than ever before: less is no progress
+constexpr double kProgress = 0.01;
+constexpr double kNoDirection = 0.01;  // of a_max: a smaller acceleration has no direction
+constexpr double kStrong = 0.3;        // of a_max: a smaller acceleration cannot turn back
 
-// Begins it where the robot at that index of the fleet is.
+// Begins the trip at the place of the robot with that index into the fleet.
 void begin(Trip& trip, const Simulation& simulation, const FleetView& fleet, std::size_t i,
            double arrival_distance) {
   const RobotSetup& setup = fleet.setup[i];
@@ -39,14 +40,15 @@ void begin(Trip& trip, const Simulation& simulation, const FleetView& fleet, std
   trip.velocity = fleet.velocity[i];
 }
 
-// Whether two accelerations are both more than that, m/s^2, and more than 135 degrees apart.
+// Returns whether two accelerations are both more than that, m/s^2, and more than 135 degrees
+// apart.
 bool turns_back(Vec2 a, Vec2 b, double least) {
   const double along = dot(a, b), a_squared = norm_squared(a), b_squared = norm_squared(b);
   return along < 0.0 && 2.0 * along * along > a_squared * b_squared &&
          std::min(a_squared, b_squared) > least * least;
 }
 
-// The robot's own step in which it accelerates by a, as far as it moves before.
+// Adds the robot's own step in which it accelerates by a, if it moves before it.
 void add_step(Trip& trip, Vec2 a) {
   const double least = kMoves * trip.preferred_speed;  // m/s
   if (!(norm_squared(trip.velocity) > least * least)) return;

@@ -7,7 +7,7 @@
 
 namespace avo::inline metrics {
 
-/// m, of the regular dodecagon beyond whose corners no cell reaches.
+/// m, of the regular dodecagon that contains every cell.
 inline constexpr double kCellRadius = 2.0;
 
 /// A convex polygon about the point, which is its origin; reuse it and nothing is allocated once
@@ -16,8 +16,8 @@ struct VoronoiCell {
   std::vector<Vec2> corners = {};  // m, counter-clockwise
   std::vector<Vec2> scratch = {};
 
-  void begin();          ///< all of the dodecagon
-  void cut(Vec2 other);  ///< m, where another point is; one that is at the origin cuts nothing
+  void begin();          ///< sets the whole dodecagon
+  void cut(Vec2 other);  ///< m, position of another point; a point at the origin cuts nothing
   [[nodiscard]] double area() const;  ///< m^2
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Who touched a wall, and how near any robot came to one.
+// Which robots touched a wall, and how near any robot came to one.
 #include "metrics/wall_contacts.h"
 
 #include <algorithm>
@@ -18,7 +18,7 @@ void WallContacts::observe(std::span<const Body> robots, const std::optional<Res
   for (const Wall& wall : walls) {
     thickest = std::max(thickest, wall.radius);
     if (least_clearance) continue;
-    // any robot bounds the smallest clearance: the first one, where it is
+    // any robot bounds the smallest clearance: the first one, in its place
     const double apart = distance(robots[0].position, Segment{wall.a, wall.b});
     least = std::min(least, apart - robots[0].radius - wall.radius);
   }

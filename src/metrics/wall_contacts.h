@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Who touched a wall, and how near any robot came to one.
+// Which robots touched a wall, and how near any robot came to one.
 #pragma once
 #include <cstdint>
 #include <optional>
@@ -21,7 +21,8 @@ struct WallContacts {
   std::vector<std::uint64_t> touching = {};    // in this step
   std::optional<double> least_clearance = {};  // m
 
-  /// Robots over a step of time_step s; those that are exact respond so, where it is set.
+  /// Observes robots over a step of time_step s; exact robots move by the response, where it is
+  /// set.
   void observe(std::span<const Body> robots, const std::optional<Response>& response,
                double time_step);
 };

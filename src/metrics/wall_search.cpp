@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which walls are near a robot.
+// Finds the walls near a robot.
 #include "metrics/wall_search.h"
 
 #include <algorithm>
@@ -9,7 +9,7 @@
 namespace avo::inline metrics {
 namespace {
 
-constexpr double kMostPieces = 1e5;     // besides one a wall
+constexpr double kMostPieces = 1e5;     // in addition to one for each wall
 constexpr double kWallRounding = 1e-9;  // of a distance
 
 }  // namespace

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which walls are near a robot.
+// Finds the walls near a robot.
 #pragma once
 #include <cstddef>
 #include <span>
@@ -10,16 +10,16 @@
 
 namespace avo::inline metrics {
 
-/// Walls in pieces, whose middles stand in a grid: it fits the walls and the distance.
+/// Walls in pieces with their middles in a grid that fits the walls and the distance.
 class WallSearch {
  public:
   explicit WallSearch(std::vector<Wall> walls = {});
   [[nodiscard]] std::span<const Wall> walls() const { return walls_; }
 
-  /// For searches within that distance, m, >= 0. Costs time where it has changed much.
+  /// Prepares searches within that distance, m, >= 0. It costs time if the distance has changed
+  /// much.
   void prepare(double distance);
-  /// All walls whose middle line is within the distance that it is prepared for, by ascending
-  /// index, and others.
+  /// All walls with a middle line within the prepared distance, by ascending index, and others.
   std::span<const std::size_t> near(Vec2 position);
 
  private:
