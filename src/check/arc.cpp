@@ -13,12 +13,12 @@
 namespace avo::judge {
 namespace {
 
-// m, signed, of the first part of the step.
+// m, signed, length of the first part of the step.
 double length_by(const Arc& arc, double fraction) {
   return fraction * arc.duration * (arc.speed + 0.5 * fraction * (arc.next_speed - arc.speed));
 }
 
-// Of the turn by a fraction of the step, and how fast it grows there, 1/s.
+// The part of the turn by a fraction of the step, and its rate there, 1/s.
 struct TurnedPart {
   double part, rate;
 };
@@ -51,7 +51,7 @@ double top_speed(const Arc& arc) {
   return std::max(std::abs(arc.speed), std::abs(arc.next_speed));
 }
 
-// s² |κ|, of which s/way is at most 2 over the duration: it stays finite
+// s² |κ|; s/length is at most 2 over the duration: it stays finite
 double lateral_acceleration(const Arc& arc) {
   const double top = top_speed(arc);
   return top > 0.0 ? top * std::abs(arc.turn) * (top / way_of(arc)) : 0.0;

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// What moves along its heading, from row to row: its curvature is held, and its change of speed.
+// A body that moves along its heading from row to row, with constant curvature and constant change
+// of speed.
 #pragma once
 #include "avo/check.h"
 
 namespace avo::judge {
 
-/// Where something is, and how it moves there.
+/// The place of a body, and its velocity there.
 struct Knot {
   Vec2 position, velocity;  // m, m/s
 };
@@ -18,24 +19,24 @@ struct Arc {
   double duration = 0.0;                 // s
 };
 
-/// Both rows have a heading.
+/// Both rows must have a heading.
 Arc arc_of(const CheckedState& before, const CheckedState& now, double duration);
 
-/// Drives backwards at one end and forwards at the other: no arc.
+/// Returns whether it drives backwards at one end and forwards at the other: then there is no arc.
 inline bool changes_direction(const Arc& arc) {
   return arc.speed * arc.next_speed < 0.0;
 }
-/// m, the length of the way.
+/// m, the length of the path.
 double way_of(const Arc& arc);
-/// m/s, the higher one.
+/// m/s, the higher speed.
 double top_speed(const Arc& arc);
-/// m/s^2: of what goes at the higher speed on the arc, across its heading; 0 at rest.
+/// m/s^2: across the heading, for a body with the higher speed on the arc; 0 at rest.
 double lateral_acceleration(const Arc& arc);
 
-/// What is `ahead` m ahead of the arc, at a fraction of the step. At rest the angle grows with the
-/// square of the time.
+/// The point `ahead` m ahead of the arc, at a fraction of the step. At rest the angle grows with
+/// the square of the time.
 Knot knot_on(const Arc& arc, double ahead, double fraction);
-/// m/s^4, at least the fourth derivative of that place.
+/// m/s^4, an upper bound of the fourth derivative of that place.
 double fourth_derivative(const Arc& arc, double ahead);
 
 }  // namespace avo::judge

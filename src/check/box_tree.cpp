@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Boxes that do not move, halved again and again at the median of their centers.
+// Boxes that do not move, halved repeatedly at the median of their centers.
 #include "check/box_tree.h"
 
 namespace avo::judge {

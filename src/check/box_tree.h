@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Boxes that do not move, halved again and again: which of them are near another box.
+// Boxes that do not move, halved repeatedly: it finds the boxes near another box.
 #pragma once
 #include <algorithm>
 #include <cstddef>
@@ -19,14 +19,14 @@ inline double gap(const Box& a, const Box& b) {
   return widest;
 }
 
-/// The nodes' boxes hold those of all their descendants.
+/// The nodes' boxes contain those of all their descendants.
 class BoxTree {
  public:
   BoxTree() = default;
   explicit BoxTree(std::vector<Box> boxes);
 
-  /// Calls meet(owner) for every box whose gap to `box` is less than reach(), those in nearer
-  /// halves first; reach may shrink between the calls.
+  /// Calls meet(owner) for every box with a gap to `box` less than reach(), boxes in nearer halves
+  /// first; reach may shrink between the calls.
   template <typename Reach, typename Meet>
   void visit(const Box& box, const Reach& reach, const Meet& meet) const {
     if (!nodes_.empty()) visit(0, box, reach, meet);
@@ -36,7 +36,7 @@ class BoxTree {
   struct Node {
     Box box;
     std::size_t first = 0, last = 0;  // of boxes_
-    std::size_t second_child = 0;     // the first one is the next node; 0: a leaf
+    std::size_t second_child = 0;     // the first child is the next node; 0: a leaf
   };
 
   void build(std::size_t first, std::size_t last);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A judge of recorded motion: takes one time after the other and keeps what broke which rule.
+// A judge of recorded motion: takes one time after the other and counts broken rules.
 #include "avo/check.h"
 
 #include <algorithm>
@@ -32,7 +32,7 @@ using judge::note;
 
 constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
 
-// The last that was seen of a robot.
+// The last observation of a robot.
 struct Seen {
   CheckedState row;
   std::int64_t at = -1;  // number of the time, -1: never
@@ -45,10 +45,10 @@ struct Seen {
 struct Check::State {
   std::vector<CheckedRobot> robots;
   std::vector<CheckedObstacle> obstacles;
-  // of each obstacle: where it was at the last time, and is at the next one, if it is placed there
+  // of each obstacle: its place at the last time, and at the next one, if it is placed there
   std::vector<std::optional<judge::Place>> placed_before, placed;
   CheckOptions options;
-  CheckReport report;  // as far as it is not derived from the rest
+  CheckReport report;  // the part that is not derived from other data
   std::vector<Seen> seen;
   std::int64_t times = 0;
   double last_time = 0.0, last_arrival = 0.0;
@@ -92,8 +92,8 @@ void Check::State::require_sound(double time, std::span<const CheckedState> rows
 }
 
 // |Δv| and |Δp - Δt (v_0 + v_1)/2| against what a_max and braking allow in this step. The numbers
-// of a row are rounded: that much is granted besides the tolerance. Over skipped rows the way may
-// have turned: any change may have been braking.
+// of a row are rounded: their rounding is granted in addition to the tolerance. Over skipped rows
+// the velocity may have turned: any change may have been braking.
 void Check::State::judge_limits(const CheckedRobot& robot, const CheckedState& before,
                                 const CheckedState& now, double time) {
   const Vec2 change = now.velocity - before.velocity, sum = before.velocity + now.velocity;
@@ -144,7 +144,7 @@ void Check::State::judge_changes(const CheckedRobot& robot, const CheckedState& 
   note(report.changes, {last_time, now.robot, {}, *amount});
 }
 
-// Within the step, which it may begin and end elsewhere.
+// Returns whether it passes the goal within the step; it may begin and end elsewhere.
 bool Check::State::passes(const Mover& mover, Vec2 goal) const {
   if (mover.newcomer) return false;
   const double limit = options.arrival_distance * (1.0 + options.relative_tolerance) + mover.error;
@@ -285,7 +285,7 @@ void Check::add(double time, std::span<const CheckedState> rows) {
   state.placed_before = state.placed;
 }
 
-// By robot, of the discs of those at rest at the last time.
+// By robot, of the discs of robots at rest at the last time.
 std::vector<std::optional<Vec2>> Check::State::places_at_rest() const {
   std::vector<std::optional<Vec2>> places(robots.size());
   for (std::size_t k = 0; k < robots.size(); ++k) {
@@ -305,7 +305,7 @@ CheckReport Check::report() const {
     if (other.at >= 0) ++report.robots;
     if (!state.robots[i].goal) continue;
     ++report.with_goal;
-    // of its disc, as it is turned
+    // of its disc, with its present heading
     const Vec2 goal =
         *state.robots[i].goal + (at_rest[i].value_or(other.row.position) - other.row.position);
     const bool rests = !other.at_goal && judge::rests_at_crowd(i, goal, state.robots, at_rest);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// How a broken rule is counted.
+// Counts broken rules.
 #pragma once
 #include <algorithm>
 #include <tuple>
@@ -8,7 +8,7 @@
 
 namespace avo::judge {
 
-/// Keeps the earliest, then the lowest: whatever the order in which those of a step are met.
+/// Keeps the earliest violation, then that of the lowest robot, for any order within a step.
 inline void note(CheckCount& rule, const CheckViolation& violation) {
   rule.worst = std::max(rule.worst, violation.amount);
   const auto place = [](const CheckViolation& v) {
@@ -17,7 +17,7 @@ inline void note(CheckCount& rule, const CheckViolation& violation) {
   if (!rule.first || place(violation) < place(*rule.first)) rule.first = violation;
 }
 
-/// Once more.
+/// Adds one to the count.
 inline void count(CheckCount& rule, const CheckViolation& violation) {
   ++rule.count;
   note(rule, violation);

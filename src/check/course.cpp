@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The way of a disc with a heading over one step, as cubics through places on it.
+// The path of a disc with a heading over one step, as cubics through points on it.
 #include "check/course.h"
 
 #include <cstddef>
@@ -13,8 +13,8 @@ namespace {
 constexpr double kFineEnough = 1e-10;  // m
 constexpr std::size_t kMostParts = TowedAxle::kParts;
 
-// As many parts as the cubics need, and what they may still err by: a cubic through positions and
-// velocities errs by Δt⁴ |p''''|/384 at most.
+// The number of parts that the cubics need, and their remaining error: a cubic through positions
+// and velocities has an error of Δt⁴ |p''''|/384 at most.
 struct Division {
   std::size_t parts = 1;
   double error = 0.0;  // m
@@ -27,7 +27,7 @@ Division division_of(double fourth, double duration) {
   return division;
 }
 
-// Its end is where the row says: what is missing it drifts.
+// Its end is the place in the row: the difference is added as a drift.
 template <typename KnotAt>
 Course course_through(const Division& division, Vec2 end, double duration, const KnotAt& knot_at) {
   const Vec2 missing = end - knot_at(division.parts).position;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The way of a disc with a heading over one step, as cubics through places on it.
+// The path of a disc with a heading over one step, as cubics through points on it.
 #pragma once
 #include <optional>
 #include <vector>
@@ -16,18 +16,17 @@ struct Course {
 
 /// m, of the disc's center; the heading is that of the row.
 double ahead_of(const CheckedKinematics& kinematics);
-/// Where the disc is in a row.
+/// The place of the disc in a row.
 Vec2 center_of(const CheckedRobot& robot, const CheckedState& row);
-/// Whether rows have to have headings.
+/// Returns whether rows must have headings.
 bool needs_heading(const CheckedKinematics& kinematics);
-/// Whether it is judged by its headings over this step.
+/// Returns whether it is judged by its headings over this step.
 inline bool has_heading(const CheckedRobot& robot, const CheckedState& before,
                         const CheckedState& now) {
   return !is_holonomic(robot.kinematics) && before.heading && now.heading;
 }
 
-/// None where it has no heading, or none that it could have from row to row: then the cubic is
-/// taken.
+/// None where it has no heading, or no possible motion from row to row: the cubic is used then.
 std::optional<Course> course_of(const CheckedRobot& robot, const CheckedState& before,
                                 const CheckedState& now, double duration);
 

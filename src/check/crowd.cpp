@@ -16,7 +16,8 @@ bool rests_at_crowd(std::size_t robot, Vec2 goal, std::span<const CheckedRobot> 
     return k != robot && places[k] && robots[k].goal &&
            norm(*robots[k].goal - *robots[robot].goal) < contact && from_goal(k) < contact;
   };
-  std::vector<std::size_t> left, led{robot};  // those that are led to, the nearest to the goal last
+  // robots that are led to, the nearest to the goal last
+  std::vector<std::size_t> left, led{robot};
   bool is_taken = false;
   for (std::size_t k = 0; k < robots.size(); ++k) {
     is_taken = is_taken || stands_on_goal(k);

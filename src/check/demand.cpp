@@ -31,7 +31,7 @@ double demand_of(const CheckedRobot& robot, double a_max, Vec2 before, Vec2 now,
   const Vec2 change = now - before;
   const double b = braking_of(robot), step = longest_step(robot, duration);
   if (!(b > a_max)) return norm(change);
-  // the farther back, the more of a change is against the velocity
+  // the farther back, the larger the part of a change against the velocity
   const Vec2 from = before - (step / duration - 1.0) * change;
   const double speed = norm(from);
   if (!(speed > 0.0)) return norm(change);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which of two robots has to keep clear of the other: by their layers, and whether they are parked.
+// Which of two robots must keep clear of the other: by their layers, and whether they are parked.
 #pragma once
 #include <algorithm>
 #include <cstddef>
@@ -13,7 +13,7 @@ inline bool avoids(const CheckedRobot& a, const CheckedRobot& b) {
   return (a.avoids & b.layers) != 0;
 }
 
-/// Who of a pair has to keep clear of the other.
+/// Which robots of a pair must keep clear of the other.
 enum class Duty : unsigned char { nobody, first, second, both };
 inline Duty duty(const CheckedRobot& a, const CheckedRobot& b) {
   if (a.parked || b.parked) return a.parked && b.parked ? Duty::nobody : Duty::both;
@@ -21,12 +21,12 @@ inline Duty duty(const CheckedRobot& a, const CheckedRobot& b) {
   return avoids(b, a) ? Duty::second : Duty::nobody;
 }
 
-/// Robots that are alike to duty(): one of each kind. Of very many kinds some are taken to avoid
-/// each other.
+/// One robot of each kind; robots of one kind are equal for duty(). With too many kinds, some are
+/// assumed to avoid each other.
 struct Kinds {
   static constexpr std::size_t kMost = 256;
   std::vector<CheckedRobot> robots;
-  bool mutual = false;  // there may be a pair of which both avoid the other
+  bool mutual = false;  // there may be a pair in which both avoid the other
 
   void add(const CheckedRobot& robot) {
     if (mutual) return;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The limits of robots with headings. Besides the relative tolerance, what double precision loses
-// of the rows is granted: a handful of roundings of each number.
+// The limits of robots with headings. In addition to the relative tolerance, the loss of the rows
+// in double precision is granted: a few roundings of each number.
 #include "check/kinematics.h"
 
 #include <algorithm>
@@ -37,7 +37,7 @@ void count_step(const RowStep& step, CheckCount& rule, double amount) {
   count(rule, {step.from, step.now.robot, {}, amount});
 }
 
-// What is broken where `value` is more than the limit, and than what is granted.
+// Counts a broken rule if `value` is more than the limit, and than the granted excess.
 void hold(const RowStep& step, CheckCount& rule, double value, double limit, double rounding) {
   if (value > limit * (1.0 + step.tolerance) + rounding) count_step(step, rule, value - limit);
 }
@@ -62,7 +62,7 @@ Pull pull_of(const RowStep& step, const Arc& arc) {
   return pull;
 }
 
-// m: positions of this step may be off by this. The tolerance is that of lengths.
+// m: granted error of the positions of this step. The tolerance is that of lengths.
 double granted_way(const RowStep& step, double way, double speed) {
   const double places = norm(step.before.position) + norm(step.now.position);
   return step.tolerance * (step.robot.radius + way) + kLimitRounding * (places + way) +
@@ -79,20 +79,20 @@ void judge_arc(const RowStep& step, const Arc& arc, CheckReport& report) {
   judge_jump(step, off, granted_way(step, top * step.duration, top), report);
 }
 
-// rad: how far it may turn in this step.
+// rad: the largest turn in this step.
 double most_turn(const RowStep& step, const CheckedCar& car, const Arc& arc) {
   if (std::isfinite(car.max_curvature)) return car.max_curvature * way_of(arc);
   if (top_speed(arc) > 0.0) return std::numeric_limits<double>::infinity();
   return max_speed(step.robot) / car.wheelbase * step.duration;
 }
 
-// Whether what is along the heading is held to a_max by itself: a square's sides.
+// Returns whether the part along the heading is held to a_max by itself: a square's sides.
 bool is_along_alone(const RowStep& step, const CheckedCar& car, const Pull& pull) {
   return car.exact_set && !(pull.slowing > max_acceleration(step.robot) &&
                             braking_of(step.robot) > max_acceleration(step.robot));
 }
 
-// m/s^2, to be held against max_acceleration.
+// m/s^2, to be compared with max_acceleration.
 double pulled_by(const RowStep& step, const CheckedCar& car, const Arc& arc, const Pull& pull) {
   const double a_max = max_acceleration(step.robot), b = braking_of(step.robot);
   const double across = is_along_alone(step, car, pull) ? 0.0 : pull.across;
@@ -162,7 +162,7 @@ void judge(const RowStep& step, const CheckedDrive& drive, CheckReport& report) 
        lever * (velocity_rounding + late * acceleration) +
            (kLimitRounding + angle_rounding(step)) * (spin * speeds + acceleration));
 
-  // the axle is where the point tows it, and so is the heading
+  // the axle and the heading are where the point tows them
   const Vec2 h = elementary::direction(step.now.heading->angle);
   const double turned_off = drive.offset * norm(h - axle.heading.back());
   const double off = norm(step.now.position - knot_on(axle, TowedAxle::kParts).position);
@@ -190,7 +190,7 @@ void judge_heading(const CheckedRobot& robot, const CheckedState& row, double ti
   const double speed = row.heading->speed, granted = tolerance * speed_scale(robot);
   const double rounding =
       kLimitRounding * (1.0 + std::abs(row.heading->angle)) * norm(row.velocity);
-  // a drive's point swings out besides
+  // a drive's point also swings out
   const bool swings = std::holds_alternative<CheckedDrive>(robot.kinematics);
   const double off =
       swings ? std::abs(dot(h, row.velocity) - speed) : norm(row.velocity - speed * h);

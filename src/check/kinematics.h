@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The limits of robots with headings: of what their wheels, or wings, can do.
+// The limits of robots with headings: of their wheels, or wings.
 #pragma once
 #include "avo/check.h"
 
@@ -14,13 +14,13 @@ struct RowStep {
   double tolerance = 0.0;             // relative
 };
 
-/// m/s, of which the relative tolerance of speeds is a part where there is no limit.
+/// m/s, the reference of the relative tolerance of speeds where there is no limit.
 double speed_scale(const CheckedRobot& robot);
 
-/// m/s^2, of the velocities alone.
+/// m/s^2, for the velocities alone.
 double reach_of(const CheckedRobot& robot);
 
-/// A row with a heading, and a step of which has_heading() holds: counts what is broken.
+/// For a row with a heading, and a step with has_heading(): counts broken rules.
 void judge_heading(const CheckedRobot& robot, const CheckedState& row, double time,
                    double tolerance, CheckReport& report);
 void judge_kinematics(const RowStep& step, CheckReport& report);

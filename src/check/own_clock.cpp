@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Three rows tell a change: the velocity of the middle one is off the line between the other two.
+// Three rows show a change: the velocity of the middle one is off the line between the other two.
 #include "check/own_clock.h"
 
 #include <algorithm>
@@ -13,11 +13,10 @@ namespace avo::judge {
 namespace {
 
 constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
-// Of a row: its numbers come of a handful of operations each.
+// For a row: each of its numbers is computed in a few operations.
 constexpr double kRoundings = 8.0 * kEpsilon;
 
-// What changes its value at a constant rate as long as nothing is decided, and what its rounding
-// may be.
+// A value that changes at a constant rate as long as nothing is decided, and its possible rounding.
 struct Held {
   double off = 0.0, rounding = 0.0;  // both m/s, or both rad m
 };
@@ -49,7 +48,8 @@ double turn(const TimedState& from, const TimedState& to) {
   return elementary::atan2(cross(v, w), dot(v, w));
 }
 
-// Constant curvature: the turns are as the ways. At rest there is no heading to tell them from.
+// Constant curvature: the turns are proportional to the lengths. At rest there is no heading to
+// determine them.
 Held turn_of(const Rows& rows) {
   const auto way = [](const TimedState& from, const TimedState& to) {
     return 0.5 * (to.time - from.time) * (norm(from.row.velocity) + norm(to.row.velocity));
@@ -59,7 +59,7 @@ Held turn_of(const Rows& rows) {
   const auto rests = [](const TimedState& state) { return state.row.velocity == Vec2{}; };
   if (rests(rows.a) || rests(rows.b) || rests(rows.c)) return {};
   const double times = kEpsilon * (std::abs(rows.a.time) + std::abs(rows.c.time));
-  // as a velocity across: the turn that is missing at the middle row, times the speed there
+  // as a velocity across: the missing turn at the middle row, times the speed there
   const double off = std::abs(turn(rows.a, rows.b) * second - turn(rows.b, rows.c) * first) / whole;
   const double speed = norm(rows.b.row.velocity);
   return {off * speed, kRoundings * (rows.speeds() + speed) + times * speed * speed / whole};
@@ -78,7 +78,7 @@ std::optional<double> early_change(const CheckedRobot& robot, const Passage& pas
   clock.before = passage.from;
   if (!before) return {};
   const Rows rows{*before, passage.from, passage.to};
-  // a change of the acceleration times this is one of the velocity
+  // a change of the acceleration times this is a change of the velocity
   const double lever = rows.first() * rows.second() / (rows.first() + rows.second());
   const double times = kRoundings * (std::abs(rows.a.time) + std::abs(rows.c.time));
   const double limit = braking_of(robot), a_max = std::isinf(limit) ? 0.0 : limit;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Robots that decide by clocks of their own: whether they hold what they have decided.
+// Robots that decide by their own clocks: whether they hold what they have decided.
 #pragma once
 #include <optional>
 
@@ -12,7 +12,7 @@ struct TimedState {
   double time = 0.0;  // s
 };
 
-/// Two rows, one after the other.
+/// Two consecutive rows.
 struct Passage {
   TimedState from, to;
   double tolerance = 0.0;  // relative
@@ -24,8 +24,7 @@ struct OwnClock {
   std::optional<TimedState> before = {};  // the row before the last one
 };
 
-/// m/s²: by how much its acceleration changed where the passage begins, if that is none of its
-/// times.
+/// m/s²: the change of its acceleration at the start of the passage, if that is none of its times.
 std::optional<double> early_change(const CheckedRobot& robot, const Passage& passage,
                                    OwnClock& clock);
 

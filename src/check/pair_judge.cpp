@@ -33,14 +33,14 @@ double instant(const Mover& a, const Mover& b, const Step& step, double fraction
   return step.from + (end_only(a, b) ? 1.0 : fraction) * step.duration;
 }
 
-// Before the pair comes to the others.
+// Call it before the pair is added.
 template <typename Pairs>
 void require_room(const Pairs& pairs, std::uint64_t pair) {
   if (pairs.size() >= kMostPairs && !pairs.contains(pair))
     throw Error("found more than " + std::to_string(kMostPairs) + " overlapping pairs");
 }
 
-// By time, robot and other one: no order of a table.
+// By time, robot and other robot: the order of a table has no influence.
 template <typename Hits>
 std::vector<CheckedHit> listed(const Hits& hits) {
   std::vector<CheckedHit> list;
@@ -81,8 +81,8 @@ void PairJudge::meet_robots(const Mover& a, const Mover& b, const Step& step) {
   note(overlaps_, overlap);
 }
 
-// A robot that moves at all in a step rests at single instants of it only: it is enough to know
-// the first and the last instant of the contact.
+// A robot that moves at all in a step rests only at single instants of it: the first and the last
+// instant of the contact suffice.
 void PairJudge::meet_mover(const Mover& robot, const Mover& other, const Step& step,
                            Contacts& contacts) {
   const auto path = relative_pieces(robot, other, step.duration);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Pairs of robots, and of a robot and a moving obstacle: who touched whom, and how near any came.
+// Pairs of robots, and pairs of a robot and a moving obstacle: contacts, and the least clearance.
 #pragma once
 #include <cstdint>
 #include <optional>
@@ -18,18 +18,18 @@ class PairJudge {
   void add_robot(const CheckedRobot& robot) { kinds_.add(robot); }
   /// Two bodies over the step; robots come first, by number.
   void meet(const Mover& a, const Mover& b, const Step& step);
-  /// m: no pair farther apart than this tells anything new.
+  /// m: no pair farther apart than this changes the result.
   [[nodiscard]] double reach() const;
-  /// What there is to say of it all.
+  /// Writes all results.
   void write(CheckReport& report) const;
 
  private:
   using Pairs = std::unordered_set<std::uint64_t>;
 
-  // Those who ever touched what does not avoid them, by their pair.
+  // Robots that ever touched a body that does not avoid them, by their pair.
   struct Contacts {
     std::unordered_map<std::uint64_t, CheckedHit> hits;
-    CheckCount in_motion;  // of those of them who moved
+    CheckCount in_motion;  // of those robots among them that moved
   };
 
   void meet_robots(const Mover& a, const Mover& b, const Step& step);

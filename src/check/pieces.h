@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Paths in pieces that take equal parts of the step: questions to all pieces as to one.
+// Paths in pieces that take equal parts of the step: all pieces have the interface of one.
 #pragma once
 #include <algorithm>
 #include <cstddef>

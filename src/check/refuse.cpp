@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which numbers the judge takes.
+// The numbers that the judge accepts.
 #include "check/refuse.h"
 
 #include <cmath>
@@ -10,7 +10,7 @@
 namespace avo::judge {
 namespace {
 
-// Speeds and accelerations of a step stay finite.
+// Speeds and accelerations of a step then stay finite.
 constexpr double kShortestStep = 1e-12;  // s
 
 // Infinity: no limit.
@@ -80,7 +80,7 @@ void require_time(double time, std::optional<double> before) {
            "at least " + text(kShortestStep) + " s after the time before, " + text(*before) + " s");
 }
 
-// The common case without a string: every row of a recording passes here.
+// The common case without a string: every row of a recording passes this test.
 void require_sound(const CheckedRobot& robot, const CheckedState& row) {
   const auto good = [](Vec2 v) { return kAnyValue.contains(v.x) && kAnyValue.contains(v.y); };
   const bool has_heading = row.heading.has_value();

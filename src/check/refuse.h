@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which numbers the judge takes.
+// The numbers that the judge accepts.
 #pragma once
 #include <optional>
 #include <string>
@@ -13,7 +13,7 @@ void require_sound(const std::string& place, const CheckedRobot& robot);
 void require_sound(const std::string& place, const CheckedObstacle& obstacle);
 void require_sound(const std::string& place, const CheckedWall& wall);
 void require_sound(const CheckOptions& options);
-/// Must come after the time `before`, if there is one.
+/// The time must come after the time `before`, if there is one.
 void require_time(double time, std::optional<double> before);
 /// A row of that robot.
 void require_sound(const CheckedRobot& robot, const CheckedState& row);

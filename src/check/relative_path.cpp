@@ -2,9 +2,9 @@
 // How near two bodies come over one step, and when, by isolating the roots of d/du |x(u)|².
 //
 // |x|² is a sextic, x·x' a quintic. In Bernstein form the number of sign changes of its six
-// coefficients bounds the number of its roots from above (Descartes): none means that the distance
-// is monotone, one means exactly one root, which is bisected; more, and the interval is halved. The
-// halves' coefficients are formed anew from the halved cubic, whose rounding is that of the
+// coefficients bounds the number of its roots from above (Descartes). None means that the distance
+// is monotone, one means exactly one root, which is bisected; with more, the interval is halved.
+// The halves' coefficients are computed anew from the halved cubic. Its rounding is that of the
 // distance itself.
 #include "check/relative_path.h"
 
@@ -14,12 +14,12 @@
 namespace avo::judge {
 namespace {
 
-// A distance may be wrong by this part of the largest one. Rounding makes up a sixth of it.
+// A distance may have an error of this part of the largest one. Rounding makes up a sixth of it.
 constexpr double kResolution = 0x1p-45;
 
 using Quintic = std::array<double, 6>;
 
-// A part of the path and the fractions of the step that it spans.
+// A part of the path and the fractions of the step that it covers.
 struct Part {
   std::array<Vec2, 4> b;
   double from, to;
@@ -88,8 +88,9 @@ double rising_root(const Quintic& b) {
   return 0.5 * (low + high);
 }
 
-// Whatever the part does, its ends tell the smallest distance to kResolution * size: it is that
-// short, or |x|² changes by 3 max|b| at most from the nearer end on, and |x| by that over |x|.
+// Returns whether the ends of the part give the smallest distance to kResolution * size. Either the
+// part is that short, or |x|² changes by at most 3 max|b| from the nearer end on, and |x| by that
+// over |x|.
 bool is_settled(const Part& part, const Quintic& b, double size) {
   const double length =
       norm(part.b[1] - part.b[0]) + norm(part.b[2] - part.b[1]) + norm(part.b[3] - part.b[2]);

@@ -8,8 +8,8 @@
 
 namespace avo::judge {
 
-/// One body seen from another over a step: a cubic by its Bézier control points, m. The fraction u
-/// of the step runs from 0 to 1.
+/// One body relative to another over a step: a cubic by its Bézier control points, m. The fraction
+/// u of the step runs from 0 to 1.
 struct RelativePath {
   std::array<Vec2, 4> control;
 };
@@ -19,7 +19,7 @@ struct Instant {
   double distance = 0.0;  // m
 };
 
-/// Where the two are nearest, the first such instant: to 1e-13 of the path's largest distance.
+/// The first instant at which the two are nearest: to 1e-13 of the path's largest distance.
 Instant nearest_instant(const RelativePath& path);
 
 /// First and last fraction of the step at which the distance is less than `limit` >= 0; none where
@@ -27,7 +27,7 @@ Instant nearest_instant(const RelativePath& path);
 std::optional<double> first_below(const RelativePath& path, double limit);
 std::optional<double> last_below(const RelativePath& path, double limit);
 
-/// No point of the path is nearer than this; cheap, and far from sharp.
+/// No point of the path is nearer than this; it takes little time, and is far from sharp.
 double lower_bound(const RelativePath& path);
 
 }  // namespace avo::judge

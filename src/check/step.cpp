@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What moves over one step of a recording, and its pairs seen as relative paths.
+// The bodies that move over one step of a recording, and their pairs as relative paths.
 #include "check/step.h"
 
 #include <algorithm>
@@ -19,7 +19,8 @@ struct Span {
   Knot from, to;
 };
 
-// Differences first: far from the origin the rows are coarse, their differences are exact.
+// Differences are formed first: far from the origin the rows are coarse, their differences are
+// exact.
 RelativePath cubic(const Span& span, double duration) {
   const double third = duration / 3.0;
   return {{span.from.position, span.from.position + third * span.from.velocity,
@@ -38,14 +39,14 @@ Knot knot_within(const Span& span, double duration, double u) {
   return {between(b012, b123), (3.0 / duration) * (b123 - b012)};
 }
 
-// Part k of the mover's own.
+// Part k of the mover's own parts.
 Span own_span(const Mover& mover, std::size_t k) {
   if (mover.knots.empty())
     return {{mover.from, mover.from_velocity}, {mover.to, mover.to_velocity}};
   return {mover.knots[k], mover.knots[k + 1]};
 }
 
-// Part k of as many as its own, or a multiple of them.
+// Part k of as many parts as its own, or a multiple of them.
 Span span_of(const Mover& mover, double duration, std::size_t k, std::size_t parts) {
   const std::size_t finer = parts / mover.parts(), i = k % finer;
   const Span span = own_span(mover, k / finer);
@@ -56,9 +57,10 @@ Span span_of(const Mover& mover, double duration, std::size_t k, std::size_t par
   return {i == 0 ? span.from : at(i), i + 1 == finer ? span.to : at(i + 1)};
 }
 
-// By how much the cubic may be off the arc of a car whose rows have no headings, m: see arc.cpp and
-// course.cpp. At rest there is no heading to tell the curvature from; but the acceleration is a_max
-// at most, and ∫|K(u, s)| ds of the interpolation's Peano kernel is at most 1/16, at u = 1/2.
+// The largest distance of the cubic from the arc of a car with rows without headings, m: see
+// arc.cpp and course.cpp. At rest there is no heading to determine the curvature. But the
+// acceleration is a_max at most, and ∫|K(u, s)| ds of the interpolation's Peano kernel is at most
+// 1/16, at u = 1/2.
 double arc_error(const CheckedState& before, const CheckedState& now, double max_acceleration,
                  double duration) {
   const double any = max_acceleration * duration * duration / 16.0;

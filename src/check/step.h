@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What moves over one step of a recording, and its pairs seen as relative paths.
+// The bodies that move over one step of a recording, and their pairs as relative paths.
 #pragma once
 #include <algorithm>
 #include <cstddef>
@@ -15,7 +15,7 @@
 
 namespace avo::judge {
 
-/// The step that is judged.
+/// The judged step.
 struct Step {
   double from = 0.0, duration = 0.0;  // s
   double relative_tolerance = 0.0;
@@ -28,10 +28,10 @@ struct Mover {
   double radius = 0.0, error = 0.0;           // m
   std::int64_t index = 0;
   bool obstacle = false;
-  bool newcomer = false;         // there at the end of the step only
-  std::vector<Knot> knots = {};  // see Course; none: one cubic from end to end
+  bool newcomer = false;         // present only at the end of the step
+  std::vector<Knot> knots = {};  // see Course; empty: one cubic from end to end
 
-  /// Cubics.
+  /// The number of cubics.
   std::size_t parts() const { return knots.empty() ? 1 : knots.size() - 1; }
 };
 
@@ -40,23 +40,23 @@ Mover robot_mover(const CheckedRobot& robot, const CheckedState& before, const C
                   double duration);
 /// A robot without a row at the start of the step.
 Mover newcomer(const CheckedRobot& robot, const CheckedState& now);
-/// Where a body is, and how fast.
+/// The place and the velocity of a body.
 struct Place {
   Vec2 position, velocity;  // m, m/s
 };
 Place place_of(const CheckedObstacle& obstacle, double time);
 Mover obstacle_mover(const Place& from, const Place& to, double radius, std::int64_t index);
 
-/// Are the two there at the end of the step only?
+/// Returns whether one of the two is present only at the end of the step.
 inline bool end_only(const Mover& a, const Mover& b) {
   return a.newcomer || b.newcomer;
 }
 
-/// Part k of `parts`, a multiple of its own, of the path of one mover, seen from a point at rest,
-/// m.
+/// Part k of `parts`, a multiple of its own number, of the path of one mover, relative to a point
+/// at rest, m.
 RelativePath path_of(const Mover& mover, double duration, Vec2 origin = {}, std::size_t k = 0,
                      std::size_t parts = 1);
-/// All of it.
+/// The whole path.
 inline auto pieces_of(const Mover& mover, double duration, Vec2 origin) {
   const std::size_t parts = mover.newcomer ? 1 : mover.parts();
   const auto piece = [&mover, duration, origin, parts](std::size_t k) {
@@ -64,11 +64,11 @@ inline auto pieces_of(const Mover& mover, double duration, Vec2 origin) {
   };
   return Pieces<decltype(piece)>{parts, piece};
 }
-/// Of two. Where it is end_only, all the path is there.
+/// The path of two movers relative to each other. Where it is end_only, there is one part.
 RelativePath relative_path(const Mover& a, const Mover& b, double duration, std::size_t k,
                            std::size_t parts);
 
-/// All of it.
+/// The whole path.
 inline auto relative_pieces(const Mover& a, const Mover& b, double duration) {
   const std::size_t parts = end_only(a, b) ? 1 : std::max(a.parts(), b.parts());
   const auto piece = [&a, &b, duration, parts](std::size_t k) {
@@ -77,10 +77,10 @@ inline auto relative_pieces(const Mover& a, const Mover& b, double duration) {
   return Pieces<decltype(piece)>{parts, piece};
 }
 
-/// Holds the mover's disc at all times of the step.
+/// Contains the mover's disc at all times of the step.
 Box box_of(const Mover& mover, std::size_t owner, double duration);
 
-/// Largest speed on a part of the path, m/s; at most twice too high.
+/// Upper bound of the speed on a part of the path, m/s; at most twice the largest speed.
 double speed_bound(const Mover& mover, double from_fraction, double to_fraction, double duration);
 
 }  // namespace avo::judge

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which pairs of boxes come near each other: sorted along the wider axis, swept once.
+// Finds the pairs of boxes that come near each other: boxes are sorted along the wider axis and
+// swept once.
 #pragma once
 #include <algorithm>
 #include <array>
@@ -21,7 +22,7 @@ struct Box {
   std::size_t owner = 0;
 };
 
-/// Holds the discs of that radius, m, about all of the points and their hull.
+/// Contains the discs of that radius, m, about all of the points and their hull.
 inline Box box_around(std::span<const Vec2> points, double radius, std::size_t owner) {
   constexpr double kRounding = 8.0 * std::numeric_limits<double>::epsilon();
   Box box;
@@ -41,7 +42,7 @@ inline Box box_around(std::span<const Vec2> points, double radius, std::size_t o
   return box;
 }
 
-/// Holds both; owned by the first one's owner.
+/// Contains both; the owner is that of the first one.
 inline Box hull(Box a, const Box& b) {
   for (std::size_t k = 0; k < 2; ++k) {
     a.low[k] = std::min(a.low[k], b.low[k]);
@@ -63,7 +64,7 @@ inline std::size_t wider_axis(const std::vector<Box>& boxes) {
 }
 
 /// Calls meet(owner, owner) for every pair of boxes less than reach() apart along both axes, for
-/// some pairs twice; reach may shrink between the calls. Sorts the boxes.
+/// some pairs twice; reach may shrink between the calls. It sorts the boxes.
 template <typename Reach, typename Meet>
 void sweep(std::vector<Box>& boxes, const Reach& reach, const Meet& meet) {
   const std::size_t along = wider_axis(boxes), across = 1 - along;

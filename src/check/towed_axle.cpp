@@ -29,8 +29,8 @@ Vec2 conjugate(Vec2 a) {
   return {a.x, -a.y};
 }
 
-// As a complex number h follows Riccati's equation h' = (z - h² z*)/(2L), z = q': h = u/w with
-// u' = z w/(2L), w' = z* u/(2L), a linear one, whose power series is that of an entire function.
+// As a complex number h follows Riccati's equation h' = (z - h² z*)/(2L), z = q'. h = u/w with u' =
+// z w/(2L), w' = z* u/(2L), a linear equation; its power series is that of an entire function.
 Vec2 turned(const TowedAxle& axle, Vec2 h, double time, double step) {
   constexpr int kTerms = 14;
   const double scale = 0.5 * step / axle.offset;
@@ -50,7 +50,7 @@ double time_of(const TowedAxle& axle, std::size_t part) {
   return axle.duration * static_cast<double>(part) / static_cast<double>(TowedAxle::kParts);
 }
 
-// Of the wheel on the left, or for a negative track of the one on the right.
+// The wheel on the left, or for a negative track the wheel on the right.
 struct Wheel {
   double speed, acceleration;  // m/s, m/s^2, signed
 };
@@ -67,7 +67,8 @@ Wheel wheel_at(const TowedAxle& axle, std::size_t part, double beyond, double tr
   return {speed - 0.5 * track * rate, gain - 0.5 * track * spin};
 }
 
-// The largest |value(part, beyond)|: where parts end, and where parabolas through three ends turn.
+// The largest |value(part, beyond)|: at the ends of parts, and at the vertices of parabolas through
+// three ends.
 template <typename Value>
 double peak(const Value& value) {
   double left = value(0, 0.0), middle = value(1, 0.0);
@@ -107,7 +108,7 @@ Knot knot_on(const TowedAxle& axle, std::size_t part) {
   return {point - axle.offset * h, dot(h, velocity) * h};
 }
 
-// Each derivative by its bound: s', s'', s''' and ω, ω', ω''.
+// Each derivative is replaced by its bound: s', s'', s''' and ω, ω', ω''.
 double fourth_derivative(const TowedAxle& axle) {
   const double length = axle.offset, a = norm(axle.acceleration);
   const double v = std::max(norm(axle.velocity), norm(velocity_at(axle, axle.duration)));

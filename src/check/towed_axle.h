@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The axle of a differential drive, from row to row: it is towed by the point that accelerates
-// evenly.
+// The axle of a differential drive, from row to row: the point that accelerates evenly tows it.
 #pragma once
 #include <array>
 #include <cstddef>
@@ -9,23 +8,23 @@
 
 namespace avo::judge {
 
-/// An axle `offset` behind the point q, whose heading h turns at ω = n·q'/offset.
+/// An axle `offset` behind the point q; its heading h turns at ω = n·q'/offset.
 struct TowedAxle {
   static constexpr std::size_t kParts = 64;  // of the step
   Vec2 from;                                 // m, of q
   Vec2 velocity, acceleration;               // m/s, m/s^2, of q
   double offset = 0.0;                       // m
   double duration = 0.0;                     // s
-  std::array<Vec2, kParts + 1> heading;      // unit, where the parts end
+  std::array<Vec2, kParts + 1> heading;      // unit, at the ends of the parts
 };
 
-/// From one row, at the velocities of both.
+/// The axle from one row, with the velocities of both rows.
 TowedAxle towed_axle(const CheckedState& before, const CheckedState& now, double offset,
                      double duration);
 
-/// Of the axle, where a part ends.
+/// The state of the axle at the end of a part.
 Knot knot_on(const TowedAxle& axle, std::size_t part);
-/// m/s^4, at least the fourth derivative of its place.
+/// m/s^4, an upper bound of the fourth derivative of its place.
 double fourth_derivative(const TowedAxle& axle);
 
 /// The largest of both wheels' |speed|, m/s, and |acceleration|, m/s^2, within the step.

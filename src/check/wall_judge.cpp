@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Robots against walls: who touched one, and how near any came.
+// Robots against walls: contacts, and the least clearance.
 #include "check/wall_judge.h"
 
 #include <algorithm>
@@ -29,7 +29,7 @@ void WallJudge::set_walls(std::vector<CheckedWall> walls) {
 
 void WallJudge::judge(const Mover& robot, const Step& step) {
   if (walls_.empty()) return;
-  // no wall farther away than the least clearance tells anything new
+  // no wall farther away than the least clearance changes the result
   tree_.visit(
       box_of(robot, 0, step.duration),
       [this] { return std::max(least_clearance_.value_or(kInfinity), 0.0); },
@@ -70,7 +70,7 @@ void WallJudge::meet(const Mover& robot, std::size_t wall, const Step& step) {
 }
 
 bool WallJudge::hides(Vec2 from, Vec2 to) const {
-  constexpr double kRounding = 1e-12;  // ten times what nearest_instant() may err
+  constexpr double kRounding = 1e-12;  // ten times the error of nearest_instant()
   const auto [left, right] = std::minmax(from.x, to.x);
   const auto [bottom, top] = std::minmax(from.y, to.y);
   const Vec2 third = (to - from) / 3.0;

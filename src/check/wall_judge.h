@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Robots against walls: who touched one, and how near any came.
+// Robots against walls: contacts, and the least clearance.
 #pragma once
 #include <optional>
 #include <vector>
@@ -10,15 +10,15 @@
 
 namespace avo::judge {
 
-/// The tree holds the walls; a robot counts once.
+/// The tree contains the walls; a robot counts once.
 class WallJudge {
  public:
   void set_walls(std::vector<CheckedWall> walls);
-  /// One robot over the step.
+  /// Judges one robot over the step.
   void judge(const Mover& robot, const Step& step);
-  /// Whether a wall touches the segment between the two places.
+  /// Returns whether a wall touches the segment between the two places.
   [[nodiscard]] bool hides(Vec2 from, Vec2 to) const;
-  /// What there is to say of it all.
+  /// Writes all results.
   void write(CheckReport& report) const;
 
  private:

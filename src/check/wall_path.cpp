@@ -62,7 +62,7 @@ bool is_beside(const Frame& frame, double u) {
   return along >= 0.0 && along <= frame.length;
 }
 
-// 0, where the cubic turns, 1; ascending. In between it rises or falls.
+// 0, the turning points of the cubic, 1; ascending. In between it rises or falls.
 struct Turns {
   std::array<double, 4> at{};
   std::size_t count = 1;
