@@ -225,8 +225,9 @@ struct CheckReport {
   std::int64_t with_goal = 0;                    ///< of the robots given
   /// Robots that had a row within arrival_distance of the goal, in sight of it. Airplanes fly
   /// through the goal: they count at any time of a step, whatever is in between. A robot that rests
-  /// at the end also counts, under two conditions. Another robot rests so near the goal that both
-  /// could not be there, and the other robot's own goal is as near.
+  /// at the end also counts, under three conditions. Another robot rests so near the goal that both
+  /// could not be there. The other robot's own goal is as near. Robots at rest lead from one to the
+  /// other.
   std::int64_t arrived = 0;
   std::int64_t at_goal_at_end = 0;        ///< in their last row
   std::optional<double> last_arrival;     ///< s; none unless all arrived

@@ -75,8 +75,9 @@ struct SensingError {
   friend constexpr bool operator==(const SensingError&, const SensingError&) = default;
 };
 
-/// Gaussian errors of each sensed coordinate, for the half-planes. The half-planes do not hold for
-/// errors that have the probability 1 - Φ(quantile). Certificates use SensingError instead.
+/// Gaussian errors of each sensed coordinate, for the half-planes. The half-planes keep a margin
+/// that the errors exceed only with the probability 1 - Φ(quantile). Certificates use SensingError
+/// instead.
 struct SensingNoise {
   double position = 0.0;  ///< [σ_p] m, >= 0
   double velocity = 0.0;  ///< [σ_v] m/s, >= 0
@@ -178,7 +179,8 @@ AVO_API double response_time_of(const PlannerOptions& options, double max_speed,
 /// How a decision was made.
 enum class PlanStatus : std::uint8_t {
   /// With method avo, v' is the target that the paper's program chose, see Plan::new_velocity.
-  optimal,       ///< v' lies in CA_A: no collision before τ if all do likewise (Definition 4)
+  /// v' lies in CA_A: no collision before τ if all others choose in their sets too (Definition 4)
+  optimal,
   least_unsafe,  ///< CA_A is empty: v' violates it by as little as the limits allow
   candidate,     ///< the certificate refused the target and admitted another velocity near it
   /// the certificate admitted braking only, or |v| exceeds v_max by more than one decision can
@@ -275,9 +277,9 @@ struct Detour {
   float beside = 0.0F;
   float congestion = 0.0F;   ///< number of robots ahead that it is used to, 0 to 2.8
   bool has_arrived = false;  ///< whether it was within arrival_distance of its goal, beside others
-  /// Whether others are at rest on its goal, so that it comes to rest near them: it neither gives
-  /// way, nor keeps right, nor makes a detour. A caller that sends a robot to a taken goal must set
-  /// this in each decision (docs/on_board.md).
+  /// Whether others are at rest on its goal, so that it comes to rest near them: it neither yields,
+  /// nor keeps right, nor makes a detour. A caller that sends a robot to a taken goal must set this
+  /// in each decision (docs/on_board.md).
   bool goal_taken = false;
   /// m/s², of its last step; 0 for a robot that has not moved
   float acceleration_x = 0.0F, acceleration_y = 0.0F;
@@ -354,9 +356,11 @@ class AVO_API Planner {
   /// order of distance need not be sorted. A robot among movers only plans as in
   /// plan_among_obstacles, and so does any robot of methods velocity_obstacle and
   /// reciprocal_velocity_obstacle.
+  ///
   /// detour: the memory of the robot, kept by the caller from decision to decision; updated, or
   /// unchanged where this throws. Without it the robot decides as for the first time. A detour that
   /// is not finite, or out of range, counts as none.
+  ///
   /// walls: what does not move, near the robot; a certificate keeps clear of it. The robot needs
   /// all walls with a surface within r + S Δt + l(S) of its position, and a billionth more for
   /// rounding. S = max(|v|, v_max), l is the stopping length with planned_braking(). Other walls
@@ -364,6 +368,7 @@ class AVO_API Planner {
   /// come round an end of the wall before both have stopped. The neighbor is assumed to keep clear
   /// of that wall as well (docs/certificate/walls.md, "Neighbors behind walls"). A wall that is not
   /// finite is invalid_input.
+  ///
   /// Without a certificate walls only slow the target of method avo. The other methods choose in
   /// the half-planes of the walls' obstacles, to which those of neighbors yield. They need all
   /// walls within r + τ max(|v|, v_max), count all neighbors, and promise nothing.
@@ -420,14 +425,19 @@ class AVO_API Planner {
 
   /// Returns whether A can go on without contact, as far as that is proved, whatever the method is
   /// (docs/states.md).
+  ///
   /// safe: while A brakes, it touches no wall and no robot that decides and brakes too. It touches
   /// no mover that keeps its acceleration while A is in motion.
+  ///
   /// doomed: for any motion of A within |a| <= a_max and |v| <= v_max, A touches a wall or a mover
   /// that keeps its acceleration, even at rest. Or A touches a robot that decides, even if that
   /// robot does its best too.
+  ///
   /// unknown: neither is proved, or plan() says invalid_input.
-  /// Declared errors, ages and clocks are allowed for. Without them a state is never both safe and
-  /// doomed, except beside a mover that keeps its acceleration: doomed is said then.
+  ///
+  /// Declared errors, ages and clocks are allowed for. Without them a state that is not unknown is
+  /// never both safe and doomed, except beside a mover that keeps its acceleration: doomed is said
+  /// then.
   [[nodiscard]] SafetyReport state(const Robot& robot, std::span<const Neighbor> neighbors,
                                    PlanWorkspace& workspace,
                                    std::span<const Wall> walls = {}) const;

@@ -90,7 +90,7 @@ void collect_loiterers(const Robot& robot, const Neighbors& neighbors, const Ste
     invariant.slack = std::min(invariant.slack, line.gap);
     if (line.gap < 0.0)
       invariant.broken.take(static_cast<int>(k), -line.gap), invariant.doubtful = true;
-    // A's footprint begins at n . x = min(0, n . way)
+    // A's footprint begins at n . x = min(0, n . own.way)
     const double begin = std::min(0.0, dot(line.normal, own.way));
     constraints.push_back({static_cast<int>(k), line.normal, begin - line.part, begin});
   }

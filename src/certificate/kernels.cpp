@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The certificate's kernels for every instruction set; the fittest is chosen at run time.
+// The certificate's kernels for every instruction set; the best one is chosen at run time.
 #include "certificate/kernels.h"
 
 #define AVO_KERNEL_HEADER "certificate/admission_kernel.h"

@@ -8,7 +8,7 @@
 
 #include "core/scalar.h"
 
-// this lets every kernel header in once more
+// this allows every kernel header to be included once more
 #include "core/kernel_guards.h"
 
 #undef AVO_BEGIN_KERNELS

@@ -104,7 +104,7 @@ void ClearanceFinder::State::sort_by_cell(std::size_t count) {
   for (std::size_t k = 1; k < first.size(); ++k) first[k] += first[k - 1];
   for (std::size_t i = centers.size(); i-- > 0;)
     if (!std::isnan(centers[i].x)) by_cell[--first[cell_of[i] + 1]] = static_cast<std::uint32_t>(i);
-  // each entry is now the begin of the cell before it
+  // each entry is now the start of the cell before it
   std::rotate(first.begin(), first.begin() + 1, first.end());
   first.back() = static_cast<std::uint32_t>(count);
 }

@@ -12,7 +12,7 @@
 
 namespace avo::inline navigation {
 
-/// Radii of a passage, from its mouths: the range in which robots claim right of way.
+/// Radii of a passage, from its mouths: the range in which robots claim it.
 inline constexpr double kClaimRange = 16.0;
 
 /// A claim of a passage of one lane: the robot will go through it, or is inside already.

@@ -16,7 +16,7 @@ SortedPart sort_part(std::span<const std::uint32_t> keys, std::size_t part, std:
   const std::size_t slots = sort.begin.size() - 1;
   const auto low = static_cast<std::uint32_t>(slots * part / parts);
   const auto high = static_cast<std::uint32_t>(slots * (part + 1) / parts);
-  // begin[s + 1] counts slot s, then becomes its begin, and then its end
+  // begin[s + 1] counts slot s, then becomes its start, and then its end
   std::uint32_t* const next = sort.begin.data() + 1;
   std::fill(next + low, next + high, 0U);
   std::uint32_t before = 0;

@@ -96,7 +96,7 @@ AVO_KERNEL TwoPoints<Real> circle_points(const Horn<Real>& horn, const At<Real>&
   return {{c * u.x - s * u.y, c * u.y + s * u.x}, {c * u.x + s * u.y, c * u.y - s * u.x}};
 }
 
-/// The begin and the end of the search for the crossing, and whether there is only one.
+/// The start and the end of the search for the crossing, and whether there is only one.
 template <typename Real>
 struct Passage {
   using Mask = decltype(Real() < Real());

@@ -14,7 +14,7 @@
 namespace avo::inline planner {
 namespace {
 
-// Of the robot's radius: the distances that a maneuver keeps from walls and others, by nearness.
+// The distances that a maneuver keeps from walls and others, by nearness, in radii of the robot.
 constexpr std::array kKeeps{0.01, 0.03, 0.05};
 // of the robot's radius: a body that is nearer already may stay as near
 constexpr double kTouching = 0.001;

@@ -50,7 +50,7 @@ struct Maneuvering {
   }
 };
 
-/// The begin of a path.
+/// The first part of a path.
 struct Beginning {
   Move move;
   double turn = 0.0;       // rad, of this move

@@ -208,7 +208,7 @@ struct WaySearch {
            car.is_clear_leg(end.pose, end.next.move, end.leg, end.next.nearness);
   }
 
-  // The begin of the best path.
+  // The first part of the best path.
   Beginning beginning() const {
     if (before_last == kNoNode) return {last_move, last_leg.arc / car.planned, kInfinity, true};
     std::uint32_t move_end = kNoNode, gear_end = kNoNode;

@@ -146,7 +146,7 @@ double least_speed(const MotionModel& model);
 
 /// Returns whether it turns before it drives when it is at rest.
 bool turns_in_place(const MotionModel& model);
-/// Whether it may move against its heading.
+/// Returns whether it may move against its heading.
 bool can_reverse(const MotionModel& model);
 /// Returns whether every number is finite and in range, and the model allows these limits; the
 /// acceleration is change_limit().

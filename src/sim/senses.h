@@ -40,7 +40,7 @@ struct Sighting {
   Vec2 true_velocity = {};  // m/s, now
 };
 
-/// The state of a robot with a free clock at the begin or end of one of its steps.
+/// The state of a robot with a free clock at the start or end of one of its steps.
 struct Knot {
   Instant at = 0;  // ns
   MotionState state;

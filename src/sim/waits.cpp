@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Reports which robot waits for which at a passage: what the right of way has decided. It moves no
-// robot.
+// Reports which robot waits for which at a passage, as the rules of right_of_way.h have decided. It
+// moves no robot.
 #include <optional>
 
 #include "sim/claims.h"

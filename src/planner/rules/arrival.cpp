@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Keep right in traffic, give way, back out of a jam. Angles in rad; times and lengths are in the
+// Keep right in traffic, yield, back out of a jam. Angles in rad; times and lengths are in the
 // robot's own units: T = v_max/a_max, the time to reach its speed, and L = v_max²/a_max, twice its
 // stopping distance.
 #include "planner/rules/arrival.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Arriving: keep right in traffic, give way, back out of a jam (docs/arrival.md). These rules only
+// Arriving: keep right in traffic, yield, back out of a jam (docs/arrival.md). These rules only
 // turn the preferred velocity, so that safety never depends on them. They are local, deterministic,
 // and the same for every robot.
 #pragma once

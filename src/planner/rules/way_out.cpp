@@ -12,8 +12,7 @@ namespace avo::inline planner {
 namespace {
 
 constexpr int kTries = 64;  // number of walls that a place is moved out of, one after the other
-// Of the radius: the distance that a place keeps from walls, the largest one for which there is
-// room.
+// The distance that a place keeps from walls, in radii: the largest one for which there is room.
 constexpr double kClear[] = {0.02, 0.002, 0.0002};
 
 // A wall that reaches into a disc.
