@@ -442,8 +442,20 @@ class AVO_API Planner {
                                    PlanWorkspace& workspace,
                                    std::span<const Wall> walls = {}) const;
 
-  /// Returns the way out behind Plan::evading: the mover that A evades, and the way out that it
-  /// takes; none where A evades nothing.
+  /// Returns whether A can go on without contact, as far as that is proved, whatever the method is
+  /// (docs/states.md).
+  ///
+  /// safe: while A brakes, it touches no wall and no robot that decides and brakes too. It touches
+  /// no mover that keeps its acceleration while A is in motion.
+  ///
+  /// doomed: for any motion of A within |a| <= a_max and |v| <= v_max, A touches a wall or a mover
+  /// that keeps its acceleration, even at rest. Or A touches a robot that decides, even if that
+  /// robot does its best too.
+  ///
+  /// unknown: neither is proved, or plan() says invalid_input.
+  ///
+  /// Declared errors, ages and clocks are allowed for. Without them no state is both safe and
+  /// doomed, except beside a mover that keeps its acceleration: doomed is said then.
   [[nodiscard]] std::optional<Evasion> evasion(const Robot& robot,
                                                std::span<const Neighbor> neighbors,
                                                PlanWorkspace& workspace,

@@ -44,28 +44,29 @@ extern "C" {
 
 /* ---------------------------------------------------------------------------------- results */
 
-/// What a function says of itself: one of AVO_OK and AVO_ERROR_*.
+/// The result of a function: one of AVO_OK and AVO_ERROR_*.
 typedef int32_t avo_result;
 enum {
   AVO_OK = 0,
   AVO_ERROR_INVALID_ID = 1,          ///< null, stale, or of no such object
-  AVO_ERROR_INVALID_ARGUMENT = 2,    ///< a null pointer where there must be one, a bad count
-  AVO_ERROR_INVALID_DEFINITION = 3,  ///< a definition without a size, or of one that is not known
+  AVO_ERROR_INVALID_ARGUMENT = 2,    ///< a null pointer where one is required, a bad count
+  AVO_ERROR_INVALID_DEFINITION = 3,  ///< a definition without a size, or with an unknown one
   AVO_ERROR_INVALID_VALUE = 4,     ///< a value out of range, or an edit that would break a promise
   AVO_ERROR_INVALID_SCENE = 5,     ///< a scene, or a key=value, that cannot be used
   AVO_ERROR_FILE = 6,              ///< a file that cannot be read
-  AVO_ERROR_BUFFER_TOO_SMALL = 7,  ///< the size that it takes has been written
+  AVO_ERROR_BUFFER_TOO_SMALL = 7,  ///< the required size has been written
   AVO_ERROR_OUT_OF_MEMORY = 8,
   AVO_ERROR_UNSUPPORTED = 9,  ///< this library was built without it
   AVO_ERROR_INTERNAL = 10     ///< a fault of the library
 };
 
-/// One line that says where, what was found and what is allowed: of the last call on this thread
-/// that failed; "" before any has. Never null; valid until the next call on this thread that fails.
+/// One line that says where the error is, what was found and what is allowed, for the last call on
+/// this thread that failed; "" if none has failed. Never null; valid until the next call on this
+/// thread that fails.
 AVO_C_API const char* avo_last_error(void);
-/// "ok", "invalid id", ...; "unknown result" of any other number. Never null.
+/// "ok", "invalid id", ...; "unknown result" for any other number. Never null.
 AVO_C_API const char* avo_result_text(avo_result result);
-/// Of the library, e.g. "0.1.0".
+/// Version of the library, e.g. "0.1.0".
 AVO_C_API const char* avo_version(void);
 
 /* ---------------------------------------------------------------------------------- ids */
@@ -96,14 +97,15 @@ typedef struct avo_robot_id {
   uint64_t value;
 } avo_robot_id;
 
-/// Name of a static obstacle within its simulation, likewise.
+/// Name of a static obstacle within its simulation, never reused there. The obstacles of the
+/// definition are 1, 2, ... in its order.
 typedef struct avo_obstacle_id {
   uint64_t value;
 } avo_obstacle_id;
 
 /* ---------------------------------------------------------------------------------- words */
 
-/// Of members that may be left to the library: the method's own, or what the member says.
+/// Leaves a member to the library: the method's default, or what the member says.
 enum { AVO_UNSET = -1 };
 
 typedef int32_t avo_method;
@@ -112,7 +114,7 @@ enum {
   AVO_METHOD_AVO_PAPER = 1,          ///< the paper alone
   AVO_METHOD_VELOCITY_OBSTACLE = 2,  ///< others keep their velocity
   AVO_METHOD_ORCA = 3,               ///< velocities are adopted at once
-  AVO_METHOD_ORCA_CLAMPED = 4,       ///< what a_max allows of orca's choice within a step
+  AVO_METHOD_ORCA_CLAMPED = 4,       ///< the part of orca's choice that a_max allows within a step
   AVO_METHOD_RECIPROCAL_VELOCITY_OBSTACLE = 5,  ///< obstacles with an apex between both velocities
   AVO_METHOD_BUFFERED_VORONOI = 6               ///< Voronoi cells less the radius, braking in them
 };
@@ -139,15 +141,15 @@ enum { AVO_NOISE_GAUSSIAN = 0, AVO_NOISE_UNIFORM = 1 };
 typedef int32_t avo_fill;
 enum {
   AVO_FILL_NONE = 0,   ///< robots may be on either side of the walls
-  AVO_FILL_SOLID = 1,  ///< not inside the closed chains
-  AVO_FILL_BOUNDS = 2  ///< not outside of them
+  AVO_FILL_SOLID = 1,  ///< robots may not be inside the closed chains
+  AVO_FILL_BOUNDS = 2  ///< robots may not be outside the closed chains
 };
 
 typedef int32_t avo_behavior;
 enum {
-  AVO_BEHAVIOR_DECIDES = 0,    ///< plans as this one does, at the same times
-  AVO_BEHAVIOR_MOVES_ON = 1,   ///< reacts to nobody
-  AVO_BEHAVIOR_COOPERATES = 2  ///< does its share, and nobody counts on it to brake
+  AVO_BEHAVIOR_DECIDES = 0,    ///< it plans as this robot does, at the same times
+  AVO_BEHAVIOR_MOVES_ON = 1,   ///< it reacts to no robot
+  AVO_BEHAVIOR_COOPERATES = 2  ///< it does its share, and does not promise to brake
 };
 
 typedef int32_t avo_model;
@@ -172,10 +174,11 @@ enum {
   AVO_PLAN_CANDIDATE = 2,
   AVO_PLAN_BRAKING = 3,
   AVO_PLAN_OVERLAPPING = 4,
-  AVO_PLAN_INVALID_INPUT = 5  ///< a number known or sensed is not finite or out of range: brakes
+  /// a known or sensed number is not finite or out of range: the robot brakes
+  AVO_PLAN_INVALID_INPUT = 5
 };
 
-/// What is proved of a state before anything is decided.
+/// What is proved of a state before a decision.
 typedef uint8_t avo_safety_state;
 enum { AVO_SAFETY_UNKNOWN = 0, AVO_SAFETY_SAFE = 1, AVO_SAFETY_DOOMED = 2 };
 
@@ -191,7 +194,7 @@ typedef struct avo_sensing_error {
   double velocity;  ///< m/s, >= 0
 } avo_sensing_error;
 
-/// Gaussian errors of what is sensed, which the half-planes allow for.
+/// Gaussian errors of sensed values, which the half-planes allow for.
 typedef struct avo_sensing_noise {
   double position;  ///< m, >= 0
   double velocity;  ///< m/s, >= 0
@@ -200,7 +203,7 @@ typedef struct avo_sensing_noise {
 
 /// The disc that covers a car's body.
 typedef struct avo_car_body {
-  double offset;  ///< m, of its center ahead of the rear axle; < 0: behind it
+  double offset;  ///< m, from the rear axle forward to its center; < 0: behind it
   double radius;  ///< m, > 0; 0: there is no body, the disc is about the axle
 } avo_car_body;
 
@@ -216,11 +219,11 @@ typedef struct avo_car {
 /// Read where model is AVO_MODEL_DIFFERENTIAL_DRIVE. The position is the middle of the axle.
 typedef struct avo_differential_drive {
   double track;  ///< m, > 0, between the wheels
-  /// m, > 0, of the point ahead of the axle that others sense; 0 of a robot of a simulation: half
-  /// of the smaller one of its radius and track
+  /// m, > 0, from the axle forward to the point that others sense. 0 for a robot of a simulation:
+  /// half of the smaller one of its radius and track.
   double offset;
   double wheel_speed;         ///< m/s, > 0, of each wheel on the ground
-  double wheel_acceleration;  ///< m/s^2, > 0, likewise
+  double wheel_acceleration;  ///< m/s^2, > 0, of each wheel
 } avo_differential_drive;
 
 /// Read where model is AVO_MODEL_AIRPLANE. It cannot stop.
@@ -230,13 +233,13 @@ typedef struct avo_airplane {
   avo_after_goal after_goal;
 } avo_airplane;
 
-/// The circle that an airplane turns right on if it decides nothing better.
+/// The circle on which an airplane turns right if it decides nothing better.
 typedef struct avo_loiter_circle {
   avo_vec2 center;  ///< m
   double radius;    ///< m, > 0; 0: there is none
 } avo_loiter_circle;
 
-/// All that is within `radius` of the segment from a to b; a disc where a equals b.
+/// All points within `radius` of the segment from a to b; a disc where a equals b.
 typedef struct avo_wall {
   avo_vec2 a;     ///< m
   avo_vec2 b;     ///< m
@@ -249,23 +252,24 @@ typedef struct avo_detour {
   float beside;
   float congestion;
   bool has_arrived;
-  bool goal_taken;       ///< others are at rest on its goal: it comes to rest near them
+  bool goal_taken;       ///< others are at rest on its goal, so that it comes to rest near them
   float acceleration_x;  ///< m/s^2, of its last step
   float acceleration_y;
 } avo_detour;
 
 /// A decision.
 typedef struct avo_plan {
-  avo_vec2 new_velocity;   ///< m/s, the velocity that is chosen
-  avo_vec2 next_velocity;  ///< m/s, at the end of the step: what a base that takes velocities gets
-  avo_vec2 acceleration;   ///< m/s^2, at the start of the step
+  avo_vec2 new_velocity;  ///< m/s, the velocity that is chosen
+  /// m/s, at the end of the step: send this to a base that takes velocities
+  avo_vec2 next_velocity;
+  avo_vec2 acceleration;  ///< m/s^2, at the start of the step
   avo_plan_status status;
-  avo_safety_state state;  ///< of the state in which it was made; unknown without a certificate
-  bool evading;  ///< what would have been chosen was put aside for a way out: avo_planner_evasion()
+  avo_safety_state state;  ///< of the state before the decision; unknown without a certificate
+  bool evading;            ///< a way out replaces the target: see avo_planner_evasion()
   int32_t neighbor;  ///< if overlapping, index of the neighbor, or -1, as always in a simulation
-  int32_t wall;      ///< or of the wall, or -1, likewise
-  float depth;       ///< m: if overlapping, by how much, see avo_safety_report
-  double violation;  ///< m/s, by how much the half-planes are missed; 0 if optimal
+  int32_t wall;      ///< or index of the wall, or -1, as always in a simulation
+  float depth;       ///< m: the overlap, if overlapping, see avo_safety_report
+  double violation;  ///< m/s, the distance from the half-planes; 0 if optimal
 } avo_plan;
 
 /* ---------------------------------------------------------------------------------- planner */
@@ -280,21 +284,25 @@ typedef struct avo_planner_def {
   double time_step;     ///< s, > 0
   int32_t samples;      ///< 0: exact half-planes; 2 to 1000: the paper's boundary samples
   avo_certificate certificate;
-  int32_t max_neighbors;  ///< >= 1, that get a half-plane; 0: all
+  int32_t max_neighbors;  ///< >= 1, so many nearest neighbors get a half-plane; 0: all
   avo_clock clock;
   avo_sensing_error sensing_error;
   avo_sensing_noise sensing_noise;
-  double longest_step;      ///< s, >= 0, of a free clock, that any of the others has; 0: time_step
-  double arrival_distance;  ///< m, > 0
-  double localization_error;  ///< m, >= 0, of the robot's own place among the walls
-  double response_time;  ///< >= 0, of max_speed/max_acceleration; 0: at once. 0 but of method avo
-  double comfort_acceleration;  ///< m/s^2, > 0, what is used without need; 0: max_acceleration
-  double comfort_jerk;          ///< m/s^3, > 0, likewise; 0: what follows from response_time
-  double margin;      ///< m, >= 0, clearance from others that is wished for; 0 but of method avo
-  double wall_range;  ///< m, >= 0, from the robot's disc, within which all walls are given;
-                      ///< INFINITY: all
-  /// Movers touch the robot at rest only, always. Else it may pass in front of one, alone among
-  /// movers, where braking comes too late. false but of method avo.
+  /// s, >= 0, with a free clock, the longest of any other robot; 0: time_step
+  double longest_step;
+  double arrival_distance;    ///< m, > 0
+  double localization_error;  ///< m, >= 0, error of the robot's own place among the walls
+  /// >= 0, in max_speed/max_acceleration; 0: at once. 0 except with method avo
+  double response_time;
+  /// m/s^2, > 0, the part that is used without need; 0: max_acceleration
+  double comfort_acceleration;
+  /// m/s^3, > 0, the part that is used without need; 0: what follows from response_time
+  double comfort_jerk;
+  double margin;  ///< m, >= 0, preferred clearance from others; 0 except with method avo
+  /// m, >= 0, from the robot's disc, within which all walls are given; INFINITY: all
+  double wall_range;
+  /// true: movers touch the robot only at rest, always. false: where braking comes too late, a
+  /// robot alone among movers may pass in front of one. false except with method avo.
   bool never_swerves;
 } avo_planner_def;
 
@@ -308,50 +316,52 @@ typedef struct avo_robot {
   double max_acceleration;      ///< m/s^2, > 0
   double max_speed;             ///< m/s, > 0
   double distance_to_goal;      ///< m, to where it comes to rest; infinite: there is no such goal
-  double heading;               ///< rad; read where it is not holonomic
+  double heading;               ///< rad; read where the model is not holonomic
   double priority;              ///< > 0
-  double max_braking;           ///< m/s^2, > 0, also above max_acceleration; 0: that
-  avo_loiter_circle loiter;     ///< of an airplane; radius 0: that of position and velocity
+  double max_braking;           ///< m/s^2, > 0, may exceed max_acceleration; 0: max_acceleration
+  avo_loiter_circle loiter;     ///< of an airplane; radius 0: the circle of position and velocity
   avo_car car;
   avo_differential_drive drive;
   avo_airplane airplane;
   avo_model model;
 } avo_robot;
 
-/// Another one, as it is sensed.
+/// Another robot, or an obstacle, as it is sensed.
 typedef struct avo_neighbor {
   size_t size;
-  avo_vec2 position;         ///< m
-  avo_vec2 velocity;         ///< m/s
-  double radius;             ///< m, > 0
-  double max_acceleration;   ///< m/s^2, > 0; not read where it moves on
-  double priority;           ///< > 0; likewise
-  double max_braking;        ///< m/s^2, > 0, also above max_acceleration; 0: that; likewise
-  avo_loiter_circle loiter;  ///< what it falls back on; radius 0: it brakes
-  double max_deviation;      ///< m/s^2, >= 0, of the acceleration of one that does not decide
-  double position_error;     ///< m, >= 0, besides the declared sensing_error
+  avo_vec2 position;        ///< m
+  avo_vec2 velocity;        ///< m/s
+  double radius;            ///< m, > 0
+  double max_acceleration;  ///< m/s^2, > 0; not read where it moves on
+  double priority;          ///< > 0; not read where it moves on
+  /// m/s^2, > 0, may exceed max_acceleration; 0: max_acceleration; not read where it moves on
+  double max_braking;
+  avo_loiter_circle loiter;  ///< its fallback; radius 0: it brakes
+  double max_deviation;      ///< m/s^2, >= 0, of its acceleration, where it does not decide
+  double position_error;     ///< m, >= 0, in addition to the declared sensing_error
   avo_vec2 acceleration;     ///< m/s^2, observed; read where it moves on
-  double max_speed;  ///< m/s, > 0, of one that does not decide, with max_deviation; may be infinite
-  double likely_deviation;  ///< m/s^2, >= 0, where it does not decide; only ways out reckon with it
+  double max_speed;  ///< m/s, > 0, where it does not decide, with max_deviation; may be infinite
+  double likely_deviation;  ///< m/s^2, >= 0, where it does not decide; only ways out count it
   avo_behavior behavior;
   int32_t age;  ///< steps since it was sensed, 0 to 1 000 000
-  /// Unit, or 0: of one that coincides in place and velocity, the direction in which to leave it;
-  /// see avo_parting_direction().
+  /// Unit, or 0: the direction in which the robot leaves this neighbor, where both coincide in
+  /// place and velocity; see avo_parting_direction().
   avo_vec2 parting;
-  /// Of one that moves on: where it will be; null: that is not known. It has to stay while a call
-  /// that is given the neighbor runs.
+  /// Where it moves on: its future places; null: unknown. The trajectory must exist while a call
+  /// with this neighbor runs.
   avo_trajectory_id trajectory;
-  double trajectory_time;  ///< s: now, as the trajectory tells the time
+  double trajectory_time;  ///< s: the present time on the trajectory's clock
 } avo_neighbor;
 
-/// The way out that a robot takes in place of what it would have chosen.
+/// The way out that a robot takes in place of its target.
 typedef struct avo_evasion {
-  avo_vec2 velocity;  ///< m/s, that the way approaches, or holds; 0: it brakes from the start
-  double duration;    ///< s, from the decision, after which it brakes
-  int32_t neighbor;   ///< index of whom it evades; -1: the plan is not evading
+  /// m/s, the velocity that the way out approaches, or holds; 0: it brakes from the start
+  avo_vec2 velocity;
+  double duration;   ///< s, from the decision: the robot then brakes
+  int32_t neighbor;  ///< index of the mover that it evades; -1: the plan is not evading
 } avo_evasion;
 
-/// Where somebody is at a time.
+/// A place at a time.
 typedef struct avo_timed_place {
   double time;        ///< s
   avo_vec2 position;  ///< m
@@ -359,27 +369,28 @@ typedef struct avo_timed_place {
 
 /// What avo_planner_state() proves.
 typedef struct avo_safety_report {
-  double time;       ///< s: if doomed, when the two are in contact
-  double depth;      ///< m, >= 0: by how much the two overlap, or come to while all fall back
-  int32_t neighbor;  ///< index of the one with whom contact comes first if doomed; is deepest if
-                     ///< unknown; or -1
-  int32_t wall;      ///< or of the wall, or -1
+  double time;   ///< s: if doomed, the time of contact
+  double depth;  ///< m, >= 0: the overlap now, or while all fall back
+  /// if doomed, index of the neighbor with the earliest contact; if unknown, of the deepest one; or
+  /// -1
+  int32_t neighbor;
+  int32_t wall;  ///< or index of the wall, or -1
   avo_safety_state state;
 } avo_safety_report;
 
-/// What is customary for the method; for AVO_METHOD_AVO where there is no such method.
+/// The usual options of the method; those of AVO_METHOD_AVO for an unknown method.
 AVO_C_API avo_planner_def avo_default_planner_def(avo_method method);
 AVO_C_API avo_robot avo_default_robot(void);
 AVO_C_API avo_neighbor avo_default_neighbor(void);
-/// The direction in which a robot of the first id leaves one of the other id, where they coincide:
-/// unit, the opposite one if the ids are exchanged, 0 of equal ids.
+/// The direction in which a robot of the first id leaves a robot of the other id, where they
+/// coincide. It is a unit vector, opposite if the ids are exchanged, 0 for equal ids.
 AVO_C_API avo_vec2 avo_parting_direction(uint64_t id, uint64_t other);
 
-/// Where a mover will be, straight from place to place at constant speed on each leg; times ascend.
-/// Before the first place it rests there; behind the last one it keeps its last velocity. error: m,
-/// >= 0, by which it may be off. repeats_from: s, the time of one of the places: behind the last
-/// one it is, nobody knows when, at any place where it was from that time on; NaN: it does not go
-/// round.
+/// The future places of a mover, straight from place to place at constant speed on each leg; times
+/// ascend. Before the first place it rests there; after the last place it keeps its last velocity.
+/// error: m, >= 0, by which it may be off. repeats_from: s, the time of one of the places. After
+/// the last place the mover is, at unknown times, at any place where it was from that time on. NaN:
+/// it does not repeat.
 AVO_C_API avo_result avo_create_trajectory(const avo_timed_place* places, size_t count,
                                            double error, double repeats_from,
                                            avo_trajectory_id* trajectory);
@@ -390,32 +401,32 @@ AVO_C_API avo_result avo_create_planner(const avo_planner_def* def, avo_planner_
 AVO_C_API avo_result avo_destroy_planner(avo_planner_id planner);
 AVO_C_API bool avo_planner_is_valid(avo_planner_id planner);
 
-/// [T_e] s, the time constant with which a robot of these limits (m/s, m/s^2) approaches the
-/// velocity that it has chosen; 0: at once.
+/// [T_e] s, the time constant with which a robot of these limits (m/s, m/s^2) approaches its
+/// target; 0: at once.
 AVO_C_API avo_result avo_planner_response_time(avo_planner_id planner, double max_speed,
                                                double max_acceleration, double* time);
 
-/// Decides for one robot among neighbors that plan likewise, others that move on, and walls. The
-/// plan says AVO_PLAN_INVALID_INPUT where a number of robot, neighbors or walls is out of range:
-/// the result is AVO_OK then. detour: what the robot remembers, updated; or null. neighbors and
-/// walls may be null where their counts are 0. Scratch memory is kept for each thread: once it has
-/// grown nothing is allocated.
+/// Decides for one robot among neighbors that plan reciprocally, others that move on, and walls.
+/// The plan says AVO_PLAN_INVALID_INPUT where a number of robot, neighbors or walls is out of
+/// range: the result is then AVO_OK. detour: the memory of the robot, updated; or null. neighbors
+/// and walls may be null where their counts are 0. Scratch memory is kept for each thread: nothing
+/// is allocated once it has grown.
 AVO_C_API avo_result avo_planner_plan(avo_planner_id planner, const avo_robot* robot,
                                       const avo_neighbor* neighbors, size_t neighbor_count,
                                       const avo_wall* walls, size_t wall_count, avo_detour* detour,
                                       avo_plan* plan);
-/// Decides for one robot among movers none of which reacts.
+/// Decides for one robot among movers that do not react.
 AVO_C_API avo_result avo_planner_plan_among_obstacles(avo_planner_id planner,
                                                       const avo_robot* robot,
                                                       const avo_neighbor* obstacles,
                                                       size_t obstacle_count, avo_plan* plan);
-/// What avo_planner_plan() says with `evading`: whom the robot evades, and on which way. detour is
-/// not updated.
+/// The way out behind `evading` of avo_planner_plan(): the mover that the robot evades, and the way
+/// out that it takes. detour is not updated.
 AVO_C_API avo_result avo_planner_evasion(avo_planner_id planner, const avo_robot* robot,
                                          const avo_neighbor* neighbors, size_t neighbor_count,
                                          const avo_wall* walls, size_t wall_count,
                                          const avo_detour* detour, avo_evasion* evasion);
-/// Whether some way out is clear of all who do not decide, as far as they keep to what is known.
+/// Whether some way out is clear of all neighbors that do not decide, if they move as predicted.
 AVO_C_API avo_result avo_planner_has_way_out(avo_planner_id planner, const avo_robot* robot,
                                              const avo_neighbor* neighbors, size_t neighbor_count,
                                              const avo_wall* walls, size_t wall_count,
@@ -438,23 +449,24 @@ typedef struct avo_robot_def {
   double max_speed;         ///< m/s, > 0
   double max_acceleration;  ///< m/s^2, > 0
   double preferred_speed;   ///< m/s, >= 0
-  double heading;           ///< rad; not of holonomic ones
+  double heading;           ///< rad; not read for holonomic robots
   double priority;          ///< > 0
-  double time_step;         ///< s, > 0, of its own where the clock is free; 0: the simulation's
-  double max_braking;       ///< m/s^2, > 0, also above max_acceleration; 0: that
+  double time_step;         ///< s, > 0, its own where the clock is free; 0: the simulation's
+  double max_braking;       ///< m/s^2, > 0, may exceed max_acceleration; 0: max_acceleration
   avo_car car;
   avo_differential_drive drive;
   avo_airplane airplane;
   avo_model model;
   uint32_t layers;        ///< bit k: it is in layer k
-  uint32_t avoids;        ///< bit k: it avoids those in layer k
+  uint32_t avoids;        ///< bit k: it avoids robots in layer k
   bool parked;            ///< never moves; its goal is its position
-  avo_behavior behavior;  ///< what others count on: AVO_BEHAVIOR_DECIDES or _COOPERATES
-  int32_t method;         ///< avo_method of its own; AVO_UNSET: the simulation's
-  double time_horizon;    ///< s, > 0, of its own; 0: the simulation's where it has its method
+  avo_behavior behavior;  ///< what others count on: AVO_BEHAVIOR_DECIDES or AVO_BEHAVIOR_COOPERATES
+  int32_t method;         ///< its own avo_method; AVO_UNSET: the simulation's
+  /// s, > 0, its own; 0: the simulation's if it has the simulation's method
+  double time_horizon;
 } avo_robot_def;
 
-/// A disc that reacts to nobody. It moves with constant acceleration, along a path, or as a
+/// A disc that reacts to no robot. It moves with constant acceleration, along a path, or as a
 /// trajectory says; with a trajectory, position and velocity are not read.
 typedef struct avo_moving_obstacle_def {
   size_t size;
@@ -470,9 +482,9 @@ typedef struct avo_moving_obstacle_def {
   size_t trajectory_count;
 } avo_moving_obstacle_def;
 
-/// Walls from each point to the next one, and from the last to the first where it is closed.
+/// Walls from each point to the next one; if closed, also from the last point to the first.
 typedef struct avo_chain {
-  const avo_vec2* points;  ///< m, at least one; of one point a disc
+  const avo_vec2* points;  ///< m, at least one; a single point is a disc
   size_t point_count;
   bool closed;
 } avo_chain;
@@ -486,10 +498,10 @@ typedef struct avo_obstacle_def {
   avo_fill fill;
 } avo_obstacle_def;
 
-/// How far each coordinate of a measurement is off.
+/// The error of each coordinate of a measurement.
 typedef struct avo_measurement_noise {
-  double position;   ///< m, >= 0: standard deviation; of uniform noise the bound
-  double velocity;   ///< m/s, >= 0: likewise
+  double position;   ///< m, >= 0: standard deviation; for uniform noise the bound
+  double velocity;   ///< m/s, >= 0: standard deviation; for uniform noise the bound
   double truncated;  ///< standard deviations of gaussian noise, > 0, <= 8; 0: unset, 3
   avo_noise_distribution distribution;
 } avo_measurement_noise;
@@ -499,38 +511,39 @@ typedef struct avo_sensing_model {
   avo_measurement_noise noise;
   double dropped;  ///< 0 to 0.999, share of the measurements that are missed
   int32_t delay;   ///< steps, 0 to 100, from a measurement to the decision
-  bool occlusion;  ///< nobody is sensed whose center is behind an obstacle
+  bool occlusion;  ///< a robot is not sensed if its center is behind an obstacle
 } avo_sensing_model;
 
-/// How far each coordinate of where a robot takes itself to be is off.
+/// The error of each coordinate of a robot's own place.
 typedef struct avo_localization_noise {
-  double position;   ///< m, >= 0: standard deviation; of uniform noise the bound
-  double truncated;  ///< as of avo_measurement_noise
+  double position;   ///< m, >= 0: standard deviation; for uniform noise the bound
+  double truncated;  ///< see avo_measurement_noise
   avo_noise_distribution distribution;
 } avo_localization_noise;
 
 /// Calls task(task_context, index, worker) once for each index in [0, count), in any order, and
 /// returns when all calls have returned. worker is less than the `workers` of the definition, and
-/// no two calls at the same time have the same one. The task takes no lock that the host could
+/// no two calls at the same time have the same worker. The task takes no lock that the host could
 /// hold, and calls nothing of the host. This function must not call anything of the simulation that
 /// steps, and must not be left by an exception or longjmp. It is called for two tasks or more, with
-/// one worker as well, from 256 robots on; whoever steps does single tasks and small fleets.
+/// one worker as well, from 256 robots on. The thread that steps does single tasks and small fleets
+/// itself.
 typedef void avo_task(void* task_context, size_t index, size_t worker);
 typedef void avo_run_tasks(void* run_context, size_t count, avo_task* task, void* task_context);
 
-/// A simulation: the settings of a scene, who is in it, and who does the work. Pointers are read
-/// while the simulation is made, not later; but run_tasks and run_context are used as long as it
-/// lives.
+/// A simulation: the settings of a scene, its robots and obstacles, and its threads. Pointers are
+/// read while the simulation is made, not later; but run_tasks and run_context are used as long as
+/// it lives.
 typedef struct avo_simulation_def {
   size_t size;
   const char* name;         ///< of the scene, for avo_summary alone; null: ""
   double time_step;         ///< s, > 0
-  double duration;          ///< s, >= time_step: a whole run takes it, see can_step_by
+  double duration;          ///< s, >= time_step: of a whole run, see avo_simulation_can_step_by()
   double control_time;      ///< s, > 0; 0: the method's
   double time_horizon;      ///< s, > 0; 0: the method's
-  double sensing_radius;    ///< m, > 0; 0: what the robots need
+  double sensing_radius;    ///< m, > 0; 0: the radius that the robots need
   double arrival_distance;  ///< m, > 0
-  double longest_step;      ///< s, > 0, where the clock is free; 0: that of the robots
+  double longest_step;      ///< s, > 0, where the clock is free; 0: the longest of the robots
   uint64_t seed;            ///< of sensing and of clocks
   int32_t max_neighbors;    ///< >= 1; 0: all
   int32_t samples;          ///< 0, or 2 to 1000
@@ -541,9 +554,10 @@ typedef struct avo_simulation_def {
   int32_t navigation;  ///< 0: no, 1: yes; AVO_UNSET: where there are static obstacles
   avo_right_of_way right_of_way;
   avo_sensing_model sensing;
-  avo_sensing_error sensing_error;  ///< that robots declare; both NAN: what sensing makes of it
-  /// Robots may start, be added and be moved where they break what the certificate assumes, as onto
-  /// others.
+  /// that robots declare; both NAN: the error that follows from sensing
+  avo_sensing_error sensing_error;
+  /// Robots may start, be added and be moved where they break the assumptions of the certificate,
+  /// as onto others.
   bool allow_broken_assumptions;
 
   const avo_robot_def* robots;
@@ -553,17 +567,18 @@ typedef struct avo_simulation_def {
   const avo_obstacle_def* obstacles;
   size_t obstacle_count;
 
-  int32_t threads;  ///< 0 to 1024; 0: as many as this process may use. Read where run_tasks is null
-  int32_t workers;  ///< 1 to 1024, of run_tasks
+  /// 0 to 1024; 0: as many as processors that this process may use. Read where run_tasks is null
+  int32_t threads;
+  int32_t workers;                      ///< 1 to 1024, of run_tasks
   avo_run_tasks* run_tasks;             ///< the host's own threads; null: those of the library
   void* run_context;                    ///< for run_tasks
   bool metrics;                         ///< judge every step, for avo_simulation_summary()
   avo_localization_noise localization;  ///< robots know their velocity and heading exactly
-  double response_time;                 ///< as of avo_planner_def; NAN: the method's
-  double comfort_acceleration;          ///< likewise; 0: none
-  double comfort_jerk;                  ///< likewise; 0: none
-  double margin;                        ///< likewise
-  bool never_swerves;                   ///< likewise
+  double response_time;                 ///< see avo_planner_def; NAN: the method's
+  double comfort_acceleration;          ///< see avo_planner_def; 0: none
+  double comfort_jerk;                  ///< see avo_planner_def; 0: none
+  double margin;                        ///< see avo_planner_def
+  bool never_swerves;                   ///< see avo_planner_def
 } avo_simulation_def;
 
 AVO_C_API avo_robot_def avo_default_robot_def(void);
@@ -571,27 +586,28 @@ AVO_C_API avo_moving_obstacle_def avo_default_moving_obstacle_def(void);
 AVO_C_API avo_obstacle_def avo_default_obstacle_def(void);
 AVO_C_API avo_simulation_def avo_default_simulation_def(void);
 
-/// The scene of a built-in name, e.g. "circle-100", or of a file. overrides: override_count times
-/// "key=value" on a key of the scene; null where there are none. AVO_ERROR_UNSUPPORTED in a library
-/// that was built without scene files.
+/// Loads the scene of a built-in name, e.g. "circle-100", or of a file. overrides: override_count
+/// times "key=value" on a key of the scene; null where there are none. AVO_ERROR_UNSUPPORTED in a
+/// library that was built without scene files.
 AVO_C_API avo_result avo_load_scene(const char* name_or_path, const char* const* overrides,
                                     size_t override_count, avo_scene_id* scene);
-/// The same from `length` bytes of YAML. file: stands in front of messages, and files that the
-/// scene names are relative to it.
+/// Makes a scene from `length` bytes of YAML. Messages begin with `file`, and files that the scene
+/// names are relative to it.
 AVO_C_API avo_result avo_parse_scene(const char* yaml, size_t length, const char* file,
                                      const char* const* overrides, size_t override_count,
                                      avo_scene_id* scene);
 AVO_C_API avo_result avo_destroy_scene(avo_scene_id scene);
 AVO_C_API bool avo_scene_is_valid(avo_scene_id scene);
-/// The scene as a definition, to change and to simulate. What its pointers show belongs to the
-/// scene and is valid until that is destroyed. def->size has to be set, as by
+/// Writes the scene as a definition, to change and to simulate. Its pointers point to memory of the
+/// scene, valid until the scene is destroyed. def->size must be set, as by
 /// avo_default_simulation_def(); the other members are overwritten.
 AVO_C_API avo_result avo_scene_get_def(avo_scene_id scene, avo_simulation_def* def);
 
 /* ---------------------------------------------------------------------------------- simulation */
 
-/// m: the sensing radius that the robots of a definition need, whatever its sensing_radius: less is
-/// refused by its certificate, more costs time. What a sensing_radius of 0 stands for.
+/// m: the sensing radius that the robots of a definition need, whatever its sensing_radius. The
+/// certificate refuses a smaller one, and a larger one costs time. A sensing_radius of 0 means this
+/// value.
 AVO_C_API avo_result avo_needed_sensing_radius(const avo_simulation_def* def, double* radius);
 
 AVO_C_API avo_result avo_create_simulation(const avo_simulation_def* def,
@@ -599,26 +615,27 @@ AVO_C_API avo_result avo_create_simulation(const avo_simulation_def* def,
 AVO_C_API avo_result avo_destroy_simulation(avo_simulation_id simulation);
 AVO_C_API bool avo_simulation_is_valid(avo_simulation_id simulation);
 
-/// One sensing-acting cycle of all robots. The same bits for any number of threads or workers. A
-/// fleet of less than 256 is stepped by the calling thread alone. Airplanes that have arrived may
-/// leave. Where memory runs out nobody has moved, or every later step fails until a state is
-/// restored. Where run_tasks breaks its contract, likewise. Where it runs out for metrics alone,
-/// the step is done, and they end.
+/// One sensing-acting cycle of all robots. The result has the same bits for any number of threads
+/// or workers. The calling thread alone steps a fleet of less than 256. Airplanes that have arrived
+/// may leave. Where memory runs out, either no robot has moved, or every later step fails until a
+/// state is restored. The same holds where run_tasks breaks its contract. Where memory runs out for
+/// metrics alone, the step is done, and the metrics end.
 AVO_C_API avo_result avo_simulation_step(avo_simulation_id simulation);
 
-/// The new robot's number is greater than all before. Refused where the certificate cannot keep it
-/// from others or obstacles, unless the definition has allow_broken_assumptions; so is moving it.
+/// Adds a robot. Its number is greater than all before. It is refused where the certificate cannot
+/// keep it from others or obstacles, unless the definition has allow_broken_assumptions. Moving a
+/// robot is refused in the same cases.
 AVO_C_API avo_result avo_simulation_add_robot(avo_simulation_id simulation,
                                               const avo_robot_def* def, avo_robot_id* robot);
 AVO_C_API avo_result avo_simulation_remove_robot(avo_simulation_id simulation, avo_robot_id robot);
 /// The goal that it has already changes nothing.
 AVO_C_API avo_result avo_simulation_set_goal(avo_simulation_id simulation, avo_robot_id robot,
                                              avo_vec2 goal);
-/// Somebody puts the robot down elsewhere, at rest; an airplane keeps its velocity. It keeps its
-/// number and forgets what it remembers of its way.
+/// Puts the robot down elsewhere, at rest; an airplane keeps its velocity. It keeps its number and
+/// forgets what it remembers of its route.
 AVO_C_API avo_result avo_simulation_move_robot(avo_simulation_id simulation, avo_robot_id robot,
                                                avo_vec2 position);
-/// A door closes. Takes as long as making the simulation, at most.
+/// A door closes. The call takes at most as long as making the simulation.
 AVO_C_API avo_result avo_simulation_add_obstacle(avo_simulation_id simulation,
                                                  const avo_obstacle_def* def,
                                                  avo_obstacle_id* obstacle);
@@ -626,25 +643,25 @@ AVO_C_API avo_result avo_simulation_add_obstacle(avo_simulation_id simulation,
 AVO_C_API avo_result avo_simulation_remove_obstacle(avo_simulation_id simulation,
                                                     avo_obstacle_id obstacle);
 
-/// Writes the state into the buffer of `capacity` bytes, and how many these are to *size: also
-/// where they are too many, AVO_ERROR_BUFFER_TOO_SMALL. With no buffer (null) it writes the size
-/// alone, AVO_OK. The bytes are the same on every machine.
+/// Writes the state into the buffer of `capacity` bytes, and the number of bytes to *size. If there
+/// are too many, it also writes *size and returns AVO_ERROR_BUFFER_TOO_SMALL. Without a buffer
+/// (null) it only writes the size, AVO_OK. The bytes are the same on every machine.
 AVO_C_API avo_result avo_simulation_save(avo_simulation_id simulation, void* buffer,
                                          size_t capacity, size_t* size);
-/// Back, or forth, to what this simulation or another one of the same settings and moving obstacles
-/// has saved. Changes nothing where it fails. Metrics begin anew, or end where memory runs out for
-/// them.
+/// Goes back, or forth, to a state that this simulation or another one of the same settings and
+/// moving obstacles has saved. Changes nothing where it fails. Metrics begin anew, or end where
+/// memory runs out for them.
 AVO_C_API avo_result avo_simulation_restore(avo_simulation_id simulation, const void* saved,
                                             size_t size);
-/// A simulation that goes on from what another one has saved. Of def only threads, workers,
-/// run_tasks and run_context are read; null: the defaults. metrics is AVO_ERROR_UNSUPPORTED here.
+/// Makes a simulation that continues from a saved state. Only threads, workers, run_tasks and
+/// run_context of def are read; null: the defaults. metrics is AVO_ERROR_UNSUPPORTED here.
 AVO_C_API avo_result avo_create_simulation_from_saved(const void* saved, size_t size,
                                                       const avo_simulation_def* def,
                                                       avo_simulation_id* simulation);
 
-/// Columns of the present generation: `count` entries each, one a robot, by ascending id. They
-/// belong to the simulation and are valid until the next call that changes it (step, add, remove,
-/// set_goal, move_robot, restore, destroy).
+/// Columns of the present generation: `count` entries each, one for each robot, by ascending id.
+/// They belong to the simulation and are valid until the next call that changes it (step, add,
+/// remove, set_goal, move_robot, restore, destroy).
 typedef struct avo_columns {
   size_t count;
   const avo_robot_id* id;
@@ -657,7 +674,8 @@ typedef struct avo_columns {
   const double* applied_acceleration;  ///< m/s^2, the largest |a| within the last step
 } avo_columns;
 
-/// Columns of the moving obstacles, in the order of the definition; likewise.
+/// Columns of the moving obstacles, in the order of the definition; they are valid as long as
+/// avo_columns.
 typedef struct avo_obstacle_columns {
   size_t count;
   const avo_vec2* position;  ///< m
@@ -668,7 +686,7 @@ AVO_C_API avo_result avo_simulation_columns(avo_simulation_id simulation, avo_co
 AVO_C_API avo_result avo_simulation_moving_obstacles(avo_simulation_id simulation,
                                                      avo_obstacle_columns* columns);
 
-/// Of one robot. AVO_ERROR_INVALID_ID where it is not there, or no longer.
+/// Values of one robot. AVO_ERROR_INVALID_ID where it does not exist, or no longer.
 AVO_C_API avo_result avo_simulation_get_position(avo_simulation_id simulation, avo_robot_id robot,
                                                  avo_vec2* position);
 AVO_C_API avo_result avo_simulation_get_velocity(avo_simulation_id simulation, avo_robot_id robot,
@@ -682,118 +700,124 @@ AVO_C_API avo_result avo_simulation_get_plan(avo_simulation_id simulation, avo_r
 AVO_C_API avo_result avo_simulation_get_applied_acceleration(avo_simulation_id simulation,
                                                              avo_robot_id robot,
                                                              double* acceleration);
-/// Whether it is within arrival_distance of its goal now, with no wall between, or rests as near as
-/// others at rest leave room, where their goals are too close together for all of them.
+/// Whether it is within arrival_distance of its goal now, with no wall between. It also counts if
+/// it rests as near as others at rest leave room, where their goals are too close together for all
+/// of them.
 AVO_C_API avo_result avo_simulation_is_at_goal(avo_simulation_id simulation, avo_robot_id robot,
                                                bool* is_at_goal);
-/// s: when it decides next; infinite if it is parked.
+/// s: when the robot decides next; infinite if it is parked.
 AVO_C_API avo_result avo_simulation_get_next_decision(avo_simulation_id simulation,
                                                       avo_robot_id robot, double* time);
-/// Whether it decided in the last step.
+/// Whether the robot decided in the last step.
 AVO_C_API avo_result avo_simulation_decided(avo_simulation_id simulation, avo_robot_id robot,
                                             bool* decided);
-/// m: from the nearest place that it gets to, where its way ends, to its goal. 0 where no wall
-/// keeps it from its goal.
+/// m: from the nearest place that the robot can reach, where its route ends, to its goal. 0 where
+/// no wall keeps it from its goal.
 AVO_C_API avo_result avo_simulation_get_distance_left(avo_simulation_id simulation,
                                                       avo_robot_id robot, double* distance);
-/// For whom a robot waits at a passage of one lane.
+/// The robot for which another robot waits at a passage of one lane.
 typedef struct avo_wait {
-  bool waits;          ///< else the rest says nothing
+  bool waits;          ///< if false, the other members have no meaning
   avo_vec2 passage;    ///< m, the middle of its axis
-  avo_robot_id robot;  ///< that comes towards it, or is in the way
+  avo_robot_id robot;  ///< the robot that comes towards it, or is in its path
 } avo_wait;
 AVO_C_API avo_result avo_simulation_get_wait(avo_simulation_id simulation, avo_robot_id robot,
                                              avo_wait* wait);
-/// Its place in the columns, which is not its number once another one has gone.
+/// The robot's place in the columns, which is not its number once another robot has gone.
 AVO_C_API avo_result avo_simulation_index_of(avo_simulation_id simulation, avo_robot_id robot,
                                              size_t* index);
-/// As it is now: position, velocity, heading and goal of now, all else as it was defined. def->size
-/// has to be set.
+/// The robot's definition with its present position, velocity, heading and goal; all other values
+/// are as defined. def->size must be set.
 AVO_C_API avo_result avo_simulation_get_robot_def(avo_simulation_id simulation, avo_robot_id robot,
                                                   avo_robot_def* def);
 
 AVO_C_API avo_result avo_simulation_get_time(avo_simulation_id simulation, double* time);  ///< s
 AVO_C_API avo_result avo_simulation_get_steps(avo_simulation_id simulation, int64_t* steps);
-/// m: how far robots sense. Where the definition says 0, a robot that is added and needs more makes
-/// it grow.
+/// m: how far robots sense. Where the definition says 0, an added robot that needs more makes it
+/// grow.
 AVO_C_API avo_result avo_simulation_get_sensing_radius(avo_simulation_id simulation,
                                                        double* radius);
 AVO_C_API avo_result avo_simulation_get_robot_count(avo_simulation_id simulation, size_t* count);
-/// That a step may use: threads of the library, or workers of the host.
+/// The number that a step may use: threads of the library, or workers of the host.
 AVO_C_API avo_result avo_simulation_get_threads(avo_simulation_id simulation, int32_t* threads);
-/// Whether the next step ends by that time, s: a whole run steps while it does by `duration`.
+/// Whether the next step ends by that time, s. A whole run steps while this is true for `duration`.
 AVO_C_API avo_result avo_simulation_can_step_by(avo_simulation_id simulation, double time,
                                                 bool* can_step);
 AVO_C_API avo_result avo_simulation_all_at_goal(avo_simulation_id simulation, bool* all_at_goal);
-/// Equal for equal states, bit by bit: that of the C++ interface.
+/// Equal for equal states, bit by bit: the hash of the C++ interface.
 AVO_C_API avo_result avo_simulation_get_state_hash(avo_simulation_id simulation, uint64_t* hash);
-/// Robots that cannot get to their goals even alone, nor to a place within arrival_distance of one
-/// that is too near to a wall, by ascending id. They go as near as they can: as many as fit into
-/// the buffer's `capacity` ids. *count: how many there are; with no buffer (null) it writes that
-/// alone. AVO_ERROR_BUFFER_TOO_SMALL where they are too many: *count is written.
+/// Robots that cannot reach their goals even alone, nor, for a goal too near to a wall, a place
+/// within arrival_distance of it, by ascending id. They go as near as they can. It writes as many
+/// ids as fit into the buffer's `capacity`. *count: the number of such robots; without a buffer
+/// (null) it only writes that. AVO_ERROR_BUFFER_TOO_SMALL if there are too many: *count is written.
 AVO_C_API avo_result avo_simulation_unreachable(avo_simulation_id simulation, avo_robot_id* buffer,
                                                 size_t capacity, size_t* count);
-/// The static obstacles that there are, by ascending id, likewise.
+/// The present static obstacles, by ascending id. buffer and count are those of
+/// avo_simulation_unreachable().
 AVO_C_API avo_result avo_simulation_obstacles(avo_simulation_id simulation, avo_obstacle_id* buffer,
                                               size_t capacity, size_t* count);
 
-/// What a run did since it began or was restored.
-/// By published definitions (docs/metrics.md). A trip is that of a robot that is not parked, until
-/// it first arrives. NAN: there is nothing to say.
+/// Metrics by published definitions (docs/metrics.md). A trip belongs to a robot that is not
+/// parked, and lasts until it first arrives. NAN: no data.
 typedef struct avo_run_metrics {
   int64_t trips;
   int64_t collision_robot_steps;  ///< with another robot, as in collision_pairs
   double overlap_depth;           ///< the deepest, as a part of both radii; 0: none
   double success;                 ///< share of trips: no overlap, within 3 ideal times
   double collision;               ///< share of trips with an overlap
-  double timeout;                 ///< share of the others
-  double extra_time_mean;         ///< s, of trips that end over their ideal times
+  double timeout;                 ///< share of the other trips
+  /// s, excess of the duration of trips that end over their ideal times
+  double extra_time_mean;
   double extra_time_p75;
   double extra_time_p90;
-  double flowtime;          ///< s, sum of all trips' times; only if all have arrived
-  double path_ratio;        ///< mean over trips that end: length by the shortest way
+  double flowtime;  ///< s, sum of all trips' times; only if all have arrived
+  /// mean over trips that end: length divided by the length of the shortest route
+  double path_ratio;
   double effort;            ///< m^2/s^3, mean of the trips' integrals of |a|^2
   double acceleration_rms;  ///< |a|/a_max, root mean square over all trips' time
   double jerk;              ///< m/s^3, root mean square over all trips' steps
   double reversals;         ///< of the acceleration, mean number a trip
-  /// Share of the steps in motion whose acceleration is more than 135 degrees from that of the step
-  /// before, both of more than 0.3 a_max.
+  /// Share of the steps in motion in which the acceleration turned by more than 135 degrees from
+  /// the step before, both of more than 0.3 a_max.
   double turned_back;
-  double efficacy;       ///< mean speed along the way by the preferred speed
+  double efficacy;       ///< mean speed along the route, divided by the preferred speed
   double deadlock_time;  ///< s, mean time a trip without progress
 } avo_run_metrics;
 
+/// The results of a run since it began or was restored.
 typedef struct avo_summary {
   size_t size;
   int64_t robots;
-  int64_t parked;  ///< of them; they have arrived where they stand
+  int64_t parked;  ///< parked robots among them; they have arrived where they stand
   int64_t steps;
   int64_t arrived;               ///< robots that were ever at their goals
   int64_t collision_pairs;       ///< pairs of robots that ever overlapped and avoid each other
-  int64_t one_sided_collisions;  ///< those of which only one avoids the other
+  int64_t one_sided_collisions;  ///< pairs in which only one robot avoids the other
   int64_t obstacle_collisions;   ///< (robot, moving obstacle) pairs
-  int64_t obstacle_collisions_in_motion;  ///< of them, in a step in which the robot moved
-  int64_t collision_obstacles;            ///< robots that touched a static obstacle
-  int64_t first_seen_too_late;            ///< pairs; -1 without a certificate
-  int64_t infeasible_steps;               ///< robot-steps whose half-planes had no point in common
-  int64_t unreachable;                    ///< robots
-  int64_t decisions[6];                   ///< robot-steps, by avo_plan_status
-  double first_collision_time;            ///< s; NAN: none
-  double min_clearance;           ///< m, of robots that avoid each other; NAN: there are none
-  double min_obstacle_clearance;  ///< m, from static obstacles; NAN: likewise
+  /// the pairs among them that overlapped in a step in which the robot moved
+  int64_t obstacle_collisions_in_motion;
+  int64_t collision_obstacles;  ///< robots that touched a static obstacle
+  int64_t first_seen_too_late;  ///< pairs; -1 without a certificate
+  /// robot-steps with half-planes that had no point in common
+  int64_t infeasible_steps;
+  int64_t unreachable;            ///< robots
+  int64_t decisions[6];           ///< robot-steps, by avo_plan_status
+  double first_collision_time;    ///< s; NAN: none
+  double min_clearance;           ///< m, between robots that avoid each other; NAN: there are none
+  double min_obstacle_clearance;  ///< m, from static obstacles; NAN: there are none
   double max_acceleration;        ///< m/s^2, the largest applied |a|
   double acceleration_excess;     ///< m/s^2, the largest |a| - max(a_max, b); 0 if kept
   double max_speed;               ///< m/s
-  double mean_arrival;            ///< s, of those that arrived; NAN: none
+  double mean_arrival;            ///< s, over robots that arrived; NAN: none
   double last_arrival;            ///< s; NAN: not all have arrived
   avo_run_metrics metrics;
-  /// Of the obstacle_collisions, those in which the robot had a way out when it came to sense the
-  /// obstacle; -1 without a certificate.
+  /// The obstacle_collisions in which the robot had a way out when it first sensed the obstacle; -1
+  /// without a certificate.
   int64_t obstacle_collisions_evadable;
 } avo_summary;
 
 AVO_C_API avo_summary avo_default_summary(void);
-/// AVO_ERROR_UNSUPPORTED where the definition did not ask for metrics. summary->size has to be set.
+/// AVO_ERROR_UNSUPPORTED where the definition did not ask for metrics. summary->size must be set.
 AVO_C_API avo_result avo_simulation_summary(avo_simulation_id simulation, avo_summary* summary);
 
 #ifdef __cplusplus
