@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a simulation tells: lent columns, and of one robot.
+// The values of a simulation: lent columns, and values of one robot.
 #include <algorithm>
 #include <cstring>
 
@@ -38,7 +38,7 @@ const avo_robot_id* ids_of(Simulation& simulation, const avo::FleetView& fleet) 
   return simulation.ids.data();
 }
 
-// value = of(simulation) for the one with that id.
+// value = of(simulation) for the simulation with that id.
 template <typename Value, typename Of>
 avo_result get(avo_simulation_id id, Value* value, const Of& of) {
   return guarded([&] {
@@ -47,7 +47,7 @@ avo_result get(avo_simulation_id id, Value* value, const Of& of) {
   });
 }
 
-// value = of(simulation, index) of one robot, by its index into fleet().
+// value = of(simulation, index) for a robot, by its index into fleet().
 template <typename Value, typename Of>
 avo_result get_by_index(avo_simulation_id id, avo_robot_id robot, Value* value, const Of& of) {
   return guarded([&] {
@@ -57,7 +57,7 @@ avo_result get_by_index(avo_simulation_id id, avo_robot_id robot, Value* value, 
   });
 }
 
-// value = of(state) of one robot.
+// value = of(state) for a robot.
 template <typename Value, typename Of>
 avo_result get(avo_simulation_id id, avo_robot_id robot, Value* value, const Of& of) {
   return get_by_index(id, robot, value, [&](const avo::Simulation& own, std::size_t index) {
@@ -65,7 +65,7 @@ avo_result get(avo_simulation_id id, avo_robot_id robot, Value* value, const Of&
   });
 }
 
-// The ids into the buffer, if they fit.
+// Writes the ids into the buffer, if they fit.
 template <typename Id, typename Ids>
 void list(const Ids& ids, Id* buffer, std::size_t capacity, std::size_t* count) {
   at(count, "count") = ids.size();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Values of the C interface as those of C++, and back.
+// Converts values of the C interface to those of C++, and back.
 #pragma once
 #include <bit>
 #include <optional>
@@ -19,7 +19,7 @@ inline avo_vec2 to_c(avo::Vec2 v) {
   return {v.x, v.y};
 }
 
-/// Of numbers that must not be 0, which stands for none.
+/// For numbers that must not be 0: 0 stands for none.
 inline std::optional<double> unless_zero(double value) {
   return value == 0.0 ? std::nullopt : std::optional(value);
 }
@@ -27,7 +27,7 @@ inline std::optional<int> unless_zero(std::int32_t value) {
   return value == 0 ? std::nullopt : std::optional<int>(value);
 }
 
-/// What a definition says of the motion model. Def: avo_robot or avo_robot_def.
+/// The motion model of a definition. Def: avo_robot or avo_robot_def.
 template <typename Def>
 avo::MotionModel model_of(const Def& def, const Where& where);
 template <typename Def>
@@ -45,7 +45,7 @@ avo_robot_def def_of(const avo::RobotSetup& setup);
 avo::MovingObstacle obstacle_of(const avo_moving_obstacle_def& def, const Where& where);
 avo::StaticObstacle obstacle_of(const avo_obstacle_def& def, const Where& where);
 
-/// Settings, robots and obstacles; not who does the work.
+/// Settings, robots and obstacles; without the threads.
 avo::Scenario scenario_of(const avo_simulation_def& def);
 
 /// A scene's settings, without robots and obstacles.

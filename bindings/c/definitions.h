@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Definitions as a program gives them, which may be compiled with an older header than the library.
+// Reads definitions of a program, which may be compiled with an older header than the library.
 #pragma once
 #include <algorithm>
 #include <array>
@@ -13,10 +13,10 @@
 
 namespace avo_c {
 
-/// Where a definition stands, in front of messages: "robots.3".
+/// The place of a definition, for messages: "robots.3".
 struct Where {
   const char* list = "";
-  std::size_t index = SIZE_MAX;  // none: it stands for itself
+  std::size_t index = SIZE_MAX;  // none: it is no element of a list
 
   [[nodiscard]] std::string operator/(const char* member) const {
     std::string name(list);
@@ -26,14 +26,14 @@ struct Where {
   }
 };
 
-/// Bytes of the definition in every version that was released; the last one is today's. A version
-/// that appends members specializes this for the definition that grows: the sizes until then, then
-/// sizeof(Def). Its members begin behind the padding of the definition before, which programs leave
-/// unset.
+/// Sizes in bytes of the definition in all released versions; the last one is the present one. A
+/// version that appends members specializes this for the definition that grows: the sizes until
+/// then, then sizeof(Def). The new members begin after the padding of the older definition, which
+/// programs leave unset.
 template <typename Def>
 inline constexpr std::array kReleasedSizes{sizeof(Def)};
 
-/// Bytes of the definition. Throws Failure where no version of it has as many.
+/// Size of the definition in bytes. Throws Failure if no version has this size.
 template <typename Def>
 std::size_t size_of(const Def* def, const Where& where) {
   constexpr auto& kSizes = kReleasedSizes<Def>;
@@ -47,7 +47,7 @@ std::size_t size_of(const Def* def, const Where& where) {
   return size;
 }
 
-/// The definition; members that it is too short for are those of `defaults`.
+/// The definition; members beyond its size are those of `defaults`.
 template <typename Def>
 Def read(const Def* def, const Where& where, Def defaults) {
   std::memcpy(&defaults, def, size_of(def, where));
@@ -55,7 +55,7 @@ Def read(const Def* def, const Where& where, Def defaults) {
   return defaults;
 }
 
-/// As many members of `from` as the program knows.
+/// Writes the members of `from` that the program knows.
 template <typename Def>
 void write(Def* to, const Def& from, const Where& where) {
   const std::size_t size = size_of(to, where);
@@ -63,7 +63,7 @@ void write(Def* to, const Def& from, const Where& where) {
   to->size = size;
 }
 
-/// take(definition, where) for each of an array of definitions.
+/// Calls take(definition, where) for each element of an array of definitions.
 template <typename Def, typename Take>
 void for_each(const Def* defs, std::size_t count, const char* list, const Def& defaults,
               const Take& take) {
@@ -82,7 +82,7 @@ void for_each(const Def* defs, std::size_t count, const char* list, const Def& d
   }
 }
 
-/// The word of that number, of `count` that there are. Throws Failure.
+/// The enumerator with that number, out of `count`. Throws Failure.
 template <typename Word>
 Word word(std::int32_t number, std::int32_t count, const Where& where, const char* member) {
   if (number < 0 || number >= count)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// How a call that fails says so: a result, and a message of this thread.
+// How a call reports failure: a result, and a message of this thread.
 #pragma once
 #include <string>
 #include <utility>
@@ -8,7 +8,7 @@
 
 namespace avo_c {
 
-/// What a function of this folder throws.
+/// The exception of the functions of this folder.
 struct Failure {
   avo_result result;
   std::string message;
@@ -16,7 +16,7 @@ struct Failure {
 
 [[noreturn]] void fail(avo_result result, std::string message);
 
-/// Throws Failure unless there is something at the pointer that an argument of that name gives.
+/// Throws Failure if the pointer of the argument with that name is null.
 template <typename T>
 T& at(T* pointer, const char* name) {
   if (pointer == nullptr)
@@ -24,10 +24,10 @@ T& at(T* pointer, const char* name) {
   return *pointer;
 }
 
-/// More are a number that was never set.
+/// A larger count was most likely never set.
 inline constexpr std::size_t kMostEntries = 10'000'000;
 
-/// The same of an array, which may be null where it is empty.
+/// The same for an array, which may be null if it is empty.
 template <typename T>
 void require_array(const T* array, std::size_t count, const char* name) {
   if (array == nullptr && count > 0)
@@ -38,7 +38,7 @@ void require_array(const T* array, std::size_t count, const char* name) {
                                          ", must be at most " + std::to_string(kMostEntries));
 }
 
-/// What the exception that is being handled means to the caller; remembers its message.
+/// The result for the exception that is being handled; stores its message.
 avo_result handle_exception() noexcept;
 
 /// The result of a call that does `body`: no exception leaves it.

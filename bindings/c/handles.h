@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Objects by id. An id is the place of an object in a table and the generation of that place: an id
-// whose object is gone is not that of the next one there.
+// Objects by id. An id is the place of an object in a table and the generation of that place. The
+// id of a destroyed object differs from that of the next object in its place.
 #pragma once
 #include <array>
 #include <atomic>
@@ -16,12 +16,12 @@
 
 namespace avo_c {
 
-/// Id is a struct of index (from 1; 0: null) and generation. To find an object takes no lock and
+/// Id is a struct of index (from 1; 0: null) and generation. Finding an object takes no lock and
 /// two reads: places never move.
 template <typename Id, typename Object>
 class Handles {
  public:
-  /// what: of messages, e.g. "simulation".
+  /// what: the name in messages, e.g. "simulation".
   constexpr explicit Handles(const char* what) : what_(what) {}
   ~Handles() {
     for (std::atomic<Place*>& block : blocks_) delete[] block.load(std::memory_order_relaxed);
@@ -40,7 +40,7 @@ class Handles {
     return Id{index + 1, place.generation.load(std::memory_order_relaxed)};
   }
 
-  /// Throws Failure where there is none.
+  /// Throws Failure if there is no such object.
   Object& at(Id id) const {
     if (Object* object = find(id)) return *object;
     const bool is_null = id.index == 0 && id.generation == 0;
@@ -58,7 +58,8 @@ class Handles {
     return place->object.get();
   }
 
-  /// Throws Failure likewise. The object is destroyed when the result is.
+  /// Removes the object; it is destroyed with the result. Throws Failure if there is no such
+  /// object.
   std::unique_ptr<Object> take(Id id) {
     const std::lock_guard lock(changing_);
     static_cast<void>(at(id));
@@ -66,7 +67,7 @@ class Handles {
     place.is_used.store(false, std::memory_order_release);
     const std::uint32_t generation = place.generation.load(std::memory_order_relaxed);
     place.generation.store(generation + 1, std::memory_order_relaxed);
-    // a place whose generations are used up is left alone
+    // a place with no generations left is not used again
     if (generation < std::numeric_limits<std::uint32_t>::max()) free_.push_back(id.index - 1);
     return std::move(place.object);
   }

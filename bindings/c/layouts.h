@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Values that C and C++ have the same bytes of, so that columns are lent as they are.
+// Values with the same bytes in C and C++, so that columns are lent without a copy.
 #pragma once
 #include <cstddef>
 #include <type_traits>

@@ -37,7 +37,7 @@ avo_airplane to_c(const avo::Airplane& airplane) {
           static_cast<avo_after_goal>(airplane.after_goal)};
 }
 
-// Only a robot of a simulation has a radius of its own to choose it from.
+// Only a robot of a simulation has a radius from which the offset can be chosen.
 template <typename Def>
 double offset_of(const Def& def) {
   if constexpr (std::is_same_v<Def, avo_robot_def>)

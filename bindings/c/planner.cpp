@@ -15,7 +15,7 @@ namespace {
 
 constinit Handles<avo_planner_id, avo::Planner> planners("planner");
 
-// Of one thread; it grows, and then nothing is allocated.
+// The memory of one thread; it grows, and then nothing is allocated.
 struct Scratch {
   avo::PlanWorkspace workspace;
   std::vector<avo::Neighbor> neighbors;

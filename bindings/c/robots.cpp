@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Robots: of a simulation, and as a planner knows them.
+// Robots of a simulation, and robots for a planner.
 #include "convert.h"
 
 namespace avo_c {

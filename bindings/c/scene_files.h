@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Scenes by name, of files and of text. One of two sources does it: with avo_io or without.
+// Scenes by name, from files and from text. One of two sources implements it: with avo_io or
+// without.
 #pragma once
 #include <string>
 #include <string_view>

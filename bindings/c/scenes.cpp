@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Scenes as definitions. Where they come from is in scene_files.h.
+// Scenes as definitions. scene_files.h loads them.
 #include <deque>
 #include <memory>
 #include <vector>
@@ -12,7 +12,7 @@
 namespace avo_c {
 namespace {
 
-// A scene, and what its definition points to.
+// A scene, and the memory that its definition points to.
 struct Scene {
   explicit Scene(avo::Scenario read);
 

@@ -30,13 +30,13 @@ void observe(Simulation& simulation) {
   }
 }
 
-// change(simulation) of the one with that id, of which no columns are lent any more.
+// change(simulation) of the simulation with that id; columns lent before are no longer valid.
 template <typename Change>
 avo_result changed(avo_simulation_id id, const Change& change) {
   return guarded([&] { change(simulations.at(id)); });
 }
 
-// The same of one whose robots may be others then.
+// The same for a change after which the simulation may have other robots.
 template <typename Change>
 avo_result repopulated(avo_simulation_id id, const Change& change) {
   return changed(id, [&](Simulation& own) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a simulation's id stands for.
+// The object behind a simulation's id.
 #pragma once
 #include <atomic>
 #include <memory>
@@ -25,7 +25,7 @@ struct Simulation {
 
   std::mutex looking;
   std::atomic<bool> has_ids = false;
-  std::vector<avo_robot_id> ids;  // of the columns; made when they are asked for
+  std::vector<avo_robot_id> ids;  // of the columns; made on demand
 };
 
 inline constinit Handles<avo_simulation_id, Simulation> simulations("simulation");
@@ -37,16 +37,16 @@ inline avo_robot_id to_c(avo::RobotId robot) {
   return {robot.value + 1};
 }
 
-/// Index into fleet(). Throws Failure where it is null or gone.
+/// Index into fleet(). Throws Failure if the id is null or the robot is gone.
 std::size_t index_of(const avo::Simulation& simulation, avo_robot_id robot);
 
-/// Metrics begin anew, where there are any.
+/// Begins the metrics anew, if there are any.
 void restart_metrics(Simulation& simulation);
 
-/// They end, because what they could not follow has been done. Throws Failure that says so.
+/// Ends the metrics, because they missed a change of the simulation. Throws Failure that says so.
 [[noreturn]] void lose_metrics(Simulation& simulation);
 
-/// Who does the steps: the host, or as many threads as the definition says.
+/// Makes a simulation on the host's threads, or on as many threads as the definition says.
 avo::Simulation make(const avo::Scenario& scenario, const avo_simulation_def& def);
 avo::Simulation make(std::span<const std::byte> saved, const avo_simulation_def& def);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a run did.
+// The results of a run.
 #include <limits>
 
 #include "simulations.h"

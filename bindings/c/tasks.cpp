@@ -11,7 +11,7 @@
 namespace avo_c {
 namespace {
 
-// What a host is given to call; it counts, so that a host which breaks its contract is noticed.
+// The tasks given to a host; it counts them, so that a host that breaks its contract is detected.
 struct Batch {
   avo::Executor::Task task;
   void* context;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What is known of the future of movers.
+// The known future of movers.
 #include <cmath>
 #include <memory>
 #include <optional>

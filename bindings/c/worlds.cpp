@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What is in a simulation besides robots, and its settings.
+// The parts of a simulation besides robots, and its settings.
 #include <cmath>
 #include <limits>
 

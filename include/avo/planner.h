@@ -179,8 +179,7 @@ AVO_API double response_time_of(const PlannerOptions& options, double max_speed,
 /// How a decision was made.
 enum class PlanStatus : std::uint8_t {
   /// With method avo, v' is the target that the paper's program chose, see Plan::new_velocity.
-  /// v' lies in CA_A: no collision before τ if all others choose in their sets too (Definition 4)
-  optimal,
+  optimal,       ///< v' lies in CA_A: no collision before τ if all do so (Definition 4)
   least_unsafe,  ///< CA_A is empty: v' violates it by as little as the limits allow
   candidate,     ///< the certificate refused the target and admitted another velocity near it
   /// the certificate admitted braking only, or |v| exceeds v_max by more than one decision can
@@ -435,27 +434,14 @@ class AVO_API Planner {
   ///
   /// unknown: neither is proved, or plan() says invalid_input.
   ///
-  /// Declared errors, ages and clocks are allowed for. Without them a state that is not unknown is
-  /// never both safe and doomed, except beside a mover that keeps its acceleration: doomed is said
-  /// then.
+  /// Declared errors, ages and clocks are allowed for. Without them no state is both safe and
+  /// doomed, except beside a mover that keeps its acceleration: doomed is said then.
   [[nodiscard]] SafetyReport state(const Robot& robot, std::span<const Neighbor> neighbors,
                                    PlanWorkspace& workspace,
                                    std::span<const Wall> walls = {}) const;
 
-  /// Returns whether A can go on without contact, as far as that is proved, whatever the method is
-  /// (docs/states.md).
-  ///
-  /// safe: while A brakes, it touches no wall and no robot that decides and brakes too. It touches
-  /// no mover that keeps its acceleration while A is in motion.
-  ///
-  /// doomed: for any motion of A within |a| <= a_max and |v| <= v_max, A touches a wall or a mover
-  /// that keeps its acceleration, even at rest. Or A touches a robot that decides, even if that
-  /// robot does its best too.
-  ///
-  /// unknown: neither is proved, or plan() says invalid_input.
-  ///
-  /// Declared errors, ages and clocks are allowed for. Without them no state is both safe and
-  /// doomed, except beside a mover that keeps its acceleration: doomed is said then.
+  /// Returns the way out behind Plan::evading: the mover that A evades, and the way out that it
+  /// takes; none where A evades nothing.
   [[nodiscard]] std::optional<Evasion> evasion(const Robot& robot,
                                                std::span<const Neighbor> neighbors,
                                                PlanWorkspace& workspace,
