@@ -97,9 +97,9 @@ struct RemedyNames {
 AVO_API std::vector<std::string> complaints(const Scenario& scenario,
                                             const RemedyNames& remedies = {});
 
-/// The sensing radius that the certificate needs. Two robots may first see each other so late that
-/// each has moved on for a whole step at max_speed, and they must still be able to brake. Obstacles
-/// are taken at their highest speed within the scene's duration. The value is unset without a
+/// The sensing radius that the certificate needs. When two robots first see each other, each may
+/// have moved on for a whole step at max_speed. They must still be able to brake. Obstacles are
+/// taken at their highest speed within the scene's duration. The value is unset without a
 /// certificate, or if there is nothing to meet.
 AVO_API std::optional<SensingNeed> sensing_need(const Scenario& scenario);
 

@@ -42,8 +42,8 @@ struct NotArrived {
 };
 
 /// Metrics by published definitions: docs/metrics.md has the formulas and their sources. A trip
-/// belongs to a robot that is not parked. It lasts from the first time that the robot is seen with
-/// a goal until the robot first arrives, or to the end of the run. A metric without data is unset.
+/// belongs to a robot that is not parked. It lasts from the time when the robot is first seen with
+/// a goal until it first arrives, or to the end of the run. A metric without data is unset.
 struct RunMetrics {
   std::int64_t trips = 0;
   std::int64_t collision_robot_steps = 0;  ///< with another robot, as in collision_pairs

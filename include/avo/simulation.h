@@ -229,9 +229,10 @@ class AVO_API Simulation {
   /// walls.
   [[nodiscard]] Way way(std::size_t robot) const;
   /// Robots that could reach neither their goals nor a place within arrival_distance of them, even
-  /// alone, when the goals were set or obstacles were last edited. Either walls leave no route that
-  /// is wide enough, or the goal is nearer to a wall than the radius. With navigation they go to
-  /// the nearest place, see Way::distance_left, and go on when a door opens. By ascending id.
+  /// alone. The time of the goals, or of the last edit of obstacles, counts. Either walls leave no
+  /// route that is wide enough, or the goal is nearer to a wall than the radius. With navigation
+  /// they go to the nearest place, see Way::distance_left, and go on when a door opens. By
+  /// ascending id.
   [[nodiscard]] std::vector<RobotId> unreachable() const;
   /// The robot for which another robot waits at a passage of one lane (docs/arrival.md, rules 7 to
   /// 9).

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Plane vectors. Every operation is componentwise, so that turning the plane by 90 degrees or
-// negating all vectors changes no bit of any dot product, cross product or length.
+// Plane vectors. Every operation is componentwise. So turning the plane by 90 degrees or negating
+// all vectors changes no bit of any dot product, cross product or length.
 #pragma once
 #include <cmath>
 

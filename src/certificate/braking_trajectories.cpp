@@ -58,8 +58,8 @@ void take_off(const PairConstraints& wanted, std::size_t first, const StepLaw& l
 }
 
 // For a pair that nearly coincides, drops the intervals on which the direction between the two is
-// unknown, because they are not apart or errors hide it. In a crowd these intervals would refuse
-// all but braking, for ever.
+// unknown. There they are not apart, or errors hide it. In a crowd these intervals would refuse all
+// but braking, for ever.
 void drop_undirected(std::size_t first, ConstraintColumns& columns) {
   for (std::size_t k = first; k < columns.count; ++k) {
     const bool has_direction = columns.normal_x[k] != 0.0 || columns.normal_y[k] != 0.0;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The intersection of two closed discs in closed form: the velocities that the limits on
 // acceleration and speed allow a robot (paper §IV-D, Eqs. (21), (22)), one robot per lane. In
-// coordinates relative to the center of the smaller disc, numbers are as small as the set, and
+// coordinates relative to the center of the smaller disc, numbers are as small as the set. So
 // nothing cancels where the discs are far from the origin. No invalid operation occurs, not even in
 // an unused lane.
 #ifndef AVO_LP_LENS_KERNEL_H

@@ -13,8 +13,8 @@
 namespace avo::inline metrics {
 namespace {
 
-// A piece of a path, in the hull of these points from its start to its end, and the fractions of
-// the step that it covers.
+// A piece of a path, in the hull of these points from its start to its end, with its fractions of
+// the step.
 struct Piece {
   std::array<Vec2, 4> b;
   double from, to;
@@ -66,7 +66,7 @@ Piece piece_of(const ArcPath& path, double from, double to) {
   return {{first, apex, apex, last}, from, to};
 }
 
-// A curve lies in the hull of its control points, so in any direction no point of it is nearer to
+// A curve lies in the hull of its control points. So in any direction no point of it is nearer to
 // the origin than they are. The direction of its middle makes the bound sharp to second order.
 double lower_bound(const Piece& piece) {
   const Vec2 towards = piece.b[0] + piece.b[3];
@@ -100,8 +100,8 @@ double lower_bound(const Piece& piece, const Segment& segment) {
 }
 
 // Returns whether its hull ends at the line through that end perpendicular to the direction from
-// the origin, so that no point of the piece is nearer. This holds for most pairs, which approach
-// each other or part.
+// the origin. Then no point of the piece is nearer. This holds for most pairs, which approach each
+// other or part.
 bool is_nearest(const Piece& piece, Vec2 end) {
   const double square = norm_squared(end);
   return dot(end, piece.b[0]) >= square && dot(end, piece.b[1]) >= square &&

@@ -16,8 +16,8 @@ struct Corner {
   double most_lean = 1;  // |sine| of the angle between shortest routes and the tangent there
 };
 
-/// Points around all ends of walls with convex corners, and then the points in gaps that are hardly
-/// wider than a robot, by the walls at their ends.
+/// Points around all ends of walls with convex corners, by the walls. Then the points in gaps that
+/// are hardly wider than a robot, by the walls at their ends.
 struct Corners {
   std::vector<Corner> all;
   // index of the first one of each wall; one more than walls

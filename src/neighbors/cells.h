@@ -19,9 +19,9 @@ inline constexpr std::size_t kMostSpan = 20;
 
 inline constexpr double kFarthestCell = 0x1p52;  ///< cells beyond it are merged
 
-/// The cells of one row are consecutive in the table, and each row begins a stride after the one
-/// before, all modulo the size of the table. Rows that a search reads do not overlap in it, so no
-/// point is found twice. Distant cells may share a slot, and their points fail the test of
+/// The cells of one row are consecutive in the table. Each row begins a stride after the one
+/// before; all this is modulo the size of the table. Rows that a search reads do not overlap in it,
+/// so no point is found twice. Distant cells may share a slot, and their points fail the test of
 /// distance. So a distant outlier costs nothing.
 struct Cells {
   double per_meter = 1.0;  ///< 1/m, of one side

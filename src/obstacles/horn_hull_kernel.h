@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The horn case. Where its near side crosses the circle |w| = R at most once, it takes the
-// half-plane from that corner of the hull and those of the disc of τ. It also handles up to three
-// crossings. Lemma 8 of docs/half_plane.md.
+// The horn case. If its near side crosses the circle |w| = R at most once, the half-plane comes
+// from that corner of the hull and those of the disc of τ. It also handles up to three crossings.
+// Lemma 8 of docs/half_plane.md.
 #ifndef AVO_OBSTACLES_HORN_HULL_KERNEL_H
 #define AVO_OBSTACLES_HORN_HULL_KERNEL_H
 

@@ -31,7 +31,7 @@ void offer_flat(Cone& cone) {
 }
 
 // Offers a line from the robot that touches the disc of an end, on its left (1) or on its right
-// (-1), if the other end does not reach beyond it.
+// (-1). The other end must not reach beyond the line.
 void offer_leg(Vec2 from_end, Vec2 from_other, double side, Cone& cone) {
   const double r = cone.pair.radius, d2 = norm_squared(from_end);
   const double l = std::sqrt(std::max(0.0, d2 - r * r));

@@ -31,8 +31,8 @@ Vec2 within_steering(const DifferentialDrive& drive, const Robot& robot, Vec2 h,
 // β/d - 1/L). With kNear L/d times as much across, β shrinks at any distance. It must not shrink
 // faster than it can be stopped; then less of V is ahead. The drive moves backwards to a goal
 // behind it. A velocity across the present heading has a part along the heading at the step's end,
-// σ² Δt/L, on which the drive would circle beside its goal for ever. So it steers by the heading
-// that it will have.
+// σ² Δt/L. On this part the drive would circle beside its goal for ever. So it steers by the
+// heading that it will have.
 Vec2 steered_near(const DifferentialDrive& drive, const Robot& robot, const Approach& approach) {
   const double distance = robot.distance_to_goal;
   if (distance <= std::min(kNearEnough * drive.offset, approach.near_enough)) return {};

@@ -81,7 +81,7 @@ Vec2 steered_along(const Car& car, const Robot& robot, Vec2 ahead) {
   return bent(ahead, x, y, std::min(speed, top));
 }
 
-// A car that turns in place would turn to and fro at its goal, where its disc swings and rounding
+// A car that turns in place would turn to and fro at its goal: its disc swings there, and rounding
 // leaves a part of the distance.
 Vec2 steered(const Car& car, const Robot& robot, const Approach& approach) {
   const double speed = norm(robot.preferred_velocity);

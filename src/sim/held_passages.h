@@ -17,9 +17,9 @@ struct World;
 void go_around_held(const World& world, std::size_t slot, double left, double time, Travel& travel,
                     LegScratch& scratch);
 
-/// Returns whether the robot goes back for now, as far as others are near. It has waited for long
-/// before a passage of two lanes, there is no other route, and there is no passage of one lane on
-/// it. After each power of two of that time it goes back for half of the time that it has waited.
+/// Returns whether the robot goes back for now, as far as others are near. It has then waited for
+/// long before a passage of two lanes. There is no other route, and no passage of one lane on it.
+/// After each power of two of that time it goes back for half of the time that it has waited.
 bool goes_back(const World& world, std::size_t slot, const Travel& travel);
 
 /// Sets the heading of a robot at p that goes back: away from the old heading, or to its place

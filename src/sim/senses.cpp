@@ -124,8 +124,8 @@ struct Encounter {
 };
 
 // m: how far the disc of a robot with that speed so long ago, as measured, may have swung off its
-// extrapolated path. For a robot that turns in place the end of a step alone may count, in which
-// the disc swings twice as fast as over the whole step.
+// extrapolated path. For a robot that turns in place the end of a step alone may count. The disc
+// swings twice as fast there as over the whole step.
 double swung(const World& world, std::size_t slot, const MotionModel& model, double speed,
              double time) {
   const RobotTraits& traits = world.fleet.traits[slot];

@@ -15,8 +15,8 @@
 namespace avo::inline sim {
 namespace {
 
-// Steps for which robots that were put in order stay near their neighbors in memory, and the
-// smallest fleet that does not fit into the cache.
+// Steps for which robots that were put in order stay near their neighbors in memory. The smallest
+// fleet that does not fit into the cache.
 constexpr std::int64_t kStepsInOrder = 16;
 constexpr std::size_t kFewestOrdered = 1024;
 

@@ -7,8 +7,8 @@
 
 namespace avo::inline sim {
 
-/// Breaks the tie of a robot of method avo that is not used to any traffic yet, and has its two
-/// nearest neighbors at the same distance. It gets used to a little traffic, by its id. The
+/// Breaks the tie of a robot of method avo that is not used to any traffic yet. Its two nearest
+/// neighbors must be at the same distance. It gets used to a little traffic, by its id. The
 /// arguments are squares of the distances, in order, m².
 void break_tie(RobotId robot, double nearest_squared, double next_squared, Detour& detour);
 

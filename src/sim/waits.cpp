@@ -9,8 +9,8 @@
 namespace avo::inline sim {
 namespace {
 
-// A robot inside comes before a robot outside, a robot in the opposite direction before one in the
-// same direction, and then the nearer one first.
+// A robot inside comes before a robot outside. Then a robot in the opposite direction comes before
+// one in the same direction, and then the nearer one first.
 bool is_waited_for_first(const Claimant& robot, const Claimant& a, const Claimant& b) {
   if (a.claim.inside != b.claim.inside) return a.claim.inside;
   const bool a_comes = a.claim.forward != robot.claim.forward;

@@ -103,7 +103,7 @@ class Ways {
   Passages earlier_;  // until find_passages()
 };
 
-/// Plans the routes of a whole fleet. With a fleet before among other walls, a robot keeps its
+/// Plans the routes of a whole fleet. `before`: its routes among other walls. A robot keeps its
 /// target if it would set out as before, and has as far to go from there.
 void plan_travels(Ways& ways, const Fleet& fleet, const Ways* before = nullptr);
 

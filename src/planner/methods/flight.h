@@ -16,7 +16,7 @@ struct FlightTarget {
 };
 
 /// The controls nearest to the target that keep clear of all neighbors that decide and of the
-/// walls, or the circle that the airplane is on.
+/// walls. If there are none, it is the circle that the airplane is on.
 Plan fly_towards(const Planner& planner, const Robot& robot, const Neighbors& neighbors,
                  std::span<const Wall> walls, const FlightTarget& flight,
                  FlightConstraints& constraints);

@@ -129,8 +129,9 @@ bool is_certified(const Scenario& scenario) {
                      [&](const RobotSetup& robot) { return keeps_certificate(scenario, robot); });
 }
 
-/// How far a robot's edge gets from the present place of its center, if the robot decides to brake,
-/// or to circle, only a step later. It is r + v_max Δt + v_max² / (2 b), m.
+/// How far a robot's edge gets from the present place of its center, if its fallback begins only a
+/// step later. It is r + v_max Δt + v_max² / (2 b), m; for an airplane room_to_turn() replaces the
+/// last term.
 double fallback_reach(const RobotSetup& robot, double time_step) {
   const double v = robot.max_speed;
   return disc_radius(robot) + v * time_step +
@@ -162,8 +163,8 @@ void advise_sensing_radius(const Scenario& scenario, std::vector<std::string>& l
                   " + " + in_short(second.value) + " = " + in_short(needed) + " m");
 }
 
-/// The cost of a step is about in proportion to the neighbors of a robot, which each get a
-/// half-plane where max_neighbors does not limit them.
+/// The cost of a step is about in proportion to the neighbors of a robot. Each gets a half-plane
+/// where max_neighbors does not limit them.
 void advise_crowding(const Scenario& scenario, std::vector<std::string>& lines) {
   constexpr double kMany = 50.0, kCostly = 4.0;  // neighbors; factor over the needed number
   if (scenario.max_neighbors || !scenario.sensing_radius) return;

@@ -68,9 +68,9 @@ Largest largest_of(const Scenario& scenario) {
 
 // m: the robot sees another one that moves towards it in time to get out of its path alone, from
 // rest to rest. For the distance r this takes 2 √(r/a). Where one of two has to make more of the
-// correction, it must see the other as soon as half-planes ask for it, from the time horizon on. If
-// it sees the other later, less of the correction is left to the one that should make it, against
-// the order of priorities.
+// correction, it must see the other as soon as half-planes ask for it. That is from the time
+// horizon on. If it sees the other later, less of the correction is left to the one that should
+// make it, against the order of priorities.
 double evading_range(const Robot& robot, const Largest& others, double time_horizon) {
   const double r = robot.radius + others.radius;
   const double time = 2.0 * std::sqrt(r / robot.max_acceleration);

@@ -746,10 +746,11 @@ AVO_C_API avo_result avo_simulation_can_step_by(avo_simulation_id simulation, do
 AVO_C_API avo_result avo_simulation_all_at_goal(avo_simulation_id simulation, bool* all_at_goal);
 /// Equal for equal states, bit by bit: the hash of the C++ interface.
 AVO_C_API avo_result avo_simulation_get_state_hash(avo_simulation_id simulation, uint64_t* hash);
-/// Robots that cannot reach their goals even alone, nor, for a goal too near to a wall, a place
-/// within arrival_distance of it, by ascending id. They go as near as they can. It writes as many
-/// ids as fit into the buffer's `capacity`. *count: the number of such robots; without a buffer
-/// (null) it only writes that. AVO_ERROR_BUFFER_TOO_SMALL if there are too many: *count is written.
+/// Robots that cannot reach their goals even alone, by ascending id. For a goal too near to a wall,
+/// no place within arrival_distance may be in reach either. They go as near as they can. It writes
+/// as many ids as fit into the buffer's `capacity`. *count: the number of such robots; without a
+/// buffer (null) it only writes that. AVO_ERROR_BUFFER_TOO_SMALL if there are too many: *count is
+/// written.
 AVO_C_API avo_result avo_simulation_unreachable(avo_simulation_id simulation, avo_robot_id* buffer,
                                                 size_t capacity, size_t* count);
 /// The present static obstacles, by ascending id. buffer and count are those of
