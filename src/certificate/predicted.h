@@ -52,8 +52,8 @@ bool keeps_off(const Hull& relative, double distance);
 bool rests_clear(const Predicted& other, Vec2 place, double time);
 /// Tests (C2) for an interval that begins `elapsed` s after the time `from`, when A decides to
 /// brake and sees the mover. The mover is then within each of two discs
-/// (docs/certificate/movers.md, "Movers that do as they like"), about its predicted place at
-/// `from`. A's path must keep off one of them.
+/// (docs/certificate/movers.md, "Movers that do as they like"): about its predicted path, and about
+/// its predicted place at `from`. A's path must keep off one of them.
 bool is_reached_at_rest(const Predicted& other, const Hull& own, double from, double elapsed,
                         const StepLaw& law);
 /// m: a path that keeps off by that until so long after `from` satisfies (C2).

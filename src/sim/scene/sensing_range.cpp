@@ -17,7 +17,7 @@
 namespace avo::inline sim {
 namespace {
 
-constexpr std::size_t kSampled = 200;  // robots, whose neighbors are counted
+constexpr std::size_t kSampled = 200;  // number of robots for which neighbors are counted
 
 }  // namespace
 
@@ -41,8 +41,7 @@ double mean_neighbors(const Scenario& scenario, double radius) {
 namespace avo {
 namespace {
 
-constexpr double kAlone = 1.0;         // m, where there is no other to sense
-constexpr std::size_t kSampled = 200;  // number of robots for which neighbors are counted
+constexpr double kAlone = 1.0;  // m, where there is no other to sense
 
 // Radii: the range in which robots among walls search for claims of passages (docs/arrival.md).
 constexpr double kAmongWalls = 30.0;
