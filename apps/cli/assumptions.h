@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // What is said of scenes that break what their certificate assumes, and what is done about it.
 #pragma once
-#include "verbs.h"
+#include "verbs/verbs.h"
 
 namespace avo_cli {
 

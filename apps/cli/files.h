@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "verbs.h"
+#include "verbs/verbs.h"
 
 namespace avo_cli {
 

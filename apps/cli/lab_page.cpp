@@ -8,7 +8,7 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
-#include "html.h"
+#include "reports/html.h"
 
 namespace avo_cli {
 namespace {

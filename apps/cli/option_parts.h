@@ -4,7 +4,7 @@
 #include <string>
 
 #include "options.h"
-#include "verbs.h"
+#include "verbs/verbs.h"
 
 namespace CLI {
 class Option;

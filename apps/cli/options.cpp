@@ -11,11 +11,11 @@
 
 #include "avo/version.h"
 #include "avo_io/printable.h"
+#include "completion/generate.h"
 #include "exit_codes.h"
-#include "generate.h"
 #include "option_parts.h"
 #include "terminal.h"
-#include "verbs.h"
+#include "verbs/verbs.h"
 #include "words.h"
 
 namespace avo_cli {

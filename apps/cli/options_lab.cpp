@@ -3,7 +3,7 @@
 #include <CLI/CLI.hpp>
 
 #include "option_parts.h"
-#include "verbs.h"
+#include "verbs/verbs.h"
 
 namespace avo_cli {
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "avo_io/sweep.h"
-#include "comparison.h"
+#include "reports/comparison.h"
 
 namespace avo_test {
 namespace {

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "bench_report.h"
+#include "reports/bench_report.h"
 #include "run_avo.h"
 #include "support/json.h"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // A recorded run as curves over time, and as frames of figures.
-#include "curves.h"
+#include "reports/curves.h"
 
 #include <algorithm>
 #include <cstddef>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // A recording as a drawing that a page sets in motion.
-#include "report_replay.h"
+#include "reports/report_replay.h"
 
 #include <algorithm>
 #include <cmath>
@@ -10,7 +10,7 @@
 #include "avo/wall.h"
 #include "figures/picture.h"
 #include "figures/time_lapse.h"
-#include "html.h"
+#include "reports/html.h"
 
 namespace avo_cli {
 namespace {

@@ -7,12 +7,12 @@
 
 #include "avo_io/output_file.h"
 #include "avo_io/recording.h"
-#include "comparison.h"
 #include "exit_codes.h"
 #include "files.h"
+#include "reports/comparison.h"
 #include "signals.h"
 #include "terminal.h"
-#include "verbs.h"
+#include "verbs/verbs.h"
 
 namespace avo_cli {
 namespace {

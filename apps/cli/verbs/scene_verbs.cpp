@@ -16,9 +16,9 @@
 #include "avo_io/scene.h"
 #include "exit_codes.h"
 #include "files.h"
-#include "settings_report.h"
+#include "reports/settings_report.h"
 #include "terminal.h"
-#include "verbs.h"
+#include "verbs/verbs.h"
 
 namespace avo_cli {
 

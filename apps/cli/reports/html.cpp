@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Parts of pages.
-#include "html.h"
+#include "reports/html.h"
 
 #include <cstdint>
 #include <fmt/format.h>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // What avo run says of a run.
-#include "run_report.h"
+#include "reports/run_report.h"
 
 #include <algorithm>
 #include <cstdint>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // What pages of recordings and of sweeps have in common.
-#include "report_parts.h"
+#include "reports/report_parts.h"
 
 #include <algorithm>
 #include <cctype>
@@ -8,10 +8,10 @@
 #include <fmt/ranges.h>
 #include <string_view>
 
-#include "html.h"
 #include "lab_page.h"
 #include "report_page.h"
-#include "report_replay.h"
+#include "reports/html.h"
+#include "reports/report_replay.h"
 
 namespace avo_cli {
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // avo report of a sweep: its table as one page, with one of its runs in motion.
-#include "sweep_report.h"
+#include "reports/sweep_report.h"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -12,13 +12,13 @@
 #include "avo/version.h"
 #include "avo_io/printable.h"
 #include "avo_io/sweep.h"
-#include "comparison.h"
 #include "exit_codes.h"
 #include "figures/trajectories.h"
-#include "html.h"
 #include "lab_page.h"
-#include "report_parts.h"
-#include "report_replay.h"
+#include "reports/comparison.h"
+#include "reports/html.h"
+#include "reports/report_parts.h"
+#include "reports/report_replay.h"
 #include "terminal.h"
 
 namespace avo_cli {

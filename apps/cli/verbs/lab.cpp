@@ -20,7 +20,7 @@
 #include "open_page.h"
 #include "signals.h"
 #include "terminal.h"
-#include "verbs.h"
+#include "verbs/verbs.h"
 
 namespace avo_cli {
 namespace {

@@ -13,9 +13,9 @@
 #include "avo_io/recording.h"
 #include "exit_codes.h"
 #include "files.h"
-#include "settings_report.h"
+#include "reports/settings_report.h"
 #include "terminal.h"
-#include "verbs.h"
+#include "verbs/verbs.h"
 
 namespace avo_cli {
 namespace {

@@ -6,7 +6,7 @@
 #include <optional>
 #include <set>
 
-#include "comparison.h"
+#include "reports/comparison.h"
 
 namespace avo_cli {
 namespace {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // What --verbose tells, on the standard error output.
-#include "settings_report.h"
+#include "reports/settings_report.h"
 
 #include <algorithm>
 #include <cstdint>

@@ -10,10 +10,10 @@
 #include "figures/state_map.h"
 #include "figures/velocity_space.h"
 #include "files.h"
-#include "settings_report.h"
+#include "reports/settings_report.h"
 #include "signals.h"
 #include "terminal.h"
-#include "verbs.h"
+#include "verbs/verbs.h"
 
 namespace avo_cli {
 namespace {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // avo generate: what manual page and completions say, taken from the options, scenes and schema.
-#include "generate.h"
+#include "completion/generate.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>

@@ -17,7 +17,7 @@
 #include "files.h"
 #include "signals.h"
 #include "terminal.h"
-#include "verbs.h"
+#include "verbs/verbs.h"
 
 namespace avo_cli {
 namespace {

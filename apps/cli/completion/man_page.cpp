@@ -5,8 +5,8 @@
 #include <string_view>
 
 #include "avo/version.h"
+#include "completion/generate.h"
 #include "exit_codes.h"
-#include "generate.h"
 
 namespace avo_cli {
 namespace {

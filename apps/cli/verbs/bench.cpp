@@ -15,11 +15,11 @@
 #endif
 
 #include "avo/simulation.h"
-#include "bench_report.h"
 #include "exit_codes.h"
-#include "settings_report.h"
+#include "reports/bench_report.h"
+#include "reports/settings_report.h"
 #include "terminal.h"
-#include "verbs.h"
+#include "verbs/verbs.h"
 
 namespace avo_cli {
 namespace {

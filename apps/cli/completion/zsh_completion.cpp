@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-#include "generate.h"
+#include "completion/generate.h"
 
 namespace avo_cli {
 namespace {

@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 #include <string>
 
-#include "generate.h"
+#include "completion/generate.h"
 
 namespace avo_cli {
 namespace {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // What avo bench found, as text and as JSON.
-#include "bench_report.h"
+#include "reports/bench_report.h"
 
 #include <algorithm>
 #include <cmath>

@@ -6,8 +6,8 @@
 #include <iterator>
 #include <optional>
 
-#include "comparison.h"
-#include "curves.h"
+#include "reports/comparison.h"
+#include "reports/curves.h"
 
 namespace avo_cli {
 namespace {

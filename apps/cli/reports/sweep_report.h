@@ -3,7 +3,7 @@
 #pragma once
 #include <string>
 
-#include "verbs.h"
+#include "verbs/verbs.h"
 
 namespace avo_cli {
 

@@ -6,7 +6,7 @@
 
 #include "avo/scenario.h"
 #include "avo/simulation.h"
-#include "verbs.h"
+#include "verbs/verbs.h"
 
 namespace avo_cli {
 

@@ -8,11 +8,11 @@
 #include <limits>
 
 #include "avo_io/printable.h"
-#include "comparison.h"
-#include "curves.h"
 #include "exit_codes.h"
 #include "figures/chart.h"
 #include "figures/trajectories.h"
+#include "reports/comparison.h"
+#include "reports/curves.h"
 
 namespace avo_cli {
 namespace {

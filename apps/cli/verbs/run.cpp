@@ -15,11 +15,11 @@
 #include "exit_codes.h"
 #include "figures/trajectories.h"
 #include "files.h"
-#include "run_report.h"
-#include "settings_report.h"
+#include "reports/run_report.h"
+#include "reports/settings_report.h"
 #include "signals.h"
 #include "terminal.h"
-#include "verbs.h"
+#include "verbs/verbs.h"
 
 namespace avo_cli {
 namespace {

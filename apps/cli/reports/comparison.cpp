@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The runs that avo compare compares, and the table of them.
-#include "comparison.h"
+#include "reports/comparison.h"
 
 #include <algorithm>
 #include <fmt/format.h>
