@@ -20,7 +20,7 @@
 namespace avo_cli {
 namespace {
 
-using Clock = std::chrono::steady_clock;
+using Steady = std::chrono::steady_clock;
 
 /// timeout(1) and others send a signal to the process and to its group: twice within this time, it
 /// is one.
@@ -41,10 +41,10 @@ sigset_t awaited_signals() {
 }
 
 /// The next of the signals, or 0 where none comes before `end`.
-int wait_until(Clock::time_point end, const sigset_t& signals) {
+int wait_until(Steady::time_point end, const sigset_t& signals) {
   using std::chrono::nanoseconds;
   while (true) {
-    const nanoseconds left = std::max(nanoseconds(end - Clock::now()), nanoseconds(0));
+    const nanoseconds left = std::max(nanoseconds(end - Steady::now()), nanoseconds(0));
     const timespec time{static_cast<time_t>(left / std::chrono::seconds(1)),
                         static_cast<long>((left % std::chrono::seconds(1)).count())};
     const int number = sigtimedwait(&signals, nullptr, &time);
@@ -79,10 +79,10 @@ void end_on_signals(const sigset_t& signals, Patience patience) {
   sigset_t same;
   sigemptyset(&same);
   sigaddset(&same, first);
-  wait_until(Clock::now(), same);
-  int second = wait_until(Clock::now() + kPatience, signals);
+  wait_until(Steady::now(), same);
+  int second = wait_until(Steady::now() + kPatience, signals);
   while (second == 0 && patience == Patience::until_second_signal)
-    second = wait_until(Clock::now() + kPatience, signals);
+    second = wait_until(Steady::now() + kPatience, signals);
   end_now(second != 0 ? second : first);
 }
 

@@ -111,8 +111,8 @@ std::vector<Case> cases_of(const Comparison& comparison) {
     const std::size_t end = parameters_of(table).second;
     std::map<TextRow, std::size_t> known;  // index into cases
     for (const TextRow& row : table.rows) {
-      constexpr std::ptrdiff_t kScene = 2;  // column
-      TextRow values(row.begin() + kScene, row.begin() + static_cast<std::ptrdiff_t>(end));
+      constexpr std::ptrdiff_t kSceneColumn = 2;
+      TextRow values(row.begin() + kSceneColumn, row.begin() + static_cast<std::ptrdiff_t>(end));
       const auto [place, is_new] = known.try_emplace(values, cases.size());
       if (is_new) {
         Case& entry = cases.emplace_back();
@@ -120,7 +120,7 @@ std::vector<Case> cases_of(const Comparison& comparison) {
         entry.table = &table;
         if (comparison.tables.size() > 1) entry.keys.emplace_back("table", name);
         for (std::size_t i = 0; i < values.size(); ++i)
-          entry.keys.emplace_back(table.columns[i + kScene], values[i]);
+          entry.keys.emplace_back(table.columns[i + kSceneColumn], values[i]);
       }
       cases[place->second].runs.push_back(&row);
     }
