@@ -2,6 +2,8 @@
 #include "planner/relevance.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "avo/half_plane.h"
@@ -57,6 +59,11 @@ std::array<double, 3> certificate_range(const Planner& planner, const Robot& rob
   return {wider * (at_rest.value + others), wider * slope.value, wider * curvature.value};
 }
 
+float rounded_up(double value) {
+  const auto narrow = static_cast<float>(value);
+  return narrow < value ? std::nextafter(narrow, std::numeric_limits<float>::infinity()) : narrow;
+}
+
 }  // namespace
 
 void include(Peers& peers, const Planner& planner, const Robot& robot) {
@@ -77,12 +84,12 @@ void include(Peers& peers, const Planner& planner, const Robot& robot) {
 
 RelevantRange relevant_range(const Planner& planner, const Robot& robot, const Peers& peers) {
   const PlannerOptions& options = planner.options();
-  if (!options.max_neighbors) return {kInfinity};
+  if (!options.max_neighbors) return {std::numeric_limits<float>::infinity()};
   if (options.certificate == Certificate::none) return {};
-  RelevantRange range{arrival_range(robot, peers.radius), certificate_range(planner, robot, peers)};
-  range.least *= 1.0 + kReachRounding;
-  for (double& part : range.reach) part *= 1.0 + kReachRounding;
-  return range;
+  const std::array<double, 3> reach = certificate_range(planner, robot, peers);
+  const auto wide = [](double part) { return rounded_up((1.0 + kReachRounding) * part); };
+  return {wide(arrival_range(robot, peers.radius)),
+          {wide(reach[0]), wide(reach[1]), wide(reach[2])}};
 }
 
 }  // namespace avo::inline planner

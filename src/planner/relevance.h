@@ -26,13 +26,15 @@ struct Peers {
 /// Adds a robot; only its radius, limits and priority count.
 void include(Peers& peers, const Planner& planner, const Robot& robot);
 
-/// A range that grows with the speed of the robot, see relevant_range().
+/// A range that grows with the speed of the robot, see relevant_range(). Each robot keeps one,
+/// so its numbers are narrow, and rounded up.
 struct RelevantRange {
-  double least = 0.0;             ///< m, whatever the speed
-  std::array<double, 3> reach{};  ///< m, s, s²/m: a polynomial of the speed
+  float least = 0.0F;            ///< m, whatever the speed
+  std::array<float, 3> reach{};  ///< m, s, s²/m: a polynomial of the speed
 
   [[nodiscard]] double at(double speed) const {
-    return std::max(least, reach[0] + speed * (reach[1] + speed * reach[2]));
+    const double curved = double{reach[1]} + speed * double{reach[2]};
+    return std::max(double{least}, double{reach[0]} + speed * curved);
   }
 };
 
