@@ -47,24 +47,24 @@ void collect_rows(const FleetView& fleet, const LastSeen& last, std::vector<Body
   rows.clear();
   std::size_t j = 0;
   for (std::size_t i = 0; i < fleet.id.size(); ++i) {
-    while (j < last.id.size() && last.id[j].value < fleet.id[i].value) ++j;
-    if (j < last.id.size() && last.id[j] == fleet.id[i]) rows.push_back({i, j});
+    while (j < last.robots.size() && last.robots[j].id.value < fleet.id[i].value) ++j;
+    if (j < last.robots.size() && last.robots[j].id == fleet.id[i]) rows.push_back({i, j});
   }
 }
 
 Body body_of(const FleetView& fleet, const BodyStep& step, BodyRow row) {
-  const LastSeen& last = step.last;
   const auto [i, j] = row;
+  const LastSeen::Robot& last = step.last.robots[j];
   Body body;
   body.name = fleet.id[i].value;
   body.setup = &fleet.setup[i];
   body.radius = disc_radius(fleet.setup[i]);
-  body.velocity = last.velocity[j];
+  body.velocity = last.velocity;
   const MotionModel& model = fleet.setup[i].model;
   const auto center = [&](Vec2 position, double heading) {
     return is_holonomic(model) ? position : disc_center(model, position, heading);
   };
-  body.position = center(last.position[j], last.heading[j]);
+  body.position = center(last.position, last.heading);
   const Vec2 next = center(fleet.position[i], fleet.heading[i]);
   body.w = fleet.plan[i].new_velocity - body.velocity;
   const Method method = fleet.setup[i].method.value_or(step.method);
@@ -76,7 +76,7 @@ Body body_of(const FleetView& fleet, const BodyStep& step, BodyRow row) {
   } else if (!moves_along_heading(model)) {
     body.path = hermite_path(body.position, start, next, fleet.velocity[i], step.duration);
   } else {
-    const double turn = wrapped(fleet.heading[i] - last.heading[j]);
+    const double turn = wrapped(fleet.heading[i] - last.heading);
     const double speed = norm(body.velocity), next_speed = norm(fleet.velocity[i]);
     const bool in_place = speed == 0.0 && next_speed == 0.0;  // its disc starts at rest
     body.arc = {arc_path(body.position, next, turn), speed, in_place ? 1.0 : next_speed};
@@ -91,11 +91,12 @@ Sweep sweep_of(const FleetView& fleet, const BodyStep& step, BodyRow row) {
     const Body body = body_of(fleet, step, row);
     return {body.path, body.radius, body.arc.has_value()};
   }
-  const Vec2 position = step.last.position[row.before];
+  const LastSeen::Robot& last = step.last.robots[row.before];
+  const Vec2 position = last.position;
   if (!step.moves) return {{{position, position, position, position}}, setup.radius, false};
   const bool at_once = adopts_at_once(setup.method.value_or(step.method));
   const Vec2 next_velocity = fleet.velocity[row.now];
-  const Vec2 velocity = at_once ? next_velocity : step.last.velocity[row.before];
+  const Vec2 velocity = at_once ? next_velocity : last.velocity;
   return {hermite_path(position, velocity, fleet.position[row.now], next_velocity, step.duration),
           setup.radius, false};
 }

@@ -124,7 +124,7 @@ void Encounters::append_company(std::size_t robot, double reach) {
 // Lists robots farther away than this step needs, for some of the next steps. Where robots are
 // crowded, or one moves far, none are listed for a while.
 void Encounters::list_company(std::uint64_t roster, double need, double farthest) {
-  constexpr double kSteps = 8.0;           // of both robots together
+  constexpr double kSteps = 16.0;          // of both robots together
   constexpr std::size_t kMostListed = 32;  // a robot
   constexpr int kPause = 32;               // steps
   company_.roster = 0;
@@ -227,7 +227,7 @@ void Encounters::observe(std::span<const Sweep> sweeps,
     } else {
       others = others.subspan(company_.first[i], company_.first[i + 1] - company_.first[i]);
     }
-    meet_company(sweeps, i, need, others, body, step);
+    if (!others.empty()) meet_company(sweeps, i, need, others, body, step);
   }
   meet_obstacles(sweeps, body, obstacles, step);
   if (step.moves) collision_robot_steps += count_distinct(colliding_);

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <optional>
 #include <vector>
 
@@ -83,10 +84,12 @@ struct Metrics::State {
   std::uint64_t roster = 0;                // of the setups below; 0: none
   std::vector<RobotSetup> setups;          // they stay, except states and goals
   LastSeen last;
+  std::uint64_t seen_roster = 0;  // of the robots that were seen last
 
-  std::vector<BodyRow> rows;  // of the robots that were present before and are present now
-  std::vector<Sweep> sweeps;  // of these robots
-  std::vector<Body> robots;   // of these robots, where walls or a line are examined
+  std::vector<BodyRow> rows;      // of the robots that were present before and are present now
+  std::uint64_t rows_roster = 0;  // the roster of all rows; 0: some robots came or went
+  std::vector<Sweep> sweeps;      // of these robots
+  std::vector<Body> robots;       // of these robots, where walls or a line are examined
   std::vector<Body> obstacles;
   Encounters encounters;
   WallContacts walls;
@@ -117,6 +120,7 @@ FleetView Metrics::State::look_at(const Simulation& simulation) {
 void Metrics::State::remember(const Simulation& simulation, const FleetView& fleet) {
   last_time = simulation.time();
   last.look_at(simulation, fleet);
+  seen_roster = roster;
 }
 
 // Collects the walls of the step.
@@ -128,9 +132,11 @@ void Metrics::State::collect_walls(const Simulation& simulation) {
 }
 
 void Metrics::State::observe_limits(const Simulation& simulation, const FleetView& fleet) {
+  double fastest = 0.0;  // m²/s²
+  for (const Vec2 velocity : fleet.velocity) fastest = std::max(fastest, norm_squared(velocity));
+  summary.max_speed = std::max(summary.max_speed, std::sqrt(fastest));
+  if (!started) return;
   for (std::size_t i = 0; i < fleet.id.size(); ++i) {
-    summary.max_speed = std::max(summary.max_speed, norm(fleet.velocity[i]));
-    if (!started) continue;
     const RobotSetup& setup = fleet.setup[i];
     const double a = fleet.applied_acceleration[i];
     const double a_max = acceleration_limit(setup.model, change_limit(setup));
@@ -147,9 +153,12 @@ void Metrics::State::observe_limits(const Simulation& simulation, const FleetVie
 // Observes everything that happened since the last observation.
 void Metrics::State::observe_step(const Simulation& simulation, const FleetView& fleet) {
   const BodyStep step{last, duration, started, settings.method};
-  collect_rows(fleet, last, rows);
-  sweeps.clear();
-  for (const BodyRow row : rows) sweeps.push_back(sweep_of(fleet, step, row));
+  if (seen_roster != roster || rows_roster != roster) {
+    collect_rows(fleet, last, rows);
+    rows_roster = seen_roster == roster ? roster : 0;
+  }
+  sweeps.resize(rows.size());
+  for (std::size_t k = 0; k < rows.size(); ++k) sweeps[k] = sweep_of(fleet, step, rows[k]);
   collect_obstacles(simulation.obstacles(), step, obstacles);
   collect_walls(simulation);
   encounters.observe(sweeps, [&](std::size_t k) { return body_of(fleet, step, rows[k]); }, roster,
@@ -219,9 +228,10 @@ RunSummary Metrics::summary() const {
   summary.min_obstacle_clearance = state_->walls.least_clearance;
   summary.first_seen_too_late = state_->first_sights.too_late();
   summary.obstacle_collisions_evadable = state_->mover_sights.evadable();
-  for (std::size_t i = 0; i < state_->last.id.size(); ++i) {
+  const std::vector<LastSeen::Robot>& robots = state_->last.robots;
+  for (std::size_t i = 0; i < robots.size(); ++i) {
     if (summary.not_arrived.size() == kMostListed) break;
-    if (state_->trips.arrival(state_->last.id[i].value)) continue;
+    if (state_->trips.arrival(robots[i].id.value)) continue;
     NotArrived& entry = summary.not_arrived.emplace_back(state_->last.describe(i, state_->setups));
     const auto& unreachable = summary.unreachable;
     const auto place = std::lower_bound(unreachable.begin(), unreachable.end(), entry.robot);

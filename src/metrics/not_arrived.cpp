@@ -16,16 +16,11 @@ constexpr std::size_t kMostHeld = 5;  // number of bodies named that hold a robo
 }  // namespace
 
 void LastSeen::look_at(const Simulation& simulation, const FleetView& fleet) {
-  id.assign(fleet.id.begin(), fleet.id.end());
-  position.assign(fleet.position.begin(), fleet.position.end());
-  velocity.assign(fleet.velocity.begin(), fleet.velocity.end());
-  goal.assign(fleet.goal.begin(), fleet.goal.end());
-  heading.assign(fleet.heading.begin(), fleet.heading.end());
-  status.resize(fleet.id.size()), detour.resize(fleet.id.size());
+  robots.resize(fleet.id.size());
   wait.clear(), waiting.clear();
-  for (std::size_t i = 0; i < fleet.id.size(); ++i) {
-    status[i] = fleet.plan[i].status;
-    detour[i] = fleet.detour[i].angle;
+  for (std::size_t i = 0; i < robots.size(); ++i) {
+    robots[i] = {fleet.id[i],      fleet.position[i],     fleet.velocity[i],   fleet.goal[i],
+                 fleet.heading[i], fleet.detour[i].angle, fleet.plan[i].status};
     const bool is_at_rest = norm(fleet.velocity[i]) <= kStands * fleet.setup[i].preferred_speed;
     if (!is_at_rest || fleet.setup[i].parked || simulation.is_at_goal(i)) continue;
     if (const auto waits = simulation.wait(i)) wait.push_back(*waits), waiting.push_back(i);
@@ -39,24 +34,25 @@ void LastSeen::look_at(const Simulation& simulation, const FleetView& fleet) {
 
 NotArrived LastSeen::describe(std::size_t robot, std::span<const RobotSetup> setups) const {
   const RobotSetup& self = setups[robot];
-  NotArrived result{.robot = id[robot].value,
-                    .distance = norm(goal[robot] - position[robot]),
-                    .speed = norm(velocity[robot]),
-                    .status = status[robot],
-                    .detour = detour[robot],
+  const Robot& own = robots[robot];
+  NotArrived result{.robot = own.id.value,
+                    .distance = norm(own.goal - own.position),
+                    .speed = norm(own.velocity),
+                    .status = own.status,
+                    .detour = own.detour,
                     .held_by = {},
                     .passage = {},
                     .distance_left = 0.0};
   std::vector<std::pair<double, std::int64_t>> near;  // m beyond contact, and the name
   const auto consider = [&](Vec2 other, double other_radius, std::int64_t name) {
     const double contact = self.radius + other_radius;
-    const double beyond = norm(other - position[robot]) - contact;
+    const double beyond = norm(other - own.position) - contact;
     if (beyond <= kTouching * contact) near.emplace_back(beyond, name);
   };
-  for (std::size_t i = 0; i < id.size(); ++i) {
+  for (std::size_t i = 0; i < robots.size(); ++i) {
     const bool minds = setups[i].parked || (self.avoids.bits & setups[i].layers.bits) != 0;
     if (i == robot || !minds) continue;
-    consider(position[i], setups[i].radius, static_cast<std::int64_t>(id[i].value));
+    consider(robots[i].position, setups[i].radius, static_cast<std::int64_t>(robots[i].id.value));
   }
   for (std::size_t k = 0; k < obstacles.size(); ++k) {
     consider(obstacles[k].position, obstacles[k].radius, -1 - static_cast<std::int64_t>(k));

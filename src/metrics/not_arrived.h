@@ -11,11 +11,14 @@ namespace avo::inline metrics {
 
 /// A fleet as last seen, by ascending id, and the moving obstacles then.
 struct LastSeen {
-  std::vector<RobotId> id;
-  std::vector<Vec2> position, velocity, goal;
-  std::vector<double> heading;  // rad, of robots that have one
-  std::vector<PlanStatus> status;
-  std::vector<double> detour;          // rad
+  struct Robot {
+    RobotId id;
+    Vec2 position, velocity, goal;
+    double heading = 0.0;  // rad, of a robot that has one
+    double detour = 0.0;   // rad
+    PlanStatus status = PlanStatus::optimal;
+  };
+  std::vector<Robot> robots;
   std::vector<Simulation::Wait> wait;  // of robots at rest that wait
   std::vector<std::size_t> waiting;    // indices of these robots, ascending
   struct Obstacle {

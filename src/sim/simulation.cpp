@@ -40,9 +40,15 @@ std::shared_ptr<Executor> checked(std::shared_ptr<Executor> executor) {
 }
 
 // m, the robot's reported place.
-Vec2 place_now(const World& world, std::size_t slot) {
+Vec2 place_at_present(const World& world, std::size_t slot) {
   if (world.is_current) return world.fleet.place(slot);
   return world.fleet.place(slot, present_state(world, slot));
+}
+
+// m, that the robot is said to be at: of nearly all, that of its disc.
+inline Vec2 place_now(const World& world, std::size_t slot) {
+  const bool is_known = world.is_current && !world.fleet.traits[slot].has_model;
+  return is_known ? world.fleet.position[slot] : place_at_present(world, slot);
 }
 
 void require_whole(const World& world, const char* call) {
