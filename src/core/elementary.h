@@ -49,6 +49,12 @@ inline constexpr double kCosineTail[] = {
     -1.0 / 720.0,         1.0 / 40320.0,          -1.0 / 3628800.0,         1.0 / 479001600.0,
     -1.0 / 87178291200.0, 1.0 / 20922789888000.0, -1.0 / 6402373705728000.0};
 
+// Those before them: of x^5 and x^3, and of x^4 and x^2.
+inline constexpr DoubleDouble kSineHead[] = {{0x1.1111111111111p-7, 0x1.1111111111111p-63},
+                                             {-0x1.5555555555555p-3, -0x1.5555555555555p-57}};
+inline constexpr DoubleDouble kCosineHead[] = {{0x1.5555555555555p-5, 0x1.5555555555555p-59},
+                                               {-0.5, 0.0}};
+
 // z (c_0 + z (c_1 + ...))
 template <std::size_t count>
 constexpr double polynomial(const double (&coefficients)[count], double z) {
@@ -59,17 +65,15 @@ constexpr double polynomial(const double (&coefficients)[count], double z) {
 
 constexpr double sine_near_zero(DoubleDouble r) {
   const DoubleDouble square = r * r;
-  DoubleDouble sum = {0x1.1111111111111p-7, 0x1.1111111111111p-63};  // 1/5!
-  sum = sum + polynomial(kSineTail, square.high);
-  sum = DoubleDouble{-0x1.5555555555555p-3, -0x1.5555555555555p-57} + square * sum;  // -1/3!
+  DoubleDouble sum = kSineHead[0] + polynomial(kSineTail, square.high);
+  sum = kSineHead[1] + square * sum;
   return (r + r * (square * sum)).high;
 }
 
 constexpr double cosine_near_zero(DoubleDouble r) {
   const DoubleDouble square = r * r;
-  DoubleDouble sum = {0x1.5555555555555p-5, 0x1.5555555555555p-59};  // 1/4!
-  sum = sum + polynomial(kCosineTail, square.high);
-  sum = DoubleDouble{-0.5, 0.0} + square * sum;
+  DoubleDouble sum = kCosineHead[0] + polynomial(kCosineTail, square.high);
+  sum = kCosineHead[1] + square * sum;
   return (DoubleDouble{1.0, 0.0} + square * sum).high;
 }
 

@@ -11,12 +11,17 @@
 #include "robots/car.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
 #include <numbers>
+#include <span>
+#include <variant>
 
 #include "core/elementary.h"
 #include "core/plane.h"
 #include "robots/ahead.h"
+#include "robots/directions.h"
 
 namespace avo::inline robots {
 namespace {
@@ -94,14 +99,29 @@ double largest(const Car& car, Vec2 acceleration) {
   return std::max(std::abs(acceleration.x), std::abs(acceleration.y));
 }
 
+// What a step turns by is known before where it leads to.
+struct Begun {
+  Driving driving;
+  bool stays = false;  // it turns in place, and drives otherwise
+  Controls control = {};
+  double next_speed = 0.0;  // m/s
+  double length = 0.0;      // m, of its arc
+  double angle = 0.0;       // rad: half of what it turns by on its arc, all of it in place
+};
+
 // Eq. (24) with held controls: an arc of the length that the speed covers.
-MotionStep drive(const Car& car, const MotionState& state, const Driving& driving,
-                 const Controls& control, double time_step) {
+Begun drive(const Driving& driving, const Controls& control, double time_step) {
   double next_speed = std::max(0.0, driving.speed + control.linear * time_step);
   if (next_speed < kRestRounding * driving.speed) next_speed = 0.0;
   const double length = 0.5 * (driving.speed + next_speed) * time_step;
-  const double half_turn = 0.5 * control.curvature * length;
-  const Vec2 half = elementary::direction(half_turn), middle = turned(driving.heading, half);
+  return {driving, false, control, next_speed, length, 0.5 * control.curvature * length};
+}
+
+// half: the direction of half of what it turns by.
+MotionStep driven(const Car& car, const MotionState& state, const Begun& begun, Vec2 half,
+                  double time_step) {
+  const auto& [driving, stays, control, next_speed, length, half_turn] = begun;
+  const Vec2 middle = turned(driving.heading, half);
   const double chord = std::abs(half_turn) < 1e-8 ? length : length * (half.y / half_turn);
   const double top = std::max(driving.speed, next_speed);
   const Vec2 next_heading = turned(middle, half);
@@ -121,45 +141,77 @@ MotionStep drive(const Car& car, const MotionState& state, const Driving& drivin
   return step;
 }
 
-// A turn at rest, by an angle that grows with the square of the time. The disc then starts at rest
-// as well, and stays within e times the angle's square of a straight line.
-MotionStep turn_in_place(const MotionState& state, const Driving& driving, double angle) {
+// At rest, by an angle that grows with the square of the time: so the disc leaves at rest as well,
+// and stays within e times the angle's square of a straight line. by: the direction of the angle.
+MotionStep turned_in_place(const MotionState& state, const Driving& driving, double angle,
+                           Vec2 by) {
   MotionStep step{state, 0.0};
   step.next.heading = wrapped(state.heading + angle);
   if (driving.offset == 0.0) return step;
-  const Vec2 next_heading = turned(driving.heading, elementary::direction(angle));
+  const Vec2 next_heading = turned(driving.heading, by);
   step.next.position = state.position + driving.offset * (next_heading - driving.heading);
   step.way = std::abs(driving.offset * angle);
   step.bend = step.way * std::abs(angle);
   return step;
 }
 
-}  // namespace
-
-MotionStep advance_car(const Car& car, const MotionLimits& limits, const MotionState& state,
-                       const Plan& plan, double time_step) {
+Begun begin(const Car& car, const MotionLimits& limits, const MotionState& state, const Plan& plan,
+            double time_step) {
   const Driving driving = driving_of(car, state, plan.new_velocity);
   const double slow = limits.planned_braking * time_step;
   const Controls control = controls(car, plan.acceleration, driving, slow, time_step);
   const double top = std::max(driving.speed, driving.speed + control.linear * time_step);
-  if (top > slow || !turns_in_place(car)) return drive(car, state, driving, control, time_step);
+  if (top > slow || !turns_in_place(car)) return drive(driving, control, time_step);
   const bool moves =
       norm(plan.new_velocity) > 0.0 &&
       (driving.speed > 0.0 || norm(plan.acceleration) * time_step >= kLeastDecided * slow);
   const double turn = moves ? elementary::atan2(cross(driving.heading, plan.new_velocity),
                                                 dot(driving.heading, plan.new_velocity))
                             : 0.0;
-  if (moves && std::abs(turn) <= kTurnInPlace)
-    return drive(car, state, driving, control, time_step);
-  if (driving.speed > 0.0)
-    return drive(car, state, driving, {-driving.speed / time_step, 0.0}, time_step);
+  if (moves && std::abs(turn) <= kTurnInPlace) return drive(driving, control, time_step);
+  if (driving.speed > 0.0) return drive(driving, {-driving.speed / time_step, 0.0}, time_step);
 
   // the front axle, one wheelbase ahead, moves at v_max at most
   double most = std::min(limits.max_speed / car.wheelbase * time_step, kMostTurn);
   // and the disc accelerates by a_max at most; the turn rate at the end is twice the mean
   if (driving.offset != 0.0)
     most = std::min(0.5 * most, 0.5 * slow * time_step / std::abs(driving.offset));
-  return turn_in_place(state, driving, std::clamp(turn, -most, most));
+  Begun begun{driving, true};
+  begun.angle = std::clamp(turn, -most, most);
+  return begun;
+}
+
+// by: the direction of the angle that has begun.
+MotionStep finish(const Car& car, const MotionState& state, const Begun& begun, Vec2 by,
+                  double time_step) {
+  if (begun.stays) return turned_in_place(state, begun.driving, begun.angle, by);
+  return driven(car, state, begun, by, time_step);
+}
+
+}  // namespace
+
+MotionStep advance_car(const Car& car, const MotionLimits& limits, const MotionState& state,
+                       const Plan& plan, double time_step) {
+  const Begun begun = begin(car, limits, state, plan, time_step);
+  return finish(car, state, begun, elementary::direction(begun.angle), time_step);
+}
+
+void advance_cars(std::span<ModelStep* const> steps, double time_step) {
+  std::array<Begun, kMostModelSteps> begun;
+  std::array<double, kMostModelSteps + kSpareAngles> angle{}, x, y;
+  const auto car_of = [](const ModelStep& step) -> const Car& {
+    return std::get<Car>(*step.model);
+  };
+  for (std::size_t k = 0; k < steps.size(); ++k) {
+    const ModelStep& step = *steps[k];
+    begun[k] = begin(car_of(step), step.limits, step.state, *step.plan, time_step);
+    angle[k] = begun[k].angle;
+  }
+  find_directions(angle.data(), steps.size(), x.data(), y.data());
+  for (std::size_t k = 0; k < steps.size(); ++k) {
+    ModelStep& step = *steps[k];
+    step.result = finish(car_of(step), step.state, begun[k], {x[k], y[k]}, time_step);
+  }
 }
 
 Vec2 turning_first(const Car& car, const Robot& robot, Vec2 v) {

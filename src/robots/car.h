@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "robots/model.h"
@@ -13,6 +14,8 @@ namespace avo::inline robots {
 
 MotionStep advance_car(const Car& car, const MotionLimits& limits, const MotionState& state,
                        const Plan& plan, double time_step);
+/// The same of several, all of them cars: their results.
+void advance_cars(std::span<ModelStep* const> steps, double time_step);
 /// src/robots/within.cpp
 MotionState within_arc(const Car& car, const MotionState& from, const MotionState& to, double time,
                        double duration);

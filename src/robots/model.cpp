@@ -63,16 +63,19 @@ MotionStep advance(const MotionModel& model, const MotionLimits& limits, const M
 }
 
 void advance_together(std::span<ModelStep> steps, double time_step) {
-  std::array<ModelStep*, kMostModelSteps> drives;
-  std::size_t count = 0;
+  std::array<ModelStep*, kMostModelSteps> drives, cars;
+  std::size_t drive_count = 0, car_count = 0;
   for (ModelStep& step : steps) {
     if (std::holds_alternative<DifferentialDrive>(*step.model)) {
-      drives[count++] = &step;
+      drives[drive_count++] = &step;
+    } else if (std::holds_alternative<Car>(*step.model)) {
+      cars[car_count++] = &step;
     } else {
       step.result = advance(*step.model, step.limits, step.state, *step.plan, time_step);
     }
   }
-  if (count > 0) advance_drives(std::span(drives).first(count), time_step);
+  if (drive_count > 0) advance_drives(std::span(drives).first(drive_count), time_step);
+  if (car_count > 0) advance_cars(std::span(cars).first(car_count), time_step);
 }
 
 MotionState within(const MotionModel& model, const MotionState& from, const MotionState& to,

@@ -11,6 +11,7 @@
 #include "planner/decision.h"
 #include "planner/execution.h"
 #include "planner/scratch.h"
+#include "robots/ahead.h"
 #include "robots/model.h"
 #include "sim/clocks.h"
 #include "sim/held_passages.h"
@@ -192,6 +193,7 @@ void set_out(World& world, const Pace& pace, std::span<const std::uint32_t> slot
     robots.model[k] = fleet.own_model(slots[k]);
     robots.has_models = robots.has_models || robots.model[k] != nullptr;
   }
+  if (robots.has_models) look_ahead(robots);
   lose_places(world, slots, worker);
   if (!world.statics.walls.empty()) list_walls(world, slots, worker);
   if (!world.ways.empty()) follow_ways(world, pace, slots, worker);

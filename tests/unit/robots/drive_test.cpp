@@ -12,9 +12,13 @@
 #include <thread>
 #include <vector>
 
+#include "avo/simd.h"
 #include "core/elementary.h"
+#include "core/robot_columns.h"
 #include "robots/ahead.h"
+#include "robots/directions.h"
 #include "support/generators.h"
+#include "support/half_plane_batches.h"
 #include "support/wheels.h"
 
 namespace avo {
@@ -220,7 +224,17 @@ TEST(Drive, brakes_to_rest_exactly) {
   }
 }
 
-// Lanes, whose drives take different numbers of substeps, are what each of them is alone.
+// On and ahead of the axle, driving and turning in place.
+Car any_car(Random& random) {
+  Car car;
+  if (random.below(2) == 0) car.max_curvature = random.log_uniform(0.1, 3.0);
+  if (random.below(2) == 0) car.body = CarBody{random.uniform(-1.0, 1.0), 0.5};
+  car.reverse = random.below(2) == 0;
+  return car;
+}
+
+// Lanes, whose drives take different numbers of substeps, are what each of them is alone; so are
+// cars.
 TEST(Drive, of_those_that_move_together_each_moves_as_it_does_alone) {
   Random random(37);
   std::array<Plan, kMostModelSteps> plans;
@@ -229,9 +243,13 @@ TEST(Drive, of_those_that_move_together_each_moves_as_it_does_alone) {
     std::vector<ModelStep> steps;
     const auto count = static_cast<std::size_t>(1 + random.below(kMostModelSteps));
     for (std::size_t n = 0; n < count; ++n) {
-      const Drawn d = drawn(random);
-      const bool drives = random.below(8) > 0;
-      models[n] = drives ? MotionModel{d.drive} : MotionModel{Car{}};
+      Drawn d = drawn(random);
+      const bool drives = random.below(4) > 0;
+      models[n] = drives ? MotionModel{d.drive} : MotionModel{any_car(random)};
+      if (!drives)
+        d.state.velocity =
+            d.max_acceleration * random.uniform(0.0, 2.0) * ahead_of(d.state.heading);
+      if (!drives && random.below(2) == 0) d.state.velocity = {};
       plans[n] = plan_by(test::in_disc(random, d.max_acceleration));
       plans[n].new_velocity = d.state.velocity + plans[n].acceleration;
       steps.push_back({&models[n], {d.max_acceleration, d.drive.wheel_speed}, d.state, &plans[n]});
@@ -243,6 +261,9 @@ TEST(Drive, of_those_that_move_together_each_moves_as_it_does_alone) {
       EXPECT_EQ(step.result.next.velocity, alone.next.velocity);
       EXPECT_EQ(step.result.next.heading, alone.next.heading);
       EXPECT_EQ(step.result.acceleration, alone.acceleration);
+      EXPECT_EQ(step.result.bend, alone.bend);
+      EXPECT_EQ(step.result.way, alone.way);
+      EXPECT_EQ(step.result.swing, alone.swing);
     }
   }
 }
@@ -266,6 +287,51 @@ TEST(Drive, a_direction_that_is_remembered_is_that_of_the_heading) {
     }
   }).join();
   EXPECT_EQ(wrong, 0);
+}
+
+bool are_same_bits(Vec2 a, Vec2 b) {
+  return a == b && std::signbit(a.x) == std::signbit(b.x) && std::signbit(a.y) == std::signbit(b.y);
+}
+
+// In each quadrant, near its ends, next to nothing, and as far off as may be.
+TEST(Drive, directions_found_in_lanes_have_the_bits_of_each_alone) {
+  Random random(39);
+  std::vector<double> angles = {0.0, -0.0, 0x1p-27, -0x1p-27, 0x1p-28, 1e-300, kMostAngle};
+  for (int k = -40; k <= 40; ++k) {
+    const double end = k * (0.25 * std::numbers::pi);
+    angles.insert(angles.end(), {std::nextafter(end, -100.0), end, std::nextafter(end, 100.0)});
+  }
+  for (int k = 0; k < 20'000; ++k) angles.push_back(random.uniform(-7.0, 7.0));
+  for (int k = 0; k < 20'000; ++k)
+    angles.push_back(std::copysign(random.log_uniform(1e-10, kMostAngle), random.uniform(-1, 1)));
+  const std::size_t count = angles.size();
+  angles.resize(count + kSpareAngles);
+  std::vector<double> x(angles.size()), y(angles.size());
+  for (const char* target : simd_targets()) {
+    const test::OnTarget on(target);
+    find_directions(angles.data(), count, x.data(), y.data());
+    for (std::size_t k = 0; k < count && !HasFailure(); ++k)
+      EXPECT_TRUE(are_same_bits({x[k], y[k]}, elementary::direction(angles[k])))
+          << target << ' ' << angles[k];
+  }
+}
+
+// More robots than are looked at together, some of them without a heading.
+TEST(Drive, directions_of_many_robots_are_those_of_their_headings) {
+  Random random(40);
+  const MotionModel model = Car{};
+  RobotColumns robots;
+  robots.reserve(150);
+  for (int k = 0; k < 150; ++k) {
+    Robot robot;
+    robot.heading = random.uniform(-4.0, 4.0);
+    robots.add(robot, {});
+    if (k % 3 != 0) robots.model.back() = &model;
+  }
+  look_ahead(robots);
+  for (std::size_t k = 0; k < robots.count; ++k)
+    EXPECT_TRUE(
+        are_same_bits(ahead_of(robots.heading[k]), elementary::direction(robots.heading[k])));
 }
 
 // A robot as its planner sees it: the farthest that can be followed, or braking.
