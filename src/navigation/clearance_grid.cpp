@@ -30,12 +30,12 @@ bool comes_nearer(const Segment& way, const Wall& wall, double limit) {
   const double aside = limit_squared * norm_squared(d) * (1.0 + kLengthRounding);
   if (one * other > 0.0 && one * one > aside && other * other > aside) return false;
   const Segment line{wall.a, wall.b};
+  const auto differ = [](double s, double t) { return (s < 0.0) != (t < 0.0); };
+  if (differ(one, other) && differ(cross(e, way.a - line.a), cross(e, way.b - line.a))) return true;
   if (distance_squared(wall.a, way) < limit_squared) return true;
   if (distance_squared(wall.b, way) < limit_squared) return true;
   if (distance_squared(way.a, line) < limit_squared) return true;
-  if (distance_squared(way.b, line) < limit_squared) return true;
-  const auto differ = [](double s, double t) { return (s < 0.0) != (t < 0.0); };
-  return differ(one, other) && differ(cross(e, way.a - line.a), cross(e, way.b - line.a));
+  return distance_squared(way.b, line) < limit_squared;
 }
 
 }  // namespace
@@ -163,6 +163,15 @@ bool ClearanceGrid::has_room(Vec2 p, double room) const {
 
 bool ClearanceGrid::is_clear(Vec2 p, Vec2 q, double room) const {
   return all_near(p, q, [&](std::size_t k) { return !is_in_the_way(walls_[k], p, q, room); });
+}
+
+const Wall* ClearanceGrid::in_the_way(Vec2 p, Vec2 q, double room) const {
+  const Wall* wall = nullptr;
+  all_near(p, q, [&](std::size_t k) {
+    if (is_in_the_way(walls_[k], p, q, room)) wall = &walls_[k];
+    return wall == nullptr;
+  });
+  return wall;
 }
 
 }  // namespace avo::inline navigation

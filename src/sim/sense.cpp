@@ -13,10 +13,11 @@
 namespace avo::inline sim {
 namespace {
 
-// Returns whether all sensed neighbors are valid, for any motion since they were checked.
+// Whether whomever it senses as they are is valid, however all have moved since they were looked
+// at, and so is where it takes itself to be.
 bool is_trusted(const World& world, std::size_t slot) {
   const Vec2 p = world.fleet.position[slot];
-  return world.valid && !world.fast && world.senses.are_exact() &&
+  return world.valid && !world.fast && !(world.settings.sensing.localization.position > 0.0) &&
          std::abs(p.x) <= kFarthestTrusted && std::abs(p.y) <= kFarthestTrusted;
 }
 
@@ -148,8 +149,9 @@ void append_one_by_one(const World& world, std::size_t slot, std::span<const Nei
   }
 }
 
-// Appends them as they are sensed, where senses are not exact.
-void append_sighted(const World& world, std::size_t slot, std::size_t query, Worker& worker) {
+// The same as they are sensed, where senses are not exact. Returns whether all of them are as they
+// are in truth.
+bool append_sighted(const World& world, std::size_t slot, std::size_t query, Worker& worker) {
   const Snapshot& snapshot = world.snapshot;
   const auto present_at = [&](std::size_t place, int rank) {
     return Present{snapshot.grid.order()[place],
@@ -162,18 +164,20 @@ void append_sighted(const World& world, std::size_t slot, std::size_t query, Wor
     const std::size_t place = worker.search.order[k];
     worker.seen.push_back(present_at(place, snapshot.grid.index(place)));
   }
+  const Present own{slot,
+                    static_cast<std::size_t>(world.fleet.rank[slot]),
+                    {world.fleet.position[slot], world.fleet.velocity[slot]}};
+  NeighborColumns& to = worker.tile.neighbors;
+  if (world.obstacles.setup.empty() && append_as_they_are(world, own, worker.seen, to)) return true;
   std::span<const NeighborHit> movers;
   if (!world.obstacles.setup.empty()) {
     constexpr std::size_t kAll = std::numeric_limits<std::size_t>::max();
     movers = world.obstacle_grid.gather(world.fleet.position[slot], -1, kAll, worker.obstacles);
   }
-  const Present own{slot,
-                    static_cast<std::size_t>(world.fleet.rank[slot]),
-                    {world.fleet.position[slot], world.fleet.velocity[slot]}};
   look(world, own, worker.seen, movers, worker.sightings);
-  NeighborColumns& to = worker.tile.neighbors;
   to.reserve(to.count + worker.sightings.size());
   for (const Sighting& sighting : worker.sightings) append(world, sighting, to);
+  return false;
 }
 
 // m, a radius that contains the nearest, or all if those are fewer.
@@ -231,13 +235,16 @@ std::span<const NeighborHit> find_everyone(const World& world, std::size_t query
   return world.snapshot.grid.list(0, worker.again);
 }
 
-// Appends the neighbors that the robot senses, except those of far reach. Returns how it has
-// examined them.
-Scrutiny append_sensed(const World& world, std::size_t slot, std::size_t query, Worker& worker) {
-  if (!world.senses.are_exact()) {
-    append_sighted(world, slot, query, worker);
-    return Scrutiny::everyone;
-  }
+// How a robot has looked at others, and whether it senses nobody but robots, as they are.
+struct Looked {
+  Scrutiny scrutiny;
+  bool at_robots;
+};
+
+// Whom the robot senses, but for those who reach far.
+Looked append_sensed(const World& world, std::size_t slot, std::size_t query, Worker& worker) {
+  if (!world.senses.are_exact())
+    return {Scrutiny::everyone, append_sighted(world, slot, query, worker)};
   Scrutiny scrutiny = world.outliers.usual;
   worker.outliers.hits.clear();
   if (scrutiny != Scrutiny::everyone && world.outliers.may_be_sensed(world.fleet.cell[slot]))
@@ -254,7 +261,7 @@ Scrutiny append_sensed(const World& world, std::size_t slot, std::size_t query, 
   } else {
     append_one_by_one(world, slot, find_everyone(world, query, worker), worker);
   }
-  return scrutiny;
+  return {scrutiny, scrutiny != Scrutiny::everyone};
 }
 
 // Appends the neighbors that matter within a longer range than others, where the search has not
@@ -301,15 +308,14 @@ std::size_t sense(World& world, std::span<const std::uint32_t> slots, Worker& wo
   for (std::size_t i = 0; i < robots; ++i) {
     const std::uint32_t slot = slots[i];
     const std::size_t first = neighbors.count;
-    const Scrutiny scrutiny = append_sensed(world, slot, i, worker);
+    const auto [scrutiny, at_robots] = append_sensed(world, slot, i, worker);
     double range = scrutiny == Scrutiny::everyone ? kInfinity : range_of(worker.queries[i]);
     // these matter beyond the range, at any place in the list
     if (scrutiny != Scrutiny::everyone && append_far(world, slot, i, worker)) range = kInfinity;
     fleet.nearest[slot] = reach_of_nearest(fleet.position[slot], worker.search.results[i],
                                            nearest_sought(world), snapshot, worker.search);
     worker.tile.robots.neighbors.push_back({&neighbors, first, neighbors.count - first, range});
-    worker.tile.trusted =
-        worker.tile.trusted && scrutiny != Scrutiny::everyone && is_trusted(world, slot);
+    worker.tile.trusted = worker.tile.trusted && at_robots && is_trusted(world, slot);
     if (neighbors.count >= kTileCandidates) return i + 1;  // of obstacles
   }
   return robots;

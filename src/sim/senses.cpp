@@ -62,6 +62,12 @@ struct Observer {
   Draws draws(std::int64_t moment, std::uint64_t other) const {
     return {moment == latest ? key : Draws::key_of(world.settings.seed, moment, id), other};
   }
+  // Whether what it measures of one in sight is how that one is now.
+  bool measures_the_present() const {
+    const MeasurementNoise& off = model().noise;
+    return model().delay == 0 && !(model().dropped > 0.0) && !(off.position > 0.0) &&
+           !(off.velocity > 0.0);
+  }
   double seconds_since(std::int64_t moment) const {
     if (world.senses.by_time) return seconds(world.now - moment);
     return static_cast<double>(world.steps - moment) * world.settings.time_step;
@@ -79,27 +85,29 @@ struct Encounter {
 
   const SensingModel& model() const { return observer.model(); }
 
-  // Returns whether a measurement succeeds. At first no measurement fails: a start is known to all.
-  bool succeeds(Vec2 from, Vec2 to, std::int64_t moment) const {
+  // Whether a measurement succeeds. At first nobody is missed: a start is known to all. behind: see
+  // Ways::is_in_sight().
+  bool succeeds(Vec2 from, Vec2 to, std::int64_t moment, const Wall*& behind) const {
     const World& world = observer.world;
     const double radius = world.sensing_radius;
     if (!(norm_squared(to - from) <= radius * radius)) return false;
     if (model().dropped > 0.0 && moment > first &&
         observer.draws(moment, other_id).uniform() < model().dropped)
       return false;
-    return !model().occlusion || world.ways.is_in_sight(from, to);
+    return !model().occlusion || world.ways.is_in_sight(from, to, behind);
   }
 
   // The time of the last measurement that the observer has; place(moment): the place of the other
   // then.
   template <typename Place>
-  std::optional<std::int64_t> last_measured(const Place& place) const {
+  std::optional<std::int64_t> last_measured(const Place& place,
+                                            const Wall* behind = nullptr) const {
     const std::int64_t latest = std::max(observer.latest, first);
     const std::int64_t carried = model().misses() ? kMostCarried : 0;
     for (std::int64_t k = 0; k <= carried; ++k) {
       const std::int64_t moment = std::max(latest - k * observer.interval, first);
       const Vec2 from = then(observer.world, observer.own, moment).position;
-      if (succeeds(from, place(moment), moment)) return moment;
+      if (succeeds(from, place(moment), moment, behind)) return moment;
       if (moment == first) break;
     }
     return {};
@@ -136,18 +144,32 @@ double swung(const World& world, std::size_t slot, const MotionModel& model, dou
   return time * swing_of(model, traits.max_acceleration, top, step);
 }
 
-// Adds the robot, if it is sensed.
+Encounter encounter_of(const Observer& observer, const Present& robot) {
+  const World& world = observer.world;
+  const std::vector<std::int64_t>& since = world.senses.since;
+  return {observer, world.fleet.id[robot.slot].value,
+          std::max(since[observer.own.rank], since[robot.rank])};
+}
+
+std::optional<std::int64_t> last_measured(const Encounter& encounter, const Present& robot,
+                                          const Wall* behind = nullptr) {
+  return encounter.last_measured(
+      [&](std::int64_t m) { return then(encounter.observer.world, robot, m).position; }, behind);
+}
+
+bool are_alike(const PastState& a, const PastState& b) {
+  return a.position == b.position && a.velocity == b.velocity;
+}
+
+// Adds it, if it is seen.
 void look_at_robot(const Observer& observer, const Present& robot,
                    std::vector<Sighting>& sightings) {
   const World& world = observer.world;
-  const Senses& senses = world.senses;
   const Present& own = observer.own;
   const auto expected = world.fleet.expected(robot.slot, own.slot);
   if (!expected) return;
-  const Encounter encounter{observer, world.fleet.id[robot.slot].value,
-                            std::max(senses.since[own.rank], senses.since[robot.rank])};
-  const auto moment =
-      encounter.last_measured([&](std::int64_t m) { return then(world, robot, m).position; });
+  const Encounter encounter = encounter_of(observer, robot);
+  const auto moment = robot.is_known ? robot.measured : last_measured(encounter, robot);
   if (!moment) return;
   const PastState state = then(world, robot, *moment);
   const double time = observer.seconds_since(*moment);
@@ -156,8 +178,8 @@ void look_at_robot(const Observer& observer, const Present& robot,
   seen.slot = robot.slot, seen.expected = *expected;
   seen.position = state.position + time * state.velocity;
   seen.velocity = state.velocity, seen.true_velocity = robot.state.velocity;
-  // by their true states: two robots that move as one must see the same
-  if (robot.state.position == own.state.position && robot.state.velocity == own.state.velocity)
+  // by their true states: what is sensed of two that move as one looks the same to both
+  if (are_alike(robot.state, own.state))
     seen.parting = parting_direction(observer.id, encounter.other_id);
   encounter.measure(*moment, seen);
   if (const MotionModel* model = world.fleet.own_model(robot.slot))
@@ -238,18 +260,56 @@ void look(const World& world, const Present& own, std::span<const Present> robot
   if (!all_matter && seen.size() > world.most_nearest()) seen.resize(world.most_nearest());
 }
 
-// A robot without special properties goes straight into the columns.
+namespace {
+
+// Whether nothing sets it apart from most others but what is measured of it.
+bool is_usual(const Fleet& fleet, std::size_t slot) {
+  const RobotTraits& traits = fleet.traits[slot];
+  return !traits.exceeds && fleet.conduct[slot].priority == 1.0 && !max_braking_of(traits);
+}
+
+}  // namespace
+
+// Who is usual goes straight into the columns.
 void append(const World& world, const Sighting& seen, NeighborColumns& to) {
-  const Fleet& fleet = world.fleet;
   if (seen.source >= 0 && seen.expected == Expectation::decides && seen.age == 0 &&
-      seen.position_error == 0.0 && seen.parting == Vec2{}) {
-    const RobotTraits& traits = fleet.traits[seen.slot];
-    if (!traits.exceeds && fleet.conduct[seen.slot].priority == 1.0 && !max_braking_of(traits)) {
-      to.add_usual(seen.position, seen.velocity, traits.radius, traits.max_acceleration);
-      return;
-    }
+      seen.position_error == 0.0 && seen.parting == Vec2{} && is_usual(world.fleet, seen.slot)) {
+    const RobotTraits& traits = world.fleet.traits[seen.slot];
+    to.add_usual(seen.position, seen.velocity, traits.radius, traits.max_acceleration);
+    return;
   }
   to.add(neighbor_of(world, seen));
+}
+
+// By the same numbers as look() and append().
+bool append_as_they_are(const World& world, const Present& own, std::span<Present> robots,
+                        NeighborColumns& to) {
+  const Observer observer(world, own);
+  if (!observer.measures_the_present()) return false;
+  const Fleet& fleet = world.fleet;
+  const std::size_t first = to.count,
+                    most = world.all_matter() ? robots.size() : world.most_nearest();
+  to.reserve(first + std::min(robots.size(), most));
+  for (Present& robot : robots) {
+    const auto expected = fleet.expected(robot.slot, own.slot);
+    if (!expected) continue;
+    const Vec2 p = robot.state.position, v = robot.state.velocity;
+    const bool is_plain = *expected == Expectation::decides && is_usual(fleet, robot.slot) &&
+                          !are_alike(robot.state, own.state);
+    const Encounter encounter = encounter_of(observer, robot);
+    const Wall* behind = nullptr;
+    const bool is_seen = encounter.succeeds(own.state.position, p, observer.latest, behind);
+    robot.measured = is_seen ? observer.latest : last_measured(encounter, robot, behind);
+    robot.is_known = true;
+    if (!is_plain || (!is_seen && robot.measured)) {
+      to.count = first;
+      return false;
+    }
+    if (!is_seen || to.count == first + most) continue;
+    const RobotTraits& traits = fleet.traits[robot.slot];
+    to.add_usual(p + 0.0 * v, v, traits.radius, traits.max_acceleration);
+  }
+  return true;
 }
 
 Neighbor neighbor_of(const World& world, const Sighting& seen) {

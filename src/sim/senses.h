@@ -4,6 +4,7 @@
 #pragma once
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -24,6 +25,8 @@ struct PastState {
 struct Present {
   std::size_t slot, rank;
   PastState state;
+  bool is_known = false;                      // whether and when it has been measured last:
+  std::optional<std::int64_t> measured = {};  // generation or instant; nothing: never
 };
 
 /// One sensed robot or mover; see neighbor_of().
@@ -129,5 +132,10 @@ void look(const World& world, const Present& own, std::span<const Present> robot
 Neighbor neighbor_of(const World& world, const Sighting& seen);
 /// Appends the same to columns.
 void append(const World& world, const Sighting& seen, NeighborColumns& to);
+/// The same of all robots at once where there are no movers: `robots` come nearest first. Appends
+/// nobody and returns false where some are not simply seen as they are, or not seen; then look()
+/// does not measure again.
+bool append_as_they_are(const World& world, const Present& own, std::span<Present> robots,
+                        NeighborColumns& to);
 
 }  // namespace avo::inline sim

@@ -237,6 +237,13 @@ bool Ways::is_in_sight(Vec2 p, Vec2 q) const {
   return !sight_ || sight_->is_clear(p, q, kJoint);
 }
 
+bool Ways::is_in_sight(Vec2 p, Vec2 q, const Wall*& behind) const {
+  if (!sight_) return true;
+  if (behind == nullptr || !is_in_the_way(*behind, p, q, kJoint))
+    behind = sight_->in_the_way(p, q, kJoint);
+  return behind == nullptr;
+}
+
 void plan_travels(Ways& ways, const Fleet& fleet, const Ways* before) {
   if (ways.empty()) return;
   ways.travels.reserve(fleet.size());
