@@ -49,7 +49,7 @@ inline constexpr double kCosineTail[] = {
     -1.0 / 720.0,         1.0 / 40320.0,          -1.0 / 3628800.0,         1.0 / 479001600.0,
     -1.0 / 87178291200.0, 1.0 / 20922789888000.0, -1.0 / 6402373705728000.0};
 
-// Those before them: of x^5 and x^3, and of x^4 and x^2.
+// The coefficients before these: of x^5 and x^3, and of x^4 and x^2.
 inline constexpr DoubleDouble kSineHead[] = {{0x1.1111111111111p-7, 0x1.1111111111111p-63},
                                              {-0x1.5555555555555p-3, -0x1.5555555555555p-57}};
 inline constexpr DoubleDouble kCosineHead[] = {{0x1.5555555555555p-5, 0x1.5555555555555p-59},

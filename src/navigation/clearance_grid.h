@@ -33,7 +33,7 @@ class ClearanceGrid {
   [[nodiscard]] bool has_room(Vec2 p, double room) const;
   /// Returns whether no wall's surface is nearer than `room` <= reach() to the segment from p to q.
   [[nodiscard]] bool is_clear(Vec2 p, Vec2 q, double room) const;
-  /// One whose surface is nearer than that; nothing if the way is clear.
+  /// A wall whose surface is nearer than `room`; nothing if the segment is clear.
   [[nodiscard]] const Wall* in_the_way(Vec2 p, Vec2 q, double room) const;
 
   /// Calls holds(index) for the walls within reach() of the segment, and for some others, until it

@@ -53,7 +53,7 @@ void look_ahead(const RobotColumns& robots) {
 }
 
 Vec2 ahead_of(double heading) {
-  if (heading == 0.0) return {1.0, heading};  // which no set begins with
+  if (heading == 0.0) return {1.0, heading};  // no set begins with this heading
   Set& set = set_of(heading);
   for (const Known& each : set)
     if (each.heading == heading) return each.direction;

@@ -8,7 +8,8 @@ namespace avo::inline robots {
 /// elementary::direction() of a robot's heading, rad. Each stage of a step asks for the headings of
 /// the same robots; each thread caches its recent results.
 Vec2 ahead_of(double heading);
-/// Of all these robots that have a model, so that none of them is asked for by itself.
+/// Finds the directions of all these robots that have a model, in lanes; ahead_of() then knows
+/// them.
 void look_ahead(const RobotColumns& robots);
 
 }  // namespace avo::inline robots

@@ -99,14 +99,14 @@ double largest(const Car& car, Vec2 acceleration) {
   return std::max(std::abs(acceleration.x), std::abs(acceleration.y));
 }
 
-// What a step turns by is known before where it leads to.
+// The turn of a step is known before the step's end.
 struct Begun {
   Driving driving;
-  bool stays = false;  // it turns in place, and drives otherwise
+  bool stays = false;  // whether it turns in place; otherwise it drives
   Controls control = {};
   double next_speed = 0.0;  // m/s
   double length = 0.0;      // m, of its arc
-  double angle = 0.0;       // rad: half of what it turns by on its arc, all of it in place
+  double angle = 0.0;       // rad: half of the turn on an arc, the whole turn in place
 };
 
 // Eq. (24) with held controls: an arc of the length that the speed covers.
@@ -117,7 +117,7 @@ Begun drive(const Driving& driving, const Controls& control, double time_step) {
   return {driving, false, control, next_speed, length, 0.5 * control.curvature * length};
 }
 
-// half: the direction of half of what it turns by.
+// half: the direction of half of the turn.
 MotionStep driven(const Car& car, const MotionState& state, const Begun& begun, Vec2 half,
                   double time_step) {
   const auto& [driving, stays, control, next_speed, length, half_turn] = begun;
@@ -141,8 +141,9 @@ MotionStep driven(const Car& car, const MotionState& state, const Begun& begun, 
   return step;
 }
 
-// At rest, by an angle that grows with the square of the time: so the disc leaves at rest as well,
-// and stays within e times the angle's square of a straight line. by: the direction of the angle.
+// A turn at rest, by an angle that grows with the square of the time. The disc then starts at rest
+// as well, and stays within e times the angle's square of a straight line. by: the direction of the
+// angle.
 MotionStep turned_in_place(const MotionState& state, const Driving& driving, double angle,
                            Vec2 by) {
   MotionStep step{state, 0.0};
@@ -181,7 +182,7 @@ Begun begin(const Car& car, const MotionLimits& limits, const MotionState& state
   return begun;
 }
 
-// by: the direction of the angle that has begun.
+// by: the direction of the angle of the turn so far.
 MotionStep finish(const Car& car, const MotionState& state, const Begun& begun, Vec2 by,
                   double time_step) {
   if (begun.stays) return turned_in_place(state, begun.driving, begun.angle, by);

@@ -14,7 +14,7 @@ namespace avo::inline robots {
 
 MotionStep advance_car(const Car& car, const MotionLimits& limits, const MotionState& state,
                        const Plan& plan, double time_step);
-/// The same of several, all of them cars: their results.
+/// The same for several robots that are all cars, with their results.
 void advance_cars(std::span<ModelStep* const> steps, double time_step);
 /// src/robots/within.cpp
 MotionState within_arc(const Car& car, const MotionState& from, const MotionState& to, double time,

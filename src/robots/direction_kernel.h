@@ -49,7 +49,7 @@ struct Twofold {
   }
 };
 
-/// An angle less as many quarters of a turn, in [-π/4, π/4] and a rounding more.
+/// An angle without its whole quarters of a turn: in [-π/4, π/4], but for rounding.
 template <typename Real>
 struct Reduced {
   Twofold<Real> rest;
@@ -80,7 +80,7 @@ AVO_KERNEL Real polynomial(const double (&coefficients)[count], Real z) {
   return sum;
 }
 
-/// Of an angle near 0: its cosine and its sine.
+/// The cosine and the sine of an angle near 0.
 template <typename Real>
 AVO_KERNEL Vec<Real> direction_near_zero(Twofold<Real> r) {
   namespace detail = elementary::detail;

@@ -3,13 +3,13 @@
 #pragma once
 #include <cstddef>
 
-namespace avo {
+namespace avo::inline robots {
 
-/// Of the angles, columns have so many entries more, which are read and written and do not count.
+/// Columns of angles have so many spare entries, which are read and written and do not count.
 inline constexpr std::size_t kSpareAngles = 8;
 
 inline constexpr double kMostAngle = 0x1p40;  // rad
 /// The unit vectors of the angles, up to kMostAngle: elementary::direction() of each, bit for bit.
 void find_directions(const double* angles, std::size_t count, double* x, double* y);
 
-}  // namespace avo
+}  // namespace avo::inline robots

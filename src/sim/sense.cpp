@@ -13,8 +13,8 @@
 namespace avo::inline sim {
 namespace {
 
-// Whether whomever it senses as they are is valid, however all have moved since they were looked
-// at, and so is where it takes itself to be.
+// Returns whether all neighbors that are sensed exactly are valid, for any motion since they were
+// checked, and so is the place that the robot believes to be at.
 bool is_trusted(const World& world, std::size_t slot) {
   const Vec2 p = world.fleet.position[slot];
   return world.valid && !world.fast && !(world.settings.sensing.localization.position > 0.0) &&
@@ -149,8 +149,8 @@ void append_one_by_one(const World& world, std::size_t slot, std::span<const Nei
   }
 }
 
-// The same as they are sensed, where senses are not exact. Returns whether all of them are as they
-// are in truth.
+// Appends them as they are sensed, where senses are not exact. Returns whether all of them are
+// sensed as they truly are.
 bool append_sighted(const World& world, std::size_t slot, std::size_t query, Worker& worker) {
   const Snapshot& snapshot = world.snapshot;
   const auto present_at = [&](std::size_t place, int rank) {
@@ -235,13 +235,13 @@ std::span<const NeighborHit> find_everyone(const World& world, std::size_t query
   return world.snapshot.grid.list(0, worker.again);
 }
 
-// How a robot has looked at others, and whether it senses nobody but robots, as they are.
+// How a robot has examined others, and whether it senses robots alone, and these as they truly are.
 struct Looked {
   Scrutiny scrutiny;
   bool at_robots;
 };
 
-// Whom the robot senses, but for those who reach far.
+// Appends the neighbors that the robot senses, except those of far reach.
 Looked append_sensed(const World& world, std::size_t slot, std::size_t query, Worker& worker) {
   if (!world.senses.are_exact())
     return {Scrutiny::everyone, append_sighted(world, slot, query, worker)};

@@ -62,7 +62,7 @@ struct Observer {
   Draws draws(std::int64_t moment, std::uint64_t other) const {
     return {moment == latest ? key : Draws::key_of(world.settings.seed, moment, id), other};
   }
-  // Whether what it measures of one in sight is how that one is now.
+  // Returns whether a measurement of a robot in sight gives its present state.
   bool measures_the_present() const {
     const MeasurementNoise& off = model().noise;
     return model().delay == 0 && !(model().dropped > 0.0) && !(off.position > 0.0) &&
@@ -85,8 +85,8 @@ struct Encounter {
 
   const SensingModel& model() const { return observer.model(); }
 
-  // Whether a measurement succeeds. At first nobody is missed: a start is known to all. behind: see
-  // Ways::is_in_sight().
+  // Returns whether a measurement succeeds. At first no measurement fails: a start is known to all.
+  // behind: see Ways::is_in_sight().
   bool succeeds(Vec2 from, Vec2 to, std::int64_t moment, const Wall*& behind) const {
     const World& world = observer.world;
     const double radius = world.sensing_radius;
@@ -161,7 +161,7 @@ bool are_alike(const PastState& a, const PastState& b) {
   return a.position == b.position && a.velocity == b.velocity;
 }
 
-// Adds it, if it is seen.
+// Adds the robot, if it is sensed.
 void look_at_robot(const Observer& observer, const Present& robot,
                    std::vector<Sighting>& sightings) {
   const World& world = observer.world;
@@ -178,7 +178,7 @@ void look_at_robot(const Observer& observer, const Present& robot,
   seen.slot = robot.slot, seen.expected = *expected;
   seen.position = state.position + time * state.velocity;
   seen.velocity = state.velocity, seen.true_velocity = robot.state.velocity;
-  // by their true states: what is sensed of two that move as one looks the same to both
+  // by their true states: two robots that move as one must see the same
   if (are_alike(robot.state, own.state))
     seen.parting = parting_direction(observer.id, encounter.other_id);
   encounter.measure(*moment, seen);
@@ -262,7 +262,8 @@ void look(const World& world, const Present& own, std::span<const Present> robot
 
 namespace {
 
-// Whether nothing sets it apart from most others but what is measured of it.
+// Returns whether the robot is a usual one: it differs from most others by its measured state
+// alone.
 bool is_usual(const Fleet& fleet, std::size_t slot) {
   const RobotTraits& traits = fleet.traits[slot];
   return !traits.exceeds && fleet.conduct[slot].priority == 1.0 && !max_braking_of(traits);
@@ -270,7 +271,7 @@ bool is_usual(const Fleet& fleet, std::size_t slot) {
 
 }  // namespace
 
-// Who is usual goes straight into the columns.
+// A robot without special properties goes straight into the columns.
 void append(const World& world, const Sighting& seen, NeighborColumns& to) {
   if (seen.source >= 0 && seen.expected == Expectation::decides && seen.age == 0 &&
       seen.position_error == 0.0 && seen.parting == Vec2{} && is_usual(world.fleet, seen.slot)) {
@@ -281,7 +282,7 @@ void append(const World& world, const Sighting& seen, NeighborColumns& to) {
   to.add(neighbor_of(world, seen));
 }
 
-// By the same numbers as look() and append().
+// Uses the same numbers as look() and append().
 bool append_as_they_are(const World& world, const Present& own, std::span<Present> robots,
                         NeighborColumns& to) {
   const Observer observer(world, own);

@@ -25,7 +25,7 @@ struct PastState {
 struct Present {
   std::size_t slot, rank;
   PastState state;
-  bool is_known = false;                      // whether and when it has been measured last:
+  bool is_known = false;  // whether it is known when the robot was measured last:
   std::optional<std::int64_t> measured = {};  // generation or instant; nothing: never
 };
 
@@ -132,9 +132,9 @@ void look(const World& world, const Present& own, std::span<const Present> robot
 Neighbor neighbor_of(const World& world, const Sighting& seen);
 /// Appends the same to columns.
 void append(const World& world, const Sighting& seen, NeighborColumns& to);
-/// The same of all robots at once where there are no movers: `robots` come nearest first. Appends
-/// nobody and returns false where some are not simply seen as they are, or not seen; then look()
-/// does not measure again.
+/// The same for all robots at once, where there are no movers; `robots` come nearest first. Each
+/// robot must be seen as it truly is, or not at all. Otherwise it appends none and returns false,
+/// and look() does not measure again.
 bool append_as_they_are(const World& world, const Present& own, std::span<Present> robots,
                         NeighborColumns& to);
 

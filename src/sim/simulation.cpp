@@ -45,7 +45,7 @@ Vec2 place_at_present(const World& world, std::size_t slot) {
   return world.fleet.place(slot, present_state(world, slot));
 }
 
-// m, that the robot is said to be at: of nearly all, that of its disc.
+// m, the robot's reported place: of nearly all robots, that of the disc.
 inline Vec2 place_now(const World& world, std::size_t slot) {
   const bool is_known = world.is_current && !world.fleet.traits[slot].has_model;
   return is_known ? world.fleet.position[slot] : place_at_present(world, slot);

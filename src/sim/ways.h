@@ -65,7 +65,7 @@ class Ways {
   [[nodiscard]] LegScratch& scratch() { return scratch_; }
   /// Returns whether no wall lies on the straight line between them.
   [[nodiscard]] bool is_in_sight(Vec2 p, Vec2 q) const;
-  /// The same. behind: a wall that may hide it, of places nearby, and becomes the one that does.
+  /// The same. behind: a wall that may hide q, from a query nearby; it becomes the wall that does.
   [[nodiscard]] bool is_in_sight(Vec2 p, Vec2 q, const Wall*& behind) const;
 
   /// Finds the passages for robots of these radii, ascending, unless they are known.
