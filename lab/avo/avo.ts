@@ -10,23 +10,23 @@ export { AvoError } from "./instance.ts";
 export type { Simulation } from "./simulation.ts";
 export type * from "./types.ts";
 
-/** How a decision was made, by Moment's numbers. */
+/** The way a decision was made, by Moment's numbers. */
 export const STATUSES = ["optimal", "least_unsafe", "candidate", "braking", "overlapping", "invalid_input"];
 
 export interface Library {
   readonly version: string;
-  readonly simdTarget: string; // whose instructions the kernels use: simd128 or scalar
+  readonly simdTarget: string; // instruction set of the kernels: simd128 or scalar
   builtinScenes(): BuiltinScene[];
-  /** The YAML of a built-in scene, of circle-N and uniform-N for any N. */
+  /** Returns the YAML of a built-in scene, or of circle-N and uniform-N for any N. */
   builtinText(name: string): string | undefined;
   settings(): Setting[];
-  /** m/s: of that velocity (m/s) along the heading (rad), in the bits of recordings. */
+  /** Returns m/s: the component of that velocity (m/s) along the heading (rad), in the bits of recordings. */
   speedAlong(heading: number, vx: number, vy: number): number;
-  /** Throws AvoError; nothing else is harmed by that. A text as bytes must be UTF-8. */
+  /** Throws AvoError, and then affects no other object. A text as bytes must be UTF-8. */
   simulate(yaml: string | Uint8Array, options?: SceneOptions): Simulation;
 }
 
-/** Of the bytes of avo.wasm, or what they were compiled to. */
+/** Loads the library from the bytes of avo.wasm, or from their compiled module. */
 export async function load(source: BufferSource | WebAssembly.Module): Promise<Library> {
   const module = source instanceof WebAssembly.Module ? source : await WebAssembly.compile(source);
   const instance = instantiate(module);
@@ -42,7 +42,7 @@ export async function load(source: BufferSource | WebAssembly.Module): Promise<L
     builtinScenes: () => structuredClone(known.builtin_scenes),
     settings: () => structuredClone(known.settings),
     builtinText(name) {
-      const bytes = emptyBytes(), asked = instantiate(module); // it may be refused
+      const bytes = emptyBytes(), asked = instantiate(module); // the scene may be refused
       addText(bytes, name);
       put(asked, taken(bytes));
       return getText(asked, asked.functions["builtin_text"]!()) || undefined;

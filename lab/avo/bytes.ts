@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Bytes as the module takes them: numbers, and texts behind their lengths (lab/wasm/host.h).
+// Bytes in the form that the module reads: numbers, and texts with their lengths in front (lab/wasm/host.h).
 
 const encoder = new TextEncoder();
 
@@ -22,14 +22,14 @@ function reserve(bytes: Bytes, more: number): void {
   bytes.view = new DataView(data.buffer);
 }
 
-/** A whole number of 32 bits. */
+/** Adds a whole number of 32 bits. */
 export function addWhole(bytes: Bytes, value: number): void {
   reserve(bytes, 4);
   bytes.view.setUint32(bytes.size, value, true);
   bytes.size += 4;
 }
 
-/** As UTF-8, or bytes as they are. */
+/** Adds text as UTF-8, or bytes verbatim. */
 export function addText(bytes: Bytes, text: string | Uint8Array): void {
   const encoded = typeof text === "string" ? encoder.encode(text) : text;
   addWhole(bytes, encoded.length);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// One instance of the module: its memory, and what it asks of its host.
+// One instance of the module: its memory, and the functions that it needs from its host.
 import { eventsOf } from "./scene_tree.ts";
 
-/** What the library refuses, as the command line says it: "name:3:7: robots.0.radius: found ...". */
+/** An error of the library, in the words of the command line: "name:3:7: robots.0.radius: found ...". */
 export class AvoError extends Error {
   override name = "AvoError";
   line?: number;
@@ -17,7 +17,7 @@ export class AvoError extends Error {
   }
 }
 
-/** The module's functions by name; those that return a size have put as many bytes into the room. */
+/** The module's functions by name; a function that returns a size has put that many bytes into the room. */
 type Functions = Record<string, (...words: number[]) => number>;
 
 export interface Instance {
@@ -27,7 +27,7 @@ export interface Instance {
 
 const NO_SYSTEM = 52; // ENOSYS of WASI
 
-/** Of the C library's functions those that it is built with. */
+/** The functions of the C library that the module is built with. */
 function system(memory: () => WebAssembly.Memory): WebAssembly.ModuleImports {
   const view = () => new DataView(memory().buffer);
   const refuse = () => NO_SYSTEM;
@@ -73,13 +73,13 @@ export function instantiate(module: WebAssembly.Module): Instance {
   return instance;
 }
 
-/** Into the room. */
+/** Puts bytes into the room. */
 export function put(instance: Instance, bytes: Uint8Array): void {
-  const at = instance.functions["room"]!(bytes.length); // memory may have grown: the view is made after that
+  const at = instance.functions["room"]!(bytes.length); // memory may have grown, so the view is made after the call
   new Uint8Array(instance.memory.buffer, at, bytes.length).set(bytes);
 }
 
-/** A copy of what a function has put into the room. */
+/** Returns a copy of what a function has put into the room. */
 export function get(instance: Instance, size: number): Uint8Array {
   const at = instance.functions["room_begin"]!();
   return new Uint8Array(instance.memory.buffer, at, size).slice();
@@ -89,10 +89,10 @@ export function getText(instance: Instance, size: number): string {
   return new TextDecoder().decode(get(instance, size));
 }
 
-/** All that the instance is, between two calls. */
+/** Returns the whole state of the instance, between two calls. */
 export const imageOf = (instance: Instance): Uint8Array => new Uint8Array(instance.memory.buffer).slice();
 
-/** Another instance that is the same. */
+/** Makes another instance with the same state. */
 export function fromImage(module: WebAssembly.Module, image: Uint8Array): Instance {
   const instance = instantiate(module);
   const more = image.length - instance.memory.buffer.byteLength;

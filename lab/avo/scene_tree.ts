@@ -1,26 +1,26 @@
 // SPDX-License-Identifier: Apache-2.0
-// What stands in YAML text, as events with lines and columns: the tree that the command line's reader builds of them
-// is the same, and so are the rules about it (io/text/yaml_builder.h).
+// The contents of YAML text, as events with lines and columns. The command line's reader builds the same tree from
+// them, by the same rules (io/text/yaml_builder.h).
 import { isAlias, isMap, isScalar, isSeq, LineCounter, parseAllDocuments, Scalar } from "yaml";
 import type { Document, Pair, ParsedNode } from "yaml";
 import { addText, addWhole, emptyBytes, taken } from "./bytes.ts";
 import type { Bytes } from "./bytes.ts";
 import { faultOf } from "./yaml_faults.ts";
 
-/** As lab/wasm/host_yaml.cpp numbers them. */
+/** The numbers are those of lab/wasm/host_yaml.cpp. */
 const BEGIN_DOCUMENT = 0, END_DOCUMENT = 1, NOTHING = 2, PLAIN_TEXT = 3, QUOTED_TEXT = 4, LIST = 5, MAP = 6, CLOSE = 7;
 const ANCHOR = 9, TAG = 10, FAULT = 11;
 
-/** What the events are made from, and the bytes that they are written to. */
+/** The source of the events, and the bytes that they are written to. */
 interface Source {
   text: string;
   lines: LineCounter;
   hasPairs: boolean;  // characters of two UTF-16 units
   bytes: Bytes;
-  end: number;        // where the parser can make nothing of the text
+  end: number;        // where the parser fails
 }
 
-/** No event begins behind the fault. */
+/** Ends the events: none begins behind the fault. */
 class Stopped extends Error {}
 
 function addEvent(source: Source, event: number, at: number, text = ""): void {
@@ -33,7 +33,7 @@ function addEvent(source: Source, event: number, at: number, text = ""): void {
   addText(source.bytes, text);
 }
 
-/** Where the next thing begins that is neither space nor comment. */
+/** Returns where the next thing begins that is neither space nor comment. */
 function nextThing(text: string, at: number): number {
   for (;;) {
     const found = text.slice(at).search(/[^\s]/);
@@ -46,7 +46,7 @@ function nextThing(text: string, at: number): number {
   }
 }
 
-/** Where a value begins, its anchor and tag included. */
+/** Returns where a value begins, including its anchor and tag. */
 function beginOf(source: Source, node: ParsedNode): number {
   const begin = node.range[0];
   if (!("anchor" in node && node.anchor) && !("tag" in node && node.tag)) return begin;
@@ -54,7 +54,7 @@ function beginOf(source: Source, node: ParsedNode): number {
   return begin - (properties?.[0].length ?? 0);
 }
 
-/** "{key:[1]}": to the command line's parser the colon is a part of the key. */
+/** Refuses "{key:[1]}": for the command line's parser the colon is a part of the key. */
 function refuseAdjacent(source: Source, { flow }: { flow?: boolean }, key: ParsedNode | null): void {
   if (!flow || !isScalar(key) || key.type !== Scalar.PLAIN) return;
   const colon = key.range[1];
@@ -71,7 +71,7 @@ function addNode(source: Source, node: ParsedNode | null, at: number): void {
   }
   const begin = beginOf(source, node);
   if (begin >= source.end) throw new Stopped();
-  if (isAlias(node)) {  // of an anchor that is defined it is the anchor that is refused
+  if (isAlias(node)) {  // if its anchor is defined, the anchor is refused instead
     addEvent(source, FAULT, begin, "the referenced anchor is not defined");
     throw new Stopped();
   }
@@ -111,7 +111,7 @@ function addDocument(source: Source, document: Document.Parsed): void {
   addEvent(source, FAULT, at, why);
 }
 
-/** The events of text without control characters, whose line ends are "\n". */
+/** Returns the events of text without control characters, whose line ends are "\n". */
 export function eventsOf(text: string): Uint8Array {
   const lines = new LineCounter();
   const documents = parseAllDocuments(text, {

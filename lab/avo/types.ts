@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the package gives and takes. Names of data are those of scene files; SI units.
+// The inputs and outputs of the package. Data have the names of scene files, and SI units.
 
-/** A file that a scene names, e.g. a map, by the path that the scene leads to. */
+/** A file that a scene names, e.g. a map, by the path that follows from the scene. */
 export interface SceneFile {
   path: string;
   text: string;
@@ -9,14 +9,14 @@ export interface SceneFile {
 }
 
 export interface SceneOptions {
-  /** In front of messages; a scene without a name is called like it. */
+  /** The name stands in front of messages; a scene without a name takes it. */
   name?: string;
-  /** "key=value" on keys of the scene, as `--set` takes them. */
+  /** "key=value" for keys of the scene, as `--set` takes them. */
   overrides?: string[];
   files?: SceneFile[];
   start_at_rest?: boolean;
   limit_speed?: boolean;
-  /** Observes all steps, for Simulation.summary(); takes about a tenth of their time more. */
+  /** Whether all steps are observed, for Simulation.summary(); this costs about a tenth of their time. */
   metrics?: boolean;
 }
 
@@ -26,13 +26,14 @@ export interface BuiltinScene {
   yaml: string;
 }
 
-/** A key of scene files that takes a plain value; `values` are all that are allowed, none of numbers. */
+/** A key of scene files that takes a plain value; `values` are all allowed values, and empty for numbers. */
 export interface Setting {
   key: string;
   values: string[];
 }
 
-/** One state: an entry, or x and y in turn, a robot that is there, by ascending number. Copies, to be kept. */
+/** One state: an entry, or x and y in turn, for each present robot, by ascending number. The arrays are copies, which
+ * the caller may keep. */
 export interface Moment {
   time: number; // s
   steps: number;
@@ -40,20 +41,20 @@ export interface Moment {
   position: Float64Array; // m
   velocity: Float64Array; // m/s
   goal: Float64Array; // m
-  heading: Float64Array; // rad; 0 of holonomic ones
+  heading: Float64Array; // rad; 0 for holonomic robots
   acceleration: Float64Array; // m/s^2, the largest |a| within the last step
   status: Uint8Array; // of the last decision, see STATUSES
   decided: Uint8Array; // in the last step
-  arrived: Uint8Array; // is at its goal
-  clearance: Float32Array; // m, to the nearest other disc; infinite where there is nobody
+  arrived: Uint8Array; // whether it is at its goal
+  clearance: Float32Array; // m, to the nearest other disc; infinite if there is none
   moving_obstacles: Float64Array; // x, y, vx, vy of each
 }
 
 export interface RobotInfo {
   robot: number;
   radius: number;
-  disc_radius: number; // of the disc that others sense
-  disc_ahead: number; // of its position, along its heading
+  disc_radius: number; // of the disc that neighbors sense
+  disc_ahead: number; // from its position to the disc's center, along its heading
   max_speed: number;
   max_acceleration: number;
   preferred_speed: number;
@@ -69,7 +70,7 @@ export interface WallInfo {
   obstacle: number; // number of the static obstacle
 }
 
-/** What does not change from step to step. */
+/** The facts that do not change from step to step. */
 export interface SceneInfo {
   name: string;
   duration: number;
@@ -88,10 +89,10 @@ export interface SceneInfo {
   walls: WallInfo[];
   moving_obstacles: { radius: number }[];
   advice: string[]; // settings that do not fit the robots
-  broken_assumptions: string[]; // of the certificate; empty: its promise holds
+  broken_assumptions: string[]; // of the certificate; empty: its promise is valid
 }
 
-/** A robot to be added; what is left out is as in scene files. */
+/** A robot to add; omitted values have the defaults of scene files. */
 export interface RobotSetup {
   position: [number, number];
   goal: [number, number];
@@ -105,7 +106,7 @@ export interface RobotSetup {
 export interface Contact {
   a: string;
   b: string;
-  x: number; // m, amid the overlap
+  x: number; // m, in the middle of the overlap
   y: number;
   depth: number; // m
 }
@@ -113,7 +114,7 @@ export interface Contact {
 /** left, bottom, right, top */
 export type Box = readonly [number, number, number, number];
 
-/** Closed polygons around what the obstacle of `of` forbids. */
+/** Closed polygons around the velocities that the obstacle of `of` forbids. */
 export interface Outline {
   of: string;
   rings: [number, number][][];

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Text that is no YAML, in the words of the command line's parser, and where that one notices it. The two parsers read
-// on for different lengths, so that a rare fault has this one's own words.
+// Faults of text that is no YAML, in the words and at the places of the command line's parser. That parser and this one
+// continue to different points, so a rare fault has the words of this one.
 import type { YAMLError } from "yaml";
 
 export interface Fault {
@@ -8,7 +8,7 @@ export interface Fault {
   why: string;
 }
 
-/** The next colon that ends a key. */
+/** Returns the next colon that ends a key. */
 function nextColon(text: string, at: number): number {
   const found = text.slice(at).search(/:(\s|$)/);
   return found < 0 ? at : at + found;
@@ -17,7 +17,7 @@ function nextColon(text: string, at: number): number {
 const lineBegin = (text: string, at: number): number => text.lastIndexOf("\n", at - 1) + 1;
 const skipBlanks = (text: string, at: number): number => at + /^[ \t]*/.exec(text.slice(at))![0].length;
 
-/** A list or map in brackets that ends with the text, or where something else stands. */
+/** Returns the fault of a list or map in brackets that ends with the text, or that something else interrupts. */
 function openFlow(text: string, at: number, what: string): Fault {
   const why = `end of ${what} flow not found`;
   if (at >= text.trimEnd().length) return { at: lineBegin(text, text.trimEnd().length), why };
@@ -27,7 +27,7 @@ function openFlow(text: string, at: number, what: string): Fault {
   return { at: continues ? nextColon(text, at) : at, why };
 }
 
-/** Where something stands that belongs to nothing: in brackets, which have to end first, or not. */
+/** Returns the fault of text that belongs to nothing: inside brackets, which must end first, or outside. */
 function notEnded(text: string, at: number): Fault {
   const open: string[] = [];
   const quotedOrBracket = /"(?:\\.|[^"\\])*"|'[^']*'|(?:^|\s)#.*|[[\]{}]/gm;
@@ -40,7 +40,7 @@ function notEnded(text: string, at: number): Fault {
   return { at, why: `end of ${innermost === "[" ? "sequence" : "map"} flow not found` };
 }
 
-/** By the parser's codes, and the beginnings of its messages where a code has several. */
+/** Returns the fault by the parser's codes, and by the beginnings of its messages if a code has several. */
 export function faultOf(text: string, { code, message, pos: [at] }: YAMLError): Fault {
   const says = (words: string) => message.startsWith(words);
   switch (code) {
