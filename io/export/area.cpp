@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The walkable area of a scene. Its text has areas alone: walls without a thickness get one.
+// The walkable area of a scene. Its text has areas alone, so walls without a thickness get one.
 #include "io/export/area.h"
 
 #include <algorithm>
@@ -21,7 +21,7 @@ constexpr double kSlender = 0.05;       // m: walls of less radius have square e
 constexpr std::size_t kCorners = 32;    // of a disc
 constexpr double kHalfCircle = 3.141592653589793;
 
-/// What holds the wall in it: around each end a polygon that the end's disc touches from inside.
+/// Returns a polygon that contains the wall: the disc of each end touches the polygon from inside.
 avo::Chain outline_of(const avo::Wall& wall) {
   const double radius = std::max(wall.radius, kLeastRadius), length = norm(wall.b - wall.a);
   const bool slender = radius < kSlender;
@@ -33,7 +33,8 @@ avo::Chain outline_of(const avo::Wall& wall) {
   const auto add = [&chain](Vec2 point) {
     if (chain.points.empty() || !(chain.points.back() == point)) chain.points.push_back(point);
   };
-  const auto end_towards = [&](double angle) {  // from `ahead`: the farther end in that direction
+  // the farther end in the direction `angle`, seen from `ahead`
+  const auto end_towards = [&](double angle) {
     return avo::elementary::direction(angle).x > 1e-9 ? wall.b : wall.a;
   };
   for (std::size_t k = 0; k < corners; ++k) {

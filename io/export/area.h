@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where pedestrians can walk, as well-known text: what exports say of walls.
+// The area where pedestrians can walk, as well-known text: exports describe walls by it.
 #pragma once
 #include <string>
 #include <vector>
@@ -10,18 +10,19 @@
 namespace avo_io {
 
 struct WalkableArea {
-  std::string wkt;     ///< POLYGON, or MULTIPOLYGON where robots are in parts that do not meet
+  std::string wkt;     ///< POLYGON, or MULTIPOLYGON if robots are in parts that do not meet
   avo::Vec2 min, max;  ///< m
 };
 
-/// Within all bounds of the scene, or, where it has none, within a rectangle around all motion and
-/// all obstacles; without its solids and its walls. Only parts in which robots begin.
+/// The area within all bounds of the scene, without its solids and its walls. If the scene has no
+/// bounds, it lies within a rectangle around all motion and all obstacles. Only parts in which
+/// robots begin are kept.
 class AreaFinder {
  public:
-  /// `scenario`: may be none; outlives this.
+  /// `scenario` may be null; it must outlive this object.
   explicit AreaFinder(const avo::Scenario* scenario);
   void add(const RecordedTime& moment);
-  /// Throws avo::Error where it has no part.
+  /// Throws avo::Error if the area has no part.
   [[nodiscard]] WalkableArea found() const;
 
  private:
@@ -31,7 +32,7 @@ class AreaFinder {
   const avo::Scenario* scenario_;
   double margin_ = 0.0;  // m, around centers
   avo::Vec2 min_, max_;
-  std::vector<avo::Vec2> begin_;  // of the robots of the first time
+  std::vector<avo::Vec2> begin_;  // of the robots at the first time
 };
 
 }  // namespace avo_io

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A recording goes to another format: its times become frames, its robots face somewhere.
+// Converts a recording to another format: its times become frames, and its robots face a direction.
 #include "avo_io/convert.h"
 
 #include <cmath>
@@ -30,9 +30,9 @@ struct Frames {
   [[nodiscard]] double fps() const;
 };
 
-constexpr double kOfStep = 1e-6;  // as the digits of times may be rounded
+constexpr double kOfStep = 1e-6;  // because the digits of times may be rounded
 
-// Whole steps of the scene have no rounding of times in them.
+// Whole steps of the scene are free of the rounding of times.
 void Frames::set_step(double gap) {
   step = gap;
   if (!(time_step > 0.0)) return;
@@ -40,7 +40,7 @@ void Frames::set_step(double gap) {
   if (std::abs(gap - steps * time_step) <= kOfStep * time_step) step = steps * time_step;
 }
 
-// None of a time between two frames.
+// Returns none for a time between two frames.
 std::optional<std::int64_t> Frames::frame_of(double time) {
   if (!std::exchange(begun, true)) {
     first = time;
@@ -58,7 +58,7 @@ double Frames::fps() const {
   return std::abs(fps - whole) <= 1e-9 * fps ? whole : fps;
 }
 
-/// Where robots face: along the heading, else where they go, else where they went last, else +x.
+/// The direction that a robot faces: its heading, else its motion, else its last motion, else +x.
 struct Facing {
   std::unordered_map<std::int64_t, avo::Vec2> last;
   std::vector<avo::Vec2> now;

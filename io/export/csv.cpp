@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Exports as CSV: the bytes that the run would have written itself.
+// Exports as CSV: the same bytes that the run would have written.
 #include <algorithm>
 #include <fmt/compile.h>
 #include <fmt/format.h>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Names, numbers and types of fields are those of https://docs.foxglove.dev/docs/sdk/schemas, and
-// of google.protobuf.Timestamp and Duration. Readers rely on all fields being there, those that
-// avo leaves unset too.
+// of google.protobuf.Timestamp and Duration. Readers require all fields, including fields that avo
+// leaves unset.
 #include "io/export/foxglove.h"
 
 #include <cstdint>
@@ -37,7 +37,7 @@ struct ProtoField {
 struct ProtoMessage {
   std::string_view name;
   std::vector<ProtoField> fields;
-  std::vector<std::string_view> type_values = {};  // of an enumeration Type in it, from 0 on
+  std::vector<std::string_view> type_values = {};  // of an enumeration named Type in it, from 0 on
 };
 
 constexpr std::string_view kTimestamp = ".google.protobuf.Timestamp";
@@ -162,7 +162,7 @@ std::vector<ProtoMessage> scene_messages() {
   };
 }
 
-/// A FieldDescriptorProto.
+/// Returns a FieldDescriptorProto.
 std::string descriptor_of(const ProtoField& field) {
   ProtoBytes bytes;
   bytes.text(1, field.name);
@@ -173,7 +173,7 @@ std::string descriptor_of(const ProtoField& field) {
   return bytes.bytes();
 }
 
-/// A DescriptorProto.
+/// Returns a DescriptorProto.
 std::string descriptor_of(const ProtoMessage& message) {
   ProtoBytes bytes;
   bytes.text(1, message.name);
@@ -191,7 +191,7 @@ std::string descriptor_of(const ProtoMessage& message) {
   return bytes.bytes();
 }
 
-/// A FileDescriptorProto as a field of the set.
+/// Adds a FileDescriptorProto as a field of the set.
 void add_file(ProtoBytes& set, std::string_view name, std::string_view package,
               const std::vector<std::string_view>& dependencies,
               const std::vector<ProtoMessage>& messages) {

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// Foxglove's messages that a recording becomes, and the schema of them all.
+// The messages of Foxglove that a recording becomes, and the schema of them all.
 #pragma once
 #include <string>
 
 namespace avo_io {
 
-/// A FileDescriptorSet of foxglove.SceneUpdate, foxglove.PosesInFrame and all that is in them.
+/// Returns a FileDescriptorSet of foxglove.SceneUpdate, foxglove.PosesInFrame and all their parts.
 std::string foxglove_schema();
 
 }  // namespace avo_io

@@ -18,10 +18,10 @@ using avo::Vec2;
 
 constexpr std::string_view kFrameId = "world";
 constexpr double kHeight = 0.2;           // m, of robots and walls, which stand on z = 0
-constexpr double kLeastThickness = 0.02;  // m, of lines, to be seen
+constexpr double kLeastThickness = 0.02;  // m, of lines, so that they are visible
 constexpr double kHeadLength = 0.25;      // of an arrow's length
 constexpr double kShaftDiameter = 0.1, kHeadDiameter = 0.2;  // of a robot's radius
-constexpr double kLatest = 1e9;  // s: whole nanoseconds of it fit twice into 64 bits
+constexpr double kLatest = 1e9;  // s: whole nanoseconds of twice this time fit into 64 bits
 
 /// Red, green, blue.
 struct Paint {
@@ -39,7 +39,7 @@ std::string color_of(const Paint& paint) {
   return color.bytes();
 }
 
-/// Also foxglove.Point3.
+/// Returns a vector; foxglove.Point3 has the same fields.
 std::string vector_of(double x, double y, double z) {
   ProtoBytes vector;
   vector.number(1, x);
@@ -48,7 +48,8 @@ std::string vector_of(double x, double y, double z) {
   return vector.bytes();
 }
 
-/// `face`: of length 1; the quaternion of its angle about z, by the half-angle formulas.
+/// Returns a pose. `face` has length 1; the half-angle formulas give the quaternion of its angle
+/// about z.
 std::string pose_of(Vec2 position, double z, Vec2 face) {
   ProtoBytes orientation;
   orientation.number(3, std::copysign(std::sqrt(std::max(0.5 * (1.0 - face.x), 0.0)), face.y));
@@ -77,7 +78,7 @@ std::string cylinder_of(Vec2 center, double radius, const Paint& paint) {
   return cylinder.bytes();
 }
 
-/// As long as the robot goes in a second.
+/// Returns an arrow as long as the distance that the robot travels in a second.
 std::string arrow_of(Vec2 center, Vec2 velocity, double radius) {
   const double speed = norm(velocity);
   ProtoBytes arrow;
@@ -108,7 +109,7 @@ ProtoBytes entity_of(const std::string& timestamp, std::string_view id) {
   return entity;
 }
 
-/// A disc that moves: a cylinder, and an arrow unless it is at rest.
+/// Returns a moving disc: a cylinder, and an arrow unless the disc is at rest.
 std::string disc_of(ProtoBytes entity, Vec2 center, Vec2 velocity, double radius,
                     const Paint& paint) {
   if (norm(velocity) > kAtRest) entity.text(7, arrow_of(center, velocity, radius));
@@ -172,7 +173,7 @@ std::string McapExport::robot_of(const avo::CheckedState& row, const std::string
                  kRobotPaint);
 }
 
-// Recordings have no rows of them: they are where their scene leads them.
+// Returns the moving obstacles. Recordings have no rows of them: their scene tells their places.
 std::string McapExport::movers_of(const RecordedTime& moment, const std::string& timestamp) {
   try {
     walk_.go_to(moment.time);
@@ -187,7 +188,7 @@ std::string McapExport::movers_of(const RecordedTime& moment, const std::string&
   return update.bytes();
 }
 
-// Whoever is no longer there goes.
+// Returns the robots, and deletes robots that are no longer present.
 std::string McapExport::robots_of(const RecordedTime& moment, const std::string& timestamp) {
   std::vector<std::int64_t> there;
   for (const avo::CheckedState& row : moment.rows) there.push_back(row.robot);

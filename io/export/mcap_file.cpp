@@ -13,7 +13,8 @@ namespace avo_io {
 namespace {
 
 constexpr std::string_view kMcapMagic = "\x89MCAP0\r\n";
-constexpr std::size_t kChunkSize = std::size_t{1} << 20U;  // bytes, and one message more
+// bytes; a chunk has at most one message more
+constexpr std::size_t kChunkSize = std::size_t{1} << 20U;
 
 enum McapRecord : std::uint8_t {
   op_header = 0x01,
@@ -29,7 +30,7 @@ enum McapRecord : std::uint8_t {
   op_data_end = 0x0F
 };
 
-/// Little-endian numbers, and text behind its length.
+/// Little-endian numbers, and text with its length in front.
 class McapFields {
  public:
   template <typename Number>
@@ -183,7 +184,7 @@ void McapFile::put_summary() {
   }
   const std::uint64_t offsets_start = offset_;
   put(offsets.bytes());
-  // the checksum is of all before it, in the footer too
+  // the checksum covers all bytes before it, also in the footer
   constexpr std::uint64_t kFooterSize = 20;
   put(McapFields()
           .number(op_footer)

@@ -14,16 +14,16 @@ namespace avo_io {
 
 class McapFile {
  public:
-  /// Not committed here. Throws FileError, as all others do.
+  /// The file is not committed here. Like all other members, it throws FileError.
   explicit McapFile(OutputFile& file);
 
-  /// A schema for Protocol Buffers; returns its number.
+  /// Adds a schema for Protocol Buffers and returns its number.
   std::uint16_t add_schema(const std::string& name, const std::string& descriptors);
-  /// Returns its number. All of them before the first message.
+  /// Adds a channel and returns its number. All channels must be added before the first message.
   std::uint16_t add_channel(const std::string& topic, std::uint16_t schema);
-  /// `time`: ns, ascending.
+  /// Writes a message. `time`: ns, ascending.
   void write(std::uint16_t channel, std::uint64_t time, std::string_view message);
-  /// Once after the last message.
+  /// Ends the file; call it once after the last message.
   void finish();
 
  private:
@@ -43,7 +43,7 @@ class McapFile {
 
   OutputFile& file_;
   std::uint64_t offset_ = 0;                              // bytes
-  std::uint32_t crc_ = 0;                                 // of all that is written
+  std::uint32_t crc_ = 0;                                 // of all bytes written
   std::vector<std::string> schemas_, channels_, chunks_;  // contents of records of the summary
   std::map<std::uint16_t, Channel> of_channel_;
   std::string chunk_;

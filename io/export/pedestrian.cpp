@@ -85,8 +85,8 @@ void PedestrianExport::write_rows() {
   rows_.clear();
 }
 
-// The text as one of any length: h5py makes a str of it, and bytes of one of fixed length, which
-// may also have no more than 64 KiB.
+// Writes the text as a string of variable length: h5py reads it as a str. It would read a string of
+// fixed length as bytes, and that may have no more than 64 KiB.
 void PedestrianExport::write_attributes(double fps, const std::string& wkt) const {
   errno = 0;
   const Hdf5Handle scalar = output_.require(H5Screate(H5S_SCALAR), H5Sclose);

@@ -8,7 +8,7 @@
 
 namespace avo_io {
 
-/// Fields one after the other. As in proto3, numbers that are 0 are left out.
+/// Fields in sequence. As in proto3, numbers that are 0 are left out.
 class ProtoBytes {
  public:
   void whole(int field, std::uint64_t value) {
@@ -22,7 +22,7 @@ class ProtoBytes {
     key(field, 1);
     for (int k = 0; k < 8; ++k, bits >>= 8U) bytes_ += static_cast<char>(bits & 0xffU);
   }
-  /// Text, or a message.
+  /// Adds text, or a message.
   void text(int field, std::string_view value) {
     key(field, 2);
     varint(value.size());

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Edges of all regions are cut where they meet; the pieces with free space on one side alone, put
-// one behind the other, are the rings. Points are whole numbers, so that equal ones are found.
+// Edges of all regions are cut where they meet. The pieces with free space on one side alone, put
+// together end to end, are the rings. Points are whole numbers, so that equal points are found.
 #include "io/export/rings.h"
 
 #include <algorithm>
@@ -18,9 +18,9 @@ namespace {
 
 using avo::Vec2;
 
-constexpr double kSideways = 2.0;  // units: more than rounding moves a piece
+constexpr double kSideways = 2.0;  // units: rounding moves a piece by less
 
-/// How many units are a meter: a million, and fewer where doubles have no room for them.
+/// Returns the number of units in a meter: a million, or fewer if doubles cannot hold that many.
 double units_of(std::span<const avo::StaticObstacle> regions) {
   constexpr double kMostUnits = 1e14;
   double largest = 0.0;  // m
@@ -60,7 +60,7 @@ struct Edge {
   [[nodiscard]] std::int64_t top() const { return std::max(a.y, b.y); }
 };
 
-// Is the node on the edge, but for rounding, and none of its ends?
+// Returns whether the node is on the edge, up to rounding, and is not one of its ends.
 bool lies_on(Node node, const Edge& edge) {
   const Vec2 d = between(edge.a, edge.b), p = between(edge.a, node);
   const double along = dot(p, d), square = norm_squared(d);
@@ -88,7 +88,7 @@ void cut_all(std::vector<Edge>& edges) {
   std::sort(edges.begin(), edges.end(), [](const Edge& a, const Edge& b) {
     return std::pair(a.left(), std::pair(a.a, a.b)) < std::pair(b.left(), std::pair(b.a, b.b));
   });
-  std::vector<Edge*> near;  // those that reach as far to the right
+  std::vector<Edge*> near;  // edges that reach as far to the right
   for (Edge& edge : edges) {
     std::erase_if(near, [&](const Edge* other) { return other->right() + 1 < edge.left(); });
     for (Edge* other : near)
@@ -99,7 +99,7 @@ void cut_all(std::vector<Edge>& edges) {
 
 using Piece = std::pair<Node, Node>;
 
-/// What is between cuts, each once and from the lower node to the higher one.
+/// Returns the pieces between cuts, each once and from the lower node to the higher one.
 std::vector<Piece> pieces_of(std::vector<Edge>& edges) {
   std::vector<Piece> pieces;
   for (Edge& edge : edges) {
@@ -119,7 +119,7 @@ std::vector<Piece> pieces_of(std::vector<Edge>& edges) {
   return pieces;
 }
 
-/// From each node to the next ones, with free space on the left.
+/// The next nodes of each node, with free space on the left.
 using Borders = std::map<Node, std::vector<Node>>;
 
 Borders borders_of(const std::vector<Piece>& pieces, std::span<const avo::StaticObstacle> regions) {
@@ -135,7 +135,8 @@ Borders borders_of(const std::vector<Piece>& pieces, std::span<const avo::Static
   return borders;
 }
 
-// Is `a` met before `b` when `back` is turned clockwise? By half turns, then by cross products.
+// Returns whether `a` comes before `b` when `back` is turned clockwise. It compares half turns,
+// then cross products.
 bool is_sooner(Vec2 back, Vec2 a, Vec2 b) {
   const auto late = [back](Vec2 v) {
     const double side = cross(back, v);
@@ -144,7 +145,8 @@ bool is_sooner(Vec2 back, Vec2 a, Vec2 b) {
   return late(a) != late(b) ? late(b) : cross(a, b) < 0.0;
 }
 
-/// Takes the next border that the free space on the left of the way here ends at.
+/// Takes the next border: it bounds the free space that lies to the left of the last piece, which
+/// ends at `here`.
 std::optional<Node> take_next(Borders& borders, Node before, Node here) {
   std::vector<Node>& next = borders[here];
   if (next.empty()) return std::nullopt;
@@ -157,7 +159,7 @@ std::optional<Node> take_next(Borders& borders, Node before, Node here) {
   return taken;
 }
 
-/// Without points on straight lines.
+/// Returns the ring without points on straight lines.
 Ring ring_of(std::span<const Node> nodes) {
   Ring ring;
   for (std::size_t k = 0; k < nodes.size(); ++k) {
@@ -169,7 +171,7 @@ Ring ring_of(std::span<const Node> nodes) {
   return ring;
 }
 
-/// A way that comes by a node once more leaves a ring behind.
+/// Returns the rings. Where a chain passes a node a second time, it splits off a ring.
 std::vector<Ring> rings_of(Borders borders) {
   std::vector<Ring> rings;
   for (const auto& [start, unused] : borders) {
@@ -203,7 +205,7 @@ double area_of(const Ring& ring) {
   return 0.5 * twice;
 }
 
-/// Each to the smallest part around it.
+/// Assigns each hole to the smallest part around it.
 void assign(std::vector<Ring> holes, std::vector<FreePart>& parts) {
   std::stable_sort(parts.begin(), parts.end(), [](const FreePart& a, const FreePart& b) {
     return area_of(a.outer) < area_of(b.outer);

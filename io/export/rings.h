@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The rings around what regions leave free.
+// The rings around the space that regions leave free.
 #pragma once
 #include <span>
 #include <vector>
@@ -16,13 +16,13 @@ struct FreePart {
   std::vector<Ring> holes;  // clockwise
 };
 
-/// Whether the point is inside of the ring.
+/// Returns whether the point is inside the ring.
 bool is_inside(const Ring& ring, avo::Vec2 point);
 
-/// All that is inside of all bounds and outside of all solids, smallest part first. Points are
-/// rounded to micrometers (farther than 1e8 m from 0 to more), and what is narrower than four of
-/// them may be lost. `regions`: closed chains alone, bounds among
-/// them. Throws avo::Error where so fine a structure leaves no rings.
+/// Returns all space inside all bounds and outside all solids, smallest part first. Points are
+/// rounded to micrometers, and to more if they are farther than 1e8 m from 0. Structures narrower
+/// than four such units may be lost. `regions`: closed chains alone, which include the bounds.
+/// Throws avo::Error if the structure is so fine that no rings are left.
 std::vector<FreePart> free_parts(std::span<const avo::StaticObstacle> regions);
 
 }  // namespace avo_io

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Exports as JuPedSim's database, version 2: the tables that its SqliteTrajectoryWriter makes.
+// Exports as JuPedSim's database, version 2: the same tables that its SqliteTrajectoryWriter makes.
 #include <cmath>
 #include <fmt/format.h>
 #include <sqlite3.h>
@@ -27,10 +27,10 @@ CREATE UNIQUE INDEX geometry_hash ON geometry(hash);
 CREATE INDEX frame_id_idx ON trajectory_data(frame, id);
 COMMIT;
 )";
-// Any number that tells geometries apart will do; there is one only.
+// Identifies the only geometry; any number would do.
 constexpr std::int64_t kGeometry = 1;
 
-/// An open database, or a statement in it, by the name that messages give it.
+/// An open database, or a statement in it, with the name that messages use for it.
 class Database {
  public:
   Database(const std::string& path, std::string name) : name_(std::move(name)) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a recording is written to, one time after the other.
+// The output of an export, which takes a recording one time after the other.
 #pragma once
 #include <cstdint>
 #include <memory>
@@ -12,39 +12,40 @@
 
 namespace avo_io {
 
-/// m/s: who is slower goes nowhere. Squares of speeds like it are numbers still.
+/// m/s: a slower robot has no direction of motion. The square of such a speed does not underflow.
 inline constexpr double kAtRest = 1e-12;
 
-/// One time with what formats need besides its rows.
+/// One time of a recording, and the data that formats need besides its rows.
 struct ExportedTime {
   const RecordedTime& recorded;
-  std::int64_t frame = 0;               ///< of the formats that have frames
-  double fps = 0.0;                     ///< likewise; 0: not known yet, at the first time
-  const std::vector<avo::Vec2>& faces;  ///< of each row: where it faces, of length 1
+  std::int64_t frame = 0;  ///< for formats that have frames
+  double fps = 0.0;        ///< for formats that have frames; 0: not known yet, at the first time
+  /// for each row: the direction that the robot faces, of length 1
+  const std::vector<avo::Vec2>& faces;
 };
 
 class ExportTarget {
  public:
   virtual ~ExportTarget() = default;
   virtual void add(const ExportedTime& moment) = 0;
-  /// Once after the last add(). `fps`: of the formats that have frames.
+  /// Ends the output; call it once after the last add(). `fps` is for formats that have frames.
   virtual void finish(double fps) = 0;
 };
 
-/// Where a target writes; both outlive it.
+/// The place that a target writes to; both members outlive the target.
 struct ExportPlace {
   OutputFile& file;
-  const std::string& name;  ///< what messages call it
+  const std::string& name;  ///< the name in messages
 };
 
-/// The columns are those of the first time.
+/// Returns an export whose columns are those of the first time.
 std::unique_ptr<ExportTarget> export_csv(const ExportPlace& place);
-/// These two write where OutputFile::temporary() is. `scenario`: may be none.
+/// These two write to OutputFile::temporary(). `scenario` may be null.
 std::unique_ptr<ExportTarget> export_sqlite(const ExportPlace& place,
                                             const avo::Scenario* scenario);
 std::unique_ptr<ExportTarget> export_pedestrian(const ExportPlace& place,
                                                 const avo::Scenario* scenario);
-/// `obsmat`: as ETH and UCY have it.
+/// `obsmat`: the layout of ETH and UCY.
 std::unique_ptr<ExportTarget> export_text(const ExportPlace& place, bool obsmat);
 std::unique_ptr<ExportTarget> export_mcap(const ExportPlace& place, const avo::Scenario& scenario);
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Exports as text by frames: of the Pedestrian Dynamics Data Archive, as PedPy reads it, and of ETH
-// and UCY (obsmat.txt).
+// Exports as text by frames, in two formats: of the Pedestrian Dynamics Data Archive, as PedPy
+// reads it, and of ETH and UCY (obsmat.txt).
 #include <fmt/compile.h>
 #include <fmt/format.h>
 #include <iterator>
@@ -10,7 +10,7 @@
 namespace avo_io {
 namespace {
 
-/// The frame rate is in front, and known at the second time.
+/// The frame rate stands at the front, and is known at the second time.
 class TextExport final : public ExportTarget {
  public:
   TextExport(OutputFile& file, bool obsmat) : file_(file), obsmat_(obsmat) {}

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a scene file may say of the scene, of sensing and of moving obstacles.
+// The table of fields for the scene, for sensing and for moving obstacles.
 #include "io/fields/fields.h"
 
 namespace avo_io {

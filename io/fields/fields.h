@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The one table of what a scene file may say: parser, overrides, JSON Schema and error messages
-// all read it. Default values are those of the structs themselves.
+// The one table of the fields of a scene file: the parser, overrides, the JSON Schema and error
+// messages all read it. Default values are those of the structs themselves.
 #pragma once
 #include <array>
 #include <cstdint>
@@ -18,8 +18,8 @@
 
 namespace avo_io {
 
-/// Which kinds of values T has. std::monostate: one with keys of its own, read by the code that
-/// knows them.
+/// The kinds of values that T may be. std::monostate stands for a value with keys of its own, which
+/// code reads.
 template <class T, class... Kinds>
 using MemberOf = std::variant<std::monostate, Kinds T::*...>;
 template <class T>
@@ -136,13 +136,14 @@ struct Field {
   std::string_view key;
   Member<T> member;
   Need need = Need::optional;
-  avo::Range range = {};  ///< of numbers; of both components of points; of texts, their bytes
+  avo::Range range = {};  ///< of numbers; of both components of points; of the byte counts of texts
   std::string_view unit;  ///< empty: none
   std::string_view doc;   ///< one line
-  std::string_view default_text = "";  ///< where the default is not the struct's value
+  std::string_view default_text = "";  ///< if the default is not the struct's value
 };
 
-/// A member with keys of its own; the range of what is no number; how many robots.
+/// Fields with keys of their own; ranges of values that are not numbers; ranges of numbers of
+/// robots.
 inline constexpr std::monostate kNested;
 inline constexpr avo::Range kNoNumber{};
 inline constexpr avo::Range kNumber{1.0, static_cast<double>(avo::kMostRobots), false};
@@ -151,7 +152,7 @@ inline constexpr avo::Range kNumber{1.0, static_cast<double>(avo::kMostRobots), 
 template <class T>
 const std::vector<Field<T>>& fields();
 
-/// Of a robot, also among the keys of a car.
+/// The heading of a robot; a car has this key too.
 struct HeadingField {
   std::string_view key, unit, doc;
   avo::Range range;
@@ -162,7 +163,7 @@ inline constexpr HeadingField kHeadingField{"heading", "rad", "counter-clockwise
 /// RobotSetup's fields without position and goal, for groups.
 const std::vector<Field<avo::RobotSetup>>& group_robot_fields();
 
-/// Choices by the names that the library has for them.
+/// Choices with the names that the library has for them.
 template <class Choice, class... Others>
 auto by_name(Choice first, Others... others) {
   const auto named = [](Choice choice) {
@@ -186,7 +187,7 @@ inline constexpr std::array<std::pair<std::string_view, avo::NoiseDistribution>,
 inline const auto kAccelerationSets =
     by_name(avo::AccelerationSet::incircle, avo::AccelerationSet::exact);
 
-/// Of robots: who reacts to nobody is a moving obstacle.
+/// Behaviors of robots: a robot that reacts to no other robot is a moving obstacle.
 inline const auto kBehaviors = by_name(avo::Behavior::decides, avo::Behavior::cooperates);
 inline const auto kAfterGoals = by_name(avo::AfterGoal::loiter, avo::AfterGoal::leave);
 
@@ -208,7 +209,7 @@ inline constexpr std::array<std::pair<std::string_view, avo::Fill>, 2> kFills{
 inline constexpr std::array<std::pair<std::string_view, RosMode>, 3> kRosModes{
     {{"trinary", RosMode::trinary}, {"scale", RosMode::scale}, {"raw", RosMode::raw}}};
 
-/// Name and one line on each kind of placement and of goals.
+/// The name and one line of text for each kind of placement and of goals.
 struct KindText {
   std::string_view key, doc;
 };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a scene file may say of many robots: where they start, and where they go.
+// The table of fields for groups of robots: their starts and their goals.
 #include "io/fields/fields.h"
 
 namespace avo_io {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The table of what a scene file may say, continued: obstacles that do not move, and maps.
+// The table of fields for static obstacles and maps.
 #include "io/fields/fields.h"
 
 namespace avo_io {

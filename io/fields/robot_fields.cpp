@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a scene file may say of a robot and of its motion model.
+// The table of fields for a robot and its motion model.
 #include "io/fields/fields.h"
 
 namespace avo_io {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which file a path leads to, whatever its name.
+// The file behind a path, whatever its name.
 #include "avo_io/file_identity.h"
 
 #include <cerrno>
@@ -35,7 +35,7 @@ std::optional<FileIdentity> identity_of(int descriptor) {
 }
 
 std::string behind_links(const std::string& path) {
-  constexpr int kMostLinks = 40;  // as the kernel
+  constexpr int kMostLinks = 40;  // the kernel's limit
   fs::path target = path;
   std::error_code error;
   for (int i = 0; i < kMostLinks && fs::is_symlink(target, error); ++i)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Files that are whole or not there at all: a temporary name first, then one rename.
+// Files that are whole or do not exist: they are written under a temporary name, then renamed once.
 #include "avo_io/output_file.h"
 
 #include <array>
@@ -25,7 +25,8 @@ namespace {
 
 constexpr std::size_t kBufferSize = std::size_t{1} << 20U;
 
-/// Of this process. The mutex is held while a name is given, changed or taken away.
+/// The temporary files of this process. The mutex is held while a name is added, changed or
+/// removed.
 struct Temporaries {
   std::mutex mutex;
   std::set<std::string> paths;
@@ -36,7 +37,7 @@ Temporaries& temporaries() {
   return all;
 }
 
-/// A name beside `target` that nobody foresees, as short as it is whatever the target is called.
+/// Returns an unpredictable name beside `target`; its length does not depend on the target's name.
 std::string random_name_beside(const std::string& target) {
   std::uint64_t number = 0;
   if (getrandom(&number, sizeof number, 0) != sizeof number)
@@ -45,7 +46,7 @@ std::string random_name_beside(const std::string& target) {
       .string();
 }
 
-/// Who may read and write the new file is who may the old one.
+/// Gives the new file the permissions of the old one.
 void copy_permissions(const struct stat& old, int descriptor) {
   // only root can give files away
   [[maybe_unused]] const bool given = fchown(descriptor, old.st_uid, old.st_gid) == 0;
@@ -77,7 +78,7 @@ OutputFile::OutputFile(const std::string& path) : name_(path == "-" ? "standard 
   if (identity_of(target_) != identity_of(path))
     throw FileError(path + ": found a file without a name, must have one");
   if (exists && access(target_.c_str(), W_OK) != 0) fail();
-  open_temporary(exists ? 0600 : 0666);  // of one that may be private: its permissions follow
+  open_temporary(exists ? 0600 : 0666);  // the old file may be private: permissions follow
   if (exists) copy_permissions(status, descriptor_);
 }
 
@@ -120,7 +121,7 @@ void OutputFile::flush() {
   buffer_.clear();
 }
 
-// Whatever can be said about the bytes is said here: nothing but the rename is left.
+// Reports every error of the bytes here: only the rename is left to do.
 void OutputFile::settle() {
   if (descriptor_ < 0) return;
   flush();
@@ -128,7 +129,7 @@ void OutputFile::settle() {
   if (closes_ && close(std::exchange(descriptor_, -1)) != 0) fail();
 }
 
-// Under another name, a hard link: not on file systems without them.
+// Keeps the old file under another name, as a hard link; some file systems have none.
 void OutputFile::keep_old() {
   backup_ = random_name_beside(target_);
   old_ = link(target_.c_str(), backup_.c_str()) == 0 ? Old::kept
@@ -171,7 +172,7 @@ void commit_all(std::span<OutputFile* const> files) {
 
 void abandon_outputs() {
   Temporaries& all = temporaries();
-  all.mutex.lock();  // for good
+  all.mutex.lock();  // never unlocked
   for (const std::string& path : all.paths) unlink(path.c_str());
 }
 

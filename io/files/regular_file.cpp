@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Reading a whole file without being led astray by pipes, devices or size.
+// Reads a whole regular file; it is safe against pipes, devices and huge sizes.
 #include "io/files/regular_file.h"
 
 #include <cerrno>
@@ -17,7 +17,7 @@ namespace {
 
 constexpr std::size_t kLargest = std::size_t{16} << 20U;
 
-/// Closes what it holds.
+/// Closes its file descriptor.
 struct Descriptor {
   explicit Descriptor(int number) : value(number) {}
   Descriptor(const Descriptor&) = delete;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where room is scarce most questions end in a fine cell that is covered, without a look at discs.
+// Where room is scarce, most queries end in a fine cell that is covered, without a test of discs.
 #include "io/maps/free_space.h"
 
 #include <algorithm>
@@ -13,8 +13,8 @@ using avo::Vec2;
 
 namespace {
 
-// Distances are compared as doubles: what is left out, or covers a cell, keeps off them by this
-// part.
+// Distances are compared as doubles: a disc that is left out, or that covers a cell, keeps off
+// the limit by this relative margin.
 constexpr double kMargin = 1e-8;
 constexpr int kFinePerCell = 6;  // along a side
 
@@ -94,7 +94,7 @@ void FreeSpace::add(const Disc& disc) {
   cover(offset, reach * (1.0 - kMargin) - kMargin * (size_.x + size_.y));
 }
 
-// Row by row the fine cells of which all four corners are nearer than `reach`.
+// Marks, row by row, the fine cells whose four corners are all nearer than `reach`.
 void FreeSpace::cover(Vec2 offset, double reach) {
   if (!(reach > 0.0)) return;
   const double side = fine_.side;

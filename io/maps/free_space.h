@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where one more disc of a group has room in a rectangle.
+// The places in a rectangle where one more disc of a group has room.
 #pragma once
 #include <algorithm>
 #include <cstddef>
@@ -10,7 +10,7 @@
 
 namespace avo_io {
 
-/// Square cells over a rectangle, row by row. What lies outside counts to the nearest cell.
+/// Square cells over a rectangle, row by row. A point outside belongs to the nearest cell.
 struct Cells {
   double side = 0.0;       // m
   double per_meter = 0.0;  // 1/m
@@ -33,30 +33,30 @@ struct Cells {
   }
 };
 
-/// Centers of a rectangle at which a disc of one radius keeps clear of all discs added.
+/// Centers in a rectangle at which a disc of one radius keeps clear of all added discs.
 class FreeSpace {
  public:
-  /// `radius` of the discs asked about, > 0; `count`, about how many will be added, sizes the
-  /// cells.
+  /// `radius` > 0: of the discs in queries. `count`: about the number of discs that will be added;
+  /// it sets the size of the cells.
   FreeSpace(avo::Vec2 min, avo::Vec2 max, double radius, double clearance, std::size_t count);
 
   void add(const avo::Disc& disc);
-  /// `center` within the rectangle.
+  /// `center` must lie within the rectangle.
   [[nodiscard]] bool is_clear(avo::Vec2 center) const;
-  /// Says that is_clear(center) will be asked soon.
+  /// Announces that is_clear(center) will be called soon.
   void prefetch(avo::Vec2 center) const { __builtin_prefetch(&covered_[fine_index(center) / 64]); }
 
  private:
   struct Entry {
     avo::Disc disc;
-    int before;  // in the same cell, or kNone
+    int before;  // the disc before it in the same cell, or kNone
   };
-  /// Discs of up to one radius, each in the cell of its center. Cells are so wide that a disc in
-  /// the way of a center stands in the cell of that center or next to it.
+  /// Discs of up to one radius, each in the cell of its center. Cells are so wide that a disc that
+  /// blocks a center stands in the cell of that center or next to it.
   struct Layer {
     double largest_radius;
     Cells cells;
-    std::vector<int> last;  // of each cell: an index of entries, or kNone
+    std::vector<int> last;  // for each cell: an index of entries, or kNone
     std::vector<Entry> entries;
   };
   static constexpr int kNone = -1;
@@ -71,9 +71,10 @@ class FreeSpace {
 
   avo::Vec2 min_, size_;
   double radius_, clearance_, most_cells_;
-  std::vector<Layer> layers_;  // each of twice the radius of the one before, where it has discs
+  std::vector<Layer> layers_;  // each for twice the radius of the layer before, if it has discs
   Cells fine_;
-  std::vector<std::uint64_t> covered_;  // a bit each fine cell: one disc leaves no point of it free
+  // a bit for each fine cell: one disc leaves no point of it free
+  std::vector<std::uint64_t> covered_;
 };
 
 }  // namespace avo_io

@@ -19,7 +19,7 @@ namespace {
 using avo::Chain;
 using Geojson = nlohmann::json;
 
-constexpr int kDeepestGeojson = 16;  // collections in collections
+constexpr int kDeepestGeojson = 16;  // depth of nested collections
 
 std::string shown_json(const Geojson& value) {
   if (value.is_object()) return "an object";
@@ -29,7 +29,7 @@ std::string shown_json(const Geojson& value) {
   return value.dump();
 }
 
-/// The file, what it has become so far, and where in it the reading is.
+/// The file, the result so far, and the position of the reader in the file.
 struct GeojsonReader {
   const SourceText& source;
   std::string path = {};  // of the value: "features.3.geometry"
@@ -44,7 +44,7 @@ struct GeojsonReader {
   [[noreturn]] void refuse(const Geojson& found, const std::string& allowed) const {
     fail(shown_json(found), allowed);
   }
-  /// Reads a part of a value, with its path.
+  /// Reads a part of a value, and keeps its path.
   template <class Read>
   void within(const std::string& part, const Read& read) {
     const std::size_t before = path.size();
@@ -57,7 +57,7 @@ struct GeojsonReader {
     if (!list.is_array()) refuse(list, "a list");
     for (std::size_t i = 0; i < list.size(); ++i) within(std::to_string(i), [&] { read(list[i]); });
   }
-  /// The value of a key that has to be there.
+  /// Returns the value of a required key.
   template <class Read>
   void member(const Geojson& object, const char* key, const Read& read) {
     const auto found = object.find(key);
@@ -149,7 +149,7 @@ void GeojsonReader::geometry(const Geojson& value) {
   }
 }
 
-// A geometry, a feature of one, or features. A feature may be of none: "geometry": null.
+// Reads a geometry, a feature, or features. A feature may have no geometry: "geometry": null.
 void GeojsonReader::any(const Geojson& value) {
   const auto read_feature = [this](const Geojson& feature) {
     if (!feature.is_object() || feature.value("type", Geojson()) != "Feature")
@@ -167,7 +167,8 @@ void GeojsonReader::any(const Geojson& value) {
     geometry(value);
 }
 
-/// A file of other tools may name a system of degrees, which no plan is in.
+/// Returns whether the file names a system of degrees; no plan uses one, but other tools may write
+/// it.
 bool speaks_of_degrees(const Geojson& root) {
   if (!root.is_object() || !root.contains("crs")) return false;
   const std::string crs = root["crs"].dump(-1, ' ', true, Geojson::error_handler_t::replace);

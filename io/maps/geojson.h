@@ -9,8 +9,9 @@
 
 namespace avo_io {
 
-/// Lines become open chains, rings closed ones; of a position the first two numbers count. Notes
-/// say how many points are left out, and where the file speaks of degrees. Throws SceneError.
+/// Lines become open chains, and rings closed chains; the first two numbers of a position count.
+/// Notes tell the number of points that are left out, and whether the file names degrees. Throws
+/// SceneError.
 std::vector<avo::Chain> read_geojson(const SourceText& source, std::vector<std::string>& notes);
 
 }  // namespace avo_io

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What an image is, by its first bytes.
+// Finds the format of an image by its first bytes.
 #include "io/maps/image.h"
 
 #include <algorithm>
@@ -22,7 +22,8 @@ void require_pixels(const SourceText& source, const Image& image) {
 
 Image read_image(const SourceText& source) {
   const std::string_view text = source.text();
-  constexpr std::string_view kReadAsText = "\xEF\xBF\xBDPNG";  // of bytes that are no UTF-8
+  // as bytes that are no UTF-8 are read
+  constexpr std::string_view kReadAsText = "\xEF\xBF\xBDPNG";
   if (text.starts_with("\x89PNG") || text.starts_with(kReadAsText)) return read_png(source);
   if (text.starts_with("BM")) return read_bmp(source);
   Words words(source);

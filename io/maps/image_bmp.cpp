@@ -11,7 +11,7 @@
 namespace avo_io {
 namespace {
 
-/// The bytes of a file, the lowest of a number first.
+/// The bytes of a file, with the low byte of a number first.
 class BmpBytes {
  public:
   explicit BmpBytes(const SourceText& source) : source_(source) {}
@@ -20,7 +20,7 @@ class BmpBytes {
     if (at >= source_.text().size()) source_.fail(0, "found a BMP that ends too early");
     return static_cast<unsigned char>(source_.text()[at]);
   }
-  /// Of so many bytes.
+  /// Returns a number of so many bytes.
   [[nodiscard]] std::uint32_t number(std::size_t at, std::size_t bytes) const {
     std::uint32_t value = 0;
     for (std::size_t k = bytes; k-- > 0;) value = value << 8U | byte(at + k);
@@ -37,16 +37,16 @@ class BmpBytes {
 };
 
 struct BmpHeader {
-  std::size_t pixels = 0;   // where they begin
-  std::size_t palette = 0;  // where it begins
-  std::size_t colors = 0;   // that it has
+  std::size_t pixels = 0;   // offset at which they begin
+  std::size_t palette = 0;  // offset at which it begins
+  std::size_t colors = 0;   // number of its colors
   std::size_t color_bytes = 4;
   std::uint32_t bits = 0;  // of a pixel
   bool bottom_up = true;
   std::array<std::uint32_t, 4> masks{};  // red, green, blue, opacity; 0: there is none
 };
 
-// Numbers that the format gives a meaning.
+// Numbers that the format defines.
 constexpr std::uint32_t kCoreHeader = 12, kInfoHeader = 40, kWithMasks = 52, kWithOpacity = 56;
 constexpr std::uint32_t kPlain = 0, kMasks = 3, kMasksAndOpacity = 6;
 constexpr std::size_t kFileHeader = 14;
@@ -107,7 +107,7 @@ BmpHeader read_bmp_header(const BmpBytes& bytes, Image& image) {
 
 constexpr std::uint32_t kBmpWhite = 255;
 
-/// The channel that a mask picks, as one of 8 bits.
+/// Returns the channel that a mask selects, as 8 bits.
 std::uint32_t channel(std::uint32_t pixel, std::uint32_t mask) {
   const int shift = std::countr_zero(mask);
   const std::uint64_t most = mask >> shift, value = (pixel & mask) >> shift;
@@ -147,7 +147,8 @@ Image read_bmp(const SourceText& source) {
   const BmpHeader header = read_bmp_header(bytes, image);
   const auto width = static_cast<std::size_t>(image.width);
   const auto height = static_cast<std::size_t>(image.height);
-  const std::size_t stride = (width * header.bits + 31) / 32 * 4;  // rows fill words of 32 bits
+  // rows are padded to words of 32 bits
+  const std::size_t stride = (width * header.bits + 31) / 32 * 4;
   const std::size_t given = header.pixels < bytes.size() ? bytes.size() - header.pixels : 0;
   if (given < stride * (height - 1) + (width * header.bits + 7) / 8)
     source.fail(0, fmt::format("found {} bytes of pixels, must be {} for {} x {}", given,

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Portable graymaps: the header's promises are held against the size of the file first.
+// Portable graymaps: the size that the header tells is compared with the size of the file first.
 #include <algorithm>
 #include <fmt/format.h>
 
@@ -71,7 +71,7 @@ Image read_pgm(const SourceText& source) {
   image.height = header_number(words, "the height", kLongestSide);
   image.white = header_number(words, "the largest value", kWhitest);
   if (kind.text == "P5")
-    read_raw(source, words.offset() + 1, image);  // one white space ends the header
+    read_raw(source, words.offset() + 1, image);  // one white-space character ends the header
   else
     read_plain(words, image);
   return image;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// PNG by libpng, row by row. Its errors jump; nothing with a destructor stands where they jump
-// over.
+// PNG by libpng, row by row. Its errors use longjmp; no object with a destructor is in the frames
+// that they jump over.
 #include <algorithm>
 #include <csetjmp>
 #include <cstddef>
@@ -31,7 +31,7 @@ class PngDecoder {
   [[nodiscard]] const char* error() const { return error_; }
   [[nodiscard]] int passes() const { return passes_; }
 
-  // Each is false after an error.
+  // Each function returns false after an error.
   bool read_header();
   bool read_row(png_bytep row);
   bool read_end();
@@ -57,7 +57,7 @@ class PngDecoder {
   char error_[128] = "no memory";
 };
 
-// Palettes become colors, and colors of which one is transparent get an opacity. 16 bits stay.
+// Palettes become colors, and a palette with a transparent color gets an opacity. 16 bits stay.
 bool PngDecoder::read_header() {
   if (info_ == nullptr || setjmp(png_jmpbuf(png_)) != 0) return false;
   png_read_info(png_, info_);
@@ -83,7 +83,7 @@ struct PngLayout {
   std::size_t channels = 1, bytes = 1;  // of a pixel; of a channel
 };
 
-// Gray, gray and opacity, colors, or colors and opacity.
+// Appends gray, gray and opacity, colors, or colors and opacity.
 void append_png_row(const std::vector<png_byte>& row, const PngLayout& layout, Image& image) {
   const auto [channels, bytes] = layout;
   const std::size_t colors = channels > 2 ? 3 : 1;
@@ -101,9 +101,9 @@ void append_png_row(const std::vector<png_byte>& row, const PngLayout& layout, I
   }
 }
 
-constexpr std::size_t kMostInflation = 1032;  // of deflate, bytes for one
+constexpr std::size_t kMostInflation = 1032;  // of deflate: the most bytes from one byte
 
-/// Rows come one by one; an interlaced image comes several times, each time with more in it.
+/// Reads row by row; an interlaced image comes in several passes, each with more detail.
 bool read_png_rows(PngDecoder& decoder, const PngLayout& layout, Image& image) {
   const std::size_t length = png_get_rowbytes(decoder.png(), decoder.info());
   const auto height = static_cast<std::size_t>(image.height);
@@ -135,7 +135,7 @@ Image read_png(const SourceText& source) {
                          png_get_bit_depth(decoder.png(), decoder.info()) == 16 ? 2U : 1U};
   if (layout.bytes == 2) image.white = 65535;
   const auto pixels = static_cast<std::size_t>(image.width * image.height);
-  if (pixels / 8 > kMostInflation * source.text().size())  // there may be one bit a pixel
+  if (pixels / 8 > kMostInflation * source.text().size())  // a pixel may have only one bit
     source.fail(0, fmt::format("found {} bytes, must be more for {} x {} pixels",
                                source.text().size(), image.width, image.height));
   image.color.reserve(pixels);

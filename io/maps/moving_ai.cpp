@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Maps and scenarios of the MovingAI benchmarks: a word after the other, the map row by row.
+// Maps and scenarios of the MovingAI benchmarks, read word by word; maps are read row by row.
 #include "io/maps/moving_ai.h"
 
 #include <algorithm>
@@ -18,7 +18,7 @@ void expect(Words& words, std::string_view expected) {
   if (word.text != expected) words.fail(word, fmt::format("must be \"{}\"", expected));
 }
 
-/// A row without its end, LF or CR LF; moves the offset behind the end.
+/// Returns a row without its end, LF or CR LF, and moves the offset behind the end.
 std::string_view next_row(std::string_view text, std::size_t& offset) {
   const std::size_t end = std::min(text.find('\n', offset), text.size());
   std::string_view row = text.substr(offset, end - offset);
@@ -47,7 +47,7 @@ void append_row(const SourceText& source, std::string_view row, std::size_t offs
 OccupancyGrid read_moving_ai_map(const SourceText& source) {
   Words words(source);
   expect(words, "type");
-  words.next();  // octile
+  words.next();  // the word "octile"
   OccupancyGrid grid;
   expect(words, "height");
   grid.height = words.whole_number("the height", 1, kMostCells);

@@ -21,7 +21,7 @@ class Walk {
   [[nodiscard]] Corner at() const { return at_; }
   [[nodiscard]] bool is_eastward() const { return way_.x == 1; }
   void advance() { at_ = {at_.x + way_.x, at_.y + way_.y}; }
-  /// Turns into the border's next edge; false where it goes straight on.
+  /// Turns into the border's next edge; returns false if the border goes straight on.
   bool turn() {
     const Way left{-way_.y, way_.x};
     const bool free_left = is_free_ahead(left), free_right = is_free_ahead({way_.y, -way_.x});
@@ -31,7 +31,7 @@ class Walk {
   }
 
  private:
-  /// Is the cell free that touches the corner ahead, on that side?
+  /// Returns whether the cell on that side, which touches the corner ahead, is free.
   [[nodiscard]] bool is_free_ahead(Way side) const {
     const std::int64_t x = at_.x + (way_.x + side.x > 0 ? 0 : -1);
     const std::int64_t y = at_.y + (way_.y + side.y > 0 ? 0 : -1);
@@ -53,7 +53,7 @@ avo::Vec2 OccupancyGrid::point(double right, double up) const {
 }
 
 std::optional<std::vector<Contour>> contours(const OccupancyGrid& grid, std::size_t most) {
-  std::vector<bool> walked(grid.free.size());  // the lower border of each cell
+  std::vector<bool> walked(grid.free.size());  // for each cell: its lower border
   std::vector<Contour> found;
   std::size_t corners = 0;
   const auto index = [&](Corner corner) {
@@ -61,7 +61,7 @@ std::optional<std::vector<Contour>> contours(const OccupancyGrid& grid, std::siz
   };
   for (std::int64_t y = 0; y < grid.height; ++y) {
     for (std::int64_t x = 0; x < grid.width; ++x) {
-      // the first edge eastward of a border, from the left, begins at a corner
+      // the first eastward edge of a border, from the left, begins at a corner
       const std::int64_t row = grid.height - 1 - y;
       if (!grid.is_free(x, row) || grid.is_free(x, row + 1) || walked[index({x, y})]) continue;
       Contour contour;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Robots of a MovingAI scenario, in the cells of its map.
+// The robots of a MovingAI scenario, in the cells of its map.
 #include <fmt/format.h>
 
 #include "io/files/file_names.h"
@@ -16,9 +16,9 @@ namespace {
 using avo::Vec2;
 
 constexpr double kUsualRadius = 0.45;              // cells
-constexpr std::uint64_t kStreamOfScenarios = ~0U;  // groups have the others
+constexpr std::uint64_t kStreamOfScenarios = ~0U;  // groups use the other streams
 
-/// The only map, or the one whose file has the scenario's name of it.
+/// Returns the only map, or the map whose file has the name that the scenario gives for its map.
 const OccupancyGrid& map_of(const Reader& reader, const YamlNode& node, const std::string& path,
                             const std::vector<NamedMap>& maps, const std::string& name) {
   if (maps.size() == 1) return maps[0].grid;

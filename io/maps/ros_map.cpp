@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Maps of ROS, as its map_server reads them.
+// Maps of ROS, read as its map_server reads them.
 #include "io/maps/ros_map.h"
 
 #include <algorithm>
@@ -15,7 +15,7 @@
 namespace avo_io {
 namespace {
 
-/// Keys that ROS knows of no map are left out, as ROS does, and noted.
+/// Ignores keys that ROS does not define for a map, as ROS does, and notes them.
 void note_unknown_keys(const Document& document, const std::vector<std::string_view>& known,
                        std::vector<std::string>& notes) {
   const std::vector<YamlNode>& entries = document.root.children;
@@ -29,7 +29,7 @@ void note_unknown_keys(const Document& document, const std::vector<std::string_v
   }
 }
 
-/// 0, 1, false or true.
+/// Reads 0, 1, false or true.
 bool read_negate(const Reader& reader, const YamlNode& node) {
   if (node.kind != YamlNode::Kind::text || !is_number(node.text))
     return reader.truth(node, "negate");
@@ -67,13 +67,13 @@ void read_origin(const Reader& reader, const YamlNode& root, OccupancyGrid& grid
   };
   grid.origin = {number(0, "m"), number(1, "m")};
   grid.yaw = number(2, "rad");
-  constexpr double kLargestAngle = 0x1p40;  // of elementary functions
+  constexpr double kLargestAngle = 0x1p40;  // the limit of the elementary functions
   if (std::abs(grid.yaw) > kLargestAngle)
     reader.fail(node->children[2], "origin.2", shown(node->children[2]), "must be an angle (rad)");
 }
 
-/// How much of the largest brightness, of all its channels, a pixel does not have: from 0, which is
-/// free, to 1. `raw`: hundredths are stored, and what is above 100 is unknown.
+/// The darkness of a pixel, from 0 (free) to 1: the share of the largest brightness, over all its
+/// channels, that the pixel lacks. `raw`: hundredths are stored, and values above 100 are unknown.
 struct Darkness {
   const RosMap& map;
   const Image& image;

@@ -9,8 +9,8 @@
 
 namespace avo_io {
 
-/// Blocked are occupied cells and those of which nothing is known: all that are not free. `folder`
-/// of map.yaml, relative to the scene. Throws SceneError, FileError.
+/// Blocked cells are the occupied cells and the unknown cells: all cells that are not free.
+/// `folder`: the folder of map.yaml, relative to the scene. Throws SceneError, FileError.
 OccupancyGrid read_ros_map(const SourceText& source, const std::string& folder, SceneFiles& files);
 
 }  // namespace avo_io

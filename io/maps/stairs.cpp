@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Stairs are found by their turns: corners that stick out and corners of free cells in turn, one
+// Stairs are found by their turns: corners that stick out and corners of free cells alternate, one
 // cell apart.
 #include "io/maps/stairs.h"
 
@@ -12,7 +12,7 @@
 namespace avo_io {
 namespace {
 
-/// So many cells to the right and up.
+/// A distance of so many cells to the right and up.
 struct Stretch {
   std::int64_t x = 0, y = 0;
 };
@@ -21,7 +21,7 @@ Stretch from_to(Corner a, Corner b) {
   return {b.x - a.x, b.y - a.y};
 }
 
-/// > 0: to the left, around a corner of free space; < 0: around one that sticks out into it.
+/// > 0: to the left, around a corner of free space; < 0: around a corner that sticks out into it.
 std::int64_t turn(Stretch first, Stretch second) {
   return first.x * second.y - first.y * second.x;
 }
@@ -30,7 +30,7 @@ std::int64_t length(Stretch stretch) {
   return std::abs(stretch.x) + std::abs(stretch.y);
 }
 
-/// The corners of a closed contour, around and around.
+/// The corners of a closed contour, by an index that wraps around.
 struct Around {
   const Contour& contour;
 
@@ -44,7 +44,7 @@ struct Around {
   }
 };
 
-/// Is it the inner corner of a step, between two that stick out?
+/// Returns whether it is the inner corner of a step, between two corners that stick out.
 bool is_step(const Around& around, std::size_t k) {
   const Corner before = around[around.before(k)], here = around[k], next = around[k + 1];
   return around.turn_at(k) > 0 && around.turn_at(around.before(k)) < 0 &&
@@ -52,19 +52,20 @@ bool is_step(const Around& around, std::size_t k) {
          length(from_to(here, next)) == 1;
 }
 
-/// One cell from a towards b.
+/// Returns the corner one cell from a towards b.
 Corner next_to(Corner a, Corner b) {
   const Stretch way = from_to(a, b);
   return {a.x + way.x / length(way), a.y + way.y / length(way)};
 }
 
-/// Room for a cut at one end of the stretch, and at the other end, where that is an inner corner.
+/// Returns whether the stretch has room for a cut at one end, and at the other end if that is an
+/// inner corner.
 bool is_long(const Around& around, std::size_t k, std::size_t end) {
   return length(from_to(around[k], around[end])) >= (around.turn_at(end) > 0 ? 3 : 2);
 }
 
-/// The inner corner of a longer step, before or behind steps: there its last cell is cut off, so
-/// that one wall goes on along both.
+/// Moves the inner corner of a longer step before or behind steps. Its last cell is cut off there,
+/// so that one wall continues along both.
 Corner cut_back(const Around& around, std::size_t k) {
   const Corner here = around[k];
   const std::size_t before = around.before(k), next = k + 1;
@@ -97,7 +98,7 @@ void restore_large_stairs(std::vector<avo::StaticObstacle>& obstacles, double ra
   for (avo::StaticObstacle& obstacle : obstacles) {
     if (obstacle.measured.empty()) continue;
     double cell =
-        std::numeric_limits<double>::infinity();  // the shortest wall is the side of a step
+        std::numeric_limits<double>::infinity();  // each shortest wall is the side of a step
     for (const avo::Chain& chain : obstacle.measured)
       for (std::size_t k = 1; k < chain.points.size(); ++k)
         cell = std::min(cell, norm(chain.points[k] - chain.points[k - 1]));

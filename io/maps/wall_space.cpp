@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Cells and strips are so large that all their lists together are a few times as long as the walls.
+// Cells and strips are so large that all their lists together are only a few times as long as the
+// list of walls.
 #include "io/maps/wall_space.h"
 
 #include <algorithm>
@@ -14,7 +15,8 @@ using avo::Wall;
 
 namespace {
 
-// Centers keep off walls by this part more than they must, cells list walls farther away by it.
+// A center must keep off walls by this relative margin more than required, and cells list walls
+// that are farther away by it.
 constexpr double kWallMargin = 1e-9;
 
 double distance(Vec2 p, const Wall& wall) {
@@ -25,7 +27,8 @@ double distance(Vec2 p, const Wall& wall) {
   return norm(p - wall.a - (along / square) * d);
 }
 
-/// What visit_all hands out, list and item, in its order within each of `count` lists.
+/// Collects the items that visit_all passes with their list, in its order within each of `count`
+/// lists.
 template <class VisitAll>
 Lists sorted_into(std::size_t count, const VisitAll& visit_all) {
   Lists lists;
@@ -50,7 +53,7 @@ NearWalls::NearWalls(std::span<const avo::StaticObstacle> obstacles, double reac
   const double infinity = std::numeric_limits<double>::infinity();
   min_ = {infinity, infinity};
   max_ = {-infinity, -infinity};
-  double lengths = 0.0;  // m, of all walls with what is around them
+  double lengths = 0.0;  // m, of all walls with the margin around them
   for (const Wall& wall : walls_) {
     const double beyond = wall.radius + reach_;
     lengths += norm(wall.b - wall.a) + 2.0 * beyond;
@@ -84,7 +87,7 @@ std::int64_t NearWalls::row(double y) const {
       std::clamp((y - min_.y) / side_, 0.0, static_cast<double>(rows_ - 1)));
 }
 
-// Column by column, the rows near the part of the wall that is near the column.
+// Visits, column by column, the rows near the part of the wall that is near the column.
 template <class Visit>
 void NearWalls::visit_cells(const Wall& wall, const Visit& visit) const {
   const Vec2 a = wall.a.x <= wall.b.x ? wall.a : wall.b;
@@ -127,7 +130,7 @@ Regions::Regions(std::span<const avo::StaticObstacle> obstacles) {
     heights += std::abs(edge.b.y - edge.a.y);
   }
   if (!(top > bottom_)) {
-    edges_.clear();  // nothing is inside
+    edges_.clear();  // no point is inside
     return;
   }
   // edges lie in four strips each, on the average

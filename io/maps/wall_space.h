@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where discs keep clear of obstacles that do not move.
+// The places where discs keep clear of static obstacles.
 #pragma once
 #include <cstddef>
 #include <cstdint>
@@ -10,16 +10,16 @@
 
 namespace avo_io {
 
-/// Lists of numbers, one after the other.
+/// Lists of numbers in one array.
 struct Lists {
-  std::vector<std::size_t> begin;  ///< of each, and the end of the last
+  std::vector<std::size_t> begin;  ///< begin of each list, and the end of the last
   std::vector<std::uint32_t> items;
 };
 
-/// Walls by square cells: each cell lists those that may be within reach of a center in it.
+/// Walls by square cells: each cell lists the walls that may be within reach of a center in it.
 class NearWalls {
  public:
-  /// `reach` m: from a center to the surface of a wall.
+  /// `reach`: m, from a center to the surface of a wall.
   NearWalls(std::span<const avo::StaticObstacle> obstacles, double reach);
   [[nodiscard]] bool is_clear(avo::Vec2 center) const;
 
@@ -41,7 +41,7 @@ class NearWalls {
 class Regions {
  public:
   explicit Regions(std::span<const avo::StaticObstacle> obstacles);
-  /// Is the point outside of all solids and inside of all bounds?
+  /// Returns whether the point is outside all solids and inside all bounds.
   [[nodiscard]] bool allow(avo::Vec2 point) const;
 
  private:
@@ -52,12 +52,12 @@ class Regions {
   void add(const avo::StaticObstacle& obstacle);
   [[nodiscard]] double strip(double y) const;
 
-  std::vector<avo::Fill> fills_;        // of each region
-  std::size_t bounds_ = 0;              // how many regions are bounds
+  std::vector<avo::Fill> fills_;        // for each region
+  std::size_t bounds_ = 0;              // number of regions that are bounds
   std::vector<Edge> edges_;             // by region
   double bottom_ = 0.0, height_ = 1.0;  // m, of the first strip
   std::size_t strips_ = 0;
-  Lists across_;  // by strip: edges that reach into it, by region
+  Lists across_;  // by strip: edges that reach into it, sorted by region
 };
 
 /// Centers at which a disc keeps clear of all walls, solids and bounds.

@@ -18,7 +18,7 @@ namespace {
 
 using avo::Chain;
 
-constexpr int kDeepest = 16;  // collections in collections
+constexpr int kDeepest = 16;  // depth of nested collections
 
 std::string upper(std::string_view text) {
   std::string result(text);
@@ -31,7 +31,7 @@ std::string upper(std::string_view text) {
 struct State {
   Words words;
   int depth = 0;     // of collections
-  Chain chain = {};  // the one being read
+  Chain chain = {};  // the chain being read
   std::vector<Chain> chains = {};
 };
 using Part = void (*)(State&);
@@ -41,14 +41,14 @@ void expect(State& state, std::string_view mark) {
   if (word.text != mark) state.words.fail(word, fmt::format("must be \"{}\"", mark));
 }
 
-/// Takes the word EMPTY, if it is there: a kind, or a member of one, that has no points.
+/// Takes the word EMPTY, if it is there: it stands for a kind, or a member of one, without points.
 bool take_empty(State& state) {
   const bool empty = upper(state.words.peek().text) == "EMPTY";
   if (empty) state.words.next();
   return empty;
 }
 
-/// EMPTY, or "(" part, part, ... ")"
+/// Reads EMPTY, or "(" part, part, ... ")".
 void read_list(State& state, Part read_part) {
   if (take_empty(state)) return;
   expect(state, "(");
@@ -132,7 +132,7 @@ constexpr std::array<std::pair<std::string_view, Part>, 6> kKinds{{
     {"GEOMETRYCOLLECTION", read_collection},
 }};
 
-/// Z, M and ZM, which are nothing's own where there are no points.
+/// Skips Z, M or ZM in front of EMPTY; it refuses them in front of coordinates.
 void pass_dimensions(State& state) {
   const Word word = state.words.peek();
   const std::string text = upper(word.text);

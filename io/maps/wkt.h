@@ -8,9 +8,9 @@
 
 namespace avo_io {
 
-/// Lines become open chains, rings closed ones. Read are LINESTRING, LINEARRING, POLYGON, MULTI
-/// forms and GEOMETRYCOLLECTION of these, in any case, one or more after the other. Of what is
-/// EMPTY there are none. Throws SceneError or OverrideError.
+/// Lines become open chains, and rings closed chains. It reads LINESTRING, LINEARRING, POLYGON,
+/// MULTI forms and GEOMETRYCOLLECTION of these, in any case, one or more in sequence. EMPTY gives
+/// no chains. Throws SceneError or OverrideError.
 std::vector<avo::Chain> read_wkt(const SourceText& source);
 
 }  // namespace avo_io

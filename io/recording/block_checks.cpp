@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What no run records is refused, before anybody uses it.
+// Refuses values that no run records, before any code uses them.
 #include "io/recording/block_checks.h"
 
 #include <cmath>
@@ -18,7 +18,8 @@ void BlockChecks::check(const BlockShape& shape, const RecordingBlock& block) {
   }
 }
 
-// Where clocks are free times are irregular, but they ascend and end with the scene as well.
+// Checks the time. With a free clock times are irregular, but they also ascend and end with the
+// scene.
 void BlockChecks::check_time(double time) {
   constexpr double kRounding = 1e-9;  // of k Δt, which may exceed the duration by its last bits
   const auto refuse_time = [&](const std::string& allowed) {
@@ -40,7 +41,8 @@ void BlockChecks::refuse(double time, std::size_t robot, const char* column, dou
                            : std::string("a finite number")));
 }
 
-// Who is not there has no numbers, and who has no heading neither heading nor speed.
+// Checks a robot's row: an absent robot has no numbers, and a robot without headings has neither
+// heading nor speed.
 void BlockChecks::check_robot(const BlockShape& shape, const RecordingBlock& block, std::size_t k,
                               std::size_t robot) const {
   const std::uint8_t status = block.status[k * shape.robots + robot];

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What no run records is refused, before anybody uses it.
+// Refuses values that no run records, before any code uses them.
 #pragma once
 #include <cstddef>
 #include <string>
@@ -9,10 +9,10 @@
 
 namespace avo_io {
 
-/// Of the blocks of one recording, one after the other.
+/// Checks the blocks of one recording, one after the other.
 class BlockChecks {
  public:
-  /// `end`: s, after which the scene has no more times; infinite where nobody knows.
+  /// `end`: s, after which the scene has no more times; infinite if it is unknown.
   BlockChecks(std::string path, double end) : path_(std::move(path)), end_(end) {}
   /// Throws RecordingError, which names the time and the robot.
   void check(const BlockShape& shape, const RecordingBlock& block);

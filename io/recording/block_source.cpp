@@ -40,7 +40,7 @@ class BlockRows final : public RowSource {
  private:
   std::string path_;
   BlockSource source_;
-  std::size_t next_ = 0, count_ = 0;  // in the block; of its times
+  std::size_t next_ = 0, count_ = 0;  // in the block: the next time, and the number of times
   std::int64_t times_ = 0;
   double time_ = 0.0;
 };
@@ -73,7 +73,7 @@ BlockSource::BlockSource(const std::string& path) : path_(path) {
       break;
     case RecordingFormat::spool:
       spool_.emplace(path);
-      // before anybody takes memory for as many robots as the header promises
+      // before memory is allocated for as many robots as the header promises
       if (!spool_->next(compressed_))
         throw RecordingError(path + ": found no whole block, must be one or more");
       if (!compressed_.can_be(spool_->shape())) refuse_block();
@@ -101,7 +101,8 @@ const avo::Scenario& BlockSource::scenario() {
   return *scenario_;
 }
 
-// Whoever judges by another scene or by limits need not have the recording's own.
+// Returns the end of the scene; a caller that judges by another scene or by limits does not need
+// the recording's own.
 double BlockSource::end_of_scene() {
   try {
     return scenario().duration;
@@ -135,7 +136,7 @@ std::unique_ptr<RowSource> block_rows(const std::string& path, std::optional<std
 
 namespace {
 
-/// The first bytes of a file, in which it says what it is.
+/// Returns the first bytes of a file, which identify its format.
 std::string beginning_of(const std::string& path) {
   const int descriptor = open(path.c_str(), O_RDONLY | O_CLOEXEC);
   if (descriptor < 0) throw FileError(with_errno(path));
@@ -164,7 +165,7 @@ RecordingFormat format_of(const std::string& path) {
   }
   if (type == std::filesystem::file_type::directory)
     throw FileError(path + ": found a directory, must be a file");
-  // whatever is read of a pipe is gone
+  // bytes that are read from a pipe cannot be read again
   if (type != std::filesystem::file_type::regular) return RecordingFormat::csv;
   const std::string bytes = beginning_of(path);
   if (is_hdf5(bytes))

@@ -15,17 +15,17 @@ namespace avo_io {
 
 class BlockSource {
  public:
-  /// Throws FileError and RecordingError, also where it is neither.
+  /// Throws FileError and RecordingError; the latter also if the file is in neither format.
   explicit BlockSource(const std::string& path);
 
   [[nodiscard]] const RecordingHeader& header() const;
   [[nodiscard]] const BlockShape& shape() const;
-  /// The scene that it has in itself, see own_scene().
+  /// Returns the scene that the recording contains, see own_scene().
   const avo::Scenario& scenario();
-  /// False at the end. Throws RecordingError, also where the rows are none that a run records
-  /// (block_checks.h).
+  /// Reads the next block; returns false at the end. Throws RecordingError, also for rows that no
+  /// run records (block_checks.h).
   bool next();
-  /// The block that next() has read.
+  /// Returns the block that next() has read.
   [[nodiscard]] const RecordingBlock& block() const { return *block_; }
 
  private:
@@ -38,7 +38,7 @@ class BlockSource {
   std::optional<SpoolReader> spool_;
   std::optional<BlockCodec> codec_;  // of a spool
   CompressedBlock compressed_;
-  bool begun_ = false;  // the first block of the spool has been used
+  bool begun_ = false;  // whether the first block of the spool has been used
   std::optional<avo::Scenario> scenario_;
   std::optional<BlockChecks> checks_;
   std::optional<RecordingBlock> block_;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Recordings read again, one time after the other: CSV.
+// Reads recordings back, one time after the other: CSV.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -22,7 +22,7 @@ namespace {
 constexpr std::array<std::string_view, 8> kAllColumns{"time", "robot", "x",       "y",
                                                       "vx",   "vy",    "heading", "speed"};
 constexpr std::string_view kEvery = "every";          // of thinned recordings
-constexpr std::string_view kEstimated = "estimated";  // of those that had no velocities
+constexpr std::string_view kEstimated = "estimated";  // of recordings without velocities
 constexpr std::size_t kRequired = 6;                  // the last two may both be missing
 constexpr std::span<const std::string_view> kColumns(kAllColumns.data(), kRequired);
 enum Column : std::size_t {
@@ -45,7 +45,7 @@ struct Row {
   std::int64_t line = 0;
 };
 
-/// Without the blanks around it, and the quotes around that.
+/// Returns the text without the blanks around it, and without the quotes within them.
 std::string_view trimmed(std::string_view text) {
   const auto blank = [](char c) { return c == ' ' || c == '\t'; };
   while (!text.empty() && blank(text.front())) text.remove_prefix(1);
@@ -77,8 +77,8 @@ struct CsvRows final : RowSource {
   std::optional<std::int64_t> robots;
   std::vector<std::string_view> fields;
   std::size_t columns = 0;             // in the first line
-  std::array<std::size_t, 8> at = {};  // where kAllColumns are
-  bool headings = false;               // the last two of them are there
+  std::array<std::size_t, 8> at = {};  // columns in which kAllColumns stand
+  bool headings = false;               // whether the last two of them are there
   std::optional<std::size_t> every_at, estimated_at;
   std::optional<Row> pending;  // the first row of the next time
   std::vector<Row> group;
@@ -99,7 +99,7 @@ struct CsvRows final : RowSource {
   void sort_group();
 };
 
-// Where the column is in the first line, whose fields these are.
+// Returns the column of that name in the first line, whose fields these are.
 std::size_t CsvRows::find_column(std::string_view name) const {
   const auto is_name = [name](std::string_view field) { return field == name; };
   const auto match = std::find_if(fields.begin(), fields.end(), is_name);
@@ -148,14 +148,14 @@ double CsvRows::number(Column column) const {
                   large ? fmt::format("from -{0:g} to {0:g}", avo::kLargest) : "a finite number"));
 }
 
-// None of a robot that has none.
+// Returns none for a robot without a heading.
 std::optional<avo::CheckedHeading> CsvRows::heading() const {
   if (!headings || (fields[at[heading_column]].empty() && fields[at[speed_column]].empty()))
     return std::nullopt;
   return avo::CheckedHeading{number(heading_column), number(speed_column)};
 }
 
-// 1 where nothing says that it is more.
+// Returns 1 if the recording gives no larger number.
 std::int64_t CsvRows::every() const {
   if (!every_at) return 1;
   const std::string_view text = fields[*every_at];
@@ -172,7 +172,7 @@ bool CsvRows::estimated() const {
   refuse(lines.number(), fmt::format("{}: found {}, must be 0 or 1", kEstimated, in_quotes(text)));
 }
 
-// None at the end of the file.
+// Returns none at the end of the file.
 std::optional<Row> CsvRows::read_row() {
   std::optional<std::string_view> line = lines.next();
   while (line && line->empty()) line = lines.next();
@@ -200,7 +200,7 @@ std::optional<Row> CsvRows::read_row() {
   return row;
 }
 
-// By ascending robot, each once.
+// Sorts the rows by ascending robot, and refuses a robot that occurs twice.
 void CsvRows::sort_group() {
   const auto lower = [](const Row& a, const Row& b) { return a.state.robot < b.state.robot; };
   if (!std::is_sorted(group.begin(), group.end(), lower))

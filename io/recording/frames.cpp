@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A recording as pictures see it.
+// A recording as a sequence of pictures.
 #include "avo_io/frames.h"
 
 #include <algorithm>
@@ -24,14 +24,15 @@ struct FrameRows {
 
 namespace {
 
-/// On the cubic that has both positions and velocities; `part` of the step from a to b.
+/// Returns a point on the cubic with both positions and velocities; `part`: of the step from a to
+/// b.
 avo::Vec2 on_cubic(avo::Vec2 a, avo::Vec2 v, avo::Vec2 b, avo::Vec2 w, double part, double step) {
   const double s = part, s2 = s * s, s3 = s2 * s;
   return (2 * s3 - 3 * s2 + 1) * a + (3 * s2 - 2 * s3) * b + ((s3 - 2 * s2 + s) * step) * v +
          ((s3 - s2) * step) * w;
 }
 
-/// The shorter way around.
+/// Interpolates along the shorter arc.
 double between_headings(double a, double b, double part) {
   const double turn = std::remainder(b - a, 2.0 * std::numbers::pi);
   return a + part * turn;
@@ -43,7 +44,7 @@ struct FrameReader::State {
   RecordingReader reader;
   MoverWalk movers;
   std::vector<bool> straight;  // of the moving obstacles, which are on trajectories
-  FrameRows before, after;     // the rows around the time asked for
+  FrameRows before, after;     // the rows before and after the requested time
   bool ended = false;
   double first_time = 0.0;
 
@@ -65,7 +66,7 @@ struct FrameReader::State {
   [[nodiscard]] RecordedFrame between(double time) const;
 };
 
-// The next row in `after`; who is not there stays where it was.
+// Reads the next row into `after`; an absent robot keeps its last place.
 void FrameReader::State::read() {
   RecordedTime moment;
   if (!reader.next(moment)) {

@@ -12,14 +12,14 @@
 namespace avo_io {
 namespace {
 
-/// How the chunks of a table lie in the file.
+/// The layout of a table's chunks in the file.
 struct ChunkLayout {
   std::vector<hsize_t> size;  ///< of a chunk, in each dimension
   std::size_t bytes = 0;      ///< of a chunk that is neither shuffled nor deflated
-  int deflate = -1;           ///< which of the filters deflates, or -1
+  int deflate = -1;           ///< index of the filter that deflates, or -1
 };
 
-/// The filters that are known, each once: others might make more or less of a chunk.
+/// Takes the known filters, each once: other filters might change the size of a chunk.
 bool take_filters(hid_t properties, ChunkLayout& layout) {
   const int count = H5Pget_nfilters(properties);
   bool shuffles = false;
@@ -59,7 +59,7 @@ struct ChunkBytes {
 
 bool is_chunk_whole(hid_t table, const ChunkLayout& layout, const std::vector<hsize_t>& offset,
                     libdeflate_decompressor* inflater, ChunkBytes& bytes) {
-  unsigned left_out = 0;  // a bit for each filter that this chunk has been spared
+  unsigned left_out = 0;  // a bit for each filter that was not applied to this chunk
   haddr_t address = HADDR_UNDEF;
   hsize_t size = 0;
   if (H5Dget_chunk_info_by_coord(table, offset.data(), &left_out, &address, &size) < 0)
@@ -67,7 +67,7 @@ bool is_chunk_whole(hid_t table, const ChunkLayout& layout, const std::vector<hs
   if (address == HADDR_UNDEF) return true;  // never written: HDF5 fills it
   const bool deflated = layout.deflate >= 0 && (left_out >> layout.deflate & 1U) == 0;
   if (!deflated) return size == layout.bytes;
-  if (size == 0 || size > 2 * layout.bytes + 64) return false;  // what deflate never needs
+  if (size == 0 || size > 2 * layout.bytes + 64) return false;  // longer than deflate ever needs
   bytes.stored.resize(size), bytes.whole.resize(layout.bytes);
   std::uint32_t filters = 0;
   return H5Dread_chunk(table, H5P_DEFAULT, offset.data(), &filters, bytes.stored.data()) >= 0 &&
@@ -75,7 +75,7 @@ bool is_chunk_whole(hid_t table, const ChunkLayout& layout, const std::vector<hs
                                     layout.bytes, nullptr) == LIBDEFLATE_SUCCESS;
 }
 
-/// The next chunk of those that hold the rows; false behind the last one.
+/// Advances to the next chunk that holds rows; returns false after the last one.
 bool next_chunk(const ChunkLayout& layout, const std::vector<hsize_t>& first,
                 const std::vector<hsize_t>& end, std::vector<hsize_t>& chunk) {
   for (std::size_t d = chunk.size(); d-- > 0;) {

@@ -9,7 +9,7 @@ namespace avo_io {
 class Hdf5Handle {
  public:
   Hdf5Handle() = default;
-  /// Takes it over; less than 0: none.
+  /// Takes ownership; less than 0: none.
   Hdf5Handle(hid_t id, herr_t (*closes)(hid_t)) : id_(id), close_(closes) {}
   Hdf5Handle(Hdf5Handle&& other) noexcept
       : id_(std::exchange(other.id_, H5I_INVALID_HID)), close_(other.close_) {}
@@ -22,7 +22,7 @@ class Hdf5Handle {
 
   [[nodiscard]] hid_t id() const { return id_; }
   explicit operator bool() const { return id_ >= 0; }
-  /// False where what is open cannot be closed, e.g. on a full disk.
+  /// Returns false if the object cannot be closed, e.g. on a full disk.
   [[nodiscard]] bool close() { return id_ < 0 || close_(std::exchange(id_, H5I_INVALID_HID)) >= 0; }
 
  private:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What everything that is written as HDF5 has in common.
+// Common parts of everything that is written as HDF5.
 #include "io/recording/hdf5_output.h"
 
 #include <algorithm>

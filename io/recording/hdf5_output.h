@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What everything that is written as HDF5 has in common: how it fails, how texts are kept, and that
-// equal contents have equal bytes.
+// Common parts of everything that is written as HDF5: its errors, its texts, and equal bytes for
+// equal contents.
 #pragma once
 #include <cstdint>
 #include <string>
@@ -9,11 +9,11 @@
 
 namespace avo_io {
 
-/// Before any other use of HDF5: it prints nothing, and does nothing at the end of the process,
-/// when it would write once more what a full disk has refused.
+/// Prepares HDF5; call it before any other use. HDF5 then prints nothing and does nothing at the
+/// end of the process. Otherwise it would write again then what a full disk has refused.
 void prepare_hdf5();
 
-/// A file that is written; `name` is what messages call it. What fails throws FileError.
+/// An output file; `name` is its name in messages. Failures throw FileError.
 struct Hdf5Output {
   std::string name;
 
@@ -27,15 +27,16 @@ struct Hdf5Output {
   }
 
   /// Empties the file at `path`. `any_size`: attributes may have more than 64 KiB, which HDF5 reads
-  /// from 1.8 on.
+  /// from version 1.8 on.
   [[nodiscard]] Hdf5Handle create_file(const std::string& path, bool any_size) const;
-  /// Of a kind of object, H5P_DATASET_CREATE or H5P_GROUP_CREATE: without the time of day.
+  /// Returns properties of a kind of object, H5P_DATASET_CREATE or H5P_GROUP_CREATE, without the
+  /// time of day.
   [[nodiscard]] Hdf5Handle properties(hid_t kind) const;
-  /// Texts of `size` bytes, filled up with zeros.
+  /// Returns the type of texts of `size` bytes, padded with zeros.
   [[nodiscard]] Hdf5Handle text_type(std::size_t size) const;
   void write_attribute(hid_t object, const std::string& key, const std::string& text) const;
   void write_attribute(hid_t object, const std::string& key, std::uint64_t number) const;
-  /// What is left to write. Throws where the disk is full.
+  /// Writes the rest. Throws if the disk is full.
   void finish(Hdf5Handle& handle) const {
     if (!handle.close()) fail();
   }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Recordings as HDF5 files: read again, whoever has changed them meanwhile.
+// Reads recordings from HDF5 files, safe against any change of the file since it was written.
 #include <algorithm>
 #include <array>
 #include <cerrno>
@@ -19,7 +19,7 @@ namespace {
 constexpr hsize_t kLargestAttribute = hsize_t{16} << 20U;
 constexpr hsize_t kMostAttributes = 100'000;
 
-/// Attributes that are whole numbers or texts; others are left out.
+/// Takes attributes that are whole numbers or texts; it leaves out others.
 herr_t take_attribute(hid_t object, const char* name, const H5A_info_t* info, void* data) {
   auto& fields = *static_cast<std::vector<RecordingField>*>(data);
   if (info->data_size > kLargestAttribute || fields.size() >= kMostAttributes) return -1;
@@ -41,7 +41,7 @@ herr_t take_attribute(hid_t object, const char* name, const H5A_info_t* info, vo
   return 0;
 }
 
-/// What the writer makes: times, robots, columns.
+/// The chunks of the writer: times, robots, columns.
 constexpr std::array<hsize_t, 3> kLargestChunk{kBlockTimes, 1024, 1};
 
 void require_format(const std::vector<RecordingField>& fields) {
@@ -96,7 +96,7 @@ void Hdf5Reader::refuse(const std::string& what) const {
   throw RecordingError(fmt::format("{}: {}", path_, what));
 }
 
-// What the numbers of the state are.
+// Checks the names of the state's columns.
 void Hdf5Reader::require_columns() const {
   std::vector<RecordingField> fields;
   const herr_t done =
@@ -112,7 +112,7 @@ void Hdf5Reader::require_columns() const {
                        found == nullptr ? "none" : in_quotes(*found), allowed));
 }
 
-// In the file itself: a link could lead to another file.
+// Opens a dataset in the file itself: a link could lead to another file.
 Hdf5Handle Hdf5Reader::open_dataset(const char* name) const {
   H5L_info_t link{};
   const bool here =
@@ -120,8 +120,9 @@ Hdf5Handle Hdf5Reader::open_dataset(const char* name) const {
   return {here ? H5Dopen2(file_.id(), name, H5P_DEFAULT) : H5I_INVALID_HID, H5Dclose};
 }
 
-// No more is promised than the bytes in the file can hold, and what is read at once is as small as
-// the writer makes it: HDF5 takes memory for a chunk, whatever part of it is asked for.
+// Refuses a table that promises more than the bytes in the file can hold, or whose chunks are
+// larger than those of the writer. HDF5 allocates memory for a whole chunk even if only a part of
+// it is read.
 void Hdf5Reader::require_layout(const Hdf5Handle& table, const char* name,
                                 const std::vector<hsize_t>& size) const {
   const Hdf5Handle layout(H5Dget_create_plist(table.id()), H5Pclose);
@@ -147,7 +148,7 @@ void Hdf5Reader::require_layout(const Hdf5Handle& table, const char* name,
   }
   for (std::size_t d = 0; d < size.size(); ++d)  // chunks are whole
     bytes *= (size[d] + chunk[d] - 1) / chunk[d] * chunk[d];
-  constexpr hsize_t kMostPerByte = 2000;  // of deflate 1032
+  constexpr hsize_t kMostPerByte = 2000;  // deflate: 1032
   const hsize_t stored = H5Dget_storage_size(table.id());
   hsize_t in_file = 0;
   if (stored < bytes / kMostPerByte || H5Fget_filesize(file_.id(), &in_file) < 0 ||
@@ -155,7 +156,7 @@ void Hdf5Reader::require_layout(const Hdf5Handle& table, const char* name,
     refuse(fmt::format("{}: found less than the half of its rows, must be all", name));
 }
 
-// Of that size.
+// Opens a table of that size.
 Hdf5Handle Hdf5Reader::open_table(const char* name, const std::vector<hsize_t>& size) const {
   Hdf5Handle table = open_dataset(name);
   const Hdf5Handle space(table ? H5Dget_space(table.id()) : H5I_INVALID_HID, H5Sclose);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A run's states go to a spool, compressed by a thread of their own, and then to an HDF5 file.
+// Writes a run's states to a spool, compressed by a separate thread, and then to an HDF5 file.
 #include <array>
 #include <condition_variable>
 #include <cstddef>
@@ -60,8 +60,8 @@ BlockShape shape_of(const avo::Scenario& scenario) {
   return {scenario.robots.size(), has_headings(scenario) ? kHeadingColumns : kPlainColumns};
 }
 
-/// Two blocks: one is filled by the run while the other one is compressed, so that no more than
-/// that is ever behind.
+/// Two blocks: the run fills one while the other is compressed, so that the compression is never
+/// more than one block behind.
 struct Exchange {
   std::mutex mutex;
   std::condition_variable changed;
@@ -132,7 +132,7 @@ void Hdf5Recording::State::write(RecordingBlock& block) {
   spool.write(compressed);
 }
 
-// Of the compressing thread.
+// The body of the compressing thread.
 void Hdf5Recording::State::work() {
   std::unique_lock lock(exchange.mutex);
   while (true) {
@@ -194,7 +194,7 @@ std::unique_ptr<Recording> open_recording(const std::string& path, const avo::Sc
 Recovered recover(const std::string& spool, const std::string& path) {
   Recovered found;
   {
-    BlockSource source(spool);  // what no reader would take is not made a recording of
+    BlockSource source(spool);  // do not make a recording that no reader would accept
     while (source.next()) {
     }
   }

@@ -13,39 +13,39 @@
 
 namespace avo_io {
 
-/// Its attribute "format".
+/// The value of its attribute "format".
 inline constexpr const char* kRecordingFormat = "avo recording 1";
-/// The attribute "columns" of its table of states.
+/// Returns the attribute "columns" of its table of states.
 inline const char* columns_of(std::size_t columns) {
   return columns == kHeadingColumns ? "x,y,vx,vy,heading,speed" : "x,y,vx,vy";
 }
 
-/// Whether a file that begins with these bytes is one.
+/// Returns whether a file that begins with these bytes is an HDF5 file.
 bool is_hdf5(std::string_view begin);
 
-/// Writes all blocks of the spool to the file at `path`, as they are compressed. Returns how many
-/// times there are. Throws FileError, which calls the file `name`, and RecordingError.
+/// Writes all blocks of the spool to the file at `path`, without compressing them again. Returns
+/// the number of times. Throws FileError, which names the file `name`, and RecordingError.
 std::int64_t write_hdf5(const std::string& spool, const std::string& path, const std::string& name);
 
-/// All of a recording, for who writes it.
+/// All data of a recording, as input for a writer.
 struct RecordedTables {
   const RecordingHeader& header;
   const BlockShape& shape;
   const std::vector<double>& times;                  ///< s, of all blocks
   std::function<bool(CompressedBlock& block)> next;  ///< false at the end
 };
-/// The bytes of its file. Throws FileError, which calls it `name`, and what next() throws.
+/// Returns the bytes of its file. Throws FileError, which names it `name`, and what next() throws.
 std::string hdf5_bytes(const RecordedTables& recording, const std::string& name);
 
 /// Reads one block after the other.
 class Hdf5Reader {
  public:
-  /// Throws FileError, and RecordingError where it is no recording of avo.
+  /// Throws FileError, and RecordingError if it is not a recording of avo.
   explicit Hdf5Reader(const std::string& path);
 
   [[nodiscard]] const RecordingHeader& header() const { return header_; }
   [[nodiscard]] const BlockShape& shape() const { return shape_; }
-  /// False at the end. Throws RecordingError.
+  /// Reads the next block; returns false at the end. Throws RecordingError.
   bool next(RecordingBlock& block);
 
  private:

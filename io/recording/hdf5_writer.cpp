@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Recordings as HDF5 files: written from a spool, whose compressed chunks are copied.
+// Writes recordings as HDF5 files from a spool; its compressed chunks are copied.
 #include <algorithm>
 #include <cstdlib>
 #include <fcntl.h>
@@ -19,7 +19,7 @@ namespace {
 
 constexpr unsigned kDeflateLevel = 1;
 
-/// The words of avo::PlanStatus, and one for who is not there.
+/// Returns a type with the words of avo::PlanStatus, and one word for an absent robot.
 Hdf5Handle status_type(const Hdf5Output& target) {
   Hdf5Handle type = target.require(H5Tenum_create(H5T_STD_U8LE), H5Tclose);
   for (std::uint8_t k = 0; k <= static_cast<std::uint8_t>(avo::PlanStatus::invalid_input); ++k)
@@ -28,12 +28,12 @@ Hdf5Handle status_type(const Hdf5Output& target) {
   return type;
 }
 
-/// A table whose chunks are a block's.
+/// Creates a table with the chunks of a block.
 Hdf5Handle create_table(const Hdf5Output& target, hid_t file, const char* name, hid_t type,
                         std::initializer_list<hsize_t> size, std::initializer_list<hsize_t> chunk) {
   const int rank = static_cast<int>(size.size());
   std::vector<hsize_t> most(size);
-  most[0] = H5S_UNLIMITED;  // else a chunk could not be longer than the table
+  most[0] = H5S_UNLIMITED;  // without it, a chunk could not be longer than the table
   const Hdf5Handle space =
       target.require(H5Screate_simple(rank, size.begin(), most.data()), H5Sclose);
   const Hdf5Handle layout = target.properties(H5P_DATASET_CREATE);
@@ -56,7 +56,7 @@ void write_times(const Hdf5Output& target, hid_t file, const std::vector<double>
   target.write_attribute(table.id(), "unit", "s");
 }
 
-/// The tables of all blocks, as long as there are times.
+/// The tables of all blocks, as long as the number of times.
 struct Tables {
   Hdf5Handle state, status, clearance;
 
@@ -92,7 +92,7 @@ struct Tables {
   }
 };
 
-/// How many times the spool has, and what its end says.
+/// Returns the times of the spool, and takes what its end record says.
 std::vector<double> times_of(const std::string& path, RecordingHeader& header) {
   SpoolReader spool(path);
   CompressedBlock block;
@@ -114,7 +114,7 @@ void write_all(const Hdf5Output& target, hid_t file, const RecordedTables& recor
     tables.write(target, block, recording.shape, first);
 }
 
-/// A file that is gone with its descriptor, once it has lost its name. (HDF5's own files in memory
+/// A file that vanishes with its descriptor, once its name is removed. (HDF5's own in-memory files
 /// have a wrong checksum as long as they are open for writing.)
 struct TemporaryFile {
   std::string path = (std::filesystem::temp_directory_path() / "avo-XXXXXX").string();
@@ -124,7 +124,7 @@ struct TemporaryFile {
   TemporaryFile(const TemporaryFile&) = delete;
   TemporaryFile& operator=(const TemporaryFile&) = delete;
   ~TemporaryFile() {
-    unlink(path.c_str());  // still there where HDF5 could not open it
+    unlink(path.c_str());  // the name still exists if HDF5 could not open the file
     close(descriptor);
   }
   [[nodiscard]] off_t size() const { return lseek(descriptor, 0, SEEK_END); }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where the moving obstacles of a scene are at the times of a recording.
+// The places of a scene's moving obstacles at the times of a recording.
 #include "io/recording/mover_walk.h"
 
 #include <algorithm>
@@ -14,17 +14,18 @@
 namespace avo_io {
 namespace {
 
-// What they go between two times: whole steps, and a part of one more.
+// The steps of moving obstacles between two times: whole steps, and a part of one more.
 struct Walked {
   std::int64_t steps = 0;
   double step = 0.0, part = 0.0;  // s
 };
 
-// By the scene's steps; where clocks are free by those from row to row, in whole nanoseconds.
+// Returns the scene's steps. With free clocks it returns one step from row to row, in whole
+// nanoseconds.
 Walked walked_between(avo::Clock clock, double h, std::optional<double> before, double time) {
   if (clock == avo::Clock::common) {
     const auto steps_by = [h](double t) {
-      constexpr double kMost = 0x1p62;  // of which nobody walks so many
+      constexpr double kMost = 0x1p62;  // no obstacle moves so many steps
       return static_cast<std::int64_t>(std::clamp(std::floor(t / h + 1e-6), -kMost, kMost));
     };
     const std::int64_t first = before ? std::max(steps_by(*before), std::int64_t{0}) : 0;
@@ -36,7 +37,7 @@ Walked walked_between(avo::Clock clock, double h, std::optional<double> before, 
   return {1, whole > 0.0 ? whole : time - *before, 0.0};
 }
 
-// One without a path: its acceleration is held all the time.
+// Moves an obstacle without a path: its acceleration is held all the time.
 avo::PathWalk free_walk(const avo::MovingObstacle& obstacle, double time) {
   return {
       obstacle.position + time * obstacle.velocity + (0.5 * time * time) * obstacle.acceleration,
@@ -89,7 +90,7 @@ void MoverWalk::go_to(double time) {
   }
 }
 
-// With a common clock the steps that are missing are known.
+// With a common clock the missing steps are known.
 void MoverWalk::require_known(double time) const {
   if (clock_ == avo::Clock::common) return;
   for (std::size_t k = 0; k < obstacles_.size(); ++k)

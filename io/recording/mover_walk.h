@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where the moving obstacles of a scene are at the times of a recording, which has no rows of them.
+// The places of a scene's moving obstacles at the times of a recording, which has no rows of them.
 #pragma once
 #include <cstddef>
 #include <optional>
@@ -14,10 +14,10 @@ class MoverWalk {
  public:
   explicit MoverWalk(const avo::Scenario& scenario);
 
-  /// To the next time, s, in ascending order. Throws Error where nobody knows how far one with a
-  /// path is by then: clocks are free, and rows are missing before the first time.
+  /// Moves on to the next time, s; times must ascend. Throws Error if the place of an obstacle with
+  /// a path cannot be known then: clocks are free, and rows are missing before the first time.
   void go_to(double time);
-  /// Throws Error where, with free clocks, rows are missing up to `time`: such steps count.
+  /// Throws Error if clocks are free and rows are missing up to `time`: such steps matter.
   void require_known(double time) const;
   [[nodiscard]] avo::Vec2 position(std::size_t obstacle) const { return now_[obstacle].position; }
   [[nodiscard]] avo::Vec2 velocity(std::size_t obstacle) const { return now_[obstacle].velocity; }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A recorded run as comparisons need it.
+// A recorded run in the form that comparisons need.
 #include "avo_io/recorded_run.h"
 
 #include <algorithm>
@@ -17,8 +17,8 @@
 namespace avo_io {
 namespace {
 
-/// The judge of motion, for the arrivals alone: of a robot's limits it is told nothing that
-/// matters.
+/// Returns the judge of motion, used for the arrivals alone: limits of robots do not
+/// matter for them.
 avo::Check judge_of_arrivals(const avo::Scenario& scenario) {
   std::vector<avo::CheckedRobot> robots;
   for (const avo::RobotSetup& setup : scenario.robots) robots.push_back(checked_robot(setup));
@@ -40,7 +40,7 @@ std::optional<double> least_clearance(const BlockShape& shape, const RecordingBl
   return least;
 }
 
-/// Where everybody starts; nobody is there yet.
+/// Returns all robots at their starts; none is present yet.
 RecordedFrame starts_of(const avo::Scenario& scenario) {
   RecordedFrame frame;
   for (const avo::RobotSetup& setup : scenario.robots) {
@@ -50,7 +50,7 @@ RecordedFrame starts_of(const avo::Scenario& scenario) {
   return frame;
 }
 
-/// The next one: who has left stays where it was last.
+/// Advances the frame; a robot that has left keeps its last place.
 void go_on(RecordedFrame& frame, double time, const std::vector<avo::CheckedState>& rows,
            const MoverWalk& movers, std::size_t obstacles) {
   frame.time = time;
@@ -71,7 +71,7 @@ double fastest_of(const std::vector<avo::CheckedState>& rows) {
   return fastest;
 }
 
-/// Drops every other one, so that there is room for as many again.
+/// Drops every second frame, so that as many again fit in.
 void thin(std::vector<RecordedFrame>& frames) {
   std::size_t kept = 0;
   for (std::size_t k = 0; k < frames.size(); k += 2) std::swap(frames[kept++], frames[k]);
@@ -91,7 +91,7 @@ RecordedRun read_run(const std::string& recording, std::size_t most_frames) {
   avo::Check check = judge_of_arrivals(run.scenario);
   MoverWalk movers(run.scenario);
   RecordedFrame frame = starts_of(run.scenario);
-  std::size_t stride = 1, count = 0;  // times between frames that are kept; seen so far
+  std::size_t stride = 1, count = 0;  // times between kept frames; times seen so far
   while (source.next()) {
     for (std::size_t k = 0; k < source.block().times; ++k, ++count) {
       const double time = source.block().time[k];

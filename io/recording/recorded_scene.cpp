@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The scene that a recording has in itself.
+// The scene that a recording contains.
 #include "io/recording/recorded_scene.h"
 
 #include <fmt/format.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The scene that a recording has in itself.
+// The scene that a recording contains.
 #pragma once
 #include <cstdint>
 #include <string>
@@ -10,18 +10,18 @@
 
 namespace avo_io {
 
-/// A recording whose own scene cannot be used; all else of it may be good.
+/// The scene in a recording is unusable; the rest of the recording may be good.
 class OwnSceneError final : public RecordingError {
  public:
   using RecordingError::RecordingError;
 };
 
-/// The same as parse_scenario(), but throws RecordingError, without a place, where the scene has
-/// another number of robots, before any of them is placed.
+/// Does the same as parse_scenario(). It also throws RecordingError, without a place, if the scene
+/// has another number of robots; it checks that before it places any of them.
 avo::Scenario parse_scenario_of(const SceneSource& source, std::int64_t robots);
 
-/// Throws OwnSceneError, and RecordingError where it has not as many robots as the recording. Both
-/// begin with the path.
+/// Throws OwnSceneError, and RecordingError if the scene and the recording differ in the number of
+/// robots. Both messages begin with the path.
 avo::Scenario own_scene(const std::string& path, const RecordingHeader& header);
 
 }  // namespace avo_io

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a recording keeps of a simulation's state.
+// The part of a simulation's state that a recording keeps.
 #include "io/recording/recorded_states.h"
 
 #include <array>

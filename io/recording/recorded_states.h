@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a recording keeps of a simulation's state.
+// The part of a simulation's state that a recording keeps.
 #pragma once
 #include <cstddef>
 #include <vector>
@@ -11,12 +11,12 @@
 
 namespace avo_io {
 
-/// The present state becomes one more time of the block, which has room for it.
+/// Appends the present state to the block as one more time; the block must have room for it.
 void add_states(const avo::Simulation& simulation, const BlockShape& shape, RecordingBlock& block);
-/// The rows of one of its times, of those who are there.
+/// Returns the rows of the present robots at one of its times.
 std::vector<avo::CheckedState> rows_of(const BlockShape& shape, const RecordingBlock& block,
                                        std::size_t time);
-/// Of one of the times that are there.
+/// Finds the clearances at one of the times in the block.
 void find_clearances(const BlockShape& shape, std::size_t time, avo::ClearanceFinder& clearances,
                      RecordingBlock& block);
 

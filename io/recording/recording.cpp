@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a run leaves behind: a table of all states.
+// The recording of a run: a table of all states.
 #include "avo_io/recording.h"
 
 #include <algorithm>

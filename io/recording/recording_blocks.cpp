@@ -14,7 +14,7 @@ namespace {
 constexpr std::size_t kMostRobotsOfChunk = 1024;  // 512 KiB of a column
 constexpr int kLevel = 1;                         // of deflate
 
-/// All first bytes of the values, then all second ones, ...
+/// Puts all first bytes of the values in front, then all second bytes, and so on.
 void shuffle_bytes(std::span<const std::byte> values, std::size_t size,
                    std::span<std::byte> shuffled) {
   const std::size_t count = values.size() / size;
@@ -55,7 +55,7 @@ const double* RecordingBlock::row(const BlockShape& shape, std::size_t column,
 }
 
 bool CompressedBlock::can_be(const BlockShape& shape) const {
-  constexpr std::size_t kMostPerByte = 1032;  // of deflate
+  constexpr std::size_t kMostPerByte = 1032;  // the limit of deflate
   std::size_t bytes = 0;
   for (const std::string& chunk : chunks) bytes += chunk.size();
   const std::size_t row = shape.robots * (shape.columns * sizeof(double) + 1 + sizeof(float));
@@ -79,7 +79,7 @@ BlockCodec::~BlockCodec() {
   libdeflate_free_decompressor(decompressor_);
 }
 
-// Chunks are whole: zeros stand where there are no more times or robots.
+// Chunks have their full size: zeros fill the places of missing times or robots.
 template <typename Value>
 void BlockCodec::compress_table(std::span<const Value> table, std::size_t times,
                                 std::string* chunks) {

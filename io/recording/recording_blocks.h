@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Recordings in blocks of 64 times, and how a block is compressed: as HDF5's filters "shuffle" and
-// "deflate" have it, so that the same bytes go to a spool and to an HDF5 file.
+// Recordings in blocks of 64 times, and the compression of a block. It follows HDF5's filters
+// "shuffle" and "deflate", so that the same bytes go to a spool and to an HDF5 file.
 #pragma once
 #include <array>
 #include <cstddef>
@@ -18,9 +18,9 @@ struct libdeflate_decompressor;
 namespace avo_io {
 
 inline constexpr std::size_t kBlockTimes = 64;
-inline constexpr std::uint8_t kAbsent = 255;  ///< in place of the status of who is not there
+inline constexpr std::uint8_t kAbsent = 255;  ///< stands in place of an absent robot's status
 
-/// x, y, vx, vy, and of recordings with headings heading, speed.
+/// The columns x, y, vx, vy; recordings with headings also have heading and speed.
 inline constexpr std::size_t kPlainColumns = 4, kHeadingColumns = 6;
 inline constexpr std::array<const char*, kHeadingColumns> kStateColumns{"x",  "y",       "vx",
                                                                         "vy", "heading", "speed"};
@@ -29,19 +29,19 @@ struct BlockShape {
   std::size_t robots = 0;
   std::size_t columns = kPlainColumns;
 
-  /// Robots are split in parts of as many, each a chunk of its own; about 1000.
+  /// Robots are split into parts of this number, each a chunk of its own; about 1000.
   [[nodiscard]] std::size_t robots_of_chunk() const;
   [[nodiscard]] std::size_t parts() const;
-  /// Of all columns, of the status, of the clearance.
+  /// Returns the number of chunks of all columns, of the status, and of the clearance.
   [[nodiscard]] std::size_t chunks() const { return (columns + 2) * parts(); }
 };
 
-/// The rows of up to 64 times, a table [time, robot] for each thing.
+/// The rows of up to 64 times: a table [time, robot] for each quantity.
 struct RecordingBlock {
   std::size_t times = 0;
-  std::vector<double> time;          // s
-  std::vector<double> values;        // [column, time, robot]; not a number: not there, no heading
-  std::vector<std::uint8_t> status;  // PlanStatus of the last decision, kAbsent
+  std::vector<double> time;    // s
+  std::vector<double> values;  // [column, time, robot]; NaN: the robot is absent, or has no heading
+  std::vector<std::uint8_t> status;  // PlanStatus of the last decision, or kAbsent
   std::vector<float> clearance;      // m, see avo::ClearanceFinder
 
   explicit RecordingBlock(const BlockShape& shape);
@@ -51,14 +51,15 @@ struct RecordingBlock {
 
 struct CompressedBlock {
   std::vector<double> time;
-  std::vector<std::string> chunks;  ///< of each column all parts, then of status, of clearance
+  /// all parts of each column, then those of the status and of the clearance
+  std::vector<std::string> chunks;
 
-  /// Whether as much as a block of that shape can be in so few bytes: to be asked before memory is
-  /// taken for it.
+  /// Returns whether so few bytes can contain a block of that shape. Ask before memory is allocated
+  /// for the block.
   [[nodiscard]] bool can_be(const BlockShape& shape) const;
 };
 
-/// Compresses and uncompresses blocks of one shape; holds the memory for it.
+/// Compresses and uncompresses blocks of one shape; it owns the memory for that.
 class BlockCodec {
  public:
   explicit BlockCodec(const BlockShape& shape);
@@ -67,7 +68,7 @@ class BlockCodec {
   BlockCodec& operator=(const BlockCodec&) = delete;
 
   void compress(const RecordingBlock& block, CompressedBlock& compressed);
-  /// False where the bytes are no such block.
+  /// Returns false if the bytes are not such a block.
   bool uncompress(const CompressedBlock& compressed, RecordingBlock& block);
 
  private:

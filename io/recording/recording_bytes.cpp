@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A recording as the bytes of an HDF5 file, with as many times as are asked for.
+// A recording as the bytes of an HDF5 file, with the requested number of times.
 #include <algorithm>
 #include <cstddef>
 #include <vector>
@@ -13,7 +13,7 @@
 namespace avo_io {
 namespace {
 
-/// One time of a block becomes one more of another, which has room for it.
+/// Copies one time of a block to the end of another block, which must have room for it.
 void copy_time(const BlockShape& shape, const RecordingBlock& from, std::size_t k,
                RecordingBlock& to) {
   const std::size_t n = shape.robots, last = to.times++;
@@ -24,13 +24,13 @@ void copy_time(const BlockShape& shape, const RecordingBlock& from, std::size_t 
   std::copy_n(&from.clearance[k * n], n, &to.clearance[last * n]);
 }
 
-/// Every so many times of a recording, and its last one, in blocks of their own.
+/// Every n-th time of a recording, and its last time, in new blocks.
 struct ThinnedBlocks {
   BlockSource source;
-  std::size_t every, last;  // times from one to the next; number of the last of all
+  std::size_t every, last;  // n; number of the last time of all
   BlockCodec codec;
   RecordingBlock thinned;
-  std::size_t read = 0;  // times of the source that blocks before the present one have
+  std::size_t read = 0;  // number of times in the blocks of the source before the present one
   std::size_t k = 0;     // the next time of the present block
 
   ThinnedBlocks(const std::string& path, std::size_t step, std::size_t last_time)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a recording tells of itself, as fields with names.
+// The facts that a recording stores about itself, as named fields.
 #include "io/recording/recording_fields.h"
 
 #include <algorithm>
@@ -81,7 +81,7 @@ SceneSource scene_from(const std::vector<RecordingField>& fields) {
     if (name.starts_with(kBuiltinFile))
       scene.files.push_back({field.name.substr(kBuiltinFile.size()), *text, true});
   }
-  // attributes come in any order
+  // attributes may come in any order
   const auto is_override = [](const RecordingField& field) {
     return field.name.starts_with(kOverride);
   };
@@ -122,7 +122,7 @@ RecordingHeader header_from(const std::vector<RecordingField>& fields) {
     return std::any_of(fields.begin(), fields.end(),
                        [name](const RecordingField& field) { return field.name == name; });
   };
-  if (has("until_arrived"))  // older recordings do not tell
+  if (has("until_arrived"))  // older recordings lack it
     header.until_arrived = number_within(fields, "until_arrived", 0, 1) == 1;
   if (has("state_hash")) header.state_hash = value_of<std::uint64_t>(fields, "state_hash");
   header.scene = scene_from(fields);

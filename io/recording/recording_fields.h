@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a recording tells of itself, as fields with names: attributes of an HDF5 file, bytes of a
-// spool.
+// The facts that a recording stores about itself, as named fields: attributes of an HDF5 file,
+// bytes of a spool.
 #pragma once
 #include <cstdint>
 #include <optional>
@@ -19,10 +19,10 @@ struct RecordingField {
 };
 
 std::vector<RecordingField> fields_of(const RecordingHeader& header);
-/// Throws avo::Error, which names the field that is missing or wrong.
+/// Throws avo::Error, which names the missing or wrong field.
 RecordingHeader header_from(const std::vector<RecordingField>& fields);
 
-/// As bytes; and again. None where the bytes are no such fields.
+/// Converts fields to bytes, and back. Returns none if the bytes are not such fields.
 std::string packed(const std::vector<RecordingField>& fields);
 std::optional<std::vector<RecordingField>> unpacked(std::string_view bytes);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A recording simulated again, and compared bit by bit.
+// Simulates a recording again, and compares it bit by bit.
 #include "avo_io/replay.h"
 
 #include <bit>
@@ -29,11 +29,11 @@ std::string word_of(std::uint8_t status) {
   return status == kAbsent ? "absent" : avo::to_string(static_cast<avo::PlanStatus>(status));
 }
 
-/// What a recording and a simulation have of the same time.
+/// The data that a recording and a simulation share at the same time.
 struct Moment {
   const BlockShape& shape;
   const RecordingBlock& recorded;
-  std::size_t k;                    // its place in the block
+  std::size_t k;                    // index of the time in the block
   const RecordingBlock& simulated;  // its only time
 
   [[nodiscard]] std::optional<ReplayDifference> difference() const;
@@ -73,15 +73,15 @@ void require_this_version(const std::string& recording, const RecordingHeader& h
                     recording, printable(header.version, 40), avo::kVersion));
 }
 
-/// Which steps have rows: every so many, from the start on, and the last one of all.
+/// The steps that have rows: every n-th step from the start on, and the last step.
 struct RecordedSteps {
   std::int64_t every = 1;
   double duration = 0.0;  // s, of the scene
   const std::function<void(const avo::Simulation&)>& observe;
   std::int64_t next = 0;     // step of the next row, unless it is the last
-  bool was_between = false;  // the row before: it must be the last
+  bool was_between = false;  // the row before was off the grid, so it must be the last
 
-  /// Simulates until the next row's time; a difference where a row is missing before it.
+  /// Simulates until the next row's time; returns a difference if a row is missing before it.
   std::optional<ReplayDifference> go_to(double time, avo::Simulation& simulation);
 };
 
@@ -129,7 +129,7 @@ Replay replay(const std::string& recording, int threads,
   const avo::Scenario& scenario = source.scenario();
   const BlockShape shape = source.shape();
   avo::Scenario recorded = scenario;
-  recorded.allow_broken_assumptions = true;  // as it went
+  recorded.allow_broken_assumptions = true;  // because the recorded run allowed them
   avo::Simulation simulation(recorded, threads);
   avo::ClearanceFinder clearances(scenario);
   RecordingBlock now(shape);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Numbers as from_chars() reads them, and what it has no word for.
+// Numbers as from_chars() reads them, and the cases that it does not cover.
 #include "io/recording/row_numbers.h"
 
 #include <charconv>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Numbers in the rows of recordings that are text, whatever the locale.
+// Numbers in the rows of text recordings, whatever the locale.
 #pragma once
 #include <cstdint>
 #include <optional>
@@ -7,10 +7,11 @@
 
 namespace avo_io {
 
-/// A number in any range, infinities and NaN too; what is too small for a double is zero.
+/// Returns a number of any magnitude, also infinities and NaN; a number too small for a double is
+/// 0.
 std::optional<double> parsed(std::string_view text);
 
-/// A non-negative integer, also one that is written as 3.0.
+/// Returns a non-negative integer; it may be written as 3.0.
 std::optional<std::int64_t> whole_number(std::string_view text);
 
 }  // namespace avo_io

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where the rows of a recording come from, whatever its format.
+// The source of a recording's rows, whatever its format.
 #pragma once
 #include <cstdint>
 #include <memory>
@@ -20,10 +20,11 @@ class RowSource {
 };
 
 std::unique_ptr<RowSource> csv_rows(const std::string& path, std::optional<std::int64_t> robots);
-/// Of an HDF5 file or a spool.
+/// Returns the rows of an HDF5 file or a spool.
 std::unique_ptr<RowSource> block_rows(const std::string& path, std::optional<std::int64_t> robots);
 
-/// What a file is by its first bytes. "-" is CSV. Throws FileError where it cannot be read.
+/// The format of a file by its first bytes. "-" is CSV. Throws FileError if the file cannot be
+/// read.
 enum class RecordingFormat {
   csv,
   hdf5,

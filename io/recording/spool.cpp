@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The file that a recording grows in while a run goes on.
+// The file that a recording grows in during a run.
 #include "io/recording/spool.h"
 
 #include <bit>
@@ -23,12 +23,12 @@ static_assert(std::endian::native == std::endian::little, "spools have the lowes
 constexpr std::string_view kSpoolBegin = "avo spool 1\n";
 enum RecordType : std::uint32_t { header_record = 1, block_record = 2, end_record = 3 };
 
-/// In front of each record.
+/// The head of each record.
 struct RecordHead {
   std::uint32_t type = 0;
   std::uint32_t payload_checksum = 0;
   std::uint64_t length = 0;    // of the payload
-  std::uint32_t checksum = 0;  // of the above
+  std::uint32_t checksum = 0;  // of the members above
 };
 constexpr std::size_t kHeadSize = 20;
 
@@ -56,7 +56,7 @@ std::optional<RecordHead> head_from(const std::string& bytes) {
   return head;
 }
 
-/// Where the bytes stand, as many as asked for; false at the end of the file.
+/// Reads the requested number of bytes; returns false at the end of the file.
 bool read_bytes(int descriptor, std::uint64_t offset, std::string& bytes, const std::string& path) {
   std::size_t done = 0;
   while (done < bytes.size()) {
@@ -106,7 +106,7 @@ SpoolWriter::SpoolWriter(const std::string& path, const RecordingHeader& header)
   }
 }
 
-// Without rows it is of no use to anybody.
+// Removes a spool without rows: it is of no use.
 SpoolWriter::~SpoolWriter() {
   close(descriptor_);
   if (times_ == 0) unlink(path_.c_str());

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The file that a recording grows in while a run goes on: records one after the other, each with
-// its length and checksums, so that whatever ends the run, all records before the last are
-// readable.
+// The file that a recording grows in during a run. Its records follow each other, each with its
+// length and checksums. However the run ends, all records before the last are readable.
 #pragma once
 #include <cstddef>
 #include <cstdint>
@@ -14,22 +13,22 @@
 
 namespace avo_io {
 
-/// "run.h5.part" of "run.h5".
+/// Returns "run.h5.part" for "run.h5".
 std::string spool_path(const std::string& recording);
-/// Whether a file that begins with these bytes is a spool.
+/// Returns whether a file that begins with these bytes is a spool.
 bool is_spool(std::string_view begin);
 
-/// Written at once, without a buffer: what has returned survives the end of the process.
+/// Writes without a buffer: bytes of a completed call survive the end of the process.
 class SpoolWriter {
  public:
-  /// Throws FileError also where there is such a file: a killed run has left it.
+  /// Throws FileError also if the file exists: a killed run has left it.
   SpoolWriter(const std::string& path, const RecordingHeader& header);
   ~SpoolWriter();
   SpoolWriter(const SpoolWriter&) = delete;
   SpoolWriter& operator=(const SpoolWriter&) = delete;
 
   void write(const CompressedBlock& block);
-  /// The run has ended by itself; nothing is written after that.
+  /// Marks that the run has ended regularly; nothing may be written after that.
   void write_end(std::uint64_t state_hash);
   [[nodiscard]] const std::string& path() const { return path_; }
   [[nodiscard]] std::int64_t times() const { return times_; }
@@ -45,7 +44,7 @@ class SpoolWriter {
 /// Reads records until the end, or until one that is not whole.
 class SpoolReader {
  public:
-  /// Throws FileError, and RecordingError where not even the header is whole.
+  /// Throws FileError, and RecordingError if even the header is incomplete.
   explicit SpoolReader(const std::string& path);
   ~SpoolReader();
   SpoolReader(const SpoolReader&) = delete;
@@ -53,9 +52,11 @@ class SpoolReader {
 
   [[nodiscard]] const RecordingHeader& header() const { return header_; }
   [[nodiscard]] const BlockShape& shape() const { return shape_; }
-  /// False at the end; `header` has the hash then, if the run ended by itself.
+  /// Reads the next block; returns false at the end. `header` has the hash then, if the run ended
+  /// regularly.
   bool next(CompressedBlock& block);
-  /// Bytes at the end that are no whole record, once next() has returned false.
+  /// Returns the number of bytes of an incomplete record at the end, once next() has returned
+  /// false.
   [[nodiscard]] std::uint64_t lost_bytes() const { return size_ - offset_; }
 
  private:
@@ -68,7 +69,7 @@ class SpoolReader {
 
   std::string path_;
   int descriptor_ = -1;
-  std::uint64_t size_ = 0, offset_ = 0;  // bytes; of the file, of what is whole
+  std::uint64_t size_ = 0, offset_ = 0;  // bytes; of the file, of its complete records
   RecordingHeader header_;
   BlockShape shape_;
 };

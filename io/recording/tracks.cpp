@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// From a table of positions to rows of a recording: in order, with velocities, and with the frames
-// that are missing.
+// Converts a table of positions to rows of a recording: sorted, with velocities, and with the
+// frames that are missing.
 #include "io/recording/tracks.h"
 
 #include <algorithm>
@@ -54,10 +54,10 @@ class TrackRows final : public RowSource {
   }
 
   TrackTable table_;
-  std::int64_t step_ = 1;                // frames, from time to time: what most are
-  std::int64_t common_ = 1;              // frames: all times are so many apart, or a multiple of it
-  std::size_t first_ = 0, next_ = 0;     // the rows of the time last returned, and behind them
-  std::optional<std::int64_t> missing_;  // a frame without rows was the last
+  std::int64_t step_ = 1;                // frames, from time to time: the median distance
+  std::int64_t common_ = 1;              // frames: all distances between times are multiples of it
+  std::size_t first_ = 0, next_ = 0;     // the rows of the last returned time, and the end of them
+  std::optional<std::int64_t> missing_;  // a frame without rows that was returned last
 };
 
 TrackRows::TrackRows(TrackTable table, std::optional<std::int64_t> robots)
@@ -100,7 +100,7 @@ void TrackRows::find_steps() {
                             [](std::int64_t a, std::int64_t b) { return std::gcd(a, b); });
 }
 
-// Whose neighbors in time are missing stands still.
+// Estimates velocities; a robot without a neighboring row in time gets velocity 0.
 void TrackRows::estimate_velocities() {
   std::vector<TrackRow>& rows = table_.rows;
   std::vector<std::size_t> order(rows.size());
@@ -108,7 +108,7 @@ void TrackRows::estimate_velocities() {
   std::sort(order.begin(), order.end(), [&rows](std::size_t a, std::size_t b) {
     return std::tie(rows[a].robot, rows[a].frame) < std::tie(rows[b].robot, rows[b].frame);
   });
-  const auto linked = [&](std::size_t k) {  // with the one before it in this order
+  const auto linked = [&](std::size_t k) {  // with the row before it in this order
     const TrackRow &a = rows[order[k - 1]], &b = rows[order[k]];
     return a.robot == b.robot && follows(a.frame, b.frame);
   };

@@ -16,10 +16,11 @@ namespace {
 
 constexpr const char* kTrajectory = "trajectory";
 constexpr hsize_t kRowsAtOnce = 65536;
-constexpr hsize_t kLargestPart = hsize_t{64} << 20U;  // bytes of a chunk, which is read whole
-constexpr hsize_t kMostInflated = 1100;               // bytes for one, of deflate
+// bytes of a chunk, which is always read whole
+constexpr hsize_t kLargestPart = hsize_t{64} << 20U;
+constexpr hsize_t kMostInflated = 1100;  // the most bytes that deflate makes of one
 
-/// Numbers that are whole in all files that there are.
+/// All numbers of this row are whole in every known file.
 struct ArchiveRow {
   double id, frame, x, y;
 };
@@ -78,7 +79,7 @@ void ArchiveFile::require_columns(const Hdf5Handle& type) const {
   }
 }
 
-// In this file, and no more promised than its bytes can hold.
+// Requires that the data lie in this file, and that its bytes can hold what the table promises.
 void ArchiveFile::require_stored(const Hdf5Handle& type) const {
   const Hdf5Handle layout(H5Dget_create_plist(table.id()), H5Pclose);
   const H5D_layout_t kind = layout ? H5Pget_layout(layout.id()) : H5D_LAYOUT_ERROR;

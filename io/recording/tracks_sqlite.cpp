@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Trajectories of JuPedSim's database, versions 1 and 2: the table trajectory_data, and the frame
-// rate in metadata.
+// rate in the table metadata.
 #include <fmt/format.h>
 #include <sqlite3.h>
 
@@ -12,7 +12,7 @@
 namespace avo_io {
 namespace {
 
-/// A database that is read, and one statement at a time.
+/// A database that is open for reading, and one statement at a time.
 class TrackDatabase {
  public:
   explicit TrackDatabase(const std::string& path) : path_(path) {
@@ -76,7 +76,7 @@ class TrackDatabase {
   sqlite3_stmt* statement_ = nullptr;
 };
 
-// A view could be any program.
+// Requires tables: a view could contain any program.
 void require_tables(TrackDatabase& database) {
   for (const char* table : {"trajectory_data", "metadata"}) {
     const std::string query =
@@ -101,7 +101,8 @@ bool is_sqlite(std::string_view begin) {
   return begin.starts_with(std::string_view("SQLite format 3\0", 16));
 }
 
-constexpr std::int64_t kMostFrames = std::int64_t{1} << 53U;  // doubles tell all of them apart
+// doubles represent all of them exactly
+constexpr std::int64_t kMostFrames = std::int64_t{1} << 53U;
 
 TrackTable read_pedestrian_sqlite(const std::string& path) {
   TrackDatabase database(path);

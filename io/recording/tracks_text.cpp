@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Trajectories as text: of the Pedestrian Dynamics Data Archive, as PedPy reads it, and of ETH and
-// UCY (obsmat.txt).
+// Trajectories as text, in two formats: that of the Pedestrian Dynamics Data Archive, as PedPy
+// reads it, and that of ETH and UCY (obsmat.txt).
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
@@ -16,9 +16,9 @@ namespace avo_io {
 namespace {
 
 constexpr std::string_view kByteOrder = "\xEF\xBB\xBF";
-// id, frame, x, y and, where they are there, z and others
+// id, frame, x, y, and perhaps z and others
 constexpr std::size_t kLeastColumns = 4, kMostColumns = 7;
-// frame, id, x, z, y, vx, vz, vy: the plane is that of x and y, and the velocities are of it, too
+// frame, id, x, z, y, vx, vz, vy: the plane is that of x and y, also for the velocities
 constexpr std::size_t kObsmatColumns = 8;
 
 void split_at_spaces(std::string_view line, std::vector<std::string_view>& words) {
@@ -42,8 +42,8 @@ std::string lowercase(std::string_view text) {
 struct TrackText {
   LineReader lines;
   TrackTable table;
-  double meters = 1.0;      // of a unit of the coordinates
-  std::size_t columns = 0;  // 0: no row has come yet
+  double meters = 1.0;      // the length of a unit of the coordinates
+  std::size_t columns = 0;  // 0: before the first row
   std::vector<std::string_view> words = {};
 
   explicit TrackText(const std::string& path) : lines(path) { table.path = path; }
@@ -57,7 +57,7 @@ struct TrackText {
   [[nodiscard]] double number(std::size_t column, const char* name) const;
 };
 
-// "# framerate: 16 fps", and "x/cm" or "in cm" of the unit.
+// Reads "# framerate: 16 fps", and the unit as "x/cm" or "in cm".
 void TrackText::read_comment(std::string_view line) {
   const std::string text = lowercase(line);
   if (columns > 0) return;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What avo explain says.
+// The output of avo explain.
 #include "avo_io/decision.h"
 
 #include <algorithm>
@@ -31,12 +31,12 @@ Json to_json(const avo::LoiterCircle& circle) {
   return to_json(avo::Disc{circle.center, circle.radius});
 }
 
-/// That some neighbor's half-plane is broken: at most the sum.
+/// Returns the risk that some neighbor's half-plane is broken: at most the sum of the risks.
 double risk_of(const Decision& decision) {
   return std::min(1.0, std::accumulate(decision.risks.begin(), decision.risks.end(), 0.0));
 }
 
-/// Of what the two have to do, the robot's part.
+/// Returns the robot's share of the evasion between the two.
 double share_of(const avo::Robot& self, const avo::Neighbor& neighbor) {
   if (neighbor.behavior == avo::Behavior::moves_on) return 1.0;
   return avo::reciprocal_share(self.max_acceleration, neighbor.max_acceleration, self.priority,
@@ -54,7 +54,7 @@ Json constraints_of(const Decision& decision) {
   return constraints;
 }
 
-/// The walls that the robot knows.
+/// Returns the walls that the robot knows.
 Json walls_of(const Decision& decision) {
   Json walls = Json::array();
   for (const avo::Wall& wall : decision.seen.walls)
@@ -102,7 +102,7 @@ std::string text_of(const avo::Wall& wall) {
              : fmt::format("the wall from {} to {}{}", text(wall.a), text(wall.b), thick);
 }
 
-/// One of the neighbors or of the walls, or neither.
+/// Returns the name of the neighbor or of the wall, or null if there is neither.
 Json name_of_either(const Decision& decision, int neighbor, int wall) {
   if (neighbor >= 0) return name_of(decision.seen.source[static_cast<std::size_t>(neighbor)]);
   if (wall >= 0) return fmt::format("walls.{}", wall);
@@ -114,14 +114,14 @@ std::string text_of_either(const Decision& decision, int neighbor, int wall) {
                        : text_of(decision.seen.walls[static_cast<std::size_t>(wall)]);
 }
 
-/// With whom or what contact is inevitable.
+/// Returns the robot or wall with which contact is inevitable.
 Json doomed_by(const Decision& decision) {
   const avo::SafetyReport& state = decision.state;
   if (state.state != avo::SafetyState::doomed) return nullptr;
   return name_of_either(decision, state.neighbor, state.wall);
 }
 
-/// Of a decision that is overlapping.
+/// Returns text about a decision during an overlap.
 std::string contact_text(const Decision& decision) {
   const avo::Plan& plan = decision.plan;
   return fmt::format("{:.6g} m deep with {}, now or in spite of braking", plan.depth,
@@ -138,7 +138,8 @@ std::string state_text(const Decision& decision) {
                      text_of_either(decision, state.neighbor, state.wall), state.time);
 }
 
-/// A line on each of the half-planes of walls that may cut, and on what the certificate keeps.
+/// Appends a line for each half-plane of a wall that may cut, and one for what the certificate
+/// keeps.
 void append_walls(const Decision& decision,
                   const std::function<void(const char*, const std::string&)>& line) {
   const auto wall_of = [&decision](int index) {
@@ -158,7 +159,7 @@ void append_walls(const Decision& decision,
                      wall_of(constraint.wall), constraint.distance));
 }
 
-/// How many constraints there are, and the first one of each of the nearest neighbors.
+/// Appends the number of constraints, and the first one of each of the nearest neighbors.
 void append_certificate(const Decision& decision,
                         const std::function<void(const char*, const std::string&)>& line) {
   constexpr int kNamed = 3;
@@ -183,7 +184,7 @@ void append_certificate(const Decision& decision,
     line("detour", fmt::format("{:.6g} rad to the right", decision.seen.detour.angle));
 }
 
-/// Whom it evades, and on which way.
+/// Returns the neighbor that the robot evades, with the velocity and the end of the evasion.
 Json evasion_of(const Decision& decision) {
   if (!decision.evasion) return nullptr;
   const auto& [neighbor, velocity, duration] = *decision.evasion;
@@ -201,7 +202,7 @@ std::string evasion_text(const Decision& decision) {
                      text(velocity), decision.time + duration);
 }
 
-/// At which passage it waits, and for whom.
+/// Returns the passage at which the robot waits, and the robot for which it waits.
 Json wait_of(const Decision& decision) {
   if (!decision.seen.wait) return nullptr;
   const auto& [passage, robot] = *decision.seen.wait;
@@ -218,7 +219,7 @@ Json half_planes_of(const Decision& decision) {
   return half_planes;
 }
 
-// Whom it senses.
+// Returns the neighbors that the robot senses.
 Json obstacles_of(const Decision& decision) {
   const auto& seen = decision.seen;
   Json obstacles = Json::array();
@@ -299,7 +300,7 @@ std::string to_json(const Decision& decision) {
   if (self.loiter) json["loiter"] = to_json(*self.loiter);
   if (!decision.risks.empty()) json["risk"] = risk_of(decision);
   json.update(rest);
-  // the scene may be called like its file, whose name need not be UTF-8
+  // the scene may have the name of its file, which may be no UTF-8
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

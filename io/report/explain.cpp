@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which decision of a robot is explained, and what there is to say of it.
+// Finds the decision of a robot to explain, and gathers the facts about it.
 #include <cmath>
 #include <fmt/format.h>
 #include <variant>
@@ -15,7 +15,8 @@ bool leaves_at_goal(const avo::RobotSetup& robot) {
   return airplane != nullptr && airplane->after_goal == avo::AfterGoal::leave;
 }
 
-/// Of the robot, into the fleet, where others may be missing. One that is to leave decides no more.
+/// Returns the robot's index into the fleet, where other robots may be missing. A robot that is
+/// about to leave decides no more.
 std::size_t index_of(const avo::Scenario& scenario, std::int64_t robot, double time,
                      const avo::Simulation& simulation) {
   const auto number = static_cast<std::size_t>(robot);
@@ -26,7 +27,7 @@ std::size_t index_of(const avo::Scenario& scenario, std::int64_t robot, double t
                                simulation.time(), robot));
 }
 
-// s. Airplanes, and robots among movers alone, do at once what they have chosen.
+// Returns s. Airplanes, and robots among moving obstacles alone, adopt the chosen velocity at once.
 double response_time_in(const Decision& decision, const avo::PlannerOptions& options) {
   const avo::Robot& self = decision.seen.robot;
   if (!decision.by_half_planes || is_airplane(self.model)) return 0.0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A recording is fed to the judge, with what its scene says.
+// Feeds a recording to the judge, with the facts that its scene gives.
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
@@ -20,9 +20,9 @@
 namespace avo_io {
 namespace {
 
-// How far the robot may be from the cubic between two rows, m. Held accelerations: not at all.
-// Exponential motion, Eqs. (8), (9), has |x''''| <= most/δ², and a cubic through positions and
-// velocities errs by at most Δt⁴ |x''''|/384.
+// Returns the largest distance of the robot from the cubic between two rows, m. It is 0 for held
+// accelerations. Exponential motion, Eqs. (8), (9), has |x''''| <= most/δ², and a cubic through
+// positions and velocities errs by at most Δt⁴ |x''''|/384.
 double interpolation_error(const avo::Scenario& scenario, const avo::RobotSetup& robot) {
   if (scenario.motion == avo::Motion::held || adopts_at_once(method_of(scenario, robot)))
     return 0.0;
@@ -32,17 +32,18 @@ double interpolation_error(const avo::Scenario& scenario, const avo::RobotSetup&
   return ratio * ratio * options.time_step * options.time_step * most / 384.0;
 }
 
-/// Feeds the judge; robots of a recording without scene are known when they first come.
+/// Feeds the judge; robots of a recording without a scene are known from their first row on.
 struct Judge {
   std::optional<avo::Scenario> scenario;
   bool has_robots;         // the scene
-  avo::CheckedRobot like;  // all robots, where it has none
+  avo::CheckedRobot like;  // all robots, if there is no scene
   std::unordered_map<std::int64_t, std::int64_t> index_of;
   avo::Check check;
   Judgement judgement;
   std::optional<double> last_time;
-  std::vector<char> there_first, there_last;  // of the scene's robots: whether they have a row then
-  std::optional<MoverWalk> movers;            // of the scene
+  // of the scene's robots: whether they have a row at the first time, and at the last
+  std::vector<char> there_first, there_last;
+  std::optional<MoverWalk> movers;  // of the scene
 
   Judge(const std::string& recording, const JudgeOptions& options);
   void number_densely(RecordedTime& moment);
@@ -51,7 +52,7 @@ struct Judge {
   void compare_with_scene();
 };
 
-/// The walls of all obstacles, and the number of the obstacle of each.
+/// Takes the walls of all obstacles, and for each wall the number of its obstacle.
 void take_walls(const avo::Scenario& scenario, avo::Check& check,
                 std::vector<std::int64_t>& obstacle_of_wall) {
   std::vector<avo::CheckedWall> walls;
@@ -115,7 +116,7 @@ Judge::Judge(const std::string& recording, const JudgeOptions& options)
   }
 }
 
-constexpr double kJumpOfRadius = 0.1;  // velocities of few digits explain no more than that
+constexpr double kJumpOfRadius = 0.1;  // the few digits of velocities explain no larger jump
 constexpr double kJumpOfEstimates = 1.0;
 
 void Judge::number_densely(RecordedTime& moment) {
@@ -134,10 +135,10 @@ void Judge::number_densely(RecordedTime& moment) {
             [](const auto& a, const auto& b) { return a.robot < b.robot; });
 }
 
-constexpr double kEven = 1e-6;  // of the step: as its numbers may be rounded
+constexpr double kEven = 1e-6;  // of the step, because its digits may be rounded
 
-// s, that no two times of a recording are farther apart. Where clocks are free rows stand at all
-// decisions, and so at those of each robot.
+// Returns the longest time between two rows of a recording, s. With free clocks there are rows at
+// all decisions, so also at those of each robot.
 double longest_step(const avo::Scenario& scenario) {
   if (scenario.clock == avo::Clock::common) return scenario.time_step;
   double step = std::numeric_limits<double>::infinity();
@@ -152,15 +153,15 @@ bool is_uneven(const avo::Scenario& scenario, double duration) {
   return duration > (1.0 + kEven) * step;
 }
 
-// Is there a time in between that has no rows? With a common clock, where a step and a half have
-// gone by: less is a recording of other steps.
+// Returns whether a time in between has no rows. With a common clock this takes one and a half
+// steps: a shorter gap means a recording of other steps.
 bool lacks_rows(const avo::Scenario& scenario, double duration) {
   const double most = scenario.clock == avo::Clock::common ? 1.5 : 1.0 + kEven;
   return duration > most * longest_step(scenario);
 }
 
-// Those with a path or a trajectory: nothing that robots do changes it, but the times at which they
-// decide.
+// Places the obstacles with a path or a trajectory. Robots affect only the times at which such
+// obstacles decide.
 void Judge::place_obstacles(double time) {
   movers->go_to(time);
   for (std::size_t k = 0; k < scenario->moving_obstacles.size(); ++k)
@@ -193,8 +194,8 @@ void Judge::add(RecordedTime& moment) {
   check.add(moment.time, moment.rows);
 }
 
-// Is the time after which no step of the scene is left? Where clocks are free, somebody decides
-// at least once in the shortest time step.
+// Returns whether no step of the scene is left after that time. With free clocks, some robot
+// decides at least once in the shortest time step.
 bool is_end(const avo::Scenario& scenario, double time) {
   if (scenario.clock == avo::Clock::free)
     return time + (1.0 + kEven) * longest_step(scenario) >= scenario.duration;
@@ -202,7 +203,7 @@ bool is_end(const avo::Scenario& scenario, double time) {
   return time >= (steps - 0.5) * scenario.time_step;
 }
 
-// What the recording lacks of the scene.
+// Notes the robots and times of the scene that the recording lacks.
 void Judge::compare_with_scene() {
   if (!has_robots) return;
   const avo::CheckReport& report = judgement.report;
@@ -231,8 +232,7 @@ Judgement judge(const std::string& recording, const JudgeOptions& options) {
     try {
       judge.add(moment);
       if (options.judged) options.judged(moment.time);
-    } catch (
-        const avo::RowError& error) {  // of a scene's robot: others need no more than rows have
+    } catch (const avo::RowError& error) {  // of a scene's robot: without a scene, rows suffice
       throw RecordingError(reader.place(error.robot) + ": " + error.what());
     } catch (const avo::Error& error) {
       throw RecordingError(reader.place() + ": " + error.what());

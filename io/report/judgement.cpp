@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What avo check says.
+// The output of avo check.
 #include "avo_io/judgement.h"
 
 #include <algorithm>
@@ -19,7 +19,8 @@ std::int64_t number_of(const Judgement& judgement, std::int64_t index) {
 
 enum class Among { robots, one_sided, moving_obstacles, walls };
 
-/// The violation by the numbers of the recording and the scene, the lower one of two robots first.
+/// Returns the violation by the numbers of the recording and the scene, the lower of two robots
+/// first.
 avo::CheckViolation by_number(const Judgement& judgement, avo::CheckViolation violation,
                               Among others) {
   violation.robot = number_of(judgement, violation.robot);
@@ -47,12 +48,12 @@ Json to_json(const Judgement& judgement, const avo::CheckCount& rule, const char
   return {{"count", rule.count}, {"worst", rule.worst}, {"first", first}};
 }
 
-/// Of a limit that nobody knows.
+/// Returns the entry of an unknown limit.
 Json unknown() {
   return {{"count", nullptr}, {"worst", nullptr}, {"first", nullptr}};
 }
 
-/// "3 pairs, the first at 1.5 s: robots 0 and 1, by 0.01 m; at most by 0.2 m".
+/// Returns e.g. "3 pairs, the first at 1.5 s: robots 0 and 1, by 0.01 m; at most by 0.2 m".
 std::string text_of(const Judgement& judgement, const avo::CheckCount& rule, const char* things,
                     const char* unit, Among others = Among::robots) {
   std::string text = fmt::format("{} {}", rule.count, things);
@@ -72,7 +73,7 @@ std::string text_of(const Judgement& judgement, const avo::CheckCount& rule, con
   return text;
 }
 
-/// Of the moving obstacles, or of robots that avoid nobody in turn.
+/// Returns the hits of moving obstacles, or of robots that avoid no other robot.
 Json hits_of(const Judgement& judgement, const std::vector<avo::CheckedHit>& hits,
              const char* other, bool of_robots) {
   Json list = Json::array();
@@ -85,7 +86,7 @@ Json hits_of(const Judgement& judgement, const std::vector<avo::CheckedHit>& hit
   return list;
 }
 
-/// A line on each of the first hits.
+/// Appends a line for each of the first hits.
 template <typename Line>
 void add_hits(const Judgement& judgement, const std::vector<avo::CheckedHit>& hits, bool of_robots,
               const Line& line) {
@@ -102,7 +103,7 @@ void add_hits(const Judgement& judgement, const std::vector<avo::CheckedHit>& hi
   }
 }
 
-/// "robots 0, 3, ...".
+/// Returns e.g. "robots 0, 3, ...".
 std::string named(const std::vector<std::int64_t>& robots) {
   constexpr std::size_t kMostNamed = 10;
   const auto most = static_cast<std::ptrdiff_t>(std::min(robots.size(), kMostNamed));
@@ -140,7 +141,7 @@ constexpr KinematicRule kKinematics[] = {
     {"wheel_accelerations", "wheel acceleration", &CheckReport::wheel_accelerations,
      "robot-steps beyond the limit", "m/s^2"}};
 
-/// Lines for what only robots with headings can break, where they do.
+/// Appends lines for the rules that only robots with headings can break, if there are such robots.
 template <typename Line>
 void add_kinematics(const Judgement& judgement, const Line& line) {
   const CheckReport& report = judgement.report;
@@ -288,7 +289,7 @@ std::string to_json(const Judgement& judgement) {
   json["interpolation_error"] = report.interpolation_error;
   json["uneven_steps"] = judgement.time_step ? Json(judgement.uneven_steps) : Json();
   json["version"] = avo::kVersion;
-  // names of files need not be UTF-8
+  // names of files may be no UTF-8
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

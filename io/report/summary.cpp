@@ -27,7 +27,7 @@ Json to_json(const avo::NotArrived& robot) {
   return json;
 }
 
-// In the order of docs/metrics.md.
+// Returns the metrics in the order of docs/metrics.md.
 Json to_json(const avo::RunMetrics& metrics) {
   Json json;
   json["trips"] = metrics.trips;
@@ -96,7 +96,7 @@ std::string to_json(const avo::RunSummary& summary) {
   json["metrics"] = to_json(summary.metrics);
   json["seed"] = summary.seed;
   json["version"] = avo::kVersion;
-  // the scene may be called like its file, whose name need not be UTF-8
+  // the scene may have the name of its file, which may be no UTF-8
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

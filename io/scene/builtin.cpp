@@ -16,7 +16,7 @@
 namespace avo_io {
 namespace {
 
-/// What a family's text says of its model, and a member's says instead, as often as it is there.
+/// Replaces text of a family's model by text for a member, at every place where it occurs.
 struct Replacement {
   std::string from, to;
 };
@@ -24,9 +24,9 @@ struct Replacement {
 /// One scene for every number N of robots, e.g. circle-N.
 struct Family {
   std::string_view stem;   ///< "circle-"
-  std::string_view model;  ///< the embedded file that it is, for one N
-  double model_number;     ///< that N
-  /// What changes with N besides the name and the number.
+  std::string_view model;  ///< the embedded file of one member
+  double model_number;     ///< N of that member
+  /// The texts that change with N besides the name and the number.
   std::vector<Replacement> (*replacements)(double model_number, double n);
 };
 
@@ -40,7 +40,8 @@ std::vector<Replacement> none(double, double) {
   return {};
 }
 
-/// Half a side of the square with ten robots in every circle of 15 m, π 15² / 10 m² a robot.
+/// Returns half a side of the square with ten robots in every circle of 15 m, π 15² / 10 m² per
+/// robot.
 double half_square(double n) {
   return 0.5 * std::sqrt(22.5 * 3.141592653589793 * n);
 }
@@ -91,14 +92,15 @@ std::string listed_name(std::string_view file) {
   return std::string(file);
 }
 
-/// The first line, a comment, says what the scene is.
+/// Returns the first line, a comment that says what the scene is.
 std::string first_comment(std::string_view yaml) {
   std::string_view line = yaml.substr(0, yaml.find('\n'));
   line.remove_prefix(std::min(line.find_first_not_of("# "), line.size()));
   return std::string(line);
 }
 
-/// The members of families that have the number N that a name ends with, if it has no other digits.
+/// Appends the members of families with the number in which the name ends; none if the name has
+/// other digits.
 void append_members(std::string_view name, std::vector<std::string>& names) {
   const std::string_view number = name.substr(std::min(name.find_first_of(kDigits), name.size()));
   if (!is_whole(number) || !is_allowed(*to_double(number.substr(0, 20)))) return;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// key=value besides the file: changes the tree before it is read.
+// Overrides key=value besides the file: they change the tree before it is read.
 #include "io/scene/overrides.h"
 
 #include <charconv>
@@ -33,7 +33,8 @@ std::optional<std::size_t> to_index(std::string_view text) {
   return index;
 }
 
-/// One step down the tree, to an item of a list or the value of a key, which is added if missing.
+/// Takes one step down the tree, to an item of a list or to the value of a key; it adds a missing
+/// key.
 YamlNode& step_down(const Document& document, YamlNode& node, const std::string& path,
                     std::string_view part, const YamlNode& value) {
   if (node.kind == YamlNode::Kind::list) {
@@ -45,7 +46,7 @@ YamlNode& step_down(const Document& document, YamlNode& node, const std::string&
                                                   : fmt::format("must be 0 to {}", count - 1)));
     return node.children[*index];
   }
-  if (node.kind == YamlNode::Kind::nothing) {  // also of a key added just now
+  if (node.kind == YamlNode::Kind::nothing) {  // also for a key that was just added
     node = value;
     node.kind = YamlNode::Kind::map;
     node.text.clear();
@@ -76,7 +77,7 @@ void put(const Document& document, YamlNode& root, const std::vector<std::string
   *node = value;
 }
 
-/// Does the scene have robots that are not in its list?
+/// Returns whether the scene has robots that are not in its list.
 bool makes_robots(const YamlNode& root) {
   return root.find("groups") != nullptr || root.find("robots_from") != nullptr;
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// key=value besides the file: changes the tree before it is read.
+// Overrides key=value besides the file: they change the tree before it is read.
 #pragma once
 #include <cstddef>
 #include <string>
@@ -11,15 +11,15 @@
 
 namespace avo_io {
 
-/// Changes of robots that groups make: they are not in the tree. By number of the robot, in the
-/// order given.
+/// Changes of robots that groups create, because these robots are not in the tree. They go by
+/// number of the robot, in the order given.
 struct RobotPatch {
   std::size_t robot;
   YamlNode map;  ///< keys of a robot
 };
 
-/// Puts each "key=value" into the tree. "robots.I.key" beyond the robots that the file lists goes
-/// to the patches instead. Throws OverrideError.
+/// Puts each "key=value" into the tree. If "robots.I.key" names a robot beyond the list in the
+/// file, it becomes a patch instead. Throws OverrideError.
 std::vector<RobotPatch> apply_overrides(const std::vector<std::string>& overrides,
                                         Document& document);
 

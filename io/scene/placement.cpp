@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// From groups to robots: the benchmark scenes of the paper's §VI-B and more.
+// Creates the robots of groups: the benchmark scenes of the paper's §VI-B and more.
 #include "io/scene/placement.h"
 
 #include <algorithm>
@@ -21,18 +21,18 @@ using avo::Vec2;
 
 constexpr double kPi = 3.141592653589793;
 
-/// `number` centers, uniform in the rectangle of `space`, clear of each other, of all in it and of
-/// the walls; fewer if there is no room.
+/// Returns `number` centers, uniform in the rectangle of `space`. They are clear of each other, of
+/// all discs in it and of the walls. It returns fewer if there is no room.
 std::vector<Vec2> random_points(int number, Vec2 min, Vec2 max, double radius, FreeSpace& space,
                                 const WallSpace& walls, Random& random) {
-  // A disc; finds room up to about nine tenths of what is possible. That may take 2e7 tries in all
-  // for a million discs, nearly all of which end in a covered cell.
+  // Tries for a disc; they find room up to about nine tenths of what is possible. That may take 2e7
+  // tries in all for a million discs, and nearly all tries end in a covered cell.
   constexpr int kTries = 2000;
   const auto draw = [&](Random& from) {
     const double x = from.between(min.x, max.x);
     return Vec2{x, from.between(min.y, max.y)};
   };
-  // a try draws two numbers whatever became of the last: cells are fetched that many tries ahead
+  // a try draws two numbers, whatever its result: cells are fetched that many tries ahead
   Random ahead = random;
   for (int k = 0; k < 32; ++k) space.prefetch(draw(ahead));
   std::vector<Vec2> points;
@@ -95,11 +95,11 @@ Starts starts(const RandomPlacement& area, const Group& group, const avo::Scenar
           0.5 * (area.min + area.max)};
 }
 
-// As CrowdNav places people: a start is drawn anew where it is too near to any start or goal. Those
-// of the group itself are told as if its goals were antipodal.
+// Places robots as CrowdNav places people: a start is drawn again if it is too near to any start or
+// goal. Goals of the group itself are taken as if they were antipodal.
 Starts starts(const RingPlacement& ring, const Group& group, const avo::Scenario& scenario,
               Random& random) {
-  constexpr int kTries = 100000;  // of one robot
+  constexpr int kTries = 100000;  // for one robot
   const double radius = room_of(group.robot);
   std::vector<avo::Disc> taken;
   const auto take = [&taken](Vec2 start, Vec2 goal, double r) {
@@ -144,7 +144,8 @@ std::vector<Vec2> goals(const Group& group, const Starts& from, const avo::Scena
     const WallSpace walls(scenario.obstacles, radius + area->clearance);
     result = random_points(group.number, area->min, area->max, radius, space, walls, random);
   } else {
-    for (std::size_t i = result.size() - 1; i > 0; --i)  // Sattolo: one cycle through all
+    // Sattolo's algorithm: one cycle through all
+    for (std::size_t i = result.size() - 1; i > 0; --i)
       std::swap(result[i], result[static_cast<std::size_t>(random.below(i))]);
   }
   return result;
@@ -161,7 +162,7 @@ void jitter(std::vector<Vec2>& points, double most, Random& random) {
 }  // namespace
 
 Vec2 circle_point(int k, int n) {
-  // Eighths of the circle, exactly: the angle is (octant + rest / n) * 45 degrees. It is measured
+  // The angle in eighths of the circle is exact: it is (octant + rest / n) * 45 degrees. It differs
   // by x <= 45 degrees from the nearest axis, `quarters` * 90 degrees.
   const std::int64_t eighths = 8 * static_cast<std::int64_t>(k % n);
   const std::int64_t octant = eighths / n;
@@ -169,7 +170,7 @@ Vec2 circle_point(int k, int n) {
   const bool back = octant % 2 == 1;
   const double x = kPi / 4.0 * static_cast<double>(back ? n - rest : rest) / n;
   double sine = 1.0, cosine = 1.0;
-  for (double i = 20.0; i >= 2.0; i -= 2.0) {  // Taylor; what is left out is below 1e-22
+  for (double i = 20.0; i >= 2.0; i -= 2.0) {  // Taylor series; the truncation error is below 1e-22
     sine = 1.0 - x * x / (i * (i + 1.0)) * sine;
     cosine = 1.0 - x * x / (i * (i - 1.0)) * cosine;
   }
@@ -217,7 +218,8 @@ std::string append_group(const Group& group, std::uint64_t stream, avo::Scenario
   std::vector<Vec2> to = goals(group, from, scenario, random);
   if (to.size() < from.points.size()) return no_room("goals", to.size(), n, "rectangle");
   if (group.jitter > 0.0) {
-    Random chance(scenario.seed, ~stream);  // apart: what else the seed makes stays as without it
+    // a separate stream: other numbers from the seed stay as they are without it
+    Random chance(scenario.seed, ~stream);
     jitter(from.points, group.jitter, chance);
     jitter(to, group.jitter, chance);
   }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// From groups to robots: starts, goals and headings.
+// Creates the robots of groups: starts, goals and headings.
 #pragma once
 #include <cstdint>
 #include <string>
@@ -9,19 +9,21 @@
 
 namespace avo_io {
 
-/// Point k of n on the unit circle, from angle 0 counter-clockwise. Bit for bit the same on every
-/// machine, and symmetric: point k + n/2 is the negative of point k where n is even.
+/// Returns point k of n on the unit circle, from angle 0 counter-clockwise. It is bit for bit the
+/// same on every machine, and symmetric: for even n, point k + n/2 is the negative of point k.
 avo::Vec2 circle_point(int k, int n);
 
-/// m: of the disc about its position that holds the robot's own, whatever its heading.
+/// Returns the radius, m, of the disc about the robot's position that contains its own disc,
+/// whatever its heading.
 double room_of(const avo::RobotSetup& robot);
 
-/// Appends a robot with that start and goal, and the heading of one that has any.
+/// Appends a robot with that start and goal, and with the heading if its model has one.
 void append_robot(const avo::RobotSetup& model, GroupHeading heading, avo::Vec2 start,
                   avo::Vec2 goal, Random& random, avo::Scenario& scenario);
 
-/// Appends the robots of `group` to the scene; `stream` (its place in the list) makes its random
-/// numbers its own. Returns an empty text, or what could not be done; then the scene is not usable.
+/// Appends the robots of `group` to the scene. `stream` (the group's place in the list) selects its
+/// own random numbers. Returns an empty text, or a text about what failed; then the scene is not
+/// usable.
 std::string append_group(const Group& group, std::uint64_t stream, avo::Scenario& scenario);
 
 }  // namespace avo_io

@@ -5,21 +5,21 @@
 
 namespace avo_io {
 
-/// SplitMix64 (Steele, Lea, Flood 2014): a counter and a mixing function, 2^64 numbers long.
+/// SplitMix64 (Steele, Lea, Flood 2014): a counter and a mixing function, with period 2^64.
 class Random {
  public:
-  /// Different streams of one seed are independent for all that scenes need.
+  /// Different streams of one seed are independent enough for all purposes of scenes.
   Random(std::uint64_t seed, std::uint64_t stream) : state_(mixed(seed) + mixed(~stream)) {}
 
   std::uint64_t next() {
     state_ += 0x9E3779B97F4A7C15U;
     return mixed(state_);
   }
-  /// Uniform in [0, 1), a multiple of 2^-53.
+  /// Returns a number uniform in [0, 1), a multiple of 2^-53.
   double unit() { return static_cast<double>(next() >> 11U) * 0x1p-53; }
-  /// Uniform in [min, max).
+  /// Returns a number uniform in [min, max).
   double between(double min, double max) { return min + (max - min) * unit(); }
-  /// Uniform in 0 ... count - 1, count > 0; biased by less than count / 2^53.
+  /// Returns a number uniform in 0 ... count - 1, count > 0; biased by less than count / 2^53.
   std::uint64_t below(std::uint64_t count) {
     return static_cast<std::uint64_t>(unit() * static_cast<double>(count));
   }

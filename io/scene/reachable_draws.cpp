@@ -15,8 +15,8 @@ namespace {
 
 using avo::Vec2;
 
-constexpr int kTriesAgain = 2000;                          // of one place
-constexpr std::uint64_t kAgain = std::uint64_t{1} << 62U;  // apart from the other streams
+constexpr int kTriesAgain = 2000;                          // for one place
+constexpr std::uint64_t kAgain = std::uint64_t{1} << 62U;  // differs from all other streams
 
 std::vector<avo::Wall> walls_about(const avo::Scenario& scenario) {
   std::vector<avo::Wall> walls = avo::walls_of(scenario.obstacles);
@@ -25,7 +25,7 @@ std::vector<avo::Wall> walls_about(const avo::Scenario& scenario) {
   return walls;
 }
 
-// A group's starts and goals, and who of it is kept from its goal.
+// A group's starts and goals, and the robots of it without a route to their goals ("lost" robots).
 class Draws {
  public:
   Draws(const Group& group, const avo::Scenario& scenario, Random random,
@@ -47,7 +47,7 @@ class Draws {
          [&](std::size_t i, Vec2 place) { return reachability_.connects(from_.points[i], place); });
   }
 
-  // Goals that move with their starts do so.
+  // Draws starts; goals that depend on their starts move with them.
   void draw_starts(const RandomPlacement& area) {
     mend(area, from_.points, true, [&](std::size_t i, Vec2 place) {
       const Vec2 goal = goal_from(i, place);
@@ -57,7 +57,7 @@ class Draws {
     });
   }
 
-  // Who is lost takes the goal of another one who is, and whose goal it reaches.
+  // Exchanges the goals of two lost robots if the first can reach the goal of the second.
   void exchange_goals() {
     for (const std::size_t i : lost_) {
       for (const std::size_t k : lost_) {
@@ -79,7 +79,7 @@ class Draws {
     return to_[i];
   }
 
-  // Draws the places of those who are lost again, clear of all others.
+  // Draws the places of the lost robots again, clear of all other places.
   template <typename Area, typename Accepts>
   void mend(const Area& area, std::vector<Vec2>& places, bool are_starts, const Accepts& accepts) {
     const double radius = room_of(group_.robot);

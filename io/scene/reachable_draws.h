@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Random starts and goals between which no way leads are drawn again.
+// Draws random starts and goals again if no route leads from the start to the goal.
 #pragma once
 #include <cstdint>
 #include <vector>
@@ -10,18 +10,19 @@
 
 namespace avo_io {
 
-/// Where a group's robots start, and the point that antipodal goals mirror in.
+/// The starts of a group's robots, and the center of reflection of antipodal goals.
 struct Starts {
   std::vector<avo::Vec2> points;
   avo::Vec2 center;
 };
 
-/// Adds all that a start of the group keeps clear of: other groups' robots, and moving obstacles.
+/// Adds all discs that a start of the group keeps clear of: other groups' robots, and moving
+/// obstacles.
 void add_others(const Group& group, const avo::Scenario& scenario, FreeSpace& space);
 
-/// Of a group among walls: a random goal that no way leads to from its start is drawn again, and a
-/// random start where no goal helps. Permuted goals are exchanged. All else stays as it is, and so
-/// does what 2000 tries do not mend. The numbers are of a stream of their own.
+/// Treats a group among walls. A random goal without a route from its start is drawn again, and so
+/// is a random start if no goal helps. Permuted goals are exchanged. All other places stay, and so
+/// do places that 2000 tries cannot mend. The random numbers have a separate stream.
 void draw_reachable(const Group& group, const avo::Scenario& scenario, std::uint64_t stream,
                     Starts& from, std::vector<avo::Vec2>& to);
 

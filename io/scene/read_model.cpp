@@ -6,7 +6,7 @@
 namespace avo_io {
 namespace {
 
-/// Models with keys of their own.
+/// The keys of models that have keys of their own.
 struct OwnKeys {
   std::string_view key;
   ModelKind kind;
@@ -18,7 +18,7 @@ constexpr OwnKeys kOwnKeys[] = {
     {"airplane", ModelKind::airplane, "keys of an airplane"},
 };
 
-/// The model that is named, or whose keys there are.
+/// Returns the model that is named, or whose keys are present.
 ModelKind kind_of(const Reader& reader, const YamlNode& node, const std::string& path,
                   const avo::RobotSetup& robot) {
   ModelKind kind = static_cast<ModelKind>(robot.model.index());
@@ -53,7 +53,7 @@ void read_car(const Reader& reader, const YamlNode& node, const std::string& pat
   reader.read(node, path, fields<avo::Car>(), car, true);
   const YamlNode* body = node.find("body");
   if (body == nullptr) return;
-  const bool is_whole = car.body.has_value();  // of a group's robot some keys may be given anew
+  const bool is_whole = car.body.has_value();  // a robot of a group may override some of its keys
   if (!is_whole) car.body.emplace();
   reader.check_keys(*body, path_to(path, "body"), keys_of(fields<avo::CarBody>()));
   reader.read(*body, path_to(path, "body"), fields<avo::CarBody>(), *car.body, is_whole);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// How a robot moves, from the keys of its map.
+// Reads a robot's motion model from the keys of its map.
 #pragma once
 #include <string>
 #include <vector>
@@ -9,8 +9,8 @@
 
 namespace avo_io {
 
-/// Reads `model`, `heading` and the keys of the robot's model. `heading`: of groups, where it may
-/// be a word.
+/// Reads `model`, `heading` and the keys of the robot's model. `heading`: for groups, whose heading
+/// may be a word.
 void read_model(const Reader& reader, const YamlNode& node, const std::string& path,
                 avo::RobotSetup& robot, GroupHeading* heading);
 

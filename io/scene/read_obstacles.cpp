@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Entries of `obstacles`: each kind from its map, by the table of fields.
+// Reads entries of `obstacles`: each kind from its map, by the table of fields.
 #include "io/scene/read_obstacles.h"
 
 #include <algorithm>
@@ -20,7 +20,7 @@ namespace {
 using avo::Fill;
 using avo::StaticObstacle;
 
-/// What the reading of an entry needs besides its values.
+/// The inputs for reading an entry, besides its values.
 struct Place {
   const Reader& reader;
   const YamlNode& node;  // the entry
@@ -52,7 +52,8 @@ StaticObstacle filled(const Place& place, std::vector<avo::Chain> chains, Fill a
   return {std::move(chains), 0.0, as};
 }
 
-/// Outside of a map counts as blocked: its free cells are bounds.
+/// Returns the obstacle of a map. The space outside it counts as blocked: its free cells are
+/// bounds.
 StaticObstacle obstacle_of(const Place& place, std::string_view key, const std::string& name,
                            const OccupancyGrid& grid) {
   const auto width = static_cast<double>(grid.width), height = static_cast<double>(grid.height);
@@ -127,7 +128,7 @@ StaticObstacle build(const Place& place, RosMapObstacle& entry) {
   return obstacle_of(place, "ros_map", source.name(), grid);
 }
 
-/// The entry of the one kind whose key there is.
+/// Reads the entry of the only kind whose key is present.
 template <class... Kinds>
 StaticObstacle build_any(const Place& place, const std::variant<Kinds...>*) {
   const std::vector<std::string_view> kinds{fields<Kinds>().front().key...};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Entries of `obstacles`, and the robots of a map's scenario.
+// Reads entries of `obstacles`, and the robots of a map's scenario.
 #pragma once
 #include <string>
 #include <vector>
@@ -12,7 +12,7 @@
 
 namespace avo_io {
 
-/// In a scene and in any of its obstacles.
+/// Limit for a scene and for each of its obstacles.
 inline constexpr std::size_t kMostWalls = 2'000'000;
 
 /// A MovingAI map of the scene.
@@ -21,12 +21,12 @@ struct NamedMap {
   OccupancyGrid grid;
 };
 
-/// Maps that scenarios may refer to are appended to `maps`.
+/// Reads an obstacle, and appends maps that scenarios may refer to to `maps`.
 avo::StaticObstacle read_static_obstacle(const Reader& reader, const YamlNode& node,
                                          const std::string& path, SceneFiles& files,
                                          std::vector<NamedMap>& maps);
 
-/// Robots at the starts of the first rows of a .scen file, to be appended to the scene.
+/// Appends robots to the scene, at the starts of the first rows of a .scen file.
 void append_robots_from(const Reader& reader, const YamlNode& node, const std::string& path,
                         SceneFiles& files, const std::vector<NamedMap>& maps,
                         avo::Scenario& scenario);

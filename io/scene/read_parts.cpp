@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Robots, moving obstacles and groups of a scene file, each from its map.
+// Reads robots, moving obstacles and groups of a scene file, each from its map.
 #include "io/scene/read_parts.h"
 
 #include <algorithm>
@@ -12,7 +12,7 @@
 namespace avo_io {
 namespace {
 
-/// What its map does not say.
+/// Sets the values that the robot's map does not give.
 void complete(const YamlNode& node, avo::RobotSetup& robot) {
   const auto left_out = [&](std::string_view key) { return node.find(key) == nullptr; };
   if (auto* drive = std::get_if<avo::DifferentialDrive>(&robot.model)) {
@@ -58,12 +58,12 @@ void check_area(const Reader& reader, const YamlNode& node, const std::string& p
                             area.max.y),
                 "min must not exceed max");
 }
-/// A kind by its name alone, or as the only key of a map: {circle: {spacing: 2}}.
+/// Reads a kind, given by its name alone or as the only key of a map: {circle: {spacing: 2}}.
 template <class... Kinds>
 void read_kind(const Reader& reader, const YamlNode& node, const std::string& path,
                std::variant<Kinds...>& target) {
   const std::vector<std::string_view> names{kind_text<Kinds>().key...};
-  YamlNode alone;  // what a name alone stands for: a map without keys
+  YamlNode alone;  // a name alone stands for a map without keys
   alone.kind = YamlNode::Kind::map;
   alone.line = node.line;
   alone.column = node.column;
@@ -92,7 +92,7 @@ void read_kind(const Reader& reader, const YamlNode& node, const std::string& pa
   (read_if_named(Kinds{}), ...);
 }
 
-/// The keys of T and those of its robots, all alike.
+/// Reads the keys of T and the keys that all its robots share.
 template <class T>
 void read_alike(const Reader& reader, const YamlNode& node, const std::string& path, T& target) {
   std::vector<std::string_view> keys = keys_of(fields<T>());
@@ -122,7 +122,7 @@ RobotsFrom read_robots_from(const Reader& reader, const YamlNode& node, const st
 
 namespace {
 
-/// One without a trajectory has to say where it starts, and one with it cannot.
+/// Reads the trajectory. Without one, the obstacle must say where it starts; with one, it must not.
 void read_its_trajectory(const Reader& reader, const YamlNode& node, const std::string& path,
                          SceneFiles& files, avo::MovingObstacle& obstacle) {
   const YamlNode *places = node.find("trajectory"), *file = node.find("trajectory_file");

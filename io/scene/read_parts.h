@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Robots, moving obstacles and groups of a scene file, each from its map.
+// Reads robots, moving obstacles and groups of a scene file, each from its map.
 #pragma once
 #include <string>
 
@@ -10,17 +10,17 @@
 
 namespace avo_io {
 
-/// patch: changes a robot that there is already.
+/// Reads a robot. patch: changes a robot that exists already.
 void read_robot(const Reader& reader, const YamlNode& node, const std::string& path,
                 avo::RobotSetup& robot, bool patch);
-/// As if the robot's map said that radius, m.
+/// Sets values as if the robot's map gave that radius, m.
 void take_radius(const YamlNode& node, double radius, avo::RobotSetup& robot);
 void read_moving_obstacle(const Reader& reader, const YamlNode& node, const std::string& path,
                           SceneFiles& files, avo::MovingObstacle& obstacle);
 Group read_group(const Reader& reader, const YamlNode& node, const std::string& path);
 RobotsFrom read_robots_from(const Reader& reader, const YamlNode& node, const std::string& path);
 
-/// `sensing` and `sensing_error` of the scene.
+/// Reads `sensing` and `sensing_error` of the scene.
 void read_sensing(const Reader& reader, const YamlNode& scene, avo::Scenario& scenario);
 
 }  // namespace avo_io

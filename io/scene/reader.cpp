@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Single values of scene files, and what is said where they are wrong.
+// Reads single values of scene files, and makes the messages about wrong values.
 #include "io/scene/reader.h"
 
 #include <algorithm>
@@ -16,7 +16,7 @@ std::string path_to(const std::string& parent, std::string_view key) {
 }
 
 std::string in_front(const std::string& path) {
-  constexpr std::size_t kLongest = 60;  // --set can ask for keys of any length
+  constexpr std::size_t kLongest = 60;  // --set may name keys of any length
   return path.empty() ? "" : printable(path, kLongest) + ": ";
 }
 

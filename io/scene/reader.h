@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// From the tree of a scene file to structs, by the table of fields.
+// Reads structs from the tree of a scene file, by the table of fields.
 #pragma once
 #include <cstddef>
 #include <fmt/format.h>
@@ -15,13 +15,13 @@
 
 namespace avo_io {
 
-/// A value's dotted path, e.g. "robots.3.radius"; empty for the scene itself.
+/// Returns a value's dotted path, e.g. "robots.3.radius"; empty for the scene itself.
 std::string path_to(const std::string& parent, std::string_view key);
 
-/// "in robots.3: " or nothing for the scene itself.
+/// Returns "in robots.3: ", or nothing for the scene itself.
 std::string in_front(const std::string& path);
 
-/// What stands there, for messages: `a list`, `-0.2`, `"fast"`, `nothing`.
+/// Returns the value in words, for messages: `a list`, `-0.2`, `"fast"`, `nothing`.
 std::string shown(const YamlNode& node);
 
 class Reader {
@@ -45,14 +45,14 @@ class Reader {
                   std::string_view unit) const;
   std::vector<avo::Vec2> points(const YamlNode& node, const std::string& path,
                                 const avo::Range& range, std::string_view unit) const;
-  /// Triples [time, x, y].
+  /// Reads triples [time, x, y].
   std::vector<avo::TimedPlace> places(const YamlNode& node, const std::string& path,
                                       const avo::Range& range) const;
-  /// A list of layers, each once.
+  /// Reads a list of layers, each once.
   avo::LayerSet layers(const YamlNode& node, const std::string& path,
                        const avo::Range& range) const;
   bool truth(const YamlNode& node, const std::string& path) const;
-  /// `bytes`: how many it may have.
+  /// Reads a name. `bytes`: the range of its length.
   std::string name(const YamlNode& node, const std::string& path, const avo::Range& bytes) const;
   template <class Names>
   auto choice(const YamlNode& node, const std::string& path, const Names& names) const {
@@ -68,8 +68,8 @@ class Reader {
   [[noreturn]] void fail_missing(const YamlNode& map, const std::string& path, std::string_view key,
                                  std::string_view doc) const;
 
-  /// Reads the values of `map` that the table says how to read; all keys are known to be allowed.
-  /// patch: what is missing stays as it is.
+  /// Reads the values of `map` that the table describes; all keys have been checked. patch: a
+  /// missing value stays unchanged.
   template <class T>
   void read(const YamlNode& map, const std::string& path, const std::vector<Field<T>>& table,
             T& target, bool patch = false) const {
@@ -87,7 +87,7 @@ class Reader {
   }
 
  private:
-  /// What a field says of the value to be read.
+  /// The rule of a field for its value.
   struct Rule {
     const avo::Range& range;
     std::string_view unit;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A scene file becomes a scenario: explicit robots first, then the groups.
+// Makes a scenario of a scene file: explicit robots first, then the groups.
 #include "avo_io/scene.h"
 
 #include <algorithm>
@@ -38,7 +38,7 @@ void read_version(const Reader& reader, const YamlNode& root) {
     reader.fail(*version, "version", shown(*version), "must be 1");
 }
 
-// There is one precision; scenes may say so.
+// Checks the precision: there is only one, but scenes may name it.
 void check_precision(const Reader& reader, const YamlNode& root) {
   const YamlNode* precision = root.find("precision");
   if (precision == nullptr) return;
@@ -49,13 +49,13 @@ void check_precision(const Reader& reader, const YamlNode& root) {
               is_single ? "must be double; single precision was removed" : "must be double");
 }
 
-/// A tree becomes a scenario; knows which value each robot comes from.
+/// Makes a scenario of a tree; knows the value that each robot comes from.
 class SceneBuilder {
  public:
   SceneBuilder(const Document& document, SceneFiles& files)
       : document_(document), reader_(document), files_(files) {}
 
-  /// `robots`: how many there must be.
+  /// `robots`: the required number of robots.
   Scenario build(const std::vector<RobotPatch>& patches, const std::string& default_name,
                  std::optional<std::int64_t> robots) {
     const YamlNode& root = document_.root;
@@ -87,7 +87,7 @@ class SceneBuilder {
   }
 
  private:
-  // Of the robots so far, and of those of all groups; 0 where there is nobody.
+  // Returns the smallest radius of the robots so far and of all groups; 0 if there are no robots.
   [[nodiscard]] double smallest_radius() const {
     double radius = std::numeric_limits<double>::infinity();
     for (const avo::RobotSetup& robot : scenario_.robots) radius = std::min(radius, robot.radius);
@@ -103,7 +103,8 @@ class SceneBuilder {
     return std::isfinite(radius) ? radius : 0.0;
   }
 
-  // Before any is placed. What is no list is refused where it is read.
+  // Checks the number before any robot is placed. A value that is not a list is refused later,
+  // where it is read.
   void require_robots(std::int64_t robots) const {
     const auto items = [this](const char* key) {
       const YamlNode* list = document_.root.find(key);
@@ -196,7 +197,7 @@ class SceneBuilder {
     }
   }
 
-  /// Time enough to arrive by detours.
+  /// Sets a duration that suffices to arrive by detours.
   void set_usual_duration() {
     double longest = 0.0;  // s
     for (const avo::RobotSetup& robot : scenario_.robots)
@@ -210,8 +211,8 @@ class SceneBuilder {
                    "must be given");
   }
 
-  /// Robots at one point cannot tell in which direction to part. It does not matter to those who
-  /// avoid nobody there.
+  /// Refuses robots at one point: they cannot tell in which direction to part. Robots that avoid no
+  /// other robot there are allowed.
   void refuse_coincident() const {
     const auto& robots = scenario_.robots;
     std::vector<std::size_t> order(robots.size());
@@ -251,7 +252,7 @@ class SceneBuilder {
                                });
   }
 
-  /// The value with that path, or what contains it.
+  /// Returns the value with that path, or the value that contains it.
   const YamlNode& origin_of(std::string_view path) const {
     const YamlNode* node = &document_.root;
     while (!path.empty()) {
@@ -267,7 +268,7 @@ class SceneBuilder {
         else if (index < node->children.size())
           next = &node->children[index];
       } else if (next == nullptr && part == "robots" && !path.empty()) {
-        return *origins_[std::stoul(std::string(path))];  // of a group
+        return *origins_[std::stoul(std::string(path))];  // in a group
       }
       if (next == nullptr) break;
       node = next;
@@ -306,7 +307,7 @@ Scenario scenario_of(std::string_view yaml, const std::string& file,
 Scenario parse_scenario(std::string_view yaml, const std::string& file,
                         const std::vector<std::string>& overrides) {
   SceneFiles files{folder_of(file)};
-  files.builtin = BuiltinFiles::last;  // as from the standard input
+  files.builtin = BuiltinFiles::last;  // as for text from the standard input
   return scenario_of(yaml, file, overrides, files);
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The files that a scene names: each at most as large as a scene, and all together bounded.
+// The files that a scene names: each is at most as large as a scene, and their sum is bounded.
 #include "io/scene/scene_files.h"
 
 #include <algorithm>
@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::size_t kMostBytes = std::size_t{256} << 20U;
 
-/// What is at that path, where it is built in; else the text that is read from there.
+/// Returns the built-in file at that path, or else the file read from there.
 SceneFile file_at(const std::string& path, const std::string& file, const SceneFiles& files) {
   if (files.given != nullptr) {
     for (const SceneFile& given : *files.given)

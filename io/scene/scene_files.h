@@ -11,26 +11,27 @@
 
 namespace avo_io {
 
-/// Whether a scene's files may be those that are built in: of a built-in scene before those of the
-/// folder; of one that may be the text of such a scene, where the folder has none of that name.
+/// Whether a scene may use built-in files. A built-in scene takes them before files of the folder.
+/// A scene that may be the text of a built-in scene takes them if the folder has no file of that
+/// name.
 enum class BuiltinFiles { none, first, last };
 
-/// Where a scene finds its files, and which ones it has read.
+/// The places where a scene finds its files, and the files that it has read.
 struct SceneFiles {
-  std::string folder;  ///< of the scene's file
+  std::string folder;  ///< folder of the scene's file
   BuiltinFiles builtin = BuiltinFiles::none;
-  const std::vector<SceneFile>* given = nullptr;  ///< these and no others
-  std::size_t bytes = 0;                          ///< read so far
+  const std::vector<SceneFile>* given = nullptr;  ///< if set, only these files exist
+  std::size_t bytes = 0;                          ///< bytes read so far
   std::vector<SceneFile> read{};
   std::vector<std::string> notes{};  ///< see SceneSource
-  bool may_lack_robots = false;      ///< of the scene, see load_surroundings()
+  bool may_lack_robots = false;  ///< whether the scene may have no robots, see load_surroundings()
 };
 
-/// Adds a note, if it is not there yet.
+/// Adds a note, unless it is there already.
 void add_note(std::vector<std::string>& notes, const std::string& note);
 
-/// The file that the value at `node` names, `file` relative to the scene. What cannot be read is
-/// told with the value's place. Throws SceneError, OverrideError, FileError.
+/// Returns the file that the value at `node` names, `file` relative to the scene. An unreadable
+/// file is reported with the value's place. Throws SceneError, OverrideError, FileError.
 SourceText read_named_file(const Reader& reader, const YamlNode& node, const std::string& path,
                            const std::string& file, SceneFiles& files);
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a scene file has that becomes robots and walls: groups, placements, goals, obstacles, maps.
+// The parts of a scene file that become robots and walls: groups, placements, goals, obstacles,
+// maps.
 #pragma once
 #include <cstdint>
 #include <string>
@@ -11,29 +12,29 @@
 
 namespace avo_io {
 
-/// N robots on a circle of radius max(min_radius, spacing * N / 2π), evenly, from angle 0.
+/// N robots on a circle of radius max(min_radius, spacing * N / 2π), evenly spaced, from angle 0.
 struct CirclePlacement {
   avo::Vec2 center;
   double min_radius = 0.0;
   double spacing = 2.25;
 };
-/// Row by row from `corner` towards +x, then +y.
+/// Robots row by row from `corner` towards +x, then +y.
 struct GridPlacement {
   avo::Vec2 corner;
   double spacing = 2.0;
   int columns = 1;
 };
-/// Evenly from `from` to `to`.
+/// Robots evenly spaced from `from` to `to`.
 struct LinePlacement {
   avo::Vec2 from, to;
 };
-/// Uniform in the rectangle from min to max, no disc nearer than `clearance` to another one.
+/// Robots uniform in the rectangle from min to max, no disc nearer than `clearance` to another one.
 struct RandomPlacement {
   avo::Vec2 min, max;
   double clearance = 0.0;
 };
-/// By chance on a circle, and up to `noise` off along x and along y, no disc nearer than
-/// `clearance` to where another robot starts or wants to.
+/// Robots at random on a circle, and up to `noise` off along x and along y. No disc is nearer than
+/// `clearance` to the start or the goal of another robot.
 struct RingPlacement {
   avo::Vec2 center;
   double radius = 4.0;
@@ -43,15 +44,16 @@ struct RingPlacement {
 using Placement =
     std::variant<CirclePlacement, GridPlacement, LinePlacement, RandomPlacement, RingPlacement>;
 
-/// The start mirrored in the center of the placement.
+/// The start, reflected in the center of the placement.
 struct AntipodalGoals {};
-/// The start moved by `by`.
+/// The start, moved by `by`.
 struct OffsetGoals {
   avo::Vec2 by;
 };
-/// The starts of the group, dealt anew in one random cycle: nobody keeps his own.
+/// The starts of the group, permuted in one random cycle: no robot keeps its own.
 struct PermutationGoals {};
-/// Uniform in the rectangle from min to max, no goal's disc nearer than `clearance` to another.
+/// Goals uniform in the rectangle from min to max, no goal's disc nearer than `clearance` to
+/// another.
 struct RandomGoals {
   avo::Vec2 min, max;
   double clearance = 0.0;
@@ -60,21 +62,21 @@ using Goals = std::variant<AntipodalGoals, OffsetGoals, PermutationGoals, Random
 
 enum class GroupHeading : std::uint8_t { goal, random, given };
 
-/// Many like robots.
+/// Many robots of the same kind.
 struct Group {
   int number = 0;
-  avo::RobotSetup robot;  ///< all but position and goal
+  avo::RobotSetup robot;  ///< all values except position and goal
   GroupHeading heading = GroupHeading::goal;
   Placement placement;
   Goals goals;
-  double jitter = 0.0;  ///< m: starts and goals are up to so far off, along x and along y
+  double jitter = 0.0;  ///< m: the largest random offset of starts and goals, along x and along y
 };
 
 /// `number` robots from the first rows of a MovingAI scenario.
 struct RobotsFrom {
-  std::string scen;  ///< file, relative to the scene's
+  std::string scen;  ///< file, relative to the scene's file
   int number = 0;
-  avo::RobotSetup robot;  ///< all but position and goal
+  avo::RobotSetup robot;  ///< all values except position and goal
   GroupHeading heading = GroupHeading::goal;
 };
 
@@ -108,13 +110,13 @@ struct MapObstacle {
 struct RosMapObstacle {
   std::string file;
 };
-/// An entry of `obstacles`; the first field of each is the key that tells its kind.
+/// An entry of `obstacles`; the first field of each kind is the key that identifies it.
 using ObstacleEntry = std::variant<PolylineObstacle, PolygonObstacle, DiscObstacle, WktObstacle,
                                    WktFileObstacle, GeojsonObstacle, MapObstacle, RosMapObstacle>;
 
 enum class RosMode : std::uint8_t { trinary, scale, raw };
 
-/// What a map.yaml of ROS says of its image.
+/// The facts that a map.yaml of ROS gives about its image.
 struct RosMap {
   std::string image;  ///< file, relative to map.yaml
   double resolution = 0.05;

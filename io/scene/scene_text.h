@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A scene's text becomes a scenario.
+// Makes a scenario of a scene's text.
 #pragma once
 #include <cstdint>
 #include <optional>
@@ -12,8 +12,9 @@
 
 namespace avo_io {
 
-/// `file` stands in front of messages, and the scene is called like it. `robots`: how many there
-/// must be. Throws as parse_scenario() does, and RecordingError where there are others.
+/// Returns the scenario. `file` stands in front of messages, and gives the scene its name.
+/// `robots`: the required number of robots. Throws as parse_scenario() does, and RecordingError if
+/// the number is different.
 avo::Scenario scenario_of(std::string_view yaml, const std::string& file,
                           const std::vector<std::string>& overrides, SceneFiles& files,
                           std::optional<std::int64_t> robots = {});

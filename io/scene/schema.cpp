@@ -52,7 +52,7 @@ std::string value_name(const Names& names, Value value) {
   return "";
 }
 
-/// Schema of one value, and the default it has.
+/// The schema of one value, and its default.
 struct ValueSchema {
   Json schema, default_value;
 };
@@ -155,8 +155,8 @@ Json value_schema(const Field<T>& field) {
   return std::visit(visitor, field.member);
 }
 
-/// A map with the fields of the table and no others; `nested` has the schemas of those values that
-/// have keys of their own.
+/// Returns the schema of a map with the fields of the table and no others; `nested` has the schemas
+/// of values that have keys of their own.
 template <class T>
 Json map_schema(const std::vector<Field<T>>& table, const Json& nested = Json::object()) {
   Json properties = Json::object();
@@ -183,7 +183,8 @@ bool name_suffices() {
   return true;
 }
 
-/// One kind: its name alone, where that suffices, or a map with it as the only key.
+/// Returns the schema of one kind: its name alone, if that suffices, or a map with it as the only
+/// key.
 template <class... Kinds>
 Json kinds_schema(const std::variant<Kinds...>*) {
   Json names = Json::array();
@@ -209,7 +210,7 @@ Json list_schema(const char* definition) {
   return {{"type", "array"}, {"items", {{"$ref", std::string("#/$defs/") + definition}}}};
 }
 
-/// What the keys of a robot's motion may say.
+/// Returns the schemas of the keys of a robot's motion.
 Json nested_of_robots(const Json& heading) {
   Json car = map_schema(fields<avo::Car>(), {{"body", map_schema(fields<avo::CarBody>())}});
   car["properties"]["heading"] = heading;
@@ -220,7 +221,7 @@ Json nested_of_robots(const Json& heading) {
           {"airplane", map_schema(fields<avo::Airplane>())}};
 }
 
-/// The keys that many like robots share.
+/// Returns the schema of the keys that many robots of the same kind share.
 Json alike_schema() {
   const Json heading{
       {"description", "rad, counter-clockwise from +x; goal: towards it"},
@@ -245,7 +246,7 @@ Json robots_from_schema(const Json& alike) {
   return json;
 }
 
-/// One kind: a map with the fields of one of the tables.
+/// Returns the schema of one kind: a map with the fields of one of the tables.
 template <class... Kinds>
 Json entry_schema(const std::variant<Kinds...>*) {
   const Json nested{{"disc", map_schema(fields<avo::Disc>())}, {"wkt", {{"type", "string"}}}};
@@ -255,7 +256,7 @@ Json entry_schema(const std::variant<Kinds...>*) {
   return {{"oneOf", kinds}};
 }
 
-/// Where it is at the start has to be said in one of three ways.
+/// Returns the schema of a moving obstacle; its start must be given in one of three forms.
 Json moving_obstacle_schema() {
   Json json = map_schema(fields<avo::MovingObstacle>(),
                          {{"trajectory_file", {{"type", "string"}, {"minLength", 1}}}});

@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::size_t kPlaceFields = 3;
 
-/// A field without the blanks around it, and where it begins.
+/// Returns a field without the blanks around it, and the place where it begins.
 Word next_field(std::string_view line, std::size_t begin, std::size_t& offset) {
   const std::size_t end = std::min(line.find(',', offset), line.size());
   std::size_t first = offset, last = end;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The places of a moving obstacle by their times, as CSV.
+// Reads the places of a moving obstacle by their times, as CSV.
 #pragma once
 #include <vector>
 
@@ -8,8 +8,8 @@
 
 namespace avo_io {
 
-/// A line of time, x, y (s, m, m) for each place, times ascending; a line of the names time, x, y
-/// may be in front. Throws SceneError.
+/// Reads a line of time, x, y (s, m, m) for each place, with ascending times. The first line may
+/// have the names time, x, y. Throws SceneError.
 std::vector<avo::TimedPlace> read_trajectory(const SourceText& source);
 
 }  // namespace avo_io

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a sweep's table says of each run: one line here for each column.
+// The columns of a sweep's table: one line here for each column.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -19,7 +19,7 @@ struct SweepColumn {
   Value (*of)(const RunOutcome& run);
 };
 
-/// s: until when `percent` of all that are not parked have arrived; none where fewer do.
+/// Returns s until `percent` of all robots that are not parked have arrived; none if fewer arrive.
 template <int percent>
 Value arrival_of(const RunOutcome& run) {
   const std::int64_t travelers = run.summary.robots - run.summary.parked;
@@ -28,7 +28,7 @@ Value arrival_of(const RunOutcome& run) {
   return run.arrivals[static_cast<std::size_t>(number - 1)];
 }
 
-/// s: when the first robot that is not parked has arrived; none where none has.
+/// Returns s until the first robot that is not parked arrives; none if none arrives.
 Value first_arrival_of(const RunOutcome& run) {
   if (run.arrivals.empty()) return std::nullopt;
   return run.arrivals.front();
@@ -59,7 +59,7 @@ Value of_decisions(const RunOutcome& run) {
   return static_cast<double>(run.summary.decisions.*member);
 }
 
-// A robot that stands still and is run into has collided as well.
+// Returns whether robots have collided. It counts a robot at rest that another robot runs into.
 bool has_collided(const avo::RunSummary& run) {
   return run.collision_pairs > 0 || run.one_sided_collisions > 0 || run.obstacle_collisions > 0 ||
          run.collision_obstacles > 0;
@@ -142,7 +142,7 @@ constexpr SweepColumn kResults[] = {
     {"density_max", of_metrics<&RunMetrics::density_max>},
 };
 
-/// With a measuring line.
+/// The columns of a measuring line.
 constexpr SweepColumn kFlows[] = {
     {"crossings",
      [](const RunOutcome& run) -> Value {
@@ -161,7 +161,7 @@ constexpr SweepColumn kTimes[] = {
     {"seconds", [](const RunOutcome& run) -> Value { return run.seconds; }},
 };
 
-/// All that the runs of a sweep are told by, in the order of its table.
+/// Returns all quantities that describe the runs of a sweep, in the order of its table.
 std::vector<SweepColumn> results_of(const SweepSpec& spec) {
   std::vector<SweepColumn> columns(std::begin(kResults), std::end(kResults));
   if (spec.line) columns.insert(columns.end(), std::begin(kFlows), std::end(kFlows));

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A hash of texts, to tell sweeps and torn lines apart: FNV-1a with 64 bits (Fowler, Noll, Vo).
+// A hash of texts, to distinguish sweeps and to detect torn lines: FNV-1a with 64 bits (Fowler,
+// Noll, Vo).
 #pragma once
 #include <cstdint>
 #include <fmt/format.h>
@@ -12,10 +13,10 @@ class TextHash {
  public:
   void add(std::string_view text) {
     for (const char c : text) mix(static_cast<unsigned char>(c));
-    mix(0x100);  // no byte: so that "a", "b" is not "ab"
+    mix(0x100);  // not a byte, so that "a", "b" differs from "ab"
   }
   [[nodiscard]] std::uint64_t value() const { return value_; }
-  /// 16 digits.
+  /// Returns 16 digits.
   [[nodiscard]] std::string text() const { return fmt::format("{:016x}", value_); }
 
  private:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Tables of sweeps in HDF5 files: a group a table, a dataset a column.
+// Tables of sweeps in HDF5 files: a group per table, a dataset per column.
 #include "io/sweep/hdf5.h"
 
 #include <algorithm>
@@ -30,7 +30,7 @@ std::optional<std::uint64_t> whole_in(const std::string& field) {
   return value;
 }
 
-/// Such that every field reads back as it is.
+/// Returns the kind of the column, such that every field reads back unchanged.
 ColumnKind kind_of(const SweepTable& table, std::size_t column) {
   const auto all = [&](const auto& fits) {
     return std::all_of(table.rows.begin(), table.rows.end(),
@@ -171,7 +171,8 @@ class SweepHdf5Reader {
       table.rows[i][c] = texts.substr(i * width, width).c_str();  // up to the padding
   }
 
-  // All columns together promise no more bytes than the file has, before memory is taken for them.
+  // Refuses columns that together promise more bytes than the file has, before memory is allocated
+  // for them.
   void take_bytes(hid_t column, hid_t type, hsize_t size) {
     const Hdf5Handle layout(H5Dget_create_plist(column), H5Pclose);
     const hsize_t bytes = H5Dget_storage_size(column);
@@ -211,7 +212,7 @@ class SweepHdf5Reader {
   }
 
   const std::string& path_;
-  hsize_t bytes_left_ = 0;  // of the file, for columns that are not read yet
+  hsize_t bytes_left_ = 0;  // bytes of the file for columns that are not read yet
 };
 
 }  // namespace

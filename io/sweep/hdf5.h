@@ -7,7 +7,7 @@
 
 namespace avo_io {
 
-/// The group "runs". Throws FileError and RecordingError.
+/// Reads the group "runs". Throws FileError and RecordingError.
 SweepTable read_sweep_hdf5(const std::string& path);
 
 }  // namespace avo_io

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The file that a sweep's finished runs are added to.
+// The file to which a sweep appends its finished runs.
 #include "io/sweep/journal.h"
 
 #include <cerrno>
@@ -25,7 +25,7 @@ std::string checksum_of(std::string_view line) {
   return hash.text();
 }
 
-/// The fields of a line without its hash; none where it was torn.
+/// Returns the fields of a line without its hash; none if the line was torn.
 std::optional<std::vector<std::string>> intact(std::string_view line, std::size_t fields) {
   const std::size_t comma = line.rfind(',');
   if (comma == std::string_view::npos) return std::nullopt;
@@ -67,7 +67,7 @@ SweepJournal::~SweepJournal() {
 }
 
 void SweepJournal::open_locked() {
-  // not to wait for the other end of a pipe; what is no regular file is refused
+  // O_NONBLOCK: do not wait for the other end of a pipe; only regular files are accepted
   descriptor_ = open(path_.c_str(), O_RDWR | O_CREAT | O_APPEND | O_CLOEXEC | O_NONBLOCK, 0666);
   if (descriptor_ < 0) throw FileError(with_errno(path_));
   struct stat status = {};
@@ -91,7 +91,7 @@ void SweepJournal::begin(const std::string& head, std::size_t fields) {
       rows_.push_back(std::move(*row));
       whole = end + 1;
     }
-  } else if (!head.starts_with(text)) {  // else it was torn within its head
+  } else if (!head.starts_with(text)) {  // else the head itself was torn
     throw SceneError(path_ +
                      ": found the runs of another sweep, shard or version, must be of this one; "
                      "remove it to begin anew");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The file that a sweep's finished runs are added to, so that they outlive whatever ends it.
+// The file to which a sweep appends its finished runs, so that they survive any end of the sweep.
 #pragma once
 #include <cstddef>
 #include <string>
@@ -7,22 +7,23 @@
 
 namespace avo_io {
 
-/// A head, and one line a run that ends with a hash of the others of its fields: a line that was
-/// torn is found, and cut off with all behind it.
+/// A head, and one line per run. Each line ends with a hash of its other fields: a torn line is
+/// found, and is cut off with everything behind it.
 class SweepJournal {
  public:
-  /// Opens `path`, or makes it, and keeps others from writing there meanwhile. `sweep` and `shard`
-  /// have to be those that it was begun with, and rows have `fields`. Throws FileError, and
-  /// SceneError where it is another one's.
+  /// Opens `path`, or creates it, and locks it against other writers meanwhile. `sweep` and `shard`
+  /// must be those that the journal began with, and rows have `fields`. Throws FileError, and
+  /// SceneError if the journal is another sweep's.
   SweepJournal(const std::string& path, const std::string& sweep, const std::string& shard,
                std::size_t fields);
   ~SweepJournal();
   SweepJournal(const SweepJournal&) = delete;
   SweepJournal& operator=(const SweepJournal&) = delete;
 
-  /// The runs that were there.
+  /// Returns the runs that the file had when it was opened.
   [[nodiscard]] const std::vector<std::vector<std::string>>& rows() const { return rows_; }
-  /// In one piece, to the kernel: only an end of the whole machine can tear it. Throws FileError.
+  /// Passes the row to the kernel in one piece: only a crash of the whole machine can tear it.
+  /// Throws FileError.
   void add(const std::vector<std::string>& row);
 
  private:

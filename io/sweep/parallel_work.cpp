@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Parts of work that have nothing to do with each other, on several threads.
+// Does independent parts of work on several threads.
 #include "io/sweep/parallel_work.h"
 
 #include <algorithm>
@@ -18,12 +18,12 @@ struct WorkQueue {
   std::size_t count;
   const std::function<void(std::size_t)>& work;
   const std::function<bool()>& stops;
-  std::mutex guard = {};  // of all below
+  std::mutex guard = {};  // protects all members below
   std::condition_variable has_ended = {};
   std::size_t next = 0;
-  int workers = 0;  // that have not ended
+  int workers = 0;  // number of workers that have not ended
   std::size_t failed = 0;
-  std::exception_ptr failure = nullptr;  // of part `failed`, the first
+  std::exception_ptr failure = nullptr;  // of part `failed`, the first part that threw
 
   void run() {
     for (std::unique_lock lock(guard); next < count && !failure && !(stops && stops());) {
@@ -66,7 +66,7 @@ void work_through(std::size_t count, int jobs, const std::function<void(std::siz
       }
       threads.emplace_back([&queue] { queue.run(); });
     }
-  } catch (const std::system_error&) {  // of the thread that did not begin
+  } catch (const std::system_error&) {  // from the thread that did not start
     const std::lock_guard lock(queue.guard);
     --queue.workers;
     if (threads.empty()) throw;

@@ -31,7 +31,7 @@ std::vector<avo::RobotId> judged_of(const SweepSpec& spec) {
   return robots;
 }
 
-/// When each robot arrives for the first time, as avo::Metrics counts it.
+/// The time when each robot first arrives, as avo::Metrics counts it.
 class ArrivalTimes {
  public:
   void observe(const avo::Simulation& simulation) {
@@ -46,8 +46,8 @@ class ArrivalTimes {
   [[nodiscard]] std::vector<double> times() && { return std::move(times_); }
 
  private:
-  std::vector<bool> has_arrived_;  // by place in the fleet, from which nobody goes and to which
-  std::vector<double> times_;      // nobody comes
+  std::vector<bool> has_arrived_;  // by place in the fleet; no robot leaves it,
+  std::vector<double> times_;      // and no robot joins it
 };
 
 }  // namespace

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The file of a sweep becomes a struct.
+// Reads the file of a sweep into a struct.
 #include <algorithm>
 #include <array>
 #include <filesystem>
@@ -24,7 +24,7 @@ constexpr avo::Range kAnySeed{0.0, 18446744073709551615.0, false};
 constexpr avo::Range kSweepThreads{1.0, 1024.0, false};
 constexpr avo::Range kSweepSeeds{1.0, static_cast<double>(kMostSweepRuns), false};
 
-/// A value again as text, in one line of YAML.
+/// Converts a value back to text, in one line of YAML.
 std::string flow_text(const Reader& reader, const YamlNode& node, const std::string& path) {
   if (node.kind == YamlNode::Kind::list) {
     std::string items;
@@ -65,7 +65,8 @@ class SweepReader {
   }
 
  private:
-  /// Calls read(item, path) for each item of a list, which has at least one and none twice.
+  /// Calls read(item, path) for each item of a list, which must have at least one and no
+  /// duplicates.
   template <class Read>
   void read_list(const YamlNode& list, const std::string& path, const Read& read) const {
     reader_.require_list(list, path);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What is said of several values of the same quantity.
+// Statistics of several values of the same quantity.
 #include "io/sweep/statistics.h"
 
 #include <algorithm>
@@ -11,12 +11,12 @@
 namespace avo_io {
 namespace {
 
-constexpr double kNormal95 = 1.959963984540054;  // |Z| <= it with probability 0.95
-// From here on t is taken from its expansion, whose next term is below 1e-15 then.
+constexpr double kNormal95 = 1.959963984540054;  // |Z| <= this with probability 0.95
+// From here on, t comes from its expansion; the next term of it is below 1e-15.
 constexpr std::int64_t kManyDegrees = 1000;
 
-/// The probability of |T| <= t: Abramowitz & Stegun, 26.7.3 for odd degrees of freedom and 26.7.4
-/// for even ones.
+/// Returns the probability of |T| <= t: Abramowitz & Stegun, 26.7.3 for odd degrees of freedom and
+/// 26.7.4 for even degrees.
 double student_within(double t, std::int64_t freedom) {
   constexpr double kPi = 3.14159265358979323846;
   const double root = std::sqrt(static_cast<double>(freedom));
@@ -42,7 +42,7 @@ double quantile(const std::vector<double>& sorted, double part) {
 }
 
 double mean_of(const std::vector<double>& values) {
-  double sum = 0.0;  // of differences: of equal values the mean is itself
+  double sum = 0.0;  // of differences, so that the mean of equal values is exact
   for (const double value : values) sum += value - values.front();
   return values.front() + sum / static_cast<double>(values.size());
 }
@@ -77,7 +77,7 @@ Interval share_interval(std::int64_t number, std::int64_t of) {
   const double middle = (share + z2 / (2.0 * n)) / (1.0 + z2 / n);
   const double half =
       kNormal95 / (1.0 + z2 / n) * std::sqrt(share * (1.0 - share) / n + z2 / (4.0 * n * n));
-  // rounding apart, 0 and 1 are their own ends
+  // apart from rounding, 0 and 1 are ends of their own intervals
   return {number == 0 ? 0.0 : middle - half, number == of ? 1.0 : middle + half};
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What is to be said of a sweep's runs that differ in nothing but their seeds.
+// The summary of a sweep's runs that differ in nothing but their seeds.
 #include <algorithm>
 #include <array>
 #include <charconv>
@@ -22,8 +22,8 @@ bool is_share(std::string_view column) {
   return std::find(kShares.begin(), kShares.end(), column) != kShares.end();
 }
 
-/// Runs that are one and the same are no sample of others: one, or several with one state at their
-/// ends, whose scene does not use the seed.
+/// Returns whether the runs are a sample. One run is not, nor are several runs with the same final
+/// state whose scene does not use the seed.
 bool is_sample(const std::vector<const std::vector<std::string>*>& group, std::size_t state_hash) {
   return std::any_of(group.begin(), group.end(), [&](const std::vector<std::string>* run) {
     return (*run)[state_hash] != (*group.front())[state_hash];
@@ -37,7 +37,7 @@ void append_statistics(std::vector<double> values, bool share, bool sample,
     row.resize(row.size() + kStatistics.size() - 1);
     return;
   }
-  std::sort(values.begin(), values.end());  // sums in another order would differ in a last bit
+  std::sort(values.begin(), values.end());  // sums in another order could differ in the last bit
   if (share)
     row.resize(row.size() + 2);
   else

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// All runs of a sweep, several at a time.
+// Simulates all runs of a sweep, several at a time.
 #include "avo_io/sweep.h"
 
 #include <algorithm>
@@ -16,15 +16,16 @@
 namespace avo_io {
 namespace {
 
-/// The runs of a shard that are to be simulated, and what they belong to.
+/// The runs of a shard that are to be simulated, and their sweep.
 struct SweepPlan {
   const SweepSpec& spec;
   std::vector<std::uint64_t> sources;  // hash_sources()
   std::string sweep;                   // fingerprint()
   std::vector<std::int64_t> runs;
-  std::vector<double> cost;  // of each of `runs`: robot-steps, at most
+  std::vector<double> cost;  // for each of `runs`: the largest number of robot-steps
 
-  /// Also where a file was changed since the sweep began: rows of two scenes would be one sweep's.
+  /// Throws also if a file has changed since the sweep began: otherwise one sweep would have rows
+  /// of two scenes.
   [[nodiscard]] avo::Scenario scenario(const SweepRun& run) const {
     SceneSource source;
     avo::Scenario scenario = scenario_of(spec, run, source);
@@ -39,8 +40,8 @@ double cost_of(const avo::Scenario& scenario) {
   return static_cast<double>(scenario.robots.size()) * (scenario.duration / scenario.time_step);
 }
 
-/// Checks every run that is still to be made, and puts those first that may take longest: else the
-/// last one may keep all but one processor waiting.
+/// Checks every remaining run, and sorts the runs that may take longest to the front: otherwise the
+/// last run may keep all but one processor waiting.
 void prepare(SweepPlan& plan, int jobs, const SweepOptions& options) {
   plan.cost.resize(plan.runs.size());
   std::atomic<std::int64_t> done = 0;
@@ -98,7 +99,7 @@ SweepResult run_sweep(const SweepSpec& spec, const SweepOptions& options) {
   std::erase_if(plan.runs, [&](std::int64_t run) { return rows.contains(run); });
   prepare(plan, jobs, options);
 
-  std::mutex guard;  // of rows and journal
+  std::mutex guard;  // protects rows and journal
   const auto simulate = [&](std::size_t i) {
     const SweepRun run = run_of(spec, plan.runs[i]);
     const avo::Scenario scenario = plan.scenario(run);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Tables of sweeps as text, and several of them as one.
+// Reads tables of sweeps as text, and merges several of them.
 #include <algorithm>
 #include <charconv>
 #include <filesystem>
@@ -32,11 +32,12 @@ void require_columns(const SweepTable& table, const std::string& path) {
 SweepTable read_sweep_csv(const std::string& path) {
   constexpr std::size_t kLongestRow = std::size_t{1} << 20U;  // bytes
   std::error_code error;
-  if (!std::filesystem::is_regular_file(path, error)) read_regular_file(path);  // says why not
+  // throws with the reason
+  if (!std::filesystem::is_regular_file(path, error)) read_regular_file(path);
   LineReader lines(path, kLongestRow);
   SweepTable table;
   while (const std::optional<std::string_view> line = lines.next()) {
-    if (!lines.has_end())  // what is there may look whole: 12 for 123
+    if (!lines.has_end())  // a row that was cut off may look whole: 12 for 123
       throw RecordingError(fmt::format("{}:{}: found no end of the line, the table was cut off",
                                        path, lines.number()));
     std::optional<Row> row = csv_fields(*line);
@@ -54,7 +55,7 @@ SweepTable read_sweep_csv(const std::string& path) {
   return table;
 }
 
-/// The number of a row's run, of `all`.
+/// Returns the number of the row's run; there are `all` runs.
 std::int64_t number_of_run(const std::string& table, const Row& row, std::int64_t all) {
   std::int64_t run = -1;
   const std::string& field = row[kRun];

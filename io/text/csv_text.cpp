@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Lines of CSV with texts in them, which RFC 4180 quotes where they need it.
+// Lines of CSV with texts, quoted by RFC 4180 where necessary.
 #include "io/text/csv_text.h"
 
 #include <algorithm>
@@ -14,8 +14,8 @@ std::string csv_field(const std::string& text) {
   return quoted + "\"";
 }
 
-/// Takes a quoted field, behind its first quote, from the front of `rest`; false where it has no
-/// end.
+/// Takes a quoted field, behind its first quote, from the front of `rest`; returns false if it has
+/// no end.
 bool take_quoted(std::string_view& rest, std::string& field) {
   while (true) {
     const std::size_t quote = rest.find('"');

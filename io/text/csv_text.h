@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Lines of CSV with texts in them, which RFC 4180 quotes where they need it.
+// Lines of CSV with texts, quoted by RFC 4180 where necessary.
 #pragma once
 #include <optional>
 #include <string>
@@ -8,9 +8,9 @@
 
 namespace avo_io {
 
-/// Without the end of the line.
+/// Returns the line without its end.
 std::string csv_line(const std::vector<std::string>& fields);
-/// None where its quotes are wrong. Texts with ends of lines are not read.
+/// Returns none if the quotes are wrong. Texts that contain line ends are not read.
 std::optional<std::vector<std::string>> csv_fields(std::string_view line);
 
 }  // namespace avo_io

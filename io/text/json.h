@@ -15,7 +15,7 @@ Json or_null(const std::optional<Value>& value) {
   return value ? Json(*value) : Json();
 }
 
-/// Robot I, or moving obstacle K, whose source is -1 - K, as "moving_obstacles.K".
+/// Returns robot I, or for a source -1 - K moving obstacle K as "moving_obstacles.K".
 inline Json name_of(std::int64_t source) {
   if (source >= 0) return source;
   return fmt::format("moving_obstacles.{}", -1 - source);

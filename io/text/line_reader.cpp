@@ -29,7 +29,7 @@ LineReader::~LineReader() {
   if (descriptor_ > STDIN_FILENO) close(descriptor_);
 }
 
-// More bytes after those that are left; false at the end of the file.
+// Reads more bytes behind the remaining ones; returns false at the end of the file.
 bool LineReader::fill() {
   std::copy(buffer_.begin() + static_cast<std::ptrdiff_t>(begin_),
             buffer_.begin() + static_cast<std::ptrdiff_t>(end_), buffer_.begin());

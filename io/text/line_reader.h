@@ -20,14 +20,15 @@ class LineReader {
   LineReader(const LineReader&) = delete;
   LineReader& operator=(const LineReader&) = delete;
 
-  /// The next line without its end (LF or CR LF), valid until the next call; none at the end.
-  /// Throws FileError, and RecordingError for lines longer than any that is meant.
+  /// Returns the next line without its end (LF or CR LF), valid until the next call; none at the
+  /// end. Throws FileError, and RecordingError for a line longer than the limit.
   std::optional<std::string_view> next();
-  /// Of the line last returned, from 1.
+  /// Returns the number of the last returned line, from 1.
   [[nodiscard]] std::int64_t number() const { return number_; }
-  /// Whether the line last returned had an end; the last one of a file that was cut off has none.
+  /// Returns whether the last returned line had an end; the last line of a file that was cut off
+  /// has none.
   [[nodiscard]] bool has_end() const { return has_end_; }
-  /// What messages call the file.
+  /// Returns the name of the file in messages.
   [[nodiscard]] const std::string& name() const { return name_; }
 
  private:
@@ -37,7 +38,7 @@ class LineReader {
   std::size_t longest_;
   int descriptor_ = -1;
   std::vector<char> buffer_;
-  std::size_t begin_ = 0, end_ = 0;  // what is read and not yet returned
+  std::size_t begin_ = 0, end_ = 0;  // bytes that are read but not yet returned
   std::int64_t number_ = 0;
   bool has_end_ = false;
 };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Text of unknown origin, made fit for a terminal.
+// Makes text of unknown origin safe for a terminal.
 #include "avo_io/printable.h"
 
 #include <algorithm>
@@ -12,7 +12,7 @@
 namespace avo_io {
 namespace {
 
-/// Characters of UTF-8, and the bytes that belong to none.
+/// Splits text into characters of UTF-8, and bytes that belong to none.
 std::vector<std::string_view> split(std::string_view text) {
   std::vector<std::string_view> characters;
   while (!text.empty()) {
@@ -22,7 +22,8 @@ std::vector<std::string_view> split(std::string_view text) {
   return characters;
 }
 
-/// Does it only show, and leave alone where and how the rest is shown?
+/// Returns whether the character is only displayed, and does not affect the place or the look of
+/// other text.
 bool is_plain(std::string_view character) {
   const auto is_from_to = [character](std::string_view first, std::string_view last) {
     return character.size() == first.size() && first <= character && character <= last;

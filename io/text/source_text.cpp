@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Texts that are not YAML, read word by word.
+// Texts other than YAML, read word by word.
 #include "io/text/source_text.h"
 
 #include <algorithm>

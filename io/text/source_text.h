@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Texts that are not YAML, read word by word; every word knows where it stands.
+// Texts other than YAML, read word by word; every word has its position.
 #pragma once
 #include <cstddef>
 #include <cstdint>
@@ -11,13 +11,13 @@
 
 namespace avo_io {
 
-/// The text of a file, or a value of a scene.
+/// The text of a file, or of a value in a scene.
 class SourceText {
  public:
   /// Messages begin with "name:line:column: ".
   SourceText(std::string name, std::string text) : name_(std::move(name)), text_(std::move(text)) {}
   /// Messages begin with the value's place and path, and then "line:column: " within its text. The
-  /// document and the node must live as long.
+  /// document and the node must outlive this object.
   SourceText(const Document& document, const YamlNode& node, std::string path)
       : name_(std::move(path)), text_(node.text), document_(&document), node_(&node) {}
 
@@ -41,20 +41,20 @@ struct Word {
 /// The words of a text, one after the other.
 class Words {
  public:
-  /// Each character of `marks` is a word of its own.
+  /// Each character of `marks` is a word by itself.
   explicit Words(const SourceText& source, std::string_view marks = "")
       : source_(source), marks_(marks) {}
 
   Word next();
   [[nodiscard]] Word peek() const { return Words(*this).next(); }
-  /// Behind the last word.
+  /// Returns the offset behind the last word.
   [[nodiscard]] std::size_t offset() const { return offset_; }
   void skip_to(std::size_t offset) { offset_ = offset; }
 
   [[nodiscard]] const SourceText& source() const { return source_; }
-  /// "found WORD, ALLOWED"; of an empty word "found the end".
+  /// Fails with "found WORD, ALLOWED", or "found the end" for an empty word.
   [[noreturn]] void fail(const Word& word, const std::string& allowed) const;
-  /// The next word as a whole number in [min, max]; `what` it is.
+  /// Returns the next word as a whole number in [min, max]; `what` names it in messages.
   std::int64_t whole_number(std::string_view what, std::int64_t min, std::int64_t max);
 
  private:

@@ -6,7 +6,8 @@
 
 namespace avo_io {
 
-/// Bytes of the character at the start of `text`, which is not empty; 0 where there is none.
+/// Returns the number of bytes of the character at the start of `text`, which must not be empty; 0
+/// if there is none.
 std::size_t character_length(std::string_view text);
 
 }  // namespace avo_io

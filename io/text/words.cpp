@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Words and numbers of scene files: read, shown and guessed.
+// Reads and shows words and numbers of scene files, and guesses intended words.
 #include "io/text/words.h"
 
 #include <algorithm>
@@ -15,8 +15,8 @@
 namespace avo_io {
 namespace {
 
-/// Smallest number of insertions, deletions, replacements and swaps of neighbors (optimal string
-/// alignment).
+/// Returns the smallest number of insertions, deletions, replacements and swaps of neighbors
+/// (optimal string alignment).
 std::size_t edit_distance(std::string_view a, std::string_view b) {
   std::vector<std::size_t> before_last(b.size() + 1), last(b.size() + 1), row(b.size() + 1);
   for (std::size_t j = 0; j <= b.size(); ++j) last[j] = j;
@@ -43,7 +43,8 @@ std::size_t skip_digits(std::string_view text, std::size_t i) {
   return i;
 }
 
-/// Is `word` what `given` abbreviates: the same beginning, and all letters in order?
+/// Returns whether `given` abbreviates `word`: it has the same beginning, and all its letters occur
+/// in order.
 bool abbreviates(std::string_view given, std::string_view word) {
   constexpr std::size_t kBeginning = 3;
   if (given.size() < kBeginning || !word.starts_with(given.substr(0, kBeginning))) return false;
@@ -111,7 +112,7 @@ std::optional<double> to_double(std::string_view text) {
   return value + 0.0;
 }
 
-#else  // libc++ 19 has it for whole numbers only
+#else  // libc++ 19 has from_chars() for whole numbers only
 
 std::optional<double> to_double(std::string_view text) {
   const std::string terminated(text);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Words and numbers of scene files: read, shown and guessed.
+// Reads and shows words and numbers of scene files, and guesses intended words.
 #pragma once
 #include <optional>
 #include <string>
@@ -10,17 +10,17 @@
 
 namespace avo_io {
 
-/// printable() with at most 40 characters, in quotes.
+/// Returns printable() text of at most 40 characters, in quotes.
 std::string in_quotes(std::string_view text);
 
-/// "a, b, c".
+/// Returns "a, b, c".
 std::string joined(const std::vector<std::string_view>& words);
 
-/// Does the text look like a number of YAML: [-+] digits [. digits] [e [-+] digits]?
+/// Returns whether the text looks like a number of YAML: [-+] digits [. digits] [e [-+] digits].
 bool is_number(std::string_view text);
 
-/// The value of a text that looks like a number, whatever the locale; none beyond the range of
-/// double, towards zero as well. -0 becomes 0.
+/// Returns the value of a text that looks like a number, whatever the locale. It returns none for
+/// values beyond the range of double, also for values too near 0. -0 becomes 0.
 std::optional<double> to_double(std::string_view text);
 
 }  // namespace avo_io

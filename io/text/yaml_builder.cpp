@@ -14,7 +14,7 @@ namespace {
 constexpr std::size_t kDeepest = 64;
 constexpr std::size_t kMostValues = 2'000'000;
 
-/// Line ends become "\n"; anything that is not text is refused with its place.
+/// Replaces line ends by "\n"; it refuses anything that is not text, and tells its place.
 std::string checked_text(std::string_view yaml, const Document& document, std::int32_t source) {
   if (yaml.substr(0, 3) == "\xEF\xBB\xBF") yaml.remove_prefix(3);
   std::string result;
@@ -40,7 +40,7 @@ std::string checked_text(std::string_view yaml, const Document& document, std::i
     yaml.remove_prefix(length);
     ++place.column;
   }
-  // yaml-cpp takes a line end at the end of the text for a missing closing quote.
+  // yaml-cpp mistakes a line end at the end of the text for a missing closing quote.
   result.erase(result.find_last_not_of(" \n") + 1);
   return result;
 }
@@ -60,7 +60,7 @@ void YamlBuilder::end_document() {
 void YamlBuilder::add_nothing(YamlPlace place) {
   YamlNode node = make(YamlNode::Kind::nothing, place);
   if (is_in_map() && !next_is_key()) {
-    node.line = open_.back().children.back().line;  // parsers tell that of the next line
+    node.line = open_.back().children.back().line;  // parsers report the line after it
     node.column = open_.back().children.back().column;
   }
   add(std::move(node));
@@ -123,7 +123,7 @@ bool YamlBuilder::next_is_key() const {
 void YamlBuilder::check_key(const YamlNode& node) const {
   if (!next_is_key()) return;
   const bool nested = node.kind == YamlNode::Kind::list || node.kind == YamlNode::Kind::map;
-  if (nested)  // also what yaml-cpp makes of "key: [1, 2" at the end of the text
+  if (nested)  // yaml-cpp reports this also for "key: [1, 2" at the end of the text
     document_.fail(node, fmt::format("found a {} as a key or one that is not closed, keys must "
                                      "be words such as time_step",
                                      node.kind == YamlNode::Kind::list ? "list" : "map"));

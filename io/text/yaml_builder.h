@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a parser finds in YAML text, one thing after the other, becomes a tree; whatever a scene
-// does not need is refused before the tree grows. The rules are here, whichever parser it is.
+// Builds a tree from what a parser finds in YAML text; it refuses everything that a scene does not
+// need before the tree grows. The rules are here, so they do not depend on the parser.
 #pragma once
 #include <cstddef>
 #include <cstdint>
@@ -13,14 +13,14 @@
 
 namespace avo_io {
 
-/// Where something begins.
+/// The place where a value begins.
 struct YamlPlace {
   std::int32_t line = 1;    ///< from 1
   std::int32_t column = 1;  ///< from 1, in characters
 };
 
-/// Holds the lists and maps that are not closed yet. All that tells it something may throw what
-/// Document::fail() throws.
+/// Holds the lists and maps that are not closed yet. All functions that add something may throw
+/// what Document::fail() throws.
 class YamlBuilder {
  public:
   YamlBuilder(Document& document, std::int32_t source)
@@ -28,7 +28,7 @@ class YamlBuilder {
 
   void begin_document();
   void end_document();
-  /// No text at all, or a plain ~ or null. One after a key stands where the key does.
+  /// Adds no text, or a plain ~ or null. If it follows a key, it stands where the key stands.
   void add_nothing(YamlPlace place);
   void add_text(YamlPlace place, std::string text, bool quoted);
   void open_list(YamlPlace place) { open(make(YamlNode::Kind::list, place)); }
@@ -36,13 +36,13 @@ class YamlBuilder {
   void close();
 
   [[noreturn]] void refuse_alias(YamlPlace place) const;
-  /// Of the value at `place`, before it is added.
+  /// Refuses the anchor of the value at `place`, before the value is added.
   [[noreturn]] void refuse_anchor(YamlPlace place) const;
   [[noreturn]] void refuse_tag(YamlPlace place, std::string_view tag) const;
-  /// There the parser can make nothing of the text.
+  /// Refuses text at that place that the parser cannot read.
   [[noreturn]] void refuse_text(YamlPlace place, std::string_view why) const;
 
-  /// The tree of the one document, once the text has ended; nothing where there is none.
+  /// Returns the tree of the only document, once the text has ended; nothing if there is none.
   [[nodiscard]] YamlNode take() { return std::move(first_); }
 
  private:
@@ -65,8 +65,8 @@ class YamlBuilder {
   std::size_t values_ = 0;
 };
 
-/// Tells the builder what is in `yaml`: text without control characters, whose line ends are "\n".
-/// There is one for each parser.
+/// Reports the contents of `yaml` to the builder: text without control characters, whose line ends
+/// are "\n". Each parser has its own version of this function.
 void tell_events(const std::string& yaml, YamlBuilder& builder);
 
 }  // namespace avo_io

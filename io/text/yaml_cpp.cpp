@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The events of yaml-cpp, as the builder of a scene's tree takes them.
+// Passes the events of yaml-cpp to the builder of a scene's tree.
 #include <sstream>
 #include <string>
 #include <yaml-cpp/eventhandler.h>
@@ -47,7 +47,7 @@ class Events final : public YAML::EventHandler {
   void OnMapEnd() override { builder_.close(); }
 
  private:
-  // "?" and "!" are its own words for plain and quoted text.
+  // "?" and "!" are yaml-cpp's own tags of plain and quoted text.
   void check(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor) const {
     if (anchor != 0) builder_.refuse_anchor(place_of(mark));
     if (!tag.empty() && tag != "?" && tag != "!") builder_.refuse_tag(place_of(mark), tag);

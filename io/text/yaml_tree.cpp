@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The tree of a scene file: how its values are found, and told.
+// The tree of a scene file: how values are found, and how they appear in messages.
 #include "io/text/yaml_tree.h"
 
 #include <fmt/format.h>
