@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What is done about what a certificate assumes.
+// Remedies for scenes that break the assumptions of their certificate.
 #include "assumptions.h"
 
 #include <algorithm>

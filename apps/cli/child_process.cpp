@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Another program that reads what we write.
+// Another program that reads the output of this program.
 #include "child_process.h"
 
 #include <atomic>
@@ -30,7 +30,7 @@ std::atomic<pid_t> running_child = -1;
   throw avo_io::FileError(name + ": " + std::generic_category().message(reason));
 }
 
-/// The first line of what is there: what has failed first is why the rest has.
+/// Returns the first line in the file: the first error is the cause of all later ones.
 std::string first_line(int file) {
   char text[4096];
   const ssize_t got = pread(file, text, sizeof text, 0);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the command line tells its caller.
+// The exit codes of the command line.
 #pragma once
 #include <string>
 #include <utility>
@@ -16,11 +16,12 @@ inline constexpr int kBadScene = 3;   ///< the scene or the recording is wrong
 inline constexpr int kFile = 4;       ///< a file cannot be read or written
 inline constexpr int kResources = 5;  ///< no memory, no threads
 inline constexpr int kOurFault = 6;
-inline constexpr int kIncomplete = 7;    ///< lacks rows and breaks no rule; lacks runs
+/// the recording lacks rows and breaks no rule; or a table lacks runs
+inline constexpr int kIncomplete = 7;
 inline constexpr int kSignal = 128;      ///< + number of the signal: 130, 143
-inline constexpr int kClosedPipe = 141;  ///< who read our output went away
+inline constexpr int kClosedPipe = 141;  ///< the reader of our output has gone away
 
-/// What `avo generate man` says of them.
+/// The text of `avo generate man` about an exit code.
 struct ExitCode {
   const char* number;
   const char* meaning;
@@ -37,7 +38,7 @@ inline constexpr ExitCode kExitCodes[] = {
     {"130, 143, ...", "ended by a signal: 128 and its number"},
     {"141", "whoever read the output went away"}};
 
-/// A scene that breaks what its certificate assumes, one line for each thing that is broken.
+/// A scene that breaks the assumptions of its certificate, with one line for each that is broken.
 class BrokenScene : public avo::Error {
  public:
   explicit BrokenScene(std::vector<std::string> complaints)
@@ -45,7 +46,7 @@ class BrokenScene : public avo::Error {
   std::vector<std::string> lines;
 };
 
-/// A command line that says something impossible.
+/// A command line that asks for something impossible.
 class UsageError : public avo::Error {
  public:
   using avo::Error::Error;

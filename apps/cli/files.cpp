@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The files that a command line names, looked at before any of them is opened for writing.
+// The files that a command line names, checked before any of them is opened for writing.
 #include "files.h"
 
 #include <algorithm>
@@ -20,7 +20,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A file with what it is; a stream is one whatever it leads to.
+/// The identity of a file; a stream is always a stream, whatever file it leads to.
 struct Place {
   NamedFile file;
   bool stream = false;
@@ -58,7 +58,8 @@ void require_distinct(const std::vector<NamedFile>& inputs, const std::vector<Na
   for (const NamedFile& file : outputs)
     if (!file.path.empty()) written.push_back(place_of(file, STDOUT_FILENO));
   const auto is_stream = [](const Place& place) { return place.stream; };
-  if (std::none_of(written.begin(), written.end(), is_stream))  // what is there to read goes there
+  // output for people to read goes there
+  if (std::none_of(written.begin(), written.end(), is_stream))
     written.push_back(place_of({"the standard output", "-"}, STDOUT_FILENO));
   for (std::size_t i = 0; i < written.size(); ++i) {
     for (std::size_t j = 0; j < i; ++j) require_different(written[j], written[i]);

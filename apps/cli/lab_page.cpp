@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The page of the lab, with what it opens inside.
+// The page of the lab, with its input embedded.
 #include "lab_page.h"
 
 #include <fmt/format.h>
@@ -18,7 +18,7 @@ using Json = nlohmann::ordered_json;
 constexpr std::string_view kMark = "<script id=\"avo-input\" type=\"application/json\">";
 constexpr std::string_view kNothing = "null";
 
-/// ASCII that neither ends a script nor begins a comment in it.
+/// Returns ASCII text that neither ends a script nor begins a comment in it.
 std::string script_text(const Json& json) {
   std::string text;
   for (const char c : json.dump(-1, ' ', true, Json::error_handler_t::replace))
@@ -35,7 +35,8 @@ bool is_utf8(const std::string& text) {
   }
 }
 
-/// Raw graymaps are no text. Of images the page reads no others.
+/// Returns the file as JSON. Images become graymaps, the only images that the page reads; a raw
+/// graymap is not text.
 Json json_of(const avo_io::SceneFile& scene_file) {
   avo_io::SceneFile file = scene_file;
   if (auto graymap = avo_io::as_graymap(file)) file.text = std::move(*graymap);
@@ -73,7 +74,7 @@ std::string recording_input(const std::string& name, std::string_view bytes,
   if (scene != nullptr) json["scene"] = json_of(*scene);
   if (embedded) json["embedded"] = true;
   std::string text = script_text(json);
-  text.pop_back();  // JSON would look at every character of the bytes
+  text.pop_back();  // JSON would process every single character of the bytes
   return text + ",\"base64\":\"" + base64(bytes) + "\"}";
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// avo: the command line. Reads arguments, calls one verb, turns what goes wrong into exit codes.
+// avo: the command line. It reads arguments, calls one verb, and turns errors into exit codes.
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <exception>
@@ -45,7 +45,8 @@ int parse_and_act(int argc, char** argv) {
     throw UsageError(what_is_wrong(app, error));
   }
   check_environment();
-  (void)avo_io::OutputFile("-");  // all verbs write there: not to find out after a long run
+  // all verbs write to it: report a closed output before a long run, not after it
+  (void)avo_io::OutputFile("-");
   return action();
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A line that the command line names.
+// A measuring line that the command line names.
 #include "measuring_line.h"
 
 #include <algorithm>
@@ -16,7 +16,7 @@
 namespace avo_cli {
 
 std::optional<avo::MeasuringLine> line_of(const std::string& text) {
-  constexpr double kFarthest = 1e12;  // m, as of all coordinates of scenes
+  constexpr double kFarthest = 1e12;  // m, the limit of all coordinates in scenes
   if (text.empty()) return std::nullopt;
   std::vector<double> numbers;
   bool good = true;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A line that the command line names.
+// A measuring line that the command line names.
 #pragma once
 #include <optional>
 #include <string>
@@ -8,7 +8,7 @@
 
 namespace avo_cli {
 
-/// Of --line "X,Y,X,Y", m; empty: none. Throws UsageError.
+/// Returns the line of --line "X,Y,X,Y", m; none if the text is empty. Throws UsageError.
 std::optional<avo::MeasuringLine> line_of(const std::string& text);
 
 }  // namespace avo_cli

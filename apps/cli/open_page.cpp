@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A page goes to the browser of the desktop.
+// Opens a page in the browser of the desktop.
 #include "open_page.h"
 
 #include <csignal>
@@ -31,8 +31,7 @@ void open_page(const std::string& path) {
   posix_spawn_file_actions_init(&actions);
   for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
     posix_spawn_file_actions_addopen(&actions, stream, "/dev/null", O_RDWR, 0);
-  posix_spawnattr_t
-      attributes;  // signals as at the start of this program, and a session of its own
+  posix_spawnattr_t attributes;  // signals as at the start of this program, and a separate session
   posix_spawnattr_init(&attributes);
   sigset_t signals;
   sigemptyset(&signals);

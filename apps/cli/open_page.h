@@ -4,8 +4,8 @@
 
 namespace avo_cli {
 
-/// Has the desktop open the file, and does not wait for it. Nothing happens where there is no
-/// display, or the standard output is no terminal.
+/// Asks the desktop to open the file, and does not wait for it. Nothing happens if there is no
+/// display, or if the standard output is not a terminal.
 void open_page(const std::string& path);
 
 }  // namespace avo_cli

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the options of several verbs have in common.
+// Options that several verbs share.
 #include "option_parts.h"
 
 #include <CLI/CLI.hpp>

@@ -34,9 +34,9 @@ void add_threads(CLI::App& verb, int& threads) {
       ->check(CLI::Range(0, 1024));
 }
 
-/// Throws UsageError.
+/// Reads a whole number of steps. Throws UsageError.
 std::int64_t whole_steps(const std::string& word) {
-  constexpr std::int64_t kMost = 100'000'000;  // a run has no more
+  constexpr std::int64_t kMost = 100'000'000;  // the limit of a run
   std::int64_t steps = 0;
   const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), steps);
   if (error == std::errc() && end == word.data() + word.size() && steps >= 1 && steps <= kMost)
@@ -242,7 +242,7 @@ void add_others(CLI::App& app, Action& action) {
   help->callback([&app, &action] { action = [&app] { return print_help(app, topic); }; });
 
   CLI::App* generate = app.add_subcommand("generate", "what is installed besides the program")
-                           ->group("");  // for its build, not listed
+                           ->group("");  // for avo's own build, so help does not list it
   static std::string kind;
   generate->add_option("KIND", kind, "man, bash or zsh")->required();
   generate->callback([&app, &action] { action = [&app] { return print_generated(app, kind); }; });

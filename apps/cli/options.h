@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The verbs and options of the command line, as a tree. Help, the manual page and completions are
-// made from it.
+// The verbs and options of the command line, as a tree. Help, the manual page and completions come
+// from it.
 #pragma once
 #include <functional>
 
@@ -10,10 +10,11 @@ class App;
 
 namespace avo_cli {
 
-/// What the command line asks for; returns an exit code.
+/// The action that the command line asks for; it returns an exit code.
 using Action = std::function<int()>;
 
-/// Adds all verbs and options; parsing sets the action. Both have to live until it is called.
+/// Adds all verbs and options; parsing sets the action. Both arguments must live until it is
+/// called.
 void add_options(CLI::App& app, Action& action);
 
 }  // namespace avo_cli

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The options of avo sweep, and of what is made of many runs or one: avo compare and avo report.
+// The options of avo sweep, and of the verbs for its results: avo compare and avo report.
 #include <CLI/CLI.hpp>
 
 #include "option_parts.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the user says by signals. A thread of its own waits for them, so that what it does then may
-// lock and allocate, and does not depend on what the others are doing.
+// Handles the user's signals. A separate thread waits for them, so that its reaction may lock and
+// allocate, and does not depend on what the other threads are doing.
 #include "signals.h"
 
 #include <algorithm>
@@ -22,8 +22,8 @@ namespace {
 
 using Steady = std::chrono::steady_clock;
 
-/// timeout(1) and others send a signal to the process and to its group: twice within this time, it
-/// is one.
+/// timeout(1) and other programs send a signal to the process and to its group. Two within this
+/// time count as one.
 constexpr std::chrono::milliseconds kSame{50};
 constexpr std::chrono::milliseconds kPatience{1000};
 
@@ -40,7 +40,7 @@ sigset_t awaited_signals() {
   return signals;
 }
 
-/// The next of the signals, or 0 where none comes before `end`.
+/// Returns the next of the signals, or 0 if none comes before `end`.
 int wait_until(Steady::time_point end, const sigset_t& signals) {
   using std::chrono::nanoseconds;
   while (true) {
@@ -53,14 +53,15 @@ int wait_until(Steady::time_point end, const sigset_t& signals) {
   }
 }
 
-/// Can a line be written to the standard error output without waiting for its reader?
+/// Returns whether a line can be written to the standard error output without waiting for its
+/// reader.
 bool is_heard() {
   pollfd error_output{STDERR_FILENO, POLLOUT, 0};
   return poll(&error_output, 1, 0) == 1;
 }
 
-// First the child rests, so that it makes no file anew that is removed; then it goes, and whoever
-// waits for its end in another thread finds the outputs locked.
+// First suspends the child, so that it does not create again a file that is removed. Then the
+// program ends; a thread that waits for the child's end finds the outputs locked.
 [[noreturn]] void end_now(int signal) {
   stop_child();
   avo_io::abandon_outputs();

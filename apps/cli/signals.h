@@ -1,24 +1,24 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the user says by signals.
+// Handles the user's signals.
 #pragma once
 
 namespace avo_cli {
 
-/// How long a program may go on after the first signal.
+/// The time that a program may go on after the first signal.
 enum class Patience {
   none,
   a_second,
   until_second_signal,
 };
 
-/// From here on the first SIGINT, SIGTERM, SIGQUIT or SIGHUP (unless that is ignored, as under
-/// nohup) is only noted. Where the program has not ended a second later (Patience; with none at
-/// once), and at once on a second one, a child process is killed, files that are not complete are
-/// removed, and the program ends with 128 + the signal's number. Call it before other threads
-/// start: they inherit that signals are not theirs.
+/// From here on, the first SIGINT, SIGTERM, SIGQUIT or SIGHUP (unless that is ignored, as under
+/// nohup) is only noted. The program ends with 128 + the signal's number if it has not ended a
+/// second later (Patience; with none at once), and at once on a second signal. It then kills a
+/// child process and removes incomplete files. Call this before other threads start: they inherit
+/// the mask of these signals.
 void catch_signals(Patience patience = Patience::a_second);
 
-/// The signal noted, or 0.
+/// Returns the noted signal, or 0.
 int signal_caught();
 
 }  // namespace avo_cli

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What is said to the user.
+// Messages to the user.
 #include "terminal.h"
 
 #include <algorithm>
@@ -28,7 +28,7 @@ constexpr std::string_view kWipe = "\r\033[K";
 std::atomic<bool> bar_shown = false;
 Volume said = Volume::normal;
 
-/// To the standard error output; there is nobody to tell that it failed.
+/// Writes to the standard error output. Failure is ignored: there is no place to report it.
 void write_error(std::string_view text) noexcept {
   while (!text.empty()) {
     const ssize_t written = write(STDERR_FILENO, text.data(), text.size());
@@ -43,7 +43,7 @@ bool is_terminal() {
   return isatty(STDERR_FILENO) == 1 && (kind == nullptr || std::string_view(kind) != "dumb");
 }
 
-/// "42 s", "3 min 5 s", "2 h 10 min".
+/// Returns "42 s", "3 min 5 s", "2 h 10 min".
 std::string clock_time(double seconds) {
   constexpr double kMinute = 60.0, kHour = 3600.0;
   const double whole = std::round(seconds);
@@ -61,7 +61,7 @@ std::string bar(double part) {
                      kWidth);
 }
 
-/// What fits into a line of the terminal, which could not be wiped if it went on below.
+/// Returns the part that fits into a line of the terminal: a bar that wraps could not be wiped.
 std::string fitting(const std::string& bar, const std::string& text) {
   winsize size = {};
   const bool known = ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0;
@@ -74,9 +74,9 @@ std::string fitting(const std::string& bar, const std::string& text) {
 void prepare_streams() {
   for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
     if (fcntl(stream, F_GETFD) >= 0) continue;
-    // the wrong way around: what is read from it or written to it fails, as it would if closed
+    // open in the wrong direction: reading or writing fails, as on a closed stream
     const int direction = stream == STDIN_FILENO ? O_WRONLY : O_RDONLY;
-    if (open("/dev/null", direction) < 0)  // takes the lowest free number
+    if (open("/dev/null", direction) < 0)  // open() takes the lowest free number
       throw avo_io::FileError("/dev/null: " + std::generic_category().message(errno));
   }
   std::signal(SIGPIPE, SIG_IGN);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The words of the command line that are not known, and those that may have been meant.
+// Unknown words of the command line, and the words that the user may have meant.
 #include "words.h"
 
 #include <CLI/CLI.hpp>
@@ -20,7 +20,7 @@ std::string did_you_mean(std::string_view given, const std::vector<std::string>&
   return meant ? ", did you mean " + std::string(*meant) + "?" : "";
 }
 
-// Every word that looks like a long option has to be one of `app`.
+// Checks that every word that looks like a long option is an option of `app`.
 void check_options(const CLI::App& app, const std::vector<std::string>& words) {
   std::vector<std::string> names;
   for (const CLI::Option* option : app.get_options())
@@ -61,7 +61,7 @@ std::string what_is_wrong(const CLI::App& app, const CLI::ParseError& error) {
 }
 
 int print_help(const CLI::App& app, const std::string& verb) {
-  // not app.help(), which would be that of the verb `help`
+  // not app.help(): that would be the help of the verb `help`
   print(verb.empty() ? app.get_formatter()->make_help(&app, "avo", CLI::AppFormatMode::Normal)
                      : verb_of(app, verb).help("avo"));
   return kDone;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The words of the command line that are not known, and those that may have been meant.
+// Unknown words of the command line, and the words that the user may have meant.
 #pragma once
 #include <string>
 #include <vector>
@@ -11,17 +11,17 @@ class ParseError;
 
 namespace avo_cli {
 
-/// Throws UsageError with the nearest verb where there is no such one.
+/// Returns the verb. Throws UsageError with the nearest verb if there is no such verb.
 const CLI::App& verb_of(const CLI::App& app, const std::string& word);
 
-/// Throws UsageError where the first word is no verb or option of `app`, or a later one no option
-/// of the verb.
+/// Throws UsageError if the first word is no verb or option of `app`, or if a later word is no
+/// option of the verb.
 void check_words(const CLI::App& app, const std::vector<std::string>& words);
 
-/// What the user is told of an error that parsing `app` threw.
+/// Returns the message for an error that parsing `app` threw.
 std::string what_is_wrong(const CLI::App& app, const CLI::ParseError& error);
 
-/// avo help VERB; an empty one: of all verbs.
+/// Prints avo help VERB; for an empty verb the help of all verbs.
 int print_help(const CLI::App& app, const std::string& verb);
 
 }  // namespace avo_cli

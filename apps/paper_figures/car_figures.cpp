@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Fig. 6(b): which accelerations a car can turn into controls.
+// Fig. 6(b): the accelerations that a car can turn into controls.
 #include <array>
 #include <cmath>
 #include <string>
@@ -19,7 +19,7 @@ using figures::gray;
 constexpr double kHeading = 0.5;  // [θ] rad
 constexpr double kMost = 1.0;     // [a_max] m/s²
 
-// |h·a| <= along and |n·a| <= across.
+// Returns the corners of |h·a| <= along and |n·a| <= across.
 std::array<Vec2, 4> rotated_box(double along, double across) {
   const Vec2 h{std::cos(kHeading), std::sin(kHeading)}, n = perpendicular(h);
   return {along * h + across * n, along * h - across * n, -along * h - across * n,

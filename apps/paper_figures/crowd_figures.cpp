@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The paper's Figs. 4 and 6(a): one robot amid others, which first only move and then decide too.
+// The paper's Figs. 4 and 6(a): one robot amid others; first they only move, and then they decide
+// too.
 #include <algorithm>
 #include <cmath>
 
@@ -26,7 +27,7 @@ Robot robot_of_figure() {
   robot.preferred_velocity = {0.8, 1.2};
   robot.radius = 0.5;
   robot.max_acceleration = 1.0;
-  robot.max_speed = 100.0;  // the figures of the paper know no speed limit
+  robot.max_speed = 100.0;  // the figures of the paper have no speed limit
   return robot;
 }
 
@@ -55,7 +56,7 @@ Planner planner_of_figure() {
   return Planner(options);
 }
 
-// Sets as the planner sees them; the speed limit is out of sight.
+// Returns the sets as the planner sees them; the speed limit is outside the view.
 VelocitySpace space_of(const std::vector<Neighbor>& neighbors, bool among_movers) {
   Simulation::Perception seen;
   seen.robot = robot_of_figure();
@@ -87,7 +88,7 @@ void draw_configuration(Canvas& canvas, const Box& panel, bool decide) {
   draw_bodies(canvas, panel, kWorkspace, bodies);
 }
 
-// Area of what may be chosen, by counting points of a grid.
+// Returns the area of the allowed velocities, by counting points of a grid.
 std::string area_of(const VelocitySpace& space) {
   constexpr int kSide = 200;
   const Disc& disc = *space.acceleration_disc;

@@ -1,20 +1,20 @@
 // SPDX-License-Identifier: Apache-2.0
-// Each function makes one figure of the paper in a folder and says what it shows.
+// Each function draws one figure of the paper in a folder, and describes what it shows.
 #pragma once
 #include <string>
 #include <vector>
 
 namespace avo::paper {
 
-/// One figure and what there is to say about it, in Markdown.
+/// One figure and its description, in Markdown.
 struct Caption {
-  std::string number;  ///< as in the paper: "3"
-  std::string file;    ///< within the folder
+  std::string number;  ///< the number in the paper: "3"
+  std::string file;    ///< path within the folder
   std::string title;
   std::string shows;    ///< what is drawn, with its numbers
-  std::string agrees;   ///< with the paper
-  std::string differs;  ///< from the paper
-  /// What is drawn, each with the hash of the state that it ends in, as tools/check_figures.py
+  std::string agrees;   ///< how it agrees with the paper
+  std::string differs;  ///< how it differs from the paper
+  /// The runs that are drawn, each with the hash of its final state, as tools/check_figures.py
   /// reads it: "circle-100 method=avo_paper 0x0123456789abcdef".
   std::vector<std::string> runs = {};
 };
@@ -31,13 +31,13 @@ Caption draw_circle(const std::string& folder);                 // Fig. 8
 Caption draw_cars(const std::string& folder);                   // Fig. 9
 Caption draw_speed(const std::string& folder);                  // Fig. 10
 
-/// A figure of docs/states.md; returns its path.
+/// Draws a figure of docs/states.md and returns its path.
 std::string draw_states(const std::string& folder);
 
-/// Writes what a figure's file is to hold.
+/// Writes the contents of a figure's file.
 void save(const std::string& path, const std::string& bytes);
 
-/// printf with the value of a double: format("%.2f m", x).
+/// Formats a double like printf: format("%.2f m", x).
 std::string format(const char* pattern, double value);
 
 }  // namespace avo::paper

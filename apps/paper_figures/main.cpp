@@ -23,7 +23,7 @@ std::string format(const char* pattern, double value) {
 
 namespace {
 
-// Sentences end with a space, paragraphs do not.
+// Removes spaces at the end: sentences end with a space, but paragraphs do not.
 std::string paragraph(std::string text) {
   while (!text.empty() && text.back() == ' ') text.pop_back();
   return text;

@@ -54,7 +54,7 @@ void draw_configuration(Canvas& canvas, const Box& panel) {
               {.size = 8.5, .align_x = 1.0, .offset = {-3.0, 0.0}});
 }
 
-// Where A goes relative to B under the new relative velocity u, until they touch and beyond.
+// Draws the motion of A relative to B under the new relative velocity u, until contact and beyond.
 void draw_relative_motion(Canvas& canvas, const Box& panel, const Obstacle& obstacle, Vec2 u,
                           const std::string& title) {
   write_title(canvas, panel, title);
@@ -98,7 +98,8 @@ void draw_obstacle(Canvas& canvas, const Box& panel, const Obstacle& obstacle,
   write_title(canvas, panel, "(c) " + name);
 }
 
-// The largest distance between the boundary of Eq. (29) and that by membership, in m/s.
+// Returns the largest distance between the boundary of Eq. (29) and the boundary by membership, in
+// m/s.
 double boundary_error(const Obstacle& obstacle) {
   const Boundary edge = boundary(obstacle, 200);
   const double far = obstacle.response.gain(obstacle.time_horizon);
@@ -112,7 +113,7 @@ double boundary_error(const Obstacle& obstacle) {
   return worst;
 }
 
-// What Fig. 5 is made of.
+// The sets that Fig. 5 shows.
 struct ReciprocalSets {
   Obstacle obstacle = acceleration_velocity_obstacle();
   double reach = kControlTime * 2.0 * kMaxAcceleration;  // m/s, δ (a_A + a_B)
@@ -127,7 +128,7 @@ Box around(Vec2 center, double half) {
   return figures::grown({center, center}, half);
 }
 
-// Corners of the hull of D(v_AB, δ a_AB) ∩ AVO, from the distance function of the set.
+// Returns the corners of the hull of D(v_AB, δ a_AB) ∩ AVO, from the distance function of the set.
 std::vector<Vec2> hull_of(const ReciprocalSets& sets) {
   const Obstacle& obstacle = sets.obstacle;
   const auto inside = [&](Vec2 u) {
@@ -164,7 +165,7 @@ void draw_relative_set(Canvas& canvas, const Box& panel, const ReciprocalSets& s
               {.size = 9.5, .color = kPath, .offset = {3.0, 4.0}, .halo = true});
 }
 
-// The set of one robot: its half of the relative half-plane, within its own reach.
+// Draws the set of one robot: its half of the relative half-plane, within its own reach.
 void draw_share(Canvas& canvas, const Box& panel, Vec2 velocity, const HalfPlane& relative,
                 const std::string& name) {
   const double share = reciprocal_share(kMaxAcceleration, kMaxAcceleration);

@@ -70,7 +70,7 @@ std::vector<Vec2> convex_hull(std::vector<Vec2> points) {
   std::sort(points.begin(), points.end(),
             [](Vec2 a, Vec2 b) { return a.x < b.x || (a.x == b.x && a.y < b.y); });
   std::vector<Vec2> hull;
-  // the lower chain from left to right, then the upper one back
+  // the lower chain from left to right, then the upper one in reverse
   for (int chain = 0; chain < 2; ++chain) {
     const std::size_t start = hull.size();
     for (const Vec2 point : points) {

@@ -9,12 +9,12 @@
 
 namespace avo::paper {
 
-/// A disc of the workspace with an arrow for its velocity.
+/// A disc in the workspace, with an arrow for its velocity.
 struct Body {
   Disc disc;      ///< m
-  Vec2 velocity;  ///< m/s, drawn as long as the way of one second
+  Vec2 velocity;  ///< m/s; the arrow is as long as the distance of one second
   std::string label;
-  bool decides = true;  ///< colored; gray if not
+  bool decides = true;  ///< colored; otherwise gray
 };
 
 /// Square panels in one row, each with its letter above; the widths and heights are in pt.
@@ -26,14 +26,14 @@ struct Row {
   [[nodiscard]] figures::Box box(int index) const;
 };
 
-/// "(a) configuration" above a panel.
+/// Writes e.g. "(a) configuration" above a panel.
 void write_title(figures::Canvas& canvas, const figures::Box& panel, const std::string& markup);
 
-/// Robots and moving obstacles in the workspace, with axes in m.
+/// Draws robots and moving obstacles in the workspace, with axes in m.
 void draw_bodies(figures::Canvas& canvas, const figures::Box& panel, const figures::Box& world,
                  const std::vector<Body>& bodies);
 
-/// Corners of the convex hull, counter-clockwise.
+/// Returns the corners of the convex hull, counter-clockwise.
 std::vector<Vec2> convex_hull(std::vector<Vec2> points);
 
 inline constexpr figures::Color kRobotColor{0.00, 0.36, 0.66, 1.0};

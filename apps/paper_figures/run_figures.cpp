@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The paper's Figs. 1, 7, 8 and 9: scenes run to their end, with what happened in them.
+// The paper's Figs. 1, 7, 8 and 9: scenes are run to their end, and the text tells what happened.
 #include <algorithm>
 #include <array>
 #include <cinttypes>
@@ -16,7 +16,7 @@ namespace avo::paper {
 namespace {
 
 constexpr double kTail = 4.0;     // s, of the traces of Fig. 8
-constexpr double kCarTail = 6.0;  // s, of those of Fig. 9
+constexpr double kCarTail = 6.0;  // s, of the traces of Fig. 9
 
 struct Run {
   Scenario scenario;
@@ -52,7 +52,7 @@ std::string clearance_text(double clearance) {
   return format(std::fabs(clearance) < 0.01 ? "%.1e m" : "%.2f m", clearance);
 }
 
-// What happened, in one sentence.
+// Returns one sentence about what happened.
 std::string numbers(const RunSummary& summary) {
   std::string text =
       std::to_string(summary.arrived) + " of " + std::to_string(summary.robots) + " arrive";
@@ -80,8 +80,9 @@ std::string parameters(const Scenario& scenario) {
          ", Δt = " + format("%g s", scenario.time_step);
 }
 
-// The paper says of all its scenes that they are free of collisions, keep the limits, and that
-// the robots reach their goals. What holds here goes to one side, the rest to the other.
+// The paper says that all its scenes are free of collisions, that the robots keep the
+// limits, and that the robots reach their goals. True statements go to one side, the others to the
+// other side.
 struct Comparison {
   std::string agrees, differs;
 };
@@ -125,7 +126,8 @@ Comparison compare(const Run& run) {
   return comparison;
 }
 
-// How far the robot passes to the left of the straight way to its goal, at most; negative: right.
+// Returns the largest distance by which the robot passes to the left of the straight line to its
+// goal; negative: right.
 double largest_detour(const Run& run, std::size_t robot) {
   const RobotSetup& setup = run.scenario.robots[robot];
   const Vec2 way = (setup.goal - setup.position) / norm(setup.goal - setup.position);
@@ -137,7 +139,7 @@ double largest_detour(const Run& run, std::size_t robot) {
   return largest;
 }
 
-// Of any robot from the middle, at any time.
+// Returns the largest distance of any robot from the middle, at any time.
 double farthest(std::span<const figures::TrajectoryFrame> frames) {
   double result = 0.0;
   for (const auto& frame : frames) {
@@ -146,7 +148,7 @@ double farthest(std::span<const figures::TrajectoryFrame> frames) {
   return result;
 }
 
-// Of the fastest robot, from the last two frames.
+// Returns the final speed of the fastest robot, from the last two frames.
 double final_speed(const Run& run) {
   const auto& last = run.frames.back();
   const auto& before = run.frames[run.frames.size() - 2];
@@ -162,7 +164,8 @@ std::string detour_text(double left) {
   return format("%.2f m", std::fabs(left)) + (left > 0.0 ? " to the left" : " to the right");
 }
 
-// Of the robots from the middle of the scene, at the last frame not later than `time`.
+// Returns the mean distance of the robots from the middle of the scene, at the last frame not later
+// than `time`.
 double mean_distance(const std::vector<figures::TrajectoryFrame>& frames, double time) {
   std::size_t index = 0;
   while (index + 1 < frames.size() && frames[index + 1].time <= time) ++index;
@@ -171,8 +174,8 @@ double mean_distance(const std::vector<figures::TrajectoryFrame>& frames, double
   return sum / static_cast<double>(frames[index].position.size());
 }
 
-// When the robots have come to `part` of their first mean distance from the middle, to the least
-// one, and out again to `part`.
+// Returns the times at which the mean distance from the middle falls to `part` of its first value,
+// is least, and grows again to `part`.
 std::array<double, 3> crossing_times(const Run& run, double part) {
   std::vector<double> distance;
   for (const auto& frame : run.frames) {

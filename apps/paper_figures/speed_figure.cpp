@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The paper's Fig. 10: milliseconds a step against the number of robots on the circle.
+// The paper's Fig. 10: milliseconds per step against the number of robots on the circle.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -31,7 +31,7 @@ double median_of(std::vector<double> values) {
   return values[values.size() / 2];
 }
 
-// Starts and goals that are a little off, of other robots in each run.
+// Returns a circle with starts and goals slightly shifted; each seed shifts them differently.
 Scenario circle(int robots, std::uint64_t seed) {
   Scenario scenario =
       avo_io::load_scenario("circle-" + std::to_string(robots), {"method=avo_paper"});
@@ -48,8 +48,8 @@ Scenario circle(int robots, std::uint64_t seed) {
   return scenario;
 }
 
-// Processor time, which does not count what else the machine does, of all steps on one thread until
-// everybody could be on the other side, with a reserve of 30 %.
+// Measures processor time, which does not include other work of the machine. It covers all steps on
+// one thread until every robot could be on the other side, with a reserve of 30 %.
 StepTime measure(const Scenario& scenario) {
   const RobotSetup& one = scenario.robots.front();
   const double crossing = 1.3 * norm(one.goal - one.position) / one.preferred_speed;
@@ -64,8 +64,8 @@ StepTime measure(const Scenario& scenario) {
   return {milliseconds[milliseconds.size() / 2], milliseconds[milliseconds.size() * 19 / 20]};
 }
 
-// Of each circle the medians over its runs. All circles are run in turns, so that an hour in which
-// the machine is slower counts for all of them.
+// Measures for each circle the medians over its runs. All circles are run in turns, so that an hour
+// in which the machine is slower counts for all of them.
 std::vector<StepTime> measure_all() {
   std::array<std::vector<double>, kCircles.size()> medians, highs;
   for (std::size_t run = 0; run < kRuns; ++run) {

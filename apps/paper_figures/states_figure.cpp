@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Not in the paper: where a robot of one velocity is safe, doomed or neither (docs/states.md).
+// Not in the paper: the places at which a robot of one velocity is safe, doomed or neither
+// (docs/states.md).
 #include "figures/state_map.h"
 #include "figures_of_the_paper.h"
 #include "panels.h"
@@ -7,7 +8,7 @@
 namespace avo::paper {
 namespace {
 
-// At 2 m/s to the right; it would stop in 2 m.
+// Returns a robot that drives at 2 m/s to the right; it would stop within 2 m.
 Simulation::Perception driving() {
   Simulation::Perception seen;
   seen.robot.position = {-3.6, -2.6};

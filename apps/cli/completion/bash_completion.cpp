@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Completion in bash: tables of what there is, and one function that looks things up in them.
+// Completion in bash: tables of all words, and one function that looks words up in them.
 #include <fmt/format.h>
 #include <string>
 
@@ -8,7 +8,7 @@
 namespace avo_cli {
 namespace {
 
-// bash splits words at "=", and replaces only what is behind it.
+// bash splits words at "=", and replaces only the text behind it.
 constexpr const char* kFunctions = R"bash(
 # KIND WORD: to COMPREPLY what the word may become
 _avo_offer() {
@@ -76,7 +76,7 @@ std::string joined(const std::vector<std::string>& words) {
   return fmt::format("{}", fmt::join(words, " "));
 }
 
-/// What _avo_offer() calls it.
+/// Returns the word by which _avo_offer() selects the values of the option.
 std::string kind_of(const OptionText& option) {
   switch (option.kind) {
     case ValueKind::none:
@@ -112,7 +112,7 @@ std::string options_of(const VerbText& verb) {
   return case_of(verb.name, names);
 }
 
-/// What the values of its options are, and its operand.
+/// Returns the kinds of values of the verb's options, and of its operand.
 std::string kinds_of(const VerbText& verb) {
   std::string cases;
   for (const OptionText& option : verb.options) {

@@ -12,20 +12,20 @@ class App;
 
 namespace avo_cli {
 
-/// What a value of the command line is, as far as a shell can offer some.
+/// The kind of a value on the command line, as far as a shell can offer some.
 enum class ValueKind {
-  none,      ///< a flag has none
+  none,      ///< a flag has no value
   anything,  ///< e.g. a number
-  file,      ///< one of some endings
-  scene,     ///< a built-in scene, or a file of some endings
+  file,      ///< a file with one of some endings
+  scene,     ///< a built-in scene, or a file with one of some endings
   name,      ///< a built-in scene
   setting,   ///< key=value of a scene
   verb,
 };
 
 struct OptionText {
-  std::vector<std::string> names;  ///< "-q", "--quiet"; of an operand one in capitals
-  std::string value;               ///< what help calls its value; empty: it has none
+  std::vector<std::string> names;  ///< "-q", "--quiet"; an operand has one name in capitals
+  std::string value;               ///< the name of its value in the help; empty: it has none
   std::string description;
   ValueKind kind = ValueKind::none;
   std::vector<std::string> endings;  ///< of files, without the dot
@@ -35,15 +35,15 @@ struct OptionText {
 };
 
 struct VerbText {
-  std::string name;  ///< empty: of the program itself
+  std::string name;  ///< empty: the program itself
   std::string description, footer;
-  std::vector<OptionText> options;  ///< operands too
+  std::vector<OptionText> options;  ///< including operands
 };
 
 struct ProgramText {
   VerbText program;
   std::vector<VerbText> verbs;
-  std::vector<std::string> scenes;  ///< of families a few
+  std::vector<std::string> scenes;  ///< for a family a few members
   std::vector<avo_io::SceneSetting> settings;
 };
 
@@ -51,7 +51,8 @@ std::string man_page(const ProgramText& text);
 std::string bash_completion(const ProgramText& text);
 std::string zsh_completion(const ProgramText& text);
 
-/// avo generate KIND: to the standard output. Throws UsageError where it is none of the three.
+/// Prints what avo generate KIND prints, to the standard output. Throws UsageError if `kind` is
+/// none of the three.
 int print_generated(const CLI::App& app, const std::string& kind);
 
 }  // namespace avo_cli

@@ -11,7 +11,8 @@
 namespace avo_cli {
 namespace {
 
-/// So that roff shows every character as it is: no dash becomes a hyphen, no line a request.
+/// Escapes the text, so that roff shows every character unchanged: no dash becomes a hyphen, and no
+/// line a request.
 std::string escaped(std::string_view text) {
   std::string result;
   for (const char c : text) {
@@ -33,7 +34,7 @@ std::string italic(std::string_view text) {
   return "\\fI" + escaped(text) + "\\fR";
 }
 
-/// Its names and its value, what it does.
+/// Returns the entry of an option: its names, its value, and its purpose.
 std::string entry(const OptionText& option) {
   std::string head;
   if (option.is_operand) {

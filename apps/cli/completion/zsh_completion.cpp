@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Completion in zsh: what _arguments wants to know of every verb.
+// Completion in zsh: the specifications that _arguments needs of every verb.
 #include <fmt/format.h>
 #include <string>
 #include <string_view>
@@ -9,7 +9,7 @@
 namespace avo_cli {
 namespace {
 
-/// Fit for the description of an option in single quotes.
+/// Returns the text escaped for the description of an option in single quotes.
 std::string escaped_for_zsh(std::string_view text) {
   std::string result;
   for (const char c : text) {
@@ -23,14 +23,14 @@ std::string escaped_for_zsh(std::string_view text) {
   return result;
 }
 
-/// What offers files of such endings.
+/// Returns the action that offers files with such endings.
 std::string files_of(const std::vector<std::string>& endings) {
-  // alone in parentheses one would be a qualifier
+  // a single ending in parentheses would be a qualifier
   if (endings.size() == 1) return fmt::format("\"*.{}\"", endings[0]);
   return fmt::format("\"*.({})\"", fmt::join(endings, "|"));
 }
 
-/// What offers such values.
+/// Returns the action that offers such values.
 std::string action_of(const OptionText& option) {
   switch (option.kind) {
     case ValueKind::none:
@@ -50,7 +50,7 @@ std::string action_of(const OptionText& option) {
   return " ";
 }
 
-/// One argument of _arguments for each of its names.
+/// Returns one argument of _arguments for each name of the option.
 std::string arguments_of(const OptionText& option) {
   const std::string value = fmt::format(":{}:{}", escaped_for_zsh(option.value), action_of(option));
   if (option.is_operand)

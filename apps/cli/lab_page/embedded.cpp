@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The page as bytes of the program: the assembler takes the file as it is, which costs nothing to
-// compile.
+// The page as bytes of the program: the assembler includes the file verbatim, which costs no
+// compile time.
 #include "lab_page.h"
 
 asm(".section .rodata\n"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Built without AVO_LAB.
+// An empty page, for a build without AVO_LAB.
 #include "lab_page.h"
 
 namespace avo_cli {

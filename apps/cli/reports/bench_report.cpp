@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What avo bench found, as text and as JSON.
+// The results of avo bench, as text and as JSON.
 #include "reports/bench_report.h"
 
 #include <algorithm>
@@ -19,7 +19,7 @@ double per(double sum, std::int64_t count) {
   return count > 0 ? sum / static_cast<double>(count) : 0.0;
 }
 
-/// Pairs, decisions and nanoseconds, of one robot in one step.
+/// Pairs, decisions and nanoseconds of one robot in one step.
 struct PerRobotStep {
   double pairs, infeasible;
   std::vector<avo::StageTime> stages;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The runs that avo compare compares, and the table of them.
+// The runs of avo compare, and their table.
 #include "reports/comparison.h"
 
 #include <algorithm>
@@ -25,7 +25,7 @@ constexpr const char* kUsualColumns[] = {"all_arrived",   "collided",
                                          "mean_arrival",  "last_arrival",
                                          "min_clearance", "step_milliseconds_median"};
 
-/// Rows of text in columns that are as wide as they have to be, numbers to the right.
+/// Returns rows of text in columns of minimal width, with numbers to the right.
 std::string aligned(const std::vector<TextRow>& rows) {
   std::vector<std::size_t> width;
   for (const TextRow& row : rows)
@@ -42,7 +42,7 @@ std::string aligned(const std::vector<TextRow>& rows) {
   return text;
 }
 
-/// "35.2 [34.9, 35.5]"; without an interval "35.2".
+/// Returns "35.2 [34.9, 35.5]", or "35.2" without an interval.
 std::string cell(const Case& entry, const avo_io::SweepTable& summary, const std::string& column) {
   const auto value = [&](const char* statistic) -> std::optional<double> {
     const auto at = std::find(summary.columns.begin(), summary.columns.end(),
@@ -60,7 +60,7 @@ std::string cell(const Case& entry, const avo_io::SweepTable& summary, const std
   return text;
 }
 
-/// The statistics of its runs alone.
+/// Returns the statistics of this case's runs alone.
 avo_io::SweepTable summary_of(const Case& entry) {
   avo_io::SweepTable table{entry.table->columns, {}};
   for (const auto* run : entry.runs) table.rows.push_back(*run);
@@ -75,7 +75,7 @@ std::vector<std::string> keys_of(const std::vector<Case>& cases) {
   return keys;
 }
 
-/// Throws UsageError where `word` is none of `words`.
+/// Throws UsageError if `word` is none of `words`.
 void require_one_of(const std::string& option, const std::string& word,
                     const std::vector<std::string>& words) {
   if (std::find(words.begin(), words.end(), word) != words.end()) return;
@@ -148,8 +148,8 @@ std::string label_of(const Case& entry, const std::vector<std::string>& keys, bo
   return avo_io::printable(label);
 }
 
-/// Throws UsageError where a column that --columns names is none of the results, and RecordingError
-/// where a run has something else than a number in it.
+/// Throws UsageError if a column of --columns is not a result, and RecordingError if a run has no
+/// number in it.
 void require_numbers(const std::vector<Case>& cases, const std::string& column) {
   const avo_io::SweepTable& first = *cases.front().table;
   const auto results = static_cast<std::ptrdiff_t>(parameters_of(first).second + kBehindSeed);

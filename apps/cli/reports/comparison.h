@@ -16,71 +16,75 @@ namespace avo_cli {
 
 /// Runs of one table, scene, method and set of parameters.
 struct Case {
-  std::vector<std::pair<std::string, std::string>> keys;  ///< what tells it from others
-  std::string file;                                       ///< of the table
+  std::vector<std::pair<std::string, std::string>> keys;  ///< distinguish it from other cases
+  std::string file;                                       ///< the table
   const avo_io::SweepTable* table = nullptr;
   std::vector<const std::vector<std::string>*> runs;
 
-  /// Empty where it has no such key.
+  /// Returns the value; empty if the case has no such key.
   [[nodiscard]] std::string value_of(const std::string& key) const;
-  /// Of all its runs that have one.
+  /// Returns the values of all its runs that have one.
   [[nodiscard]] std::vector<double> values(const std::string& column) const;
 };
 
-/// Files that were read.
+/// The files that avo compare has read.
 struct Comparison {
   std::vector<std::pair<std::string, avo_io::SweepTable>> tables;
   std::vector<std::pair<std::string, avo_io::RecordedRun>> recordings;
 };
 
-/// In the order of the tables and their rows. With several tables, "table" is one of the keys.
+/// Returns the cases in the order of the tables and their rows. With several tables, "table" is one
+/// of the keys.
 std::vector<Case> cases_of(const Comparison& comparison);
 
-/// Keys that have more than one value.
+/// Returns the keys that have more than one value.
 std::vector<std::string> varying_keys(const std::vector<Case>& cases);
 
-/// The values of those keys, e.g. "orca, 5"; `named`: "method orca, time_horizon 5".
+/// Returns the values of those keys, e.g. "orca, 5"; with `named`: "method orca, time_horizon 5".
 std::string label_of(const Case& entry, const std::vector<std::string>& keys, bool named = false);
 
-/// Cases that differ in one key, and what is said of them.
+/// Cases that differ in one key, and their results.
 struct ComparisonBlock {
-  std::string heading;                         ///< what they share and others do not; may be empty
-  std::vector<std::vector<std::string>> rows;  ///< the heads of the columns, and a row a case
+  /// keys that they share and that distinguish them from other blocks; may be empty
+  std::string heading;
+  /// the heads of the columns, and a row for each case
+  std::vector<std::vector<std::string>> rows;
   std::vector<Case> cases;
 };
-/// The first of method, parameters, table and scene that varies.
+/// Returns the first of method, parameters, table and scene that varies.
 std::string usual_by(const std::vector<Case>& cases);
-/// A block for each set of all keys but `by`. Of each of `columns` the mean over the runs and its
-/// 95 % interval. Empty `columns`: the usual ones. Throws UsageError on what there is not.
+/// Returns a block for each set of all keys except `by`. It has the mean over the runs and its 95 %
+/// interval for each of `columns`. Empty `columns`: the usual ones. Throws UsageError for an
+/// unknown key or column.
 std::vector<ComparisonBlock> blocks_of(const std::vector<Case>& cases, const std::string& by,
                                        std::vector<std::string> columns);
-/// The same as a text; an empty `by` is usual_by().
+/// Returns the blocks as text; an empty `by` means usual_by().
 std::string readable(const std::vector<Case>& cases, std::string by,
                      std::vector<std::string> columns);
-/// One row a recording.
+/// Returns one row for each recording.
 std::string readable(const Comparison& comparison);
 
-/// How much of the robots that are not parked had arrived, in % over s: the mean over the case's
-/// runs. Each run's share grows on straight lines from its first arrival, at 0, through its columns
-/// arrival_10 to arrival_100 to its last arrival, at 100, and stays as it is behind the last of
-/// them that it has. Where the share jumps there are two points at one time.
+/// Returns the share of arrived robots among those not parked, in % over s: the mean over the
+/// case's runs. Each run's share grows linearly from its first arrival, at 0, through its columns
+/// arrival_10 to arrival_100 to its last arrival, at 100. Behind the last of these columns that the
+/// run has, it stays constant. A jump of the share has two points at one time.
 std::vector<avo::Vec2> arrivals_of(const Case& entry);
 
-/// Of a figure: more of them nobody tells apart.
+/// The limit for a figure: readers cannot tell more curves apart.
 inline constexpr std::size_t kMostCurves = 12;
 
-/// The arrivals of these, with a curve for each, called by its values of `keys`.
+/// Draws the arrivals of these cases, with a curve for each, named by its values of `keys`.
 std::string draw_arrivals(const std::vector<Case>& cases, const std::vector<std::string>& keys,
                           const std::string& role, const std::string& path);
 
-/// ms a step over the number of robots, a curve for each label: at each number the median over all
-/// runs with so many, in whatever case. Labels have what varies, but for scenes, and for keys that
-/// do nothing but to say how many robots there are.
+/// Returns ms per step over the number of robots, with a curve for each label. Each point is the
+/// median over all runs with that number, in whatever case. Labels have the keys that vary, except
+/// scenes and keys that only set the number of robots.
 std::vector<std::pair<std::string, std::vector<avo::Vec2>>> scaling_of(
     const std::vector<Case>& cases);
 
-/// What the files at `path` are to hold. Throw UsageError, which calls the option `role`, where
-/// there is nothing to draw.
+/// Return the contents of the files at `path`. They throw UsageError, which names the option
+/// `role`, if there is nothing to draw.
 std::string draw_arrivals(const Comparison& comparison, const std::string& role,
                           const std::string& path);
 std::string draw_clearances(const Comparison& comparison, const std::string& role,

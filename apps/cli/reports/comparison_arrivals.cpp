@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// How many robots had arrived at which time, as the tables of sweeps tell it: the curve of avo
-// compare --arrival.
+// The number of arrived robots over time, from the tables of sweeps: the curve of avo compare
+// --arrival.
 #include <algorithm>
 #include <fmt/format.h>
 #include <iterator>
@@ -13,9 +13,9 @@ namespace avo_cli {
 namespace {
 
 using avo::Vec2;
-using ArrivalCurve = std::vector<Vec2>;  // (s, %), neither of which ever falls
+using ArrivalCurve = std::vector<Vec2>;  // (s, %); both never decrease
 
-/// The columns that a run's curve goes through, in its order, with their shares in %.
+/// Returns the columns that a run's curve goes through, in order, with their shares in %.
 std::vector<std::pair<std::size_t, double>> quantile_columns(const avo_io::SweepTable& table) {
   std::vector<std::pair<std::size_t, double>> found;
   const auto add = [&](const std::string& name, double share) {
@@ -30,7 +30,7 @@ std::vector<std::pair<std::size_t, double>> quantile_columns(const avo_io::Sweep
   return found;
 }
 
-/// The share at a time, just before it or just behind it: they differ where the curve jumps.
+/// Returns the share at a time, just before or just behind it: these differ where the curve jumps.
 double share_at(const ArrivalCurve& curve, double time, bool behind) {
   const auto next = behind ? std::upper_bound(curve.begin(), curve.end(), time,
                                               [](double t, Vec2 point) { return t < point.x; })
@@ -47,7 +47,7 @@ double share_at(const ArrivalCurve& curve, double time, bool behind) {
 std::vector<Vec2> arrivals_of(const Case& entry) {
   const auto columns = quantile_columns(*entry.table);
   std::vector<ArrivalCurve> runs;
-  std::vector<Vec2> times;  // .x alone counts
+  std::vector<Vec2> times;  // only .x is used
   for (const auto* run : entry.runs) {
     ArrivalCurve& curve = runs.emplace_back();
     for (const auto& [column, share] : columns)

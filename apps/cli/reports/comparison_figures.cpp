@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What avo compare draws.
+// The figures of avo compare.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -22,12 +22,12 @@ using avo::figures::Series;
 
 constexpr std::size_t kMostPanels = 6;
 
-/// pt, drawn and left out in turn: who sees no colors tells curves by them. Those that share one
-/// have opposite colors where there are twelve.
+/// pt, drawn and left out in turn: they distinguish curves for readers without color vision. With
+/// twelve curves, two with the same dashes have opposite colors.
 constexpr std::array<std::array<double, 4>, 6> kDashes{
     {{}, {6, 3, 6, 3}, {1.5, 2, 1.5, 2}, {8, 2.5, 1.5, 2.5}, {13, 3, 13, 3}, {5, 2, 2, 2}}};
 
-/// Gives colors and dashes. Throws UsageError where there are too many or none.
+/// Assigns colors and dashes. Throws UsageError if there are too many curves, or none.
 std::string draw(avo::figures::Chart chart, const std::string& role, const std::string& path) {
   const std::size_t count = chart.series.size();
   if (count > kMostCurves)
@@ -48,7 +48,7 @@ std::string stem(const std::string& recording) {
   return avo_io::printable(std::filesystem::path(recording).stem().string());
 }
 
-/// Curves that end before others go on as they ended: nobody arrives any more.
+/// Extends curves that end before others by their last value: no robot arrives any more.
 void extend(std::vector<Series>& curves) {
   double last = 0.0;
   for (const Series& curve : curves) last = std::max(last, curve.points.back().x);

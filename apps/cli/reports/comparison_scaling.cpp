@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a step costs over the number of robots, as the paper's Fig. 10: the curves of avo compare
-// --scaling.
+// The cost of a step over the number of robots, as in the paper's Fig. 10: the curves of avo
+// compare --scaling.
 #include <algorithm>
 #include <map>
 #include <optional>
@@ -13,13 +13,13 @@ namespace {
 
 using avo::Vec2;
 
-/// The median step of a run of so many robots.
+/// The median step of a run with this number of robots.
 struct StepTime {
   double robots = 0.0;
   double milliseconds = 0.0;
 };
 
-/// Of its runs that have both.
+/// Returns the step times of the runs that have both values.
 std::vector<StepTime> step_times_of(const Case& entry) {
   const std::vector<std::string>& columns = entry.table->columns;
   const auto robots = std::find(columns.begin(), columns.end(), "robots");
@@ -34,7 +34,8 @@ std::vector<StepTime> step_times_of(const Case& entry) {
   return times;
 }
 
-/// Whether each of its values goes with one number of robots, another one than the others do.
+/// Returns whether each value of the key belongs to one number of robots, and each to a different
+/// one.
 bool tells_number(const std::vector<Case>& cases, const std::string& key) {
   std::map<std::string, std::set<double>> numbers;
   for (const Case& entry : cases)
@@ -60,7 +61,8 @@ std::vector<std::pair<std::string, std::vector<Vec2>>> scaling_of(const std::vec
   });
   if (keys.empty()) keys = {"method"};
   std::vector<std::pair<std::string, std::vector<Vec2>>> curves;
-  std::map<std::string, std::map<double, std::vector<double>>> times;  // by label, by robots
+  // by label, then by number of robots
+  std::map<std::string, std::map<double, std::vector<double>>> times;
   for (const Case& entry : cases) {
     const std::string label = label_of(entry, keys);
     const std::vector<StepTime> found = step_times_of(entry);

@@ -11,9 +11,9 @@ namespace {
 
 using avo::Vec2;
 
-constexpr std::size_t kMostPoints = 1000;  // of a curve
+constexpr std::size_t kMostPoints = 1000;  // per curve
 
-/// The lowest of every so many, where it is.
+/// Returns the lowest point of every n, at its own place.
 std::vector<Vec2> lowest(const std::vector<Vec2>& points) {
   const std::size_t stride = points.size() / kMostPoints + 1;
   std::vector<Vec2> kept;

@@ -9,11 +9,12 @@
 
 namespace avo_cli {
 
-/// As many points as a figure shows, and the last.
+/// Returns as many points as a figure can show, and the last point.
 std::vector<avo::Vec2> thinned(const std::vector<avo::Vec2>& points);
 
-std::vector<avo::Vec2> arrivals_of(const avo_io::RecordedRun& run);  ///< % of those not parked
-/// m, the least of two robots; of every so many times the lowest.
+/// % of the robots that are not parked
+std::vector<avo::Vec2> arrivals_of(const avo_io::RecordedRun& run);
+/// m, the least clearance of two robots; thinned to the lowest value of every n times.
 std::vector<avo::Vec2> clearances_of(const avo_io::RecordedRun& run);
 std::vector<avo::Vec2> top_speeds_of(const avo_io::RecordedRun& run);  ///< m/s
 

@@ -32,7 +32,7 @@ void add_rows(const nlohmann::ordered_json& object, const std::string& in_front,
 std::string as_html(std::string_view text) {
   std::string html;
   std::size_t line_begin = 0;
-  while (true) {  // line by line: a page may have many, and no control characters
+  while (true) {  // line by line: the page may have many lines, and has no control characters
     const std::size_t end = text.find('\n', line_begin);
     for (const char c : avo_io::printable(text.substr(line_begin, end - line_begin))) {
       switch (c) {

@@ -9,17 +9,17 @@
 
 namespace avo_cli {
 
-/// Text as HTML shows it, whatever is in it.
+/// Returns the text such that HTML shows it verbatim.
 std::string as_html(std::string_view text);
 std::string base64(std::string_view bytes);
-/// An SVG figure as an image that needs no other file.
+/// Returns an SVG figure as an image that needs no other file.
 std::string image_of(const std::string& svg, const std::string& words);
-/// Rows of a name and a value.
+/// Returns rows of a name and a value.
 std::string table_of(const std::vector<std::pair<std::string, std::string>>& rows);
-/// All numbers and words of an object, those of inner objects with both names; lists by their
-/// lengths. What there is not is left out.
+/// Returns all numbers and words of an object. Members of inner objects have both names, and lists
+/// appear as their lengths. Missing values are left out.
 std::string table_of(const nlohmann::ordered_json& object);
-/// The page with what stands for each "@name@".
+/// Returns the page with the replacement of each "@name@".
 std::string filled(std::string_view page,
                    const std::vector<std::pair<std::string, std::string>>& parts);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What pages of recordings and of sweeps have in common.
+// Parts that pages of recordings and of sweeps share.
 #include "reports/report_parts.h"
 
 #include <algorithm>
@@ -49,7 +49,7 @@ std::string page_replay(const std::string& heading, const avo_io::RecordedRun& r
       heading, filled(kReportReplay, {{"drawing", drawing_of(run)}, {"data", data_of(run)}}));
 }
 
-// An attribute ends with its quote alone: the page is inside as it is, but for two characters.
+// Only a quote ends an attribute, so the page can be inside it verbatim, except for two characters.
 std::string page_lab(const std::string& heading, const std::string& input) {
   std::string frame = "<iframe class=\"lab\" title=\"" + as_html(heading) + "\" srcdoc=\"";
   for (const char c : lab_page_with(input)) {

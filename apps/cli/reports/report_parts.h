@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What pages of recordings and of sweeps have in common.
+// Parts that pages of recordings and of sweeps share.
 #pragma once
 #include <string>
 #include <vector>
@@ -8,22 +8,22 @@
 
 namespace avo_cli {
 
-/// A word of a command, in quotes that a shell takes away where it needs any.
+/// Returns a word of a command, quoted for a shell if necessary.
 std::string shell_word(const std::string& word);
-/// " --set KEY=VALUE" for each.
+/// Returns " --set KEY=VALUE" for each override.
 std::string set_options(const std::vector<std::string>& overrides);
 
-/// A part of a page under a heading of its own.
+/// Returns a part of a page under its own heading.
 std::string page_section(const std::string& heading, const std::string& html);
-/// The same of text as it is.
+/// Returns the same for text, shown verbatim.
 std::string page_text(const std::string& heading, const std::string& text);
-/// Figures side by side.
+/// Returns figures side by side.
 std::string page_figures(const std::string& heading, const std::string& images);
-/// The run in motion, as a drawing; for builds without the lab.
+/// Returns the run in motion, as a drawing; it is for builds without the lab.
 std::string page_replay(const std::string& heading, const avo_io::RecordedRun& run);
-/// The lab, which opens that (lab_page.h); it must be there.
+/// Returns the lab, which opens that input (lab_page.h); the build must have the lab.
 std::string page_lab(const std::string& heading, const std::string& input);
-/// The whole page of its sections, in their order.
+/// Returns the whole page with its sections in order.
 std::string page_of(const std::string& title, const std::string& subtitle,
                     const std::vector<std::string>& sections);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A recording as a drawing that a page sets in motion.
+// A recording as a drawing that the page animates.
 #include "reports/report_replay.h"
 
 #include <algorithm>
@@ -18,10 +18,10 @@ namespace {
 namespace figures = avo::figures;
 
 constexpr std::size_t kMostFrames = 600;
-constexpr std::size_t kMostPositions = 400'000;  // 2.2 MB of a page
+constexpr std::size_t kMostPositions = 400'000;  // 2.2 MB on a page
 constexpr std::uint16_t kNotThere = 65535;
 
-/// "#rrggbb".
+/// Returns "#rrggbb".
 std::string word_of(const figures::Color& color) {
   const auto level = [](double part) { return static_cast<int>(std::lround(255.0 * part)); };
   return fmt::format("#{:02x}{:02x}{:02x}", level(color.red), level(color.green),
@@ -38,7 +38,7 @@ avo::Vec2 center_of(const avo::RobotSetup& robot, const avo_io::RecordedFrame& f
   return disc_center(robot.model, frame.position[i], frame.heading[i]);
 }
 
-/// All that is there at any time.
+/// Returns the box of everything that is visible at any time.
 figures::Box world_of(const avo_io::RecordedRun& run) {
   const avo::Scenario& scenario = run.scenario;
   figures::Box world = figures::world_of(scenario);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A recording as a drawing that a page sets in motion.
+// A recording as a drawing that the page animates.
 #pragma once
 #include <cstddef>
 #include <cstdint>
@@ -9,12 +9,12 @@
 
 namespace avo_cli {
 
-/// How many frames of so many robots a page holds.
+/// Returns the number of frames with so many robots that a page holds.
 std::size_t most_frames(std::int64_t robots);
 
-/// An SVG of the walls, goals and bodies, a circle each.
+/// Returns an SVG of the walls, goals and bodies, with a circle for each body.
 std::string drawing_of(const avo_io::RecordedRun& run);
-/// The script's data: an object of times, the box and the positions.
+/// Returns the script's data: an object of times, the box and the positions.
 std::string data_of(const avo_io::RecordedRun& run);
 
 }  // namespace avo_cli

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What avo run says of a run.
+// The results of avo run, as text.
 #include "reports/run_report.h"
 
 #include <algorithm>
@@ -54,7 +54,7 @@ std::string decisions(const avo::RunSummary& results) {
   return text;
 }
 
-/// Empty where nobody has accelerated twice.
+/// Returns an empty text if no robot has accelerated twice.
 std::string smoothness(const avo::RunMetrics& metrics) {
   if (!metrics.jerk) return "";
   std::string text = fmt::format("jerk {:.3g} m/s^3, acceleration {:.3g} a_max (rms)",
@@ -64,7 +64,7 @@ std::string smoothness(const avo::RunMetrics& metrics) {
   return text;
 }
 
-/// Whether the robot moves at the end, and who is in its way.
+/// Returns whether the robot moves at the end, and what is in its way.
 std::string state_of(const avo::NotArrived& robot) {
   constexpr double kAtRest = 1e-3;  // m/s
   std::string text =
@@ -80,7 +80,8 @@ std::string state_of(const avo::NotArrived& robot) {
   return text;
 }
 
-/// Who has not arrived, the first by number with their states; empty if nobody.
+/// Returns the robots that have not arrived, the first of them by number and with their states;
+/// empty if there are none.
 std::string not_arrived(const avo::RunSummary& results) {
   constexpr std::size_t kNamed = 5;
   const std::size_t named = std::min(kNamed, results.not_arrived.size());
@@ -92,7 +93,7 @@ std::string not_arrived(const avo::RunSummary& results) {
   return others > 0 ? fmt::format("{}{}{} more", text, text.empty() ? "" : "; ", others) : text;
 }
 
-/// Of all robots.
+/// Returns the decisions of all robots.
 std::int64_t decided(const avo::RunSummary& results) {
   const avo::Decisions& d = results.decisions;
   return d.optimal + d.least_unsafe + d.candidate + d.braking + d.overlapping + d.invalid_input;

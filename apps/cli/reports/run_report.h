@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What avo run says of a run.
+// The results of avo run, as text.
 #pragma once
 #include <string>
 
@@ -8,10 +8,10 @@
 
 namespace avo_cli {
 
-/// One line on robots that walls keep from their goals; nothing where there are none.
+/// Prints one line about robots that walls keep from their goals; nothing if there are none.
 void tell_unreachable(const avo::RunSummary& results);
 
-/// A short table.
+/// Returns a short table.
 std::string readable(const avo::Scenario& scenario, const avo::RunSummary& results);
 
 }  // namespace avo_cli

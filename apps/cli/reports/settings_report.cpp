@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What --verbose tells, on the standard error output.
+// The output of --verbose, on the standard error output.
 #include "reports/settings_report.h"
 
 #include <algorithm>
@@ -30,7 +30,7 @@ std::string seconds(double value) {
   return fmt::format("{} s", value);
 }
 
-/// What takes effect, of those who decide and do not fly.
+/// Returns the response times that take effect, for robots that decide and do not fly.
 std::string response_times(const avo::Scenario& scenario, avo::PlannerOptions options) {
   if (!(options.response_time > 0.0) && !options.comfort_jerk) return "0: at once";
   double least = 0.0, most = 0.0;
@@ -46,7 +46,7 @@ std::string response_times(const avo::Scenario& scenario, avo::PlannerOptions op
                        : fmt::format("{:.6g} s to {:.6g} s", least, most);
 }
 
-/// The scene's, and how many robots decide by others.
+/// Returns the scene's method, and the number of robots that decide by other methods.
 std::string methods_of(const avo::Scenario& scenario) {
   std::map<avo::Method, std::int64_t> others;
   for (const avo::RobotSetup& robot : scenario.robots)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What --verbose tells, on the standard error output.
+// The output of --verbose, on the standard error output.
 #pragma once
 #include <string>
 #include <vector>
@@ -10,12 +10,12 @@
 
 namespace avo_cli {
 
-/// Which scene is loaded, from where, with which files, and the settings in use, those of its
-/// method where the scene leaves them out. Nothing unless it is to be verbose.
+/// Tells which scene is loaded, from where, with which files, and the settings in use. Settings
+/// that the scene leaves out are those of its method. Prints nothing unless --verbose is set.
 void tell_settings(const SceneArguments& arguments, const avo::Scenario& scenario,
                    const avo_io::SceneSource& source);
 
-/// Threads, instruction set and version. Likewise.
+/// Tells threads, instruction set and version. Prints nothing unless --verbose is set.
 void tell_machine(const avo::Simulation& simulation);
 
 }  // namespace avo_cli

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// avo report of a sweep: its table as one page, with one of its runs in motion.
+// avo report for a sweep: its table as one page, with one of its runs in motion.
 #include "reports/sweep_report.h"
 
 #include <algorithm>
@@ -24,7 +24,7 @@
 namespace avo_cli {
 namespace {
 
-constexpr std::size_t kMostFigures = 24;  // of arrivals: a page of some megabytes
+constexpr std::size_t kMostFigures = 24;  // figures of arrivals: a page of some megabytes
 constexpr const char* kPageColumns[] = {
     "all_arrived",      "success",       "collided",
     "collision_pairs",  "min_clearance", "last_arrival",
@@ -32,7 +32,7 @@ constexpr const char* kPageColumns[] = {
     "acceleration_rms", "jerk",          "reversals",
     "turned_back",      "deadlock_time", "step_milliseconds_median"};
 
-/// Of a table: the values of one of its columns, each once.
+/// Returns the distinct values in one column of a table.
 std::set<std::string> values_in(const avo_io::SweepTable& table, const std::string& column) {
   const auto at = std::find(table.columns.begin(), table.columns.end(), column);
   std::set<std::string> values;
@@ -42,7 +42,7 @@ std::set<std::string> values_in(const avo_io::SweepTable& table, const std::stri
   return values;
 }
 
-/// "1 scene", "3 scenes".
+/// Returns "1 scene", "3 scenes".
 std::string counted(std::size_t number, const std::string& thing) {
   return fmt::format("{} {}{}", number, thing, number == 1 ? "" : "s");
 }
@@ -58,7 +58,7 @@ std::string subtitle_of(const avo_io::SweepTable& table) {
   return text + ", " + counted(values_in(table, "seed").size(), "seed");
 }
 
-/// A field with its interval on a line of its own.
+/// Returns a field, with its interval on a separate line.
 std::string cell_of(const std::string& field) {
   std::string html = as_html(field);
   const std::size_t interval = html.find(" [");
@@ -67,14 +67,14 @@ std::string cell_of(const std::string& field) {
                      html.substr(interval + 1));
 }
 
-/// A head that may be broken behind each underscore.
+/// Returns a head that may be broken behind each underscore.
 std::string head_of(const std::string& name) {
   std::string html;
   for (const char c : as_html(name)) html += c == '_' ? std::string("_<wbr>") : std::string(1, c);
   return html;
 }
 
-/// A table with its heads on top.
+/// Returns a table with its heads on top.
 std::string grid_of(const std::vector<std::vector<std::string>>& rows) {
   std::string html = "<div class=\"table\"><table>\n";
   for (std::size_t k = 0; k < rows.size(); ++k) {
@@ -94,8 +94,8 @@ std::vector<std::string> columns_in(const avo_io::SweepTable& table) {
   return columns;
 }
 
-/// A section of tables, and one of figures: of each block the arrivals. Figures with too many
-/// curves to tell apart are left out, and the page says so.
+/// Returns a section of tables, and one of figures: the arrivals of each block. Figures with too
+/// many curves to tell apart are left out, and the page says so.
 std::vector<std::string> comparison_sections(const Comparison& comparison) {
   const avo_io::SweepTable& table = comparison.tables.front().second;
   const std::vector<Case> cases = cases_of(comparison);
@@ -150,7 +150,7 @@ std::int64_t number_of(const std::vector<std::string>& row) {
   return static_cast<std::int64_t>(avo_io::number_in(row[1]).value_or(-1.0));
 }
 
-/// The row of that run. Throws UsageError where the table has none.
+/// Returns the row of that run. Throws UsageError if the table has none.
 const std::vector<std::string>& row_of(const avo_io::SweepTable& table, const std::string& path,
                                        std::int64_t run) {
   for (const std::vector<std::string>& row : table.rows)
@@ -164,7 +164,7 @@ std::string field_of(const avo_io::SweepTable& table, const std::vector<std::str
   return at == table.columns.end() ? "" : row[static_cast<std::size_t>(at - table.columns.begin())];
 }
 
-/// " --shard I/N" of a table that has part I of N of the runs, by their numbers.
+/// Returns " --shard I/N" if the table has part I of N of the runs, by their numbers.
 std::string shard_option(const avo_io::SweepSpec& spec, const avo_io::SweepTable& table) {
   if (std::ssize(table.rows) == run_count(spec)) return "";
   const std::int64_t first = number_of(table.rows.front());
@@ -173,7 +173,7 @@ std::string shard_option(const avo_io::SweepSpec& spec, const avo_io::SweepTable
   return fmt::format(" --shard {}/{}", first + 1, parts);
 }
 
-/// In the lab, which simulates it anew; else as a drawing.
+/// Returns the run in the lab, which simulates it again; without the lab, it returns a drawing.
 std::string motion_of(const std::string& heading, const ShownRun& shown) {
   if (lab_page().empty()) return page_replay(heading, shown.run);
   avo_io::SceneSource source;
@@ -210,7 +210,7 @@ std::vector<std::string> run_sections(const ReportArguments& arguments,
                                                    table_of(results) + "</details>")};
 }
 
-/// A recording as CSV lands here too: it has no scene in it, and cannot be reported.
+/// Reads the table. A recording as CSV ends here too: it contains no scene, and cannot be reported.
 avo_io::SweepTable table_in(const std::string& path) {
   try {
     return avo_io::read_sweep(path);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// avo report of a sweep.
+// avo report for a sweep.
 #pragma once
 #include <string>
 
@@ -7,10 +7,10 @@
 
 namespace avo_cli {
 
-/// Whether avo report takes the file for the table of a sweep rather than for a recording.
+/// Returns whether avo report takes the file for the table of a sweep rather than for a recording.
 bool is_sweep_table(const std::string& path);
 
-/// The page of such a table. Throws as exit_codes.h and avo_io/errors.h say.
+/// Returns the page of such a table. Throws as exit_codes.h and avo_io/errors.h say.
 std::string sweep_page(const ReportArguments& arguments);
 
 }  // namespace avo_cli

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// avo bench: what a step of a scene costs. Runs the same steps several times, nothing else between
-// them, and once more to count pairs and to tell the stages apart.
+// avo bench: the cost of a step of a scene. It runs the same steps several times, with nothing else
+// between them. It runs them once more to count pairs and to separate the stages.
 #include <algorithm>
 #include <chrono>
 #include <cstdint>
@@ -26,11 +26,11 @@ namespace {
 
 constexpr int kRuns = 3;
 
-/// Which steps are measured.
+/// The steps that are measured.
 struct Course {
-  std::int64_t warm_up = 0;  ///< steps before them
+  std::int64_t warm_up = 0;  ///< number of steps before them
   std::int64_t steps = 0;
-  bool until_arrival = false;  ///< fewer where all have arrived
+  bool until_arrival = false;  ///< fewer steps if all robots have arrived
 };
 
 Course course_of(const avo::Scenario& scenario, const BenchArguments& arguments) {
@@ -38,12 +38,12 @@ Course course_of(const avo::Scenario& scenario, const BenchArguments& arguments)
   if (arguments.steps) return {kWarmUp, *arguments.steps, false};
   const auto robots = static_cast<std::int64_t>(scenario.robots.size());
   const std::int64_t most = std::max(kFewest, kRobotSteps / robots);
-  // its robots arrive one by one: it is itself only while nearly all are under way
+  // its robots arrive one by one: the scene is representative only while nearly all are under way
   if (scenario.name.starts_with("uniform-")) return {kWarmUp, std::min(kUnderWay, most), false};
   return {0, std::min(avo::last_step(scenario, scenario.duration), most), true};
 }
 
-/// Steps of a scene. Of free clocks a step comprises all instants within one time step, so that
+/// Steps of a scene. With free clocks, a step comprises all instants within one time step, so that
 /// each robot decides about once in it.
 class Steps {
  public:
@@ -91,7 +91,7 @@ std::vector<double> time_steps(const avo::Scenario& scenario, int threads, const
   return milliseconds;
 }
 
-/// What this process has allocated and not freed; 0 where that is not known.
+/// Returns the bytes that this process has allocated and not freed; 0 if unknown.
 std::size_t allocated_bytes() {
 #ifdef AVO_COUNTS_ALLOCATED
   const struct mallinfo2 info = mallinfo2();
@@ -101,7 +101,7 @@ std::size_t allocated_bytes() {
 #endif
 }
 
-/// Stages, pairs and memory; also the number of threads.
+/// Measures stages, pairs and memory; it also returns the number of threads.
 BenchResults profile_steps(const avo::Scenario& scenario, int threads, const Course& course) {
   const std::size_t before = allocated_bytes();
   avo::Simulation simulation(scenario, threads);
@@ -116,7 +116,8 @@ BenchResults profile_steps(const avo::Scenario& scenario, int threads, const Cou
   return results;
 }
 
-/// Step by step: the runs are the same, bit for bit, and so are their numbers of steps.
+/// Takes the median step by step: the runs are the same bit for bit, so they have the same number
+/// of steps.
 std::vector<double> median_run(const std::vector<std::vector<double>>& runs) {
   std::vector<double> result;
   for (std::size_t k = 0; k < runs[0].size(); ++k) {
@@ -127,10 +128,10 @@ std::vector<double> median_run(const std::vector<std::vector<double>>& runs) {
   return result;
 }
 
-/// Tells of its progress between the runs, never within what is timed.
+/// Measures the steps; it reports progress between the runs, never within the timed part.
 BenchResults measure(const avo::Scenario& scenario, int threads, const Course& course) {
   Progress progress = Progress::of_parts(1 + kRuns);
-  BenchResults results = profile_steps(scenario, threads, course);  // warms up as well
+  BenchResults results = profile_steps(scenario, threads, course);  // this run also warms up
   results.runs = kRuns;
   std::vector<std::vector<double>> runs;
   while (runs.size() < kRuns) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// avo check: judges a recording, whoever made it.
+// avo check: judges a recording of any origin.
 #include <cmath>
 #include <filesystem>
 #include <fmt/format.h>
@@ -25,7 +25,7 @@ bool has_limits(const CheckArguments& arguments) {
          arguments.max_braking;
 }
 
-/// The scene that the recording has in itself, where no other one and no limits are given.
+/// Returns the scene that the recording contains, if neither another scene nor limits are given.
 std::optional<avo_io::RecordedScene> own_scene(const CheckArguments& arguments) {
   if (!arguments.scene.scene.empty() || has_limits(arguments)) return std::nullopt;
   const bool may_have_one =
@@ -34,7 +34,7 @@ std::optional<avo_io::RecordedScene> own_scene(const CheckArguments& arguments) 
   return avo_io::read_recorded_scene(arguments.recording, arguments.scene.overrides);
 }
 
-/// `scene`: there is one, with robots.
+/// `scene`: whether there is a scene with robots.
 void check_arguments(const CheckArguments& arguments, bool scene) {
   const std::pair<const char*, const std::optional<double>&> limits[] = {
       {"--radius", arguments.radius},
@@ -70,7 +70,7 @@ void check_arguments(const CheckArguments& arguments, bool scene) {
                                  avo_io::printable(arguments.movers_at_rest)));
 }
 
-/// The scene that is given, or the recording's own.
+/// Returns the given scene, or the recording's own.
 std::optional<avo::Scenario> scenario_of(const CheckArguments& arguments,
                                          const std::optional<avo_io::RecordedScene>& own) {
   if (!arguments.scene.scene.empty()) {
@@ -96,7 +96,7 @@ avo_io::JudgeOptions options_of(const CheckArguments& arguments,
           .movers_at_rest = arguments.movers_at_rest == "ok"};
 }
 
-/// Without a scene nobody knows how long it takes.
+/// Judges with progress; the duration is unknown without a scene.
 avo_io::Judgement judge_with_progress(const std::string& recording, avo_io::JudgeOptions options) {
   if (!options.scenario) return avo_io::judge(recording, options);
   Progress progress(options.scenario->duration, true);

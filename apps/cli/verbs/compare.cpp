@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// avo compare: the table of sweeps and recordings, and figures of them.
+// avo compare: the table of sweeps and recordings, and their figures.
 #include <fmt/format.h>
 #include <memory>
 #include <string>
@@ -32,7 +32,7 @@ std::vector<ComparisonFigure> figures_of(const CompareArguments& arguments) {
   return figures;
 }
 
-/// A recording, or else a table.
+/// Reads a recording, or else a table.
 void read_into(Comparison& comparison, const std::string& path) {
   const bool is_table = path.ends_with(".csv") || avo_io::is_sweep_hdf5(path);
   if (!is_table && avo_io::read_recording_header(path))
@@ -41,7 +41,7 @@ void read_into(Comparison& comparison, const std::string& path) {
     comparison.tables.emplace_back(path, avo_io::read_sweep(path));
 }
 
-/// Of recordings alone, nobody would read these options.
+/// Refuses options that have no effect on recordings alone.
 void require_table(const CompareArguments& arguments, const Comparison& comparison) {
   if (!comparison.tables.empty() || (arguments.by.empty() && arguments.columns.empty())) return;
   throw UsageError(fmt::format("{}: found without a table of avo sweep, must be with one or more",
@@ -61,7 +61,7 @@ int compare(const CompareArguments& arguments) {
   }
   require_distinct(inputs, outputs);
   Comparison comparison;
-  comparison.tables.reserve(arguments.files.size());  // cases point to them
+  comparison.tables.reserve(arguments.files.size());  // because cases point into it
   for (const std::string& file : arguments.files) read_into(comparison, file);
   require_table(arguments, comparison);
   const std::string text =

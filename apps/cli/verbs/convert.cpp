@@ -26,7 +26,8 @@ namespace {
 
 using avo_io::ExportFormat;
 
-/// Of the output. Those of recordings and of text do not tell the format.
+/// An ending of an output's name. The endings of recordings and of text do not determine the
+/// format.
 struct Ending {
   std::string_view ending;
   ExportFormat format;
@@ -69,7 +70,7 @@ ExportFormat format_of(const ConvertArguments& arguments) {
       arguments.output, avo_io::printable(ending, kLongestWord)));
 }
 
-/// That of --scene, or the one that the recording has in itself, with the overrides.
+/// Returns the scene of --scene, or the scene in the recording, with the overrides.
 std::optional<avo::Scenario> scenario_of(const ConvertArguments& arguments) {
   if (!arguments.scene.scene.empty()) {
     avo_io::SceneSource source;
@@ -115,7 +116,7 @@ int convert(const ConvertArguments& arguments) {
   if (format == ExportFormat::mcap && options.scenario && options.scenario->robots.empty())
     throw UsageError("--scene: found no robots in it, must have them: MCAP shows radii");
   if (format == ExportFormat::mcap && !options.scenario) {
-    if (arguments.recording != "-") avo_io::RecordingReader(arguments.recording);  // is it there?
+    if (arguments.recording != "-") avo_io::RecordingReader(arguments.recording);  // does it exist?
     throw UsageError(
         "--scene: found none, must be given: MCAP shows radii and walls, and CSV has neither");
   }

@@ -25,7 +25,7 @@ std::string title_of(const avo_io::Decision& decision) {
                      avo::to_string(decision.state.state));
 }
 
-/// f(), whose errors say which option is to blame.
+/// Calls f(); errors then name the option that caused them.
 template <typename F>
 auto by_option(F f) {
   try {
@@ -37,7 +37,7 @@ auto by_option(F f) {
 
 std::optional<std::size_t> approach(const ExplainArguments& arguments,
                                     const avo::Scenario& scenario, avo::Simulation& simulation) {
-  Progress progress(arguments.time);  // wiped before anything is printed
+  Progress progress(arguments.time);  // wiped before other output
   const auto go_on = [&] {
     progress.show(simulation.time());
     return signal_caught() == 0;

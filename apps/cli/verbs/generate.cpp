@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// avo generate: what manual page and completions say, taken from the options, scenes and schema.
+// avo generate: manual page and completions, made from the options, scenes and schema.
 #include "completion/generate.h"
 
 #include <CLI/CLI.hpp>
@@ -14,7 +14,7 @@
 namespace avo_cli {
 namespace {
 
-/// "svg", "png" and "pdf" of "FILE.svg|.png|.pdf".
+/// Returns "svg", "png" and "pdf" for "FILE.svg|.png|.pdf".
 std::vector<std::string> endings_of(const std::string& type) {
   std::vector<std::string> endings;
   for (std::size_t dot = type.find('.'); dot != type.npos; dot = type.find('.', dot + 1))
@@ -47,7 +47,7 @@ OptionText text_of(const CLI::Option& option) {
   } else {
     for (const std::string& name : option.get_snames()) text.names.push_back("-" + name);
     for (const std::string& name : option.get_lnames()) text.names.push_back("--" + name);
-    // validators add what they allow behind a colon
+    // validators append the allowed values behind a colon
     if (option.get_items_expected_max() > 0) text.value = type.substr(0, type.find(':'));
     text.repeats = option.get_items_expected_max() > 1;
   }
@@ -64,7 +64,7 @@ VerbText text_of(const CLI::App& app, const std::string& name) {
   return text;
 }
 
-/// Of a family, of which there is no end, those of 10, 100 and 1000 robots.
+/// Returns the names of scenes. A family has no end, so it appears with 10, 100 and 1000 robots.
 std::vector<std::string> scene_names() {
   std::vector<std::string> names;
   for (const avo_io::BuiltinScene& scene : avo_io::builtin_scenes()) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// avo lab: a page that simulates, with a scene or a recording inside.
+// avo lab: a page that simulates, with a scene or a recording embedded.
 #include <cstdint>
 #include <filesystem>
 #include <fmt/format.h>
@@ -27,8 +27,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// A page with 128 MiB in it opens in Chromium after half a minute on two busy cores; of 256 MiB it
-// has shown nothing after two minutes.
+// A page with 128 MiB in it opens in Chromium after half a minute on two busy cores; a page of 256
+// MiB has shown nothing after two minutes.
 constexpr std::uintmax_t kMostBytes = 100'000'000;
 
 void require_lab() {
@@ -43,8 +43,8 @@ bool is_csv(const std::string& path) {
   return fs::path(path).extension() == ".csv";
 }
 
-/// Whether the input is a recording: by --scene, which is about recordings alone, by its name, or
-/// by its first bytes.
+/// Returns whether the input is a recording: by --scene, which is for recordings alone, by its
+/// name, or by its first bytes.
 bool is_recording(const LabArguments& arguments) {
   if (!arguments.scene.scene.empty()) return true;
   const std::string& input = arguments.input;
@@ -54,7 +54,7 @@ bool is_recording(const LabArguments& arguments) {
   return fs::is_regular_file(input, error) && avo_io::read_recording_header(input).has_value();
 }
 
-/// Where nobody says it: NAME.html, in the current folder.
+/// Returns the default output: NAME.html, in the current folder.
 std::string usual_output(const std::string& input) {
   if (input.empty() || input == "-") return "lab.html";
   fs::path name = fs::path(input).filename();
@@ -80,8 +80,8 @@ std::string output_of(const LabArguments& arguments) {
   return output;
 }
 
-/// What breaks the assumptions of its certificate the page shows as well: that is no reason to
-/// refuse it.
+/// Returns the source of the scene. The page also shows a scene that breaks the assumptions of its
+/// certificate, so such a scene is not refused.
 avo_io::SceneSource source_of(const SceneArguments& arguments, const std::string& output) {
   avo_io::SceneSource source;
   try {
@@ -100,7 +100,8 @@ void require_fit(const std::string& recording, std::uintmax_t bytes) {
                     recording, static_cast<double>(bytes) / 1e6, kMostBytes / 1'000'000));
 }
 
-/// A recording as CSV, each of whose rows is read once: what is damaged comes into no page.
+/// Returns a recording as CSV. It reads every row once, so that damaged rows do not get into a
+/// page.
 std::string csv_text(const std::string& path, std::size_t robots) {
   std::error_code error;
   if (fs::exists(path, error) && !fs::is_regular_file(path, error))
@@ -142,7 +143,7 @@ std::string recorded(const LabArguments& arguments, const std::string& output) {
         "{}: found with a recording that has its scene in itself, must be with a scene{}",
         scene.empty() ? "--set and the like" : "--scene", scene.empty() ? "" : "less one, as CSV"));
   require_fit(path, fs::file_size(path));
-  (void)avo_io::read_recorded_scene(path);  // it can be used
+  (void)avo_io::read_recorded_scene(path);  // throws if the scene cannot be used
   const std::string bytes = avo_io::recording_bytes(path);
   require_fit(path, bytes.size());
   return recording_input(name, bytes, nullptr);

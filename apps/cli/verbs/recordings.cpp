@@ -15,7 +15,7 @@
 namespace avo_cli {
 namespace {
 
-/// "run.h5" of "run.h5.part".
+/// Returns "run.h5" for "run.h5.part".
 std::string recovered_path(const RecoverArguments& arguments) {
   constexpr std::string_view kPart = ".part";
   if (!arguments.output.empty()) return arguments.output;

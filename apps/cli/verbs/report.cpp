@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// avo report: a recording, or a sweep, as one page that needs nothing else.
+// avo report: a recording, or a sweep, as one page that needs no other file.
 #include <filesystem>
 #include <fmt/format.h>
 #include <optional>
@@ -34,7 +34,8 @@ namespace {
 namespace figures = avo::figures;
 using Rows = std::vector<std::pair<std::string, std::string>>;
 
-/// Across a line, the number of crossings stands in place of their times.
+/// Returns the results. For a measuring line, it gives the number of crossings instead of their
+/// times.
 std::string results_of(const avo::RunSummary& summary) {
   auto told = nlohmann::ordered_json::parse(avo_io::to_json(summary));
   if (summary.metrics.crossing_times) {
@@ -44,14 +45,14 @@ std::string results_of(const avo::RunSummary& summary) {
   return table_of(told);
 }
 
-/// What simulating the recording again tells of its run, or why it does not.
+/// The facts about the run that simulating the recording again gives, or the reason why it fails.
 struct Again {
   std::string results;      ///< HTML
-  bool to_the_end = false;  ///< no step of the scene was left
+  bool to_the_end = false;  ///< whether no step of the scene was left
   bool all_arrived = false;
 };
 
-/// As far as the rows tell it.
+/// Returns the facts that the rows alone give.
 Again told_by_rows(const avo_io::RecordedRun& run, const std::string& why) {
   const avo_io::RecordedMoment& last = run.moments.back();
   const avo::Scenario& scenario = run.scenario;
@@ -60,7 +61,7 @@ Again told_by_rows(const avo_io::RecordedRun& run, const std::string& why) {
   return {"<p>" + why + "</p>", to_the_end, last.arrived == run.travelers};
 }
 
-/// What the run's summary says: simulated again, until the recording's last time.
+/// Returns the run's summary from simulating it again until the recording's last time.
 Again simulated_again(const std::string& recording, const avo_io::RecordingHeader& header,
                       const avo_io::RecordedRun& run,
                       const std::optional<avo::MeasuringLine>& line) {
@@ -83,7 +84,7 @@ Again simulated_again(const std::string& recording, const avo_io::RecordingHeade
   return {results_of(metrics.summary()), replay.whole, metrics.all_arrived()};
 }
 
-/// The command that makes the recording again.
+/// Returns the command that makes the recording again.
 std::string command_of(const avo_io::RecordingHeader& header, const std::string& recording,
                        const Again& again, double end) {
   std::string command = "avo run " + shell_word(header.scene.name);
@@ -93,7 +94,7 @@ std::string command_of(const avo_io::RecordingHeader& header, const std::string&
   if (header.every > 1) command += fmt::format(" --every {}", header.every);
   if (header.until_arrived) command += " --until-arrived";
   const bool as_asked = again.to_the_end || (header.until_arrived && again.all_arrived);
-  if (!as_asked) command += fmt::format(" --duration {}", end);  // e.g. by a signal
+  if (!as_asked) command += fmt::format(" --duration {}", end);  // e.g. ended by a signal
   return command + " --record " + shell_word(recording);
 }
 
@@ -117,7 +118,7 @@ std::string figures_of(const avo_io::RecordedRun& run) {
          chart_of("speed (m/s)", top_speeds_of(run), figures::hue_color(20.0), "fastest robot");
 }
 
-/// In the lab as far as a page of some megabytes holds it, else as a drawing.
+/// Returns the replay in the lab, if a page of some megabytes can hold it; otherwise a drawing.
 std::string replay_of(const std::string& recording, const avo_io::RecordedRun& run) {
   if (lab_page().empty()) return page_replay("Replay", run);
   const std::size_t most = most_frames(static_cast<std::int64_t>(run.scenario.robots.size()));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// avo run: simulates a scene to its end, and writes what was asked for.
+// avo run: simulates a scene to its end, and writes the requested outputs.
 #include <chrono>
 #include <cstdint>
 #include <fmt/format.h>
@@ -30,14 +30,14 @@ std::vector<NamedFile> files_of(const RunArguments& arguments) {
           {"--figure", arguments.figure}};
 }
 
-/// Everything that a run writes. Opened before the simulation, so that a place that cannot be
-/// written is reported at once; named after it.
+/// All outputs of a run. They are opened before the simulation, so that an unwritable place is
+/// reported at once; they get their names after it.
 struct Outputs {
   std::unique_ptr<avo_io::Recording> record;
   std::optional<avo_io::OutputFile> summary, figure;
   std::optional<avo::figures::TrajectoryRecorder> trajectories;
   std::string figure_path;
-  std::int64_t every;  ///< of the recording
+  std::int64_t every;  ///< steps between rows of the recording
 
   Outputs(const RunArguments& arguments, const avo::Scenario& scenario,
           const avo_io::SceneSource& source)
@@ -52,21 +52,21 @@ struct Outputs {
                                       {.every = every, .until_arrived = arguments.until_arrived});
   }
 
-  /// At the start and after each step.
+  /// Call it at the start and after each step.
   void observe(const avo::Simulation& simulation) {
     if (record && simulation.steps() % every == 0) record->add(simulation);
     if (trajectories) trajectories->observe(simulation);
   }
 
-  /// After the last step.
+  /// Call it after the last step.
   void observe_last(const avo::Simulation& simulation) {
     if (!record) return;
     if (simulation.steps() % every != 0) record->add(simulation);
     record->finish(simulation);
   }
 
-  /// All of them, or none where one cannot be written. A figure can take longer to draw than a
-  /// signal leaves: then the others come first.
+  /// Finishes all outputs, or none if one cannot be written. A figure can take longer to draw than
+  /// a signal allows, so the other outputs are finished first.
   void finish(const avo::Scenario& scenario, const avo::RunSummary& results) {
     std::vector<avo_io::OutputFile*> files;
     if (record) files.push_back(&record->file());

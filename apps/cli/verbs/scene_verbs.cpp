@@ -97,7 +97,8 @@ int list_scenes(const std::string& name, bool json) {
 
 namespace {
 
-/// A line on each robot that walls keep from its goal, and how near it comes.
+/// Returns a line for each robot that walls keep from its goal, with the nearest place that it can
+/// reach.
 std::vector<std::string> told_out_of_reach(const avo::Scenario& scenario) {
   constexpr std::size_t kNamed = 10;
   const std::vector<avo::OutOfReach> all = avo::out_of_reach(scenario);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// avo sweep: many runs as one table, on all processors, and the tables of several machines as one.
+// avo sweep: many runs as one table, on all processors; it also joins the tables of several
+// machines.
 #include "avo_io/sweep.h"
 
 #include <charconv>
@@ -24,9 +25,9 @@
 namespace avo_cli {
 namespace {
 
-constexpr const char* kJournal = ".part";  // behind the name of the table
+constexpr const char* kJournal = ".part";  // suffix of the table's name
 
-/// "I/N". Throws UsageError.
+/// Reads "I/N". Throws UsageError.
 avo_io::SweepShard shard_of(const std::string& text) {
   avo_io::SweepShard shard{0, 0};
   const char* const last = text.data() + text.size();
@@ -52,7 +53,7 @@ void check_sweep(const SweepArguments& arguments) {
                             {"what is kept of the runs", arguments.output + kJournal}});
 }
 
-/// Both files, or none.
+/// Writes both files, or none.
 void write_tables(const SweepArguments& arguments, const avo_io::SweepTable& table) {
   avo_io::OutputFile output(arguments.output);
   if (!avo_io::is_hdf5_path(arguments.output))
@@ -101,8 +102,8 @@ int merge(const SweepArguments& arguments, const avo_io::SweepSpec& spec) {
   return kIncomplete;
 }
 
-/// Of the scenes, which are made and checked before the first run, and then of the runs. Shows the
-/// progress and, once, what a signal leads to.
+/// Progress of the scenes, which are made and checked before the first run, and then of the runs.
+/// It prints once what a signal leads to.
 class SweepProgress {
  public:
   void prepare(std::int64_t done, std::int64_t all) {
@@ -114,7 +115,7 @@ class SweepProgress {
   void show(std::int64_t done, std::int64_t all) {
     if (!bar_ || scenes_ != 0) {
       scenes_ = 0;
-      bar_.reset();  // and is wiped before the next one is there
+      bar_.reset();  // wiped before the next one appears
       bar_.reset(new Progress(Progress::of_parts(static_cast<int>(all - done))));
       first_ = done;
     }
@@ -131,8 +132,8 @@ class SweepProgress {
   }
 
   std::unique_ptr<Progress> bar_;
-  std::int64_t scenes_ = 0;  // of the bar; 0: it is that of the runs
-  std::int64_t first_ = 0;   // runs done before
+  std::int64_t scenes_ = 0;  // number of the bar's scenes; 0: the bar is that of the runs
+  std::int64_t first_ = 0;   // number of runs that were done before
   bool told_ = false;
 };
 
@@ -143,7 +144,7 @@ int sweep(const SweepArguments& arguments) {
   const avo_io::SweepShard shard = shard_of(arguments.shard);
   const avo_io::SweepSpec spec = avo_io::load_sweep(arguments.spec);
   if (!arguments.tables.empty()) return merge(arguments, spec);
-  if (shard.count > run_count(spec))  // a table without runs is none
+  if (shard.count > run_count(spec))  // a table without runs is not allowed
     throw UsageError(
         fmt::format("--shard: found {}, must be one of at most {} parts, as many as {} "
                     "has runs",

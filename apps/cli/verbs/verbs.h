@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the command line can do, one file each. All return exit codes and throw as
-// exit_codes.h and avo_io/errors.h say.
+// The verbs of the command line, one file each. All return exit codes, and throw as exit_codes.h
+// and avo_io/errors.h say.
 #pragma once
 #include <cstdint>
 #include <map>
@@ -13,28 +13,30 @@
 
 namespace avo_cli {
 
-/// A scene and what the command line changes of it.
+/// A scene, and the changes that the command line makes to it.
 struct SceneArguments {
-  std::string scene;                            ///< "-": standard input
-  std::vector<std::string> overrides;           ///< key=value
-  std::map<std::string, std::string> typed_as;  ///< of those that an option of their own gave: it
+  std::string scene;                   ///< "-": standard input
+  std::vector<std::string> overrides;  ///< key=value
+  /// for overrides that came from another option: that option
+  std::map<std::string, std::string> typed_as;
   bool start_at_rest = false;
   bool limit_speed = false;
 };
 /// A file that the command line names.
 struct NamedFile {
   std::string role;  ///< "--record", "the scene"
-  std::string path;  ///< "-": the standard output, of an input the standard input; empty: none
+  std::string path;  ///< "-": the standard output, or for an input the standard input; empty: none
 };
 
-/// Loads it with its overrides; `source` becomes what it is made of. What is wrong with an override
-/// is said of the option that was typed.
+/// Loads the scene with its overrides; `source` receives the texts that it is made of. A message
+/// about an override names the option that was typed.
 avo::Scenario with_overrides(const SceneArguments& arguments, avo_io::SceneSource& source,
                              bool may_lack_robots = false);
 
-/// Loads it, changes it as asked and warns of settings that do not fit. Throws UsageError where the
-/// file is one of the outputs, or two of these are one (files.h), and BrokenScene where it breaks
-/// what its certificate assumes. `source`, where it is given, becomes what it was made of.
+/// Loads the scene, changes it as asked, and warns of settings that do not fit. Throws UsageError
+/// if its file is one of the outputs, or if two outputs are one file (files.h). Throws BrokenScene
+/// if it breaks the assumptions of its certificate. `source`, if given, receives the texts that it
+/// was made of.
 avo::Scenario load(const SceneArguments& arguments, const std::vector<NamedFile>& outputs = {},
                    avo_io::SceneSource* source = nullptr);
 
@@ -42,7 +44,7 @@ struct RunArguments {
   SceneArguments scene;
   std::string record, summary, figure;  ///< empty: none
   std::optional<std::int64_t> every;    ///< steps between the rows of the recording; unset: 1
-  bool until_arrived = false;           ///< ends with the first step after which all have arrived
+  bool until_arrived = false;  ///< ends with the first step after which all robots have arrived
   int threads = 0;
 };
 int run(const RunArguments& arguments);
@@ -58,7 +60,7 @@ int explain(const ExplainArguments& arguments);
 
 struct CheckArguments {
   std::string recording;  ///< "-": standard input
-  SceneArguments scene;   ///< empty: the three below, or what the recording says of itself
+  SceneArguments scene;   ///< empty: the three members below, or the recording's own values
   std::optional<double> radius, max_acceleration, max_speed, max_braking;
   double tolerance = 1e-9;
   std::string movers_at_rest = "collision";  ///< or "ok"
@@ -83,7 +85,7 @@ int recover(const RecoverArguments& arguments);
 struct ConvertArguments {
   std::string recording;  ///< "-": standard input
   std::string output;     ///< "-": standard output
-  SceneArguments scene;   ///< empty: the one that the recording has in itself, if it has
+  SceneArguments scene;   ///< empty: the scene that the recording contains, if it contains one
   std::string to;         ///< a word of avo_io::kExportFormats; empty: by the output's ending
 };
 int convert(const ConvertArguments& arguments);
@@ -100,18 +102,19 @@ int video(const VideoArguments& arguments);
 struct ReportArguments {
   std::string input;  ///< a recording, or the table of a sweep
   std::string output;
-  std::string spec;                 ///< of a sweep; empty: none is at hand
-  std::optional<std::int64_t> run;  ///< of a sweep, which is shown in motion; unset: its first
-  std::string line;                 ///< "X,Y,X,Y", of a recording: whose flow is told; empty: none
+  std::string spec;  ///< for a sweep; empty: none
+  /// for a sweep: the run to show in motion; unset: the first one
+  std::optional<std::int64_t> run;
+  std::string line;  ///< "X,Y,X,Y", for a recording: the line of the measured flow; empty: none
 };
 int report(const ReportArguments& arguments);
 
 struct LabArguments {
   std::string input;  ///< a scene, or a recording; "-": standard input; empty: none
-  /// What the command line changes of the scene, which is the input, or of a recording as CSV the
-  /// one of --scene. `scene.scene` is the latter; empty: none.
+  /// The changes of the command line to the input scene, or to the scene that --scene gives for a
+  /// recording as CSV. `scene.scene` is the latter; empty: none.
   SceneArguments scene;
-  std::string output;  ///< empty: by the input
+  std::string output;  ///< empty: derived from the input
   bool opens = true;   ///< in a browser
 };
 int lab(const LabArguments& arguments);
@@ -129,14 +132,14 @@ struct SweepArguments {
   std::string output;   ///< table of the runs
   std::string summary;  ///< empty: none
   std::string shard = "1/1";
-  std::vector<std::string> tables;  ///< to be joined; empty: it is run
+  std::vector<std::string> tables;  ///< tables to join; empty: the sweep is run
   int jobs = 0;
 };
 int sweep(const SweepArguments& arguments);
 
 struct CompareArguments {
   std::vector<std::string> files;                   ///< tables of sweeps, recordings
-  std::string by;                                   ///< empty: what varies
+  std::string by;                                   ///< empty: the key that varies
   std::vector<std::string> columns;                 ///< empty: the usual ones
   std::string arrival, clearance, traces, scaling;  ///< figures; empty: none
 };

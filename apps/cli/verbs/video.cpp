@@ -24,7 +24,7 @@ namespace {
 
 namespace figures = avo::figures;
 
-constexpr double kWays = 4.0;  // s of the simulation: how far back ways are shown
+constexpr double kWays = 4.0;  // s of the simulation: the duration of the shown traces
 
 std::string ending_of(const std::string& path) {
   return std::filesystem::path(path).extension().string();
@@ -61,7 +61,7 @@ avo::Scenario scenario_of(const VideoArguments& arguments) {
   return std::move(own->scenario);
 }
 
-/// All that is there at any time of the recording, and when.
+/// The box of everything in the recording at any time, and the recording's times.
 struct Extent {
   figures::Box world;
   double first = 0.0, last = 0.0;  // s
@@ -93,7 +93,7 @@ void check_frames(const VideoArguments& arguments, const Extent& extent) {
                     arguments.fps, arguments.speed, frames, kMostVideoFrames));
 }
 
-/// The longer side has `size` pixels; both are even.
+/// The size of the picture: the longer side has `size` pixels; both sides are even.
 struct Pixels {
   int width, height;
 };
@@ -123,7 +123,7 @@ std::vector<std::string> ffmpeg(const VideoArguments& arguments, const Pixels& p
                                    fmt::format("{}", arguments.fps),
                                    "-i",
                                    "-"};
-  // colors of each frame for itself: those of the whole video would be known at its end only
+  // a palette for each frame: that of the whole video would be known only at its end
   const std::vector<std::string> gif{
       "-filter_complex",
       "split[a][b];[a]palettegen=stats_mode=single:max_colors=128[p];[b][p]paletteuse=new=1", "-f",
@@ -137,7 +137,7 @@ std::vector<std::string> ffmpeg(const VideoArguments& arguments, const Pixels& p
   return command;
 }
 
-/// Draws frame after frame until the recording ends; returns how many.
+/// Draws frame after frame until the recording ends; returns the number of frames.
 std::int64_t draw_frames(const VideoArguments& arguments, const avo::Scenario& scenario,
                          figures::MomentPainter& painter, ChildProcess& child) {
   avo_io::FrameReader reader(arguments.recording, scenario);
