@@ -13,14 +13,15 @@ constexpr double kTick = 3.0;       // pt
 constexpr double kTickText = 7.5;   // pt
 constexpr double kLabelText = 8.5;  // pt
 constexpr double kTickGap = 2.5;    // pt, from a tick to its number
-constexpr double kLabelGap = 4.0;  // pt, from the numbers to the label, for what hangs below a line
-constexpr double kPageGap = 10.0;  // pt, from the edge of the page to where the label stands
+// pt, from the numbers to the label, for parts of letters below the baseline
+constexpr double kLabelGap = 4.0;
+constexpr double kPageGap = 10.0;  // pt, from the edge of the page to the label
 constexpr Color kInk = gray(0.25);
 
 double spacing_of(double lower, double upper, int most) {
   const double span = upper - lower;
   if (!(span > 0.0) || !std::isfinite(span)) return 1.0;
-  const double rough = span / std::max(most, 1);  // less than this makes too many
+  const double rough = span / std::max(most, 1);  // a smaller spacing gives too many ticks
   const double decade = std::pow(10.0, std::floor(std::log10(rough)));
   for (const double factor : {1.0, 2.0, 5.0, 10.0, 20.0}) {
     const double spacing = factor * decade;
@@ -57,7 +58,7 @@ std::string tick_label(double value, double spacing) {
 
 namespace {
 
-/// pt, from the view to where the label of the y axis stands: beside the widest number.
+/// Returns pt from the view to the label of the y axis: beside the widest number.
 double label_distance(const Canvas& canvas, const Box& world, const Axes& axes) {
   double widest = 0.0;
   const double spacing = spacing_of(world.lower.y, world.upper.y, axes.most_ticks_y);

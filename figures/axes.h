@@ -9,37 +9,38 @@
 namespace avo::figures {
 
 inline constexpr double kTitleHeight = 18.0;  // pt
-inline constexpr double kMargin = 8.0;        // pt, where there are no axes
+inline constexpr double kMargin = 8.0;        // pt, for figures without axes
 
-/// Round numbers (1, 2 or 5 times a power of ten apart) in [lower, upper], at most `most` of them
-/// for most >= 2.
+/// Returns round numbers (1, 2 or 5 times a power of ten apart) in [lower, upper], at most `most`
+/// of them for most >= 2.
 std::vector<double> nice_ticks(double lower, double upper, int most);
 
-/// A tick as short as it can be: "0", "2.5", "-10".
+/// Returns the shortest text of a tick: "0", "2.5", "-10".
 std::string tick_label(double value, double spacing);
 
-/// Of an axis, however long.
+/// The limit for an axis of any length.
 inline constexpr int kMostTicks = 9;
 
 struct Axes {
   std::string x_label = {}, y_label = {};  ///< markup, with the unit
   int most_ticks_x = 7;
   int most_ticks_y = 7;
-  bool y_numbers = true;  ///< false: ticks only, for all but the first of a row of panels
+  bool y_numbers = true;  ///< false: only ticks, for all panels of a row except the first
 };
 
-/// What draw_axes needs to the left of and below the view, in pt: to the left more where numbers
-/// are wide.
+/// The space that draw_axes needs to the left of and below the view, in pt; it needs more to the
+/// left if numbers are wide.
 inline constexpr double kAxesLeft = 38.0;
 inline constexpr double kAxesBottom = 32.0;
 
-/// What it needs to the left of a view of `world` in a figure at `path`, at least kAxesLeft.
+/// Returns the space that it needs to the left of a view of `world` in a figure at `path`, at least
+/// kAxesLeft.
 double axes_left(const std::string& path, const Box& world, const Axes& axes);
 
-/// The frame of the present view with ticks and labels outside of it.
+/// Draws the frame of the present view, with ticks and labels outside it.
 void draw_axes(Canvas& canvas, const Axes& axes);
 
-/// Only the lines at the ticks, to be drawn before the data.
+/// Draws only the lines at the ticks; call it before the data are drawn.
 void draw_grid(Canvas& canvas, const Axes& axes);
 
 }  // namespace avo::figures

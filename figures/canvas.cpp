@@ -11,7 +11,7 @@
 namespace avo::figures {
 namespace {
 
-// Cairo keeps coordinates in 24.8 fixed point; beyond this a path would wrap around.
+// Cairo keeps coordinates in 24.8 fixed point; a path with larger coordinates would wrap around.
 constexpr double kLargestCoordinate = 4.0e6;
 
 double bounded(double coordinate) {
@@ -27,7 +27,7 @@ Color mix(Color from, Color to, double part) {
 }
 
 Color hue_color(double degrees) {
-  // a circle in a luma-chroma space: fixed luma keeps yellow from being paler than blue
+  // a circle in a luma-chroma space: with fixed luma, yellow is not paler than blue
   constexpr double kLuma = 0.47;
   constexpr double kChroma = 0.42;
   const double angle = degrees * std::numbers::pi / 180.0;

@@ -27,10 +27,10 @@ constexpr Color gray(double level) {
 inline constexpr Color kBlack{};
 inline constexpr Color kWhite = gray(1.0);
 
-/// The color at `part` of the way from `from` (0) to `to` (1).
+/// Returns the color at fraction `part` between `from` (0) and `to` (1).
 Color mix(Color from, Color to, double part);
 
-/// A saturated color of even visual weight; the hue is taken modulo 360 degrees.
+/// Returns a saturated color of even visual weight; the hue is taken modulo 360 degrees.
 Color hue_color(double degrees);
 
 /// Axis-parallel rectangle, lower <= upper.
@@ -45,7 +45,7 @@ struct Stroke {
   Color color;
   double width = 1.0;  ///< pt
   double dash = 0.0;   ///< pt, 0: solid
-  /// pt, drawn and left out in turn, in place of `dash` where the first one is not 0.
+  /// pt, drawn and left out in turn; it replaces `dash` if its first value is not 0.
   std::array<double, 4> pattern = {};
 };
 
@@ -56,37 +56,38 @@ struct TextStyle {
   double align_y = 0.0;  ///< 0: baseline at the anchor, 0.5: middle of a capital, 1: below it
   Vec2 offset{};         ///< pt, y up, added to the anchor
   bool bold = false;
-  bool halo = false;   ///< with a white rim, to be read on any ground
+  bool halo = false;   ///< with a white rim, so that it is readable on any background
   double angle = 0.0;  ///< rad, counter-clockwise
 };
 
 enum class FillRule { nonzero, even_odd };
 
-/// What the world rectangle of a page keeps when its shape does not fit.
+/// The property that the world rectangle of a page keeps if its shape does not fit.
 enum class Aspect {
-  equal,    ///< one unit is as long in x as in y; the world shown grows to fill the page box
+  equal,    ///< one unit is as long in x as in y; the visible world grows to fill the page box
   stretch,  ///< each axis has its own scale
 };
 
-/// Throws Error unless it is a name that ends in .svg, .png or .pdf.
+/// Throws Error unless the name ends in .svg, .png or .pdf.
 void check_figure_path(const std::string& path);
 
-/// Draws into memory; whoever asked for the figure writes it. The bytes depend on the drawing only
-/// (no date, no random id).
+/// Draws into memory; the caller writes the file. The bytes depend on the drawing only (no date, no
+/// random id).
 class Canvas {
  public:
-  /// Size in pt; a PNG has two pixels to the point. The extension of `path` says the format, no
-  /// file is opened. Throws Error on an unknown extension or when Cairo cannot make the page.
+  /// Sizes are in pt; a PNG has two pixels per point. The extension of `path` gives the format; no
+  /// file is opened. Throws Error for an unknown extension, or if Cairo cannot make the page.
   Canvas(const std::string& path, double width, double height);
   ~Canvas();
   Canvas(const Canvas&) = delete;
   Canvas& operator=(const Canvas&) = delete;
 
-  /// What the file holds; once, at the end. Throws Error with the file name and Cairo's reason.
+  /// Returns the contents of the file; call it once, at the end. Throws Error with the file name
+  /// and Cairo's reason.
   [[nodiscard]] std::string finish();
 
-  /// Of a PNG, what has been drawn up to now: of each pixel, row by row, blue, green, red and a
-  /// byte of no meaning. Valid until something else is drawn.
+  /// Returns the present picture of a PNG: for each pixel, row by row, blue, green, red and an
+  /// unused byte. The bytes are valid until something else is drawn.
   [[nodiscard]] std::string_view pixels();
 
   [[nodiscard]] double width() const;
@@ -95,20 +96,21 @@ class Canvas {
   /// Shows `world` in the rectangle `page` (pt, y down).
   void set_view(const Box& page, const Box& world, Aspect aspect = Aspect::equal);
   [[nodiscard]] Box view_page() const;   ///< pt
-  [[nodiscard]] Box view_world() const;  ///< what is visible; with Aspect::equal at least `world`
+  [[nodiscard]] Box view_world() const;  ///< the visible part; with Aspect::equal at least `world`
   [[nodiscard]] double scale() const;    ///< pt per unit of x
   [[nodiscard]] Vec2 to_page(Vec2 world) const;
 
-  /// Parts of the path that the next fill(), stroke() or clip() uses up. World coordinates.
+  /// These add parts to the path that the next fill(), stroke() or clip() uses up. Coordinates are
+  /// those of the world.
   Canvas& add_disc(const Disc& disc);
   Canvas& add_box(const Box& box);
   Canvas& add_polyline(std::span<const Vec2> points);
   Canvas& add_polygon(std::span<const Vec2> points);
-  /// A dot with its radius in pt, a cross or a square with that half-width.
+  /// Adds a dot with its radius in pt; a cross or a square has that half-width.
   Canvas& add_dot(Vec2 at, double radius);
   Canvas& add_cross(Vec2 at, double half_width);
   Canvas& add_square(Vec2 at, double half_width);
-  /// The same with page coordinates.
+  /// These do the same with page coordinates.
   Canvas& add_page_box(const Box& page);
   Canvas& add_page_line(Vec2 from, Vec2 to);
 
@@ -116,7 +118,7 @@ class Canvas {
   void stroke(const Stroke& stroke);
   void fill_and_stroke(Color color, const Stroke& stroke);
 
-  /// While it lives, clips added by clip() hold; they end with it.
+  /// Clips that are added by clip() hold during its lifetime, and end with it.
   class [[nodiscard]] ClipScope {
    public:
     explicit ClipScope(Canvas& canvas);
@@ -130,15 +132,15 @@ class Canvas {
   void clip(FillRule rule = FillRule::nonzero);
   void clip_to_view();
 
-  /// From `from` to `to` (world), head length in pt.
+  /// Draws an arrow from `from` to `to` (world); the head length is in pt.
   void arrow(Vec2 from, Vec2 to, const Stroke& stroke, double head = 6.0);
 
-  /// Text at a point of the world. `_x` or `_{xy}` is a subscript, `^` a superscript, `*` switches
-  /// bold on and off; plain_text takes every character as it is.
+  /// Draws text at a point of the world. `_x` or `_{xy}` is a subscript, `^` a superscript, and `*`
+  /// switches bold on and off; plain_text draws every character verbatim.
   void text(Vec2 at, const std::string& markup, const TextStyle& style);
   void page_text(Vec2 at, const std::string& markup, const TextStyle& style);
   void plain_page_text(Vec2 at, const std::string& text, const TextStyle& style);
-  /// Width of the marked-up text in pt.
+  /// Returns the width of the marked-up text in pt.
   [[nodiscard]] double text_width(const std::string& markup, const TextStyle& style) const;
   [[nodiscard]] double plain_text_width(const std::string& text, const TextStyle& style) const;
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// From a page to the bytes of a file: a surface by extension.
+// Converts a page to the bytes of a file: the extension selects the surface.
 #include <cairo-pdf.h>
 #include <cairo-svg.h>
 #include <cmath>
@@ -40,7 +40,7 @@ cairo_surface_t* make_surface(const std::string& extension, double width, double
   }
   if (extension == ".pdf") {
     cairo_surface_t* pdf = cairo_pdf_surface_create_for_stream(append, bytes, width, height);
-    // the date of the day would make two equal figures differ
+    // with a creation date, two equal figures would differ
     cairo_pdf_surface_set_metadata(pdf, CAIRO_PDF_METADATA_CREATE_DATE, "");
     return pdf;
   }
@@ -61,7 +61,7 @@ void check(const std::string& path, cairo_status_t status) {
   if (status != CAIRO_STATUS_SUCCESS) fail(path, cairo_status_to_string(status));
 }
 
-// The picture with a palette; Cairo's own writer knows true color only.
+// Returns the picture with a palette; Cairo's own writer supports true color only.
 std::string png_bytes(const std::string& path, cairo_surface_t* surface) {
   const auto width = static_cast<std::size_t>(cairo_image_surface_get_width(surface));
   const auto height = static_cast<std::size_t>(cairo_image_surface_get_height(surface));
@@ -92,7 +92,8 @@ std::string png_bytes(const std::string& path, cairo_surface_t* surface) {
   return bytes;
 }
 
-// Cairo names the page of an SVG by the number of surfaces that this process has made so far.
+// Renames the page of an SVG: Cairo names it by the number of surfaces that this process has made
+// so far.
 void name_page(std::string& svg) {
   const std::string start = "<g id=\"surface";
   const std::size_t from = svg.find(start);
@@ -122,7 +123,7 @@ Canvas::State::State(std::string name, double page_width, double page_height)
   surface.reset(make_surface(extension, width, height, &bytes));
   check(path, cairo_surface_status(surface.get()));
   cairo.reset(cairo_create(surface.get()));
-  // outlines as designed: the same shapes at every size, in every format
+  // no hinting of outlines: the same shapes at every size, in every format
   const std::unique_ptr<cairo_font_options_t, CairoDelete> options(cairo_font_options_create());
   cairo_font_options_set_antialias(options.get(), CAIRO_ANTIALIAS_GRAY);
   cairo_font_options_set_hint_style(options.get(), CAIRO_HINT_STYLE_NONE);
@@ -148,7 +149,7 @@ std::string Canvas::State::finish() {
   return std::move(bytes);
 }
 
-// Rows of whole words have no gaps between them.
+// Rows of 32-bit pixels have no gaps between them.
 std::string_view Canvas::State::pixels() const {
   check(path, cairo_status(cairo.get()));
   cairo_surface_flush(surface.get());

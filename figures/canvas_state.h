@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a Canvas holds; seen by canvas.cpp, canvas_file.cpp and canvas_text.cpp only.
+// The state of a Canvas; only canvas.cpp, canvas_file.cpp and canvas_text.cpp see it.
 #pragma once
 #include <cairo.h>
 #include <memory>
@@ -22,7 +22,7 @@ struct Canvas::State {
   void set_color(Color color) const;
   void set_pen(const Stroke& stroke) const;
 
-  std::string path;      // its extension says the format; never opened
+  std::string path;      // its extension gives the format; it is never opened
   double width, height;  // pt
   bool png = false;
   std::string bytes;  // the file, complete in finish(); outlives the surface that writes to it

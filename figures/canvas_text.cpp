@@ -8,7 +8,7 @@
 namespace avo::figures {
 namespace {
 
-// Debian's libcairo depends on fontconfig, which depends on this one: it is always there.
+// Debian's libcairo depends on fontconfig, which depends on this font: it is always installed.
 constexpr const char* kFontFamily = "DejaVu Sans";
 constexpr double kScriptSize = 0.72;  // of the text's size
 constexpr double kSubscriptDrop = 0.25;
@@ -76,7 +76,8 @@ double advance(cairo_t* cairo, const Piece& piece, double size) {
   return extents.x_advance;
 }
 
-// A subscript right after a superscript, or the other way round, stands in the same column.
+// Returns whether a subscript directly after a superscript, or the reverse, stands in the same
+// column.
 bool stacked(const Piece& before, const Piece& piece) {
   return before.script != Script::none && piece.script != Script::none &&
          before.script != piece.script;

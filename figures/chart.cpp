@@ -15,7 +15,8 @@ constexpr double kTop = 8.0;     // pt
 constexpr double kRight = 14.0;  // pt
 constexpr double kShape = 0.58;  // height of the plot over its width
 
-// From 0, or below, to the next tick above the largest value, with some air above the curves.
+// Returns a range from 0, or below, to the next tick above the largest value, with some space above
+// the curves.
 Box range_of(const Chart& chart, const std::string& path) {
   Box box{};
   bool empty = true;
@@ -52,12 +53,12 @@ void draw_series(Canvas& canvas, const Series& series) {
 }
 
 constexpr double kLegendLine = 20.0;  // pt, of a curve
-constexpr double kLegendGap = 6.0;    // pt, from it to its label
+constexpr double kLegendGap = 6.0;    // pt, from a legend line to its label
 constexpr double kLegendNext = 16.0;  // pt, to the next column
 constexpr double kLegendRow = 14.0;   // pt
 const TextStyle kLegendText{.size = 8.5, .color = gray(0.15), .align_y = 0.5};
 
-/// Below the axes, in as many columns as there is room for.
+/// The legend below the axes, in as many columns as fit.
 struct Legend {
   std::vector<const Series*> entries;
   std::vector<std::string> labels;  // as they are drawn
@@ -74,7 +75,7 @@ double label_width(const Canvas& canvas, const std::string& label, bool plain) {
                : canvas.text_width(label, kLegendText);
 }
 
-/// A plain label as it fits: the end of a long one is left out.
+/// Returns a plain label that fits: the end of a long one is left out.
 std::string fitted(const Canvas& canvas, std::string label, double room) {
   if (label_width(canvas, label, true) <= room) return label;
   while (!label.empty() && label_width(canvas, label + "\u2026", true) > room) {
@@ -135,7 +136,7 @@ std::string draw_chart(const Chart& chart, const std::string& path, const Figure
   canvas.set_view({{left, top}, {left + width, top + height}}, world, Aspect::stretch);
   draw_grid(canvas, axes);
   {
-    // marks on the frame stay whole
+    // so that marks on the frame are not clipped
     const Canvas::ClipScope scope(canvas);
     canvas.add_page_box(grown(canvas.view_page(), 4.0));
     canvas.clip();

@@ -13,24 +13,24 @@
 namespace avo::figures {
 
 struct Series {
-  std::string label;         ///< markup, for the legend below the axes; empty: not there
+  std::string label;         ///< markup, for the legend below the axes; empty: not in the legend
   std::vector<Vec2> points;  ///< by ascending x
   Color color;
   bool marks = true;   ///< a dot at each point
   double dash = 0.0;   ///< pt, 0: solid
-  bool plain = false;  ///< the label is no markup
-  /// pt, drawn and left out in turn, in place of `dash` where the first one is not 0.
+  bool plain = false;  ///< the label is plain text, not markup
+  /// pt, drawn and left out in turn; it replaces `dash` if its first value is not 0.
   std::array<double, 4> pattern = {};
 };
 
 struct Chart {
   std::string x_label, y_label;  ///< markup, with the unit
   std::vector<Series> series;
-  std::optional<double> y_most = {};  ///< where the y axis ends; none: above all points
+  std::optional<double> y_most = {};  ///< upper end of the y axis; none: above all points
 };
 
-/// Both axes start at 0 unless a value is negative. Throws Error where no series has a point, and
-/// on a path that is no figure. Returns what the file at `path` is to hold.
+/// Both axes start at 0 unless a value is negative. Throws Error if no series has a point, or if
+/// the path is not that of a figure. Returns the contents of the file at `path`.
 [[nodiscard]] std::string draw_chart(const Chart& chart, const std::string& path,
                                      const FigureOptions& options = {});
 

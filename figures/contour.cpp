@@ -10,9 +10,9 @@
 namespace avo::figures {
 namespace {
 
-constexpr std::size_t kBlock = 8;  // nodes a side that one evaluation may settle
+constexpr std::size_t kBlock = 8;  // nodes per side of a block that one evaluation may settle
 
-// Values at the nodes of a grid; the outermost ring is outside of the box.
+// Values at the nodes of a grid; the outermost ring is outside the box.
 class Grid {
  public:
   Grid(const Box& box, int cells) {
@@ -31,7 +31,7 @@ class Grid {
   [[nodiscard]] std::size_t columns() const { return columns_; }
   [[nodiscard]] std::size_t rows() const { return rows_; }
   [[nodiscard]] Vec2 at(std::size_t column, std::size_t row) const {
-    // nodes of the rim lie on the edge of the box: contours end there
+    // nodes of the rim lie on the edge of the box, so contours end there
     const double x = static_cast<double>(std::clamp<std::size_t>(column, 1, columns_ - 2) - 1);
     const double y = static_cast<double>(std::clamp<std::size_t>(row, 1, rows_ - 2) - 1);
     return {box_.lower.x + x * step_.x, box_.lower.y + y * step_.y};
@@ -56,7 +56,8 @@ class Grid {
     const Vec2 lower = at(column, row);
     const Vec2 upper = at(last_column - 1, last_row - 1);
     const double far = f(0.5 * (lower + upper));
-    // one cell beyond the block, so that no edge between two blocks can be crossed unseen
+    // includes one cell beyond the block, so that the contour cannot cross an edge between two
+    // blocks unnoticed
     const bool settled = std::fabs(far) > lipschitz * (0.5 * norm(upper - lower) + norm(step_));
     for (std::size_t j = row; j < last_row; ++j) {
       for (std::size_t i = column; i < last_column; ++i) {
@@ -114,8 +115,9 @@ class Tracer {
     return from + a / (a - b) * (grid_.at(to_column, to_row) - from);
   }
 
-  // Links the crossed edges of one cell, the inside to the left. Walking around the cell counter-
-  // clockwise, a contour enters where the walk leaves the inside, and ends where it comes back.
+  // Links the crossed edges of one cell, with the inside to the left. On a counter-clockwise walk
+  // around the cell, a contour enters where the walk leaves the inside. It ends where the walk
+  // comes back.
   void link(std::size_t column, std::size_t row) {
     const std::size_t node = row * grid_.columns() + column;
     const std::array<std::size_t, 4> edges{2 * node, 2 * (node + 1) + 1,
@@ -124,7 +126,8 @@ class Tracer {
                                      inside(column + 1, row + 1), inside(column, row + 1)};
     for (std::size_t k = 0; k < 4; ++k) {
       if (!corner[k] || corner[(k + 1) % 4]) continue;
-      // leaving the inside across edge k: the contour runs back to where this inside began
+      // the walk leaves the inside across edge k: the contour runs back to the edge where this
+      // inside began
       std::size_t j = (k + 3) % 4;
       while (corner[j]) j = (j + 3) % 4;
       next_[edges[k]] = edges[j];

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Puts labels where they hide least.
+// Places labels such that they cover as little as possible.
 #include "figures/labels.h"
 
 #include <algorithm>
@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::array<Vec2, 8> kSides{
     {{1, 1}, {-1, 1}, {1, -1}, {-1, -1}, {1, 0}, {-1, 0}, {0, 1}, {0, -1}}};
-constexpr int kRings = 3;  // of places around a point, each farther away
+constexpr int kRings = 3;  // rings of places around a point, each farther away
 
 double overlap(const Box& a, const Box& b) {
   const double x = std::min(a.upper.x, b.upper.x) - std::max(a.lower.x, b.lower.x);

@@ -21,7 +21,7 @@ double channel(std::uint32_t color, int shift) {
   return static_cast<double>((color >> shift) & 0xFFU);
 }
 
-// A range of shades that will become one color, and where best to cut it.
+// A range of shades that will become one color, and the best place to split it.
 struct Group {
   std::size_t begin, end;
   int shift = 0;        // of the channel that varies most
@@ -81,7 +81,7 @@ std::vector<Shade> distinct(std::span<const std::uint32_t> pixels) {
   return shades;
 }
 
-// Cuts the group that varies most at its mean, until there are enough groups.
+// Splits the group that varies most at its mean, until there are enough groups.
 std::vector<Group> cut(std::vector<Shade>& shades) {
   std::vector<Group> groups;
   if (!shades.empty()) groups.push_back(make_group(shades, 0, shades.size()));
@@ -98,7 +98,7 @@ std::vector<Group> cut(std::vector<Shade>& shades) {
       return channel(s.color, group.shift) <= group.mean;
     });
     const auto middle = static_cast<std::size_t>(cut_at - shades.begin());
-    if (middle == group.begin || middle == group.end) break;  // all of one color by now
+    if (middle == group.begin || middle == group.end) break;  // the whole group has one color
     *widest = make_group(shades, group.begin, middle);
     groups.push_back(make_group(shades, middle, group.end));
   }

@@ -15,15 +15,16 @@ namespace avo::figures {
 /// Draws moments of one scenario, all on the same scale.
 class MomentPainter {
  public:
-  /// Pixels, even numbers; `world` is what is shown. The scenario has to live as long.
+  /// The sizes are in pixels, even numbers; `world` is the visible part. The scenario must outlive
+  /// this object.
   MomentPainter(const Scenario& scenario, const Box& world, int width, int height);
   ~MomentPainter();
   MomentPainter(const MomentPainter&) = delete;
   MomentPainter& operator=(const MomentPainter&) = delete;
 
-  /// Everybody in the newest frame, which is the last, of whom `there` says so, with the ways that
-  /// they have come since the first. Of each pixel, row by row, blue, green, red and a byte of no
-  /// meaning; valid until the next call. Throws Error where Cairo cannot draw.
+  /// Paints the robots of the newest (last) frame that are present by `there`, with their traces
+  /// since the first frame. Returns blue, green, red and an unused byte for each pixel, row by row;
+  /// valid until the next call. Throws Error if Cairo cannot draw.
   std::string_view paint(std::span<const TrajectoryFrame> frames, const std::vector<bool>& there);
 
  private:
@@ -31,7 +32,8 @@ class MomentPainter {
   std::unique_ptr<State> state_;
 };
 
-/// What all robots, goals, static and moving obstacles cover at the start, with a margin.
+/// Returns the box that all robots, goals, static and moving obstacles cover at the start, with a
+/// margin.
 Box world_of(const Scenario& scenario);
 
 }  // namespace avo::figures

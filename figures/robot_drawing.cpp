@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// How a robot, its goal and a moving obstacle look in pictures of runs.
+// Draws a robot, its goal and a moving obstacle in pictures of runs.
 #include "figures/robot_drawing.h"
 
 #include <algorithm>
@@ -13,7 +13,7 @@ namespace {
 constexpr Color kObstacle = gray(0.35);
 constexpr Color kParked = gray(0.5);
 
-// A long box with a pointed nose inside the robot's disc.
+// Returns a long box with a pointed nose inside the robot's disc.
 std::array<Vec2, 5> car_body(Vec2 position, double heading, double radius) {
   const Vec2 ahead{radius * std::cos(heading), radius * std::sin(heading)};
   const Vec2 left = perpendicular(ahead);
@@ -22,7 +22,7 @@ std::array<Vec2, 5> car_body(Vec2 position, double heading, double radius) {
           position - 0.8 * ahead + 0.5 * left};
 }
 
-// Its own disc with both wheels, and a line to the point that the disc of the others is about.
+// Draws its own disc with both wheels, and a line to the center of the disc that other robots see.
 void draw_drive(Canvas& canvas, const DifferentialDrive& drive, const Disc& own, double heading,
                 Color body, const Stroke& edge) {
   const Vec2 ahead{std::cos(heading), std::sin(heading)}, side = perpendicular(ahead);

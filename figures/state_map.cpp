@@ -45,7 +45,7 @@ StateGrid judged(const Simulation::Perception& perception, const Planner& planne
   grid.cell = {size.x / static_cast<double>(grid.columns), size.y / static_cast<double>(grid.rows)};
   PlanWorkspace workspace;
   Robot robot = perception.robot;
-  robot.loiter.reset();  // the circle of an airplane is beside the place where it would be
+  robot.loiter.reset();  // an airplane's circle lies beside the hypothetical place
   for (std::size_t row = 0; row < grid.rows; ++row) {
     for (std::size_t column = 0; column < grid.columns; ++column) {
       robot.position = grid.lower + Vec2{(static_cast<double>(column) + 0.5) * grid.cell.x,
@@ -57,8 +57,7 @@ StateGrid judged(const Simulation::Perception& perception, const Planner& planne
   return grid;
 }
 
-// Cells of one state beside each other at once, a little larger than they are so that no seams
-// show.
+// Fills adjacent cells of one state at once; they are slightly enlarged so that no seams show.
 void fill_cells(Canvas& canvas, const StateGrid& grid, SafetyState state) {
   constexpr double kOverlap = 0.06;
   for (std::size_t row = 0; row < grid.rows; ++row) {
@@ -101,7 +100,7 @@ void draw_others(Canvas& canvas, const Simulation::Perception& perception) {
     canvas.arrow(robot.position, robot.position + robot.velocity, {kRobot, 1.2}, 5.0);
 }
 
-// Below the axes.
+// Draws the legend below the axes.
 void draw_legend(Canvas& canvas, const Box& page) {
   double x = page.lower.x;
   const double y = page.upper.y + kAxesBottom + 2.0;

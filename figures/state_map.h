@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where a robot with one velocity would be safe, doomed or neither (docs/states.md).
+// A map of the places where a robot with one velocity would be safe, doomed or neither
+// (docs/states.md).
 #pragma once
 #include <string>
 
@@ -10,17 +11,20 @@
 
 namespace avo::figures {
 
-/// Around the robot, as far as it gets while it brakes and what it may come to touch then.
+/// Returns a view around the robot. It contains every place that the robot reaches while it brakes,
+/// and everything that it may touch then.
 Box view_of_states(const Simulation::Perception& perception);
 
-/// White where the robot would be safe with its present velocity, beside the neighbors and walls
-/// that it sees; light where nothing is proved; dark red where it would be doomed. `cells` along
-/// the longer side of the view, each judged at its middle. Into the page box, frame included.
+/// Draws the map into the page box, frame included. It is white where the robot would be safe with
+/// its present velocity, among the neighbors and walls that it sees. It is light where nothing is
+/// proved, and dark red where the robot would be doomed. The longer side of the view has `cells`
+/// cells, each judged at its middle.
 void draw_state_map(Canvas& canvas, const Box& page, const Simulation::Perception& perception,
                     const Planner& planner, const Box& view, int cells,
                     const FigureOptions& options = {});
 
-/// As a figure of its own: what the file at `path` is to hold. Throws Error on a path that is none.
+/// Draws the map as a separate figure. Returns the contents of the file at `path`. Throws Error if
+/// the path is not that of a figure.
 [[nodiscard]] std::string draw_state_map(const Simulation::Perception& perception,
                                          const Planner& planner, const std::string& path,
                                          const FigureOptions& options = {.width = 340.0});

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which frames of a run a time-lapse shows, and in which colors.
+// Selects the frames of a run that a time-lapse shows, and their colors.
 #include "figures/time_lapse.h"
 
 #include <algorithm>
@@ -14,9 +14,10 @@
 namespace avo::figures {
 namespace {
 
-// Centers of two discs of one robot at cruising speed, in its diameters.
+// Distance between centers of two successive discs of one robot at cruising speed, in its
+// diameters.
 constexpr double kSpacing = 1.1;
-// A robot that ends within this part of its radius has come to rest.
+// A robot within this part of its radius from its end has come to rest.
 constexpr double kRest = 0.05;
 
 bool all_finite(std::span<const Vec2> points) {
@@ -28,8 +29,8 @@ bool has_headings(const Scenario& scenario) {
                      [](const RobotSetup& robot) { return !is_holonomic(robot.model); });
 }
 
-// Diameters per second of a robot on its way: the upper quintile over all robots and frames that
-// move at all, so that speeding up and slowing down do not count.
+// Returns the diameters per second of a cruising robot. It is the upper quintile over all robots
+// and frames with motion, so that acceleration and braking have no effect.
 double cruising_rate(const Scenario& scenario, std::span<const TrajectoryFrame> frames,
                      std::size_t last) {
   std::vector<double> rates;
@@ -85,12 +86,12 @@ std::size_t last_motion(const Scenario& scenario, std::span<const TrajectoryFram
     return true;
   };
   while (last > 0 && at_rest(frames[last - 1])) --last;
-  // nobody ever moved: then the moving obstacles are what there is to see
+  // no robot ever moved: then the moving obstacles are what the figure can show
   return last == 0 ? frames.size() - 1 : last;
 }
 
 std::size_t frame_at(std::span<const TrajectoryFrame> frames, double time) {
-  // a step's time is a rounded multiple of the time step
+  // the time of a step is a rounded multiple of the time step
   const double slack = 1e-9 * std::fmax(1.0, std::fabs(time));
   std::size_t index = 0;
   while (index + 1 < frames.size() && frames[index + 1].time <= time + slack) ++index;
@@ -115,7 +116,7 @@ std::vector<std::size_t> select_frames(const Scenario& scenario,
 }
 
 std::vector<Color> robot_colors(const Scenario& scenario) {
-  // told apart by readers with any color vision (Okabe, Ito)
+  // distinguishable by readers with any color vision (Okabe, Ito)
   static constexpr std::array<Color, 6> kFew{{{0.00, 0.36, 0.66, 1.0},
                                               {0.80, 0.30, 0.00, 1.0},
                                               {0.00, 0.55, 0.41, 1.0},

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which frames of a run a time-lapse shows, and in which colors.
+// Selects the frames of a run that a time-lapse shows, and their colors.
 #pragma once
 #include <cstddef>
 #include <span>
@@ -11,27 +11,31 @@
 
 namespace avo::figures {
 
-/// Throws Error where a frame does not fit the scenario, a value is not finite, times do not
-/// ascend, or there is no frame.
+/// Throws Error if a frame does not fit the scenario, a value is not finite, times do not ascend,
+/// or there is no frame.
 void check_frames(const Scenario& scenario, std::span<const TrajectoryFrame> frames);
 
-/// Index of the frame from which on no robot moves any more (the last one if they never rest).
+/// Returns the index of the frame after which no robot moves any more (the last frame if they never
+/// rest).
 std::size_t last_motion(const Scenario& scenario, std::span<const TrajectoryFrame> frames);
 
-/// Index of the last frame not later than `time`, 0 if there is none.
+/// Returns the index of the last frame not later than `time`, or 0 if there is none.
 std::size_t frame_at(std::span<const TrajectoryFrame> frames, double time);
 
-/// Indices of frames at regular times from the first to `last`, so far apart that the discs of a
-/// robot at cruising speed hardly overlap, and with at most about `most_discs` discs in all.
+/// Returns the indices of frames at regular times from the first to `last`. They are so far apart
+/// that the discs of a robot at cruising speed hardly overlap. There are at most about `most_discs`
+/// discs in all.
 std::vector<std::size_t> select_frames(const Scenario& scenario,
                                        std::span<const TrajectoryFrame> frames, std::size_t last,
                                        std::size_t most_discs);
 
-/// One color a robot: a fixed set for a few robots, else by the angle at which a robot starts, seen
-/// from the middle of all, so that robots with a like way have a like color.
+/// Returns one color for each robot: a fixed set for a few robots. For more robots, the color
+/// follows from the angle of the robot's start, seen from the middle of all. Robots with similar
+/// motion then have similar colors.
 std::vector<Color> robot_colors(const Scenario& scenario);
 
-/// What all robots cover from frame `first` to frame `last`, goals and static obstacles included.
+/// Returns the box that all robots cover from frame `first` to frame `last`, goals and static
+/// obstacles included.
 Box covered(const Scenario& scenario, std::span<const TrajectoryFrame> frames, std::size_t first,
             std::size_t last);
 

@@ -17,10 +17,10 @@
 namespace avo::figures {
 namespace {
 
-constexpr std::size_t kMostDiscs = 1500;  // more of them hide each other
+constexpr std::size_t kMostDiscs = 1500;  // more discs would hide each other
 constexpr double kPanelGap = 10.0;        // pt
 
-// One panel: what is shown where.
+// One panel: its frames and its scenario.
 struct TimeLapse {
   const Scenario& scenario;
   std::span<const TrajectoryFrame> frames;
@@ -31,7 +31,7 @@ struct TimeLapse {
 void draw_paths(Canvas& canvas, const TimeLapse& lapse) {
   const std::size_t first = lapse.selected.front();
   const std::size_t last = lapse.selected.back();
-  // a point every half point of the page is enough for a line
+  // one point per half point of the page is enough for a line
   const double closest = 0.5 / canvas.scale();
   for (std::size_t i = 0; i < lapse.scenario.robots.size(); ++i) {
     if (lapse.scenario.robots[i].parked) continue;
@@ -84,7 +84,7 @@ double panel_height(const Box& world, double panel_width) {
   return panel_width * std::clamp(size.y / std::fmax(size.x, 1e-9), 0.2, 1.3);
 }
 
-// The panels of one figure side by side, all on the same scale.
+// Draws the panels of one figure side by side, all on the same scale.
 std::string draw_panels(std::span<const TimeLapse> panels, const Box& world,
                         std::span<const std::string> titles, const std::string& path,
                         const FigureOptions& options) {

@@ -22,7 +22,7 @@ void TrajectoryRecorder::observe(const Simulation& simulation) {
     latest_.position.resize(robots_.size());
     latest_.heading.resize(robots_.size());
   }
-  // ids ascend in both; those that are gone stay where they were
+  // ids ascend in both; absent robots keep their last places
   latest_.there.assign(robots_.size(), false);
   std::size_t place = 0;
   for (std::size_t k = 0; k < fleet.id.size(); ++k) {
@@ -37,7 +37,7 @@ void TrajectoryRecorder::observe(const Simulation& simulation) {
   const std::size_t index = observed_++;
   if (index % stride_ != 0) return;
   if (kept_.size() == most_frames_) {
-    // every other one goes: those whose index is no multiple of the doubled stride
+    // drops every second frame: a frame whose index is no multiple of the doubled stride
     std::size_t count = 0;
     for (std::size_t i = 0; i < kept_.size(); i += 2) {
       if (count != i) kept_[count] = std::move(kept_[i]);
@@ -50,7 +50,8 @@ void TrajectoryRecorder::observe(const Simulation& simulation) {
   kept_.push_back(latest_);
 }
 
-// Free clocks tick anywhere: one instant of each of the scene's time steps is enough.
+// With free clocks, instants come at any time: one instant in each of the scene's time steps is
+// enough.
 bool TrajectoryRecorder::is_repeated(const Simulation& simulation) {
   const PlannerOptions& options = simulation.planner().options();
   if (options.clock == Clock::common) return false;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// From what a robot saw and chose to the sets in its velocity space.
+// Converts a robot's perception and choice to the sets in its velocity space.
 #include "figures/velocity_space.h"
 
 #include <algorithm>
@@ -19,7 +19,8 @@ std::string source_label(std::int64_t source) {
   return source >= 0 ? std::to_string(source) : std::string("o") + std::to_string(-1 - source);
 }
 
-// v'_B of a mover: the velocity it has, or approaches under the acceleration observed (§III-C).
+// v'_B of a moving obstacle: its velocity, or the velocity that it approaches under the observed
+// acceleration (§III-C).
 Vec2 new_velocity_of(const Neighbor& neighbor, const PlannerOptions& options) {
   const bool observed =
       neighbor.behavior == Behavior::moves_on && !disregards_acceleration(options.method);
@@ -27,12 +28,13 @@ Vec2 new_velocity_of(const Neighbor& neighbor, const PlannerOptions& options) {
   return neighbor.velocity + options.control_time * neighbor.acceleration;
 }
 
-// Does the chosen velocity lie on the line? Programs have tolerances; a figure has pixels.
+// Returns whether the chosen velocity lies on the line. Programs have tolerances, and a figure has
+// pixels.
 bool lies_on(const HalfPlane& plane, Vec2 chosen) {
   return std::fabs(violation(plane, chosen)) < 1e-3;
 }
 
-// Of method avo, the speed planes of walls bound the target, but not among movers alone.
+// Method avo: the speed planes of walls bound the target, except among moving obstacles alone.
 void append_walls(const Simulation::Perception& perception, const Planner& planner,
                   const Plan& plan, bool movers, VelocitySpace& space) {
   WallPlanes walls;
@@ -60,7 +62,7 @@ LabeledObstacle obstacle_of(const Simulation::Perception& perception, std::size_
   const Pair pair{robot.position - neighbor.position, robot.velocity - neighbor.velocity,
                   robot.radius + neighbor.radius};
   if (options.method == Method::reciprocal_velocity_obstacle &&
-      shares(neighbor)) {  // α times as large, its apex moved by α to v_B
+      shares(neighbor)) {  // α times as large, with its apex moved by α to v_B
     const double alpha = reciprocal_share(robot.max_acceleration, neighbor.max_acceleration,
                                           robot.priority, neighbor.priority);
     const Pair own{pair.position, alpha * pair.velocity, pair.radius};
@@ -97,9 +99,9 @@ VelocitySpace velocity_space(const Simulation::Perception& perception, const Pla
       space.half_planes.push_back(
           {cut.plane, source_label(perception.source[i]), lies_on(cut.plane, plan.new_velocity)});
       if (planner.options().method == Method::buffered_voronoi)
-        continue;  // of cells, not obstacles
+        continue;  // cells are not obstacles
       space.obstacles.push_back(obstacle_of(perception, i, planner.options()));
-      space.obstacles.back().label.clear();  // that of the half-plane
+      space.obstacles.back().label.clear();  // the half-plane has that label
       space.obstacles.back().forbids = false;
     }
   }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What one robot may choose, in velocity space: the paper's Figs. 2(c), 3(c), 4(b), 5 and 6(a).
-// White may be chosen, gray is forbidden.
+// The velocities that one robot may choose, in velocity space: the paper's Figs. 2(c), 3(c), 4(b),
+// 5 and 6(a). White is allowed, and gray is forbidden.
 #pragma once
 #include <optional>
 #include <string>
@@ -19,16 +19,16 @@ struct LabeledPlane {
   HalfPlane plane;       ///< allowed: normal . u >= offset, m/s
   std::string label;     ///< markup; empty: none
   bool binding = false;  ///< the chosen velocity lies on it
-  bool forbids = true;   ///< filled; else only its line is drawn, dashed
+  bool forbids = true;   ///< filled; otherwise only its line is drawn, dashed
 };
 
-/// A velocity obstacle, moved by the new velocity v'_B of the one that causes it.
+/// A velocity obstacle, moved by the new velocity v'_B of the neighbor that causes it.
 struct LabeledObstacle {
   Obstacle obstacle;
   Vec2 offset;  ///< [v'_B] m/s
   std::string label;
-  int discs = 0;        ///< that many discs of the family are outlined, at equal steps of time
-  bool forbids = true;  ///< filled; else only outlined, where a half-plane stands for it
+  int discs = 0;        ///< number of discs of the family that are outlined, at equal steps of time
+  bool forbids = true;  ///< filled; otherwise only outlined, if a half-plane replaces it
 };
 
 struct LabeledPoint {
@@ -44,30 +44,33 @@ struct VelocitySpace {
   std::vector<LabeledPlane> half_planes;
   std::vector<LabeledObstacle> obstacles;
   std::vector<LabeledPoint> points;
-  std::vector<std::vector<Vec2>> outlines;  ///< closed, dashed, on top: a hull, another's disc
-  std::optional<Box> view;                  ///< unset: what holds the discs and the points
+  /// closed, dashed, on top: a hull, or another robot's disc
+  std::vector<std::vector<Vec2>> outlines;
+  std::optional<Box> view;  ///< unset: the box that contains the discs and the points
 };
 
-/// What `robot` saw and chose: the sets of the planner's method and three points (the velocity, the
-/// preferred and the chosen one). Behind half-planes the obstacles are outlined that they stand
-/// for, for others that keep their velocity. Robots are labeled by their index in the fleet, movers
-/// o0, o1 …, walls w0, w1 … by their index in what the robot saw. Of method avo the half-planes of
-/// the walls' obstacles are dashed: it does not look at them.
+/// Returns the sets of the planner's method and three points (the velocity, the preferred velocity
+/// and the chosen velocity), from what `robot` saw and chose. Behind half-planes, it outlines the
+/// obstacles that they replace, for neighbors that keep their velocity. Labels of robots are their
+/// indices in the fleet. Moving obstacles are labeled o0, o1 …, and walls w0, w1 … by their indices
+/// in what the robot saw. For method avo, the half-planes of the walls' obstacles are dashed,
+/// because the method does not use them.
 VelocitySpace velocity_space(const Simulation::Perception& perception, const Planner& planner);
 
-/// The obstacle of neighbor i of what the robot saw; a label is its source.
+/// Returns the obstacle of neighbor i in what the robot saw; its label is the neighbor's source.
 LabeledObstacle obstacle_of(const Simulation::Perception& perception, std::size_t i,
                             const PlannerOptions& options);
 
-/// Boundary of the obstacle, moved by its offset, inside `view`: closed polygons, exact to about
-/// 1/1000 of the view.
+/// Returns the boundary of the obstacle, moved by its offset, inside `view`: closed polygons, exact
+/// to about 1/1000 of the view.
 std::vector<std::vector<Vec2>> obstacle_outline(const LabeledObstacle& obstacle, const Box& view);
 
-/// Into the present page box of a canvas, frame included.
+/// Draws into the present page box of a canvas, frame included.
 void draw_velocity_space(Canvas& canvas, const Box& page, const VelocitySpace& space,
                          const FigureOptions& options = {});
 
-/// As a figure of its own: what the file at `path` is to hold. Throws Error on a path that is none.
+/// Draws it as a separate figure. Returns the contents of the file at `path`. Throws Error if the
+/// path is not that of a figure.
 [[nodiscard]] std::string draw_velocity_space(const VelocitySpace& space, const std::string& path,
                                               const FigureOptions& options = {.width = 340.0});
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Sets of velocities on a page: white may be chosen, gray is forbidden.
+// Draws sets of velocities on a page: white is allowed, and gray is forbidden.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -12,7 +12,7 @@
 namespace avo::figures {
 namespace {
 
-constexpr Color kBeyond = gray(0.91);  // outside of the discs
+constexpr Color kBeyond = gray(0.91);  // outside the discs
 constexpr Color kForbiddenBeyond = gray(0.82);
 constexpr Color kForbidden = gray(0.66);
 constexpr Color kDarkInk = gray(0.2);
@@ -23,7 +23,7 @@ using Polygons = std::vector<std::vector<Vec2>>;
 Box default_view(const VelocitySpace& space) {
   Box box{{-1e-3, -1e-3}, {1e-3, 1e-3}};  // around the origin
   if (space.speed_disc) box = enclosing(box, enclosing(*space.speed_disc));
-  // where the speed binds first, the far rim of the other disc says nothing
+  // if the speed limit binds first, the far rim of the other disc is irrelevant
   const double speed =
       space.speed_disc ? space.speed_disc->radius : std::numeric_limits<double>::infinity();
   if (space.acceleration_disc && space.acceleration_disc->radius < 1.5 * speed) {
@@ -34,7 +34,7 @@ Box default_view(const VelocitySpace& space) {
   return grown(box, 0.08 * std::max(size.x, size.y));
 }
 
-// Clips to what both discs allow.
+// Clips to the set that both discs allow.
 void clip_to_discs(Canvas& canvas, const VelocitySpace& space) {
   for (const auto& disc : {space.acceleration_disc, space.speed_disc}) {
     if (!disc) continue;
@@ -125,7 +125,7 @@ void draw_origin(Canvas& canvas) {
   canvas.stroke({gray(0.45), 0.35});
 }
 
-// Where the line of a half-plane leaves the view, a little inside of it.
+// Returns the point where the line of a half-plane leaves the view, a little inside it.
 std::optional<Vec2> line_end(const HalfPlane& plane, const Box& view, double inset) {
   const Box inner = grown(view, -inset);
   const auto side = forbidden_side(plane, view);
@@ -149,8 +149,8 @@ std::optional<Vec2> line_end(const HalfPlane& plane, const Box& view, double ins
   return from + leave * way;
 }
 
-// The center of the earliest disc that is well inside the view: near the rim, where the obstacles
-// of different neighbors lie apart.
+// Returns the center of the earliest disc that is well inside the view. It is near the rim, where
+// the obstacles of different neighbors lie apart.
 std::optional<Vec2> label_place(const LabeledObstacle& labeled, const Box& view) {
   const Vec2 size = view.upper - view.lower;
   const Box inner = grown(view, -0.07 * std::min(size.x, size.y));

@@ -11,13 +11,13 @@ constexpr Color kInside = gray(0.72);
 constexpr Color kWall = gray(0.25);
 constexpr double kThinnest = 1.0;  // pt, of a line without thickness
 
-// All points within the wall's radius: a disc at each end and a box between them.
+// Adds all points within the wall's radius: a disc at each end and a box between them.
 void add_wall(Canvas& canvas, const Wall& wall) {
   canvas.add_disc({wall.a, wall.radius});
   const double length = norm(wall.b - wall.a);
   if (!(length > 0.0)) return;
   canvas.add_disc({wall.b, wall.radius});
-  // the same way round as the discs, so that what they have in common is filled
+  // in the same orientation as the discs, so that their common part is filled
   const Vec2 side = (wall.radius / length) * perpendicular(wall.b - wall.a);
   canvas.add_polygon(std::array{wall.a + side, wall.b + side, wall.b - side, wall.a - side});
 }

@@ -9,10 +9,11 @@
 
 namespace avo::figures {
 
-/// What all walls cover; none where there are none.
+/// Returns the box that all walls cover; none if there are none.
 std::optional<Box> covered(std::span<const StaticObstacle> obstacles);
 
-/// Walls as thick as they are, and visible in any case; solids and what lies beyond bounds filled.
+/// Draws walls with their true thickness, but always visible. Solids and the space outside bounds
+/// are filled.
 void draw_walls(Canvas& canvas, std::span<const StaticObstacle> obstacles);
 
 }  // namespace avo::figures
