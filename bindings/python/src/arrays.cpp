@@ -24,7 +24,7 @@ std::string shape_of(const py::array& array) {
 }
 
 Numbers numbers(const char* name, const py::object& given) {
-  constexpr std::string_view kReal = "biuf";  // numpy's kinds
+  constexpr std::string_view kReal = "biuf";  // the kinds of numpy
   const py::array array = py::array::ensure(given);
   if (array && kReal.find(array.dtype().kind()) != kReal.npos) return Numbers(array);
   throw avo::Error(fmt::format(

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Many robots, and what each of them senses and remembers, from arrays.
+// Reads many robots, and what each of them senses and remembers, from arrays.
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
@@ -14,7 +14,7 @@ namespace {
 using py::arg;
 using Whole = py::array_t<std::int64_t, py::array::c_style | py::array::forcecast>;
 
-/// Throws Error if there are any: fields that one robot has and batches do not, or that nobody has.
+/// Throws Error for any other field: one that only a single robot has, or one that does not exist.
 void refuse_fields(const py::kwargs& others, const std::vector<std::string_view>& known) {
   constexpr std::string_view kOfOne[] = {"model", "heading", "loiter", "trajectory"};
   for (const auto& [key, value] : others) {
@@ -31,7 +31,7 @@ void refuse_fields(const py::kwargs& others, const std::vector<std::string_view>
 struct Columns {
   std::size_t n;
 
-  /// One for each row.
+  /// Reads one point for each row.
   [[nodiscard]] std::vector<avo::Vec2> points(const char* name, const py::object& given) const {
     const Numbers array = numbers(name, given);
     const auto all = rows(name, array);
@@ -43,7 +43,7 @@ struct Columns {
   [[nodiscard]] PerRobot of(const char* name, const py::object& given) const {
     return {name, given, n};
   }
-  /// None: of nobody.
+  /// Returns none if `given` is None: no robot has the value.
   [[nodiscard]] std::optional<PerRobot> if_given(const char* name, const py::object& given) const {
     return given.is_none() ? std::nullopt : std::optional(of(name, given));
   }
@@ -86,7 +86,7 @@ Robots make_robots(const py::object& position, const py::object& velocity,
   return robots;
 }
 
-/// Offsets of CSR form. Throws Error unless they ascend from 0 to m.
+/// Reads offsets of CSR form. Throws Error unless they ascend from 0 to m.
 std::vector<std::size_t> checked_offsets(const py::object& object, std::size_t m) {
   const py::array any = py::array::ensure(object);
   const char kind = any ? any.dtype().kind() : '?';
@@ -112,7 +112,7 @@ int checked_age(double age) {
   return static_cast<int>(age);
 }
 
-/// (m, 2), or 0 for all.
+/// Reads (m, 2), or returns 0 for all.
 std::vector<avo::Vec2> accelerations(const Columns& columns, const py::object& given) {
   const Numbers array = numbers("acceleration", given);
   if (array.ndim() > 0) return columns.points("acceleration", array);
@@ -173,7 +173,7 @@ Neighbors make_neighbors(const py::object& position, const py::object& velocity,
   return neighbors;
 }
 
-/// As each robot senses the others, by (distance, row).
+/// Returns the neighbors that each robot senses, sorted by (distance, row).
 Neighbors among(const Robots& robots, double sensing_radius) {
   if (!(sensing_radius > 0.0))
     throw avo::Error(fmt::format("sensing_radius: found {}, must be > 0 m", sensing_radius));
@@ -271,7 +271,7 @@ void bind_batch_inputs(py::module_& module) {
              return detours.briefly([k](const auto& all) { return all[k]; });
            })
       .def("__setitem__",
-           [](Detours& detours, std::size_t k, const avo::Detour detour) {  // as of now
+           [](Detours& detours, std::size_t k, const avo::Detour detour) {  // their present values
              if (k >= detours.size) throw py::index_error();
              detours.alone([&](auto& all) { all[k] = detour; });
            });

@@ -112,7 +112,7 @@ void bind_plans(py::module_& module) {
 void bind_batches(py::module_& module) {
   bind_batch_inputs(module);
   bind_plans(module);
-  // another meaning of Planner.plan, which planner.cpp has bound for one robot
+  // another overload of Planner.plan, which planner.cpp has bound for one robot
   const py::object planner = module.attr("Planner");
   const py::cpp_function batch(
       &plan_batch, py::name("plan"), py::is_method(planner), py::sibling(planner.attr("plan")),

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What decisions of many robots at once are made from.
+// The inputs of decisions of many robots at once.
 #pragma once
 #include <cstddef>
 #include <vector>
@@ -14,13 +14,13 @@ struct Robots {
   std::vector<avo::Robot> all;
 };
 
-/// Those of robot k are all[first[k]] to all[first[k + 1] - 1].
+/// The neighbors of robot k are all[first[k]] to all[first[k + 1] - 1].
 struct Neighbors {
   std::vector<avo::Neighbor> all;
   std::vector<std::size_t> first{0};
 };
 
-/// As many as there are robots, always. Threads may share them.
+/// The number of detours always equals the number of robots. Threads may share them.
 struct Detours : Shared<std::vector<avo::Detour>> {
   explicit Detours(std::size_t n) : Shared(std::vector<avo::Detour>(n)), size(n) {}
   const std::size_t size;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// How points and words cross into Python: a Vec2 is a pair of floats, an enumerator its word in
-// scene files.
+// Conversion of points and words to and from Python: a Vec2 is a pair of floats, an enumerator its
+// word in scene files.
 #pragma once
 #include <pybind11/numpy.h>
 #include <pybind11/pybind11.h>
@@ -43,7 +43,7 @@ AVO_WORDS(avo::Behavior, "behavior", 3, avo::to_string);
 AVO_WORDS(avo::Fill, "fill", 3, fill_word);
 #undef AVO_WORDS
 
-/// All words of an enumeration, in its order.
+/// Returns all words of an enumeration, in its order.
 template <typename Enum>
 std::vector<std::string_view> words() {
   std::vector<std::string_view> all;
@@ -62,7 +62,7 @@ struct type_caster<avo::Vec2> {
   bool load(handle source, bool) {
     if (!PySequence_Check(source.ptr()) || PyUnicode_Check(source.ptr())) return false;
     if (isinstance<array>(source) && reinterpret_borrow<array>(source).dtype().kind() == 'c')
-      return false;  // numpy would leave out the imaginary parts
+      return false;  // numpy would drop the imaginary parts
     const auto pair = reinterpret_borrow<sequence>(source);
     if (pair.size() != 2)
       throw avo::Error("point: found " + std::to_string(pair.size()) +

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The columns of a simulation as arrays, one row a robot by ascending id.
+// The columns of a simulation as arrays, with one row for each robot by ascending id.
 #include <fmt/format.h>
 
 #include "arrays.h"
@@ -16,7 +16,8 @@ std::size_t size_of(SharedSimulation& self) {
   return self.briefly([](const avo::Simulation& s) { return s.size(); });
 }
 
-/// An array that copy() has filled; the fleet may change until it begins, not any more from then.
+/// Returns an array that copy() has filled. The fleet may change until copy() begins, but not after
+/// that.
 template <typename Make, typename Copy>
 auto column(SharedSimulation& self, Columns wanted, const Make& make, const Copy& copy) {
   for (;;) {
@@ -76,7 +77,8 @@ auto whole(Columns wanted, Of of) {
   };
 }
 
-/// Arrays of other lengths than the fleet's: of moving obstacles, whose number never changes.
+/// Returns arrays whose length differs from the fleet's: they have an entry for each moving
+/// obstacle, and the number of these never changes.
 auto obstacle_points(std::span<const avo::Vec2> avo::ObstacleView::*which) {
   return [which](SharedSimulation& self, const Out& out) {
     const std::size_t n = self.briefly(
@@ -92,7 +94,7 @@ auto obstacle_points(std::span<const avo::Vec2> avo::ObstacleView::*which) {
 
 }  // namespace
 
-// The column, and what of a robot's entry in it.
+// COLUMN is the column, and OF the part of a robot's entry in it.
 #define POINTS(NAME, COLUMN, OF, DOC)                                                   \
   def(NAME,                                                                             \
       points(Columns::COLUMN,                                                           \

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Motion models, walls and obstacles: values, whose fields cannot be changed.
+// Motion models, walls and obstacles: immutable values.
 #include <pybind11/operators.h>
 
 #include "avo/error.h"
@@ -10,7 +10,7 @@ namespace {
 
 using py::arg;
 
-constexpr double kNoOffset = 0.0;  // of a drive whose offset has not been chosen yet
+constexpr double kNoOffset = 0.0;  // for a differential drive whose offset has not been chosen yet
 
 void bind_cars(py::module_& module) {
   py::class_<avo::CarBody>(module, "CarBody", "The disc that covers a car's body.")

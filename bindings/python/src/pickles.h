@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Plain data can be pickled and copied: as the tuple of its fields, in their order.
+// Plain data can be pickled and copied, as the tuple of its fields in order.
 #pragma once
 #include <cstddef>
 #include <optional>
@@ -13,7 +13,8 @@
 
 namespace avo_python {
 
-/// How many fields it has; 0: it crosses into Python as it is. A wrong number does not compile.
+/// The number of its fields; 0: the type has its own conversion to Python. A wrong number does not
+/// compile.
 template <typename T>
 inline constexpr int kFields = 0;
 template <>
@@ -53,7 +54,7 @@ inline constexpr int kFields<avo::SensingError> = 2;
 template <>
 inline constexpr int kFields<avo::Scenario> = 28;
 
-/// References to all of them.
+/// Returns references to all fields.
 template <typename T>
 auto fields(T& x) {
   constexpr int n = kFields<std::remove_const_t<T>>;
@@ -108,7 +109,7 @@ struct Plain {
     }
   }
 
-  /// Throws Error and py::cast_error on what is none.
+  /// Throws Error and py::cast_error if `plain` is not such a tuple.
   static T from(const py::handle& plain) {
     if constexpr (kFields < T >> 0) {
       const auto values = plain.cast<py::tuple>();
@@ -156,7 +157,7 @@ struct Plain<std::vector<T>> {
   }
 };
 
-/// To be given to def() of a class. `check` throws on values that no such object may have.
+/// Returns an argument for def() of a class. `check` throws on values that no such object may have.
 template <typename T>
 auto pickled(void (*check)(const T&) = nullptr) {
   return py::pickle([](const T& x) { return Plain<T>::of(x).template cast<py::tuple>(); },

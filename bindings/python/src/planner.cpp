@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// One robot's decision.
+// The decision of one robot.
 #include <fmt/format.h>
 #include <pybind11/operators.h>
 #include <tuple>
@@ -19,7 +19,7 @@ avo::PlanWorkspace& workspace() {
 
 namespace {
 
-/// What is not given is customary for the method.
+/// Returns a planner; omitted options get the method's default values.
 Planner make(avo::Method method, avo::Motion motion, std::optional<double> control_time,
              std::optional<double> time_horizon, double time_step, int samples,
              std::optional<avo::Certificate> certificate, std::optional<int> max_neighbors,
@@ -59,7 +59,7 @@ avo::Plan plan(const Planner& planner, const avo::Robot& robot,
   return planner.plan(robot, neighbors, workspace(), detour, walls);
 }
 
-// Robots are taken by value: another thread may change the caller's while Python's lock is
+// Robots are taken by value: another thread may change the caller's robots while Python's lock is
 // released.
 avo::Plan plan_among_obstacles(const Planner& planner, const avo::Robot robot,
                                const std::vector<avo::Neighbor>& obstacles) {

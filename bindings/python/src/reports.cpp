@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the command line says as JSON, as dicts: of decisions, recordings and runs.
+// The JSON output of the command line as dicts: decisions, recordings and runs.
 #include <chrono>
 #include <cmath>
 #include <fmt/format.h>
@@ -48,14 +48,14 @@ py::object explain_now(SharedSimulation& self, std::int64_t id) {
   }));
 }
 
-/// A scene of walls alone may be a file.
+/// Returns the scene; a scene of walls alone may be a file.
 avo::Scenario surroundings_of(const py::object& source) {
   if (py::isinstance<avo::Scenario>(source) || py::isinstance<py::dict>(source))
     return scenario_of(source, py::none());
   return avo_io::load_surroundings(path_of(source));
 }
 
-/// The limits are for recordings without a scene, or with one that has no robots.
+/// Refuses limits unless the recording has no scene, or a scene without robots.
 void require_fitting(bool scene, const char* name, const std::optional<double>& value) {
   if (scene && value)
     throw avo::Error(
@@ -116,7 +116,7 @@ avo::MetricsOptions options_of(bool crowd, const Line& line,
   return options;
 }
 
-/// What `avo run` does: to the end of the scene.
+/// Does what `avo run` does: it simulates to the end of the scene.
 py::object run(const py::object& scene, int threads, const py::object& record, bool crowd,
                const Line& line, const std::vector<std::uint64_t>& judged) {
   const avo::Scenario scenario = scenario_of(scene, py::none());
@@ -148,8 +148,8 @@ py::object run(const py::object& scene, int threads, const py::object& record, b
   return from_json(json);
 }
 
-/// Throws Error on a simulation of another scene, as far as names and robots tell; robots that came
-/// later are of no scene.
+/// Throws Error for a simulation of another scene, as far as names and robots show it. Robots that
+/// were added later belong to no scene.
 void require_same(const avo::Scenario& scenario, const avo::Simulation& simulation,
                   const std::string& name) {
   if (!name.empty() && name != scenario.name)
@@ -169,7 +169,7 @@ void require_same(const avo::Scenario& scenario, const avo::Simulation& simulati
   }
 }
 
-/// An observer, shared by threads as a simulation is.
+/// An observer that threads share, like a simulation.
 struct SharedMetrics {
   std::mutex mutex;
   avo::Scenario scenario;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Robots: what one knows of itself, what it senses of others, what it remembers, and what a scene
-// says of it. Plain data, which can be changed.
+// Robots: what a robot knows of itself, what it senses of its neighbors, what it remembers, and
+// what a scene says of it. All of these are plain, mutable data.
 #include <memory>
 #include <tuple>
 #include <vector>
@@ -105,7 +105,7 @@ void bind_trajectory(py::module_& module) {
       .def("at", &Trajectory::at, arg("time"), "(x, y), m: where it is at that time, s.");
 }
 
-// The trajectory lives as long as the neighbor. A copy is made of its attributes.
+// The trajectory lives as long as the neighbor. The attributes of the neighbor are copied.
 py::tuple reduced(const py::object& neighbor) {
   py::dict fields;
   for (const char* name :

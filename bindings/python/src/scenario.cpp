@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Scenes, from wherever they come; all go through the reader of scene files.
+// Scenes of any origin; all go through the reader of scene files.
 #include <pybind11/eval.h>
 #include <utility>
 
@@ -14,7 +14,7 @@ namespace {
 using avo::Scenario;
 using py::arg;
 
-/// As JSON, which is YAML; numpy's numbers and arrays become plain ones.
+/// Returns the value as JSON, which is YAML; numbers and arrays of numpy become plain ones.
 std::string json_of(const py::handle& value) {
   constexpr const char* kPlain = "lambda value: value.tolist()";
   try {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A value that several Python threads may use: one at a time, the others wait.
+// A value that several Python threads may use: one thread at a time, while the others wait.
 #pragma once
 #include <mutex>
 #include <pybind11/pybind11.h>
@@ -12,8 +12,8 @@ class Shared {
  public:
   explicit Shared(T value) : value_(std::move(value)) {}
 
-  /// f(value), without Python's lock; f must not touch Python. Nobody who holds the mutex ever
-  /// waits for Python's lock, so that these two cannot wait for each other.
+  /// Returns f(value), without Python's lock; f must not touch Python. A thread that holds the
+  /// mutex never waits for Python's lock, so there is no deadlock.
   template <typename F>
   auto alone(F f) {
     const pybind11::gil_scoped_release release;
@@ -21,7 +21,7 @@ class Shared {
     return f(value_);
   }
 
-  /// The same for what takes less time than giving up Python's lock.
+  /// Does the same for work that takes less time than releasing Python's lock.
   template <typename F>
   auto briefly(F f) {
     if (const std::unique_lock lock(mutex_, std::try_to_lock); lock.owns_lock())

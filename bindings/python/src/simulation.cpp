@@ -35,7 +35,7 @@ std::unique_ptr<SharedSimulation> from_saved(const py::bytes& saved, int threads
   return std::make_unique<SharedSimulation>(Simulation(bytes, threads), name);
 }
 
-/// Many steps can take long: every now and then Python may handle its signals.
+/// Many steps can take long: from time to time, Python may handle its signals.
 void step(SharedSimulation& self, std::int64_t n) {
   using Clock = std::chrono::steady_clock;
   if (n < 0) throw avo::Error(fmt::format("n: found {}, must be >= 0", n));
@@ -57,7 +57,7 @@ py::bytes save(SharedSimulation& self) {
   return {reinterpret_cast<const char*>(saved.data()), saved.size()};
 }
 
-/// Index into the columns.
+/// Returns the index into the columns.
 std::size_t checked(const Simulation& simulation, std::int64_t robot) {
   const auto n = static_cast<std::int64_t>(simulation.size());
   if (robot < 0 || robot >= n)
@@ -201,7 +201,8 @@ void bind_edits(SimulationClass& simulation) {
   simulation
       .def(
           "add_robot",
-          [](SharedSimulation& self, const avo::RobotSetup setup) {  // another thread may change it
+          // by value: another thread may change it
+          [](SharedSimulation& self, const avo::RobotSetup setup) {
             return self.alone([&](Simulation& s) { return s.add_robot(setup).value; });
           },
           arg("setup"),
@@ -300,7 +301,7 @@ void bind_inventory(SimulationClass& simulation) {
 
 using Perception = Simulation::Perception;
 
-// Each keeps its trajectory.
+// Returns the neighbors; each keeps its trajectory alive.
 py::list neighbors_of(const Perception& seen) {
   py::list list;
   auto next = seen.trajectories.begin();

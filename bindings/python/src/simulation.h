@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A simulation that several Python threads may use: one at a time, the others wait.
+// A simulation that several Python threads may use: one thread at a time, while the others wait.
 #pragma once
 #include <string>
 #include <utility>

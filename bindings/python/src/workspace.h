@@ -4,7 +4,7 @@
 
 namespace avo_python {
 
-/// This thread's, so that nothing is allocated once it has grown.
+/// Returns this thread's workspace, so that nothing is allocated once it has grown.
 avo::PlanWorkspace& workspace();
 
 }  // namespace avo_python

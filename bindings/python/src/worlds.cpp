@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Many worlds at once for learning: robots that are told their preferred velocities from outside,
-// each of which decides by a planner, as in a simulation.
+// Many worlds at once for learning. The caller gives the robots their preferred velocities; each
+// robot decides by a planner, as in a simulation.
 #include <algorithm>
 #include <atomic>
 #include <fmt/format.h>
@@ -15,7 +15,7 @@ namespace {
 
 using py::arg;
 
-/// Throws Error on what worlds do not know.
+/// Throws Error for features that worlds do not support.
 void require_plain(const avo::Scenario& scenario) {
   const auto refuse = [](const char* what, std::string_view found, const char* allowed) {
     throw avo::Error(fmt::format("{}: found {}, must be {} in these worlds", what, found, allowed));
@@ -23,7 +23,7 @@ void require_plain(const avo::Scenario& scenario) {
   if (!scenario.moving_obstacles.empty()) refuse("moving_obstacles", "some", "none");
   if (scenario.clock != avo::Clock::common) refuse("clock", "free", "common");
   if (!scenario.sensing.is_exact()) refuse("sensing", "errors", "exact");
-  // where robots go, and who waits at a passage, is up to the learner
+  // the learner decides where robots go, and which robot waits at a passage
   if (scenario.navigation == true) refuse("navigation", "true", "false or left out");
   if (scenario.right_of_way == avo::RightOfWay::told)
     refuse("right_of_way", "told", "none or left out");
@@ -64,7 +64,7 @@ avo::Neighbor seen(const avo::Robot& robot) {
           .max_braking = robot.max_braking};
 }
 
-/// Keeps two threads from using the same worlds. Throws Error where one does already.
+/// Keeps two threads from using the same worlds. Throws Error if a thread uses them already.
 class InUse {
  public:
   explicit InUse(std::atomic<bool>& used) : used_(used) {
@@ -107,7 +107,7 @@ class Worlds {
     all_[world] = std::move(placed);
   }
 
-  /// preferred: of all robots of all worlds, m/s. moving: which worlds take part.
+  /// preferred: for all robots of all worlds, m/s. moving: the worlds that take part.
   void step(std::span<const avo::Vec2> preferred, const std::vector<char>& moving) {
     for (std::size_t e = 0; e < all_.size(); ++e)
       if (moving[e] != 0) step(all_[e], preferred.subspan(e * robots_, robots_));
@@ -118,7 +118,8 @@ class Worlds {
   [[nodiscard]] const World& world(std::size_t e) const { return all_[e]; }
   [[nodiscard]] std::atomic<bool>& used() const { return used_; }
 
-  /// Those whom robot i of the world senses: squared distances, m^2, and numbers, nearest first.
+  /// Finds the neighbors that robot i of the world senses: squared distances, m^2, and numbers,
+  /// nearest first.
   void find_near(const World& world, std::size_t i,
                  std::vector<std::pair<double, std::size_t>>& near) const {
     near.clear();
@@ -130,7 +131,7 @@ class Worlds {
   }
 
  private:
-  /// All decide from the same states, then all move.
+  /// First all robots decide from the same states, and then all robots move.
   void step(World& world, std::span<const avo::Vec2> preferred) {
     const double h = planner_.options().time_step, lag = planner_.step_lag();
     next_.clear();
@@ -192,8 +193,8 @@ auto per_robot(Of of) {
   };
 }
 
-/// Relative position and velocity, sum of radii, and 1 of each of the k nearest; 0 where there are
-/// fewer.
+/// Returns relative position and velocity, sum of radii, and 1 for each of the k nearest; 0 for
+/// missing neighbors.
 py::array_t<float> nearest(const Worlds& self, std::size_t k) {
   constexpr std::size_t kNumbers = 6, kMost = 1000;
   if (k > kMost) throw avo::Error(fmt::format("k: found {}, must be 0 to {}", k, kMost));
