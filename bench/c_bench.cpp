@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the C interface costs: a getter, a decision, and a frame of 1000 robots (a step, and reading
-// where everybody is), beside the same in C++.
+// The cost of the C interface, compared with the same in C++: a getter, a decision, and a frame of
+// 1000 robots (a step, and reading all positions).
 #include <algorithm>
 #include <avo_c/avo.h>
 #include <benchmark/benchmark.h>
@@ -19,7 +19,7 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-// ns, of this thread: on a busy machine too it tells what the work takes.
+// Returns ns, of this thread: the time of the work itself, also on a busy machine.
 double processor_time() {
   timespec now;
   clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
@@ -44,7 +44,7 @@ void require(avo_result result) {
   std::exit(1);
 }
 
-// A square full of robots, each on its way to the other side.
+// Returns a place in a square full of robots, each on its way to the other side.
 avo::Vec2 place(int k) {
   return {4.0 * (k % 32) + 0.1 * (k % 7), 4.0 * (k / 32) + 0.1 * (k % 5)};
 }
@@ -99,7 +99,8 @@ double frame(avo_simulation_id simulation) {
   return sum;
 }
 
-// Both run the same robots, frame by frame in turns: the ratio of their medians.
+// Both interfaces run the same robots, frame by frame in turns; the result is the ratio of their
+// medians.
 void frame_of_1000_robots(benchmark::State& state) {
   avo::Simulation cpp = simulation_of_cpp();
   const avo_simulation_id c = simulation_of_c();
@@ -124,8 +125,8 @@ void frame_of_1000_robots(benchmark::State& state) {
 }
 BENCHMARK(frame_of_1000_robots)->Iterations(400)->Repetitions(5)->Unit(benchmark::kMillisecond);
 
-// A robot's values by its id, of 1000 in a scattered order; the median of 10^6 calls, less what
-// reading the clock takes.
+// Reads a robot's values by its id, of 1000 in a scattered order. The result is the median of 10^6
+// calls, minus the time of reading the clock.
 template <typename Value>
 void get(benchmark::State& state, avo_result (*getter)(avo_simulation_id, avo_robot_id, Value*),
          Value value) {
@@ -160,7 +161,7 @@ void get(benchmark::State& state, avo_result (*getter)(avo_simulation_id, avo_ro
 void get_position(benchmark::State& state) {
   get(state, avo_simulation_get_position, avo_vec2{});
 }
-// so many have gone: numbers are no longer places then
+// number of robots that have left: then ids differ from places
 BENCHMARK(get_position)->Arg(0)->Arg(1)->Arg(500)->Iterations(1);
 
 // the largest of all values
@@ -169,7 +170,7 @@ void get_robot_def(benchmark::State& state) {
 }
 BENCHMARK(get_robot_def)->Arg(0)->Iterations(1);
 
-// The same without a clock between the calls: their mean.
+// The same without a clock between the calls: the mean of the calls.
 void get_positions(benchmark::State& state) {
   const avo_simulation_id simulation = simulation_of_c();
   require(avo_simulation_step(simulation));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Time of the certificate alone: the constraints of ten near neighbors, one admission, a whole
+// Time of the certificate alone: the constraints of ten near neighbors, one admission, and a whole
 // choice that is admitted at once or refused.
 #include <benchmark/benchmark.h>
 #include <cmath>
@@ -21,7 +21,8 @@ double uniform(std::uint64_t& state, double a, double b) {
   return a + (b - a) * (static_cast<double>(state >> 11) * 0x1p-53);
 }
 
-// A robot on its way among others within 5 m, whom it is about to drive into or who go with it.
+// A moving robot among neighbors within 5 m; it is about to drive into them, or they move along
+// with it.
 struct Scene {
   Robot robot;
   std::vector<Neighbor> neighbors;
@@ -53,12 +54,12 @@ CertificateLaw law() {
   return certificate_law(Planner({}));
 }
 
-// Scenes whose invariant holds, and whose wish is admitted or not.
+// Returns scenes whose invariant holds, and whose wanted velocity is admitted or not.
 std::vector<Scene> scenes(Traffic traffic, bool admitted) {
   std::uint64_t state = 2025;
   std::vector<Scene> scenes;
   CertificateConstraints constraints;
-  while (scenes.size() < 1024) {  // so many that no branch can be learned
+  while (scenes.size() < 1024) {  // so many that branch prediction cannot learn them
     Scene scene = random_scene(state, traffic);
     collect_constraints(scene.robot, scene.neighbors, law(), constraints);
     if (constraints.invariant.broken.any()) continue;

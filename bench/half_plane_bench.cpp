@@ -15,7 +15,7 @@ void half_planes(benchmark::State& state, Kind kind, double near, double far) {
   const Horizon horizon(4.0, 10.0, 0.1);
   std::uint64_t seed = 2011;
   std::vector<Pair> pairs;
-  while (pairs.size() < 4096) {  // so many that no branch can be learned
+  while (pairs.size() < 4096) {  // so many that branch prediction cannot learn them
     const Pair pair = random_pair(seed, near, far);
     if (kind == Kind::mixed || kind_of(pair, horizon) == kind) pairs.push_back(pair);
   }

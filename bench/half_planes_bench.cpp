@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Time of a half-plane (Eqs. 15, 16) in batches of 640, by kind of situation. The
-// instruction set is AVO_SIMD's.
+// Time of a half-plane (Eqs. 15, 16) in batches of 640, by kind of situation. AVO_SIMD sets the
+// instruction set.
 #include <benchmark/benchmark.h>
 #include <cstdint>
 #include <vector>

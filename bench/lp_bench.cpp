@@ -24,8 +24,8 @@ double uniform(std::uint64_t& state, double a, double b) {
   return a + (b - a) * (static_cast<double>(state >> 11) * 0x1p-53);
 }
 
-// 1024 programs of `planes` half-planes whose offsets lie around `crowd`, so that the branches
-// differ from call to call; radius is that of the acceleration disc.
+// Returns 1024 programs of `planes` half-planes with offsets around `crowd`, so that the branches
+// differ from call to call; `radius`: of the acceleration disc.
 std::vector<Program> programs(int planes, double crowd, double radius) {
   std::uint64_t state = 2011;
   const auto direction = [&] {
@@ -71,7 +71,7 @@ BENCHMARK_CAPTURE(solve, least_unsafe_10, 10, -0.2, 4.0, ProgramState::least_uns
 BENCHMARK_CAPTURE(solve, least_unsafe_10_crossing_discs, 10, -0.2, 1.5, ProgramState::least_unsafe);
 BENCHMARK_CAPTURE(solve, least_unsafe_50, 50, -0.2, 4.0, ProgramState::least_unsafe);
 
-// 1024 programs, `infeasible` per cent of which leave nothing, shuffled.
+// Returns 1024 programs, of which `infeasible` per cent have no solution, shuffled.
 std::vector<Program> mixed(int planes, int infeasible) {
   ProgramRows scratch;
   const std::vector<Program> feasible = programs(planes, -0.9, 4.0);

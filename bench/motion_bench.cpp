@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Time of what is left of a robot-step: the preferred velocity, the wish among ten neighbors, one
-// step of motion.
+// Time of the other parts of a robot-step: the preferred velocity, the wish among ten neighbors,
+// one step of motion.
 #include <benchmark/benchmark.h>
 #include <cmath>
 #include <cstdint>
@@ -14,7 +14,7 @@
 namespace avo {
 namespace {
 
-constexpr std::size_t kRobots = 1024;  // so many that no branch can be learned
+constexpr std::size_t kRobots = 1024;  // so many that branch prediction cannot learn them
 constexpr std::size_t kNeighbors = 10;
 
 double uniform(std::uint64_t& state, double a, double b) {
@@ -27,7 +27,7 @@ Vec2 in_ring(std::uint64_t& state, double near, double far) {
   return uniform(state, near, far) * Vec2{std::cos(angle), std::sin(angle)};
 }
 
-// A robot on its way or about to arrive, and ten others 1 to 7 m away.
+// A moving or arriving robot, and ten neighbors 1 to 7 m away.
 struct Scene {
   Robot robot;
   Vec2 goal;
@@ -54,7 +54,7 @@ std::vector<Scene> scenes(const Planner& planner) {
   return all;
 }
 
-// What action(scene) takes, of one scene after the other.
+// Measures action(scene), for one scene after the other.
 template <typename Action>
 void run(benchmark::State& state, const Planner& planner, Action action) {
   const std::vector<Scene> all = scenes(planner);
@@ -70,7 +70,7 @@ struct MovedTile {
   MovingColumns moving;
 };
 
-// Of a tile of robots, action() of one after the other; a whole tile is one iteration.
+// Measures action() for one robot of a tile after the other; a whole tile is one iteration.
 template <typename Action>
 void run_tiles(benchmark::State& state, const Planner& planner, Action action) {
   const std::vector<Scene> all = scenes(planner);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What goals and edits cost on large maps: one new goal, and one obstacle more and less.
+// The cost of goals and edits on large maps: one new goal, and one obstacle more and less.
 #include <algorithm>
 #include <benchmark/benchmark.h>
 #include <chrono>
@@ -21,7 +21,7 @@ struct World {
   Scenario scene;
   double side = 0.0, radius = 0.0;  // m
   ClearanceGrid grid;
-  std::vector<Vec2> solid;  // m, lower left and upper right corners by turns
+  std::vector<Vec2> solid;  // m, lower left and upper right corners in turns
   std::mt19937_64 random{7};
 
   double uniform(double low, double high) {
@@ -45,7 +45,7 @@ struct World {
   }
 };
 
-// 600 blocks or 4800 shelves on 512 x 512 m, 4160 walls of 1 m at random, 1000 trees.
+// Returns 600 blocks or 4800 shelves on 512 x 512 m, 4160 walls of 1 m at random, or 1000 trees.
 World world_of(std::int64_t map, int robots) {
   World world;
   world.radius = map == shelves ? 0.3 : 0.5;
@@ -77,7 +77,7 @@ World world_of(std::int64_t map, int robots) {
     robot.position = world.free_place(), robot.goal = world.free_place();
     world.scene.robots.push_back(robot);
   }
-  world.scene.allow_broken_assumptions = true;  // some may begin too near to each other
+  world.scene.allow_broken_assumptions = true;  // some robots may begin too near to each other
   return world;
 }
 
@@ -92,7 +92,7 @@ void count(benchmark::State& state, std::vector<double> taken) {
   state.counters["most_ms"] = taken.back();
 }
 
-// 400 goals of one robot, one after the other; the first ones find the edges that they need.
+// Sets 400 goals for one robot, one after the other; the first goals find the edges that they need.
 void set_goal_on_map(benchmark::State& state) {
   World world = world_of(state.range(0), 1);
   Simulation simulation(world.scene, 1);
@@ -113,7 +113,7 @@ BENCHMARK(set_goal_on_map)
     ->UseManualTime()
     ->Unit(benchmark::kMillisecond);
 
-// As many robots as goals set out.
+// As many robots set out as there are goals.
 void set_out_on_blocks(benchmark::State& state) {
   const World world = world_of(blocks, static_cast<int>(state.range(0)));
   for (auto _ : state) benchmark::DoNotOptimize(Simulation(world.scene, 1));
@@ -125,7 +125,7 @@ BENCHMARK(set_out_on_blocks)
     ->Iterations(1)
     ->Unit(benchmark::kMillisecond);
 
-// A short wall comes, and goes; 100 robots are on their ways.
+// A short wall is added, and removed again; 100 robots are in motion.
 void edit_of_map(benchmark::State& state) {
   World world = world_of(state.range(0), 100);
   Simulation simulation(world.scene, 1);

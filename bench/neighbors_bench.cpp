@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Time to index n robots and to find the ten nearest of each within the sensing radius, by points
-// in any order and by points in the order of their cells, as a step keeps them.
+// Time to index n robots and to find the ten nearest of each within the sensing radius. Points are
+// in any order, or in the order of their cells, as a step keeps them.
 #include <benchmark/benchmark.h>
 #include <cmath>
 #include <cstdint>
@@ -11,7 +11,7 @@
 namespace avo {
 namespace {
 
-// About `crowd` of n robots within the radius of each.
+// Returns positions such that about `crowd` of n robots are within the radius of each.
 std::vector<Vec2> random_positions(int n, double crowd) {
   const double side = std::sqrt(3.14159 * n / crowd);
   std::uint64_t random = 2011;

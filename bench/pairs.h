@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Pairs to measure half-planes on.
+// Pairs for the measurements of half-planes.
 #pragma once
 #include <cmath>
 #include <cstdint>
@@ -14,7 +14,7 @@ inline double uniform(std::uint64_t& state, double a, double b) {
   return a + (b - a) * (static_cast<double>(state >> 11) * 0x1p-53);
 }
 
-// Distances `near` to `far`, both robots with speeds up to 2 m/s.
+// Returns a pair at a distance from `near` to `far`, both robots with speeds up to 2 m/s.
 inline Pair random_pair(std::uint64_t& state, double near, double far) {
   const auto direction = [&] {
     const double angle = uniform(state, 0.0, 2.0 * std::numbers::pi);
@@ -25,8 +25,8 @@ inline Pair random_pair(std::uint64_t& state, double near, double far) {
   return {p, v_A - uniform(state, 0.0, 2.0) * direction(), 1.0};
 }
 
-// The cases of the closed form: the disc of τ decides (tip); the robots close in and would hit
-// (convex); neither (horn).
+// The cases of the closed form. tip: the disc of τ decides; convex: the robots approach each other
+// and would collide; horn: neither.
 enum class Kind { mixed, tip, convex, horn };
 
 inline Kind kind_of(const Pair& pair, const Horizon& horizon) {

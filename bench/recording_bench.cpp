@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a recording costs: the run itself (the step and add()), by the processor time of its thread,
-// so that a busy machine does not count; bytes a robot-step; and how fast CSV is written.
+// The cost of a recording: the run itself (the step and add()), by the processor time of its
+// thread, so that load on the machine does not count; bytes per robot-step; and the speed of
+// writing CSV.
 #include <benchmark/benchmark.h>
 #include <cstdint>
 #include <ctime>
@@ -17,7 +18,7 @@ namespace {
 
 constexpr int kSteps = 2000;
 
-// s, of this thread
+// Returns s, of this thread.
 double thread_time() {
   timespec now;
   clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);

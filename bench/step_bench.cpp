@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Time of one robot's decision, and of a step of Circle-N, alone and over its whole crossing.
+// Time of one robot's decision, and of a step of Circle-N, single steps and the whole crossing.
 #include <algorithm>
 #include <benchmark/benchmark.h>
 #include <chrono>
@@ -14,7 +14,7 @@
 namespace avo {
 namespace {
 
-// The paper's Circle-N (§VI-B): everyone's goal is opposite; ten nearest neighbors.
+// The paper's Circle-N (§VI-B): every robot's goal is opposite; ten nearest neighbors.
 Scenario circle(int count, Method method) {
   Scenario scene;
   scene.method = method;
@@ -35,7 +35,7 @@ Method method_of(std::int64_t number) {
   return number == 0 ? Method::avo_paper : Method::avo;
 }
 
-// What the robots of Circle-N see after `seconds`.
+// Returns what the robots of Circle-N see after `seconds`.
 std::vector<Simulation::Perception> crowd(int count, double seconds, Simulation& simulation) {
   while (simulation.time() < seconds) simulation.step();
   std::vector<Simulation::Perception> seen;
@@ -45,8 +45,8 @@ std::vector<Simulation::Perception> crowd(int count, double seconds, Simulation&
   return seen;
 }
 
-// One decision: in Circle-1000 on the way (20 s) and amid the crowd (170 s). Ten neighbors get a
-// half-plane; a certificate looks at all within the sensing radius.
+// Measures one decision: in Circle-1000 on the way (20 s) and amid the crowd (170 s). Ten neighbors
+// get a half-plane; a certificate looks at all neighbors within the sensing radius.
 void plan(benchmark::State& state) {
   Simulation simulation(circle(1000, method_of(state.range(1))), 1);
   const std::vector<Simulation::Perception> seen =
@@ -69,7 +69,7 @@ BENCHMARK(plan)
     ->ArgsProduct({{20, 170}, {0, 1}})
     ->Unit(benchmark::kMicrosecond);
 
-// The steps from `seconds` on, one thread; the scene moves on with them.
+// Measures the steps from `seconds` on, on one thread; the scene advances with them.
 void step_of_circle(benchmark::State& state) {
   const auto count = static_cast<int>(state.range(0));
   const auto seconds = static_cast<double>(state.range(1));
@@ -88,9 +88,9 @@ double quantile(const std::vector<double>& sorted, double part) {
   return sorted[static_cast<std::size_t>(part * static_cast<double>(sorted.size() - 1))];
 }
 
-// Every step of the crossing, one thread: until all have arrived, at most one and a half times what
-// the straight way takes. The median is the figure to compare; CPU time is what counts where other
-// programs run as well.
+// Measures every step of the crossing on one thread, until all have arrived; it takes at most one
+// and a half times the straight line's time. The median is the figure to compare. CPU time is
+// reported because it does not count other programs.
 void crossing_of_circle(benchmark::State& state) {
   const Scenario scene = circle(static_cast<int>(state.range(0)), method_of(state.range(1)));
   const double straight = 2.0 * norm(scene.robots[0].goal) / scene.robots[0].preferred_speed;

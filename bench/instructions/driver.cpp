@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// avo_bench_instructions SCENE FIRST STEPS [--goals | --metrics] [KEY=VALUE]...: takes FIRST steps
-// and then STEPS more, the latter in measured_steps(), by whose name callgrind counts them. With
-// --goals a host looks at every robot before each step and gives it another goal, with --metrics
-// the run is observed after each step. One thread. See check.py.
+// avo_bench_instructions SCENE FIRST STEPS [--goals | --metrics] [KEY=VALUE]...: it takes FIRST
+// steps and then STEPS more. The latter run in measured_steps(); callgrind counts them by that
+// name. With --goals, a host looks at every robot before each step and gives it another goal. With
+// --metrics, the run is observed after each step. It runs on one thread. See check.py.
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
@@ -18,7 +18,7 @@
 
 namespace {
 
-// Counts are comparable for one of these only.
+// Counts are comparable only for the same compiler.
 std::string compiler() {
 #if defined(__clang__)
   const std::string name = "clang++ ";
@@ -34,7 +34,7 @@ std::string compiler() {
 
 }  // namespace
 
-// What happens beside the steps.
+// The work besides the steps.
 struct Host {
   bool gives_goals = false;
   std::optional<avo::Metrics> metrics = {};
@@ -42,7 +42,7 @@ struct Host {
 
 namespace {
 
-// As a host would that knows ids.
+// Gives goals as a host would that knows ids.
 void give_goals(avo::Simulation& simulation) {
   for (std::size_t i = 0; i < simulation.size(); ++i) {
     const avo::RobotState state = simulation.robot(i);

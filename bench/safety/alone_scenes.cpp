@@ -14,7 +14,7 @@ namespace avo::safety {
 namespace {
 
 constexpr std::array kTimeSteps{0.1, 0.02, 0.25, 0.05, 0.2, 0.125, 0.04, 0.15, 0.08};  // s
-constexpr double kMostRadius = 1.2;  // m, of movers
+constexpr double kMostRadius = 1.2;  // m, of moving obstacles
 
 Vec2 direction(Random& random) {
   return circle_point(static_cast<int>(random.below(3600)), 3600);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where others stand in the way.
+// Scenes in which other robots block a robot.
 #include "arrival_scenes.h"
 
 #include <cmath>
@@ -18,13 +18,13 @@ void add_at_goal(Scenario& scenario, Vec2 place, double radius = kRadius) {
   scenario.robots.back().radius = radius;
 }
 
-// From anywhere at this distance of the origin.
+// Returns a random place at this distance from the origin.
 Vec2 from_around(double distance, Random& random) {
   const int places = 1 << 20;
   return distance * circle_point(static_cast<int>(random.below(places)), places);
 }
 
-// All that have to are to arrive.
+// Returns a scene in which all robots with a goal must arrive.
 Scene until_rest(Scenario scenario, double units) {
   Scene scene{std::move(scenario)};
   scene.unit = straight_time(scene.scenario);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Scenes in which others stand where robots have to pass, or close to where they have to rest.
+// Scenes in which other robots stand where robots have to pass, or close to where they have to
+// rest.
 #pragma once
 #include <cstdint>
 
@@ -7,23 +8,24 @@
 
 namespace avo::safety {
 
-/// One robot, its goal inside a ring of 8 that are at their goals, with gaps of 5 cm.
+/// Returns one robot whose goal is inside a ring of 8 robots at their goals, with gaps of 5 cm.
 Scene closed_ring(std::uint64_t seed);
 
-/// One robot, its goal in the middle of 36 that are at their goals, 1.1 m apart.
+/// Returns one robot whose goal is in the middle of 36 robots at their goals, 1.1 m apart.
 Scene deep_among(std::uint64_t seed);
 
-/// One robot of 3 m radius across 200 of 0.3 m that are at their goals, on 11 % of the area.
+/// Returns one robot of 3 m radius that crosses 200 robots of 0.3 m at their goals, on 11 % of the
+/// area.
 Scene large_among(std::uint64_t seed);
 
-/// n robots from around a block of goals that touch, n a square number; rows in a square or, in
-/// rows by turns half a robot further, as dense as can be.
+/// Returns n robots around a block of goals that touch; n is a square number. Rows form a square,
+/// or every second row is shifted by half a robot, which is the densest packing.
 Scene touching_goals(int n, bool hexagonal, std::uint64_t seed);
 
-/// 8 x 8 robots, 1.2 m apart; two by two they exchange places.
+/// Returns 8 x 8 robots, 1.2 m apart, that exchange places in pairs.
 Scene neighbors_swap(std::uint64_t seed);
 
-/// n robots from and to anywhere in a square of which they cover a quarter.
+/// Returns n robots with random starts and goals in a square of which they cover a quarter.
 Scene clump(int n, std::uint64_t seed);
 
 }  // namespace avo::safety

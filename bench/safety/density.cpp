@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// How dense a crowd is.
+// The density of a crowd.
 #include "density.h"
 
 #include <algorithm>
@@ -11,13 +11,13 @@
 namespace avo::safety {
 namespace {
 
-// Of a disc of radius r whose chord lies `offset` from its center, the part beyond the chord.
+// Returns the part of a disc of radius r beyond a chord that lies `offset` from its center.
 double segment(double r, double offset) {
   const double cosine = std::clamp(offset / r, -1.0, 1.0);
   return r * r * (std::acos(cosine) - cosine * std::sqrt(1.0 - cosine * cosine));
 }
 
-// Area that two discs with their centers d apart have in common.
+// Returns the area that two discs with a distance d between their centers have in common.
 double common_area(double d, double a, double b) {
   if (d >= a + b) return 0.0;
   const double smaller = std::min(a, b);

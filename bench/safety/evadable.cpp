@@ -15,27 +15,28 @@
 namespace avo::safety {
 namespace {
 
-constexpr std::size_t kMost = 4000;  // states that are kept
-constexpr double kHeld = 0.2;        // s, about, of an acceleration
-constexpr int kLooks = 8;            // at the distances, while it is held
-constexpr int kDirections = 12;      // of accelerations
-// Of all states in a cell one is kept: m, and of what a held acceleration changes, so that it leads
-// to another cell.
+constexpr std::size_t kMost = 4000;  // the most states that are kept
+constexpr double kHeld = 0.2;        // s, about: how long an acceleration is held
+constexpr int kLooks = 8;            // tests of the distances while it is held
+constexpr int kDirections = 12;      // number of directions of accelerations
+// One state is kept in each cell. The sizes are m, and a part of what a held acceleration changes,
+// so that it leads to another cell.
 constexpr double kCell = 0.1, kPace = 0.5;
 
 struct State {
   Vec2 position, velocity;  // m, m/s
 };
-using Places = std::vector<Vec2>;  // of all movers
+using Places = std::vector<Vec2>;  // of all moving obstacles
 
-// Where the movers are within their steps.
+// The places of the moving obstacles within their steps.
 class Movers {
  public:
   explicit Movers(const Scenario& scenario) : scenario_(scenario) {
     for (const MovingObstacle& mover : scenario.moving_obstacles)
       walks_.push_back({mover.position, mover.velocity});
   }
-  // Goes on by so many steps; their places at that many times, evenly, the last one at the end.
+  // Advances by so many steps and returns the places at kLooks evenly spaced times, the last one at
+  // the end.
   std::array<Places, kLooks> go_on(std::int64_t steps) {
     std::array<Places, kLooks> looks;
     const double h = scenario_.time_step;
@@ -79,7 +80,8 @@ std::uint64_t cell_of(const State& state, double pace) {
          part(state.velocity.x, pace) << 32U | part(state.velocity.y, pace) << 48U;
 }
 
-// To hold the velocity, to brake, and full accelerations all around.
+// Returns accelerations that hold the velocity, that brake, and full accelerations in all
+// directions.
 std::array<Vec2, kDirections + 2> accelerations(const RobotSetup& robot, Vec2 velocity,
                                                 double held) {
   std::array<Vec2, kDirections + 2> all{};

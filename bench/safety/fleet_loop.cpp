@@ -9,7 +9,8 @@
 namespace avo::safety {
 namespace {
 
-// Fastest with which a robot still stops at its goal: w²/2a + w Δt fits into the way left.
+// Returns the fastest velocity w at which a robot still stops at its goal: w²/2a + w Δt fits into
+// the remaining distance.
 Vec2 towards_goal(const Robot& robot, Vec2 goal, double preferred_speed, const Planner& planner) {
   const Vec2 way = goal - robot.position;
   const double distance = norm(way);
@@ -94,7 +95,7 @@ Plan FleetLoop::decide(std::size_t i) {
                                  : planner.plan(robot, neighbors_, workspace_, &detours_[i]);
   const Vec2 v = robot.velocity;
   Vec2 v_1 = v + planner.step_rate() * (plan.new_velocity - v);
-  if (norm_squared(v_1) < 0x1p-100 * norm_squared(v)) v_1 = {};  // rounding of its making
+  if (norm_squared(v_1) < 0x1p-100 * norm_squared(v)) v_1 = {};  // v_1 is zero up to rounding
   commands_[i] = {v_1, ticks_ + acting_.latency};
   const auto spread = static_cast<std::size_t>(2 * acting_.jitter + 1);
   const auto later = acting_.jitter > 0 ? static_cast<std::int64_t>(random_.below(spread)) : 0;
@@ -108,14 +109,14 @@ void FleetLoop::follow_commands() {
     const Robot& robot = robots_[i];
     Vec2 change = commands_[i].next_velocity - robot.velocity;
     const double most = acting_.strength * robot.max_acceleration * planner(i).options().time_step;
-    const bool differs = acting_.strength < 1.0 || acting_.latency > 0;  // from what was decided
+    const bool differs = acting_.strength < 1.0 || acting_.latency > 0;  // from the decision
     if (differs && norm(change) > most) change = (most / norm(change)) * change;
     drives_[i] = {robot.position, robot.velocity, robot.velocity + change, ticks_};
     commands_[i].at = kNever;
   }
 }
 
-// From v to v_1 on the way s v + (Δt - s) v_1; held: v Δt + a Δt²/2.
+// Moves from v to v_1 by s v + (Δt - s) v_1; held motion: v Δt + a Δt²/2.
 void FleetLoop::move(std::size_t i) {
   const Drive& drive = drives_[i];
   Robot& robot = robots_[i];

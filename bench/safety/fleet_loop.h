@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A fleet in a loop of its own around Planner::plan: robots know each other as Sensing tells, and
-// decide and move as Acting tells.
+// A fleet in a separate loop around Planner::plan: Sensing sets what robots know of each other, and
+// Acting sets how they decide and move.
 #pragma once
 #include <array>
 #include <cstdint>
@@ -15,13 +15,13 @@ namespace avo::safety {
 
 class FleetLoop {
  public:
-  /// Throws Error where the motion is not held and states within a step are asked for.
+  /// Throws Error if the motion is not held, but states within a step are required.
   FleetLoop(const Scene& scene, std::uint64_t seed, const PlannerOptions& options);
 
-  /// The decisions and the motion of one tick.
+  /// Makes the decisions and the motion of one tick.
   void tick();
   void send_all_to(Vec2 goal);
-  /// Every obstacle gets an acceleration anew.
+  /// Gives every obstacle a new acceleration.
   void turn_obstacles();
 
   [[nodiscard]] double time() const { return static_cast<double>(ticks_) * tick_time_; }
@@ -29,12 +29,13 @@ class FleetLoop {
   [[nodiscard]] const std::vector<Robot>& robots() const { return robots_; }
   [[nodiscard]] const std::vector<RobotSetup>& setup() const { return setup_; }
   [[nodiscard]] const std::vector<Neighbor>& obstacles() const { return obstacles_; }
-  /// Those made in the last tick.
+  /// Returns the plans of the last tick.
   [[nodiscard]] const std::vector<Plan>& plans() const { return plans_; }
 
  private:
   static constexpr std::int64_t kNever = -1;
-  // What the drive does: from its velocity to the next one in a step, which it then keeps.
+  // The motion of the drive: within a step it goes from its velocity to the next velocity, which it
+  // then keeps.
   struct Drive {
     Vec2 position, velocity, next_velocity;
     std::int64_t since = 0;  // tick
@@ -52,7 +53,7 @@ class FleetLoop {
 
   std::vector<RobotSetup> setup_;
   Acting acting_;
-  std::array<Planner, 2> planners_;  // of most, of the odd ones
+  std::array<Planner, 2> planners_;  // of most robots; of the odd robots
   Senses senses_;
   Random random_;
   double tick_time_;

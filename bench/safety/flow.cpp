@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Flows that never end: a torus, and a square crossed to and fro.
+// Flows that never end: a torus, and a square that robots cross to and fro.
 #include "flow.h"
 
 #include <algorithm>
@@ -19,16 +19,16 @@ namespace {
 
 constexpr int kRobots = 100;
 constexpr double kReached = 1.0;    // m, from a waypoint
-constexpr double kStill = 0.01;     // m/s: so slow, a robot stands
+constexpr double kStill = 0.01;     // m/s: a robot this slow stands
 constexpr double kSettling = 60.0;  // s, before Outcome::late_flow counts
-constexpr double kNoGoal = 1e3;     // m: on the torus goals are never near
+constexpr double kNoGoal = 1e3;     // m: on the torus, goals are never near
 
-// A difference of two coordinates, across the seam where that is shorter.
+// Returns the difference of two coordinates, across the seam if that is shorter.
 double across(double difference) {
   return difference - kFlowSide * std::round(difference / kFlowSide);
 }
 
-// Who moves, and how they have moved in the last step.
+// The robots, and their motion in the last step.
 struct Crowd {
   explicit Crowd(const Scene& scene) : flow(*scene.flow) {
     for (const RobotSetup& setup : scene.scenario.robots) {
@@ -50,7 +50,7 @@ struct Crowd {
     return {across(straight.x), across(straight.y)};
   }
 
-  // On the torus the goal stands for a direction.
+  // On the torus the goal represents a direction.
   [[nodiscard]] Vec2 direction(std::size_t i) const {
     const Vec2 way = flow == Flow::torus ? goals[i] : goals[i] - robots[i].position;
     return way / norm(way);
@@ -60,8 +60,8 @@ struct Crowd {
     return flow == Flow::to_and_fro && norm(goals[i] - robots[i].position) <= kReached;
   }
 
-  // Mean over all robots of what their velocities have of the preferred ones; who is at its
-  // waypoint prefers none.
+  // Returns the mean over all robots of the velocity's component along the preferred velocity. A
+  // robot at its waypoint has no preferred velocity.
   [[nodiscard]] double progress() const {
     double sum = 0.0;
     for (std::size_t i = 0; i < robots.size(); ++i)
@@ -76,7 +76,7 @@ struct Crowd {
   std::vector<Plan> plans;
 };
 
-// A loop around Planner::plan: the library's simulation knows no seam.
+// A loop around Planner::plan: the library's simulation has no seam.
 class TorusLoop {
  public:
   TorusLoop(const Scene& scene, const PlannerOptions& options)
@@ -117,14 +117,14 @@ class TorusLoop {
     return planner_.plan(robot, neighbors_, workspace_, &detours_[i]);
   }
 
-  double radius_;  // m, of sensing
+  double radius_;  // m, the sensing radius
   Planner planner_;
   std::vector<Detour> detours_;
   std::vector<Neighbor> neighbors_;
   PlanWorkspace workspace_;
 };
 
-// The library's simulation. Who stands at its waypoint is sent to the opposite one.
+// The library's simulation. A robot that stands at its waypoint is sent to the opposite waypoint.
 class ToAndFroLoop {
  public:
   explicit ToAndFroLoop(const Scene& scene) : simulation_(scene.scenario, 1) {}
@@ -148,8 +148,8 @@ class ToAndFroLoop {
   Simulation simulation_;
 };
 
-// The library's judge knows no seam. Accelerations are held: a pair's distance in 16 parts of a
-// step is off by at most 2 a_max (Δt/16)²/8, a hundredth of a millimeter.
+// The library's judge has no seam. Accelerations are held: a pair's distance in 16 parts of a step
+// is off by at most 2 a_max (Δt/16)²/8, a hundredth of a millimeter.
 class FlowJudge {
  public:
   explicit FlowJudge(double time_step) : time_step_(time_step) {}

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Whether a run was safe: Check's report on the states after every step.
+// Judges whether a run was safe, by Check's report on the states after every step.
 #include "judge.h"
 
 #include <algorithm>
@@ -11,9 +11,9 @@
 namespace avo::safety {
 namespace {
 
-// How far the robot may be from the cubic between two states, m. Held accelerations: not at all.
-// Eqs. (8), (9) have x'''' = w e^{-t/δ}/δ³ with |w| <= δ a_max, and a cubic through positions and
-// velocities errs by at most Δt⁴ |x''''|/384.
+// Returns the largest distance of the robot from the cubic between two states, m. It is 0 for held
+// accelerations. Eqs. (8), (9) have x'''' = w e^{-t/δ}/δ³ with |w| <= δ a_max, and a cubic through
+// positions and velocities errs by at most Δt⁴ |x''''|/384.
 double interpolation_error(const PlannerOptions& options, double max_acceleration) {
   if (options.motion != Motion::exponential || adopts_at_once(options.method)) return 0.0;
   const double ratio = options.time_step / options.control_time;
@@ -53,7 +53,7 @@ struct Rule {
   CheckCount CheckReport::*count;
 };
 
-// Of robots with headings.
+// The rules for robots with headings.
 constexpr Rule kKinematics[] = {
     {"rows off their headings (m/s)", &CheckReport::headings},
     {"turns too sharp (rad)", &CheckReport::turns},

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Safety and arrival over families of scenes: a table, and JSON lines.
+// Measures safety and arrival over families of scenes: a table, and JSON lines.
 #include <atomic>
 #include <cstdio>
 #include <exception>
@@ -18,18 +18,19 @@
 namespace avo::safety {
 namespace {
 
-// A row and the outcomes of its scenes, one slot each.
+// A row and the outcomes of its scenes, one slot for each.
 struct Row {
   Family family;
   std::vector<Outcome> outcomes;
-  std::size_t missing = 0;  // outcomes
+  std::size_t missing = 0;  // number of missing outcomes
 };
 
 struct Job {
   std::size_t row, scene;
 };
 
-/// Runs all scenes, on several threads, and prints every row when it and those before it are there.
+/// Runs all scenes on several threads. It prints a row when that row and all rows before it are
+/// complete.
 class Harness {
  public:
   Harness(const Options& options, std::vector<Row> rows)
@@ -44,7 +45,7 @@ class Harness {
     if (!options.json.empty()) json_.emplace(options.json);
   }
 
-  /// True where nothing unsafe happened under a certificate.
+  /// Returns true if nothing unsafe happened under a certificate.
   bool run() {
     print(table_header());
     std::vector<std::thread> threads;
@@ -107,7 +108,7 @@ class Harness {
   std::vector<Row> rows_;
   std::vector<Job> jobs_;
   std::atomic<std::size_t> next_{0};
-  std::mutex mutex_;  // of all below and of the rows
+  std::mutex mutex_;  // protects all members below, and the rows
   std::size_t shown_ = 0;
   bool certified_safe_ = true;
   std::exception_ptr failure_;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The scenes of robots among obstacles that react to nobody: at rest, with a velocity they keep, or
-// as people do.
+// Scenes of robots among obstacles that do not react: obstacles at rest, with constant velocity, or
+// with the motion of people.
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -30,7 +30,8 @@ Scene doorway() {
 
 namespace {
 
-constexpr double kSide = 20.0, kFar = 24.0;  // m, of the square; whence the obstacles come
+// m, of the square; the start distance of the obstacles
+constexpr double kSide = 20.0, kFar = 24.0;
 
 Scene in_a_square(Random& random) {
   constexpr std::size_t kRobots = 20;
@@ -55,7 +56,8 @@ MovingObstacle person(Vec2 position, double side, Random& random) {
   return person;
 }
 
-// One in six is a car, one in six avoids its like alone, while all others avoid it.
+// Returns a random robot. One in six is a car, and one in six avoids only robots of its own kind,
+// while all others avoid it.
 RobotSetup any_robot(Vec2 position, double radius, Random& random) {
   RobotSetup robot = usual_robot(position, position, kSpeed);
   robot.radius = radius;
@@ -75,7 +77,8 @@ RobotSetup any_robot(Vec2 position, double radius, Random& random) {
     robot.model =
         Car{0.4, random.between(0.5, 3.0), body, random.below(2) == 0, AccelerationSet::exact};
   }
-  robot.position = position - disc_center(robot.model, {}, robot.heading);  // where its disc is
+  // the center of its disc is at the position
+  robot.position = position - disc_center(robot.model, {}, robot.heading);
   robot.goal = robot.position;
   return robot;
 }

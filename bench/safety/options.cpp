@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the harness is asked for: parsing, with one line for each mistake.
+// Parses the options of the harness, with one line for each mistake.
 #include "options.h"
 
 #include <algorithm>
@@ -70,7 +70,7 @@ double seconds(const std::string& option, const std::string& text) {
 
 constexpr std::int64_t kMost = 1000000000;
 
-// True where there is such an option and it took the value.
+// Returns true if there is such an option and it accepted the value.
 bool take(Options& o, const std::string& option, const std::string& text) {
   if (option == "--row") {
     o.rows.push_back(text);
@@ -92,7 +92,7 @@ bool take(Options& o, const std::string& option, const std::string& text) {
   return true;
 }
 
-// The same of those that change the scenes; they are remembered as they were given.
+// Does the same for options that change the scenes; it remembers them in their original text.
 bool take_setting(Options& o, const std::string& option, const std::string& text) {
   if (option == "--method") {
     o.method = value_of(option, text, kMethods);

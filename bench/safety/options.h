@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the harness is asked for.
+// The options of the harness.
 #pragma once
 #include <cstdint>
 #include <optional>
@@ -18,8 +18,8 @@ struct UsageError : std::runtime_error {
 
 struct Options {
   bool help = false, list = false;
-  std::vector<std::string> rows;  ///< names or their beginnings; none: all
-  std::optional<int> scenes;      ///< of each row whose scenes differ
+  std::vector<std::string> rows;  ///< names, or beginnings of names; none: all rows
+  std::optional<int> scenes;      ///< for each row whose scenes differ
   std::uint64_t first_seed = 1;
   double soak_steps = 1e7;  ///< see families()
   int threads = 1;
@@ -28,7 +28,8 @@ struct Options {
   std::optional<Certificate> certificate;
   std::optional<Motion> motion;
   std::optional<double> control_time, time_horizon;  ///< s
-  std::vector<std::string> settings;  ///< those of the five above, as they were given
+  /// the text of those of the five options above that were given
+  std::vector<std::string> settings;
 };
 
 /// Throws UsageError with one line: where, what was found, what is allowed.
@@ -36,11 +37,12 @@ Options parse_options(int count, const char* const* arguments);
 
 const char* usage();
 
-/// A row is asked for by its name, or by the beginning of its name where no row has it as its name.
+/// Returns whether a row is selected by its name, or by the beginning of its name if no row has
+/// exactly that name.
 bool is_asked_for(const Options& options, const std::string& row,
                   const std::vector<std::string>& all_rows);
 
-/// Puts what was asked for into the scene.
+/// Applies the options to the scene.
 void apply(const Options& options, Scenario& scenario);
 
 }  // namespace avo::safety

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Files that are whole or not there.
+// Files that are whole or do not exist.
 #include "output.h"
 
 #include <cerrno>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Files that are whole or not there.
+// Files that are whole or do not exist.
 #pragma once
 #include <cstdio>
 #include <span>
@@ -15,7 +15,8 @@ struct OutputError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// Written beside the path and renamed by commit(); removed otherwise. Throws OutputError.
+/// A file that is written beside the path and renamed by commit(); without commit() it is removed.
+/// Throws OutputError.
 class Output {
  public:
   explicit Output(const std::string& path);
@@ -31,8 +32,8 @@ class Output {
   std::FILE* file_;
 };
 
-/// CSV with header "time,robot,x,y,vx,vy", 17 significant digits, rows by time then robot. With
-/// headings, ",heading,speed" follow, empty for robots that have none.
+/// CSV with header "time,robot,x,y,vx,vy", 17 significant digits, rows by time, then by robot. With
+/// headings, ",heading,speed" follow; they are empty for robots without headings.
 class Recording {
  public:
   explicit Recording(const std::string& path, bool headings = false);

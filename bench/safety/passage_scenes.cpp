@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The scenes of 50 robots that have to share passages between walls.
+// Scenes of 50 robots that have to share passages between walls.
 #include "passage_scenes.h"
 
 #include <cmath>
@@ -13,7 +13,7 @@ namespace {
 
 constexpr int kRobots = 50;
 constexpr double kRadius = 0.5;  // m
-// Robots start a little apart; their goals leave a way for one robot between two that stand there.
+// Robots start with small gaps; their goals leave room for one robot between two that stand there.
 constexpr Spacing kStarts{2.6 * kRadius, 1.5 * kRadius}, kGoals{3.0 * kRadius, 1.5 * kRadius},
     kSparseGoals{3.2 * kRadius, 1.6 * kRadius};
 
@@ -39,8 +39,8 @@ Scene within_ten_minutes(Scenario scenario) {
   return scene;
 }
 
-// Half of the robots from the room on the left to the one on the right, and half back. Rooms are
-// those of the right; starts lie nearer to the passage than goals.
+// Sends half of the robots from the room on the left to the room on the right, and half back.
+// `starts` and `goals` are areas of the right room; starts lie nearer to the passage than goals.
 void cross(Scenario& scenario, const Area& starts, const Area& goals, Random& random) {
   const std::vector<Wall> walls = walls_of(scenario.obstacles);
   const auto mirrored = [](const Area& area) {
@@ -55,7 +55,8 @@ void cross(Scenario& scenario, const Area& starts, const Area& goals, Random& ra
   }
 }
 
-// Which walls of a square of cells are left out: those to the right of cells and those above them.
+// The missing walls of a square of cells: the walls to the right of cells, and the walls above
+// them.
 struct Openings {
   std::vector<char> right, above;
 };
@@ -65,7 +66,7 @@ struct Step {
   char* opening;
 };
 
-// A spanning tree by depth-first search from the first cell.
+// Returns a spanning tree by depth-first search from the first cell.
 Openings open_tree(int cells, Random& random) {
   const auto count = static_cast<std::size_t>(cells * cells);
   Openings open{std::vector<char>(count), std::vector<char>(count)};
@@ -134,7 +135,7 @@ Scene narrow_doorway(double width, std::uint64_t seed) {
 }
 
 Scene narrow_corridor(double width, std::uint64_t seed) {
-  constexpr double kLength = 14.0, kHalf = 8.0;  // m, of a room, as above
+  constexpr double kLength = 14.0, kHalf = 8.0;  // m, of a room: along x, and half of it along y
   constexpr double kEnd = 5.0;                   // m, x of the corridor's right end
   constexpr double kFar = kEnd + kLength;
   const double side = 0.5 * width;
@@ -176,7 +177,7 @@ Scene office(double door, std::uint64_t seed) {
   const std::vector<Wall> walls = walls_of(scenario.obstacles);
   const Area all{{0.0, -kHalf}, {kLength, kHalf}};
   const std::vector<Vec2> starts = places_among(walls, all, kRobots, kStarts, random);
-  const auto is_in_room = [](Vec2 place) {  // and neither in front of its door
+  const auto is_in_room = [](Vec2 place) {  // and not in front of its door
     return std::abs(place.y) > 0.5 * kCorridor + 2.5 * kRadius + 0.5;
   };
   add_robots(scenario, starts, places_among(walls, all, kRobots, kSparseGoals, random, is_in_room));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where robots start and go: circles, blocks, random places.
+// Starts and goals of robots: circles, blocks, random places.
 #include "placement.h"
 
 #include <algorithm>
@@ -22,8 +22,8 @@ bool is_clear(std::span<const Vec2> placed, std::span<const double> radii, Vec2 
   return true;
 }
 
-// As many of `count` as find room: `draw` proposes a place, `is_clear` judges it beside those that
-// are taken.
+// Returns as many of `count` places as fit: `draw` proposes a place, and `is_clear` compares it
+// with the taken places.
 template <class Draw, class IsClear>
 std::vector<Vec2> try_places(std::size_t count, Draw draw, IsClear is_clear) {
   constexpr int kTries = 20000;  // for one place
@@ -37,7 +37,7 @@ std::vector<Vec2> try_places(std::size_t count, Draw draw, IsClear is_clear) {
   return placed;
 }
 
-// All of `count`. `room` says in words what they have to fit.
+// Returns all of `count` places. `room` names the area in messages.
 template <class Draw, class IsClear>
 std::vector<Vec2> find_places(std::size_t count, const std::string& room, Draw draw,
                               IsClear is_clear) {
@@ -58,7 +58,7 @@ Vec2 circle_point(int k, int n) {
   const bool back = octant % 2 == 1;
   const double x = kPi / 4.0 * static_cast<double>(back ? n - rest : rest) / n;
   double sine = 1.0, cosine = 1.0;
-  for (double i = 20.0; i >= 2.0; i -= 2.0) {  // Taylor; what is left out is below 1e-22
+  for (double i = 20.0; i >= 2.0; i -= 2.0) {  // Taylor series; the truncation error is below 1e-22
     sine = 1.0 - x * x / (i * (i + 1.0)) * sine;
     cosine = 1.0 - x * x / (i * (i - 1.0)) * cosine;
   }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// One scene from its start to its end.
+// Runs one scene from its start to its end.
 #include "run.h"
 
 #include <algorithm>
@@ -27,10 +27,10 @@ namespace {
 // The last step, s.
 struct Span {
   double from, to;
-  // Whether one of the periods that follow each other from `start` on begins in (from, to].
+  // Returns whether one of the consecutive periods from `start` on begins in (from, to].
   [[nodiscard]] bool begins(double period, double start = 0.0) const {
     const auto passed = [&](double time) {
-      return std::floor((time - start) / period + 1e-9);  // of sums of decimal fractions
+      return std::floor((time - start) / period + 1e-9);  // tolerance for sums of decimal fractions
     };
     return passed(from) != passed(to);
   }
@@ -44,7 +44,7 @@ void rally(const Scene& scene, Random& random, Simulation& simulation) {
   for (const RobotId robot : robots) simulation.set_goal(robot, goal);
 }
 
-// Sends every robot on that is where it was sent, or has tried for 20 s.
+// Sends a robot on if it has reached its place, or has tried for 20 s.
 void send_on(const Scene& scene, const Span& span, Random& random, Simulation& simulation) {
   if (scene.errands.empty()) return;
   for (std::size_t i = 0; i < scene.scenario.robots.size(); ++i) {
@@ -87,7 +87,7 @@ bool moves(const Simulation& simulation) {
                      [](Vec2 v) { return v != Vec2{}; });
 }
 
-// Times steps and remembers the worst second.
+// Measures steps and keeps the worst second.
 class StepClock {
  public:
   void step(Simulation& simulation) {
@@ -97,7 +97,7 @@ class StepClock {
     total_ += taken;
     second_ += taken;
   }
-  // A second of the scene has passed, with so many decisions.
+  // Ends a second of the scene with so many decisions.
   void end_second(std::int64_t decisions) {
     worst_ = std::max(worst_, second_ / static_cast<double>(std::max<std::int64_t>(decisions, 1)));
     second_ = 0.0;
@@ -109,14 +109,15 @@ class StepClock {
   double total_ = 0.0, second_ = 0.0, worst_ = 0.0;
 };
 
-// Whether the robots allow for all that their scene makes of what they sense.
+// Returns whether the robots allow for everything that their scene does to what they sense.
 bool is_covered(const Scenario& scenario) {
   const SensingError& declared = planner_options(scenario).sensing_error;
   const SensingError needed = declared_error(scenario);
   return declared.position >= needed.position && declared.velocity >= needed.velocity;
 }
 
-// Whether hits of a robot that is alone among movers were evadable, which is a fault.
+// Judges whether hits of a robot that is alone among moving obstacles were evadable, which is a
+// fault.
 void judge_hits(const Scene& scene, Verdict& verdict) {
   const std::int64_t hits = verdict.moving_contacts + verdict.resting_contacts;
   if (!scene.alone || hits == 0 || !is_evadable(scene.scenario)) return;
@@ -125,10 +126,10 @@ void judge_hits(const Scene& scene, Verdict& verdict) {
   verdict.violations += "hit by a mover that it could have evaded";
 }
 
-// Every robot knows all others as the scene says.
+// Runs the library's simulation: every robot knows all others as the scene says.
 void run_simulation(const Scene& scene, const std::string& record, Outcome& outcome) {
   Scenario scenario = scene.scenario;
-  scenario.allow_broken_assumptions = true;  // what that costs is measured as well
+  scenario.allow_broken_assumptions = true;  // the cost of that is measured as well
   Simulation simulation(scenario, 1);
   Judge judge(scenario);
   std::optional<Recording> recording;
@@ -150,7 +151,7 @@ void run_simulation(const Scene& scene, const std::string& record, Outcome& outc
   constexpr double kAwhile = 20.0;  // s
   double last_motion = 0.0;         // s
   std::int64_t before = 0;          // decisions
-  // once all are at rest at their goals nothing more happens, unless something comes by
+  // once all robots are at rest at their goals, nothing more happens unless an obstacle comes by
   const bool may_end =
       scene.rallies.empty() && scene.errands.empty() && scenario.moving_obstacles.empty();
   while (simulation.can_step_by(scenario.duration)) {

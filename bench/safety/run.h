@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// One scene from its start to its end: what it did, what its decisions were and cost.
+// Runs one scene from its start to its end: its results, its decisions and their cost.
 #pragma once
 #include <array>
 #include <cstdint>
@@ -14,42 +14,42 @@
 namespace avo::safety {
 
 inline constexpr double kNever = std::numeric_limits<double>::infinity();
-/// More than there are kinds of PlanStatus.
+/// More than the number of kinds of PlanStatus.
 inline constexpr std::size_t kMostStatuses = 16;
 
 struct Outcome {
   std::uint64_t seed = 0;
   Verdict verdict;
-  PlannerOptions planner;  ///< what the robots planned with
-  bool promised = true;    ///< whether their certificate, if any, covers how they sense
+  PlannerOptions planner;  ///< the options that the robots planned with
+  bool promised = true;    ///< whether their certificate, if there is one, covers their sensing
   std::int64_t robot_steps = 0;
-  std::vector<double> arrival;      ///< s, of each robot: first within arrival_distance; kNever
-  std::int64_t at_goal_at_end = 0;  ///< robots within arrival_distance
+  std::vector<double> arrival;  ///< s, for each robot: first time within arrival_distance; kNever
+  std::int64_t at_goal_at_end = 0;                         ///< robots within arrival_distance
   double unit = 0.0, limit = 0.0, share = 0.0;             ///< see Scene
   double duration = 0.0;                                   ///< s, of the scene
   std::array<std::int64_t, kMostStatuses> decisions = {};  ///< robot-steps by PlanStatus
   double seconds = 0.0;                                    ///< CPU time in Simulation::step
-  double worst_second = 0.0;  ///< CPU s a robot-step over the worst second simulated
-  double density = 0.0;       ///< see densest_disc, the most
-  /// s, of scenes with Scene::until_rest: since when nobody has moved; kNever where somebody has
-  /// till the end
+  double worst_second = 0.0;  ///< CPU s per robot-step over the worst simulated second
+  double density = 0.0;       ///< the largest value of densest_disc
+  /// s, for scenes with Scene::until_rest: the time since no robot has moved; kNever if robots move
+  /// until the end.
   std::optional<double> rest = {};
-  /// Of scenes with Scene::flow: mean velocity towards where robots want to go, over the preferred;
-  /// of the whole run, and from 60 s on.
+  /// For scenes with Scene::flow: the mean velocity towards the robots' waypoints, over the
+  /// preferred speed; of the whole run, and from 60 s on.
   std::optional<double> flow = {}, late_flow = {};
 };
 
-/// On one thread. Ends early where all are at rest at their goals for good. `record`: path of a CSV
-/// file, or empty. Throws Error on a bad scene, std::runtime_error where it cannot write.
-/// A scene with Scene::sensing goes its own way, see run_sensing.
+/// Runs the scene on one thread. It ends early if all robots are at rest at their goals for good.
+/// `record`: path of a CSV file, or empty. Throws Error for a bad scene, and std::runtime_error if
+/// it cannot write. A scene with Scene::sensing is run by run_sensing.
 Outcome run_scene(const Scene& scene, std::uint64_t seed, const std::string& record);
 
-/// The scene in a loop around Planner::plan: every robot knows itself exactly, knows the others as
-/// scene.sensing tells, and acts as scene.acting tells. Fills in all of an outcome that the planner
-/// and the run have to do with.
+/// Runs the scene in a loop around Planner::plan. Every robot knows itself exactly, knows the
+/// others as scene.sensing sets, and acts as scene.acting sets. It fills in all parts of an outcome
+/// that concern the planner and the run.
 void run_sensing(const Scene& scene, const std::string& record, Outcome& outcome);
 
-/// CPU time of this thread, s: what counts where other programs run as well.
+/// Returns the CPU time of this thread, s: it does not count other programs.
 double thread_seconds();
 
 }  // namespace avo::safety

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The scenes of robots among themselves. All start at rest.
+// Scenes of robots among themselves. All robots start at rest.
 #include "scenes.h"
 
 #include <algorithm>
@@ -148,7 +148,7 @@ Scene mixed(std::uint64_t seed) {
   std::vector<double> radii;
   double area = 0.0;
   for (std::size_t i = 0; i < kRobots; ++i) radii.push_back(random.between(0.2, 1.5));
-  std::sort(radii.rbegin(), radii.rend());  // the large ones find room first
+  std::sort(radii.rbegin(), radii.rend());  // large robots find room first
   for (const double radius : radii) area += kPi * radius * radius;
   const double side = std::sqrt(area / 0.15);
   const std::vector<Vec2> starts = random_places(radii, side, 0.3, random);
@@ -174,7 +174,7 @@ Scene crush(bool packed, double robot_steps, std::uint64_t seed) {
     for (double& radius : radii) radius = random.between(0.3, 0.6);
     std::sort(radii.rbegin(), radii.rend());
   }
-  // four fifths of the densest packing: a fifth of the area more for each, 0.118 m between them
+  // four fifths of the densest packing: each robot has a quarter more area, 0.118 m between them
   const std::vector<Vec2> starts =
       packed ? triangular_block(20, 10, std::sqrt(1.25)) : random_places(radii, 22.0, 0.1, random);
   for (int k = 0; k < 5; ++k) scene.rallies.push_back(random.in_square(8.0));
@@ -196,8 +196,8 @@ Scene airplanes(bool mixed, double robot_steps, std::uint64_t seed) {
   Random random(seed, 7);
   for (int k = 0; k < 5; ++k) scene.rallies.push_back(random.in_square(20.0));
   std::vector<RobotSetup> robots;
-  std::vector<Vec2> centers;  // from the place of each to the middle of what it does not leave
-  double room = 0.0;          // m, the largest radius of that
+  std::vector<Vec2> centers;  // for each place: the middle of the area that it does not leave
+  double room = 0.0;          // m, the largest radius of that area
   for (std::size_t i = 0; i < kRobots; ++i) {
     RobotSetup robot = usual_robot({}, scene.rallies[0], kSpeed);
     robot.radius = random.between(0.3, 0.6);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The scenes that safety and arrival are measured over. All robots start at rest.
+// Scenes over which safety and arrival are measured. All robots start at rest.
 #pragma once
 #include <cstdint>
 #include <optional>
@@ -11,47 +11,52 @@
 
 namespace avo::safety {
 
-/// Nobody ever arrives for good, in a square of 30 m.
+/// A flow in a square of 30 m, in which no robot ever arrives for good.
 enum class Flow : std::uint8_t {
-  torus,       ///< whoever leaves comes in again on the other side; four directions
-  to_and_fro,  ///< between the middles of opposite sides, reached within 1 m
+  torus,       ///< a robot that leaves comes in again on the other side; four directions
+  to_and_fro,  ///< between the middles of opposite sides, each reached within 1 m
 };
 
 struct Scene {
   Scenario scenario = {};
-  double unit = 0.0;        ///< s, the time that arrivals are measured in; 0: nobody is to arrive
-  double limit = 1.0;       ///< units, within which robots are to arrive
-  double share = 1.0;       ///< of the robots that have to
-  bool until_rest = false;  ///< lasts until nobody has moved for a while, bit for bit
-  std::vector<Vec2> rallies = {};  ///< all robots are sent to one of them, then to another
+  double unit = 0.0;               ///< s, the unit of arrival times; 0: no robot has to arrive
+  double limit = 1.0;              ///< units, the time within which robots must arrive
+  double share = 1.0;              ///< of the robots that must arrive
+  bool until_rest = false;         ///< lasts until no robot has moved for a while, bit for bit
+  std::vector<Vec2> rallies = {};  ///< all robots are sent to one of these, then to another
   double rally_period = 5.0;       ///< s
-  /// Robot i goes to one of errands[i % size], and to another one when it is there or has tried for
-  /// long enough.
+  /// Robot i goes to one of errands[i % size]. When it is there, or has tried for long enough, it
+  /// goes to another one.
   std::vector<std::vector<Vec2>> errands = {};
-  /// Unset: all know each other as the scenario says and do as they decide, as Simulation has it.
+  /// Unset: as in Simulation, robots know each other as the scenario says, and act as they decide.
   std::optional<Sensing> sensing = {};
-  bool alone = false;  ///< one robot among movers: a search judges whether hits were evadable
-  std::optional<Flow> flow = {};  ///< set: goes its own way, see run_flow
-  Acting acting = {};             ///< read only where `sensing` is set
+  /// one robot among moving obstacles: a search judges whether hits were evadable
+  bool alone = false;
+  std::optional<Flow> flow = {};  ///< set: the scene is run by run_flow
+  Acting acting = {};             ///< used only if `sensing` is set
 };
 
-inline constexpr double kSpeed = 1.5;  ///< m/s, preferred, of all robots but those of circles
+/// m/s, the preferred speed of all robots except those of circles
+inline constexpr double kSpeed = 1.5;
 
-/// What all scenes share; control_time and time_horizon stay what a scenario has by itself.
+/// Returns the common part of all scenes; control_time and time_horizon keep the defaults of a
+/// scenario.
 Scenario usual_scenario();
 RobotSetup usual_robot(Vec2 position, Vec2 goal, double preferred_speed);
 
-/// 99 % are to arrive within 4.5 times the straight way's time; the aim is 3.
+/// Returns a scene in which 99 % must arrive within 4.5 times the straight line's time; the aim is
+/// 3.
 Scene measured_by_straight_time(Scenario scenario);
 
-/// Longest of the times that the robots, alone, take from rest to rest: d/v + v/a with v the
-/// preferred speed, or 2 √(d/a) where the way is too short for it.
+/// Returns the longest of the times that the robots, alone, take from rest to rest: d/v + v/a with
+/// v the preferred speed, or 2 √(d/a) if the distance is too short for it.
 double straight_time(const Scenario& scenario);
 
-/// Widens the sensing radius to what the scene's certificate needs.
+/// Widens the sensing radius to the value that the scene's certificate needs.
 void see_far_enough(Scenario& scenario);
 
-/// The same robots with clocks of their own; `unequal`: every other one decides twice as often.
+/// Returns the same robots with their own clocks; `unequal`: every second robot decides twice as
+/// often.
 Scene with_clocks(Scene scene, bool unequal, std::uint64_t seed);
 
 /// Circle-N of the paper's §VI-B.
@@ -63,41 +68,46 @@ struct CircleRow {
 };
 Scene circle(const CircleRow& row, std::uint64_t seed);
 
-/// n robots from and to anywhere in a square of 8 m or of 12 % density.
+/// Returns n robots with random starts and goals in a square of 8 m or of 12 % density.
 Scene random_square(int n, std::uint64_t seed);
 
-/// Two blocks of 10 x 10, 2 m apart, exchange places; 30 m between the blocks' centers. jitter: as
-/// in CircleRow, here of robots with their goals.
+/// Returns two blocks of 10 x 10, 2 m apart, that exchange places; there are 30 m between the
+/// blocks' centers. jitter: as in CircleRow, here for robots together with their goals.
 Scene swap_blocks(double jitter, std::uint64_t seed);
 
-/// Blocks of 4 x 4, 2 m apart, their centers 20 m from the crossing, each to the opposite side.
+/// Returns blocks of 4 x 4, 2 m apart, with centers 20 m from the crossing, each going to the
+/// opposite side.
 Scene crossing_streams(double jitter, std::uint64_t seed);
 
-/// 10 x 10 robots, 2.5 m apart, to each other's places; nobody keeps his own.
+/// Returns 10 x 10 robots, 2.5 m apart, that go to each other's places; no robot keeps its own.
 Scene permutation(std::uint64_t seed);
 
-/// 60 unequal robots, 15 % of the square's area, from and to anywhere in it.
+/// Returns 60 unequal robots, 15 % of the square's area, with random starts and goals in it.
 Scene mixed(std::uint64_t seed);
 
-/// 200 unequal robots, all sent to one point, every 5 s to another of five within 4 m along each
-/// axis. `packed`: equal radii, and they start at four fifths of the densest packing.
+/// Returns 200 unequal robots, all sent to one point, every 5 s to another of five within 4 m along
+/// each axis. `packed`: equal radii, and they start at four fifths of the densest packing.
 Scene crush(bool packed, double robot_steps, std::uint64_t seed);
 
-/// 100 unequal airplanes that loiter, all sent to one point, every 5 s to another of five.
+/// Returns 100 unequal airplanes that loiter, all sent to one point, every 5 s to another of five.
 /// `mixed`: of every three robots one is an airplane, one a car and one holonomic.
 Scene airplanes(bool mixed, double robot_steps, std::uint64_t seed);
 
-/// Two groups of 4 x 4 change sides through a gap of 2.5 m in a wall of obstacles at rest.
+/// Returns two groups of 4 x 4 that change sides through a gap of 2.5 m in a wall of obstacles at
+/// rest.
 Scene doorway();
 
-/// 20 robots from and to anywhere in a square that 8 obstacles cross, each at its own speed.
+/// Returns 20 robots with random starts and goals in a square that 8 obstacles cross, each at its
+/// own speed.
 Scene among_movers(std::uint64_t seed);
 
-/// The same among 6 people who walk from one random point to the next, and may turn at any time.
+/// Returns the same among 6 people who walk from one random point to the next, and may turn at any
+/// time.
 Scene among_people(std::uint64_t seed);
 
-/// 60 robots of all kinds sent to one point after the other, and 5 people among them: cars, limits
-/// of braking of 0.5 to 1 of a_max, shares of 1/64 to 63/64, some that avoid nobody of the others.
+/// Returns 60 robots of all kinds that are sent to one point after the other, and 5 people among
+/// them. There are cars, limits of braking of 0.5 to 1 of a_max, shares of 1/64 to 63/64, and
+/// robots that avoid no other robot.
 Scene mixed_crush(double robot_steps, std::uint64_t seed);
 
 }  // namespace avo::safety

@@ -11,38 +11,39 @@
 
 namespace avo::safety {
 
-/// How a sensed state differs from the true one. Position and velocity alike.
+/// The difference between a sensed state and the true one, for position and velocity alike.
 enum class ErrorShape : std::uint8_t {
-  uniform,  ///< anywhere in the disc of the bound, anew for every observer, neighbor and step
-  rim,      ///< on its rim, likewise
-  farther,  ///< on its rim: the neighbor looks farther away, and as if it went away
+  uniform,  ///< anywhere in the disc of the bound, new for every observer, neighbor and step
+  rim,      ///< on its rim, new for every observer, neighbor and step
+  farther,  ///< on its rim: the neighbor seems farther away, and seems to move away
   bias,     ///< on its rim, the same for all neighbors and steps of an observer
-  flips,    ///< on its rim, farther away in one step, nearer in the next
+  flips,    ///< on its rim: farther away in one step, nearer in the next
 };
 inline constexpr int kErrorShapes = 5;
 
 struct Sensing {
-  SensingError error = {};     ///< largest that happens
-  SensingError declared = {};  ///< what the robots plan with
+  SensingError error = {};     ///< the largest error that happens
+  SensingError declared = {};  ///< the error that the robots plan with
   ErrorShape shape = ErrorShape::uniform;
-  bool delayed = false;   ///< states are one step old, carried on at constant velocity
-  bool stale = false;     ///< states are one step old, as they were
-  double missed = 0.0;    ///< part of the neighbors that is missed in a step, each anew
-  double radius = 1.0;    ///< how large neighbors look, as a part of their radii
-  bool promised = false;  ///< the certificate covers all of it
+  bool delayed = false;   ///< states are one step old, extrapolated at constant velocity
+  bool stale = false;     ///< states are one step old, unchanged
+  double missed = 0.0;    ///< part of the neighbors that is missed in a step, new in each step
+  double radius = 1.0;    ///< the apparent size of neighbors, as a part of their radii
+  bool promised = false;  ///< the certificate covers all of these errors
 };
 
-/// What the observers see, one after the other, step by step.
+/// What the observers see, one observer after the other, step by step.
 class Senses {
  public:
   Senses(const Sensing& sensing, std::size_t robots, double time_step, std::uint64_t seed);
 
-  /// What `observer` sees of all others, nearest first. `before`: one step ago.
+  /// Finds what `observer` sees of all others, nearest first. `before`: one step ago.
   void observe(std::size_t observer, std::span<const Robot> robots, std::span<const Robot> before,
                std::int64_t step, std::vector<Neighbor>& neighbors);
 
  private:
-  // Of position or velocity, as a part of the bound; `away` leads to the neighbor.
+  // Returns the error of position or velocity, as a part of the bound; `away` points to the
+  // neighbor.
   Vec2 error(std::size_t observer, Vec2 away, std::int64_t step);
   Vec2 in_unit_disc();
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A scene whose robots sense each other wrongly, or do not do as they decide.
+// Runs a scene whose robots sense each other wrongly, or do not act as they decide.
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -22,7 +22,7 @@ class Observer {
     if (!record.empty()) recording_.emplace(record);
   }
 
-  /// True where all are at rest at their goals.
+  /// Returns true if all robots are at rest at their goals.
   bool observe(const FleetLoop& loop) {
     rows_.clear();
     outcome_.at_goal_at_end = 0;
@@ -58,7 +58,7 @@ class Observer {
     outcome_.density = std::max(outcome_.density, densest_disc(fleet));
   }
 
-  // Obstacles that do not keep their acceleration are judged from one change to the next.
+  // Obstacles that change their acceleration are judged from one change to the next.
   void begin_part(const FleetLoop& loop) {
     outcome_.verdict.add(judge_->verdict());
     Scenario part = scene_.scenario;

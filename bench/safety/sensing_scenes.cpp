@@ -20,7 +20,7 @@ Scene square_of_30(std::uint64_t seed) {
   return random_square(30, seed);
 }
 
-// Small enough that all meet within seconds.
+// Returns a circle so small that all robots meet within seconds.
 Scene circle_of_20(std::uint64_t seed) {
   constexpr int kRobots = 20;
   constexpr double kRadius = 8.0, kJitter = 0.2;
@@ -36,7 +36,7 @@ Scene circle_of_20(std::uint64_t seed) {
   return scene;
 }
 
-// Unequal robots, all sent to one point, then to another.
+// Returns unequal robots, all sent to one point, then to another.
 Scene crush_of_40(std::uint64_t seed) {
   Scene scene{usual_scenario()};
   Random random(seed, 10);
@@ -61,11 +61,11 @@ struct Case {
   int scenes = 20;  // of each kind, and of each shape of errors
 };
 
-// What the library itself makes of what robots sense.
+// The library's own model of what robots sense.
 struct ModelCase {
   std::string name, what;
   SensingModel model;
-  std::optional<double> declared = {};  // standard deviations; unset: all that happens
+  std::optional<double> declared = {};  // standard deviations; unset: the full error
 };
 
 SensingModel gaussian(std::optional<double> truncated) {
@@ -126,8 +126,8 @@ std::vector<Case> cases() {
   };
 }
 
-// What a user has to rule out on board, each by itself: nothing of it is declared, except where
-// clocks out of phase are taken for errors (docs/on_board.md).
+// Returns the faults that a user has to rule out on board, each by itself. None of them is
+// declared, except where clocks out of phase are treated as errors (docs/on_board.md).
 std::vector<Case> faults_on_board() {
   constexpr std::int64_t kTicks = 10;
   Acting phases, jitter, late, weak, one_sided, capsules, half_steps;
@@ -149,7 +149,7 @@ std::vector<Case> faults_on_board() {
   blind.missed = 0.01;
   small.radius = 0.9;
   promised.promised = true;
-  allowed.declared = {0.028, 0.28};  // 2 a_max Δt and that for Δt, a_max being 1.4 m/s² at most
+  allowed.declared = {0.028, 0.28};  // 2 a_max Δt, and that for Δt, with a_max at most 1.4 m/s²
   return {
       {"board-phases", "each decides at times of its own", exact, phases},
       {"board-phases-declared", "the same, taken for errors", allowed, phases},
@@ -168,7 +168,7 @@ std::vector<Case> faults_on_board() {
   };
 }
 
-// Robots among obstacles that do what nobody foresees.
+// Returns robots among obstacles whose motion no robot can foresee.
 Family whims_of_movers(const std::string& name, double whims) {
   return {name, "obstacles that change their acceleration every second", 20, true,
           [whims](std::uint64_t seed) {

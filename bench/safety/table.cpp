@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// From the outcomes of a row's scenes to a line of the table.
+// Makes a line of the table from the outcomes of a row's scenes.
 #include "table.h"
 
 #include <algorithm>
@@ -26,7 +26,7 @@ double percent(std::int64_t part, std::int64_t all) {
   return all > 0 ? 100.0 * static_cast<double>(part) / static_cast<double>(all) : 0.0;
 }
 
-// Smallest value that at least this part is not above.
+// Returns the smallest value that at least this part of the values does not exceed.
 double quantile(std::vector<double> values, double part) {
   if (values.empty()) return 0.0;
   const auto rank = static_cast<std::size_t>(std::ceil(part * static_cast<double>(values.size())));
@@ -64,7 +64,7 @@ void add_safety(const Outcome& outcome, RowResult& row) {
   row.interpolation_error = std::max(row.interpolation_error, verdict.interpolation_error);
 }
 
-// Of an even number the mean of the two in the middle.
+// Returns the median; for an even number it is the mean of the two middle values.
 double median(std::vector<double> values) {
   std::sort(values.begin(), values.end());
   const std::size_t half = values.size() / 2;
@@ -110,7 +110,8 @@ std::string ratio_text(double value, int width) {
   return std::isfinite(value) ? format("%*.2f", width, value) : format("%*s", width, "-");
 }
 
-// The rule of three: what 95 % of the time bounds the rate of failures where none was seen.
+// Returns the bound by the rule of three: with confidence 95 % it bounds the rate of failures if
+// none was seen.
 std::string bound_text(const RowResult& row) {
   if (row.unsafe_scenes > 0) {
     return format("%lld unsafe", static_cast<long long>(row.unsafe_scenes));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// From the outcomes of a row's scenes to a line of JSON: keys in a fixed order, null where there is
-// nothing.
+// Makes a line of JSON from the outcomes of a row's scenes: keys in a fixed order, null for missing
+// values.
 #include <charconv>
 #include <cmath>
 #include <cstdint>
@@ -11,7 +11,7 @@
 namespace avo::safety {
 namespace {
 
-// One object, member by member. Names and strings here need no escapes.
+// One object, member by member. No name or string here needs escapes.
 class JsonObject {
  public:
   JsonObject& add(const char* name, double value) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The scenes in which moving robots are held to walls for long.
+// Scenes in which moving robots are near walls for a long time.
 #include "wall_scenes.h"
 
 #include <algorithm>
@@ -13,7 +13,7 @@ namespace avo::safety {
 namespace {
 
 constexpr int kRobots = 30;
-constexpr double kRadii[] = {0.2, 0.35, 0.5};  // m; every radius has ways of its own
+constexpr double kRadii[] = {0.2, 0.35, 0.5};  // m; navigation has separate routes for every radius
 constexpr double kWidest = 0.5;
 
 Scenario walled_scenario(std::uint64_t seed) {
@@ -33,7 +33,7 @@ void add_robots(Scenario& scenario, const std::vector<Vec2>& starts, Random& ran
   }
 }
 
-// Nobody is to arrive for good.
+// Returns a scene in which no robot has to arrive for good.
 Scene without_end(Scenario scenario, double robot_steps) {
   see_far_enough(scenario);
   const double steps = std::ceil(robot_steps / static_cast<double>(scenario.robots.size()));
@@ -46,8 +46,8 @@ void add_room(Scenario& scenario, Vec2 half) {
   scenario.obstacles.push_back({{Chain{corners, true}}, 0.0, Fill::bounds});
 }
 
-// Loose pieces at random places, one for every 4 m² of a square room: half of them lines, the rest
-// thick ones and discs.
+// Adds separate walls at random places, one for every 4 m² of a square room: half of them are
+// lines, the rest thick lines and discs.
 std::vector<Wall> add_random_walls(Scenario& scenario, double side, Random& random) {
   constexpr int kDirections = 3600;
   const double far = 0.5 * side;
@@ -91,7 +91,7 @@ Scene random_walls(double robot_steps, std::uint64_t seed) {
 
 Scene walls_and_cars(double robot_steps, std::uint64_t seed) {
   Scene scene = random_walls(robot_steps, seed);
-  scene.scenario.motion = Motion::held;  // what the certificate covers of cars
+  scene.scenario.motion = Motion::held;  // the motion that the certificate covers for cars
   Random random(seed, 28);
   for (std::size_t i = 0; i < kRobots; i += 2) {
     RobotSetup& robot = scene.scenario.robots[i];
@@ -123,10 +123,10 @@ Scene walls_and_movers(std::uint64_t seed) {
 
 Scene wall_corners(double robot_steps, std::uint64_t seed) {
   constexpr double kRadius = 6.0;  // m, of the circle that the corners stand on
-  // of 10°, 20°, 30°, 45°, 60°, 90°, 120°, 150°: their height by half of their width
+  // for 10°, 20°, 30°, 45°, 60°, 90°, 120°, 150°: their height per half of their width
   constexpr double kHeights[] = {11.43, 5.671, 3.732, 2.414, 1.732, 1.0, 0.5774, 0.2679};
   Scenario scenario = walled_scenario(seed);
-  scenario.navigation = false;  // no way leads as far as into a corner
+  scenario.navigation = false;  // no route leads into a corner
   std::vector<Vec2> outline, tips;
   for (int k = 0; k < 8; ++k) {
     const Vec2 from = kRadius * circle_point(2 * k, 16), to = kRadius * circle_point(2 * k + 1, 16);
@@ -148,8 +148,9 @@ Scene wall_corners(double robot_steps, std::uint64_t seed) {
 
 Scene wall_gaps(double robot_steps, std::uint64_t seed) {
   constexpr int kGaps = 6;
-  constexpr double kApart = 3.0, kWay = 1.5;  // m, of the gaps; half of the length of every other
-  constexpr double kWider = 1e-6;             // m
+  // m, distance of the gaps; half of the length of every second gap
+  constexpr double kApart = 3.0, kWay = 1.5;
+  constexpr double kWider = 1e-6;  // m
   constexpr double kHeight = 0.5 * kApart * kGaps;
   Scenario scenario = walled_scenario(seed);
   scenario.navigation = has_ways(seed);
@@ -173,7 +174,7 @@ Scene wall_gaps(double robot_steps, std::uint64_t seed) {
   std::vector<std::vector<Vec2>> errands;
   for (int i = 0; i < kRobots; ++i) {
     const double y = middles[static_cast<std::size_t>(i % kGaps)];
-    const int place = i / kGaps;  // in line before the gap, on both sides
+    const int place = i / kGaps;  // place in the line before the gap, on both sides
     const double x = 2.5 + 0.8 * place + random.between(-0.1, 0.1);
     starts.push_back({place % 2 == 0 ? -x : x, y});
     errands.push_back({{-5.0, y}, {5.0, y}});
