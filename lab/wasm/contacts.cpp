@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Who overlaps whom now.
+// The pairs that overlap now.
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
@@ -26,7 +26,7 @@ struct Disc {
   double radius;
 };
 
-/// Of each that is there.
+/// Returns the disc of each present robot.
 std::vector<Disc> discs_of(const avo::FleetView& fleet) {
   std::vector<Disc> discs;
   for (std::size_t k = 0; k < fleet.id.size(); ++k)
@@ -40,14 +40,14 @@ void append_overlap(const Disc& disc, const std::string& other, Vec2 nearest, do
                     Json& contacts) {
   const Vec2 way = nearest - disc.center;
   const double distance = norm(way), depth = disc.radius + radius - distance;
-  if (!(depth > 1e-9 * (disc.radius + radius))) return;  // rounding
-  // amid the overlap
+  if (!(depth > 1e-9 * (disc.radius + radius))) return;  // tolerance for rounding
+  // in the middle of the overlap
   const double along = distance > 0.0 ? (disc.radius - 0.5 * depth) / distance : 0.0;
   const Vec2 at = disc.center + along * way;
   contacts.push_back({{"a", disc.name}, {"b", other}, {"x", at.x}, {"y", at.y}, {"depth", depth}});
 }
 
-/// Of those whose clearance says that there is somebody.
+/// Appends the contacts of robots whose clearance shows that there is a contact.
 void append_robots(const avo::FleetView& fleet, const std::vector<Disc>& discs, Json& contacts) {
   const std::span<const float> clearance = clearances_of(fleet);
   std::vector<std::size_t> touched;
@@ -86,7 +86,7 @@ void append_walls(const avo::Simulation& simulation, const std::vector<Disc>& di
 
 }  // namespace
 
-/// JSON.
+/// Returns JSON.
 AVO_EXPORT(std::size_t, contacts)() {
   const avo::Simulation& simulation = *lab().simulation;
   const avo::FleetView fleet = simulation.fleet();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What one robot would decide now.
+// The decision that one robot would take now.
 #include <string>
 
 #include "avo/error.h"
@@ -8,7 +8,7 @@
 
 namespace avo_lab {
 
-/// As `avo explain --json` says it.
+/// Returns the same JSON as `avo explain --json`.
 AVO_EXPORT(std::size_t, explain)(std::uint32_t robot) {
   const avo::Simulation& simulation = *lab().simulation;
   const std::size_t index = index_of(robot);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the host changes between steps. Each of these throws Error on bad input.
+// Changes by the host between steps. Each function throws Error on bad input.
 #include <cstddef>
 #include <cstdint>
 #include <string>
@@ -11,7 +11,8 @@
 
 namespace avo_lab {
 
-/// The last robot of the scene whose text is in the room, behind its name; its number.
+/// Adds the last robot of the scene in the room (its name, then its text), and returns the robot's
+/// number.
 AVO_EXPORT(double, add_robots_of)() {
   Input input(taken_from_room());
   const std::string name = input.text();
@@ -21,7 +22,8 @@ AVO_EXPORT(double, add_robots_of)() {
   return static_cast<double>(added.value);
 }
 
-/// The obstacle of the scene whose text is in the room, behind its name; its number.
+/// Adds the obstacle of the scene in the room (its name, then its text), and returns the obstacle's
+/// number.
 AVO_EXPORT(double, add_obstacle_of)() {
   Input input(taken_from_room());
   const std::string name = input.text();
@@ -40,12 +42,12 @@ AVO_EXPORT(void, remove_obstacle)(std::uint32_t obstacle) {
   lab().simulation->remove_obstacle({obstacle});
 }
 
-/// m.
+/// x, y: m.
 AVO_EXPORT(void, set_goal)(std::uint32_t robot, double x, double y) {
   lab().simulation->set_goal({robot}, {x, y});
 }
 
-/// m.
+/// x, y: m.
 AVO_EXPORT(void, move_robot)(std::uint32_t robot, double x, double y) {
   lab().simulation->move_robot({robot}, {x, y});
 }

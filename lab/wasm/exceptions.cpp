@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// What becomes of a throw: the standard library for WebAssembly has nothing that unwinds. The
-// message goes to the host, which leaves by an exception of its own. Nothing is released, so the
-// host discards the instance. No catch is ever reached, but retelling() is told.
+// Handles a throw: the standard library for WebAssembly cannot unwind. The message goes to the
+// host, which throws its own exception. Nothing is released, so the host discards the instance. No
+// catch is ever reached, but retelling() gets the message.
 #include <cstddef>
 #include <cstdlib>
 #include <cstring>
@@ -10,7 +10,7 @@
 
 #include "core/retell.h"
 
-/// Told of `length` bytes at `message`; never returns.
+/// The host receives `length` bytes at `message`; the call never returns.
 extern "C" [[noreturn]] __attribute__((import_module("avo"), import_name("fail"))) void
 avo_fail_in_host(const char* message, std::size_t length);
 
@@ -34,8 +34,8 @@ void __cxa_free_exception(void* memory) noexcept {
   std::free(memory);
 }
 
-// All that the library throws are std::exceptions, each the first base of its class, so that the
-// object begins with one.
+// Everything that the library throws is a std::exception, which is the first base of its class, so
+// the object begins with it.
 [[noreturn]] void __cxa_throw(void* thrown, std::type_info*, void (*)(void*)) {
   const auto* const exception = static_cast<const std::exception*>(thrown);
   if (const auto* error = dynamic_cast<const avo::Error*>(exception)) avo::Retelling::tell(*error);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the module's functions share: bytes that go to and fro, and the one simulation.
+// Shared parts of the module's functions: bytes to and from the host, and the one simulation.
 #pragma once
 #include <cstddef>
 #include <cstdint>
@@ -14,30 +14,31 @@
 #include "avo/scenario.h"
 #include "avo/simulation.h"
 
-/// A function that the host calls by that name; in C++ with avo_ before it, because the C library
-/// has a time() of its own. Texts and tables are handed over in the room, see room().
+/// A function that the host calls by that name. In C++ its name begins with avo_, because the C
+/// library has its own time(). Texts and tables are passed in the room, see room().
 #define AVO_EXPORT(type, name) extern "C" __attribute__((export_name(#name), used)) type avo_##name
 
 namespace avo_lab {
 
-/// One scene and its simulation an instance.
+/// One scene and its simulation for each instance.
 struct Lab {
   avo::Scenario scenario;  ///< as it was read
-  avo::Scenario start;     ///< what the simulation began with: that, or what it has taken over
+  /// the scenario at the start of the simulation: that, or one that was taken over
+  avo::Scenario start;
   std::unique_ptr<avo::Simulation> simulation;
   std::unique_ptr<avo::Metrics>
-      metrics;  ///< since the start, where they were asked for; none once a state was restored
+      metrics;  ///< since the start, if they were asked for; none once a state was restored
 };
 Lab& lab();
 
-/// Index into the fleet of the robot with that number. Throws Error where there is none.
+/// Returns the index into the fleet of the robot with that number. Throws Error if there is none.
 std::size_t index_of(std::uint64_t robot);
 
-/// "robots.3", or "moving_obstacles.0" of source -1.
+/// Returns "robots.3", or "moving_obstacles.0" for source -1.
 std::string name_of(std::int64_t source);
 
-/// Bytes that the host has put into the room, in their order: whole numbers, and texts behind
-/// their lengths.
+/// Bytes that the host has put into the room, in order: whole numbers, and texts with their lengths
+/// in front.
 class Input {
  public:
   explicit Input(std::vector<std::byte> bytes) : bytes_(std::move(bytes)) {}
@@ -65,23 +66,23 @@ class Input {
   std::size_t at_ = 0;
 };
 
-/// What a simulation of another text begins with where it takes over from the present one.
+/// The start of a simulation of a changed text that takes over from the present simulation.
 struct Takeover {
   avo::Scenario start;
-  std::vector<avo::RobotId> gone = {};  ///< that have to be removed first
-  /// Of the moving obstacles: whether each is where it was, not where the text lets it start.
+  std::vector<avo::RobotId> gone = {};  ///< robots to remove first
+  /// for each moving obstacle: whether it keeps its place, instead of the start in the text
   std::vector<bool> goes_on = {};
 };
 Takeover taken_over_by(const avo::Scenario& text);
-/// Puts into the one that takes over what the present simulation knows besides, see Takeover.
+/// Copies the rest of the present simulation's memory into the one that takes over, see Takeover.
 void remember(avo::Simulation& simulation, const std::vector<bool>& goes_on);
 
-/// m, of each robot of the present fleet, see avo/clearance.h; until the next call.
+/// Returns m, for each robot of the present fleet, see avo/clearance.h; valid until the next call.
 std::span<const float> clearances_of(const avo::FleetView& fleet);
 
-/// What is in the room, which is empty then.
+/// Returns the contents of the room, which is empty after that.
 std::vector<std::byte> taken_from_room();
-/// Into the room; its size.
+/// Puts the bytes into the room and returns their number.
 std::size_t into_room(std::span<const std::byte> bytes);
 inline std::size_t into_room(std::string_view text) {
   return into_room(std::as_bytes(std::span(text)));

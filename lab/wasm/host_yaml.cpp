@@ -1,19 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
-// The events of the host's YAML parser, as the builder of a scene's tree takes them.
+// Passes the events of the host's YAML parser to the builder of a scene's tree.
 #include <cstdint>
 #include <string>
 
 #include "host.h"
 #include "io/text/yaml_builder.h"
 
-/// Parses `length` bytes at `text` and puts the events into the room.
+/// Parses `length` bytes at `text`, and puts the events into the room.
 extern "C" __attribute__((import_module("avo"), import_name("parse_yaml"))) void
 avo_parse_yaml_in_host(const char* text, std::size_t length);
 
 namespace avo_io {
 namespace {
 
-/// As scene_tree.ts numbers them.
+/// The numbers are those of scene_tree.ts.
 enum class Event : std::uint32_t {
   begin_document,
   end_document,

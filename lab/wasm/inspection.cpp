@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What an inspector draws of a decision beside what is told of it: the obstacles' exact boundaries,
-// what the certificate admits, and where everybody brakes to.
+// The drawings of an inspector besides the decision's data: the exact boundaries of obstacles, the
+// velocities that the certificate admits, and the braking paths of all robots.
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -22,7 +22,7 @@ namespace {
 using avo::Vec2;
 using avo_io::Json;
 
-constexpr int kCircleSides = 48;  // of what an airplane falls back on
+constexpr int kCircleSides = 48;  // for the loiter circle of an airplane
 
 Json flat(const std::vector<Vec2>& points) {
   Json json = Json::array();
@@ -30,7 +30,7 @@ Json flat(const std::vector<Vec2>& points) {
   return json;
 }
 
-/// Of a disc that brakes fully from step to step, until it rests.
+/// Returns the path of a disc that brakes fully from step to step, until it rests.
 std::vector<Vec2> braking_path(Vec2 at, Vec2 velocity, double decrement, const avo::StepLaw& law) {
   std::vector<Vec2> path{at};
   while (!(velocity == Vec2{})) {
@@ -51,7 +51,7 @@ std::vector<Vec2> circle_of(const avo::LoiterCircle& circle) {
   return path;
 }
 
-/// Of one that does not brake: as it accelerates now, so many steps.
+/// Returns the path of a moving obstacle that keeps its present acceleration for so many steps.
 std::vector<Vec2> way_of(const avo::Neighbor& mover, std::size_t steps, double time_step) {
   std::vector<Vec2> path;
   for (std::size_t k = 0; k < steps; ++k) {
@@ -63,8 +63,8 @@ std::vector<Vec2> way_of(const avo::Neighbor& mover, std::size_t steps, double t
 
 }  // namespace
 
-/// JSON: of each neighbor that the robot avoids by its obstacle the boundary of that, Eq. (29),
-/// inside the box, m/s.
+/// Returns JSON: for each neighbor that the robot avoids by its obstacle, the boundary of the
+/// obstacle, Eq. (29), inside the box, m/s.
 AVO_EXPORT(std::size_t, outlines)
 (std::uint32_t robot, double left, double bottom, double right, double top) {
   const avo::Simulation& simulation = *lab().simulation;
@@ -96,8 +96,8 @@ AVO_EXPORT(std::size_t, outlines)
   return into_room(json.dump());
 }
 
-/// A byte a node of a grid over the box, m/s, bottom row first: whether the certificate admits that
-/// velocity at the end of the step.
+/// Returns a byte for each node of a grid over the box, m/s, bottom row first: whether the
+/// certificate admits that velocity at the end of the step.
 AVO_EXPORT(std::size_t, admitted)
 (std::uint32_t robot, double left, double bottom, double right, double top, std::uint32_t columns,
  std::uint32_t rows) {
@@ -119,8 +119,8 @@ AVO_EXPORT(std::size_t, admitted)
   return into_room(std::as_bytes(std::span(admitted)));
 }
 
-/// JSON: where the robot and those that it sees come to if they brake now, from step to step;
-/// airplanes circle, and movers move on for as long as the robot brakes.
+/// Returns JSON: the paths of the robot and of the neighbors that it sees if they brake now, from
+/// step to step. Airplanes circle, and moving obstacles move on for as long as the robot brakes.
 AVO_EXPORT(std::size_t, braking_paths)(std::uint32_t robot) {
   const avo::Simulation& simulation = *lab().simulation;
   const std::size_t index = index_of(robot);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the module knows without a scene.
+// The facts that the module knows without a scene.
 #include <string>
 
 #include "avo/simd.h"
@@ -13,7 +13,7 @@ namespace avo_lab {
 
 using avo_io::Json;
 
-/// JSON: version, whose instructions the kernels use, built-in scenes, keys of scenes that take
+/// Returns JSON: version, instruction set of the kernels, built-in scenes, keys of scenes that take
 /// plain values, words of statuses.
 AVO_EXPORT(std::size_t, library)() {
   Json scenes = Json::array(), settings = Json::array(), statuses = Json::array();
@@ -32,13 +32,14 @@ AVO_EXPORT(std::size_t, library)() {
   return into_room(json.dump());
 }
 
-/// Of the scene whose name is in the room, e.g. circle-100; nothing where there is none.
+/// Returns the text of the scene whose name is in the room, e.g. circle-100; nothing if there is
+/// none.
 AVO_EXPORT(std::size_t, builtin_text)() {
   const std::string name = Input(taken_from_room()).text();
   return into_room(avo_io::builtin_text(name).value_or(""));
 }
 
-/// m/s: of that velocity along the heading (rad), in the bits of recordings.
+/// Returns m/s: the component of that velocity along the heading (rad), in the bits of recordings.
 AVO_EXPORT(double, speed_along)(double heading, double x, double y) {
   return dot(avo::elementary::direction(heading), avo::Vec2{x, y}) + 0.0;  // no negative zero
 }

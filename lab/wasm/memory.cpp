@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a start does not say and a simulation that takes over has to know: states to the last bit,
-// and what robots remember.
+// The data that a start does not contain, but that a simulation needs when it takes over: states to
+// the last bit, and the robots' memories.
 #include <algorithm>
 #include <cstddef>
 
@@ -14,7 +14,7 @@ using avo::SavedState;
 
 constexpr double kRounding = 1e-6;  // m
 
-/// Whether both have the same robots, of the same bodies.
+/// Returns whether both have the same robots, with the same bodies.
 bool same_robots(const SavedState& a, const SavedState& b) {
   if (a.robots.size() != b.robots.size()) return false;
   for (std::size_t k = 0; k < a.robots.size(); ++k) {
@@ -32,7 +32,7 @@ bool has_goals_of(const SavedState& a, const SavedState& b) {
                     [](const auto& one, const auto& other) { return one.goal == other.goal; });
 }
 
-/// Robots that stand where they stood: a detour is one on the way to a goal.
+/// Takes the states of robots that keep their places: a detour belongs to a robot's goal.
 void take_states(const SavedState& now, SavedState& next) {
   std::size_t i = 0;
   for (std::size_t k = 0; k < next.robots.size(); ++k) {
@@ -40,7 +40,7 @@ void take_states(const SavedState& now, SavedState& next) {
     while (i < now.robots.size() && now.robots[i].id.value < robot.id.value) ++i;
     if (i == now.robots.size() || now.robots[i].id != robot.id) continue;
     const avo::RobotSetup &setup = next.scene.robots[k], &was = now.scene.robots[i];
-    const double moved = norm(robot.position - now.robots[i].position);  // a start rounds it
+    const double moved = norm(robot.position - now.robots[i].position);  // a start rounds the place
     if (setup.model != was.model || setup.parked || moved > kRounding) continue;
     const avo::Detour fresh = robot.detour;
     robot = now.robots[i];
@@ -48,7 +48,8 @@ void take_states(const SavedState& now, SavedState& next) {
   }
 }
 
-/// The way points that robots aim at are those of a graph, which walls and radii decide.
+/// Takes the waypoints that robots aim at. They belong to a graph, which depends on walls and
+/// radii.
 void take_ways(const SavedState& now, SavedState& next) {
   if (now.ways.size() != next.ways.size() || now.scene.obstacles != next.scene.obstacles ||
       now.scene.navigation != next.scene.navigation)
@@ -65,7 +66,8 @@ bool same_clocks(const SavedState& a, const SavedState& b) {
                     });
 }
 
-/// When it is, and what was before: of the same robots with the same senses and clocks.
+/// Takes the present time, and the past states: only for the same robots with the same senses and
+/// clocks.
 void take_time(const SavedState& now, SavedState& next) {
   if (now.scene.clock != next.scene.clock) return;
   const bool same = same_robots(now, next);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A scene, its simulation, and the steps. Of a place in memory that a call returns the host makes
-// its views anew, because memory that has grown is another one.
+// A scene, its simulation, and the steps. The host makes its views anew for each address that a
+// call returns, because memory that has grown moves.
 #include <bit>
 #include <cstddef>
 #include <cstdint>
@@ -20,8 +20,8 @@ namespace {
 
 std::vector<std::byte> room;
 
-/// As the host has put it there: name, text, whether robots start at rest and within the admissible
-/// speed, then overrides and files, each behind their number.
+/// Reads the source as the host has stored it: name, text, whether robots start at rest and within
+/// the admissible speed. Overrides and files follow, each list with its number in front.
 avo_io::SceneSource source_of(Input& input) {
   avo_io::SceneSource source{input.text(), input.text(), {}, {}};
   source.start_at_rest = input.whole() != 0;
@@ -33,7 +33,7 @@ avo_io::SceneSource source_of(Input& input) {
     file.builtin = input.whole() != 0;
     source.files.push_back(std::move(file));
   }
-  // behind those that were given, which are found first
+  // behind the given files, which are found first
   for (const avo_io::EmbeddedFile& file : avo_io::embedded_files())
     if (!file.is_scene)
       source.files.push_back({avo_io::path_in(avo_io::folder_of(source.name), file.name),
@@ -68,28 +68,28 @@ std::size_t into_room(std::span<const std::byte> bytes) {
   return room.size();
 }
 
-/// Room for `size` bytes, until the next call.
+/// Returns room for `size` bytes, valid until the next call.
 AVO_EXPORT(std::byte*, room)(std::size_t size) {
   room.resize(size);
   return room.data();
 }
 
-/// Where it is, to be read.
+/// Returns the address of the room, for reading.
 AVO_EXPORT(const std::byte*, room_begin)() {
   return room.data();
 }
 
-/// The scene in the room and its first state. Behind it are whether all steps are observed, and
-/// whether it takes over from the present simulation.
+/// Reads the scene in the room and makes its first state. Two values follow the scene: whether all
+/// steps are observed, and whether it takes over from the present simulation.
 AVO_EXPORT(void, read_scene)() {
   Input input(taken_from_room());
   avo::Scenario scenario = avo_io::parse_scenario(source_of(input));
   const bool observed = input.whole() != 0, takes_over = input.whole() != 0;
   Takeover next = takes_over ? taken_over_by(scenario) : Takeover{.start = scenario};
-  // moving obstacles begin as the text says, and then go on from where they are
+  // moving obstacles begin as the text says, and then continue from their present places
   avo::Scenario start = next.start;
   start.moving_obstacles = scenario.moving_obstacles;
-  // it is shown what happens then, and info() tells
+  // the lab shows the consequences, and info() reports them
   start.allow_broken_assumptions = true;
   auto simulation = std::make_unique<avo::Simulation>(start);
   for (const avo::RobotId robot : next.gone) simulation->remove_robot(robot);
@@ -103,8 +103,8 @@ AVO_EXPORT(void, read_scene)() {
   lab().metrics->observe(*lab().simulation);
 }
 
-/// Goes on from what is in the room, as Simulation::save() wrote it on any machine; with a scene
-/// before, that has to be a state of it.
+/// Continues from the state in the room, as Simulation::save() wrote it on any machine; if there is
+/// a scene already, the state must belong to it.
 AVO_EXPORT(void, restore)() {
   const std::vector<std::byte> saved = taken_from_room();
   lab().metrics.reset();
@@ -114,7 +114,7 @@ AVO_EXPORT(void, restore)() {
     lab().simulation = std::make_unique<avo::Simulation>(std::span(saved));
 }
 
-/// Saves into the room.
+/// Saves the state into the room.
 AVO_EXPORT(std::size_t, save)() {
   return into_room(lab().simulation->save());
 }
@@ -124,12 +124,12 @@ AVO_EXPORT(void, step)() {
   if (lab().metrics) lab().metrics->observe(*lab().simulation);
 }
 
-/// Whether the next step ends within the scene's duration.
+/// Returns whether the next step ends within the scene's duration.
 AVO_EXPORT(bool, can_step)() {
   return lab().simulation->can_step_by(lab().scenario.duration);
 }
 
-/// s.
+/// Returns s.
 AVO_EXPORT(double, time)() {
   return lab().simulation->time();
 }
@@ -146,8 +146,8 @@ AVO_EXPORT(std::uint64_t, state_hash)() {
   return lab().simulation->state_hash();
 }
 
-/// What `avo run --json` says of the run so far; nothing where steps were not observed, or a state
-/// was restored.
+/// Returns the same JSON as `avo run --json` for the run so far; nothing if steps were not
+/// observed, or if a state was restored.
 AVO_EXPORT(std::size_t, summary)() {
   if (!lab().metrics) return into_room(std::string_view());
   avo::RunSummary summary = lab().metrics->summary();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The present state as columns, an entry a robot that is there.
+// The present state as columns, with an entry for each present robot.
 #include <algorithm>
 #include <cstdint>
 #include <optional>
@@ -13,7 +13,7 @@
 namespace avo_lab {
 namespace {
 
-/// Finds clearances of the robots that are there, which come and go.
+/// Finds clearances of the present robots, which come and go.
 class Clearances {
  public:
   const std::vector<float>& of(const avo::FleetView& fleet) {
@@ -61,10 +61,10 @@ std::span<const float> clearances_of(const avo::FleetView& fleet) {
   return clearances.of(fleet);
 }
 
-/// Into the room, the longer numbers first, so that each column is aligned: time, steps; numbers of
-/// robots n and of moving obstacles m; of the robots position, velocity, goal, heading,
-/// acceleration; of the obstacles position and velocity; of the robots clearance, number, status,
-/// and whether each has decided and is at its goal.
+/// Writes the state into the room, with longer numbers first, so that each column is aligned: time,
+/// steps; numbers of robots n and of moving obstacles m. The robots' position, velocity, goal,
+/// heading and acceleration follow; then the obstacles' position and velocity. At the end are the
+/// robots' clearance, number, status, and whether each has decided and is at its goal.
 AVO_EXPORT(std::size_t, moment)() {
   const avo::Simulation& simulation = *lab().simulation;
   const avo::FleetView fleet = simulation.fleet();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// There are no files but those that a scene is given, and no images but graymaps.
+// The only files are those that a scene is given, and the only images are graymaps.
 #include "avo_io/errors.h"
 #include "io/files/regular_file.h"
 #include "io/maps/image.h"

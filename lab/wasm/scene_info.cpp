@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What of a scene does not change from step to step.
+// The facts about a scene that do not change from step to step.
 #include <optional>
 #include <string>
 #include <type_traits>
@@ -27,7 +27,7 @@ Json shown(const std::optional<Value>& value) {
   return value ? shown(*value) : Json();
 }
 
-/// All keys of scenes that take plain values, as they are in this one.
+/// Returns all keys of scenes that take plain values, with their values in this scene.
 Json options_of(const avo::Scenario& scenario, const avo::Simulation& simulation) {
   Json json;
   for (const auto& field : avo_io::fields<avo::Scenario>()) {
@@ -85,7 +85,7 @@ Json walls_of(const avo::StaticObstacleView& obstacles) {
 
 }  // namespace
 
-/// JSON.
+/// Returns JSON.
 AVO_EXPORT(std::size_t, info)() {
   const auto& [scenario, start, simulation, metrics] = lab();
   Json moving_obstacles = Json::array();

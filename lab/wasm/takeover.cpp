@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A text that has changed while its scene runs: what it changes holds, the rest goes on as it is.
+// A text changes while its scene runs: the changes take effect, and everything else continues.
 #include <algorithm>
 #include <cstddef>
 
@@ -8,8 +8,8 @@
 namespace avo_lab {
 namespace {
 
-/// Where a robot of the text is once its scene runs; `was` is what the text said of it before, if
-/// it did.
+/// Sets the robot of the text to its place in the running scene. `was`: the robot in the previous
+/// text; null if it was not there.
 void go_on(avo::RobotSetup& robot, const avo::RobotSetup* was, std::size_t index) {
   const avo::Simulation& now = *lab().simulation;
   const avo::FleetView fleet = now.fleet();
@@ -25,7 +25,7 @@ void go_on(avo::RobotSetup& robot, const avo::RobotSetup* was, std::size_t index
   if (robot.parked) robot.goal = robot.position, robot.velocity = {};
 }
 
-/// Whether the obstacle goes on from where it is.
+/// Returns whether the obstacle continues from its present place.
 bool goes_on(const avo::MovingObstacle& text, const avo::MovingObstacle* was) {
   return lab().simulation->steps() > 0 || !was ||
          (was->position == text.position && was->velocity == text.velocity);
@@ -48,14 +48,14 @@ Takeover taken_over_by(const avo::Scenario& text) {
   Takeover next{.start = text};
   std::vector<avo::RobotSetup>& robots = next.start.robots;
   const std::size_t listed = robots.size();
-  // numbers that this run has given, to robots of the text and to those that came later
+  // one more than the largest number of this run, of robots of the text or of later robots
   std::size_t given = was.robots.size();
   if (!fleet.id.empty()) given = std::max(given, number_of(fleet.id.back()) + 1);
   std::vector<bool> is_gone(std::max(given, listed));
   std::fill_n(is_gone.begin(), given, true);
   for (std::size_t k = 0; k < fleet.id.size(); ++k) {
     const std::size_t number = number_of(fleet.id[k]);
-    if (number >= listed && number < was.robots.size()) continue;  // the text has it no longer
+    if (number >= listed && number < was.robots.size()) continue;  // the text has dropped it
     if (number >= robots.size()) robots.resize(number + 1, fleet.setup[k]);
     is_gone[number] = false;
     if (number >= listed) robots[number] = fleet.setup[k];
