@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// Elements of the page in one expression each, and numbers as people read them.
+// Makes elements of the page in one expression each, and formats numbers for people.
 
 type Child = Node | string | null;
 
-/** `class` is a string, `on…` a listener, `true` an attribute without a value, `false` none; the rest attributes. */
+/** Makes an element. `class` is a string, `on…` a listener, `true` an attribute without a value, `false` none; other
+ * values are attributes. */
 export function element<K extends keyof HTMLElementTagNameMap>(
   name: K, attributes: Record<string, string | number | boolean | ((event: never) => void)> = {}, ...children: Child[]
 ): HTMLElementTagNameMap[K] {
@@ -17,14 +18,14 @@ export function element<K extends keyof HTMLElementTagNameMap>(
   return made;
 }
 
-/** With a minus sign that is as wide as a plus, no -0, and words for what is not finite. */
+/** Returns digits with a minus sign that is as wide as a plus, without -0, and with words for non-finite values. */
 export function digits(value: number, places = 2): string {
   if (!Number.isFinite(value)) return Number.isNaN(value) ? "–" : value > 0 ? "∞" : "−∞";
   const text = value.toFixed(places);
   return Number(text) === 0 ? text.replace("-", "") : text.replace("-", "−");
 }
 
-/** A press beside the dialog closes it, one on its rim does not: a phone has no Escape. */
+/** A press beside the dialog closes it, but not a press on its rim: a phone has no Escape. */
 export function closeFromBeside(dialog: HTMLDialogElement): void {
   dialog.addEventListener("click", (event) => {
     const { left, right, top, bottom } = dialog.getBoundingClientRect();
@@ -33,7 +34,7 @@ export function closeFromBeside(dialog: HTMLDialogElement): void {
   });
 }
 
-/** Calls `work` once before the next frame, however often it is asked for. */
+/** Calls `work` once before the next frame, however often this is called. */
 export function oncePerFrame(work: () => void): () => void {
   let asked = false;
   return () => {
@@ -46,7 +47,7 @@ export function oncePerFrame(work: () => void): () => void {
   };
 }
 
-/** A 2D context whose unit is a pixel of CSS, on as many pixels as the screen has; cleared. */
+/** Returns a cleared 2D context whose unit is a pixel of CSS, at the full resolution of the screen. */
 export function crispContext(canvas: HTMLCanvasElement, width: number, height: number): CanvasRenderingContext2D {
   const density = Math.max(1, window.devicePixelRatio || 1);
   const columns = Math.max(1, Math.round(width * density)), rows = Math.max(1, Math.round(height * density));

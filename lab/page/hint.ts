@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The first words to somebody who has not done anything yet.
+// The first hint for a user who has not done anything yet.
 import { element } from "./elements.ts";
 import type { Lab } from "./run/lab.ts";
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Pictures on buttons, drawn by lines on a field of 20 x 20.
+// Icons of buttons, drawn by lines on a field of 20 x 20.
 
 const PATHS: Record<string, string> = {
   play: "M6 4 16 10 6 16Z",

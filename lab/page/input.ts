@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the page begins with: what the command line has put into it, else a scene that shows what this is about.
+// The initial input of the page: the command line's, or else a scene that introduces the subject.
 import type { Library, SceneFile } from "../avo/avo.ts";
 import { bytesOfBase64 } from "./data/compression.ts";
 import { textOf } from "./data/graymap.ts";
 import type { RecordedScene } from "./data/recording.ts";
 import { makeLab, type PageLab } from "./run/make_lab.ts";
 
-/** What a scene reads: as base64 if it is no text. */
+/** A file that a scene reads: as base64 if it is not text. */
 type InputFile = SceneFile | { path: string; base64: string; builtin: boolean };
 
 interface SceneOfInput {
@@ -26,13 +26,13 @@ interface InputRecording {
   kind: "recording";
   name: string;
   base64: string;
-  scene?: SceneOfInput;  // of a recording that has none in itself
+  scene?: SceneOfInput;  // for a recording that contains no scene
 }
 
-/** embedded: the page is a part of another one, and shows no bar of its own. */
+/** embedded: the page is part of another page, and shows no bar of its own. */
 export type Input = (InputScene | InputRecording) & { embedded?: boolean };
 
-/** It teaches by its comments how a scene is written. */
+/** Its comments explain how to write a scene. */
 const FIRST = `# Press Space to run this. Then change a number, and Ctrl+Enter runs the new text.
 version: 1
 name: first steps
@@ -52,7 +52,7 @@ obstacles:
   - {disc: {center: [0, 3], radius: 0.6}}
 `;
 
-/** A Lab with a scene that always opens. */
+/** Returns a Lab with a scene that always opens. */
 export function first(library: Library): PageLab {
   return makeLab(library, FIRST, "first steps", {});
 }
@@ -63,7 +63,7 @@ function sceneOf({ name, yaml, overrides, files, start_at_rest, limit_speed }: S
   return { name, yaml, overrides, files: texts, start_at_rest, limit_speed };
 }
 
-/** What is wrong with it, the Lab's error says. */
+/** Opens the input; the Lab's error reports a fault. */
 export async function openInput(lab: PageLab, input: Input): Promise<void> {
   if (input.kind === "recording")
     return lab.openFile(input.name, bytesOfBase64(input.base64), [], input.scene ? sceneOf(input.scene) : null);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Keys of the page; those that are typed into a field are text.
+// Keys of the page; keys that are typed into a field are text.
 import { zoomAt } from "./map/camera.ts";
 import { removeRobot } from "./map/changes.ts";
 import type { Tool } from "./map/dragging.ts";
@@ -27,8 +27,8 @@ export function mountKeys(lab: PageLab, view: WorldView, openers: Openers): void
     event.preventDefault();
     action();
   });
-  // a button that was pressed by the pointer gives the keys back to the page; before the button acts, since a dialog that
-  // it opens would give them back to it
+  // A button that the pointer pressed returns the keys to the page. It does so before the button acts, because a dialog
+  // that the button opens would return them to the button.
   document.addEventListener("click", (event) => {
     if (event.detail > 0 && document.activeElement instanceof HTMLButtonElement) document.activeElement.blur();
   }, { capture: true });
@@ -89,7 +89,7 @@ function robotKeys(lab: PageLab): Keys {
   };
   const remove = (): void => {
     const robot = lab.selected;
-    if (robot !== null && !removeRobot(lab, robot)) lab.select(robot);  // it stays, and so does the choice
+    if (robot !== null && !removeRobot(lab, robot)) lab.select(robot);  // the robot stays, and so does the selection
   };
   return { n: next(1), p: next(-1), Delete: remove, Backspace: remove, Escape: () => lab.select(null) };
 }

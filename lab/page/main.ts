@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The page from its first moment on: the module is unpacked, a scene is opened, the panels stand.
+// The start of the page: it unpacks the module, opens a scene, and builds the panels.
 import { load, type Library } from "../avo/avo.ts";
 import { mountCharts } from "./run/charts.ts";
 import { bytesOfBase64, uncompressed } from "./data/compression.ts";
@@ -27,11 +27,11 @@ import { makeWorldView, type WorldView } from "./map/world_view.ts";
 
 const MOST_MODULE_BYTES = 64e6;
 
-/** The Lab as it is found at window.avoLab, by tests and by who is curious. */
+/** The Lab at window.avoLab, for tests and for curious users. */
 interface OpenLab extends Lab {
-  ready: Promise<void>;                                // the first picture stands
+  ready: Promise<void>;                                // resolved when the first picture is drawn
   toScreen(place: [number, number]): [number, number]; // from m to CSS pixels of the page
-  resetView(): void;                                   // shows all that there is
+  resetView(): void;                                   // shows everything
 }
 
 const at = (id: string): HTMLElement => document.getElementById(id)!;
@@ -64,7 +64,7 @@ function mountPanels(lab: PageLab): WorldView {
   return view;
 }
 
-/** Time passes while pictures are drawn. */
+/** Advances the time while pictures are drawn. */
 function keepGoing(lab: PageLab, view: WorldView): void {
   let last = performance.now();
   const frame = (now: number): void => {
@@ -89,7 +89,7 @@ function publish(lab: PageLab, view: WorldView, ready: Promise<void>): void {
   (window as unknown as { avoLab: OpenLab }).avoLab = Object.assign(lab, open);
 }
 
-/** A link comes before what the page was made with. A damaged one says so, over the latter. */
+/** Opens a link, which takes precedence over the page's own input. A damaged link is reported over that input. */
 async function openBeginning(lab: PageLab, input: Input | null): Promise<void> {
   const linked = await openFromAddress(lab).catch((error: Error) => error);
   if (linked === true) return;

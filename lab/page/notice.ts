@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What was not done, and why, over the map. What concerns the text is also marked there.
+// A notice over the map about a refused action and its reason. Faults of the text are also marked there.
 import { element } from "./elements.ts";
 import type { Lab } from "./run/lab.ts";
 

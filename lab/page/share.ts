@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// A scene in an address: whoever opens the link has the whole scene, and no server has seen it.
+// A scene in an address: a user who opens the link has the whole scene, and no server has seen it.
 import type { Lab } from "./run/lab.ts";
 import type { SceneOptions } from "../avo/avo.ts";
 import { decodeScene, encodeScene } from "./data/share.ts";
 
-/** Throws one line for a scene that a link cannot hold. */
+/** Throws one line for a scene that does not fit into a link. */
 async function linkOf(lab: Lab): Promise<string> {
   const { overrides = [], files = [], start_at_rest, limit_speed } = lab.options;
   if (!lab.text) throw new Error("this recording does not hold its scene, so there is no link to it");
@@ -20,7 +20,7 @@ async function linkOf(lab: Lab): Promise<string> {
 
 let linked: string | null = null;  // the text that the address holds
 
-/** The link of the present scene, which is that of the page from now on. */
+/** Returns the link of the present scene, which becomes the address of the page. */
 export async function putIntoAddress(lab: Lab): Promise<string> {
   const link = await linkOf(lab);
   history.replaceState(null, "", link.slice(link.indexOf("#")));
@@ -28,7 +28,7 @@ export async function putIntoAddress(lab: Lab): Promise<string> {
   return link;
 }
 
-/** Another text is not what the address holds: whoever loads the page again would find that. */
+/** Another text differs from the address: a reload of the page would show the old text. */
 export function keepAddressTrue(lab: Lab): void {
   lab.on("text", () => {
     if (linked === null || lab.text === linked) return;
@@ -37,7 +37,7 @@ export function keepAddressTrue(lab: Lab): void {
   });
 }
 
-/** Of `#scene=...` in the address. Without one: false. */
+/** Opens the scene of `#scene=...` in the address. Returns false if there is none. */
 export async function openFromAddress(lab: Lab, hash = location.hash): Promise<boolean> {
   const parts = new URLSearchParams(hash.replace(/^#/, ""));
   const scene = parts.get("scene");

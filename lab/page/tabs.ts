@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where there is no room for all panels, one of them is shown at a time.
+// Without room for all panels, one of them is shown at a time.
 import { element } from "./elements.ts";
 import type { Lab } from "./run/lab.ts";
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Dark or light: as the system is, until the user says otherwise.
+// Dark or light: as in the system, until the user chooses.
 import type { PageLab } from "./run/make_lab.ts";
 
 const KEY = "avo-lab-theme";
@@ -8,7 +8,7 @@ function stored(): string | null {
   try {
     return localStorage.getItem(KEY);
   } catch {
-    return null;  // some browsers refuse it to files
+    return null;  // some browsers refuse storage to pages from files
   }
 }
 
@@ -35,7 +35,7 @@ export function mountTheme(lab: PageLab, button: HTMLElement): void {
     try {
       localStorage.setItem(KEY, theme);
     } catch {
-      // it lasts as long as the page
+      // then the choice lasts as long as the page
     }
     show(theme);
   });

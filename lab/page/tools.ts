@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What leaves the lab: a link to the scene, files of the run, and the tour of the paper.
+// Outputs of the lab: a link to the scene, files of the run, and the tour of the paper.
 import { element } from "./elements.ts";
 import type { Progress } from "./run/export.ts";
 import { saveCsv, saveGif, savePng, saveVelocitySpace, saveWebm, saveYaml } from "./run/export.ts";
@@ -11,7 +11,7 @@ interface Saving {
   label: string;
   says: string;
   save(lab: PageLab, progress: Progress): Promise<void> | void;
-  lacks?(lab: PageLab): string;  // what is not in the file
+  lacks?(lab: PageLab): string;  // names what the file lacks
 }
 
 const SAVINGS: Saving[] = [
@@ -42,7 +42,7 @@ function tell(said: HTMLElement, text: string, isError = false): void {
 
 const BY_HAND = "what was changed on the map alone";
 
-/** What of the run its text does not say. */
+/** Names the changes of the run that its text does not contain. */
 function besidesText(lab: PageLab): string {
   const { overrides = [], start_at_rest, limit_speed } = lab.options;
   const missing = overrides.map((override) => `--set ${override}`);
@@ -93,12 +93,12 @@ function saveMenu(lab: PageLab, said: HTMLElement): HTMLElement {
   return details;
 }
 
-/** With a bar that tells how far it is, and a way out. */
+/** Saves with a bar that shows the progress, and a button to cancel. */
 async function run(lab: PageLab, saving: Saving, said: HTMLElement): Promise<void> {
   let cancelled = false;
   const bar = element("progress", { max: 1, value: 0 });
   const cancel = element("button", { type: "button", class: "tool-button", onclick: () => (cancelled = true) }, "Cancel");
-  // nobody changes the run while it is shown from its start on
+  // the dialog blocks changes while the run is shown from its start on
   const shown = element("dialog", { class: "tool-progress", "aria-label": `saving: ${saving.label}` }, `${saving.label} …`, bar, cancel);
   shown.addEventListener("cancel", () => (cancelled = true));
   document.body.append(shown);

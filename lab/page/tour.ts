@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// The tour: a card beside the lab, which stays in use all the time. Arrows turn pages, Escape leaves.
+// The tour: a card beside the lab, which stays usable all the time. Arrows turn pages, Escape leaves.
 import { digits, element } from "./elements.ts";
 import type { Lab } from "./run/lab.ts";
 import { TOUR, type Try } from "./tour_steps.ts";
 
-/** Into `place`; whatever tour is there already begins anew. */
+/** Shows the tour in `place`; a tour that is open already begins again. */
 export function openTour(lab: Lab, place: HTMLElement, step = 0): void {
   place.querySelector(".tour")?.remove();
   const card = element("section", { class: "tour", role: "dialog", "aria-label": "a tour of the paper", tabindex: -1 });
@@ -35,7 +35,7 @@ export function openTour(lab: Lab, place: HTMLElement, step = 0): void {
   go(at);
 }
 
-/** The scene, the robot to look at, and the moment at which there is something to see. */
+/** Shows the scene, the robot and the moment of the step. */
 function begin(lab: Lab, at: number): void {
   const step = TOUR[at]!;
   const text = step.scene(lab.library);

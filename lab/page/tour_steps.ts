@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // The paper in six steps: van den Berg, Snape, Guy, Manocha, Reciprocal Collision Avoidance with Acceleration-Velocity
-// Obstacles, ICRA 2011. Each has a small scene, something to look at, and something to try.
+// Obstacles, ICRA 2011. Each step has a small scene, an observation, and an experiment.
 import type { Library } from "../avo/avo.ts";
 
-/** Sets a key of the scene: a slider where it has a range, else buttons. */
+/** Sets a key of the scene: by a slider if it has a range, otherwise by buttons. */
 export interface Try {
   label: string;
   path: string;
@@ -18,8 +18,8 @@ export interface TourStep {
   tries: Try[];
   reference: string;
   robot: number;
-  time: number;   // s, to begin with
-  speed: number;  // simulated seconds a second
+  time: number;   // s, at the beginning
+  speed: number;  // simulated seconds per second
   scene(library: Library): string;
 }
 
@@ -57,7 +57,7 @@ groups:
     goals: antipodal
 `;
 
-/** A built-in scene that decides by `method`. */
+/** Returns a built-in scene that decides by `method`. */
 function crossing(library: Library, method: string): string {
   const text = library.builtinText("crossing-streams") ?? "";
   return text.replace(/^version: 1$/m, `version: 1\nmethod: ${method}`);

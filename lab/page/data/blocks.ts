@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Recordings in blocks of 64 times, whose chunks are shuffled and compressed as io/recording/recording_blocks.cpp does. What is
-// shown is uncompressed, block by block, and the last ones are kept.
+// Recordings in blocks of 64 times, whose chunks are shuffled and compressed as io/recording/recording_blocks.cpp does
+// it. Shown data are uncompressed block by block, and the last blocks are kept.
 import { refuse } from "./bytes.ts";
 import { uncompressed } from "./compression.ts";
 import { ABSENT, emptyFrame, LARGEST, LARGEST_RANGE, MOST_ROBOTS, type RecordedFrame,
@@ -9,30 +9,30 @@ import { shortest } from "./words.ts";
 
 export const BLOCK_TIMES = 64;
 const MOST_ROBOTS_OF_CHUNK = 1024;
-const MOST_PER_BYTE = 1032;         // of deflate
-const KEPT_BYTES = 96 * 2 ** 20;    // of blocks, but two at least
+const MOST_PER_BYTE = 1032;         // the limit of deflate
+const KEPT_BYTES = 96 * 2 ** 20;    // of blocks, but at least two blocks
 const LAST_STATUS = 5;              // of PlanStatus
 
 export interface BlockShape { robots: number; columns: number }
 
-/** Robots are split in parts of as many, each a chunk of its own. */
+/** Robots are split into parts of this number, each a chunk of its own. */
 export const partsOf = ({ robots }: BlockShape) => Math.ceil(robots / MOST_ROBOTS_OF_CHUNK);
 export const robotsOfChunk = (shape: BlockShape) => Math.ceil(shape.robots / partsOf(shape));
 
-/** Of all columns, of the status, of the clearance. */
+/** The number of chunks of all columns, of the status, and of the clearance. */
 export const chunksOf = (shape: BlockShape) => (shape.columns + 2) * partsOf(shape);
 
 export interface StoredBlocks {
   shape: BlockShape;
   times: Float64Array;
-  /** Stored bytes: of each column all parts, then of the status, of the clearance. */
+  /** Stored bytes: all parts of each column, then those of the status and of the clearance. */
   chunk(block: number, number: number): Uint8Array;
 }
 
 /** Tables [time, robot]. */
 interface Block { columns: Float64Array[]; status: Uint8Array; clearance: Float32Array }
 
-/** What promises more than the stored bytes can hold is refused before memory is taken for it. */
+/** Refuses data that promise more than the stored bytes can hold, before memory is allocated for them. */
 export function requireSize({ shape, times, chunk }: StoredBlocks): void {
   if (shape.robots > MOST_ROBOTS)
     refuse(`robots: found ${shape.robots}, must be ${MOST_ROBOTS} at most to be shown here`);
@@ -45,7 +45,7 @@ export function requireSize({ shape, times, chunk }: StoredBlocks): void {
   }
 }
 
-/** Times as no run records them are refused. */
+/** Refuses times that no run records. */
 export function requireTimes(times: Float64Array): void {
   let last = -Infinity;
   for (const time of times) {
@@ -56,7 +56,8 @@ export function requireTimes(times: Float64Array): void {
   }
 }
 
-/** From all first bytes of the values, then all second ones, ... to the robots from `first` on of every row. */
+/** Unshuffles all first bytes of the values, then all second bytes, and so on, to the robots from `first` on of every
+ * row. */
 function unshuffle(bytes: Uint8Array, size: number, width: number, table: Uint8Array, robots: number, first: number) {
   const count = Math.min(width, robots - first);
   for (let b = 0; b < size; ++b)
@@ -89,7 +90,7 @@ async function readBlock(stored: StoredBlocks, block: number): Promise<Block> {
   return { columns, status, clearance };
 }
 
-/** As many columns of the robot as it has: 4, or 6 with a heading. */
+/** Returns the robot's columns: 4, or 6 with a heading. */
 function columnsOf(block: Block, at: number): number {
   const { columns } = block;
   return columns.length > 4 && !(Number.isNaN(columns[4][at]) && Number.isNaN(columns[5][at])) ? 6 : 4;
@@ -128,12 +129,12 @@ function frameOf({ shape, times }: StoredBlocks, block: Block, k: number): Recor
   return frame;
 }
 
-/** Reads frames; the block behind that of the frame is read ahead. */
+/** Reads frames; the block after that of the frame is read ahead. */
 export function frameReader(stored: StoredBlocks): (k: number) => Promise<RecordedFrame> {
   const blocks = Math.ceil(stored.times.length / BLOCK_TIMES);
   const bytes = BLOCK_TIMES * stored.shape.robots * (8 * stored.shape.columns + 5);
   const most = Math.max(2, Math.floor(KEPT_BYTES / bytes));
-  const kept = new Map<number, Promise<Block>>();  // the last used ones last
+  const kept = new Map<number, Promise<Block>>();  // in order of use, the last one at the end
   const block = (b: number): Promise<Block> => {
     const found = kept.get(b) ?? readBlock(stored, b);
     kept.delete(b);
@@ -144,7 +145,7 @@ export function frameReader(stored: StoredBlocks): (k: number) => Promise<Record
   return async (k) => {
     const b = Math.floor(k / BLOCK_TIMES);
     const read = await block(b);
-    if (b + 1 < blocks) block(b + 1).catch(() => undefined);  // told when it is asked for
+    if (b + 1 < blocks) block(b + 1).catch(() => undefined);  // an error is reported when the block is needed
     return frameOf(stored, read, k);
   };
 }

@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
 // Bytes of unknown origin, read in order and never beyond their end.
 
-/** What is damaged or foreign, in one line without the file's name, which openRecording() puts in front. */
+/** An error about damaged or foreign data, in one line without the file's name; openRecording() puts that in front. */
 export class RecordingError extends Error {}
 
 export function refuse(what: string): never {
   throw new RecordingError(what);
 }
 
-/** Numbers are stored with their lowest byte first. */
+/** Reads bytes in order; numbers are stored with their low byte first. */
 export class ByteReader {
   private readonly view: DataView;
 
-  /** `of` is what messages call the bytes. */
+  /** `of` is the name of the bytes in messages. */
   constructor(readonly bytes: Uint8Array, public offset = 0, private readonly of = "file") {
     if (!(offset <= bytes.length)) this.end();
     this.view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
@@ -26,7 +26,7 @@ export class ByteReader {
     return this.bytes.length - this.offset;
   }
 
-  /** Moves on by `size` bytes and returns where they begin. */
+  /** Advances by `size` bytes and returns where they begin. */
   skip(size: number): number {
     const begin = this.offset;
     if (!(size <= this.left)) this.end();
@@ -34,7 +34,7 @@ export class ByteReader {
     return begin;
   }
 
-  /** A view, no copy. */
+  /** Returns a view, not a copy. */
   take(size: number): Uint8Array {
     const begin = this.skip(size);
     return this.bytes.subarray(begin, begin + size);
@@ -56,7 +56,7 @@ export class ByteReader {
     return this.view.getBigUint64(this.skip(8), true);
   }
 
-  /** Of 1 to 8 bytes; what a double cannot hold is infinite, more than any file has. */
+  /** Reads a number of 1 to 8 bytes; a number too large for a double becomes infinite, more than any file has. */
   uint(size: number): number {
     const begin = this.skip(size);
     let value = 0;
@@ -82,7 +82,7 @@ export function beginsWith(bytes: Uint8Array, text: string): boolean {
   return true;
 }
 
-/** "89 48 44", to compare what is short. */
+/** Returns e.g. "89 48 44", to compare short byte sequences. */
 export function hexOf(bytes: Uint8Array): string {
   return Array.from(bytes, (byte) => byte.toString(16).padStart(2, "0")).join(" ");
 }

@@ -6,7 +6,7 @@ export type Compression = "deflate" | "gzip";
 
 const damaged = (): never => refuse("found compressed bytes that are damaged, must be whole");
 
-/** The parts of a stream one after the other, at most `most` bytes of them: what promises more is damaged. */
+/** Joins the parts of a stream, at most `most` bytes of them: a stream that has more is damaged. */
 async function collected(stream: ReadableStream<Uint8Array>, most: number): Promise<Uint8Array<ArrayBuffer>[]> {
   const reader = stream.getReader();
   const parts: Uint8Array<ArrayBuffer>[] = [];
@@ -39,7 +39,8 @@ export function compressed(bytes: Uint8Array, kind: Compression): Promise<Uint8A
   return joined(streamOf(bytes).pipeThrough(new CompressionStream(kind)), Infinity);
 }
 
-/** At most `most` bytes, whatever the compressed ones promise. Rejects with RecordingError where they are damaged. */
+/** Uncompresses at most `most` bytes, whatever the compressed bytes promise. Rejects with RecordingError if they are
+ * damaged. */
 export function uncompressed(bytes: Uint8Array, kind: Compression, most: number): Promise<Uint8Array<ArrayBuffer>> {
   return joined(streamOf(bytes).pipeThrough(new DecompressionStream(kind)), most);
 }
@@ -63,7 +64,7 @@ export function bytesOfBase64(text: string): Uint8Array<ArrayBuffer> {
   return bytes;
 }
 
-/** Base64 that needs no escapes in an address. */
+/** Returns base64 that needs no escapes in an address. */
 export function base64UrlOf(bytes: Uint8Array): string {
   return base64Of(bytes).replaceAll("+", "-").replaceAll("/", "_").replaceAll("=", "");
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Recordings as CSV (docs/check.md), read as io/recording/csv_rows.cpp does and refused in its words.
+// Recordings as CSV (docs/check.md), read like io/recording/csv_rows.cpp and refused in its words.
 import { refuse } from "./bytes.ts";
 import { emptyFrame, LARGEST, LARGEST_RANGE, MOST_ROBOTS, type Recording, type RecordedFrame } from "./recording.ts";
 import { inQuotes, nearest, shortest } from "./words.ts";
@@ -11,14 +11,14 @@ const LONGEST_LINE = 65536;
 const NUMBER = /^[+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?$/;
 const INFINITE = /^[+-]?inf(?:inity)?$/i;
 
-/** Where the columns are in the first line; -1: not there. */
+/** Positions of the columns in the first line; -1: missing. */
 interface Header { columns: number; at: number[]; heading: number; speed: number; every: number }
 
 function refuseAt(line: number, what: string): never {
   refuse(`${line}: ${what}`);
 }
 
-/** Without the blanks around it, and the quotes around that. */
+/** Returns the text without the blanks around it, and without the quotes within them. */
 function trimmed(field: string): string {
   const text = field.replace(/^[ \t]+|[ \t]+$/g, "");
   return text.length >= 2 && text.startsWith('"') && text.endsWith('"') ? text.slice(1, -1) : text;
@@ -30,7 +30,7 @@ function splitFields(line: string): string[] {
     const field = fields[k];
     const first = field.charCodeAt(0);
     const last = field.charCodeAt(field.length - 1);
-    if (first <= 34 || last <= 34) fields[k] = trimmed(field);  // blanks and quotes are at most that
+    if (first <= 34 || last <= 34) fields[k] = trimmed(field);  // no blank or quote is larger
   }
   return fields;
 }
@@ -55,7 +55,7 @@ function readHeader(line: string | undefined): Header {
   return { columns: fields.length, at, heading, speed, every: fields.includes(EVERY) ? findColumn(fields, EVERY) : -1 };
 }
 
-/** NaN of what is none. */
+/** Returns NaN for text that is not a number. */
 function parsed(text: string): number {
   if (NUMBER.test(text)) return Number(text);
   return INFINITE.test(text) ? (text.startsWith("-") ? -Infinity : Infinity) : NaN;
@@ -68,7 +68,7 @@ function numberAt(text: string, name: string, line: number): number {
   refuseAt(line, `${name}: found ${inQuotes(text)}, must be ${large ? LARGEST_RANGE : "a finite number"}`);
 }
 
-/** An integer, also one that is written as 3.0; -1 of what is none or negative. */
+/** Returns an integer, also one written as 3.0; -1 for any other text, or a negative number. */
 function wholeNumber(text: string): number {
   const value = parsed(text);
   return Number.isSafeInteger(value) && value >= 0 ? Math.abs(value) : -1;
@@ -87,10 +87,10 @@ function everyAt(text: string, line: number): number {
   return every;
 }
 
-/** Lines without their ends, also the last one that has none. The bytes are decoded part by part. */
+/** Returns lines without their ends, including a last line without an end. The bytes are decoded part by part. */
 function* linesOf(bytes: Uint8Array): Generator<string> {
   const PART = 1 << 22;
-  const decoder = new TextDecoder();  // which leaves the byte order mark out
+  const decoder = new TextDecoder();  // it drops the byte order mark
   let rest = "";
   let number = 0;
   for (let begin = 0; begin < bytes.length; begin += PART) {
@@ -109,7 +109,7 @@ function* linesOf(bytes: Uint8Array): Generator<string> {
   }
 }
 
-/** Numbers of any count, in memory that doubles. */
+/** A list of numbers of any length; its memory doubles as it grows. */
 class Column {
   values = new Float64Array(1024);
   size = 0;
@@ -123,12 +123,12 @@ class Column {
   }
 }
 
-/** Rows one after the other: robot, x, y, vx, vy, heading, speed; and where the rows of each time begin. */
+/** Rows in sequence: robot, x, y, vx, vy, heading, speed; and the index where the rows of each time begin. */
 interface Table { rows: Column[]; line: Column; times: Column; begins: Column; robots: number; every: number }
 
 const ROBOT = 0, X = 1, Y = 2, VX = 3, VY = 4, HEADING = 5, SPEED = 6;
 
-/** Of the rows of the last time: each robot once. `last`: the row of each robot that was read last. */
+/** Requires that each robot occurs once in the rows of the last time. `last`: the last read row of each robot. */
 function requireOnce(table: Table, last: Map<number, number>, robot: number, line: number): void {
   const row = last.get(robot);
   if (row !== undefined && row >= table.begins.values[table.begins.size - 1]) {
@@ -181,14 +181,14 @@ function frameOf(table: Table, k: number): RecordedFrame {
   return frame;
 }
 
-/** Whether the first line names columns of a recording, rather than beginning a scene. */
+/** Returns whether the first line names columns of a recording; otherwise it begins a scene. */
 export function looksLikeCsv(bytes: Uint8Array): boolean {
   const begin = new TextDecoder().decode(bytes.subarray(0, 4096)).split("\n", 1)[0].replace(/\r$/, "");
   const fields = splitFields(begin);
   return COLUMNS.filter((name) => fields.includes(name)).length >= 2;
 }
 
-/** Lines in messages are behind the name that openRecording() puts in front: `name:line: ...`. */
+/** Line numbers in messages follow the name that openRecording() puts in front: `name:line: ...`. */
 export function openCsv(name: string, bytes: Uint8Array): Recording {
   const lines = linesOf(bytes);
   const header = readHeader(lines.next().value as string | undefined);

@@ -1,22 +1,23 @@
 // SPDX-License-Identifier: Apache-2.0
-// States as a table of text: the bytes that `avo run --record FILE.csv` would write.
+// States as a table of text: the same bytes that `avo run --record FILE.csv` would write.
 import { shortest } from "./words.ts";
 
-/** Robots at one time: those of a recording, where `there` tells who is, or those of a run, by their numbers. */
+/** Robots at one time: those of a recording, where `there` tells which are present, or those of a run, by their
+ * numbers. */
 export interface CsvFrame {
   time: number;             // s
-  robot?: ArrayLike<number>;  // ascending; without it each robot's number is its place
+  robot?: ArrayLike<number>;  // ascending; without it, each robot's number is its index
   there?: ArrayLike<number>;
   position: ArrayLike<number>;
   velocity: ArrayLike<number>;
-  heading?: ArrayLike<number>;  // NaN of who has none
-  speed?: ArrayLike<number>;    // along the heading; without it that of the velocity
+  heading?: ArrayLike<number>;  // NaN for a robot without a heading
+  speed?: ArrayLike<number>;    // along the heading; without it, the speed follows from the velocity
 }
 
-/** m/s, of the velocity along the heading (rad): Library.speedAlong. */
+/** Returns m/s, the velocity's component along the heading (rad): Library.speedAlong. */
 export type SpeedAlong = (heading: number, vx: number, vy: number) => number;
 
-/** `headings`: of robots with wheels or wings, with their speeds. `every`: steps from row to row. */
+/** `headings`: write headings and speeds of robots with wheels or wings. `every`: steps from row to row. */
 export interface CsvOptions { headings?: boolean; every?: number; speedAlong?: SpeedAlong }
 
 export function csvHeader({ headings = false, every = 1 }: CsvOptions = {}): string {

@@ -1,18 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
-// Animated GIFs (GIF89a): one palette for all frames, of each frame only what has changed.
+// Animated GIFs (GIF89a): one palette for all frames, and for each frame only the part that has changed.
 import { ByteWriter, writeLzw } from "./lzw.ts";
 
 const COLORS = 256;
-const UNCHANGED = COLORS - 1;   // the transparent one: the frame before stays
-const CUBE_LEVELS = 5;          // of red, green and blue, beside a frame's own colors
-const SHORTEST_DELAY = 0.02;    // s; browsers take less for 0.1
+const UNCHANGED = COLORS - 1;   // the transparent color: the pixel of the frame before stays
+const CUBE_LEVELS = 5;          // of red, green and blue, besides a frame's own colors
+const SHORTEST_DELAY = 0.02;    // s; browsers replace shorter delays by 0.1
 
 export interface GifOptions {
-  delay: number;                // s, from frame to frame; as hundredths of seconds that add up
-  palette?: readonly number[];  // 0xrrggbb, at most 255; without it of the first frame's colors, and others evenly
+  delay: number;                // s, from frame to frame; rounded to hundredths of seconds that add up
+  // 0xrrggbb, at most 255; without it, the colors of the first frame, and an even cube of others
+  palette?: readonly number[];
 }
 
-/** The most frequent colors of a picture, and a cube of colors for those to come. */
+/** Returns the most frequent colors of a picture, and a cube of colors for later pictures. */
 export function paletteOf(rgba: Uint8ClampedArray): number[] {
   const counts = new Map<number, number>();
   for (let k = 0; k + 3 < rgba.length; k += 4) {
@@ -28,7 +29,7 @@ export function paletteOf(rgba: Uint8ClampedArray): number[] {
   return [...new Set([...own.slice(0, UNCHANGED - cube.length), ...cube])];
 }
 
-/** The index of the nearest of some colors; those that were asked for last are remembered. */
+/** Finds the index of the nearest of some colors, and caches recent results. */
 class NearestColor {
   private static readonly SLOTS = 1 << 14;
   private readonly colors = new Int32Array(NearestColor.SLOTS).fill(-1);
@@ -43,7 +44,7 @@ class NearestColor {
     return (this.indices[slot] = this.search(color));
   }
 
-  /** By squared distances, green counting most and blue least, as eyes have it. */
+  /** Compares squared distances; green counts most and blue least, as for human eyes. */
   private search(color: number): number {
     let best = 0;
     let least = Infinity;
@@ -64,11 +65,11 @@ class NearestColor {
 /** The part of a picture that has changed. */
 interface Box { left: number; top: number; right: number; bottom: number }
 
-/** Frames in, one file out. Pictures are taken as opaque. */
+/** Takes frames, and returns one file. Pictures are treated as opaque. */
 export class GifEncoder {
   private readonly out = new ByteWriter();
-  private readonly pixels: Uint32Array;   // of the last frame, as they came
-  private readonly indices: Uint8Array;   // what is to be shown, UNCHANGED where it is shown already
+  private readonly pixels: Uint32Array;   // of the last frame, in their original colors
+  private readonly indices: Uint8Array;   // the new frame, with UNCHANGED for pixels that are shown already
   private readonly shown: Uint8Array;
   private colors: NearestColor | null = null;
   private frames = 0;
@@ -93,7 +94,7 @@ export class GifEncoder {
     ++this.frames;
   }
 
-  /** The whole file; there are no frames after it. */
+  /** Returns the whole file; no frames may follow. */
   finish(): Uint8Array {
     if (this.frames === 0) throw new Error("found no frame, must be one or more");
     this.out.u8(0x3b);
@@ -113,10 +114,10 @@ export class GifEncoder {
       for (const shift of [16, 8, 0]) out.u8(((palette[k] ?? 0) >> shift) & 255);
     for (const byte of [0x21, 0xff, 11]) out.u8(byte);
     out.text("NETSCAPE2.0");
-    for (const byte of [3, 1, 0, 0, 0]) out.u8(byte);  // again and again
+    for (const byte of [3, 1, 0, 0, 0]) out.u8(byte);  // repeat forever
   }
 
-  /** Takes the frame over, and tells which part of the picture is another one; a pixel where none is. */
+  /** Takes over the frame, and returns the part of the picture that has changed; one pixel if nothing has. */
   private update(rgba: Uint8ClampedArray): Box {
     const colors = this.colors as NearestColor;
     const { width, pixels, indices, shown } = this;
@@ -142,7 +143,8 @@ export class GifEncoder {
 
   private writeControl(): void {
     const ends = (frames: number) => Math.round(100 * frames * this.options.delay);
-    for (const byte of [0x21, 0xf9, 4, 0x05]) this.out.u8(byte);  // stays for the next frame; has a transparent color
+    // the picture stays for the next frame; one color is transparent
+    for (const byte of [0x21, 0xf9, 4, 0x05]) this.out.u8(byte);
     this.out.u16(ends(this.frames + 1) - ends(this.frames));
     this.out.u8(UNCHANGED);
     this.out.u8(0);

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// Texts of scenes and of the files that they name. Raw graymaps (P5) are no text: they become plain ones (P2) of the
-// same values, which the scene's reader takes as well.
+// Texts of scenes and of the files that they name. Raw graymaps (P5) are not text: they become plain graymaps (P2) with
+// the same values, which the scene's reader also accepts.
 const HEADER = /^P5\s+(?:#[^\n]*\n\s*)*(\d+)\s+(?:#[^\n]*\n\s*)*(\d+)\s+(?:#[^\n]*\n\s*)*(\d+)\s/;
 const LONGEST_HEADER = 65536;
 
-/** null of what is no raw graymap. */
+/** Returns null for any other file. */
 function plainGraymap(bytes: Uint8Array): string | null {
   const begin = new TextDecoder("latin1").decode(bytes.subarray(0, LONGEST_HEADER));
   const header = HEADER.exec(begin);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Recordings as HDF5 files of our layout (docs/recordings.md).
+// Recordings as HDF5 files with avo's layout (docs/recordings.md).
 import { refuse } from "./bytes.ts";
 import { BLOCK_TIMES, type BlockShape, partsOf, robotsOfChunk, type StoredBlocks } from "./blocks.ts";
 import { readAttributes } from "./hdf5_attributes.ts";
@@ -15,7 +15,7 @@ function requireColumns(file: Uint8Array, state: Message[], columns: number): vo
   if (found !== must) refuse(`state: columns: found ${inQuotes(found)}, must be ${must}`);
 }
 
-/** Reads all but the chunks. */
+/** Reads everything except the chunks. */
 export function openHdf5(file: Uint8Array): OpenedBlocks {
   const root = readObject(file, readSuperblock(file));
   const fields = readAttributes(file, root);

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// Attributes of HDF5 objects: texts of fixed length and whole numbers; others are left out, as io/recording/hdf5_reader.cpp does.
+// Attributes of HDF5 objects: texts of fixed length and whole numbers. Other attributes are ignored, as
+// io/recording/hdf5_reader.cpp does.
 import { ByteReader, hexOf, refuse } from "./bytes.ts";
 import { messagesInHeap } from "./hdf5_heap.ts";
 import { ATTRIBUTE, ATTRIBUTE_INFO, type Message, readExtent, refuseForeign, requireVersion } from "./hdf5_objects.ts";
 import type { Fields } from "./recording_fields.ts";
 
 const MOST_ATTRIBUTES = 100_000;
-/** Of datatype messages: version and class, bits, size. */
+/** Parts of datatype messages: version and class, bits, size. */
 const UNSIGNED_64 = "10 00 00 00 08 00 00 00 00 00 40 00";
 const TEXT_CLASS = 3;
 

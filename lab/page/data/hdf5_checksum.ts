@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// The checksum of HDF5's metadata: Jenkins' lookup3, hashlittle(), beginning with 0.
+// The checksum of HDF5's metadata: Jenkins' lookup3, hashlittle(), with initial value 0.
 import { type ByteReader, refuse } from "./bytes.ts";
 
 const rotated = (x: number, by: number) => (x << by) | (x >>> (32 - by));
 
-/** Four bytes, those beyond the end being 0. */
+/** Returns four bytes; bytes beyond the end are 0. */
 function word(bytes: Uint8Array, at: number): number {
   return (bytes[at] ?? 0) | ((bytes[at + 1] ?? 0) << 8) | ((bytes[at + 2] ?? 0) << 16) | ((bytes[at + 3] ?? 0) << 24);
 }
@@ -39,7 +39,7 @@ export function lookup3(bytes: Uint8Array): number {
   return c >>> 0;
 }
 
-/** The reader stands behind `what`, which began at `begin`, and in front of its checksum. */
+/** The reader must stand behind `what`, which began at `begin`, and in front of its checksum. */
 export function requireChecksum(reader: ByteReader, begin: number, what: string): void {
   const covered = reader.bytes.subarray(begin, reader.offset);
   if (reader.u32() !== lookup3(covered)) refuse(`found a damaged ${what}, must be whole`);

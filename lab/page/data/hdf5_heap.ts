@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where attributes are when an object has more than eight: in a fractal heap, found by a B-tree (version 2) of their
-// names. Long ones have a place of their own in the file, found by another B-tree.
+// Attributes of an object that has more than eight: they are in a fractal heap, found by a B-tree (version 2) of their
+// names. Long attributes are elsewhere in the file, found by another B-tree.
 import { ByteReader, refuse } from "./bytes.ts";
 import { lookup3, requireChecksum } from "./hdf5_checksum.ts";
 import { refuseForeign, requireSignature, requireVersion } from "./hdf5_objects.ts";
@@ -9,19 +9,19 @@ const MOST_DEPTH = 8;
 const NAMES = { type: 8, record: 17 };       // heap id of 8 bytes, flags, order of creation, hash of the name
 const LONG_OBJECTS = { type: 1, record: 24 };  // address, length, number
 
-/** Bytes that a number up to `most` needs. */
+/** Returns the number of bytes that a number up to `most` needs. */
 const sizeOf = (most: number) => Math.floor(Math.log2(most) / 8) + 1;
 
 interface Tree {
   type: number;
   record: number;          // bytes
-  counts: number[];        // of records that fit in a node, by its depth
-  sizes: number[];         // of the number of all records below a node, by its depth
+  counts: number[];        // number of records that fit in a node, by its depth
+  sizes: number[];         // bytes of the number of all records below a node, by its depth
   seen: Set<number>;       // addresses of nodes
   records: Uint8Array[];
 }
 
-/** How many records a node of each depth can have, and how wide the number of those below it is stored. */
+/** Finds how many records a node of each depth can have, and the stored width of the number of records below it. */
 function capacities(node: number, record: number, depth: number): { counts: number[]; sizes: number[] } {
   const OVERHEAD = 10;
   const counts = [Math.floor((node - OVERHEAD) / record)];
@@ -55,7 +55,7 @@ function readNode(file: Uint8Array, address: number, count: number, depth: numbe
   for (const [child, records] of children) readNode(file, child, records, depth - 1, tree);
 }
 
-/** All records of the tree at `address`. */
+/** Returns all records of the tree at `address`. */
 function readTree(file: Uint8Array, address: number, kind: { type: number; record: number }): Uint8Array[] {
   const reader = new ByteReader(file, address);
   requireSignature(reader, "BTHD");
@@ -79,12 +79,12 @@ function readTree(file: Uint8Array, address: number, kind: { type: number; recor
 interface Heap {
   file: Uint8Array;
   width: number;      // blocks in a row
-  start: number;      // bytes of a block in the first row, and the second; then they double
+  start: number;      // bytes of a block in the first row, and in the second; the size doubles with each further row
   largest: number;    // bytes of a block with objects
   offset_size: number;
   length_size: number;
   root: number;
-  rows: number;       // of the root; 0: it is itself a block with objects
+  rows: number;       // rows of the root; 0: the root is itself a block with objects
   long_tree: number;
   long_objects: Map<number, Uint8Array> | null;  // by number
   verified: Set<number>;                         // addresses of blocks whose checksums have been compared
@@ -113,7 +113,8 @@ function readHeap(file: Uint8Array, address: number): Heap {
     verified: new Set() };
 }
 
-/** In front of the checksum or the children: signature, version, the heap's address, the block's place in it. */
+/** Reads the head, which stands in front of the checksum or the children: signature, version, the heap's address, and
+ * the block's place in the heap. */
 function blockHead(heap: Heap, address: number, signature: string): ByteReader {
   const reader = new ByteReader(heap.file, address);
   requireSignature(reader, signature);
@@ -124,7 +125,7 @@ function blockHead(heap: Heap, address: number, signature: string): ByteReader {
 
 const sizeInRow = (heap: Heap, row: number) => heap.start * 2 ** Math.max(row - 1, 0);
 
-/** A block with objects, whole. Its checksum is within it and counts as 0. */
+/** Returns a whole block with objects. Its checksum is part of it and counts as 0. */
 function objectBlock(heap: Heap, address: number, size: number): Uint8Array {
   const head = blockHead(heap, address, "FHDB");
   const block = new ByteReader(heap.file, address).take(size);
@@ -136,7 +137,7 @@ function objectBlock(heap: Heap, address: number, size: number): Uint8Array {
   return block;
 }
 
-/** The address of the child of a block without objects that has what is `offset` behind its begin. */
+/** Returns the address of a child of a block without objects: of the child in entry `entry`. */
 function childAt(heap: Heap, address: number, rows: number, entry: number): number {
   const reader = blockHead(heap, address, "FHIB");
   const children = reader.skip(8 * rows * heap.width);
@@ -173,7 +174,7 @@ function longObject(heap: Heap, number: number): Uint8Array {
   return heap.long_objects.get(number) ?? refuse("found an attribute outside of its heap, damaged");
 }
 
-/** The attributes' messages. */
+/** Returns the attributes' messages. */
 export function messagesInHeap(file: Uint8Array, heapAddress: number, namesAddress: number): Uint8Array[] {
   const heap = readHeap(file, heapAddress);
   return readTree(file, namesAddress, NAMES).map((record) => {

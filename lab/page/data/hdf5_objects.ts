@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// HDF5 as our writer makes it (io/recording/hdf5_output.cpp): superblock 2, and objects, whose headers are lists of messages.
+// HDF5 as avo writes it (io/recording/hdf5_output.cpp): superblock 2, and objects, whose headers are lists of messages.
 // Names and numbers are those of the HDF5 File Format Specification.
 import { beginsWith, ByteReader, hexOf, refuse } from "./bytes.ts";
 import { requireChecksum } from "./hdf5_checksum.ts";
@@ -13,7 +13,7 @@ export interface Message { type: number; body: Uint8Array }
 
 export const isHdf5 = (bytes: Uint8Array) => beginsWith(bytes, SIGNATURE);
 
-/** Of part of the file, which has to be one of another writer. */
+/** Refuses part of the file, which must come from another writer. */
 export function refuseForeign(what: string, found: unknown, must: unknown): never {
   refuse(`${what}: found ${found}, must be ${must}, as avo writes it`);
 }
@@ -28,7 +28,7 @@ export function requireVersion(reader: ByteReader, of: string, version: number):
   if (found !== version) refuseForeign(`version of the ${of}`, found, version);
 }
 
-/** The address of the root group's header. */
+/** Returns the address of the root group's header. */
 export function readSuperblock(file: Uint8Array): number {
   const reader = new ByteReader(file, SIGNATURE.length);
   const version = reader.u8();
@@ -46,7 +46,7 @@ export function readSuperblock(file: Uint8Array): number {
   return root;
 }
 
-/** The messages from where the reader stands to `end`, where the block's checksum is. */
+/** Reads the messages from the reader's place to `end`, where the block's checksum stands. */
 function readBlock(reader: ByteReader, begin: number, end: number, ordered: boolean): Message[] {
   const messages: Message[] = [];
   const head = ordered ? 6 : 4;
@@ -64,20 +64,20 @@ function readBlock(reader: ByteReader, begin: number, end: number, ordered: bool
   return messages;
 }
 
-/** The first block of the header of the object at `address`, and where its messages have an order of creation. */
+/** Reads the first block of the header of the object at `address`, and whether its messages have an order of creation. */
 function readFirstBlock(file: Uint8Array, address: number): { messages: Message[]; ordered: boolean } {
   const reader = new ByteReader(file, address);
   requireSignature(reader, "OHDR");
   requireVersion(reader, "header of an object", 2);
   const flags = reader.u8();
   if ((flags & 0x20) !== 0) reader.skip(16);  // times of day
-  if ((flags & 0x10) !== 0) reader.skip(4);   // when attributes move to a heap
+  if ((flags & 0x10) !== 0) reader.skip(4);   // limits beyond which attributes move to a heap
   const size = reader.uint(1 << (flags & 3));
   const ordered = (flags & 4) !== 0;
   return { messages: readBlock(reader, address, reader.offset + size, ordered), ordered };
 }
 
-/** All messages of the object whose header is at `address`. */
+/** Returns all messages of the object whose header is at `address`. */
 export function readObject(file: Uint8Array, address: number): Message[] {
   const { messages, ordered } = readFirstBlock(file, address);
   const seen = new Set<number>();
@@ -100,7 +100,7 @@ export function messageOf(messages: Message[], type: number, what: string): Byte
   return new ByteReader(found?.body ?? refuse(`found no ${what}, must be there`), 0, what);
 }
 
-/** Addresses of the objects in a group, by name. */
+/** Returns the addresses of the objects in a group, by name. */
 export function linksOf(messages: Message[]): Map<string, number> {
   const links = new Map<string, number>();
   for (const { type, body } of messages) {
@@ -117,7 +117,7 @@ export function linksOf(messages: Message[]): Map<string, number> {
   return links;
 }
 
-/** The lengths of a table, none of a single value; null of nothing. */
+/** Returns the lengths of a table, an empty list for a single value, and null for an empty dataset. */
 export function readExtent(reader: ByteReader): number[] | null {
   requireVersion(reader, "size of a table", 2);
   const rank = reader.u8();

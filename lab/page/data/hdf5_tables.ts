@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// Tables of HDF5 as our writer makes them (io/recording/hdf5_writer.cpp): the times in one piece, all others in chunks, which a
-// B-tree (version 1) leads to.
+// Tables of HDF5 as avo writes them (io/recording/hdf5_writer.cpp): the times in one piece, and all others in chunks. A
+// B-tree (version 1) leads to the chunks.
 import { ByteReader, hexOf, refuse } from "./bytes.ts";
 import { DATA_LAYOUT, DATASPACE, DATATYPE, FILTER_PIPELINE, type Message, messageOf, readExtent, refuseForeign,
   requireSignature, requireVersion } from "./hdf5_objects.ts";
 
-/** Datatype messages; of the enumeration the class alone, whose size is looked at as well. */
+/** Datatype messages; for the enumeration only the class, because its size is checked as well. */
 export const FLOAT64 = "11 20 3f 00 08 00 00 00 00 00 40 00 34 0b 00 34 ff 03 00 00";
 export const FLOAT32 = "11 20 1f 00 04 00 00 00 00 00 20 00 17 08 00 17 7f 00 00 00";
 export const ENUMERATION = "enumeration of one byte";
@@ -24,12 +24,12 @@ function requireType(messages: Message[], name: string, type: string): void {
   if (found !== type) refuseForeign(`type of ${name}`, found, type);
 }
 
-/** The lengths of the table. */
+/** Returns the lengths of the table. */
 function lengthsOf(messages: Message[], name: string): number[] {
   return readExtent(messageOf(messages, DATASPACE, `size of ${name}`)) ?? refuse(`${name}: found nothing in it`);
 }
 
-/** Behind the layout's version and class, which has to be that one. */
+/** Returns a reader behind the layout's version and class; the class must be the given one. */
 function layoutOf(messages: Message[], name: string, kind: number): ByteReader {
   const reader = messageOf(messages, DATA_LAYOUT, `layout of ${name}`);
   requireVersion(reader, `layout of ${name}`, 3);
@@ -38,7 +38,7 @@ function layoutOf(messages: Message[], name: string, kind: number): ByteReader {
   return reader;
 }
 
-/** All numbers of a list in one piece. */
+/** Reads all numbers of a list in one piece. */
 export function readList(file: Uint8Array, messages: Message[], name: string): Float64Array {
   const lengths = lengthsOf(messages, name);
   requireType(messages, name, FLOAT64);
@@ -67,7 +67,7 @@ function requireFilters(messages: Message[], name: string, type: string): void {
 
 interface ChunkIndex { name: string; lengths: number[]; chunk: number[]; begin: Float64Array; size: Float64Array }
 
-/** A leaf's entry, or an inner node's, whose place is that of the first chunk below it. */
+/** The entry of a leaf or of an inner node; the place of the latter is that of the first chunk below it. */
 interface Entry { size: number; place: number[]; address: number }
 
 function readEntries(reader: ByteReader, count: number, index: ChunkIndex): Entry[] {
@@ -109,10 +109,10 @@ function readNode(file: Uint8Array, address: number, level: number | null, index
     else readNode(file, entry.address, found - 1, index, seen);
 }
 
-/** The stored bytes of the chunk of that number, the last dimension counting fastest. */
+/** Returns the stored bytes of the chunk with that number; the last dimension varies fastest. */
 export type Chunks = (number: number) => Uint8Array;
 
-/** A table of these lengths in chunks of this size, all of which have to be there. */
+/** Reads a table of these lengths in chunks of this size; all chunks must be there. */
 export function readChunks(file: Uint8Array, messages: Message[], name: string, type: string, lengths: number[],
     chunk: number[]): Chunks {
   const found = lengthsOf(messages, name);

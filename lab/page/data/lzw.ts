@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Lempel, Ziv and Welch's compression as GIF has it: codes of 9 to 12 bits in blocks of 255 bytes.
+// Compression by Lempel, Ziv and Welch in the form of GIF: codes of 9 to 12 bits in blocks of 255 bytes.
 
-/** Bytes of any number, in memory that doubles. Numbers have their lowest byte first. */
+/** A list of bytes; its memory doubles as it grows. Numbers have their low byte first. */
 export class ByteWriter {
   private buffer = new Uint8Array(1 << 16);
   private size = 0;
@@ -29,12 +29,12 @@ export class ByteWriter {
   }
 }
 
-/** Codes one behind the other, the lowest bit first; each block of bytes has its length in front. */
+/** Codes in sequence, low bit first; each block of bytes has its length in front. */
 class CodeWriter {
   private readonly block = new Uint8Array(255);
   private filled = 0;
   private bits = 0;
-  private count = 0;  // of bits
+  private count = 0;  // number of bits
 
   constructor(private readonly out: ByteWriter) {}
 
@@ -65,10 +65,10 @@ class CodeWriter {
 const SYMBOL_BITS = 8;
 const CLEAR = 256, END = 257, FIRST = 258;
 const MOST_CODES = 4096;
-/** The code of what begins with a code and ends with a symbol, at code * 256 + symbol; 0: there is none. */
+/** The code of a sequence that begins with a code and ends with a symbol, at code * 256 + symbol; 0: none. */
 const longer = new Uint16Array(MOST_CODES << SYMBOL_BITS);
 
-/** One symbol or more, each of 8 bits. */
+/** Writes one or more symbols, each of 8 bits. */
 export function writeLzw(symbols: Uint8Array, out: ByteWriter): void {
   out.u8(SYMBOL_BITS);
   const codes = new CodeWriter(out);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a file is that somebody opens, told by its content.
+// Finds the kind of an opened file by its content.
 import { frameReader, requireSize, requireTimes } from "./blocks.ts";
 import { RecordingError, refuse } from "./bytes.ts";
 import { looksLikeCsv, openCsv } from "./csv.ts";
@@ -14,7 +14,8 @@ export type FileFormat = "hdf5" | "spool" | "csv" | "yaml" | "unknown";
 const FIRST_BYTES = 4096;
 const HDF5_NAME = /\.h5(\.part)?$/i;
 
-/** By the first bytes; the name's ending where they tell of no recording. unknown: neither a text nor a recording. */
+/** Returns the kind by the first bytes; if they are not those of a recording, by the ending of the name. unknown:
+ * neither a text nor a recording. */
 export function formatOf(name: string, bytes: Uint8Array): FileFormat {
   if (isHdf5(bytes)) return "hdf5";
   if (isSpool(bytes)) return "spool";
@@ -29,13 +30,13 @@ function openBlocks(kind: "hdf5" | "spool", name: string, bytes: Uint8Array): Re
   return { ...header, kind, name, times: stored.times, attributes: attributesOf(fields), frame: frameReader(stored) };
 }
 
-/** Errors in one line with the file's name in front. */
+/** Errors are one line with the file's name in front. */
 function named(name: string, error: unknown): Error {
   if (!(error instanceof RecordingError)) return error as Error;
   return new Error(/^\d+: /.test(error.message) ? `${name}:${error.message}` : `${name}: ${error.message}`);
 }
 
-/** Rejects with an Error of one line where the file is damaged or no recording. */
+/** Rejects with an Error of one line if the file is damaged or not a recording. */
 export async function openRecording(name: string, bytes: Uint8Array): Promise<Recording> {
   try {
     const kind = formatOf(name, bytes);

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a recording is to those who show it, whatever file it comes from.
+// A recording in the form that views use, whatever its file format.
 
 export interface SceneFile { path: string; text: string; builtin: boolean }
 
-/** The scene that a recording has in itself, and how it was run. */
+/** The scene that a recording contains, and the options of its run. */
 export interface RecordedScene {
   name: string;
   yaml: string;
@@ -13,41 +13,41 @@ export interface RecordedScene {
   limit_speed: boolean;
 }
 
-/** All robots at one time, each at its number; of those that are not there: NaN. */
+/** All robots at one time, each at its number; absent robots have NaN. */
 export interface RecordedFrame {
   time: number;              // s
   there: Uint8Array;         // 1 or 0
   position: Float64Array;    // m, x and y of each
   velocity: Float64Array;    // m/s
-  heading: Float64Array;     // rad; NaN of who has none
-  speed: Float64Array;       // m/s along the heading; NaN of who has none
-  status: Uint8Array;        // of the last decision by its number, 255 of who is not there; CSV does not tell: 0
-  clearance: Float32Array;   // m, to the nearest other disc, +inf if nobody is there; CSV does not tell: NaN
+  heading: Float64Array;     // rad; NaN for a robot without a heading
+  speed: Float64Array;       // m/s along the heading; NaN for a robot without a heading
+  status: Uint8Array;        // of the last decision by its number, 255 for an absent robot; in CSV unknown: 0
+  clearance: Float32Array;   // m, to the nearest other disc, +inf if there is none; in CSV unknown: NaN
 }
 
 export interface Recording {
   kind: "hdf5" | "spool" | "csv";
   name: string;
   times: Float64Array;       // s, ascending
-  robots: number;            // their numbers are less
-  headings: boolean;         // whether any robot may have one
+  robots: number;            // upper bound of their numbers
+  headings: boolean;         // whether any robot may have a heading
   every: number;             // steps of the run from row to row
   scene: RecordedScene | null;
   attributes: Record<string, string | number | bigint>;  // whole numbers beyond 2^53 are bigint
-  /** Of times[k]. Rejects with one line where the rows are damaged. */
+  /** Reads the frame at times[k]. Rejects with one line if the rows are damaged. */
   frame(k: number): Promise<RecordedFrame>;
 }
 
-/** In place of the status of who is not there. */
+/** Stands in place of an absent robot's status. */
 export const ABSENT = 255;
 export const STATE_COLUMNS = ["x", "y", "vx", "vy", "heading", "speed"];
-/** Of any number in a recording: m, m/s, rad, s. */
+/** The limit of any number in a recording: m, m/s, rad, s. */
 export const LARGEST = 1e12;
 export const LARGEST_RANGE = "from -1e+12 to 1e+12";
-/** A frame has memory for all of them. */
+/** The limit of robots: a frame has memory for all of them. */
 export const MOST_ROBOTS = 100_000;
 
-/** Nobody is there. */
+/** Returns a frame without robots. */
 export function emptyFrame(time: number, robots: number): RecordedFrame {
   return {
     time,

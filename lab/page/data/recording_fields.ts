@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a recording tells of itself: its attributes, held to what io/recording/recording_fields.cpp allows.
+// The facts that a recording stores about itself: its attributes, restricted to what io/recording/recording_fields.cpp
+// allows.
 import type { StoredBlocks } from "./blocks.ts";
 import { refuse } from "./bytes.ts";
 import { textOf } from "./graymap.ts";
 import type { RecordedScene, Recording } from "./recording.ts";
 import { inQuotes } from "./words.ts";
 
-/** By name; texts as they are stored. */
+/** Attributes by name; texts verbatim. */
 export type Fields = Map<string, Uint8Array | bigint>;
 
 export interface RecordingHeader {

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// A scene's text as a part of an address: what is behind "#" of a link that somebody passes on.
+// A scene's text as a part of an address: the text behind "#" of a shared link.
 import { base64UrlOf, bytesOfBase64Url, compressed, uncompressed } from "./compression.ts";
 
 const MOST_CHARACTERS = 1_000_000;  // of the address
 const MOST_BYTES = 8_000_000;       // of the text
 
-/** Characters that stand in an address as they are. The checksum of "deflate" tells a link that was cut off. */
+/** Characters that an address holds without escapes. The checksum of "deflate" detects a link that was cut off. */
 export async function encodeScene(text: string): Promise<string> {
   const bytes = new TextEncoder().encode(text);
   const encoded = bytes.length > MOST_BYTES ? "" : base64UrlOf(await compressed(bytes, "deflate"));

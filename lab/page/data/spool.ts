@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Spools (io/recording/spool.h), which a run that was killed leaves: records with checksums. What is behind the last whole
+// Spools (io/recording/spool.h), which a killed run leaves: records with checksums. Everything behind the last whole
 // block is lost.
 import { beginsWith, ByteReader, RecordingError, refuse } from "./bytes.ts";
 import { BLOCK_TIMES, type BlockShape, chunksOf } from "./blocks.ts";
@@ -26,7 +26,7 @@ function crc32(bytes: Uint8Array): number {
 
 interface Record { type: number; payload: Uint8Array }
 
-/** null where no whole record stands. */
+/** Returns null if there is no whole record. */
 function readRecord(reader: ByteReader): Record | null {
   if (reader.left < HEAD_SIZE) return null;
   const begin = reader.offset;
@@ -50,7 +50,7 @@ function fieldsOf(payload: Uint8Array): Fields {
 
 interface SpoolBlock { times: Float64Array; chunks: Uint8Array[] }
 
-/** null where it is no block of that shape. */
+/** Returns null if it is not a block of that shape. */
 function blockOf(payload: Uint8Array, shape: BlockShape): SpoolBlock | null {
   try {
     const reader = new ByteReader(payload);
@@ -65,7 +65,7 @@ function blockOf(payload: Uint8Array, shape: BlockShape): SpoolBlock | null {
   }
 }
 
-/** All whole blocks. */
+/** Returns all whole blocks. */
 export function openSpool(file: Uint8Array): OpenedBlocks {
   const reader = new ByteReader(file, BEGIN.length);
   const first = readRecord(reader);

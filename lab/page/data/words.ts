@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Words and numbers in messages and tables, as the command line shows them (io/text/words.cpp, io/text/printable.cpp).
 
-/** Control characters, line ends and directions of writing: what changes how the rest is shown. */
+/** Control characters, line ends and directions of writing: characters that change how other text is shown. */
 const UNPRINTABLE = /[\u0000-\u001f\u007f-\u009f\u2028-\u202e\u2066-\u2069]/;
 
 function printable(character: string): string {
@@ -10,7 +10,7 @@ function printable(character: string): string {
   return Array.from(new TextEncoder().encode(character), (byte) => `\\x${byte.toString(16).padStart(2, "0")}`).join("");
 }
 
-/** In quotes, at most 40 characters, the middle of longer texts left out. */
+/** Returns the text in quotes, at most 40 characters; the middle of a longer text is left out. */
 export function inQuotes(text: string): string {
   const MOST = 40, LAST = 10;
   const characters = Array.from(text);
@@ -19,7 +19,8 @@ export function inQuotes(text: string): string {
   return `"${shown.slice(0, MOST - LAST).join("")}...${shown.slice(-LAST).join("")}"`;
 }
 
-/** Smallest number of insertions, deletions, replacements and swaps of neighbors (optimal string alignment). */
+/** Returns the smallest number of insertions, deletions, replacements and swaps of neighbors (optimal string
+ * alignment). */
 function editDistance(a: string, b: string): number {
   let beforeLast: number[] = [];
   let last = Array.from({ length: b.length + 1 }, (_, j) => j);
@@ -36,7 +37,7 @@ function editDistance(a: string, b: string): number {
   return last[b.length];
 }
 
-/** Is `word` what `given` abbreviates: the same beginning, and all letters in order? */
+/** Returns whether `given` abbreviates `word`: it has the same beginning, and all its letters occur in order. */
 function abbreviates(given: string, word: string): boolean {
   if (given.length < 3 || !word.startsWith(given.slice(0, 3))) return false;
   let k = 0;
@@ -44,14 +45,14 @@ function abbreviates(given: string, word: string): boolean {
   return k === given.length;
 }
 
-/** The word that may have been meant by `given`. */
+/** Returns the word that `given` may have meant. */
 export function nearest(given: string, words: string[]): string | null {
   const LONGEST = 40;
   if (given === "" || given.length > LONGEST) return null;
   let best: string | null = null;
   let smallest = Infinity;
   for (const word of words) {
-    if (word.length > 2 * LONGEST) continue;  // farther than anything that is allowed
+    if (word.length > 2 * LONGEST) continue;  // farther than any allowed distance
     const distance = editDistance(given, word);
     if (distance > Math.max(1, Math.floor(Math.max(given.length, word.length) / 3)) || distance >= smallest) continue;
     best = word;
@@ -60,7 +61,7 @@ export function nearest(given: string, words: string[]): string | null {
   return best ?? words.find((word) => abbreviates(given, word)) ?? null;
 }
 
-/** The fewest digits that mean the number, written as C++ writes them: 1e-05, 1e+16, -0. */
+/** Returns the fewest digits that identify the number, in the form of C++: 1e-05, 1e+16, -0. */
 export function shortest(value: number): string {
   const magnitude = Math.abs(value);
   if (magnitude === 0) return Object.is(value, -0) ? "-0" : "0";

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Two methods on the same state: what would the robot do if all robots decided by another one?
+// Compares two methods on the same state: what would the robot do if all robots decided by another method?
 import type { Lab } from "../run/lab.ts";
 import type { Decision } from "./decision.ts";
 import { cross, dot, minus, norm } from "./decision.ts";
@@ -19,7 +19,7 @@ interface Side {
   space: SpaceCanvas;
 }
 
-/** Over the page; Escape and a press beside it close it. */
+/** Opens over the page; Escape and a press beside it close it. */
 export function openComparison(lab: Lab): void {
   if (lab.selected === null) return;
   const axes = sharedAxes();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// One decision of a robot and all that it was made from, as `avo explain --json` tells it (docs/scenes.md), in SI units.
+// One decision of a robot and all its inputs, as `avo explain --json` gives them (docs/scenes.md), in SI units.
 
 /** x, y */
 export type Vec = readonly [number, number];
@@ -15,7 +15,7 @@ export interface HalfPlane {
   offset: number;
 }
 
-/** I of robots.I, or "moving_obstacles.K". */
+/** I for robots.I, or "moving_obstacles.K". */
 export type Source = number | string;
 
 export interface Sensed {
@@ -24,19 +24,20 @@ export interface Sensed {
   velocity: Vec;
   acceleration: Vec;
   radius: number;
-  max_acceleration: number;     // 0 of who moves on
-  priority: number | null;      // null likewise
+  max_acceleration: number;     // 0 for a neighbor that moves on
+  priority: number | null;      // null for a neighbor that moves on
   behavior: "decides" | "moves_on" | "cooperates";
-  share: number;                // of what the two have to do, the part of the robot that decides here
+  share: number;                // the part of the robot that decides here in the evasion of the two
   max_braking?: number;
-  age?: number;                 // steps since it was measured, where it is carried on
+  age?: number;                 // steps since it was measured, if it is extrapolated
   risk?: number;
   loiter?: Disc;
   max_deviation?: number;
   max_speed?: number | null;
 }
 
-/** Whom a robot evades, the velocity that its way out approaches (0: it brakes), and the time at which that way brakes. */
+/** The neighbor that a robot evades, the velocity that its evasion approaches (0: it brakes), and the time at which the
+ * evasion brakes. */
 export interface Evasion {
   neighbor: Source | null;
   velocity: Vec;
@@ -64,7 +65,7 @@ export interface Decision {
   certificate?: { neighbor: Source; interval: number; normal: Vec; offset: number }[];
   wall_certificate?: { wall: number; held: number; distance: number; normal: Vec }[];
   detour?: number;              // rad, to the right
-  response_time?: number;       // s, with which it approaches v'; 0: at once
+  response_time?: number;       // s, with which the robot approaches v'; 0: at once
   loiter?: Disc;
   risk?: number;
   acceleration_disc: Disc | null;
@@ -72,13 +73,13 @@ export interface Decision {
   preferred_velocity: Vec;
   new_velocity: Vec;
   acceleration: Vec;
-  evading: Evasion | null;      // what it would have chosen was put aside for a way out (docs/movers.md)
-  waits: { passage: Vec; for: number } | null;  // at which passage, and for which robot (docs/arrival.md)
+  evading: Evasion | null;      // its usual choice was replaced by an evasion (docs/movers.md)
+  waits: { passage: Vec; for: number } | null;  // the passage, and the robot for which it waits (docs/arrival.md)
   state: "safe" | "doomed" | "unknown";
-  doomed_by: Source | null;     // also "walls.K", of `walls` above
+  doomed_by: Source | null;     // may also be "walls.K", of `walls` above
   contact_within: number | null;
   status: string;
-  contact_with: Source | null;  // whom it touches, or cannot help touching, where it is overlapping; likewise
+  contact_with: Source | null;  // what it touches, or cannot help touching, when it is overlapping; also "walls.K"
   contact_depth: number | null; // m
   violation: number;
 }
@@ -87,7 +88,7 @@ export function parseDecision(text: string): Decision {
   return JSON.parse(text) as Decision;
 }
 
-/** As the Lab calls it: "robots.3", "moving_obstacles.0". */
+/** Returns the name in the Lab: "robots.3", "moving_obstacles.0". */
 export function nameOf(source: Source): string {
   return typeof source === "number" ? `robots.${source}` : source;
 }
@@ -96,13 +97,13 @@ const KINDS: Record<string, string> = {
   robots: "robot", moving_obstacles: "moving obstacle", walls: "wall", obstacles: "obstacle",
 };
 
-/** For people: "robot 3". */
+/** Returns the name for people: "robot 3". */
 export function labelOf(name: string): string {
   const [kind, number] = name.split(".");
   return `${KINDS[kind!] ?? kind} ${number}`;
 }
 
-/** Beside a line, where there is little room: "3", "o0" of a moving obstacle, "w4" of a wall, as in the figures. */
+/** Returns a short name beside a line: "3", "o0" for a moving obstacle, "w4" for a wall, as in the figures. */
 export function shortLabelOf(name: string): string {
   const [kind, number] = name.split(".");
   return `${kind === "robots" ? "" : kind === "walls" ? "w" : "o"}${number}`;
@@ -114,17 +115,17 @@ export const norm = (a: Vec): number => Math.hypot(a[0], a[1]);
 export const minus = (a: Vec, b: Vec): Vec => [a[0] - b[0], a[1] - b[1]];
 export const along = (a: Vec, b: Vec, t: number): Vec => [a[0] + t * b[0], a[1] + t * b[1]];
 
-/** By how much `v` misses the half-plane, m/s; <= 0 inside. */
+/** Returns by how much `v` violates the half-plane, m/s; <= 0 inside. */
 export function violation(plane: HalfPlane, v: Vec): number {
   return plane.offset - dot(plane.normal, v);
 }
 
-/** From the surface of the robot to that of the other one, m; negative where they overlap. */
+/** Returns the distance from the surface of the robot to that of the neighbor, m; negative if they overlap. */
 export function clearanceOf(decision: Decision, other: Sensed): number {
   return norm(minus(decision.position, other.position)) - decision.radius - other.radius;
 }
 
-/** Methods whose v' lies outside of the union of obstacles, and not within half-planes. */
+/** Methods whose v' lies outside the union of obstacles, and not within half-planes. */
 export function avoidsUnion(decision: Decision, method: string): boolean {
   return decision.rule === "union_of_obstacles" || method === "velocity_obstacle" ||
     method === "reciprocal_velocity_obstacle";
@@ -134,7 +135,7 @@ export function isCertified({ certificate_kind }: Decision): boolean {
   return certificate_kind !== undefined && certificate_kind !== "none";
 }
 
-/** A wall of the decision by the number that it has among the scene's walls; -1 where the scene has no such wall. */
+/** Returns the number of the decision's wall among the scene's walls; -1 if the scene has no such wall. */
 export function sceneWall(decision: Decision, index: number, walls: readonly { a: Vec; b: Vec; radius: number }[]): number {
   const wall = decision.walls[index];
   if (!wall) return -1;

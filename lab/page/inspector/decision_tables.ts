@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A decision in numbers with units, and whom the robot senses, nearest first.
+// A decision in numbers with units, and the neighbors that the robot senses, nearest first.
 import type { Lab } from "../run/lab.ts";
 import type { Decision, Sensed, Vec } from "./decision.ts";
 import { clearanceOf, labelOf, nameOf, norm } from "./decision.ts";
@@ -9,14 +9,14 @@ import type { Law, Why } from "./why.ts";
 import { evadedOf, headingOf } from "./why.ts";
 
 interface Row {
-  name: string;     // of the key of `avo explain --json`, or of what follows from it
+  name: string;     // for the key of `avo explain --json`, or for a derived value
   label: Node | string;
   value: string;
-  exact: unknown;   // as the JSON has it
+  exact: unknown;   // the value in the JSON
   title?: string;
 }
 
-/** "*v*^{pref}" of math_text.ts as elements. */
+/** Returns "*v*^{pref}" of math_text.ts as elements. */
 export function symbol(letter: string, raised = ""): HTMLElement {
   return element("span", { class: "insp-symbol" }, element("b", {}, element("i", {}, letter)), raised ? element("sup", {}, raised) : null);
 }
@@ -101,9 +101,9 @@ function behaviorOf(sensed: Sensed): string {
   return `${sensed.max_deviation ? `${what}, within ${digits(sensed.max_deviation)} m/s²` : what}${age}`;
 }
 
-const ROWS = 40;  // beyond these nobody reads on
+const ROWS = 40;  // more rows would not be read
 
-/** `onSelect` is told of a robot that is chosen in the list. */
+/** `onSelect` is called with a robot that is chosen in the list. */
 export function neighborTable(lab: Lab, decision: Decision, found: Why, law: Law, onSelect: (robot: number) => void): HTMLElement {
   const sorted = decision.obstacles.map((sensed) => ({ sensed, name: nameOf(sensed.neighbor), clearance: clearanceOf(decision, sensed) }))
     .sort((a, b) => a.clearance - b.clearance);
@@ -130,7 +130,7 @@ export function neighborTable(lab: Lab, decision: Decision, found: Why, law: Law
     rest > 0 ? element("caption", {}, `and ${rest} farther away`) : null);
 }
 
-/** Marks the row of what is highlighted in any view. */
+/** Marks the row of the item that is highlighted in any view. */
 export function markNeighbor(table: ParentNode, highlighted: string | null): void {
   for (const row of table.querySelectorAll<HTMLElement>("tr[data-name]")) row.classList.toggle("insp-hit", row.dataset.name === highlighted);
 }

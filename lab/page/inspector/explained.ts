@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The decision of a robot at the present moment, with what is drawn beside it, from one simulation.
+// The decision of a robot at the present moment, with its drawings, from one simulation.
 import type { SceneInfo, Simulation } from "../../avo/avo.ts";
 import type { Decision } from "./decision.ts";
 import { isCertified, parseDecision, sceneWall } from "./decision.ts";
@@ -16,9 +16,9 @@ export interface Explained {
   source: SpaceSource;
 }
 
-const FINE = 96, COARSE = 40;  // nodes a side
+const FINE = 96, COARSE = 40;  // nodes per side
 
-/** Throws what the library refuses, e.g. for a robot that is parked. `quick`: while it plays. */
+/** Throws an error of the library, e.g. for a parked robot. `quick`: the run is playing. */
 export function explained(simulation: Simulation, info: SceneInfo, robot: number, quick: boolean): Explained {
   const text = simulation.explain(robot);
   const decision = parseDecision(text);

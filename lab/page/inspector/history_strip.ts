@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// How the selected robot has decided so far, as a strip over time. A worse status is a higher bar, so that color is
-// not needed to see it. A click goes to that time.
+// The decisions of the selected robot so far, as a strip over time. A worse status has a higher bar, so that the strip
+// is readable without color. A click goes to that time.
 import { STATUSES } from "../../avo/avo.ts";
 import type { Lab } from "../run/lab.ts";
 import { crispContext, digits, element, oncePerFrame } from "../elements.ts";
@@ -21,12 +21,12 @@ export function makeHistoryStrip(lab: Lab): HistoryStrip {
   const legend = element("div", { class: "insp-strip-legend" });
   const root = element("div", { class: "insp-strip" }, canvas, legend, readout);
   let hover: number | null = null;  // s
-  let known = "";                   // of the legend
+  let known = "";                   // of the legend, as last drawn
 
   const end = (): number => {
     const { past, moment } = lab;
     const so = Math.max(past.size > 0 ? past.times[past.size - 1]! : 0, moment.time);
-    return Math.max(5, 5 * Math.ceil(so / 5));  // s; grows in steps, so that the strip does not slide all the time
+    return Math.max(5, 5 * Math.ceil(so / 5));  // s; it grows in steps, so that the strip does not slide all the time
   };
   const redraw = oncePerFrame(() => {
     const width = canvas.clientWidth;
@@ -86,7 +86,7 @@ function draw(context: CanvasRenderingContext2D, lab: Lab, statuses: Uint8Array,
   mark(lab.moment.time, palette.ink, 2);
 }
 
-/** The statuses that there are, with their number of decisions. */
+/** Returns the statuses that occur, with their number of decisions. */
 function tellLegend(legend: HTMLElement, lab: Lab, statuses: Uint8Array, known: string): string {
   const counts = STATUSES.map((name, k) => [name, statuses.reduce((sum, status) => sum + (status === k ? 1 : 0), 0)] as const)
     .filter(([, count]) => count > 0);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The window into a decision: why the selected robot chooses the velocity that it chooses.
+// The window into a decision: it explains why the selected robot chooses its velocity.
 import type { Simulation } from "../../avo/avo.ts";
 import { openComparison } from "./comparison.ts";
 import { markNeighbor, neighborTable, numbersTable } from "./decision_tables.ts";
@@ -13,9 +13,9 @@ import { makeSpaceCanvas, sharedAxes, type SpaceCanvas } from "./space_canvas.ts
 import { sentence } from "./why.ts";
 
 const LEAST_PAUSE = 60;  // ms between two decisions while it plays
-const REST = 4;          // of the time goes to everything else
+const REST = 4;          // other work gets this multiple of a decision's time
 
-/** What the panel consists of. */
+/** The parts of the panel. */
 interface Panel {
   root: HTMLElement;
   title: HTMLElement;
@@ -26,7 +26,7 @@ interface Panel {
   strip: HistoryStrip;
   numbers: HTMLElement;
   neighbors: HTMLElement;
-  shown: Explained | null;  // what is in it
+  shown: Explained | null;  // the present content
 }
 
 export function mountInspector(lab: Lab, root: HTMLElement): void {
@@ -121,7 +121,7 @@ function silence(lab: Lab, panel: Panel, robot: number, error: unknown): void {
 const ROW_NOTE = "From the row of the recording: what robots remember (their detours) and how fast drives turn is not recorded, so the decision is " +
   "that of robots which begin here.";
 
-let rowOf: { moment: unknown; simulation: Simulation } | null = null;  // the last row is asked about more than once
+let rowOf: { moment: unknown; simulation: Simulation } | null = null;  // the last row is needed more than once
 
 export function simulationFor(lab: Lab): Simulation {
   if (lab.live) return lab.live;
@@ -156,7 +156,7 @@ function legend(): HTMLElement {
     entry("admitted", "certificate admits"), entry("binding", "binding half-plane"), entry("outline", "obstacle, Eq. (29)"));
 }
 
-/** The robot with the nearest neighbor: there is something to see. */
+/** Returns the robot with the nearest neighbor: its decision is interesting. */
 function busiest({ moment }: Lab): number | null {
   let best = 0;
   moment.clearance.forEach((clearance, i) => { if (clearance < moment.clearance[best]!) best = i; });
@@ -185,7 +185,7 @@ async function copyText(text: string, button: HTMLElement): Promise<void> {
   setTimeout(() => (button.textContent = "Copy JSON"), 1200);
 }
 
-/** For a browser that lets no page copy: to be copied by hand. */
+/** Shows the text for copying by hand, if the browser does not let a page copy. */
 function showText(text: string): void {
   const area = element("textarea", { class: "insp-text", readonly: true, rows: 16, "aria-label": "the text to copy" }, text);
   const dialog = element("dialog", { class: "card", "aria-label": "the text to copy" },

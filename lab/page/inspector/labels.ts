@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Labels on a drawing that keep off each other: each takes the first place around its point that is free.
+// Labels on a drawing that avoid each other: each takes the first free place around its point.
 import { drawMath, mathWidth } from "./math_text.ts";
 
 interface Taken {
@@ -15,7 +15,7 @@ export interface Label {
   color: string;
   halo: string;
   distance: number;  // pixels between the point and the text
-  /** Whether it is left out where every place is taken; else it takes the first place. */
+  /** Whether the label is left out if every place is taken; otherwise it takes the first place. */
   optional?: boolean;
 }
 
@@ -29,7 +29,7 @@ export class Labels {
     this.taken.push({ left: x - radius, top: y - radius, right: x + radius, bottom: y + radius });
   }
 
-  /** At x, y or the nearest free place beside it. */
+  /** Draws at x, y or at the nearest free place beside it. */
   place(x: number, y: number, label: Label): void {
     const width = mathWidth(this.context, label.formula, label.size), height = label.size;
     const places = DIRECTIONS.map(([right, down]): Taken => {

@@ -28,7 +28,7 @@ export function mathWidth(context: CanvasRenderingContext2D, formula: string, si
   }, 0);
 }
 
-/** From x on, with y as the baseline; over a halo where one is given. */
+/** Draws from x on, with y as the baseline; over a halo if one is given. */
 export function drawMath(context: CanvasRenderingContext2D, formula: string, x: number, y: number, size: number,
                          color: string, halo?: string): void {
   context.save();

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// The point of a set of safe velocities that is nearest to a wish (Eq. 23), found by trying all places where it can be.
-// What a robot decided is told by explain(); this only asks which limits its choice rests on.
+// The point of a set of safe velocities that is nearest to a wanted velocity (Eq. 23), found by trying all candidates.
+// The robot's decision itself comes from explain(); this code only finds the limits that its choice rests on.
 import type { Disc, HalfPlane, Vec } from "./decision.ts";
 import { along, dot, minus, norm, violation } from "./decision.ts";
 
 const ROUNDING = 1e-9;  // m/s
 
-/** Where the line of the half-plane meets the circle. */
+/** Returns where the line of the half-plane meets the circle. */
 function onCircle(plane: HalfPlane, disc: Disc): Vec[] {
   const foot = violation(plane, disc.center);
   const half = disc.radius ** 2 - foot ** 2;
@@ -32,7 +32,7 @@ function ofTwoCircles(a: Disc, b: Disc): Vec[] {
   return onCircle({ normal: axis.normal, offset: dot(axis.normal, a.center) + ahead }, a);
 }
 
-/** The nearest point of the disc's rim. */
+/** Returns the nearest point of the disc's rim. */
 function onto(disc: Disc, wish: Vec): Vec[] {
   const from = minus(wish, disc.center);
   const length = norm(from);
@@ -50,7 +50,7 @@ function candidates(planes: readonly HalfPlane[], discs: readonly Disc[], wish: 
   return found;
 }
 
-/** None where no velocity lies in all of them. */
+/** Returns null if no velocity lies in all of them. */
 export function nearestPoint(planes: readonly HalfPlane[], discs: readonly Disc[], wish: Vec): Vec | null {
   let best: Vec | null = null;
   for (const point of candidates(planes, discs, wish)) {

@@ -1,18 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
-// Colors of the inspector's drawings. Data keep apart for color-blind eyes (after Okabe and Ito), by form as well.
+// Colors of the inspector's drawings. Data are distinguishable for color-blind eyes (after Okabe and Ito), and also by
+// form.
 
 export interface Palette {
   ink: string;
   soft: string;       // lines and text beside the point
   frame: string;
-  chosen: string;     // what the robot may choose from
-  beyond: string;     // outside of it
+  chosen: string;     // the set from which the robot may choose
+  beyond: string;     // outside that set
   forbidden: string;
   forbidden_beyond: string;
   highlight: string;
   preferred: string;  // v^pref
   decided: string;    // v'
-  admitted: [number, number, number, number];  // red, green, blue, of 255 each, and how much of it
+  admitted: [number, number, number, number];  // red, green, blue, of 255 each, and the opacity
   halo: string;
 }
 

@@ -6,7 +6,7 @@ import type { Palette } from "./palette.ts";
 import type { Box, View } from "./velocity_view.ts";
 import { boxOf, toScreen } from "./velocity_view.ts";
 
-/** Two points of the line and two on its forbidden side, beyond any view. */
+/** Returns two points of the line and two on its forbidden side, beyond any view. */
 export function forbiddenSide(plane: HalfPlane, box: Box): [Vec, Vec, Vec, Vec] {
   const middle: Vec = [0.5 * (box[0] + box[2]), 0.5 * (box[1] + box[3])];
   const miss = violation(plane, middle);
@@ -64,7 +64,7 @@ export class Pen {
   }
 }
 
-/** Where the line leaves the view, a little inside of it. */
+/** Returns where the line leaves the view, a little inside it. */
 export function lineEnd(cut: HalfPlane, view: View): Vec | null {
   const inset = 30 / view.scale;
   const box = boxOf(view);

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// A recording holds states, and no decisions. Its scene, started from the state of one row, decides anew.
+// A recording holds states, but no decisions. Its scene, started from the state of one row, decides again.
 import type { Simulation } from "../../avo/avo.ts";
 import type { Lab } from "../run/lab.ts";
 
-/** "robots.3.position=[1,2]" and so on: what starts each robot where the row has it, as fast and turned as there. */
+/** Returns "robots.3.position=[1,2]" and so on: overrides that start each robot with the row's position, velocity and
+ * heading. */
 export function startsOf({ moment, info }: Pick<Lab, "moment" | "info">): string[] {
   const models = new Map(info.robots.map((robot) => [robot.robot, robot]));
   const starts: string[] = [];
@@ -17,7 +18,7 @@ export function startsOf({ moment, info }: Pick<Lab, "moment" | "info">): string
   return starts;
 }
 
-/** By the recording's scene, or another text of it. Throws one line that says why the row cannot be explained. */
+/** Uses the recording's scene, or another text of it. Throws one line that says why the row cannot be explained. */
 export function simulationOfRow(lab: Lab, text = lab.text): Simulation {
   if (!text) throw new Error("This recording does not hold its scene: radii, limits and goals are unknown, so there is nothing to explain.");
   if (lab.info.moving_obstacles.length > 0)

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The canvas of a velocity space: as crisp as the screen, with wheel, drag, pinch and keys, and what is under the pointer.
+// The canvas of a velocity space: at the resolution of the screen, with wheel, drag, pinch and keys, and with a reading
+// under the pointer.
 import type { Lab } from "../run/lab.ts";
 import { crispContext, digits, element, oncePerFrame } from "../elements.ts";
 import { labelOf, norm, violation } from "./decision.ts";
@@ -10,14 +11,14 @@ import type { Box, View } from "./velocity_view.ts";
 import { boxOf, fitted, fittedToStep, panned, toVelocity, zoomed } from "./velocity_view.ts";
 import { headingOf } from "./why.ts";
 
-/** What the canvas shows, and who knows the sets that depend on the part that is on the screen. */
+/** The content of the canvas, and functions for the sets that depend on the visible part. */
 export interface SpaceSource {
   space: Omit<VelocitySpace, "outlines" | "admitted">;
   outlines(box: Box): Outline[];
   admitted(box: Box): Admitted | null;
 }
 
-/** Axes that several canvases have in common; none: each time all that may be chosen. */
+/** Axes that several canvases share; null: each view shows all velocities that may be chosen. */
 export interface SharedAxes {
   axes: Pick<View, "center" | "scale"> | null;
   changed: Set<() => void>;
@@ -44,7 +45,7 @@ export function makeSpaceCanvas(lab: Lab, shared: SharedAxes): SpaceCanvas {
   const root = element("div", { class: "insp-space" }, canvas, readout);
   let source: SpaceSource | null = null;
   let space: VelocitySpace | null = null;
-  let box: Box | null = null;  // of the layers of `space`
+  let box: Box | null = null;  // of the present layers of `space`
   const layers = { obstacles: true, certificate: true };
 
   const view = (): View => {
@@ -133,7 +134,7 @@ function listen(lab: Lab, canvas: HTMLCanvasElement, readout: HTMLElement, view:
   canvas.addEventListener("keydown", (event) => useKey(event, view, setAxes));
 }
 
-/** One finger moves, two also zoom. */
+/** One finger pans, and two fingers also zoom. */
 function drag(pointers: Map<number, [number, number]>, id: number, before: [number, number], now: [number, number],
               view: () => View, setAxes: SetAxes): void {
   const other = [...pointers].find(([key]) => key !== id)?.[1];
@@ -158,11 +159,11 @@ function useKey(event: KeyboardEvent, view: () => View, setAxes: SetAxes): void 
   const move = moves[event.key];
   if (!move || event.ctrlKey || event.metaKey) return;
   event.preventDefault();
-  event.stopPropagation();  // the page has keys of its own
+  event.stopPropagation();  // the page has its own keys
   setAxes(move());
 }
 
-/** The velocity under the pointer, and what the line under it asks for. */
+/** Shows the velocity under the pointer, and the meaning of the line under it. */
 function readoutOf(space: VelocitySpace, view: View, at: [number, number], highlighted: string | null): string {
   const v = toVelocity(view, ...at);
   const cut = space.why.cuts.find((other) => other.of === highlighted);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The velocity space of one decision on a canvas: bright may be chosen, dark is forbidden (the paper's Figs. 4 to 6).
+// The velocity space of one decision on a canvas: bright velocities are allowed, dark ones are forbidden (the paper's
+// Figs. 4 to 6).
 import type { Decision, Disc, Vec } from "./decision.ts";
 import { along, avoidsUnion, norm, shortLabelOf, violation } from "./decision.ts";
 import { Labels } from "./labels.ts";
@@ -14,7 +15,7 @@ export interface Outline {
   rings: readonly (readonly Vec[])[];
 }
 
-/** Which velocities the certificate admits, at even steps over a box, bottom row first. */
+/** The velocities that the certificate admits, at even steps over a box, bottom row first. */
 export interface Admitted {
   box: Box;
   columns: number;
@@ -44,7 +45,7 @@ function drawRegions(pen: Pen, space: VelocitySpace): void {
   pen.within(discs, () => {
     pen.fill(palette.chosen, page);
     if (union) {
-      // one after the other: what several forbid is no darker
+      // one fill for each outline: overlapping outlines are not darker
       for (const outline of outlines)
         pen.fill(palette.forbidden, () => outline.rings.forEach((ring) => pen.polygon(ring)), "evenodd");
     }
@@ -54,7 +55,7 @@ function drawRegions(pen: Pen, space: VelocitySpace): void {
   });
 }
 
-/** Soft: nodes of a grid that the certificate admits, smoothed between them. */
+/** Soft area: grid nodes that the certificate admits, smoothed between them. */
 function drawAdmitted(pen: Pen, admitted: Admitted): void {
   const { columns, rows, cells, box } = admitted;
   const picture = new OffscreenCanvas(columns, rows);
@@ -69,7 +70,7 @@ function drawAdmitted(pen: Pen, admitted: Admitted): void {
     }
   }
   context.putImageData(image, 0, 0);
-  // nodes are the middles of pixels
+  // nodes are at the middles of pixels
   const stepX = (box[2] - box[0]) / Math.max(columns - 1, 1), stepY = (box[3] - box[1]) / Math.max(rows - 1, 1);
   const [left, top] = toScreen(pen.view, [box[0] - 0.5 * stepX, box[3] + 0.5 * stepY]);
   const [right, bottom] = toScreen(pen.view, [box[2] + 0.5 * stepX, box[1] - 0.5 * stepY]);
@@ -178,7 +179,7 @@ function drawTicks(pen: Pen): void {
   mark("vᵧ in m/s", 7, 5);
 }
 
-/** Over the whole view; the context's unit is a pixel of CSS. */
+/** Draws over the whole view; the context's unit is a pixel of CSS. */
 export function drawVelocitySpace(context: CanvasRenderingContext2D, view: View, space: VelocitySpace, palette: Palette,
                                   highlighted: string | null): void {
   const { decision, law, why } = space;
@@ -203,7 +204,7 @@ export function drawVelocitySpace(context: CanvasRenderingContext2D, view: View,
   drawTicks(pen);
 }
 
-/** The half-plane or else the obstacle whose line is nearest to the pixel, within a few pixels. */
+/** Returns the half-plane, or else the obstacle, whose line is nearest to the pixel, within a few pixels. */
 export function pick(space: VelocitySpace, view: View, x: number, y: number, reach = 9): string | null {
   const v = toVelocity(view, x, y);
   let best: string | null = null, distance = reach / view.scale;

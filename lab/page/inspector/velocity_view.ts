@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// The part of a robot's velocity space that is on the screen: from m/s to pixels and back, with axes that have units.
+// The visible part of a robot's velocity space: converts m/s to pixels and back, and has axes with units.
 import type { Decision, Vec } from "./decision.ts";
 
 export interface View {
   center: Vec;    // m/s
-  scale: number;  // pixels of CSS a m/s
+  scale: number;  // pixels of CSS per m/s
   width: number;  // pixels of CSS
   height: number;
 }
@@ -24,7 +24,7 @@ export function boxOf(view: View): Box {
   return [view.center[0] - x, view.center[1] - y, view.center[0] + x, view.center[1] + y];
 }
 
-/** About the same velocity under the pixel x, y, between 1 and 100 000 pixels a m/s. */
+/** Zooms about the velocity under the pixel x, y, between 1 and 100 000 pixels per m/s. */
 export function zoomed(view: View, factor: number, x: number, y: number): View {
   const scale = Math.min(Math.max(view.scale * factor, 1), 1e5);
   const kept = toVelocity(view, x, y);
@@ -43,10 +43,8 @@ function around(box: Box, width: number, height: number): View {
   };
 }
 
-/**
- * All that the robot may choose from, which lies in the disc of its speed, and v'. Two sizes are enough, so that the
- * axes stay where they are from decision to decision.
- */
+/** Returns a view of all velocities that the robot may choose, which lie in the disc of its speed, and of v'. Two sizes
+ * are enough, so that the axes stay the same from decision to decision. */
 export function fitted(decision: Decision, width: number, height: number): View {
   const points = [decision.velocity, decision.new_velocity, decision.preferred_velocity];
   const farthest = Math.max(...points.map((v) => Math.max(Math.abs(v[0]), Math.abs(v[1]))));
@@ -55,14 +53,14 @@ export function fitted(decision: Decision, width: number, height: number): View 
   return around([-half, -half, half, half], width, height);
 }
 
-/** What one step leads to, `u` m/s around the velocity. */
+/** Returns a view of the results of one step, `u` m/s around the velocity. */
 export function fittedToStep(decision: Decision, u: number, width: number, height: number): View {
   const [x, y] = decision.velocity;
   const radius = 1.25 * u;
   return around([x - radius, y - radius, x + radius, y + radius], width, height);
 }
 
-/** Numbers at even steps of 1, 2 or 5 of a power of ten, about `most` of them. */
+/** Returns numbers at even steps of 1, 2 or 5 times a power of ten, about `most` of them. */
 export function ticks(from: number, to: number, most: number): { at: number; text: string }[] {
   const rough = (to - from) / Math.max(most, 1);
   const power = 10 ** Math.floor(Math.log10(rough));

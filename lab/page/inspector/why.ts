@@ -1,34 +1,34 @@
 // SPDX-License-Identifier: Apache-2.0
-// Why a robot decides as it does: which half-planes its choice rests on, and the decision in one sentence.
+// Explains why a robot decides as it does: the half-planes that its choice rests on, and the decision in one sentence.
 import type { SceneInfo } from "../../avo/avo.ts";
 import type { Decision, HalfPlane, Vec } from "./decision.ts";
 import { along, avoidsUnion, cross, dot, isCertified, labelOf, minus, nameOf, norm, sceneWall, violation } from "./decision.ts";
 import { nearestPoint } from "./nearest.ts";
 
-/** A half-plane of the decision, and what it has to do with the choice. */
+/** A half-plane of the decision, and its effect on the choice. */
 export interface Cut extends HalfPlane {
   of: string;        // "robots.7", "walls.4" of the scene
-  forbids: boolean;  // else it is drawn to explain, and the choice does not heed it
+  forbids: boolean;  // false: it is drawn as an explanation, and does not affect the choice
   binds: boolean;    // the choice lies on its line
-  refuses: number;   // m/s, by how much v^pref misses it; 0 where it does not refuse it
+  refuses: number;   // m/s, by how much v^pref violates it; 0 if it does not
 }
 
-/** The settings that a decision is to be read with. */
+/** The settings that are needed to interpret a decision. */
 export interface Law {
   method: string;
   motion: string;
   time_step: number;     // s
   control_time: number;  // s
-  holonomic: boolean;    // else the robot makes of the decision what its wheels or wings can
+  holonomic: boolean;    // false: the robot approximates the decision by its wheels or wings
 }
 
 export interface Why {
   cuts: Cut[];
-  /** The velocity after this step; none where the robot's wheels or wings decide what becomes of v'. */
+  /** The velocity after this step; null if the robot's wheels or wings decide how v' is followed. */
   next: Vec | null;
-  /** What the choice is judged by: v', or of method avo what it approaches as fast as it may. */
+  /** The velocity by which the choice is judged: v', or for method avo the target that it approaches as fast as it may. */
   choice: Vec;
-  /** Whether the rules for arriving (docs/arrival.md) have made another wish of v^pref. */
+  /** Whether the rules for arriving (docs/arrival.md) have changed the wanted velocity v^pref. */
   wish_changed: boolean;
 }
 
@@ -41,14 +41,14 @@ export function lawOf(info: SceneInfo, robot: number): Law {
   return { method, motion, time_step, control_time, holonomic: (model ?? "holonomic") === "holonomic" };
 }
 
-/** v + Δt a where the acceleration is held, Eq. (8) where it decays. */
+/** Returns v + Δt a if the acceleration is held, and Eq. (8) if it decays. */
 export function nextVelocity(decision: Decision, law: Law): Vec {
   if (law.motion !== "exponential") return along(decision.velocity, decision.acceleration, law.time_step);
   const part = -Math.expm1(-law.time_step / law.control_time);
   return along(decision.velocity, minus(decision.new_velocity, decision.velocity), part);
 }
 
-/** What v' or, within one step, v1 is on its way to, as far as it follows from what explain() says. */
+/** Returns the target of v' or, within one step, of v1, as far as it follows from the output of explain(). */
 function aimOf(decision: Decision, law: Law, cuts: Cut[]): { choice: Vec; wish_changed: boolean } {
   if (law.method !== "avo" || avoidsUnion(decision, law.method) || !law.holonomic)
     return { choice: decision.new_velocity, wish_changed: false };
@@ -68,7 +68,7 @@ function aimOf(decision: Decision, law: Law, cuts: Cut[]): { choice: Vec; wish_c
   return { choice: next, wish_changed: true };
 }
 
-/** What the program may have been asked for: v^pref, or half of the way there (docs/smoothness.md). */
+/** Returns what the program may have been asked for: v^pref, or half of the difference to it (docs/smoothness.md). */
 function aimsOf({ velocity, preferred_velocity, response_time }: Decision): Vec[] {
   const halfWay = along(velocity, minus(preferred_velocity, velocity), 0.5);
   return response_time ? [halfWay, preferred_velocity] : [preferred_velocity];
@@ -97,7 +97,7 @@ export function why(decision: Decision, law: Law, info: Pick<SceneInfo, "walls">
 
 const number = (value: number, digits = 2): string => value.toFixed(digits).replace(/^-(0\.?0*)$/, "$1");
 
-/** "robots 2, 4 and wall 7" */
+/** Returns e.g. "robots 2, 4 and wall 7". */
 export function listOf(names: string[], most = 4): string {
   const whose = [...new Set(names)];
   const rest = whose.length - most;
@@ -109,7 +109,7 @@ export function listOf(names: string[], most = 4): string {
   return areRobots ? `robots ${list}` : list;
 }
 
-/** "turns 12° right and slows down", of v' against v. */
+/** Returns e.g. "turns 12° right and slows down", for v' against v. */
 export function actionOf(decision: Decision): string {
   const { velocity, new_velocity, max_speed } = decision;
   const slow = 0.01 * max_speed;
@@ -124,7 +124,7 @@ export function actionOf(decision: Decision): string {
   return [turn, pace].filter(Boolean).join(" and ") || "keeps its velocity";
 }
 
-/** Counter-clockwise from +x, in degrees. */
+/** Returns the angle counter-clockwise from +x, in degrees. */
 export function headingOf(v: Vec): number {
   return Math.atan2(v[1], v[0]) * 180 / Math.PI;
 }
@@ -132,7 +132,7 @@ export function headingOf(v: Vec): number {
 const half = (names: string[]): string =>
   new Set(names).size > 1 ? `the half-planes of ${listOf(names)}` : `the half-plane of ${listOf(names)}`;
 
-/** The reason behind an optimal decision. */
+/** Returns the reason for an optimal decision. */
 function reasonOf(decision: Decision, law: Law, found: Why): string {
   const binding = found.cuts.filter((cut) => cut.binds).map((cut) => cut.of);
   const refusing = found.cuts.filter((cut) => cut.refuses > ON_LINE).map((cut) => cut.of);
@@ -172,13 +172,13 @@ const STATUS_REASONS: Record<string, (decision: Decision, law: Law) => string> =
   invalid_input: () => "a number that it knows or senses is not finite or out of range: it brakes",
 };
 
-/** Whom a decision evades, for people. */
+/** Returns the neighbor that a decision evades, for people. */
 export function evadedOf(decision: Decision): string {
   const whom = decision.evading?.neighbor ?? null;
   return whom === null ? "those who come" : labelOf(nameOf(whom));
 }
 
-/** The reason behind a decision that was put aside. */
+/** Returns the reason for a decision that was replaced. */
 function evasionReason(decision: Decision): string {
   const whom = evadedOf(decision);
   return decision.evading && norm(decision.evading.velocity) > 0
@@ -195,7 +195,7 @@ export function stateSentence(decision: Decision): string {
   return `Contact with ${whom} within ${number(decision.contact_within ?? 0)} s is inevitable, whatever it does (doomed).`;
 }
 
-/** "Robot 3 turns 12° right: the half-plane of robot 7 binds. Braking keeps clear of all others (safe)." */
+/** Returns e.g. "Robot 3 turns 12° right: the half-plane of robot 7 binds. Braking keeps clear of all others (safe)." */
 export function sentence(decision: Decision, law: Law, found: Why): string {
   const reason = decision.evading && decision.status !== "overlapping" ? evasionReason(decision)
     : STATUS_REASONS[decision.status]?.(decision, law) ?? reasonOf(decision, law, found);

@@ -5,7 +5,7 @@
 export interface Camera {
   x: number;
   y: number;
-  scale: number;   // CSS pixels a meter
+  scale: number;   // CSS pixels per meter
   width: number;
   height: number;
 }
@@ -30,7 +30,7 @@ export function toMeters(camera: Camera, px: number, py: number): [number, numbe
   return [camera.x + (px - camera.width / 2) / camera.scale, camera.y - (py - camera.height / 2) / camera.scale];
 }
 
-/** Pixels that stay free around what is fitted. */
+/** Free pixels around the fitted box. */
 export interface Margin { x: number; top: number; bottom: number }
 
 /** Shows all of `box`. */
@@ -44,7 +44,7 @@ export function fit(camera: Camera, box: Box, { x, top, bottom }: Margin): void 
   camera.y = (box.ymin + box.ymax) / 2 + (top - bottom) / 2 / camera.scale;
 }
 
-/** Zooms about a pixel, which goes on showing the same place. */
+/** Zooms about a pixel, which keeps showing the same place. */
 export function zoomAt(camera: Camera, px: number, py: number, factor: number): void {
   const [x, y] = toMeters(camera, px, py);
   camera.scale = clampScale(camera.scale * factor);
@@ -55,7 +55,7 @@ export function zoomAt(camera: Camera, px: number, py: number, factor: number): 
 
 const clampScale = (scale: number) => Math.min(2000, Math.max(1e-3, scale));
 
-/** 1, 2 or 5 times a power of ten: the least such length (m) that is at least `pixels` wide. */
+/** Returns 1, 2 or 5 times a power of ten: the least such length (m) that is at least `pixels` wide. */
 export function roundLength(camera: Camera, pixels: number): number {
   const wanted = pixels / camera.scale;
   const power = 10 ** Math.floor(Math.log10(wanted));

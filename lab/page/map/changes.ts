@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the user changes on the map. At the start of a run that changes the scene's text; later it changes the run, and
-// the text where it can say so.
+// Changes by the user on the map. At the start of a run they change the scene's text. Later they change the run, and
+// also the text if it can express them.
 import type { PageLab } from "../run/make_lab.ts";
 import { hasMoreRobots, robotsListed, valueAt, withEntry, withValue } from "../text/scene_text.ts";
 import { round, withoutWall, withWallMoved } from "../text/wall_text.ts";
@@ -18,7 +18,7 @@ export function moveRobot(lab: PageLab, robot: number, to: Point): boolean {
   return lab.edit((simulation) => simulation.moveRobot(robot, x, y));
 }
 
-/** One that is parked has its goal there as well. */
+/** Moves a robot; a parked robot's goal moves with it. */
 function withPosition(lab: PageLab, robot: number, to: Point): string {
   const text = withValue(lab.text, `robots.${robot}.position`, to);
   const parked = lab.info.robots.find((other) => other.robot === robot)?.parked;
@@ -31,7 +31,7 @@ export function moveGoal(lab: PageLab, robot: number, to: Point): boolean {
   return lab.edit((simulation) => simulation.setGoal(robot, x, y));
 }
 
-/** Like those of the scene, which its first robot stands for. */
+/** Adds a robot like those of the scene, represented by its first robot. */
 export function addRobot(lab: PageLab, at: Point, goal: Point): boolean {
   const like = lab.info.robots.find(({ model, parked }) => model === "holonomic" && !parked);
   const limits = like
@@ -43,11 +43,12 @@ export function addRobot(lab: PageLab, at: Point, goal: Point): boolean {
   let added = -1;
   if (!lab.edit((simulation) => { added = simulation.addRobot(setup); })) return false;
   const { robots } = lab.library.simulate(text, { ...lab.options, name: lab.name }).info();
-  if (added === robots.length - 1) lab.noteText(text);  // the text numbers it likewise
+  if (added === robots.length - 1) lab.noteText(text);  // the text gives it the same number
   return true;
 }
 
-/** As the last one, so that all others keep their numbers: robots of groups come after those of the list. */
+/** Adds the robot as the last of all, so that all others keep their numbers: robots of groups come after those of the
+ * list. */
 function withRobot(yaml: string, setup: { position: Point; goal: Point }): string {
   if (!hasMoreRobots(yaml)) return withEntry(yaml, "robots", setup);
   const { position, goal, ...limits } = setup;
@@ -60,7 +61,7 @@ function withRobot(yaml: string, setup: { position: Point; goal: Point }): strin
 }
 
 export function removeRobot(lab: PageLab, robot: number): boolean {
-  // without it the text would count others anew, who may have been edited
+  // otherwise the text would renumber other robots, which may have been edited
   const inText = isStart(lab) && !lab.run.handmade && isListed(lab, robot) && robotsListed(lab.text) + Number(hasMoreRobots(lab.text)) > 1;
   if (lab.selected === robot) lab.select(null);
   if (inText) return lab.carryOn(withValue(lab.text, `robots.${robot}`, undefined));
@@ -71,7 +72,7 @@ export function addWall(lab: PageLab, from: Point, to: Point): boolean {
   return lab.carryOn(withEntry(lab.text, "obstacles", { polyline: [rounded(from), rounded(to)] }));
 }
 
-/** `vertex` alone, or all of the obstacle, by (dx, dy) m. */
+/** Moves `vertex` alone, or the whole obstacle, by (dx, dy) m. */
 export function moveWall(lab: PageLab, wall: number, vertex: Point | null, dx: number, dy: number): boolean {
   return carryOrSay(lab, withWallMoved(lab.text, lab.info.walls[wall]!, vertex, dx, dy));
 }

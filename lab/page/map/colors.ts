@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Colors that people who see red and green alike tell apart: Okabe and Ito's, bent to a circle for directions.
-// What a robot's state is, its shape says.
+// Colors that people with red-green blindness can tell apart: those of Okabe and Ito, arranged in a circle for
+// directions. A robot's shape shows its state.
 
 export type Rgb = [number, number, number];  // sRGB, 0 to 1
 
@@ -15,7 +15,8 @@ const PURPLE = "#cc79a7";
 const CIRCLE = [SKY, BLUE, PURPLE, VERMILION, ORANGE, YELLOW, GREEN].map((hex) => toLab(rgbOf(hex)));
 const RAMP = ["#243f7d", "#3d6f9e", "#6f9f9a", "#b9bd76", "#ffe94e"].map((hex) => toLab(rgbOf(hex)));
 
-/** Of a direction in rad: opposite ones differ most. On a dark ground none is dark, on a light one none is light. */
+/** Returns the color of a direction in rad; opposite directions differ most. No color is dark on a dark background, or
+ * light on a light one. */
 export function directionColor(angle: number, theme: "light" | "dark"): Rgb {
   const turn = angle / (2 * Math.PI);
   const [light, a, b] = between(CIRCLE, (turn - Math.floor(turn)) * CIRCLE.length, true);
@@ -23,7 +24,7 @@ export function directionColor(angle: number, theme: "light" | "dark"): Rgb {
   return toRgb([Math.min(most, Math.max(least, light)), a, b]);
 }
 
-/** From slow, 0, to fast, 1. */
+/** Returns the color of a speed from slow, 0, to fast, 1. */
 export function shareColor(share: number): Rgb {
   return toRgb(between(RAMP, Math.min(1, Math.max(0, share)) * (RAMP.length - 1), false));
 }

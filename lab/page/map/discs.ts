@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
-// The discs of the robots of a moment: where they are, how near, and which overlap.
+// The discs of a moment's robots: their places, their clearances, and their overlaps.
 import type { Moment, SceneInfo } from "../../avo/avo.ts";
 import type { Touch } from "../run/contact_log.ts";
 
 export type RobotInfo = SceneInfo["robots"][number];
 
-const MANY = 1000;  // robots: of more, who has nobody within `NEAR` counts as alone
+const MANY = 1000;  // with more robots, one without another within `NEAR` counts as alone
 const NEAR = 5;     // m
 
 interface Disc { row: number; x: number; y: number; radius: number }
 
-/** Of each row of `moment` what does not change about that robot; both are by ascending numbers. */
+/** Returns the constant facts about the robot of each row of `moment`; both are sorted by ascending numbers. */
 export function robotsOf(moment: Moment, info: SceneInfo): (RobotInfo | undefined)[] {
   let at = 0;
   return Array.from(moment.robot, (robot) => {
@@ -23,7 +23,7 @@ export function rowOf(moment: Moment, robot: number): number {
   return moment.robot.indexOf(robot);
 }
 
-/** Of two discs, from one to the other; negative where they overlap. */
+/** Returns the distance between two discs; negative if they overlap. */
 const gap = (a: Disc, b: Disc) => Math.hypot(b.x - a.x, b.y - a.y) - a.radius - b.radius;
 
 function discsByX(moment: Moment, info: SceneInfo): Disc[] {
@@ -48,7 +48,7 @@ function sweep(discs: Disc[], reach: number, visit: (a: Disc, b: Disc) => void):
   });
 }
 
-/** Writes `moment.clearance` where a recording does not tell it. */
+/** Writes `moment.clearance` if a recording lacks it. */
 export function fillClearance(moment: Moment, info: SceneInfo): void {
   const least = new Float64Array(moment.robot.length).fill(Infinity);
   const reach = moment.robot.length > MANY ? NEAR : Infinity;
@@ -60,7 +60,7 @@ export function fillClearance(moment: Moment, info: SceneInfo): void {
   moment.clearance = Float32Array.from(least);
 }
 
-/** Pairs of discs that overlap, with the middle of the overlap. */
+/** Returns pairs of discs that overlap, with the middle of the overlap. */
 export function touchesIn(moment: Moment, info: SceneInfo): Touch[] {
   const touches: Touch[] = [];
   const discs = discsByX(moment, info).filter((disc) => moment.clearance[disc.row]! < 0);

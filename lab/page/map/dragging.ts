@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a press on the map begins: it shows what it is about to do, and does that where it is let go.
+// Actions that a press on the map begins: each shows a preview, and takes effect on release.
 import { addRobot, addWall, moveGoal, moveRobot, moveWall, removeRobot, removeWall } from "./changes.ts";
 import type { PageLab } from "../run/make_lab.ts";
 import { pick, type Hit } from "./picking.ts";
@@ -11,12 +11,12 @@ type Point = [number, number];
 const MOVER = "moving obstacles are erased in the text of the scene, under moving_obstacles";
 
 export interface Gesture {
-  /** Where the pointer is now (m), and what that looks like. */
+  /** The place of the pointer (m), and a preview. */
   show(layers: Layers, paint: Paint, to: Point): void;
   drop(to: Point): void;
 }
 
-/** Null: the press moves the map. `from` in m. */
+/** Null: the press pans the map. `from` in m. */
 export function begin(lab: PageLab, view: WorldView, tool: Tool, hit: Hit | null, from: Point): Gesture | null {
   if (!lab.live) return hit === null || hit.kind === "mover" ? null : stay(lab);
   if (tool === "robot") return placeRobot(lab, from);
@@ -28,7 +28,7 @@ export function begin(lab: PageLab, view: WorldView, tool: Tool, hit: Hit | null
   return null;
 }
 
-/** A press that does not move: it selects, or erases. */
+/** Handles a press without motion: it selects, or erases. */
 export function click(lab: PageLab, view: WorldView, tool: Tool, px: number, py: number, touch: boolean): void {
   const hit = pick(lab, view, px, py, touch);
   if (tool === "erase") {
@@ -38,7 +38,7 @@ export function click(lab: PageLab, view: WorldView, tool: Tool, px: number, py:
   } else lab.select(hit?.kind === "robot" || hit?.kind === "goal" ? hit.robot : null);
 }
 
-/** Of what a recording shows: nothing moves, and the Lab says why. */
+/** In a recording nothing moves, and the Lab says why. */
 function stay(lab: PageLab): Gesture {
   return { show: () => undefined, drop: () => { lab.edit(() => undefined); } };
 }
@@ -46,7 +46,7 @@ function stay(lab: PageLab): Gesture {
 function dragRobot(lab: PageLab, view: WorldView, robot: number, from: Point): Gesture {
   const row = view.shown.moment.robot.indexOf(robot);
   const { x, y, radius, heading, robots } = view.shown;
-  const ahead = robots[row]?.disc_ahead ?? 0;  // the disc is dragged, its robot's position follows
+  const ahead = robots[row]?.disc_ahead ?? 0;  // the pointer drags the disc, and its robot's position follows
   const [dx, dy] = [x[row]! - from[0], y[row]! - from[1]];
   return {
     show(layers, paint, to) {
@@ -88,7 +88,7 @@ function dragWall(lab: PageLab, wall: number, end: Point | null, from: Point): G
   };
 }
 
-/** From its place to its goal; where it is not drawn, it stays there. */
+/** Returns a link from the robot's place to its goal; if the goal is not drawn, the link ends at the robot. */
 function placeRobot(lab: PageLab, from: Point): Gesture {
   const radius = lab.info.robots[0]?.radius ?? 0.5;
   return {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Beside the map: what a press does, zoom, what colors mean, and how long a meter is.
+// Controls beside the map: the action of a press, zoom, the meaning of colors, and the length of a meter.
 import { roundLength, zoomAt } from "./camera.ts";
 import { shareColor, cssOf, directionColor } from "./colors.ts";
 import type { Tool } from "./dragging.ts";
@@ -22,16 +22,16 @@ export const COLORINGS: { coloring: Coloring; label: string }[] = [
   { coloring: "status", label: "status of the decision" },
   { coloring: "speed", label: "speed" },
 ];
-const SCALE_BAR = 70;  // pixels at least, of a map that has room for 9 of them
+const SCALE_BAR = 70;  // pixels at least, on a map with room for 9 of them
 
-/** Returns what chooses a tool. */
+/** Returns a function that selects a tool. */
 export function mountMapControls(lab: PageLab, view: WorldView, hand: Hand,
                                  { palette, zoom, legend }: Record<"palette" | "zoom" | "legend", HTMLElement>): (tool: Tool) => void {
   const button = (picture: string, says: string, action: () => void) =>
     element("button", { type: "button", class: "icon-button", title: says, "aria-label": says, onclick: action }, icon(picture));
   const tools = TOOLS.map(({ tool, picture, says }) => button(picture, says, () => choose(tool)));
   const choose = (tool: Tool): void => {
-    if (!lab.live && tool !== "move") lab.edit(() => undefined);  // says why not
+    if (!lab.live && tool !== "move") lab.edit(() => undefined);  // shows the reason
     hand.tool = lab.live ? tool : "move";
     tools.forEach((shown, k) => shown.setAttribute("aria-pressed", String(TOOLS[k]!.tool === hand.tool)));
   };

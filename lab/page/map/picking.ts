@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What is under a pixel of the map.
+// Finds the thing under a pixel of the map.
 import { toMeters } from "./camera.ts";
 import type { PageLab } from "../run/make_lab.ts";
 import { hasGoalShown } from "./world_layers.ts";
@@ -9,12 +9,13 @@ export type Hit =
   | { kind: "robot"; robot: number }
   | { kind: "goal"; robot: number }
   | { kind: "mover"; mover: number }
-  | { kind: "wall"; wall: number; end: [number, number] | null };  // end: one of its two, or null: all of it
+  | { kind: "wall"; wall: number; end: [number, number] | null };  // end: one of its two ends, or null: the whole wall
 
-const FINGER = 14;  // pixels, that a finger may be off
+const FINGER = 14;  // pixels, the error of a finger
 const MOUSE = 5;
 
-/** Robots and goals before movers, these before walls; of a robot and a goal that whose middle is nearer. */
+/** Robots and goals come before moving obstacles, and these before walls; of a robot and a goal, the one with the
+ * nearer middle is taken. */
 export function pick(lab: PageLab, view: WorldView, px: number, py: number, touch: boolean): Hit | null {
   const [x, y] = toMeters(view.camera, px, py);
   const slack = (touch ? FINGER : MOUSE) / view.camera.scale;
@@ -41,7 +42,7 @@ function pickWall(lab: PageLab, x: number, y: number, slack: number): Hit | null
   return { kind: "wall", wall, end: ends[0] ?? null };
 }
 
-/** The index whose distance (m) is least, if that is at most `most`; else -1. */
+/** Returns the index with the least distance (m), if that is at most `most`; otherwise -1. */
 function nearest(count: number, most: number, distance: (index: number) => number): number {
   let best = -1;
   for (let i = 0, least = most; i < count; ++i) {
@@ -60,7 +61,7 @@ function distanceToWall(a: [number, number], b: [number, number], x: number, y: 
   return Math.hypot(a[0] + share * dx - x, a[1] + share * dy - y);
 }
 
-/** Its name as it is highlighted. */
+/** Returns its name for highlighting. */
 export function nameOf(hit: Hit | null): string | null {
   if (!hit) return null;
   if (hit.kind === "mover") return `moving_obstacles.${hit.mover}`;

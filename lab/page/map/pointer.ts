@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Mouse, pen and fingers on the map: they pan, zoom, pinch, look, choose and drag.
+// Mouse, pen and fingers on the map: they pan, zoom, pinch, hover, select and drag.
 import { toMeters, zoomAt } from "./camera.ts";
 import { begin, click, type Gesture, type Tool } from "./dragging.ts";
 import { digits } from "../elements.ts";
@@ -8,7 +8,7 @@ import type { PageLab } from "../run/make_lab.ts";
 import { nameOf, pick, type Hit } from "./picking.ts";
 import type { WorldView } from "./world_view.ts";
 
-const CLICK = 4;  // pixels that a press may move and still be one
+const CLICK = 4;  // pixels that a click may move
 
 export interface Hand { tool: Tool }
 
@@ -16,7 +16,7 @@ type Pixel = [number, number];  // of the canvas
 
 interface Press { px: number; py: number; moved: boolean; gesture: Gesture | null; isFinger: boolean }
 
-/** What fingers, the mouse or a pen are doing. */
+/** The present actions of fingers, the mouse or a pen. */
 interface Grip {
   lab: PageLab;
   view: WorldView;
@@ -53,7 +53,7 @@ function down(grip: Grip, event: PointerEvent): void {
   const [px, py] = pixelOf(view.canvas, event);
   fingers.set(event.pointerId, [px, py]);
   tip.hidden = true;
-  if (fingers.size > 1) return letGo(grip);  // a pinch drags nothing
+  if (fingers.size > 1) return letGo(grip);  // a pinch does not drag
   const isFinger = event.pointerType === "touch";
   const hit = pick(lab, view, px, py, isFinger);
   const gesture = event.button === 0 ? begin(lab, view, hand.tool, hit, toMeters(view.camera, px, py)) : null;
@@ -94,14 +94,14 @@ function up(grip: Grip, event: PointerEvent): void {
   else if (!press.moved) click(lab, view, hand.tool, px, py, press.isFinger);
 }
 
-/** Nothing is drawn or dragged any more. */
+/** Ends drawing and dragging. */
 function letGo(grip: Grip): void {
   grip.press = null;
   grip.view.preview = null;
   grip.view.touch();
 }
 
-/** While something is drawn or dragged, Escape gives that up, and means nothing else. */
+/** While something is drawn or dragged, Escape cancels that and does nothing else. */
 function mountEscape(grip: Grip): void {
   document.addEventListener("keydown", (event) => {
     if (event.key !== "Escape" || !grip.press?.gesture) return;
@@ -124,7 +124,7 @@ function mountWheel(view: WorldView): void {
   }, { passive: false });
 }
 
-/** One finger moves, the other one rests. */
+/** One finger moves while the other rests. */
 function pinch(view: WorldView, other: Pixel, before: Pixel, now: Pixel): void {
   const { camera } = view;
   const [was, is] = [before, now].map((p) => Math.hypot(p[0] - other[0], p[1] - other[1]));
@@ -134,7 +134,7 @@ function pinch(view: WorldView, other: Pixel, before: Pixel, now: Pixel): void {
   view.touch();
 }
 
-/** The pointer is there, and nothing is pressed. */
+/** The pointer hovers without a press. */
 function look(lab: PageLab, view: WorldView, hand: Hand, tip: HTMLElement, now: Pixel): void {
   const hit = pick(lab, view, ...now, false);
   lab.highlight(nameOf(hit));

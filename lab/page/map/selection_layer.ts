@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Who is looked at: the selected robot, its neighbors, and where both would come to rest if they braked now.
+// The selection: the selected robot, its neighbors, and where they would come to rest if they braked now.
 import type { BrakingPath, Moment, Simulation } from "../../avo/avo.ts";
 import type { Rgb } from "./colors.ts";
 import { simulationFor } from "../inspector/inspector.ts";
@@ -8,18 +8,19 @@ import type { Shown } from "./shown.ts";
 import { disc, FORM, line, ring, type Layers, type Paint } from "./world_layers.ts";
 
 interface Known { live: Simulation | null; moment: Moment; robot: number; paths: BrakingPath[] }
-let known: Known | null = null;  // of the last moment that was asked for
+let known: Known | null = null;  // for the last requested moment
 
-/** Of the selected robot first, then of its neighbors; none of who does not decide. */
+/** Returns the path of the selected robot first, then those of its neighbors; an empty list for a robot that does not
+ * decide. */
 function brakingPaths(lab: PageLab, robot: number): BrakingPath[] {
   const { live, moment } = lab;
   if (known && known.live === live && known.moment === moment && known.robot === robot) return known.paths;
-  if (!live && lab.playing) return [];  // each row of a recording needs a simulation
+  if (!live && lab.playing) return [];  // each row of a recording would need a simulation
   let paths: BrakingPath[] = [];
   try {
     paths = simulationFor(lab).brakingPaths(robot);
   } catch {
-    // parked, or gone, or not known: there is nothing to show
+    // parked, gone or unknown: nothing to show
   }
   known = { live, moment, robot, paths };
   return paths;
@@ -51,7 +52,7 @@ function drawSelected(layers: Layers, lab: PageLab, shown: Shown, row: number, p
   });
 }
 
-/** The way to rest and the disc there. */
+/** Draws the path to rest, and the disc there. */
 function drawBraking(layers: Layers, points: number[], radius: number, color: Rgb, own: boolean): void {
   for (let k = 2; k + 1 < points.length; k += 2) {
     line(layers.links, points[k - 2]!, points[k - 1]!, points[k]!, points[k + 1]!, color, own ? 1 : 0.7, 0, own ? 1.4 : 0.8);

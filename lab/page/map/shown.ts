@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where everybody is in the picture: between two steps while the run plays.
+// The places of all robots in the picture; they lie between two steps while the run plays.
 import type { Moment, SceneInfo } from "../../avo/avo.ts";
 import { robotsOf, type RobotInfo } from "./discs.ts";
 import type { Run } from "../run/run.ts";
@@ -8,14 +8,14 @@ import type { Run } from "../run/run.ts";
 export interface Shown {
   moment: Moment;
   robots: (RobotInfo | undefined)[];
-  x: Float64Array;         // m, of the disc
+  x: Float64Array;         // m, of the disc's center
   y: Float64Array;
   radius: Float64Array;    // m
   heading: Float64Array;   // rad
   movers: { x: number; y: number; vx: number; vy: number; radius: number }[];
 }
 
-/** `share`, 0 to 1: how far from the run's `before` to its `moment`. */
+/** `share`, 0 to 1: the position between the run's `before` and its `moment`. */
 export function shownOf(run: Run, share: number): Shown {
   const { moment, before, info } = run;
   const robots = robotsOf(moment, info);
@@ -24,7 +24,7 @@ export function shownOf(run: Run, share: number): Shown {
   const y = new Float64Array(count);
   const heading = new Float64Array(count);
   const from = share < 1 && before ? before : null;
-  let at = 0;  // both are by ascending numbers
+  let at = 0;  // both are sorted by ascending numbers
   for (let i = 0; i < count; ++i) {
     while (from && at < from.robot.length && from.robot[at]! < moment.robot[i]!) ++at;
     const known = from && from.robot[at] === moment.robot[i] ? from : null;

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// A small picture of how a scene starts: robots in the colors of their directions, their ways, walls.
+// A small picture of a scene's start: robots in the colors of their directions, lines to their goals, and walls.
 import type { Simulation } from "../../avo/avo.ts";
 import { emptyBox, fit, include, toPixels, type Camera } from "./camera.ts";
 import { cssOf, directionColor } from "./colors.ts";
 import { robotsOf } from "./discs.ts";
 
 const MARGIN = { x: 10, top: 10, bottom: 10 };  // pixels
-const MANY_WAYS = 120;                           // robots: of more, the ways would hide everything
+const MANY_WAYS = 120;                           // with more robots, these lines would hide everything
 
 export function drawStart(context: CanvasRenderingContext2D, simulation: Simulation, width: number, height: number,
                           theme: "light" | "dark", wall: string): void {

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// Two kinds of shapes, each drawn in one call for as many as there are: discs with marks, and thick lines.
-// Their rows are in a texture, from which each of the four vertices of a shape takes what it needs: where no graphics
-// processor is there, instances would be as slow as one call a shape.
+// Two kinds of shapes, discs with marks and thick lines; one call draws all shapes of a kind. Their rows are in a
+// texture, and each of the four vertices of a shape reads its values from it. Without a graphics processor, instances
+// would be as slow as one call for each shape.
 
-const TEXELS = 3;              // of four numbers, a shape
+const TEXELS = 3;              // of four numbers, for each shape
 export const COLUMNS = 4 * TEXELS;
-const SHAPES_A_LINE = 256;     // of the texture
+const SHAPES_A_LINE = 256;     // in the texture
 
-/** u_scale is in device pixels a meter, u_size in device pixels, u_density in device pixels a pixel of CSS. */
+/** u_scale is in device pixels per meter, u_size in device pixels, u_density in device pixels per pixel of CSS. */
 const PLACE = `
 uniform vec2 u_middle;
 uniform vec2 u_size;
@@ -22,7 +22,7 @@ vec4 texel(int k) {
 vec2 clip(vec2 meters, vec2 pixels) { return ((meters - u_middle) * u_scale + pixels) * 2.0 / u_size; }
 `;
 
-/** A disc is never smaller than its least radius, whatever the scale; v_at is in pixels from its middle. */
+/** A disc is never smaller than its least radius, at any scale; v_at is in pixels from its middle. */
 const DISC_VERTEX = `#version 300 es
 precision highp float;
 ${PLACE}
@@ -83,7 +83,7 @@ void main() {
   color = vec4(paint.rgb, 1.0) * (paint.a * alpha);
 }`;
 
-/** A line from a to b; with flat ends its pieces join without a trace. */
+/** A line from a to b; with flat ends its pieces join seamlessly. */
 const LINE_VERTEX = `#version 300 es
 precision highp float;
 ${PLACE}
@@ -124,7 +124,7 @@ void main() {
   color = vec4(v_color.rgb, 1.0) * (v_color.a * fade * ends * clamp(0.5 - d, 0.0, 1.0));
 }`;
 
-/** Rows of numbers, one a shape, that grow as they are filled. */
+/** Rows of numbers, one for each shape; the memory grows as it is filled. */
 export class Rows {
   data = new Float32Array(COLUMNS * SHAPES_A_LINE);
   length = 0;
@@ -147,19 +147,19 @@ export interface Painter {
   discs: Shape;
   lines: Shape;
   textures: Map<Rows, { texture: WebGLTexture; lines: number }>;
-  corners: number;  // how many shapes have their corners in the index buffer
+  corners: number;  // number of shapes with corners in the index buffer
 }
 
 export function makePainter(gl: WebGL2RenderingContext): Painter {
   gl.enable(gl.BLEND);
   gl.blendFunc(gl.ONE, gl.ONE_MINUS_SRC_ALPHA);
-  gl.bindVertexArray(gl.createVertexArray());  // of no attributes: a vertex is known by its number
+  gl.bindVertexArray(gl.createVertexArray());  // without attributes: a vertex is identified by its number
   gl.bindBuffer(gl.ELEMENT_ARRAY_BUFFER, gl.createBuffer());
   const [discs, lines] = [makeShape(gl, DISC_VERTEX, DISC_FRAGMENT), makeShape(gl, LINE_VERTEX, LINE_FRAGMENT)];
   return { gl, discs, lines, textures: new Map(), corners: 0 };
 }
 
-/** Where all that is drawn next stands: meters in the middle, device pixels a meter and a pixel of CSS. */
+/** The transform of all later drawing: meters in the middle, device pixels per meter and per pixel of CSS. */
 export function look({ gl, discs, lines }: Painter, x: number, y: number, scale: number, density: number, ink: number[]): void {
   for (const { program, uniform } of [lines, discs]) {
     gl.useProgram(program);
@@ -171,7 +171,7 @@ export function look({ gl, discs, lines }: Painter, x: number, y: number, scale:
   gl.uniform4fv(discs.uniform["u_ink"]!, ink);
 }
 
-/** `isNew`: the rows are others than when they were painted last. */
+/** `isNew`: the rows have changed since the last drawing. */
 export function paint(painter: Painter, shape: Shape, rows: Rows, isNew = true): void {
   if (rows.length === 0) return;
   const { gl } = painter;
@@ -182,7 +182,7 @@ export function paint(painter: Painter, shape: Shape, rows: Rows, isNew = true):
   gl.drawElements(gl.TRIANGLES, 6 * count, gl.UNSIGNED_INT, 0);
 }
 
-/** Two triangles each for `count` shapes. */
+/** Draws two triangles each for `count` shapes. */
 function makeCorners(painter: Painter, count: number): void {
   const corners = new Uint32Array(6 * count);
   for (let shape = 0; shape < count; ++shape) corners.set([0, 1, 2, 2, 1, 3].map((corner) => 4 * shape + corner), 6 * shape);

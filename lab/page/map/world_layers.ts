@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the world view shows, from the ground up, as rows of discs and lines.
+// The content of the world view, from the bottom up, as rows of discs and lines.
 import { STATUSES } from "../../avo/avo.ts";
 import { roundLength, toMeters, type Camera } from "./camera.ts";
 import { directionColor, rgbOf, shareColor, type Rgb } from "./colors.ts";
@@ -13,17 +13,17 @@ export type Coloring = "goal" | "status" | "speed";
 export const FORM = { disc: 0, ring: 1, dashed: 2, diamond: 3, cross: 4 };
 export const MARK = { none: 0, wedge: 1, dart: 2, dot: 3, bar: 4 };
 
-const LEAST_RADIUS = 1;      // pixels: a disc never vanishes
-const LEAST_OF_FEW = 3.5;    // the same where there are few, so that they are found
-const LEAST_AIRPLANE = 6;    // so that one sees where it flies
+const LEAST_RADIUS = 1;      // pixels, so that a disc never vanishes
+const LEAST_OF_FEW = 3.5;    // the same for few robots, so that they are visible
+const LEAST_AIRPLANE = 6;    // so that its direction of flight is visible
 const FEW = 50;              // robots
-const MANY_GOALS = 250;      // robots: of more, only the goals of those that are looked at are drawn
+const MANY_GOALS = 250;      // with more robots, only the goals of selected or highlighted robots are drawn
 const BRAKING = STATUSES.indexOf("braking");
 const OVERLAPPING = STATUSES.indexOf("overlapping");
 const LEAST_UNSAFE = STATUSES.indexOf("least_unsafe");
 const INVALID = STATUSES.indexOf("invalid_input");
 
-/** The theme's colors, of the page's style sheet. */
+/** Returns the theme's colors from the page's style sheet. */
 export interface Paint { world: Rgb; grid: Rgb; ink: Rgb; wall: Rgb; mover: Rgb; accent: Rgb; danger: Rgb }
 
 export function themePaint(): Paint {
@@ -35,7 +35,7 @@ export function themePaint(): Paint {
   };
 }
 
-/** Rows that are filled anew for each picture; `under` is drawn first, `trail` only changes with the steps. */
+/** Rows that are filled again for each picture; `under` is drawn first, and `trail` changes only with the steps. */
 export class Layers {
   ground = new Rows();
   trail = new Rows();
@@ -61,7 +61,7 @@ export function disc(rows: Rows, x: number, y: number, radius: number, color: Rg
   rows.push(x, y, radius, heading, color[0], color[1], color[2], alpha, form, mark, outline, least);
 }
 
-/** The color of each row of the moment. */
+/** Returns the color of each row of the moment. */
 export function robotColors(lab: Lab, shown: Shown, coloring: Coloring, homes: Map<number, Rgb>): Rgb[] {
   const { moment, robots } = shown;
   const statuses = STATUSES.map((status) => rgbOf(STATUS_COLORS[status]![lab.theme]));
@@ -73,7 +73,7 @@ export function robotColors(lab: Lab, shown: Shown, coloring: Coloring, homes: M
   });
 }
 
-/** Of each robot the direction from where it is to its goal, rad. */
+/** Returns for each robot the direction from its place to its goal, rad. */
 export function homeAngles(shown: Shown): Map<number, number> {
   const { moment } = shown;
   return new Map(Array.from(moment.robot, (robot, i) => {
@@ -107,7 +107,7 @@ export function drawWalls(layers: Layers, lab: Lab, paint: Paint): void {
   });
 }
 
-/** At the start of a run: who wants to go where. */
+/** Draws the start of a run: the goal of each robot. */
 export function drawWays(layers: Layers, shown: Shown, colors: Rgb[]): void {
   const { moment } = shown;
   if (moment.steps > 0 || moment.robot.length > MANY_GOALS) return;
@@ -118,7 +118,7 @@ export function drawWays(layers: Layers, shown: Shown, colors: Rgb[]): void {
   });
 }
 
-/** The pieces of the trails between steps that are past. */
+/** Draws the pieces of the trails between past steps. */
 export function drawTrails(layers: Layers, trails: Trails, shown: Shown, colors: Rgb[]): void {
   layers.trail.clear();
   forTrails(trails, shown.moment, (row, ax, ay, bx, by, young) =>
@@ -131,19 +131,20 @@ export function drawHeads(layers: Layers, trails: Trails, shown: Shown, colors: 
 
 const isLookedAt = (lab: Lab, robot: number) => robot === lab.selected || lab.highlighted === `robots.${robot}`;
 
-/** Of row i: goals of many robots, and of who has arrived, are shown where they are looked at. */
+/** Returns whether to draw the goal of row i: with many robots, and for arrived robots, only if it is selected or
+ * highlighted. */
 export function hasGoalShown(lab: Lab, { moment }: Shown, i: number): boolean {
   if (!Number.isFinite(moment.goal[2 * i]!)) return false;
   return isLookedAt(lab, moment.robot[i]!) || (moment.robot.length <= MANY_GOALS && !moment.arrived[i]);
 }
 
-/** Whether a robot stands in that very place: who presses there means the robot, see pick(). */
+/** Returns whether a robot stands at that very place: a press there means the robot, see pick(). */
 function isTaken({ x, y }: Shown, px: number, py: number, slack: number): boolean {
   for (let i = 0; i < x.length; ++i) if (Math.abs(x[i]! - px) <= slack && Math.abs(y[i]! - py) <= slack) return true;
   return false;
 }
 
-/** Above the robots, except where one stands in the same place; `pixel` in m. */
+/** Draws above the robots, except if one stands in the same place; `pixel` in m. */
 export function drawGoals(layers: Layers, lab: Lab, shown: Shown, colors: Rgb[], pixel: number): void {
   const { moment } = shown;
   moment.robot.forEach((robot, i) => {
@@ -164,10 +165,8 @@ export function drawMovers(layers: Layers, lab: Lab, shown: Shown, paint: Paint)
   });
 }
 
-/**
- * Filled: it goes its way. Hollow: it brakes. Dashed: no velocity satisfies all half-planes, or a number is not valid.
- * A heavy rim: it touches. A dot: it has arrived.
- */
+/** Filled: the robot decides as usual. Hollow: it brakes. Dashed: no velocity satisfies all half-planes, or a number is
+ * not valid. A heavy rim: it touches another disc. A dot: it has arrived. */
 export function drawRobots(layers: Layers, shown: Shown, colors: Rgb[], paint: Paint): void {
   const { moment, robots } = shown;
   const few = moment.robot.length <= FEW;
@@ -198,9 +197,9 @@ export function ring(layers: Layers, x: number, y: number, radius: number, color
   disc(layers.above, x, y, radius, color, 1, { form, outline, least: 4 });
 }
 
-const FEW_TOUCHES = 12;  // of more at once, no rings are around the crosses
+const FEW_TOUCHES = 12;  // with more contacts at once, the crosses have no rings
 
-/** Crosses where discs touched up to now; those that touch now are larger. */
+/** Draws crosses where discs have touched so far; present contacts are larger. */
 export function drawContacts(layers: Layers, contacts: readonly Contact[], time: number, paint: Paint): void {
   const begun = contacts.filter((contact) => contact.time <= time + 1e-9);
   const isNow = ({ last }: Contact) => last >= time - 1e-9;

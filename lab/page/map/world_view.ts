@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The map: it draws what the Lab shows, whenever that changes, and knows what is under a pixel.
+// The map: it draws the Lab's content whenever that changes, and finds the thing under a pixel.
 import type { Moment } from "../../avo/avo.ts";
 import { emptyBox, fit, include, toPixels, type Camera, type Margin } from "./camera.ts";
 import type { Rgb } from "./colors.ts";
@@ -13,31 +13,31 @@ import {
   themePaint, type Paint,
 } from "./world_layers.ts";
 
-// pixels, for what floats over the map; on a phone nothing is beside it
+// pixels, for controls that float over the map; on a phone there are none beside it
 const MARGIN = { x: 56, top: 48, bottom: 74 };
 const PHONE_MARGIN = { x: 16, top: 84, bottom: 50 };
 
 export interface WorldView {
   readonly canvas: HTMLCanvasElement;
   readonly camera: Camera;
-  readonly shown: Shown;                          // of the last picture, or of a later moment
-  preview: ((layers: Layers, paint: Paint) => void) | null;  // what a gesture is about to do
+  readonly shown: Shown;                          // for the last picture, or for a later moment
+  preview: ((layers: Layers, paint: Paint) => void) | null;  // the preview of a gesture
   readonly whenDrawn: Set<() => void>;
   draw(): void;
   fit(): void;
-  /** Another picture before the next frame. */
+  /** Requests another picture before the next frame. */
   touch(): void;
-  /** Draws if need be. True: it drew. */
+  /** Draws if necessary. Returns true if it drew. */
   frame(): boolean;
 }
 
-/** What is drawn, and what of it is old. */
+/** The drawn content, and flags for its outdated parts. */
 interface Drawing {
   layers: Layers;
   trails: Trails;
   theme: Paint;
-  angles: Map<number, number>;  // of each robot's way from start to goal, rad
-  homes: Map<number, Rgb>;      // the colors of these
+  angles: Map<number, number>;  // of the line from each robot's start to its goal, rad
+  homes: Map<number, Rgb>;      // the colors of these angles
   trailsAreOld: boolean;
   isOld: boolean;
   shown: Shown;
@@ -85,7 +85,7 @@ export function makeWorldView(lab: PageLab, canvas: HTMLCanvasElement): WorldVie
     },
     draw() {
       drawing.isOld = false;
-      drawing.shownIsOld = true;  // while it plays, every picture is of another time
+      drawing.shownIsOld = true;  // while the run plays, every picture is of another time
       fillLayers(lab, view, drawing);
       if (painter) paintLayers(painter, view, drawing);
       for (const done of view.whenDrawn) done();
@@ -146,7 +146,7 @@ function resize(view: WorldView): void {
   camera.height = clientHeight;
   if (first) view.fit();
   else camera.scale *= grown;
-  view.draw();  // at once: a canvas of another size is empty
+  view.draw();  // at once, because resizing clears a canvas
 }
 
 function followLab(lab: PageLab, view: WorldView, drawing: Drawing): void {
@@ -177,13 +177,14 @@ function followLab(lab: PageLab, view: WorldView, drawing: Drawing): void {
   for (const event of ["selection", "highlight"] as const) lab.on(event, view.touch);
 }
 
-/** Of a low map most is for what it shows. */
+/** On a low map, most of the height is for the content. */
 function marginOf({ height }: Camera): Margin {
   const { x, top, bottom } = matchMedia("(max-width: 720px)").matches ? PHONE_MARGIN : MARGIN;
   return { x, top: Math.min(top, 0.36 * height), bottom: Math.min(bottom, 0.3 * height) };
 }
 
-/** Most robots begin where none did before: another scene was opened, which no slider and no drag is. */
+/** Returns whether most robots begin where none began before: then another scene was opened, not a slider moved or a
+ * robot dragged. */
 function beginsElsewhere(now: Moment, before: Moment): boolean {
   if (now === before) return false;
   const placesOf = ({ robot, position }: Moment) => Array.from(robot, (_, i) => `${position[2 * i]} ${position[2 * i + 1]}`);
@@ -191,7 +192,7 @@ function beginsElsewhere(now: Moment, before: Moment): boolean {
   return 2 * placesOf(now).filter((place) => !known.has(place)).length > now.robot.length;
 }
 
-/** Most robots are not in the picture. */
+/** Returns whether most robots are outside the picture. */
 function isOutside({ camera, shown: { x, y } }: WorldView): boolean {
   const outside = x.filter((_, i) => {
     const [px, py] = toPixels(camera, x[i]!, y[i]!);
@@ -200,7 +201,7 @@ function isOutside({ camera, shown: { x, y } }: WorldView): boolean {
   return 2 * outside.length > x.length;
 }
 
-/** Of all that there is, goals included. */
+/** Returns the box of everything, goals included. */
 function boxOf(lab: PageLab, shown: Shown) {
   const box = emptyBox();
   const { moment } = shown;

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// The run so far against its limits, live: clearance, speed, acceleration, arrivals. One time is under the pointer in all
-// of them; a click goes there.
+// Live charts of the run so far against its limits: clearance, speed, acceleration, arrivals. The time under the
+// pointer is the same in all charts; a click goes there.
 import uPlot from "uplot";
 import type { Lab } from "./lab.ts";
 import { digits, element } from "../elements.ts";
 import { paletteOf } from "../inspector/palette.ts";
 import { thinned } from "./thinned.ts";
 
-/** What one chart shows. */
+/** The contents of one chart. */
 interface Measure {
   title: string;
   unit: string;
@@ -15,10 +15,10 @@ interface Measure {
   limit: (lab: Lab) => number | null;      // drawn as a line
   limit_label: string;
   values: (lab: Lab) => ArrayLike<number>;
-  scale: number;                            // of the values, to the unit
+  scale: number;                            // from the values to the unit
   places: number;
-  floor: number;                            // the axis reaches from here at least
-  ceiling: (lab: Lab) => number;            // to here
+  floor: number;                            // the axis begins here or lower
+  ceiling: (lab: Lab) => number;            // the axis ends here or higher
 }
 
 const MEASURES: Measure[] = [
@@ -87,7 +87,7 @@ function fill(lab: Lab, chart: Chart): void {
   tell(lab, chart);
 }
 
-/** The value under the pointer, or that of now. */
+/** The value under the pointer, or the present value. */
 function tell(lab: Lab, { measure, plot, value }: Chart): void {
   const hovered = plot?.cursor.idx;
   const [times, values] = plot?.data ?? [[], []];
@@ -131,7 +131,7 @@ function makePlot(lab: Lab, chart: Chart): uPlot {
   return plot;
 }
 
-/** The limit as a line with its name, contacts as ticks below, and the present time. */
+/** Draws the limit as a line with its name, contacts as ticks below, and the present time. */
 function drawMarks(plot: uPlot, lab: Lab, measure: Measure): void {
   const { ctx, bbox } = plot;
   const palette = paletteOf(lab.theme), unit = devicePixelRatio || 1;

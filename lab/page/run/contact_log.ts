@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where discs touched: a pair that goes on touching is one contact, kept where it was deepest.
+// The contacts of discs: a pair that keeps touching is one contact, stored at its deepest.
 import type { Contact } from "./lab.ts";
 
 export type Touch = Omit<Contact, "time" | "last">;
@@ -9,7 +9,7 @@ export class ContactLog {
   list: Contact[] = [];
   private latest = new Map<string, Contact>();
 
-  /** What touches at `time`; the step before was at `before`. */
+  /** Adds the contacts at `time`; the step before was at `before`. */
   note(touches: Touch[], time: number, before: number): void {
     for (const touch of touches) {
       const pair = `${touch.a} ${touch.b}`;

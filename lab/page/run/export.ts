@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The run as files: the scene, a table of states, pictures and films. All are made here and saved by the browser.
+// Exports the run as files: the scene, a table of states, pictures and films. All are made here, and the browser saves
+// them.
 import type { Lab } from "./lab.ts";
 import { csvHeader, csvRows, type SpeedAlong } from "../data/csv_writer.ts";
 import { GifEncoder } from "../data/gif.ts";
@@ -13,7 +14,7 @@ export interface Progress {
   readonly cancelled: boolean;
 }
 
-/** The scene's name as one of a file. */
+/** Returns the scene's name as a file name. */
 export function fileName(lab: Lab, ending: string): string {
   const base = lab.name.replace(/\.(ya?ml|csv|h5)$/i, "").replace(/[^\w.-]+/g, "-").replace(/^-+|-+$/g, "");
   return `${base || "scene"}.${ending}`;
@@ -32,7 +33,7 @@ export function saveYaml(lab: Lab): void {
 
 const MEANWHILE = "another run was opened meanwhile, so nothing was saved";
 
-/** Shows the run at each of `times`, in order, and then goes on as it was. A recording is read as it goes. */
+/** Shows the run at each of `times`, in order, and then continues as before. A recording is read meanwhile. */
 async function walk(lab: PageLab, times: number[], progress: Progress, visit: (k: number) => Promise<void> | void): Promise<void> {
   const { run, playing } = lab;
   const back = lab.moment.time;
@@ -44,7 +45,7 @@ async function walk(lab: PageLab, times: number[], progress: Progress, visit: (k
     if (lab.run !== run) throw new Error(MEANWHILE);
     await visit(k);
     progress.tell((k + 1) / times.length);
-    if (k % 16 === 15) await pause(0);  // the page stays alive
+    if (k % 16 === 15) await pause(0);  // so that the page stays responsive
   }
   if (lab.run !== run) return;
   lab.seek(back);
@@ -67,7 +68,7 @@ function arrival(lab: Lab, time: number): Promise<void> {
 
 const timesSoFar = (lab: Lab): number[] => [...lab.past.times.subarray(0, lab.past.size)];
 
-/** As `avo run --record` writes it: all steps of the run so far, all rows of a recording. */
+/** Returns the table that `avo run --record` writes: all steps of the run so far, or all rows of a recording. */
 export async function csvOfRun(lab: PageLab, progress: Progress): Promise<string> {
   if (lab.run instanceof RecordedRun) return csvOfRecording(lab.run.recording, lab.library.speedAlong, progress);
   const options = { headings: lab.info.robots.some((robot) => robot.model !== "holonomic"), speedAlong: lab.library.speedAlong };
@@ -87,7 +88,7 @@ async function csvOfRecording(recording: Recording, speedAlong: SpeedAlong, prog
   for (let k = 0; k < count && !progress.cancelled; ++k) {
     parts.push(csvRows(await recording.frame(k), { ...options, speedAlong }));
     progress.tell((k + 1) / count);
-    if (k % 16 === 15) await pause(0);  // the page stays alive
+    if (k % 16 === 15) await pause(0);  // so that the page stays responsive
   }
   return parts.join("");
 }
@@ -109,7 +110,7 @@ export async function savePng(lab: Lab): Promise<void> {
   if (blob) download(fileName(lab, "png"), blob);
 }
 
-/** The velocity space of the selected robot, as it is on the screen. */
+/** Returns a picture of the velocity space of the selected robot, as on the screen. */
 export async function saveVelocitySpace(lab: Lab): Promise<void> {
   const canvas = document.querySelector<HTMLCanvasElement>(".insp:not([hidden]) .insp-canvas");
   if (!canvas || lab.selected === null) throw new Error("select a robot first: its velocity space is what is saved");
@@ -117,11 +118,11 @@ export async function saveVelocitySpace(lab: Lab): Promise<void> {
   if (blob) download(fileName(lab, `robot-${lab.selected}.png`), blob);
 }
 
-const FILM_FRAMES = 150;     // at most
-const FILM_WIDTH = 640;      // px at most
+const FILM_FRAMES = 150;     // the most frames
+const FILM_WIDTH = 640;      // px, the largest width
 const FRAME_TIME = 0.05;     // s of the film, from frame to frame
 
-/** Moments of the run so far, evenly; with the scene's title and time over each picture. */
+/** Films moments of the run so far, evenly spaced, with the scene's title and the time over each picture. */
 function filmTimes(lab: Lab): number[] {
   const times = timesSoFar(lab);
   const every = Math.max(1, Math.ceil(times.length / FILM_FRAMES));
@@ -134,7 +135,7 @@ class Film {
   constructor(private readonly lab: Lab) {
     const { canvas } = requirePicture(lab);
     const scale = Math.min(1, FILM_WIDTH / canvas.width);
-    const even = (length: number): number => Math.max(2, 2 * Math.round(0.5 * scale * length));  // as codecs want it
+    const even = (length: number): number => Math.max(2, 2 * Math.round(0.5 * scale * length));  // codecs require even sizes
     this.canvas = element("canvas", { width: even(canvas.width), height: even(canvas.height) });
     this.context = this.canvas.getContext("2d", { willReadFrequently: true })!;
   }
@@ -163,7 +164,7 @@ export async function saveGif(lab: PageLab, progress: Progress): Promise<void> {
   if (!progress.cancelled) download(fileName(lab, "gif"), new Blob([encoder.finish() as BlobPart], { type: "image/gif" }));
 }
 
-/** Filmed as it is shown, so it takes as long as the film. */
+/** Films in real time, so it takes as long as the film. */
 export async function saveWebm(lab: PageLab, progress: Progress): Promise<void> {
   const type = ["video/webm;codecs=vp9", "video/webm;codecs=vp8", "video/webm"]
     .find((candidate) => typeof MediaRecorder !== "undefined" && MediaRecorder.isTypeSupported(candidate));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// How the run goes, in four numbers over the map.
+// Four numbers over the map that summarize the run.
 import { digits, element } from "../elements.ts";
 import type { Lab } from "./lab.ts";
 

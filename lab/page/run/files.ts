@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Files that are opened or dropped: a scene, a recording, and what a scene reads besides (maps, scenarios, graymaps).
+// Files that are opened or dropped: a scene, a recording, and further files of a scene (maps, scenarios, graymaps).
 import type { SceneFile } from "../../avo/avo.ts";
 import { textOf } from "../data/graymap.ts";
 import { formatOf } from "../data/open.ts";
@@ -9,11 +9,12 @@ import type { PageLab } from "./make_lab.ts";
 export interface OpenedFile { name: string; bytes: Uint8Array }
 
 const MOST_BYTES = 1e9;
-const BEGINNING = 65536;  // bytes, in which a scene names its first key
+const BEGINNING = 65536;  // bytes; the first key of a scene must be within them
 const ROS_MAP = /^image\s*:/m;
 const SCENE = /^[\s{]*["']?(version|name|robots|robots_from|groups)["']?\s*:/m;
 
-/** What a scene reads, and is none itself. Where the name's ending does not tell, the content does. */
+/** Returns whether the file is read by scenes, and is not a scene itself. If the ending of the name does not tell, the
+ * content does. */
 function isAuxiliary({ name, bytes }: OpenedFile): boolean {
   if (/\.(map|scen|pgm|png|bmp|wkt|geojson)$/i.test(name)) return true;
   if (formatOf(name, bytes) !== "yaml") return false;
@@ -21,7 +22,7 @@ function isAuxiliary({ name, bytes }: OpenedFile): boolean {
   return /\.ya?ml$/i.test(name) ? ROS_MAP.test(text) : !SCENE.test(text);
 }
 
-/** Under each path by which a text may mean the file: that ends with its name. */
+/** Lists the file under each path that a text may use for it: each path that ends with its name. */
 function asSceneFiles(file: OpenedFile, texts: string[]): SceneFile[] {
   const text = textOf(file.bytes);
   const escaped = file.name.replace(/[.*+?^${}()|[\]\\]/g, "\\$&");
@@ -34,10 +35,10 @@ function filesFor(scene: OpenedFile, kept: OpenedFile[]): SceneFile[] {
   return kept.flatMap((file) => asSceneFiles(file, texts));
 }
 
-/** Opens what is a scene or a recording of them, with the others as what it reads. */
+/** Opens the scenes and recordings among the files, with the other files as their input. */
 export function makeOpener(lab: PageLab): (files: OpenedFile[]) => Promise<void> {
-  let kept: OpenedFile[] = [];  // read by scenes that are opened later, too
-  let waiting: OpenedFile | null = null;  // a scene that was refused: a file may be missing
+  let kept: OpenedFile[] = [];  // later scenes read them too
+  let waiting: OpenedFile | null = null;  // a refused scene, which may lack a file
   return async (files) => {
     const read = files.filter(isAuxiliary);
     kept = [...kept.filter(({ name }) => !read.some((file) => file.name === name)), ...read];
@@ -52,7 +53,7 @@ export function makeOpener(lab: PageLab): (files: OpenedFile[]) => Promise<void>
   };
 }
 
-/** Returns what asks for files. */
+/** Returns a function that asks for files. */
 export function mountFiles(lab: PageLab, button: HTMLElement): () => void {
   const open = makeOpener(lab);
   const input = element("input", { type: "file", multiple: true, hidden: true, "aria-label": "files to open" });

@@ -1,19 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
-// The way back of a live run: saved states at some steps, and what the user did between steps. A run is a function of
-// its text and of these edits, so whoever goes back and forth again comes to the same bits.
+// The history of a live run: saved states at some steps, and the user's actions between steps. The text and these edits
+// determine the run, so going back and forth gives the same bits.
 import type { Simulation } from "../../avo/avo.ts";
 
-/** What the user did at a step; `apply` does it again, and returns the simulation that goes on. */
+/** An action of the user at a step; `apply` repeats it, and returns the simulation that continues. */
 export interface Edit {
   step: number;
   apply(simulation: Simulation): Simulation;
-  text: string | null;  // of the scene from here on; null: it says nothing of this
+  text: string | null;  // of the scene from here on; null: it does not contain the edit
 }
 
 interface Keyframe {
   step: number;
-  edits: number;           // how many of the edits it has seen
-  simulation: Simulation;  // that the bytes are of
+  edits: number;           // number of the edits before it
+  simulation: Simulation;  // the simulation of these bytes
   saved: Uint8Array;
   offset: number;          // s, from the simulation's time to the run's
 }
@@ -25,21 +25,21 @@ export interface Place {
   offset: number;
 }
 
-const KEYFRAME_BYTES = 64e6;     // of all saved states together; more of them make going back quicker
-const MOST_SIMULATIONS = 6;      // that keyframes hold: each has memory of its own
+const KEYFRAME_BYTES = 64e6;     // of all saved states together; with more of them going back is faster
+const MOST_SIMULATIONS = 6;      // in keyframes: each has its own memory
 const FIRST_INTERVAL = 8;        // steps
 
-/** Keyframes are by ascending step and edits; the first one is the start and stays. */
+/** Keyframes are sorted by ascending step and edits; the first one is the start and stays. */
 export class History {
   readonly edits: Edit[] = [];
   private keyframes: Keyframe[] = [];
   private interval = FIRST_INTERVAL;
   private bytes = 0;
 
-  /** Keeps the state at `place`, if it is `asked` for or time for another one. */
+  /** Saves the state at `place`, if it is `asked` for or another one is due. */
   keep(place: Place, asked = false): void {
     const last = this.keyframes[this.keyframes.length - 1];
-    if (last && (last.step > place.step || last.edits > place.edits)) return;  // gone back
+    if (last && (last.step > place.step || last.edits > place.edits)) return;  // the run has gone back
     if (last && last.step === place.step && last.edits === place.edits) return;
     if (last && !asked && place.step - last.step < this.interval) return;
     const saved = place.simulation.save();
@@ -49,7 +49,7 @@ export class History {
     this.releaseOldest();
   }
 
-  /** The nearest state to go on from to `step`, restored. */
+  /** Restores and returns the nearest state from which `step` can be reached. */
   before(step: number): Place {
     let k = this.keyframes.length - 1;
     while (k > 0 && this.keyframes[k]!.step > step) --k;
@@ -58,7 +58,7 @@ export class History {
     return { simulation, edits, offset, step: at };
   }
 
-  /** What came after this place is no more: the run goes another way from here. */
+  /** Forgets everything after this place: the run continues differently from here. */
   forgetAfter(step: number, edits: number): void {
     this.edits.splice(edits);
     const kept = this.keyframes.filter((frame, k) => k === 0 || (frame.step <= step && frame.edits <= edits));
@@ -73,7 +73,7 @@ export class History {
   private releaseOldest(): void {
     const held = [...new Set(this.keyframes.map((frame) => frame.simulation))];
     if (held.length <= MOST_SIMULATIONS) return;
-    const oldest = held[1];  // the first one is the start's
+    const oldest = held[1];  // the first one belongs to the start
     this.replace(this.keyframes.filter((frame, k) => k === 0 || frame.simulation !== oldest));
   }
 

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// A run that is simulated while it is shown, with a way back.
+// A run that is simulated while it is shown, and that can go back.
 import type { Moment, SceneInfo, Simulation } from "../../avo/avo.ts";
 import { ContactLog } from "./contact_log.ts";
 import { History, type Edit, type Place } from "./history.ts";
 import { PastColumns } from "./past.ts";
 import { lastAt, type Run } from "./run.ts";
 
-/** `moment`, `info`, the past's row and the contacts are those of `place`; step k of the past is step k of the run. */
+/** `moment`, `info`, the past's row and the contacts belong to `place`; step k of the past is step k of the run. */
 export class LiveRun implements Run {
   info: SceneInfo;
   moment: Moment;
@@ -16,7 +16,7 @@ export class LiveRun implements Run {
   private readonly log = new ContactLog();
   private readonly history = new History();
   private place: Place;
-  private latest: Moment | null = null;  // the present, once it has been read
+  private latest: Moment | null = null;  // the present moment, once it has been read
 
   /** `began` is the scene's text. */
   constructor(simulation: Simulation, private readonly began: string) {
@@ -33,7 +33,7 @@ export class LiveRun implements Run {
   get contacts() { return this.log.list; }
   get end(): number { return Math.max(this.info.duration, this.past.times[this.past.size - 1]!); }
 
-  /** Those that have been done on the way to this moment. */
+  /** The edits before this moment. */
   private get edits(): Edit[] { return this.history.edits.slice(0, this.place.edits); }
 
   canStep(): boolean {
@@ -56,7 +56,7 @@ export class LiveRun implements Run {
     this.goToStep(lastAt(this.past.times, time));
   }
 
-  /** Does `apply` now, and whenever the run comes by here again. A `text` that takes over gives another simulation. */
+  /** Does `apply` now, and again whenever the run passes this place. A `text` that takes over gives another simulation. */
   edit(apply: (simulation: Simulation) => Simulation, text: string | null = null): void {
     const { step, edits, offset } = this.place;
     const time = this.live.time + offset;
@@ -82,7 +82,7 @@ export class LiveRun implements Run {
     this.note();
   }
 
-  /** This text says what the last edit did. */
+  /** Notes that this text contains the last edit. */
   noteText(text: string): void {
     const last = this.history.edits[this.place.edits - 1];
     if (last) last.text = text;
@@ -100,7 +100,7 @@ export class LiveRun implements Run {
     this.moment = this.now();
   }
 
-  /** One step, and the edits of the step that it leads to. */
+  /** Does one step, and the edits at the step that it leads to. */
   private advance(): void {
     this.live.step();
     ++this.place.step;
@@ -123,7 +123,7 @@ export class LiveRun implements Run {
     }
   }
 
-  /** The present, in the run's time. */
+  /** Returns the present moment, in the run's time. */
   private now(): Moment {
     if (!this.latest) {
       this.latest = this.live.moment();
@@ -133,7 +133,7 @@ export class LiveRun implements Run {
     return this.latest;
   }
 
-  /** Adds the present to the past. */
+  /** Adds the present moment to the past. */
   private note(): void {
     const { info, past } = this;
     const moment = this.now();

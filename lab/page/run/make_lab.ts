@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The Lab: one run at a time, what the user does with it, and who is told.
+// The Lab: one run at a time, the user's actions on it, and its listeners.
 import { AvoError, type Library, type SceneFile, type SceneOptions, type Simulation } from "../../avo/avo.ts";
 import type { RecordedScene } from "../data/recording.ts";
 import type { Lab, LabEvent, SceneDraft, WorldPicture } from "./lab.ts";
@@ -11,52 +11,53 @@ import type { Run } from "./run.ts";
 import { withRobotKey, withValue } from "../text/scene_text.ts";
 import type { Coloring } from "../map/world_layers.ts";
 
-/** What the page itself does with the Lab, besides what all views may do. */
+/** The page's own functions of the Lab, besides those for all views. */
 export interface PageLab extends Lab {
   theme: "light" | "dark";
   picture: WorldPicture | null;
   coloring: Coloring;      // of the robots on the map
-  readonly share: number;  // 0 to 1: how far the picture is from `before` to `moment`
+  readonly share: number;  // 0 to 1: the position of the picture between `before` and `moment`
   readonly run: Run;
-  /** As in Lab; `files` are what a scene may read, `scene` is that of a recording that has none in itself. */
+  /** As in Lab; `files` are files that a scene may read, and `scene` is for a recording that contains none. */
   openFile(name: string, bytes: Uint8Array, files?: SceneFile[], scene?: RecordedScene | null): Promise<void>;
-  /** Time passes by `elapsed` seconds; tells listeners of what that changed. */
+  /** Advances the time by `elapsed` seconds, and informs listeners of the changes. */
   frame(elapsed: number): void;
-  /** Does `edit` to the simulation now, and again whenever the run comes by here; false and `error` if it is refused. */
+  /** Does `edit` to the simulation now, and again whenever the run passes this place; returns false and sets `error` if
+   * it is refused. */
   edit(edit: (simulation: Simulation) => void): boolean;
-  /** Goes on with another text from where the robots are; at the start of a run: from its start. */
+  /** Continues with another text from the robots' present places; at the start of a run, from its start. */
   carryOn(yaml: string): boolean;
-  /** Another text for the same run, which has come to be what the text says. */
+  /** Sets another text for the same run, which is already in the state that the text describes. */
   noteText(yaml: string): void;
-  /** Says why something is not done. */
+  /** Shows why an action is refused. */
   refuse(message: string): void;
   say(event: LabEvent): void;
 }
 
 type Mutable<T> = { -readonly [Key in keyof T]: T[Key] };
 
-/** A message of the library, or of what a file is. */
+/** Sets a message of the library, or about a file. */
 function asError(error: unknown): AvoError {
   return error instanceof AvoError ? error : new AvoError(error instanceof Error ? error.message : String(error));
 }
 
-/** What the Lab's parts share. */
+/** The shared state of the Lab's parts. */
 export interface Core {
   readonly library: Library;
   readonly lab: Mutable<PageLab>;
   readonly playback: Playback;
   run: Run;
-  told: Pick<Run, "text" | "info">;  // what listeners know
+  told: Pick<Run, "text" | "info">;  // the state that listeners know
   fail(error: unknown, refused?: SceneDraft | null): false;
-  /** Does what may be refused; true if it was not. */
+  /** Does an action that may be refused; returns true if it was not. */
   attempt(action: () => void, draft?: SceneDraft): boolean;
-  /** Says these, and what else has changed on the way. */
+  /** Emits these events, and events for other changes. */
   tell(...events: LabEvent[]): void;
-  /** Another time or run is shown. */
+  /** Shows another time or run. */
   shown(...events: LabEvent[]): void;
 }
 
-/** A listener finds that what was said before holds. */
+/** Informs a new listener of earlier events. */
 const TELLING_ORDER = ["text", "scene", "moment"] as const;
 
 export function makeLab(library: Library, yaml: string, name: string, options: SceneOptions): PageLab {
@@ -163,7 +164,7 @@ function editing(core: Core): Partial<PageLab> {
   return {
     edit(change) {
       const live = core.run;
-      if (!(live instanceof LiveRun)) return lab.carryOn(lab.text);  // which says why not
+      if (!(live instanceof LiveRun)) return lab.carryOn(lab.text);  // which says why it is refused
       return core.attempt(() => {
         live.edit((simulation) => { change(simulation); return simulation; });
         core.shown("scene", "moment");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Another run in the Lab: a scene's text, or a file.
+// Opens another run in the Lab: a scene's text, or a file.
 import type { Library, SceneOptions } from "../../avo/avo.ts";
 import { formatOf, openRecording } from "../data/open.ts";
 import { LiveRun } from "./live_run.ts";
@@ -22,7 +22,7 @@ function start(core: Core, next: Run): void {
   core.shown("text", "scene", "moment");
 }
 
-/** What is no UTF-8, the library refuses in its words. */
+/** The library refuses text that is not UTF-8 in its own words. */
 function yamlOf(library: Library, bytes: Uint8Array, name: string): string {
   const yaml = new TextDecoder().decode(bytes);
   if (yaml.includes("\ufffd")) library.simulate(bytes, { name });

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// What each step of a run came to, in columns, for charts and for the strip of a robot's decisions.
+// The results of each step of a run, in columns, for charts and for the strip of a robot's decisions.
 import { STATUSES, type Moment, type SceneInfo } from "../../avo/avo.ts";
 import type { Past } from "./lab.ts";
 
 const NO_DECISION = 255;
-const STATUS_BYTES = 32e6;  // at most, of all robots' statuses; with more robots and steps there is no strip
+const STATUS_BYTES = 32e6;  // the limit for all robots' statuses; with more robots and steps there is no strip
 
 type Column = "times" | "clearance" | "speed_ratio" | "acceleration_ratio" | "arrived" | "contacts";
 const COLUMNS: Column[] = ["times", "clearance", "speed_ratio", "acceleration_ratio", "arrived", "contacts"];
@@ -15,7 +15,7 @@ export class PastColumns implements Past {
   private capacity = 256;
   private readonly columns = new Map<Column, Float64Array>(COLUMNS.map((name) => [name, new Float64Array(256)]));
   private counts = STATUSES.map(() => new Uint32Array(256));
-  private decisions: Uint8Array[] = [];  // one array a step, by robot number
+  private decisions: Uint8Array[] = [];  // one array for each step, by robot number
   private decisionBytes = 0;
 
   get times() { return this.column("times"); }
@@ -45,7 +45,7 @@ export class PastColumns implements Past {
     this.pushStatuses(k, moment);
   }
 
-  /** Forgets all but the first `size` rows. */
+  /** Forgets all rows behind the first `size`. */
   truncate(size: number): void {
     this.size = Math.min(this.size, size);
     for (const gone of this.decisions.splice(this.size)) this.decisionBytes -= gone.length;
@@ -85,17 +85,17 @@ export class PastColumns implements Past {
   }
 }
 
-/** The largest |v| / max_speed and |a| / max_acceleration of a moment. */
+/** Returns the largest |v| / max_speed and |a| / max_acceleration of a moment. */
 function ratios(moment: Moment, info: SceneInfo): { speed: number; acceleration: number } {
   let speed = 0;
   let acceleration = 0;
-  let at = 0;  // both are by ascending numbers
+  let at = 0;  // both are sorted by ascending numbers
   for (let i = 0; i < moment.robot.length; ++i) {
     while (at < info.robots.length && info.robots[at]!.robot < moment.robot[i]!) ++at;
     const robot = info.robots[at];
     if (!robot || robot.robot !== moment.robot[i]) continue;
     speed = Math.max(speed, Math.hypot(moment.velocity[2 * i]!, moment.velocity[2 * i + 1]!) / robot.max_speed);
-    if (robot.model === "airplane") continue;  // across its way it has another limit
+    if (robot.model === "airplane") continue;  // it has another limit across its direction of flight
     acceleration = Math.max(acceleration, moment.acceleration[i]! / robot.max_acceleration);
   }
   return { speed, acceleration };

@@ -1,24 +1,25 @@
 // SPDX-License-Identifier: Apache-2.0
-// Time passes: as many steps a frame as the speed asks for and the machine can do, and what lies between two steps.
+// Playback: it does as many steps per frame as the speed requires and the machine can do, and interpolates between two
+// steps.
 import type { Run } from "./run.ts";
 
-const FRAME_BUDGET = 24;  // ms of steps a frame, so that the page goes on answering
-const LONGEST_FRAME = 0.1;  // s: who comes back from another tab finds the run where it was
+const FRAME_BUDGET = 24;  // ms of steps per frame, so that the page stays responsive
+const LONGEST_FRAME = 0.1;  // s: after a visit to another tab, the run is where it was
 
 export interface Playback {
   playing: boolean;
-  speed: number;         // simulated seconds a second
-  time: number;          // s, that is shown; between `before` and `moment` of the run while it plays
-  target: number | null; // s, that a run is on its way to
+  speed: number;         // simulated seconds per second
+  time: number;          // s, the shown time; between `before` and `moment` of the run while it plays
+  target: number | null; // s, the time that the run has to reach
 }
 
-/** Moves on by `elapsed` seconds of real time. True: a step was taken. */
+/** Advances by `elapsed` seconds of real time. Returns true if a step was taken. */
 export function moveOn(playback: Playback, run: Run, elapsed: number): boolean {
   if (playback.target !== null) return headFor(playback, run);
   if (!playback.playing) return false;
   playback.time += Math.min(elapsed, LONGEST_FRAME) * playback.speed;
   const stepped = stepTo(run, playback.time);
-  if (run.moment.time < playback.time) playback.time = run.moment.time;  // it was not quick enough, or it is over
+  if (run.moment.time < playback.time) playback.time = run.moment.time;  // it was too slow, or it is over
   return stepped;
 }
 
@@ -39,7 +40,7 @@ function stepTo(run: Run, time: number): boolean {
   return stepped;
 }
 
-/** 0 to 1: how far what is shown is from the run's `before` to its `moment`. */
+/** Returns 0 to 1: the position of the picture between the run's `before` and its `moment`. */
 export function shareOf(playback: Playback, run: Run): number {
   const { before, moment } = run;
   if (!before || !playback.playing || playback.target !== null) return 1;

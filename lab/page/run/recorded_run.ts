@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A run that was recorded, by avo or by another program: frames are read as they are wanted, a few ahead.
+// A recorded run, of avo or of another program: frames are read when they are needed, and a few ahead.
 import type { Moment, SceneInfo } from "../../avo/avo.ts";
 import type { Recording, RecordedFrame } from "../data/recording.ts";
 import { ContactLog } from "./contact_log.ts";
@@ -9,16 +9,16 @@ import { lastAt, type Run } from "./run.ts";
 
 const FRAMES_KEPT = 128;
 const FRAMES_AHEAD = 24;
-const READING = 12;  // ms at a time, while the past is read
+const READING = 12;  // ms at a time, for reading the past
 const RESTING = 20;  // ms in between
 
 export type Goals = Map<number, [number, number]>;
 
-/** `scene` is its text, if it has one. */
+/** `scene` is its text, if there is one. */
 export const whyChangeless = (scene: string): string =>
   `a recording does not change${scene ? "; run its scene to try something else" : ", and this one does not hold its scene"}`;
 
-/** Frame `index` is shown; row k of the past is frame k, as far as all frames have been read, one after the other. */
+/** Frame `index` is shown. Row k of the past is frame k, as far as frames have been read in order. */
 export class RecordedRun implements Run {
   readonly live = null;
   before: Moment | null = null;
@@ -36,7 +36,7 @@ export class RecordedRun implements Run {
     this.readAhead();
   }
 
-  /** Reads all frames for the past, while the page goes on; calls `tell` now and then. */
+  /** Reads all frames for the past, while the page stays responsive; calls `tell` from time to time. */
   async readPast(tell: () => void): Promise<void> {
     let before = this.frames.get(0)!;
     let begun = performance.now();
@@ -55,7 +55,7 @@ export class RecordedRun implements Run {
 
   close(): void { this.isClosed = true; }
 
-  /** `text` is the scene's, "" where it is not known; `goals`: x and y (m) by robot number, where it is. */
+  /** `text` is the scene's text, "" if unknown; `goals`: x and y (m) by robot number, if known. */
   static async open(recording: Recording, info: SceneInfo, text: string, goals: Goals): Promise<RecordedRun> {
     const first = momentOf(await recording.frame(0), 0, info, goals);
     return new RecordedRun(recording, info, text, goals, first);
@@ -125,7 +125,7 @@ export class RecordedRun implements Run {
   }
 }
 
-/** The robots of a frame that are there. */
+/** Returns the robots that are present in a frame. */
 function momentOf(frame: RecordedFrame, k: number, info: SceneInfo, goals: Goals): Moment {
   const robots = [...frame.there.keys()].filter((i) => frame.there[i]);
   const pairs = (from: Float64Array) => Float64Array.from(robots.flatMap((i) => [from[2 * i]!, from[2 * i + 1]!]));
@@ -155,10 +155,10 @@ function distanceToGoal(moment: Moment, i: number): number {
   return Math.hypot(goal[2 * i]! - position[2 * i]!, goal[2 * i + 1]! - position[2 * i + 1]!);
 }
 
-/** m/s^2, from row to row; 0 of who was not there. */
+/** Returns m/s^2, from row to row; 0 for a robot that was absent. */
 function changeOfVelocity(before: Moment, now: Moment): Float64Array {
   const span = now.time - before.time;
-  let at = 0;  // both are by ascending numbers
+  let at = 0;  // both are sorted by ascending numbers
   return Float64Array.from(now.robot, (robot, i) => {
     while (at < before.robot.length && before.robot[at]! < robot) ++at;
     if (before.robot[at] !== robot || span <= 0) return 0;

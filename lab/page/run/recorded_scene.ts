@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a recording tells of its scene: radii, limits, walls and goals.
+// The facts about its scene that a recording gives: radii, limits, walls and goals.
 import type { Library, SceneInfo, SceneOptions } from "../../avo/avo.ts";
 import type { Recording } from "../data/recording.ts";
 import type { Goals } from "./recorded_run.ts";
 
-/** With which its scene is simulated again. */
+/** The options for simulating its scene again. */
 export function liveOptions(recording: Recording): SceneOptions {
   const scene = recording.scene;
   if (!scene) return {};
@@ -21,7 +21,7 @@ export function infoOf(recording: Recording, library: Library): { info: SceneInf
   return { info: simulation.info(), goals };
 }
 
-/** Of a table of positions alone: the paper's constants, as in scenes that say nothing else. */
+/** Returns a scene for a table of positions alone, with the paper's constants, which are also the defaults of scenes. */
 function unknownScene(recording: Recording): SceneInfo {
   const step = recording.times.length > 1 ? recording.times[1]! - recording.times[0]! : 0.1;
   return {

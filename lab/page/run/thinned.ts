@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// Long columns on few pixels, without losing what is extreme.
+// Reduces long columns to few pixels, and keeps their extremes.
 
-/** In place of a status where a robot decided nothing, or was not there. */
+/** Stands in place of a status if a robot decided nothing, or was absent. */
 export const NO_DECISION = 255;
 
-/** At most about `most` rows: of each group of rows the one with the lowest value, or the highest. */
+/** Keeps at most about `most` rows: of each group of rows the one with the lowest value, or with the highest. */
 export function thinned(times: ArrayLike<number>, values: ArrayLike<number>, most: number, lowest: boolean): [number[], (number | null)[]] {
   const group = Math.max(1, Math.ceil(times.length / most));
   const at: number[] = [], extreme: (number | null)[] = [];
@@ -18,7 +18,7 @@ export function thinned(times: ArrayLike<number>, values: ArrayLike<number>, mos
   return [at, extreme];
 }
 
-/** For each pixel the worst status of its steps; -1 where nothing was decided. */
+/** Returns for each pixel the worst status of its steps; -1 if nothing was decided. */
 export function worstByPixel(statuses: Uint8Array, times: ArrayLike<number>, end: number, width: number): Int8Array {
   const worst = new Int8Array(width).fill(-1);
   for (let k = 1; k < statuses.length; ++k) {  // row 0 is the start, before the first decision

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Play, step, go back, and where in time the run is.
+// Play, step, go back, and the present time of the run.
 import { digits, element } from "../elements.ts";
 import { icon } from "../icons.ts";
 import type { PageLab } from "./make_lab.ts";
@@ -18,7 +18,7 @@ export function mountTransport(lab: PageLab, root: HTMLElement): void {
   const time = element("output", { class: "time" });
   const speed = element("select", { class: "speed", "aria-label": "speed: simulated seconds a second", title: "simulated seconds a second" },
     ...SPEEDS.map((value) => element("option", { value }, `${value}×`)));
-  const between = element("option", {});  // a speed that is none of those
+  const between = element("option", {});  // for a speed that is not in the list
   speed.addEventListener("change", () => { lab.speed = Number(speed.value); });
   root.replaceChildren(
     element("div", { class: "buttons" }, button("restart (r)", "restart", () => lab.restart()), back, play,
@@ -58,7 +58,8 @@ export function mountTransport(lab: PageLab, root: HTMLElement): void {
   playing();
 }
 
-/** s: a recording whole, of a run what is known and some more, in steps, so that the slider does not slide all the time. */
+/** s: a recording's whole duration, or for a run the known part and some more. It grows in steps, so that the slider
+ * does not slide all the time. */
 function shownEnd({ live, past, end }: PageLab): number {
   if (!live) return end;
   const known = past.times[past.size - 1] ?? 0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The scene's text: it is checked while it is typed, and runs when it is applied.
+// The scene's text: it is checked while the user types, and runs when it is applied.
 import { AvoError } from "../../avo/avo.ts";
 import { element } from "../elements.ts";
 import type { SceneDraft } from "../run/lab.ts";
@@ -7,7 +7,7 @@ import type { PageLab } from "../run/make_lab.ts";
 
 const PAUSE = 350;       // ms without a key, then the text is checked
 const LINE = 18, COLUMN = 7.2;  // pixels
-const LONGEST = 300000;  // characters of a refused text that is shown to be corrected
+const LONGEST = 300000;  // characters; a longer refused text is not shown for correction
 
 type Field = ReturnType<typeof makeField>;
 
@@ -28,7 +28,7 @@ function makeField(root: HTMLElement) {
   return { text, numbers, band, says, apply, revert, back };
 }
 
-/** Another text in the field, at the place where the last one was. */
+/** Puts another text into the field, at the scroll position of the last one. */
 function fill(field: Field, yaml: string): void {
   const { text } = field;
   const { scrollTop, scrollLeft } = text;
@@ -41,7 +41,7 @@ function fill(field: Field, yaml: string): void {
   scroll(field);
 }
 
-/** Texts that were typed and gave way to another scene before they ran; the button brings the last one back. */
+/** Texts that were typed, but replaced by another scene before they ran; the button brings the last one back. */
 function keptBy({ back }: Field) {
   const drafts: SceneDraft[] = [];
   const tell = (): void => {
@@ -83,7 +83,7 @@ function markLine({ numbers, band }: Field, error: AvoError | null): void {
   numbers.children[error.line - 1]?.classList.add("bad");
 }
 
-/** So that the place of an error is seen. */
+/** Scrolls to the place of an error. */
 function scrollTo(field: Field, { line, column }: AvoError): void {
   const { text } = field;
   if (!line) return;
@@ -107,9 +107,9 @@ const unapplied = (other: SceneDraft | null): string =>
 export function mountEditor(lab: PageLab, root: HTMLElement): void {
   const field = makeField(root);
   const { text } = field;
-  let draft: SceneDraft | null = null;  // a text of another scene, to be corrected or brought back
-  let given = lab.text;                 // as it came here, before anything was typed
-  let { name, options } = lab;          // of the scene that is shown
+  let draft: SceneDraft | null = null;  // a text of another scene, for correction or restored
+  let given = lab.text;                 // the original text, before typing
+  let { name, options } = lab;          // of the shown scene
   const kept = keptBy(field);
   const target = () => draft ?? { name, options };
   const changed = () => text.value !== lab.text;
@@ -125,9 +125,9 @@ export function mountEditor(lab: PageLab, root: HTMLElement): void {
     draft = other;
     fill(field, yaml);
   };
-  /** It was typed, or refused, and not applied; what a slider does may take the place of anything else. */
+  /** Returns whether the text was typed or refused, and not applied. A slider's changes may replace any other text. */
   const isOwn = () => changed() && (draft !== null || text.value !== given);
-  /** Before another text takes its place. */
+  /** Saves the text before another one replaces it. */
   const keep = () => { if (isOwn()) kept.push({ ...target(), yaml: text.value }); };
   const showRunning = () => {
     show(lab.text, null);
@@ -136,7 +136,7 @@ export function mountEditor(lab: PageLab, root: HTMLElement): void {
   lab.on("error", () => {
     const { error, refused } = lab;
     if (!error || !refused || refused.yaml.length > LONGEST) return;
-    if (text.value === refused.yaml) draft = refused;  // it was typed here
+    if (text.value === refused.yaml) draft = refused;  // the user typed it here
     else keep(), show(refused.yaml, refused);
     mark(error);
     scrollTo(field, error);
@@ -156,7 +156,7 @@ export function mountEditor(lab: PageLab, root: HTMLElement): void {
     if (!back) return;
     keep();
     show(back.yaml, back);
-    given = "";  // it is as if it were typed now
+    given = "";  // treat it as typed now
     check();
   });
   showRunning();

@@ -3,7 +3,7 @@
 import type { Lab } from "../run/lab.ts";
 import { valueAt, withValue } from "./scene_text.ts";
 
-/** Only `avo` may have a certificate; what the text says of that is left out where it is not for this method. */
+/** Returns the text. Only `avo` may have a certificate; the certificate's keys are left out for other methods. */
 export function withMethod(lab: Lab, method: string | undefined): string {
   const text = lab.textWith("method", method);
   if (method === undefined || valueAt(lab.text, "certificate") === undefined) return text;

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the command line sets beside a scene becomes part of its text: there it can be changed, and is saved.
+// Overrides of the command line become part of a scene's text: there the user can edit and save them.
 import { isMap, isScalar, isSeq, parseDocument } from "yaml";
 import type { SceneOptions } from "../../avo/avo.ts";
 import { withWritten } from "./scene_text.ts";
 
-/** The same scene. Overrides stay that only they can say: of single robots of a group or of a file. */
+/** Returns the same scene. Overrides remain that only they can express: those of single robots of a group or of a file. */
 export function folded(yaml: string, options: SceneOptions): { yaml: string; options: SceneOptions } {
   const overrides: string[] = [];
   for (const override of options.overrides ?? []) {
@@ -16,7 +16,7 @@ export function folded(yaml: string, options: SceneOptions): { yaml: string; opt
   return { yaml, options: nothing ? options : { ...options, overrides } };
 }
 
-/** Null where it stays. `othersStay`: which robots these mean, the lists of robots decide. */
+/** Returns null if the override remains. `othersStay`: the lists of robots decide which robots these overrides mean. */
 function withOverride(yaml: string, override: string, othersStay: boolean): string | null {
   const [, path, value] = /^([^=]+)=([^]*)$/.exec(override) ?? [];
   if (path === undefined || (othersStay && /^(robots|robots_from|groups)$/.test(path))) return null;
@@ -27,14 +27,14 @@ function withOverride(yaml: string, override: string, othersStay: boolean): stri
   }
 }
 
-/** Numbers are texts in it, digit by digit as they were given. */
+/** Numbers are texts in the result, digit by digit as they were given. */
 function valueOf(yaml: string): unknown {
   const document = parseDocument(yaml, { schema: "failsafe", uniqueKeys: false, logLevel: "silent" });
   if (document.errors.length) throw document.errors[0]!;
   return document.contents;
 }
 
-/** In one line; what is quoted stays so. */
+/** Returns one line; quoted text stays quoted. */
 function flowText(node: unknown): string {
   if (isSeq(node)) return `[${node.items.map(flowText).join(", ")}]`;
   if (isMap(node)) return `{${node.items.map(({ key, value }) => `${flowText(key)}: ${flowText(value)}`).join(", ")}}`;

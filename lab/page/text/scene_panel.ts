@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The scene: what it is, the quantities of the paper, its text.
+// The panel of the scene: its description, the quantities of the paper, its text.
 import { mountEditor } from "./editor.ts";
 import { element } from "../elements.ts";
 import type { PageLab } from "../run/make_lab.ts";

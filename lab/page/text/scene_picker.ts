@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The built-in scenes, each with a picture of how it starts.
+// The built-in scenes, each with a picture of its start.
 import type { BuiltinScene } from "../../avo/avo.ts";
 import { closeFromBeside, crispContext, element } from "../elements.ts";
 import type { PageLab } from "../run/make_lab.ts";
@@ -8,7 +8,7 @@ import { drawStart } from "../map/start_picture.ts";
 const WIDTH = 208, HEIGHT = 118;  // pixels of a picture
 const OF_ANY_NUMBER: Record<string, number[]> = { "circle-N": [20, 100, 1000], "uniform-N": [100, 1000] };
 
-/** Returns what opens the picker. */
+/** Returns a function that opens the picker. */
 export function mountScenePicker(lab: PageLab, button: HTMLElement, place: HTMLElement): () => void {
   const open = (): void => {
     const find = element("input", { type: "search", placeholder: "find a scene", "aria-label": "find a scene" });
@@ -65,12 +65,12 @@ function makeCard(lab: PageLab, scene: BuiltinScene, done: () => void) {
   return { root, draw, text: `${scene.name} ${description}`.toLowerCase() };
 }
 
-/** "N robots ..." of circle-N with the number that the name has. */
+/** Returns "N robots ..." for circle-N, with the number in the name. */
 export function described(name: string, description: string): string {
   return description.replace(/^N /, `${/\d+$/.exec(name)?.[0] ?? "N"} `);
 }
 
-/** One picture a frame, so that the dialog answers. */
+/** Draws one picture per frame, so that the dialog stays responsive. */
 function drawWhenIdle(dialog: HTMLDialogElement, draws: (() => void)[]): void {
   const next = draws.shift();
   if (!next || !dialog.open) return;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The paper's quantities, to be turned while the run goes on; the scene's text follows.
+// Sliders for the paper's quantities, which work while the run continues; the scene's text follows.
 import { digits, element } from "../elements.ts";
 import type { PageLab } from "../run/make_lab.ts";
 import { withMethod } from "./method_text.ts";
@@ -36,7 +36,7 @@ const CHOICES = [
 const PACE = 120;  // ms between two edits while a slider is dragged
 
 export function mountSliders(lab: PageLab, root: HTMLElement): void {
-  let alone = false;  // radius and acceleration of the selected robot alone
+  let alone = false;  // whether radius and acceleration apply to the selected robot alone
   const scope = element("div", { class: "scope", role: "group", "aria-label": "whose radius and acceleration" });
   const all = element("button", { type: "button" }, "All robots");
   const one = element("button", { type: "button" });
@@ -87,7 +87,7 @@ function makeKnob(lab: PageLab, knob: Knob, path: () => string) {
     lab.set(path(), Number(range.value));
   };
   const refresh = () => {
-    if (waiting !== undefined) return;  // it is being dragged
+    if (waiting !== undefined) return;  // the slider is being dragged
     const now = knob.value(lab);
     range.disabled = lab.live === null || Number.isNaN(now);
     range.value = String(Number.isNaN(now) ? knob.least : now);

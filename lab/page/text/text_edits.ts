@@ -1,31 +1,31 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where a scene's text changes when a value is put, added or taken out, whatever form of YAML it has: blocks, flow, JSON,
-// any line ends. All else stays, byte by byte.
+// Finds where a scene's text changes when a value is set, added or removed, in any form of YAML: blocks, flow, JSON,
+// any line ends. All other text stays, byte by byte.
 import { isCollection, isMap, isPair, isSeq, parseDocument, type CST, type Document, type Node, type Pair, type YAMLMap, type YAMLSeq } from "yaml";
 
 export type Key = string | number;
 type Collection = YAMLMap | YAMLSeq;
 type Item = Node | Pair<Node, Node | null>;
 
-/** `by` instead of what is from `from` to `to`. */
+/** `by` replaces the text between `from` and `to`. */
 export interface Edit { from: number; to: number; by: string }
 
 export interface Source {
-  text: string;        // with "\n" for line ends that are "\r" alone, which the parser does not know
+  text: string;        // with "\n" for single "\r" line ends, which the parser does not know
   document: Document;
   newline: string;
   isJson: boolean;     // its keys are quoted
 }
 
-/** What is at a path, or the last thing on the way there. */
+/** The node at a path, or the last node on the way there. */
 interface Found {
   node: Node | null;
-  holder: Collection | null;  // which has the node as its item `at`
+  holder: Collection | null;  // it has the node as its item `at`
   at: number;
   missing: Key[];             // the rest of the path
 }
 
-let last: { yaml: string; source: Source } | null = null;  // who edits a text asks several times what it says
+let last: { yaml: string; source: Source } | null = null;  // an editor of a text asks several times for its contents
 
 export function parsed(yaml: string): Source {
   if (last?.yaml === yaml) return last.source;
@@ -38,7 +38,7 @@ export function parsed(yaml: string): Source {
   return last.source;
 }
 
-/** In linear time: there may be one edit a robot. */
+/** Applies the edits in linear time: there may be one edit per robot. */
 export function edited(yaml: string, edits: Edit[]): string {
   let result = "", done = 0;
   for (const { from, to, by } of [...edits].sort((a, b) => a.from - b.from)) {
@@ -61,7 +61,7 @@ export function find({ document }: Source, keys: Key[]): Found {
   return found;
 }
 
-/** `written` at a path, whose last keys may be new. */
+/** Puts `written` at a path, whose last keys may be new. */
 export function putting(source: Source, keys: Key[], written: string): Edit[] {
   const found = find(source, keys);
   const [key, ...inner] = found.missing;
@@ -74,7 +74,7 @@ export function putting(source: Source, keys: Key[], written: string): Edit[] {
   throw new Error(`the scene has nothing at ${keys.slice(0, -1).join(".") || "its top"}`);
 }
 
-/** `written` at the end of a list, which is made if need be. */
+/** Puts `written` at the end of a list, which is made if necessary. */
 export function adding(source: Source, keys: Key[], written: string): Edit[] {
   const found = find(source, keys);
   const { node } = found;
@@ -88,7 +88,7 @@ export function adding(source: Source, keys: Key[], written: string): Edit[] {
   return [lineAfter(source, endOf(source, node), list)];
 }
 
-/** Without what is at a path; a list in a block goes with its last entry. */
+/** Removes the node at a path; a list in a block disappears with its last entry. */
 export function takingOut(source: Source, keys: Key[]): Edit[] {
   const { holder, at, missing } = find(source, keys);
   if (missing.length > 0 || !holder) return [];
@@ -99,7 +99,7 @@ export function takingOut(source: Source, keys: Key[]): Edit[] {
   return holder.flow ? takeOutOfFlow(source, holder, items, at) : takeOutOfBlock(source, holder, items, at);
 }
 
-/** Of a pair in a list, [a: 1], there are none. */
+/** Returns the tokens; a pair in a list, [a: 1], has none. */
 const tokensOf = ({ srcToken }: Collection) => (srcToken as CST.BlockMap | CST.BlockSequence | CST.FlowCollection | undefined)?.items;
 const isNothing = (node: Node | null) => node === null || ("value" in node && node.value === null);
 
@@ -114,7 +114,7 @@ function putInto({ text }: Source, { node, holder, at }: Found, written: string)
   if (end <= from) return [{ from, to: from, by: before + written + (text[from] === "#" ? " " : "") }];
   const start = lineStart(text, from);
   if (!isBlock(node) || !isBlank(text, start, from)) return [{ from, to: end, by: written }];
-  // lines of its own: to the key or dash above them, behind which there may be a comment
+  // it has its own lines: append to the key or dash above them, which a comment may follow
   const { start: dash, sep } = tokensOf(holder)![at]!;
   const mark = [...dash, ...(sep ?? [])].find(({ type }) => type === "map-value-ind" || type === "seq-item-ind")!;
   return [{ from: mark.offset + 1, to: mark.offset + 1, by: ` ${written}` }, { from: start, to: lineEnd(text, end), by: "" }];
@@ -133,7 +133,7 @@ function addKey(source: Source, map: YAMLMap, key: Key, written: string): Edit[]
   return [{ from: map.range![0], to: map.range![0], by: "{" }, ...edits, { from: end, to: end, by: "}" }];
 }
 
-/** A line of its own where the last entry has one. */
+/** Adds a separate line if the last entry has one. */
 function addToFlow(source: Source, holder: Collection, entry: string): Edit[] {
   const { text } = source;
   const item = holder.items[holder.items.length - 1] as Item | undefined;
@@ -153,7 +153,7 @@ function takeOutOfBlock(source: Source, holder: Collection, items: CST.Collectio
   const begin = beginOf(items[at]!), end = lineEnd(text, endOf(source, holder.items[at] as Item));
   const start = lineStart(text, begin);
   if (isBlank(text, start, begin)) return [{ from: start, to: end, by: "" }];
-  const next = beginOf(items[at + 1]!);  // the first of several, behind a dash: the next one comes there
+  const next = beginOf(items[at + 1]!);  // the first of several entries, behind a dash: the next entry moves there
   if (isBlank(text, end, next)) return [{ from: begin, to: next, by: "" }];
   return [{ from: begin, to: end - (text[end - 2] === "\r" ? 2 : 1), by: "" }];
 }
@@ -177,13 +177,13 @@ function takeOutOfFlow(source: Source, holder: Collection, items: CST.Collection
 
 const commaOf = (item: CST.CollectionItem | undefined) => item?.start.find(({ type }) => type === "comma")?.offset;
 
-/** An entry's dash, the question mark of a long key, or the value itself. */
+/** Returns the begin of an entry's dash, of the question mark of a long key, or of the value itself. */
 function beginOf({ start, key, value }: CST.CollectionItem): number {
   const mark = start.find(({ type }) => type === "seq-item-ind" || type === "explicit-key-ind");
   return (mark ?? key ?? value)!.offset;
 }
 
-/** Behind the last character of the item itself, before comments and empty lines that follow it. */
+/** Returns the end of the item itself, before comments and empty lines that follow it. */
 function endOf({ text }: { text: string }, item: Item): number {
   const node = isPair(item) ? item.value ?? item.key : item;
   if (isBlock(node)) return endOf({ text }, node.items[node.items.length - 1] as Item);
@@ -195,10 +195,10 @@ function endOf({ text }: { text: string }, item: Item): number {
 const isBlock = (node: Node): node is Collection => isCollection(node) && !node.flow && node.items.length > 0;
 const isBlank = (text: string, from: number, to: number) => text.slice(from, to).trim() === "";
 
-/** Behind a byte order mark, which is no column. */
+/** Returns the offset behind a byte order mark, which is not a column. */
 const lineStart = (text: string, at: number) => Math.max(text.lastIndexOf("\n", at - 1) + 1, text[0] === "\ufeff" ? 1 : 0);
 
-/** Behind the newline of the line that ends with what ends at `at`. */
+/** Returns the offset behind the newline of the line of the item that ends at `at`. */
 function lineEnd(text: string, at: number): number {
   const newline = text.indexOf("\n", at);
   return newline < 0 ? text.length : newline + 1;
@@ -209,7 +209,7 @@ function afterBlanks(text: string, at: number): number {
   return at;
 }
 
-/** Null where something but a comma and a comment follows. */
+/** Returns null if something other than a comma and a comment follows. */
 function restOfLine(text: string, at: number): { comma: string } | null {
   const rest = /[ \t]*(,?)[ \t]*(?:#[^\n]*)?\r?\n/y;
   rest.lastIndex = at;
@@ -217,7 +217,7 @@ function restOfLine(text: string, at: number): { comma: string } | null {
   return found && { comma: found[1]! };
 }
 
-/** What is in front of the entries of a block. */
+/** Returns the text in front of the entries of a block. */
 function margin({ text }: Source, { range }: Collection): string {
   return " ".repeat(range![0] - lineStart(text, range![0]));
 }

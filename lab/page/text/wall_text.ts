@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Walls in a scene's text: which entry of `obstacles` a wall comes from, and the text with it elsewhere.
+// Walls in a scene's text: finds the entry of `obstacles` that a wall comes from, and moves it in the text.
 import type { SceneInfo } from "../../avo/avo.ts";
 import { valueAt, withValue } from "./scene_text.ts";
 
@@ -11,10 +11,11 @@ const near = (a: number, b: number) => Math.abs(a - b) < 1e-9;
 const same = (a: Point, b: Point) => near(a[0], b[0]) && near(a[1], b[1]);
 const NUMBERS = /([-+]?[\d.]+(?:e[-+]?\d+)?)\s+([-+]?[\d.]+(?:e[-+]?\d+)?)/gi;
 
-/** An entry of `obstacles`, and the path of the list or the text that holds its points. */
+/** An entry of `obstacles`, and the path of the list or the text that contains its points. */
 interface Source { entry: number; path: string; points: Point[]; radius: number; wkt: string | null }
 
-/** Null of a wall of a map or of a file. The run may be at a time when the list was another: the number alone may lie. */
+/** Returns null for a wall of a map or of a file. The list may have been different at the run's time, so the number
+ * alone may be wrong. */
 function sourceOf(yaml: string, wall: Wall): Source | null {
   const entries = (valueAt(yaml, "obstacles") ?? []) as Entry[];
   const has = ({ points, radius }: Source) =>
@@ -35,7 +36,7 @@ function pointsOf(wkt: string): Point[] {
   return [...wkt.matchAll(NUMBERS)].map((pair) => [Number(pair[1]), Number(pair[2])]);
 }
 
-/** `vertex` of the wall, or all of its obstacle, moved by (dx, dy) m. */
+/** Returns the text with `vertex` of the wall, or the whole obstacle, moved by (dx, dy) m. */
 export function withWallMoved(yaml: string, wall: Wall, vertex: Point | null, dx: number, dy: number): string | null {
   const source = sourceOf(yaml, wall);
   if (!source) return null;
@@ -51,11 +52,11 @@ export function withWallMoved(yaml: string, wall: Wall, vertex: Point | null, dx
   return withValue(yaml, source.path, source.points.map(moved));
 }
 
-/** Without the whole obstacle that the wall is part of. */
+/** Returns the text without the whole obstacle that contains the wall. */
 export function withoutWall(yaml: string, wall: Wall): string | null {
   const source = sourceOf(yaml, wall);
   return source && withValue(yaml, `obstacles.${source.entry}`, undefined);
 }
 
-/** To a millimeter. */
+/** Rounds to a millimeter. */
 export const round = (meters: number) => Math.round(1000 * meters) / 1000;
