@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What is said of bad scene files, word by word: line, column, what, found, allowed.
+// The messages about bad scene files, word by word: line, column, what, found, allowed.
 #include "bad_scenes.h"
 
 namespace avo_test {

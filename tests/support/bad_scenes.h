@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// Bad scene files, and what is said of them, whoever reads them.
+// Bad scene files, and the messages about them from any reader.
 #pragma once
 #include <string>
 #include <vector>
 
 namespace avo_test {
 
-/// Text with its NUL bytes.
+/// Returns text that includes its NUL bytes.
 template <std::size_t N>
 std::string s(const char (&text)[N]) {
   return {text, N - 1};
@@ -28,12 +28,12 @@ inline const std::string kRobotKeys =
 struct BadScene {
   const char* name;
   std::string yaml;
-  std::string message;  ///< after the name of the file
+  std::string message;  ///< behind the name of the file
 };
 
-/// Values that scenes cannot have.
+/// Returns scenes with values that scenes cannot have.
 const std::vector<BadScene>& bad_scenes();
-/// No plain YAML, no text, or too deep.
+/// Returns texts that are no plain YAML, no text, or too deep.
 const std::vector<BadScene>& bad_texts();
 
 }  // namespace avo_test

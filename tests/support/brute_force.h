@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Slow answers by dense sampling and refinement of the definitions; shares no formula with the
-// library but the response written out, in long double.
+// Slow answers by dense sampling and refinement of the definitions. They share no formula with the
+// library except the response written out, in long double.
 #pragma once
 #include <algorithm>
 #include <cmath>
@@ -13,7 +13,8 @@
 
 namespace avo::test {
 
-/// t + δ (e^{-t/δ} - 1) in long double; the series where the subtraction would cancel.
+/// Returns t + δ (e^{-t/δ} - 1) in long double; it uses the series where the subtraction would
+/// cancel.
 inline long double slow_gain(long double t, long double delta) {
   const long double u = t / delta;
   if (u > 0.7L) return delta * (u + std::expm1(-u));
@@ -25,7 +26,7 @@ inline long double slow_gain(long double t, long double delta) {
   return delta * sum;
 }
 
-/// Largest value of f on [low, high], f unimodal there.
+/// Returns the largest value of f on [low, high], where f is unimodal.
 template <typename F>
 double golden_section(F&& f, double low, double high, int steps) {
   constexpr double kPart = 0.6180339887498949;
@@ -46,7 +47,8 @@ double golden_section(F&& f, double low, double high, int steps) {
   return best;
 }
 
-/// Smallest distance of the centers over (0, τ], to about 1e-9 of the distance at its worst.
+/// Returns the smallest distance of the centers over (0, τ], with an error of at most about 1e-9 of
+/// the distance.
 inline double slow_distance(const Situation& s, Vec2 w, int samples = 2000) {
   const auto nearness = [&](double t) {
     const double g = static_cast<double>(slow_gain(t, s.control_time));
@@ -67,8 +69,8 @@ inline double slow_distance(const Situation& s, Vec2 w, int samples = 2000) {
   return -best;
 }
 
-/// The unit normal of least support, and that support: support(normal, refined) is looked at in so
-/// many directions and then, refined, around the lowest `tries` of its minima.
+/// Returns the unit normal of least support, and that support. It evaluates support(normal,
+/// refined) in so many directions and then, refined, around the lowest `tries` of its minima.
 template <typename Support>
 std::pair<Vec2, double> least_support(const Support& support, int directions, int tries,
                                       int steps) {
@@ -129,7 +131,7 @@ class SlowHull {
     for (const Lens& at : lenses_) empty_ = empty_ && at.misses;
   }
 
-  /// Nothing within reach collides, as far as the samples tell.
+  /// Returns whether no velocity within reach collides, as far as the samples tell.
   [[nodiscard]] bool empty() const { return empty_; }
 
   [[nodiscard]] double support(Vec2 n, bool refined = true) const {
@@ -150,7 +152,7 @@ class SlowHull {
     return best;
   }
 
-  /// The unit normal of least support, and that support.
+  /// Returns the unit normal of least support, and that support.
   [[nodiscard]] std::pair<Vec2, double> least() const {
     return least_support([this](Vec2 n, bool refined) { return support(n, refined); }, 96, 2, 36);
   }
@@ -170,8 +172,9 @@ class SlowHull {
     return static_cast<double>(slow_gain(t, s_.control_time));
   }
 
-  // A small disc crosses the circle of reach in a short time, in which its corners are the support:
-  // where one sample misses the reach and the next does not, that time is found and sampled.
+  // Adds samples: a small disc crosses the circle of reach in a short time, in which its corners
+  // are the support. Where one sample misses the reach and the next does not, that time is found
+  // and sampled.
   void crowd_the_crossings() {
     std::vector<Lens> all;
     for (std::size_t k = 0; k + 1 < lenses_.size(); ++k) {
@@ -226,7 +229,7 @@ class SlowHull {
 
   [[nodiscard]] double support_of(const Lens& at, Vec2 n) const {
     if (at.misses) return -kInfinity;
-    // roots would take most of the time
+    // square roots would take most of the time
     const double reach = s_.reach, r = at.radius;
     if (at.covers || norm_squared(reach * n - at.center) <= r * r) return reach;
     if (at.inside || norm_squared(at.center + r * n) <= reach * reach) {

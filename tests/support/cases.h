@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Properties that hold in all cases, tried on a thousand: every run tries the same ones.
+// Tests properties that hold in all cases on a thousand cases; every run uses the same ones.
 #pragma once
 #include <cstdint>
 #include <gtest/gtest.h>
@@ -11,8 +11,8 @@ namespace avo::test {
 
 inline constexpr int kCases = 1000;
 
-/// property(random) until the first case fails, whose seed is named. Cases for which it returns
-/// false are none of its own, and do not count.
+/// Calls property(random) until the first case fails; the message names its seed. Cases for which
+/// it returns false do not belong to the property, and do not count.
 template <typename Property>
 void in_all_cases(const Property& property) {
   int cases = 0;

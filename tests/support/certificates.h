@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the tests of the certificate share: laws, true motion within a step, how near two robots
-// get.
+// Common parts of the certificate's tests: laws, true motion within a step, the least distance of
+// two robots.
 #pragma once
 #include <algorithm>
 #include <array>
@@ -29,13 +29,14 @@ inline CertificateLaw law_of(const PlannerOptions& options) {
   return certificate_law(Planner(options));
 }
 
-/// Less than a_max or more; one in three brakes with all of it, to which nothing is said.
+/// Returns less than a_max or more. For one robot in three it returns none: that robot brakes with
+/// all of a_max.
 inline std::optional<double> random_braking(Random& random, double max_acceleration) {
   if (random.below(3) == 0) return std::nullopt;
   return random.log_uniform(0.3, 4.0) * max_acceleration;
 }
 
-/// Δt 0.02 to 0.5 s, δ from Δt to 4 s.
+/// Returns options with Δt 0.02 to 0.5 s, δ from Δt to 4 s.
 inline PlannerOptions random_options(Random& random, Certificate kind, Motion motion) {
   const double time_step = random.log_uniform(0.02, 0.5);
   return options_of(kind, motion, time_step, random.log_uniform(time_step, 4.0));
@@ -59,7 +60,7 @@ inline std::vector<TrajectoryConstraint> all_constraints(const TrajectoryConstra
   return all;
 }
 
-/// All but one, as it sees them. The certificate asks for no order.
+/// Returns all robots but one, as that robot sees them. The certificate needs no order.
 inline std::vector<Neighbor> others(const std::vector<Robot>& robots, std::size_t self) {
   std::vector<Neighbor> result;
   for (std::size_t k = 0; k < robots.size(); ++k) {
@@ -69,7 +70,7 @@ inline std::vector<Neighbor> others(const std::vector<Robot>& robots, std::size_
 }
 
 /// One step from v to v_1 within [0, Δt]: position p + t v + g(t)/E(Δt) (v_1 - v), Eqs. (8), (9),
-/// or with the acceleration held.
+/// or with held acceleration.
 struct TrueStep {
   Vec2 position, velocity, next_velocity;
 
@@ -82,8 +83,8 @@ struct TrueStep {
   }
 };
 
-/// Real roots within [0, most] of c0 + c1 t + c2 t² + c3 t³, to rounding: between the extrema the
-/// cubic is monotone.
+/// Returns the real roots within [0, most] of c0 + c1 t + c2 t² + c3 t³, up to rounding. Between
+/// the extrema the cubic is monotone.
 inline std::vector<double> cubic_roots(const std::array<double, 4>& c, double most) {
   const auto value = [&](double t) { return c[0] + t * (c[1] + t * (c[2] + t * c[3])); };
   std::vector<double> bounds{0.0, most}, roots;
@@ -111,7 +112,7 @@ inline std::vector<double> cubic_roots(const std::array<double, 4>& c, double mo
   return roots;
 }
 
-/// The least value(t) on [0, h]: by samples, then by thirds around the least of them.
+/// Returns the least value(t) on [0, h]: by samples, then by thirds around the least sample.
 template <typename Value>
 double refined_least(const Value& value, double h, int samples, int thirds) {
   int nearest = 0;
@@ -131,8 +132,8 @@ double refined_least(const Value& value, double h, int samples, int thirds) {
   return value(0.5 * (low + high));
 }
 
-/// Least distance of two robots within one step, m: exact (the distance squared is a quartic) where
-/// motion is held, sampled and refined otherwise.
+/// Returns the least distance of two robots within one step, m. It is exact for held motion (the
+/// distance squared is a quartic), and otherwise sampled and refined.
 inline double least_distance(const TrueStep& a, const TrueStep& b, const PlannerOptions& options) {
   const TrueStep relative{a.position - b.position, a.velocity - b.velocity,
                           a.next_velocity - b.next_velocity};
@@ -150,7 +151,7 @@ inline double least_distance(const TrueStep& a, const TrueStep& b, const Planner
   return std::min(least, refined_least(distance, h, 32, 40));
 }
 
-/// Whether all pairs keep the certificate's invariant.
+/// Returns whether all pairs keep the certificate's invariant.
 inline bool invariant_holds(const std::vector<Robot>& robots, const CertificateLaw& law) {
   CertificateConstraints constraints;
   for (std::size_t k = 0; k < robots.size(); ++k) {
@@ -160,7 +161,7 @@ inline bool invariant_holds(const std::vector<Robot>& robots, const CertificateL
   return true;
 }
 
-// Of a path that all constraints have been asked about, also where it violates none.
+// Returns the worst constraint of a path, also if it violates none; all constraints are evaluated.
 inline WorstConstraint worst_of_all(const TrajectoryConstraints& constraints,
                                     const CandidatePath& path, const StepLaw& law) {
   const ConstraintColumns& columns = constraints.columns;

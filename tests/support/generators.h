@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Situations of two robots to test with: wide ranges, and near-degenerate on purpose.
+// Situations of two robots for tests: wide ranges, and deliberately near-degenerate cases.
 #pragma once
 #include <cmath>
 #include <cstdint>
@@ -10,7 +10,7 @@
 
 namespace avo::test {
 
-/// SplitMix64: the same numbers everywhere.
+/// SplitMix64: the same numbers on every machine.
 class Random {
  public:
   explicit Random(std::uint64_t seed) : state_(seed) {}
@@ -32,7 +32,7 @@ class Random {
     const double angle = uniform(-std::numbers::pi, std::numbers::pi);
     return {std::cos(angle), std::sin(angle)};
   }
-  /// 0, or 10^-16 to 10^-1 of either sign: how far something is from degenerate.
+  /// Returns 0, or 10^-16 to 10^-1 of either sign: the distance to a degenerate case.
   double near_zero() {
     const int kind = below(4);
     if (kind == 0) return 0.0;
@@ -43,13 +43,14 @@ class Random {
   std::uint64_t state_;
 };
 
-/// Evenly over the disc about 0. (One draw a statement: C++ leaves the order within one open.)
+/// Returns a point uniform in the disc about 0. (One draw per statement: C++ leaves the order
+/// within a statement open.)
 inline Vec2 in_disc(Random& random, double radius) {
   const double length = radius * std::sqrt(random.uniform(0.0, 1.0));
   return length * random.direction();
 }
 
-/// A pair and what it is planned with.
+/// A pair, and the parameters of its plan.
 struct Situation {
   Pair pair;
   double reach = 0.0;         // m/s
@@ -64,8 +65,9 @@ inline std::ostream& operator<<(std::ostream& out, const Situation& s) {
              << " reach " << s.reach << " delta " << s.control_time << " tau " << s.time_horizon;
 }
 
-/// Not in contact, nothing degenerate: δ 0.05 to 10 s, τ 0.2 to 20 s, |v| to 5 m/s, r and reach
-/// over two to three decades, distances from nearly touching to out of reach.
+/// Returns a pair without contact, and nothing degenerate. The ranges are: δ 0.05 to 10 s, τ 0.2 to
+/// 20 s, |v| to 5 m/s, r and reach over two to three decades. Distances range from nearly touching
+/// to out of reach.
 inline Situation wide_situation(Random& random) {
   Situation s;
   s.control_time = random.log_uniform(0.05, 10.0);
@@ -80,15 +82,15 @@ inline Situation wide_situation(Random& random) {
   return s;
 }
 
-/// The same pair, in contact at most: rounding may have made it overlap.
+/// Returns the same pair, at most in contact: rounding may have made it overlap.
 inline Situation apart(Situation s) {
   while (norm(s.pair.position) < s.pair.radius) s.pair.radius *= 1.0 - 0x1p-52;
   return s;
 }
 
-/// As above, and then moved next to (or exactly onto) one special case: at rest, parallel,
-/// head-on, in contact, grazing at the miss distance, on an axis, tiny or huge reach. Never
-/// overlapping at the start.
+/// Returns a pair as above, moved next to (or exactly onto) one special case. Cases are: at rest,
+/// parallel, head-on, in contact, grazing at the miss distance, on an axis, tiny or huge reach. The
+/// pair never overlaps at the start.
 inline Situation degenerate_situation(Random& random) {
   Situation s = wide_situation(random);
   Vec2& p = s.pair.position;
@@ -125,12 +127,12 @@ inline Situation degenerate_situation(Random& random) {
       s.reach *= random.below(2) == 0 ? 1e-6 : 1e6;
       break;
   }
-  // and in contact, or nearly, on top of it
+  // and additionally in contact, or nearly in contact
   if (random.below(6) == 0) p = (r * (1.0 + std::abs(random.near_zero())) / norm(p)) * p;
   return apart(s);
 }
 
-/// Lengths × `length`, times × `time`.
+/// Returns lengths × `length`, times × `time`.
 inline Situation scaled(const Situation& s, double length, double time) {
   const double speed = length / time;
   return {{length * s.pair.position, speed * s.pair.velocity, length * s.pair.radius},
@@ -139,7 +141,8 @@ inline Situation scaled(const Situation& s, double length, double time) {
           time * s.time_horizon};
 }
 
-/// Half of them wide, half degenerate; lengths over 13 decades, times over 4.
+/// Returns situations of which half are wide and half degenerate; lengths over 13 decades, times
+/// over 4.
 inline Situation any_situation(Random& random) {
   const Situation s = random.below(2) == 0 ? wide_situation(random) : degenerate_situation(random);
   if (random.below(2) == 0) return s;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Pairs for half_planes(), which share a horizon, and its answers one by one.
+// Pairs for half_planes(), which share a horizon, and the expected answers one by one.
 #pragma once
 #include <algorithm>
 #include <array>
@@ -15,10 +15,10 @@
 
 namespace avo::test {
 
-/// Sizes about every number of lanes, and one of many packs.
+/// Sizes around every number of lanes, and one size of many packs.
 inline constexpr std::array<std::size_t, 10> kBatchSizes{0, 1, 2, 7, 8, 9, 15, 16, 17, 640};
 
-/// Runs on one instruction set as long as it lives.
+/// Selects one instruction set during its lifetime.
 class OnTarget {
  public:
   explicit OnTarget(const char* name) : before_(simd_target()) { use_simd_target(name); }
@@ -30,7 +30,7 @@ class OnTarget {
   std::string before_;
 };
 
-/// In contact, overlapping, or with one center.
+/// Returns a pair in contact, overlapping, or with one center.
 inline Situation touching(Random& random, Situation s) {
   Vec2& p = s.pair.position;
   const double d = norm(p);
@@ -51,7 +51,7 @@ inline Situation touching(Random& random, Situation s) {
   return s;
 }
 
-/// Up to `size` situations of one δ and τ, of all kinds; lengths over thirteen decades if
+/// Returns up to `size` situations of one δ and τ, of all kinds; lengths over thirteen decades if
 /// `any_scale`.
 inline std::vector<Situation> situations_of_one_horizon(Random& random, std::size_t size,
                                                         bool any_scale) {
@@ -69,13 +69,13 @@ inline std::vector<Situation> situations_of_one_horizon(Random& random, std::siz
   return all;
 }
 
-/// Of a whole batch; Δt is 0.1 s.
+/// Returns the horizon of a whole batch; Δt is 0.1 s.
 inline Horizon horizon_of(const std::vector<Situation>& all) {
   return all.empty() ? Horizon(4.0, 10.0, 0.1)
                      : Horizon(all[0].control_time, all[0].time_horizon, 0.1);
 }
 
-/// Scratch memory; grows only.
+/// Scratch memory, which only grows.
 struct Batch {
   PairColumns pairs;
   HalfPlaneWorkspace workspace;
@@ -99,7 +99,8 @@ struct Batch {
   }
 
  private:
-  // What no pair wrote must not matter: neither the columns past the last pair nor old answers.
+  // Overwrites memory that no pair wrote, because it must not matter: columns past the last pair,
+  // and old answers.
   void spoil() {
     constexpr double other = 0.5;
     for (auto* column :

@@ -1,3 +1,3 @@
 // SPDX-License-Identifier: Apache-2.0
-// Only for the precompiled headers.
+// This file exists only for the precompiled headers.
 #include "support/headers.h"

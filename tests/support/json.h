@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// JSON for tests, with keys in the order of the text; its code is made once, in json.cpp.
+// JSON for tests, with keys in the order of the text; json.cpp alone instantiates its code.
 #pragma once
 #include <nlohmann/json.hpp>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Scratch memory as another decision could have left it, at its worst.
+// Scratch memory as another decision could have left it, in the worst case.
 #pragma once
 #include <array>
 #include <cstdint>
@@ -11,9 +11,8 @@
 
 namespace avo::test {
 
-/// Overwrites all that a planner's scratch memory holds by a number, as far as it holds anything:
-/// sizes of vectors stay, because room is told by them. The bindings list all members: whoever adds
-/// one has to add it here.
+/// Overwrites all contents of a planner's scratch memory by a number. Sizes of vectors stay,
+/// because they determine the room. The bindings list all members: a new member must be added here.
 class Poison {
  public:
   explicit Poison(double number) : number_(number) {}
@@ -24,7 +23,7 @@ class Poison {
         PlanWorkspace::Scratch::of(workspace);
     each(soft, decisions, rows, demands, hard_and_soft, order, alone, certified, flight, evasion,
          steering);
-    // of programs one robot has none; the others are lists, read after they are begun anew
+    // one robot has no programs; the others are lists, which are cleared before they are read
     static_cast<void>(programs), static_cast<void>(obstacles), static_cast<void>(ordered);
     static_cast<void>(listed), static_cast<void>(movers), static_cast<void>(passive);
   }
@@ -62,7 +61,7 @@ class Poison {
   void spoil(NearQueue::Column& column) const {
     for (double& entry : column) spoil(entry);
   }
-  // where they point to is gone
+  // the targets of its pointers no longer exist
   void spoil(std::vector<const NearPair*>& waiting) const {
     for (auto& pair : waiting) pair = nullptr;
   }
@@ -240,7 +239,7 @@ class Poison {
     auto& [others, trajectories, walls, clear_now, clear_after, clear_until, after, brakes_at,
            intervals, brakings, in_the_way, work] = around;
     for (KnownInterval& known : intervals) spoil(known.path.end);
-    static_cast<void>(brakings);  // no interval is of a path that is still to come
+    static_cast<void>(brakings);  // no interval belongs to a path that is still to come
     each(in_the_way, others, trajectories, walls, clear_now, clear_after, clear_until,
          after.position, after.velocity, after.time, after.heading, brakes_at, work);
   }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What Error says.
+// The message of an Error.
 #pragma once
 #include <string>
 
@@ -8,7 +8,7 @@
 
 namespace avo::test {
 
-/// Empty where there is none.
+/// Returns an empty text if there is none.
 template <typename Action>
 std::string refusal(const Action& action) {
   try {
@@ -19,7 +19,7 @@ std::string refusal(const Action& action) {
   return {};
 }
 
-/// Of a scene that cannot be simulated.
+/// Returns the message about a scene that cannot be simulated.
 inline std::string refusal(const Scenario& scene) {
   return refusal([&] { validate(scene); });
 }

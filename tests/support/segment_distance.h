@@ -6,7 +6,7 @@
 
 namespace avo::test {
 
-/// m, from a point to the segment from a to b; shares no code with the library.
+/// Returns m, from a point to the segment from a to b; it shares no code with the library.
 inline double slow_segment_distance(Vec2 p, Vec2 a, Vec2 b) {
   const Vec2 d = b - a;
   const double squared = norm_squared(d);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Slow answers about a robot and a wall by dense sampling of times and normals, and situations to
-// ask them in; shares no formula with the library but the response written out.
+// Slow answers about a robot and a wall by dense sampling of times and normals, and situations for
+// them. They share no formula with the library except the response written out.
 #pragma once
 #include <algorithm>
 #include <array>
@@ -17,7 +17,7 @@
 
 namespace avo::test {
 
-/// A robot beside a wall and what it is planned with.
+/// A robot beside a wall, and the parameters of its plan.
 struct WallSituation {
   WallPair pair;
   double reach = 0.0;         // m/s
@@ -33,7 +33,7 @@ inline std::ostream& operator<<(std::ostream& out, const WallSituation& s) {
              << s.control_time << " tau " << s.time_horizon;
 }
 
-/// Smallest distance of the robot from the wall over (0, τ].
+/// Returns the smallest distance of the robot from the wall over (0, τ].
 inline double slow_distance(const WallSituation& s, Vec2 w, int samples = 4000) {
   const Vec2 b = s.pair.from_a - s.pair.from_b;
   const auto nearness = [&](double t) {
@@ -87,14 +87,14 @@ class SlowWallHull {
     return best;
   }
 
-  /// The unit normal of least support, and that support.
+  /// Returns the unit normal of least support, and that support.
   [[nodiscard]] std::pair<Vec2, double> least() const {
     return least_support([this](Vec2 n, bool refined) { return support(n, refined); }, 120, 3, 32);
   }
 
  private:
   static constexpr double kInfinity = std::numeric_limits<double>::infinity();
-  // All w that collide at one time: within `radius` of the segment between two centers.
+  // All w that collide at one time: they are within `radius` of the segment between two centers.
   struct WallAt {
     Vec2 a, b;
     double radius;
@@ -147,7 +147,7 @@ class SlowWallHull {
   mutable std::vector<double> scratch_;
 };
 
-/// Apart, over wide ranges of all numbers.
+/// Returns a robot apart from the wall, over wide ranges of all numbers.
 inline WallSituation any_wall_situation(Random& random) {
   WallSituation s;
   s.control_time = random.log_uniform(0.05, 10.0);
@@ -157,7 +157,7 @@ inline WallSituation any_wall_situation(Random& random) {
   s.pair.radius = random.log_uniform(0.03, 3.0);
   const double length = random.below(3) == 0 ? s.pair.radius * random.log_uniform(1e-3, 2.0)
                                              : random.log_uniform(0.3, 50.0);
-  // a place of the wall, and the robot off it in some direction
+  // a point of the wall, and the robot away from it in some direction
   const Vec2 along = random.direction();
   const double gap = random.below(2) == 0 ? s.pair.radius * random.log_uniform(1e-3, 30.0)
                                           : random.uniform(0.0, 14.0);
@@ -176,7 +176,7 @@ inline bool is_apart(const WallSituation& s, double margin = 0.0) {
   return d >= s.pair.radius * (1.0 + margin);
 }
 
-/// Next to a special case, or exactly in it.
+/// Returns a situation next to a special case, or exactly in it.
 inline WallSituation degenerate_wall_situation(Random& random) {
   for (;;) {
     WallSituation s = any_wall_situation(random);
@@ -208,7 +208,7 @@ inline WallSituation degenerate_wall_situation(Random& random) {
         if (random.below(2) == 0) pair.velocity = speed * (e + random.near_zero() * n);
         break;
       }
-      case 5: {  // straight at an end, or past it at a miss distance of r
+      case 5: {  // straight at an end, or past the end at a miss distance of r
         const Vec2 to_end = -pair.from_a;
         const double d = norm(to_end);
         const double sine =

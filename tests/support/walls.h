@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Worlds of walls to test with, and how near a moving robot gets to a wall: computed from its true
-// motion, sharing nothing with the library's distances.
+// Worlds of walls for tests, and the distance between a moving robot and a wall. It is computed
+// from the robot's true motion, and shares nothing with the library's distances.
 #pragma once
 #include <algorithm>
 #include <array>
@@ -13,7 +13,7 @@
 
 namespace avo::test {
 
-/// m, from a point to a wall's surface.
+/// Returns m, from a point to a wall's surface.
 inline double gap_to(Vec2 p, const Wall& wall) {
   const long double dx = static_cast<long double>(wall.b.x) - wall.a.x;
   const long double dy = static_cast<long double>(wall.b.y) - wall.a.y;
@@ -26,8 +26,9 @@ inline double gap_to(Vec2 p, const Wall& wall) {
   return static_cast<double>(std::sqrt(x * x + y * y)) - wall.radius;
 }
 
-/// Least gap within one step, m: exact where motion is held (the distance to each end and to the
-/// line has its extrema at roots of a cubic and of a line), sampled and refined otherwise.
+/// Returns the least gap within one step, m. It is exact for held motion: the distance to each end
+/// and to the line has its extrema at roots of a cubic and of a line. For other motion it is
+/// sampled and refined.
 inline double least_gap(const TrueStep& step, const Wall& wall, const PlannerOptions& options) {
   const double h = options.time_step;
   const auto gap = [&](double t) { return gap_to(step.at(t, options), wall); };
@@ -72,8 +73,8 @@ inline Vec2 in_square(Random& random, double side) {
   return {x, random.uniform(0.0, side)};
 }
 
-/// One piece per 4 m² of a square: segments of 0.3 to 3 m, discs, concave corners, and gates
-/// between two collinear segments that are 1e-6 m wider than a disc of the radius.
+/// Returns one piece per 4 m² of a square: segments of 0.3 to 3 m, discs, concave corners, and
+/// gates. A gate is between two collinear segments, and is 1e-6 m wider than a disc of the radius.
 inline std::vector<Wall> random_walls(Random& random, double side, double radius) {
   std::vector<Wall> walls;
   const int count = static_cast<int>(0.25 * side * side);
@@ -99,7 +100,8 @@ inline std::vector<Wall> random_walls(Random& random, double side, double radius
   return walls;
 }
 
-/// In the square, at least `room` m from all walls; far outside where there is no such place.
+/// Returns a place in the square, at least `room` m from all walls; far outside if there is no such
+/// place.
 inline Vec2 free_place(Random& random, const std::vector<Wall>& walls, double side, double room) {
   for (int k = 0; k < 10000; ++k) {
     const Vec2 p = in_square(random, side);

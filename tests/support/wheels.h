@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A differential drive by its two wheels, integrated finely: what judges src/robots/drive.cpp. The
-// axle has a place, a heading, a speed and a turning rate; no formula is about the point ahead.
+// A differential drive by its two wheels, integrated finely, as a judge of src/robots/drive.cpp.
+// The axle has a place, a heading, a speed and a turning rate; no formula is about the point ahead.
 #pragma once
 #include <algorithm>
 #include <cmath>
@@ -19,7 +19,7 @@ struct AxleState {
   double speed = 0.0, turning = 0.0;  // m/s, rad/s
 };
 
-/// Its point ahead moves by `velocity`.
+/// Returns the state of an axle whose point ahead moves by `velocity`.
 inline AxleState axle_of(const DifferentialDrive& drive, Vec2 center, Vec2 velocity,
                          double heading) {
   const double c = std::cos(heading), s = std::sin(heading);
@@ -36,7 +36,7 @@ inline Vec2 center_velocity(const DifferentialDrive& drive, const AxleState& axl
   return {axle.speed * c - across * s, axle.speed * s + across * c};
 }
 
-/// Largest of both wheels so far, m/s and m/s².
+/// The largest values of both wheels so far, m/s and m/s².
 struct WheelUse {
   double speed = 0.0, acceleration = 0.0;
   void take(const WheelUse& other) {
@@ -44,8 +44,8 @@ struct WheelUse {
   }
 };
 
-/// How the axle has to speed up and turn for its point ahead to accelerate by a: the derivatives of
-/// speed and turning, by solving for them.
+/// The derivatives of the axle's speed and turning with which its point ahead accelerates by a,
+/// found by solving for them.
 struct AxleControls {
   double speed, turning;
 };
@@ -64,8 +64,8 @@ inline WheelUse use_of(const DifferentialDrive& drive, const AxleState& axle, Ve
           std::max(std::abs(u.speed - half * u.turning), std::abs(u.speed + half * u.turning))};
 }
 
-/// Runge-Kutta of order four over `time` with the point ahead accelerated by a, and what the wheels
-/// did at the ends of all substeps.
+/// Runge-Kutta of order four over `time` with the point ahead accelerated by a. Returns the use of
+/// the wheels at the ends of all substeps.
 inline WheelUse integrate(const DifferentialDrive& drive, AxleState& axle, Vec2 a, double time,
                           int substeps) {
   const auto rate = [&](const AxleState& s) {

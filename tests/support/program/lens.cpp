@@ -12,7 +12,7 @@ namespace {
 constexpr double kUlp = std::numeric_limits<double>::epsilon();
 constexpr double kToleranceUlps = 8.0;
 constexpr double kTouchingUlps = 2.0;
-// The corners need fourth powers: 2^-200 to 2^200 leaves room for them in a double.
+// The corners need fourth powers: 2^-200 to 2^200 leaves room for these in a double.
 constexpr double kLargest = 0x1p200;
 constexpr double kSmallest = 0x1p-200;
 
@@ -20,7 +20,8 @@ double largest_component(Vec2 a) {
   return std::max(std::abs(a.x), std::abs(a.y));
 }
 
-// A power of two that brings the discs into the range where squares are safe, nearly always 1.
+// Returns a power of two that brings the discs into the range where squares are safe; it is nearly
+// always 1.
 double safe_scale(const Disc& a, const Disc& b) {
   double size = std::max(largest_component(a.center), largest_component(b.center));
   for (double radius : {a.radius, b.radius}) {
@@ -30,8 +31,8 @@ double safe_scale(const Disc& a, const Disc& b) {
   return std::ldexp(1.0, -std::clamp(std::ilogb(size), -1000, 1000));
 }
 
-// A point just computed on one circle may miss the other one's inside by rounding alone. For discs
-// that are nearly equal that must not look like "outside of both": the corner may be far away.
+// A point just computed on one circle may miss the inside of the other by rounding alone. For discs
+// that are nearly equal, that must not look like "outside both": the corner may be far away.
 constexpr double kRoundingOfSquares = 1.0 + 8.0 * kUlp;
 
 bool in_smaller(const Lens& lens, Vec2 u, double rounding = kRoundingOfSquares) {
@@ -43,8 +44,9 @@ bool in_larger(const Lens& lens, Vec2 u, double rounding = kRoundingOfSquares) {
          norm_squared(u - lens.larger_center) <= lens.larger_radius * lens.larger_radius * rounding;
 }
 
-// Where the circles meet, on the left of the axis from the smaller to the larger disc (side = 1)
-// or on its right (side = -1). On the smaller circle to rounding, whatever the larger one's size.
+// Returns the point where the circles meet. It is on the left of the axis from the smaller to the
+// larger disc (side = 1), or on its right (side = -1). It is on the smaller circle up to rounding,
+// whatever the size of the larger one.
 Vec2 corner(const Lens& lens, double side) {
   const double r = lens.radius;
   const double R = lens.larger_radius;

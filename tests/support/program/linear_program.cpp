@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Eqs. (22), (23): the nearest point of all half-planes and both discs, and the least unsafe one
-// (the 3-D linear program of §IV-D) where they leave nothing.
+// Eqs. (22), (23): the nearest point of all half-planes and both discs. If they leave no point, it
+// is the least unsafe point (the 3-D linear program of §IV-D).
 #include "support/program/linear_program.h"
 
 #include <algorithm>
@@ -13,8 +13,8 @@
 namespace avo::reference {
 namespace {
 
-// Where plane a is violated no more than plane b: (n_a - n_b) . u >= o_a - o_b. Its violations
-// are differences of violations of a and b, so it is left unnormalized.
+// Returns the half-plane where plane a is violated no more than plane b: (n_a - n_b) . u >= o_a -
+// o_b. Its violations are differences of violations of a and b, so it is not normalized.
 HalfPlane bisector(const HalfPlane& a, const HalfPlane& b) {
   return {a.normal - b.normal, a.offset - b.offset};
 }
@@ -25,16 +25,16 @@ double largest_violation(Planes planes, Vec2 u) {
   return largest;
 }
 
-// The violation to report, of the half-planes as given and the point as returned. It is not 0 even
-// where the point's last rounding made it so, among denormal numbers.
+// Returns the violation to report, of the given half-planes and the returned point. It is not 0
+// even if the point's last rounding made it so, among denormal numbers.
 double violation_at(Planes given, Vec2 u, double before_rounding) {
   const double largest = largest_violation(given, u);
   return largest > 0.0 ? largest : before_rounding;
 }
 
-// Scratch memory, each with room for all half-planes.
+// Scratch memory; each part has room for all half-planes.
 struct Room {
-  std::span<HalfPlane> planes;  // relative, the hard ones first
+  std::span<HalfPlane> planes;  // relative, with the hard ones first
   std::span<HalfPlane> taken;
   std::span<HalfPlane> projected, projected_taken;  // of least_unsafe
 };
@@ -48,13 +48,13 @@ Room room_for(std::size_t count, std::vector<HalfPlane>& scratch) {
           {first + 3 * count, count}};
 }
 
-// CA_A of Eq. (22) is empty, the 3-D program: the smallest s such that some point of the lens and
-// of `keep` violates no plane of `give` by more than s. Incremental as well: of the planes violated
-// by more than s, the one violated most is taken next. It is then the worst of those taken, and the
-// new point lies farthest along its normal among the points that violate none of them more than
-// this one. Equals are settled by the distance to `preferred` in each program, hence in the whole.
-// On entry `solution` satisfies `keep` and the planes of `give` in taken[from .. solution.taken),
-// to which give[next] cannot be added.
+// CA_A of Eq. (22) is empty, so this is the 3-D program. It finds the smallest s such that some
+// point of the lens and of `keep` violates no plane of `give` by more than s. It is incremental as
+// well: of the planes violated by more than s, the one violated most is taken next. That plane is
+// then the worst of the taken planes. The new point lies farthest along its normal among the points
+// that violate no taken plane more than this one. Ties are broken by the distance to `preferred` in
+// each program, hence in the whole. On entry, `solution` satisfies `keep` and the planes of `give`
+// in taken[from .. solution.taken), to which give[next] cannot be added.
 void least_unsafe(const Lens& lens, Planes keep, Planes give, std::size_t next, Vec2 preferred,
                   const Room& room, std::size_t from, PlanarSolution& solution) {
   std::copy(keep.begin(), keep.end(), room.projected.begin());
@@ -76,7 +76,7 @@ void least_unsafe(const Lens& lens, Planes keep, Planes give, std::size_t next, 
   }
 }
 
-// A point as far away as this has the same nearest points as any farther one in that direction.
+// A point at this distance has the same nearest points as any farther point in that direction.
 constexpr double kFarthestPoint = 0x1p400;
 
 Vec2 relative_point(const Lens& lens, Vec2 u) {
@@ -90,8 +90,8 @@ HalfPlane relative_plane(const Lens& lens, const HalfPlane& plane) {
   return {plane.normal, lens.scale * plane.offset - dot(plane.normal, lens.origin)};
 }
 
-// Back into the discs, the smaller one last: rounding may have left it by some ulp of the larger
-// one's size, or of the distance between center and origin.
+// Moves the point back into the discs, the smaller one last. Rounding may have moved it out by some
+// ulp of the size of the larger one, or of the distance between center and origin.
 Vec2 absolute_point(const Lens& lens, const Disc& acceleration, const Disc& speed, Vec2 relative) {
   const Disc& smaller = lens.speed_is_larger ? acceleration : speed;
   const Disc& larger = lens.speed_is_larger ? speed : acceleration;
@@ -113,8 +113,8 @@ ProgramResult nearest_to_speed_disc(const Lens& lens, const Disc& acceleration, 
   return result;
 }
 
-// The largest violation of the hard half-planes; where it is one of rounding, all of them are in
-// force.
+// Returns the largest violation of the hard half-planes; if it is only a rounding error, all of
+// them are in force.
 double solve_hard(const Lens& lens, std::span<HalfPlane> keep, const Goal& goal, const Room& room,
                   PlanarSolution& solution) {
   if (keep.empty()) return 0.0;
@@ -124,7 +124,7 @@ double solve_hard(const Lens& lens, std::span<HalfPlane> keep, const Goal& goal,
     solution.moved = true;
     const double worst = largest_violation(keep, solution.point);
     if (worst > lens.tolerance) return worst;
-    // They leave a set thinner than rounding: widen it by more.
+    // The half-planes leave a set thinner than rounding: widen it by more.
     for (HalfPlane& plane : keep) plane.offset -= 1.5 * lens.tolerance;
     PlanarSolution wider = start_planar(lens, goal);
     if (solve_planar(lens, keep, goal, room.taken, wider) == keep.size()) solution = wider;
@@ -150,7 +150,7 @@ ProgramResult nearest_point(std::span<const HalfPlane> hard, std::span<const Hal
   const std::span<HalfPlane> give = room.planes.subspan(hard.size());
   const Goal goal{relative_point(lens, preferred), {}};
 
-  // Eq. (23), the hard half-planes first
+  // Eq. (23), with the hard half-planes first
   ProgramResult result;
   PlanarSolution solution = start_planar(lens, goal);
   if (const double worst = solve_hard(lens, keep, goal, room, solution); worst > lens.tolerance) {

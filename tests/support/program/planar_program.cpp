@@ -16,7 +16,7 @@ struct Line {
   double offset = 0.0;
 };
 
-// What is left of a line, lo <= t <= hi.
+// The remaining part of a line, lo <= t <= hi.
 struct Range {
   double lo = 0.0;
   double hi = 0.0;
@@ -26,7 +26,8 @@ bool is_linear(const Goal& goal) {
   return goal.direction.x != 0.0 || goal.direction.y != 0.0;
 }
 
-// Both ends in factors (r - o)(r + o): r² - o² would lose half the digits of a short chord.
+// Computes both ends in factors (r - o)(r + o): r² - o² would lose half the digits of a short
+// chord.
 bool clip_to_discs(const Lens& lens, const Line& line, bool relaxed, Range& range) {
   const double slack = relaxed ? 0.5 * lens.tolerance : 0.0;
   const double gap = lens.radius - std::abs(line.offset);
@@ -49,8 +50,8 @@ bool clip_to_discs(const Lens& lens, const Line& line, bool relaxed, Range& rang
   return true;
 }
 
-// Along the line, a plane reads t * slope >= excess. Where the whole lens cannot change t * slope
-// by more than rounding, the two lines are parallel and only the excess counts.
+// Along the line, a plane means t * slope >= excess. If the whole lens cannot change t * slope by
+// more than rounding, the two lines are parallel, and only the excess counts.
 bool clip_to_planes(const Lens& lens, const Line& line, Planes planes, bool relaxed, Range& range) {
   const double slack = relaxed ? 0.5 * lens.tolerance : 0.0;
   for (const HalfPlane& plane : planes) {
@@ -70,10 +71,11 @@ bool clip_to_planes(const Lens& lens, const Line& line, Planes planes, bool rela
   return range.lo <= range.hi;
 }
 
-// The 1-D program: the best point of the plane's boundary within the discs and all planes before
-// it. Nothing is given up to rounding: where exact clipping leaves nothing (planes through one
-// point, touching discs), all bounds are relaxed by half the tolerance before the answer is
-// "empty"; by half, so that the point found counts as inside for every plane to come.
+// The 1-D program: it finds the best point of the plane's boundary within the discs and all planes
+// before it. Rounding alone never makes it fail. If exact clipping leaves no point (planes through
+// one point, touching discs), all bounds are relaxed by half the tolerance before the answer is
+// "empty". They are relaxed by half, so that the found point counts as inside for every later
+// plane.
 bool move_to_boundary(const Lens& lens, Planes before, const HalfPlane& plane, const Goal& goal,
                       Vec2& point) {
   Line line{plane.normal, perpendicular(plane.normal), plane.offset};
@@ -133,7 +135,7 @@ std::size_t solve_planar(const Lens& lens, Planes planes, const Goal& goal,
     if (worst == planes.size()) return worst;
     const HalfPlane& plane = planes[worst];
     const Planes before = taken.first(solution.taken);
-    // what is left of all violations is rounding, if that is all that is left of the largest
+    // if only rounding is left of the largest violation, only rounding is left of all
     if (contains(before, plane)) return planes.size();
     if (!move_to_boundary(lens, before, plane, goal, solution.point)) return worst;
     taken[solution.taken++] = plane;
