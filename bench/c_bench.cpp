@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The cost of the C interface, compared with the same in C++: a getter, a decision, and a frame of
-// 1000 robots (a step, and reading all positions).
+// The cost of the C interface, compared with the same in C++. It measures a getter, a decision, and
+// a frame of 1000 robots (a step, and reading all positions).
 #include <algorithm>
 #include <avo_c/avo.h>
 #include <benchmark/benchmark.h>

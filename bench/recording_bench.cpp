@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The cost of a recording: the run itself (the step and add()), by the processor time of its
-// thread, so that load on the machine does not count; bytes per robot-step; and the speed of
-// writing CSV.
+// The cost of a recording. It measures the run itself (the step and add()) by the processor time of
+// its thread, so that load on the machine does not count. It also measures bytes per robot-step,
+// and the speed of writing CSV.
 #include <benchmark/benchmark.h>
 #include <cstdint>
 #include <ctime>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // A page to draw on: one drawing code for .svg, .png and .pdf, by the file's extension.
 //
-// Two coordinate systems: the page, in points with y down from the upper left corner, and the
-// world (m or m/s) with y up, shown in one rectangle of the page at a time. Lengths of the pen,
+// There are two coordinate systems. The page has points, with y down from the upper left corner.
+// The world (m or m/s) has y up; one rectangle of the page at a time shows it. Lengths of the pen,
 // of text and of marks are always in points.
 #pragma once
 #include <array>

@@ -56,8 +56,8 @@ class TrajectoryRecorder {
                                             const std::string& path,
                                             const FigureOptions& options = {});
 
-/// Draws one panel for each of `times` (s), side by side on one scale: all robots at that time,
-/// with the last `tail` seconds as a fading trace.
+/// Draws one panel for each of `times` (s), side by side on one scale. A panel shows all robots at
+/// that time, with the last `tail` seconds as a fading trace.
 [[nodiscard]] std::string draw_instants(const Scenario& scenario,
                                         std::span<const TrajectoryFrame> frames,
                                         std::span<const double> times, double tail,

@@ -24,8 +24,8 @@ Scene alone_over_road(std::uint64_t seed);
 /// contact. Every such obstacle can be evaded: see is_evadable().
 Scene alone_surprised(std::uint64_t seed);
 
-/// Returns a scene in which 1 to 4 moving obstacles go to and fro across the robot's line of 20 m,
-/// on paths that it knows.
+/// Returns a scene in which 1 to 4 moving obstacles cross the robot's line of 20 m to and fro, on
+/// paths that it knows.
 Scene alone_among_paths(std::uint64_t seed);
 
 /// Returns a scene in which eight robots exchange places on a circle of 10 m that six moving

@@ -48,8 +48,8 @@ RobotSetup usual_robot(Vec2 position, Vec2 goal, double preferred_speed);
 /// 3.
 Scene measured_by_straight_time(Scenario scenario);
 
-/// Returns the longest of the times that the robots, alone, take from rest to rest: d/v + v/a with
-/// v the preferred speed, or 2 √(d/a) if the distance is too short for it.
+/// Returns the longest of the times that the robots, alone, take from rest to rest. A time is d/v +
+/// v/a with v the preferred speed, or 2 √(d/a) if the distance is too short for it.
 double straight_time(const Scenario& scenario);
 
 /// Widens the sensing radius to the value that the scene's certificate needs.

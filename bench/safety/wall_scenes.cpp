@@ -46,7 +46,7 @@ void add_room(Scenario& scenario, Vec2 half) {
   scenario.obstacles.push_back({{Chain{corners, true}}, 0.0, Fill::bounds});
 }
 
-// Adds separate walls at random places, one for every 4 m² of a square room: half of them are
+// Adds separate walls at random places, one for every 4 m² of a square room. Half of them are
 // lines, the rest thick lines and discs.
 std::vector<Wall> add_random_walls(Scenario& scenario, double side, Random& random) {
   constexpr int kDirections = 3600;

@@ -22,8 +22,8 @@ Scene walls_and_movers(std::uint64_t seed);
 Scene wall_corners(double robot_steps, std::uint64_t seed);
 
 /// Returns 30 robots that are sent from both sides through gaps that are 1e-6 m wider than the
-/// robots: between the ends of walls, and between parallel walls. They navigate on routes around
-/// walls, or straight ahead, in turns.
+/// robots. The gaps are between the ends of walls, and between parallel walls. Robots navigate on
+/// routes around walls, or straight ahead, in turns.
 Scene wall_gaps(double robot_steps, std::uint64_t seed);
 
 }  // namespace avo::safety

@@ -15,7 +15,7 @@ class MoverWalk {
   explicit MoverWalk(const avo::Scenario& scenario);
 
   /// Moves on to the next time, s; times must ascend. Throws Error if the place of an obstacle with
-  /// a path cannot be known then: clocks are free, and rows are missing before the first time.
+  /// a path is unknown then: clocks are free, and rows are missing before the first time.
   void go_to(double time);
   /// Throws Error if clocks are free and rows are missing up to `time`: such steps matter.
   void require_known(double time) const;

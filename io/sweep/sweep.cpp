@@ -40,7 +40,7 @@ double cost_of(const avo::Scenario& scenario) {
   return static_cast<double>(scenario.robots.size()) * (scenario.duration / scenario.time_step);
 }
 
-/// Checks every remaining run, and sorts the runs that may take longest to the front: otherwise the
+/// Checks every remaining run, and sorts the runs that may take longest to the front. Otherwise the
 /// last run may keep all but one processor waiting.
 void prepare(SweepPlan& plan, int jobs, const SweepOptions& options) {
   plan.cost.resize(plan.runs.size());

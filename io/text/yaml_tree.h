@@ -40,9 +40,9 @@ struct Document {
 };
 
 /// Appends `name` to the sources and parses `yaml`. It refuses anything but one document of valid
-/// UTF-8. It also refuses control characters, anchors, aliases, merge keys, tags, nesting deeper
-/// than 64, keys that are not plain words, and more than two million values. It accepts a byte
-/// order mark and CRLF, and reads them as intended.
+/// UTF-8. It also refuses control characters, anchors, aliases, merge keys, tags, and nesting
+/// deeper than 64. Keys must be plain words, and there may be at most two million values. It
+/// accepts a byte order mark and CRLF, and reads them as intended.
 YamlNode parse_yaml(std::string_view yaml, const std::string& name, Document& document);
 
 }  // namespace avo_io

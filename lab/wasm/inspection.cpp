@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The drawings of an inspector besides the decision's data: the exact boundaries of obstacles, the
-// velocities that the certificate admits, and the braking paths of all robots.
+// The drawings of an inspector besides the decision's data. They are the exact boundaries of
+// obstacles, the velocities that the certificate admits, and the braking paths of all robots.
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -96,7 +96,7 @@ AVO_EXPORT(std::size_t, outlines)
   return into_room(json.dump());
 }
 
-/// Returns a byte for each node of a grid over the box, m/s, bottom row first: whether the
+/// Returns a byte for each node of a grid over the box, m/s, bottom row first. It tells whether the
 /// certificate admits that velocity at the end of the step.
 AVO_EXPORT(std::size_t, admitted)
 (std::uint32_t robot, double left, double bottom, double right, double top, std::uint32_t columns,

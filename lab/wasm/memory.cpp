@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The data that a start does not contain, but that a simulation needs when it takes over: states to
-// the last bit, and the robots' memories.
+// The data that a start does not contain, but that a simulation needs when it takes over. They are
+// states to the last bit, and the robots' memories.
 #include <algorithm>
 #include <cstddef>
 
