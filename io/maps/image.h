@@ -20,7 +20,7 @@ struct Image {
 /// memory that the bytes cannot fill.
 Image read_image(const SourceText& source);
 
-// Reads one format each.
+// These functions read one format each.
 Image read_pgm(const SourceText& source);
 Image read_png(const SourceText& source);
 Image read_bmp(const SourceText& source);

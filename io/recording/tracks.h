@@ -41,7 +41,7 @@ std::string place_of(const TrackTable& table, const TrackRow& row);
 /// that occur twice in a frame, or are not below `robots`.
 std::unique_ptr<RowSource> track_rows(TrackTable table, std::optional<std::int64_t> robots);
 
-// Test the first bytes of a file, or its contents.
+// These functions tell the format by the first bytes of a file, or by its contents.
 bool is_sqlite(std::string_view begin);
 bool is_pedestrian_text(std::string_view begin);
 bool is_pedestrian_hdf5(const std::string& path);

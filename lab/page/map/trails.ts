@@ -27,7 +27,7 @@ export function noteTrails(trails: Trails, shown: Shown): void {
 
 export type VisitPiece = (row: number, ax: number, ay: number, bx: number, by: number, young: number) => void;
 
-/** Calls `visit` for each piece between two samples; young: from 1, now, to 0, about to disappear. */
+/** Calls `visit` for each piece between two samples; young: from 1 (now) to 0 (about to disappear). */
 export function forTrails({ samples }: Trails, moment: Moment, visit: VisitPiece): void {
   moment.robot.forEach((robot, row) => {
     let from: [number, number] | undefined;

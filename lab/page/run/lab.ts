@@ -38,7 +38,7 @@ export interface WorldPicture {
   draw(): void;  // draws at once; the pixels can be read until the present task ends
 }
 
-/** A text that could not be opened, and the reason for opening it. */
+/** A text that was to be opened, with its name and options. */
 export interface SceneDraft { name: string; yaml: string; options: SceneOptions }
 
 export interface Lab {
