@@ -11,14 +11,15 @@
 #include <utility>
 
 #include "avo/vec.h"
-#include "core/double_double.h"
+#include "core/sine_kernel.h"
 
 namespace avo::elementary {
+
+using DoubleDouble = scalar::DoubleDouble<double>;
+
 namespace detail {
 
-// π/2 in three parts of 53 bits each.
-inline constexpr double kHalfPi[] = {0x1.921fb54442d18p+0, 0x1.1a62633145c07p-54,
-                                     -0x1.f1976b7ed8fbcp-110};
+using scalar::cosine_near_zero, scalar::sine_near_zero, scalar::two_product, scalar::two_sum;
 
 /// x - quadrant π/2, in [-π/4, π/4] up to a rounding.
 struct Reduced {
@@ -39,42 +40,6 @@ constexpr Reduced reduced(double x) {
     rest = rest + -part;
   }
   return {rest, static_cast<int>(static_cast<std::int64_t>(quarters) & 3)};
-}
-
-// Coefficients of Taylor's series that are small enough for doubles: of x^7 and up, and of x^6.
-inline constexpr double kSineTail[] = {
-    -1.0 / 5040.0,          1.0 / 362880.0,          -1.0 / 39916800.0,          1.0 / 6227020800.0,
-    -1.0 / 1307674368000.0, 1.0 / 355687428096000.0, -1.0 / 121645100408832000.0};
-inline constexpr double kCosineTail[] = {
-    -1.0 / 720.0,         1.0 / 40320.0,          -1.0 / 3628800.0,         1.0 / 479001600.0,
-    -1.0 / 87178291200.0, 1.0 / 20922789888000.0, -1.0 / 6402373705728000.0};
-
-// The coefficients before these: of x^5 and x^3, and of x^4 and x^2.
-inline constexpr DoubleDouble kSineHead[] = {{0x1.1111111111111p-7, 0x1.1111111111111p-63},
-                                             {-0x1.5555555555555p-3, -0x1.5555555555555p-57}};
-inline constexpr DoubleDouble kCosineHead[] = {{0x1.5555555555555p-5, 0x1.5555555555555p-59},
-                                               {-0.5, 0.0}};
-
-// z (c_0 + z (c_1 + ...))
-template <std::size_t count>
-constexpr double polynomial(const double (&coefficients)[count], double z) {
-  double sum = 0.0;
-  for (std::size_t k = count; k > 0; --k) sum = z * (coefficients[k - 1] + sum);
-  return sum;
-}
-
-constexpr double sine_near_zero(DoubleDouble r) {
-  const DoubleDouble square = r * r;
-  DoubleDouble sum = kSineHead[0] + polynomial(kSineTail, square.high);
-  sum = kSineHead[1] + square * sum;
-  return (r + r * (square * sum)).high;
-}
-
-constexpr double cosine_near_zero(DoubleDouble r) {
-  const DoubleDouble square = r * r;
-  DoubleDouble sum = kCosineHead[0] + polynomial(kCosineTail, square.high);
-  sum = kCosineHead[1] + square * sum;
-  return (DoubleDouble{1.0, 0.0} + square * sum).high;
 }
 
 constexpr double sine_of(const Reduced& x) {
@@ -145,7 +110,7 @@ inline double atan2(double y, double x) {
     const double scale = a > 0x1p400 ? 0x1p-600 : a < 0x1p-400 ? 0x1p600 : 1.0;
     angle = detail::arctangent(scale * b, scale * a);
   }
-  const DoubleDouble quarter{detail::kHalfPi[0], detail::kHalfPi[1]};
+  const DoubleDouble quarter{kHalfPi[0], kHalfPi[1]};
   if (steep) angle = quarter + -angle;
   if (std::signbit(x)) angle = DoubleDouble{2.0 * quarter.high, 2.0 * quarter.low} + -angle;
   return std::copysign(angle.high, y);

@@ -6,64 +6,25 @@
 
 #include <cstddef>
 
-#include "core/elementary.h"
-#include "core/scalar.h"
+#include "core/sine_kernel.h"
 
 AVO_BEGIN_KERNELS
-
-/// As DoubleDouble, see core/double_double.h.
-template <typename Real>
-struct Twofold {
-  Real high, low;
-
-  static AVO_KERNEL Twofold of(DoubleDouble a) { return {Real(a.high), Real(a.low)}; }
-  static AVO_KERNEL Twofold fast_sum(Real a, Real b) {
-    const Real sum = a + b;
-    return {sum, b - (sum - a)};
-  }
-  static AVO_KERNEL Twofold sum(Real a, Real b) {
-    const Real sum = a + b, part = sum - a;
-    return {sum, (a - (sum - part)) + (b - part)};
-  }
-  static AVO_KERNEL Twofold halves(Real a) {
-    const Real scaled = Real(0x1.000002p27) * a, high = scaled - (scaled - a);
-    return {high, a - high};
-  }
-  static AVO_KERNEL Twofold product(Real a, Real b) {
-    const Real product = a * b;
-    const Twofold x = halves(a), y = halves(b);
-    return {product,
-            ((x.high * y.high - product) + x.high * y.low + x.low * y.high) + x.low * y.low};
-  }
-  friend AVO_KERNEL Twofold operator+(Twofold a, Real b) {
-    const Twofold total = sum(a.high, b);
-    return fast_sum(total.high, total.low + a.low);
-  }
-  friend AVO_KERNEL Twofold operator+(Twofold a, Twofold b) {
-    const Twofold total = sum(a.high, b.high);
-    return fast_sum(total.high, total.low + (a.low + b.low));
-  }
-  friend AVO_KERNEL Twofold operator*(Twofold a, Twofold b) {
-    const Twofold whole = product(a.high, b.high);
-    return fast_sum(whole.high, whole.low + (a.high * b.low + a.low * b.high));
-  }
-};
 
 /// An angle without its whole quarters of a turn: in [-π/4, π/4], but for rounding.
 template <typename Real>
 struct Reduced {
-  Twofold<Real> rest;
+  DoubleDouble<Real> rest;
   Real quadrant;  // 0 to 3, modulo 4
 };
 
 template <typename Real>
 AVO_KERNEL Reduced<Real> reduced(Real x) {
-  using elementary::detail::kHalfPi;
+  using elementary::kHalfPi;
   const Real round(0x1.8p52);
   const Real quarters = (x * Real(0x1.45f306dc9c883p-1) + round) - round;
-  const auto first = Twofold<Real>::product(quarters, Real(kHalfPi[0]));
-  const auto second = Twofold<Real>::product(quarters, Real(kHalfPi[1]));
-  Twofold<Real> rest = Twofold<Real>::sum(x, -first.high);
+  const auto first = two_product(quarters, Real(kHalfPi[0]));
+  const auto second = two_product(quarters, Real(kHalfPi[1]));
+  DoubleDouble<Real> rest = two_sum(x, -first.high);
   rest = rest + -first.low;
   rest = rest + -second.high;
   rest = rest + -second.low;
@@ -73,30 +34,10 @@ AVO_KERNEL Reduced<Real> reduced(Real x) {
   return {rest, quarters - Real(4.0) * turns};
 }
 
-template <typename Real, std::size_t count>
-AVO_KERNEL Real polynomial(const double (&coefficients)[count], Real z) {
-  Real sum(0.0);
-  for (std::size_t k = count; k > 0; --k) sum = z * (Real(coefficients[k - 1]) + sum);
-  return sum;
-}
-
-/// The cosine and the sine of an angle near 0.
-template <typename Real>
-AVO_KERNEL Vec<Real> direction_near_zero(Twofold<Real> r) {
-  namespace detail = elementary::detail;
-  using Two = Twofold<Real>;
-  const Two square = r * r;
-  Two cosine = Two::of(detail::kCosineHead[0]) + polynomial(detail::kCosineTail, square.high);
-  cosine = Two::of(detail::kCosineHead[1]) + square * cosine;
-  Two sine = Two::of(detail::kSineHead[0]) + polynomial(detail::kSineTail, square.high);
-  sine = Two::of(detail::kSineHead[1]) + square * sine;
-  return {(Two::of({1.0, 0.0}) + square * cosine).high, (r + r * (square * sine)).high};
-}
-
 template <typename Real>
 AVO_KERNEL Vec<Real> direction(Real x) {
   const Reduced<Real> part = reduced(x);
-  const Vec<Real> near = direction_near_zero(part.rest);
+  const Vec<Real> near{cosine_near_zero(part.rest), sine_near_zero(part.rest)};
   const Real q = part.quadrant;
   const auto negative_y = q > Real(1.5), negative_x = (q > Real(0.5)) & (q < Real(2.5));
   const auto odd = (negative_x & !negative_y) | (q > Real(2.5));
