@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <array>
-#include <numbers>
 #include <optional>
 
 #include "robots/model.h"
@@ -215,30 +214,14 @@ void look_at_mover(const Observer& observer, std::size_t k, std::vector<Sighting
   encounter.measure(*moment, seen);
 }
 
-MeasurementNoise as_measured(const LocalizationNoise& model) {
-  return {model.position, 0.0, model.distribution, model.truncated};
+// Returns whether the robot is a usual one: it differs from most others by its measured state
+// alone.
+bool is_usual(const Fleet& fleet, std::size_t slot) {
+  const RobotTraits& traits = fleet.traits[slot];
+  return !traits.exceeds && fleet.conduct[slot].priority == 1.0 && !max_braking_of(traits);
 }
 
 }  // namespace
-
-SensingError most_noise(const MeasurementNoise& model) {
-  constexpr double kBoth = std::numbers::sqrt2 * (1.0 + 0x1p-40);
-  const double most = kBoth * most_of_coordinate(model);
-  return {most * model.position, most * model.velocity};
-}
-
-double most_lost(const LocalizationNoise& model) {
-  return most_noise(as_measured(model)).position;
-}
-
-Vec2 own_error(const World& world, std::size_t slot) {
-  const LocalizationNoise& model = world.settings.sensing.localization;
-  if (!(model.position > 0.0)) return {};
-  const std::uint64_t own = world.fleet.id[slot].value;
-  Draws numbers(Draws::key_of(world.settings.seed, world.steps, own), own);
-  const auto drawn = noise<2>(as_measured(model), numbers);
-  return model.position * Vec2{drawn[0], drawn[1]};
-}
 
 void look(const World& world, const Present& own, std::span<const Present> robots,
           std::span<const NeighborHit> movers, std::vector<Sighting>& seen) {
@@ -259,17 +242,6 @@ void look(const World& world, const Present& own, std::span<const Present> robot
   const bool all_matter = world.all_matter();
   if (!all_matter && seen.size() > world.most_nearest()) seen.resize(world.most_nearest());
 }
-
-namespace {
-
-// Returns whether the robot is a usual one: it differs from most others by its measured state
-// alone.
-bool is_usual(const Fleet& fleet, std::size_t slot) {
-  const RobotTraits& traits = fleet.traits[slot];
-  return !traits.exceeds && fleet.conduct[slot].priority == 1.0 && !max_braking_of(traits);
-}
-
-}  // namespace
 
 // A robot without special properties goes straight into the columns.
 void append(const World& world, const Sighting& seen, NeighborColumns& to) {
@@ -308,6 +280,7 @@ bool append_as_they_are(const World& world, const Present& own, std::span<Presen
     }
     if (!is_seen || to.count == first + most) continue;
     const RobotTraits& traits = fleet.traits[robot.slot];
+    // 0.0 * v: look() extrapolates by 0 s, which turns a place of -0 into 0
     to.add_usual(p + 0.0 * v, v, traits.radius, traits.max_acceleration);
   }
   return true;
