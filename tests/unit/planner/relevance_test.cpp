@@ -11,6 +11,7 @@
 #include "certificate/pair.h"
 #include "core/stage_clock.h"
 #include "planner/certify.h"
+#include "planner/rules/arrival.h"
 #include "planner/scratch.h"
 #include "support/half_plane_batches.h"
 #include "unit/planner/crowds.h"
@@ -280,6 +281,25 @@ TEST(Relevance, everyone_matters_where_nothing_bounds_it) {
   options = default_options(Method::avo_paper);
   options.max_neighbors = 10;
   EXPECT_EQ(relevant_range(Planner(options), robot, peers).at(robot.max_speed), 0.0);
+}
+
+TEST(Relevance, narrow_numbers_are_rounded_up) {
+  PlannerOptions options = default_options(Method::avo);
+  options.max_neighbors = 10;
+  const Planner planner(options);
+  Random random(7);
+  for (int trial = 0; trial < 1000; ++trial) {
+    Robot robot;
+    robot.radius = random.log_uniform(0.1, 2.0);
+    robot.max_acceleration = random.log_uniform(0.2, 5.0);
+    robot.max_speed = random.log_uniform(0.2, 5.0);
+    Peers peers;
+    include(peers, planner, robot);
+    const double exact = arrival_range(robot, peers.radius);
+    const RelevantRange range = relevant_range(planner, robot, peers);
+    EXPECT_GE(range.least, exact);
+    EXPECT_LE(range.least, (1.0 + 0x1p-22) * exact);
+  }
 }
 
 }  // namespace
