@@ -6,7 +6,7 @@ Power series alone; shares no code with the library.
 
     elementary_reference.py FOLDER          writes elementary.json
     elementary_reference.py --check FOLDER  demands that its results are right, and the constants of
-                                            src/core/elementary.h
+                                            src/core/elementary.h and sine_coefficients.h
     elementary_reference.py --tables        prints these constants
 
 A case is [function, arguments, value], all numbers hexadecimal; value is [high, low], whose sum is the
@@ -160,7 +160,7 @@ def cases():
 
 
 def constants():
-    """Of elementary.h, in its order."""
+    """Of elementary.h and sine_coefficients.h."""
     ln2 = Decimal(2).ln()
     # the first part has 36 bits, so that its products by numbers below 2^17 are exact
     first = math.ldexp(math.floor(ln2 * 2**36), -36)
@@ -182,11 +182,13 @@ def check(folder):
     for number, case in enumerate(json.loads((folder / "elementary.json").read_text())["cases"]):
         if of(case[0], *map(float.fromhex, case[1])) != case:
             sys.exit(f"elementary.json: case {number} differs from what the reference computes")
-    source = folder.parent.parent / "src/core/elementary.h"
-    there = {abs(float.fromhex(text)) for text in re.findall(r"0x[0-9a-f.]+p[+-]\d+", source.read_text())}
+    core = folder.parent.parent / "src/core"
+    sources = [core / "elementary.h", core / "sine_coefficients.h"]
+    texts = re.findall(r"0x[0-9a-f.]+p[+-]\d+", "".join(source.read_text() for source in sources))
+    there = {abs(float.fromhex(text)) for text in texts}
     for constant in constants():
         if constant != 0.0 and abs(constant) not in there:
-            sys.exit(f"{source}: has no constant {constant.hex()}")
+            sys.exit(f"{' and '.join(map(str, sources))}: have no constant {constant.hex()}")
 
 
 if __name__ == "__main__":
