@@ -286,7 +286,7 @@ void keep_a_way_out(const CertificateLaw& law, const Robot& robot, const Sight& 
   if (way == Way::none) way = find_way(evading, kForAWhile, wanted, found);
   if (way != Way::another) return;
   const Plan evasive =
-      plan_under(law, robot, found.next_velocity, PlanStatus::candidate, plan.violation);
+      plan_under(law, robot, found.next_velocity, PlanStatus::refused, plan.violation);
   plan.new_velocity = evasive.new_velocity, plan.acceleration = evasive.acceleration;
   if (plan.status != PlanStatus::overlapping) plan.status = evasive.status;
   plan.evading = true;
