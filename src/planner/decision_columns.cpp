@@ -34,7 +34,7 @@ void decide_freely(const StepLaw& law, const Execution& execution, const RobotCo
 
 void DecisionColumns::reserve(std::size_t robots) {
   state.resize(std::max(state.size(), robots));
-  if (is_free.size() >= robots + kSpareNeighbors) return;  // this column grows last
+  if (last_y.size() >= robots + kSpareNeighbors) return;  // this column grows last
   for (Column* column :
        {&range,          &ahead,  &is_beside, &push_x,   &push_y,   &push_at_rest_x,
         &push_at_rest_y, &wish_x, &wish_y,    &target_x, &target_y, &violation,

@@ -10,6 +10,7 @@
 #include <numbers>
 #include <vector>
 
+#include "core/elementary.h"
 #include "core/plane.h"
 #include "robots/model.h"
 
@@ -85,19 +86,21 @@ bool is_slow(const Explanation& e, Vec2 v) {
   return norm(v) < kResting * e.seen.robot.max_speed;
 }
 
-// What the robot does, e.g. "turns 12° right and slows down".
+// What the robot does, e.g. "turns 12 degrees right and slows down".
 Words action_of(const Explanation& e) {
   constexpr double kDegree = std::numbers::pi / 180.0;
   const Vec2 v = e.seen.robot.velocity, v_new = e.decision.plan.new_velocity;
   if (is_slow(e, v) && is_slow(e, e.decision.plan.next_velocity)) return "stays at rest";
   if (is_slow(e, v_new)) return "brakes to rest";
   if (is_slow(e, v))
-    return Words("starts, towards ") + number(std::atan2(v_new.y, v_new.x) / kDegree, 0) + "°";
-  const double angle = std::atan2(cross(v, v_new), dot(v, v_new)) / kDegree;
+    return Words("starts, towards ") + number(elementary::atan2(v_new.y, v_new.x) / kDegree, 0) +
+           " degrees";
+  const double angle = elementary::atan2(cross(v, v_new), dot(v, v_new)) / kDegree;
   const double gain = dot(e.decision.plan.acceleration, v) / norm(v);  // m/s²
   Words words;
   if (std::abs(angle) >= kLittleTurn)
-    words = Words("turns ") + number(std::abs(angle), 0) + (angle > 0.0 ? "° left" : "° right");
+    words = Words("turns ") + number(std::abs(angle), 0) +
+            (angle > 0.0 ? " degrees left" : " degrees right");
   if (std::abs(gain) >= kLittleGain * e.seen.robot.max_acceleration)
     words += (words.empty() ? "" : " and ") + Words(gain > 0.0 ? "speeds up" : "slows down");
   return words.empty() ? "keeps its velocity" : words;
@@ -215,10 +218,12 @@ Words detour_of(const Explanation& e) {
   const double degrees = static_cast<double>(e.seen.detour.angle) * 180.0 / std::numbers::pi;
   std::vector<Cause> causes = decision.refusing.empty() ? decision.binding : decision.refusing;
   if (causes.empty() && nearest_of(e) >= 0) causes.push_back({nearest_of(e), -1});
-  const Words blocked =
-      Words("its route is blocked") + (causes.empty() ? "" : " by ") + list_of(e, causes);
-  if (degrees < kLittleTurn) return blocked + ", and it takes what the certificate admits";
-  return blocked + ", so it is on a detour of " + number(degrees, 0) + "° to the right";
+  const Words whom = causes.empty() ? Words("others") : list_of(e, causes);
+  if (degrees < kLittleTurn)
+    return Words("because of ") + whom +
+           " less is left than its route asks, and it takes what the certificate admits";
+  return Words("its route is blocked by ") + whom + ", so it is on a detour of " +
+         number(degrees, 0) + " degrees to the right";
 }
 
 Words limits_of(const Explanation& e, const Planner& planner) {
@@ -282,8 +287,10 @@ Words state_of(const Explanation& e) {
     return is_airplane(e.seen.robot.model) ? " Its circle keeps clear of all others (safe)."
                                            : " Braking keeps clear of all others (safe).";
   if (state.state == SafetyState::unknown) return " Neither safe nor doomed is proved (unknown).";
-  return Words(" Contact with ") + name_of(e, {state.neighbor, state.wall}) + " within " +
-         number(state.time, 2) + " s is inevitable, whatever it does (doomed).";
+  const Words whom = name_of(e, {state.neighbor, state.wall});
+  if (state.time == 0.0) return Words(" It is in contact with ") + whom + " (doomed).";
+  return Words(" Contact with ") + whom + " within " + number(state.time, 2) +
+         " s is inevitable, whatever it does (doomed).";
 }
 
 }  // namespace

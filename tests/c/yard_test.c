@@ -254,7 +254,7 @@ static void check_clocks_and_goals(avo_simulation_id simulation) {
   REQUIRE(avo_simulation_explain(simulation, moving, words, sizeof words, &count));
   CHECK(strlen(words) + 1 == count && strncmp(words, "Robot ", 6) == 0);
   CHECK(avo_simulation_explain(simulation, parked, words, sizeof words, &count) ==
-        AVO_ERROR_INVALID_ARGUMENT);
+        AVO_ERROR_INVALID_VALUE);
 }
 
 /* Two airplanes: the first leaves at its goal, and its id is that of none then. */

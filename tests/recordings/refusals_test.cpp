@@ -102,7 +102,7 @@ TEST(Refusals, of_states_that_no_robot_has) {
   expect({}, {90, 2, 2}, -1.5e12, "time 9 s, robot 2: vx: found -1500000000000" + range);
   const std::string h5 = recorded_circle();
   change(h5, "status", {30, 4}, H5I_INVALID_HID, std::uint8_t{77});
-  expect_refused(h5, "time 3 s, robot 4: status: found 77, must be 0 to 5, or 255, absent");
+  expect_refused(h5, "time 3 s, robot 4: status: found 77, must be 0 to 6, or 255, absent");
 }
 
 TEST(Refusals, not_of_robots_that_are_not_there_or_have_no_heading) {

@@ -11,7 +11,7 @@ export const BLOCK_TIMES = 64;
 const MOST_ROBOTS_OF_CHUNK = 1024;
 const MOST_PER_BYTE = 1032;         // the limit of deflate
 const KEPT_BYTES = 96 * 2 ** 20;    // of blocks, but at least two blocks
-const LAST_STATUS = 5;              // of PlanStatus
+const LAST_STATUS = 6;              // of PlanStatus
 
 export interface BlockShape { robots: number; columns: number }
 

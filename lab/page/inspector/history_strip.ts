@@ -5,7 +5,7 @@ import { STATUSES } from "../../avo/avo.ts";
 import type { Lab } from "../run/lab.ts";
 import { crispContext, digits, element, oncePerFrame } from "../elements.ts";
 import { STATUS_COLORS, paletteOf } from "./palette.ts";
-import { NO_DECISION, worstByPixel } from "../run/thinned.ts";
+import { NO_DECISION, alarmOf, worstByPixel } from "../run/thinned.ts";
 import { ticks } from "./velocity_view.ts";
 
 const HEIGHT = 58, AXIS = 16;  // px
@@ -65,7 +65,7 @@ function draw(context: CanvasRenderingContext2D, lab: Lab, statuses: Uint8Array,
   context.fillRect(0, 0, width, base);
   worstByPixel(statuses, lab.past.times, end, Math.round(width)).forEach((status, x) => {
     if (status < 0) return;
-    const height = (status + 1) / STATUSES.length * base;
+    const height = (alarmOf(status) + 1) / STATUSES.length * base;
     context.fillStyle = STATUS_COLORS[STATUSES[status]!]![lab.theme];
     context.fillRect(x, base - height, 1, height);
   });

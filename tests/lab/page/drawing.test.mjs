@@ -38,6 +38,8 @@ test("a pixel of the history has the worst status of its steps", () => {
   assert.deepEqual([...worstByPixel(statuses, times, 10, 5)], [0, 4, 0, 2, 0]);
   assert.deepEqual([...worstByPixel(statuses, times, 20, 5)], [4, 2, 0, -1, -1]);
   assert.deepEqual([...worstByPixel(statuses, times, 10, 10)], [0, 0, 0, 4, 0, 0, 2, 0, -1, 0]);
+  // a detour (6) is calmer than braking (3)
+  assert.deepEqual([...worstByPixel(Uint8Array.from([255, 6, 3, 6, 2]), [0, 1, 2, 3, 4], 4, 2)], [3, 6]);
 });
 
 test("numbers for people", () => {

@@ -48,5 +48,5 @@ test("the dense streams collide by the paper's method and by orca, and by avo ne
   assert.ok(orca.collision_pairs > 0 && orca.max_acceleration > 16, String(orca.max_acceleration));
   const own = summary(5);
   assert.equal(own.collision_pairs, 0);
-  assert.ok(own.max_acceleration <= 1 + 1e-9 && own.decisions.candidate > 0);
+  assert.ok(own.max_acceleration <= 1 + 1e-9 && own.decisions.refused > 0);
 });
