@@ -9,6 +9,7 @@
 
 #include "core/plane.h"
 #include "planner/certify.h"
+#include "planner/rules/flight_evasion.h"
 #include "robots/model.h"
 
 namespace avo::inline planner {
@@ -138,12 +139,6 @@ Vec2 followed(const Evading& evading, Vec2 next_velocity) {
   return within_own_limits(evading.robot, evading.law.step.braking_time, next_velocity);
 }
 
-// The replacement of a choice: the velocity after the step, and the way out that begins with it.
-struct Taken {
-  Vec2 next_velocity;
-  Evasion way;
-};
-
 // The replacement by the first step that was last found clear.
 Taken taken(const Evading& evading, const FirstStep& step) {
   const Surroundings& around = evading.workspace.around;
@@ -173,8 +168,6 @@ Taken nearer(Evading& evading, const FirstStep& step, Vec2 wanted) {
   return best;
 }
 
-enum class Way : unsigned char { none, as_wanted, another };
-
 // Where others refuse the first steps of ways out: finds the velocity nearest to one of them that
 // leaves a way out.
 bool find_beside(Evading& evading, const FirstSteps& steps, Taken& found) {
@@ -193,6 +186,7 @@ bool find_beside(Evading& evading, const FirstSteps& steps, Taken& found) {
 
 Way find_way(Evading& evading, const Level& level, Vec2 wanted, Taken& found) {
   look_around(evading, level);
+  if (is_airplane(evading.robot.model)) return find_flight(evading, wanted, found);
   if (find_way_after(evading, wanted)) return Way::as_wanted;
   const FirstSteps steps = first_steps(evading, wanted);
   for (const FirstStep& step : steps) {
@@ -247,13 +241,14 @@ Way find_way_by_levels(Evading& evading, std::span<const Level> levels, Vec2 wan
   return find_way_in_order(evading, levels.subspan(1), wanted, found);
 }
 
-// Returns whether braking after that step is clear of movers, for any other neighbors: the
+// Returns whether the fallback after that step is clear of movers, for any other neighbors: the
 // certificate has admitted the step.
-bool is_far_from_movers(Evading& evading, Vec2 next_velocity) {
+bool is_far_from_movers(Evading& evading, Vec2 choice) {
   Surroundings& around = evading.workspace.around;
   around.walls.clear();
   look_around(evading, first_level(evading));
-  return take_first_step(evading.options, around, evading.now(), next_velocity) &&
+  if (is_airplane(evading.robot.model)) return may_circle_after_choice(evading, choice);
+  return take_first_step(evading.options, around, evading.now(), choice) &&
          may_brake(evading.options, around);
 }
 
@@ -266,15 +261,40 @@ bool are_exact(const Evading& evading) {
                      });
 }
 
+bool needs_none(const Sight& sight) {
+  return std::all_of(sight.neighbors.begin(), sight.neighbors.end(), decides);
+}
+
+// What the robot does until the next decision, see Taken::choice.
+Vec2 choice_of(const Evading& evading, const Plan& plan) {
+  if (is_airplane(evading.robot.model)) return plan.acceleration;
+  return evading.robot.velocity + evading.law.step.braking_time * plan.acceleration;
+}
+
+// Replaces the choice of a plan.
+void take(const Evading& evading, Vec2 choice, Plan& plan) {
+  const Robot& robot = evading.robot;
+  if (is_airplane(robot.model)) {
+    plan.new_velocity = robot.velocity + evading.law.step.control_time * choice;
+    plan.acceleration = choice;
+  } else {
+    const Plan evasive =
+        plan_under(evading.law, robot, choice, PlanStatus::candidate, plan.violation);
+    plan.new_velocity = evasive.new_velocity, plan.acceleration = evasive.acceleration;
+  }
+  if (plan.status != PlanStatus::overlapping) plan.status = PlanStatus::candidate;
+  plan.evading = true;
+}
+
 }  // namespace
 
 void keep_a_way_out(const CertificateLaw& law, const Robot& robot, const Sight& sight,
                     bool may_swerve, EvasionWorkspace& workspace, Plan& plan) {
-  if (std::all_of(sight.neighbors.begin(), sight.neighbors.end(), decides)) return;
+  if (needs_none(sight)) return;
   std::optional<Evading> begun = begin_evading(law, robot, sight, workspace);
   if (!begun) return;
   Evading& evading = *begun;
-  const Vec2 wanted = robot.velocity + law.step.braking_time * plan.acceleration;
+  const Vec2 wanted = choice_of(evading, plan);
   if (is_far_from_movers(evading, wanted)) return;
   keep_walls(evading);
   Taken found;
@@ -285,11 +305,7 @@ void keep_a_way_out(const CertificateLaw& law, const Robot& robot, const Sight& 
     way = find_way_in_order(evading, kLastLevels, wanted, found);
   if (way == Way::none) way = find_way(evading, kForAWhile, wanted, found);
   if (way != Way::another) return;
-  const Plan evasive =
-      plan_under(law, robot, found.next_velocity, PlanStatus::candidate, plan.violation);
-  plan.new_velocity = evasive.new_velocity, plan.acceleration = evasive.acceleration;
-  if (plan.status != PlanStatus::overlapping) plan.status = evasive.status;
-  plan.evading = true;
+  take(evading, found.choice, plan);
   workspace.chosen = found.way, workspace.put_aside = wanted;
 }
 
@@ -298,12 +314,21 @@ bool has_way_out(const CertificateLaw& law, const Robot& robot, const Sight& sig
   std::optional<Evading> evading = begin_evading(law, robot, sight, workspace);
   if (!evading) return false;
   keep_walls(*evading);
+  if (is_airplane(robot.model)) {
+    look_around(*evading, kLevels.back());
+    return has_clear_flight(*evading);
+  }
   return std::any_of(kLevels.begin(), kLevels.end(), [&](const Level& level) {
     look_around(*evading, level);
     const FirstSteps steps = first_steps(*evading, robot.velocity);
     return std::any_of(steps.begin(), steps.end(),
                        [&](const FirstStep& step) { return is_clear(*evading, step); });
   });
+}
+
+bool may_go_on(const CertificateLaw& law, const Robot& robot, const Sight& sight,
+               EvasionWorkspace& workspace) {
+  return needs_none(sight) || has_way_out(law, robot, sight, workspace);
 }
 
 int find_evaded(const CertificateLaw& law, const Robot& robot, std::span<const Neighbor> neighbors,
