@@ -227,13 +227,15 @@ struct Plan {
 };
 
 /// The way out that a robot beside movers takes in place of its target (docs/movers.md). The robot
-/// approaches a velocity, and then it brakes to rest.
+/// approaches a velocity, and then it brakes to rest. An airplane circles then.
 struct Evasion {
   /// index into the neighbors given: the mover that made the robot reject its target
   int neighbor = -1;
-  /// m/s, the velocity that the way out approaches, or holds; 0: it brakes from the start
+  /// m/s, the velocity that the way out approaches, or holds; 0: it brakes from the start. Of an
+  /// airplane: its velocity where it begins to circle
   Vec2 velocity = {};
-  double duration = 0;  ///< s, from the decision: the robot then brakes, if nothing else is decided
+  /// s, from the decision: the robot then brakes or circles, if nothing else is decided
+  double duration = 0;
 };
 
 /// A's half-plane against one neighbor, in v'_A, Eqs. (17)-(20).
@@ -450,7 +452,7 @@ class AVO_API Planner {
 
   /// Returns whether some way out is clear of all predicted neighbors (docs/movers.md, invariant
   /// M), whatever the others do. No predicted neighbor need then touch A if it moves as predicted.
-  /// false where plan() says invalid_input, without a certificate, and for models without ways out.
+  /// false where plan() says invalid_input, and without a certificate.
   [[nodiscard]] bool has_way_out(const Robot& robot, std::span<const Neighbor> neighbors,
                                  PlanWorkspace& workspace, std::span<const Wall> walls = {}) const;
 

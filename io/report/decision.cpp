@@ -198,8 +198,9 @@ std::string evasion_text(const Decision& decision) {
   const std::string whom =
       neighbor >= 0 ? text_of_either(decision, neighbor, -1) : "those who come";
   if (!(duration > 0.0)) return whom + ": it brakes";
-  return fmt::format("{}: towards {} m/s until {:.6g} s, and then it could brake", whom,
-                     text(velocity), decision.time + duration);
+  return fmt::format("{}: towards {} m/s until {:.6g} s, and then it could {}", whom,
+                     text(velocity), decision.time + duration,
+                     is_airplane(decision.seen.robot.model) ? "circle" : "brake");
 }
 
 /// Returns the passage at which the robot waits, and the robot for which it waits.

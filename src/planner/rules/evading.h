@@ -58,6 +58,9 @@ struct Evading {
   WayState now() const { return {{}, robot.velocity, 0.0, robot.heading}; }
 };
 
+/// Bisections that bring a replacement nearer to the choice that it replaces.
+inline constexpr int kNearer = 4;
+
 /// What a search of ways out has found after a step of the robot's own choice, or of another one.
 enum class Way : unsigned char { none, as_wanted, another };
 

@@ -15,8 +15,6 @@
 namespace avo::inline planner {
 namespace {
 
-constexpr int kNearer = 4;  // bisections
-
 // The first levels are early, gentle and far off. Each level is tried where the one before has
 // none, and keeps less than that by more than rounding may cost.
 constexpr std::array<Level, 6> kLevels{{{0.6, 0.05, 0.5},
@@ -35,8 +33,11 @@ constexpr Level likely_level(double part) {
 }
 constexpr int kLargerParts = 4;  // bisections
 
-// Where no place is clear for ever: rest must be clear for so long.
-constexpr Level kForAWhile{1.0, 0.0, 0.0, true, 2.0};
+// Where no place is clear for ever: rest must be clear for so long. An airplane does not rest, and
+// finds another circle in less time.
+constexpr std::array<Level, 3> kForAWhile{{{1.0, 0.0, 0.0, true, 2.0},  //
+                                           {1.0, 0.0, 0.0, true, 1.0},
+                                           {1.0, 0.0, 0.0, true, 0.5}}};
 
 // The velocities that ways out approach, of v_max. They are fixed in the world, so that after a
 // step the rest of a way out is a way out as well.
@@ -241,6 +242,11 @@ Way find_way_by_levels(Evading& evading, std::span<const Level> levels, Vec2 wan
   return find_way_in_order(evading, levels.subspan(1), wanted, found);
 }
 
+Way find_way_for_a_while(Evading& evading, Vec2 wanted, Taken& found) {
+  const std::size_t levels = is_airplane(evading.robot.model) ? kForAWhile.size() : 1;
+  return find_way_in_order(evading, std::span(kForAWhile).first(levels), wanted, found);
+}
+
 // Returns whether the fallback after that step is clear of movers, for any other neighbors: the
 // certificate has admitted the step.
 bool is_far_from_movers(Evading& evading, Vec2 choice) {
@@ -303,7 +309,7 @@ void keep_a_way_out(const CertificateLaw& law, const Robot& robot, const Sight& 
                 : find_way_by_levels(evading, kLevels, wanted, found);
   if (way == Way::none && may_swerve && are_exact(evading))
     way = find_way_in_order(evading, kLastLevels, wanted, found);
-  if (way == Way::none) way = find_way(evading, kForAWhile, wanted, found);
+  if (way == Way::none) way = find_way_for_a_while(evading, wanted, found);
   if (way != Way::another) return;
   take(evading, found.choice, plan);
   workspace.chosen = found.way, workspace.put_aside = wanted;
