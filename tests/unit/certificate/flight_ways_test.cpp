@@ -167,6 +167,33 @@ TEST(FlightWays, what_is_left_of_a_clear_way_is_one) {
   EXPECT_GT(clear, 150);
 }
 
+// In long steps the arc leaves the parabola through its ends: the largest contact that a clear way
+// leaves is looked for.
+TEST(FlightWays, keep_clear_of_what_the_arc_of_a_step_touches) {
+  test::Random random(4);
+  int clear = 0;
+  for (int trial = 0; trial < 200; ++trial) {
+    FlightCase c = random_case(random, 3 * trial + 1);
+    c.options.law = {.time_step = 0.8, .lag = 0.4, .braking_time = 0.8};
+    c.robot.model = Airplane{kSlowest, 2.9};  // almost 3 rad a step
+    c.around.others.resize(1);
+    Predicted& other = c.around.others[0];
+    other.deviation = 0.0;
+    double kept = 0.0, refused = 10.0;
+    for (int k = 0; k < 30; ++k) {
+      other.contact = 0.5 * (kept + refused);
+      begin(c);
+      (may_circle_after(c.options, c.around, c.control) ? kept : refused) = other.contact;
+    }
+    other.contact = kept;
+    begin(c);
+    if (!may_circle_after(c.options, c.around, c.control)) continue;
+    ++clear;
+    ASSERT_GE(sampled_room_of_way(c), -1e-6) << trial;
+  }
+  EXPECT_GT(clear, 100);
+}
+
 // A way that is refused comes too near to somebody, or its circles do.
 TEST(FlightWays, are_refused_for_a_reason) {
   test::Random random(3);
