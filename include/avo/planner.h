@@ -354,8 +354,8 @@ class AVO_API Planner {
   /// Reciprocal collision avoidance (§IV-D). Neighbors that decide are assumed to plan
   /// reciprocally, at the same times unless PlannerOptions::clock is free. Neighbors may come in
   /// any order; the order changes bits only where two are equally far away. Neighbors in ascending
-  /// order of distance need not be sorted. A robot among movers only plans as in
-  /// plan_among_obstacles, and so does any robot of methods velocity_obstacle and
+  /// order of distance need not be sorted. A robot among movers only, except an airplane, plans as
+  /// in plan_among_obstacles, and so does any robot of methods velocity_obstacle and
   /// reciprocal_velocity_obstacle.
   ///
   /// detour: the memory of the robot, kept by the caller from decision to decision; updated, or
@@ -381,7 +381,8 @@ class AVO_API Planner {
   /// union of their obstacles; B's new velocity is v_B + δ a_B with the acceleration that the
   /// neighbor gives. Movers touch the robot only at rest, as long as they keep that acceleration.
   /// Nothing is promised with neighbors that call plan() (docs/certificate/movers.md). Method
-  /// buffered_voronoi has no obstacles: it plans as plan() does with all of them moving on.
+  /// buffered_voronoi has no obstacles, and airplanes only turn: both plan as plan() does with all
+  /// of them moving on.
   [[nodiscard]] Plan plan_among_obstacles(const Robot& robot, std::span<const Neighbor> obstacles,
                                           PlanWorkspace& workspace) const;
 

@@ -116,8 +116,8 @@ bool take_first_flight(const WayOptions& options, Surroundings& around, const Mo
                   bend_of(norm(now.velocity), norm(next.velocity), step.way.curvature, h)};
   around.after = {next.position, next.velocity, h};
   around.clear_until = around.clear_now;
-  const bool clear = is_clear(options, around,
-                              {{now.position, now.velocity}, around.after, path, sagitta(step.way)});
+  const bool clear = is_clear(
+      options, around, {{now.position, now.velocity}, around.after, path, sagitta(step.way)});
   around.clear_after = around.clear_until;
   return clear;
 }

@@ -130,7 +130,8 @@ Simulation::Perception Simulation::perceive(std::size_t robot) const {
   const Vec2 lost = own_error(state, slot);
   for (const Wall& wall : walls) seen.walls.push_back(lost == Vec2{} ? wall : moved(wall, -lost));
   seen.robot = state.robot(slot, nearest, seen);
-  seen.among_movers = is_among_movers(state.pace(slot).planner.options(), seen.neighbors);
+  seen.among_movers = !is_airplane(seen.robot.model) &&
+                      is_among_movers(state.pace(slot).planner.options(), seen.neighbors);
   seen.wait = wait(robot);
   return seen;
 }

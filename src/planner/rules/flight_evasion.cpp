@@ -17,8 +17,7 @@ namespace {
 // From p_A, as ways out are.
 MotionState state_now(const Robot& robot) {
   const LoiterCircle circle = *with_circle(robot).loiter;
-  return {
-      {}, robot.velocity, robot.heading, {circle.center - robot.position, circle.radius}};
+  return {{}, robot.velocity, robot.heading, {circle.center - robot.position, circle.radius}};
 }
 
 FlightStep step_by(const Evading& evading, const MotionState& now, Vec2 acceleration) {
@@ -76,9 +75,8 @@ FirstFlights first_flights(const Evading& evading, Vec2 wanted) {
     flights[k] = {ahead * h + (controls[k].turn * a_lat) * n, controls[k]};
     flights[k].detour = norm_squared(flights[k].acceleration - wanted);
   }
-  std::stable_sort(
-      flights.begin(), flights.end(),
-      [](const FirstFlight& a, const FirstFlight& b) { return a.detour < b.detour; });
+  std::stable_sort(flights.begin(), flights.end(),
+                   [](const FirstFlight& a, const FirstFlight& b) { return a.detour < b.detour; });
   return flights;
 }
 
@@ -141,8 +139,7 @@ bool find_flight_beside(Evading& evading, Vec2 wanted, Taken& found) {
 }  // namespace
 
 bool may_circle_after_choice(Evading& evading, Vec2 acceleration) {
-  return take_step(evading, acceleration) &&
-         may_circle(evading.options, evading.workspace.around);
+  return take_step(evading, acceleration) && may_circle(evading.options, evading.workspace.around);
 }
 
 bool has_clear_flight(Evading& evading) {

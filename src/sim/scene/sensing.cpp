@@ -50,7 +50,8 @@ Part part_of(const Scenario& scenario, std::size_t i, const CertificateLaw& law)
   const double circle = room_to_turn(robot.model, v);
   const bool flies = passes_goal(robot.model);
   // an airplane turns aside by half of its circle
-  const double seconds = flies ? step + kQuarterTurn * circle / v : step * (1.0 + braking_steps(v, u));
+  const double seconds =
+      flies ? step + kQuarterTurn * circle / v : step * (1.0 + braking_steps(v, u));
   return {static_cast<int>(i),
           disc_radius(robot) +
               ((step + late) * fastest + (flies ? circle : stopping_length(v, u, own))),

@@ -1,20 +1,21 @@
 // SPDX-License-Identifier: Apache-2.0
 // Ways out of airplanes (docs/movers.md, "Airplanes"): what is called clear is clear for ever, and
 // stays so as A flies that way. Judged by places on arcs that are computed from the equations.
+#include "certificate/flight_ways.h"
+
 #include <algorithm>
 #include <cmath>
 #include <gtest/gtest.h>
 #include <limits>
 #include <vector>
 
-#include "certificate/flight_ways.h"
 #include "core/plane.h"
 #include "support/generators.h"
 
 namespace avo {
 namespace {
 
-constexpr double kLongest = 6.0;  // s
+constexpr double kLongest = 6.0;                  // s
 constexpr double kSlowest = 0.8, kFastest = 2.0;  // m/s
 
 // An airplane at 0 among movers and walls, and the control that it holds.
@@ -94,8 +95,8 @@ void fly_one_step(const FlightCase& c, FlightControl control, Sampled& at) {
     const double along = t * (from.speed + 0.5 * (next - from.speed) * t / h);
     const double turn = side / (top * top) * along, half = 0.5 * turn;
     const double straight = std::abs(half) < 1e-9 ? along : along * std::sin(half) / half;
-    at.place = from.place + straight * Vec2{std::cos(from.course + half),
-                                            std::sin(from.course + half)};
+    at.place =
+        from.place + straight * Vec2{std::cos(from.course + half), std::sin(from.course + half)};
     at.course = from.course + turn, at.time = from.time + t;
     at.room = std::min(at.room, room_at(c, at.place, at.time));
   }

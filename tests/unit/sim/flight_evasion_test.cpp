@@ -57,8 +57,8 @@ double clearance_in_step(const Simulation& simulation, const FleetView& fleet, V
     for (std::size_t k = 0; k < before.size(); ++k) {
       const Vec2 velocity = velocities[k], change = simulation.obstacles().velocity[k] - velocity;
       const Vec2 c = before[k] + (h * s) * velocity + (0.5 * h * s * s) * change;
-      least = std::min(least, norm(place - c) - scene.moving_obstacles[k].radius -
-                                  scene.robots[0].radius);
+      least = std::min(least,
+                       norm(place - c) - scene.moving_obstacles[k].radius - scene.robots[0].radius);
     }
   }
   return least;
@@ -81,8 +81,8 @@ Flown fly_for(const Scenario& scene, double duration) {
     simulation.step();
     const FleetView fleet = simulation.fleet();
     result.evading += fleet.plan[0].evading ? 1 : 0;
-    result.clearance = std::min(result.clearance, clearance_in_step(simulation, fleet, p, v, places,
-                                                                    velocities, scene));
+    result.clearance = std::min(
+        result.clearance, clearance_in_step(simulation, fleet, p, v, places, velocities, scene));
     result.arrives = result.arrives || simulation.is_at_goal(0);
   }
   return result;
@@ -117,8 +117,7 @@ TEST(FlightEvasion, a_way_out_leaves_another_one) {
     for (int step = 0; step < 200; ++step, simulation.step()) {
       const Simulation::Perception seen = simulation.perceive(0);
       const Planner& planner = simulation.planner(0);
-      const bool has_one =
-          planner.has_way_out(seen.robot, seen.neighbors, workspace, seen.walls);
+      const bool has_one = planner.has_way_out(seen.robot, seen.neighbors, workspace, seen.walls);
       ASSERT_TRUE(has_one || !had_one) << trial << ", step " << step;
       had_one = has_one, known += has_one ? 1 : 0;
       const SafetyState state = planner.state(seen.robot, seen.neighbors, workspace).state;
