@@ -47,7 +47,7 @@ double most_violation(const SoftPlanes& soft, std::size_t i, double violation) {
   return violation;
 }
 
-bool flies(const RobotColumns& robots, std::size_t i) {
+bool is_airplane_at(const RobotColumns& robots, std::size_t i) {
   return robots.model[i] != nullptr && is_airplane(*robots.model[i]);
 }
 
@@ -187,7 +187,7 @@ void decide(const Planner& planner, const Execution& execution, Tile& tile,
   if (law.kind == Certificate::braking_trajectories)
     admit_next(robots, decisions.next_x, decisions.next_y, law.step, constraints.near);
   for (std::size_t i = 0; i < robots.count; ++i) {
-    if (flies(robots, i)) {
+    if (is_airplane_at(robots, i)) {
       fly(deciding, i);
     } else {
       begin_walls(robots, tile, i, law, constraints.walls);
@@ -247,7 +247,8 @@ bool decides_otherwise(const Planner& planner, const Tile& tile, std::size_t i,
     return true;
   }
   const bool has_movers = tile.neighbors.has_movers || avoids_union(options.method);
-  if (!has_movers || flies(robots, i) || !is_among_movers(options, neighbors)) return false;
+  if (!has_movers || is_airplane_at(robots, i) || !is_among_movers(options, neighbors))
+    return false;
   list(neighbors, scratch.listed);
   *tile.plan[i] =
       decide_among_obstacles(planner, robots.robot(i), scratch.listed, tile.walls_of(i), scratch);
