@@ -13,6 +13,7 @@ namespace {
 
 constexpr double kLongestWay = 2.0;   // T, until a way out brakes,
 constexpr double kWideWay = 3.0;      // or so many for wide neighbors,
+constexpr double kLongFlight = 8.0;   // or so many until an airplane circles,
 constexpr double kMostSteps = 400.0;  // and steps at most
 // steps of braking; a robot that takes more has no ways out
 constexpr double kMostBraking = 1024.0;
@@ -92,8 +93,15 @@ void follow_trajectories(Evading& evading) {
   }
 }
 
-// s, until a way out brakes: long enough to leave the strip of the widest neighbor.
+// s, until a way out brakes or circles, for any neighbors.
+double longest_of_all(const Robot& robot) {
+  return (is_airplane(robot.model) ? kLongFlight : kWideWay) * time_to_evade(robot);
+}
+
+// s, until a way out brakes: long enough to leave the strip of the widest neighbor. Until an
+// airplane circles: long enough to pass by, since all of its circle must be clear then.
 double longest_way(const Robot& robot, std::span<const Neighbor> neighbors) {
+  if (is_airplane(robot.model)) return longest_of_all(robot);
   const double time = time_to_evade(robot);
   double contact = 0.0;  // m
   for (const Neighbor& neighbor : neighbors)
@@ -110,12 +118,12 @@ double braking_time_of(const Robot& robot, double speed, const StepLaw& law) {
 }  // namespace
 
 double way_range(const Robot& robot) {
-  return (kWideWay + 0.5) * time_to_evade(robot) * robot.max_speed +
+  return (longest_of_all(robot) + 0.5 * time_to_evade(robot)) * robot.max_speed +
          room_to_turn(robot.model, robot.max_speed);
 }
 
 double longest_way_out(const Robot& robot, const StepLaw& law) {
-  const double longest = std::min(kWideWay * time_to_evade(robot), kMostSteps * law.time_step);
+  const double longest = std::min(longest_of_all(robot), kMostSteps * law.time_step);
   const double braking = braking_time_of(robot, fastest_of(robot.model, robot.max_speed), law);
   return longest + law.time_step + std::min(braking, kMostBraking * law.time_step);
 }

@@ -33,11 +33,12 @@ constexpr Level likely_level(double part) {
 }
 constexpr int kLargerParts = 4;  // bisections
 
-// Where no place is clear for ever: rest must be clear for so long. An airplane does not rest, and
-// finds another circle in less time.
-constexpr std::array<Level, 3> kForAWhile{{{1.0, 0.0, 0.0, true, 2.0},  //
-                                           {1.0, 0.0, 0.0, true, 1.0},
-                                           {1.0, 0.0, 0.0, true, 0.5}}};
+// Where no place is clear for ever: rest must be clear for so long,
+constexpr std::array<Level, 1> kForAWhile{{{1.0, 0.0, 0.0, true, 2.0}}};
+// and the disc of a circle, which can be left at once.
+constexpr std::array<Level, 3> kCirclesForAWhile{{{1.0, 0.0, 0.0, true, 1.0},  //
+                                                  {1.0, 0.0, 0.0, true, 0.5},
+                                                  {1.0, 0.0, 0.0, true, 0.25}}};
 
 bool flies(const Evading& evading) {
   return is_airplane(evading.robot.model);
@@ -94,8 +95,9 @@ Way find_way_by_levels(Evading& evading, std::span<const Level> levels, Vec2 wan
 }
 
 Way find_way_for_a_while(Evading& evading, Vec2 wanted, Taken& found) {
-  const std::size_t levels = flies(evading) ? kForAWhile.size() : 1;
-  return find_way_in_order(evading, std::span(kForAWhile).first(levels), wanted, found);
+  const std::span<const Level> levels =
+      flies(evading) ? std::span<const Level>(kCirclesForAWhile) : kForAWhile;
+  return find_way_in_order(evading, levels, wanted, found);
 }
 
 // Returns whether the fallback after that step is clear of movers, for any other neighbors: the
