@@ -279,7 +279,7 @@ const std::vector<BadScene>& bad_scenes() {
        s("version: 1\nsensing_radius: 40\nrobots:\n  - {position: [0, 0], goal: [9, 0], airplane: "
          "{}}\n"
          "  - {position: [50, 0], goal: [50, 0], behavior: cooperates}\n"),
-       "5:54: robots.1.behavior: found cooperates, must be decides in a scene with airplanes, "
+       "5:50: robots.1.behavior: found cooperates, must be decides in a scene with airplanes, "
        "which "
        "cannot stop for it"},
       {"car_heading_word",
