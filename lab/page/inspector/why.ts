@@ -188,7 +188,7 @@ function evasionReason(decision: Decision): string {
 
 export function stateSentence(decision: Decision): string {
   if (decision.state === "safe")
-    return decision.loiter ? "Its circle keeps clear of all others (safe)." : "Braking keeps clear of all others (safe).";
+    return decision.loiter ? "Its circle keeps clear of all who decide, and it can evade the others (safe)." : "Braking keeps clear of all others (safe).";
   if (decision.state === "unknown") return "Neither safe nor doomed is proved (unknown).";
   const whom = decision.doomed_by === null ? "something" : labelOf(nameOf(decision.doomed_by));
   if (decision.contact_within === 0) return `It is in contact with ${whom} (doomed).`;

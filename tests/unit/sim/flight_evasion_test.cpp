@@ -5,9 +5,11 @@
 #include <cmath>
 #include <gtest/gtest.h>
 #include <limits>
+#include <span>
 #include <vector>
 
 #include "avo/assumptions.h"
+#include "avo/error.h"
 #include "avo/metrics.h"
 #include "avo/simulation.h"
 #include "mover_scenes.h"
@@ -224,6 +226,27 @@ Robot airplane_in_flight() {
 
 Neighbor walker(Vec2 position, Vec2 velocity) {
   return {.position = position, .velocity = velocity, .behavior = Behavior::moves_on};
+}
+
+TEST(FlightEvasion, may_start_anywhere_but_in_contact) {
+  Random random(39);
+  Scenario scene = lone_flight(random, 1, true, 0.1);
+  const Vec2 place{30.0, 0.0};
+  scene.moving_obstacles[0] = mover(place, {-1, 0}, 0.5);
+  RobotSetup another = scene.robots[0];
+  another.radius = 0.5;
+  const auto starts = [&](double away) {
+    Simulation simulation(scene, 1);
+    another.position = another.goal = place + Vec2{0.0, away};
+    try {
+      simulation.add_robot(another);
+    } catch (const Error&) {
+      return false;
+    }
+    return true;
+  };
+  EXPECT_TRUE(starts(1.1)) << "its circle is crossed";
+  EXPECT_FALSE(starts(0.9));
 }
 
 TEST(FlightEvasion, is_told_with_the_beginning_of_the_circle) {
