@@ -178,7 +178,8 @@ avo_result avo_simulation_get_wait(avo_simulation_id simulation, avo_robot_id ro
   return get_by_index(simulation, robot, wait, [](const avo::Simulation& own, std::size_t index) {
     const std::optional<avo::Simulation::Wait> found = own.wait(index);
     if (!found) return avo_wait{};
-    return avo_wait{true, to_c(found->passage), {found->robot.value}};
+    return avo_wait{true,          to_c(found->passage), {found->robot.value},
+                    found->inside, to_c(found->a),       to_c(found->b)};
   });
 }
 

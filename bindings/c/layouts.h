@@ -75,10 +75,11 @@ static_assert(is(AVO_BEHAVIOR_COOPERATES, avo::Behavior::cooperates));
 static_assert(is(AVO_ACCELERATION_SET_EXACT, avo::AccelerationSet::exact));
 static_assert(is(AVO_AFTER_GOAL_LEAVE, avo::AfterGoal::leave));
 static_assert(is(AVO_PLAN_LEAST_UNSAFE, avo::PlanStatus::least_unsafe));
-static_assert(is(AVO_PLAN_CANDIDATE, avo::PlanStatus::candidate));
+static_assert(is(AVO_PLAN_REFUSED, avo::PlanStatus::refused));
 static_assert(is(AVO_PLAN_BRAKING, avo::PlanStatus::braking));
 static_assert(is(AVO_PLAN_OVERLAPPING, avo::PlanStatus::overlapping));
 static_assert(is(AVO_PLAN_INVALID_INPUT, avo::PlanStatus::invalid_input));
+static_assert(is(AVO_PLAN_DETOUR, avo::PlanStatus::detour));
 static_assert(is(AVO_SAFETY_SAFE, avo::SafetyState::safe));
 static_assert(is(AVO_SAFETY_DOOMED, avo::SafetyState::doomed));
 static_assert(

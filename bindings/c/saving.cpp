@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// A simulation's state as bytes in the caller's memory.
+// A simulation's state, and decisions in words, as bytes in the caller's memory.
 #include <cstddef>
 #include <cstring>
 #include <span>
+#include <string>
 #include <vector>
 
+#include "avo/explanation.h"
 #include "simulations.h"
 
 namespace avo_c {
@@ -14,6 +16,17 @@ std::span<const std::byte> bytes_of(const void* saved, std::size_t size) {
   const auto* bytes = static_cast<const std::byte*>(saved);
   require_array(bytes, size, "saved");
   return {bytes, size};
+}
+
+// Writes the bytes into the buffer if there is one, and their number in any case.
+void write_bytes(const void* bytes, std::size_t size, void* buffer, std::size_t capacity,
+                 std::size_t& written) {
+  written = size;
+  if (buffer == nullptr) return;
+  if (capacity < size)
+    fail(AVO_ERROR_BUFFER_TOO_SMALL,
+         "capacity: found " + std::to_string(capacity) + ", must be >= " + std::to_string(size));
+  std::memcpy(buffer, bytes, size);
 }
 
 }  // namespace
@@ -26,12 +39,17 @@ avo_result avo_simulation_save(avo_simulation_id simulation, void* buffer, size_
   return guarded([&] {
     std::size_t& written = at(size, "size");
     const std::vector<std::byte> saved = simulations.at(simulation).simulation.save();
-    written = saved.size();
-    if (buffer == nullptr) return;
-    if (capacity < saved.size())
-      fail(AVO_ERROR_BUFFER_TOO_SMALL, "capacity: found " + std::to_string(capacity) +
-                                           ", must be >= " + std::to_string(saved.size()));
-    std::memcpy(buffer, saved.data(), saved.size());
+    write_bytes(saved.data(), saved.size(), buffer, capacity, written);
+  });
+}
+
+avo_result avo_simulation_explain(avo_simulation_id simulation, avo_robot_id robot, char* buffer,
+                                  size_t capacity, size_t* size) {
+  return guarded([&] {
+    std::size_t& written = at(size, "size");
+    const avo::Simulation& own = simulations.at(simulation).simulation;
+    const std::string words = own.explain(index_of(own, robot)).sentence;
+    write_bytes(words.c_str(), words.size() + 1, buffer, capacity, written);
   });
 }
 

@@ -16,10 +16,11 @@ namespace avo {
 struct Decisions {
   std::int64_t optimal = 0;
   std::int64_t least_unsafe = 0;
-  std::int64_t candidate = 0;
+  std::int64_t refused = 0;
   std::int64_t braking = 0;
   std::int64_t overlapping = 0;
   std::int64_t invalid_input = 0;
+  std::int64_t detour = 0;
 };
 
 /// A robot that was never at its goal (Simulation::is_at_goal()), in its state at the end of the

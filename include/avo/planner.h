@@ -16,6 +16,8 @@
 
 namespace avo {
 
+struct DecisionTrace;
+
 /// How new velocities are chosen.
 enum class Method : std::uint8_t {
   avo,                ///< the paper's half-planes, a certificate, and rules for arriving
@@ -181,7 +183,9 @@ enum class PlanStatus : std::uint8_t {
   /// With method avo, v' is the target that the paper's program chose, see Plan::new_velocity.
   optimal,       ///< v' lies in CA_A: no collision before τ if all do so (Definition 4)
   least_unsafe,  ///< CA_A is empty: v' violates it by as little as the limits allow
-  candidate,     ///< the certificate refused the target and admitted another velocity near it
+  /// The certificate refused the next velocity towards the target, or that velocity left no way out
+  /// from a mover: another one was taken (docs/certificate.md, docs/movers.md).
+  refused,
   /// the certificate admitted braking only, or |v| exceeds v_max by more than one decision can
   /// correct
   braking,
@@ -190,6 +194,10 @@ enum class PlanStatus : std::uint8_t {
   /// both if it can.
   overlapping,
   invalid_input,  ///< a known or sensed number is not finite or out of range: the robot brakes
+  /// Less than 0.95 of the velocity along the wish is left, or was a while ago: the robot takes
+  /// what
+  /// the certificate admits, farther and farther to the right (docs/arrival.md, rule 3).
+  detour,
 };
 AVO_API const char* to_string(PlanStatus status);
 
@@ -376,6 +384,12 @@ class AVO_API Planner {
   [[nodiscard]] Plan plan(const Robot& robot, std::span<const Neighbor> neighbors,
                           PlanWorkspace& workspace, Detour* detour = nullptr,
                           std::span<const Wall> walls = {}) const;
+
+  /// plan() with every stage of the decision (avo/decision_trace.h). Takes about twice as long, and
+  /// allocates.
+  [[nodiscard]] DecisionTrace explain(const Robot& robot, std::span<const Neighbor> neighbors,
+                                      PlanWorkspace& workspace, Detour* detour = nullptr,
+                                      std::span<const Wall> walls = {}) const;
 
   /// Plans for one robot among movers that do not react (§III-C, Eqs. 13-14). v' is outside the
   /// union of their obstacles; B's new velocity is v_B + δ a_B with the acceleration that the

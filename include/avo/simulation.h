@@ -9,6 +9,7 @@
 #include <span>
 #include <vector>
 
+#include "avo/decision_trace.h"
 #include "avo/executor.h"
 #include "avo/export.h"
 #include "avo/planner.h"
@@ -105,6 +106,8 @@ struct StepProfile {
   std::int64_t infeasible = 0;  ///< decisions with a violation
   std::vector<StageTime> stages = {};
 };
+
+struct Explanation;
 
 /// The state of a fleet, and its steps.
 class AVO_API Simulation {
@@ -237,8 +240,10 @@ class AVO_API Simulation {
   /// The robot for which another robot waits at a passage of one lane (docs/arrival.md, rules 7 to
   /// 9).
   struct Wait {
-    Vec2 passage = {};  ///< m: the middle of its axis
-    RobotId robot;      ///< the robot that comes towards it, or is in its route
+    Vec2 passage = {};    ///< m: the middle of its axis
+    RobotId robot;        ///< the robot that comes towards it, or is in its route
+    bool inside = false;  ///< whether that robot is in the passage
+    Vec2 a = {}, b = {};  ///< m: the two sides of the passage where it is narrowest
   };
   /// None where the robot (an index into fleet()) does not wait at one.
   [[nodiscard]] std::optional<Wait> wait(std::size_t robot) const;
@@ -263,8 +268,12 @@ class AVO_API Simulation {
     /// The trajectories that neighbors have: copies of this object share them.
     std::vector<std::shared_ptr<const Trajectory>> trajectories = {};
     std::optional<Wait> wait = {};  ///< the robot that it waits for at a passage, if at one
+    Guide guide = Guide::route;     ///< what its preferred velocity leads to
   };
   [[nodiscard]] Perception perceive(std::size_t robot) const;
+  /// The decision that `robot` (an index into fleet(), not parked) would make now, with its reasons
+  /// (avo/explanation.h).
+  [[nodiscard]] Explanation explain(std::size_t robot) const;
   [[nodiscard]] const Planner& planner() const;                   ///< of the scene's method
   [[nodiscard]] const Planner& planner(std::size_t robot) const;  ///< that this robot plans with
 

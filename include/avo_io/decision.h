@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "avo/decision_trace.h"
 #include "avo/export.h"
 #include "avo/simulation.h"
 
@@ -32,7 +33,9 @@ struct Decision {
   double response_time = 0.0;  ///< s, with which the robot approaches v'; 0: at once
   avo::Plan plan;
   std::optional<avo::Evasion> evasion;
-  avo::SafetyReport state;  ///< of the state in which it decides
+  avo::DecisionTrace trace;  ///< the stages of the decision
+  std::string sentence;      ///< the decision in words, see avo::Explanation
+  avo::SafetyReport state;   ///< of the state in which it decides
   avo::Disc acceleration_disc, speed_disc;
 };
 

@@ -47,12 +47,11 @@ void BlockChecks::check_robot(const BlockShape& shape, const RecordingBlock& blo
                               std::size_t robot) const {
   const std::uint8_t status = block.status[k * shape.robots + robot];
   if (status == kAbsent) return;
-  if (status > static_cast<std::uint8_t>(avo::PlanStatus::invalid_input))
-    throw RecordingError(
-        fmt::format("{}: time {} s, robot {}: status: found {}, must be 0 to {}, "
-                    "or {}, absent",
-                    path_, block.time[k], robot, status,
-                    static_cast<int>(avo::PlanStatus::invalid_input), kAbsent));
+  if (status > static_cast<std::uint8_t>(avo::PlanStatus::detour))
+    throw RecordingError(fmt::format(
+        "{}: time {} s, robot {}: status: found {}, must be 0 to {}, "
+        "or {}, absent",
+        path_, block.time[k], robot, status, static_cast<int>(avo::PlanStatus::detour), kAbsent));
   const auto value = [&](std::size_t column) { return block.row(shape, column, k)[robot]; };
   const bool heading =
       shape.columns == kHeadingColumns && !(std::isnan(value(4)) && std::isnan(value(5)));

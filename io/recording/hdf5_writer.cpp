@@ -22,7 +22,7 @@ constexpr unsigned kDeflateLevel = 1;
 /// Returns a type with the words of avo::PlanStatus, and one word for an absent robot.
 Hdf5Handle status_type(const Hdf5Output& target) {
   Hdf5Handle type = target.require(H5Tenum_create(H5T_STD_U8LE), H5Tclose);
-  for (std::uint8_t k = 0; k <= static_cast<std::uint8_t>(avo::PlanStatus::invalid_input); ++k)
+  for (std::uint8_t k = 0; k <= static_cast<std::uint8_t>(avo::PlanStatus::detour); ++k)
     target.require(H5Tenum_insert(type.id(), avo::to_string(static_cast<avo::PlanStatus>(k)), &k));
   target.require(H5Tenum_insert(type.id(), "absent", &kAbsent));
   return type;

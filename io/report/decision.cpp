@@ -190,6 +190,32 @@ void append_certificate(const Decision& decision,
     line("detour", fmt::format("{:.6g} rad to the right", decision.seen.detour.angle));
 }
 
+/// Appends the stages between the preferred velocity and the decision that changed something.
+void append_stages(const Decision& decision,
+                   const std::function<void(const char*, const std::string&)>& line) {
+  const avo::DecisionTrace& trace = decision.trace;
+  const auto names = [&](const std::vector<avo::Cause>& causes) {
+    std::string list;
+    for (const avo::Cause cause : causes) {
+      const bool is_own = cause.neighbor < 0 && cause.wall < 0;
+      list += (list.empty() ? "" : ", ") +
+              (is_own ? "its own motion" : text_of_either(decision, cause.neighbor, cause.wall));
+    }
+    return list;
+  };
+  if (trace.rule != avo::WishRule::none)
+    line("wish", fmt::format("{} m/s, {}", text(trace.wish), avo::to_string(trace.rule)));
+  if (!trace.binding.empty())
+    line("target", text(trace.target) + " m/s, bound by " + names(trace.binding));
+  if (!trace.refusing.empty())
+    line("proposal", text(trace.proposal) + " m/s, refused because of " + names(trace.refusing));
+  if (trace.detour)
+    line("off the route", text(*trace.detour) + " m/s, " +
+                              (trace.refusing_detour.empty()
+                                   ? "admitted"
+                                   : "refused because of " + names(trace.refusing_detour)));
+}
+
 /// Returns the neighbor that the robot evades, with the velocity and the end of the evasion.
 Json evasion_of(const Decision& decision) {
   if (!decision.evasion) return nullptr;
@@ -212,8 +238,34 @@ std::string evasion_text(const Decision& decision) {
 /// Returns the passage at which the robot waits, and the robot for which it waits.
 Json wait_of(const Decision& decision) {
   if (!decision.seen.wait) return nullptr;
-  const auto& [passage, robot] = *decision.seen.wait;
-  return {{"passage", to_json(passage)}, {"for", robot.value}};
+  const avo::Simulation::Wait& wait = *decision.seen.wait;
+  return {{"passage", to_json(wait.passage)},
+          {"for", wait.robot.value},
+          {"inside", wait.inside},
+          {"between", Json::array({to_json(wait.a), to_json(wait.b)})}};
+}
+
+Json causes_of(const Decision& decision, const std::vector<avo::Cause>& causes) {
+  Json names = Json::array();
+  for (const avo::Cause cause : causes)
+    names.push_back(name_of_either(decision, cause.neighbor, cause.wall));
+  return names;
+}
+
+/// Returns the stages of the decision. A null among causes is the robot's own motion.
+Json trace_of(const Decision& decision) {
+  const avo::DecisionTrace& trace = decision.trace;
+  return {{"guide", avo::to_string(decision.seen.guide)},
+          {"wish", to_json(trace.wish)},
+          {"rule", avo::to_string(trace.rule)},
+          {"heeded", name_of_either(decision, trace.heeded, -1)},
+          {"aim", to_json(trace.aim)},
+          {"target", to_json(trace.target)},
+          {"binding", causes_of(decision, trace.binding)},
+          {"proposal", to_json(trace.proposal)},
+          {"refusing", causes_of(decision, trace.refusing)},
+          {"detour", trace.detour ? to_json(*trace.detour) : Json()},
+          {"refusing_detour", causes_of(decision, trace.refusing_detour)}};
 }
 
 Json half_planes_of(const Decision& decision) {
@@ -292,7 +344,10 @@ std::string to_json(const Decision& decision) {
       {"speed_disc", to_json(decision.speed_disc)},
       {"preferred_velocity", to_json(self.preferred_velocity)},
       {"new_velocity", to_json(decision.plan.new_velocity)},
+      {"next_velocity", to_json(decision.plan.next_velocity)},
       {"acceleration", to_json(decision.plan.acceleration)},
+      {"trace", trace_of(decision)},
+      {"sentence", decision.sentence},
       {"evading", evasion_of(decision)},
       {"waits", wait_of(decision)},
       {"state", avo::to_string(decision.state.state)},
@@ -344,7 +399,9 @@ std::string readable(const Decision& decision) {
   append_walls(decision, line);
   if (decision.method == avo::Method::avo) append_certificate(decision, line);
   line("preferred velocity", text(self.preferred_velocity) + " m/s");
-  line("new velocity", text(decision.plan.new_velocity) + " m/s");
+  append_stages(decision, line);
+  line("new velocity", text(decision.plan.new_velocity) + " m/s, the command of Eq. (7)");
+  line("next velocity", text(decision.plan.next_velocity) + " m/s, after the step");
   if (decision.method == avo::Method::avo)
     line("response time", decision.response_time > 0.0
                               ? fmt::format("{:.6g} s", decision.response_time)
@@ -361,6 +418,7 @@ std::string readable(const Decision& decision) {
   if (decision.plan.status == avo::PlanStatus::overlapping) line("contact", contact_text(decision));
   line("status", fmt::format("{}, violation {:.6g} m/s", avo::to_string(decision.plan.status),
                              decision.plan.violation));
+  line("in words", decision.sentence);
   return result;
 }
 

@@ -2,9 +2,11 @@
 // Finds the decision of a robot to explain, and gathers the facts about it.
 #include <cmath>
 #include <fmt/format.h>
+#include <utility>
 #include <variant>
 
 #include "avo/error.h"
+#include "avo/explanation.h"
 #include "avo_io/decision.h"
 
 namespace avo_io {
@@ -75,23 +77,24 @@ std::optional<std::size_t> approach_decision(const avo::Scenario& scenario, std:
 Decision explain(const avo::Simulation& simulation, const std::string& scene, std::size_t index) {
   const avo::Planner& planner = simulation.planner(index);
   Decision decision;
+  avo::Explanation explained = simulation.explain(index);
   decision.scene = scene;
-  decision.robot = static_cast<std::int64_t>(simulation.robot(index).id.value);
-  decision.time = simulation.time();
-  decision.goal = simulation.robot(index).goal;
+  decision.robot = static_cast<std::int64_t>(explained.robot.value);
+  decision.time = explained.time;
+  decision.goal = explained.goal;
   decision.method = planner.options().method;
   decision.has_own_method = decision.method != simulation.planner().options().method;
-  decision.seen = simulation.perceive(index);
-  const auto& [self, neighbors, source, detour, among_movers, walls, stop, trajectories, wait] =
-      decision.seen;
-  avo::Detour next_detour = detour;
-  decision.by_half_planes = !among_movers;
+  decision.trace = std::move(explained.decision);
+  decision.sentence = std::move(explained.sentence);
+  decision.plan = decision.trace.plan;
+  decision.evasion = decision.trace.evasion;
+  decision.state = explained.state;
+  decision.seen = std::move(explained.seen);
+  decision.by_half_planes = !decision.seen.among_movers;
+  const avo::Robot& self = decision.seen.robot;
+  const auto& neighbors = decision.seen.neighbors;
+  const auto& walls = decision.seen.walls;
   avo::PlanWorkspace workspace;
-  decision.plan = planner.plan(self, neighbors, workspace, &next_detour, walls);
-  if (stop && decision.plan.status != avo::PlanStatus::overlapping) decision.plan = *stop;
-  if (decision.plan.evading)
-    decision.evasion = planner.evasion(self, neighbors, workspace, &detour, walls);
-  decision.state = planner.state(self, neighbors, workspace, walls);
   if (decision.by_half_planes)
     planner.collect_half_planes(self, neighbors, workspace, decision.half_planes, walls);
   const avo::SensingNoise& noise = planner.options().sensing_noise;

@@ -11,9 +11,13 @@ namespace avo_io {
 namespace {
 
 Json to_json(const avo::Decisions& decisions) {
-  return {{"optimal", decisions.optimal},         {"least_unsafe", decisions.least_unsafe},
-          {"candidate", decisions.candidate},     {"braking", decisions.braking},
-          {"overlapping", decisions.overlapping}, {"invalid_input", decisions.invalid_input}};
+  return {{"optimal", decisions.optimal},
+          {"least_unsafe", decisions.least_unsafe},
+          {"refused", decisions.refused},
+          {"detour", decisions.detour},
+          {"braking", decisions.braking},
+          {"overlapping", decisions.overlapping},
+          {"invalid_input", decisions.invalid_input}};
 }
 
 Json to_json(const avo::NotArrived& robot) {

@@ -11,7 +11,7 @@ export type { Simulation } from "./simulation.ts";
 export type * from "./types.ts";
 
 /** The way a decision was made, by Moment's numbers. */
-export const STATUSES = ["optimal", "least_unsafe", "candidate", "braking", "overlapping", "invalid_input"];
+export const STATUSES = ["optimal", "least_unsafe", "refused", "braking", "overlapping", "invalid_input", "detour"];
 
 export interface Library {
   readonly version: string;

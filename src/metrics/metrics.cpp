@@ -25,9 +25,9 @@ constexpr std::size_t kMostListed = 100;  // robots that have not arrived
 constexpr double kRounding = 1e-12;       // of a limit: a smaller excess is rounding
 
 // In the order of PlanStatus.
-constexpr std::array kCounts{&Decisions::optimal,     &Decisions::least_unsafe,
-                             &Decisions::candidate,   &Decisions::braking,
-                             &Decisions::overlapping, &Decisions::invalid_input};
+constexpr std::array kCounts{
+    &Decisions::optimal,     &Decisions::least_unsafe,  &Decisions::refused, &Decisions::braking,
+    &Decisions::overlapping, &Decisions::invalid_input, &Decisions::detour};
 
 void add_arrivals(const Trips& trips, RunSummary& summary) {
   double total = 0.0, last = 0.0;

@@ -241,6 +241,17 @@ std::optional<Passages::Crossing> Passages::first_crossed(Vec2 p, Vec2 q) const 
   return one_lane_.first_crossed(p, q);
 }
 
+Segment Passages::narrowest_gap(std::uint32_t number) const {
+  Segment narrowest;
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t k = 0; k < one_lane_.walls.size(); ++k) {
+    const Wall& gap = one_lane_.walls[k];
+    if (one_lane_.passage_of[k] != number || !(norm(gap.b - gap.a) < least)) continue;
+    narrowest = {gap.a, gap.b}, least = norm(gap.b - gap.a);
+  }
+  return narrowest;
+}
+
 std::optional<Passages::Crossing> Passages::first_narrow(Vec2 p, Vec2 q) const {
   const std::optional<Crossing> one = one_lane_.first_crossed(p, q);
   const std::optional<Crossing> two = two_lanes_.first_crossed(p, q);

@@ -88,6 +88,9 @@ class Passages {
   /// The first passage of one lane or two.
   [[nodiscard]] std::optional<Crossing> first_narrow(Vec2 p, Vec2 q) const;
 
+  /// The narrowest gap of the passage, which has one lane.
+  [[nodiscard]] Segment narrowest_gap(std::uint32_t number) const;
+
   /// Calls visit(number) for each passage of one lane within `watched` radii of p, and for some
   /// others; one may come more than once.
   template <typename Visit>

@@ -2,6 +2,7 @@
 // The next velocity nearest to a wanted velocity that the certificate admits.
 #pragma once
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "certificate/certificate.h"
@@ -16,6 +17,7 @@ enum class Chosen : std::uint8_t {
   wanted,     ///< the wanted velocity was admitted
   candidate,  ///< another velocity, admitted
   backup,     ///< nothing but braking was admitted
+  detour,     ///< the wanted velocity off the route was admitted; only certify() says so
 };
 
 struct CertifiedChoice {
@@ -31,6 +33,8 @@ struct CertifiedWorkspace {
   CertificateConstraints constraints;
   std::vector<HalfPlane> hard;
   ProgramRows rows;  // of programs
+  // m/s: what the last decision asked for, on the route and off it, for reports
+  std::optional<Vec2> proposal, detour;
 };
 
 /// Whether the robot's model is known to follow a velocity: surely if within_own_limits() returned

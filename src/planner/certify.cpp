@@ -115,7 +115,9 @@ CertifiedChoice choose_as_far_off(const Decision& decision, const Detour& detour
   const Robot& robot = decision.robot;
   const Vec2 turned = within_steering(robot, turned_right(decision.wished.wish, detour.angle));
   const Vec2 v_new = solved(decision, decision.wished.half_planes, turned);
-  return choose_admitted(decision, decision.gently(v_new), Follows::surely);
+  const Vec2 off = decision.gently(v_new);
+  decision.certified.detour = off;
+  return choose_admitted(decision, off, Follows::surely);
 }
 
 // The choice on the detour that the certificate alone admits. It gradually replaces `choice` as
@@ -128,17 +130,18 @@ CertifiedChoice choose_detour(const Decision& decision, const CertifiedChoice& c
   const Vec2 v_new = solved(decision, walls, turned);
   const double kept = std::clamp((left - kStuck) / (kFree - kStuck), 0.0, 1.0);
   const Vec2 off = decision.smoothly(v_new);
-  CertifiedChoice next =
-      choose_admitted(decision, off + kept * (choice.next_velocity - off), Follows::perhaps);
+  const Vec2 wanted = off + kept * (choice.next_velocity - off);
+  decision.certified.detour = wanted;
+  const CertifiedChoice next = choose_admitted(decision, wanted, Follows::perhaps);
   if (left < kBlocked && part_left(decision, next, v_new, turned, turned) < kBlocked)
     turn_off(detour, robot, decision.law.step.time_step, !walls.empty());
-  if (left < kBlocked && next.chosen == Chosen::wanted) next.chosen = Chosen::candidate;
   return next;
 }
 
 CertifiedChoice choose_and_arrive(const Decision& decision, Detour& detour) {
   const Robot& robot = decision.robot;
   const Wished& wished = decision.wished;
+  decision.certified.proposal = wished.next;
   const CertifiedChoice choice = choose_admitted(decision, wished.next, Follows::surely);
   // robots that coincide part by their half-planes, where that is possible at all: on detours from
   // one place to one goal they would stay together
@@ -150,13 +153,16 @@ CertifiedChoice choose_and_arrive(const Decision& decision, Detour& detour) {
   const double left = part_left(decision, choice, wished.target, wished.aim, wished.wish);
   if (left >= kBlocked) turn_back(detour, robot, decision.law.step.time_step);
   const bool turns = left > kStuck && detour.angle > 0.0F;
-  const CertifiedChoice next = turns ? choose_as_far_off(decision, detour) : choice;
-  return left < kFree ? choose_detour(decision, next, left, detour) : next;
+  CertifiedChoice next = turns ? choose_as_far_off(decision, detour) : choice;
+  if (left < kFree) next = choose_detour(decision, next, left, detour);
+  if ((turns || left < kFree) && next.chosen == Chosen::wanted) next.chosen = Chosen::detour;
+  return next;
 }
 
 PlanStatus certified_status(Chosen chosen, double violation) {
   if (chosen == Chosen::backup) return PlanStatus::braking;
-  return chosen == Chosen::candidate ? PlanStatus::candidate : status_of(violation);
+  if (chosen == Chosen::detour) return PlanStatus::detour;
+  return chosen == Chosen::candidate ? PlanStatus::refused : status_of(violation);
 }
 
 }  // namespace
@@ -199,6 +205,7 @@ Plan certify_among_movers(const Planner& planner, const Robot& robot,
   Haste haste = with_robots ? haste_of(robot, execution) : haste_at_once(robot, execution);
   haste.most *= reach_of(robot.model);
   const Vec2 wanted = executed(robot.velocity, {}, target.velocity, haste);
+  certified.proposal = wanted;
   const CertifiedChoice choice = choose_certified(robot, wanted, law, certified);
   Plan plan = plan_under(law, robot, choice.next_velocity,
                          certified_status(choice.chosen, target.violation), target.violation);

@@ -107,12 +107,12 @@ void tell(const Contact& contact, Plan& plan) {
   plan.depth = static_cast<float>(contact.depth);
 }
 
-int index_in(std::span<const Neighbor> given, const Neighbor& neighbor) {
+int index_in(std::span<const Neighbor> given, const Neighbor& neighbor, int after) {
   const auto same = [&neighbor](const Neighbor& other) {
     return other.position == neighbor.position && other.velocity == neighbor.velocity &&
            other.radius == neighbor.radius;
   };
-  const auto found = std::find_if(given.begin(), given.end(), same);
+  const auto found = std::find_if(given.begin() + after + 1, given.end(), same);
   return found == given.end() ? -1 : static_cast<int>(found - given.begin());
 }
 

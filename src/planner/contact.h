@@ -34,7 +34,7 @@ double feigned(const Robot& robot, const Wall& wall, const StepLaw& law);
 /// Writes the contact into the plan if it is certain.
 void tell(const Contact& contact, Plan& plan);
 
-/// Index of the neighbor in the given list.
-int index_in(std::span<const Neighbor> given, const Neighbor& neighbor);
+/// Index of the neighbor in the given list, of those after that index; -1 if it is not there.
+int index_in(std::span<const Neighbor> given, const Neighbor& neighbor, int after = -1);
 
 }  // namespace avo::inline planner

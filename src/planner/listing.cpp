@@ -10,16 +10,18 @@
 
 #include "avo/planner.h"
 #include "lp/lens.h"
+#include "planner/alone.h"
 #include "planner/behind_walls.h"
 #include "planner/certify.h"
+#include "planner/contact.h"
 #include "planner/decision.h"
 #include "planner/demands.h"
 #include "planner/methods/flight.h"
 #include "planner/neighbor_order.h"
-#include "planner/pair_planes.h"
 #include "planner/rules/evasion.h"
 #include "planner/rules/way_out.h"
 #include "planner/scratch.h"
+#include "planner/soft_planes.h"
 #include "planner/validity.h"
 #include "walls/segment.h"
 
@@ -34,18 +36,6 @@ void leave_out_hidden(const Planner& planner, const Robot& robot,
   const StepLaw law = certificate_law(planner).step;
   const auto hidden = [&](std::uint32_t k) { return is_hidden(robot, neighbors[k], walls, law); };
   numbers.erase(std::remove_if(numbers.begin(), numbers.end(), hidden), numbers.end());
-}
-
-// The neighbors that get a half-plane, in the order in which they are given.
-std::span<const std::uint32_t> list_planned(const Planner& planner, const Robot& robot,
-                                            std::span<const Neighbor> neighbors,
-                                            std::span<const Wall> walls,
-                                            PlanWorkspace::Scratch& scratch) {
-  rank(robot, neighbors, scratch);
-  scratch.order.resize(planned_with(planner.options(), scratch.order.size()));
-  leave_out_hidden(planner, robot, neighbors, walls, scratch.order);
-  std::sort(scratch.order.begin(), scratch.order.end());
-  return scratch.order;
 }
 
 // Sets scratch.listed to the neighbors that a certificate uses, in the order of scratch.order.
@@ -80,17 +70,27 @@ void Planner::collect_half_planes(const Robot& robot, std::span<const Neighbor> 
   half_planes.planes.clear();
   half_planes.overlapping = false;
   if (!can_decide(robot, neighbors, walls, options_)) return;
+  PlanWorkspace::Scratch& scratch = PlanWorkspace::Scratch::of(workspace);
+  Tile& tile = scratch.alone;
+  if (!take_alone(robot, neighbors, walls, scratch)) return;
+  if (options_.certificate != Certificate::none && !walls.empty())
+    avo::leave_out_hidden(options_, certificate_law(*this).step, tile);
+  collect_soft_planes(options_, *horizon_, tile, scratch.soft);
+  const SoftPlanes& soft = scratch.soft;
+  half_planes.overlapping = soft.overlapping[0] != 0;
   const Lens allowed = make_lens(acceleration_disc(robot), robot.max_speed);
-  for (const std::uint32_t k :
-       list_planned(*this, robot, neighbors, walls, PlanWorkspace::Scratch::of(workspace))) {
-    const auto own = own_half_plane(options_, *horizon_, robot, neighbors[k], static_cast<int>(k),
-                                    half_planes.overlapping);
-    if (!own) continue;
-    if (own->excess <= 0.0 && lens_support_min(own->plane.normal, allowed) >= own->plane.offset) {
-      continue;
-    }
-    half_planes.planes.push_back(*own);
+  for (std::size_t k = 0; k < soft.of(0).size(); ++k) {
+    const HalfPlane& plane = soft.of(0)[k];
+    const double excess = soft.excess_of(0)[k];
+    if (excess <= 0.0 && lens_support_min(plane.normal, allowed) >= plane.offset) continue;
+    const Neighbor neighbor = tile.robots.neighbors[0][soft.neighbor_of(k)];
+    int index = index_in(neighbors, neighbor);
+    if (!half_planes.planes.empty() && half_planes.planes.back().neighbor == index)
+      index = index_in(neighbors, neighbor, index);  // of equal neighbors, which follow each other
+    half_planes.planes.push_back({index, plane, excess});
   }
+  std::sort(half_planes.planes.begin(), half_planes.planes.end(),
+            [](const NeighborPlane& a, const NeighborPlane& b) { return a.neighbor < b.neighbor; });
 }
 
 void Planner::collect_half_planes(const Robot& robot, std::span<const Wall> walls,

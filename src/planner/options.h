@@ -37,7 +37,7 @@ template <>
 AVO_LOCAL inline constexpr std::array kNames<Behavior>{"decides", "moves_on", "cooperates"};
 template <>
 AVO_LOCAL inline constexpr std::array kNames<PlanStatus>{
-    "optimal", "least_unsafe", "candidate", "braking", "overlapping", "invalid_input"};
+    "optimal", "least_unsafe", "refused", "braking", "overlapping", "invalid_input", "detour"};
 template <>
 AVO_LOCAL inline constexpr std::array kNames<SafetyState>{"unknown", "safe", "doomed"};
 

@@ -7,10 +7,10 @@
 #include <limits>
 
 #include "core/plane.h"
+#include "planner/alone.h"
 #include "planner/contact.h"
 #include "planner/decision.h"
 #include "planner/execution.h"
-#include "planner/neighbor_order.h"
 #include "planner/options.h"
 #include "planner/scratch.h"
 #include "planner/soft_planes.h"
@@ -104,35 +104,6 @@ double Planner::step_lag() const {
 
 namespace {
 
-// Prefetches a neighbor. Lists are in the caller's memory, far from the caches if the caller plans
-// many robots in turn.
-void prefetch(const Neighbor* neighbor) {
-  constexpr std::size_t kLine = 64;  // bytes
-  for (std::size_t at = 0; at < sizeof(Neighbor); at += kLine)
-    __builtin_prefetch(reinterpret_cast<const char*>(neighbor) + at);
-}
-
-// Takes the neighbors as the only ones of the tile, nearest first; none if one is invalid. It takes
-// one pass if they come in that order.
-std::optional<Neighbors> take_neighbors(const Robot& robot, std::span<const Neighbor> given,
-                                        PlanWorkspace::Scratch& scratch) {
-  NeighborColumns& columns = scratch.alone.neighbors;
-  columns.reserve(given.size());
-  constexpr std::size_t kAhead = 8;
-  double last = 0.0;  // m²
-  bool in_order = true;
-  for (const Neighbor& neighbor : given) {
-    prefetch(&neighbor + kAhead);
-    if (!is_valid(neighbor)) return std::nullopt;
-    const double squared = distance_squared(robot, neighbor);
-    in_order = in_order && squared >= last;
-    last = squared;
-    columns.add(neighbor);
-  }
-  if (!in_order) return in_columns(nearest_first(robot, given, scratch), columns);
-  return Neighbors{&columns, 0, given.size()};
-}
-
 Robot at_rest(Robot robot) {
   robot.velocity = {};
   return robot;
@@ -148,21 +119,11 @@ Plan Planner::plan(const Robot& robot, std::span<const Neighbor> neighbors,
   Plan plan;
   PlanWorkspace::Scratch& scratch = PlanWorkspace::Scratch::of(workspace);
   Tile& tile = scratch.alone;
-  tile.clear();
-  const bool walls_valid =
-      std::all_of(walls.begin(), walls.end(), [](const Wall& wall) { return is_valid(wall); });
-  const bool robot_valid = is_valid(robot) && follows_heading(robot);
-  const auto listed = robot_valid && walls_valid ? take_neighbors(robot, neighbors, scratch)
-                                                 : std::optional<Neighbors>{};
-  if (listed) {
+  if (take_alone(robot, neighbors, walls, scratch)) {
     StageClock clock;
-    tile.robots.reserve(1);
-    tile.robots.add(robot, *listed);
     tile.detour.push_back(&next);
     tile.plan.push_back(&plan);
-    tile.slot.push_back(0);
     tile.remembers = detour != nullptr;
-    if (!walls.empty()) tile.walls.push_back(walls);
     plan_together(*this, tile, scratch, clock);
     if (plan.neighbor >= 0)  // an index into the order of planning
       plan.neighbor =

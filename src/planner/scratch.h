@@ -35,6 +35,7 @@ struct PlanWorkspace::Scratch {
   Tile alone;  // of one robot
   std::vector<Neighbor> listed, movers;
   PassiveWorkspace passive;
+  Vec2 passive_choice;  // m/s, of the last decision among movers, for reports
   CertifiedWorkspace certified;
   FlightConstraints flight;
   EvasionWorkspace evasion;

@@ -211,6 +211,8 @@ void collect_others(const PlannerOptions& options, const Horizon& horizon, const
           nearly_coincide(norm(robot.position - neighbor.position), robot.radius + neighbor.radius))
         soft.coinciding[i] = 1;
       if (!own) continue;
+      grow(soft.shared.kept, soft.planes.size() + 1);
+      soft.shared.kept[soft.planes.size()] = static_cast<double>(k);
       soft.planes.push_back(own->plane);
       soft.excess.push_back(own->excess);
       soft.exceeding |= own->excess > 0.0;

@@ -36,6 +36,10 @@ struct SoftPlanes {
   [[nodiscard]] std::span<const HalfPlane> of(std::size_t i) const {
     return std::span(planes).subspan(first[i], first[i + 1] - first[i]);
   }
+  /// For a robot that is planned alone: the neighbor of half-plane k, in the order of planning.
+  [[nodiscard]] std::size_t neighbor_of(std::size_t k) const {
+    return static_cast<std::size_t>(shared.kept[k]);
+  }
   [[nodiscard]] std::span<const double> excess_of(std::size_t i) const {
     return std::span(excess).subspan(first[i], first[i + 1] - first[i]);
   }

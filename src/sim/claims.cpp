@@ -112,13 +112,14 @@ Heading heed_passages(const World& world, const Claims& claims, std::size_t slot
   const RobotTraits& traits = world.fleet.traits[slot];
   const bool in_company = is_in_company(traits.radius, nearest);
   if (lane && in_company && world.fleet.detour[slot].angle <= kLeavesLane)
-    heeding.goal = beyond(p, *lane, rest);
+    heeding.goal = beyond(p, *lane, rest), heeding.guide = Guide::lane;
   if (!claim) return heeding;
   const Passage& passage = world.ways.passages[claim->passage];
   const Course course =
       right_of_way(passage, claimant_of(world, slot, *claim), planned_braking(traits),
                    claims.of(claim->passage), world.sensing_radius);
   heeding.yields = course.target || course.max_speed < heeding.preferred_speed;
+  if (heeding.yields) heeding.guide = Guide::passage;
   heeding.preferred_speed = std::min(heeding.preferred_speed, course.max_speed);
   if (course.target) heeding.goal = course.stops ? *course.target : beyond(p, *course.target, rest);
   return heeding;

@@ -26,7 +26,7 @@ bool goes_back(const World& world, std::size_t slot, const Travel& travel);
 /// while it has no company.
 inline void go_back(Vec2 p, bool in_company, Heading& heading) {
   heading.goal = in_company ? p - (heading.goal - p) : p;
-  heading.yields = true;
+  heading.yields = true, heading.guide = Guide::back;
 }
 
 }  // namespace avo::inline sim

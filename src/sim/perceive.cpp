@@ -2,8 +2,6 @@
 // What one robot senses now, and the robot for which it waits, on demand: a step computes it for
 // all.
 #include <algorithm>
-#include <cmath>
-#include <limits>
 #include <memory>
 
 #include "core/mutex.h"
@@ -88,19 +86,37 @@ std::vector<Perceived> all_sensed(const World& world, std::size_t slot) {
   return robots;
 }
 
+// Takes the robot with what it senses as a tile of its own, as a step does.
+void set_out_alone(const World& world, const Claims& claims, std::uint32_t slot,
+                   Simulation::Perception& seen) {
+  Worker alone;
+  Tile& tile = alone.tile;
+  tile.neighbors.reserve(seen.neighbors.size());
+  for (const Neighbor& neighbor : seen.neighbors) tile.neighbors.add(neighbor);
+  tile.robots.neighbors.push_back({&tile.neighbors, 0, seen.neighbors.size()});
+  Travel travel;
+  if (!world.ways.empty())
+    travel = world.ways.travels[static_cast<std::size_t>(world.fleet.rank[slot])];
+  std::uint8_t has_stood = 0;
+  tile.detour.push_back(&seen.detour);
+  alone.travels.push_back(&travel), alone.has_stood.push_back(&has_stood);
+  alone.told = &seen.guide;
+  set_out(world, world.pace(slot), claims, {&slot, 1}, alone);
+  seen.robot = tile.robots.robot(0);
+  seen.robot.max_braking = max_braking_of(world.fleet.traits[slot]);
+  const std::span<const Wall> walls = tile.walls_of(0);
+  seen.walls.assign(walls.begin(), walls.end());
+  if (!alone.staying.empty()) seen.stop = stop_of(world, slot);
+}
+
 }  // namespace
 
 std::optional<Simulation::Wait> Simulation::wait(std::size_t robot) const {
   State& state = *state_;
   state.catch_up();
-  {
-    const Lock lock(state.looking);
-    if (state.changed) find_walls(state);
-    if (state.ways.passages.empty()) return std::nullopt;
-    if (!state.has_claims) collect_claims(state, state.serial, state.present_claims);
-    state.has_claims = true;
-  }
-  return wait_of(state, state.present_claims, state.fleet.slot_of[robot]);
+  const Claims& claims = state.claims_now();
+  if (state.ways.passages.empty()) return std::nullopt;
+  return wait_of(state, claims, state.fleet.slot_of[robot]);
 }
 
 Simulation::Perception Simulation::perceive(std::size_t robot) const {
@@ -113,12 +129,9 @@ Simulation::Perception Simulation::perceive(std::size_t robot) const {
     foresee(state);
   }
   const std::uint32_t slot = state.fleet.slot_of[robot];
-  const std::vector<Perceived> sensed = all_sensed(state, slot);
-  const double nearest = sensed.empty() ? std::numeric_limits<double>::infinity()
-                                        : std::sqrt(sensed.front().distance_squared);
   Perception seen;
   seen.detour = state.fleet.detour[slot];
-  for (const Perceived& one : sensed) {
+  for (const Perceived& one : all_sensed(state, slot)) {
     Neighbor& neighbor = seen.neighbors.emplace_back(one.neighbor);
     if (neighbor.trajectory != nullptr)  // a copy that outlives the step
       neighbor.trajectory =
@@ -126,13 +139,10 @@ Simulation::Perception Simulation::perceive(std::size_t robot) const {
     const int source = one.source;
     seen.source.push_back(source < 0 ? source : number_at(state.fleet, source));
   }
-  const std::span<const Wall> walls = state.statics.grid.near(state.fleet.position[slot]);
-  const Vec2 lost = own_error(state, slot);
-  for (const Wall& wall : walls) seen.walls.push_back(lost == Vec2{} ? wall : moved(wall, -lost));
-  seen.robot = state.robot(slot, nearest, seen);
-  seen.among_movers = !is_airplane(seen.robot.model) &&
+  seen.among_movers = state.fleet.flight(slot) == nullptr &&
                       is_among_movers(state.pace(slot).planner.options(), seen.neighbors);
   seen.wait = wait(robot);
+  set_out_alone(state, state.claims_now(), slot, seen);
   return seen;
 }
 

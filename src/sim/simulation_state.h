@@ -31,6 +31,14 @@ struct Simulation::State : World {
     const Lock lock(looking);
     avo::catch_up(*this);
   }
+  /// The claims of passages as they are now, for readers.
+  const Claims& claims_now() {
+    const Lock lock(looking);
+    if (changed) find_walls(*this);
+    if (!has_claims && !ways.passages.empty()) collect_claims(*this, serial, present_claims);
+    has_claims = true;
+    return present_claims;
+  }
   void forget_views() {
     mirrored = Columns{};
     has_claims = false;

@@ -111,7 +111,7 @@ Heading beside_resting(std::span<const Wall> resting, const Heading& heading, Ve
   if (!(distance > 0.0)) return heading;
   const double beside = kBeside * (radius + nearest->radius);
   Heading to = heading;
-  to.goal = nearest->a + (beside / distance) * way;
+  to.goal = nearest->a + (beside / distance) * way, to.guide = Guide::mover;
   return to;
 }
 

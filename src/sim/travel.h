@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "avo/decision_trace.h"
 #include "avo/simulation.h"
 #include "navigation/corner_graph.h"
 #include "navigation/leg.h"
@@ -68,6 +69,7 @@ struct Heading {
   // m, next point of its route: the goal itself, or a corner before it
   Vec2 next = {};
   bool yields = false;  // to others at a passage
+  Guide guide = Guide::route;
 };
 
 inline Heading straight_to(Vec2 end, const RobotTraits& robot) {

@@ -45,8 +45,12 @@ std::optional<Simulation::Wait> wait_of(const World& world, const Claims& claims
     if (first == nullptr || is_waited_for_first(robot, other, *first)) first = &other;
   }
   if (first == nullptr) return std::nullopt;
-  return Simulation::Wait{axis_point(passage, true, 0.5 * passage.length()).point,
-                          fleet.id[fleet.slot_of[first->rank]]};
+  const Segment gap = world.ways.passages.narrowest_gap(claim->passage);
+  return Simulation::Wait{.passage = axis_point(passage, true, 0.5 * passage.length()).point,
+                          .robot = fleet.id[fleet.slot_of[first->rank]],
+                          .inside = first->claim.inside,
+                          .a = gap.a,
+                          .b = gap.b};
 }
 
 }  // namespace avo::inline sim

@@ -66,6 +66,7 @@ void reserve(const World& world, Worker& worker) {
   worker.queries.reserve(together);
   worker.staying.reserve(together);
   worker.headings.reserve(together);
+  worker.travels.reserve(together), worker.has_stood.reserve(together);
   worker.occupied.resting.reserve(seen);
   worker.occupied.worth.reserve(seen);
   worker.search.reserve(
@@ -77,28 +78,6 @@ void reserve(const World& world, Worker& worker) {
   const std::size_t nearest = std::min(seen, world.most_nearest());
   reserve_together(together, nearest, std::min(together * nearest, kTileCandidates + nearest), seen,
                    sensed, most_braking_steps(world), PlanWorkspace::Scratch::of(worker.workspace));
-}
-
-// The present heading of the robot, by its route alone and by all rules of routes; the robot
-// remembers nothing of this.
-std::pair<Heading, Heading> headings_of(const World& world, std::size_t slot, double nearest) {
-  const Fleet& fleet = world.fleet;
-  Travel travel = world.ways.travels[static_cast<std::size_t>(fleet.rank[slot])];
-  LegScratch scratch;
-  const Vec2 p = fleet.position[slot] + own_error(world, slot), end = world.end_of(slot);
-  Heading by_way = follow(travel, p, end, fleet.traits[slot], own_way_of(fleet, slot),
-                          looks_around(fleet.id[slot], decisions_of(world, slot)), scratch);
-  Heading heading = by_way;
-  if (!world.ways.passages.empty()) {
-    Claims claims;
-    SerialExecutor serial;
-    collect_claims(world, serial, claims);
-    heading = heed_passages(world, claims, slot, travel, heading, nearest);
-    const bool in_company = is_in_company(fleet.traits[slot].radius, nearest);
-    if (goes_back(world, slot, travel)) go_back(p, in_company, heading);
-    by_way.yields = heading.yields;
-  }
-  return {by_way, beside_resting(world.ways.resting(), heading, p, end, fleet.traits[slot].radius)};
 }
 
 void find_passages(World& world) {
@@ -229,49 +208,6 @@ std::size_t World::most_nearest() const {
 bool World::is_fast(std::size_t slot) const {
   const double limit = (1.0 + kSpeedRounding) * fleet.traits[slot].max_speed;
   return !(norm_squared(fleet.velocity[slot]) <= limit * limit);
-}
-
-Robot World::robot(std::size_t slot, double nearest, Simulation::Perception& seen) const {
-  const RobotTraits& robot_traits = fleet.traits[slot];
-  const Vec2 p = fleet.position[slot], v = fleet.velocity[slot], end = end_of(slot);
-  const Vec2 lost = own_error(*this, slot);
-  const Heading straight = straight_to(end, robot_traits);
-  auto [by_way, heading] =
-      ways.empty() ? std::pair(straight, straight) : headings_of(*this, slot, nearest);
-  heading.goal = disc_goal(fleet, slot, heading.goal, end) - lost;
-  seen.detour.goal_taken = false;
-  const std::vector<Neighbor>& others = seen.neighbors;
-  if (fleet.conduct[slot].method == Method::avo && others.size() > 1)
-    break_tie(fleet.id[slot], norm_squared(p - others[0].position),
-              norm_squared(p - others[1].position), seen.detour);
-  if (shares_room(*this, slot)) {
-    const Seeker seeker = seeker_of(*this, slot, by_way, lost);
-    Occupied occupied;
-    for (const Neighbor& neighbor : seen.neighbors) occupied.add(seeker, neighbor);
-    const AtSharedGoal decided =
-        at_shared_goal(*this, slot, seeker, occupied, seen.walls, seen.detour);
-    if (decided.heads_for) heading = {*decided.heads_for, by_way.preferred_speed};
-    if (decided.stops) seen.stop = stop_of(*this, slot);
-  }
-  RobotTraits traits = robot_traits;
-  traits.preferred_speed = heading.preferred_speed;
-  Robot robot{
-      .position = p,
-      .velocity = v,
-      .preferred_velocity = preferred_velocity(p, v, traits, heading.goal, pace(slot).response),
-      .radius = robot_traits.radius,
-      .max_acceleration = robot_traits.max_acceleration,
-      .max_speed = robot_traits.max_speed,
-      .distance_to_goal = norm(heading.goal - p),
-      .priority = fleet.conduct[slot].priority,
-      .max_braking = max_braking_of(robot_traits)};
-  if (const Flight* flight = fleet.flight(slot)) {
-    robot.preferred_velocity = course_of(*flight, p, heading.goal, heading.preferred_speed);
-    robot.loiter = flight->circle;
-  }
-  if (robot_traits.has_model)
-    robot.model = *fleet.own_model(slot), robot.heading = fleet.heading[slot];
-  return robot;
 }
 
 }  // namespace avo::inline sim

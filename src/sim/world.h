@@ -48,10 +48,14 @@ struct alignas(128) Worker {
   std::vector<Heading> headings;    // by routes alone, of a tile, where some share goals
   std::vector<Present> seen;        // where senses are not exact: the robots seen by one robot,
   std::vector<Sighting> sightings;  // and their sightings
-  Occupied occupied;                // of one robot, see place_near()
-  std::vector<Vec2> lost;           // m, see own_error(); of a tile, where there is localization
-  std::vector<Wall> walls;          // the walls as those robots then see them
-  bool fast = false;                // whether it moved a robot that exceeds its max_speed
+  // what the robots of a tile remember besides tile.detour: in the fleet, or in a copy
+  std::vector<Travel*> travels;          // where there are routes
+  std::vector<std::uint8_t*> has_stood;  // where some share room at their goals
+  Guide* told = nullptr;                 // where the only robot of a tile is explained
+  Occupied occupied;                     // of one robot, see place_near()
+  std::vector<Vec2> lost;   // m, see own_error(); of a tile, where there is localization
+  std::vector<Wall> walls;  // the walls as those robots then see them
+  bool fast = false;        // whether it moved a robot that exceeds its max_speed
   std::uint64_t crowding = 0;
 
   StageClock clock;
@@ -139,9 +143,6 @@ struct World {
     if (ways.travels.empty()) return fleet.goal[slot];
     return ways.travels[static_cast<std::size_t>(fleet.rank[slot])].heads_for(fleet.goal[slot]);
   }
-  /// nearest: m, see heed_passages(). `seen` gives its neighbors and walls; the function sets there
-  /// what the robot remembers of its goal, and whether it stops.
-  Robot robot(std::size_t slot, double nearest, Simulation::Perception& seen) const;
 };
 
 /// Computes the future places of obstacles with a path, if they are not known yet. Robots that
@@ -177,6 +178,12 @@ Plan stop_of(const World& world, std::size_t slot);
 
 /// Reserves memory for the walls near a robot and its search for a route in a step.
 void make_room(World& world);
+
+/// Fills in what the robots of the worker's tile know of themselves, and their preferred
+/// velocities. The tile has their neighbors, and pointers to their memory. worker.staying: the
+/// robots that stop near goals that others share.
+void set_out(const World& world, const Pace& pace, const Claims& claims,
+             std::span<const std::uint32_t> slots, Worker& worker);
 
 /// Decides for the robots of the worker's tile, which all have one pace and known neighbors, moves
 /// them, and empties the tile.

@@ -2,6 +2,7 @@
 /* A sky of airplanes, and a yard of all else that C can define: robots that have wheels or none,
  * walls, moving obstacles, edits, saved states. Their state hashes are those of the same in C++. */
 #include <math.h>
+#include <string.h>
 
 #include "check.h"
 #include "cpp_runs.h"
@@ -242,9 +243,18 @@ static void check_clocks_and_goals(avo_simulation_id simulation) {
   CHECK(count == 0);
   REQUIRE(avo_simulation_get_distance_left(simulation, moving, &next));
   CHECK(next == 0.0);
-  avo_wait wait = {true, {0.0, 0.0}, {9}};
+  avo_wait wait = {true, {0.0, 0.0}, {9}, true, {0.0, 0.0}, {0.0, 0.0}};
   REQUIRE(avo_simulation_get_wait(simulation, moving, &wait));
   CHECK(!wait.waits);
+  char words[256];
+  REQUIRE(avo_simulation_explain(simulation, moving, NULL, 0, &count));
+  CHECK(count > 20 && count <= sizeof words);
+  CHECK(avo_simulation_explain(simulation, moving, words, count - 1, &count) ==
+        AVO_ERROR_BUFFER_TOO_SMALL);
+  REQUIRE(avo_simulation_explain(simulation, moving, words, sizeof words, &count));
+  CHECK(strlen(words) + 1 == count && strncmp(words, "Robot ", 6) == 0);
+  CHECK(avo_simulation_explain(simulation, parked, words, sizeof words, &count) ==
+        AVO_ERROR_INVALID_ARGUMENT);
 }
 
 /* Two airplanes: the first leaves at its goal, and its id is that of none then. */

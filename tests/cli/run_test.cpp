@@ -135,8 +135,8 @@ TEST(Run, summary_has_all_keys_and_the_numbers_of_the_library) {
   EXPECT_EQ(json["mean_arrival"], *expected.mean_arrival);
   EXPECT_EQ(json["last_arrival"], *expected.last_arrival);
   EXPECT_EQ(json["infeasible_steps"], expected.infeasible_steps);
-  EXPECT_EQ(keys_of(json["decisions"]), (Strings{"optimal", "least_unsafe", "candidate", "braking",
-                                                 "overlapping", "invalid_input"}));
+  EXPECT_EQ(keys_of(json["decisions"]), (Strings{"optimal", "least_unsafe", "refused", "detour",
+                                                 "braking", "overlapping", "invalid_input"}));
   EXPECT_EQ(json["decisions"]["optimal"], expected.decisions.optimal);
   EXPECT_EQ(json["decisions"]["least_unsafe"], expected.decisions.least_unsafe);
   EXPECT_EQ(json["not_arrived_count"], 0);

@@ -128,7 +128,7 @@ TEST(CarCrush, nobody_touches_anybody) {
 TEST(CarCrush, nobody_touches_a_wall) {
   std::int64_t robot_steps = 0;
   double least = 1e9;
-  for (std::uint64_t seed = 0; seed < 8; ++seed) {
+  for (std::uint64_t seed = 0; seed < 5; ++seed) {
     SCOPED_TRACE(seed);
     Random random(seed);
     Scenario scene = crush(random);
@@ -158,7 +158,7 @@ TEST(CarCrush, nobody_touches_a_wall) {
     robot_steps += report.robot_steps;
     least = std::min(least, report.least_static_clearance.value_or(1e9));
   }
-  EXPECT_GT(robot_steps, 40'000);
+  EXPECT_GT(robot_steps, 25'000);
   EXPECT_LT(least, 1e-3) << "nobody comes near";
 }
 

@@ -199,8 +199,8 @@ TEST(Purity, used_and_poisoned_workspaces_decide_as_fresh_ones) {
     ++statuses[Planner(s.options).plan(s.robot, s.neighbors, again, nullptr, s.walls).status];
   }
   for (const PlanStatus status :
-       {PlanStatus::optimal, PlanStatus::least_unsafe, PlanStatus::candidate, PlanStatus::braking,
-        PlanStatus::overlapping})
+       {PlanStatus::optimal, PlanStatus::least_unsafe, PlanStatus::refused, PlanStatus::detour,
+        PlanStatus::braking, PlanStatus::overlapping})
     EXPECT_GT(statuses[status], 80) << to_string(status);
   EXPECT_LT(statuses[PlanStatus::invalid_input], 1600);
 }

@@ -19,10 +19,10 @@ class Poison {
 
   void operator()(PlanWorkspace& workspace) const {
     auto& [soft, decisions, programs, rows, demands, hard_and_soft, obstacles, order, ordered,
-           alone, listed, movers, passive, certified, flight, evasion, steering] =
+           alone, listed, movers, passive, passive_choice, certified, flight, evasion, steering] =
         PlanWorkspace::Scratch::of(workspace);
-    each(soft, decisions, rows, demands, hard_and_soft, order, alone, certified, flight, evasion,
-         steering);
+    each(soft, decisions, rows, demands, hard_and_soft, order, alone, passive_choice, certified,
+         flight, evasion, steering);
     // one robot has no programs; the others are lists, which are cleared before they are read
     static_cast<void>(programs), static_cast<void>(obstacles), static_cast<void>(ordered);
     static_cast<void>(listed), static_cast<void>(movers), static_cast<void>(passive);
@@ -225,8 +225,9 @@ class Poison {
     each(invariant, trajectories, capsules, walls, path, near, alone, seen);
   }
   void spoil(CertifiedWorkspace& certified) const {
-    auto& [constraints, hard, rows] = certified;
+    auto& [constraints, hard, rows, proposal, detour] = certified;
     each(constraints, hard, rows);
+    proposal = detour = Vec2{number_, number_};
   }
 
   void spoil(Predicted& other) const {

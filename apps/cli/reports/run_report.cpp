@@ -47,7 +47,8 @@ std::string decisions(const avo::RunSummary& results) {
     if (count > 0) text += fmt::format(", {} {}", count, avo::to_string(status));
   };
   add(d.least_unsafe, avo::PlanStatus::least_unsafe);
-  add(d.candidate, avo::PlanStatus::candidate);
+  add(d.refused, avo::PlanStatus::refused);
+  add(d.detour, avo::PlanStatus::detour);
   add(d.braking, avo::PlanStatus::braking);
   add(d.overlapping, avo::PlanStatus::overlapping);
   add(d.invalid_input, avo::PlanStatus::invalid_input);
@@ -96,7 +97,8 @@ std::string not_arrived(const avo::RunSummary& results) {
 /// Returns the decisions of all robots.
 std::int64_t decided(const avo::RunSummary& results) {
   const avo::Decisions& d = results.decisions;
-  return d.optimal + d.least_unsafe + d.candidate + d.braking + d.overlapping + d.invalid_input;
+  return d.optimal + d.least_unsafe + d.refused + d.detour + d.braking + d.overlapping +
+         d.invalid_input;
 }
 
 std::string steps_of(const avo::Scenario& scenario, std::int64_t steps) {

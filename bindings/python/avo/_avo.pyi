@@ -31,7 +31,7 @@ _Clock = Literal["common", "free"]
 _Behavior = Literal["decides", "moves_on", "cooperates"]
 _RobotBehavior = Literal["decides", "cooperates"]
 _Fill = Literal["none", "solid", "bounds"]
-_Status = Literal["optimal", "least_unsafe", "candidate", "braking", "overlapping", "invalid_input"]
+_Status = Literal["optimal", "least_unsafe", "refused", "braking", "overlapping", "invalid_input", "detour"]
 _State = Literal["unknown", "safe", "doomed"]
 
 __version__: str

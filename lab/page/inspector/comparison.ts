@@ -10,7 +10,6 @@ import { simulationFor } from "./inspector.ts";
 import { withMethod } from "../text/method_text.ts";
 import { simulationOfRow } from "./recorded_decision.ts";
 import { makeSpaceCanvas, sharedAxes, type SpaceCanvas } from "./space_canvas.ts";
-import { sentence } from "./why.ts";
 
 interface Side {
   root: HTMLElement;
@@ -79,7 +78,7 @@ function attempt(work: () => Explained): Explained | Error {
 
 function fillSide(side: Side, method: string, result: Explained | Error): void {
   side.title.textContent = method;
-  side.says.textContent = result instanceof Error ? result.message : sentence(result.decision, result.law, result.why);
+  side.says.textContent = result instanceof Error ? result.message : result.decision.sentence;
   side.space.show(result instanceof Error ? null : result.source);
 }
 

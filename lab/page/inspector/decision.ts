@@ -44,6 +44,21 @@ export interface Evasion {
   until: number;                // s, of the run
 }
 
+/** The stages of a decision. A null among causes is the robot's own motion; "walls.K" is of `walls` below. */
+export interface Trace {
+  guide: "route" | "lane" | "passage" | "back" | "mover" | "place";
+  wish: Vec;
+  rule: "none" | "steers" | "keeps_right" | "yields" | "settles" | "leaves_wall" | "in_cell";
+  heeded: Source | null;
+  aim: Vec;
+  target: Vec;
+  binding: (Source | null)[];
+  proposal: Vec;
+  refusing: (Source | null)[];
+  detour: Vec | null;
+  refusing_detour: (Source | null)[];
+}
+
 export interface Decision {
   scene: string;
   robot: number;
@@ -72,9 +87,12 @@ export interface Decision {
   speed_disc: Disc | null;
   preferred_velocity: Vec;
   new_velocity: Vec;
+  next_velocity: Vec;           // after the step
   acceleration: Vec;
+  trace: Trace;
+  sentence: string;             // the decision in words
   evading: Evasion | null;      // its usual choice was replaced by an evasion (docs/movers.md)
-  waits: { passage: Vec; for: number } | null;  // the passage, and the robot for which it waits (docs/arrival.md)
+  waits: { passage: Vec; for: number; inside: boolean; between: [Vec, Vec] } | null;  // the passage, and the robot for which it waits (docs/arrival.md)
   state: "safe" | "doomed" | "unknown";
   doomed_by: Source | null;     // may also be "walls.K", of `walls` above
   contact_within: number | null;

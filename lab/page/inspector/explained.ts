@@ -22,7 +22,7 @@ const FINE = 96, COARSE = 40;  // nodes per side
 export function explained(simulation: Simulation, info: SceneInfo, robot: number, quick: boolean): Explained {
   const text = simulation.explain(robot);
   const decision = parseDecision(text);
-  const law = lawOf(info, robot);
+  const law = lawOf(info);
   const found = why(decision, law, info);
   const sceneName = (of: string): string =>
     of.startsWith("walls.") ? `walls.${sceneWall(decision, Number(of.slice(6)), info.walls)}` : of;

@@ -10,7 +10,6 @@ import { makeHistoryStrip, type HistoryStrip } from "./history_strip.ts";
 import type { Lab } from "../run/lab.ts";
 import { simulationOfRow } from "./recorded_decision.ts";
 import { makeSpaceCanvas, sharedAxes, type SpaceCanvas } from "./space_canvas.ts";
-import { sentence } from "./why.ts";
 
 const LEAST_PAUSE = 60;  // ms between two decisions while it plays
 const REST = 4;          // other work gets this multiple of a decision's time
@@ -99,7 +98,7 @@ function fill(lab: Lab, panel: Panel, now: Explained): void {
   panel.shown = now;
   panel.title.textContent = `Robot ${decision.robot}`;
   panel.when.textContent = `at ${digits(lab.moment.time)} s · ${law.method}`;
-  panel.says.textContent = sentence(decision, law, why);
+  panel.says.textContent = decision.sentence;
   panel.space.show(now.source);
   numbers.replaceChildren(numbersTable(decision));
   const scrolled = neighbors.scrollTop;

@@ -39,8 +39,9 @@ export function paletteOf(theme: "light" | "dark"): Palette {
 export const STATUS_COLORS: Record<string, { light: string; dark: string; says: string }> = {
   optimal: { light: "#a9c9e2", dark: "#33597a", says: "v′ satisfies all half-planes" },
   least_unsafe: { light: "#e69f00", dark: "#e0a030", says: "no velocity satisfies all half-planes: the least unsafe one" },
-  candidate: { light: "#3b8fc4", dark: "#62b2e6", says: "the certificate refused that choice and admits another one" },
+  refused: { light: "#3b8fc4", dark: "#62b2e6", says: "the certificate refused that choice, or it left no way out, and another one is taken" },
   braking: { light: "#22577a", dark: "#b5dcf5", says: "nothing but braking is admitted" },
   overlapping: { light: "#b3261e", dark: "#ff6f61", says: "in contact, or braking no longer avoids it" },
   invalid_input: { light: "#000000", dark: "#ffffff", says: "a number is not finite or out of range: it brakes" },
+  detour: { light: "#5c9f6b", dark: "#7cc48c", says: "the route is blocked, and it turns off to the right" },
 };

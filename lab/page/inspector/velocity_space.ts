@@ -199,7 +199,7 @@ export function drawVelocitySpace(context: CanvasRenderingContext2D, view: View,
   if (norm(decision.new_velocity) > 0) arrow(pen, decision.velocity, decision.new_velocity, palette.decided, 1.6);
   dotAt(pen, decision.preferred_velocity, 4.5, palette.preferred);
   dotAt(pen, decision.new_velocity, 5, palette.decided);
-  if (why.next && law.method === "avo") dotAt(pen, why.next, 2.5, palette.decided);
+  if (law.method === "avo") dotAt(pen, why.next, 2.5, palette.decided);
   drawLabels(pen, space, highlighted);
   drawTicks(pen);
 }

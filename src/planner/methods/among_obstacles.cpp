@@ -86,6 +86,7 @@ Plan decide_among_obstacles(const Planner& planner, const Robot& robot,
                            robot.preferred_velocity, scratch.passive);
   if (options.method == Method::orca_clamped)
     choice = clamped(choice, robot, options.time_step, scratch.passive.limits);
+  scratch.passive_choice = choice.velocity;
   Plan plan;
   if (options.method == Method::avo) {
     plan = certify_among_movers(planner, robot, obstacles, walls, choice, overlapping, scratch);

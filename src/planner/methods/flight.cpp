@@ -90,7 +90,7 @@ Plan fly_towards(const Planner& planner, const Robot& given, const Neighbors& ne
   for (std::size_t k = 0; k < tried.count; ++k) {
     const Vec2 acceleration = tried.controls[k].ahead * h + tried.controls[k].left * n;
     if (admitted(acceleration))
-      return plan_of(planner, robot, acceleration, PlanStatus::candidate, flight.violation);
+      return plan_of(planner, robot, acceleration, PlanStatus::refused, flight.violation);
   }
   return loiter_on(planner, robot, PlanStatus::braking, flight.violation);
 }

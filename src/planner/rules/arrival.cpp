@@ -129,12 +129,15 @@ double unusual_congestion(double ahead, double time, double time_step, Detour& d
   return std::max(ahead - kUsual * detour.congestion, 0.0);
 }
 
+bool settles(const Robot& robot, const Detour& detour, double arrival_distance) {
+  return robot.distance_to_goal < settling_distance(detour, robot.radius, arrival_distance);
+}
+
 Vec2 wish_of(const Robot& robot, Vec2 kept_right, const Traffic& traffic,
              const PlannerOptions& options, Detour& detour) {
   remember(robot, traffic.is_beside, options, detour);
   const double arrival_distance = options.arrival_distance;
-  if (robot.distance_to_goal < settling_distance(detour, robot.radius, arrival_distance))
-    return (kPush * robot.max_speed) * traffic.push;
+  if (settles(robot, detour, arrival_distance)) return (kPush * robot.max_speed) * traffic.push;
   const double at_rest = yields_to_all(robot, detour, arrival_distance) ? kPushAtRest : 0.0;
   return kept_right + robot.max_speed * (kPush * traffic.push + at_rest * traffic.push_at_rest);
 }

@@ -56,6 +56,9 @@ bool is_sound(const Detour& detour);
 /// remembers that. A robot that keeps right for ever never arrives. time: T, s.
 double unusual_congestion(double ahead, double time, double time_step, Detour& detour);
 
+/// Returns whether a robot that has been beside others for a while stays in place, near its goal.
+bool settles(const Robot& robot, const Detour& detour, double arrival_distance);
+
 /// [m/s] The wish of a robot: the velocity that keeps right, or 0 where it has settled. In both
 /// cases it moves aside for neighbors that push.
 Vec2 wish_of(const Robot& robot, Vec2 kept_right, const Traffic& traffic,

@@ -136,10 +136,10 @@ void take(const Evading& evading, Vec2 choice, Plan& plan) {
     plan.acceleration = choice;
   } else {
     const Plan evasive =
-        plan_under(evading.law, robot, choice, PlanStatus::candidate, plan.violation);
+        plan_under(evading.law, robot, choice, PlanStatus::refused, plan.violation);
     plan.new_velocity = evasive.new_velocity, plan.acceleration = evasive.acceleration;
   }
-  if (plan.status != PlanStatus::overlapping) plan.status = PlanStatus::candidate;
+  if (plan.status != PlanStatus::overlapping) plan.status = PlanStatus::refused;
   plan.evading = true;
 }
 

@@ -270,11 +270,13 @@ TEST(Metrics, decisions_are_counted_by_status) {
   const Decisions found = metrics.summary().decisions;
   EXPECT_EQ(found.optimal, expected[PlanStatus::optimal]);
   EXPECT_EQ(found.least_unsafe, expected[PlanStatus::least_unsafe]);
-  EXPECT_EQ(found.candidate, expected[PlanStatus::candidate]);
+  EXPECT_EQ(found.refused, expected[PlanStatus::refused]);
+  EXPECT_EQ(found.detour, expected[PlanStatus::detour]);
   EXPECT_EQ(found.braking, expected[PlanStatus::braking]);
   EXPECT_EQ(found.overlapping, expected[PlanStatus::overlapping]);
   EXPECT_EQ(found.invalid_input, 0);
-  EXPECT_GT(found.candidate, 100);
+  EXPECT_GT(found.refused, 100);
+  EXPECT_GT(found.detour, 100);
   EXPECT_GT(found.overlapping, 0);
 }
 

@@ -116,7 +116,7 @@ TEST(Limits, P12_hold_for_every_decision_of_avo) {
           Planner(crowd.options).plan_among_obstacles(crowd.robot, crowd.neighbors, workspace));
     }
     EXPECT_GT(seen[PlanStatus::optimal], 1'000);
-    EXPECT_GT(seen[PlanStatus::least_unsafe] + seen[PlanStatus::candidate], 100);
+    EXPECT_GT(seen[PlanStatus::least_unsafe] + seen[PlanStatus::refused], 100);
     EXPECT_GT(seen[PlanStatus::braking], 50);
     EXPECT_GT(seen[PlanStatus::overlapping], 1'000);
     EXPECT_EQ(seen[PlanStatus::invalid_input], 0);

@@ -162,7 +162,8 @@ TEST(Status, braking_comes_to_rest_within_the_step_where_it_can) {
 TEST(Status, names) {
   EXPECT_STREQ(to_string(PlanStatus::optimal), "optimal");
   EXPECT_STREQ(to_string(PlanStatus::least_unsafe), "least_unsafe");
-  EXPECT_STREQ(to_string(PlanStatus::candidate), "candidate");
+  EXPECT_STREQ(to_string(PlanStatus::refused), "refused");
+  EXPECT_STREQ(to_string(PlanStatus::detour), "detour");
   EXPECT_STREQ(to_string(PlanStatus::overlapping), "overlapping");
   EXPECT_STREQ(to_string(PlanStatus::braking), "braking");
   EXPECT_STREQ(to_string(PlanStatus::invalid_input), "invalid_input");

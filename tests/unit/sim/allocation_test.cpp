@@ -137,7 +137,7 @@ TEST(Allocation, none_per_step_of_several_methods) {
       scene.robots[i].method = i % 4 == 0 ? Method::orca : Method::avo_paper;
       if (i % 3 == 0) scene.robots[i].time_horizon = 4.0;
     }
-    EXPECT_EQ(allocations_when_warm(scene, workers, 60, 40), 0) << workers << " workers";
+    EXPECT_EQ(allocations_when_warm(scene, workers, 25, 25), 0) << workers << " workers";
   }
 }
 

@@ -465,7 +465,7 @@ TEST(Clocks, metrics_count_each_decision_once) {
   }
   const RunSummary summary = metrics.summary();
   const Decisions& d = summary.decisions;
-  EXPECT_EQ(d.optimal + d.least_unsafe + d.candidate + d.braking + d.overlapping, decided);
+  EXPECT_EQ(d.optimal + d.least_unsafe + d.refused + d.detour + d.braking + d.overlapping, decided);
   EXPECT_EQ(summary.arrived, 9);
   EXPECT_EQ(summary.collision_pairs, 0);
   EXPECT_LE(summary.max_acceleration, 1.0 + 1e-9);

@@ -265,7 +265,7 @@ TEST(FlightEvasion, is_told_with_the_beginning_of_the_circle) {
       ASSERT_EQ(way.has_value(), plan.evading) << step;
       if (!way) continue;
       ++evading;
-      EXPECT_EQ(plan.status, PlanStatus::candidate);
+      EXPECT_EQ(plan.status, PlanStatus::refused);
       named += way->neighbor >= 0 && way->neighbor < 3 ? 1 : 0;
       EXPECT_GE(norm(way->velocity), airplane.min_speed - 1e-9);
       EXPECT_LE(norm(way->velocity), setup.max_speed + 1e-9);

@@ -58,7 +58,7 @@ TEST(SimLimits, P12_hold_in_every_step_of_dense_scenes_of_avo) {
       expect_limits_in_every_step(scene, 100, seen);
     }
     // dense enough that the limits are what holds the robots back
-    EXPECT_GT(seen[PlanStatus::candidate], 1'000);
+    EXPECT_GT(seen[PlanStatus::refused], 1'000);
     EXPECT_GT(seen[PlanStatus::overlapping], 30);
   }
 }

@@ -171,12 +171,15 @@ typedef uint8_t avo_plan_status;
 enum {
   AVO_PLAN_OPTIMAL = 0,
   AVO_PLAN_LEAST_UNSAFE = 1,
-  AVO_PLAN_CANDIDATE = 2,
+  /// the certificate refused the next velocity, or it left no way out from a mover: another one
+  AVO_PLAN_REFUSED = 2,
   AVO_PLAN_BRAKING = 3,
   AVO_PLAN_OVERLAPPING = 4,
   /// a known or sensed number is not finite or out of range: the robot brakes
-  AVO_PLAN_INVALID_INPUT = 5
+  AVO_PLAN_INVALID_INPUT = 5,
+  AVO_PLAN_DETOUR = 6  ///< the route is blocked, and the robot turns off it
 };
+#define AVO_PLAN_STATUSES 7
 
 /// What is proved of a state before a decision.
 typedef uint8_t avo_safety_state;
@@ -721,9 +724,16 @@ typedef struct avo_wait {
   bool waits;          ///< if false, the other members have no meaning
   avo_vec2 passage;    ///< m, the middle of its axis
   avo_robot_id robot;  ///< the robot that comes towards it, or is in its path
+  bool inside;         ///< whether that robot is in the passage
+  avo_vec2 a, b;       ///< m, the two sides of the passage where it is narrowest
 } avo_wait;
 AVO_C_API avo_result avo_simulation_get_wait(avo_simulation_id simulation, avo_robot_id robot,
                                              avo_wait* wait);
+/// The decision that the robot would make now in words, with the reason and the names of those that
+/// cause it: one or two sentences in UTF-8, with a 0 at the end. Buffer, capacity and size are
+/// those of avo_simulation_save(). AVO_ERROR_INVALID_ARGUMENT for a parked robot.
+AVO_C_API avo_result avo_simulation_explain(avo_simulation_id simulation, avo_robot_id robot,
+                                            char* buffer, size_t capacity, size_t* size);
 /// The robot's place in the columns, which is not its number once another robot has gone.
 AVO_C_API avo_result avo_simulation_index_of(avo_simulation_id simulation, avo_robot_id robot,
                                              size_t* index);
@@ -802,9 +812,9 @@ typedef struct avo_summary {
   int64_t first_seen_too_late;  ///< pairs; -1 without a certificate
   /// robot-steps with half-planes that had no point in common
   int64_t infeasible_steps;
-  int64_t unreachable;            ///< robots
-  int64_t decisions[6];           ///< robot-steps, by avo_plan_status
-  double first_collision_time;    ///< s; NAN: none
+  int64_t unreachable;                   ///< robots
+  int64_t decisions[AVO_PLAN_STATUSES];  ///< robot-steps, by avo_plan_status
+  double first_collision_time;           ///< s; NAN: none
   double min_clearance;           ///< m, between robots that avoid each other; NAN: there are none
   double min_obstacle_clearance;  ///< m, from static obstacles; NAN: there are none
   double max_acceleration;        ///< m/s^2, the largest applied |a|

@@ -1,0 +1,198 @@
+// SPDX-License-Identifier: Apache-2.0
+// Explanations of decisions in the built-in scenes: each ends in what the robot does, each stage
+// follows from the one before it, and robots that stand have a reason with a name.
+#include <algorithm>
+#include <cmath>
+#include <gtest/gtest.h>
+#include <string>
+#include <vector>
+
+#include "avo/explanation.h"
+#include "avo/simulation.h"
+#include "avo_io/scene.h"
+
+namespace avo_test {
+namespace {
+
+using avo::Explanation;
+using avo::PlanStatus;
+using avo::Simulation;
+using avo::Vec2;
+
+constexpr double kTolerance = 1e-6;  // m/s
+
+const std::vector<std::string>& scenes() {
+  static const std::vector<std::string> all{
+      "circle-24",   "doorway",          "office",         "corridor-one-lane", "bottleneck",
+      "maze",        "mixed-yard",       "planes-12",      "drives-100",        "cars-100",
+      "mixed-fleet", "crossing-streams", "person",         "moving-obstacle",   "reversing-cars",
+      "swap-blocks", "circle-100",       "crowdnav-circle"};
+  return all;
+}
+
+void run_to(Simulation& simulation, double time) {
+  while (simulation.can_step_by(time)) simulation.step();
+}
+
+// Robots spread over the fleet, at most so many.
+std::vector<std::size_t> some_of(const Simulation& simulation, std::size_t most) {
+  std::vector<std::size_t> some;
+  const std::size_t all = simulation.size(), step = std::max<std::size_t>(all / most, 1);
+  for (std::size_t i = 0; i < all; i += step)
+    if (!simulation.setup(i).parked) some.push_back(i);
+  return some;
+}
+
+struct Counts {
+  int decisions = 0, binding = 0, refusing = 0, detours = 0, evasions = 0, rules = 0;
+};
+
+// With those that refuse left out, the certificate admits the velocity; with them it does not.
+void expect_refusals(const Explanation& why, const avo::Planner& planner, Vec2 asked,
+                     const std::vector<avo::Cause>& refusing) {
+  const auto& seen = why.seen;
+  if (refusing.empty() || !is_holonomic(seen.robot.model)) return;  // wheels refuse as well
+  const auto refuses = [&](avo::Cause cause) {
+    return std::find(refusing.begin(), refusing.end(), cause) != refusing.end();
+  };
+  std::vector<avo::Neighbor> others;
+  std::vector<avo::Wall> walls;
+  for (std::size_t k = 0; k < seen.neighbors.size(); ++k)
+    if (!refuses({static_cast<int>(k), -1})) others.push_back(seen.neighbors[k]);
+  for (std::size_t k = 0; k < seen.walls.size(); ++k)
+    if (!refuses({-1, static_cast<int>(k)})) walls.push_back(seen.walls[k]);
+  avo::PlanWorkspace workspace;
+  std::uint8_t without = 0, with = 1;
+  planner.find_admitted(seen.robot, others, workspace, {&asked, 1}, {&without, 1}, walls);
+  planner.find_admitted(seen.robot, seen.neighbors, workspace, {&asked, 1}, {&with, 1}, seen.walls);
+  EXPECT_EQ(without, 1) << why.sentence;
+  EXPECT_EQ(with, 0) << why.sentence;
+}
+
+// The half-planes of neighbors that bind are those on whose lines the target lies.
+void expect_binding(const Explanation& why, const avo::Planner& planner) {
+  const auto& seen = why.seen;
+  avo::PlanWorkspace workspace;
+  avo::HalfPlanes planes;
+  planner.collect_half_planes(seen.robot, seen.neighbors, workspace, planes, seen.walls);
+  for (const avo::NeighborPlane& plane : planes.planes) {
+    const bool binds = std::find(why.decision.binding.begin(), why.decision.binding.end(),
+                                 avo::Cause{plane.neighbor, -1}) != why.decision.binding.end();
+    const double off = std::abs(violation(plane.plane, why.decision.target));
+    const bool is_free = why.decision.target == why.decision.aim;
+    EXPECT_TRUE(binds ? off <= kTolerance : is_free || off > 0.01 * kTolerance) << why.sentence;
+  }
+}
+
+void expect_stages(const Explanation& why, const avo::Planner& planner, Counts& counts) {
+  const avo::DecisionTrace& decision = why.decision;
+  const PlanStatus status = decision.plan.status;
+  ++counts.decisions;
+  counts.binding += decision.binding.empty() ? 0 : 1;
+  counts.refusing += decision.refusing.empty() ? 0 : 1;
+  counts.detours += status == PlanStatus::detour ? 1 : 0;
+  counts.evasions += decision.evasion ? 1 : 0;
+  counts.rules += decision.rule != avo::WishRule::none ? 1 : 0;
+  EXPECT_EQ(decision.evasion.has_value(), decision.plan.evading);
+  EXPECT_EQ(decision.preferred_velocity, why.seen.robot.preferred_velocity);
+  const bool is_changed = decision.wish != decision.preferred_velocity;
+  EXPECT_EQ(decision.rule != avo::WishRule::none, is_changed) << why.sentence;
+  if (why.seen.stop || status == PlanStatus::overlapping || is_airplane(why.seen.robot.model))
+    return;
+  if (!why.seen.among_movers && !avo::avoids_union(planner.options().method))
+    expect_binding(why, planner);
+  if (planner.options().method != avo::Method::avo) return;
+  const bool as_proposed = !is_holonomic(why.seen.robot.model) ||
+                           norm(decision.plan.next_velocity - decision.proposal) <= kTolerance;
+  EXPECT_TRUE(as_proposed || status != PlanStatus::optimal || decision.plan.evading)
+      << why.sentence;
+  const auto& last = decision.detour ? decision.refusing_detour : decision.refusing;
+  const bool is_refused = status == PlanStatus::refused || status == PlanStatus::braking;
+  EXPECT_TRUE(!is_refused || decision.plan.evading || !last.empty()) << why.sentence;
+  expect_refusals(why, planner, decision.proposal, decision.refusing);
+  if (decision.detour) expect_refusals(why, planner, *decision.detour, decision.refusing_detour);
+}
+
+TEST(Explanations, end_in_what_the_robot_does_and_each_stage_follows) {
+  Counts counts;
+  for (const std::string& name : scenes()) {
+    Simulation simulation(avo_io::load_scenario(name), 1);
+    for (const double time : {0.0, 2.5, 6.0, 9.0, 14.0, 22.0}) {
+      run_to(simulation, time);
+      std::vector<Explanation> all;
+      for (const std::size_t i : some_of(simulation, 12)) all.push_back(simulation.explain(i));
+      const double now = simulation.time();
+      simulation.step();
+      for (const Explanation& why : all) {
+        const auto i = simulation.index_of(why.robot);
+        if (!i || !simulation.decided(*i)) continue;
+        const avo::Plan plan = simulation.robot(*i).plan;
+        const std::string place = name + " " + std::to_string(now) + ": " + why.sentence;
+        ASSERT_EQ(why.decision.plan.next_velocity, plan.next_velocity) << place;
+        ASSERT_EQ(why.decision.plan.new_velocity, plan.new_velocity) << place;
+        ASSERT_EQ(why.decision.plan.status, plan.status) << place;
+        ASSERT_EQ(why.decision.plan.evading, plan.evading) << place;
+        expect_stages(why, simulation.planner(*i), counts);
+        ASSERT_FALSE(HasFailure()) << place;
+      }
+    }
+  }
+  EXPECT_GT(counts.decisions, 800);
+  EXPECT_GT(counts.binding, 100);
+  EXPECT_GT(counts.refusing, 50);
+  EXPECT_GT(counts.detours, 20);
+  EXPECT_GT(counts.evasions, 3);
+  EXPECT_GT(counts.rules, 100);
+}
+
+bool has_name(const std::string& sentence) {
+  for (const char* name : {"robot ", "robots ", "moving obstacle ", "wall", "disc at", "goal"})
+    if (sentence.find(name, sentence.find(' ', 6)) != std::string::npos) return true;
+  return false;
+}
+
+TEST(Explanations, of_robots_that_stand_have_a_reason_and_a_name) {
+  int standing = 0;
+  for (const char* name : {"doorway", "office", "corridor-one-lane", "bottleneck", "maze",
+                           "circle-100", "drives-100", "mixed-yard", "swap-blocks"}) {
+    Simulation simulation(avo_io::load_scenario(name), 1);
+    for (double time = 1.0; time < 40.0 && standing < 1000; time += 1.3) {
+      run_to(simulation, time);
+      for (const std::size_t i : some_of(simulation, 40)) {
+        const avo::RobotState robot = simulation.robot(i);
+        const bool rests = norm(robot.velocity) < 0.01 * simulation.setup(i).max_speed;
+        if (!rests || simulation.is_at_goal(i)) continue;
+        ++standing;
+        const std::string sentence = simulation.explain(i).sentence;
+        EXPECT_TRUE(has_name(sentence)) << name << " " << simulation.time() << ": " << sentence;
+      }
+    }
+  }
+  EXPECT_GT(standing, 200);
+}
+
+TEST(Explanations, name_the_door_and_the_robot_that_a_robot_waits_for) {
+  avo::Scenario scene = avo_io::load_scenario("corridor-one-lane");
+  Simulation simulation(scene, 1);
+  int waits = 0;
+  for (double time = 0.5; time < 30.0; time += 0.5) {
+    run_to(simulation, time);
+    for (std::size_t i = 0; i < simulation.size(); ++i) {
+      const Explanation why = simulation.explain(i);
+      if (!why.seen.wait || why.seen.guide != avo::Guide::passage || why.decision.evasion ||
+          why.decision.plan.status == PlanStatus::overlapping)
+        continue;
+      ++waits;
+      const std::string whom = "for robot " + std::to_string(why.seen.wait->robot.value);
+      EXPECT_NE(why.sentence.find("waits at the door between ("), std::string::npos);
+      EXPECT_NE(why.sentence.find(
+                    whom + (why.seen.wait->inside ? ", which is inside" : ", which goes first")),
+                std::string::npos)
+          << why.sentence;
+    }
+  }
+  EXPECT_GT(waits, 20);
+}
+
+}  // namespace
+}  // namespace avo_test
