@@ -235,13 +235,15 @@ struct Plan {
 };
 
 /// The way out that a robot beside movers takes in place of its target (docs/movers.md). The robot
-/// approaches a velocity, and then it brakes to rest.
+/// approaches a velocity, and then it brakes to rest. An airplane circles then.
 struct Evasion {
   /// index into the neighbors given: the mover that made the robot reject its target
   int neighbor = -1;
-  /// m/s, the velocity that the way out approaches, or holds; 0: it brakes from the start
+  /// m/s, the velocity that the way out approaches, or holds; 0: it brakes from the start. Of an
+  /// airplane: its velocity where it begins to circle
   Vec2 velocity = {};
-  double duration = 0;  ///< s, from the decision: the robot then brakes, if nothing else is decided
+  /// s, from the decision: the robot then brakes or circles, if nothing else is decided
+  double duration = 0;
 };
 
 /// A's half-plane against one neighbor, in v'_A, Eqs. (17)-(20).
@@ -360,8 +362,8 @@ class AVO_API Planner {
   /// Reciprocal collision avoidance (§IV-D). Neighbors that decide are assumed to plan
   /// reciprocally, at the same times unless PlannerOptions::clock is free. Neighbors may come in
   /// any order; the order changes bits only where two are equally far away. Neighbors in ascending
-  /// order of distance need not be sorted. A robot among movers only plans as in
-  /// plan_among_obstacles, and so does any robot of methods velocity_obstacle and
+  /// order of distance need not be sorted. A robot among movers only, except an airplane, plans as
+  /// in plan_among_obstacles, and so does any robot of methods velocity_obstacle and
   /// reciprocal_velocity_obstacle.
   ///
   /// detour: the memory of the robot, kept by the caller from decision to decision; updated, or
@@ -393,7 +395,8 @@ class AVO_API Planner {
   /// union of their obstacles; B's new velocity is v_B + δ a_B with the acceleration that the
   /// neighbor gives. Movers touch the robot only at rest, as long as they keep that acceleration.
   /// Nothing is promised with neighbors that call plan() (docs/certificate/movers.md). Method
-  /// buffered_voronoi has no obstacles: it plans as plan() does with all of them moving on.
+  /// buffered_voronoi has no obstacles, and airplanes only turn: both plan as plan() does with all
+  /// of them moving on.
   [[nodiscard]] Plan plan_among_obstacles(const Robot& robot, std::span<const Neighbor> obstacles,
                                           PlanWorkspace& workspace) const;
 
@@ -464,7 +467,7 @@ class AVO_API Planner {
 
   /// Returns whether some way out is clear of all predicted neighbors (docs/movers.md, invariant
   /// M), whatever the others do. No predicted neighbor need then touch A if it moves as predicted.
-  /// false where plan() says invalid_input, without a certificate, and for models without ways out.
+  /// false where plan() says invalid_input, and without a certificate.
   [[nodiscard]] bool has_way_out(const Robot& robot, std::span<const Neighbor> neighbors,
                                  PlanWorkspace& workspace, std::span<const Wall> walls = {}) const;
 

@@ -128,11 +128,17 @@ std::string contact_text(const Decision& decision) {
                      text_of_either(decision, plan.neighbor, plan.wall));
 }
 
+const char* safe_text(const avo::Simulation::Perception& seen) {
+  if (!is_airplane(seen.robot.model)) return "safe: braking avoids contact";
+  const bool has_movers =
+      std::any_of(seen.neighbors.begin(), seen.neighbors.end(), avo::is_predicted);
+  return has_movers ? "safe: its circle keeps clear of all who decide, and it has a way out"
+                    : "safe: its circle keeps clear of all others";
+}
+
 std::string state_text(const Decision& decision) {
   const avo::SafetyReport& state = decision.state;
-  if (state.state == avo::SafetyState::safe)
-    return is_airplane(decision.seen.robot.model) ? "safe: its circle keeps clear of all others"
-                                                  : "safe: braking avoids contact";
+  if (state.state == avo::SafetyState::safe) return safe_text(decision.seen);
   if (state.state == avo::SafetyState::unknown) return "unknown: neither safe nor doomed is proved";
   return fmt::format("doomed: contact with {} within {:.6g} s, whatever it does",
                      text_of_either(decision, state.neighbor, state.wall), state.time);
@@ -224,8 +230,9 @@ std::string evasion_text(const Decision& decision) {
   const std::string whom =
       neighbor >= 0 ? text_of_either(decision, neighbor, -1) : "those who come";
   if (!(duration > 0.0)) return whom + ": it brakes";
-  return fmt::format("{}: towards {} m/s until {:.6g} s, and then it could brake", whom,
-                     text(velocity), decision.time + duration);
+  return fmt::format("{}: towards {} m/s until {:.6g} s, and then it could {}", whom,
+                     text(velocity), decision.time + duration,
+                     is_airplane(decision.seen.robot.model) ? "circle" : "brake");
 }
 
 /// Returns the passage at which the robot waits, and the robot for which it waits.

@@ -72,8 +72,9 @@ constexpr int kBisections = 12;
 
 }  // namespace
 
-bool rests_clear(const Predicted& other, Vec2 place, double time) {
-  const double distance = other.contact + other.spread_at(other.reaction + time);
+bool rests_clear(const Predicted& other, Vec2 place, double time, double wider) {
+  const double contact = other.contact + wider;
+  const double distance = contact + other.spread_at(other.reaction + time);
   if (other.trajectory != nullptr) {
     const TrajectorySteps& steps = *other.trajectory;
     return passes_by(steps.trajectory(), steps.now() + time, place + steps.origin(), distance);
@@ -86,7 +87,7 @@ bool rests_clear(const Predicted& other, Vec2 place, double time) {
   const Vec2 way = place - other.place_at(time), v = other.velocity_at(time);
   const double squared = norm_squared(v), along = is_rest(v) ? 0.0 : dot(way, v);
   // for a mover that moves away, or rests, its place at that time counts
-  if (!(along > 0.0)) return norm(way) >= other.contact + other.spread_at(time);
+  if (!(along > 0.0)) return norm(way) >= contact + other.spread_at(time);
   return norm(way - std::min(along / squared, other.until - time) * v) >= distance;
 }
 

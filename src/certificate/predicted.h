@@ -48,8 +48,9 @@ Hull relative_to(const Predicted& other, const Hull& own, double time, const Ste
 /// Returns whether a whole path is at least so far from the origin, m. If it keeps off by a
 /// distance, it keeps off by any smaller one.
 bool keeps_off(const Hull& relative, double distance);
-/// Tests (C1) for a robot that rests at `place` from that time on, for ever or `until` then.
-bool rests_clear(const Predicted& other, Vec2 place, double time);
+/// Tests (C1) for a robot that rests at `place` from that time on, for ever or `until` then. Or it
+/// stays within a disc about that place that is `wider` than the robot by so much, m.
+bool rests_clear(const Predicted& other, Vec2 place, double time, double wider = 0.0);
 /// Tests (C2) for an interval that begins `elapsed` s after the time `from`, when A decides to
 /// brake and sees the mover. The mover is then within each of two discs
 /// (docs/certificate/movers.md, "Movers that do as they like"): about its predicted path, and about

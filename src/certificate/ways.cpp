@@ -59,16 +59,7 @@ WayStep step_of(const WayOptions& options, const WayState& from, Vec2 next_veloc
 bool is_clear(const WayOptions& options, Surroundings& around, const WayState& from,
               const Hull& step) {
   const double end = from.time + options.law.time_step;
-  around.work -= static_cast<int>(around.others.size());
-  for (std::size_t k = 0; k < around.others.size(); ++k) {
-    if (around.clear_until[k] >= end) continue;
-    look_at(options, around, k, from);
-    if (around.clear_until[k] >= end) continue;
-    const Predicted& other = around.others[k];
-    if (!keeps_off(relative_to(other, step, from.time, options.law),
-                   other.contact + other.spread_at(end)))
-      return false;
-  }
+  if (!keeps_off_movers(options, around, from, step)) return false;
   return is_known(options, step.end) &&
          std::all_of(around.walls.begin(), around.walls.end(), [&](const KeptWall& wall) {
            if (wall.clear_until >= end) return true;
@@ -186,6 +177,22 @@ void Surroundings::reserve(std::size_t most_others, std::size_t braking_steps) {
   others.reserve(most_others);
   for (std::vector<double>* column : {&clear_now, &clear_after, &clear_until})
     column->reserve(most_others);
+}
+
+bool keeps_off_movers(const WayOptions& options, Surroundings& around, const WayState& from,
+                      const Hull& step) {
+  const double end = from.time + options.law.time_step;
+  around.work -= static_cast<int>(around.others.size());
+  for (std::size_t k = 0; k < around.others.size(); ++k) {
+    if (around.clear_until[k] >= end) continue;
+    look_at(options, around, k, from);
+    if (around.clear_until[k] >= end) continue;
+    const Predicted& other = around.others[k];
+    if (!keeps_off(relative_to(other, step, from.time, options.law),
+                   other.contact + other.spread_at(end)))
+      return false;
+  }
+  return true;
 }
 
 void begin_ways(const WayOptions& options, Surroundings& around) {

@@ -37,7 +37,7 @@ struct WayOptions {
   double longest = 0.0;    ///< s, until A brakes
   /// m: the center stays within this distance of p_A, where A knows the walls.
   double known = std::numeric_limits<double>::infinity();
-  const Robot* wheels = nullptr;  ///< A, unless it is holonomic
+  const Robot* wheels = nullptr;  ///< A, unless it is holonomic; also an airplane
 };
 
 /// An interval of braking, once it has been computed.
@@ -55,6 +55,7 @@ struct Surroundings {
   // on, from the first step on, and from the last state of a way out on.
   std::vector<double> clear_now, clear_after, clear_until;
   WayState after;          // the state after the first step
+  WayState last;           // of an airplane: the state in which the last way out begins to circle
   double brakes_at = 0.0;  // s: the time at which the last clear way out begins to brake
   std::vector<KnownInterval> intervals;  // of the last braking path
   std::uint64_t brakings = 0;            // number of braking paths until now
@@ -68,6 +69,10 @@ struct Surroundings {
 
 /// Begins the search of ways out among the others and walls in `around`.
 void begin_ways(const WayOptions& options, Surroundings& around);
+
+/// Tests (C1) of one step.
+bool keeps_off_movers(const WayOptions& options, Surroundings& around, const WayState& from,
+                      const Hull& step);
 
 /// [v_1] m/s, the next velocity of a way out towards the velocity w.
 Vec2 next_towards(const WayOptions& options, const WayState& from, Vec2 w);

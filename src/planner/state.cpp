@@ -9,6 +9,7 @@
 #include "planner/contact.h"
 #include "planner/decision.h"
 #include "planner/methods/flight.h"
+#include "planner/rules/evasion.h"
 #include "planner/scratch.h"
 #include "planner/validity.h"
 #include "robots/model.h"
@@ -66,15 +67,16 @@ void name(const Contact& contact, SafetyReport& report) {
   report.neighbor = contact.neighbor, report.wall = contact.wall, report.depth = contact.depth;
 }
 
-SafetyReport state_of_flight(const Robot& robot, std::span<const Neighbor> neighbors,
-                             std::span<const Wall> walls, const StepLaw& law,
+SafetyReport state_of_flight(const Robot& robot, const Sight& sight, const CertificateLaw& law,
                              PlanWorkspace::Scratch& scratch) {
-  const Neighbors seen = in_columns(neighbors, scratch.alone.neighbors);
+  const Neighbors seen = in_columns(sight.neighbors, scratch.alone.neighbors);
   const FlightConstraints& flight = scratch.flight;
-  collect_flight(with_circle(robot), seen, walls, law, scratch.flight);
-  if (!flight.are_broken()) return {SafetyState::safe};
+  collect_flight(with_circle(robot), seen, sight.walls, law.step, scratch.flight);
+  if (!flight.are_broken() && may_go_on(law, robot, sight, scratch.evasion))
+    return {SafetyState::safe};
   SafetyReport report;
-  name(deepest_contact(robot, seen, walls, law, flight.broken, flight.broken_wall), report);
+  name(deepest_contact(robot, seen, sight.walls, law.step, flight.broken, flight.broken_wall),
+       report);
   return report;
 }
 
@@ -98,7 +100,8 @@ SafetyReport Planner::state(const Robot& robot, std::span<const Neighbor> neighb
   if (!can_decide(robot, neighbors, walls, options_)) return {};
   const CertificateLaw law = law_of_state(*this);
   PlanWorkspace::Scratch& scratch = PlanWorkspace::Scratch::of(workspace);
-  if (is_airplane(robot.model)) return state_of_flight(robot, neighbors, walls, law.step, scratch);
+  if (is_airplane(robot.model))
+    return state_of_flight(robot, {neighbors, walls, options_.wall_range}, law, scratch);
   CertificateConstraints& constraints = scratch.certified.constraints;
   collect_constraints(robot, neighbors, law, constraints, walls);
   SafetyReport report = state_of(robot, constraints.alone.neighbors[0], walls, law, constraints);

@@ -47,6 +47,10 @@ double most_violation(const SoftPlanes& soft, std::size_t i, double violation) {
   return violation;
 }
 
+bool is_airplane_at(const RobotColumns& robots, std::size_t i) {
+  return robots.model[i] != nullptr && is_airplane(*robots.model[i]);
+}
+
 // Without a certificate walls demand nothing.
 void begin_walls(const RobotColumns& robots, const Tile& tile, std::size_t i,
                  const CertificateLaw& law, WallConstraints& walls) {
@@ -92,6 +96,20 @@ struct Deciding {
   }
 };
 
+// Keeps a way out from movers.
+void evade(const Deciding& deciding, std::size_t i, const FlightConstraints* flight) {
+  const auto& [planner, execution, tile, scratch, law] = deciding;
+  if (!tile.neighbors.has_movers) return;
+  list(tile.robots.neighbors[i], scratch.listed);
+  const Sight sight{scratch.listed, tile.walls_of(i), planner.options().wall_range, flight};
+  const Robot robot = tile.robots.robot(i);
+  Plan& plan = *tile.plan[i];
+  keep_a_way_out(law, robot, sight, false, scratch.evasion, plan);
+  if (flight != nullptr && plan.state == SafetyState::safe &&
+      !may_go_on(law, robot, sight, scratch.evasion))
+    plan.state = SafetyState::unknown;
+}
+
 // Plans for an airplane, which can only turn.
 void fly(const Deciding& deciding, std::size_t i) {
   const auto& [planner, execution, tile, scratch, law] = deciding;
@@ -104,6 +122,7 @@ void fly(const Deciding& deciding, std::size_t i) {
   if (scratch.soft.overlapping[i] != 0 || (certified && flight.are_broken()))
     deciding.tell_contact(i, certified ? flight.broken : Deepest{},
                           certified ? flight.broken_wall : Deepest{});
+  evade(deciding, i, &flight);
 }
 
 // Plans for a robot that no neighbor and no wall hinders: by decide_freely().
@@ -168,18 +187,14 @@ void decide(const Planner& planner, const Execution& execution, Tile& tile,
   if (law.kind == Certificate::braking_trajectories)
     admit_next(robots, decisions.next_x, decisions.next_y, law.step, constraints.near);
   for (std::size_t i = 0; i < robots.count; ++i) {
-    if (robots.model[i] != nullptr && passes_goal(*robots.model[i])) {
+    if (is_airplane_at(robots, i)) {
       fly(deciding, i);
     } else {
       begin_walls(robots, tile, i, law, constraints.walls);
       const bool is_free =
           decisions.is_free[i] != 0.0 && is_unhindered(law, tile, constraints.near, i);
       is_free&& constraints.walls.near.empty() ? go_freely(deciding, i) : go_certified(deciding, i);
-      if (tile.neighbors.has_movers) {
-        list(robots.neighbors[i], scratch.listed);
-        const Sight sight{scratch.listed, tile.walls_of(i), planner.options().wall_range};
-        keep_a_way_out(law, robots.robot(i), sight, false, scratch.evasion, *tile.plan[i]);
-      }
+      evade(deciding, i, nullptr);
     }
     remember(*tile.plan[i], *tile.detour[i]);
   }
@@ -232,7 +247,8 @@ bool decides_otherwise(const Planner& planner, const Tile& tile, std::size_t i,
     return true;
   }
   const bool has_movers = tile.neighbors.has_movers || avoids_union(options.method);
-  if (!has_movers || !is_among_movers(options, neighbors)) return false;
+  if (!has_movers || is_airplane_at(robots, i) || !is_among_movers(options, neighbors))
+    return false;
   list(neighbors, scratch.listed);
   *tile.plan[i] =
       decide_among_obstacles(planner, robots.robot(i), scratch.listed, tile.walls_of(i), scratch);

@@ -140,6 +140,12 @@ bool all_valid(const Robot& robot, const Neighbors& neighbors) {
 
 namespace {
 
+// An airplane counts on what it senses of a robot, and it evades a mover with any errors.
+bool may_fly_beside(const Neighbor& neighbor) {
+  if (neighbor.behavior == Behavior::moves_on) return true;
+  return neighbor.behavior == Behavior::decides && !has_errors_of_its_own(neighbor);
+}
+
 template <typename Neighbors>
 bool can_follow_among(const Robot& robot, const Neighbors& neighbors,
                       const PlannerOptions& options) {
@@ -147,8 +153,7 @@ bool can_follow_among(const Robot& robot, const Neighbors& neighbors,
   bool loiters = flies;
   for (std::size_t k = 0; k < neighbors.size(); ++k) {
     const Neighbor& neighbor = neighbors[k];
-    if (flies && (has_errors_of_its_own(neighbor) || neighbor.behavior != Behavior::decides))
-      return false;
+    if (flies && !may_fly_beside(neighbor)) return false;
     if (!neighbor.loiter) continue;
     loiters = true;
     if (!is_on_circle(neighbor)) return false;

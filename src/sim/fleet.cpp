@@ -215,6 +215,18 @@ Neighbor Fleet::sensed(std::size_t slot, Expectation expected) const {
   return neighbor;
 }
 
+Robot limits_of(const Fleet& fleet, std::size_t slot) {
+  const RobotTraits& traits = fleet.traits[slot];
+  Robot robot;
+  robot.radius = traits.radius;
+  robot.max_acceleration = traits.max_acceleration;
+  robot.max_speed = traits.max_speed;
+  robot.priority = fleet.conduct[slot].priority;
+  robot.max_braking = max_braking_of(traits);
+  if (traits.has_model) robot.model = *fleet.own_model(slot);
+  return robot;
+}
+
 void Fleet::reorder(std::span<const std::uint32_t> order, Executor& executor, bool& torn) {
   constexpr std::size_t kChunk = 4096;
   const std::size_t count = size();

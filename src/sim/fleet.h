@@ -208,6 +208,9 @@ struct Fleet {
   std::vector<std::byte> scratch_;  // for reorder()
 };
 
+/// The robot with its limits and its model, in no particular state.
+Robot limits_of(const Fleet& fleet, std::size_t slot);
+
 /// m: the target of its disc that brings its place to the end of its route; other aims are for the
 /// disc.
 inline Vec2 disc_goal(const Fleet& fleet, std::size_t slot, Vec2 aim, Vec2 end) {

@@ -20,16 +20,8 @@ constexpr std::int64_t kLongestRound = 16384;
 double horizon_of(const World& world) {
   double longest = 0.0;
   const StepLaw law = certificate_law(world.planner()).step;
-  for (std::size_t slot = 0; slot < world.fleet.size(); ++slot) {
-    const RobotTraits& traits = world.fleet.traits[slot];
-    Robot robot;
-    robot.radius = traits.radius;
-    robot.max_speed = traits.max_speed;
-    robot.max_acceleration = traits.max_acceleration;
-    robot.max_braking = max_braking_of(traits);
-    if (traits.has_model) robot.model = *world.fleet.own_model(slot);
-    longest = std::max(longest, longest_way_out(robot, law));
-  }
+  for (std::size_t slot = 0; slot < world.fleet.size(); ++slot)
+    longest = std::max(longest, longest_way_out(limits_of(world.fleet, slot), law));
   return longest;
 }
 

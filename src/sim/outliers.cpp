@@ -16,17 +16,6 @@ constexpr std::size_t kUnlikeOfMany = 8, kFarOfMany = 64;
 // A far reach is this factor longer than that of all others.
 constexpr double kFarther = 1.25;
 
-Robot limits_of(const Fleet& fleet, std::size_t slot) {
-  const RobotTraits& traits = fleet.traits[slot];
-  Robot robot;
-  robot.radius = traits.radius;
-  robot.max_acceleration = traits.max_acceleration;
-  robot.max_speed = traits.max_speed;
-  robot.priority = fleet.conduct[slot].priority;
-  robot.max_braking = max_braking_of(traits);
-  return robot;
-}
-
 // m: the reach of all robots except a few that each reach much farther; infinite where there are no
 // such robots.
 double usual_reach(const World& world) {

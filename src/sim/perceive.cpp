@@ -139,7 +139,8 @@ Simulation::Perception Simulation::perceive(std::size_t robot) const {
     const int source = one.source;
     seen.source.push_back(source < 0 ? source : number_at(state.fleet, source));
   }
-  seen.among_movers = is_among_movers(state.pace(slot).planner.options(), seen.neighbors);
+  seen.among_movers = state.fleet.flight(slot) == nullptr &&
+                      is_among_movers(state.pace(slot).planner.options(), seen.neighbors);
   seen.wait = wait(robot);
   set_out_alone(state, state.claims_now(), slot, seen);
   return seen;

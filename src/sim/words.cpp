@@ -281,11 +281,18 @@ Words reason_of(const Explanation& e, const Planner& planner) {
   return reason;
 }
 
+const char* safety_of(const Simulation::Perception& seen) {
+  if (!is_airplane(seen.robot.model)) return " Braking keeps clear of all others (safe).";
+  const bool has_movers = std::any_of(seen.neighbors.begin(), seen.neighbors.end(),
+                                      [](const Neighbor& n) { return is_predicted(n); });
+  return has_movers
+             ? " Its circle keeps clear of all who decide, and it can evade the others (safe)."
+             : " Its circle keeps clear of all others (safe).";
+}
+
 Words state_of(const Explanation& e) {
   const SafetyReport& state = e.state;
-  if (state.state == SafetyState::safe)
-    return is_airplane(e.seen.robot.model) ? " Its circle keeps clear of all others (safe)."
-                                           : " Braking keeps clear of all others (safe).";
+  if (state.state == SafetyState::safe) return safety_of(e.seen);
   if (state.state == SafetyState::unknown) return " Neither safe nor doomed is proved (unknown).";
   const Words whom = name_of(e, {state.neighbor, state.wall});
   if (state.time == 0.0) return Words(" It is in contact with ") + whom + " (doomed).";

@@ -152,9 +152,8 @@ void find_walls(World& world) {
             : 0.0;
     // from where the robot takes itself to be
     needs.include(traits, stray + 2.0 * law.localization_error, speed, law);
-    const double ways = way_range(traits.radius, traits.max_speed, traits.max_acceleration);
     const double wished = options.method == Method::avo
-                              ? std::min(options.wall_range, ways)
+                              ? std::min(options.wall_range, way_range(limits_of(fleet, slot)))
                               : obstacle_reach(speed, traits.max_speed, options);
     const double maneuvers =
         traits.has_model ? room_for_maneuvers(*fleet.own_model(slot)) + law.localization_error

@@ -108,6 +108,34 @@ TEST(Airplanes, explain_says_that_a_circle_keeps_clear) {
       << said({"--set", standing});
 }
 
+/// An airplane that circles, and what passes over its circle.
+std::string crossed_circle() {
+  const std::string path = path_of("crossed_circle.yaml");
+  write_file(
+      path, "version: 1\nduration: 30\nsensing_radius: 60\nrobots:\n" +
+                plane("[0, 0]", "goal: [0, 0], airplane: {min_speed: 1, lateral_acceleration: 1}") +
+                "moving_obstacles:\n"
+                "  - {position: [-11.4, -8], velocity: [2, 0], radius: 1}\n"
+                "  - {position: [-3.8, 17], velocity: [0, -2], radius: 1}\n");
+  return path;
+}
+
+TEST(Airplanes, evade_what_passes_over_their_circle) {
+  const std::string scene = crossed_circle();
+  const std::string said = run_avo({"explain", scene, "--robot", "0", "--time", "5"}).out;
+  EXPECT_NE(said.find("evades              moving obstacle 0: towards"), std::string::npos) << said;
+  EXPECT_NE(said.find("and then it could circle\n"), std::string::npos) << said;
+  EXPECT_NE(said.find("safe: its circle keeps clear of all who decide, and it has a way out\n"),
+            std::string::npos)
+      << said;
+  for (const bool evades : {true, false}) {
+    const std::string certificate = evades ? "braking_trajectories" : "none";
+    const Recorded run = record({scene, "--set", "certificate=" + certificate});
+    EXPECT_EQ(run.summary["obstacle_collisions"], evades ? 0 : 2);
+    EXPECT_EQ(run_avo({"check", run.csv, "--scene", scene}).exit_code, evades ? 0 : 1);
+  }
+}
+
 /// What is said of two airplanes in a refused scene, the second one at that place.
 std::string refusal_of_two(const std::string& place, const Strings& options = {}) {
   const std::string path = path_of("near.yaml");

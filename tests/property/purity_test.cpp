@@ -140,8 +140,11 @@ Scene any_scene(Random& random) {
   const bool kinds = !flies && random.below(2) == 0;
   for (int k = random.below(9); k > 0; --k) {
     s.neighbors.push_back(any_neighbor(random, s.robot));
-    if (flies) s.neighbors.back().position = 40.0 * s.neighbors.back().position;
-    if (kinds) make_any_kind(random, s.neighbors.back());
+    Neighbor& other = s.neighbors.back();
+    const bool moves_on = flies && random.below(2) == 0;
+    if (flies) other.position = (moves_on ? 4.0 : 40.0) * other.position;
+    if (kinds) make_any_kind(random, other);
+    if (moves_on) other.behavior = Behavior::moves_on, other.max_deviation = random.below(2);
   }
   for (int k = random.below(3) == 0 ? 1 + random.below(3) : 0; k > 0; --k) {
     const Vec2 away = random.direction(), along = perpendicular(away);

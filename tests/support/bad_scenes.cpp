@@ -275,13 +275,13 @@ const std::vector<BadScene>& bad_scenes() {
       {"airplane_keys_of_a_car",
        s("version: 1\nrobots:\n  - {position: [0, 0], goal: [1, 0], model: car, airplane: {}}\n"),
        "3:60: robots.0.airplane: found keys of an airplane, must be left out: its model is car"},
-      {"airplane_among_movers",
+      {"airplane_beside_one_that_cooperates",
        s("version: 1\nsensing_radius: 40\nrobots:\n  - {position: [0, 0], goal: [9, 0], airplane: "
          "{}}\n"
-         "moving_obstacles:\n  - {position: [50, 0]}\n"),
-       "6:3: moving_obstacles: found 1 of them, must be none in a scene with airplanes, which "
-       "cannot "
-       "stop for them"},
+         "  - {position: [50, 0], goal: [50, 0], behavior: cooperates}\n"),
+       "5:50: robots.1.behavior: found cooperates, must be decides in a scene with airplanes, "
+       "which "
+       "cannot stop for it"},
       {"car_heading_word",
        s("version: 1\nrobots:\n  - {position: [0, 0], goal: [1, 0], car: {heading: random}}\n"),
        "3:53: robots.0.car.heading: found \"random\", must be a number (rad)"},

@@ -111,8 +111,10 @@ void bind_results(py::module_& module) {
   py::class_<Evasion>(module, "Evasion", "A way out that is taken.")
       .def_readonly("neighbor", &Evasion::neighbor, "index of whom the robot evades")
       .def_readonly("velocity", &Evasion::velocity,
-                    "(x, y), m/s, that the way approaches, or holds; 0: it brakes from the start")
-      .def_readonly("duration", &Evasion::duration, "s, from the decision, after which it brakes");
+                    "(x, y), m/s, that the way approaches, or holds; 0: it brakes from the start; "
+                    "of an airplane where it begins to circle")
+      .def_readonly("duration", &Evasion::duration,
+                    "s, from the decision, after which it brakes or circles");
   using avo::SafetyReport;
   py::class_<SafetyReport>(module, "SafetyReport", "What is proved of a state.")
       .def_readonly("state", &SafetyReport::state, "one of SAFETY_STATE")

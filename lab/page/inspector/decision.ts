@@ -37,7 +37,7 @@ export interface Sensed {
 }
 
 /** The neighbor that a robot evades, the velocity that its evasion approaches (0: it brakes), and the time at which the
- * evasion brakes. */
+ * evasion brakes, or circles. */
 export interface Evasion {
   neighbor: Source | null;
   velocity: Vec;

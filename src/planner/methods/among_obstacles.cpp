@@ -113,12 +113,13 @@ Plan Planner::plan_among_obstacles(const Robot& robot, std::span<const Neighbor>
   Robot steering = robot;
   if (is_rest(robot.velocity)) steering.velocity = {};
   if (is_valid(robot)) steering.preferred_velocity = steered(robot, approach_of(options_));
-  if (options_.method == Method::buffered_voronoi) {
+  if (options_.method == Method::buffered_voronoi || is_airplane(robot.model)) {
     std::vector<Neighbor>& movers = PlanWorkspace::Scratch::of(workspace).movers;
     movers.assign(obstacles.begin(), obstacles.end());
     for (Neighbor& mover : movers) {
       if (!is_valid(mover)) continue;  // unchanged, for plan() to refuse
       become_mover(mover);
+      mover.loiter.reset();
     }
     return plan(robot, movers, workspace);
   }

@@ -3,7 +3,6 @@
 #include "planner/methods/flight.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "planner/certify.h"
@@ -14,14 +13,6 @@ namespace {
 
 constexpr double kSpeedOff = 1e-9;   // of a limit of the speed, by rounding
 constexpr double kCircleOff = 1e-6;  // of a circle's radius
-constexpr int kTurns = 8;            // tried to each side
-constexpr int kRates = 3;            // speeds tried, besides the wanted one
-constexpr std::size_t kMostTried = std::size_t{kRates + 1} * (2 * kTurns + 2);
-
-// m/s², along the heading and to its left.
-struct Controls {
-  double ahead, left;
-};
 
 const Airplane& airplane_of(const Robot& robot) {
   return std::get<Airplane>(robot.model);
@@ -50,19 +41,15 @@ Controls wanted_controls(const Planner& planner, const Robot& robot, Vec2 target
           std::clamp(cross(h, change) / step, -a_lat, a_lat)};
 }
 
-struct Tried {
-  std::array<Controls, kMostTried> controls;
-  std::size_t count = 0;
-};
+}  // namespace
 
-// The controls nearest to the wanted ones first; of equally near ones right turns come first.
-Tried controls_near(const Robot& robot, Controls wanted) {
+TriedControls controls_near(const Robot& robot, Controls wanted) {
   const double a_lat = usable_acceleration(airplane_of(robot)), a_max = robot.max_acceleration;
-  Tried tried;
+  TriedControls tried;
   for (const double ahead : {wanted.ahead, 0.0, -a_max, a_max}) {
     tried.controls[tried.count++] = {ahead, wanted.left};
-    for (int k = -kTurns; k <= kTurns; ++k)
-      tried.controls[tried.count++] = {ahead, a_lat * k / kTurns};
+    for (int k = -TriedControls::kTurns; k <= TriedControls::kTurns; ++k)
+      tried.controls[tried.count++] = {ahead, a_lat * k / TriedControls::kTurns};
   }
   const auto off = [&](const Controls& c) {
     return norm_squared(Vec2{c.ahead - wanted.ahead, c.left - wanted.left});
@@ -71,8 +58,6 @@ Tried controls_near(const Robot& robot, Controls wanted) {
                    [&](const Controls& a, const Controls& b) { return off(a) < off(b); });
   return tried;
 }
-
-}  // namespace
 
 Plan loiter_on(const Planner& planner, const Robot& robot, PlanStatus status, double violation) {
   const Robot on_circle = with_circle(robot);
@@ -101,7 +86,7 @@ Plan fly_towards(const Planner& planner, const Robot& given, const Neighbors& ne
   const Controls wanted = wanted_controls(planner, robot, flight.target);
   const Vec2 first = wanted.ahead * h + wanted.left * n;
   if (admitted(first)) return plan_of(planner, robot, first, best, flight.violation);
-  const Tried tried = controls_near(robot, wanted);
+  const TriedControls tried = controls_near(robot, wanted);
   for (std::size_t k = 0; k < tried.count; ++k) {
     const Vec2 acceleration = tried.controls[k].ahead * h + tried.controls[k].left * n;
     if (admitted(acceleration))

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Decisions of airplanes, which cannot stop.
 #pragma once
+#include <array>
 #include <cstddef>
 #include <span>
 
@@ -20,6 +21,21 @@ struct FlightTarget {
 Plan fly_towards(const Planner& planner, const Robot& robot, const Neighbors& neighbors,
                  std::span<const Wall> walls, const FlightTarget& flight,
                  FlightConstraints& constraints);
+
+/// m/s², along the heading and to its left.
+struct Controls {
+  double ahead, left;
+};
+
+/// Controls that an airplane may try in place of wanted ones.
+struct TriedControls {
+  static constexpr int kTurns = 8;  // to each side
+  static constexpr int kRates = 3;  // changes of the speed, besides the wanted one
+  std::array<Controls, std::size_t{kRates + 1} * (2 * kTurns + 2)> controls;
+  std::size_t count = 0;
+};
+/// The controls nearest to the wanted ones first; of equally near ones right turns come first.
+TriedControls controls_near(const Robot& robot, Controls wanted);
 
 /// The airplane holds its speed and turns right.
 Plan loiter_on(const Planner& planner, const Robot& robot, PlanStatus status, double violation);

@@ -13,12 +13,19 @@ namespace {
 
 constexpr double kLongestWay = 2.0;   // T, until a way out brakes,
 constexpr double kWideWay = 3.0;      // or so many for wide neighbors,
+constexpr double kLongFlight = 8.0;   // or so many until an airplane circles,
 constexpr double kMostSteps = 400.0;  // and steps at most
 // steps of braking; a robot that takes more has no ways out
 constexpr double kMostBraking = 1024.0;
 constexpr double kLikelyFor = 1.5;      // T, for which likely deviations count
 constexpr int kMostWork = 200000;       // movers and intervals that a level may test,
 constexpr int kMostLikelyWork = 25000;  // or that a level with likely deviations may test
+
+// [T] s: an airplane also needs time to turn.
+double time_to_evade(const Robot& robot) {
+  const double turning = room_to_turn(robot.model, robot.max_speed) / (2.0 * robot.max_speed);
+  return std::max(time_to_speed(robot), turning);
+}
 
 // m/s: after the end of a repeating trajectory the mover's place is not known.
 double fastest_until(const Neighbor& neighbor, double time) {
@@ -45,7 +52,7 @@ Predicted predicted(const Evading& evading, const Neighbor& neighbor, const Leve
       (is_followed ? neighbor.trajectory->error() : parabola_error(acceleration, law));
   const double braking = evading.braking;
   const double time = evading.options.longest + law.time_step + braking;
-  const double reaction = level.reaction * time_to_speed(robot);
+  const double reaction = level.reaction * time_to_evade(robot);
   // an effect below this within that time is rounding
   const bool accelerates = norm(acceleration) * time * time > 0x1p-30 * contact;
   if (is_followed) other.trajectory = trajectory;
@@ -57,7 +64,7 @@ Predicted predicted(const Evading& evading, const Neighbor& neighbor, const Leve
   other.reaction = reaction;
   if (const double likely = level.likely * neighbor.likely_deviation; likely > other.deviation) {
     other.deviation = likely;
-    other.reaction = kLikelyFor * time_to_speed(robot);
+    other.reaction = kLikelyFor * time_to_evade(robot);
   }
   other.asks_to_stop = level.stops;
   other.until = level.until * evading.options.longest;
@@ -86,9 +93,16 @@ void follow_trajectories(Evading& evading) {
   }
 }
 
-// s, until a way out brakes: long enough to leave the strip of the widest neighbor.
+// s, until a way out brakes or circles, for any neighbors.
+double longest_of_all(const Robot& robot) {
+  return (is_airplane(robot.model) ? kLongFlight : kWideWay) * time_to_evade(robot);
+}
+
+// s, until a way out brakes: long enough to leave the strip of the widest neighbor. Until an
+// airplane circles: long enough to pass by, since all of its circle must be clear then.
 double longest_way(const Robot& robot, std::span<const Neighbor> neighbors) {
-  const double time = time_to_speed(robot);
+  if (is_airplane(robot.model)) return longest_of_all(robot);
+  const double time = time_to_evade(robot);
   double contact = 0.0;  // m
   for (const Neighbor& neighbor : neighbors)
     if (!decides(neighbor)) contact = std::max(contact, robot.radius + neighbor.radius);
@@ -103,20 +117,20 @@ double braking_time_of(const Robot& robot, double speed, const StepLaw& law) {
 
 }  // namespace
 
-double way_range(double radius, double max_speed, double max_acceleration) {
-  Robot robot{.radius = radius, .max_acceleration = max_acceleration, .max_speed = max_speed};
-  return (kWideWay + 0.5) * time_to_speed(robot) * max_speed;
+double way_range(const Robot& robot) {
+  return (longest_of_all(robot) + 0.5 * time_to_evade(robot)) * robot.max_speed +
+         room_to_turn(robot.model, robot.max_speed);
 }
 
 double longest_way_out(const Robot& robot, const StepLaw& law) {
-  const double longest = std::min(kWideWay * time_to_speed(robot), kMostSteps * law.time_step);
+  const double longest = std::min(longest_of_all(robot), kMostSteps * law.time_step);
   const double braking = braking_time_of(robot, fastest_of(robot.model, robot.max_speed), law);
   return longest + law.time_step + std::min(braking, kMostBraking * law.time_step);
 }
 
 std::optional<Evading> begin_evading(const CertificateLaw& law, const Robot& robot,
                                      const Sight& sight, EvasionWorkspace& workspace) {
-  if (law.kind == Certificate::none || is_airplane(robot.model)) return std::nullopt;
+  if (law.kind == Certificate::none) return std::nullopt;
   Evading evading{law, robot, sight, workspace, {}};
   evading.options = {
       .law = law.step,
@@ -124,8 +138,10 @@ std::optional<Evading> begin_evading(const CertificateLaw& law, const Robot& rob
       .max_speed = fastest_of(robot.model, std::max(robot.max_speed, norm(robot.velocity))),
       .longest = std::min(longest_way(robot, sight.neighbors), kMostSteps * law.step.time_step),
       .wheels = is_holonomic(robot.model) ? nullptr : &robot};
-  if (!(evading.options.max_speed <= kMostBraking * evading.options.decrement)) return std::nullopt;
-  evading.braking = braking_time_of(robot, evading.options.max_speed, law.step);
+  const bool brakes = !is_airplane(robot.model);
+  if (brakes && !(evading.options.max_speed <= kMostBraking * evading.options.decrement))
+    return std::nullopt;
+  if (brakes) evading.braking = braking_time_of(robot, evading.options.max_speed, law.step);
   follow_trajectories(evading);
   return evading;
 }
@@ -151,16 +167,18 @@ void keep_walls(Evading& evading) {
   kept.clear();
   if (evading.sight.walls.empty()) return;
   const StepLaw& law = evading.law.step;
-  const WallRounding rounding =
-      wall_rounding(robot.radius, robot.max_speed, ability_of(robot), law);
-  const double needed = wall_reach(robot.max_speed, robot.max_speed, ability_of(robot), law);
-  const double used = (evading.options.longest + 0.5 * time_to_speed(robot)) * robot.max_speed;
+  const double v_max = robot.max_speed, circle = room_to_turn(robot.model, v_max);
+  const WallRounding rounding = wall_rounding(robot.radius, v_max, ability_of(robot), law);
+  const double needed = wall_reach(v_max, v_max, ability_of(robot), law) + circle;
+  const double used = (evading.options.longest + 0.5 * time_to_evade(robot)) * v_max + circle;
   const double reach = std::max(needed, std::min(evading.sight.wall_range, used));
   for (const Wall& wall : evading.sight.walls) {
     const Segment segment{wall.a - robot.position, wall.b - robot.position};
     const double held = robot.radius + wall.radius + law.localization_error;
     if (distance(Vec2{}, segment) > held + reach) continue;
-    kept.push_back({segment, held + wall_margin(wall, rounding)});
+    const double margin = is_airplane(robot.model) ? 2.0 * flight_margin(wall, robot.radius, circle)
+                                                   : wall_margin(wall, rounding);
+    kept.push_back({segment, held + margin});
   }
   if (!kept.empty()) evading.options.known = reach;
 }

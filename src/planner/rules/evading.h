@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "certificate/footprints.h"
 #include "certificate/ways.h"
 #include "planner/certified.h"
 #include "planner/decision.h"
@@ -18,9 +19,9 @@ struct EvasionWorkspace {
   Surroundings around;
   std::vector<Neighbor> deciding;  // the neighbors that decide
   CertifiedWorkspace certified;    // for these neighbors and for walls
-  // of the last plan that evades: its way out, and the next velocity that it has rejected
+  // of the last plan that evades: its way out, and the choice that it has rejected
   Evasion chosen;
-  Vec2 put_aside;  // m/s
+  Vec2 put_aside;  // see Taken::choice
 };
 
 /// The surroundings that a robot is given.
@@ -29,6 +30,8 @@ struct Sight {
   /// all walls within wall_range, or those that the certificate needs
   std::span<const Wall> walls;
   double wall_range = 0.0;  ///< m, see PlannerOptions::wall_range
+  /// of an airplane, for its choices: the demands of its deciding neighbors and of walls
+  const FlightConstraints* flight = nullptr;
 };
 
 /// The margins of a way out.
@@ -55,12 +58,24 @@ struct Evading {
   WayState now() const { return {{}, robot.velocity, 0.0, robot.heading}; }
 };
 
+/// Bisections that bring a replacement nearer to the choice that it replaces.
+inline constexpr int kNearer = 4;
+
+/// What a search of ways out has found after a step of the robot's own choice, or of another one.
+enum class Way : unsigned char { none, as_wanted, another };
+
+/// The replacement of a choice, and the way out that begins with it.
+struct Taken {
+  Vec2 choice;  // m/s, the velocity after the step; of an airplane m/s², its acceleration
+  Evasion way;
+};
+
 inline bool decides(const Neighbor& neighbor) {
   return !is_predicted(neighbor);
 }
 
 /// m: the range of a robot's ways out.
-double way_range(double radius, double max_speed, double max_acceleration);
+double way_range(const Robot& robot);
 /// s, from a decision until rest: the duration of the longest way out of a robot that is no faster
 /// than its max_speed.
 double longest_way_out(const Robot& robot, const StepLaw& law);

@@ -8,11 +8,15 @@
 namespace avo::inline planner {
 
 /// Replaces a plan of method avo that leaves no way out by the nearest first step of a way out,
-/// where there is one. Airplanes, and robots without a certificate, keep their plan. may_swerve: no
-/// other robot decides. As a last resort A then need not be able to stop before movers that keep
-/// their acceleration.
+/// where there is one. Robots without a certificate keep their plan. may_swerve: no other robot
+/// decides. As a last resort A then need not be able to stop before movers that keep their
+/// acceleration.
 void keep_a_way_out(const CertificateLaw& law, const Robot& robot, const Sight& sight,
                     bool may_swerve, EvasionWorkspace& workspace, Plan& plan);
+
+/// Returns whether the robot has a way out, or needs none, because all others decide.
+bool may_go_on(const CertificateLaw& law, const Robot& robot, const Sight& sight,
+               EvasionWorkspace& workspace);
 
 /// Tests (M), see Planner::has_way_out().
 bool has_way_out(const CertificateLaw& law, const Robot& robot, const Sight& sight,

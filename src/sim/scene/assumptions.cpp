@@ -142,13 +142,15 @@ void examine(const Starter& a, const Starter& b, Expectation expected, Starts& s
   robot.max_speed = own.max_speed;
   robot.max_braking = own.max_braking;
   robot.loiter = circle_of(own.model, own.position, start_velocity(own));
+  const double distance = norm(robot.position - neighbor.position);
   if (robot.loiter) {
-    const double gap = gap_of(footprint_of(robot, law.step), footprint_of(neighbor, law.step));
-    starts.constraints.invariant.slack = gap;
+    // an airplane need not keep its circle beside an obstacle
+    starts.constraints.invariant.slack =
+        b.source < 0 ? distance - contact
+                     : gap_of(footprint_of(robot, law.step), footprint_of(neighbor, law.step));
   } else {
     collect_constraints(robot, std::span(&neighbor, 1), law, starts.constraints);
   }
-  const double distance = norm(robot.position - neighbor.position);
   // the slack beside a robot at rest leaves out bodies that may touch it, but their touch is
   // contact here
   const double depth =

@@ -103,12 +103,10 @@ void check_declared(const World& world, const RobotSetup& setup, RobotId robot) 
          "at most " + text_of(declared) + ", what all have declared");
 }
 
-// Refuses an airplane among movers.
+// Refuses an airplane, or a robot beside one, of which nothing could be promised.
 void check_flights(const World& world, const RobotSetup& setup, RobotId robot) {
   const Fleet& fleet = world.fleet;
   if (setup.parked || (fleet.flights.empty() && !is_airplane(setup.model))) return;
-  if (!world.obstacles.setup.empty())
-    refuse(name_of(robot) + ": model", "airplane", "another one among moving obstacles");
   if (!fleet.flights.empty() && setup.behavior != Behavior::decides)
     refuse(name_of(robot) + ": behavior", to_string(setup.behavior), "decides among airplanes");
   const bool promised =

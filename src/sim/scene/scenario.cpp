@@ -268,9 +268,6 @@ void check_flights(const Scenario& scenario, const PlannerOptions& options) {
                                   [](const RobotSetup& r) { return is_airplane(r.model); });
   if (first == robots.end()) return;
   const std::string among = " in a scene with airplanes";
-  if (!scenario.moving_obstacles.empty())
-    refuse("moving_obstacles", std::to_string(scenario.moving_obstacles.size()) + " of them",
-           "none" + among + ", which cannot stop for them");
   for (std::size_t i = 0; i < robots.size(); ++i) {
     if (robots[i].behavior != Behavior::decides)
       refuse(std::string(Place{"robots", i, "behavior"}), to_string(robots[i].behavior),

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <limits>
 #include <map>
+#include <numbers>
 #include <tuple>
 #include <utility>
 #include <vector>
@@ -29,11 +30,14 @@ namespace {
 // 5.4 m as a sum of decimal fractions may exceed 5.4 m by its rounding.
 constexpr double kSumRounding = 1e-12;
 
+// A quarter of a circle, in diameters.
+constexpr double kQuarterTurn = 0.25 * std::numbers::pi;
+
 // What a robot at its highest speed needs, if it is unseen until the next step.
 struct Part {
   int robot = 0;
   double length = 0.0;   // m, radius and distance
-  double seconds = 0.0;  // until rest
+  double seconds = 0.0;  // until rest, or until an airplane has turned aside
 };
 
 Part part_of(const Scenario& scenario, std::size_t i, const CertificateLaw& law) {
@@ -43,11 +47,15 @@ Part part_of(const Scenario& scenario, std::size_t i, const CertificateLaw& law)
                late = time_unseen(scenario, law.step.longest_step);
   const double u = decrement_of(robot, own);
   const double fastest = fastest_of(robot.model, v);
+  const double circle = room_to_turn(robot.model, v);
+  const bool flies = passes_goal(robot.model);
+  // an airplane turns aside by half of its circle
+  const double seconds =
+      flies ? step + kQuarterTurn * circle / v : step * (1.0 + braking_steps(v, u));
   return {static_cast<int>(i),
           disc_radius(robot) +
-              ((step + late) * fastest + (passes_goal(robot.model) ? room_to_turn(robot.model, v)
-                                                                   : stopping_length(v, u, own))),
-          step * (1.0 + braking_steps(v, u)) + late};
+              ((step + late) * fastest + (flies ? circle : stopping_length(v, u, own))),
+          seconds + late};
 }
 
 // m/s

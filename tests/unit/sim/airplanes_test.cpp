@@ -170,9 +170,6 @@ TEST(Airplanes, what_they_cannot_do_is_refused_in_one_line) {
   const auto airplane = [](Scenario& s) -> Airplane& {
     return std::get<Airplane>(s.robots[0].model);
   };
-  EXPECT_EQ(with([](Scenario& s) { s.moving_obstacles.resize(1); }),
-            "moving_obstacles: found 1 of them, must be none in a scene with airplanes, which "
-            "cannot stop for them");
   EXPECT_EQ(with([](Scenario& s) { s.certificate = Certificate::stopping_capsules; }),
             "certificate: found stopping_capsules, must be braking_trajectories or none in a scene "
             "with airplanes");

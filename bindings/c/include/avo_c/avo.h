@@ -357,9 +357,10 @@ typedef struct avo_neighbor {
 
 /// The way out that a robot takes in place of its target.
 typedef struct avo_evasion {
-  /// m/s, the velocity that the way out approaches, or holds; 0: it brakes from the start
+  /// m/s, the velocity that the way out approaches, or holds; 0: it brakes from the start. Of an
+  /// airplane: its velocity where it begins to circle
   avo_vec2 velocity;
-  double duration;   ///< s, from the decision: the robot then brakes
+  double duration;   ///< s, from the decision: the robot then brakes or circles
   int32_t neighbor;  ///< index of the mover that it evades; -1: the plan is not evading
 } avo_evasion;
 

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: Apache-2.0
+// Beside movers, an airplane keeps a way out: docs/movers.md, "Airplanes". A choice is an
+// acceleration, m/s², that the airplane holds through the step.
+#pragma once
+#include "planner/rules/evading.h"
+
+namespace avo::inline planner {
+
+/// Returns whether the circle after that step is clear of movers, for any walls.
+bool may_circle_after_choice(Evading& evading, Vec2 acceleration);
+
+/// Finds the choice nearest to the wanted one that the certificate admits and that leaves a way
+/// out, (M).
+Way find_flight(Evading& evading, Vec2 wanted, Taken& found);
+
+/// Returns whether some way out is clear, (M).
+bool has_clear_flight(Evading& evading);
+
+}  // namespace avo::inline planner
