@@ -22,7 +22,7 @@ AVO_EXPORT(std::size_t, library)() {
         {{"name", scene.name}, {"description", scene.description}, {"yaml", scene.yaml}});
   for (const avo_io::SceneSetting& setting : avo_io::scene_settings())
     settings.push_back({{"key", setting.key}, {"values", setting.values}});
-  for (int k = 0; k <= static_cast<int>(avo::PlanStatus::invalid_input); ++k)
+  for (int k = 0; k <= static_cast<int>(avo::PlanStatus::detour); ++k)
     statuses.push_back(to_string(static_cast<avo::PlanStatus>(k)));
   const Json json{{"version", avo::kVersion},
                   {"simd_target", avo::simd_target()},

@@ -2,8 +2,6 @@
 #include "sim/words.h"
 
 #include <algorithm>
-#include <array>
-#include <charconv>
 #include <cmath>
 #include <cstdint>
 #include <limits>
@@ -13,74 +11,16 @@
 #include "core/elementary.h"
 #include "core/plane.h"
 #include "robots/model.h"
+#include "sim/names.h"
 
 namespace avo::inline sim {
 namespace {
 
 constexpr double kResting = 0.01;      // of v_max: a slower robot is at rest
 constexpr double kLittleGain = 0.02;   // of a_max: changes of speed that are not worth a word
-constexpr double kLittleTurn = 0.5;    // turns that are not worth a word
-constexpr std::size_t kNamed = 4;      // causes that are named
+constexpr double kLittleTurn = 0.5;    // degrees: turns that are not worth a word
 constexpr double kAsPreferred = 1e-6;  // m/s
 constexpr double kOnGoal = 1.5;        // radii of contact: a robot beside the goal stands on it
-
-using Words = std::string;
-
-// With so many digits at most, and no trailing zeros.
-Words number(double value, int digits) {
-  std::array<char, 400> text;
-  const auto end = std::to_chars(text.data(), text.data() + text.size(), value + 0.0,
-                                 std::chars_format::fixed, digits);
-  Words words(text.data(), end.ptr);
-  if (words.find('.') == Words::npos) return words;
-  words.erase(words.find_last_not_of('0') + 1);
-  if (words.back() == '.') words.pop_back();
-  return words == "-0" ? "0" : words;
-}
-
-Words place(Vec2 p) {
-  return Words("(") + number(p.x, 2) + ", " + number(p.y, 2) + ")";
-}
-
-Words name_of(std::int64_t source) {
-  return source >= 0 ? Words("robot ") + std::to_string(source)
-                     : Words("moving obstacle ") + std::to_string(-1 - source);
-}
-
-Words name_of(const Wall& wall) {
-  if (wall.a == wall.b) return Words("the disc at ") + place(wall.a);
-  return Words("the wall from ") + place(wall.a) + " to " + place(wall.b);
-}
-
-Words name_of(const Explanation& e, Cause cause) {
-  if (cause.neighbor >= 0) return name_of(e.seen.source[static_cast<std::size_t>(cause.neighbor)]);
-  if (cause.wall >= 0) return name_of(e.seen.walls[static_cast<std::size_t>(cause.wall)]);
-  return is_airplane(e.seen.robot.model) ? "its own wings" : "its own wheels";
-}
-
-// E.g. "robots 2 and 4", or "robot 2 and the wall from (0, 0) to (1, 0)".
-Words list_of(const Explanation& e, const std::vector<Cause>& causes) {
-  std::vector<Words> names;
-  for (const Cause cause : causes) {
-    const Words name = name_of(e, cause);
-    if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
-  }
-  const Words robot = "robot ";
-  const bool are_robots =
-      names.size() > 1 && std::all_of(names.begin(), names.end(),
-                                      [&](const Words& name) { return name.starts_with(robot); });
-  for (std::size_t k = 0; k < names.size() && are_robots; ++k)
-    names[k] = k == 0 ? "robots " + names[k].substr(robot.size()) : names[k].substr(robot.size());
-  if (names.size() > kNamed + 1) {
-    const std::size_t rest = names.size() - kNamed;
-    names.resize(kNamed);
-    names.push_back(std::to_string(rest) + " others");
-  }
-  Words list;
-  for (std::size_t k = 0; k < names.size(); ++k)
-    list += (k == 0 ? "" : k + 1 == names.size() ? " and " : ", ") + names[k];
-  return list;
-}
 
 bool is_slow(const Explanation& e, Vec2 v) {
   return norm(v) < kResting * e.seen.robot.max_speed;
