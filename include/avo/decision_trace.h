@@ -49,7 +49,8 @@ struct DecisionTrace {
   Vec2 aim;  ///< m/s: the part of the wish for which the program was asked (docs/smoothness.md)
   /// [v'] m/s: what the program chose, Eq. (23); among movers alone Eq. (14)
   Vec2 target;
-  /// The half-planes on whose lines the target lies, without repetition. Among movers alone: the
+  /// The half-planes on whose lines the target lies, without repetition; where it cannot keep to
+  /// all, those that it misses by the most. Among movers alone: the
   /// movers whose obstacles contain the aim. Empty where the target is the aim.
   std::vector<Cause> binding;
   Vec2 proposal;  ///< m/s: the velocity after one step towards the target

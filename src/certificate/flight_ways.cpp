@@ -78,11 +78,11 @@ LoiterCircle circle_from(const WayOptions& options, const WayState& state) {
 // Tests (C1) of one step, and (C3) of this step and of the circle after it.
 bool is_clear(const WayOptions& options, Surroundings& around, const ArcStep& step) {
   if (around.work < 0 || !keeps_off_movers(options, around, step.from, step.path)) return false;
-  const auto [center, radius] = circle_from(options, step.next);
+  const LoiterCircle circle = circle_from(options, step.next);
   const Segment chord{step.path.start, step.path.end};
-  return norm(center) + radius <= options.known &&
+  return norm(circle.center) + circle.radius <= options.known &&
          std::all_of(around.walls.begin(), around.walls.end(), [&](const KeptWall& wall) {
-           return distance(center, wall.segment) - radius >= wall.kept &&
+           return distance(circle.center, wall.segment) - circle.radius >= wall.kept &&
                   (wall.clear_until >= step.next.time ||
                    distance(chord, wall.segment) - step.sagitta >= wall.kept);
          });
@@ -90,9 +90,9 @@ bool is_clear(const WayOptions& options, Surroundings& around, const ArcStep& st
 
 // Returns whether no mover ever touches the disc in which A circles from that state on, (C1).
 bool is_circle_clear(const WayOptions& options, Surroundings& around, const WayState& state) {
-  const auto [center, radius] = circle_from(options, state);
+  const LoiterCircle circle = circle_from(options, state);
   const auto is_clear_of = [&](std::size_t k) {
-    return rests_clear(around.others[k], center, state.time, radius);
+    return rests_clear(around.others[k], circle.center, state.time, circle.radius);
   };
   const std::size_t count = around.others.size(), first = around.in_the_way;
   around.work -= static_cast<int>(count);

@@ -42,8 +42,9 @@ void add(std::vector<Cause>& causes, Cause cause) {
   if (std::find(causes.begin(), causes.end(), cause) == causes.end()) causes.push_back(cause);
 }
 
-bool is_on_line(const HalfPlane& plane, Vec2 v) {
-  return std::abs(violation(plane, v)) <= kOnLine;
+// off: m/s, by how much v misses the half-planes that bind.
+bool is_on_line(const HalfPlane& plane, Vec2 v, double off = 0.0) {
+  return std::abs(violation(plane, v) - off) <= kOnLine;
 }
 
 // The weight with which the robot yields to a neighbor beside it (docs/arrival.md).
@@ -106,8 +107,10 @@ void trace_half_planes(const Decided& decided, DecisionTrace& trace) {
   const auto& [planner, robot, given, walls, detour, scratch] = decided;
   const SoftPlanes& soft = scratch.soft;
   const std::span<const HalfPlane> planes = soft.of(0);
+  double off = 0.0;
+  for (const HalfPlane& plane : planes) off = std::max(off, violation(plane, trace.target));
   for (std::size_t k = 0; k < planes.size(); ++k) {
-    if (is_on_line(planes[k], trace.target))
+    if (is_on_line(planes[k], trace.target, off))
       add(trace.binding, {decided.given_index(soft.neighbor_of(k)), -1});
   }
   WallPlanes of_walls;

@@ -36,6 +36,7 @@ Words action_of(const Explanation& e) {
     return Words("starts, towards ") + number(elementary::atan2(v_new.y, v_new.x) / kDegree, 0) +
            " degrees";
   const double angle = elementary::atan2(cross(v, v_new), dot(v, v_new)) / kDegree;
+  if (dot(v, v_new) < 0.0) return "brakes";
   const double gain = dot(e.decision.plan.acceleration, v) / norm(v);  // m/s²
   Words words;
   if (std::abs(angle) >= kLittleTurn)
@@ -142,7 +143,7 @@ Words program_of(const Explanation& e, const Planner& planner) {
   const Words whom = list_of(e, decision.binding);
   if (decision.plan.status == PlanStatus::least_unsafe)
     return "no velocity keeps to all half-planes, and this one misses them by the least, " +
-           number(decision.plan.violation, 2) + " m/s" +
+           number(decision.plan.violation, 3) + " m/s" +
            (whom.empty() ? "" : ", because of " + whom) +
            (planner.options().certificate == Certificate::none ? "" : "; the certificate holds");
   if (whom.empty()) return "";

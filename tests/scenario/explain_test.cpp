@@ -99,7 +99,8 @@ void expect_stages(const Explanation& why, const avo::Planner& planner, Counts& 
   EXPECT_EQ(decision.rule != avo::WishRule::none, is_changed) << why.sentence;
   if (why.seen.stop || status == PlanStatus::overlapping || is_airplane(why.seen.robot.model))
     return;
-  if (!why.seen.among_movers && !avo::avoids_union(planner.options().method))
+  if (!why.seen.among_movers && !avo::avoids_union(planner.options().method) &&
+      !(decision.plan.violation > 0.0))
     expect_binding(why, planner);
   if (planner.options().method != avo::Method::avo) return;
   const bool as_proposed = !is_holonomic(why.seen.robot.model) ||

