@@ -44,17 +44,19 @@ struct DecisionTrace {
   Vec2 preferred_velocity;         ///< m/s, as given
   Vec2 wish;                       ///< m/s, that the rules for arriving made of it
   WishRule rule = WishRule::none;  ///< the rule that did
-  /// index into the neighbors given: the neighbor that the rule heeds most, or -1
+  /// index into the neighbors given: of those that the rule counts, the nearest ahead or the one
+  /// that pushes most; -1: none
   int heeded = -1;
   Vec2 aim;  ///< m/s: the part of the wish for which the program was asked (docs/smoothness.md)
   /// [v'] m/s: what the program chose, Eq. (23); among movers alone Eq. (14)
   Vec2 target;
-  /// The half-planes on whose lines the target lies, without repetition; where it cannot keep to
-  /// all, those that it misses by the most. Among movers alone: the
-  /// movers whose obstacles contain the aim. Empty where the target is the aim.
+  /// The half-planes on whose lines the target lies, without repetition. Where it cannot keep to
+  /// all, those that it misses by the most. Among movers alone, the movers whose obstacles contain
+  /// the aim. Empty where the target is the aim.
   std::vector<Cause> binding;
   Vec2 proposal;  ///< m/s: the velocity after one step towards the target
-  /// The constraints of the certificate that refuse the proposal, without repetition.
+  /// The constraints of the certificate that refuse the proposal, without repetition. For an
+  /// airplane that may not turn as it wants: the neighbor whose footprint leaves the least room.
   std::vector<Cause> refusing;
   /// m/s: the velocity after the step that was asked for instead, where the route was blocked
   /// (docs/arrival.md, rule 3)

@@ -194,9 +194,10 @@ enum class PlanStatus : std::uint8_t {
   /// both if it can.
   overlapping,
   invalid_input,  ///< a known or sensed number is not finite or out of range: the robot brakes
-  /// Less than 0.95 of the velocity along the wish is left, or was a while ago: the robot takes
+  /// Less than 0.95 of the velocity along the wish is left, or was a while ago. The robot takes
   /// what
-  /// the certificate admits, farther and farther to the right (docs/arrival.md, rule 3).
+  /// the certificate admits, on its route and then farther and farther to the right of it
+  /// (docs/arrival.md, rule 3).
   detour,
 };
 AVO_API const char* to_string(PlanStatus status);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The next velocity nearest to a wanted velocity that the certificate admits.
 #pragma once
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <vector>

@@ -2,6 +2,7 @@
 // The memory of a planner's decisions.
 #pragma once
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "avo/planner.h"
@@ -35,7 +36,7 @@ struct PlanWorkspace::Scratch {
   Tile alone;  // of one robot
   std::vector<Neighbor> listed, movers;
   PassiveWorkspace passive;
-  Vec2 passive_choice;  // m/s, of the last decision among movers, for reports
+  std::optional<Vec2> passive_choice;  // m/s, of the last decision among movers, for reports
   CertifiedWorkspace certified;
   FlightConstraints flight;
   EvasionWorkspace evasion;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The stages of a decision, read from what the decision has left in its workspace: nothing is
-// decided a second time. The certificate alone is asked once more, about the proposal.
+// The stages of a decision. Their velocities are read from what the decision has left in its
+// workspace. Which rule, neighbors and walls have caused them is derived from the same data, and
+// the certificate is asked once more about the proposal.
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -21,7 +22,8 @@
 namespace avo::inline planner {
 namespace {
 
-constexpr double kOnLine = 1e-7;  // m/s; programs are exact to less
+constexpr double kOnLine = 1e-7;   // m/s; programs are exact to less
+constexpr double kTurned = 1e-10;  // of a length
 
 // The workspace of a decision, and what the decision was given.
 struct Decided {
@@ -55,24 +57,31 @@ double push_weight(const Robot& robot, const Neighbor& neighbor) {
   return norm(push_of(robot, neighbor));
 }
 
-// The nearest neighbor ahead: its weight falls with the distance.
-double ahead_weight(const Robot& robot, const Neighbor& neighbor) {
+// Of a neighbor ahead within the range of the rule: its weight falls with the distance.
+double ahead_weight(const Robot& robot, const Neighbor& neighbor, double range) {
   const Vec2 towards = neighbor.position - robot.position;
   const double distance = norm(towards);
   const bool is_ahead =
       dot(towards, robot.preferred_velocity) > kInFront * distance * norm(robot.preferred_velocity);
-  return is_ahead && distance > 0.0 ? 1.0 / distance : 0.0;
+  return is_ahead && distance > 0.0 && distance < range ? 1.0 / distance : 0.0;
 }
 
+// The neighbor of the greatest weight, of those that the decision counts.
 template <typename Weight>
 int heaviest(const Decided& decided, const Weight& weight) {
+  const Neighbors& neighbors = decided.scratch.alone.robots.neighbors[0];
   int heaviest = -1;
   double most = 0.0;
-  for (std::size_t k = 0; k < decided.given.size(); ++k) {
-    const double own = weight(decided.robot, decided.given[k]);
-    if (own > most) most = own, heaviest = static_cast<int>(k);
+  for (std::size_t k = 0; k < neighbors.size(); ++k) {
+    const double own = weight(decided.robot, neighbors[k]);
+    if (own > most) most = own, heaviest = decided.given_index(k);
   }
   return heaviest;
+}
+
+// Returns whether b is a, or a turned: keeping right changes no length, and pushes do.
+bool is_turned(Vec2 a, Vec2 b) {
+  return std::abs(norm(a) - norm(b)) <= kTurned * norm(a);
 }
 
 bool is_out_of_wall(const Decided& decided) {
@@ -95,12 +104,18 @@ void trace_wish(const Decided& decided, DecisionTrace& trace) {
   }
   const Detour* detour = decided.detour;
   const double arrival_distance = decided.planner.options().arrival_distance;
-  const bool is_pushed = decisions.is_beside[0] != 0.0;
-  if (detour != nullptr && settles(decided.robot, *detour, arrival_distance))
+  if (detour != nullptr && settles(decided.robot, *detour, arrival_distance)) {
     trace.rule = WishRule::settles;
-  else
-    trace.rule = is_pushed ? WishRule::yields : WishRule::keeps_right;
-  trace.heeded = is_pushed ? heaviest(decided, push_weight) : heaviest(decided, ahead_weight);
+  } else {
+    const bool keeps_right = is_turned(decided.robot.preferred_velocity, trace.wish);
+    trace.rule = keeps_right ? WishRule::keeps_right : WishRule::yields;
+  }
+  const double range = decisions.range[0];
+  const auto ahead = [range](const Robot& robot, const Neighbor& neighbor) {
+    return ahead_weight(robot, neighbor, range);
+  };
+  trace.heeded = trace.rule == WishRule::keeps_right ? heaviest(decided, ahead)
+                                                     : heaviest(decided, push_weight);
 }
 
 void trace_half_planes(const Decided& decided, DecisionTrace& trace) {
@@ -140,7 +155,10 @@ void trace_program(const Decided& decided, DecisionTrace& trace) {
 
 void trace_union(const Decided& decided, DecisionTrace& trace) {
   const PlanWorkspace::Scratch& scratch = decided.scratch;
-  trace.target = trace.proposal = scratch.passive_choice;
+  trace.wish = trace.aim = decided.robot.preferred_velocity;
+  if (trace.wish != trace.preferred_velocity) trace.rule = WishRule::steers;
+  if (!scratch.passive_choice) return;
+  trace.target = trace.proposal = *scratch.passive_choice;
   for (std::size_t k = 0; k < scratch.obstacles.size() && trace.target != trace.aim; ++k) {
     const PassiveObstacle& obstacle = scratch.obstacles[k];
     if (contains(obstacle.obstacle, trace.aim - obstacle.v_new_B))
@@ -231,6 +249,7 @@ DecisionTrace Planner::explain(const Robot& robot, std::span<const Neighbor> nei
   PlanWorkspace::Scratch& scratch = PlanWorkspace::Scratch::of(workspace);
   scratch.demands.clear();
   scratch.certified.proposal.reset(), scratch.certified.detour.reset();
+  scratch.passive_choice.reset();
   DecisionTrace trace;
   trace.plan = plan(robot, neighbors, workspace, detour, walls);
   trace.preferred_velocity = trace.wish = trace.aim = robot.preferred_velocity;

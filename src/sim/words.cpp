@@ -8,7 +8,6 @@
 #include <numbers>
 #include <vector>
 
-#include "core/elementary.h"
 #include "core/plane.h"
 #include "robots/model.h"
 #include "sim/names.h"
@@ -17,8 +16,9 @@ namespace avo::inline sim {
 namespace {
 
 constexpr double kResting = 0.01;      // of v_max: a slower robot is at rest
-constexpr double kLittleGain = 0.02;   // of a_max: changes of speed that are not worth a word
-constexpr double kLittleTurn = 0.5;    // degrees: turns that are not worth a word
+constexpr double kLittleGain = 0.002;  // of the speed, in a step: not worth a word
+constexpr double kLittleTurn = 0.004;  // rad, in a step: not worth a word
+constexpr double kLittleDetour = 0.5;  // degrees
 constexpr double kAsPreferred = 1e-6;  // m/s
 constexpr double kOnGoal = 1.5;        // radii of contact: a robot beside the goal stands on it
 
@@ -26,35 +26,34 @@ bool is_slow(const Explanation& e, Vec2 v) {
   return norm(v) < kResting * e.seen.robot.max_speed;
 }
 
-// What the robot does, e.g. "turns 12 degrees right and slows down".
+// What the robot does in its next step, e.g. "turns right and slows down".
 Words action_of(const Explanation& e) {
-  constexpr double kDegree = std::numbers::pi / 180.0;
-  const Vec2 v = e.seen.robot.velocity, v_new = e.decision.plan.new_velocity;
-  if (is_slow(e, v) && is_slow(e, e.decision.plan.next_velocity)) return "stays at rest";
-  if (is_slow(e, v_new)) return "brakes to rest";
-  if (is_slow(e, v))
-    return Words("starts, towards ") + number(elementary::atan2(v_new.y, v_new.x) / kDegree, 0) +
-           " degrees";
-  const double angle = elementary::atan2(cross(v, v_new), dot(v, v_new)) / kDegree;
-  if (dot(v, v_new) < 0.0) return "brakes";
-  const double gain = dot(e.decision.plan.acceleration, v) / norm(v);  // m/s²
+  const Plan& plan = e.decision.plan;
+  const Vec2 v = e.seen.robot.velocity, next = plan.next_velocity;
+  const bool rests = is_slow(e, v);
+  if (rests && is_slow(e, next)) {
+    const bool turns = turns_in_place(e.seen.robot.model) && plan.new_velocity != Vec2{};
+    return turns ? "turns on the spot" : "stays at rest";
+  }
+  if (rests) return "starts";
+  if (next == Vec2{}) return "comes to rest";
+  const double turned = cross(v, next), gain = norm(next) - norm(v);
   Words words;
-  if (std::abs(angle) >= kLittleTurn)
-    words = Words("turns ") + number(std::abs(angle), 0) +
-            (angle > 0.0 ? " degrees left" : " degrees right");
-  if (std::abs(gain) >= kLittleGain * e.seen.robot.max_acceleration)
+  if (std::abs(turned) >= kLittleTurn * norm(v) * norm(next))
+    words = turned > 0.0 ? "turns left" : "turns right";
+  if (std::abs(gain) >= kLittleGain * norm(v))
     words += (words.empty() ? "" : " and ") + Words(gain > 0.0 ? "speeds up" : "slows down");
   return words.empty() ? "keeps its velocity" : words;
 }
 
-// E.g. "waits at the door between (4, 2) and (4, 3.6) for robot 7, which is inside".
+// E.g. "at the door between (4, 2) and (4, 3.6) for robot 7, which is inside".
 Words wait_of(const Simulation::Wait& wait) {
-  return Words("waits at the door between ") + place(wait.a) + " and " + place(wait.b) + " for " +
+  return Words("at the door between ") + place(wait.a) + " and " + place(wait.b) + " for " +
          name_of(static_cast<std::int64_t>(wait.robot.value)) +
          (wait.inside ? ", which is inside" : ", which goes first");
 }
 
-// The robot or mover at rest that stands on the goal, or nearest to it.
+// The robot or mover that is nearest to the goal, and beside it at least.
 int occupant_of(const Explanation& e) {
   int occupant = -1;
   double least = std::numeric_limits<double>::infinity();
@@ -68,9 +67,9 @@ int occupant_of(const Explanation& e) {
 
 Words occupied_goal(const Explanation& e, const Words& then) {
   const int occupant = occupant_of(e);
-  return (occupant < 0 ? Words("others stand on its goal")
-                       : name_of(e, {occupant, -1}) + " stands on its goal") +
-         ", so it " + then;
+  const Words whom = occupant < 0 ? Words("others") : name_of(e, {occupant, -1});
+  if (e.is_at_goal) return "it is at its goal beside " + whom;
+  return whom + (occupant < 0 ? " are at its goal, so it " : " is at its goal, so it ") + then;
 }
 
 int nearest_of(const Explanation& e) {
@@ -131,6 +130,9 @@ Words refusal_of(const Explanation& e) {
   if (causes.size() == 1 && causes.front() == Cause{})
     return name_of(e, Cause{}) + " cannot follow " + (is_off ? "its detour" : "what it wants");
   const Words whom = causes.empty() ? Words("others") : list_of(e, causes);
+  if (is_airplane(e.seen.robot.model))
+    return "after what it wants, its circle would not keep clear of " +
+           (causes.empty() ? Words("walls or others") : whom);
   if (decision.plan.status == PlanStatus::braking)
     return "nothing but braking keeps clear of " + whom;
   return Words("it could not surely stop before ") + whom +
@@ -160,9 +162,10 @@ Words detour_of(const Explanation& e) {
   std::vector<Cause> causes = decision.refusing.empty() ? decision.binding : decision.refusing;
   if (causes.empty() && nearest_of(e) >= 0) causes.push_back({nearest_of(e), -1});
   const Words whom = causes.empty() ? Words("others") : list_of(e, causes);
-  if (degrees < kLittleTurn)
-    return Words("because of ") + whom +
-           " less is left than its route asks, and it takes what the certificate admits";
+  if (degrees < kLittleDetour)
+    return (decision.refusing.empty() ? "half-planes of " + whom + " leave too little of its route"
+                                      : "it could not surely stop before " + whom) +
+           ", so it goes on as far as the certificate admits";
   return Words("its route is blocked by ") + whom + ", so it is on a detour of " +
          number(degrees, 0) + " degrees to the right";
 }
@@ -182,7 +185,8 @@ Words limits_of(const Explanation& e, const Planner& planner) {
 Words freedom_of(const Explanation& e) {
   const bool has_it = norm(e.seen.robot.velocity - e.seen.robot.preferred_velocity) < kAsPreferred;
   if (e.is_at_goal && is_slow(e, e.seen.robot.velocity)) return "it is at its goal";
-  if (e.decision.rule == WishRule::steers) return "it turns towards its route first";
+  const bool turns = is_slow(e, e.seen.robot.velocity) && turns_in_place(e.seen.robot.model);
+  if (e.decision.rule == WishRule::steers || turns) return "it turns towards its route";
   return has_it ? "it has the velocity that it prefers, and nothing refuses that"
                 : "nothing refuses the velocity that it prefers";
 }
@@ -249,8 +253,8 @@ std::string sentence_of(const Explanation& e, const Planner& planner) {
   const bool waits = e.seen.wait && e.seen.guide == Guide::passage &&
                      e.decision.plan.status != PlanStatus::overlapping && !e.decision.evasion;
   if (!waits) return robot + action_of(e) + ": " + reason_of(e, planner) + "." + state_of(e);
-  const Words moves = rests ? "" : action_of(e) + " and ";
-  return robot + moves + wait_of(*e.seen.wait) + "." + state_of(e);
+  if (rests) return robot + "waits " + wait_of(*e.seen.wait) + "." + state_of(e);
+  return robot + action_of(e) + ": it has to wait " + wait_of(*e.seen.wait) + "." + state_of(e);
 }
 
 }  // namespace avo::inline sim

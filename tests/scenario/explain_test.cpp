@@ -2,7 +2,10 @@
 // Explanations of decisions in the built-in scenes: each ends in what the robot does, each stage
 // follows from the one before it, and robots that stand have a reason with a name.
 #include <algorithm>
+#include <array>
+#include <bit>
 #include <cmath>
+#include <cstdint>
 #include <gtest/gtest.h>
 #include <string>
 #include <vector>
@@ -41,6 +44,10 @@ std::vector<std::size_t> some_of(const Simulation& simulation, std::size_t most)
   for (std::size_t i = 0; i < all; i += step)
     if (!simulation.setup(i).parked) some.push_back(i);
   return some;
+}
+
+std::array<std::uint64_t, 2> bits_of(Vec2 v) {
+  return {std::bit_cast<std::uint64_t>(v.x), std::bit_cast<std::uint64_t>(v.y)};
 }
 
 struct Counts {
@@ -129,8 +136,9 @@ TEST(Explanations, end_in_what_the_robot_does_and_each_stage_follows) {
         if (!i || !simulation.decided(*i)) continue;
         const avo::Plan plan = simulation.robot(*i).plan;
         const std::string place = name + " " + std::to_string(now) + ": " + why.sentence;
-        ASSERT_EQ(why.decision.plan.next_velocity, plan.next_velocity) << place;
-        ASSERT_EQ(why.decision.plan.new_velocity, plan.new_velocity) << place;
+        ASSERT_EQ(bits_of(why.decision.plan.next_velocity), bits_of(plan.next_velocity)) << place;
+        ASSERT_EQ(bits_of(why.decision.plan.new_velocity), bits_of(plan.new_velocity)) << place;
+        ASSERT_EQ(bits_of(why.decision.plan.acceleration), bits_of(plan.acceleration)) << place;
         ASSERT_EQ(why.decision.plan.status, plan.status) << place;
         ASSERT_EQ(why.decision.plan.evading, plan.evading) << place;
         expect_stages(why, simulation.planner(*i), counts);
@@ -155,17 +163,24 @@ bool has_name(const std::string& sentence) {
 TEST(Explanations, of_robots_that_stand_have_a_reason_and_a_name) {
   int standing = 0;
   for (const char* name : {"doorway", "office", "corridor-one-lane", "bottleneck", "maze",
-                           "circle-100", "drives-100", "mixed-yard", "swap-blocks"}) {
+                           "circle-100", "drives-100", "mixed-yard", "swap-blocks", "cars-100"}) {
     Simulation simulation(avo_io::load_scenario(name), 1);
-    for (double time = 1.0; time < 40.0 && standing < 1000; time += 1.3) {
+    for (double time = 1.0; time < 40.0; time += 1.9) {
       run_to(simulation, time);
       for (const std::size_t i : some_of(simulation, 40)) {
         const avo::RobotState robot = simulation.robot(i);
         const bool rests = norm(robot.velocity) < 0.01 * simulation.setup(i).max_speed;
         if (!rests || simulation.is_at_goal(i)) continue;
-        ++standing;
         const std::string sentence = simulation.explain(i).sentence;
-        EXPECT_TRUE(has_name(sentence)) << name << " " << simulation.time() << ": " << sentence;
+        const bool gets_on = sentence.find("turns on the spot") != std::string::npos ||
+                             sentence.find(" starts: ") != std::string::npos;
+        if (gets_on) continue;
+        ++standing;
+        const bool is_vague = sentence.find("others stand") != std::string::npos ||
+                              sentence.find("before others") != std::string::npos ||
+                              sentence.find("by others") != std::string::npos;
+        EXPECT_TRUE(has_name(sentence) && !is_vague)
+            << name << " " << simulation.time() << ": " << sentence;
       }
     }
   }
@@ -185,7 +200,7 @@ TEST(Explanations, name_the_door_and_the_robot_that_a_robot_waits_for) {
         continue;
       ++waits;
       const std::string whom = "for robot " + std::to_string(why.seen.wait->robot.value);
-      EXPECT_NE(why.sentence.find("waits at the door between ("), std::string::npos);
+      EXPECT_NE(why.sentence.find("at the door between ("), std::string::npos);
       EXPECT_NE(why.sentence.find(
                     whom + (why.seen.wait->inside ? ", which is inside" : ", which goes first")),
                 std::string::npos)

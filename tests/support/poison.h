@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -44,6 +45,7 @@ class Poison {
   void spoil(PairState& x) const { x = PairState::coincident; }
   void spoil(Whom& x) const { x = Whom::movers; }
   void spoil(Vec2& x) const { each(x.x, x.y); }
+  void spoil(std::optional<Vec2>& x) const { x = Vec2{number_, number_}; }
   void spoil(HalfPlane& x) const { each(x.normal, x.offset); }
   void spoil(Segment& x) const { each(x.a, x.b); }
   template <typename T>
@@ -226,8 +228,7 @@ class Poison {
   }
   void spoil(CertifiedWorkspace& certified) const {
     auto& [constraints, hard, rows, proposal, detour] = certified;
-    each(constraints, hard, rows);
-    proposal = detour = Vec2{number_, number_};
+    each(constraints, hard, rows, proposal, detour);
   }
 
   void spoil(Predicted& other) const {

@@ -177,7 +177,7 @@ enum {
   AVO_PLAN_OVERLAPPING = 4,
   /// a known or sensed number is not finite or out of range: the robot brakes
   AVO_PLAN_INVALID_INPUT = 5,
-  AVO_PLAN_DETOUR = 6  ///< the route is blocked, and the robot turns off it
+  AVO_PLAN_DETOUR = 6  ///< little of the route is left, see avo::PlanStatus::detour
 };
 
 /// What is proved of a state before a decision.
