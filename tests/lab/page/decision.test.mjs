@@ -21,7 +21,7 @@ test("robot 5 of circle-10 at 8.4 s", () => {
   const { decision, found } = explained("circle-10", 5, 8.4);
   assert.deepEqual(binding(found), ["robots.4", "robots.6"]);
   assert.equal(decision.trace.rule, "keeps_right");
-  assert.equal(decision.sentence, "Robot 5 turns right: it keeps to the right of robot 4 in traffic; the half-planes of robots 4 and 6 " +
+  assert.equal(decision.sentence, "Robot 5 keeps its velocity: it keeps to the right of robot 4 in traffic; the half-planes of robots 4 and 6 " +
     "bind. Braking keeps clear of all others (safe).");
 });
 
