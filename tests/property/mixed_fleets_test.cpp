@@ -180,7 +180,7 @@ TEST(MixedFleets, of_another_time_step_touch) {
 TEST(MixedFleets, that_plan_as_among_obstacles_touch) {
   Manner odd;
   odd.one_sided = true;
-  expect_only_odd_ones_to_touch(odd, 2);  // it takes long
+  expect_only_odd_ones_to_touch(odd, 1);  // it takes long
 }
 
 // Both robots of a pair have to derive the same lines, bit for bit.
