@@ -271,8 +271,8 @@ class AVO_API Simulation {
     Guide guide = Guide::route;     ///< what its preferred velocity leads to
   };
   [[nodiscard]] Perception perceive(std::size_t robot) const;
-  /// The decision that `robot` (an index into fleet(), not parked) would make now, with its reasons
-  /// (avo/explanation.h).
+  /// The decision that `robot` (an index into fleet()) would make now, with its reasons
+  /// (avo/explanation.h). Throws Error if it is parked.
   [[nodiscard]] Explanation explain(std::size_t robot) const;
   [[nodiscard]] const Planner& planner() const;                   ///< of the scene's method
   [[nodiscard]] const Planner& planner(std::size_t robot) const;  ///< that this robot plans with

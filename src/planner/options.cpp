@@ -97,6 +97,12 @@ const char* to_string(Behavior behavior) {
 const char* to_string(PlanStatus status) {
   return name_of(status);
 }
+const char* to_string(Guide guide) {
+  return name_of(guide);
+}
+const char* to_string(WishRule rule) {
+  return name_of(rule);
+}
 const char* to_string(SafetyState state) {
   return name_of(state);
 }

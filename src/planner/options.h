@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <string>
 
+#include "avo/decision_trace.h"
 #include "avo/planner.h"
 #include "avo/scenario.h"
 
@@ -38,6 +39,12 @@ AVO_LOCAL inline constexpr std::array kNames<Behavior>{"decides", "moves_on", "c
 template <>
 AVO_LOCAL inline constexpr std::array kNames<PlanStatus>{
     "optimal", "least_unsafe", "refused", "braking", "overlapping", "invalid_input", "detour"};
+template <>
+AVO_LOCAL inline constexpr std::array kNames<Guide>{"route", "lane",  "passage",
+                                                    "back",  "mover", "place"};
+template <>
+AVO_LOCAL inline constexpr std::array kNames<WishRule>{
+    "none", "steers", "keeps_right", "yields", "settles", "leaves_wall", "in_cell"};
 template <>
 AVO_LOCAL inline constexpr std::array kNames<SafetyState>{"unknown", "safe", "doomed"};
 

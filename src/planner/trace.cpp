@@ -274,42 +274,4 @@ DecisionTrace Planner::explain(const Robot& robot, std::span<const Neighbor> nei
   return trace;
 }
 
-const char* to_string(Guide guide) {
-  switch (guide) {
-    case Guide::route:
-      return "route";
-    case Guide::lane:
-      return "lane";
-    case Guide::passage:
-      return "passage";
-    case Guide::back:
-      return "back";
-    case Guide::mover:
-      return "mover";
-    case Guide::place:
-      return "place";
-  }
-  return "";
-}
-
-const char* to_string(WishRule rule) {
-  switch (rule) {
-    case WishRule::none:
-      return "none";
-    case WishRule::steers:
-      return "steers";
-    case WishRule::keeps_right:
-      return "keeps_right";
-    case WishRule::yields:
-      return "yields";
-    case WishRule::settles:
-      return "settles";
-    case WishRule::leaves_wall:
-      return "leaves_wall";
-    case WishRule::in_cell:
-      return "in_cell";
-  }
-  return "";
-}
-
 }  // namespace avo
