@@ -15,50 +15,72 @@ std::optional<avo::Method> own_method(std::int32_t method, const Where& where) {
   return word<avo::Method>(method, 7, where, "method");
 }
 
+// A value that is unset is 0 in C.
+void take(avo::Vec2& to, avo_vec2 from) {
+  to = from_c(from);
+}
+void take(avo_vec2& to, avo::Vec2 from) {
+  to = to_c(from);
+}
+void take(double& to, double from) {
+  to = from;
+}
+void take(std::optional<double>& to, double from) {
+  to = unless_zero(from);
+}
+void take(double& to, const std::optional<double>& from) {
+  to = from.value_or(0.0);
+}
+void take(bool& to, bool from) {
+  to = from;
+}
+void take(avo::LayerSet& to, std::uint32_t from) {
+  to.bits = from;
+}
+void take(std::uint32_t& to, avo::LayerSet from) {
+  to = from.bits;
+}
+
+// The members of a definition and of a setup, except for the model and for words.
+template <class Action>
+void for_each_member(const Action& action) {
+  using Def = avo_robot_def;
+  using Setup = avo::RobotSetup;
+  action(&Def::position, &Setup::position);
+  action(&Def::velocity, &Setup::velocity);
+  action(&Def::goal, &Setup::goal);
+  action(&Def::radius, &Setup::radius);
+  action(&Def::max_speed, &Setup::max_speed);
+  action(&Def::max_acceleration, &Setup::max_acceleration);
+  action(&Def::preferred_speed, &Setup::preferred_speed);
+  action(&Def::heading, &Setup::heading);
+  action(&Def::priority, &Setup::priority);
+  action(&Def::parked, &Setup::parked);
+  action(&Def::layers, &Setup::layers);
+  action(&Def::avoids, &Setup::avoids);
+  action(&Def::time_step, &Setup::time_step);
+  action(&Def::max_braking, &Setup::max_braking);
+  action(&Def::time_horizon, &Setup::time_horizon);
+  action(&Def::arrival_distance, &Setup::arrival_distance);
+}
+
 }  // namespace
 
 avo::RobotSetup setup_of(const avo_robot_def& def, const Where& where) {
-  return {.position = from_c(def.position),
-          .velocity = from_c(def.velocity),
-          .goal = from_c(def.goal),
-          .radius = def.radius,
-          .max_speed = def.max_speed,
-          .max_acceleration = def.max_acceleration,
-          .preferred_speed = def.preferred_speed,
-          .model = model_of(def, where),
-          .heading = def.heading,
-          .priority = def.priority,
-          .parked = def.parked,
-          .layers = {def.layers},
-          .avoids = {def.avoids},
-          .time_step = unless_zero(def.time_step),
-          .max_braking = unless_zero(def.max_braking),
-          .behavior = word<avo::Behavior>(def.behavior, 3, where, "behavior"),
-          .method = own_method(def.method, where),
-          .time_horizon = unless_zero(def.time_horizon)};
+  avo::RobotSetup setup{.model = model_of(def, where)};
+  for_each_member([&](auto in_c, auto member) { take(setup.*member, def.*in_c); });
+  setup.behavior = word<avo::Behavior>(def.behavior, 3, where, "behavior");
+  setup.method = own_method(def.method, where);
+  return setup;
 }
 
 avo_robot_def def_of(const avo::RobotSetup& setup) {
   avo_robot_def def = {};
   def.size = sizeof def;
-  def.position = to_c(setup.position);
-  def.velocity = to_c(setup.velocity);
-  def.goal = to_c(setup.goal);
-  def.radius = setup.radius;
-  def.max_speed = setup.max_speed;
-  def.max_acceleration = setup.max_acceleration;
-  def.preferred_speed = setup.preferred_speed;
+  for_each_member([&](auto in_c, auto member) { take(def.*in_c, setup.*member); });
   set_model(setup.model, def);
-  def.heading = setup.heading;
-  def.priority = setup.priority;
-  def.parked = setup.parked;
-  def.layers = setup.layers.bits;
-  def.avoids = setup.avoids.bits;
-  def.time_step = setup.time_step.value_or(0.0);
-  def.max_braking = setup.max_braking.value_or(0.0);
   def.behavior = static_cast<avo_behavior>(setup.behavior);
   def.method = setup.method ? static_cast<std::int32_t>(*setup.method) : AVO_UNSET;
-  def.time_horizon = setup.time_horizon.value_or(0.0);
   return def;
 }
 

@@ -67,6 +67,8 @@ struct CheckedRobot {
   double max_acceleration = 1.0;  ///< m/s^2, > 0
   double max_speed = 2.0;         ///< m/s, > 0
   std::optional<Vec2> goal = {};  ///< m
+  /// m, > 0; unset: CheckOptions::arrival_distance
+  std::optional<double> arrival_distance = {};
   /// m, >= 0: how far the robot may have been from the judged path between two rows. It is 0 for
   /// accelerations held from row to row, because the path is then the cubic.
   double interpolation_error = 0.0;

@@ -50,7 +50,8 @@ struct RobotSetup {
   /// The method that chooses its velocities; unset: the scene's. A robot with a method other than
   /// the scene's has the usual options of its own method, see planner_options().
   std::optional<Method> method = {};
-  std::optional<double> time_horizon = {};  ///< [τ] s, > 0; unset: the horizon of its method
+  std::optional<double> time_horizon = {};      ///< [τ] s, > 0; unset: the horizon of its method
+  std::optional<double> arrival_distance = {};  ///< m, > 0; unset: the scene's
 
   friend bool operator==(const RobotSetup&, const RobotSetup&) = default;
 };
@@ -260,6 +261,11 @@ AVO_API double sensing_radius_of(const Scenario& scenario);
 /// noise, and the change of motion that the strongest of them can make within the delay. Missed
 /// measurements are told by Neighbor::age.
 AVO_API SensingError declared_error(const Scenario& scenario);
+
+/// m, > 0: a robot of the scene has arrived once it is that near to its goal.
+constexpr double arrival_distance_of(const Scenario& scenario, const RobotSetup& robot) {
+  return robot.arrival_distance.value_or(scenario.arrival_distance);
+}
 
 /// Throws Error naming the first field out of range, e.g. "robots.3.radius: found -0.2, must be
 /// > 0 m".

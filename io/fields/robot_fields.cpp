@@ -1,5 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // The table of fields for a robot and its motion model.
+#include "avo_io/robot_fields.h"
+
+#include <type_traits>
+
 #include "io/fields/fields.h"
 
 namespace avo_io {
@@ -59,8 +63,23 @@ const std::vector<Field<RobotSetup>>& fields() {
       {"time_horizon", &RobotSetup::time_horizon, kOptional, kPositive, "s",
        "tau: how far it looks for collisions",
        "the scene's where it has its method, else what is customary"},
+      {"arrival_distance", &RobotSetup::arrival_distance, kOptional, kPositive, "m",
+       "to its goal: it has arrived once it is that near", "the scene's"},
   };
   return table;
+}
+
+std::vector<RobotField> robot_fields() {
+  std::vector<RobotField> result;
+  for (const Field<RobotSetup>& field : fields<RobotSetup>())
+    std::visit(
+        [&](auto member) {
+          if constexpr (!std::is_same_v<decltype(member), std::monostate>)
+            result.push_back({field.key, member, field.need == kRequired, field.unit, field.doc,
+                              field.default_text});
+        },
+        field.member);
+  return result;
 }
 
 const std::vector<Field<RobotSetup>>& group_robot_fields() {

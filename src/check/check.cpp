@@ -68,7 +68,7 @@ struct Check::State {
   void judge_limits(const CheckedRobot& robot, const CheckedState& before, const CheckedState& now,
                     double time);
   void judge_changes(const CheckedRobot& robot, const CheckedState& now, double time);
-  [[nodiscard]] bool passes(const Mover& mover, Vec2 goal) const;
+  [[nodiscard]] bool passes(const Mover& mover, Vec2 goal, double within) const;
   void judge_arrival(double time, const CheckedState& row, const Mover& mover);
   [[nodiscard]] std::vector<std::optional<Vec2>> places_at_rest() const;
 };
@@ -145,9 +145,9 @@ void Check::State::judge_changes(const CheckedRobot& robot, const CheckedState& 
 }
 
 // Returns whether it passes the goal within the step; it may begin and end elsewhere.
-bool Check::State::passes(const Mover& mover, Vec2 goal) const {
+bool Check::State::passes(const Mover& mover, Vec2 goal, double within) const {
   if (mover.newcomer) return false;
-  const double limit = options.arrival_distance * (1.0 + options.relative_tolerance) + mover.error;
+  const double limit = within * (1.0 + options.relative_tolerance) + mover.error;
   const auto path = judge::pieces_of(mover, duration, goal);
   return lower_bound(path) <= limit && nearest_instant(path).distance <= limit;
 }
@@ -156,11 +156,12 @@ void Check::State::judge_arrival(double time, const CheckedState& row, const Mov
   const auto index = static_cast<std::size_t>(row.robot);
   const std::optional<Vec2>& goal = robots[index].goal;
   if (!goal) return;
+  const double within = robots[index].arrival_distance.value_or(options.arrival_distance);
   Seen& mine = seen[index];
-  mine.at_goal =
-      norm(*goal - row.position) <= options.arrival_distance && !walls.hides(row.position, *goal);
+  mine.at_goal = norm(*goal - row.position) <= within && !walls.hides(row.position, *goal);
   const bool flies = std::holds_alternative<CheckedAirplane>(robots[index].kinematics);
-  const bool arrives = flies ? passes(mover, *goal) || (skipped && mine.at_goal) : mine.at_goal;
+  const bool arrives =
+      flies ? passes(mover, *goal, within) || (skipped && mine.at_goal) : mine.at_goal;
   if (mine.arrived || !arrives) return;
   mine.arrived = true;
   last_arrival = time;

@@ -17,7 +17,7 @@ constexpr double kStrong = 0.3;        // of a_max: a smaller acceleration canno
 
 // Begins the trip at the place of the robot with that index into the fleet.
 void begin(Trip& trip, const Simulation& simulation, const FleetView& fleet, std::size_t i,
-           double arrival_distance) {
+           double usual_distance) {
   const RobotSetup& setup = fleet.setup[i];
   const Simulation::Way way = simulation.way(i);
   const Vec2 position = fleet.position[i], ahead = way.next - position;
@@ -30,7 +30,7 @@ void begin(Trip& trip, const Simulation& simulation, const FleetView& fleet, std
   trip.way = trip.way_left = trip.progress = way.length;
   trip.ideal_time =
       ideal_time({.way = way.length,
-                  .margin = arrival_distance,
+                  .margin = setup.arrival_distance.value_or(usual_distance),
                   .speed = distance > 0.0 ? dot(fleet.velocity[i], ahead) / distance : 0.0,
                   .top_speed = std::min(setup.preferred_speed, setup.max_speed),
                   .acceleration = a,

@@ -56,7 +56,7 @@ static_assert(std::is_nothrow_move_assignable_v<StaticWorld> &&
 
 Ways ways_among(const World& world, const StaticWorld& statics) {
   Ways ways(world.settings, statics.walls, world.obstacles.resting(), &world.ways);
-  plan_travels(ways, world.fleet, &world.ways);
+  plan_travels(ways, world.fleet, world.settings.arrival_distance, &world.ways);
   ways.forget_before();
   return ways;
 }
@@ -142,7 +142,8 @@ RobotId add_robot(World& world, const RobotSetup& setup) {
   Ways& ways = world.ways;
   Travel travel;
   if (!ways.empty()) {
-    travel = ways.plan(disc_radius(setup), disc_center(setup), setup.goal);
+    travel = ways.plan(disc_radius(setup), disc_center(setup), setup.goal,
+                       arrival_distance_of(world.settings, setup));
     if (ways.travels.size() == ways.travels.capacity())
       ways.travels.reserve(2 * ways.travels.size() + 8);
   }
@@ -186,7 +187,8 @@ void set_goal(World& world, RobotId robot, Vec2 goal) {
   if (!ways.empty()) {
     put_in_place(world, slot);
     ways.travels[static_cast<std::size_t>(world.fleet.rank[slot])] =
-        ways.plan(world.fleet.traits[slot].radius, world.fleet.position[slot], goal);
+        ways.plan(world.fleet.traits[slot].radius, world.fleet.position[slot], goal,
+                  world.arrival_distance(slot));
   }
   world.fleet.goal[slot] = goal;
   world.has_new_goals = true;
@@ -215,7 +217,8 @@ void move_robot(World& world, RobotId robot, Vec2 position) {
   const auto rank = static_cast<std::size_t>(fleet.rank[slot]);
   Ways& ways = world.ways;
   if (!ways.empty())
-    ways.travels[rank] = ways.plan(disc_radius(setup), disc_center(setup), setup.goal);
+    ways.travels[rank] = ways.plan(disc_radius(setup), disc_center(setup), setup.goal,
+                                   arrival_distance_of(world.settings, setup));
   note_late(world.bystanders, robot);  // there is room
   fleet.position[slot] = disc_center(setup);
   fleet.velocity[slot] = start_velocity(setup);

@@ -79,7 +79,7 @@ void Fleet::add(RobotId robot, const RobotSetup& setup, const OwnPace& own_pace)
     models.resize(slot + 1);
   }
   if (!flights.empty() || passes_goal(setup.model)) flights.resize(slot + 1);
-  if (!pace.empty() || own_pace.index != 0) pace.resize(slot + 1);
+  if (!pace.empty() || !(own_pace == OwnPace{})) pace.resize(slot + 1);
   for_each_column([&](auto& column) { column.resize(slot + 1); });
   id[slot] = robot;
   rank[slot] = static_cast<int>(slot);
@@ -166,7 +166,10 @@ RobotSetup Fleet::setup(std::size_t slot, const MotionState& state) const {
                    .behavior = conduct[slot].behavior};
   if (has_clocks && !conduct[slot].parked) setup.time_step = clock_of(slot).time_step;
   if (conduct[slot].method != method) setup.method = conduct[slot].method;
-  if (!pace.empty()) setup.time_horizon = pace[static_cast<std::size_t>(rank[slot])].time_horizon;
+  if (!pace.empty()) {
+    const OwnPace& own = pace[static_cast<std::size_t>(rank[slot])];
+    setup.time_horizon = own.time_horizon, setup.arrival_distance = own.arrival_distance;
+  }
   return setup;
 }
 

@@ -107,8 +107,10 @@ struct OwnClock {
 
 /// The planner by which a robot decides.
 struct OwnPace {
-  std::uint32_t index = 0;                  // see World::paces
-  std::optional<double> time_horizon = {};  // s, from its setup
+  std::uint32_t index = 0;                      // see World::paces
+  std::optional<double> time_horizon = {};      // s, from its setup
+  std::optional<double> arrival_distance = {};  // m, from its setup
+  friend bool operator==(const OwnPace&, const OwnPace&) = default;
 };
 
 /// Columns by slot. Robots that are near each other are near in memory once the fleet has been put
@@ -155,6 +157,11 @@ struct Fleet {
   }
   std::uint32_t pace_of(std::size_t slot) const {
     return pace.empty() ? 0 : pace[static_cast<std::size_t>(rank[slot])].index;
+  }
+  /// m; none: the scene's.
+  std::optional<double> own_arrival_distance(std::size_t slot) const {
+    if (pace.empty()) return std::nullopt;
+    return pace[static_cast<std::size_t>(rank[slot])].arrival_distance;
   }
   MotionModel model(std::size_t slot) const {
     return models.empty() ? MotionModel{} : models[static_cast<std::size_t>(rank[slot])];

@@ -149,7 +149,7 @@ class Sharing {
 bool stays_near(const World& world, std::size_t slot) {
   const Fleet& fleet = world.fleet;
   return world.shares_goal[static_cast<std::size_t>(fleet.rank[slot])] == Shares::goal &&
-         norm(world.end_of(slot) - fleet.place(slot)) <= world.settings.arrival_distance;
+         norm(world.end_of(slot) - fleet.place(slot)) <= world.arrival_distance(slot);
 }
 
 }  // namespace

@@ -65,7 +65,7 @@ std::unique_ptr<Simulation::State> Simulation::State::of(const Scenario& scenari
   validate(scenario);
   require_assumptions(scenario);
   auto state = std::make_unique<State>(scenario, std::move(executor));
-  plan_travels(state->ways, state->fleet);
+  plan_travels(state->ways, state->fleet, state->settings.arrival_distance);
   return state;
 }
 
@@ -183,7 +183,7 @@ bool Simulation::is_at_goal(std::size_t robot) const {
   const Ways& ways = state_->ways;
   const bool is_beside = !ways.empty() && ways.travels[robot].ends == WayEnd::beside;
   const double slack = is_beside ? kBesideSlack * state_->fleet.traits[slot].radius : 0.0;
-  if (norm(goal - p) <= state_->settings.arrival_distance + slack &&
+  if (norm(goal - p) <= state_->arrival_distance(slot) + slack &&
       ways.is_in_sight(p, is_beside ? ways.travels[robot].place : goal))
     return true;
   // so that goals are compared for few robots

@@ -74,7 +74,6 @@ Ways::Ways(const Scenario& settings, std::span<const Wall> walls, std::vector<Wa
            const Ways* before)
     : follows_(settings.navigation.value_or(true)),
       heeds_passages_(follows_ && settings.right_of_way != RightOfWay::none),
-      arrival_distance_(settings.arrival_distance),
       before_(before),
       resting_(std::move(resting)) {
   if (!walls.empty()) sight_.emplace(walls, kSightReach);
@@ -160,7 +159,8 @@ Vec2 Ways::reachable_end(double radius, Vec2 position, Vec2 goal, const Travel* 
   return is_as_near && is_there ? kept : nearest;
 }
 
-Travel Ways::plan(double radius, Vec2 position, Vec2 goal, const Travel* before) {
+Travel Ways::plan(double radius, Vec2 position, Vec2 goal, double arrival_distance,
+                  const Travel* before) {
   const Travel straight = lead(radius, position, goal);
   if (!sight_ || straight.target != PathMap::kNothing) return straight;
   const Vec2 end = reachable_end(radius, position, goal, before);
@@ -169,7 +169,7 @@ Travel Ways::plan(double radius, Vec2 position, Vec2 goal, const Travel* before)
   if (follows_ && travel.target == PathMap::kNothing && radius_class(radius) != radius)
     travel = lead(radius, position, end, true, false);
   if (is_there) return travel;
-  const bool is_near = norm(end - goal) <= arrival_distance_ + kBesideSlack * radius;
+  const bool is_near = norm(end - goal) <= arrival_distance + kBesideSlack * radius;
   travel.ends = is_near ? WayEnd::beside : WayEnd::short_of;
   travel.place = end;
   return travel;
@@ -244,7 +244,7 @@ bool Ways::is_in_sight(Vec2 p, Vec2 q, const Wall*& behind) const {
   return behind == nullptr;
 }
 
-void plan_travels(Ways& ways, const Fleet& fleet, const Ways* before) {
+void plan_travels(Ways& ways, const Fleet& fleet, double arrival_distance, const Ways* before) {
   if (ways.empty()) return;
   ways.travels.reserve(fleet.size());
   for (const std::uint32_t slot : fleet.slot_of) {
@@ -260,7 +260,8 @@ void plan_travels(Ways& ways, const Fleet& fleet, const Ways* before) {
       if (carried) {
         travel = std::move(*carried);
       } else {
-        travel = ways.plan(radius, position, fleet.goal[slot], known);
+        travel = ways.plan(radius, position, fleet.goal[slot],
+                           fleet.own_arrival_distance(slot).value_or(arrival_distance), known);
         if (known != nullptr) {
           keep_waiting_on(*known, position, radius, travel, ways.scratch());
           travel = replanned(*known, std::move(travel), position, radius, ways.scratch());

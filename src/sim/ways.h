@@ -48,7 +48,7 @@ class Ways {
   }
   /// Plans a new route; robots of one radius class and one goal share its data. A route that ended
   /// elsewhere than at that goal before still ends there, if nothing nearer can be reached.
-  [[nodiscard]] Travel plan(double radius, Vec2 position, Vec2 goal,
+  [[nodiscard]] Travel plan(double radius, Vec2 position, Vec2 goal, double arrival_distance,
                             const Travel* before = nullptr);
   /// The same route as before among other walls, where a new one would surely be the same.
   [[nodiscard]] std::optional<Travel> carry_over(const Travel& before, Vec2 position,
@@ -85,8 +85,7 @@ class Ways {
   Vec2 reachable_end(double radius, Vec2 position, Vec2 goal, const Travel* before);
 
   bool follows_ = false, heeds_passages_ = false;
-  double arrival_distance_ = 0.0;  // m
-  const Ways* before_ = nullptr;   // until forget_before()
+  const Ways* before_ = nullptr;  // until forget_before()
   std::optional<ClearanceGrid> sight_;
   std::vector<Wall> resting_;
   std::map<GraphKey, std::unique_ptr<const CornerGraph>> graphs_;
@@ -107,6 +106,8 @@ class Ways {
 
 /// Plans the routes of a whole fleet. `before`: its routes among other walls. A robot keeps its
 /// target if it would set out as before, and has as far to go from there.
-void plan_travels(Ways& ways, const Fleet& fleet, const Ways* before = nullptr);
+/// arrival_distance: m, of robots that have none of their own.
+void plan_travels(Ways& ways, const Fleet& fleet, double arrival_distance,
+                  const Ways* before = nullptr);
 
 }  // namespace avo::inline sim

@@ -182,7 +182,8 @@ OwnPace World::pace_of(const RobotSetup& setup) {
   const auto is_known = [&](const Pace& pace) {
     const PlannerOptions& options = pace.planner.options();
     return options.method == method && options.time_step == time_step &&
-           options.time_horizon == time_horizon_of(settings, setup);
+           options.time_horizon == time_horizon_of(settings, setup) &&
+           options.arrival_distance == arrival_distance_of(settings, setup);
   };
   const auto place = std::find_if(paces.begin(), paces.end(), is_known);
   const auto index = static_cast<std::uint32_t>(place - paces.begin());
@@ -192,7 +193,7 @@ OwnPace World::pace_of(const RobotSetup& setup) {
     paces.emplace_back(options);
     certified = certified || is_certified(paces.back());
   }
-  return {index, setup.time_horizon};
+  return {index, setup.time_horizon, setup.arrival_distance};
 }
 
 const Planner& World::certified_planner() const {

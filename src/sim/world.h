@@ -62,7 +62,8 @@ struct alignas(128) Worker {
   std::int64_t pairs = 0, infeasible = 0;
 };
 
-/// The planner and the response of robots of one method, time horizon and time_step.
+/// The planner and the response of robots of one method, time horizon, arrival distance and
+/// time_step.
 struct Pace {
   Planner planner;
   StepResponse response;
@@ -126,6 +127,10 @@ struct World {
   /// The present moment of measurements, see Senses.
   std::int64_t moment() const { return senses.by_time ? now : steps; }
   const Pace& pace(std::size_t slot) const { return paces[fleet.pace_of(slot)]; }
+  /// m: the robot has arrived once it is that near to its goal.
+  double arrival_distance(std::size_t slot) const {
+    return fleet.own_arrival_distance(slot).value_or(settings.arrival_distance);
+  }
   /// The pace of such a robot; it is made if there is none yet.
   OwnPace pace_of(const RobotSetup& setup);
   /// The common planner of the robots with a certificate; the scene's where there are none.

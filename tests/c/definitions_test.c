@@ -109,8 +109,10 @@ static void check_methods_and_trajectories(void) {
   avo_simulation_id simulation;
   avo_robot_id id;
   CHECK(robot.method == AVO_UNSET && robot.time_horizon == 0.0);
+  CHECK(robot.arrival_distance == 0.0);
   robot.method = AVO_METHOD_ORCA;
   robot.time_horizon = 5.0;
+  robot.arrival_distance = 0.25;
   mover.trajectory = places;
   mover.trajectory_count = 2;
   def.robots = &robot;
@@ -120,13 +122,15 @@ static void check_methods_and_trajectories(void) {
   REQUIRE(avo_create_simulation(&def, &simulation));
   robot.position.x = robot.goal.x = 10.0;
   robot.method = AVO_UNSET;
-  robot.time_horizon = 0.0;
+  robot.time_horizon = robot.arrival_distance = 0.0;
   REQUIRE(avo_simulation_add_robot(simulation, &robot, &id));
   REQUIRE(avo_simulation_get_robot_def(simulation, id, &robot));
   CHECK(robot.method == AVO_UNSET && robot.time_horizon == 0.0);
+  CHECK(robot.arrival_distance == 0.0);
   id.value = 1;
   REQUIRE(avo_simulation_get_robot_def(simulation, id, &robot));
   CHECK(robot.method == AVO_METHOD_ORCA && robot.time_horizon == 5.0);
+  CHECK(robot.arrival_distance == 0.25);
   REQUIRE(avo_destroy_simulation(simulation));
   robot.method = 7;
   def.robots = &robot;

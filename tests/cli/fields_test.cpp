@@ -84,7 +84,7 @@ TEST(Fields, ranges_are_those_of_validate) {
   Scenario scenario = valid_scenario();
   ASSERT_EQ(refusal(scenario), "");
   EXPECT_EQ(check_ranges(scenario, scenario, ""), 10);
-  EXPECT_EQ(check_ranges(scenario, scenario.robots[0], "robots.0."), 11);
+  EXPECT_EQ(check_ranges(scenario, scenario.robots[0], "robots.0."), 12);
   EXPECT_EQ(check_ranges(scenario, std::get<avo::Car>(scenario.robots[0].model), "robots.0.car."),
             2);
   avo::CarBody& body = std::get<avo::Car>(scenario.robots[0].model).body.emplace();
@@ -215,7 +215,7 @@ samples: 25
 arrival_distance: 0.25
 seed: 18446744073709551615
 robots:
-  - {position: [-10, 1], velocity: [0.5, 0.25], goal: [10, 2], radius: 0.4, max_speed: 3, max_acceleration: 0.75, preferred_speed: 1.5, priority: 4, layers: [1, 31], avoids: [0, 2]}
+  - {position: [-10, 1], velocity: [0.5, 0.25], goal: [10, 2], radius: 0.4, max_speed: 3, max_acceleration: 0.75, preferred_speed: 1.5, priority: 4, arrival_distance: 0.125, layers: [1, 31], avoids: [0, 2]}
   - {position: [+1.0e+1, -.5], goal: [-10, 0], max_speed: 1.25, car: {wheelbase: 0.7, heading: 3.}}
 moving_obstacles:
   - {position: [0, 5], velocity: [0, -0.5], acceleration: [0.125, 0], radius: 0.6}
@@ -243,6 +243,7 @@ moving_obstacles:
   EXPECT_EQ(first.max_acceleration, 0.75);
   EXPECT_EQ(first.preferred_speed, 1.5);
   EXPECT_EQ(first.priority, 4.0);
+  EXPECT_EQ(first.arrival_distance, 0.125);
   EXPECT_EQ(first.layers.bits, 0x80000002U);
   EXPECT_EQ(first.avoids.bits, 5U);
   const avo::RobotSetup& second = scenario.robots[1];

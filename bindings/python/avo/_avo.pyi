@@ -292,6 +292,7 @@ class RobotSetup:
     behavior: _RobotBehavior
     method: _Method | None
     time_horizon: _NumberOrNone
+    arrival_distance: _NumberOrNone
     def __init__(
         self,
         *,
@@ -313,6 +314,7 @@ class RobotSetup:
         behavior: _RobotBehavior = "decides",
         method: _Method | None = None,
         time_horizon: _Float | None = None,
+        arrival_distance: _Float | None = None,
     ) -> None: ...
 
 @final

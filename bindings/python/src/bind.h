@@ -15,6 +15,7 @@ inline constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 void bind_models(py::module_& module);
 void bind_robots(py::module_& module);
+void bind_setup(py::module_& module);
 void bind_planner(py::module_& module);
 void bind_batches(py::module_& module);
 void bind_scenario(py::module_& module);

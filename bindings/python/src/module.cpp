@@ -48,6 +48,7 @@ PYBIND11_MODULE(_avo, module) {
   module.attr("SAFETY_STATE") = tuple_of_words<avo::SafetyState>();
   bind_models(module);
   bind_robots(module);
+  bind_setup(module);
   bind_planner(module);
   bind_batches(module);
   bind_scenario(module);

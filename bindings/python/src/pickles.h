@@ -42,8 +42,6 @@ inline constexpr int kFields<avo::Robot> = 12;
 template <>
 inline constexpr int kFields<avo::Detour> = 7;
 template <>
-inline constexpr int kFields<avo::RobotSetup> = 18;
-template <>
 inline constexpr int kFields<avo::MeasurementNoise> = 4;
 template <>
 inline constexpr int kFields<avo::LocalizationNoise> = 3;
@@ -82,15 +80,16 @@ auto fields(T& x) {
   } else if constexpr (n == 12) {
     auto& [a, b, c, d, e, f, g, h, i, j, k, l] = x;
     return std::tie(a, b, c, d, e, f, g, h, i, j, k, l);
-  } else if constexpr (n == 18) {
-    auto& [a, b, c, d, e, f, g, h, i, j, k, l, m, o, p, q, r, s] = x;
-    return std::tie(a, b, c, d, e, f, g, h, i, j, k, l, m, o, p, q, r, s);
   } else {
     auto& [a, b, c, d, e, f, g, h, i, j, k, l, m, o, p, q, r, s, t, u, v, w, z, aa, bb, cc, dd,
            ee] = x;
     return std::tie(a, b, c, d, e, f, g, h, i, j, k, l, m, o, p, q, r, s, t, u, v, w, z, aa, bb, cc,
                     dd, ee);
   }
+}
+
+[[noreturn]] inline void refuse_pickle() {
+  throw avo::Error("pickle: found another number of fields, must be of this version of avo");
 }
 
 template <typename T>
@@ -113,8 +112,7 @@ struct Plain {
   static T from(const py::handle& plain) {
     if constexpr (kFields < T >> 0) {
       const auto values = plain.cast<py::tuple>();
-      if (values.size() != static_cast<std::size_t>(kFields<T>))
-        throw avo::Error("pickle: found another number of fields, must be of this version of avo");
+      if (values.size() != static_cast<std::size_t>(kFields<T>)) refuse_pickle();
       T x;
       std::size_t k = 0;
       std::apply(
@@ -130,6 +128,13 @@ struct Plain {
       return plain.cast<T>();
     }
   }
+};
+
+/// The model, the heading, and the values of the table of fields.
+template <>
+struct Plain<avo::RobotSetup> {
+  static py::object of(const avo::RobotSetup& setup);
+  static avo::RobotSetup from(const py::handle& plain);
 };
 
 template <typename T>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Robots: what a robot knows of itself, what it senses of its neighbors, what it remembers, and
-// what a scene says of it. All of these are plain, mutable data.
+// Robots: what a robot knows of itself, what it senses of its neighbors, and what it remembers. All
+// of these are plain, mutable data.
 #include <memory>
 #include <tuple>
 #include <vector>
@@ -209,81 +209,6 @@ void bind_detour(py::module_& module) {
       .def_readwrite("acceleration_y", &Detour::acceleration_y, "m/s^2, likewise.");
 }
 
-void bind_setup(py::module_& module) {
-  using Setup = avo::RobotSetup;
-  py::class_<Setup>(module, "RobotSetup", "What a scene says of a robot.")
-      .def(pickled<Setup>())
-      .def(py::init([](avo::Vec2 position, avo::Vec2 goal, avo::Vec2 velocity, double radius,
-                       double max_speed, double max_acceleration,
-                       std::optional<double> preferred_speed, avo::MotionModel model,
-                       double heading, double priority, bool parked, avo::LayerSet layers,
-                       avo::LayerSet avoids, std::optional<double> time_step,
-                       std::optional<double> max_braking, avo::Behavior behavior,
-                       std::optional<avo::Method> method, std::optional<double> time_horizon) {
-             return Setup{position,
-                          velocity,
-                          goal,
-                          radius,
-                          max_speed,
-                          max_acceleration,
-                          preferred_speed.value_or(max_speed),
-                          with_offset(model, radius),
-                          heading,
-                          priority,
-                          parked,
-                          layers,
-                          avoids,
-                          time_step,
-                          max_braking,
-                          behavior,
-                          method,
-                          time_horizon};
-           }),
-           py::kw_only(), arg("position"), arg("goal"), arg("velocity") = py::make_tuple(0.0, 0.0),
-           arg("radius") = 0.5, arg("max_speed") = 2.0, arg("max_acceleration") = 1.0,
-           arg("preferred_speed") = py::none(), arg("model") = avo::Holonomic{},
-           arg("heading") = 0.0, arg("priority") = 1.0, arg("parked") = false,
-           arg("layers") = avo::LayerSet{1}, arg("avoids") = avo::LayerSet{0xffffffff},
-           arg("time_step") = py::none(), arg("max_braking") = py::none(),
-           arg("behavior") = "decides", arg("method") = py::none(),
-           arg("time_horizon") = py::none(),
-           "position, goal: (x, y), m; velocity: m/s; radius: m, > 0; max_speed: m/s, > 0; "
-           "max_acceleration: m/s^2, > 0; preferred_speed: m/s, >= 0, None: max_speed; model: how "
-           "it moves; heading: rad; priority: > 0; parked: never moves; layers, avoids: 0 to 31; "
-           "time_step: s, of a free clock; max_braking: m/s^2, None: max_acceleration; behavior: "
-           "what others count on, \"decides\" or \"cooperates\"; method: None: that of the scene; "
-           "time_horizon: s, > 0, None: that of its method.")
-      .def_readwrite("behavior", &Setup::behavior, "\"decides\" or \"cooperates\"")
-      .def_readwrite("position", &Setup::position, "(x, y), m")
-      .def_readwrite("goal", &Setup::goal, "(x, y), m")
-      .def_readwrite("velocity", &Setup::velocity, "(x, y), m/s")
-      .def_readwrite("radius", &Setup::radius, "m, > 0")
-      .def_readwrite("max_speed", &Setup::max_speed, "m/s, > 0")
-      .def_readwrite("max_acceleration", &Setup::max_acceleration, "m/s^2, > 0")
-      .def_readwrite("preferred_speed", &Setup::preferred_speed, "m/s, >= 0")
-      .def_property(
-          "model", [](const Setup& setup) { return setup.model; },
-          [](Setup& setup, avo::MotionModel model) {
-            setup.model = with_offset(model, setup.radius);
-          },
-          "how it moves: Car, DifferentialDrive, Airplane, or None: holonomic")
-      .def_readwrite("heading", &Setup::heading,
-                     "rad, counter-clockwise from +x; not of holonomic ones")
-      .def_readwrite("priority", &Setup::priority, "> 0, see Robot.priority")
-      .def_readwrite("parked", &Setup::parked, "whether it stays where it is for ever")
-      .def_readwrite("layers", &Setup::layers, "that it is in")
-      .def_readwrite("avoids", &Setup::avoids, "it avoids those who are in one of these layers")
-      .def_readwrite("time_step", &Setup::time_step,
-                     "s, > 0, of its own clock; None: that of the scene")
-      .def_readwrite("max_braking", &Setup::max_braking,
-                     "m/s^2, > 0, with which it surely brakes; None: max_acceleration")
-      .def_readwrite("method", &Setup::method,
-                     "how it chooses its velocities; None: as the scene says")
-      .def_readwrite("time_horizon", &Setup::time_horizon,
-                     "[tau] s, > 0; None: that of the scene where it has its method, else what is "
-                     "customary for its own");
-}
-
 }  // namespace
 
 void bind_robots(py::module_& module) {
@@ -291,7 +216,6 @@ void bind_robots(py::module_& module) {
   bind_trajectory(module);
   bind_neighbor(module);
   bind_detour(module);
-  bind_setup(module);
 }
 
 }  // namespace avo_python

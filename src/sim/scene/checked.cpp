@@ -49,6 +49,7 @@ CheckedRobot checked_robot(const RobotSetup& robot) {
       .max_acceleration = robot.max_acceleration,
       .max_speed = robot.max_speed,
       .goal = robot.goal,
+      .arrival_distance = robot.arrival_distance,
       .kinematics = std::visit([](const auto& model) { return kinematics_of(model); }, robot.model),
       .parked = robot.parked,
       .layers = robot.layers.bits,

@@ -121,6 +121,8 @@ void check_robot(std::size_t i, const RobotSetup& robot, double time_step) {
            "decides or cooperates; who reacts to nobody is one of moving_obstacles, or avoids []");
   if (robot.time_horizon)
     require(Place{list, i, "time_horizon"}, *robot.time_horizon, kPositive, "s");
+  if (robot.arrival_distance)
+    require(Place{list, i, "arrival_distance"}, *robot.arrival_distance, kPositive, "m");
   if (robot.parked) check_parked(i, robot);
   require(Place{list, i, "heading"}, robot.heading, kAngle, "rad");
   if (const Car* car = std::get_if<Car>(&robot.model)) check_car(i, *car);

@@ -165,12 +165,15 @@ void check_methods(const Scenario& scenario) {
   const Agreed agreed = agreed_on(scenario);
   for (std::size_t i = 0; i < scenario.robots.size(); ++i) {
     const RobotSetup& robot = scenario.robots[i];
-    if (!robot.method && !robot.time_horizon && !robot.time_step) continue;
+    if (!robot.method && !robot.time_horizon && !robot.time_step && !robot.arrival_distance)
+      continue;
     const auto at = [&](std::string_view field) { return std::string(Place{"robots", i, field}); };
     if (robot.parked && robot.method)
       refuse(at("method"), to_string(*robot.method), "left out: it is parked");
     if (robot.parked && robot.time_horizon)
       refuse(at("time_horizon"), text(*robot.time_horizon), "left out: it is parked");
+    if (robot.parked && robot.arrival_distance)
+      refuse(at("arrival_distance"), text(*robot.arrival_distance), "left out: it is parked");
     if (robot.parked) continue;
     const Method method = method_of(scenario, robot);
     if (reaches_within_step(method) && scenario.motion != Motion::held)

@@ -86,6 +86,7 @@ PlannerOptions planner_options(const Scenario& scenario, const RobotSetup& robot
   PlannerOptions options = options_of(scenario, method_of(scenario, robot), agreed);
   options.time_step = time_step_of(scenario, robot);
   if (robot.time_horizon) options.time_horizon = *robot.time_horizon;
+  options.arrival_distance = arrival_distance_of(scenario, robot);
   return options;
 }
 

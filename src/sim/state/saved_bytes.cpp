@@ -145,26 +145,29 @@ void describe(Archive<kReads>& archive, Detour& detour) {
             second >> 33 != 0, number(third),       number(third >> 32)};
 }
 
-// Rare properties of robots, in one word with the horizon after it.
+// Rare properties of robots, in one word with their values after it.
 template <bool kReads>
 void describe_kinds(Archive<kReads>& archive, RobotSetup& setup) {
   const auto method = static_cast<std::uint64_t>(setup.method.value_or(Method{}));
   std::uint64_t kinds = (setup.parked ? 1U : 0U) | (setup.method ? 2U | method << 8 : 0U) |
                         (setup.time_horizon ? 4U : 0U) |
-                        (setup.behavior == Behavior::cooperates ? 8U : 0U);
+                        (setup.behavior == Behavior::cooperates ? 8U : 0U) |
+                        (setup.arrival_distance ? 16U : 0U);
   archive.word(kinds);
   if constexpr (kReads) {
     const bool has_method = (kinds & 2) != 0;
     const bool is_more_than_parked = (kinds & 1) != 0 && kinds != 1;
-    if ((kinds & 0xf0) != 0 || (!has_method && kinds >> 8 != 0) || is_more_than_parked ||
+    if ((kinds & 0xe0) != 0 || (!has_method && kinds >> 8 != 0) || is_more_than_parked ||
         kinds >> 8 >= kNames<Method>.size())
       refuse_saved("the kinds of a robot " + std::to_string(kinds), "known ones");
     setup.parked = (kinds & 1) != 0;
     setup.behavior = (kinds & 8) != 0 ? Behavior::cooperates : Behavior::decides;
     if (has_method) setup.method = static_cast<Method>(kinds >> 8);
     if ((kinds & 4) != 0) setup.time_horizon.emplace();
+    if ((kinds & 16) != 0) setup.arrival_distance.emplace();
   }
   if (setup.time_horizon) describe(archive, *setup.time_horizon);
+  if (setup.arrival_distance) describe(archive, *setup.arrival_distance);
 }
 
 template <bool kReads>

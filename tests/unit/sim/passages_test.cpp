@@ -183,7 +183,7 @@ TEST(Claims, OutsideOnlyInSightOfTheMouth) {
     robot.velocity = is_hidden ? Vec2{0.5, -0.5} : Vec2{0.5, 0.5};
     scene.robots = {robot};
     World world(scene, std::make_unique<SerialExecutor>());
-    plan_travels(world.ways, world.fleet);
+    plan_travels(world.ways, world.fleet, 0.5);
     find_walls(world);
     ASSERT_FALSE(world.ways.passages.empty());
     Claims claims;
@@ -206,7 +206,7 @@ TEST(Claims, EndInsideOnlyWhereTheyAreSeen) {
     scene.right_of_way = right_of_way;
     scene.robots = {test::robot_at({0, 0}, {0, 0})};
     World world(scene, std::make_unique<SerialExecutor>());
-    plan_travels(world.ways, world.fleet);
+    plan_travels(world.ways, world.fleet, 0.5);
     find_walls(world);
     const auto claim = prospect_of(world, 0, world.ways.travels[0]).claim;
     ASSERT_TRUE(claim && claim->inside);
@@ -221,7 +221,7 @@ TEST(Claims, InsideHoldHoweverLongThePassageIs) {
   for (const double x : {-19.0, 0.0, 19.0})
     scene.robots.push_back(test::robot_at({x, 0}, {25, -6}));
   World world(scene, std::make_unique<SerialExecutor>());
-  plan_travels(world.ways, world.fleet);
+  plan_travels(world.ways, world.fleet, 0.5);
   find_walls(world);
   for (std::size_t k = 0; k < scene.robots.size(); ++k) {
     const Travel& travel = world.ways.travels[k];
@@ -257,7 +257,7 @@ TEST(Claims, LanesAreNotThoseOfAPassageBehindAWall) {
 TEST(Claims, AreListedByPassage) {
   for (const RightOfWay right_of_way : {RightOfWay::seen, RightOfWay::told}) {
     World world(test::crowd_at_doors(100, right_of_way), std::make_unique<SerialExecutor>());
-    plan_travels(world.ways, world.fleet);
+    plan_travels(world.ways, world.fleet, 0.5);
     for (int k = 0; k < 60; ++k) step(world);
     Claims claims;
     SerialExecutor serial;

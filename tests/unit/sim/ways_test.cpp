@@ -197,10 +197,11 @@ TEST(Ways, ThoseWhomOnlyTheirVeryRadiusLetsThroughGetThrough) {
                   test::robot_at({3, 2}, {7, 2})};
   for (RobotSetup& robot : scene.robots) robot.radius = radius;
   Ways ways(scene, walls_of(scene.obstacles), {});
-  EXPECT_EQ(ways.plan(radius, {3, 7}, {17, 7}).graph->radius, radius);
-  EXPECT_EQ(ways.plan(radius, {3, 8}, {0.5002, 8}).graph->radius, radius);
-  EXPECT_EQ(ways.plan(radius, {3, 2}, {7, 2}).graph->radius, 0.51);
-  EXPECT_EQ(ways.plan(0.504, {3, 2}, {7, 2}).graph, ways.plan(radius, {3, 2}, {7, 2}).graph);
+  EXPECT_EQ(ways.plan(radius, {3, 7}, {17, 7}, 0.5).graph->radius, radius);
+  EXPECT_EQ(ways.plan(radius, {3, 8}, {0.5002, 8}, 0.5).graph->radius, radius);
+  EXPECT_EQ(ways.plan(radius, {3, 2}, {7, 2}, 0.5).graph->radius, 0.51);
+  EXPECT_EQ(ways.plan(0.504, {3, 2}, {7, 2}, 0.5).graph,
+            ways.plan(radius, {3, 2}, {7, 2}, 0.5).graph);
   Simulation simulation(scene, 1);
   EXPECT_TRUE(simulation.unreachable().empty());
   for (int k = 0; k < 20; ++k) simulation.step();
@@ -218,7 +219,7 @@ TEST(Ways, FromBesideAWallThereIsAWay) {
   Ways ways(scene, walls_of(scene.obstacles), {});
   RobotSetup setup = test::robot_at({3, 9}, {11, 9});
   setup.radius = 0.5001;
-  Travel travel = ways.plan(setup.radius, setup.position, setup.goal);
+  Travel travel = ways.plan(setup.radius, setup.position, setup.goal, 0.5);
   ASSERT_EQ(travel.graph->radius, 0.51);
   LegScratch scratch;
   const Vec2 place{9.4995, 9};

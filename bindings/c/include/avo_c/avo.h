@@ -467,6 +467,7 @@ typedef struct avo_robot_def {
   int32_t method;         ///< its own avo_method; AVO_UNSET: the simulation's
   /// s, > 0, its own; 0: the simulation's if it has the simulation's method
   double time_horizon;
+  double arrival_distance;  ///< m, > 0, its own; 0: the simulation's
 } avo_robot_def;
 
 /// A disc that reacts to no robot. It moves with constant acceleration, along a path, or as a

@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: Apache-2.0
+// What a scene says of a robot: a class with the fields of scene files.
+#include <fmt/format.h>
+#include <string>
+#include <variant>
+
+#include "avo_io/nearest.h"
+#include "avo_io/robot_fields.h"
+#include "pickles.h"
+
+namespace avo_python {
+namespace {
+
+using Setup = avo::RobotSetup;
+
+// Calls action(field, member) for each field but the model and the heading.
+template <class Action>
+void for_each_field(const Action& action) {
+  for (const auto& field : avo_io::robot_fields())
+    std::visit([&](auto member) { action(field, member); }, field.member);
+}
+
+template <class Value>
+Value value_of(const std::string& key, const py::handle& given) {
+  try {
+    return given.cast<Value>();
+  } catch (const py::cast_error&) {
+    throw py::type_error(fmt::format("RobotSetup: {}: found {}, must be of another type", key,
+                                     py::repr(given).cast<std::string>()));
+  }
+}
+
+[[noreturn]] void refuse_key(const std::string& key) {
+  std::vector<std::string_view> known{"model", "heading"};
+  for_each_field([&](const auto& field, auto) { known.push_back(field.key); });
+  const auto meant = avo_io::nearest(key, known);
+  throw py::type_error(fmt::format("RobotSetup: found \"{}\", must be one of {}{}", key,
+                                   fmt::join(known, ", "),
+                                   meant ? fmt::format("; did you mean \"{}\"?", *meant) : ""));
+}
+
+void set(Setup& setup, const std::string& key, const py::handle& given) {
+  bool is_known = key == "heading";
+  if (is_known) setup.heading = value_of<double>(key, given);
+  for_each_field([&](const auto& field, auto member) {
+    if (field.key != key) return;
+    is_known = true;
+    setup.*member = value_of<std::decay_t<decltype(setup.*member)>>(key, given);
+  });
+  if (!is_known) refuse_key(key);
+}
+
+Setup made_of(const py::kwargs& given) {
+  Setup setup;
+  for_each_field([&](const auto& field, auto) {
+    if (field.is_required && !given.contains(std::string(field.key).c_str()))
+      throw py::type_error(fmt::format("RobotSetup: found no {}, must be given", field.key));
+  });
+  bool has_preferred = false;
+  for (const auto& [name, value] : given) {
+    const auto key = name.cast<std::string>();
+    if (key == "model") continue;  // its default offset depends on the radius
+    if (key == "preferred_speed" && value.is_none()) continue;
+    has_preferred = has_preferred || key == "preferred_speed";
+    set(setup, key, value);
+  }
+  if (!has_preferred) setup.preferred_speed = setup.max_speed;
+  if (given.contains("model"))
+    setup.model = with_offset(value_of<avo::MotionModel>("model", given["model"]), setup.radius);
+  return setup;
+}
+
+}  // namespace
+
+py::object Plain<Setup>::of(const Setup& setup) {
+  py::list values;
+  values.append(setup.model);
+  values.append(setup.heading);
+  for_each_field([&](const auto&, auto member) { values.append(setup.*member); });
+  return py::tuple(values);
+}
+
+Setup Plain<Setup>::from(const py::handle& plain) {
+  const auto values = plain.cast<py::tuple>();
+  std::size_t number = 2;
+  for_each_field([&](const auto&, auto) { ++number; });
+  if (values.size() != number) refuse_pickle();
+  Setup setup;
+  setup.model = values[0].cast<avo::MotionModel>(), setup.heading = values[1].cast<double>();
+  std::size_t k = 2;
+  for_each_field([&](const auto&, auto member) {
+    setup.*member = values[k++].template cast<std::decay_t<decltype(setup.*member)>>();
+  });
+  return setup;
+}
+
+void bind_setup(py::module_& module) {
+  py::class_<Setup> setup(module, "RobotSetup", "What a scene says of a robot.");
+  std::string all = "Arguments by name, as in scene files. model: how it moves; heading: rad.";
+  for_each_field([&](const auto& field, auto member) {
+    std::string text(field.unit);
+    text.append(text.empty() ? "" : ", ").append(field.doc);
+    if (!field.default_text.empty()) text += fmt::format("; by default {}", field.default_text);
+    setup.def_readwrite(std::string(field.key).c_str(), member, text.c_str());
+    all += fmt::format(" {}: {}.", field.key, text);
+  });
+  setup.def(pickled<Setup>())
+      .def(py::init(&made_of), all.c_str())
+      .def_property(
+          "model", [](const Setup& own) { return own.model; },
+          [](Setup& own, avo::MotionModel model) { own.model = with_offset(model, own.radius); },
+          "how it moves: Car, DifferentialDrive, Airplane, or None: holonomic")
+      .def_readwrite("heading", &Setup::heading, "rad, counter-clockwise from +x");
+}
+
+}  // namespace avo_python
