@@ -6,6 +6,7 @@ usage: check.py static BUILD      the finished build BUILD, installed and moved 
        check.py shared BUILD      a build with BUILD_SHARED_LIBS=ON, likewise
        check.py parent BUILD      a project that adds the sources, with a shared library
        check.py libcxx BUILD      the same with a static one, by clang and libc++, from scratch
+       check.py odr BUILD         no two types of one name in the library, as linking with -flto sees them
        check.py fused BUILD       no fused multiply-add in the library of BUILD, nor in a build with -march=x86-64-v3
 
 Shared and parent have the settings of BUILD and take its objects where they would be compiled by the
@@ -180,6 +181,29 @@ def check_fused(arguments):
         expect_none_fused(build / unit)
 
 
+def check_odr(arguments):
+    """With its inline namespaces, each layer may use one name for a type of its own. Linking compares all the types."""
+    build = arguments.folder / "build"
+    flags = "-O0 -flto=2 -Wodr -Werror=odr"
+    configure(arguments, ROOT, build, "-DCMAKE_BUILD_TYPE=Debug", f"-DCMAKE_CXX_FLAGS_DEBUG={flags}", "-DAVO_TESTS=OFF",
+              "-DAVO_CLI=OFF", "-DAVO_C=OFF", "-DAVO_SIMD=OFF", "-DBUILD_SHARED_LIBS=ON")
+    build_all(build)
+    expect_finds_two_types(arguments, flags.split())
+    print("odr: one type of each name in the library")
+
+
+def expect_finds_two_types(arguments, flags):
+    """What the check looks for is found where it is."""
+    for member in ("double", "float"):
+        (arguments.folder / f"{member}.cpp").write_text(
+            f"struct Twice {{ {member} value; Twice(); virtual ~Twice(); }};\n"
+            f"Twice* make_{member}() {{ return new Twice; }}\n")
+    files = [arguments.folder / f"{member}.cpp" for member in ("double", "float")]
+    done = subprocess.run([arguments.compiler, *flags, "-shared", "-fPIC", *files, "-o", arguments.folder / "twice.so"],
+                          capture_output=True, text=True)
+    expect(done.returncode != 0 and "odr" in done.stderr, f"two types were not found: {done.stderr}")
+
+
 def expect_none_fused(file):
     code = run("objdump", "-d", "--no-show-raw-insn", file)
     expect(code.count("\tmulsd") + code.count("\tvmulsd") > 10, f"{file}: no code was found")
@@ -190,7 +214,7 @@ def expect_none_fused(file):
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__.split("\n\n")[0])
-    parser.add_argument("kind", choices=["static", "shared", "parent", "libcxx", "fused"])
+    parser.add_argument("kind", choices=["static", "shared", "parent", "libcxx", "odr", "fused"])
     parser.add_argument("build", type=pathlib.Path)
     parser.add_argument("--folder", type=pathlib.Path, default=ROOT / "build" / "packages")
     parser.add_argument("--compiler", default="c++")
@@ -200,7 +224,7 @@ def main():
     shutil.rmtree(arguments.folder, ignore_errors=True)
     arguments.folder.mkdir(parents=True)
     {"static": check_static, "shared": check_shared, "parent": check_parent,
-     "libcxx": check_libcxx, "fused": check_fused}[arguments.kind](arguments)
+     "libcxx": check_libcxx, "odr": check_odr, "fused": check_fused}[arguments.kind](arguments)
 
 
 if __name__ == "__main__":
