@@ -236,6 +236,13 @@ avo_result avo_simulation_unreachable(avo_simulation_id simulation, avo_robot_id
       [&] { list(simulations.at(simulation).simulation.unreachable(), buffer, capacity, count); });
 }
 
+avo_result avo_simulation_moving_obstacle_ids(avo_simulation_id simulation,
+                                              avo_moving_obstacle_id* buffer, size_t capacity,
+                                              size_t* count) {
+  return guarded(
+      [&] { list(simulations.at(simulation).simulation.obstacles().id, buffer, capacity, count); });
+}
+
 avo_result avo_simulation_obstacles(avo_simulation_id simulation, avo_obstacle_id* buffer,
                                     size_t capacity, size_t* count) {
   return guarded([&] {

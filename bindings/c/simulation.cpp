@@ -50,12 +50,21 @@ avo::RobotId number_of(const Simulation& simulation, avo_robot_id robot) {
   return from_c(robot);
 }
 
+// The id among those that are there; in C they begin with 1.
+template <typename Id>
+Id among(std::span<const Id> ids, std::uint64_t number) {
+  for (const Id id : ids)
+    if (id.value + 1 == number) return id;
+  fail(AVO_ERROR_INVALID_ID,
+       "obstacle: found " + std::to_string(number) + ", must be the id of one that is there");
+}
+
 avo::ObstacleId number_of(const Simulation& simulation, avo_obstacle_id obstacle) {
-  for (const avo::ObstacleId id : simulation.simulation.static_obstacles().id) {
-    if (id.value + 1 == obstacle.value) return id;
-  }
-  fail(AVO_ERROR_INVALID_ID, "obstacle: found " + std::to_string(obstacle.value) +
-                                 ", must be the id of one that is there");
+  return among(simulation.simulation.static_obstacles().id, obstacle.value);
+}
+
+avo::MovingObstacleId number_of(const Simulation& simulation, avo_moving_obstacle_id obstacle) {
+  return among(simulation.simulation.obstacles().id, obstacle.value);
 }
 
 }  // namespace
@@ -124,6 +133,50 @@ avo_result avo_simulation_move_robot(avo_simulation_id simulation, avo_robot_id 
                                      avo_vec2 position) {
   return changed(simulation, [&](Simulation& own) {
     own.simulation.move_robot(number_of(own, robot), from_c(position));
+  });
+}
+
+avo_result avo_simulation_change_robot(avo_simulation_id simulation, avo_robot_id robot,
+                                       const avo_robot_def* def) {
+  return repopulated(simulation, [&](Simulation& own) {
+    const avo_robot_def known = read(def, {"def"}, avo_default_robot_def());
+    own.simulation.change_robot(number_of(own, robot), setup_of(known, {"robot"}));
+  });
+}
+
+avo_result avo_simulation_set_preferred_velocity(avo_simulation_id simulation, avo_robot_id robot,
+                                                 const avo_vec2* velocity) {
+  return changed(simulation, [&](Simulation& own) {
+    own.simulation.set_preferred_velocity(
+        number_of(own, robot),
+        velocity != nullptr ? std::optional(from_c(*velocity)) : std::nullopt);
+  });
+}
+
+avo_result avo_simulation_add_moving_obstacle(avo_simulation_id simulation,
+                                              const avo_moving_obstacle_def* def,
+                                              avo_moving_obstacle_id* obstacle) {
+  return changed(simulation, [&](Simulation& own) {
+    avo_moving_obstacle_id& id = at(obstacle, "obstacle");
+    const avo_moving_obstacle_def known = read(def, {"def"}, avo_default_moving_obstacle_def());
+    id = {own.simulation.add_moving_obstacle(obstacle_of(known, {"moving_obstacle"})).value + 1};
+  });
+}
+
+avo_result avo_simulation_change_moving_obstacle(avo_simulation_id simulation,
+                                                 avo_moving_obstacle_id obstacle,
+                                                 const avo_moving_obstacle_def* def) {
+  return changed(simulation, [&](Simulation& own) {
+    const avo_moving_obstacle_def known = read(def, {"def"}, avo_default_moving_obstacle_def());
+    own.simulation.change_moving_obstacle(number_of(own, obstacle),
+                                          obstacle_of(known, {"moving_obstacle"}));
+  });
+}
+
+avo_result avo_simulation_remove_moving_obstacle(avo_simulation_id simulation,
+                                                 avo_moving_obstacle_id obstacle) {
+  return changed(simulation, [&](Simulation& own) {
+    own.simulation.remove_moving_obstacle(number_of(own, obstacle));
   });
 }
 

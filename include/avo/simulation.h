@@ -29,6 +29,12 @@ struct ObstacleId {
   friend constexpr bool operator==(ObstacleId, ObstacleId) = default;
 };
 
+/// Stable name of a moving obstacle; never reused within a simulation.
+struct MovingObstacleId {
+  std::uint64_t value = 0;  ///< moving obstacles of the scenario are 0, 1, ... in its order
+  friend constexpr bool operator==(MovingObstacleId, MovingObstacleId) = default;
+};
+
 /// Columns of a FleetView. Each costs a copy of the fleet's, once a generation.
 enum class Columns : std::uint16_t {
   id = 1,
@@ -78,13 +84,13 @@ struct RobotState {
   double applied_acceleration = 0.0;  ///< m/s^2, see FleetView
 };
 
-/// Columns of the moving obstacles, in the order of the scene. They are valid as long as a
-/// FleetView.
+/// Columns of the moving obstacles, by ascending id. They are valid as long as a FleetView.
 struct ObstacleView {
   std::span<const Vec2> position;
   std::span<const Vec2> velocity;
   std::span<const MovingObstacle> setup;
   std::span<const std::uint32_t> target;  ///< index of the point of its path that it moves to
+  std::span<const MovingObstacleId> id;
 };
 
 /// By ascending id. Valid until the next call that changes the simulation.
@@ -158,6 +164,32 @@ class AVO_API Simulation {
   /// throws.
   void move_robot(RobotId robot, Vec2 position);
 
+  /// Changes what the robot can do and how it behaves: all of its setup but its state, goal, model,
+  /// time_step and parked. These are not read, except that another model or time_step, and a parked
+  /// robot, are refused. Others know the new values at once. Throws Error as add_robot() does on
+  /// values that break what the certificate assumes: a larger disc, other brakes or other layers
+  /// where the robot is now. A robot that is faster than its new max_speed slows down, and others
+  /// allow for that. The robot keeps what it remembers. Changes nothing where it throws.
+  void change_robot(RobotId robot, const RobotSetup& setup);
+  /// Sets the preferred velocity, m/s, that the robot has from now on, in place of a route to its
+  /// goal; none: it goes to its goal again. Meanwhile the robot has no goal: is_at_goal() is false,
+  /// and it takes no part in the rules for passages and goals. The certificate holds as before.
+  /// Throws Error if there is no such robot, it is parked, or the velocity is not finite.
+  void set_preferred_velocity(RobotId robot, std::optional<Vec2> velocity);
+  /// The one that set_preferred_velocity() gave to the robot (an index into fleet()).
+  [[nodiscard]] std::optional<Vec2> preferred_velocity(std::size_t robot) const;
+  /// A moving obstacle comes: a person, a vehicle, or a player whom the host moves. With a
+  /// trajectory it is where the trajectory says at the present time. Throws Error on bad values
+  /// (see validate). Under a certificate it also throws Error, with the arithmetic, on one that
+  /// some robot cannot keep clear of. Changes nothing where it throws.
+  MovingObstacleId add_moving_obstacle(const MovingObstacle& obstacle);
+  /// Changes the moving obstacle: its place, velocity, radius, limits and path are those of
+  /// `obstacle` from now on. Robots count on no more than max_deviation and max_speed say. What the
+  /// host changes faster than they allow, as a player that turns at once, robots evade as well as
+  /// they can, and nothing is promised of it. Throws Error on bad values, and if there is none of
+  /// that id. Changes nothing where it throws.
+  void change_moving_obstacle(MovingObstacleId id, const MovingObstacle& obstacle);
+  void remove_moving_obstacle(MovingObstacleId id);  ///< throws Error if there is none of that id
   /// A door closes: from the next step on no robot may touch the obstacle. Throws Error on bad
   /// values (see validate). Under a certificate it also throws Error, with the arithmetic, on an
   /// obstacle that some robot would touch if it braked at once. The same holds for an obstacle that
@@ -179,9 +211,9 @@ class AVO_API Simulation {
   /// sums of measure(), Metrics, plan and applied_acceleration of fleet(). The last two are
   /// value-initialized until the next step. Throws Error where a step ended in the midst.
   [[nodiscard]] std::vector<std::byte> save() const;
-  /// Goes back, or forth, to a state that this simulation or another one of the same settings and
-  /// moving obstacles has saved: a rollback, which keeps the threads. Robots, goals, static
-  /// obstacles and ids become those that were saved; ids that were given since may come again.
+  /// Goes back, or forth, to a state that this simulation or another one of the same settings has
+  /// saved: a rollback, which keeps the threads. Robots, goals, obstacles and ids become those that
+  /// were saved; ids that were given since may come again.
   /// Static obstacles that differ from the present ones cost as much as an edit. Throws Error on
   /// bytes that are cut off, changed, of another version of the library or of another scene;
   /// changes nothing where it throws. It repairs a simulation in which a step ended in the midst.

@@ -111,12 +111,17 @@ void collect_obstacles(const ObstacleView& now, const BodyStep& step,
                        std::vector<Body>& obstacles) {
   const LastSeen& last = step.last;
   obstacles.clear();
-  for (std::size_t k = 0; k < now.setup.size() && k < last.obstacles.size(); ++k) {
+  auto before = last.obstacles.begin();  // ids ascend in both
+  for (std::size_t k = 0; k < now.setup.size(); ++k) {
+    const std::uint64_t id = now.id[k].value;
+    while (before != last.obstacles.end() && before->id < id) ++before;
+    if (before == last.obstacles.end()) break;
+    if (before->id != id) continue;  // it has just come
     Body body;
-    body.name = k;
+    body.name = id;
     body.radius = now.setup[k].radius;
-    body.position = last.obstacles[k].position;
-    body.velocity = last.obstacles[k].velocity;
+    body.position = before->position;
+    body.velocity = before->velocity;
     const bool is_straight = !now.setup[k].trajectory.empty();
     body.exact = step.moves && now.setup[k].acceleration == Vec2{} && now.setup[k].path.empty();
     Vec2 end_velocity = now.velocity[k];

@@ -8,16 +8,14 @@
 
 namespace avo::inline metrics {
 
-MoverSights::MoverSights(const Scenario& scenario)
-    : certified_(some_keep_certificate(scenario)),
-      has_movers_(!scenario.moving_obstacles.empty()) {}
+MoverSights::MoverSights(const Scenario& scenario) : certified_(some_keep_certificate(scenario)) {}
 
 // Only a robot with a new obstacle in reach is asked what it senses: most steps cost distances
 // alone.
 void MoverSights::observe(const Simulation& simulation) {
-  if (!certified_ || !has_movers_) return;
-  const FleetView fleet = simulation.fleet();
   const ObstacleView movers = simulation.obstacles();
+  if (!certified_ || (movers.id.empty() && sights_.empty())) return;
+  const FleetView fleet = simulation.fleet();
   const double reach = simulation.sensing_radius();
   for (std::size_t i = 0; i < fleet.id.size(); ++i) {
     if (fleet.setup[i].parked) continue;
@@ -27,7 +25,7 @@ void MoverSights::observe(const Simulation& simulation) {
     near_.clear();
     for (std::size_t k = 0; k < movers.position.size(); ++k) {
       const double squared = norm_squared(movers.position[k] - fleet.position[i]);
-      if (squared <= reach * reach) near_.push_back(k);
+      if (squared <= reach * reach) near_.push_back(movers.id[k].value);
     }
     const bool is_as_before =
         std::equal(near_.begin(), near_.end(), sights.begin(), sights.end(),
@@ -39,9 +37,10 @@ void MoverSights::observe(const Simulation& simulation) {
 void MoverSights::look(const Simulation& simulation, std::size_t robot,
                        std::map<std::uint64_t, bool>& sights) {
   const Simulation::Perception seen = simulation.perceive(robot);
+  const ObstacleView movers = simulation.obstacles();
   sensed_.clear();
   for (const std::int64_t source : seen.source)
-    if (source < 0) sensed_.push_back(static_cast<std::uint64_t>(-1 - source));
+    if (source < 0) sensed_.push_back(movers.id[static_cast<std::size_t>(-1 - source)].value);
   std::sort(sensed_.begin(), sensed_.end());
   std::erase_if(sights, [&](const auto& sight) {
     return !std::binary_search(sensed_.begin(), sensed_.end(), sight.first);

@@ -23,7 +23,7 @@ class MoverSights {
 
   /// Observes what the robots that decide now sense now.
   void observe(const Simulation& simulation);
-  /// Takes robots (RobotId) and moving obstacles (index) that first touched in the step before.
+  /// Takes robots (RobotId) and moving obstacles (id) that first touched in the step before.
   void take_hits(std::span<const std::pair<std::uint64_t, std::uint64_t>> hits);
   /// Hits of robots that had a way out; none without a certificate.
   [[nodiscard]] std::optional<std::int64_t> evadable() const;
@@ -31,9 +31,10 @@ class MoverSights {
  private:
   void look(const Simulation& simulation, std::size_t robot, std::map<std::uint64_t, bool>& sights);
 
-  bool certified_ = false, has_movers_ = false;
-  std::map<std::uint64_t, std::map<std::uint64_t, bool>> sights_;  // by RobotId and index
-  std::vector<std::uint64_t> near_, sensed_;                       // scratch memory
+  bool certified_ = false;
+  std::map<std::uint64_t, std::map<std::uint64_t, bool>>
+      sights_;                                // by RobotId and MovingObstacleId
+  std::vector<std::uint64_t> near_, sensed_;  // scratch memory
   std::int64_t evadable_ = 0;
   PlanWorkspace workspace_;
 };

@@ -28,7 +28,8 @@ void LastSeen::look_at(const Simulation& simulation, const FleetView& fleet) {
   const ObstacleView seen = simulation.obstacles();
   obstacles.clear();
   for (std::size_t k = 0; k < seen.setup.size(); ++k) {
-    obstacles.push_back({seen.position[k], seen.velocity[k], seen.setup[k].radius});
+    obstacles.push_back(
+        {seen.id[k].value, seen.position[k], seen.velocity[k], seen.setup[k].radius});
   }
 }
 
@@ -55,7 +56,8 @@ NotArrived LastSeen::describe(std::size_t robot, std::span<const RobotSetup> set
     consider(robots[i].position, setups[i].radius, static_cast<std::int64_t>(robots[i].id.value));
   }
   for (std::size_t k = 0; k < obstacles.size(); ++k) {
-    consider(obstacles[k].position, obstacles[k].radius, -1 - static_cast<std::int64_t>(k));
+    consider(obstacles[k].position, obstacles[k].radius,
+             -1 - static_cast<std::int64_t>(obstacles[k].id));
   }
   std::sort(near.begin(), near.end());
   for (std::size_t k = 0; k < std::min(near.size(), kMostHeld); ++k) {

@@ -22,6 +22,7 @@ struct LastSeen {
   std::vector<Simulation::Wait> wait;  // of robots at rest that wait
   std::vector<std::size_t> waiting;    // indices of these robots, ascending
   struct Obstacle {
+    std::uint64_t id;
     Vec2 position, velocity;
     double radius;
   };

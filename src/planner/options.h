@@ -40,8 +40,8 @@ template <>
 AVO_LOCAL inline constexpr std::array kNames<PlanStatus>{
     "optimal", "least_unsafe", "refused", "braking", "overlapping", "invalid_input", "detour"};
 template <>
-AVO_LOCAL inline constexpr std::array kNames<Guide>{"route", "lane",  "passage",
-                                                    "back",  "mover", "place"};
+AVO_LOCAL inline constexpr std::array kNames<Guide>{"route", "lane",  "passage", "back",
+                                                    "mover", "place", "host"};
 template <>
 AVO_LOCAL inline constexpr std::array kNames<WishRule>{
     "none", "steers", "keeps_right", "yields", "settles", "leaves_wall", "in_cell"};

@@ -80,7 +80,8 @@ void collect_claims(const World& world, Executor& executor, Claims& claims) {
     own.reserve(kMostClaims * (robots / parts + 1));
     for (std::size_t k = part * robots / parts; k < (part + 1) * robots / parts; ++k) {
       const std::uint32_t slot = world.fleet.slot_of[k];
-      if (!world.fleet.conduct[slot].parked) append_claims(world, slot, own);
+      if (world.fleet.conduct[slot].parked || world.fleet.told_velocity(slot)) continue;
+      append_claims(world, slot, own);
     }
   });
   std::vector<std::uint32_t>& first = claims.first;

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// Changes by users between steps: robots, goals, static obstacles. Each function throws Error on
+// Changes by users between steps: robots, goals, obstacles. Each function throws Error on
 // bad input, and changes nothing where it throws.
 #pragma once
+#include <optional>
+
 #include "avo/simulation.h"
 
 namespace avo::inline sim {
@@ -12,6 +14,11 @@ RobotId add_robot(World& world, const RobotSetup& setup);
 void remove_robot(World& world, RobotId robot);
 void set_goal(World& world, RobotId robot, Vec2 goal);
 void move_robot(World& world, RobotId robot, Vec2 position);
+void change_robot(World& world, RobotId robot, const RobotSetup& setup);
+void set_preferred_velocity(World& world, RobotId robot, std::optional<Vec2> velocity);
+MovingObstacleId add_moving_obstacle(World& world, const MovingObstacle& obstacle);
+void change_moving_obstacle(World& world, MovingObstacleId id, const MovingObstacle& obstacle);
+void remove_moving_obstacle(World& world, MovingObstacleId id);
 ObstacleId add_obstacle(World& world, const StaticObstacle& obstacle);
 void remove_obstacle(World& world, ObstacleId obstacle);
 

@@ -80,6 +80,7 @@ void Fleet::add(RobotId robot, const RobotSetup& setup, const OwnPace& own_pace)
   }
   if (!flights.empty() || passes_goal(setup.model)) flights.resize(slot + 1);
   if (!pace.empty() || !(own_pace == OwnPace{})) pace.resize(slot + 1);
+  if (!told.empty()) told.resize(slot + 1);
   for_each_column([&](auto& column) { column.resize(slot + 1); });
   id[slot] = robot;
   rank[slot] = static_cast<int>(slot);
@@ -96,6 +97,16 @@ void Fleet::add(RobotId robot, const RobotSetup& setup, const OwnPace& own_pace)
   slot_of.push_back(static_cast<std::uint32_t>(slot));
 }
 
+void Fleet::change(std::size_t slot, const RobotSetup& setup, const OwnPace& own_pace) {
+  const auto own = static_cast<std::size_t>(rank[slot]);
+  if (pace.empty() && !(own_pace == OwnPace{})) pace.resize(size());
+  if (!pace.empty()) pace[own] = own_pace;
+  traits[slot] = traits_of(setup);
+  conduct[slot] = conduct_of(setup, method);
+  nearest[slot] = std::numeric_limits<float>::infinity();
+  if (!models.empty()) own_radius[own] = setup.radius;
+}
+
 void Fleet::remove(std::size_t slot) {
   slot_of.erase(slot_of.begin() + rank[slot]);
   if (!models.empty()) {
@@ -105,6 +116,7 @@ void Fleet::remove(std::size_t slot) {
   if (!flights.empty()) flights.erase(flights.begin() + rank[slot]);
   if (has_clocks) clock.erase(clock.begin() + rank[slot]);
   if (!pace.empty()) pace.erase(pace.begin() + rank[slot]);
+  if (!told.empty()) told.erase(told.begin() + rank[slot]);
   const std::size_t last = size() - 1;  // it takes over the slot
   for (auto k = static_cast<std::size_t>(rank[slot]); k < slot_of.size(); ++k) --rank[slot_of[k]];
   if (slot != last)

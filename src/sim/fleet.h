@@ -140,11 +140,16 @@ struct Fleet {
   std::vector<MotionModel> models;  // by rank; empty where all are holonomic
   std::vector<double> own_radius;   // m, from their setups, by rank; empty where all are holonomic
   std::vector<Flight> flights;      // by rank; empty where there are no airplanes
+  // m/s, preferred velocities that the host gave, by rank; empty where it gave none
+  std::vector<std::optional<Vec2>> told;
 
   std::size_t size() const { return id.size(); }
   void reserve(std::size_t count);
   void add(RobotId robot, const RobotSetup& setup, const OwnPace& own_pace = {});
   void remove(std::size_t slot);
+  /// Takes all of the setup but its state, goal, model and clock. It may throw bad_alloc before any
+  /// change.
+  void change(std::size_t slot, const RobotSetup& setup, const OwnPace& own_pace);
   /// The discs of parked robots, in the order of their ids.
   std::vector<Wall> parked_discs() const;
   /// Slot of the robot.
@@ -202,6 +207,10 @@ struct Fleet {
   std::optional<Expectation> expected(std::size_t b, std::size_t a) const {
     if (conduct[a].parked || conduct[b].parked) return std::nullopt;
     return expected_of(conduct[b], conduct[a]);
+  }
+  /// m/s, the preferred velocity that the host gave to the robot.
+  std::optional<Vec2> told_velocity(std::size_t slot) const {
+    return told.empty() ? std::nullopt : told[static_cast<std::size_t>(rank[slot])];
   }
   /// The robot in the view of others with that expectation.
   Neighbor sensed(std::size_t slot, Expectation expected = Expectation::decides) const;

@@ -1,20 +1,49 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "sim/obstacle_columns.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
 #include <optional>
+#include <string>
+
+#include "avo/error.h"
 
 namespace avo::inline sim {
 
-ObstacleColumns::ObstacleColumns(const std::vector<MovingObstacle>& obstacles)
-    : setup(obstacles), target(obstacles.size(), 0) {
-  for (const MovingObstacle& obstacle : obstacles) {
-    position.push_back(obstacle.position);
-    velocity.push_back(obstacle.velocity);
-    has_paths = has_paths || !obstacle.path.empty();
-  }
+ObstacleColumns::ObstacleColumns(const std::vector<MovingObstacle>& obstacles) {
+  for (const MovingObstacle& obstacle : obstacles)
+    add(obstacle, {obstacle.position, obstacle.velocity});
+}
+
+void ObstacleColumns::add(const MovingObstacle& obstacle, const PathWalk& start) {
+  setup.push_back(obstacle);
+  position.push_back(start.position), velocity.push_back(start.velocity);
+  target.push_back(start.target);
+  id.push_back({next_id++});
+  look_over();
+}
+
+void ObstacleColumns::remove(std::size_t index) {
+  const auto drop = [index](auto& column) {
+    column.erase(column.begin() + static_cast<std::ptrdiff_t>(index));
+  };
+  drop(setup), drop(position), drop(velocity), drop(target), drop(id);
+  look_over();
+}
+
+std::size_t ObstacleColumns::find(MovingObstacleId obstacle) const {
+  const auto place = std::find(id.begin(), id.end(), obstacle);
+  if (place == id.end())
+    throw Error("moving obstacle " + std::to_string(obstacle.value) + ": found none of that id");
+  return static_cast<std::size_t>(place - id.begin());
+}
+
+void ObstacleColumns::look_over() {
+  has_paths = std::any_of(setup.begin(), setup.end(),
+                          [](const MovingObstacle& one) { return !one.path.empty(); });
+  foresight = {};
 }
 
 namespace {

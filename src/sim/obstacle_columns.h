@@ -8,6 +8,7 @@
 
 #include "avo/robot.h"
 #include "avo/scenario.h"
+#include "avo/simulation.h"
 #include "avo/trajectory.h"
 #include "avo/wall.h"
 
@@ -29,11 +30,20 @@ struct ObstacleColumns {
   std::vector<MovingObstacle> setup;
   std::vector<Vec2> position, velocity;
   std::vector<std::uint32_t> target;  // see PathWalk
-  std::int64_t steps = 0;             // of the run, where the clock is common
-  bool has_paths = false;             // whether some have a path
+  std::vector<MovingObstacleId> id;   // ascending
+  std::uint64_t next_id = 0;
+  std::int64_t steps = 0;  // of the run, where the clock is common
+  bool has_paths = false;  // whether some have a path
   Foresight foresight;
 
   explicit ObstacleColumns(const std::vector<MovingObstacle>& obstacles);
+  /// Adds one in that state. Call it on a copy: it may throw in the midst.
+  void add(const MovingObstacle& obstacle, const PathWalk& start);
+  void remove(std::size_t index);
+  /// Throws Error if there is none.
+  std::size_t find(MovingObstacleId obstacle) const;
+  /// Some values follow from the setups: call it after a change.
+  void look_over();
   Neighbor sensed(std::size_t index) const;
   /// The discs of the obstacles that are at rest, or nearly, and are not known to move again.
   std::vector<Wall> resting() const;

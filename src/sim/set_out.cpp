@@ -130,6 +130,18 @@ void set_courses(const Fleet& fleet, std::span<const std::uint32_t> slots, Worke
   }
 }
 
+// Robots whose preferred velocity the host gave do not come to rest at a goal.
+void take_told(const Fleet& fleet, std::span<const std::uint32_t> slots, Worker& worker) {
+  RobotColumns& robots = worker.tile.robots;
+  for (std::size_t k = 0; k < slots.size(); ++k) {
+    const std::optional<Vec2> v = fleet.told_velocity(slots[k]);
+    if (!v) continue;
+    robots.preferred_x[k] = v->x, robots.preferred_y[k] = v->y;
+    robots.distance_to_goal[k] = std::numeric_limits<double>::infinity();
+    if (worker.told != nullptr) *worker.told = Guide::host;
+  }
+}
+
 void break_ties(const Fleet& fleet, Tile& tile) {
   const NeighborColumns& columns = tile.neighbors;
   for (std::size_t k = 0; k < tile.slot.size(); ++k) {
@@ -192,6 +204,7 @@ void set_out(const World& world, const Pace& pace, const Claims& claims,
     aim_discs(world, slots, worker);
   choose_ways(pace.response, worker.moving, robots);
   if (!fleet.flights.empty()) set_courses(fleet, slots, worker);
+  if (!fleet.told.empty()) take_told(fleet, slots, worker);
 }
 
 }  // namespace avo::inline sim

@@ -68,7 +68,8 @@ class Sharing {
   explicit Sharing(const World& world) : fleet_(world.fleet) {
     for (std::uint32_t slot = 0; slot < fleet_.size(); ++slot) {
       goals_.push_back(world.end_of(slot));
-      if (!fleet_.conduct[slot].parked && fleet_.flight(slot) == nullptr) slots_.push_back(slot);
+      if (fleet_.conduct[slot].parked || fleet_.flight(slot) != nullptr) continue;
+      if (!fleet_.told_velocity(slot)) slots_.push_back(slot);
     }
     along_y_ = are_along_y(goals_);
     std::sort(slots_.begin(), slots_.end(), [&](std::uint32_t a, std::uint32_t b) {

@@ -118,6 +118,32 @@ void Simulation::set_goal(RobotId robot, Vec2 goal) {
   state_->forget_views_of(robot);
 }
 
+void Simulation::change_robot(RobotId robot, const RobotSetup& setup) {
+  avo::change_robot(*state_, robot, setup);
+  state_->forget_robots();
+}
+
+void Simulation::set_preferred_velocity(RobotId robot, std::optional<Vec2> velocity) {
+  avo::set_preferred_velocity(*state_, robot, velocity);
+  state_->forget_views_of(robot);
+}
+
+MovingObstacleId Simulation::add_moving_obstacle(const MovingObstacle& obstacle) {
+  const MovingObstacleId id = avo::add_moving_obstacle(*state_, obstacle);
+  state_->forget_views();
+  return id;
+}
+
+void Simulation::change_moving_obstacle(MovingObstacleId id, const MovingObstacle& obstacle) {
+  avo::change_moving_obstacle(*state_, id, obstacle);
+  state_->forget_views();
+}
+
+void Simulation::remove_moving_obstacle(MovingObstacleId id) {
+  avo::remove_moving_obstacle(*state_, id);
+  state_->forget_views();
+}
+
 ObstacleId Simulation::add_obstacle(const StaticObstacle& obstacle) {
   const ObstacleId id = avo::add_obstacle(*state_, obstacle);
   state_->forget_views();
@@ -178,6 +204,7 @@ bool Simulation::decided(std::size_t robot) const {
 bool Simulation::is_at_goal(std::size_t robot) const {
   const std::uint32_t slot = state_->fleet.slot_of[robot];
   if (state_->fleet.conduct[slot].parked) return true;
+  if (state_->fleet.told_velocity(slot)) return false;
   if (const Flight* flight = state_->fleet.flight(slot)) return flight->has_arrived;
   const Vec2 p = place_now(*state_, slot), goal = state_->fleet.goal[slot];
   const Ways& ways = state_->ways;

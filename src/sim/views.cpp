@@ -65,7 +65,12 @@ std::optional<std::size_t> Simulation::index_of(RobotId robot) const {
 
 ObstacleView Simulation::obstacles() const {
   const ObstacleColumns& o = state_->obstacles;
-  return {o.position, o.velocity, o.setup, o.target};
+  return {o.position, o.velocity, o.setup, o.target, o.id};
+}
+
+std::optional<Vec2> Simulation::preferred_velocity(std::size_t robot) const {
+  const Fleet& fleet = state_->fleet;
+  return fleet.told_velocity(fleet.slot_of[robot]);
 }
 
 StaticObstacleView Simulation::static_obstacles() const {

@@ -90,6 +90,8 @@ Words guide_of(const Explanation& e) {
           nearest_of(e) < 0 ? Words() : Words(" with ") + name_of(e, {nearest_of(e), -1});
       return "it goes back out of a jam" + whom;
     }
+    case Guide::host:
+      return "it goes as it is told";
     case Guide::lane:
     case Guide::route:
       break;

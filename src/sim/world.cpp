@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <new>
 #include <utility>
 
 #include "core/plane.h"
@@ -130,6 +131,25 @@ World::World(const Scenario& scenario, std::shared_ptr<Executor> steps_by)
   start_clocks(*this, scenario);
   senses.note(fleet, steps);
   for (Worker& worker : workers) reserve(*this, worker);
+}
+
+std::vector<Pace> paces_among(const World& world, bool has_movers) {
+  std::vector<Pace> paces = world.paces;
+  for (Pace& pace : paces) {
+    PlannerOptions options = pace.planner.options();
+    if (options.wall_range == wall_range(has_movers)) continue;
+    options.wall_range = wall_range(has_movers);
+    pace = Pace(options);
+  }
+  return paces;
+}
+
+void World::reserve_workers() noexcept {
+  try {
+    for (Worker& worker : workers) reserve(*this, worker);
+  } catch (const std::bad_alloc&) {
+    return;
+  }
 }
 
 void find_walls(World& world) {

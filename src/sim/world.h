@@ -72,6 +72,11 @@ struct Pace {
       : planner(options), response(step_response(planner)) {}
 };
 
+/// The world's paces, where there are moving obstacles or not. Only where there are some do robots
+/// keep ways out, and see all walls within their reach.
+struct World;
+std::vector<Pace> paces_among(const World& world, bool has_movers);
+
 /// What a robot has in common with another one, where both may not be in one place.
 enum class Shares : std::uint8_t {
   nothing,
@@ -122,6 +127,8 @@ struct World {
   std::int64_t robot_steps = 0;  // measured
 
   World(const Scenario& scenario, std::shared_ptr<Executor> steps_by);
+  /// Reserves memory, so that steps allocate nothing. Without it they allocate where they must.
+  void reserve_workers() noexcept;
 
   const Planner& planner() const { return paces.front().planner; }
   /// The present moment of measurements, see Senses.

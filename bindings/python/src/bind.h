@@ -30,6 +30,8 @@ avo::Scenario scenario_of(const py::object& source, const py::object& overrides)
 /// Returns the model for a robot of that radius, m: a differential drive without an offset takes
 /// usual_offset().
 avo::MotionModel with_offset(avo::MotionModel model, double radius);
+/// Sets the fields of a setup that have a name among these; TypeError for another name or type.
+void set_fields(avo::RobotSetup& setup, const py::kwargs& given);
 /// Throws Error if a planner's robot has a differential drive without an offset.
 avo::MotionModel checked_offset(avo::MotionModel model);
 

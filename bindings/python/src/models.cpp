@@ -112,6 +112,24 @@ void bind_motion_models(py::module_& module) {
   bind_airplanes(module);
 }
 
+using TimedTuple = std::tuple<double, double, double>;  // s, m, m
+
+avo::MovingObstacle mover_of(avo::Vec2 position, avo::Vec2 velocity, avo::Vec2 acceleration,
+                             double radius, double max_deviation, std::optional<double> max_speed,
+                             std::vector<avo::Vec2> path,
+                             const std::vector<TimedTuple>& trajectory) {
+  avo::MovingObstacle mover{.position = position,
+                            .velocity = velocity,
+                            .acceleration = acceleration,
+                            .radius = radius,
+                            .max_deviation = max_deviation,
+                            .max_speed = max_speed,
+                            .path = std::move(path)};
+  for (const auto& [time, x, y] : trajectory) mover.trajectory.push_back({time, {x, y}});
+  start_on_trajectory(mover);
+  return mover;
+}
+
 void bind_walls(py::module_& module) {
   py::class_<avo::Wall>(module, "Wall", "All within `radius` of the segment from a to b.")
       .def(py::init([](avo::Vec2 a, avo::Vec2 b, double radius) {
@@ -153,6 +171,14 @@ void bind_walls(py::module_& module) {
   using Mover = avo::MovingObstacle;
   py::class_<Mover>(module, "MovingObstacle", "A disc that reacts to nobody.")
       .def(pickled<Mover>())
+      .def(py::init(&mover_of), py::kw_only(), arg("position"),
+           arg("velocity") = py::make_tuple(0.0, 0.0),
+           arg("acceleration") = py::make_tuple(0.0, 0.0), arg("radius") = 0.5,
+           arg("max_deviation") = 0.0, arg("max_speed") = py::none(),
+           arg("path") = std::vector<avo::Vec2>(), arg("trajectory") = std::vector<TimedTuple>(),
+           "position: (x, y), m; velocity: m/s; acceleration: m/s^2; radius: m, > 0; "
+           "max_deviation: m/s^2, >= 0; max_speed: m/s, > 0, None: unknown; path: list of (x, y), "
+           "m; trajectory: list of (time, x, y), s and m, which also says where it starts.")
       .def_readonly("position", &Mover::position, "(x, y), m, where it starts")
       .def_readonly("velocity", &Mover::velocity, "(x, y), m/s")
       .def_readonly("acceleration", &Mover::acceleration, "(x, y), m/s^2; 0 with max_speed")
@@ -167,7 +193,7 @@ void bind_walls(py::module_& module) {
       .def_property_readonly(
           "trajectory",
           [](const Mover& mover) {
-            std::vector<std::tuple<double, double, double>> places;
+            std::vector<TimedTuple> places;
             for (const auto& [time, position] : mover.trajectory)
               places.emplace_back(time, position.x, position.y);
             return places;

@@ -50,6 +50,14 @@ void set(Setup& setup, const std::string& key, const py::handle& given) {
   if (!is_known) refuse_key(key);
 }
 
+}  // namespace
+
+void set_fields(Setup& setup, const py::kwargs& given) {
+  for (const auto& [name, value] : given) set(setup, name.cast<std::string>(), value);
+}
+
+namespace {
+
 Setup made_of(const py::kwargs& given) {
   Setup setup;
   for_each_field([&](const auto& field, auto) {

@@ -75,6 +75,11 @@ avo::ObstacleId obstacle_id(std::int64_t id) {
   return {static_cast<std::uint64_t>(id)};
 }
 
+avo::MovingObstacleId mover_id(std::int64_t id) {
+  if (id < 0) throw avo::Error(fmt::format("moving obstacle {}: found none of that id", id));
+  return {static_cast<std::uint64_t>(id)};
+}
+
 template <typename F>
 auto told(F f) {
   return [f](SharedSimulation& self) { return self.briefly(f); };
@@ -197,6 +202,16 @@ void bind_state(SimulationClass& simulation) {
       });
 }
 
+void change_robot(SharedSimulation& self, std::int64_t id, const py::kwargs& given) {
+  std::optional<avo::RobotSetup> setup = self.briefly([&](const Simulation& s) {
+    const auto index = s.index_of(robot_id(id));
+    return index ? std::optional(s.setup(*index)) : std::nullopt;
+  });
+  if (setup) set_fields(*setup, given);
+  self.alone(
+      [&](Simulation& s) { s.change_robot(robot_id(id), setup.value_or(avo::RobotSetup{})); });
+}
+
 void bind_edits(SimulationClass& simulation) {
   simulation
       .def(
@@ -228,6 +243,39 @@ void bind_edits(SimulationClass& simulation) {
           arg("id"), arg("position"),
           "Puts it down at position, (x, y), m, at rest; it keeps its id. Raises Error as "
           "add_robot() does.")
+      .def("change_robot", &change_robot, arg("id"),
+           "Arguments by name, those of RobotSetup: what it can do and how it behaves from now on. "
+           "Others stay. Its state, goal, model, time_step and parked cannot be changed. Raises "
+           "Error "
+           "where the promise would break.")
+      .def(
+          "set_preferred_velocity",
+          [](SharedSimulation& self, std::int64_t id, std::optional<avo::Vec2> velocity) {
+            self.alone([&](Simulation& s) { s.set_preferred_velocity(robot_id(id), velocity); });
+          },
+          arg("id"), arg("velocity"),
+          "velocity: (x, y), m/s, in place of a route to its goal; None: to its goal again.")
+      .def(
+          "add_moving_obstacle",
+          [](SharedSimulation& self, const avo::MovingObstacle& obstacle) {
+            return self.alone([&](Simulation& s) { return s.add_moving_obstacle(obstacle).value; });
+          },
+          arg("obstacle"),
+          "A person, a vehicle or a player comes. Returns its id. Raises Error where some robot "
+          "cannot keep clear of it.")
+      .def(
+          "change_moving_obstacle",
+          [](SharedSimulation& self, std::int64_t id, const avo::MovingObstacle& obstacle) {
+            self.alone([&](Simulation& s) { s.change_moving_obstacle(mover_id(id), obstacle); });
+          },
+          arg("id"), arg("obstacle"),
+          "Its place, velocity, radius, limits and path are those of obstacle from now on.")
+      .def(
+          "remove_moving_obstacle",
+          [](SharedSimulation& self, std::int64_t id) {
+            self.alone([&](Simulation& s) { s.remove_moving_obstacle(mover_id(id)); });
+          },
+          arg("id"), "Its id is never used again.")
       .def(
           "add_obstacle",
           [](SharedSimulation& self, const avo::StaticObstacle& obstacle) {
@@ -277,6 +325,19 @@ void bind_inventory(SimulationClass& simulation) {
              return std::vector<avo::MovingObstacle>(setup.begin(), setup.end());
            }),
            "list of MovingObstacle, as the scene has them.")
+      .def("moving_obstacle_ids", told([](const Simulation& s) {
+             std::vector<std::uint64_t> ids;
+             for (const avo::MovingObstacleId id : s.obstacles().id) ids.push_back(id.value);
+             return ids;
+           }),
+           "Ids of moving_obstacles(), ascending; those of the scene are 0, 1, ...")
+      .def(
+          "preferred_velocity",
+          [](SharedSimulation& self, std::int64_t index) {
+            return self.briefly(
+                [&](const Simulation& s) { return s.preferred_velocity(checked(s, index)); });
+          },
+          arg("index"), "(x, y), m/s, that the host gave to the robot in that row; else None.")
       .def(
           "index_of",
           [](SharedSimulation& self, std::int64_t id) {

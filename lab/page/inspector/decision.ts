@@ -46,7 +46,7 @@ export interface Evasion {
 
 /** The stages of a decision. A null among causes is the robot's own motion; "walls.K" is of `walls` below. */
 export interface Trace {
-  guide: "route" | "lane" | "passage" | "back" | "mover" | "place";
+  guide: "route" | "lane" | "passage" | "back" | "mover" | "place" | "host";
   wish: Vec;
   rule: "none" | "steers" | "keeps_right" | "yields" | "settles" | "leaves_wall" | "in_cell";
   heeded: Source | null;

@@ -23,6 +23,10 @@ std::string name_of(ObstacleId obstacle) {
   return "obstacle " + std::to_string(obstacle.value);
 }
 
+std::string name_of(MovingObstacleId obstacle) {
+  return "moving obstacle " + std::to_string(obstacle.value);
+}
+
 void validate_as(const Scenario& scene, std::string_view place, const std::string& name) {
   retelling<Error>([&] { validate(scene); },
                    [&](const Error& error) {
@@ -128,13 +132,16 @@ void check_one_sided(const World& world, const RobotSetup& setup, RobotId robot)
   robots.push_back(setup);
   if (!find_impossible(robots)) return;
   robots.clear();  // all robots, to name the other one
-  for (const std::uint32_t slot : fleet.slot_of) robots.push_back(fleet.setup(slot));
-  robots.push_back(setup);
+  std::vector<RobotId> id;
+  for (const std::uint32_t slot : fleet.slot_of) {
+    if (fleet.id[slot] == robot) continue;  // as it was before a change
+    robots.push_back(fleet.setup(slot)), id.push_back(fleet.id[slot]);
+  }
+  robots.push_back(setup), id.push_back(robot);
   const auto pair = find_impossible(robots);
-  if (!pair || (pair->avoiding < fleet.size() && pair->avoided < fleet.size())) return;
-  const auto name_at = [&](std::size_t rank) {
-    return name_of(rank < fleet.size() ? fleet.id[fleet.slot_of[rank]] : robot);
-  };
+  const std::size_t own = robots.size() - 1;
+  if (!pair || (pair->avoiding != own && pair->avoided != own)) return;
+  const auto name_at = [&](std::size_t rank) { return name_of(id[rank]); };
   refuse(name_at(pair->avoiding) + ": avoids", name_at(pair->avoided) + ", which does not avoid it",
          "both or neither: " + std::string(pair->reason));
 }
@@ -178,11 +185,15 @@ void check_certificate(const World& world, const StaticObstacle& obstacle,
 
 }  // namespace
 
-void check_newcomer(const World& world, const RobotSetup& setup, RobotId robot) {
+void check_company(const World& world, const RobotSetup& setup, RobotId robot) {
   check_sensing(world, setup, robot);
   check_declared(world, setup, robot);
   check_flights(world, setup, robot);
   check_one_sided(world, setup, robot);
+}
+
+void check_newcomer(const World& world, const RobotSetup& setup, RobotId robot) {
+  check_company(world, setup, robot);
   check_start(world, setup, robot);
 }
 

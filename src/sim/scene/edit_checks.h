@@ -13,6 +13,7 @@ struct World;
 
 std::string name_of(RobotId robot);
 std::string name_of(ObstacleId obstacle);
+std::string name_of(MovingObstacleId obstacle);
 
 /// The world's settings for a scene of these robots.
 Scenario settings_for(const World& world, std::span<const RobotSetup> robots);
@@ -21,12 +22,17 @@ Scenario settings_for(const World& world, std::span<const RobotSetup> robots);
 void validate_as(const Scenario& scene, std::string_view place, const std::string& name);
 /// Refuses values that no robot may have; among_walls: beside an obstacle.
 void check_values(const World& world, const RobotSetup& setup, RobotId robot, bool among_walls);
+/// Checks a robot beside the present ones, wherever it starts; its own kind is not among theirs.
+void check_company(const World& world, const RobotSetup& setup, RobotId robot);
 /// Checks a robot that is added to the present ones.
 void check_newcomer(const World& world, const RobotSetup& setup, RobotId robot);
 /// Call it before check_start(): it makes that fast if other robots were added since the last step.
 void look_around_starts(World& world);
 /// Refuses a start that breaks the assumptions of the certificate, unless the scene allows it.
 void check_start(const World& world, const RobotSetup& setup, RobotId robot);
+/// Refuses a moving obstacle of which some robot could not keep clear, unless the scene allows it.
+void check_mover_start(const World& world, const MovingObstacle& obstacle, const PathWalk& start,
+                       const std::string& name);
 /// m: the sensing radius after this robot has come.
 double sensing_radius_with(const World& world, const RobotSetup& setup);
 /// Refuses an obstacle if a robot could not keep clear of what does not move from now on.

@@ -203,6 +203,28 @@ void look_around_starts(World& world) {
   make(bystanders, fleet, most, 2.0 * (most.radius + most.seconds * most.speed));
 }
 
+void check_mover_start(const World& world, const MovingObstacle& obstacle, const PathWalk& start,
+                       const std::string& name) {
+  if (world.settings.allow_broken_assumptions || !world.all_matter()) return;
+  const CertificateLaw law = certificate_law(world.certified_planner());
+  const Fleet& fleet = world.fleet;
+  Scenario scene = world.settings;
+  scene.moving_obstacles = {obstacle};
+  scene.moving_obstacles.front().position = start.position;
+  scene.moving_obstacles.front().velocity = start.velocity;
+  for (const std::uint32_t slot : fleet.slot_of) {
+    scene.robots = {committed(fleet, slot)};
+    BrokenAssumptions broken;
+    const double late =
+        fleet.has_clocks ? longest_first_step(law) * norm(fleet.velocity[slot]) : 0.0;
+    find_starts_of_first(scene, law, late, broken);
+    if (broken.starts.empty()) continue;
+    const Wording wording{
+        {}, [&](int source) { return source >= 0 ? name_of(fleet.id[slot]) : name; }, {}};
+    refuse_start(complaint(broken.starts.front(), scene, wording));
+  }
+}
+
 void check_start(const World& world, const RobotSetup& setup, RobotId robot) {
   if (world.settings.allow_broken_assumptions || !world.all_matter()) return;
   Company company(world, setup, robot);

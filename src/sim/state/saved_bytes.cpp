@@ -17,11 +17,12 @@ namespace avo::inline sim {
 namespace {
 
 constexpr std::uint64_t kMark = 0x65766173206f7661;           // "avo save"
+constexpr std::uint64_t kChangedMark = 0x32766173206f7661;    // "avo sav2": with what hosts change
 constexpr std::size_t kFewestWords = 3;                       // mark, number of bytes, checksum
 constexpr std::size_t kObstacleWords = 17, kRobotWords = 19;  // at least
 constexpr std::size_t kPastWords = 4, kClockWords = 15, kKnotWords = 6;
 constexpr std::size_t kStaticWords = 4, kChainWords = 2;  // at least
-constexpr std::size_t kGapWords = 4;
+constexpr std::size_t kGapWords = 4, kToldWords = 3;
 
 std::uint64_t checksum(std::span<const std::byte> bytes) {
   std::uint64_t hash = 0;
@@ -256,6 +257,26 @@ void describe(Archive<kReads>& archive, SavedState& state) {
   for (PastState& past : state.past) describe(archive, past);
 }
 
+// Moving obstacles that came or went, and preferred velocities that the host gave. Only a state
+// that has some has this part, so that the others have the bytes of earlier builds.
+bool is_changed(const SavedState& state) {
+  bool all = state.told.empty() && state.next_mover == state.mover_ids.size();
+  for (std::size_t k = 0; k < state.mover_ids.size(); ++k)
+    all = all && state.mover_ids[k].value == k;
+  return !all;
+}
+
+template <bool kReads>
+void describe_changes(Archive<kReads>& archive, SavedState& state) {
+  for (MovingObstacleId& id : state.mover_ids) describe(archive, id.value);
+  describe(archive, state.next_mover);
+  archive.size(state.told, kToldWords);
+  for (SavedTold& told : state.told) {
+    describe(archive, told.robot);
+    describe(archive, told.velocity);
+  }
+}
+
 }  // namespace
 
 std::vector<std::byte> to_bytes(SavedState state) {
@@ -264,9 +285,11 @@ std::vector<std::byte> to_bytes(SavedState state) {
   std::vector<std::byte>& bytes = archive.written;
   bytes.reserve(kWord * (kSettings + kRobotWords * state.robots.size() +
                          kObstacleWords * state.obstacles.size()));
-  std::uint64_t mark = kMark, size = 0;
+  const bool changed = is_changed(state);
+  std::uint64_t mark = changed ? kChangedMark : kMark, size = 0;
   archive.word(mark), archive.word(size);
   describe(archive, state);
+  if (changed) describe_changes(archive, state);
   put_word(bytes.size() + kWord, &bytes[kWord]);
   std::uint64_t sum = checksum(bytes);
   archive.word(sum);
@@ -277,7 +300,9 @@ SavedState from_bytes(std::span<const std::byte> bytes) {
   if (bytes.size() < kFewestWords * kWord) {
     refuse_saved(std::to_string(bytes.size()) + " bytes", "whole");
   }
-  if (word_at(bytes, 0) != kMark) refuse_saved("something else", "bytes of Simulation::save()");
+  const bool changed = word_at(bytes, 0) == kChangedMark;
+  if (word_at(bytes, 0) != kMark && !changed)
+    refuse_saved("something else", "bytes of Simulation::save()");
   if (word_at(bytes, 1) != bytes.size() || bytes.size() % kWord != 0) {
     refuse_saved(std::to_string(bytes.size()) + " bytes",
                  "the " + std::to_string(word_at(bytes, 1)) + " that were saved");
@@ -289,6 +314,10 @@ SavedState from_bytes(std::span<const std::byte> bytes) {
   Archive<true> archive{{}, checked.subspan(2 * kWord)};
   SavedState state;
   describe(archive, state);
+  state.mover_ids.resize(state.scene.moving_obstacles.size());
+  for (std::size_t k = 0; k < state.mover_ids.size(); ++k) state.mover_ids[k] = {k};
+  state.next_mover = state.mover_ids.size();
+  if (changed) describe_changes(archive, state);
   if (!archive.unread.empty()) {
     refuse_saved(std::to_string(archive.unread.size()) + " more bytes", "no more");
   }

@@ -92,6 +92,21 @@ void check_past(const SavedState& state) {
   if (!whole || !dated || !finite) refuse_saved("a past that no robots can have", "theirs");
 }
 
+// Preferred velocities are of robots that decide, each once.
+void check_told(const SavedState& state) {
+  std::size_t k = 0;  // ids ascend in both
+  for (const SavedTold& told : state.told) {
+    while (k < state.robots.size() && state.robots[k].id.value < told.robot) ++k;
+    if (k == state.robots.size() || state.robots[k].id.value != told.robot ||
+        state.scene.robots[k].parked)
+      refuse_saved("a preferred velocity of robot " + std::to_string(told.robot),
+                   "one of a robot that moves");
+    if (!kAnyValue.contains(told.velocity.x) || !kAnyValue.contains(told.velocity.y))
+      refuse_saved("a preferred velocity that is not finite", "finite");
+    ++k;
+  }
+}
+
 // For a robot that may move in any manner within its step, the step must be valid.
 void check_clocks(const SavedState& state) {
   if (state.scene.clock != Clock::free) return;
@@ -151,6 +166,8 @@ void check_states(const SavedState& state) {
     next = id + 1;
   };
   for (const ObstacleId id : state.static_ids) check_id(id.value, state.next_obstacle);
+  next = 0;
+  for (const MovingObstacleId id : state.mover_ids) check_id(id.value, state.next_mover);
   check_flights(state);
   check_past(state);
   check_clocks(state);
@@ -163,6 +180,7 @@ void check_states(const SavedState& state) {
     if (!is_sound(robot.detour)) refuse_saved("a detour that no robot can remember", "a sound one");
     check_id(robot.id.value, state.next_id);
   }
+  check_told(state);
   for (std::size_t k = 0; k < state.robots.size(); ++k) {
     const SavedRobot& robot = state.robots[k];
     if (!state.scene.robots[k].parked) continue;

@@ -27,6 +27,12 @@ struct SavedRobot {
 };
 static_assert(sizeof(SavedRobot) == 72, "it says so in avo/simulation.h");
 
+/// A preferred velocity that the host gave to a robot.
+struct SavedTold {
+  std::uint64_t robot = 0;  // id
+  Vec2 velocity;            // m/s
+};
+
 /// The part of a robot's route around walls that steps change.
 struct SavedWay {
   std::uint32_t target = 0;    // see Travel
@@ -63,10 +69,13 @@ struct SavedState {
   std::vector<ObstacleId> static_ids;  // ascending, as many as the scene has static obstacles
   std::vector<std::int64_t> since;  // of the robots, see Senses; empty where they remember nothing
   std::vector<PastState> past;
-  std::int64_t now = 0;                   // ns, of free clocks
-  std::vector<SavedClock> clocks;         // of the robots; empty where the clock is common
-  std::vector<std::uint64_t> stood;       // ids of robots with Fleet::has_stood; ascending
-  std::vector<SavedFlight> flights;       // of the airplanes among the robots, in their order
+  std::int64_t now = 0;                     // ns, of free clocks
+  std::vector<SavedClock> clocks;           // of the robots; empty where the clock is common
+  std::vector<std::uint64_t> stood;         // ids of robots with Fleet::has_stood; ascending
+  std::vector<SavedFlight> flights;         // of the airplanes among the robots, in their order
+  std::vector<MovingObstacleId> mover_ids;  // ascending, as many as the scene has moving obstacles
+  std::uint64_t next_mover = 0;
+  std::vector<SavedTold> told;            // by ascending id
   std::vector<std::vector<Knot>> tracks;  // of the robots, where senses are by time, oldest first
 };
 

@@ -64,14 +64,6 @@ void require_same_scene(const Scenario& saved, const World& world) {
     refuse(std::string("saved state: ") + key, shown(theirs),
            shown(ours) + " as in this simulation");
   });
-  const auto same = [](const MovingObstacle& a, const MovingObstacle& b) {
-    bool all = true;
-    for_each_obstacle_value([&](const char*, auto member) { all = all && a.*member == b.*member; });
-    return all;
-  };
-  const std::vector<MovingObstacle>&theirs = saved.moving_obstacles, &ours = world.obstacles.setup;
-  if (!std::equal(theirs.begin(), theirs.end(), ours.begin(), ours.end(), same))
-    refuse("saved state: moving_obstacles", "others", "those of this simulation");
 }
 
 bool are_same(const std::vector<Wall>& theirs, const std::vector<Wall>& ours) {
@@ -92,6 +84,13 @@ void add_clocks(const SavedState& state, Fleet& fleet) {
       clock.from.heading = clock.to.heading = fleet.heading[k];
     clock.has_decided = saved.has_decided;
   }
+}
+
+void take_told(const SavedState& state, Fleet& fleet) {
+  if (state.told.empty()) return;
+  fleet.told.resize(fleet.size());
+  for (const SavedTold& told : state.told)
+    fleet.told[static_cast<std::size_t>(fleet.rank[fleet.find({told.robot})])] = told.velocity;
 }
 
 // Makes the fleet. The paces are the world's.
@@ -123,6 +122,7 @@ Fleet fleet_of(const SavedState& state, World& world) {
 
 ObstacleColumns obstacles_of(const SavedState& state) {
   ObstacleColumns obstacles(state.scene.moving_obstacles);
+  obstacles.id = state.mover_ids, obstacles.next_id = state.next_mover;
   for (std::size_t k = 0; k < state.obstacles.size(); ++k) {
     obstacles.position[k] = state.obstacles[k].position;
     obstacles.velocity[k] = state.obstacles[k].velocity;
@@ -224,6 +224,7 @@ SavedState saved_state(const World& world) {
   }
   state.scene.moving_obstacles = world.obstacles.setup;
   state.scene.obstacles = world.statics.obstacles;
+  state.mover_ids = world.obstacles.id, state.next_mover = world.obstacles.next_id;
   for (std::size_t k = 0; k < world.obstacles.setup.size(); ++k) {
     state.obstacles.push_back(
         {world.obstacles.position[k], world.obstacles.velocity[k], world.obstacles.target[k]});
@@ -235,6 +236,8 @@ SavedState saved_state(const World& world) {
     state.robots.push_back({fleet.id[slot], fleet.position[slot], fleet.velocity[slot],
                             fleet.heading[slot], fleet.detour[slot]});
     if (fleet.has_stood[slot] != 0) state.stood.push_back(fleet.id[slot].value);
+    if (const auto told = fleet.told_velocity(slot))
+      state.told.push_back({fleet.id[slot].value, *told});
     if (const Flight* flight = fleet.flight(slot))
       state.flights.push_back({flight->circle, flight->has_arrived});
     if (!fleet.has_clocks) continue;
@@ -247,6 +250,7 @@ SavedState saved_state(const World& world) {
 void restore(const SavedState& state, World& world) {
   require_same_scene(state.scene, world);
   Fleet fleet = fleet_of(state, world);
+  take_told(state, fleet);
   add_clocks(state, fleet);
   Senses senses = senses_of(state, fleet, world.planner().options().longest_step);
   ObstacleColumns obstacles = obstacles_of(state);
@@ -264,7 +268,9 @@ void restore(const SavedState& state, World& world) {
   Ways& ways = other_ways ? *other_ways : world.ways;
   std::vector<Travel> travels = travels_of(state, ways);
   if (other_ways) other_ways->forget_before();
+  std::vector<Pace> paces = paces_among(world, !obstacles.setup.empty());
   // nothing throws from here on
+  std::swap(world.paces, paces);
   std::swap(world.fleet, fleet);
   world.kinds.reset();
   forget(world.bystanders);

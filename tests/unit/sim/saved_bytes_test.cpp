@@ -170,7 +170,7 @@ TEST(SavedBytes, forged_values_are_refused) {
   // a parked robot is at its goal, and at rest
   EXPECT_EQ(forged(end - 11, 1),
             "saved state: found a parked robot that has moved, must be one at its goal");
-  for (const char* kinds : {"3", "9", "16", "256"})
+  for (const char* kinds : {"3", "9", "32", "256"})
     EXPECT_EQ(
         forged(end - 11, std::stoul(kinds)),
         std::string("saved state: found the kinds of a robot ") + kinds + ", must be known ones");
@@ -247,12 +247,10 @@ TEST(SavedBytes, other_scenes_are_refused_by_what_differs) {
       "saved state: sensing: found {noise: {position: 0, velocity: 0, distribution: gaussian}, "
       "delay: 0, dropped: 0, occlusion: false}, must be {noise: {position: 0, velocity: 0, "
       "distribution: gaussian}, delay: 2, dropped: 0, occlusion: false} as in this simulation");
-  const std::string obstacles =
-      "saved state: moving_obstacles: found others, must be those of this simulation";
-  EXPECT_EQ(refused_by([](Scenario& s) { s.moving_obstacles.pop_back(); }), obstacles);
-  EXPECT_EQ(refused_by([](Scenario& s) { s.moving_obstacles[1].radius = 0.41; }), obstacles);
-  EXPECT_EQ(refused_by([](Scenario& s) { s.moving_obstacles[1].max_deviation = 1.0; }), obstacles);
-  EXPECT_EQ(refused_by([](Scenario& s) { s.robots.clear(); }), "accepted");  // they come and go
+  // they come and go
+  EXPECT_EQ(refused_by([](Scenario& s) { s.moving_obstacles.pop_back(); }), "accepted");
+  EXPECT_EQ(refused_by([](Scenario& s) { s.moving_obstacles[1].radius = 0.41; }), "accepted");
+  EXPECT_EQ(refused_by([](Scenario& s) { s.robots.clear(); }), "accepted");
 }
 
 TEST(SavedBytes, states_of_other_versions_are_refused) {

@@ -103,6 +103,12 @@ typedef struct avo_obstacle_id {
   uint64_t value;
 } avo_obstacle_id;
 
+/// Name of a moving obstacle within its simulation, never reused there. The moving obstacles of the
+/// definition are 1, 2, ... in its order.
+typedef struct avo_moving_obstacle_id {
+  uint64_t value;
+} avo_moving_obstacle_id;
+
 /* ---------------------------------------------------------------------------------- words */
 
 /// Leaves a member to the library: the method's default, or what the member says.
@@ -639,6 +645,28 @@ AVO_C_API avo_result avo_simulation_set_goal(avo_simulation_id simulation, avo_r
 /// forgets what it remembers of its route.
 AVO_C_API avo_result avo_simulation_move_robot(avo_simulation_id simulation, avo_robot_id robot,
                                                avo_vec2 position);
+/// Changes what the robot can do and how it behaves. All of the definition is taken but position,
+/// velocity, heading, goal, model and parked; another model, another time_step and a parked robot
+/// are refused. Otherwise it is refused as in add_robot. Take the present definition from
+/// avo_simulation_get_robot_def().
+AVO_C_API avo_result avo_simulation_change_robot(avo_simulation_id simulation, avo_robot_id robot,
+                                                 const avo_robot_def* def);
+/// The preferred velocity, m/s, that the robot has from now on, in place of a route to its goal;
+/// null: it goes to its goal again. Meanwhile it is never at its goal.
+AVO_C_API avo_result avo_simulation_set_preferred_velocity(avo_simulation_id simulation,
+                                                           avo_robot_id robot,
+                                                           const avo_vec2* velocity);
+/// A person, a vehicle or a player comes. It is refused if some robot cannot keep clear of it.
+AVO_C_API avo_result avo_simulation_add_moving_obstacle(avo_simulation_id simulation,
+                                                        const avo_moving_obstacle_def* def,
+                                                        avo_moving_obstacle_id* obstacle);
+/// Its place, velocity, radius, limits and path are those of the definition from now on. Nothing is
+/// promised of what the host changes faster than max_deviation and max_speed allow.
+AVO_C_API avo_result avo_simulation_change_moving_obstacle(avo_simulation_id simulation,
+                                                           avo_moving_obstacle_id obstacle,
+                                                           const avo_moving_obstacle_def* def);
+AVO_C_API avo_result avo_simulation_remove_moving_obstacle(avo_simulation_id simulation,
+                                                           avo_moving_obstacle_id obstacle);
 /// A door closes. The call takes at most as long as making the simulation.
 AVO_C_API avo_result avo_simulation_add_obstacle(avo_simulation_id simulation,
                                                  const avo_obstacle_def* def,
@@ -652,8 +680,8 @@ AVO_C_API avo_result avo_simulation_remove_obstacle(avo_simulation_id simulation
 /// (null) it only writes the size, AVO_OK. The bytes are the same on every machine.
 AVO_C_API avo_result avo_simulation_save(avo_simulation_id simulation, void* buffer,
                                          size_t capacity, size_t* size);
-/// Goes back, or forth, to a state that this simulation or another one of the same settings and
-/// moving obstacles has saved. Changes nothing where it fails. Metrics begin anew, or end where
+/// Goes back, or forth, to a state that this simulation or another one of the same settings has
+/// saved. Changes nothing where it fails. Metrics begin anew, or end where
 /// memory runs out for them.
 AVO_C_API avo_result avo_simulation_restore(avo_simulation_id simulation, const void* saved,
                                             size_t size);
@@ -665,7 +693,7 @@ AVO_C_API avo_result avo_create_simulation_from_saved(const void* saved, size_t 
 
 /// Columns of the present generation: `count` entries each, one for each robot, by ascending id.
 /// They belong to the simulation and are valid until the next call that changes it (step, add,
-/// remove, set_goal, move_robot, restore, destroy).
+/// remove, change, set_goal, set_preferred_velocity, move_robot, restore, destroy).
 typedef struct avo_columns {
   size_t count;
   const avo_robot_id* id;
@@ -678,8 +706,7 @@ typedef struct avo_columns {
   const double* applied_acceleration;  ///< m/s^2, the largest |a| within the last step
 } avo_columns;
 
-/// Columns of the moving obstacles, in the order of the definition; they are valid as long as
-/// avo_columns.
+/// Columns of the moving obstacles, by ascending id; they are valid as long as avo_columns.
 typedef struct avo_obstacle_columns {
   size_t count;
   const avo_vec2* position;  ///< m
@@ -764,6 +791,11 @@ AVO_C_API avo_result avo_simulation_get_state_hash(avo_simulation_id simulation,
 /// written.
 AVO_C_API avo_result avo_simulation_unreachable(avo_simulation_id simulation, avo_robot_id* buffer,
                                                 size_t capacity, size_t* count);
+/// The present moving obstacles, by ascending id, as their columns. buffer and count are those of
+/// avo_simulation_unreachable().
+AVO_C_API avo_result avo_simulation_moving_obstacle_ids(avo_simulation_id simulation,
+                                                        avo_moving_obstacle_id* buffer,
+                                                        size_t capacity, size_t* count);
 /// The present static obstacles, by ascending id. buffer and count are those of
 /// avo_simulation_unreachable().
 AVO_C_API avo_result avo_simulation_obstacles(avo_simulation_id simulation, avo_obstacle_id* buffer,
