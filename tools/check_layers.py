@@ -24,7 +24,7 @@ ALLOWED = {
 OUTER = {
     "include/avo": {"avo"},
     "include/avo_io": {"avo", "avo_io"},
-    "io": {"avo", "avo_io", "io", "core/elementary.h", "core/ranges.h", "core/retell.h"},
+    "io": {"avo", "avo_io", "io", "core/elementary.h", "core/ranges.h", "core/removed.h", "core/retell.h"},
     "bindings/c": {"avo", "avo_io", "avo_c"},
     "figures": {"avo", "figures"},
     "apps": {"avo", "avo_io", "figures", "cli", "apps", "paper_figures", "verbs", "reports", "completion", "lab_page"},

@@ -275,7 +275,6 @@ Json schema() {
   json.update(map_schema(
       fields<avo::Scenario>(),
       {{"version", {{"const", 1}}},
-       {"precision", {{"const", "double"}, {"default", "double"}}},
        {"robots", list_schema("robot")},
        {"groups", list_schema("group")},
        {"robots_from", robots_from_schema(alike)},

@@ -210,7 +210,6 @@ sensing_radius: 14
 max_neighbors: 8
 method: orca
 motion: exponential
-precision: double
 samples: 25
 arrival_distance: 0.25
 seed: 18446744073709551615
@@ -415,8 +414,7 @@ TEST(Fields, schema_has_every_field_with_range_and_default) {
   EXPECT_EQ(schema["properties"]["control_time"]["exclusiveMinimum"], 0.0);
   EXPECT_FALSE(schema["properties"]["control_time"].contains("default")) << "that of the method";
   EXPECT_FALSE(schema["properties"]["sensing_radius"].contains("default")) << "that of the robots";
-  EXPECT_EQ(schema["properties"]["precision"]["const"], "double");
-  EXPECT_EQ(schema["properties"]["precision"]["default"], "double");
+  EXPECT_FALSE(schema["properties"].contains("precision")) << "it was removed";
   EXPECT_EQ(schema["properties"]["version"]["const"], 1);
   EXPECT_FALSE(schema["properties"]["duration"].contains("default"));
   EXPECT_EQ(schema["required"], nlohmann::ordered_json({"version"}));

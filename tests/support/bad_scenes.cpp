@@ -210,11 +210,13 @@ const std::vector<BadScene>& bad_scenes() {
       {"motion_unknown", kGood + s("motion: exact\n"),
        "4:9: motion: found \"exact\", must be one of held, exponential"},
       {"precision_single", kGood + s("precision: single\n"),
-       "4:12: precision: found \"single\", must be double; single precision was removed"},
-      {"precision_unknown", kGood + s("precision: half\n"),
-       "4:12: precision: found \"half\", must be double"},
-      {"precision_list", kGood + s("precision: [double]\n"),
-       "4:12: precision: found a list, must be double"},
+       "4:1: found the removed key \"precision\", must be left out: everything is computed in "
+       "double "
+       "precision"},
+      {"precision_double", kGood + s("precision: double\n"),
+       "4:1: found the removed key \"precision\", must be left out: everything is computed in "
+       "double "
+       "precision"},
       {"name_is_list", kGood + s("name: [a]\n"), "4:7: name: found a list, must be a text"},
       {"name_empty", kGood + s("name: \"\"\n"), "4:7: name: found \"\", must be a text"},
       {"name_escape", kGood + s("name: \"\\e[2J\"\n"),
