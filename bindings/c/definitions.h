@@ -9,6 +9,7 @@
 #include <string>
 #include <utility>
 
+#include "core/removed.h"
 #include "errors.h"
 
 namespace avo_c {
@@ -85,6 +86,10 @@ void for_each(const Def* defs, std::size_t count, const char* list, const Def& d
 /// The enumerator with that number, out of `count`. Throws Failure.
 template <typename Word>
 Word word(std::int32_t number, std::int32_t count, const Where& where, const char* member) {
+  if (const avo::Removed* gone = avo::removed_value(member, number))
+    fail(AVO_ERROR_INVALID_VALUE, where / member + ": found " + std::to_string(number) + " (" +
+                                      std::string(gone->value) + "), must be " +
+                                      allowed_instead(*gone));
   if (number < 0 || number >= count)
     fail(AVO_ERROR_INVALID_VALUE, where / member + ": found " + std::to_string(number) +
                                       ", must be 0 to " + std::to_string(count - 1));

@@ -66,7 +66,6 @@ static_assert(is(AVO_CERTIFICATE_BRAKING_TRAJECTORIES, avo::Certificate::braking
 static_assert(is(AVO_MOTION_EXPONENTIAL, avo::Motion::exponential));
 static_assert(is(AVO_CLOCK_FREE, avo::Clock::free));
 static_assert(is(AVO_RIGHT_OF_WAY_SEEN, avo::RightOfWay::seen));
-static_assert(is(AVO_RIGHT_OF_WAY_TOLD, avo::RightOfWay::told));
 static_assert(is(AVO_NOISE_UNIFORM, avo::NoiseDistribution::uniform));
 static_assert(is(AVO_FILL_SOLID, avo::Fill::solid));
 static_assert(is(AVO_FILL_BOUNDS, avo::Fill::bounds));

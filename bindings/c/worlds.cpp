@@ -83,7 +83,7 @@ void read_settings(const avo_simulation_def& def, avo::Scenario& scenario) {
   scenario.seed = def.seed;
   if (def.navigation != AVO_UNSET)
     scenario.navigation = word<std::int32_t>(def.navigation, 2, here, "navigation") == 1;
-  scenario.right_of_way = word<avo::RightOfWay>(def.right_of_way, 3, here, "right_of_way");
+  scenario.right_of_way = word<avo::RightOfWay>(def.right_of_way, 2, here, "right_of_way");
   scenario.sensing = sensing_of(def.sensing);
   scenario.sensing.localization = localization_of(def.localization);
   const auto& error = def.sensing_error;

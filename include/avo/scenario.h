@@ -120,7 +120,6 @@ AVO_API void start_on_trajectory(MovingObstacle& obstacle);
 enum class RightOfWay : std::uint8_t {
   none,  ///< they ignore passages
   seen,  ///< from the place and the motion of each robot
-  told,  ///< each robot tells which passage it will take, and in which direction
 };
 AVO_API const char* to_string(RightOfWay right_of_way);
 

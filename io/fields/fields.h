@@ -180,8 +180,7 @@ inline const auto kCertificates =
             avo::Certificate::braking_trajectories);
 inline const auto kMotions = by_name(avo::Motion::held, avo::Motion::exponential);
 inline const auto kClocks = by_name(avo::Clock::common, avo::Clock::free);
-inline const auto kRightsOfWay =
-    by_name(avo::RightOfWay::none, avo::RightOfWay::seen, avo::RightOfWay::told);
+inline const auto kRightsOfWay = by_name(avo::RightOfWay::none, avo::RightOfWay::seen);
 inline constexpr std::array<std::pair<std::string_view, avo::NoiseDistribution>, 2> kDistributions{
     {{"gaussian", avo::NoiseDistribution::gaussian}, {"uniform", avo::NoiseDistribution::uniform}}};
 inline const auto kAccelerationSets =

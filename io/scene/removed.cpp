@@ -32,8 +32,9 @@ void for_each_removed(const YamlNode& root, const Visit& visit) {
 void refuse_removed(const Reader& reader, const YamlNode& root) {
   for_each_removed(root, [&](const Removed& one, const YamlNode& key, const YamlNode& value) {
     if (one.value.empty())
-      reader.fail(key, "", "the removed key " + in_quotes(key.text), allowed_instead(one));
-    reader.fail(value, key.text, shown(value), allowed_instead(one));
+      reader.fail(key, "", "the removed key " + in_quotes(key.text),
+                  "must be " + allowed_instead(one));
+    reader.fail(value, key.text, shown(value), "must be " + allowed_instead(one));
   });
 }
 

@@ -2,7 +2,7 @@
 // Keys and values of scenes and options that earlier versions had, and what replaces them. Scene
 // files, saved states and the bindings refuse them by this one table.
 #pragma once
-#include <span>
+#include <cstdint>
 #include <string>
 #include <string_view>
 
@@ -18,6 +18,7 @@ struct Removed {
 };
 
 inline constexpr Removed kRemoved[] = {
+    {"right_of_way", "told", 2, "", "seen"},
     {"precision", "", 0, "double", "everything is computed in double precision"},
 };
 
@@ -28,11 +29,18 @@ constexpr const Removed* removed_key(std::string_view key) {
   return nullptr;
 }
 
-/// Returns what a message says is allowed in place of it.
+/// Returns the removed value of a key by its number; nullptr if there is none.
+constexpr const Removed* removed_value(std::string_view key, std::int64_t number) {
+  for (const Removed& one : kRemoved)
+    if (one.key == key && !one.value.empty() && one.number == number) return &one;
+  return nullptr;
+}
+
+/// Returns what a message says that it must be in place of it.
 inline std::string allowed_instead(const Removed& one) {
   const std::string instead(one.instead);
-  return one.value.empty() ? "must be left out: " + instead
-                           : "must be " + instead + ": " + std::string(one.value) + " was removed";
+  return one.value.empty() ? "left out: " + instead
+                           : instead + ": " + std::string(one.value) + " was removed";
 }
 
 }  // namespace avo::inline core

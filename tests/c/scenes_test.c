@@ -96,7 +96,7 @@ int main(void) {
   check_scene("mixed-yard", NULL, 100);
   check_scene("moving-obstacle", "motion=exponential", 200);
   check_scene("office", NULL, 60);
-  check_scene("doorway", "right_of_way=told", 100);
+  check_scene("doorway", "right_of_way=none", 100);
   check_scene("doorway", "navigation=false", 60);
   return 0;
 }

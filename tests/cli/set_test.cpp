@@ -42,6 +42,9 @@ TEST(Set, refuses_what_was_removed_by_name) {
   EXPECT_EQ(refusal({"precision=double"}),
             "--set precision=double: found the removed key \"precision\", must be left out: "
             "everything is computed in double precision");
+  EXPECT_EQ(
+      refusal({"right_of_way=told"}),
+      "--set right_of_way=told: right_of_way: found \"told\", must be seen: told was removed");
 }
 
 TEST(Set, changes_how_gently_robots_move) {

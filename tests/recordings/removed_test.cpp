@@ -33,11 +33,11 @@ TEST(RemovedSettings, are_read_too_where_set_had_them) {
 
 TEST(RemovedSettings, that_changed_the_motion_are_read_and_not_simulated_again) {
   const std::string h5 = recorded_circle();
-  add_line(h5, "precision: single");
+  add_line(h5, "right_of_way: told");
   EXPECT_EQ(run_avo({"check", h5}).exit_code, 0);
   const ProcessResult again = run_avo({"replay", h5});
   EXPECT_EQ(again.exit_code, 3);
-  EXPECT_EQ(again.err, h5 + ": its scene: found precision: \"single\", which was removed: its run "
+  EXPECT_EQ(again.err, h5 + ": its scene: found right_of_way: \"told\", which was removed: its run "
                             "cannot be simulated again\n");
   const std::string page = path_of("run.html");
   EXPECT_EQ(run_avo({"report", h5, page}).exit_code, 0);

@@ -34,7 +34,7 @@ AVO_WORDS(avo::Method, "method", 7, avo::to_string);
 AVO_WORDS(avo::Certificate, "certificate", 3, avo::to_string);
 AVO_WORDS(avo::Motion, "motion", 2, avo::to_string);
 AVO_WORDS(avo::Clock, "clock", 2, avo::to_string);
-AVO_WORDS(avo::RightOfWay, "right_of_way", 3, avo::to_string);
+AVO_WORDS(avo::RightOfWay, "right_of_way", 2, avo::to_string);
 AVO_WORDS(avo::PlanStatus, "status", 7, avo::to_string);
 AVO_WORDS(avo::SafetyState, "state", 3, avo::to_string);
 AVO_WORDS(avo::AccelerationSet, "acceleration_set", 2, avo::to_string);

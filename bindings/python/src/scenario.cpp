@@ -175,7 +175,7 @@ void bind_scenario(py::module_& module) {
       .def_readonly("method", &Scenario::method, "as in scene files")
       .def_readonly("motion", &Scenario::motion, "as in scene files")
       .def_readonly("clock", &Scenario::clock, "\"common\" or \"free\"")
-      .def_readonly("right_of_way", &Scenario::right_of_way, "\"none\", \"seen\" or \"told\"")
+      .def_readonly("right_of_way", &Scenario::right_of_way, "\"none\" or \"seen\"")
       .def_readonly("arrival_distance", &Scenario::arrival_distance, "m")
       .def_readonly("seed", &Scenario::seed, "of all that is random")
       .def_readonly("allow_broken_assumptions", &Scenario::allow_broken_assumptions,

@@ -133,7 +133,7 @@ typedef int32_t avo_clock;
 enum { AVO_CLOCK_COMMON = 0, AVO_CLOCK_FREE = 1 };
 
 typedef int32_t avo_right_of_way;
-enum { AVO_RIGHT_OF_WAY_NONE = 0, AVO_RIGHT_OF_WAY_SEEN = 1, AVO_RIGHT_OF_WAY_TOLD = 2 };
+enum { AVO_RIGHT_OF_WAY_NONE = 0, AVO_RIGHT_OF_WAY_SEEN = 1 };
 
 typedef int32_t avo_noise_distribution;
 enum { AVO_NOISE_GAUSSIAN = 0, AVO_NOISE_UNIFORM = 1 };
