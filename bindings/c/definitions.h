@@ -83,6 +83,14 @@ void for_each(const Def* defs, std::size_t count, const char* list, const Def& d
   }
 }
 
+/// Refuses a number in the place of a removed member, which programs compiled earlier may set.
+inline void require_unused(std::int32_t number, const Where& where, const char* removed) {
+  if (number != 0)
+    fail(AVO_ERROR_INVALID_VALUE,
+         where / removed + ": found " + std::to_string(number) +
+             ", must be 0: " + std::string(avo::removed_key(removed)->instead));
+}
+
 /// The enumerator with that number, out of `count`. Throws Failure.
 template <typename Word>
 Word word(std::int32_t number, std::int32_t count, const Where& where, const char* member) {

@@ -138,7 +138,6 @@ struct PlannerOptions {
   double margin = 0.0;
   /// [Δt] s, > 0, <= time_horizon, <= control_time where motion is held, else <= 700 control_time
   double time_step = 0.1;
-  int samples = 0;  ///< 0: exact half-planes; 2 to 1000: the paper's boundary samples
   Certificate certificate = usual_certificate(method);  ///< none except with method avo
   /// >= 1: only the nearest so many neighbors get a half-plane, except neighbors that walls keep
   /// away; unset: all. A certificate covers all neighbors in any case.

@@ -196,7 +196,6 @@ struct Scenario {
   Method method = Method::avo;
   std::optional<Certificate> certificate = {};  ///< unset: default_options(method)
   Motion motion = Motion::held;
-  int samples = 0;                ///< 0: exact half-planes; 2 to 1000: the paper's samples
   double arrival_distance = 0.5;  ///< m, > 0
   std::uint64_t seed = 1;         ///< of random placements
   std::vector<RobotSetup> robots = {};

@@ -57,8 +57,6 @@ const std::vector<Field<Scenario>>& fields() {
        "braking_trajectories for method avo, else none"},
       {"motion", &Scenario::motion, kOptional, kNoNumber, "",
        "between decisions: acceleration held, or proportional control exactly"},
-      {"samples", &Scenario::samples, kOptional, avo::kSamples, "",
-       "of an obstacle's boundary, a side; 0: exact half-planes (1 is refused)"},
       {"arrival_distance", &Scenario::arrival_distance, kOptional, kPositive, "m",
        "from the goal, within which a robot has arrived"},
       {"seed", &Scenario::seed, kOptional, kSeed, "",

@@ -284,7 +284,6 @@ Json schema() {
        {"sensing_error", map_schema(fields<avo::SensingError>())},
        {"moving_obstacles", list_schema("moving_obstacle")},
        {"obstacles", list_schema("obstacle")}}));
-  json["properties"]["samples"]["not"] = {{"const", 1}};
   json["anyOf"] = {
       {{"required", {"robots"}}, {"properties", {{"robots", {{"minItems", 1}}}}}},
       {{"required", {"groups"}}, {"properties", {{"groups", {{"minItems", 1}}}}}},

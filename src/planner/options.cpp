@@ -140,8 +140,6 @@ void validate(const PlannerOptions& options, const std::string& prefix) {
   validate_comfort(options, prefix);
   if (options.max_neighbors)
     require(prefix + "max_neighbors", *options.max_neighbors, kAtLeastOne, "");
-  require(prefix + "samples", options.samples, kSamples, "");
-  if (options.samples == 1) refuse(prefix + "samples", "1", "0 (exact) or >= 2");
   require(prefix + "arrival_distance", options.arrival_distance, kPositive, "m");
   validate_certificate(options, prefix);
   const auto& [position, velocity, quantile] = options.sensing_noise;

@@ -43,6 +43,10 @@ TEST(Set, refuses_what_was_removed_by_name) {
             "--set precision=double: found the removed key \"precision\", must be left out: "
             "everything is computed in double precision");
   EXPECT_EQ(
+      refusal({"samples=25"}),
+      "--set samples=25: found the removed key \"samples\", must be left out: all half-planes "
+      "are exact");
+  EXPECT_EQ(
       refusal({"right_of_way=told"}),
       "--set right_of_way=told: right_of_way: found \"told\", must be seen: told was removed");
 }

@@ -369,7 +369,6 @@ class Planner:
         control_time: _Float | None = None,
         time_horizon: _Float | None = None,
         time_step: _Float = 0.1,
-        samples: _Int = 0,
         certificate: _Certificate | None = None,
         max_neighbors: _Int | None = None,
         sensing_error: _Numbers = (0.0, 0.0),
@@ -421,8 +420,6 @@ class Planner:
     def time_horizon(self) -> float: ...
     @property
     def time_step(self) -> float: ...
-    @property
-    def samples(self) -> int: ...
     @property
     def certificate(self) -> _Certificate: ...
     @property

@@ -78,7 +78,6 @@ py::dict planner_options(const Scenario& scenario) {
   all["control_time"] = options.control_time;
   all["time_horizon"] = options.time_horizon;
   all["time_step"] = options.time_step;
-  all["samples"] = options.samples;
   all["certificate"] = options.certificate;
   all["max_neighbors"] = options.max_neighbors;
   all["sensing_error"] =

@@ -41,16 +41,6 @@ TEST(Options, out_of_range_are_refused_by_name) {
   expect_refused(coarse, "time_step");
   coarse.motion = Motion::exponential;
   EXPECT_NO_THROW(Planner{coarse});
-  for (const int bad : {-1, 1, -1000, 1001, 10000}) {
-    PlannerOptions options = test::paper_options();
-    options.samples = bad;
-    expect_refused(options, "samples");
-  }
-  PlannerOptions options = test::paper_options();
-  for (const int good : {2, 1000}) {
-    options.samples = good;
-    EXPECT_NO_THROW(const Planner planner(options));
-  }
 }
 
 TEST(Options, a_free_clock_is_refused_where_its_rule_does_not_hold) {

@@ -284,7 +284,7 @@ typedef struct avo_planner_def {
   double control_time;  ///< s, >= 1e-6
   double time_horizon;  ///< s, > 0
   double time_step;     ///< s, > 0
-  int32_t samples;      ///< 0: exact half-planes; 2 to 1000: the paper's boundary samples
+  int32_t unused;       ///< 0: the place of a removed member
   avo_certificate certificate;
   int32_t max_neighbors;  ///< >= 1, so many nearest neighbors get a half-plane; 0: all
   avo_clock clock;
@@ -549,8 +549,8 @@ typedef struct avo_simulation_def {
   double longest_step;      ///< s, > 0, where the clock is free; 0: the longest of the robots
   uint64_t seed;            ///< of sensing and of clocks
   int32_t max_neighbors;    ///< >= 1; 0: all
-  int32_t samples;          ///< 0, or 2 to 1000
   avo_method method;
+  int32_t unused;               ///< 0: the place of a removed member
   avo_certificate certificate;  ///< AVO_UNSET: the method's
   avo_motion motion;
   avo_clock clock;
