@@ -61,7 +61,6 @@ static_assert(is(AVO_METHOD_ORCA_CLAMPED, avo::Method::orca_clamped));
 static_assert(is(AVO_METHOD_ORCA, avo::Method::orca));
 static_assert(is(AVO_METHOD_VELOCITY_OBSTACLE, avo::Method::velocity_obstacle));
 static_assert(is(AVO_METHOD_AVO_PAPER, avo::Method::avo_paper));
-static_assert(is(AVO_CERTIFICATE_STOPPING_CAPSULES, avo::Certificate::stopping_capsules));
 static_assert(is(AVO_CERTIFICATE_BRAKING_TRAJECTORIES, avo::Certificate::braking_trajectories));
 static_assert(is(AVO_MOTION_EXPONENTIAL, avo::Motion::exponential));
 static_assert(is(AVO_CLOCK_FREE, avo::Clock::free));

@@ -18,6 +18,7 @@ struct Removed {
 };
 
 inline constexpr Removed kRemoved[] = {
+    {"certificate", "stopping_capsules", 1, "", "braking_trajectories"},
     {"right_of_way", "told", 2, "", "seen"},
     {"samples", "", 0, "0", "all half-planes are exact"},
     {"precision", "", 0, "double", "everything is computed in double precision"},

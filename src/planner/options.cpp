@@ -66,9 +66,6 @@ void validate_certificate(const PlannerOptions& options, const std::string& pref
   }
   if (options.motion != Motion::held)
     refuse(prefix + "clock", to_string(options.clock), "common where motion is exponential");
-  if (options.certificate == Certificate::stopping_capsules)
-    refuse(prefix + "clock", to_string(options.clock),
-           std::string("common with certificate ") + to_string(options.certificate));
 }
 
 }  // namespace

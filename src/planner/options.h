@@ -25,7 +25,7 @@ AVO_LOCAL inline constexpr std::array kNames<Method>{"avo",
                                                      "reciprocal_velocity_obstacle",
                                                      "buffered_voronoi"};
 template <>
-AVO_LOCAL inline constexpr std::array kNames<Certificate>{"none", "stopping_capsules",
+AVO_LOCAL inline constexpr std::array kNames<Certificate>{"none", "unknown",
                                                           "braking_trajectories"};
 template <>
 AVO_LOCAL inline constexpr std::array kNames<Motion>{"held", "exponential"};
@@ -52,6 +52,8 @@ AVO_LOCAL inline constexpr std::array kNames<SafetyState>{"unknown", "safe", "do
 /// The key in scene files of an enum of which values were removed.
 template <typename Choice>
 AVO_LOCAL inline constexpr std::string_view kKey{};
+template <>
+AVO_LOCAL inline constexpr std::string_view kKey<Certificate>{"certificate"};
 template <>
 AVO_LOCAL inline constexpr std::string_view kKey<RightOfWay>{"right_of_way"};
 

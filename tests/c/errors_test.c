@@ -130,6 +130,10 @@ static void check_values(void) {
   REFUSES(avo_create_simulation(&def, &simulation), AVO_ERROR_INVALID_VALUE,
           "method: found -3, must be 0 to 6");
   def.method = AVO_METHOD_AVO;
+  def.certificate = 1; /* of earlier headers */
+  REFUSES(avo_create_simulation(&def, &simulation), AVO_ERROR_INVALID_VALUE,
+          "certificate: found 1 (stopping_capsules), must be braking_trajectories: ");
+  def.certificate = AVO_UNSET;
   def.right_of_way = 2; /* of earlier headers */
   REFUSES(avo_create_simulation(&def, &simulation), AVO_ERROR_INVALID_VALUE,
           "right_of_way: found 2 (told), must be seen: told was removed");

@@ -82,7 +82,6 @@ int main(void) {
   check_scene("circle-10", "method=orca_clamped", 200);
   check_scene("circle-10", "method=reciprocal_velocity_obstacle", 200);
   check_scene("circle-10", "method=buffered_voronoi", 200);
-  check_scene("circle-10", "certificate=stopping_capsules", 200);
   check_scene("circle-10", "clock=free", 200);
   check_scene("circle-10", "sensing.dropped=0.2", 200);
   check_scene("uniform-1000", NULL, 30);

@@ -47,6 +47,10 @@ TEST(Set, refuses_what_was_removed_by_name) {
       "--set samples=25: found the removed key \"samples\", must be left out: all half-planes "
       "are exact");
   EXPECT_EQ(
+      refusal({"certificate=stopping_capsules"}),
+      "--set certificate=stopping_capsules: certificate: found \"stopping_capsules\", must be "
+      "braking_trajectories: stopping_capsules was removed");
+  EXPECT_EQ(
       refusal({"right_of_way=told"}),
       "--set right_of_way=told: right_of_way: found \"told\", must be seen: told was removed");
 }

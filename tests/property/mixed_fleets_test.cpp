@@ -164,9 +164,9 @@ TEST(MixedFleets, differ_in_what_only_shapes_their_wishes_and_never_touch) {
   EXPECT_EQ(overlapping_crushes(rules, Judged::all, 8), 0);
 }
 
-TEST(MixedFleets, of_another_certificate_touch) {
+TEST(MixedFleets, without_the_certificate_touch) {
   Manner odd;
-  odd.options.certificate = Certificate::stopping_capsules;
+  odd.options.certificate = Certificate::none;
   expect_only_odd_ones_to_touch(odd);
 }
 

@@ -192,15 +192,16 @@ const std::vector<BadScene>& bad_scenes() {
        "orca_clamped, "
        "reciprocal_velocity_obstacle, buffered_voronoi"},
       {"certificate_unknown", kGood + s("certificate: capsules\n"),
-       "4:14: certificate: found \"capsules\", must be one of none, stopping_capsules, "
-       "braking_trajectories"},
+       "4:14: certificate: found \"capsules\", must be one of none, braking_trajectories"},
+      {"stopping_capsules", kGood + s("certificate: stopping_capsules\n"),
+       "4:14: certificate: found \"stopping_capsules\", must be braking_trajectories: "
+       "stopping_capsules was removed"},
       {"certificate_of_another_method",
        kGood + s("method: avo_paper\ncertificate: "
                  "braking_trajectories\n"),
        "5:14: certificate: found braking_trajectories, must be none with method avo_paper"},
       {"certificate_that_there_is_not", kGood + s("certificate: linear_soft_stop\n"),
-       "4:14: certificate: found \"linear_soft_stop\", must be one of none, stopping_capsules, "
-       "braking_trajectories"},
+       "4:14: certificate: found \"linear_soft_stop\", must be one of none, braking_trajectories"},
       {"key_that_there_is_not", kGood + s("soft_stop_time: 2\n"),
        s("4:1: found the unknown key \"soft_stop_time\", allowed are ") + kSceneKeys},
       {"braking_for_ever",

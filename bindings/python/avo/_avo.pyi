@@ -26,7 +26,7 @@ _Method = Literal[
     "buffered_voronoi",
 ]
 _Motion = Literal["held", "exponential"]
-_Certificate = Literal["none", "stopping_capsules", "braking_trajectories"]
+_Certificate = Literal["none", "braking_trajectories"]
 _Clock = Literal["common", "free"]
 _Behavior = Literal["decides", "moves_on", "cooperates"]
 _RobotBehavior = Literal["decides", "cooperates"]

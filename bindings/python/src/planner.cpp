@@ -150,8 +150,8 @@ void bind_options(py::class_<Planner>& planner) {
       "method: as in scene files, \"avo\", \"avo_paper\", \"velocity_obstacle\", \"orca\", "
       "\"orca_clamped\", \"reciprocal_velocity_obstacle\" or \"buffered_voronoi\"; motion: "
       "\"held\" or "
-      "\"exponential\"; control_time, time_horizon: s, > 0, and certificate: \"none\", "
-      "\"stopping_capsules\" or \"braking_trajectories\", None: customary for the method; "
+      "\"exponential\"; control_time, time_horizon: s, > 0, and certificate: \"none\" "
+      "or \"braking_trajectories\", None: customary for the method; "
       "time_step: s, > 0; max_neighbors: >= 1, None: all; sensing_error: "
       "(m, m/s); sensing_noise: (m, m/s, standard deviations); clock: \"common\" or \"free\"; "
       "longest_step: s; arrival_distance: m, > 0; localization_error: m, >= 0, of the robot's own "
@@ -171,8 +171,7 @@ void bind_options(py::class_<Planner>& planner) {
          "[delta] s; time_step where v' is reached within a step");
   option("time_horizon", &Options::time_horizon, "[tau] s");
   option("time_step", &Options::time_step, "[Delta t] s");
-  option("certificate", &Options::certificate,
-         "\"none\", \"stopping_capsules\" or \"braking_trajectories\"");
+  option("certificate", &Options::certificate, "\"none\" or \"braking_trajectories\"");
   option("max_neighbors", &Options::max_neighbors, "nearest ones that get a half-plane; None: all");
   option("clock", &Options::clock, "\"common\" or \"free\"");
   option("longest_step", &Options::longest_step, "s, of all robots, where the clock is free");

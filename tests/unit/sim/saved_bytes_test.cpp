@@ -160,6 +160,9 @@ TEST(SavedBytes, forged_values_are_refused) {
   }
   EXPECT_EQ(word(saved, 22), static_cast<std::uint64_t>(Method::avo_paper));
   EXPECT_EQ(forged(22, 7), "saved state: found an unknown choice, must be a known one");
+  EXPECT_EQ(forged(24, 1),
+            "saved state: certificate: found stopping_capsules, must be braking_trajectories: "
+            "stopping_capsules was removed");
   EXPECT_EQ(forged(26, 25),
             "saved state: samples: found 25, must be left out: all half-planes are exact");
   EXPECT_EQ(forged(31, 2), "saved state: right_of_way: found told, must be seen: told was removed");
