@@ -9,7 +9,6 @@ namespace avo::safety {
 enum class Oddity : std::uint8_t {
   none,
   one_sided,   ///< they use plan_among_obstacles instead of plan
-  capsules,    ///< they use certificate stopping_capsules
   half_steps,  ///< they decide twice as often
 };
 

@@ -22,7 +22,6 @@ Vec2 towards_goal(const Robot& robot, Vec2 goal, double preferred_speed, const P
 }
 
 PlannerOptions options_of_odd(PlannerOptions options, Oddity oddity) {
-  if (oddity == Oddity::capsules) options.certificate = Certificate::stopping_capsules;
   if (oddity == Oddity::half_steps) options.time_step *= 0.5;
   return options;
 }

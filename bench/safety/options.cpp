@@ -22,8 +22,7 @@ constexpr std::array kMethods{Method::avo,
                               Method::orca_clamped,
                               Method::reciprocal_velocity_obstacle,
                               Method::buffered_voronoi};
-constexpr std::array kCertificates{Certificate::none, Certificate::stopping_capsules,
-                                   Certificate::braking_trajectories};
+constexpr std::array kCertificates{Certificate::none, Certificate::braking_trajectories};
 constexpr std::array kMotions{Motion::held, Motion::exponential};
 
 [[noreturn]] void refuse(const std::string& option, const std::string& found,
@@ -125,7 +124,7 @@ const char* usage() {
                       mixed-crush
   --method NAME       avo, avo_paper, velocity_obstacle, orca, orca_clamped,
                       reciprocal_velocity_obstacle, buffered_voronoi
-  --certificate NAME  none, stopping_capsules, braking_trajectories
+  --certificate NAME  none, braking_trajectories
   --motion NAME       held, exponential
   --control-time S    delta, where the row does not name its own
   --time-horizon S    tau, likewise

@@ -130,14 +130,13 @@ std::vector<Case> cases() {
 // declared, except where clocks out of phase are treated as errors (docs/on_board.md).
 std::vector<Case> faults_on_board() {
   constexpr std::int64_t kTicks = 10;
-  Acting phases, jitter, late, weak, one_sided, capsules, half_steps;
+  Acting phases, jitter, late, weak, one_sided, half_steps;
   phases.ticks = jitter.ticks = late.ticks = kTicks;
   phases.phases = true;
   jitter.jitter = 1;
   late.latency = kTicks / 2;
   weak.strength = 0.8;
   one_sided.oddity = Oddity::one_sided;
-  capsules.oddity = Oddity::capsules;
   half_steps.oddity = Oddity::half_steps;
   half_steps.ticks = 2;
   Acting free_clock = phases, free_steps = phases;
@@ -163,7 +162,6 @@ std::vector<Case> faults_on_board() {
       {"board-missed", "each neighbor missed in one step of a hundred", blind},
       {"board-radius", "neighbors look a tenth smaller", small},
       {"board-one-sided", "half the robots plan as among obstacles", exact, one_sided, 5},
-      {"board-certificates", "half the robots have stopping_capsules", exact, capsules},
       {"board-steps", "half the robots decide twice as often", exact, half_steps},
   };
 }

@@ -9,6 +9,7 @@
 #include <string>
 #include <utility>
 
+#include "core/removed.h"
 #include "errors.h"
 
 namespace avo_c {
@@ -82,9 +83,21 @@ void for_each(const Def* defs, std::size_t count, const char* list, const Def& d
   }
 }
 
+/// Refuses a number in the place of a removed member, which programs compiled earlier may set.
+inline void require_unused(std::int32_t number, const Where& where, const char* removed) {
+  if (number != 0)
+    fail(AVO_ERROR_INVALID_VALUE,
+         where / removed + ": found " + std::to_string(number) +
+             ", must be 0: " + std::string(avo::removed_key(removed)->instead));
+}
+
 /// The enumerator with that number, out of `count`. Throws Failure.
 template <typename Word>
 Word word(std::int32_t number, std::int32_t count, const Where& where, const char* member) {
+  if (const avo::Removed* gone = avo::removed_value(member, number))
+    fail(AVO_ERROR_INVALID_VALUE, where / member + ": found " + std::to_string(number) + " (" +
+                                      std::string(gone->value) + "), must be " +
+                                      allowed_instead(*gone));
   if (number < 0 || number >= count)
     fail(AVO_ERROR_INVALID_VALUE, where / member + ": found " + std::to_string(number) +
                                       ", must be 0 to " + std::to_string(count - 1));

@@ -56,7 +56,7 @@ avo::PlannerOptions options_of(const avo_planner_def& def) {
   options.control_time = def.control_time;
   options.time_horizon = def.time_horizon;
   options.time_step = def.time_step;
-  options.samples = def.samples;
+  require_unused(def.unused, here, "samples");
   options.certificate = word<avo::Certificate>(def.certificate, 3, here, "certificate");
   options.max_neighbors = unless_zero(def.max_neighbors);
   options.sensing_error = {def.sensing_error.position, def.sensing_error.velocity};
@@ -90,7 +90,6 @@ avo_planner_def avo_default_planner_def(avo_method method) {
   def.control_time = options.control_time;
   def.time_horizon = options.time_horizon;
   def.time_step = options.time_step;
-  def.samples = options.samples;
   def.certificate = static_cast<avo_certificate>(options.certificate);
   def.max_neighbors = options.max_neighbors.value_or(0);
   def.clock = static_cast<avo_clock>(options.clock);

@@ -75,15 +75,15 @@ void read_settings(const avo_simulation_def& def, avo::Scenario& scenario) {
   scenario.sensing_radius = unless_zero(def.sensing_radius);
   scenario.max_neighbors = unless_zero(def.max_neighbors);
   scenario.method = word<avo::Method>(def.method, 7, here, "method");
+  require_unused(def.unused, here, "samples");
   if (def.certificate != AVO_UNSET)
     scenario.certificate = word<avo::Certificate>(def.certificate, 3, here, "certificate");
   scenario.motion = word<avo::Motion>(def.motion, 2, here, "motion");
-  scenario.samples = def.samples;
   scenario.arrival_distance = def.arrival_distance;
   scenario.seed = def.seed;
   if (def.navigation != AVO_UNSET)
     scenario.navigation = word<std::int32_t>(def.navigation, 2, here, "navigation") == 1;
-  scenario.right_of_way = word<avo::RightOfWay>(def.right_of_way, 3, here, "right_of_way");
+  scenario.right_of_way = word<avo::RightOfWay>(def.right_of_way, 2, here, "right_of_way");
   scenario.sensing = sensing_of(def.sensing);
   scenario.sensing.localization = localization_of(def.localization);
   const auto& error = def.sensing_error;
@@ -162,7 +162,6 @@ avo_simulation_def settings_of(const avo::Scenario& scenario) {
   def.longest_step = scenario.longest_step.value_or(0.0);
   def.seed = scenario.seed;
   def.max_neighbors = scenario.max_neighbors.value_or(0);
-  def.samples = scenario.samples;
   def.method = static_cast<avo_method>(scenario.method);
   def.certificate = scenario.certificate ? static_cast<avo_certificate>(*scenario.certificate)
                                          : static_cast<avo_certificate>(AVO_UNSET);

@@ -20,8 +20,7 @@ struct BrokenStart {
   int other = 0;          ///< number of the other robot, greater; or -1 - k for moving obstacle k
   double distance = 0.0;  ///< m, between their centers
   /// m, <= the sum of radii: the largest overlap if both brake, or circle, at once as the
-  /// certificate says. For stopping_capsules it is the overlap of the areas in which both would
-  /// stop.
+  /// certificate says.
   double depth = 0.0;
 };
 

@@ -39,12 +39,6 @@ struct RelativeHalfPlane {
 AVO_API RelativeHalfPlane half_plane(const Pair& pair, double reach,
                                      const Horizon& horizon) noexcept;
 
-/// The half-plane from the paper's boundary of `samples` points a side, joined by chords (§VI-A).
-/// It is optimistic, because chords cut through the obstacle. It is a reference, not for safety.
-/// May allocate.
-AVO_API RelativeHalfPlane sampled_half_plane(const Pair& pair, double reach, const Horizon& horizon,
-                                             int samples);
-
 /// ORCA's half-plane: the limit δ -> 0, reach -> infinity, in closed form. time_step is the window
 /// in which overlapping robots separate.
 AVO_API RelativeHalfPlane orca_half_plane(const Pair& pair, double time_horizon,

@@ -53,9 +53,9 @@ constexpr bool avoids_union(Method method) {
 
 /// What no decision may break, whatever the half-planes ask for (docs/certificate.md).
 enum class Certificate : std::uint8_t {
-  none,
-  stopping_capsules,     ///< the areas in which robots stop are disjoint, at all times
-  braking_trajectories,  ///< the places of braking robots are disjoint at every time
+  none = 0,
+  // 1 was a certificate of earlier versions
+  braking_trajectories = 2,  ///< the places of braking robots are disjoint at every time
 };
 
 /// How the velocity changes between two decisions.
@@ -138,7 +138,6 @@ struct PlannerOptions {
   double margin = 0.0;
   /// [Δt] s, > 0, <= time_horizon, <= control_time where motion is held, else <= 700 control_time
   double time_step = 0.1;
-  int samples = 0;  ///< 0: exact half-planes; 2 to 1000: the paper's boundary samples
   Certificate certificate = usual_certificate(method);  ///< none except with method avo
   /// >= 1: only the nearest so many neighbors get a half-plane, except neighbors that walls keep
   /// away; unset: all. A certificate covers all neighbors in any case.
@@ -153,7 +152,7 @@ struct PlannerOptions {
   /// than the certificate needs; infinite: all walls. A longer range gives a robot more ways out
   /// before movers (docs/movers.md).
   double wall_range = 0.0;
-  /// free: motion held, no stopping_capsules (docs/certificate/clocks.md).
+  /// free: motion held (docs/certificate/clocks.md).
   Clock clock = Clock::common;
   /// s, >= 0, with a free clock: the largest time_step of any other robot; 0: the time_step of this
   /// robot.
@@ -296,10 +295,10 @@ struct Detour {
 };
 
 /// What a neighbor's certificate demands of A on one interval between steps: normal . q >= offset.
-/// For braking_trajectories q = y - x, m: from the point x of A's braking path to the point y of
-/// its path. The constraint suffices for the three Bézier points of the interval; interval 0 is the
-/// step of the decision. For stopping_capsules q is any point of the area in which A would next
-/// stop, m; interval is 0.
+/// q = y - x, m: from the point x of A's braking path to the point y of its path. The constraint
+/// suffices for the three Bézier points of the interval; interval 0 is the step of the decision. Of
+/// a neighbor that loiters, q is any point of the area in which A would next stop, m; interval is
+/// 0.
 struct CertificateConstraint {
   int neighbor = 0;  ///< index into the neighbors given
   int interval = 0;

@@ -121,7 +121,6 @@ AVO_API void start_on_trajectory(MovingObstacle& obstacle);
 enum class RightOfWay : std::uint8_t {
   none,  ///< they ignore passages
   seen,  ///< from the place and the motion of each robot
-  told,  ///< each robot tells which passage it will take, and in which direction
 };
 AVO_API const char* to_string(RightOfWay right_of_way);
 
@@ -198,7 +197,6 @@ struct Scenario {
   Method method = Method::avo;
   std::optional<Certificate> certificate = {};  ///< unset: default_options(method)
   Motion motion = Motion::held;
-  int samples = 0;                ///< 0: exact half-planes; 2 to 1000: the paper's samples
   double arrival_distance = 0.5;  ///< m, > 0
   std::uint64_t seed = 1;         ///< of random placements
   std::vector<RobotSetup> robots = {};

@@ -35,6 +35,9 @@ struct SceneSource {
   /// Entries of its files that no scene can use, and that are left out: one line each.
   /// load_scenario() sets them.
   std::vector<std::string> notes = {};
+  /// It comes from a recording, maybe of an earlier version: keys and values that were removed
+  /// since are read as what replaces them, not refused.
+  bool recorded = false;
 };
 
 /// Returns the scene called `name_or_path`: a built-in name (circle-N and uniform-N for any N >=
@@ -54,6 +57,10 @@ AVO_API avo::Scenario load_surroundings(const std::string& name_or_path,
                                         SceneSource* source = nullptr);
 /// Makes the same scenario again; reads no file.
 AVO_API avo::Scenario parse_scenario(const SceneSource& source);
+
+/// Returns the setting of a recorded scene, such as "right_of_way: told", that was removed since
+/// and that made its motion another one; none where it can be simulated as it was.
+AVO_API std::optional<std::string> lost_setting(const SceneSource& source);
 
 /// Makes a scenario from text. Error messages begin with `file`. The scene's files are relative to
 /// it, or else built-in ones.

@@ -176,12 +176,10 @@ inline const auto kMethods =
             avo::Method::orca, avo::Method::orca_clamped, avo::Method::reciprocal_velocity_obstacle,
             avo::Method::buffered_voronoi);
 inline const auto kCertificates =
-    by_name(avo::Certificate::none, avo::Certificate::stopping_capsules,
-            avo::Certificate::braking_trajectories);
+    by_name(avo::Certificate::none, avo::Certificate::braking_trajectories);
 inline const auto kMotions = by_name(avo::Motion::held, avo::Motion::exponential);
 inline const auto kClocks = by_name(avo::Clock::common, avo::Clock::free);
-inline const auto kRightsOfWay =
-    by_name(avo::RightOfWay::none, avo::RightOfWay::seen, avo::RightOfWay::told);
+inline const auto kRightsOfWay = by_name(avo::RightOfWay::none, avo::RightOfWay::seen);
 inline constexpr std::array<std::pair<std::string_view, avo::NoiseDistribution>, 2> kDistributions{
     {{"gaussian", avo::NoiseDistribution::gaussian}, {"uniform", avo::NoiseDistribution::uniform}}};
 inline const auto kAccelerationSets =

@@ -7,6 +7,7 @@
 #include "avo_io/scene.h"
 #include "io/recording/block_source.h"
 #include "io/recording/row_source.h"
+#include "io/scene/removed.h"
 
 namespace avo_io {
 
@@ -27,6 +28,7 @@ std::optional<RecordedScene> read_recorded_scene(const std::string& path,
   BlockSource source(path);
   RecordedScene found{source.header(), source.scenario()};
   if (overrides.empty()) return found;
+  refuse_removed(overrides);
   found.header.scene.overrides.insert(found.header.scene.overrides.end(), overrides.begin(),
                                       overrides.end());
   found.scenario = parse_scenario(found.header.scene);

@@ -71,6 +71,7 @@ void add_scene(const SceneSource& scene, std::vector<RecordingField>& fields) {
 
 SceneSource scene_from(const std::vector<RecordingField>& fields) {
   SceneSource scene;
+  scene.recorded = true;
   scene.name = value_of<std::string>(fields, "scene_name");
   scene.yaml = value_of<std::string>(fields, "scene");
   for (const RecordingField& field : fields) {

@@ -13,6 +13,7 @@
 #include "avo/version.h"
 #include "avo_io/errors.h"
 #include "avo_io/printable.h"
+#include "avo_io/scene.h"
 #include "io/recording/block_source.h"
 #include "io/recording/recorded_states.h"
 #include "io/text/json.h"
@@ -73,6 +74,14 @@ void require_this_version(const std::string& recording, const RecordingHeader& h
                     recording, printable(header.version, 40), avo::kVersion));
 }
 
+void require_same_motion(const std::string& recording, const RecordingHeader& header) {
+  if (const auto lost = lost_setting(header.scene))
+    throw RecordingError(
+        fmt::format("{}: its scene: found {}, which was removed: its run cannot "
+                    "be simulated again",
+                    recording, *lost));
+}
+
 /// The steps that have rows: every n-th step from the start on, and the last step.
 struct RecordedSteps {
   std::int64_t every = 1;
@@ -126,6 +135,7 @@ Replay replay(const std::string& recording, int threads,
               const std::function<void(const avo::Simulation&)>& observe) {
   BlockSource source(recording);
   require_this_version(recording, source.header());
+  require_same_motion(recording, source.header());
   const avo::Scenario& scenario = source.scenario();
   const BlockShape shape = source.shape();
   avo::Scenario recorded = scenario;

@@ -23,6 +23,7 @@
 #include "io/scene/placement.h"
 #include "io/scene/read_obstacles.h"
 #include "io/scene/read_parts.h"
+#include "io/scene/removed.h"
 #include "io/scene/scene_text.h"
 #include "io/text/yaml_tree.h"
 
@@ -38,17 +39,6 @@ void read_version(const Reader& reader, const YamlNode& root) {
     reader.fail(*version, "version", shown(*version), "must be 1");
 }
 
-// Checks the precision: there is only one, but scenes may name it.
-void check_precision(const Reader& reader, const YamlNode& root) {
-  const YamlNode* precision = root.find("precision");
-  if (precision == nullptr) return;
-  const bool is_text = precision->kind == YamlNode::Kind::text;
-  if (is_text && precision->text == "double") return;
-  const bool is_single = is_text && precision->text == "single";
-  reader.fail(*precision, "precision", shown(*precision),
-              is_single ? "must be double; single precision was removed" : "must be double");
-}
-
 /// Makes a scenario of a tree; knows the value that each robot comes from.
 class SceneBuilder {
  public:
@@ -62,9 +52,9 @@ class SceneBuilder {
     if (root.kind == YamlNode::Kind::nothing)
       reader_.fail(root, "", "nothing",
                    "must be a map with at least version and robots, robots_from or groups");
+    refuse_removed(reader_, root);
     reader_.check_keys(root, "", keys_of(fields<Scenario>()));
     read_version(reader_, root);
-    check_precision(reader_, root);
     scenario_.name = default_name;
     reader_.read(root, "", fields<Scenario>(), scenario_);
     read_sensing(reader_, root, scenario_);
@@ -287,6 +277,7 @@ class SceneBuilder {
 Scenario made_again(const SceneSource& source, std::optional<std::int64_t> robots) {
   SceneFiles files{folder_of(source.name)};
   files.given = &source.files;
+  files.is_recorded = source.recorded;
   Scenario scenario = scenario_of(source.yaml, source.name, source.overrides, files, robots);
   if (source.start_at_rest) avo::start_at_rest(scenario);
   if (source.limit_speed) avo::limit_speed(scenario);
@@ -301,6 +292,7 @@ Scenario scenario_of(std::string_view yaml, const std::string& file,
   Document document;
   document.root = parse_yaml(yaml, file, document);
   const std::vector<RobotPatch> patches = apply_overrides(overrides, document);
+  if (files.is_recorded) replace_removed(document.root);
   return SceneBuilder(document, files).build(patches, stem_of(file), robots);
 }
 

@@ -24,6 +24,7 @@ struct SceneFiles {
   std::size_t bytes = 0;                          ///< bytes read so far
   std::vector<SceneFile> read{};
   std::vector<std::string> notes{};  ///< see SceneSource
+  bool is_recorded = false;          ///< see SceneSource::recorded
   bool may_lack_robots = false;  ///< whether the scene may have no robots, see load_surroundings()
 };
 

@@ -275,7 +275,6 @@ Json schema() {
   json.update(map_schema(
       fields<avo::Scenario>(),
       {{"version", {{"const", 1}}},
-       {"precision", {{"const", "double"}, {"default", "double"}}},
        {"robots", list_schema("robot")},
        {"groups", list_schema("group")},
        {"robots_from", robots_from_schema(alike)},
@@ -285,7 +284,6 @@ Json schema() {
        {"sensing_error", map_schema(fields<avo::SensingError>())},
        {"moving_obstacles", list_schema("moving_obstacle")},
        {"obstacles", list_schema("obstacle")}}));
-  json["properties"]["samples"]["not"] = {{"const", 1}};
   json["anyOf"] = {
       {{"required", {"robots"}}, {"properties", {{"robots", {{"minItems", 1}}}}}},
       {{"required", {"groups"}}, {"properties", {{"groups", {{"minItems", 1}}}}}},

@@ -195,6 +195,7 @@ export function readScene(instance: Instance, yaml: string | Uint8Array, options
   addText(bytes, yaml);
   addWhole(bytes, options.start_at_rest ? 1 : 0);
   addWhole(bytes, options.limit_speed ? 1 : 0);
+  addWhole(bytes, options.recorded ? 1 : 0);
   const overrides = options.overrides ?? [], files = options.files ?? [];
   addWhole(bytes, overrides.length);
   for (const override of overrides) addText(bytes, override);

@@ -16,6 +16,8 @@ export interface SceneOptions {
   files?: SceneFile[];
   start_at_rest?: boolean;
   limit_speed?: boolean;
+  /** Whether the scene comes from a recording: what was removed from scenes is read as what replaces it. */
+  recorded?: boolean;
   /** Whether all steps are observed, for Simulation.summary(); this costs about a tenth of their time. */
   metrics?: boolean;
 }

@@ -139,7 +139,7 @@ export const TOUR: TourStep[] = [
     look: ["The green region: velocities that the certificate admits for the next step.",
       "The braking paths of the robot and of its neighbors in the world: they never meet.",
       "Status refused: the certificate has refused a proposal and admitted another one."],
-    tries: [{ label: "certificate", path: "certificate", words: ["braking_trajectories", "stopping_capsules", "none"] }],
+    tries: [{ label: "certificate", path: "certificate", words: ["braking_trajectories", "none"] }],
     reference: "Not in the paper: docs/certificate.md proves it", robot: 5, time: 14, speed: 3,
     scene: (library) => crossing(library, "avo"),
   },

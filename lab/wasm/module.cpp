@@ -21,11 +21,13 @@ namespace {
 std::vector<std::byte> room;
 
 /// Reads the source as the host has stored it: name, text, whether robots start at rest and within
-/// the admissible speed. Overrides and files follow, each list with its number in front.
+/// the admissible speed, whether it comes from a recording. Overrides and files follow, each list
+/// with its number in front.
 avo_io::SceneSource source_of(Input& input) {
   avo_io::SceneSource source{input.text(), input.text(), {}, {}};
   source.start_at_rest = input.whole() != 0;
   source.limit_speed = input.whole() != 0;
+  source.recorded = input.whole() != 0;
   for (std::uint32_t left = input.whole(); left > 0; --left)
     source.overrides.push_back(input.text());
   for (std::uint32_t left = input.whole(); left > 0; --left) {

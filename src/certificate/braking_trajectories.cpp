@@ -154,8 +154,7 @@ void begin_trajectories(const Robot& robot, const Neighbors& neighbors, const Ne
   for (std::size_t k = 0; has_others && k < neighbors.size(); ++k) {
     const Neighbor other = neighbors[k];
     const bool decides = other.behavior == Behavior::decides;
-    if (decides && (!has_errors_of_its_own(other) || other.loiter || near.whom == Whom::movers))
-      continue;
+    if (decides && (!has_errors_of_its_own(other) || other.loiter)) continue;
     const StepLaw pair_law = has_errors_of_its_own(other) ? law_against(other, law) : law;
     const BrakingPair pair = braking_pair(robot, other, constraints.own, pair_law);
     if (cannot_meet(pair, other, pair_law)) continue;

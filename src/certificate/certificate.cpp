@@ -1,18 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
-// Both certificates behind one set of functions.
+// The constraints of all kinds of neighbors and of walls behind one set of functions.
 #include "certificate/certificate.h"
 
 #include <algorithm>
 #include <limits>
 
-#include "certificate/footprints.h"
 #include "robots/model.h"
 
 namespace avo::inline certificate {
 
 void reserve_constraints(std::size_t neighbors, std::size_t braking_steps,
                          std::size_t most_constraints, CertificateConstraints& constraints) {
-  constraints.capsules.reserve(neighbors);
+  constraints.loiterers.reserve(neighbors);
   constraints.near.reserve(1, neighbors);
   constraints.trajectories.waiting.reserve(neighbors);
   // the constraints of a pair are stored by whole packs
@@ -25,8 +24,7 @@ void reserve_constraints(std::size_t neighbors, std::size_t braking_steps,
 void find_near(const RobotColumns& robots, const CertificateLaw& law,
                CertificateConstraints& constraints) {
   if (law.kind == Certificate::none) return;
-  const bool everyone = law.kind == Certificate::braking_trajectories;
-  find_near(robots, everyone ? Whom::everyone : Whom::movers, law.step, constraints.near);
+  find_near(robots, law.step, constraints.near);
 }
 
 void collect_constraints(const Robot& robot, std::span<const Neighbor> neighbors,
@@ -48,15 +46,12 @@ void begin_constraints(const Robot& robot, const Neighbors& neighbors, std::size
   constraints.trajectories.columns.count = constraints.trajectories.columns.judged = 0;
   constraints.trajectories.stays_at_rest = false;
   constraints.trajectories.waiting.clear();
-  constraints.capsules.clear();
+  constraints.loiterers.clear();
   if (law.kind == Certificate::none) return;
   begin_trajectories(robot, neighbors, constraints.near, i, law.step, constraints.trajectories,
                      constraints.invariant);
-  if (law.kind == Certificate::stopping_capsules) {
-    collect_capsules(robot, neighbors, law.step, constraints.capsules, constraints.invariant);
-  }
   if (neighbors.columns->has_loiterers)
-    collect_loiterers(robot, neighbors, law.step, constraints.capsules, constraints.invariant);
+    collect_loiterers(robot, neighbors, law.step, constraints.loiterers, constraints.invariant);
 }
 
 namespace {
@@ -91,7 +86,7 @@ bool admits(const Robot& robot, Vec2 next_velocity, const CertificateLaw& law,
   if (constraints.invariant.unknown ||
       (constraints.invariant.touched && constraints.path.moving > 0))
     return false;
-  return trajectories_kept && keeps_capsules(constraints.capsules, constraints.path, law.step) &&
+  return trajectories_kept && keeps_loiterers(constraints.loiterers, constraints.path, law.step) &&
          keeps_walls(constraints.walls, constraints.path, law.step);
 }
 
@@ -107,10 +102,8 @@ void list_constraints(const CertificateConstraints& constraints, Vec2 position,
     const TrajectoryConstraint constraint = constraint_at(constraints.trajectories.columns, k);
     list.push_back({constraint.neighbor, constraint.interval, constraint.normal, constraint.bound});
   }
-  for (const CapsuleConstraint& constraint : constraints.capsules) {
-    list.push_back({constraint.neighbor, 0, constraint.normal,
-                    constraint.offset + dot(constraint.normal, position)});
-  }
+  for (const LoiterLine& line : constraints.loiterers)
+    list.push_back({line.neighbor, 0, line.normal, line.offset + dot(line.normal, position)});
 }
 
 }  // namespace avo::inline certificate

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// One robot's certificate for one decision, of any kind: the constraints that its decision must
-// keep.
+// One robot's certificate for one decision: the constraints that its decision must keep.
 #pragma once
 #include <cstddef>
 #include <span>
@@ -8,7 +7,7 @@
 
 #include "avo/planner.h"
 #include "certificate/braking_trajectories.h"
-#include "certificate/stopping_capsules.h"
+#include "certificate/footprints.h"
 #include "certificate/wall_constraints.h"
 #include "core/neighbor_columns.h"
 
@@ -23,18 +22,17 @@ struct CertificateLaw {
 /// The demands of neighbors and walls on a robot. Scratch memory; allocates only while it grows.
 struct CertificateConstraints {
   Invariant invariant;
-  TrajectoryConstraints
-      trajectories;  ///< of braking_trajectories; those of movers also for stopping_capsules
-  std::vector<CapsuleConstraint> capsules;  ///< of stopping_capsules; of all neighbors that loiter
-  WallConstraints walls;                    ///< by begin_walls()
-  CandidatePath path;                       ///< of the last judged candidate
-  NearPairs near;                           ///< of all robots that find_near() was given
+  TrajectoryConstraints trajectories;
+  std::vector<LoiterLine> loiterers;
+  WallConstraints walls;  ///< by begin_walls()
+  CandidatePath path;     ///< of the last judged candidate
+  NearPairs near;         ///< of all robots that find_near() was given
   // of a robot that is planned alone
   RobotColumns alone;
   NeighborColumns seen;
 
   bool demand_nothing() const {
-    return trajectories.columns.count == 0 && trajectories.waiting.empty() && capsules.empty() &&
+    return trajectories.columns.count == 0 && trajectories.waiting.empty() && loiterers.empty() &&
            walls.near.empty() && !invariant.unknown && !invariant.touched;
   }
 };

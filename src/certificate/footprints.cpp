@@ -81,7 +81,7 @@ double gap_of(const Footprint& a, const Footprint& b) {
 }
 
 void collect_loiterers(const Robot& robot, const Neighbors& neighbors, const StepLaw& law,
-                       std::vector<CapsuleConstraint>& constraints, Invariant& invariant) {
+                       std::vector<LoiterLine>& lines, Invariant& invariant) {
   const Footprint own = footprint_of(robot, law);
   for (std::size_t k = 0; k < neighbors.size(); ++k) {
     const Neighbor neighbor = neighbors[k];
@@ -92,7 +92,35 @@ void collect_loiterers(const Robot& robot, const Neighbors& neighbors, const Ste
       invariant.broken.take(static_cast<int>(k), -line.gap), invariant.doubtful = true;
     // A's footprint begins at n . x = min(0, n . own.way)
     const double begin = std::min(0.0, dot(line.normal, own.way));
-    constraints.push_back({static_cast<int>(k), line.normal, begin - line.part, begin});
+    lines.push_back({static_cast<int>(k), line.normal, begin - line.part, begin});
+  }
+}
+
+bool keeps_loiterers(std::span<const LoiterLine> lines, const CandidatePath& path,
+                     const StepLaw& law) {
+  if (lines.empty()) return true;
+  const double length = stopping_length(path.braking, law);
+  const Vec2 end = path.first + length * path.direction;
+  return std::all_of(lines.begin(), lines.end(), [&](const LoiterLine& line) {
+    return dot(line.normal, path.first) - path.bend >= line.offset &&
+           dot(line.normal, end) >= line.offset &&
+           (path.swing == Vec2{} || line.begin + dot(line.normal, path.swing) >= line.offset);
+  });
+}
+
+void append_half_planes(std::span<const LoiterLine> lines, const Robot& robot, const StepLaw& law,
+                        double top_speed, std::vector<HalfPlane>& half_planes) {
+  const double decrement = decrement_of(robot, law);
+  const double lead = law.time_step - law.lag;
+  // l(S)/S, nondecreasing: a slower robot stops earlier than the half-plane assumes
+  const double stopping_time =
+      top_speed > 0.0 ? stopping_length(top_speed, decrement, law) / top_speed : law.lag;
+  for (const LoiterLine& line : lines) {
+    if (line.normal == Vec2{}) continue;  // the centers are equal: there is no direction
+    // n . (s v + (Δt - s) v_1 + l(S)/S v_1) >= offset, exact for |v_1| = S
+    const double start = law.lag * dot(line.normal, robot.velocity);
+    const double rest = line.offset - start;
+    half_planes.push_back({line.normal, rest / (lead + (rest <= 0.0 ? stopping_time : 0.0))});
   }
 }
 

@@ -6,11 +6,11 @@
 #include <span>
 #include <vector>
 
+#include "avo/geometry.h"
 #include "avo/robot.h"
 #include "avo/wall.h"
 #include "certificate/braking_path.h"
 #include "certificate/pair.h"
-#include "certificate/stopping_capsules.h"
 #include "core/neighbor_columns.h"
 #include "robots/airplane.h"
 
@@ -36,9 +36,27 @@ struct SeparatingLine {
   double part = 0.0;  ///< m, how much nearer A may come along the normal: its part of the gap
 };
 
-/// For robots that brake: appends the constraints of the neighbors that loiter.
+/// The line of a neighbor that loiters, for a robot A that brakes: normal . x >= offset for all of
+/// A's next footprint, relative to p_A.
+struct LoiterLine {
+  int neighbor = 0;
+  Vec2 normal;          ///< unit, from the neighbor's circle to A's footprint
+  double offset = 0.0;  ///< m
+  double begin = 0.0;   ///< m, the start of A's present footprint
+};
+
+/// For robots that brake: appends the lines of the neighbors that loiter.
 void collect_loiterers(const Robot& robot, const Neighbors& neighbors, const StepLaw& law,
-                       std::vector<CapsuleConstraint>& constraints, Invariant& invariant);
+                       std::vector<LoiterLine>& lines, Invariant& invariant);
+
+/// Returns whether the footprint after the candidate's first step, and with it that step, keeps to
+/// all lines.
+bool keeps_loiterers(std::span<const LoiterLine> lines, const CandidatePath& path,
+                     const StepLaw& law);
+
+/// Appends the lines as half-planes in v_1, which suffice while |v_1| <= top_speed.
+void append_half_planes(std::span<const LoiterLine> lines, const Robot& robot, const StepLaw& law,
+                        double top_speed, std::vector<HalfPlane>& half_planes);
 
 /// The demands of neighbors and walls on an airplane. Scratch memory; allocates only while it
 /// grows.

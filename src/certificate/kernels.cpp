@@ -11,8 +11,8 @@
 #include "core/kernel_passes.h"
 
 namespace avo::inline certificate {
-void find_near(const RobotColumns& robots, Whom whom, const StepLaw& law, NearPairs& near) {
-  kKernels->find_near(robots, whom, law, near);
+void find_near(const RobotColumns& robots, const StepLaw& law, NearPairs& near) {
+  kKernels->find_near(robots, law, near);
 }
 
 void admit_next(const RobotColumns& robots, const std::vector<double>& next_x,

@@ -9,7 +9,7 @@
 namespace avo::inline certificate {
 
 struct CertificateKernels {
-  void (*find_near)(const RobotColumns&, Whom, const StepLaw&, NearPairs&);
+  void (*find_near)(const RobotColumns&, const StepLaw&, NearPairs&);
   void (*admit_next)(const RobotColumns&, const std::vector<double>&, const std::vector<double>&,
                      const StepLaw&, NearPairs&);
   void (*fill_own)(const Braking&, const Deviation&, const StepLaw&, OwnColumns&);

@@ -154,7 +154,7 @@ void judge(const StepLaw& law, NearQueue& queue, std::vector<NearPair>& kept) {
 /// Queues the neighbors of robot i that are not far. Returns whether there are neighbors that the
 /// lanes leave out: movers, and neighbors with an age.
 template <typename Real, bool kUnlike>
-AVO_KERNEL bool look_for(const RobotColumns& robots, std::size_t i, Whom whom, const StepLaw& law,
+AVO_KERNEL bool look_for(const RobotColumns& robots, std::size_t i, const StepLaw& law,
                          NearPairs& pairs) {
   const Neighbors& neighbors = robots.neighbors[i];
   const NeighborColumns& columns = *neighbors.columns;
@@ -190,7 +190,6 @@ AVO_KERNEL bool look_for(const RobotColumns& robots, std::size_t i, Whom whom, c
     const auto counted = lane_numbers<Real>() < Real(static_cast<double>(neighbors.count - k));
     const auto prompt = load(columns.decides) > zero;
     others = others | (counted & !prompt);
-    if (whom == Whom::movers) continue;
     auto near = counted & prompt & !are_far(bound, self, other);
     if (any(near)) near = near & !are_clear(bound, self, other, law);
     if constexpr (kUnlike) {
@@ -222,27 +221,25 @@ inline bool are_unlike(const RobotColumns& robots) {
 /// kUnlike: see are_unlike(). If false, priorities and limits of braking are not read, which takes
 /// fewer instructions.
 template <typename Real, bool kUnlike>
-AVO_KERNEL void look_for_all(const RobotColumns& robots, Whom whom, const StepLaw& law,
-                             NearPairs& pairs) {
+AVO_KERNEL void look_for_all(const RobotColumns& robots, const StepLaw& law, NearPairs& pairs) {
   for (std::size_t i = 0; i < robots.count; ++i) {
-    pairs.has_others[i] = look_for<Real, kUnlike>(robots, i, whom, law, pairs) ? 1 : 0;
+    pairs.has_others[i] = look_for<Real, kUnlike>(robots, i, law, pairs) ? 1 : 0;
   }
   judge<Real, kUnlike>(law, pairs.queue, pairs.kept);
 }
 
 template <typename Real>
-void find_near(const RobotColumns& robots, Whom whom, const StepLaw& law, NearPairs& pairs) {
+void find_near(const RobotColumns& robots, const StepLaw& law, NearPairs& pairs) {
   pairs.own.reserve(robots.count);
   pairs.own.take_strays(robots, law);
   fill<Real>(robots, law, pairs.own);
   pairs.kept.clear();
   pairs.queue.count = 0;  // entries may be left where memory ran out
   pairs.has_others.resize(robots.count);
-  pairs.whom = whom;
   if (are_unlike(robots)) {
-    look_for_all<Real, true>(robots, whom, law, pairs);
+    look_for_all<Real, true>(robots, law, pairs);
   } else {
-    look_for_all<Real, false>(robots, whom, law, pairs);
+    look_for_all<Real, false>(robots, law, pairs);
   }
   pairs.end.resize(robots.count);
   std::size_t end = 0;

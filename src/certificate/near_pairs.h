@@ -15,9 +15,6 @@
 
 namespace avo::inline certificate {
 
-/// Which neighbors' constraints are wanted.
-enum class Whom : unsigned char { everyone, movers };
-
 /// By robot: its braking path, how far its candidates' paths get from it, and the bounds that tell
 /// which neighbors can refuse nothing, see PackBound.
 struct BrakingColumns {
@@ -79,7 +76,6 @@ struct NearPair {
 struct NearPairs {
   BrakingColumns own;
   NearQueue queue;
-  Whom whom = Whom::everyone;    ///< which constraints were asked for
   std::vector<NearPair> kept;    ///< robot by robot, by ascending neighbor
   std::vector<std::size_t> end;  ///< one past the pairs of robot i
   /// Whether robot i has neighbors that do not decide, or have an age: they are judged one by one.
@@ -99,13 +95,13 @@ struct NearPairs {
   }
 };
 
-/// Finds each robot's neighbors that decide and have age 0, if everyone's constraints are wanted.
-/// It keeps the neighbors that may meet the robot and can refuse a candidate.
-void find_near(const RobotColumns& robots, Whom whom, const StepLaw& law, NearPairs& near);
+/// Finds each robot's neighbors that decide and have age 0. It keeps the neighbors that may meet
+/// the robot and can refuse a candidate.
+void find_near(const RobotColumns& robots, const StepLaw& law, NearPairs& near);
 
 /// Finds whether robot i may have the next velocity whatever its near pairs demand: the velocity
 /// deviates too little from braking. The robot must be no car and have no others, and find_near()
-/// must have run for everyone.
+/// must have run.
 void admit_next(const RobotColumns& robots, const std::vector<double>& next_x,
                 const std::vector<double>& next_y, const StepLaw& law, NearPairs& near);
 

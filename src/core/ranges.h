@@ -49,9 +49,6 @@ inline constexpr Range kAngle{-1e6, 1e6, false};
 inline constexpr Range kPositive{0.0, kLargest, true};
 inline constexpr Range kNotNegative{0.0, kLargest, false};
 inline constexpr Range kAtLeastOne{1.0, std::numeric_limits<std::int32_t>::max(), false};
-/// Boundary samples a side: 0 (exact) or at least 2. The time of a decision grows with their
-/// square.
-inline constexpr Range kSamples{0.0, 1000.0, false};
 
 /// m, m/s, of measurements: the declared errors then stay in range.
 inline constexpr Range kNoise{0.0, 1e9, false};

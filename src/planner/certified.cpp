@@ -103,22 +103,22 @@ void append_trajectory_cuts(const Proposals& proposals) {
   }
 }
 
-// The cuts of capsules are exact: their half-planes are no tangents.
-void append_capsule_cuts(const Proposals& proposals) {
+// The cuts of loiterers are exact: their half-planes are no tangents.
+void append_loiterer_cuts(const Proposals& proposals) {
   const CertificateConstraints& constraints = proposals.workspace.constraints;
-  if (keeps_capsules(constraints.capsules, constraints.path, proposals.law.step)) return;
+  if (keeps_loiterers(constraints.loiterers, constraints.path, proposals.law.step)) return;
   std::vector<HalfPlane>& hard = proposals.workspace.hard;
   const std::size_t before = hard.size();
   const double u = proposals.acceleration.radius;
   const double fastest = std::min(norm(proposals.robot.velocity) + u, proposals.top_speed);
-  append_half_planes(constraints.capsules, proposals.robot, proposals.law.step, fastest, hard);
+  append_half_planes(constraints.loiterers, proposals.robot, proposals.law.step, fastest, hard);
   for (std::size_t k = before; k < hard.size(); ++k) hard[k].offset += kInside * u;
 }
 
 // Appends the cuts of all constraints that refuse the last judged path.
 void append_cuts(const Proposals& proposals) {
   append_trajectory_cuts(proposals);
-  append_capsule_cuts(proposals);
+  append_loiterer_cuts(proposals);
   const CertificateConstraints& constraints = proposals.workspace.constraints;
   std::vector<HalfPlane>& hard = proposals.workspace.hard;
   const std::size_t before = hard.size();
@@ -170,37 +170,6 @@ CertifiedChoice choose_by_cuts(const Proposals& proposals) {
   return choice;
 }
 
-// Stopping capsules are half-planes in v_1 up to a speed: the present speed and a step more, the
-// present speed, or a step less. Braking satisfies the last one if it is no more than a_max.
-CertifiedChoice choose_by_half_planes(const Proposals& proposals) {
-  const Robot& robot = proposals.robot;
-  const CertificateLaw& law = proposals.law;
-  CertifiedWorkspace& workspace = proposals.workspace;
-  const double speed = norm(robot.velocity), u = proposals.acceleration.radius;
-  const double braked_speed =
-      std::max(speed - braking_decrement(planned_braking(robot), law.step), 0.0);
-  for (const double limit : {speed + u, speed, braked_speed}) {
-    const double top_speed = std::min(limit, proposals.top_speed);
-    proposals.begin();
-    const std::size_t own = workspace.hard.size();  // the velocities of a car at rest lie on a line
-    append_half_planes(workspace.constraints.capsules, robot, law.step, top_speed, workspace.hard);
-    for (std::size_t k = own; k < workspace.hard.size(); ++k)
-      workspace.hard[k].offset += kInside * u;
-    for (int round = 0; round < kRounds; ++round) {
-      const ProgramResult result = propose(proposals, top_speed);
-      if (result.state != ProgramState::optimal) break;
-      const Vec2 candidate = followed(proposals, result.point);
-      if (is_admitted(proposals, candidate, Asked::all)) {
-        return {candidate, candidate == proposals.wanted ? Chosen::wanted : Chosen::candidate};
-      }
-      const std::size_t before = workspace.hard.size();
-      append_cuts(proposals);  // of movers and walls
-      if (workspace.hard.size() == before) break;
-    }
-  }
-  return {backup_velocity(robot, law), Chosen::backup};
-}
-
 Proposals proposals_of(const Robot& robot, Vec2 wanted, const CertificateLaw& law, Follows follows,
                        CertifiedWorkspace& workspace) {
   const double u = increment(robot.max_acceleration, law.step);
@@ -226,9 +195,7 @@ bool may_choose(const Robot& robot, Vec2 next_velocity, const CertificateLaw& la
 
 CertifiedChoice choose_certified(const Robot& robot, Vec2 wanted, const CertificateLaw& law,
                                  CertifiedWorkspace& workspace, Follows follows) {
-  const Proposals proposals = proposals_of(robot, wanted, law, follows, workspace);
-  return law.kind == Certificate::stopping_capsules ? choose_by_half_planes(proposals)
-                                                    : choose_by_cuts(proposals);
+  return choose_by_cuts(proposals_of(robot, wanted, law, follows, workspace));
 }
 
 }  // namespace avo::inline planner

@@ -66,9 +66,6 @@ void validate_certificate(const PlannerOptions& options, const std::string& pref
   }
   if (options.motion != Motion::held)
     refuse(prefix + "clock", to_string(options.clock), "common where motion is exponential");
-  if (options.certificate == Certificate::stopping_capsules)
-    refuse(prefix + "clock", to_string(options.clock),
-           std::string("common with certificate ") + to_string(options.certificate));
 }
 
 }  // namespace
@@ -140,8 +137,6 @@ void validate(const PlannerOptions& options, const std::string& prefix) {
   validate_comfort(options, prefix);
   if (options.max_neighbors)
     require(prefix + "max_neighbors", *options.max_neighbors, kAtLeastOne, "");
-  require(prefix + "samples", options.samples, kSamples, "");
-  if (options.samples == 1) refuse(prefix + "samples", "1", "0 (exact) or >= 2");
   require(prefix + "arrival_distance", options.arrival_distance, kPositive, "m");
   validate_certificate(options, prefix);
   const auto& [position, velocity, quantile] = options.sensing_noise;

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 #include <string>
+#include <string_view>
 
 #include "avo/decision_trace.h"
 #include "avo/planner.h"
@@ -24,14 +25,14 @@ AVO_LOCAL inline constexpr std::array kNames<Method>{"avo",
                                                      "reciprocal_velocity_obstacle",
                                                      "buffered_voronoi"};
 template <>
-AVO_LOCAL inline constexpr std::array kNames<Certificate>{"none", "stopping_capsules",
+AVO_LOCAL inline constexpr std::array kNames<Certificate>{"none", "unknown",
                                                           "braking_trajectories"};
 template <>
 AVO_LOCAL inline constexpr std::array kNames<Motion>{"held", "exponential"};
 template <>
 AVO_LOCAL inline constexpr std::array kNames<Clock>{"common", "free"};
 template <>
-AVO_LOCAL inline constexpr std::array kNames<RightOfWay>{"none", "seen", "told"};
+AVO_LOCAL inline constexpr std::array kNames<RightOfWay>{"none", "seen"};
 template <>
 AVO_LOCAL inline constexpr std::array kNames<NoiseDistribution>{"gaussian", "uniform"};
 template <>
@@ -47,6 +48,14 @@ AVO_LOCAL inline constexpr std::array kNames<WishRule>{
     "none", "steers", "keeps_right", "yields", "settles", "leaves_wall", "in_cell"};
 template <>
 AVO_LOCAL inline constexpr std::array kNames<SafetyState>{"unknown", "safe", "doomed"};
+
+/// The key in scene files of an enum of which values were removed.
+template <typename Choice>
+AVO_LOCAL inline constexpr std::string_view kKey{};
+template <>
+AVO_LOCAL inline constexpr std::string_view kKey<Certificate>{"certificate"};
+template <>
+AVO_LOCAL inline constexpr std::string_view kKey<RightOfWay>{"right_of_way"};
 
 template <typename Choice>
 const char* name_of(Choice choice) {

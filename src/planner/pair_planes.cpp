@@ -70,9 +70,7 @@ RelativeHalfPlane relative_half_plane(const PlannerOptions& options, const Horiz
   if (disregards_acceleration(options.method)) {
     return orca_half_plane(pair, options.time_horizon, options.time_step);
   }
-  const double reach = pair_reach(options, robot, neighbor);
-  return options.samples > 0 ? sampled_half_plane(pair, reach, horizon, options.samples)
-                             : half_plane(pair, reach, horizon);
+  return half_plane(pair, pair_reach(options, robot, neighbor), horizon);
 }
 
 // A's half-plane in v', from the relative one.

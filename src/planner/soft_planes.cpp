@@ -189,7 +189,7 @@ void collect_exact(const PlannerOptions& options, const Horizon& horizon, const 
   if (tile.neighbors.has_movers) raise_for_movers(options, robots, soft);
 }
 
-// Collects ORCA's half-planes, and those of the paper's samples.
+// Collects half-planes of the methods that disregard accelerations, and of Voronoi cells.
 void collect_others(const PlannerOptions& options, const Horizon& horizon, const Tile& tile,
                     SoftPlanes& soft) {
   soft.planes.clear();
@@ -239,8 +239,7 @@ void reserve(std::size_t robots, std::size_t pairs, SoftPlanes& soft) {
 
 void collect_soft_planes(const PlannerOptions& options, const Horizon& horizon, const Tile& tile,
                          SoftPlanes& soft) {
-  if (disregards_acceleration(options.method) || options.method == Method::buffered_voronoi ||
-      options.samples > 0) {
+  if (disregards_acceleration(options.method) || options.method == Method::buffered_voronoi) {
     collect_others(options, horizon, tile, soft);
   } else {
     collect_exact(options, horizon, tile, soft);

@@ -179,9 +179,9 @@ std::vector<Cause> list_refusing(const Decided& decided, const StepLaw& law) {
       add(refusing, {decided.given_index(static_cast<std::size_t>(columns.neighbor[first])), -1});
     first = last;
   }
-  for (const CapsuleConstraint& capsule : own.capsules) {
-    if (!keeps_capsules({&capsule, 1}, own.path, law))
-      add(refusing, {decided.given_index(static_cast<std::size_t>(capsule.neighbor)), -1});
+  for (const LoiterLine& line : own.loiterers) {
+    if (!keeps_loiterers({&line, 1}, own.path, law))
+      add(refusing, {decided.given_index(static_cast<std::size_t>(line.neighbor)), -1});
   }
   WallConstraints alone = own.walls;
   for (std::size_t k = 0; k < decided.walls.size(); ++k) {

@@ -13,25 +13,13 @@ constexpr double kLeavesLane = 1.0;  // rad: a robot that has turned off by more
 // of a robot; memory for more is allocated when it is needed
 constexpr std::size_t kMostClaims = 4;
 
-const Travel& travel_of(const World& world, std::size_t slot) {
-  return world.ways.travels[static_cast<std::size_t>(world.fleet.rank[slot])];
-}
-
-// Appends the claims within kClaimRange that the robot has, or seems to have.
+// Appends the claims within kClaimRange that the robot seems to have.
 void append_claims(const World& world, std::size_t slot, std::vector<Claimant>& claimants) {
   const Ways& ways = world.ways;
   const Vec2 p = world.fleet.position[slot];
   const auto append = [&](const Claim& claim) {
     claimants.push_back(claimant_of(world, slot, claim));
   };
-  if (world.settings.right_of_way == RightOfWay::told) {
-    const Travel& travel = travel_of(world, slot);
-    if (!travel.is_known()) return;
-    const auto claim = prospect_of(world, slot, travel).claim;
-    if (claim && claim->distance <= kClaimRange * ways.passages[claim->passage].radius)
-      append(*claim);
-    return;
-  }
   ways.passages.for_each_watched(p, [&](std::uint32_t number) {
     const Passage& passage = ways.passages[number];
     const auto claim = seen_claim(passage, number, p, world.fleet.velocity[slot]);
@@ -52,11 +40,8 @@ Vec2 beyond(Vec2 p, Vec2 target, double rest) {
 }  // namespace
 
 Prospect prospect_of(const World& world, std::size_t slot, const Travel& travel) {
-  Prospect prospect = look_ahead(world.ways.passages, *travel.graph, *travel.map,
-                                 world.fleet.position[slot], travel.target);
-  if (prospect.claim && world.settings.right_of_way == RightOfWay::told)
-    prospect.claim->ends = false;
-  return prospect;
+  return look_ahead(world.ways.passages, *travel.graph, *travel.map, world.fleet.position[slot],
+                    travel.target);
 }
 
 Claimant claimant_of(const World& world, std::size_t slot, const Claim& claim) {

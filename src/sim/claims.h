@@ -29,11 +29,10 @@ struct Claims {
   }
 };
 
-/// Collects the claims, seen or told, as the scene says. There must be passages.
+/// Collects the claims as others see them. There must be passages.
 void collect_claims(const World& world, Executor& executor, Claims& claims);
 
-/// The robot's own claim, as the scene allows it: a robot that tells claims makes no room. Its
-/// route must be known.
+/// The robot's own claim. Its route must be known.
 Prospect prospect_of(const World& world, std::size_t slot, const Travel& travel);
 Claimant claimant_of(const World& world, std::size_t slot, const Claim& claim);
 

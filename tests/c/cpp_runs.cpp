@@ -41,7 +41,7 @@ avo::Scenario yard() {
   scene.comfort_acceleration = 0.6, scene.comfort_jerk = 2.0;
   scene.never_swerves = true;
   scene.seed = 7;
-  scene.right_of_way = avo::RightOfWay::told;
+  scene.right_of_way = avo::RightOfWay::none;
   scene.sensing.noise = {0.01, 0.02, avo::NoiseDistribution::uniform, {}};
   scene.robots = robots();
   scene.moving_obstacles = {{.position = {0.0, -12.0}, .velocity = {0.0, 0.5}, .radius = 0.4},

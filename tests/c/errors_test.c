@@ -130,6 +130,18 @@ static void check_values(void) {
   REFUSES(avo_create_simulation(&def, &simulation), AVO_ERROR_INVALID_VALUE,
           "method: found -3, must be 0 to 6");
   def.method = AVO_METHOD_AVO;
+  def.certificate = 1; /* of earlier headers */
+  REFUSES(avo_create_simulation(&def, &simulation), AVO_ERROR_INVALID_VALUE,
+          "certificate: found 1 (stopping_capsules), must be braking_trajectories: ");
+  def.certificate = AVO_UNSET;
+  def.right_of_way = 2; /* of earlier headers */
+  REFUSES(avo_create_simulation(&def, &simulation), AVO_ERROR_INVALID_VALUE,
+          "right_of_way: found 2 (told), must be seen: told was removed");
+  def.right_of_way = AVO_RIGHT_OF_WAY_SEEN;
+  def.unused = 25; /* samples of earlier headers */
+  REFUSES(avo_create_simulation(&def, &simulation), AVO_ERROR_INVALID_VALUE,
+          "samples: found 25, must be 0: all half-planes are exact");
+  def.unused = 0;
   def.max_neighbors = -1;
   REFUSES(avo_create_simulation(&def, &simulation), AVO_ERROR_INVALID_VALUE,
           "max_neighbors: found -1");
@@ -254,7 +266,7 @@ static void check_arbitrary_bytes(void) {
       memcpy((char*)robots + place, &word, sizeof word);
     } else {
       def.time_step = (double)(next_word(&random) % 7) - 1.0;
-      def.samples = (int32_t)next_word(&random);
+      def.unused = (int32_t)(next_word(&random) % 4 / 3);
       def.clock = (int32_t)(next_word(&random) % 4) - 1;
       def.max_neighbors = (int32_t)(next_word(&random) % 5) - 2;
       def.certificate = (int32_t)(next_word(&random) % 6) - 2;

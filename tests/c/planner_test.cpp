@@ -87,7 +87,6 @@ avo_planner_def to_c(const avo::PlannerOptions& options) {
   def.control_time = options.control_time;
   def.time_horizon = options.time_horizon;
   def.time_step = options.time_step;
-  def.samples = options.samples;
   def.certificate = static_cast<avo_certificate>(options.certificate);
   def.max_neighbors = options.max_neighbors.value_or(0);
   def.clock = static_cast<avo_clock>(options.clock);
@@ -296,7 +295,7 @@ int main() {
   check_scene("circle-10", {"method=orca_clamped"});
   check_scene("circle-10", {"method=reciprocal_velocity_obstacle"});
   check_scene("circle-10", {"method=buffered_voronoi"});
-  check_scene("circle-10", {"method=avo_paper", "samples=12"});
+  check_scene("circle-10", {"method=avo_paper"});
   check_scene("mixed-yard", {});
   check_scene("planes-12", {});
   check_scene("person", {});

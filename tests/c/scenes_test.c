@@ -82,8 +82,6 @@ int main(void) {
   check_scene("circle-10", "method=orca_clamped", 200);
   check_scene("circle-10", "method=reciprocal_velocity_obstacle", 200);
   check_scene("circle-10", "method=buffered_voronoi", 200);
-  check_scene("circle-10", "samples=16", 50);
-  check_scene("circle-10", "certificate=stopping_capsules", 200);
   check_scene("circle-10", "clock=free", 200);
   check_scene("circle-10", "sensing.dropped=0.2", 200);
   check_scene("uniform-1000", NULL, 30);
@@ -96,7 +94,7 @@ int main(void) {
   check_scene("mixed-yard", NULL, 100);
   check_scene("moving-obstacle", "motion=exponential", 200);
   check_scene("office", NULL, 60);
-  check_scene("doorway", "right_of_way=told", 100);
+  check_scene("doorway", "right_of_way=none", 100);
   check_scene("doorway", "navigation=false", 60);
   return 0;
 }

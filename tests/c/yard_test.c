@@ -88,7 +88,7 @@ static avo_simulation_id make_yard(void) {
   def.comfort_acceleration = 0.6, def.comfort_jerk = 2.0;
   def.never_swerves = true;
   def.seed = 7;
-  def.right_of_way = AVO_RIGHT_OF_WAY_TOLD;
+  def.right_of_way = AVO_RIGHT_OF_WAY_NONE;
   def.sensing.noise.position = 0.01;
   def.sensing.noise.velocity = 0.02;
   def.sensing.noise.distribution = AVO_NOISE_UNIFORM;

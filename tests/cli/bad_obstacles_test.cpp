@@ -73,7 +73,7 @@ const std::vector<Bad> kEntries{
      "duration, control_time, response_time, comfort_acceleration, comfort_jerk, margin, "
      "never_swerves, time_horizon, "
      "sensing_radius, max_neighbors, method, certificate, "
-     "motion, precision, samples, arrival_distance, seed, robots, groups, robots_from, "
+     "motion, arrival_distance, seed, robots, groups, robots_from, "
      "moving_obstacles, obstacles, navigation, right_of_way, sensing, sensing_error, clock, "
      "allow_broken_assumptions; did "
      "you mean "

@@ -66,8 +66,8 @@ TEST(Bench, counts_pairs_and_decisions_without_choice) {
 }
 
 TEST(Bench, follows_what_is_set) {
-  const Json json = bench({"uniform-300", "--steps", "2", "--threads", "2", "--set",
-                           "method=avo_paper", "--set", "precision=double"});
+  const Json json =
+      bench({"uniform-300", "--steps", "2", "--threads", "2", "--set", "method=avo_paper"});
   EXPECT_EQ(json["robots"], 300);
   EXPECT_EQ(json["threads"], 2);
   EXPECT_EQ(json["precision"], "double");
@@ -121,7 +121,7 @@ TEST(Bench, refuses_in_one_line) {
     EXPECT_EQ(refused({"circle-4", "--threads", threads}), 2) << threads;
   EXPECT_EQ(refused({}), 2);
   EXPECT_EQ(refused({"circle-1"}), 2);
-  EXPECT_EQ(refused({"circle-4", "--set", "precision=single"}), 2);
+  EXPECT_EQ(refused({"circle-4", "--set", "precision=double"}), 2);
   EXPECT_EQ(refused({"no-such-scene"}), 4);
 }
 

@@ -72,7 +72,7 @@ const std::vector<Asked> kAsked{
     {"avo run office --set contr", "avo run office --set control_time="},
     {"avo run office --set method=v", "avo run office --set method=velocity_obstacle "},
     {"avo run office --set clock=", "common"},
-    {"avo run office --set=right_of_way=t", "avo run office --set=right_of_way=told "}};
+    {"avo run office --set=right_of_way=s", "avo run office --set=right_of_way=seen "}};
 
 void expect_completions(PseudoTerminal& terminal) {
   for (const Asked& asked : kAsked) {

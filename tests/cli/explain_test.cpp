@@ -123,7 +123,7 @@ const Strings kAvo{"circle-10", "--set",          "method=avo", "--set", "contro
                    "--set",     "time_horizon=3", "--time",     "10"};
 
 TEST(Explain, tells_the_certificate_apart_from_the_half_planes) {
-  for (const char* kind : {"none", "stopping_capsules", "braking_trajectories"}) {
+  for (const char* kind : {"none", "braking_trajectories"}) {
     Strings arguments = kAvo;
     arguments.insert(arguments.end(),
                      {"--robot", "3", "--set", std::string("certificate=") + kind});

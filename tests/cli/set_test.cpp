@@ -28,15 +28,31 @@ std::string refusal(const std::vector<std::string>& overrides,
 
 TEST(Set, changes_what_the_file_says) {
   const Scenario scenario =
-      load("positions-exchange",
-           {"time_step=0.05", "robots.0.radius=0.4", "robots.1.goal=[1, 2]", "robots.1.goal.1=3",
-            "method=orca", "max_neighbors=3", "precision=double"});
+      load("positions-exchange", {"time_step=0.05", "robots.0.radius=0.4", "robots.1.goal=[1, 2]",
+                                  "robots.1.goal.1=3", "method=orca", "max_neighbors=3"});
   EXPECT_EQ(scenario.time_step, 0.05);
   EXPECT_EQ(scenario.robots[0].radius, 0.4);
   EXPECT_EQ(scenario.robots[1].radius, 0.5);
   EXPECT_EQ(scenario.robots[1].goal, (avo::Vec2{1, 3}));
   EXPECT_EQ(scenario.method, avo::Method::orca);
   EXPECT_EQ(scenario.max_neighbors, 3);
+}
+
+TEST(Set, refuses_what_was_removed_by_name) {
+  EXPECT_EQ(refusal({"precision=double"}),
+            "--set precision=double: found the removed key \"precision\", must be left out: "
+            "everything is computed in double precision");
+  EXPECT_EQ(
+      refusal({"samples=25"}),
+      "--set samples=25: found the removed key \"samples\", must be left out: all half-planes "
+      "are exact");
+  EXPECT_EQ(
+      refusal({"certificate=stopping_capsules"}),
+      "--set certificate=stopping_capsules: certificate: found \"stopping_capsules\", must be "
+      "braking_trajectories: stopping_capsules was removed");
+  EXPECT_EQ(
+      refusal({"right_of_way=told"}),
+      "--set right_of_way=told: right_of_way: found \"told\", must be seen: told was removed");
 }
 
 TEST(Set, changes_how_gently_robots_move) {

@@ -93,25 +93,20 @@ TEST_P(Crushed, unequal_robots_at_one_point_never_overlap) {
   EXPECT_GT(report.largest_speed, 1.0);      // and fast
 }
 
-constexpr Certificate kCapsules = Certificate::stopping_capsules;
 constexpr Certificate kTrajectories = Certificate::braking_trajectories;
 
 INSTANTIATE_TEST_SUITE_P(
     , Crushed,
-    testing::Values(
-        Crush{"stopping_capsules_60", kCapsules, Motion::held, 60, 12.0, 2000},
-        Crush{"stopping_capsules_exponential_60", kCapsules, Motion::exponential, 60, 12.0, 2000},
-        Crush{"braking_trajectories_60", kTrajectories, Motion::held, 60, 12.0, 2000},
-        Crush{"braking_trajectories_exponential_60", kTrajectories, Motion::exponential, 60, 12.0,
-              2000},
-        Crush{"stopping_capsules_200", kCapsules, Motion::held, 200, 22.0, 800},
-        Crush{"braking_trajectories_200", kTrajectories, Motion::held, 200, 22.0, 800},
-        Crush{"braking_trajectories_exponential_200", kTrajectories, Motion::exponential, 200, 22.0,
-              800},
-        Crush{"stopping_capsules_priorities", kCapsules, Motion::held, 60, 12.0, 800, 64.0},
-        Crush{"braking_trajectories_priorities", kTrajectories, Motion::held, 60, 12.0, 2000, 64.0},
-        Crush{"braking_trajectories_exponential_priorities", kTrajectories, Motion::exponential, 60,
-              12.0, 800, 64.0}),
+    testing::Values(Crush{"braking_trajectories_60", kTrajectories, Motion::held, 60, 12.0, 2000},
+                    Crush{"braking_trajectories_exponential_60", kTrajectories, Motion::exponential,
+                          60, 12.0, 2000},
+                    Crush{"braking_trajectories_200", kTrajectories, Motion::held, 200, 22.0, 800},
+                    Crush{"braking_trajectories_exponential_200", kTrajectories,
+                          Motion::exponential, 200, 22.0, 800},
+                    Crush{"braking_trajectories_priorities", kTrajectories, Motion::held, 60, 12.0,
+                          2000, 64.0},
+                    Crush{"braking_trajectories_exponential_priorities", kTrajectories,
+                          Motion::exponential, 60, 12.0, 800, 64.0}),
     [](const testing::TestParamInfo<Crush>& each) { return each.param.name; });
 
 }  // namespace

@@ -18,9 +18,7 @@ class AmongMovers : public testing::TestWithParam<std::tuple<Certificate, Motion
 
 std::string name_of(const testing::TestParamInfo<AmongMovers::ParamType>& info) {
   const auto [kind, motion] = info.param;
-  const std::string name =
-      kind == Certificate::stopping_capsules ? "stopping_capsules" : "braking_trajectories";
-  return name + (motion == Motion::held ? "_held" : "_exponential");
+  return std::string(to_string(kind)) + (motion == Motion::held ? "_held" : "_exponential");
 }
 
 // 1 to 3 robots at rest and 1 to 3 movers, half of which accelerate, on their way towards them.
@@ -239,9 +237,7 @@ TEST(ChangingMover, is_touched_in_motion_nearly_as_deep_as_proven) {
 
 INSTANTIATE_TEST_SUITE_P(
     , AmongMovers,
-    testing::Values(std::tuple(Certificate::stopping_capsules, Motion::held),
-                    std::tuple(Certificate::stopping_capsules, Motion::exponential),
-                    std::tuple(Certificate::braking_trajectories, Motion::held),
+    testing::Values(std::tuple(Certificate::braking_trajectories, Motion::held),
                     std::tuple(Certificate::braking_trajectories, Motion::exponential)),
     name_of);
 

@@ -121,9 +121,7 @@ TEST_P(Certified, rounding_is_covered_by_the_margin) {
 
 INSTANTIATE_TEST_SUITE_P(
     , Certified,
-    testing::Values(std::tuple(Certificate::stopping_capsules, Motion::held),
-                    std::tuple(Certificate::stopping_capsules, Motion::exponential),
-                    std::tuple(Certificate::braking_trajectories, Motion::held),
+    testing::Values(std::tuple(Certificate::braking_trajectories, Motion::held),
                     std::tuple(Certificate::braking_trajectories, Motion::exponential)),
     name_of);
 

@@ -224,7 +224,6 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values(std::tuple(Certificate::braking_trajectories, Motion::held, Sight::exact),
                     std::tuple(Certificate::braking_trajectories, Motion::exponential,
                                Sight::exact),
-                    std::tuple(Certificate::stopping_capsules, Motion::held, Sight::exact),
                     std::tuple(Certificate::braking_trajectories, Motion::held, Sight::with_errors),
                     std::tuple(Certificate::braking_trajectories, Motion::held, Sight::late)),
     name_of);

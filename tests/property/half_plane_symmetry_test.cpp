@@ -7,6 +7,7 @@
 #include "avo/half_plane.h"
 #include "support/cases.h"
 #include "support/generators.h"
+#include "support/sampled_half_plane.h"
 
 namespace avo {
 namespace {
@@ -16,9 +17,6 @@ using test::Situation;
 
 RelativeHalfPlane half_plane_of(const Situation& s) {
   return half_plane(s.pair, s.reach, Horizon(s.control_time, s.time_horizon, 0.1));
-}
-RelativeHalfPlane sampled_half_plane_of(const Situation& s) {
-  return sampled_half_plane(s.pair, s.reach, Horizon(s.control_time, s.time_horizon, 0.1), 12);
 }
 RelativeHalfPlane orca_half_plane_of(const Situation& s) {
   return orca_half_plane(s.pair, s.time_horizon, 0.1);
@@ -64,7 +62,6 @@ TEST(HalfPlane, P7_exchanging_the_robots_negates_it_bit_for_bit) {
     const Situation s = situation(random);
     expect_mapped(half_plane_of(mapped(s, negated)), half_plane_of(s), negated);
     expect_mapped(orca_half_plane_of(mapped(s, negated)), orca_half_plane_of(s), negated);
-    expect_mapped(sampled_half_plane_of(mapped(s, negated)), sampled_half_plane_of(s), negated);
   });
 }
 
@@ -195,7 +192,7 @@ TEST(HalfPlane, P4_samples_tend_to_the_exact_one) {
     const Horizon horizon(s.control_time, s.time_horizon, 0.1);
     for (int i = 0; i < 3; ++i) {
       const int samples = i == 0 ? 25 : i == 1 ? 100 : 400;
-      const RelativeHalfPlane found = sampled_half_plane(s.pair, s.reach, horizon, samples);
+      const RelativeHalfPlane found = test::sampled_half_plane(s.pair, s.reach, horizon, samples);
       const double error = found.state == PairState::free
                                ? 1.0 + exact.plane.offset / s.reach
                                : std::abs(exact.plane.offset - found.plane.offset) / s.reach;

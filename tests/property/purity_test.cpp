@@ -117,10 +117,10 @@ PlannerOptions any_options(Random& random) {
   if (options.method != Method::avo) return options;
   options.control_time = options.time_step * random.log_uniform(1.0, 30.0);
   options.time_horizon = random.log_uniform(0.5, 10.0);
-  constexpr Certificate kCertificates[] = {
-      Certificate::braking_trajectories, Certificate::braking_trajectories,
-      Certificate::braking_trajectories, Certificate::stopping_capsules, Certificate::none};
-  options.certificate = kCertificates[random.below(5)];
+  constexpr Certificate kCertificates[] = {Certificate::braking_trajectories,
+                                           Certificate::braking_trajectories,
+                                           Certificate::braking_trajectories, Certificate::none};
+  options.certificate = kCertificates[random.below(4)];
   if (random.below(4) == 0) options.motion = Motion::exponential;
   if (options.certificate != Certificate::braking_trajectories) return options;
   if (random.below(4) == 0) options.sensing_error = {0.05, 0.05};

@@ -140,7 +140,6 @@ SensingModel late() {
 INSTANTIATE_TEST_SUITE_P(
     , StrongBrakesCrush,
     testing::Values(Condition{"exact"}, Condition{"free_clocks", Clock::free},
-                    Condition{"capsules", Clock::common, Certificate::stopping_capsules},
                     Condition{"exponential", Clock::common, Certificate::braking_trajectories,
                               Motion::exponential},
                     Condition{.name = "noise", .sensing = noisy()},

@@ -252,7 +252,12 @@ def one_neighbor(**fields):
      'velocity_obstacle, orca, orca_clamped, reciprocal_velocity_obstacle, buffered_voronoi; '
      'did you mean "avo_paper"?'),
     (lambda: avo.Planner(time_step=-1.0), "time_step: found -1"),
-    (lambda: avo.Planner(method="orca", certificate="stopping_capsules"), "must be none with method orca"),
+    (lambda: avo.Planner(certificate="stopping_capsules"),
+     'certificate: found "stopping_capsules", must be braking_trajectories: stopping_capsules was removed'),
+    (lambda: avo.Planner(certificate="unknown"),
+     'certificate: found "unknown", must be one of none, braking_trajectories'),
+    (lambda: avo.Planner(samples=0), "samples: found the removed option, must be left out: all half-planes are exact"),
+    (lambda: avo.Planner(method="orca", certificate="braking_trajectories"), "must be none with method orca"),
     (lambda: avo.Robot(position=(1, 2, 3)), "point: found 3 numbers, must be 2: (x, y)"),
     (lambda: avo.Robots(position=[1, 2], velocity=[[0, 0]], preferred_velocity=[[0, 0]]),
      "position: found shape (2,), must be (n, 2)"),
@@ -302,6 +307,11 @@ def test_wrong_use_is_a_value_error(make, message):
 def test_points_are_real(point):
     with pytest.raises(TypeError):
         avo.Robot(position=point)
+
+
+def test_unknown_options_are_refused_by_name():
+    with pytest.raises(TypeError, match="found the unknown option time_stp"):
+        avo.Planner(time_stp=0.1)
 
 
 def moved_beside(mover):

@@ -130,7 +130,7 @@ RICH = {
 
 
 @pytest.mark.parametrize("scene", [RICH, "person", "office", "cars-100", "drives-100", "planes-12", "crossing-streams",
-                                   {**TWO, "clock": "free", "right_of_way": "told"}])
+                                   {**TWO, "clock": "free", "right_of_way": "none"}])
 def test_scenes_can_be_pickled(scene):
     first = avo.Scenario(scene)
     for again in pickle.loads(pickle.dumps(first)), copy.deepcopy(first):

@@ -19,7 +19,7 @@ robot = avo.Robot(position=(half, one), velocity=[half, 1], radius=half, heading
 robot.radius, robot.position, robot.max_braking = one, np.array([1.0, 2.0], dtype=np.float32), np.float64(1.0)
 avo.RobotSetup(position=two, goal=(3, 4), time_step=half).layers = (1, 2)
 avo.Neighbor(position=two, age=one)
-avo.Planner(sensing_error=[0.1, half], sensing_noise=np.array([0.0, 0.0, 1.0]), samples=np.int64(4), time_step=half)
+avo.Planner(sensing_error=[0.1, half], sensing_noise=np.array([0.0, 0.0, 1.0]), max_neighbors=np.int64(4), time_step=half)
 avo.Chain(np.zeros((2, 2)))
 avo.Simulation(b"circle-3", threads=one).step(one)
 avo.explain("circle-3", one, half)

@@ -199,7 +199,7 @@ def test_worlds_leave_the_way_around_walls_to_the_learner():
     (lambda: avo.env.VectorEnv("cars-100"), "robots.0.model: found another one, must be holonomic"),
     (lambda: avo.env.VectorEnv("person"), "moving_obstacles: found some, must be none"),
     (lambda: avo.env.VectorEnv(with_wall(navigation=True)), "navigation: found true, must be false or left out in"),
-    (lambda: avo.env.VectorEnv(with_wall(right_of_way="told")), "right_of_way: found told, must be none or left out"),
+    (lambda: avo.env.VectorEnv(with_wall(right_of_way="told")), "right_of_way: found \"told\", must be seen: told was removed"),
     (lambda: avo.env.VectorEnv(SCENE, 0), "num_envs: found 0, must be a whole number from 1 to 1000000"),
     (lambda: avo.env.VectorEnv(SCENE, max_steps=0), "max_steps: found 0, must be a whole number from 1 to"),
     (lambda: avo.env.VectorEnv(SCENE, max_steps=1.5), "max_steps: found 1.5, must be a whole number from 1 to"),

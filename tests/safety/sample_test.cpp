@@ -160,9 +160,7 @@ TEST_P(EveryCertificate, is_safe_and_lets_arrive) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Kinds, EveryCertificate,
-                         testing::Values(Kind{Certificate::stopping_capsules, Motion::held},
-                                         Kind{Certificate::stopping_capsules, Motion::exponential},
-                                         Kind{Certificate::braking_trajectories,
+                         testing::Values(Kind{Certificate::braking_trajectories,
                                               Motion::exponential}),
                          [](const auto& kind) {
                            const bool held = kind.param.motion == Motion::held;

@@ -177,9 +177,10 @@ const std::vector<BadScene>& bad_scenes() {
        "4:16: max_neighbors: found 1e1, must be a whole number"},
       {"max_neighbors_zero", kGood + s("max_neighbors: 0\n"),
        "4:16: max_neighbors: found 0, must be >= 1"},
-      {"samples_one", kGood + s("samples: 1\n"),
-       "4:10: samples: found 1, must be 0 (exact) or >= 2"},
-      {"samples_negative", kGood + s("samples: -25\n"), "4:10: samples: found -25, must be >= 0"},
+      {"samples", kGood + s("samples: 0\n"),
+       "4:1: found the removed key \"samples\", must be left out: all half-planes are exact"},
+      {"told", kGood + s("right_of_way: told\n"),
+       "4:15: right_of_way: found \"told\", must be seen: told was removed"},
       {"seed_negative", kGood + s("seed: -1\n"), "4:7: seed: found -1, must be >= 0"},
       {"seed_too_large", kGood + s("seed: 18446744073709551616\n"),
        "4:7: seed: found 18446744073709551616, must be < 2^64 = 18446744073709551616"},
@@ -191,15 +192,16 @@ const std::vector<BadScene>& bad_scenes() {
        "orca_clamped, "
        "reciprocal_velocity_obstacle, buffered_voronoi"},
       {"certificate_unknown", kGood + s("certificate: capsules\n"),
-       "4:14: certificate: found \"capsules\", must be one of none, stopping_capsules, "
-       "braking_trajectories"},
+       "4:14: certificate: found \"capsules\", must be one of none, braking_trajectories"},
+      {"stopping_capsules", kGood + s("certificate: stopping_capsules\n"),
+       "4:14: certificate: found \"stopping_capsules\", must be braking_trajectories: "
+       "stopping_capsules was removed"},
       {"certificate_of_another_method",
        kGood + s("method: avo_paper\ncertificate: "
                  "braking_trajectories\n"),
        "5:14: certificate: found braking_trajectories, must be none with method avo_paper"},
       {"certificate_that_there_is_not", kGood + s("certificate: linear_soft_stop\n"),
-       "4:14: certificate: found \"linear_soft_stop\", must be one of none, stopping_capsules, "
-       "braking_trajectories"},
+       "4:14: certificate: found \"linear_soft_stop\", must be one of none, braking_trajectories"},
       {"key_that_there_is_not", kGood + s("soft_stop_time: 2\n"),
        s("4:1: found the unknown key \"soft_stop_time\", allowed are ") + kSceneKeys},
       {"braking_for_ever",
@@ -210,11 +212,13 @@ const std::vector<BadScene>& bad_scenes() {
       {"motion_unknown", kGood + s("motion: exact\n"),
        "4:9: motion: found \"exact\", must be one of held, exponential"},
       {"precision_single", kGood + s("precision: single\n"),
-       "4:12: precision: found \"single\", must be double; single precision was removed"},
-      {"precision_unknown", kGood + s("precision: half\n"),
-       "4:12: precision: found \"half\", must be double"},
-      {"precision_list", kGood + s("precision: [double]\n"),
-       "4:12: precision: found a list, must be double"},
+       "4:1: found the removed key \"precision\", must be left out: everything is computed in "
+       "double "
+       "precision"},
+      {"precision_double", kGood + s("precision: double\n"),
+       "4:1: found the removed key \"precision\", must be left out: everything is computed in "
+       "double "
+       "precision"},
       {"name_is_list", kGood + s("name: [a]\n"), "4:7: name: found a list, must be a text"},
       {"name_empty", kGood + s("name: \"\"\n"), "4:7: name: found \"\", must be a text"},
       {"name_escape", kGood + s("name: \"\\e[2J\"\n"),

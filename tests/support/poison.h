@@ -43,7 +43,6 @@ class Poison {
   void spoil(std::size_t& x) const { x = 0x7ffffff0; }
   void spoil(ProgramState& x) const { x = ProgramState::discs_disjoint; }
   void spoil(PairState& x) const { x = PairState::coincident; }
-  void spoil(Whom& x) const { x = Whom::movers; }
   void spoil(Vec2& x) const { each(x.x, x.y); }
   void spoil(std::optional<Vec2>& x) const { x = Vec2{number_, number_}; }
   void spoil(HalfPlane& x) const { each(x.normal, x.offset); }
@@ -177,8 +176,8 @@ class Poison {
         constraints;
     each(columns, own, deviation, own_columns, trajectory, waiting, stays_at_rest, has_cones);
   }
-  void spoil(CapsuleConstraint& capsule) const {
-    auto& [neighbor, normal, offset, begin] = capsule;
+  void spoil(LoiterLine& line) const {
+    auto& [neighbor, normal, offset, begin] = line;
     each(neighbor, normal, offset, begin);
   }
   void spoil(NearWall& wall) const {
@@ -219,12 +218,12 @@ class Poison {
     each(robot, neighbor, p, contact, inflated, error, share, b, gap, against);
   }
   void spoil(NearPairs& near) const {
-    auto& [own, queue, whom, kept, end, has_others, admits] = near;
-    each(own, queue, whom, kept, end, has_others, admits);
+    auto& [own, queue, kept, end, has_others, admits] = near;
+    each(own, queue, kept, end, has_others, admits);
   }
   void spoil(CertificateConstraints& constraints) const {
-    auto& [invariant, trajectories, capsules, walls, path, near, alone, seen] = constraints;
-    each(invariant, trajectories, capsules, walls, path, near, alone, seen);
+    auto& [invariant, trajectories, loiterers, walls, path, near, alone, seen] = constraints;
+    each(invariant, trajectories, loiterers, walls, path, near, alone, seen);
   }
   void spoil(CertifiedWorkspace& certified) const {
     auto& [constraints, hard, rows, proposal, detour] = certified;

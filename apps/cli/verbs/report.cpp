@@ -69,6 +69,10 @@ Again simulated_again(const std::string& recording, const avo_io::RecordingHeade
     return told_by_rows(run,
                         "Another version of avo has made the recording, so that it is not "
                         "simulated again.");
+  if (const auto lost = avo_io::lost_setting(header.scene))
+    return told_by_rows(run, as_html(*lost) +
+                                 " was removed from avo, so that the run cannot be "
+                                 "simulated again.");
   avo::Metrics metrics(run.scenario, {.crowd = false, .line = line});
   Progress progress(run.moments.back().time);
   const avo_io::Replay replay =

@@ -26,7 +26,7 @@ _Method = Literal[
     "buffered_voronoi",
 ]
 _Motion = Literal["held", "exponential"]
-_Certificate = Literal["none", "stopping_capsules", "braking_trajectories"]
+_Certificate = Literal["none", "braking_trajectories"]
 _Clock = Literal["common", "free"]
 _Behavior = Literal["decides", "moves_on", "cooperates"]
 _RobotBehavior = Literal["decides", "cooperates"]
@@ -383,7 +383,6 @@ class Planner:
         control_time: _Float | None = None,
         time_horizon: _Float | None = None,
         time_step: _Float = 0.1,
-        samples: _Int = 0,
         certificate: _Certificate | None = None,
         max_neighbors: _Int | None = None,
         sensing_error: _Numbers = (0.0, 0.0),
@@ -435,8 +434,6 @@ class Planner:
     def time_horizon(self) -> float: ...
     @property
     def time_step(self) -> float: ...
-    @property
-    def samples(self) -> int: ...
     @property
     def certificate(self) -> _Certificate: ...
     @property
@@ -549,7 +546,7 @@ class Scenario:
     @property
     def clock(self) -> _Clock: ...
     @property
-    def right_of_way(self) -> Literal["none", "seen", "told"]: ...
+    def right_of_way(self) -> Literal["none", "seen"]: ...
     @property
     def arrival_distance(self) -> float: ...
     @property

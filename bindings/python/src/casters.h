@@ -8,6 +8,7 @@
 #include <string>
 
 #include "avo/avo.h"
+#include "core/removed.h"
 
 namespace avo_python {
 
@@ -34,7 +35,7 @@ AVO_WORDS(avo::Method, "method", 7, avo::to_string);
 AVO_WORDS(avo::Certificate, "certificate", 3, avo::to_string);
 AVO_WORDS(avo::Motion, "motion", 2, avo::to_string);
 AVO_WORDS(avo::Clock, "clock", 2, avo::to_string);
-AVO_WORDS(avo::RightOfWay, "right_of_way", 3, avo::to_string);
+AVO_WORDS(avo::RightOfWay, "right_of_way", 2, avo::to_string);
 AVO_WORDS(avo::PlanStatus, "status", 7, avo::to_string);
 AVO_WORDS(avo::SafetyState, "state", 3, avo::to_string);
 AVO_WORDS(avo::AccelerationSet, "acceleration_set", 2, avo::to_string);
@@ -43,11 +44,12 @@ AVO_WORDS(avo::Behavior, "behavior", 3, avo::to_string);
 AVO_WORDS(avo::Fill, "fill", 3, fill_word);
 #undef AVO_WORDS
 
-/// Returns all words of an enumeration, in its order.
+/// Returns all words of an enumeration, in its order. Numbers of removed values have none.
 template <typename Enum>
 std::vector<std::string_view> words() {
   std::vector<std::string_view> all;
-  for (int k = 0; k < Words<Enum>::count; ++k) all.emplace_back(Words<Enum>::of(k));
+  for (int k = 0; k < Words<Enum>::count; ++k)
+    if (avo::removed_value(Words<Enum>::name, k) == nullptr) all.emplace_back(Words<Enum>::of(k));
   return all;
 }
 
@@ -118,7 +120,7 @@ struct word_caster {
     if (!PyUnicode_Check(source.ptr())) return false;
     const auto word = source.cast<std::string>();
     for (int k = 0; k < Words::count; ++k) {
-      if (word != Words::of(k)) continue;
+      if (word != Words::of(k) || avo::removed_value(Words::name, k) != nullptr) continue;
       value = static_cast<Enum>(k);
       return true;
     }

@@ -14,6 +14,10 @@ namespace avo_python {
 void refuse_word(const char* name, const std::string& found,
                  const std::vector<std::string_view>& words) {
   constexpr std::size_t kLongest = 60;  // characters
+  for (const avo::Removed& gone : avo::kRemoved)
+    if (gone.key == name && gone.value == found)
+      throw avo::Error(
+          fmt::format("{}: found \"{}\", must be {}", name, found, allowed_instead(gone)));
   const auto meant = avo_io::nearest(found, words);
   throw avo::Error(fmt::format("{}: found \"{}\", must be one of {}{}", name,
                                avo_io::printable(found, kLongest), fmt::join(words, ", "),

@@ -50,7 +50,7 @@ inline constexpr int kFields<avo::SensingModel> = 5;
 template <>
 inline constexpr int kFields<avo::SensingError> = 2;
 template <>
-inline constexpr int kFields<avo::Scenario> = 28;
+inline constexpr int kFields<avo::Scenario> = 27;
 
 /// Returns references to all fields.
 template <typename T>
@@ -81,10 +81,9 @@ auto fields(T& x) {
     auto& [a, b, c, d, e, f, g, h, i, j, k, l] = x;
     return std::tie(a, b, c, d, e, f, g, h, i, j, k, l);
   } else {
-    auto& [a, b, c, d, e, f, g, h, i, j, k, l, m, o, p, q, r, s, t, u, v, w, z, aa, bb, cc, dd,
-           ee] = x;
+    auto& [a, b, c, d, e, f, g, h, i, j, k, l, m, o, p, q, r, s, t, u, v, w, z, aa, bb, cc, dd] = x;
     return std::tie(a, b, c, d, e, f, g, h, i, j, k, l, m, o, p, q, r, s, t, u, v, w, z, aa, bb, cc,
-                    dd, ee);
+                    dd);
   }
 }
 

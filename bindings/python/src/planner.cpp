@@ -5,6 +5,7 @@
 #include <tuple>
 
 #include "bind.h"
+#include "core/removed.h"
 #include "workspace.h"
 
 namespace avo_python {
@@ -19,22 +20,32 @@ avo::PlanWorkspace& workspace() {
 
 namespace {
 
+/// Refuses options that there are not, those of earlier versions by what replaces them.
+void refuse_others(const py::kwargs& others) {
+  for (const auto& [key, value] : others) {
+    const std::string name = key.cast<std::string>();
+    if (const avo::Removed* gone = avo::removed_key(name))
+      throw avo::Error(name + ": found the removed option, must be " + allowed_instead(*gone));
+    throw py::type_error("Planner: found the unknown option " + name);
+  }
+}
+
 /// Returns a planner; omitted options get the method's default values.
 Planner make(avo::Method method, avo::Motion motion, std::optional<double> control_time,
-             std::optional<double> time_horizon, double time_step, int samples,
+             std::optional<double> time_horizon, double time_step,
              std::optional<avo::Certificate> certificate, std::optional<int> max_neighbors,
              std::pair<double, double> sensing_error,
              std::tuple<double, double, double> sensing_noise, avo::Clock clock,
              double longest_step, double arrival_distance, double localization_error,
              std::optional<double> response_time, std::optional<double> comfort_acceleration,
              std::optional<double> comfort_jerk, double margin, double wall_range,
-             bool never_swerves) {
+             bool never_swerves, const py::kwargs& others) {
+  refuse_others(others);
   avo::PlannerOptions options = avo::default_options(method);
   options.motion = motion;
   options.control_time = control_time.value_or(options.control_time);
   options.time_horizon = time_horizon.value_or(options.time_horizon);
   options.time_step = time_step;
-  options.samples = samples;
   options.certificate = certificate.value_or(options.certificate);
   options.max_neighbors = max_neighbors;
   options.sensing_error = {sensing_error.first, sensing_error.second};
@@ -130,7 +141,7 @@ void bind_options(py::class_<Planner>& planner) {
   planner.def(
       py::init(&make), py::kw_only(), arg("method") = "avo", arg("motion") = "held",
       arg("control_time") = py::none(), arg("time_horizon") = py::none(), arg("time_step") = 0.1,
-      arg("samples") = 0, arg("certificate") = py::none(), arg("max_neighbors") = py::none(),
+      arg("certificate") = py::none(), arg("max_neighbors") = py::none(),
       arg("sensing_error") = std::pair(0.0, 0.0), arg("sensing_noise") = std::tuple(0.0, 0.0, 1.0),
       arg("clock") = "common", arg("longest_step") = 0.0, arg("arrival_distance") = 0.5,
       arg("localization_error") = 0.0, arg("response_time") = py::none(),
@@ -139,9 +150,9 @@ void bind_options(py::class_<Planner>& planner) {
       "method: as in scene files, \"avo\", \"avo_paper\", \"velocity_obstacle\", \"orca\", "
       "\"orca_clamped\", \"reciprocal_velocity_obstacle\" or \"buffered_voronoi\"; motion: "
       "\"held\" or "
-      "\"exponential\"; control_time, time_horizon: s, > 0, and certificate: \"none\", "
-      "\"stopping_capsules\" or \"braking_trajectories\", None: customary for the method; "
-      "time_step: s, > 0; samples: 0, or 2 to 1000; max_neighbors: >= 1, None: all; sensing_error: "
+      "\"exponential\"; control_time, time_horizon: s, > 0, and certificate: \"none\" "
+      "or \"braking_trajectories\", None: customary for the method; "
+      "time_step: s, > 0; max_neighbors: >= 1, None: all; sensing_error: "
       "(m, m/s); sensing_noise: (m, m/s, standard deviations); clock: \"common\" or \"free\"; "
       "longest_step: s; arrival_distance: m, > 0; localization_error: m, >= 0, of the robot's own "
       "place among the walls; response_time: >= 0, of max_speed/max_acceleration, None: customary "
@@ -160,9 +171,7 @@ void bind_options(py::class_<Planner>& planner) {
          "[delta] s; time_step where v' is reached within a step");
   option("time_horizon", &Options::time_horizon, "[tau] s");
   option("time_step", &Options::time_step, "[Delta t] s");
-  option("samples", &Options::samples, "0: exact half-planes; 2 to 1000: the samples of the paper");
-  option("certificate", &Options::certificate,
-         "\"none\", \"stopping_capsules\" or \"braking_trajectories\"");
+  option("certificate", &Options::certificate, "\"none\" or \"braking_trajectories\"");
   option("max_neighbors", &Options::max_neighbors, "nearest ones that get a half-plane; None: all");
   option("clock", &Options::clock, "\"common\" or \"free\"");
   option("longest_step", &Options::longest_step, "s, of all robots, where the clock is free");

@@ -78,7 +78,6 @@ py::dict planner_options(const Scenario& scenario) {
   all["control_time"] = options.control_time;
   all["time_horizon"] = options.time_horizon;
   all["time_step"] = options.time_step;
-  all["samples"] = options.samples;
   all["certificate"] = options.certificate;
   all["max_neighbors"] = options.max_neighbors;
   all["sensing_error"] =
@@ -175,7 +174,7 @@ void bind_scenario(py::module_& module) {
       .def_readonly("method", &Scenario::method, "as in scene files")
       .def_readonly("motion", &Scenario::motion, "as in scene files")
       .def_readonly("clock", &Scenario::clock, "\"common\" or \"free\"")
-      .def_readonly("right_of_way", &Scenario::right_of_way, "\"none\", \"seen\" or \"told\"")
+      .def_readonly("right_of_way", &Scenario::right_of_way, "\"none\" or \"seen\"")
       .def_readonly("arrival_distance", &Scenario::arrival_distance, "m")
       .def_readonly("seed", &Scenario::seed, "of all that is random")
       .def_readonly("allow_broken_assumptions", &Scenario::allow_broken_assumptions,

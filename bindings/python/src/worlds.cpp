@@ -25,8 +25,6 @@ void require_plain(const avo::Scenario& scenario) {
   if (!scenario.sensing.is_exact()) refuse("sensing", "errors", "exact");
   // the learner decides where robots go, and which robot waits at a passage
   if (scenario.navigation == true) refuse("navigation", "true", "false or left out");
-  if (scenario.right_of_way == avo::RightOfWay::told)
-    refuse("right_of_way", "told", "none or left out");
   for (std::size_t k = 0; k < scenario.robots.size(); ++k) {
     const avo::RobotSetup& robot = scenario.robots[k];
     const std::string name = fmt::format("robots.{}", k);

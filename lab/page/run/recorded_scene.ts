@@ -9,7 +9,7 @@ export function liveOptions(recording: Recording): SceneOptions {
   const scene = recording.scene;
   if (!scene) return {};
   const { overrides, files, start_at_rest, limit_speed } = scene;
-  return { overrides, files, start_at_rest, limit_speed };
+  return { overrides, files, start_at_rest, limit_speed, recorded: true };
 }
 
 export function infoOf(recording: Recording, library: Library): { info: SceneInfo; goals: Goals } {

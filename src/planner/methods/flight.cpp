@@ -121,8 +121,8 @@ bool can_fly(const Robot& robot, double time_step) {
 
 bool allows_loiterers(const PlannerOptions& options) {
   return options.method == Method::avo && options.motion == Motion::held &&
-         options.certificate != Certificate::stopping_capsules && options.clock == Clock::common &&
-         options.sensing_error == SensingError{} && options.localization_error == 0.0;
+         options.clock == Clock::common && options.sensing_error == SensingError{} &&
+         options.localization_error == 0.0;
 }
 
 Robot with_circle(const Robot& robot) {

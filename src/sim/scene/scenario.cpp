@@ -283,8 +283,6 @@ void check_flights(const Scenario& scenario, const PlannerOptions& options) {
   }
   if (options.motion != Motion::held) refuse("motion", to_string(options.motion), "held" + among);
   if (options.clock != Clock::common) refuse("clock", to_string(options.clock), "common" + among);
-  if (options.certificate == Certificate::stopping_capsules)
-    refuse("certificate", to_string(options.certificate), "braking_trajectories or none" + among);
   if (!scenario.sensing.is_exact()) refuse("sensing", "one that is not exact", "left out" + among);
   if (options.sensing_error != SensingError{})
     refuse("sensing_error", "one that is not 0", "left out" + among);

@@ -55,7 +55,6 @@ PlannerOptions options_of(const Scenario& scenario, Method method, const Agreed&
   PlannerOptions options = default_options(method);
   options.motion = scenario.motion;
   options.time_step = scenario.time_step;
-  options.samples = scenario.samples;
   options.max_neighbors = scenario.max_neighbors;
   options.arrival_distance = scenario.arrival_distance;
   options.clock = scenario.clock;

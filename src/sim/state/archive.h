@@ -12,6 +12,8 @@
 #include <type_traits>
 #include <vector>
 
+#include "core/ranges.h"
+#include "core/removed.h"
 #include "planner/options.h"
 #include "sim/state/saved_state.h"
 
@@ -81,6 +83,9 @@ requires std::is_enum_v<Choice>
 void describe(Archive<kReads>& archive, Choice& choice) {
   auto number = static_cast<std::underlying_type_t<Choice>>(choice);
   describe(archive, number);
+  if (const Removed* gone = removed_value(kKey<Choice>, number))
+    refuse("saved state: " + std::string(gone->key), std::string(gone->value),
+           allowed_instead(*gone));
   if (number >= kNames<Choice>.size()) refuse_saved("an unknown choice", "a known one");
   choice = static_cast<Choice>(number);
 }

@@ -4,11 +4,14 @@
 // before it.
 #include <algorithm>
 #include <string>
+#include <string_view>
 #include <utility>
 
 #include "avo/version.h"
 #include "core/hash.h"
 #include "core/plane.h"
+#include "core/ranges.h"
+#include "core/removed.h"
 #include "sim/state/archive.h"
 #include "sim/state/saved_models.h"
 #include "sim/state/saved_state.h"
@@ -192,6 +195,16 @@ void describe(Archive<kReads>& archive, RobotSetup& setup, SavedRobot& state) {
   describe(archive, state.detour);
 }
 
+// A word of the format that earlier builds have used: 0 where half-planes were exact.
+template <bool kReads>
+void describe_removed_samples(Archive<kReads>& archive) {
+  std::uint64_t samples = 0;
+  archive.word(samples);
+  if (samples != 0)
+    refuse("saved state: samples", std::to_string(samples),
+           allowed_instead(*removed_key("samples")));
+}
+
 template <bool kReads>
 void describe(Archive<kReads>& archive, SavedState& state) {
   std::string version = kVersion;
@@ -202,7 +215,10 @@ void describe(Archive<kReads>& archive, SavedState& state) {
                  std::string("one of avo ") + kVersion);
   }
   Scenario& scene = state.scene;
-  for_each_setting([&](const char*, auto member) { describe(archive, scene.*member); });
+  for_each_setting([&](std::string_view key, auto member) {
+    describe(archive, scene.*member);
+    if (key == "motion") describe_removed_samples(archive);
+  });
   describe(archive, scene.allow_broken_assumptions);
   archive.size(scene.obstacles, kStaticWords);
   state.static_ids.resize(scene.obstacles.size());

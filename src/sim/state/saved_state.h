@@ -97,7 +97,6 @@ void for_each_setting(const Visit& visit) {
   visit("method", &Scenario::method);
   visit("certificate", &Scenario::certificate);
   visit("motion", &Scenario::motion);
-  visit("samples", &Scenario::samples);
   visit("arrival_distance", &Scenario::arrival_distance);
   visit("seed", &Scenario::seed);
   visit("navigation", &Scenario::navigation);

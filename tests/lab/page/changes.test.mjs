@@ -79,13 +79,13 @@ test("a robot of the list leaves the text, where nobody is numbered anew by that
 });
 
 test("another method decides on the same state, without the certificate that it cannot have", () => {
-  const lab = open(`certificate: stopping_capsules\n${SCENE}`);
+  const lab = open(`certificate: braking_trajectories\n${SCENE}`);
   go(lab, 30);
   moveGoal(lab, 3, [5, 5]);
   const other = lab.live.carriedInto(withMethod(lab, "orca"), {});
   assert.equal(other.info().options.method, "orca");
   assert.deepEqual(state({ moment: other.moment() }), state(lab));
-  assert.match(withMethod(lab, "avo"), /certificate: stopping_capsules/);
+  assert.match(withMethod(lab, "avo"), /certificate: braking_trajectories/);
 });
 
 test("the text is that of the moment, back and forth", () => {

@@ -12,7 +12,7 @@ const SCENES = {
   "cars-100": 100, "reversing-cars": 16, "drives-100": 100, "planes-12": 12, "mixed-yard": 24,
 };
 const VARIANTS = [
-  [], ["certificate=stopping_capsules"], ["method=avo_paper"], ["method=velocity_obstacle"], ["method=orca"],
+  [], ["certificate=none"], ["method=avo_paper"], ["method=velocity_obstacle"], ["method=orca"],
   ["method=orca_clamped"], ["method=reciprocal_velocity_obstacle"], ["method=buffered_voronoi"],
   ["motion=exponential"], ["clock=free"], ["sensing={noise: {position: 0.02}}".replaceAll(" ", "")],
 ];

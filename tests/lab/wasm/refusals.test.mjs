@@ -50,6 +50,14 @@ for (const text of FAULTY) {
   });
 }
 
+test("what was removed is read in scenes of recordings alone", () => {
+  const scene = (more) => `version: 1\nrobots: [{position: [0, 0], goal: [1, 0]}]\n${more}`;
+  const removed = scene("samples: 0\nprecision: double\ncertificate: stopping_capsules\nright_of_way: told\n");
+  const hash = (yaml, options) => steps(library.simulate(yaml, options), 5).stateHash();
+  assert.match(refused(() => library.simulate(removed)), /the removed key "samples", must be left out/);
+  assert.equal(hash(removed, { recorded: true }), hash(scene("")));
+});
+
 test("an error has line and column", () => {
   try {
     library.simulate("version: 1\nrobots:\n  - {position: [0, 0], goal: [1, 0], radius: -1}\n", { name: "x:7.yaml" });

@@ -133,48 +133,6 @@ struct TrajectoryRule {
   }
 };
 
-/// Stopping capsules, likewise.
-struct CapsuleRule {
-  bool discrete_length = true;  ///< or v²/2a
-  bool same_lines = true;       ///< or turned by kTurn, for every second robot
-  std::size_t most_neighbors = 1000;
-
-  Vec2 stop(const Robot& robot, Vec2 velocity, const PlannerOptions& options) const {
-    const double speed = norm(velocity), u = decrement_of(robot, options);
-    if (speed == 0.0) return {};
-    const double length = discrete_length ? stopping_length(speed, u, law_of(options).step)
-                                          : 0.5 * speed * speed / robot.max_acceleration;
-    return (length / speed) * velocity;
-  }
-
-  Choices operator()(const std::vector<Robot>& robots, std::size_t self,
-                     const PlannerOptions& options) const {
-    const Robot A = robots[self];
-    std::vector<HalfPlane> lines;  // relative to p_A
-    for (const std::size_t k : nearest_others(robots, self, most_neighbors)) {
-      const Robot& B = robots[k];
-      const Vec2 p = A.position - B.position, s_A = stop(A, A.velocity, options);
-      const Vec2 s_B = stop(B, B.velocity, options);
-      const std::array<Vec2, 4> corners{p, p + s_A, p + (s_A - s_B), p - s_B};
-      Vec2 n = direction_of_nearest(corners);
-      if (!same_lines && self > k) n = turned(n, kTurn);
-      double gap = dot(n, p);
-      for (const Vec2 corner : corners) gap = std::min(gap, dot(n, corner));
-      gap -= A.radius + B.radius;
-      const double share = A.max_acceleration / (A.max_acceleration + B.max_acceleration);
-      lines.push_back({n, std::min(0.0, dot(n, s_A)) - share * gap});
-    }
-    const auto keeps_all = [lines, A, options, rule = *this](Vec2 next) {
-      const Vec2 first = 0.5 * options.time_step * (A.velocity + next);
-      const Vec2 end = first + rule.stop(A, next, options);
-      return std::all_of(lines.begin(), lines.end(), [&](const HalfPlane& line) {
-        return violation(line, first) <= 0.0 && violation(line, end) <= 0.0;
-      });
-    };
-    return {keeps_all, hardest_braked(A, options)};
-  }
-};
-
 /// What is searched: starts, and for how long.
 struct Search {
   std::function<std::vector<Robot>(Random&, const PlannerOptions&)> start;

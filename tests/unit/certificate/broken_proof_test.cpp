@@ -48,74 +48,50 @@ auto crowd(int count, double least_a, double most_a, double v_max, double extent
   };
 }
 
-Search search_of(Certificate kind, double time_step, int trials, int steps,
+Search search_of(double time_step, int trials, int steps,
                  std::function<std::vector<Robot>(Random&, const PlannerOptions&)> start) {
-  return {std::move(start), options_of(kind, Motion::held, time_step, 2.0), trials, steps};
+  return {std::move(start), options_of(kTrajectories, Motion::held, time_step, 2.0), trials, steps};
 }
-
-constexpr Certificate kCapsules = Certificate::stopping_capsules;
 
 TEST(BrokenProof, middle_coefficient) {
   TrajectoryRule broken;
   broken.middle_coefficient = false;
-  expect_needed(broken, TrajectoryRule{},
-                search_of(kTrajectories, 0.4, 400, 12, crowd(2, 1.0, 4.0, 4.0, 2.0)), 5e-3);
+  expect_needed(broken, TrajectoryRule{}, search_of(0.4, 400, 12, crowd(2, 1.0, 4.0, 4.0, 2.0)),
+                5e-3);
 }
 
 TEST(BrokenProof, sampled_times) {
   TrajectoryRule broken;
   broken.whole_intervals = false;
-  expect_needed(broken, TrajectoryRule{},
-                search_of(kTrajectories, 0.4, 400, 12, crowd(2, 1.0, 4.0, 4.0, 2.0)), 0.05);
+  expect_needed(broken, TrajectoryRule{}, search_of(0.4, 400, 12, crowd(2, 1.0, 4.0, 4.0, 2.0)),
+                0.05);
 }
 
 TEST(BrokenProof, own_stop) {
   TrajectoryRule broken;
   broken.until_both_rest = false;
-  expect_needed(broken, TrajectoryRule{},
-                search_of(kTrajectories, 0.1, 200, 30, crowd(2, 0.3, 3.0, 2.0, 2.0)), 0.3);
+  expect_needed(broken, TrajectoryRule{}, search_of(0.1, 200, 30, crowd(2, 0.3, 3.0, 2.0, 2.0)),
+                0.3);
 }
 
 TEST(BrokenProof, unequal_interval_counts) {
   TrajectoryRule broken;
   broken.same_number = false;
-  expect_needed(broken, TrajectoryRule{},
-                search_of(kTrajectories, 0.1, 200, 30, crowd(2, 0.3, 3.0, 2.0, 2.0)), 0.2);
+  expect_needed(broken, TrajectoryRule{}, search_of(0.1, 200, 30, crowd(2, 0.3, 3.0, 2.0, 2.0)),
+                0.2);
 }
 
 TEST(BrokenProof, different_normals) {
   TrajectoryRule broken;
   broken.same_normals = false;
-  expect_needed(broken, TrajectoryRule{},
-                search_of(kTrajectories, 0.4, 400, 12, crowd(2, 1.0, 4.0, 4.0, 2.0)), 0.05);
+  expect_needed(broken, TrajectoryRule{}, search_of(0.4, 400, 12, crowd(2, 1.0, 4.0, 4.0, 2.0)),
+                0.05);
 }
 
 TEST(BrokenProof, capped_neighbors) {
   TrajectoryRule broken;
   broken.most_neighbors = 2;
-  expect_needed(broken, TrajectoryRule{},
-                search_of(kTrajectories, 0.1, 6, 30, crowd(8, 0.5, 2.0, 2.0, 2.5)), 0.5);
-}
-
-TEST(BrokenProof, continuous_stopping_length) {
-  CapsuleRule broken;
-  broken.discrete_length = false;
-  expect_needed(broken, CapsuleRule{},
-                search_of(kCapsules, 0.4, 300, 12, crowd(2, 1.0, 4.0, 4.0, 2.0)), 0.05);
-}
-
-TEST(BrokenProof, different_lines_of_capsules) {
-  CapsuleRule broken;
-  broken.same_lines = false;
-  expect_needed(broken, CapsuleRule{},
-                search_of(kCapsules, 0.1, 200, 30, crowd(2, 0.5, 2.0, 2.0, 2.0)), 0.01);
-}
-
-TEST(BrokenProof, capped_neighbors_of_capsules) {
-  CapsuleRule broken;
-  broken.most_neighbors = 2;
-  expect_needed(broken, CapsuleRule{},
-                search_of(kCapsules, 0.1, 20, 30, crowd(8, 0.5, 2.0, 2.0, 2.5)), 0.5);
+  expect_needed(broken, TrajectoryRule{}, search_of(0.1, 6, 30, crowd(8, 0.5, 2.0, 2.0, 2.5)), 0.5);
 }
 
 }  // namespace

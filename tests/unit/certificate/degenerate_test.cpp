@@ -61,14 +61,12 @@ bool are_sane(const CertificateConstraints& constraints) {
   for (const TrajectoryConstraint& constraint : all_constraints(constraints.trajectories)) {
     for (const double offset : constraint.offset) sane = sane && is_sane(constraint.normal, offset);
   }
-  for (const CapsuleConstraint& constraint : constraints.capsules)
-    sane = sane && is_sane(constraint.normal, constraint.offset);
+  for (const LoiterLine& line : constraints.loiterers)
+    sane = sane && is_sane(line.normal, line.offset);
   return sane;
 }
 
 constexpr std::pair<Certificate, Motion> kLaws[] = {
-    {Certificate::stopping_capsules, Motion::held},
-    {Certificate::stopping_capsules, Motion::exponential},
     {Certificate::braking_trajectories, Motion::held},
     {Certificate::braking_trajectories, Motion::exponential}};
 

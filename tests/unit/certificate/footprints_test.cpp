@@ -3,6 +3,7 @@
 #include "certificate/footprints.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <gtest/gtest.h>
 #include <limits>
@@ -258,6 +259,87 @@ TEST(Footprints, both_of_a_pair_mean_the_same_line) {
     EXPECT_LE(of_a.lines[0].part + of_b.lines[0].part, gap);
     EXPECT_GE(of_a.lines[0].part + of_b.lines[0].part, gap - 1e-9);
   }
+}
+
+// A pair of a robot that brakes and an airplane that circles, with a gap between their footprints.
+struct Beside {
+  Robot robot;
+  Neighbor airplane;
+};
+
+Beside beside_an_airplane(Random& random) {
+  for (;;) {
+    const Robot robot = any_robot(random, Kind::holonomic);
+    const Robot airplane = any_robot(random, Kind::airplane);
+    const double gap = gap_of(footprint_of(robot, law_of_run), footprint_of(airplane, law_of_run));
+    if (gap > 1e-6 && gap < 2.0) return {robot, seen(airplane)};
+  }
+}
+
+// p and the place where it stops, relative to the robot before its step.
+std::array<Vec2, 2> next_footprint(const Robot& robot, Vec2 next_velocity) {
+  const Vec2 moved = 0.5 * law_of_run.time_step * (robot.velocity + next_velocity);
+  Robot next = robot;
+  next.velocity = next_velocity;
+  return {moved, moved + footprint_of(next, law_of_run).way};
+}
+
+TEST(Footprints, braking_keeps_the_next_one_in_the_present_one) {
+  law_of_run = {.time_step = 0.1, .lag = 0.05, .braking_time = 0.1};
+  Random random(45);
+  for (int k = 0; k < 2'000; ++k) {
+    const Robot robot = any_robot(random, Kind::holonomic);
+    const Vec2 stop = footprint_of(robot, law_of_run).way;
+    const auto [moved, next_stop] =
+        next_footprint(robot, braked(robot.velocity, decrement_of(robot, law_of_run)));
+    EXPECT_LE(norm(next_stop - stop), 1e-13 * (1.0 + norm(stop)));
+    EXPECT_NEAR(norm(moved) + norm(stop - moved), norm(stop), 1e-12);
+  }
+}
+
+TEST(Footprints, next_one_of_a_robot_that_brakes_is_what_is_tested) {
+  law_of_run = {.time_step = 0.1, .lag = 0.05, .braking_time = 0.1};
+  const CertificateLaw law{Certificate::braking_trajectories, law_of_run};
+  Random random(46);
+  CertificateConstraints constraints;
+  int refused = 0;
+  for (int k = 0; k < 3'000; ++k) {
+    const auto [robot, airplane] = beside_an_airplane(random);
+    collect_constraints(robot, std::span(&airplane, 1), law, constraints);
+    ASSERT_EQ(constraints.loiterers.size(), 1u);
+    const LoiterLine line = constraints.loiterers[0];
+    const Vec2 next = robot.velocity + test::in_disc(random, robot.max_acceleration * 0.1);
+    double margin = std::numeric_limits<double>::infinity();
+    for (const Vec2 p : next_footprint(robot, next))
+      margin = std::min(margin, dot(line.normal, p) - line.offset);
+    if (std::abs(margin) < 1e-10) continue;
+    EXPECT_EQ(admits(robot, next, law, constraints), margin > 0.0);
+    refused += margin < 0.0 ? 1 : 0;
+  }
+  EXPECT_GT(refused, 100);
+}
+
+TEST(Footprints, half_planes_of_lines_suffice_up_to_their_speed) {
+  law_of_run = {.time_step = 0.1, .lag = 0.05, .braking_time = 0.1};
+  const CertificateLaw law{Certificate::braking_trajectories, law_of_run};
+  Random random(47);
+  CertificateConstraints constraints;
+  int inside = 0;
+  for (int k = 0; k < 4'000; ++k) {
+    const auto [robot, airplane] = beside_an_airplane(random);
+    collect_constraints(robot, std::span(&airplane, 1), law, constraints);
+    const double u = robot.max_acceleration * 0.1, speed = norm(robot.velocity);
+    for (const double top : {speed + u, speed, std::max(speed - u, 0.0)}) {
+      std::vector<HalfPlane> planes;
+      append_half_planes(constraints.loiterers, robot, law_of_run, top, planes);
+      ASSERT_EQ(planes.size(), 1u);
+      const Vec2 next = robot.velocity + test::in_disc(random, u);
+      if (violation(planes[0], next) > -1e-12 || norm(next) > top) continue;
+      EXPECT_TRUE(admits(robot, next, law, constraints)) << k;
+      ++inside;
+    }
+  }
+  EXPECT_GT(inside, 1'000);
 }
 
 // The circle and the way, beside a wall that is straight ahead.

@@ -136,11 +136,11 @@ TEST(NearPairs, of_many_robots_are_those_of_each_alone) {
       for (const Neighbor& each : crowd.neighbors) columns.add(each);
     }
     NearPairs all, alone;
-    find_near(robots, Whom::everyone, law, all);
+    find_near(robots, law, all);
     for (std::size_t i = 0; i < crowds.size(); ++i) {
       single.clear();
       single.add(crowds[i].robot, robots.neighbors[i]);
-      find_near(single, Whom::everyone, law, alone);
+      find_near(single, law, alone);
       ASSERT_EQ(all.of(i).size(), alone.of(0).size());
       EXPECT_EQ(all.has_others[i], alone.has_others[0]);
       const Deviation in_lane = all.own.deviation(i), by_itself = alone.own.deviation(0);
@@ -213,7 +213,7 @@ TEST(Deviation, bounds_what_a_path_loses_along_any_normal) {
     const Braking a = braking_of(s.a.velocity, ability_of(s.a), law);
     robots.clear();
     robots.add(s.a, in_columns({}, columns));
-    find_near(robots, Whom::everyone, law, near);
+    find_near(robots, law, near);
     const Deviation deviation = near.own.deviation(0);
     OwnColumns own;
     own.count = std::min<std::size_t>(static_cast<std::size_t>(a.intervals), 100);

@@ -125,33 +125,6 @@ TEST(HalfPlane, equal_centers_separate_along_v) {
             PairState::coincident);
 }
 
-TEST(HalfPlane, sampled_one_treats_overlap_alike) {
-  const Pair pair{{0.5, 0.2}, {-1.0, 0.3}, 1.0};
-  const RelativeHalfPlane exact = half_plane(pair, kReach, kHorizon);
-  const RelativeHalfPlane found = sampled_half_plane(pair, kReach, kHorizon, 25);
-  EXPECT_EQ(found.state, PairState::overlapping);
-  EXPECT_EQ(found.plane.normal, exact.plane.normal);
-  EXPECT_EQ(found.plane.offset, exact.plane.offset);
-}
-
-TEST(SampledHalfPlane, head_on_passes_on_the_right) {
-  for (int quarter = 0, x = 6, y = 0; quarter < 4; ++quarter) {
-    const Vec2 p{static_cast<double>(x), static_cast<double>(y)};
-    const RelativeHalfPlane found = sampled_half_plane({p, -0.3 * p, 1.0}, kReach, kHorizon, 25);
-    EXPECT_GT(dot(found.plane.normal, perpendicular(p)), 0.0);
-    const int turned = x;
-    x = -y;
-    y = turned;
-  }
-}
-
-TEST(SampledHalfPlane, all_within_reach_collides) {
-  const Pair pair{{1.01, 0.0}, {-2.0, 0.1}, 1.0};
-  const RelativeHalfPlane found = sampled_half_plane(pair, 0.2, kHorizon, 25);
-  ASSERT_EQ(found.state, PairState::constrained);
-  EXPECT_GT(found.plane.offset, 0.2);
-}
-
 // |p| = 5, r = 3: the legs of the cone have n . p = 3.
 TEST(Orca, leg_of_the_cone) {
   const RelativeHalfPlane found = orca_half_plane({{5.0, 0.0}, {-9.0, 0.0}, 3.0}, 10.0, 0.1);

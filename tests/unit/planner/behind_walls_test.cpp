@@ -235,10 +235,8 @@ TEST(BehindWalls, NobodyWhoComesRoundAnEndIsTouched) {
   double least = 1.0;
   for (std::uint64_t seed = 1; seed <= kChases; ++seed) {
     Random random(seed);
-    const bool by_capsules = seed % 4 == 0;
-    const Planner planner(test::options_of(
-        by_capsules ? Certificate::stopping_capsules : Certificate::braking_trajectories,
-        Motion::held, 0.1, 2.0));
+    const Planner planner(
+        test::options_of(Certificate::braking_trajectories, Motion::held, 0.1, 2.0));
     Chase chase = random_chase(random);
     std::vector<CheckedRobot> judged(2, {.radius = 0.3, .max_acceleration = 1.0, .max_speed = 2.0});
     Check check(judged);

@@ -106,7 +106,7 @@ inline Crowd random_crowd(Random& random, double least_gap) {
   return crowd;
 }
 
-inline constexpr Certificate kCertificates[] = {Certificate::none, Certificate::stopping_capsules,
+inline constexpr Certificate kCertificates[] = {Certificate::none,
                                                 Certificate::braking_trajectories};
 
 /// The same crowd by method avo.
@@ -121,7 +121,7 @@ inline Crowd by_avo(Random& random, Crowd crowd, Certificate certificate) {
 /// By the paper's method, or by avo under each certificate in turn.
 inline Crowd any_crowd(Random& random, int turn, double least_gap) {
   const Crowd crowd = random_crowd(random, least_gap);
-  return turn % 4 == 0 ? crowd : by_avo(random, crowd, kCertificates[turn % 4 - 1]);
+  return turn % 3 == 0 ? crowd : by_avo(random, crowd, kCertificates[turn % 3 - 1]);
 }
 
 inline Plan plan_of(const Crowd& crowd) {

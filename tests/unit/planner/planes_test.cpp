@@ -136,8 +136,7 @@ TEST(Planes, P9_shares_of_unequal_abilities) {
 
 // Of a pair with the priorities 3 and 1 the first takes a quarter, by every method that shares.
 TEST(Planes, P9_shares_of_unequal_priorities) {
-  PlannerOptions exact = test::paper_options(), sampled = exact, orca = exact;
-  sampled.samples = 25;
+  PlannerOptions exact = test::paper_options(), orca = exact;
   orca.method = Method::orca;
   Robot first = test::paper_robot({}, {1, 0}, {1, 0});
   Robot second = test::paper_robot({6, 0.2}, {-1, 0}, {});
@@ -150,7 +149,7 @@ TEST(Planes, P9_shares_of_unequal_priorities) {
     const HalfPlane plane = half_planes.planes.at(0).plane;
     return plane.offset - dot(plane.normal, A.velocity);
   };
-  for (const PlannerOptions& options : {exact, sampled, orca}) {
+  for (const PlannerOptions& options : {exact, orca}) {
     first.priority = second.priority = 1.0;
     const double half = demand(options, first, second);
     EXPECT_GT(half, 0.0);
@@ -165,7 +164,7 @@ TEST(Planes, P9_shares_of_unequal_priorities) {
   }
   // of what is left to both, the other way round
   second.velocity = {1, 0.3};
-  for (const PlannerOptions& options : {exact, sampled, orca}) {
+  for (const PlannerOptions& options : {exact, orca}) {
     first.priority = second.priority = 1.0;
     const double half = demand(options, first, second);
     EXPECT_LT(half, -0.1);
@@ -193,22 +192,6 @@ TEST(Planes, P9_the_set_of_A_lies_in_its_acceleration_disc) {
               disc.radius * (1 + 1e-12) + 1e-15 * norm(A.velocity));
     EXPECT_NEAR(alpha + beta, 1.0, 1e-15);
   }
-}
-
-TEST(Planes, samples_are_used_and_tend_to_the_exact_plane) {
-  const Robot A = test::paper_robot({}, {1, 0}, {1, 0});
-  const std::vector<Neighbor> others{as_neighbor(test::paper_robot({5, 0.6}, {-1, 0}, {}))};
-  const auto offset = [&](int samples) {
-    PlannerOptions options = test::paper_options();
-    options.samples = samples;
-    PlanWorkspace workspace;
-    HalfPlanes half_planes;
-    Planner(options).collect_half_planes(A, others, workspace, half_planes);
-    return half_planes.planes.at(0).plane.offset;
-  };
-  const double exact = offset(0);
-  EXPECT_GT(std::abs(offset(25) - exact), 1e-7);
-  EXPECT_NEAR(offset(1000), exact, 1e-3);
 }
 
 }  // namespace

@@ -260,8 +260,7 @@ TEST(StateQuery, a_certified_fleet_stays_safe) {
     robot.goal = -robot.position;
     scenario.robots.push_back(robot);
   }
-  for (const Certificate certificate :
-       {Certificate::braking_trajectories, Certificate::stopping_capsules, Certificate::none}) {
+  for (const Certificate certificate : {Certificate::braking_trajectories, Certificate::none}) {
     scenario.certificate = certificate;
     const SafetyState expected =
         certificate == Certificate::none ? SafetyState::unknown : SafetyState::safe;

@@ -170,9 +170,6 @@ TEST(Airplanes, what_they_cannot_do_is_refused_in_one_line) {
   const auto airplane = [](Scenario& s) -> Airplane& {
     return std::get<Airplane>(s.robots[0].model);
   };
-  EXPECT_EQ(with([](Scenario& s) { s.certificate = Certificate::stopping_capsules; }),
-            "certificate: found stopping_capsules, must be braking_trajectories or none in a scene "
-            "with airplanes");
   EXPECT_EQ(with([](Scenario& s) { s.motion = Motion::exponential; }),
             "motion: found exponential, must be held in a scene with airplanes");
   EXPECT_EQ(with([](Scenario& s) { s.sensing.dropped = 0.1; }),

@@ -57,28 +57,24 @@ std::int64_t broken_in_motion(const Scenario& scene) {
 // obstacle crosses its way fast, at an angle that the search found.
 TEST(CertifiedMotion, whole_numbers_of_steps_are_counted_once) {
   int crossed = 0;
-  for (const Certificate certificate :
-       {Certificate::braking_trajectories, Certificate::stopping_capsules}) {
-    Scenario scene;
-    scene.duration = 9.0;
-    scene.sensing_radius = 200.0;
-    scene.certificate = certificate;
-    scene.robots = {robot_at({0, 0}, {40, 0}), robot_at({0, 50}, {0, 50})};
-    scene.moving_obstacles = {{.position = {-83.31795193815938, -34.617121590378105},
-                               .velocity = {13.595674931099252, 5.0321200809841935},
-                               .acceleration = {},
-                               .radius = 1.488647517657194}};
-    EXPECT_EQ(broken_in_motion(scene), 0);
-    // the same from many sides and at many speeds
-    for (int k = 0; k < 120; ++k) {
-      const double angle = 0.052 * k, speed = 3.0 + 0.11 * k, meets = 2.5 + 0.03 * k;
-      const Vec2 v = speed * Vec2{std::cos(angle), std::sin(angle)};
-      scene.moving_obstacles[0].velocity = v;
-      scene.moving_obstacles[0].position = Vec2{2.0 * meets, 0.3} - meets * v;
-      if (norm(scene.moving_obstacles[0].position) < 8.0 + speed) continue;
-      ++crossed;
-      EXPECT_EQ(broken_in_motion(scene), 0) << "angle " << angle << ", speed " << speed;
-    }
+  Scenario scene;
+  scene.duration = 9.0;
+  scene.sensing_radius = 200.0;
+  scene.robots = {robot_at({0, 0}, {40, 0}), robot_at({0, 50}, {0, 50})};
+  scene.moving_obstacles = {{.position = {-83.31795193815938, -34.617121590378105},
+                             .velocity = {13.595674931099252, 5.0321200809841935},
+                             .acceleration = {},
+                             .radius = 1.488647517657194}};
+  EXPECT_EQ(broken_in_motion(scene), 0);
+  // the same from many sides and at many speeds
+  for (int k = 0; k < 120; ++k) {
+    const double angle = 0.052 * k, speed = 3.0 + 0.11 * k, meets = 2.5 + 0.03 * k;
+    const Vec2 v = speed * Vec2{std::cos(angle), std::sin(angle)};
+    scene.moving_obstacles[0].velocity = v;
+    scene.moving_obstacles[0].position = Vec2{2.0 * meets, 0.3} - meets * v;
+    if (norm(scene.moving_obstacles[0].position) < 8.0 + speed) continue;
+    ++crossed;
+    EXPECT_EQ(broken_in_motion(scene), 0) << "angle " << angle << ", speed " << speed;
   }
   EXPECT_GT(crossed, 100);
 }
@@ -127,31 +123,27 @@ TEST(CertifiedMotion, robots_at_their_goals_give_way_and_come_back) {
 }
 
 TEST(CertifiedMotion, cars_in_a_crowd_do_not_touch) {
-  for (const Certificate certificate :
-       {Certificate::braking_trajectories, Certificate::stopping_capsules}) {
-    Scenario scene;
-    scene.certificate = certificate;
-    for (int k = 0; k < 36; ++k) {
-      const Vec2 start{3.0 * (k % 6), 3.0 * static_cast<double>(k / 6)};
-      RobotSetup car = robot_at(start, Vec2{15.0, 15.0} - start);
-      car.model = Car{0.8}, car.heading = 0.7 * k;
-      if (k % 7 == 0) car.model = Holonomic{};  // others among them
-      scene.robots.push_back(car);
-    }
-    Simulation simulation(scene, 1);
-    Metrics metrics(scene);
-    metrics.observe(simulation);
-    while (simulation.time() < 60.0) {
-      simulation.step();
-      metrics.observe(simulation);
-    }
-    const RunSummary summary = metrics.summary();
-    EXPECT_EQ(summary.collision_pairs, 0);
-    EXPECT_EQ(summary.decisions.overlapping, 0);
-    EXPECT_LE(summary.max_speed, 2.0 * (1.0 + 1e-9));
-    EXPECT_EQ(summary.acceleration_excess, 0.0);
-    EXPECT_GT(summary.arrived, 20);
+  Scenario scene;
+  for (int k = 0; k < 36; ++k) {
+    const Vec2 start{3.0 * (k % 6), 3.0 * static_cast<double>(k / 6)};
+    RobotSetup car = robot_at(start, Vec2{15.0, 15.0} - start);
+    car.model = Car{0.8}, car.heading = 0.7 * k;
+    if (k % 7 == 0) car.model = Holonomic{};  // others among them
+    scene.robots.push_back(car);
   }
+  Simulation simulation(scene, 1);
+  Metrics metrics(scene);
+  metrics.observe(simulation);
+  while (simulation.time() < 60.0) {
+    simulation.step();
+    metrics.observe(simulation);
+  }
+  const RunSummary summary = metrics.summary();
+  EXPECT_EQ(summary.collision_pairs, 0);
+  EXPECT_EQ(summary.decisions.overlapping, 0);
+  EXPECT_LE(summary.max_speed, 2.0 * (1.0 + 1e-9));
+  EXPECT_EQ(summary.acceleration_excess, 0.0);
+  EXPECT_GT(summary.arrived, 20);
 }
 
 TEST(CertifiedMotion, cars_are_refused_what_they_cannot_do) {

@@ -17,9 +17,7 @@ struct Kind {
   Motion motion = Motion::held;
 };
 inline constexpr std::array kKinds{Kind{Certificate::braking_trajectories, Motion::held},
-                                   Kind{Certificate::braking_trajectories, Motion::exponential},
-                                   Kind{Certificate::stopping_capsules, Motion::held},
-                                   Kind{Certificate::stopping_capsules, Motion::exponential}};
+                                   Kind{Certificate::braking_trajectories, Motion::exponential}};
 
 /// Two robots at 2 m/s towards each other and goals beyond, r 0.5 m, a_max 1 m/s².
 inline Scenario head_on(double distance, Kind kind) {

@@ -347,8 +347,6 @@ TEST(Clocks, what_no_clock_can_be_is_refused) {
             "robots.1.time_step: found 0.1, must be <= longest_step = 0.05 s");
   EXPECT_EQ(with([](Scenario& s) { s.motion = Motion::exponential; }),
             "clock: found free, must be common where motion is exponential");
-  EXPECT_EQ(with([](Scenario& s) { s.certificate = Certificate::stopping_capsules; }),
-            "clock: found free, must be common with certificate stopping_capsules");
   EXPECT_EQ(with([](Scenario& s) { s.robots[1].model = Car{.body = CarBody{0.5, 0.9}}; }), "");
   EXPECT_EQ(with([](Scenario& s) {
               s.robots[1].model = Airplane{.min_speed = 1.0, .lateral_acceleration = 1.0};

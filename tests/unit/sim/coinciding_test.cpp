@@ -135,9 +135,6 @@ TEST(Coinciding, they_part_however_they_sense_and_decide) {
     Scenario free = crowd_of(robots, holonomic());
     free.clock = Clock::free;
     EXPECT_LE(time_apart(free, 40.0), 8.0);
-    Scenario capsules = crowd_of(robots, holonomic());
-    capsules.certificate = Certificate::stopping_capsules;
-    EXPECT_LE(time_apart(capsules, 40.0), 5.0);
     for (const Method method :
          {Method::avo_paper, Method::orca_clamped, Method::buffered_voronoi}) {
       Scenario other = crowd_of(robots, holonomic());

@@ -204,26 +204,23 @@ TEST(Layers, who_is_not_avoided_changes_no_bit) {
 
 // Through a corridor for one, from both ends.
 TEST(Layers, nobody_waits_at_a_passage_for_those_whom_it_does_not_avoid) {
-  for (const RightOfWay right_of_way : {RightOfWay::seen, RightOfWay::told}) {
-    Scenario one;
-    one.right_of_way = right_of_way;
-    for (const double y : {-0.8, 0.8})
-      one.obstacles.push_back({.chains = {{.points = {{-4, y}, {4, y}}}}});
-    for (const double y : {-0.8, 0.8})
-      for (const double x : {-4.0, 4.0})
-        one.obstacles.push_back({.chains = {{.points = {{x, y}, {x, 10.0 * y}}}}});
-    Scenario other = one, both = one;
-    one.robots = {in_layer(robot_at({-9, 0}, {9, 0}), 1, 1)};
-    other.robots = {in_layer(robot_at({8, 0}, {-8, 0}), 2, 2)};
-    both.robots = {one.robots[0], other.robots[0]};
-    Simulation of_both(both, 1), of_one(one, 1), of_other(other, 1);
-    for (int step = 0; step < 150; ++step) {
-      of_both.step(), of_one.step(), of_other.step();
-      ASSERT_EQ(of_both.fleet().position[0], of_one.fleet().position[0]) << step;
-      ASSERT_EQ(of_both.fleet().position[1], of_other.fleet().position[0]) << step;
-    }
-    EXPECT_TRUE(of_both.all_at_goal());
+  Scenario one;
+  for (const double y : {-0.8, 0.8})
+    one.obstacles.push_back({.chains = {{.points = {{-4, y}, {4, y}}}}});
+  for (const double y : {-0.8, 0.8})
+    for (const double x : {-4.0, 4.0})
+      one.obstacles.push_back({.chains = {{.points = {{x, y}, {x, 10.0 * y}}}}});
+  Scenario other = one, both = one;
+  one.robots = {in_layer(robot_at({-9, 0}, {9, 0}), 1, 1)};
+  other.robots = {in_layer(robot_at({8, 0}, {-8, 0}), 2, 2)};
+  both.robots = {one.robots[0], other.robots[0]};
+  Simulation of_both(both, 1), of_one(one, 1), of_other(other, 1);
+  for (int step = 0; step < 150; ++step) {
+    of_both.step(), of_one.step(), of_other.step();
+    ASSERT_EQ(of_both.fleet().position[0], of_one.fleet().position[0]) << step;
+    ASSERT_EQ(of_both.fleet().position[1], of_other.fleet().position[0]) << step;
   }
+  EXPECT_TRUE(of_both.all_at_goal());
 }
 
 // Two floors.

@@ -90,7 +90,6 @@ TEST(Fleet, detours_are_shown_and_stay_with_their_robots) {
 TEST(Fleet, a_far_robot_changes_no_bit_of_the_others) {
   for (const Scenario& scene :
        {dense_scene(60, Motion::held, 9), dense_scene(60, Motion::exponential, 9),
-        dense_avo_scene(60, Motion::held, Certificate::stopping_capsules, 9),
         dense_avo_scene(60, Motion::held, Certificate::braking_trajectories, 9)}) {
     Simulation plain(scene, 2), other(scene, 2);
     RobotId far{};

@@ -78,10 +78,6 @@ TEST(HeldPassages, are_gone_around_once_that_has_taken_as_long) {
   EXPECT_LT(straight, 20.0);
   EXPECT_GT(around, straight + 8.0) << "it waits first";
   EXPECT_LT(around, 45.0);
-  scene.right_of_way = RightOfWay::told;
-  Simulation told(scene, 1);
-  arrival_of(told, 120.0);
-  EXPECT_FALSE(told.is_at_goal(0)) << "who tells claims waits";
 }
 
 // One in the middle leaves no way past it, and nobody waits in turn: who waits does so for longer.

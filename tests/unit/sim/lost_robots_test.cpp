@@ -69,7 +69,6 @@ TEST(LostRobots, touch_no_wall_and_nobody) {
     } else if (seed % 3 == 2) {
       scene.sensing.noise = {0.01, 0.02};
     }
-    if (seed == 3) scene.certificate = Certificate::stopping_capsules;
     ASSERT_TRUE(broken_assumptions(scene).none()) << seed;
     Judged run(scene, 1);
     for (const double end = 40.0; run.simulation.time() < end;) {

@@ -29,8 +29,7 @@ std::vector<Scenario> scenes() {
   for (const Motion motion : {Motion::held, Motion::exponential}) {
     all.push_back(dense_avo_scene(60, motion, Certificate::none));
   }
-  for (const Certificate certificate :
-       {Certificate::none, Certificate::stopping_capsules, Certificate::braking_trajectories}) {
+  for (const Certificate certificate : {Certificate::none, Certificate::braking_trajectories}) {
     all.push_back(scene_of_cars(certificate));
   }
   for (const Method method : {Method::orca, Method::velocity_obstacle, Method::orca_clamped,

@@ -43,39 +43,34 @@ int arrived_after(const Scenario& scene, double time) {
 TEST(RobotsAtPassages, TwelveGetThroughADoorBothWays) {
   const std::vector<Wall> walls = test::doorway(1.6);
   EXPECT_EQ(arrived_after(both_ways(walls, 12, RightOfWay::seen), 70.0), 12);
-  EXPECT_EQ(arrived_after(both_ways(walls, 12, RightOfWay::told), 70.0), 12);
   EXPECT_LT(arrived_after(both_ways(walls, 12, RightOfWay::none), 70.0), 12);
 }
 
 TEST(RobotsAtPassages, TwelveGetThroughACorridorOfOneLaneBothWays) {
   const std::vector<Wall> walls = test::corridor(1.6);
   EXPECT_EQ(arrived_after(both_ways(walls, 12, RightOfWay::seen), 150.0), 12);
-  EXPECT_EQ(arrived_after(both_ways(walls, 12, RightOfWay::told), 150.0), 12);
   EXPECT_EQ(arrived_after(both_ways(walls, 20, RightOfWay::seen), 150.0), 20);
   EXPECT_LT(arrived_after(both_ways(walls, 20, RightOfWay::none), 150.0), 20);
 }
 
 // The one that comes second waits beside the way out, and never stands in the door meanwhile.
 TEST(RobotsAtPassages, OneOfTwoGoesFirst) {
-  for (const RightOfWay right_of_way : {RightOfWay::seen, RightOfWay::told}) {
-    Scenario scene;
-    scene.obstacles = {test::pieces(test::corridor(1.6))};
-    scene.right_of_way = right_of_way;
-    scene.robots = {test::robot_at({-8, 0}, {9, 0}), test::robot_at({9, 0}, {-8, 0})};
-    Simulation simulation(scene, 1);
-    double least = 2.0;  // m/s, of the first one in the corridor
-    while (simulation.fleet().position[0].x < 5.0 && simulation.time() < 60.0) {
-      simulation.step();
-      const Vec2 first = simulation.fleet().position[0], second = simulation.fleet().position[1];
-      EXPECT_GT(second.x, 5.0) << "not yet";
-      if (first.x > -5.0 && first.x < 5.0)
-        least = std::min(least, norm(simulation.fleet().velocity[0]));
-    }
-    EXPECT_GT(least, 0.8);
-    EXPECT_LT(simulation.time(), 20.0);
-    while (!simulation.all_at_goal() && simulation.time() < 60.0) simulation.step();
-    EXPECT_TRUE(simulation.all_at_goal());
+  Scenario scene;
+  scene.obstacles = {test::pieces(test::corridor(1.6))};
+  scene.robots = {test::robot_at({-8, 0}, {9, 0}), test::robot_at({9, 0}, {-8, 0})};
+  Simulation simulation(scene, 1);
+  double least = 2.0;  // m/s, of the first one in the corridor
+  while (simulation.fleet().position[0].x < 5.0 && simulation.time() < 60.0) {
+    simulation.step();
+    const Vec2 first = simulation.fleet().position[0], second = simulation.fleet().position[1];
+    EXPECT_GT(second.x, 5.0) << "not yet";
+    if (first.x > -5.0 && first.x < 5.0)
+      least = std::min(least, norm(simulation.fleet().velocity[0]));
   }
+  EXPECT_GT(least, 0.8);
+  EXPECT_LT(simulation.time(), 20.0);
+  while (!simulation.all_at_goal() && simulation.time() < 60.0) simulation.step();
+  EXPECT_TRUE(simulation.all_at_goal());
 }
 
 // A robot at its goal in a corridor of one lane lets everybody through, and comes back.
@@ -125,31 +120,27 @@ TEST(RobotsAtPassages, OncomingRobotsPassInTheirLanes) {
 
 // More robots than one thread takes.
 TEST(RobotsAtPassages, AreTheSameForAnyNumberOfThreadsAndAfterARestore) {
-  for (const RightOfWay right_of_way : {RightOfWay::seen, RightOfWay::told}) {
-    const Scenario scene = test::crowd_at_doors(300, right_of_way);
-    Simulation one(scene, 1), two(scene, 2), none(test::crowd_at_doors(300, RightOfWay::none), 1);
-    for (int k = 0; k < 60; ++k) one.step(), two.step(), none.step();
-    EXPECT_EQ(one.state_hash(), two.state_hash());
-    EXPECT_NE(one.state_hash(), none.state_hash()) << "the rules matter";
-    Simulation continued(one.save(), 2);
-    for (int k = 0; k < 40; ++k) one.step(), continued.step();
-    EXPECT_EQ(one.state_hash(), continued.state_hash());
-    two.restore(two.save());
-    for (int k = 0; k < 40; ++k) two.step();
-    EXPECT_EQ(one.state_hash(), two.state_hash());
-  }
+  const Scenario scene = test::crowd_at_doors(300, RightOfWay::seen);
+  Simulation one(scene, 1), two(scene, 2), none(test::crowd_at_doors(300, RightOfWay::none), 1);
+  for (int k = 0; k < 60; ++k) one.step(), two.step(), none.step();
+  EXPECT_EQ(one.state_hash(), two.state_hash());
+  EXPECT_NE(one.state_hash(), none.state_hash()) << "the rules matter";
+  Simulation continued(one.save(), 2);
+  for (int k = 0; k < 40; ++k) one.step(), continued.step();
+  EXPECT_EQ(one.state_hash(), continued.state_hash());
+  two.restore(two.save());
+  for (int k = 0; k < 40; ++k) two.step();
+  EXPECT_EQ(one.state_hash(), two.state_hash());
 }
 
 TEST(RobotsAtPassages, PerceiveIsWhatTheStepDecidesOn) {
-  for (const RightOfWay right_of_way : {RightOfWay::seen, RightOfWay::told}) {
-    for (const double width : {1.6, 2.4}) {
-      Simulation simulation(both_ways(test::corridor(width), 20, right_of_way), 1);
-      for (int k = 0; k < 200; ++k) {
-        if (k % 10 == 0) {
-          test::expect_as_perceived(simulation);
-        } else {
-          simulation.step();
-        }
+  for (const double width : {1.6, 2.4}) {
+    Simulation simulation(both_ways(test::corridor(width), 20, RightOfWay::seen), 1);
+    for (int k = 0; k < 200; ++k) {
+      if (k % 10 == 0) {
+        test::expect_as_perceived(simulation);
+      } else {
+        simulation.step();
       }
     }
   }
@@ -198,20 +189,16 @@ TEST(Claims, OutsideOnlyInSightOfTheMouth) {
   }
 }
 
-// Who tells its claims makes no room: others would have to know of it.
-TEST(Claims, EndInsideOnlyWhereTheyAreSeen) {
-  for (const RightOfWay right_of_way : {RightOfWay::seen, RightOfWay::told}) {
-    Scenario scene;
-    scene.obstacles = {test::pieces(test::corridor(1.6))};
-    scene.right_of_way = right_of_way;
-    scene.robots = {test::robot_at({0, 0}, {0, 0})};
-    World world(scene, std::make_unique<SerialExecutor>());
-    plan_travels(world.ways, world.fleet, 0.5);
-    find_walls(world);
-    const auto claim = prospect_of(world, 0, world.ways.travels[0]).claim;
-    ASSERT_TRUE(claim && claim->inside);
-    EXPECT_EQ(claim->ends, right_of_way == RightOfWay::seen);
-  }
+TEST(Claims, EndInsideWhereTheGoalIs) {
+  Scenario scene;
+  scene.obstacles = {test::pieces(test::corridor(1.6))};
+  scene.robots = {test::robot_at({0, 0}, {0, 0})};
+  World world(scene, std::make_unique<SerialExecutor>());
+  plan_travels(world.ways, world.fleet, 0.5);
+  find_walls(world);
+  const auto claim = prospect_of(world, 0, world.ways.travels[0]).claim;
+  ASSERT_TRUE(claim && claim->inside);
+  EXPECT_TRUE(claim->ends);
 }
 
 // The corner at which the way leaves it may be as far off as the passage is long.
@@ -255,24 +242,22 @@ TEST(Claims, LanesAreNotThoseOfAPassageBehindAWall) {
 
 // Each passage's own ones, however many parts there are.
 TEST(Claims, AreListedByPassage) {
-  for (const RightOfWay right_of_way : {RightOfWay::seen, RightOfWay::told}) {
-    World world(test::crowd_at_doors(100, right_of_way), std::make_unique<SerialExecutor>());
-    plan_travels(world.ways, world.fleet, 0.5);
-    for (int k = 0; k < 60; ++k) step(world);
-    Claims claims;
-    SerialExecutor serial;
-    collect_claims(world, serial, claims);
-    ASSERT_EQ(claims.first.size(), world.ways.passages.size() + 1);
-    EXPECT_GE(claims.claimants.size(), 50u);
-    std::size_t listed = 0;
-    for (std::uint32_t number = 0; number < world.ways.passages.size(); ++number) {
-      listed += claims.of(number).size();
-      for (const Claimant& claimant : claims.of(number)) EXPECT_EQ(claimant.claim.passage, number);
-    }
-    EXPECT_EQ(listed, claims.claimants.size());
-    EXPECT_EQ(claims.first.front(), 0u);
-    EXPECT_EQ(claims.first.back(), claims.claimants.size());
+  World world(test::crowd_at_doors(100, RightOfWay::seen), std::make_unique<SerialExecutor>());
+  plan_travels(world.ways, world.fleet, 0.5);
+  for (int k = 0; k < 60; ++k) step(world);
+  Claims claims;
+  SerialExecutor serial;
+  collect_claims(world, serial, claims);
+  ASSERT_EQ(claims.first.size(), world.ways.passages.size() + 1);
+  EXPECT_GE(claims.claimants.size(), 50u);
+  std::size_t listed = 0;
+  for (std::uint32_t number = 0; number < world.ways.passages.size(); ++number) {
+    listed += claims.of(number).size();
+    for (const Claimant& claimant : claims.of(number)) EXPECT_EQ(claimant.claim.passage, number);
   }
+  EXPECT_EQ(listed, claims.claimants.size());
+  EXPECT_EQ(claims.first.front(), 0u);
+  EXPECT_EQ(claims.first.back(), claims.claimants.size());
 }
 
 }  // namespace

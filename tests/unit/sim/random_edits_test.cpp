@@ -254,8 +254,6 @@ TEST(RandomEdits, keep_all_whole_with_every_method) {
   Scenario scene = ring();
   scene.certificate = Certificate::none;
   expect_whole(scene, "avo without a certificate");
-  scene.certificate = Certificate::stopping_capsules;
-  expect_whole(scene, "stopping capsules");
 }
 
 TEST(RandomEdits, keep_all_whole_with_clocks_of_their_own) {

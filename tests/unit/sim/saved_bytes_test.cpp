@@ -160,6 +160,12 @@ TEST(SavedBytes, forged_values_are_refused) {
   }
   EXPECT_EQ(word(saved, 22), static_cast<std::uint64_t>(Method::avo_paper));
   EXPECT_EQ(forged(22, 7), "saved state: found an unknown choice, must be a known one");
+  EXPECT_EQ(forged(24, 1),
+            "saved state: certificate: found stopping_capsules, must be braking_trajectories: "
+            "stopping_capsules was removed");
+  EXPECT_EQ(forged(26, 25),
+            "saved state: samples: found 25, must be left out: all half-planes are exact");
+  EXPECT_EQ(forged(31, 2), "saved state: right_of_way: found told, must be seen: told was removed");
   EXPECT_EQ(forged(22, 1000), "saved state: found the number 1000, must be one that its type has");
   const std::size_t robots = last - 3 * 20 - 1, obstacles = robots - 3 * 17 - 1;
   ASSERT_EQ(word(saved, robots), 3u);
@@ -240,8 +246,8 @@ TEST(SavedBytes, other_scenes_are_refused_by_what_differs) {
             "saved state: method: found avo_paper, must be orca as in this simulation");
   EXPECT_EQ(refused_by([](Scenario& s) { s.max_neighbors.reset(); }),
             "saved state: max_neighbors: found 10, must be none as in this simulation");
-  EXPECT_EQ(refused_by([](Scenario& s) { s.right_of_way = RightOfWay::told; }),
-            "saved state: right_of_way: found seen, must be told as in this simulation");
+  EXPECT_EQ(refused_by([](Scenario& s) { s.right_of_way = RightOfWay::none; }),
+            "saved state: right_of_way: found seen, must be none as in this simulation");
   EXPECT_EQ(
       refused_by([](Scenario& s) { s.sensing.delay = 2; }),
       "saved state: sensing: found {noise: {position: 0, velocity: 0, distribution: gaussian}, "

@@ -13,8 +13,6 @@ using Bytes = std::vector<std::byte>;
 /// Each robot decides by a clock of its own, some of them more often.
 inline Scenario with_clocks(Random& random, Scenario scene) {
   scene.motion = Motion::held;
-  if (scene.certificate == Certificate::stopping_capsules)
-    scene.certificate = Certificate::braking_trajectories;
   scene.clock = Clock::free;
   scene.longest_step = 0.2;
   for (RobotSetup& robot : scene.robots) {

@@ -78,8 +78,6 @@ std::pair<std::vector<std::uint64_t>, Bytes> future(Simulation& simulation, std:
 }
 
 Scenario random_scene(Random& random) {
-  constexpr Certificate kCertificates[] = {Certificate::stopping_capsules,
-                                           Certificate::braking_trajectories};
   const Motion motion = random.below(2) == 0 ? Motion::held : Motion::exponential;
   const int robots = random.below(12) == 0 ? 270 : random.below(60);
   const std::uint64_t seed = random.bits();
@@ -89,7 +87,7 @@ Scenario random_scene(Random& random) {
     if (mixed) mix_conduct(random, scene);
     return scene;
   }
-  Scenario scene = dense_avo_scene(robots, motion, kCertificates[random.below(2)], seed);
+  Scenario scene = dense_avo_scene(robots, motion, Certificate::braking_trajectories, seed);
   scene.sensing_radius = 20.0;
   if (random.below(3) == 0) scene.moving_obstacles.clear();
   for (MovingObstacle& each : scene.moving_obstacles) {

@@ -73,9 +73,7 @@ struct AvoKind {
   Certificate certificate;
 };
 inline constexpr AvoKind kAvoKinds[] = {
-    {Motion::held, Certificate::stopping_capsules},
     {Motion::held, Certificate::braking_trajectories},
-    {Motion::exponential, Certificate::stopping_capsules},
     {Motion::exponential, Certificate::braking_trajectories},
 };
 

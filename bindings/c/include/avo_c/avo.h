@@ -126,11 +126,7 @@ enum {
 };
 
 typedef int32_t avo_certificate;
-enum {
-  AVO_CERTIFICATE_NONE = 0,
-  AVO_CERTIFICATE_STOPPING_CAPSULES = 1,
-  AVO_CERTIFICATE_BRAKING_TRAJECTORIES = 2
-};
+enum { AVO_CERTIFICATE_NONE = 0, AVO_CERTIFICATE_BRAKING_TRAJECTORIES = 2 };
 
 typedef int32_t avo_motion;
 enum { AVO_MOTION_HELD = 0, AVO_MOTION_EXPONENTIAL = 1 };
@@ -139,7 +135,7 @@ typedef int32_t avo_clock;
 enum { AVO_CLOCK_COMMON = 0, AVO_CLOCK_FREE = 1 };
 
 typedef int32_t avo_right_of_way;
-enum { AVO_RIGHT_OF_WAY_NONE = 0, AVO_RIGHT_OF_WAY_SEEN = 1, AVO_RIGHT_OF_WAY_TOLD = 2 };
+enum { AVO_RIGHT_OF_WAY_NONE = 0, AVO_RIGHT_OF_WAY_SEEN = 1 };
 
 typedef int32_t avo_noise_distribution;
 enum { AVO_NOISE_GAUSSIAN = 0, AVO_NOISE_UNIFORM = 1 };
@@ -290,7 +286,7 @@ typedef struct avo_planner_def {
   double control_time;  ///< s, >= 1e-6
   double time_horizon;  ///< s, > 0
   double time_step;     ///< s, > 0
-  int32_t samples;      ///< 0: exact half-planes; 2 to 1000: the paper's boundary samples
+  int32_t unused;       ///< 0: the place of a removed member
   avo_certificate certificate;
   int32_t max_neighbors;  ///< >= 1, so many nearest neighbors get a half-plane; 0: all
   avo_clock clock;
@@ -556,8 +552,8 @@ typedef struct avo_simulation_def {
   double longest_step;      ///< s, > 0, where the clock is free; 0: the longest of the robots
   uint64_t seed;            ///< of sensing and of clocks
   int32_t max_neighbors;    ///< >= 1; 0: all
-  int32_t samples;          ///< 0, or 2 to 1000
   avo_method method;
+  int32_t unused;               ///< 0: the place of a removed member
   avo_certificate certificate;  ///< AVO_UNSET: the method's
   avo_motion motion;
   avo_clock clock;

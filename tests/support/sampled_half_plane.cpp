@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-// The half-plane from the paper's boundary samples joined by chords (§VI-A): a reference mode.
+#include "support/sampled_half_plane.h"
+
 #include <cmath>
 #include <optional>
 #include <vector>
 
-#include "avo/half_plane.h"
 #include "avo/velocity_obstacle.h"
 #include "obstacles/constants.h"
 
-namespace avo {
+namespace avo::test {
 namespace {
 
 // Directions in which the circle of reach is tested: its arcs inside the polygon belong to the
@@ -168,4 +168,4 @@ RelativeHalfPlane sampled_half_plane(const Pair& pair, double reach, const Horiz
   return {PairState::constrained, least_support(convex_hull(points), reach, p)};
 }
 
-}  // namespace avo
+}  // namespace avo::test
