@@ -65,6 +65,14 @@ avo_result get(avo_simulation_id id, avo_robot_id robot, Value* value, const Of&
   });
 }
 
+std::vector<avo::RobotId> ids_at(const avo::Simulation& simulation,
+                                 const std::vector<std::size_t>& indices) {
+  const auto id = simulation.fleet(avo::Columns::id).id;
+  std::vector<avo::RobotId> ids;
+  for (const std::size_t index : indices) ids.push_back(id[index]);
+  return ids;
+}
+
 // Writes the ids into the buffer, if they fit.
 template <typename Id, typename Ids>
 void list(const Ids& ids, Id* buffer, std::size_t capacity, std::size_t* count) {
@@ -234,6 +242,43 @@ avo_result avo_simulation_unreachable(avo_simulation_id simulation, avo_robot_id
                                       size_t capacity, size_t* count) {
   return guarded(
       [&] { list(simulations.at(simulation).simulation.unreachable(), buffer, capacity, count); });
+}
+
+avo_result avo_simulation_robots_within(avo_simulation_id simulation, avo_vec2 center,
+                                        double radius, avo_robot_id* buffer, size_t capacity,
+                                        size_t* count) {
+  return guarded([&] {
+    const avo::Simulation& own = simulations.at(simulation).simulation;
+    list(ids_at(own, own.robots_within(from_c(center), radius)), buffer, capacity, count);
+  });
+}
+
+avo_result avo_simulation_nearest_robots(avo_simulation_id simulation, avo_vec2 position,
+                                         avo_robot_id* buffer, size_t capacity, size_t* count) {
+  return guarded([&] {
+    const avo::Simulation& own = simulations.at(simulation).simulation;
+    list(ids_at(own, own.nearest_robots(from_c(position), capacity)), buffer, capacity, count);
+  });
+}
+
+avo_result avo_simulation_is_free(avo_simulation_id simulation, avo_vec2 position, double radius,
+                                  bool* is_free) {
+  return get(simulation, is_free,
+             [&](const avo::Simulation& own) { return own.is_free(from_c(position), radius); });
+}
+
+avo_result avo_simulation_cast_ray(avo_simulation_id simulation, avo_vec2 from, avo_vec2 to,
+                                   double radius, avo_hit* hit) {
+  return get(simulation, hit, [&](const avo::Simulation& own) {
+    const auto number = [](const auto& id) { return id ? id->value + 1 : 0; };
+    const auto found = own.cast_ray(from_c(from), from_c(to), radius);
+    if (!found) return avo_hit{norm(from_c(to) - from_c(from)), to, {0}, {0}, {0}};
+    return avo_hit{found->distance,
+                   to_c(found->center),
+                   {number(found->robot)},
+                   {number(found->moving_obstacle)},
+                   {number(found->obstacle)}};
+  });
 }
 
 avo_result avo_simulation_moving_obstacle_ids(avo_simulation_id simulation,

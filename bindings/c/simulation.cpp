@@ -50,6 +50,21 @@ avo::RobotId number_of(const Simulation& simulation, avo_robot_id robot) {
   return from_c(robot);
 }
 
+std::vector<avo::RobotId> numbers_of(const Simulation& simulation, const avo_robot_id* robots,
+                                     std::size_t count) {
+  if (count > 0) at(robots, "robots");
+  std::vector<avo::RobotId> numbers;
+  for (std::size_t k = 0; k < count; ++k) numbers.push_back(number_of(simulation, robots[k]));
+  return numbers;
+}
+
+std::vector<avo::Vec2> points_of(const avo_vec2* points, std::size_t count) {
+  if (count > 0) at(points, "values");
+  std::vector<avo::Vec2> result;
+  for (std::size_t k = 0; k < count; ++k) result.push_back(from_c(points[k]));
+  return result;
+}
+
 // The id among those that are there; in C they begin with 1.
 template <typename Id>
 Id among(std::span<const Id> ids, std::uint64_t number) {
@@ -150,6 +165,42 @@ avo_result avo_simulation_set_preferred_velocity(avo_simulation_id simulation, a
     own.simulation.set_preferred_velocity(
         number_of(own, robot),
         velocity != nullptr ? std::optional(from_c(*velocity)) : std::nullopt);
+  });
+}
+
+avo_result avo_simulation_set_goals(avo_simulation_id simulation, const avo_robot_id* robots,
+                                    const avo_vec2* goals, size_t count) {
+  return changed(simulation, [&](Simulation& own) {
+    own.simulation.set_goals(numbers_of(own, robots, count), points_of(goals, count));
+  });
+}
+
+avo_result avo_simulation_set_preferred_velocities(avo_simulation_id simulation,
+                                                   const avo_robot_id* robots,
+                                                   const avo_vec2* velocities, size_t count) {
+  return changed(simulation, [&](Simulation& own) {
+    own.simulation.set_preferred_velocities(numbers_of(own, robots, count),
+                                            points_of(velocities, count));
+  });
+}
+
+avo_result avo_simulation_add_robots(avo_simulation_id simulation, const avo_robot_def* defs,
+                                     size_t count, avo_robot_id* robots) {
+  return repopulated(simulation, [&](Simulation& own) {
+    if (count > 0) at(robots, "robots");
+    std::vector<avo::RobotSetup> setups;
+    for_each(defs, count, "defs", avo_default_robot_def(),
+             [&](const avo_robot_def& def, const Where& where) {
+               setups.push_back(setup_of(def, where));
+             });
+    for (const avo::RobotId id : own.simulation.add_robots(setups)) *robots++ = to_c(id);
+  });
+}
+
+avo_result avo_simulation_remove_robots(avo_simulation_id simulation, const avo_robot_id* robots,
+                                        size_t count) {
+  return repopulated(simulation, [&](Simulation& own) {
+    own.simulation.remove_robots(numbers_of(own, robots, count));
   });
 }
 

@@ -176,6 +176,12 @@ class AVO_API Simulation {
   /// and it takes no part in the rules for passages and goals. The certificate holds as before.
   /// Throws Error if there is no such robot, it is parked, or the velocity is not finite.
   void set_preferred_velocity(RobotId robot, std::optional<Vec2> velocity);
+  /// The same calls for many robots: one goal, velocity or setup for each robot. Where one of them
+  /// is refused, they throw Error, and nothing has changed.
+  void set_goals(std::span<const RobotId> robots, std::span<const Vec2> goals);
+  void set_preferred_velocities(std::span<const RobotId> robots, std::span<const Vec2> velocities);
+  std::vector<RobotId> add_robots(std::span<const RobotSetup> setups);
+  void remove_robots(std::span<const RobotId> robots);
   /// The one that set_preferred_velocity() gave to the robot (an index into fleet()).
   [[nodiscard]] std::optional<Vec2> preferred_velocity(std::size_t robot) const;
   /// A moving obstacle comes: a person, a vehicle, or a player whom the host moves. With a
@@ -231,6 +237,25 @@ class AVO_API Simulation {
   /// Index of the robot into fleet(). It differs from the robot's number once another robot has
   /// been removed or has left. It is none if the robot itself is gone.
   [[nodiscard]] std::optional<std::size_t> index_of(RobotId robot) const;
+  /// Robots whose discs come within `radius`, m, of the point, the nearest disc first: indices into
+  /// fleet(). This query and the next three find what is near in a grid, which the first one after
+  /// a change makes. A query then takes as long as it has to look at.
+  [[nodiscard]] std::vector<std::size_t> robots_within(Vec2 center, double radius) const;
+  /// The robots whose discs are nearest to the point, at most `count`, nearest first.
+  [[nodiscard]] std::vector<std::size_t> nearest_robots(Vec2 position, std::size_t count) const;
+  /// Returns whether a disc of that radius, m, > 0, would touch no robot, no moving obstacle and no
+  /// wall there, and would not be inside a solid or outside of bounds.
+  [[nodiscard]] bool is_free(Vec2 position, double radius) const;
+  /// What a ray, or a moving disc, touches first: one of the three is set.
+  struct Hit {
+    double distance = 0.0;  ///< m, from the start; 0 where it touches from the start
+    Vec2 center = {};       ///< m, of the disc then
+    std::optional<RobotId> robot = {};
+    std::optional<MovingObstacleId> moving_obstacle = {};
+    std::optional<ObstacleId> obstacle = {};
+  };
+  /// None where a disc of that radius, m, >= 0, touches nothing that stands now between the points.
+  [[nodiscard]] std::optional<Hit> cast_ray(Vec2 from, Vec2 to, double radius = 0.0) const;
   [[nodiscard]] ObstacleView obstacles() const;
   [[nodiscard]] StaticObstacleView static_obstacles() const;
   [[nodiscard]] double time() const;  ///< s: steps() * time_step, or the instant of free clocks

@@ -40,6 +40,11 @@ class ClearanceGrid {
   /// returns false; a wall may come more than once. Returns whether it was true for all.
   template <typename Holds>
   bool all_near(Vec2 p, Vec2 q, const Holds& holds) const;
+  /// The same for the walls within reach() of a box.
+  template <typename Holds>
+  bool all_in(Vec2 low, Vec2 high, const Holds& holds) const;
+  /// m, the side of a cell.
+  [[nodiscard]] double cell() const { return cell_; }
   /// The largest number of calls by all_near(p, p).
   [[nodiscard]] std::size_t count_near(Vec2 p) const;
 
@@ -50,6 +55,8 @@ class ClearanceGrid {
   [[nodiscard]] std::int64_t row_of(double y) const;
   // The cells of a row that the segment meets; slightly more for rounding.
   [[nodiscard]] Columns columns_of(Vec2 p, Vec2 q, std::int64_t row) const;
+  template <typename ColumnsIn, typename Holds>
+  bool all_in_rows(double low, double high, const ColumnsIn& columns_in, const Holds& holds) const;
   template <typename Visit>
   void for_each_cell(const Wall& wall, const Visit& visit) const;
 
@@ -64,11 +71,25 @@ class ClearanceGrid {
 
 template <typename Holds>
 bool ClearanceGrid::all_near(Vec2 p, Vec2 q, const Holds& holds) const {
+  const auto columns_in = [&](std::int64_t row) { return columns_of(p, q, row); };
+  return all_in_rows(p.y < q.y ? p.y : q.y, p.y < q.y ? q.y : p.y, columns_in, holds);
+}
+
+template <typename Holds>
+bool ClearanceGrid::all_in(Vec2 low, Vec2 high, const Holds& holds) const {
   if (rows_ == 0) return true;
-  const double low = p.y < q.y ? p.y : q.y, high = p.y < q.y ? q.y : p.y;
+  const Columns columns = columns_of({low.x, low.y}, {high.x, low.y}, 0);
+  return all_in_rows(
+      low.y, high.y, [&](std::int64_t) { return columns; }, holds);
+}
+
+template <typename ColumnsIn, typename Holds>
+bool ClearanceGrid::all_in_rows(double low, double high, const ColumnsIn& columns_in,
+                                const Holds& holds) const {
+  if (rows_ == 0) return true;
   const std::int64_t last_row = row_of(high) < rows_ - 1 ? row_of(high) : rows_ - 1;
   for (std::int64_t row = row_of(low) > 0 ? row_of(low) : 0; row <= last_row; ++row) {
-    const Columns columns = columns_of(p, q, row);
+    const Columns columns = columns_in(row);
     for (std::int64_t column = columns.first; column <= columns.last; ++column) {
       const auto cell = static_cast<std::size_t>(row * columns_ + column);
       for (std::uint32_t k = first_[cell]; k < first_[cell + 1]; ++k) {

@@ -3,6 +3,8 @@
 // bad input, and changes nothing where it throws.
 #pragma once
 #include <optional>
+#include <span>
+#include <vector>
 
 #include "avo/simulation.h"
 
@@ -14,6 +16,11 @@ RobotId add_robot(World& world, const RobotSetup& setup);
 void remove_robot(World& world, RobotId robot);
 void set_goal(World& world, RobotId robot, Vec2 goal);
 void move_robot(World& world, RobotId robot, Vec2 position);
+void set_goals(World& world, std::span<const RobotId> robots, std::span<const Vec2> goals);
+void set_preferred_velocities(World& world, std::span<const RobotId> robots,
+                              std::span<const Vec2> velocities);
+std::vector<RobotId> add_robots(World& world, std::span<const RobotSetup> setups);
+void remove_robots(World& world, std::span<const RobotId> robots);
 void change_robot(World& world, RobotId robot, const RobotSetup& setup);
 void set_preferred_velocity(World& world, RobotId robot, std::optional<Vec2> velocity);
 MovingObstacleId add_moving_obstacle(World& world, const MovingObstacle& obstacle);

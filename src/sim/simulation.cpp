@@ -128,6 +128,28 @@ void Simulation::set_preferred_velocity(RobotId robot, std::optional<Vec2> veloc
   state_->forget_views_of(robot);
 }
 
+void Simulation::set_goals(std::span<const RobotId> robots, std::span<const Vec2> goals) {
+  avo::set_goals(*state_, robots, goals);
+  state_->forget_views();
+}
+
+void Simulation::set_preferred_velocities(std::span<const RobotId> robots,
+                                          std::span<const Vec2> velocities) {
+  avo::set_preferred_velocities(*state_, robots, velocities);
+  state_->forget_views();
+}
+
+std::vector<RobotId> Simulation::add_robots(std::span<const RobotSetup> setups) {
+  std::vector<RobotId> added = avo::add_robots(*state_, setups);
+  state_->forget_robots();
+  return added;
+}
+
+void Simulation::remove_robots(std::span<const RobotId> robots) {
+  avo::remove_robots(*state_, robots);
+  state_->forget_robots();
+}
+
 MovingObstacleId Simulation::add_moving_obstacle(const MovingObstacle& obstacle) {
   const MovingObstacleId id = avo::add_moving_obstacle(*state_, obstacle);
   state_->forget_views();
@@ -147,12 +169,14 @@ void Simulation::remove_moving_obstacle(MovingObstacleId id) {
 ObstacleId Simulation::add_obstacle(const StaticObstacle& obstacle) {
   const ObstacleId id = avo::add_obstacle(*state_, obstacle);
   state_->forget_views();
+  state_->nearby.has_walls = false;
   return id;
 }
 
 void Simulation::remove_obstacle(ObstacleId obstacle) {
   avo::remove_obstacle(*state_, obstacle);
   state_->forget_views();
+  state_->nearby.has_walls = false;
 }
 
 std::vector<std::byte> Simulation::save() const {
@@ -163,6 +187,7 @@ std::vector<std::byte> Simulation::save() const {
 
 void Simulation::restore(std::span<const std::byte> saved) {
   avo::restore(from_bytes(saved), *state_);
+  state_->nearby.has_walls = false;
   state_->forget_robots();
 }
 

@@ -10,6 +10,7 @@
 #include "core/mutex.h"
 #include "sim/clocks.h"
 #include "sim/fleet_mirror.h"
+#include "sim/nearby.h"
 #include "sim/world.h"
 
 namespace avo {
@@ -23,6 +24,7 @@ struct Simulation::State : World {
   FleetMirror mirror;
   std::uint64_t roster = next_roster();
   bool has_claims = false;  // of the present generation, for readers
+  Nearby nearby;
   Claims present_claims;
 
   /// See avo::catch_up(), for readers.
@@ -39,9 +41,16 @@ struct Simulation::State : World {
     has_claims = true;
     return present_claims;
   }
+  /// The discs and walls as they are now, for readers.
+  const Nearby& nearby_now() {
+    catch_up();
+    const Lock lock(looking);
+    look_around(*this, nearby);
+    return nearby;
+  }
   void forget_views() {
     mirrored = Columns{};
-    has_claims = false;
+    has_claims = nearby.has_discs = false;
   }
   void forget_robots() {
     forget_views();
@@ -52,7 +61,7 @@ struct Simulation::State : World {
     const Columns copied = mirrored;
     if (copied != Columns{})
       mirror.renew(fleet, static_cast<std::size_t>(fleet.rank[*fleet.slot(robot)]), copied);
-    has_claims = false;
+    has_claims = nearby.has_discs = false;
   }
 
   static std::uint64_t next_roster() {

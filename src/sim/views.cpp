@@ -3,6 +3,7 @@
 #include <optional>
 
 #include "avo/simulation.h"
+#include "core/ranges.h"
 #include "sim/clocks.h"
 #include "sim/simulation_state.h"
 
@@ -61,6 +62,30 @@ std::optional<std::size_t> Simulation::index_of(RobotId robot) const {
   const Fleet& fleet = state_->fleet;
   const auto slot = fleet.slot(robot);
   return slot ? std::optional(static_cast<std::size_t>(fleet.rank[*slot])) : std::nullopt;
+}
+
+std::vector<std::size_t> Simulation::robots_within(Vec2 center, double radius) const {
+  require("robots_within: center", center, "m");
+  require("robots_within: radius", radius, kNotNegative, "m");
+  return avo::robots_within(state_->nearby_now(), center, radius);
+}
+
+std::vector<std::size_t> Simulation::nearest_robots(Vec2 position, std::size_t count) const {
+  require("nearest_robots: position", position, "m");
+  return avo::nearest_robots(state_->nearby_now(), position, count);
+}
+
+bool Simulation::is_free(Vec2 position, double radius) const {
+  require("is_free: position", position, "m");
+  require("is_free: radius", radius, kPositive, "m");
+  return avo::is_free(*state_, state_->nearby_now(), position, radius);
+}
+
+std::optional<Simulation::Hit> Simulation::cast_ray(Vec2 from, Vec2 to, double radius) const {
+  require("cast_ray: from", from, "m");
+  require("cast_ray: to", to, "m");
+  require("cast_ray: radius", radius, kNotNegative, "m");
+  return first_hit(*state_, state_->nearby_now(), from, to, radius);
 }
 
 ObstacleView Simulation::obstacles() const {

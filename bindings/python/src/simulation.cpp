@@ -57,34 +57,6 @@ py::bytes save(SharedSimulation& self) {
   return {reinterpret_cast<const char*>(saved.data()), saved.size()};
 }
 
-/// Returns the index into the columns.
-std::size_t checked(const Simulation& simulation, std::int64_t robot) {
-  const auto n = static_cast<std::int64_t>(simulation.size());
-  if (robot < 0 || robot >= n)
-    throw avo::Error(fmt::format("index: found {}, must be 0 to {}", robot, n - 1));
-  return static_cast<std::size_t>(robot);
-}
-
-avo::RobotId robot_id(std::int64_t id) {
-  if (id < 0) throw avo::Error(fmt::format("robot {}: found none of that id", id));
-  return {static_cast<std::uint64_t>(id)};
-}
-
-avo::ObstacleId obstacle_id(std::int64_t id) {
-  if (id < 0) throw avo::Error(fmt::format("obstacle {}: found none of that id", id));
-  return {static_cast<std::uint64_t>(id)};
-}
-
-avo::MovingObstacleId mover_id(std::int64_t id) {
-  if (id < 0) throw avo::Error(fmt::format("moving obstacle {}: found none of that id", id));
-  return {static_cast<std::uint64_t>(id)};
-}
-
-template <typename F>
-auto told(F f) {
-  return [f](SharedSimulation& self) { return self.briefly(f); };
-}
-
 int threads_of(SharedSimulation& simulation) {
   return simulation.briefly([](const Simulation& s) { return s.threads(); });
 }
@@ -200,94 +172,6 @@ void bind_state(SimulationClass& simulation) {
             self.briefly([](const Simulation& s) { return std::pair(s.size(), s.time()); });
         return fmt::format("<avo.Simulation {}: {} robots at {:.9g} s>", self.name(), n, time);
       });
-}
-
-void change_robot(SharedSimulation& self, std::int64_t id, const py::kwargs& given) {
-  std::optional<avo::RobotSetup> setup = self.briefly([&](const Simulation& s) {
-    const auto index = s.index_of(robot_id(id));
-    return index ? std::optional(s.setup(*index)) : std::nullopt;
-  });
-  if (setup) set_fields(*setup, given);
-  self.alone(
-      [&](Simulation& s) { s.change_robot(robot_id(id), setup.value_or(avo::RobotSetup{})); });
-}
-
-void bind_edits(SimulationClass& simulation) {
-  simulation
-      .def(
-          "add_robot",
-          // by value: another thread may change it
-          [](SharedSimulation& self, const avo::RobotSetup setup) {
-            return self.alone([&](Simulation& s) { return s.add_robot(setup).value; });
-          },
-          arg("setup"),
-          "Returns its id. Raises Error where it starts in others, or too near or too fast for "
-          "them or for obstacles, unless the scene has allow_broken_assumptions.")
-      .def(
-          "remove_robot",
-          [](SharedSimulation& self, std::int64_t id) {
-            self.alone([&](Simulation& s) { s.remove_robot(robot_id(id)); });
-          },
-          arg("id"), "Its id is never used again.")
-      .def(
-          "set_goal",
-          [](SharedSimulation& self, std::int64_t id, avo::Vec2 goal) {
-            self.alone([&](Simulation& s) { s.set_goal(robot_id(id), goal); });
-          },
-          arg("id"), arg("goal"), "goal: (x, y), m. The goal that it has already changes nothing.")
-      .def(
-          "move_robot",
-          [](SharedSimulation& self, std::int64_t id, avo::Vec2 position) {
-            self.alone([&](Simulation& s) { s.move_robot(robot_id(id), position); });
-          },
-          arg("id"), arg("position"),
-          "Puts it down at position, (x, y), m, at rest; it keeps its id. Raises Error as "
-          "add_robot() does.")
-      .def("change_robot", &change_robot, arg("id"),
-           "Arguments by name, those of RobotSetup: what it can do and how it behaves from now on. "
-           "Others stay. Its state, goal, model, time_step and parked cannot be changed. Raises "
-           "Error "
-           "where the promise would break.")
-      .def(
-          "set_preferred_velocity",
-          [](SharedSimulation& self, std::int64_t id, std::optional<avo::Vec2> velocity) {
-            self.alone([&](Simulation& s) { s.set_preferred_velocity(robot_id(id), velocity); });
-          },
-          arg("id"), arg("velocity"),
-          "velocity: (x, y), m/s, in place of a route to its goal; None: to its goal again.")
-      .def(
-          "add_moving_obstacle",
-          [](SharedSimulation& self, const avo::MovingObstacle& obstacle) {
-            return self.alone([&](Simulation& s) { return s.add_moving_obstacle(obstacle).value; });
-          },
-          arg("obstacle"),
-          "A person, a vehicle or a player comes. Returns its id. Raises Error where some robot "
-          "cannot keep clear of it.")
-      .def(
-          "change_moving_obstacle",
-          [](SharedSimulation& self, std::int64_t id, const avo::MovingObstacle& obstacle) {
-            self.alone([&](Simulation& s) { s.change_moving_obstacle(mover_id(id), obstacle); });
-          },
-          arg("id"), arg("obstacle"),
-          "Its place, velocity, radius, limits and path are those of obstacle from now on.")
-      .def(
-          "remove_moving_obstacle",
-          [](SharedSimulation& self, std::int64_t id) {
-            self.alone([&](Simulation& s) { s.remove_moving_obstacle(mover_id(id)); });
-          },
-          arg("id"), "Its id is never used again.")
-      .def(
-          "add_obstacle",
-          [](SharedSimulation& self, const avo::StaticObstacle& obstacle) {
-            return self.alone([&](Simulation& s) { return s.add_obstacle(obstacle).value; });
-          },
-          arg("obstacle"), "A door closes. Returns its id.")
-      .def(
-          "remove_obstacle",
-          [](SharedSimulation& self, std::int64_t id) {
-            self.alone([&](Simulation& s) { s.remove_obstacle(obstacle_id(id)); });
-          },
-          arg("id"), "A door opens.");
 }
 
 void bind_robot_state(py::module_& module) {
@@ -412,6 +296,7 @@ void bind_simulation(py::module_& module) {
   bind_run(simulation);
   bind_state(simulation);
   bind_edits(simulation);
+  bind_queries(simulation);
   bind_robot_state(module);
   bind_inventory(simulation);
   bind_perception(module, simulation);

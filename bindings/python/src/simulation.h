@@ -23,5 +23,17 @@ class SharedSimulation : public Shared<avo::Simulation> {
 
 using SimulationClass = py::class_<SharedSimulation>;
 void bind_columns(SimulationClass& simulation);
+void bind_edits(SimulationClass& simulation);
+void bind_queries(SimulationClass& simulation);
+
+/// Returns the index into the columns; Error where it is none.
+std::size_t checked(const avo::Simulation& simulation, std::int64_t robot);
+/// Ids are not negative; Error as for one that is not there.
+avo::RobotId robot_id(std::int64_t id);
+
+template <typename F>
+auto told(F f) {
+  return [f](SharedSimulation& self) { return self.briefly(f); };
+}
 
 }  // namespace avo_python

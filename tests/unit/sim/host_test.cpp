@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // The host changes robots, tells them where to go, and moves obstacles, between two steps.
+#include <algorithm>
 #include <cmath>
 #include <gtest/gtest.h>
 #include <optional>
+#include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "avo/metrics.h"
@@ -238,6 +241,123 @@ TEST(Host, adds_movers_as_a_scene_has_them) {
   Simulation whole(scene, 1);
   run(added, 40.0), run(whole, 40.0);
   EXPECT_EQ(added.state_hash(), whole.state_hash());
+}
+
+std::vector<std::size_t> by_force(const Simulation& simulation, Vec2 center, double radius) {
+  const FleetView fleet = simulation.fleet();
+  std::vector<std::pair<double, std::size_t>> found;
+  for (std::size_t k = 0; k < fleet.id.size(); ++k) {
+    const double distance =
+        norm(center - disc_center(fleet.setup[k])) - disc_radius(fleet.setup[k]);
+    if (distance <= radius) found.emplace_back(distance, k);
+  }
+  std::sort(found.begin(), found.end());
+  std::vector<std::size_t> ranks;
+  for (const auto& [distance, rank] : found) ranks.push_back(rank);
+  return ranks;
+}
+
+// A small office with robots of several sizes and a mover.
+Simulation furnished() {
+  Scenario scene;
+  scene.obstacles = {{{{{{-15, -15}, {15, -15}, {15, 15}, {-15, 15}}, true}}, 0.0, Fill::bounds},
+                     {{{{{2, 2}, {5, 2}, {5, 6}, {2, 6}}, true}}, 0.1, Fill::solid},
+                     {{{{{-8, -3}}, false}}, 1.0, Fill::none}};
+  scene.moving_obstacles = {{.position = {-5, 8}, .velocity = {0.5, 0}, .radius = 0.7}};
+  for (int k = 0; k < 20; ++k) {
+    RobotSetup robot = robot_at({-12.0 + 1.3 * k, -10.0 + 0.3 * (k % 4)}, {12.0 - 1.2 * k, 11.0});
+    robot.radius = 0.25 + 0.02 * (k % 7);
+    scene.robots.push_back(robot);
+  }
+  return Simulation(scene, 1);
+}
+
+TEST(Host, asks_which_robots_are_near) {
+  Simulation simulation = furnished();
+  for (int step = 0; step < 40; ++step) {
+    simulation.step();
+    const Vec2 p{9.0 * std::sin(1.7 * step), 9.0 * std::cos(2.3 * step)};
+    for (const double radius : {0.0, 0.4, 3.0, 50.0})
+      EXPECT_EQ(simulation.robots_within(p, radius), by_force(simulation, p, radius)) << step;
+    std::vector<std::size_t> all = by_force(simulation, p, 1e6);
+    all.resize(7);
+    EXPECT_EQ(simulation.nearest_robots(p, 7), all);
+  }
+  EXPECT_EQ(simulation.nearest_robots({500, 500}, 99).size(), 20U);
+  EXPECT_TRUE(simulation.nearest_robots({0, 0}, 0).empty());
+  EXPECT_EQ(said([&] {
+              static_cast<void>(simulation.robots_within({NAN, 0}, 1.0));
+            }),
+            "robots_within: center.0: found nan, must be a finite number");
+}
+
+TEST(Host, asks_what_a_ray_meets_and_where_room_is) {
+  Simulation simulation = furnished();
+  const auto cast = [&](Vec2 from, Vec2 to, double radius) {
+    return simulation.cast_ray(from, to, radius);
+  };
+  const auto wall = cast({0, 4}, {14, 4}, 0.0);
+  ASSERT_TRUE(wall && wall->obstacle);
+  EXPECT_EQ(*wall->obstacle, ObstacleId{1});
+  EXPECT_NEAR(wall->distance, 1.9, 1e-12) << "the wall is 0.1 m thick to each side";
+  const auto thick = cast({0, 6.3}, {14, 6.3}, 0.5);
+  ASSERT_TRUE(thick && thick->obstacle);
+  EXPECT_NEAR(thick->center.x, 2.0 - std::sqrt(0.36 - 0.09), 1e-12) << "around the corner";
+  const auto disc = cast({-8, 3}, {-8, -9}, 0.25);
+  ASSERT_TRUE(disc && disc->obstacle);
+  EXPECT_NEAR(disc->distance, 6.0 - 1.25, 1e-12);
+  const auto mover = cast({-14, 8}, {0, 8}, 0.0);
+  ASSERT_TRUE(mover && mover->moving_obstacle);
+  EXPECT_NEAR(mover->distance, 14.0 - 5.0 - 0.7, 1e-12);
+  const auto robot = cast({-12, 0}, {-12, -14}, 0.0);
+  ASSERT_TRUE(robot && robot->robot);
+  EXPECT_EQ(*robot->robot, RobotId{0});
+  EXPECT_NEAR(robot->distance, 10.0 - 0.25, 1e-12);
+  EXPECT_FALSE(cast({0, 12}, {10, 12}, 0.3));
+  EXPECT_EQ(cast({-12, -10}, {5, 5}, 0.1)->distance, 0.0) << "it begins in a robot";
+  EXPECT_TRUE(simulation.is_free({0, 12}, 1.0));
+  EXPECT_FALSE(simulation.is_free({0, 14.5}, 1.0)) << "a wall";
+  EXPECT_FALSE(simulation.is_free({3.5, 4}, 0.1)) << "a solid";
+  EXPECT_FALSE(simulation.is_free({30, 30}, 0.1)) << "out of bounds";
+  EXPECT_FALSE(simulation.is_free({-5, 8.9}, 0.3)) << "the mover";
+  EXPECT_TRUE(simulation.is_free({-5, 9.1}, 0.3));
+  const ObstacleId door =
+      simulation.add_obstacle({{{{{-3, 12}, {3, 12}}, false}}, 0.0, Fill::none});
+  EXPECT_FALSE(simulation.is_free({0, 12}, 1.0));
+  simulation.remove_obstacle(door);
+  EXPECT_TRUE(simulation.is_free({0, 12}, 1.0));
+  simulation.move_robot({0}, {0, 12.5});
+  EXPECT_FALSE(simulation.is_free({0, 12}, 1.0));
+}
+
+TEST(Host, edits_many_robots_at_once_or_none) {
+  Simulation one = furnished(), many = furnished();
+  const std::vector<RobotId> some{{3}, {7}, {11}};
+  const std::vector<Vec2> goals{{0, 0}, {1, 8}, {-9, 9}}, velocities{{1, 0}, {0, 1}, {-1, 0}};
+  many.set_goals(some, goals), many.set_preferred_velocities(some, velocities);
+  for (std::size_t k = 0; k < 3; ++k)
+    one.set_goal(some[k], goals[k]), one.set_preferred_velocity(some[k], velocities[k]);
+  run(one, 3.0), run(many, 3.0);
+  EXPECT_EQ(one.state_hash(), many.state_hash());
+  const std::vector<std::byte> before = many.save();
+  const std::vector<RobotSetup> setups{robot_at({-12, 13}, {12, 13}),
+                                       robot_at({-12, 13.2}, {0, 0})};
+  EXPECT_NE(said([&] { many.add_robots(setups); }), "") << "the second one stands on the first";
+  EXPECT_EQ(many.save(), before);
+  EXPECT_EQ(said([&] {
+              many.remove_robots(std::vector<RobotId>{{3}, {9}, {3}});
+            }),
+            "robot 3: found it twice, must be there once");
+  EXPECT_NE(said([&] {
+              many.set_goals(std::vector<RobotId>{{3}, {99}}, std::span(goals).first(2));
+            }),
+            "");
+  EXPECT_EQ(said([&] { many.set_goals(some, std::span(goals).first(2)); }),
+            "goals: found 2, must be 3, one for each robot");
+  EXPECT_EQ(many.save(), before);
+  EXPECT_EQ(many.add_robots(std::span(setups).first(1)), (std::vector<RobotId>{{20}}));
+  many.remove_robots(some);
+  EXPECT_EQ(many.size(), 18U);
 }
 
 }  // namespace

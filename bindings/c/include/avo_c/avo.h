@@ -652,6 +652,20 @@ AVO_C_API avo_result avo_simulation_change_robot(avo_simulation_id simulation, a
 AVO_C_API avo_result avo_simulation_set_preferred_velocity(avo_simulation_id simulation,
                                                            avo_robot_id robot,
                                                            const avo_vec2* velocity);
+/// The same calls for `count` robots: one goal, velocity or definition for each robot. Where one of
+/// them is refused, nothing has changed. avo_simulation_add_robots() writes the ids of the robots.
+AVO_C_API avo_result avo_simulation_set_goals(avo_simulation_id simulation,
+                                              const avo_robot_id* robots, const avo_vec2* goals,
+                                              size_t count);
+AVO_C_API avo_result avo_simulation_set_preferred_velocities(avo_simulation_id simulation,
+                                                             const avo_robot_id* robots,
+                                                             const avo_vec2* velocities,
+                                                             size_t count);
+AVO_C_API avo_result avo_simulation_add_robots(avo_simulation_id simulation,
+                                               const avo_robot_def* defs, size_t count,
+                                               avo_robot_id* robots);
+AVO_C_API avo_result avo_simulation_remove_robots(avo_simulation_id simulation,
+                                                  const avo_robot_id* robots, size_t count);
 /// A person, a vehicle or a player comes. It is refused if some robot cannot keep clear of it.
 AVO_C_API avo_result avo_simulation_add_moving_obstacle(avo_simulation_id simulation,
                                                         const avo_moving_obstacle_def* def,
@@ -787,6 +801,31 @@ AVO_C_API avo_result avo_simulation_get_state_hash(avo_simulation_id simulation,
 /// written.
 AVO_C_API avo_result avo_simulation_unreachable(avo_simulation_id simulation, avo_robot_id* buffer,
                                                 size_t capacity, size_t* count);
+/// Robots whose discs come within `radius`, m, of the point, the nearest disc first. buffer and
+/// count are those of avo_simulation_unreachable().
+AVO_C_API avo_result avo_simulation_robots_within(avo_simulation_id simulation, avo_vec2 center,
+                                                  double radius, avo_robot_id* buffer,
+                                                  size_t capacity, size_t* count);
+/// The robots whose discs are nearest to the point, nearest first: at most `capacity`.
+AVO_C_API avo_result avo_simulation_nearest_robots(avo_simulation_id simulation, avo_vec2 position,
+                                                   avo_robot_id* buffer, size_t capacity,
+                                                   size_t* count);
+/// Whether a disc of that radius, m, > 0, would touch no robot, no moving obstacle and no wall
+/// there, and would not be inside a solid or outside of bounds.
+AVO_C_API avo_result avo_simulation_is_free(avo_simulation_id simulation, avo_vec2 position,
+                                            double radius, bool* is_free);
+/// What a ray, or a moving disc, touches first. At most one id is not 0; all are 0 where it touches
+/// nothing.
+typedef struct avo_hit {
+  double distance;  ///< m, from the start; the whole length where it touches nothing
+  avo_vec2 center;  ///< m, of the disc then
+  avo_robot_id robot;
+  avo_moving_obstacle_id moving_obstacle;
+  avo_obstacle_id obstacle;
+} avo_hit;
+/// A disc of that radius, m, >= 0, moves straight from one point to the other.
+AVO_C_API avo_result avo_simulation_cast_ray(avo_simulation_id simulation, avo_vec2 from,
+                                             avo_vec2 to, double radius, avo_hit* hit);
 /// The present moving obstacles, by ascending id, as their columns. buffer and count are those of
 /// avo_simulation_unreachable().
 AVO_C_API avo_result avo_simulation_moving_obstacle_ids(avo_simulation_id simulation,

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: Apache-2.0
+// Where robots and room are at present.
+#include <cstdint>
+#include <vector>
+
+#include "simulation.h"
+
+namespace avo_python {
+
+using avo::Simulation;
+using py::arg;
+
+namespace {
+
+std::vector<std::uint64_t> ids_at(const Simulation& simulation,
+                                  const std::vector<std::size_t>& indices) {
+  const auto id = simulation.fleet(avo::Columns::id).id;
+  std::vector<std::uint64_t> ids;
+  for (const std::size_t index : indices) ids.push_back(id[index].value);
+  return ids;
+}
+
+}  // namespace
+
+void bind_queries(SimulationClass& simulation) {
+  simulation
+      .def(
+          "robots_within",
+          [](SharedSimulation& self, avo::Vec2 center, double radius) {
+            return self.briefly(
+                [&](const Simulation& s) { return ids_at(s, s.robots_within(center, radius)); });
+          },
+          arg("center"), arg("radius"),
+          "Ids of the robots whose discs come within radius, m, of (x, y), nearest disc first.")
+      .def(
+          "nearest_robots",
+          [](SharedSimulation& self, avo::Vec2 position, std::size_t count) {
+            return self.briefly(
+                [&](const Simulation& s) { return ids_at(s, s.nearest_robots(position, count)); });
+          },
+          arg("position"), arg("count"), "Ids of the robots whose discs are nearest to (x, y).")
+      .def(
+          "is_free",
+          [](SharedSimulation& self, avo::Vec2 position, double radius) {
+            return self.briefly([&](const Simulation& s) { return s.is_free(position, radius); });
+          },
+          arg("position"), arg("radius"),
+          "Whether a disc there would touch nothing, and is where obstacles leave room.")
+      .def(
+          "cast_ray",
+          [](SharedSimulation& self, avo::Vec2 from, avo::Vec2 to, double radius) -> py::object {
+            const auto hit =
+                self.briefly([&](const Simulation& s) { return s.cast_ray(from, to, radius); });
+            if (!hit) return py::none();
+            py::dict found;
+            found["distance"] = hit->distance, found["center"] = hit->center;
+            if (hit->robot) found["robot"] = hit->robot->value;
+            if (hit->moving_obstacle) found["moving_obstacle"] = hit->moving_obstacle->value;
+            if (hit->obstacle) found["obstacle"] = hit->obstacle->value;
+            return found;
+          },
+          arg("start"), arg("end"), arg("radius") = 0.0,
+          "What a disc of that radius, m, touches first on the straight way: a dict of distance, "
+          "m, "
+          "center, and the id as robot, moving_obstacle or obstacle; None: nothing.");
+}
+
+}  // namespace avo_python

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: Apache-2.0
+// What is where at present: discs of robots and movers, and walls, for queries of the host.
+#pragma once
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "avo/simulation.h"
+#include "navigation/clearance_grid.h"
+
+namespace avo::inline sim {
+
+struct World;
+
+/// The present discs in one grid, the static walls in another one, which lasts longer.
+struct Nearby {
+  ClearanceGrid discs;                  // robots by rank, then moving obstacles
+  std::size_t robots = 0;               // of the discs
+  ClearanceGrid walls;                  // of static obstacles
+  std::vector<std::uint32_t> obstacle;  // of each wall, index into static obstacles
+  bool has_discs = false, has_walls = false;
+};
+
+/// Makes what is not there yet.
+void look_around(const World& world, Nearby& nearby);
+
+/// Ranks of robots whose discs come within `radius` of the point, the nearest disc first.
+std::vector<std::size_t> robots_within(const Nearby& nearby, Vec2 center, double radius);
+/// Ranks of the robots whose discs are nearest to the point, nearest first.
+std::vector<std::size_t> nearest_robots(const Nearby& nearby, Vec2 position, std::size_t count);
+/// Returns whether a disc there would touch nothing, and would not be where a Fill excludes it.
+bool is_free(const World& world, const Nearby& nearby, Vec2 position, double radius);
+/// The first thing that a disc touches which moves straight from one point to the other.
+std::optional<Simulation::Hit> first_hit(const World& world, const Nearby& nearby, Vec2 from,
+                                         Vec2 to, double radius);
+
+}  // namespace avo::inline sim
