@@ -169,7 +169,8 @@ class AVO_API Simulation {
   /// robot, are refused. Others know the new values at once. Throws Error as add_robot() does on
   /// values that break what the certificate assumes: a larger disc, other brakes or other layers
   /// where the robot is now. A robot that is faster than its new max_speed slows down, and others
-  /// allow for that. The robot keeps what it remembers. Changes nothing where it throws.
+  /// allow for that. Where clocks are free and there is a certificate, only speeds, priority, horizon
+  /// and arrival distance change. The robot keeps what it remembers. Changes nothing where it throws.
   void change_robot(RobotId robot, const RobotSetup& setup);
   /// Sets the preferred velocity, m/s, that the robot has from now on, in place of a route to its
   /// goal; none: it goes to its goal again. Meanwhile the robot has no goal: is_at_goal() is false,

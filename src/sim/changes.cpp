@@ -64,6 +64,10 @@ void check_change(World& world, const RobotSetup& now, const RobotSetup& changed
   check_values(world, changed, robot, !world.statics.walls.empty());
   check_company(world, changed, robot);
   if (!affects_certificate(now, changed)) return;
+  // within its own step a robot cannot brake before the step ends
+  if (world.fleet.has_clocks && world.all_matter())
+    refuse(name_of(robot), "other brakes, layers or another radius while clocks are free",
+           "those that it has where there is a certificate");
   look_around_starts(world);
   RobotSetup start = changed;  // it slows down, and so far others have expected its speed
   start.max_speed = std::max(changed.max_speed, std::min(now.max_speed, norm(now.velocity)));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "sim/kinds.h"
 
+#include <algorithm>
 #include <bit>
 
 #include "core/hash.h"
@@ -48,6 +49,14 @@ void Kinds::remove(const RobotSetup& setup) {
   const RobotSetup kind = kind_of(setup);
   const auto place = find(hash_of_kind(kind), kind);
   if (--place->second.robots == 0) table_.erase(place);
+}
+
+bool Kinds::has_several(const RobotSetup& setup) const {
+  const RobotSetup kind = kind_of(setup);
+  const auto [first, last] = table_.equal_range(hash_of_kind(kind));
+  return std::any_of(first, last, [&](const auto& place) {
+    return place.second.robots > 1 && place.second.setup == kind;
+  });
 }
 
 std::vector<RobotSetup> Kinds::examples() const {

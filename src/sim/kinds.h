@@ -18,6 +18,8 @@ class Kinds {
   void add(const RobotSetup& setup);
   /// Removes a robot of that kind; there must be one. Throws nothing.
   void remove(const RobotSetup& setup);
+  /// Returns whether there are at least two robots of that kind: another one changes no examples.
+  [[nodiscard]] bool has_several(const RobotSetup& setup) const;
   /// At most two robots of each kind, in no order.
   [[nodiscard]] std::vector<RobotSetup> examples() const;
 

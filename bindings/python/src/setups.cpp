@@ -53,7 +53,10 @@ void set(Setup& setup, const std::string& key, const py::handle& given) {
 }  // namespace
 
 void set_fields(Setup& setup, const py::kwargs& given) {
-  for (const auto& [name, value] : given) set(setup, name.cast<std::string>(), value);
+  for (const auto& [name, value] : given)
+    if (const auto key = name.cast<std::string>(); key != "model") set(setup, key, value);
+  if (given.contains("model"))  // its default offset depends on the radius
+    setup.model = with_offset(value_of<avo::MotionModel>("model", given["model"]), setup.radius);
 }
 
 namespace {
@@ -64,17 +67,15 @@ Setup made_of(const py::kwargs& given) {
     if (field.is_required && !given.contains(std::string(field.key).c_str()))
       throw py::type_error(fmt::format("RobotSetup: found no {}, must be given", field.key));
   });
-  bool has_preferred = false;
-  for (const auto& [name, value] : given) {
-    const auto key = name.cast<std::string>();
-    if (key == "model") continue;  // its default offset depends on the radius
-    if (key == "preferred_speed" && value.is_none()) continue;
-    has_preferred = has_preferred || key == "preferred_speed";
-    set(setup, key, value);
+  py::kwargs fields = given;
+  const bool has_preferred =
+      given.contains("preferred_speed") && !given["preferred_speed"].is_none();
+  if (!has_preferred && given.contains("preferred_speed")) {
+    fields = py::kwargs(given.attr("copy")());
+    fields.attr("pop")("preferred_speed");
   }
+  set_fields(setup, fields);
   if (!has_preferred) setup.preferred_speed = setup.max_speed;
-  if (given.contains("model"))
-    setup.model = with_offset(value_of<avo::MotionModel>("model", given["model"]), setup.radius);
   return setup;
 }
 

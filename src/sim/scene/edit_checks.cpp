@@ -27,13 +27,21 @@ std::string name_of(MovingObstacleId obstacle) {
   return "moving obstacle " + std::to_string(obstacle.value);
 }
 
+namespace {
+
+// Errors that begin with the place begin with the name instead.
+template <typename Check>
+void tell_as(std::string_view place, const std::string& name, const Check& check) {
+  retelling<Error>(check, [&](const Error& error) {
+    const std::string_view what = error.what();
+    if (what.starts_with(place)) throw Error(name + ": " + std::string(what.substr(place.size())));
+  });
+}
+
+}  // namespace
+
 void validate_as(const Scenario& scene, std::string_view place, const std::string& name) {
-  retelling<Error>([&] { validate(scene); },
-                   [&](const Error& error) {
-                     const std::string_view what = error.what();
-                     if (what.starts_with(place))
-                       throw Error(name + ": " + std::string(what.substr(place.size())));
-                   });
+  tell_as(place, name, [&] { validate(scene); });
 }
 
 Scenario settings_for(const World& world, std::span<const RobotSetup> robots) {
@@ -43,7 +51,20 @@ Scenario settings_for(const World& world, std::span<const RobotSetup> robots) {
   return scene;
 }
 
+namespace {
+
+// Returns whether the checks of a kind, and of a kind beside others, were made for robots that are
+// there.
+bool is_known(const World& world, const RobotSetup& setup) {
+  return world.kinds && world.kinds->has_several(setup);
+}
+
+}  // namespace
+
 void check_values(const World& world, const RobotSetup& setup, RobotId robot, bool among_walls) {
+  if (is_known(world, setup))
+    return tell_as("robots.0.", name_of(robot),
+                   [&] { check_robot(0, setup, time_step_of(world.settings, setup)); });
   Scenario scene = settings_for(world, {&setup, 1});
   if (among_walls) scene.obstacles.push_back({{{{Vec2{}}}}});  // what it needs beside any wall
   validate_as(scene, "robots.0.", name_of(robot));
@@ -186,6 +207,7 @@ void check_certificate(const World& world, const StaticObstacle& obstacle,
 }  // namespace
 
 void check_company(const World& world, const RobotSetup& setup, RobotId robot) {
+  if (is_known(world, setup)) return;
   check_sensing(world, setup, robot);
   check_declared(world, setup, robot);
   check_flights(world, setup, robot);
@@ -198,7 +220,7 @@ void check_newcomer(const World& world, const RobotSetup& setup, RobotId robot) 
 }
 
 double sensing_radius_with(const World& world, const RobotSetup& setup) {
-  if (world.settings.sensing_radius) return world.sensing_radius;
+  if (world.settings.sensing_radius || is_known(world, setup)) return world.sensing_radius;
   Scenario scene = present_scene(world);
   const bool is_first = std::all_of(scene.robots.begin(), scene.robots.end(),
                                     [](const RobotSetup& robot) { return robot.parked; });

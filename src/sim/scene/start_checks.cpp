@@ -32,7 +32,8 @@ struct Company {
   std::vector<RobotId> id;        // of its robots
   std::vector<std::size_t> slot;  // of the others
 
-  Company(const World& world, const RobotSetup& setup, RobotId robot);
+  Company(const World& world, const RobotSetup& setup, RobotId robot,
+          std::vector<std::size_t> others);
 };
 
 // Finds them by the distance that each moves at its highest speed until both are at rest.
@@ -94,17 +95,23 @@ RobotSetup committed(const Fleet& fleet, std::size_t slot) {
   return setup;
 }
 
-Company::Company(const World& world, const RobotSetup& setup, RobotId robot)
-    : scene(world.settings), id{robot} {
-  const Fleet& fleet = world.fleet;
-  scene.robots.push_back(setup);
+// Slots of the robots that the new one could meet while both brake.
+std::vector<std::size_t> others_near(const World& world, const RobotSetup& setup, RobotId robot) {
   const Reach reach(world, setup);
-  for (const std::uint32_t other :
-       near_place(world.bystanders, fleet, reach.center(), reach.farthest(world.bystanders.most))) {
-    if (fleet.id[other] == robot || !reach.includes(other)) continue;
-    scene.robots.push_back(committed(fleet, other));
-    id.push_back(fleet.id[other]);
-    slot.push_back(other);
+  std::vector<std::size_t> others;
+  for (const std::uint32_t other : near_place(world.bystanders, world.fleet, reach.center(),
+                                              reach.farthest(world.bystanders.most)))
+    if (world.fleet.id[other] != robot && reach.includes(other)) others.push_back(other);
+  return others;
+}
+
+Company::Company(const World& world, const RobotSetup& setup, RobotId robot,
+                 std::vector<std::size_t> others)
+    : scene(world.settings), id{robot}, slot(std::move(others)) {
+  scene.robots.push_back(setup);
+  for (const std::size_t other : slot) {
+    scene.robots.push_back(committed(world.fleet, other));
+    id.push_back(world.fleet.id[other]);
   }
   for (std::size_t k = 0; k < world.obstacles.setup.size(); ++k) {
     MovingObstacle& mover = scene.moving_obstacles.emplace_back(world.obstacles.setup[k]);
@@ -227,7 +234,11 @@ void check_mover_start(const World& world, const MovingObstacle& obstacle, const
 
 void check_start(const World& world, const RobotSetup& setup, RobotId robot) {
   if (world.settings.allow_broken_assumptions || !world.all_matter()) return;
-  Company company(world, setup, robot);
+  std::vector<std::size_t> others = others_near(world, setup, robot);
+  const bool is_alone = others.empty() && world.obstacles.setup.empty() &&
+                        world.statics.obstacles.empty() && world.statics.walls.empty();
+  if (is_alone && !exceeds(norm(setup.velocity), setup.max_speed)) return;
+  Company company(world, setup, robot, std::move(others));
   const CertificateLaw law = certificate_law(world.certified_planner());
   ObstacleId obstacle;
   const Wording wording = wording_of(company, obstacle);

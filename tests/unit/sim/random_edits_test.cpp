@@ -3,6 +3,7 @@
 // behavior: what a simulation knows of its robots stays whole, and nobody is touched.
 #include <algorithm>
 #include <gtest/gtest.h>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -64,11 +65,52 @@ StaticObstacle any_obstacle(Random& random) {
           .radius = random.below(2) == 0 ? 0.1 : 0.0};
 }
 
+// What the host changes of a robot between two steps.
+RobotSetup changed(RobotSetup robot, Random& random) {
+  switch (random.below(8)) {
+    case 0:
+      robot.radius *= random.uniform(0.7, 1.3);
+      break;
+    case 1:
+      robot.max_speed = robot.preferred_speed = random.uniform(0.2, 1.5);
+      break;
+    case 2:
+      robot.max_acceleration *= random.uniform(0.5, 2.0);
+      break;
+    case 3:
+      robot.max_braking = random.uniform(0.5, 1.5);
+      break;
+    case 4:
+      robot.priority = random.uniform(0.5, 4.0), robot.arrival_distance = random.uniform(0.1, 1.0);
+      break;
+    case 5:
+      robot.layers = robot.avoids = {random.below(2) == 0 ? 2U : 1U};
+      break;
+    case 6:
+      robot.behavior = random.below(2) == 0 ? Behavior::cooperates : Behavior::decides;
+      break;
+    default:
+      robot.time_horizon = random.uniform(1.0, 4.0);
+  }
+  return robot;
+}
+
+MovingObstacle any_mover(Random& random) {
+  MovingObstacle mover{.position = anywhere(random), .velocity = 0.5 * random.direction()};
+  mover.radius = random.uniform(0.2, 0.5);
+  if (random.below(2) == 0) mover.max_deviation = 0.5, mover.max_speed = 0.8;
+  if (random.below(3) == 0)
+    mover.max_deviation = 1.0, mover.max_speed = 0.8,
+    mover.path = {anywhere(random), anywhere(random)};
+  return mover;
+}
+
 /// A simulation that is changed at random, and looked at after each change.
 class Edited {
  public:
-  Edited(const Scenario& scene, std::uint64_t seed)
-      : random_(seed), scene_(scene), simulation_(scene, 1) {}
+  /// hosted: robots also change, are told where to go, and moving obstacles come and go.
+  Edited(const Scenario& scene, std::uint64_t seed, bool hosted)
+      : random_(seed), scene_(scene), simulation_(scene, 1), hosted_(hosted) {}
 
   void run(int rounds) {
     for (int k = 0; k < rounds && !testing::Test::HasFailure(); ++k) {
@@ -104,7 +146,7 @@ class Edited {
   void change() {
     const std::size_t robots = simulation_.fleet().id.size();
     const auto obstacles = simulation_.static_obstacles().id;
-    switch (random_.below(7)) {
+    switch (random_.below(hosted_ ? 13 : 7)) {
       case 0:
       case 1: {
         const RobotSetup robot = any_robot(scene_, random_);
@@ -122,10 +164,43 @@ class Edited {
       case 5:
         if (obstacles.size() < 8) simulation_.add_obstacle(any_obstacle(random_));
         return;
+      case 7:
+      case 8:
+      case 9: {
+        const RobotId id = any_id();
+        const RobotSetup now = simulation_.setup(*simulation_.index_of(id));
+        return simulation_.change_robot(id, changed(now, random_));
+      }
+      case 10:
+      case 11: {
+        const Vec2 velocity = random_.uniform(0.0, 2.0) * random_.direction();
+        return simulation_.set_preferred_velocity(
+            any_id(), random_.below(3) == 0 ? std::nullopt : std::optional(velocity));
+      }
+      case 12:
+        return change_movers();
       default:
         if (obstacles.empty()) return;
         simulation_.remove_obstacle(
             obstacles[static_cast<std::size_t>(random_.below(static_cast<int>(obstacles.size())))]);
+    }
+  }
+
+  void change_movers() {
+    const auto movers = simulation_.obstacles().id;
+    const MovingObstacle mover = any_mover(random_);
+    const auto any =
+        movers.empty()
+            ? MovingObstacleId{}
+            : movers[static_cast<std::size_t>(random_.below(static_cast<int>(movers.size())))];
+    switch (random_.below(movers.empty() ? 1 : 3)) {
+      case 0:
+        if (movers.size() < 4) simulation_.add_moving_obstacle(mover);
+        return;
+      case 1:
+        return simulation_.remove_moving_obstacle(any);
+      default:
+        simulation_.change_moving_obstacle(any, mover);
     }
   }
 
@@ -184,6 +259,7 @@ class Edited {
   Random random_;
   Scenario scene_;
   Simulation simulation_;
+  bool hosted_ = false;
   int accepted_ = 0, refused_ = 0, parked_ = 0;
 };
 
@@ -212,19 +288,19 @@ std::vector<std::pair<std::string, SensingModel>> all_sensing() {
           {"all of it", {.noise = noise, .delay = 2, .dropped = 0.2, .occlusion = true}}};
 }
 
-void expect_whole(Scenario scene, const std::string& name) {
+void expect_whole(Scenario scene, const std::string& name, bool hosted = false) {
   int parked = 0;
   for (const bool allowed : {false, true}) {
     SCOPED_TRACE(name + (allowed ? ", where all is allowed" : ""));
     scene.allow_broken_assumptions = allowed;
-    Edited edited(scene, 7);
+    Edited edited(scene, 7, hosted);
     edited.run(160);
     if (testing::Test::HasFailure()) return;
     EXPECT_GT(edited.accepted(), 40);
     EXPECT_GT(edited.refused(), 0);
     parked += edited.parked();
   }
-  if (scene.clock == Clock::common) {
+  if (scene.clock == Clock::common && !hosted) {
     EXPECT_GT(parked, 4);
   }
 }
@@ -264,6 +340,25 @@ TEST(RandomEdits, keep_all_whole_with_clocks_of_their_own) {
   expect_whole(scene, "free clocks");
   scene.sensing = all_sensing()[1].second;
   expect_whole(scene, "free clocks and noise");
+}
+
+TEST(RandomEdits, keep_all_whole_in_the_hands_of_a_host) {
+  for (const auto& [name, sensing] : all_sensing()) {
+    Scenario scene = ring();
+    scene.sensing = sensing;
+    if (!sensing.is_exact()) scene.sensing_error = SensingError{0.3, 0.5};
+    expect_whole(scene, name, true);
+  }
+  Scenario open = ring();
+  open.moving_obstacles.clear(), open.obstacles.clear();
+  expect_whole(open, "in the open", true);
+  Scenario free = ring();
+  free.clock = Clock::free, free.longest_step = 0.1;
+  free.sensing_error = SensingError{0.3, 0.5};
+  expect_whole(free, "free clocks", true);
+  Scenario orca = ring();
+  orca.method = Method::orca_clamped;
+  expect_whole(orca, "another method", true);
 }
 
 // One that is parked from the start, and one that is parked there before the first step.

@@ -1,0 +1,120 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+/* The host changes robots, leads them, moves a player and asks what is where. */
+#include <math.h>
+
+#include "check.h"
+
+static avo_simulation_id lanes(void) {
+  avo_robot_def robots[4];
+  avo_simulation_def def = avo_default_simulation_def();
+  avo_simulation_id simulation;
+  for (int k = 0; k < 4; ++k) {
+    robots[k] = avo_default_robot_def();
+    robots[k].position.x = -20.0, robots[k].goal.x = 20.0;
+    robots[k].position.y = robots[k].goal.y = 4.0 * k;
+  }
+  def.robots = robots, def.robot_count = 4;
+  REQUIRE(avo_create_simulation(&def, &simulation));
+  return simulation;
+}
+
+static void check_robots(void) {
+  const avo_simulation_id simulation = lanes();
+  const avo_vec2 up = {0.0, 1.0};
+  const avo_robot_id second = {2}, gone = {77};
+  avo_robot_def def;
+  avo_vec2 position;
+  bool is_there = true;
+  REQUIRE(avo_simulation_get_robot_def(simulation, second, &def));
+  def.max_speed = def.preferred_speed = 0.5;
+  def.goal.x = 99.0; /* not read */
+  REQUIRE(avo_simulation_change_robot(simulation, second, &def));
+  REQUIRE(avo_simulation_get_robot_def(simulation, second, &def));
+  CHECK(def.max_speed == 0.5 && def.goal.x == 20.0);
+  def.radius = -1.0;
+  REFUSES(avo_simulation_change_robot(simulation, second, &def), AVO_ERROR_INVALID_VALUE,
+          "robot 2: radius: found -1, must be > 0 m");
+  REFUSES(avo_simulation_change_robot(simulation, gone, &def), AVO_ERROR_INVALID_ID, "robot");
+  REQUIRE(avo_simulation_set_preferred_velocity(simulation, second, &up));
+  for (int k = 0; k < 100; ++k) REQUIRE(avo_simulation_step(simulation));
+  REQUIRE(avo_simulation_get_position(simulation, second, &position));
+  CHECK(position.x < -19.0 && position.y > 7.0);
+  REQUIRE(avo_simulation_is_at_goal(simulation, second, &is_there));
+  CHECK(!is_there);
+  REQUIRE(avo_simulation_set_preferred_velocity(simulation, second, NULL));
+  for (int k = 0; k < 1200; ++k) REQUIRE(avo_simulation_step(simulation));
+  REQUIRE(avo_simulation_is_at_goal(simulation, second, &is_there));
+  CHECK(is_there);
+  REQUIRE(avo_destroy_simulation(simulation));
+}
+
+static void check_bulk(void) {
+  const avo_simulation_id simulation = lanes();
+  const avo_robot_id some[2] = {{1}, {3}};
+  const avo_vec2 goals[2] = {{0.0, -9.0}, {0.0, 19.0}}, velocities[2] = {{1.0, 0.0}, {0.5, 0.5}};
+  avo_robot_def defs[2];
+  avo_robot_id ids[2];
+  avo_vec2 goal;
+  for (int k = 0; k < 2; ++k) {
+    defs[k] = avo_default_robot_def();
+    defs[k].position.x = defs[k].goal.x = 50.0 + 3.0 * k;
+  }
+  REQUIRE(avo_simulation_set_goals(simulation, some, goals, 2));
+  REQUIRE(avo_simulation_get_goal(simulation, some[1], &goal));
+  CHECK(goal.y == 19.0);
+  REQUIRE(avo_simulation_set_preferred_velocities(simulation, some, velocities, 2));
+  REQUIRE(avo_simulation_add_robots(simulation, defs, 2, ids));
+  CHECK(ids[0].value == 5 && ids[1].value == 6);
+  REFUSES(avo_simulation_add_robots(simulation, defs, 2, ids), AVO_ERROR_INVALID_VALUE, "robot 7");
+  REQUIRE(avo_simulation_remove_robots(simulation, ids, 2));
+  REFUSES(avo_simulation_remove_robots(simulation, ids, 2), AVO_ERROR_INVALID_ID, "robot");
+  REFUSES(avo_simulation_set_goals(simulation, some, NULL, 2), AVO_ERROR_INVALID_ARGUMENT, "values");
+  REQUIRE(avo_simulation_set_goals(simulation, NULL, NULL, 0));
+  REQUIRE(avo_destroy_simulation(simulation));
+}
+
+static void check_player_and_queries(void) {
+  const avo_simulation_id simulation = lanes();
+  const avo_vec2 origin = {0.0, 0.0}, left = {-30.0, 0.0}, above = {0.0, 30.0};
+  avo_moving_obstacle_def player = avo_default_moving_obstacle_def();
+  avo_moving_obstacle_id id, listed[2];
+  avo_robot_id near[4];
+  avo_obstacle_columns columns;
+  avo_hit hit;
+  size_t count = 0;
+  bool is_free = false;
+  player.position.x = 5.0;
+  player.max_deviation = 2.0, player.max_speed = 1.5;
+  REQUIRE(avo_simulation_add_moving_obstacle(simulation, &player, &id));
+  CHECK(id.value == 1);
+  player.velocity.y = 1.0;
+  REQUIRE(avo_simulation_change_moving_obstacle(simulation, id, &player));
+  REQUIRE(avo_simulation_step(simulation));
+  REQUIRE(avo_simulation_moving_obstacles(simulation, &columns));
+  CHECK(columns.count == 1 && fabs(columns.position[0].y - 0.1) < 1e-12);
+  REQUIRE(avo_simulation_moving_obstacle_ids(simulation, listed, 2, &count));
+  CHECK(count == 1 && listed[0].value == 1);
+  REQUIRE(avo_simulation_nearest_robots(simulation, left, near, 2, &count));
+  CHECK(count == 2 && near[0].value == 1 && near[1].value == 2);
+  REQUIRE(avo_simulation_robots_within(simulation, left, 10.5, near, 4, &count));
+  CHECK(count == 2);
+  REQUIRE(avo_simulation_is_free(simulation, origin, 1.0, &is_free));
+  CHECK(is_free);
+  REQUIRE(avo_simulation_cast_ray(simulation, origin, left, 0.0, &hit));
+  CHECK(hit.robot.value == 1 && hit.moving_obstacle.value == 0 && hit.obstacle.value == 0);
+  REQUIRE(avo_simulation_cast_ray(simulation, origin, above, 0.0, &hit));
+  CHECK(hit.robot.value == 0 && hit.distance == 30.0);
+  REFUSES(avo_simulation_is_free(simulation, origin, 0.0, &is_free), AVO_ERROR_INVALID_VALUE,
+          "is_free: radius: found 0, must be > 0 m");
+  REQUIRE(avo_simulation_remove_moving_obstacle(simulation, id));
+  REFUSES(avo_simulation_remove_moving_obstacle(simulation, id), AVO_ERROR_INVALID_ID,
+          "obstacle: found 1");
+  REQUIRE(avo_destroy_simulation(simulation));
+}
+
+int main(void) {
+  check_robots();
+  check_bulk();
+  check_player_and_queries();
+  return 0;
+}
