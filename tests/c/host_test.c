@@ -22,7 +22,7 @@ static void check_robots(void) {
   const avo_simulation_id simulation = lanes();
   const avo_vec2 up = {0.0, 1.0};
   const avo_robot_id second = {2}, gone = {77};
-  avo_robot_def def;
+  avo_robot_def def = avo_default_robot_def();
   avo_vec2 position;
   bool is_there = true;
   REQUIRE(avo_simulation_get_robot_def(simulation, second, &def));
@@ -33,7 +33,7 @@ static void check_robots(void) {
   CHECK(def.max_speed == 0.5 && def.goal.x == 20.0);
   def.radius = -1.0;
   REFUSES(avo_simulation_change_robot(simulation, second, &def), AVO_ERROR_INVALID_VALUE,
-          "robot 2: radius: found -1, must be > 0 m");
+          "robot 1: radius: found -1, must be > 0 m");
   REFUSES(avo_simulation_change_robot(simulation, gone, &def), AVO_ERROR_INVALID_ID, "robot");
   REQUIRE(avo_simulation_set_preferred_velocity(simulation, second, &up));
   for (int k = 0; k < 100; ++k) REQUIRE(avo_simulation_step(simulation));
@@ -65,7 +65,7 @@ static void check_bulk(void) {
   REQUIRE(avo_simulation_set_preferred_velocities(simulation, some, velocities, 2));
   REQUIRE(avo_simulation_add_robots(simulation, defs, 2, ids));
   CHECK(ids[0].value == 5 && ids[1].value == 6);
-  REFUSES(avo_simulation_add_robots(simulation, defs, 2, ids), AVO_ERROR_INVALID_VALUE, "robot 7");
+  REFUSES(avo_simulation_add_robots(simulation, defs, 2, ids), AVO_ERROR_INVALID_VALUE, "robot 6");
   REQUIRE(avo_simulation_remove_robots(simulation, ids, 2));
   REFUSES(avo_simulation_remove_robots(simulation, ids, 2), AVO_ERROR_INVALID_ID, "robot");
   REFUSES(avo_simulation_set_goals(simulation, some, NULL, 2), AVO_ERROR_INVALID_ARGUMENT, "values");
