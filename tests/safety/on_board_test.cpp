@@ -97,7 +97,7 @@ TEST(FleetLoop, without_a_fault_robots_do_not_touch_at_any_part_of_a_step) {
 }
 
 TEST(OnBoard, each_fault_lets_robots_overlap_in_a_crush_and_is_not_ruled_out) {
-  for (const std::string fault : {"phases", "jitter", "steps", "certificates", "one-sided", "stale",
+  for (const std::string fault : {"phases", "jitter", "steps", "one-sided", "stale",
                                   "stale-carried", "missed", "radius", "weak", "latency"}) {
     const int scenes = fault == "one-sided" ? 1 : 2;  // it takes long
     const RowResult row = result_of("board-" + fault + "-crush", scenes, 20.0);

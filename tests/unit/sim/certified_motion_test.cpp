@@ -76,7 +76,7 @@ TEST(CertifiedMotion, whole_numbers_of_steps_are_counted_once) {
     ++crossed;
     EXPECT_EQ(broken_in_motion(scene), 0) << "angle " << angle << ", speed " << speed;
   }
-  EXPECT_GT(crossed, 100);
+  EXPECT_GT(crossed, 50);
 }
 
 // No motion, bit for bit; also where they come to their goals at other times.
