@@ -119,7 +119,10 @@ bool avo_simulation_is_valid(avo_simulation_id simulation) {
 avo_result avo_simulation_step(avo_simulation_id simulation) {
   return repopulated(simulation, [](Simulation& own) {
     own.simulation.step();
+    const bool has_events = observe_events(own);
     observe(own);
+    if (!has_events)
+      fail(AVO_ERROR_OUT_OF_MEMORY, "events: memory ran out, the step is done, they end");
   });
 }
 

@@ -5,9 +5,11 @@
 #include <memory>
 #include <mutex>
 #include <optional>
+#include <span>
 #include <utility>
 #include <vector>
 
+#include "avo/events.h"
 #include "avo/executor.h"
 #include "avo/metrics.h"
 #include "avo/simulation.h"
@@ -22,6 +24,8 @@ struct Simulation {
   avo::Simulation simulation;
   std::optional<avo::Scenario> judged;  // where there are metrics
   std::unique_ptr<avo::Metrics> metrics;
+  std::unique_ptr<avo::Events> events;     // where the simulation is watched
+  std::span<const avo::Event> happened{};  // in the last step
 
   std::mutex looking;
   std::atomic<bool> has_ids = false;
@@ -45,6 +49,10 @@ void restart_metrics(Simulation& simulation);
 
 /// Ends the metrics, because they missed a change of the simulation. Throws Failure that says so.
 [[noreturn]] void lose_metrics(Simulation& simulation);
+
+/// Takes the events of the step, if the simulation is watched. Returns false where memory ran out
+/// for them: then they end.
+bool observe_events(Simulation& simulation) noexcept;
 
 /// Makes a simulation on the host's threads, or on as many threads as the definition says.
 avo::Simulation make(const avo::Scenario& scenario, const avo_simulation_def& def);

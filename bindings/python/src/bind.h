@@ -20,6 +20,7 @@ void bind_planner(py::module_& module);
 void bind_batches(py::module_& module);
 void bind_scenario(py::module_& module);
 void bind_simulation(py::module_& module);
+void bind_events(py::module_& module);
 void bind_reports(py::module_& module);
 void bind_worlds(py::module_& module);
 

@@ -57,6 +57,7 @@ PYBIND11_MODULE(_avo, module) {
   bind_batches(module);
   bind_scenario(module);
   bind_simulation(module);
+  bind_events(module);
   bind_reports(module);
   bind_worlds(module);
 }

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 #include <memory>
 
+#include "avo/events.h"
 #include "avo/simulation.h"
 #include "core/executor.h"
 #include "core/thread_pool.h"
@@ -238,6 +239,24 @@ TEST(Allocation, four_hundred_bytes_a_robot) {
     EXPECT_LE(each, 400);
     EXPECT_GT(each, 100);  // they are counted
   }
+}
+
+// Beside movers and among arrivals; what is told takes memory.
+TEST(Allocation, none_per_look_for_events_where_nothing_happens) {
+  Simulation simulation(test::dense_scene(100, Motion::held), 1);
+  Events events(simulation, {.stuck_after = 1.0});
+  int without = 0, with = 0;  // steps
+  for (int k = 0; k < 200; ++k) {
+    simulation.step();
+    static_cast<void>(simulation.fleet(Columns::position | Columns::goal));
+    const long before = allocations;
+    const bool is_empty = events.observe(simulation).empty();
+    (is_empty ? without : with) += 1;
+    if (!is_empty || k <= 60) continue;
+    EXPECT_EQ(allocations, before) << k;
+  }
+  EXPECT_GT(without, 60);
+  EXPECT_GT(with, 10);
 }
 
 // On board: one planner, one workspace.

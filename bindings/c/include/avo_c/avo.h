@@ -836,6 +836,41 @@ AVO_C_API avo_result avo_simulation_moving_obstacle_ids(avo_simulation_id simula
 AVO_C_API avo_result avo_simulation_obstacles(avo_simulation_id simulation, avo_obstacle_id* buffer,
                                               size_t capacity, size_t* count);
 
+typedef int32_t avo_event_kind;
+/// In the order in which the events of one robot are listed.
+enum {
+  AVO_EVENT_GONE = 0,     ///< the robot was removed, or it is an airplane that left
+  AVO_EVENT_CAME = 1,     ///< the robot was added
+  AVO_EVENT_LEFT = 2,     ///< it was at its goal, and was pushed away, is steered, or has a new one
+  AVO_EVENT_ARRIVED = 3,  ///< it is at its goal, and was not; a new goal counts anew
+  AVO_EVENT_UNREACHABLE = 4,  ///< walls keep it from its goal, and did not; a new goal counts anew
+  AVO_EVENT_STUCK = 5,   ///< it makes no progress; once, until it gets on again or has a new goal
+  AVO_EVENT_CONTACT = 6  ///< its disc and that of a moving obstacle overlap, and did not
+};
+
+/// What happened to one robot.
+typedef struct avo_event {
+  avo_event_kind kind;
+  avo_robot_id robot;
+  avo_moving_obstacle_id obstacle;  ///< of a contact; else a null id
+  bool at_rest;                     ///< of a contact: the robot has not moved in the step
+} avo_event;
+
+/// Begins to watch the robots, or begins anew. Each step then has the events since the step before,
+/// those of edits and of a restore too. What holds now is no event. stuck_after, s: a robot that
+/// makes no progress for so long is stuck; 0: 3 s. If memory runs out for events alone, the step is
+/// done, and the events end.
+AVO_C_API avo_result avo_simulation_watch(avo_simulation_id simulation, double stuck_after);
+/// The events of the last step, by robot and then by kind. buffer and count are those of
+/// avo_simulation_unreachable(). AVO_ERROR_UNSUPPORTED if the simulation is not watched.
+AVO_C_API avo_result avo_simulation_events(avo_simulation_id simulation, avo_event* buffer,
+                                           size_t capacity, size_t* count);
+/// Why the robot of that event, an index into the events of the last step, is stuck: the words of
+/// avo_simulation_explain() at that time; "" of other events. Buffer, capacity and size are those
+/// of avo_simulation_save().
+AVO_C_API avo_result avo_simulation_event_sentence(avo_simulation_id simulation, size_t event,
+                                                   char* buffer, size_t capacity, size_t* size);
+
 /// Metrics by published definitions (docs/metrics.md). A trip belongs to a robot that is not
 /// parked, and lasts until it first arrives. NAN: no data.
 typedef struct avo_run_metrics {

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: Apache-2.0
+// What happened to robots since the last look.
+#include "avo/events.h"
+
+#include <fmt/format.h>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "simulation.h"
+
+namespace avo_python {
+namespace {
+
+using avo::Event;
+using avo::EventKind;
+using py::arg;
+
+/// An observer that threads share, like its simulation.
+class SharedEvents {
+ public:
+  SharedEvents(SharedSimulation& simulation, double stuck_after) : simulation_(simulation) {
+    simulation_.alone([&](const avo::Simulation& s) {
+      events_ = std::make_unique<avo::Events>(s, avo::EventsOptions{stuck_after});
+    });
+  }
+  std::vector<Event> observe() {
+    return simulation_.alone([&](const avo::Simulation& s) {
+      const auto events = events_->observe(s);  // alone, by the simulation's mutex
+      return std::vector<Event>(events.begin(), events.end());
+    });
+  }
+
+ private:
+  SharedSimulation& simulation_;
+  std::unique_ptr<avo::Events> events_;
+};
+
+std::string text_of(const Event& event) {
+  const std::string what = fmt::format("{} {}", to_string(event.kind), event.robot.value);
+  if (event.kind == EventKind::contact)
+    return fmt::format("<avo.Event {} with moving obstacle {}{}>", what, event.obstacle.value,
+                       event.at_rest ? ", at rest" : "");
+  return event.kind == EventKind::stuck ? fmt::format("<avo.Event {}: {}>", what, event.sentence)
+                                        : fmt::format("<avo.Event {}>", what);
+}
+
+}  // namespace
+
+void bind_events(py::module_& module) {
+  py::class_<Event>(module, "Event", "What happened to one robot.")
+      .def_property_readonly(
+          "kind", [](const Event& event) { return std::string(to_string(event.kind)); },
+          "gone (removed, or an airplane that left), came (added), left (its goal: it was pushed "
+          "away, is steered, or has a new one), arrived, unreachable (its goal, by walls), stuck, "
+          "contact (with a moving obstacle).")
+      .def_property_readonly(
+          "robot", [](const Event& event) { return event.robot.value; }, "Its id.")
+      .def_property_readonly(
+          "obstacle",
+          [](const Event& event) -> std::optional<std::uint64_t> {
+            if (event.kind != EventKind::contact) return std::nullopt;
+            return event.obstacle.value;
+          },
+          "Id of the moving obstacle of a contact; else None.")
+      .def_property_readonly(
+          "at_rest",
+          [](const Event& event) -> std::optional<bool> {
+            if (event.kind != EventKind::contact) return std::nullopt;
+            return event.at_rest;
+          },
+          "Of a contact: whether the robot has not moved since the last look; else None.")
+      .def_property_readonly(
+          "sentence",
+          [](const Event& event) -> std::optional<std::string> {
+            if (event.kind != EventKind::stuck) return std::nullopt;
+            return event.sentence;
+          },
+          "Why a robot is stuck, as Simulation.explain() says; else None.")
+      .def("__repr__", &text_of);
+  py::class_<SharedEvents>(module, "Events",
+                           "What happens to robots from step to step, so that nobody has to ask "
+                           "each of them.")
+      .def(py::init<SharedSimulation&, double>(), py::keep_alive<1, 2>(), arg("simulation"),
+           py::kw_only(), arg("stuck_after") = avo::EventsOptions{}.stuck_after,
+           "stuck_after: s; a robot that makes no progress for so long is stuck. What holds now is "
+           "no event.")
+      .def(
+          "observe", &SharedEvents::observe,
+          "The events since the last look, a list of Event, by robot and kind. Call it after every "
+          "step().");
+}
+
+}  // namespace avo_python

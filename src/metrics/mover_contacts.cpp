@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "metrics/mover_contacts.h"
+
+#include <algorithm>
+
+#include "core/plane.h"
+#include "metrics/wall_contacts.h"
+
+namespace avo::inline metrics {
+namespace {
+
+bool is_before(const MoverContact& a, const MoverContact& b) {
+  return a.robot != b.robot ? a.robot < b.robot : a.obstacle < b.obstacle;
+}
+
+}  // namespace
+
+void MoverContacts::take(const FleetView& fleet) {
+  discs_.clear();
+  for (std::size_t row = 0; row < fleet.id.size(); ++row) {
+    const RobotSetup& setup = fleet.setup[row];
+    discs_.push_back({fleet.id[row].value, setup.parked, disc_radius(setup),
+                      norm(disc_center(setup) - setup.position)});
+  }
+}
+
+// Meets the movers whose x is near enough.
+void MoverContacts::meet(const Simulation& simulation, Vec2 position, std::size_t row) {
+  const ObstacleView movers = simulation.obstacles();
+  const Disc& disc = discs_[row];
+  const double reach = disc.radius + disc.offset + largest_;
+  const auto first = static_cast<std::ptrdiff_t>(now_.size());
+  auto place =
+      std::lower_bound(by_x_.begin(), by_x_.end(), std::pair(position.x - reach, std::uint32_t{0}));
+  for (; place != by_x_.end() && place->first <= position.x + reach; ++place) {
+    const std::uint32_t k = place->second;
+    const double contact = disc.radius + movers.setup[k].radius, near = contact + disc.offset;
+    if (norm_squared(movers.position[k] - position) > near * near) continue;
+    const Vec2 center = disc.offset > 0.0 ? disc_center(simulation.setup(row)) : position;
+    if (norm(movers.position[k] - center) < contact * (1.0 - kContact))
+      now_.push_back({disc.robot, movers.id[k].value, row});
+  }
+  std::sort(now_.begin() + first, now_.end(), is_before);
+}
+
+void MoverContacts::observe(const Simulation& simulation, std::span<const Vec2> positions) {
+  std::swap(now_, before_);
+  now_.clear(), begun_.clear();
+  const ObstacleView movers = simulation.obstacles();
+  if (movers.id.empty()) return;
+  by_x_.clear(), largest_ = 0.0;
+  for (std::size_t k = 0; k < movers.id.size(); ++k) {
+    by_x_.emplace_back(movers.position[k].x, static_cast<std::uint32_t>(k));
+    largest_ = std::max(largest_, movers.setup[k].radius);
+  }
+  std::sort(by_x_.begin(), by_x_.end());
+  for (std::size_t row = 0; row < discs_.size(); ++row) {
+    if (!discs_[row].parked) meet(simulation, positions[row], row);
+  }
+  for (const MoverContact& contact : now_) {
+    if (!std::binary_search(before_.begin(), before_.end(), contact, is_before))
+      begun_.push_back(contact);
+  }
+  before_.reserve(now_.capacity());  // the next call allocates nothing for the same contacts
+}
+
+}  // namespace avo::inline metrics

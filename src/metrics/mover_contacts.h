@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: Apache-2.0
+// Which discs of robots overlap those of moving obstacles at the instants that are observed.
+#pragma once
+#include <compare>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "avo/simulation.h"
+
+namespace avo::inline metrics {
+
+struct MoverContact {
+  std::uint64_t robot = 0, obstacle = 0;  // their ids
+  std::size_t row = 0;                    // of the robot, at present
+};
+
+class MoverContacts {
+ public:
+  /// Takes the discs of the robots; call it where the roster has changed.
+  void take(const FleetView& fleet);
+  /// Finds the contacts of the present instant; positions: the column of the fleet.
+  void observe(const Simulation& simulation, std::span<const Vec2> positions);
+  /// Present contacts that the observation before did not find, by robot and obstacle.
+  [[nodiscard]] std::span<const MoverContact> begun() const { return begun_; }
+
+ private:
+  struct Disc {
+    std::uint64_t robot = 0;
+    bool parked = false;
+    double radius = 0.0;  // m
+    double offset = 0.0;  // m, from the robot's place to the disc's center
+  };
+  void meet(const Simulation& simulation, Vec2 position, std::size_t row);
+
+  std::vector<Disc> discs_;
+  std::vector<std::pair<double, std::uint32_t>> by_x_;  // x of each mover, m, and its index
+  double largest_ = 0.0;                                // m, radius of a mover
+  std::vector<MoverContact> now_, before_, begun_;
+};
+
+}  // namespace avo::inline metrics
