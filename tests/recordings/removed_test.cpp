@@ -2,6 +2,7 @@
 // Recordings of earlier builds, whose scenes have keys and values that were removed since.
 #include <gtest/gtest.h>
 #include <string>
+#include <utility>
 
 #include "avo_io/recording.h"
 #include "edit_hdf5.h"
@@ -32,16 +33,21 @@ TEST(RemovedSettings, are_read_too_where_set_had_them) {
 }
 
 TEST(RemovedSettings, that_changed_the_motion_are_read_and_not_simulated_again) {
-  const std::string h5 = recorded_circle();
-  add_line(h5, "right_of_way: told");
-  EXPECT_EQ(run_avo({"check", h5}).exit_code, 0);
-  const ProcessResult again = run_avo({"replay", h5});
-  EXPECT_EQ(again.exit_code, 3);
-  EXPECT_EQ(again.err, h5 + ": its scene: found right_of_way: \"told\", which was removed: its run "
-                            "cannot be simulated again\n");
-  const std::string page = path_of("run.html");
-  EXPECT_EQ(run_avo({"report", h5, page}).exit_code, 0);
-  EXPECT_NE(read_file(page).find("was removed from avo"), std::string::npos);
+  for (const auto& [key, value] : {std::pair{"right_of_way", "told"}, std::pair{"samples", "25"},
+                                   std::pair{"certificate", "stopping_capsules"}}) {
+    const std::string h5 = recorded_circle();
+    add_line(h5, std::string(key) + ": " + value);
+    EXPECT_EQ(run_avo({"check", h5}).exit_code, 0) << key;
+    const ProcessResult again = run_avo({"replay", h5});
+    EXPECT_EQ(again.exit_code, 3) << key;
+    const std::string beginning = h5 + ": its scene: found " + key + ": ";
+    EXPECT_TRUE(again.err.starts_with(beginning)) << again.err;
+    EXPECT_TRUE(again.err.ends_with(", which was removed: its run cannot be simulated again\n"))
+        << again.err;
+    const std::string page = path_of("run.html");
+    EXPECT_EQ(run_avo({"report", h5, page}).exit_code, 0) << key;
+    EXPECT_NE(read_file(page).find("was removed from avo"), std::string::npos) << key;
+  }
 }
 
 TEST(RemovedSettings, are_refused_where_a_user_sets_them) {
