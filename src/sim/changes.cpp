@@ -18,7 +18,7 @@ namespace {
 // Refuses what only a new robot may have.
 void check_same_kind(const RobotSetup& now, const RobotSetup& changed, RobotId robot) {
   if (now.parked || changed.parked)
-    refuse(name_of(robot), "a change of it", "one that is not parked, before and after");
+    refuse(name_of(robot) + ": parked", "a change", "false, before and after");
   if (!(changed.model == now.model))
     refuse(name_of(robot) + ": model", "another one", "the one that it has");
   if (changed.time_step && changed.time_step != now.time_step)
@@ -26,11 +26,23 @@ void check_same_kind(const RobotSetup& now, const RobotSetup& changed, RobotId r
            "left out, or the one that it has");
 }
 
-// Returns whether the braking of the robot, or the others that it keeps clear of, are others than
-// before.
-bool affects_certificate(const RobotSetup& now, const RobotSetup& changed) {
+// Returns whether all robots count on all others to decide: then no robot counts on the top speed
+// of another one.
+bool all_decide(const Fleet& fleet) {
+  return std::all_of(fleet.conduct.begin(), fleet.conduct.end(), [&](const Conduct& conduct) {
+    const Conduct& first = fleet.conduct.front();
+    return conduct.layers == first.layers && conduct.avoids == first.avoids &&
+           conduct.behavior == Behavior::decides && conduct.method == first.method;
+  });
+}
+
+// Returns whether the braking of the robot, what others count on, or the others that it keeps clear
+// of, are others than before. A smaller disc is where the disc was.
+bool affects_certificate(const Fleet& fleet, const RobotSetup& now, const RobotSetup& changed) {
   RobotSetup same = changed;
-  same.max_speed = now.max_speed, same.preferred_speed = now.preferred_speed;
+  if (changed.radius <= now.radius) same.radius = now.radius;
+  if (changed.max_speed <= now.max_speed || all_decide(fleet)) same.max_speed = now.max_speed;
+  same.preferred_speed = now.preferred_speed;
   same.priority = now.priority, same.time_horizon = now.time_horizon;
   same.arrival_distance = now.arrival_distance;
   return !(same == now);
@@ -60,18 +72,23 @@ class KindAlone {
   RobotSetup setup_;
 };
 
+// A robot that is faster than its new max_speed slows down, with its new brakes: it has to be seen,
+// and has to see, as a robot of its present speed.
+RobotSetup slowing(const RobotSetup& now, RobotSetup changed) {
+  changed.max_speed = std::max(changed.max_speed, norm(now.velocity));
+  return changed;
+}
+
 void check_change(World& world, const RobotSetup& now, const RobotSetup& changed, RobotId robot) {
   check_values(world, changed, robot, !world.statics.walls.empty());
-  check_company(world, changed, robot);
-  if (!affects_certificate(now, changed)) return;
+  check_company(world, slowing(now, changed), robot);
+  if (!affects_certificate(world.fleet, now, changed)) return;
   // within its own step a robot cannot brake before the step ends
-  if (world.fleet.has_clocks && world.all_matter())
-    refuse(name_of(robot), "other brakes, layers or another radius while clocks are free",
-           "those that it has where there is a certificate");
+  if (world.fleet.has_clocks && world.all_matter() && !world.settings.allow_broken_assumptions)
+    refuse(name_of(robot), "a change that the certificate has to check, while clocks are free",
+           "one of speeds, priority, time_horizon or arrival_distance");
   look_around_starts(world);
-  RobotSetup start = changed;  // it slows down, and so far others have expected its speed
-  start.max_speed = std::max(changed.max_speed, std::min(now.max_speed, norm(now.velocity)));
-  check_start(world, start, robot);
+  check_start(world, slowing(now, changed), robot);
 }
 
 }  // namespace
@@ -85,11 +102,13 @@ void change_robot(World& world, RobotId robot, const RobotSetup& setup) {
   changed.position = now.position, changed.velocity = now.velocity;
   changed.heading = now.heading, changed.goal = now.goal;
   if (!changed.time_step) changed.time_step = now.time_step;
+  if (changed.method == fleet.method) changed.method.reset();
+  if (changed.max_braking == changed.max_acceleration) changed.max_braking.reset();
   check_same_kind(now, changed, robot);
   KindAlone kind(world, now);
   check_change(world, now, changed, robot);
-  const double sensing_radius = sensing_radius_with(world, changed);
-  const OwnPace pace = world.pace_of(changed);
+  const double sensing_radius = sensing_radius_with(world, slowing(now, changed));
+  const OwnPace pace = world.pace_of(changed, true);
   world.senses.reserve_one(
       knots_needed(world.settings, world.planner().options().longest_step, changed));
   if (world.bystanders.is_made) world.bystanders.late.reserve(world.bystanders.late.size() + 1);
@@ -102,7 +121,7 @@ void change_robot(World& world, RobotId robot, const RobotSetup& setup) {
     travel = ways.plan(disc_radius(changed), fleet.position[slot], changed.goal,
                        arrival_distance_of(world.settings, changed));
   fleet.change(slot, changed, pace);
-  kind.becomes(changed);
+  kind.becomes(fleet.setup(slot));
   if (!ways.empty() && moves_otherwise) ways.travels[rank] = std::move(travel);
   note_late(world.bystanders, robot);  // there is room
   world.sensing_radius = sensing_radius;
@@ -125,6 +144,7 @@ void set_preferred_velocity(World& world, RobotId robot, std::optional<Vec2> vel
             .acceleration_x = detour.acceleration_x,
             .acceleration_y = detour.acceleration_y};
   fleet.has_stood[slot] = 0;
+  if (Flight* flight = fleet.flight(slot)) flight->has_arrived = false;
   world.has_new_goals = true;
 }
 

@@ -18,8 +18,10 @@ RobotSetup kind_of(RobotSetup setup) {
 // Kinds that differ only in their models are few.
 std::uint64_t hash_of_kind(const RobotSetup& kind) {
   std::uint64_t hash = mixed(kind.layers.bits, kind.avoids.bits);
-  for (const double value : {kind.radius, kind.max_speed, kind.max_acceleration,
-                             kind.preferred_speed, kind.priority, kind.time_step.value_or(0.0)})
+  for (const double value :
+       {kind.radius, kind.max_speed, kind.max_acceleration, kind.preferred_speed, kind.priority,
+        kind.time_step.value_or(0.0), kind.max_braking.value_or(0.0),
+        kind.time_horizon.value_or(0.0), kind.arrival_distance.value_or(0.0)})
     hash = mixed(hash, std::bit_cast<std::uint64_t>(value));
   return hash;
 }
@@ -48,6 +50,7 @@ void Kinds::add(const RobotSetup& setup) {
 void Kinds::remove(const RobotSetup& setup) {
   const RobotSetup kind = kind_of(setup);
   const auto place = find(hash_of_kind(kind), kind);
+  if (place == table_.end()) return;
   if (--place->second.robots == 0) table_.erase(place);
 }
 

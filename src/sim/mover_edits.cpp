@@ -31,12 +31,30 @@ MovingObstacle checked(const World& world, const MovingObstacle& obstacle, Movin
   return scene.moving_obstacles.front();
 }
 
-void adopt(World& world, ObstacleColumns obstacles) {
+// Robots go around movers at rest, so that routes may change.
+void adopt(World& world, ObstacleColumns obstacles, double sensing_radius) {
   std::vector<Pace> paces = paces_among(world, !obstacles.setup.empty());
-  std::swap(world.paces, paces);
   std::swap(world.obstacles, obstacles);
+  try {
+    go_around_resting(world);
+  } catch (...) {
+    std::swap(world.obstacles, obstacles);
+    throw;
+  }
+  std::swap(world.paces, paces);
+  world.sensing_radius = sensing_radius;
   world.changed = true;
   world.reserve_workers();
+}
+
+// Returns whether only the place and the velocity are others, and robots count on no more than
+// before.
+bool only_moves(const MovingObstacle& now, const MovingObstacle& changed) {
+  return changed.path.empty() && changed.trajectory.empty() && now.path.empty() &&
+         now.trajectory.empty() && changed.acceleration == now.acceleration &&
+         changed.radius == now.radius && changed.max_deviation == now.max_deviation &&
+         changed.max_speed && changed.max_speed == now.max_speed &&
+         norm(changed.velocity) <= *changed.max_speed;
 }
 
 }  // namespace
@@ -46,23 +64,38 @@ MovingObstacleId add_moving_obstacle(World& world, const MovingObstacle& obstacl
   catch_up(world);
   const MovingObstacle setup = checked(world, obstacle, id);
   const PathWalk start = start_of(world, setup);
-  check_mover_start(world, setup, start, name_of(id));
+  if (!world.kinds) world.kinds.emplace(world.fleet);
   ObstacleColumns obstacles = world.obstacles;
   obstacles.add(setup, start);
-  adopt(world, std::move(obstacles));
+  const double sensing_radius = sensing_radius_among(world, obstacles.setup, name_of(id));
+  check_mover_start(world, setup, start, name_of(id));
+  adopt(world, std::move(obstacles), sensing_radius);
   return id;
 }
 
 void change_moving_obstacle(World& world, MovingObstacleId id, const MovingObstacle& obstacle) {
   const std::size_t index = world.obstacles.find(id);
-  MovingObstacle setup = checked(world, obstacle, id);
-  const PathWalk start = start_of(world, setup);
-  ObstacleColumns& obstacles = world.obstacles;
+  const MovingObstacle setup = checked(world, obstacle, id);
+  PathWalk start = start_of(world, setup);
+  const MovingObstacle& now = world.obstacles.setup[index];
+  if (setup.path == now.path) start.target = world.obstacles.target[index];
+  const bool is_simple = only_moves(now, setup);
+  if (!is_simple && !world.kinds) world.kinds.emplace(world.fleet);
+  ObstacleColumns obstacles = world.obstacles;
   obstacles.position[index] = start.position, obstacles.velocity[index] = start.velocity;
-  obstacles.target[index] = start.target;
-  std::swap(obstacles.setup[index], setup);
-  obstacles.look_over();
-  world.changed = true;
+  obstacles.target[index] = start.target, obstacles.setup[index] = setup;
+  if (!is_simple) {
+    obstacles.look_over();
+    const double radius = sensing_radius_among(world, obstacles.setup, name_of(id));
+    return adopt(world, std::move(obstacles), radius);
+  }
+  std::swap(world.obstacles, obstacles);
+  try {
+    go_around_resting(world);
+  } catch (...) {
+    std::swap(world.obstacles, obstacles);
+    throw;
+  }
 }
 
 void remove_moving_obstacle(World& world, MovingObstacleId id) {
@@ -70,7 +103,7 @@ void remove_moving_obstacle(World& world, MovingObstacleId id) {
   catch_up(world);
   ObstacleColumns obstacles = world.obstacles;
   obstacles.remove(index);
-  adopt(world, std::move(obstacles));
+  adopt(world, std::move(obstacles), world.sensing_radius);
 }
 
 }  // namespace avo::inline sim

@@ -13,6 +13,9 @@
 namespace avo::inline sim {
 namespace {
 
+// m: rays do not pass between two walls that have an end in common, nor along a wall.
+constexpr double kThin = 1e-9;
+
 using Ranked = std::pair<double, std::size_t>;  // m, from a point to the disc, and its rank
 
 double distance_to(const Wall& disc, Vec2 p) {
@@ -103,7 +106,7 @@ std::pair<double, std::size_t> first_in(const ClearanceGrid& grid, Vec2 from, Ve
   const Vec2 high{std::max(from.x, to.x), std::max(from.y, to.y)};
   const auto look = [&](std::size_t k) {
     const Wall& wall = grid.walls()[k];
-    first = std::min(first, {enters(from, way, wall, radius + wall.radius), k});
+    first = std::min(first, {enters(from, way, wall, std::max(radius + wall.radius, kThin)), k});
     return true;
   };
   if (radius == 0.0)
@@ -116,8 +119,11 @@ std::pair<double, std::size_t> first_in(const ClearanceGrid& grid, Vec2 from, Ve
 }  // namespace
 
 void look_around(const World& world, Nearby& nearby) {
-  if (!std::exchange(nearby.has_walls, true)) take_walls(world, nearby);
-  if (!std::exchange(nearby.has_discs, true)) take_discs(world, nearby);
+  // what throws in the midst is made anew
+  if (!nearby.has_walls) take_walls(world, nearby);
+  nearby.has_walls = true;
+  if (!nearby.has_discs) take_discs(world, nearby);
+  nearby.has_discs = true;
 }
 
 std::vector<std::size_t> robots_within(const Nearby& nearby, Vec2 center, double radius) {

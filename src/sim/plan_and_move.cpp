@@ -70,7 +70,8 @@ void take_step(World& world, const Pace& pace, std::size_t slot, const ModelStep
     flight->circle = next.circle;
     const double nearest = pass(*step.model, step.limits, step.state, *step.plan,
                                 pace.response.time_step, fleet.goal[slot]);
-    if (nearest <= world.arrival_distance(slot)) flight->has_arrived = true;
+    if (nearest <= world.arrival_distance(slot) && !fleet.told_velocity(slot))
+      flight->has_arrived = true;
   }
   fleet.position[slot] = next.position;
   fleet.velocity[slot] = fleet.plan[slot].next_velocity = next.velocity;

@@ -92,6 +92,7 @@ Simulation& Simulation::operator=(Simulation&&) noexcept = default;
 void Simulation::step() {
   require_whole(*state_, "Simulation::step");
   state_->forget_views();
+  state_->forget_discs();
   const std::size_t robots = state_->fleet.size();
   avo::step(*state_);
   if (state_->fleet.size() != robots) state_->forget_robots();
@@ -110,6 +111,7 @@ void Simulation::remove_robot(RobotId robot) {
 
 void Simulation::move_robot(RobotId robot, Vec2 position) {
   avo::move_robot(*state_, robot, position);
+  state_->forget_discs();
   state_->forget_views_of(robot);
 }
 
@@ -152,17 +154,20 @@ void Simulation::remove_robots(std::span<const RobotId> robots) {
 
 MovingObstacleId Simulation::add_moving_obstacle(const MovingObstacle& obstacle) {
   const MovingObstacleId id = avo::add_moving_obstacle(*state_, obstacle);
+  state_->forget_discs();
   state_->forget_views();
   return id;
 }
 
 void Simulation::change_moving_obstacle(MovingObstacleId id, const MovingObstacle& obstacle) {
   avo::change_moving_obstacle(*state_, id, obstacle);
+  state_->forget_discs();
   state_->forget_views();
 }
 
 void Simulation::remove_moving_obstacle(MovingObstacleId id) {
   avo::remove_moving_obstacle(*state_, id);
+  state_->forget_discs();
   state_->forget_views();
 }
 

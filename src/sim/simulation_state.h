@@ -48,12 +48,15 @@ struct Simulation::State : World {
     look_around(*this, nearby);
     return nearby;
   }
+  /// Discs have moved, changed or gone.
+  void forget_discs() { nearby.has_discs = false; }
   void forget_views() {
     mirrored = Columns{};
-    has_claims = nearby.has_discs = false;
+    has_claims = false;
   }
   void forget_robots() {
     forget_views();
+    forget_discs();
     roster = next_roster();
   }
   /// Updates the views of one robot alone, which is still present.
@@ -61,7 +64,7 @@ struct Simulation::State : World {
     const Columns copied = mirrored;
     if (copied != Columns{})
       mirror.renew(fleet, static_cast<std::size_t>(fleet.rank[*fleet.slot(robot)]), copied);
-    has_claims = nearby.has_discs = false;
+    has_claims = false;
   }
 
   static std::uint64_t next_roster() {

@@ -195,7 +195,15 @@ void make_room(World& world) {
   }
 }
 
-OwnPace World::pace_of(const RobotSetup& setup) {
+// Index of a pace that no robot of the fleet has, or the number of paces. The scene's stays.
+static std::size_t unused_pace(const World& world) {
+  std::vector<bool> used(world.paces.size(), false);
+  used[0] = true;
+  for (const OwnPace& own : world.fleet.pace) used[own.index] = true;
+  return static_cast<std::size_t>(std::find(used.begin(), used.end(), false) - used.begin());
+}
+
+OwnPace World::pace_of(const RobotSetup& setup, bool may_replace) {
   if (setup.parked) return {};
   const Method method = method_of(settings, setup);
   const double time_step = time_step_of(settings, setup);
@@ -206,12 +214,16 @@ OwnPace World::pace_of(const RobotSetup& setup) {
            options.arrival_distance == arrival_distance_of(settings, setup);
   };
   const auto place = std::find_if(paces.begin(), paces.end(), is_known);
-  const auto index = static_cast<std::uint32_t>(place - paces.begin());
+  auto index = static_cast<std::uint32_t>(place - paces.begin());
   if (place == paces.end()) {
     PlannerOptions options = planner_options(settings, setup);
     options.wall_range = wall_range(!obstacles.setup.empty());
-    paces.emplace_back(options);
-    certified = certified || is_certified(paces.back());
+    if (may_replace) index = static_cast<std::uint32_t>(unused_pace(*this));
+    if (index == paces.size())
+      paces.emplace_back(options);
+    else
+      paces[index] = Pace(options);
+    certified = certified || is_certified(paces[index]);
   }
   return {index, setup.time_horizon, setup.arrival_distance};
 }

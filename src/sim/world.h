@@ -138,8 +138,9 @@ struct World {
   double arrival_distance(std::size_t slot) const {
     return fleet.own_arrival_distance(slot).value_or(settings.arrival_distance);
   }
-  /// The pace of such a robot; it is made if there is none yet.
-  OwnPace pace_of(const RobotSetup& setup);
+  /// The pace of such a robot; it is made if there is none yet. may_replace: in place of one that
+  /// no robot has, where all robots are in the fleet.
+  OwnPace pace_of(const RobotSetup& setup, bool may_replace = false);
   /// The common planner of the robots with a certificate; the scene's where there are none.
   const Planner& certified_planner() const;
   /// Number of neighbors that the planner is given as the nearest.

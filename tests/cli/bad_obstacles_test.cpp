@@ -286,7 +286,7 @@ const std::vector<Bad> kScens{
          "are scen, number, velocity, radius, max_speed, max_acceleration, preferred_speed, model, "
          "heading, car, drive, airplane, "
          "priority, max_braking, parked, layers, avoids, behavior, time_step, method, "
-         "time_horizon; "
+         "time_horizon, arrival_distance; "
          "did you mean \"number\"?",
          "{scen: a.scen, numbr: 2}"),
     {"no_map",

@@ -329,7 +329,7 @@ const std::vector<BadScene>& bad_scenes() {
        "car, "
        "drive, "
        "airplane, priority, max_braking, parked, layers, avoids, behavior, time_step, "
-       "method, time_horizon"},
+       "method, time_horizon, arrival_distance"},
       {"placement_unknown",
        s("version: 1\ngroups:\n  - {number: 3, placement: cirle, goals: antipodal}\n"),
        "3:28: groups.0.placement: found \"cirle\", must be one of circle, grid, line, random, "

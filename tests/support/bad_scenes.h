@@ -23,7 +23,8 @@ inline const std::string kSceneKeys =
 inline const std::string kRobotKeys =
     "position, velocity, goal, radius, max_speed, max_acceleration, preferred_speed, model, "
     "heading, car, drive, airplane, "
-    "priority, max_braking, parked, layers, avoids, behavior, time_step, method, time_horizon";
+    "priority, max_braking, parked, layers, avoids, behavior, time_step, method, time_horizon, "
+    "arrival_distance";
 
 struct BadScene {
   const char* name;

@@ -43,6 +43,10 @@ std::vector<avo::RobotId> robot_ids(const std::vector<std::int64_t>& ids) {
 }
 
 void change_robot(SharedSimulation& self, std::int64_t id, const py::kwargs& given) {
+  for (const char* key : {"position", "velocity", "heading", "goal"})
+    if (given.contains(key))
+      throw py::type_error(fmt::format(
+          "change_robot: found {}, must be left out: move_robot() and set_goal() change it", key));
   std::optional<avo::RobotSetup> setup = self.briefly([&](const Simulation& s) {
     const auto index = s.index_of(robot_id(id));
     return index ? std::optional(s.setup(*index)) : std::nullopt;

@@ -219,6 +219,33 @@ void check_newcomer(const World& world, const RobotSetup& setup, RobotId robot) 
   check_start(world, setup, robot);
 }
 
+double sensing_radius_among(const World& world, const std::vector<MovingObstacle>& movers,
+                            const std::string& name) {
+  Scenario scene = present_scene(world);
+  const auto covered = [&] {
+    constexpr double kRounding = 1.0 + 1e-9;
+    const SensingError needed = declared_error(scene);
+    const SensingError& declared = world.certified_planner().options().sensing_error;
+    return needed.position <= kRounding * declared.position &&
+           needed.velocity <= kRounding * declared.velocity;
+  };
+  const auto before = sensing_need(scene);
+  const bool was_covered = !world.all_matter() || covered();
+  scene.moving_obstacles = movers;
+  if (world.all_matter() && was_covered && !covered())
+    refuse(name, "a max_deviation beyond the sensing_error that all have declared",
+           "less, or in the scene from the start");
+  if (!world.settings.sensing_radius)
+    return std::max(world.sensing_radius, sensing_radius_of(scene));
+  const auto need = sensing_need(scene);
+  const bool suffices = !need || need->range <= world.sensing_radius * (1.0 + 1e-9) ||
+                        (before && need->range <= before->range);
+  if (!suffices && !world.settings.allow_broken_assumptions)
+    throw Error(name + ": has to be seen from " + std::to_string(need->range) +
+                " m, sensing_radius is " + std::to_string(world.sensing_radius) + " m");
+  return world.sensing_radius;
+}
+
 double sensing_radius_with(const World& world, const RobotSetup& setup) {
   if (world.settings.sensing_radius || is_known(world, setup)) return world.sensing_radius;
   Scenario scene = present_scene(world);

@@ -4,6 +4,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "avo/simulation.h"
 
@@ -33,6 +34,10 @@ void check_start(const World& world, const RobotSetup& setup, RobotId robot);
 /// Refuses a moving obstacle of which some robot could not keep clear, unless the scene allows it.
 void check_mover_start(const World& world, const MovingObstacle& obstacle, const PathWalk& start,
                        const std::string& name);
+/// m: the sensing radius among these moving obstacles. Refuses obstacles that robots would not see
+/// in time, or that move otherwise than the declared error covers.
+double sensing_radius_among(const World& world, const std::vector<MovingObstacle>& movers,
+                            const std::string& name);
 /// m: the sensing radius after this robot has come.
 double sensing_radius_with(const World& world, const RobotSetup& setup);
 /// Refuses an obstacle if a robot could not keep clear of what does not move from now on.

@@ -360,5 +360,133 @@ TEST(Host, edits_many_robots_at_once_or_none) {
   EXPECT_EQ(many.size(), 18U);
 }
 
+// Robots go around movers at rest: what is saved between an edit and a step knows it.
+TEST(Host, saves_between_an_edit_of_movers_and_a_step) {
+  for (const bool walled : {false, true}) {
+    Scenario scene = two_lanes();
+    if (walled) scene.obstacles = {{{{{{-5, 8}, {5, 8}}, false}}, 0.0, Fill::none}};
+    Simulation simulation(scene, 1);
+    run(simulation, 1.0);
+    MovingObstacle mover{.position = {0, 14}, .max_deviation = 1.0, .max_speed = 1.0};
+    const auto expect_same = [&](const char* what) {
+      Simulation again(simulation.save(), 1);
+      Simulation other(scene, 1);
+      other.restore(simulation.save());
+      for (int k = 0; k < 50; ++k) simulation.step(), again.step(), other.step();
+      EXPECT_EQ(simulation.state_hash(), again.state_hash()) << what << walled;
+      EXPECT_EQ(simulation.state_hash(), other.state_hash()) << what << walled;
+    };
+    const MovingObstacleId id = simulation.add_moving_obstacle(mover);
+    expect_same("came at rest");
+    mover.velocity = {0, 0.5};
+    simulation.change_moving_obstacle(id, mover);
+    expect_same("moves on");
+    mover.position = {1, 20}, mover.velocity = {};
+    simulation.change_moving_obstacle(id, mover);
+    expect_same("came to rest");
+    simulation.remove_moving_obstacle(id);
+    expect_same("is gone");
+  }
+}
+
+// Values that say what holds anyway are those that are left out.
+TEST(Host, changes_nothing_by_values_spelled_out) {
+  Scenario scene;
+  for (int k = 0; k < 5; ++k) scene.robots.push_back(robot_at({4.0 * k, 0}, {4.0 * k, 20}));
+  Simulation simulation(scene, 1);
+  for (int k = 0; k < 5; ++k) {
+    RobotSetup setup = simulation.setup(static_cast<std::size_t>(k));
+    setup.method = Method::avo, setup.max_braking = setup.max_acceleration;
+    simulation.change_robot({static_cast<std::uint64_t>(k)}, setup);
+    setup.max_speed = 1.0 + 0.1 * k;
+    simulation.change_robot({static_cast<std::uint64_t>(k)}, setup);
+  }
+  simulation.remove_robots(std::vector<RobotId>{{0}, {2}, {4}});
+  simulation.add_robot(robot_at({30, 0}, {30, 5}));
+  run(simulation, 2.0);
+  EXPECT_EQ(simulation.size(), 3U);
+}
+
+TEST(Host, keeps_movers_and_robots_in_sight) {
+  Scenario scene = two_lanes();
+  Simulation grows(scene, 1);
+  const double before = grows.sensing_radius();
+  const MovingObstacle fast{.position = {0, 90}, .velocity = {0, -9}, .radius = 3.0};
+  grows.add_moving_obstacle(fast);
+  EXPECT_GT(grows.sensing_radius(), before + 3.0);
+  scene.sensing_radius = before;
+  Simulation fixed(scene, 1);
+  EXPECT_NE(said([&] { fixed.add_moving_obstacle(fast); }).find("has to be seen from"),
+            std::string::npos);
+  // it stops from 2 m/s with a fiftieth of its brakes
+  run(fixed, 5.0);
+  RobotSetup setup = fixed.setup(0);
+  setup.max_speed = 0.5, setup.max_acceleration = 0.02;
+  EXPECT_NE(said([&] { fixed.change_robot({0}, setup); }).find("has to be seen from"),
+            std::string::npos);
+}
+
+// B does not avoid A: A counts on no more than the top speed of B.
+TEST(Host, checks_a_top_speed_on_which_others_count) {
+  Scenario scene;
+  scene.robots = {robot_at({0, 0}, {300, 0}), robot_at({100, 0}, {-300, 0})};
+  scene.robots[0].max_speed = scene.robots[0].preferred_speed = 10.0;
+  scene.robots[0].velocity = {10, 0}, scene.robots[0].avoids = {3};
+  scene.robots[1].max_speed = scene.robots[1].preferred_speed = 1.0;
+  scene.robots[1].max_acceleration = 10.0, scene.robots[1].velocity = {-1, 0};
+  scene.robots[1].layers = {2}, scene.robots[1].avoids = {0};
+  scene.sensing_radius = 400.0;
+  Simulation simulation(scene, 1);
+  RobotSetup setup = simulation.setup(1);
+  setup.max_speed = setup.preferred_speed = 20.0;
+  const std::string refused = said([&] { simulation.change_robot({1}, setup); });
+  EXPECT_NE(refused.find("too fast for their distance"), std::string::npos) << refused;
+  setup.max_speed = setup.preferred_speed = 0.5;
+  EXPECT_EQ(said([&] { simulation.change_robot({1}, setup); }), "");
+}
+
+TEST(Host, leads_an_airplane_past_its_goal) {
+  Scenario scene;
+  RobotSetup plane = robot_at({0, 0}, {30, 0});
+  plane.max_speed = plane.preferred_speed = 8.0, plane.velocity = {8, 0};
+  plane.model = Airplane{.min_speed = 5.0, .after_goal = AfterGoal::leave};
+  scene.robots = {plane};
+  Simulation simulation(scene, 1);
+  simulation.set_preferred_velocity({0}, Vec2{8, 0});
+  run(simulation, 12.0);
+  ASSERT_EQ(simulation.size(), 1U);
+  EXPECT_GT(simulation.robot(0).position.x, 60.0);
+  simulation.set_preferred_velocity({0}, std::nullopt);
+  run(simulation, 120.0);
+  EXPECT_EQ(simulation.size(), 0U) << "it came back to its goal, and left";
+}
+
+TEST(Host, lets_no_ray_through_a_corner) {
+  Scenario scene;
+  scene.robots = {robot_at({3, 3}, {3, 3})};
+  scene.robots[0].radius = 0.2;
+  std::vector<Vec2> ring;
+  for (int k = 0; k < 9; ++k)
+    ring.push_back({3.0 + 7.0 * std::cos(0.7 * k), 3.0 + 6.3 * std::sin(0.7 * k)});
+  scene.obstacles = {{{{ring, true}}, 0.0, Fill::none}};
+  Simulation simulation(scene, 1);
+  for (const Vec2 corner : ring)
+    for (int k = 0; k < 200; ++k) {
+      const Vec2 from{3.5 + 0.01 * k, 3.3 + 0.007 * k};
+      EXPECT_TRUE(simulation.cast_ray(from, from + 3.0 * (corner - from))) << k;
+    }
+}
+
+TEST(Host, may_look_and_order_in_turn) {
+  Simulation simulation = furnished();
+  const std::vector<std::size_t> before = simulation.nearest_robots({0, 0}, 5);
+  simulation.set_preferred_velocity({1}, Vec2{1, 0});
+  simulation.set_goal({2}, {5, 9});
+  EXPECT_EQ(simulation.nearest_robots({0, 0}, 5), before);
+  simulation.step();
+  simulation.move_robot({1}, {0, 0});
+  EXPECT_EQ(simulation.nearest_robots({0, 0}, 1), std::vector<std::size_t>{1});
+}
+
 }  // namespace
 }  // namespace avo
