@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 """Exports as MCAP, read by @mcap/core and protobufjs: read_mcap.mjs. The packages come from npm, once, as locked."""
+import os
 import pathlib
 import shutil
 import subprocess
@@ -14,6 +15,9 @@ NPM = ("npm", "ci", "--ignore-scripts", "--no-audit", "--no-fund")
 
 
 def fetch_packages():
+    if os.environ.get("AVO_NETWORK") != "1":
+        print("skipped: npm fetches packages from the network only with AVO_NETWORK=1")
+        sys.exit(77)
     for program in ("node", "npm"):
         if shutil.which(program) is None:
             sys.exit(f"{program}: found none, must be there: packages-test.txt")
