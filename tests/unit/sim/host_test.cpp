@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "avo/error.h"
 #include "avo/metrics.h"
 #include "avo/simulation.h"
 #include "unit/sim/scenes.h"
