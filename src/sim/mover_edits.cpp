@@ -32,8 +32,7 @@ MovingObstacle checked(const World& world, const MovingObstacle& obstacle, Movin
 }
 
 // Robots go around movers at rest, so that routes may change.
-void adopt(World& world, ObstacleColumns obstacles, double sensing_radius) {
-  std::vector<Pace> paces = paces_among(world, !obstacles.setup.empty());
+void replace(World& world, ObstacleColumns obstacles) {
   std::swap(world.obstacles, obstacles);
   try {
     go_around_resting(world);
@@ -41,6 +40,12 @@ void adopt(World& world, ObstacleColumns obstacles, double sensing_radius) {
     std::swap(world.obstacles, obstacles);
     throw;
   }
+}
+
+// The same where robots may count on other limits, or on the first mover.
+void adopt(World& world, ObstacleColumns obstacles, double sensing_radius) {
+  std::vector<Pace> paces = paces_among(world, !obstacles.setup.empty());
+  replace(world, std::move(obstacles));
   std::swap(world.paces, paces);
   world.sensing_radius = sensing_radius;
   world.changed = true;
@@ -80,22 +85,14 @@ void change_moving_obstacle(World& world, MovingObstacleId id, const MovingObsta
   const MovingObstacle& now = world.obstacles.setup[index];
   if (setup.path == now.path) start.target = world.obstacles.target[index];
   const bool is_simple = only_moves(now, setup);
-  if (!is_simple && !world.kinds) world.kinds.emplace(world.fleet);
   ObstacleColumns obstacles = world.obstacles;
   obstacles.position[index] = start.position, obstacles.velocity[index] = start.velocity;
   obstacles.target[index] = start.target, obstacles.setup[index] = setup;
-  if (!is_simple) {
-    obstacles.look_over();
-    const double radius = sensing_radius_among(world, obstacles.setup, name_of(id));
-    return adopt(world, std::move(obstacles), radius);
-  }
-  std::swap(world.obstacles, obstacles);
-  try {
-    go_around_resting(world);
-  } catch (...) {
-    std::swap(world.obstacles, obstacles);
-    throw;
-  }
+  if (is_simple) return replace(world, std::move(obstacles));
+  obstacles.look_over();
+  if (!world.kinds) world.kinds.emplace(world.fleet);
+  const double radius = sensing_radius_among(world, obstacles.setup, name_of(id));
+  adopt(world, std::move(obstacles), radius);
 }
 
 void remove_moving_obstacle(World& world, MovingObstacleId id) {

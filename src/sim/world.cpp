@@ -195,13 +195,17 @@ void make_room(World& world) {
   }
 }
 
+namespace {
+
 // Index of a pace that no robot of the fleet has, or the number of paces. The scene's stays.
-static std::size_t unused_pace(const World& world) {
+std::size_t unused_pace(const World& world) {
   std::vector<bool> used(world.paces.size(), false);
   used[0] = true;
   for (const OwnPace& own : world.fleet.pace) used[own.index] = true;
   return static_cast<std::size_t>(std::find(used.begin(), used.end(), false) - used.begin());
 }
+
+}  // namespace
 
 OwnPace World::pace_of(const RobotSetup& setup, bool may_replace) {
   if (setup.parked) return {};

@@ -72,9 +72,10 @@ struct Pace {
       : planner(options), response(step_response(planner)) {}
 };
 
+struct World;
+
 /// The world's paces, where there are moving obstacles or not. Only where there are some do robots
 /// keep ways out, and see all walls within their reach.
-struct World;
 std::vector<Pace> paces_among(const World& world, bool has_movers);
 
 /// What a robot has in common with another one, where both may not be in one place.
