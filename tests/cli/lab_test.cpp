@@ -244,7 +244,7 @@ TEST(Lab, in_a_build_without_it_says_how_to_get_it) {
   const ProcessResult result = run_avo({"lab", "circle-3"}, {.binary = AVO_WITHOUT_LAB});
   EXPECT_EQ(result.exit_code, 2);
   EXPECT_EQ(lines_of(result.err).size(), 1U);
-  EXPECT_NE(result.err.find("must be built with cmake -DAVO_LAB=ON"), std::string::npos);
+  EXPECT_NE(result.err.find("run ./scripts/install --lab"), std::string::npos);
   EXPECT_FALSE(exists("circle-3.html"));
 }
 

@@ -34,9 +34,8 @@ constexpr std::uintmax_t kMostBytes = 100'000'000;
 void require_lab() {
   if (lab_page().empty())
     throw UsageError(
-        "lab: found no lab in this build of avo, must be built with cmake -DAVO_LAB=ON, which "
-        "needs the packages clang-19, libc++-19-dev-wasm32, lld-19, nodejs, npm and others "
-        "(docs/packages.md)");
+        "lab: found no page in this avo, must be built with it: run ./scripts/install --lab in "
+        "the sources (docs/packages.md)");
 }
 
 bool is_csv(const std::string& path) {
