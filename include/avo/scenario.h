@@ -8,6 +8,7 @@
 
 #include "avo/export.h"
 #include "avo/planner.h"
+#include "avo/teams.h"
 #include "avo/trajectory.h"
 #include "avo/vec.h"
 #include "avo/wall.h"
@@ -202,6 +203,7 @@ struct Scenario {
   std::vector<RobotSetup> robots = {};
   std::vector<MovingObstacle> moving_obstacles = {};
   std::vector<StaticObstacle> obstacles = {};  ///< they do not move; no robot may touch them
+  std::vector<Team> teams = {};  ///< robots with one task; the simulation leads them, see lead()
   /// The preferred velocity follows a route around the obstacles, and around moving obstacles at
   /// rest; unset: where there are any.
   std::optional<bool> navigation = {};

@@ -12,28 +12,11 @@
 #include "avo/decision_trace.h"
 #include "avo/executor.h"
 #include "avo/export.h"
+#include "avo/ids.h"
 #include "avo/planner.h"
 #include "avo/scenario.h"
 
 namespace avo {
-
-/// Stable name of a robot; never reused within a simulation.
-struct RobotId {
-  std::uint64_t value = 0;  ///< robots of the scenario are 0, 1, ... in its order
-  friend constexpr bool operator==(RobotId, RobotId) = default;
-};
-
-/// Stable name of a static obstacle; never reused within a simulation.
-struct ObstacleId {
-  std::uint64_t value = 0;  ///< obstacles of the scenario are 0, 1, ... in its order
-  friend constexpr bool operator==(ObstacleId, ObstacleId) = default;
-};
-
-/// Stable name of a moving obstacle; never reused within a simulation.
-struct MovingObstacleId {
-  std::uint64_t value = 0;  ///< moving obstacles of the scenario are 0, 1, ... in its order
-  friend constexpr bool operator==(MovingObstacleId, MovingObstacleId) = default;
-};
 
 /// Columns of a FleetView. Each costs a copy of the fleet's, once a generation.
 enum class Columns : std::uint16_t {
@@ -169,8 +152,9 @@ class AVO_API Simulation {
   /// robot, are refused. Others know the new values at once. Throws Error as add_robot() does on
   /// values that break what the certificate assumes: a larger disc, other brakes or other layers
   /// where the robot is now. A robot that is faster than its new max_speed slows down, and others
-  /// allow for that. Where clocks are free and there is a certificate, only speeds, priority, horizon
-  /// and arrival distance change. The robot keeps what it remembers. Changes nothing where it throws.
+  /// allow for that. Where clocks are free and there is a certificate, only speeds, priority,
+  /// horizon and arrival distance change. The robot keeps what it remembers. Changes nothing where
+  /// it throws.
   void change_robot(RobotId robot, const RobotSetup& setup);
   /// Sets the preferred velocity, m/s, that the robot has from now on, in place of a route to its
   /// goal; none: it goes to its goal again. Meanwhile the robot has no goal: is_at_goal() is false,
@@ -257,6 +241,9 @@ class AVO_API Simulation {
   };
   /// None where a disc of that radius, m, >= 0, touches nothing that stands now between the points.
   [[nodiscard]] std::optional<Hit> cast_ray(Vec2 from, Vec2 to, double radius = 0.0) const;
+  /// Returns whether no static obstacle stops a disc of that radius, m, >= 0, on the straight line
+  /// between the points. Robots and moving obstacles do not count.
+  [[nodiscard]] bool is_in_sight(Vec2 from, Vec2 to, double radius = 0.0) const;
   [[nodiscard]] ObstacleView obstacles() const;
   [[nodiscard]] StaticObstacleView static_obstacles() const;
   [[nodiscard]] double time() const;  ///< s: steps() * time_step, or the instant of free clocks

@@ -61,6 +61,26 @@ struct MembersOf<GridPlacement> {
   using type = MemberOf<GridPlacement, double, avo::Vec2, int>;
 };
 template <>
+struct MembersOf<FormationGoals> {
+  using type = MemberOf<FormationGoals, double, avo::Vec2, avo::Formation>;
+};
+template <>
+struct MembersOf<avo::Queue> {
+  using type = MemberOf<avo::Queue, double, std::optional<double>, std::vector<avo::Vec2>>;
+};
+template <>
+struct MembersOf<avo::Follow> {
+  using type = MemberOf<avo::Follow, double, std::vector<avo::Vec2>>;
+};
+template <>
+struct MembersOf<avo::Patrol> {
+  using type = MemberOf<avo::Patrol, double, std::vector<avo::Vec2>>;
+};
+template <>
+struct MembersOf<avo::Flow> {
+  using type = MemberOf<avo::Flow, double, std::vector<avo::Vec2>>;
+};
+template <>
 struct MembersOf<Group> {
   using type = MemberOf<Group, int, double>;
 };
@@ -187,6 +207,9 @@ inline const auto kAccelerationSets =
 
 /// Behaviors of robots: a robot that reacts to no other robot is a moving obstacle.
 inline const auto kBehaviors = by_name(avo::Behavior::decides, avo::Behavior::cooperates);
+inline const auto kFormations =
+    by_name(avo::Formation::line, avo::Formation::column, avo::Formation::wedge,
+            avo::Formation::block, avo::Formation::ring);
 inline const auto kAfterGoals = by_name(avo::AfterGoal::loiter, avo::AfterGoal::leave);
 
 /// The alternatives of avo::MotionModel, in their order.
@@ -248,6 +271,26 @@ constexpr KindText kind_text<PermutationGoals>() {
 template <>
 constexpr KindText kind_text<RandomGoals>() {
   return {"random", "uniform in a rectangle, clear of the group's other goals"};
+}
+template <>
+constexpr KindText kind_text<FormationGoals>() {
+  return {"formation", "slots of a formation, dealt so that straight ways to them do not cross"};
+}
+template <>
+constexpr KindText kind_text<avo::Queue>() {
+  return {"queue", "they stand in a row and move up; the first one goes to its goal once served"};
+}
+template <>
+constexpr KindText kind_text<avo::Follow>() {
+  return {"follow", "the first one goes to its goal, the others follow it"};
+}
+template <>
+constexpr KindText kind_text<avo::Patrol>() {
+  return {"patrol", "each goes from point to point for ever"};
+}
+template <>
+constexpr KindText kind_text<avo::Flow>() {
+  return {"flow", "they leave by the nearest exit, and are removed there"};
 }
 
 template <class T>

@@ -14,6 +14,7 @@ const std::vector<Field<Group>>& fields() {
       {"number", &Group::number, kRequired, kNumber, "", "how many robots"},
       {"placement", kNested, kRequired, kNoNumber, "", "where they start"},
       {"goals", kNested, kRequired, kNoNumber, "", "where they want to come to rest"},
+      {"task", kNested, kOptional, kNoNumber, "", "what they do together", "nothing"},
       {"jitter", &Group::jitter, kOptional, kNotNegative, "m",
        "starts and goals are up to so far off by chance, along x and along y"},
   };
@@ -101,6 +102,58 @@ const std::vector<Field<RandomGoals>>& fields() {
       {"max", &RandomGoals::max, kRequired, kAnyValue, "m", "upper right corner"},
       {"clearance", &RandomGoals::clearance, kOptional, kNotNegative, "m",
        "between the discs of robots at their goals"},
+  };
+  return table;
+}
+
+template <>
+const std::vector<Field<FormationGoals>>& fields() {
+  static const std::vector<Field<FormationGoals>> table{
+      {"shape", &FormationGoals::shape, kOptional, kNoNumber, "", "of the slots"},
+      {"spacing", &FormationGoals::spacing, kOptional, kPositive, "m", "from slot to slot"},
+      {"center", &FormationGoals::center, kRequired, kAnyValue, "m", "mean of the slots"},
+      {"heading", &FormationGoals::heading, kOptional, avo::kAngle, "rad",
+       "that the formation faces, counter-clockwise from +x"},
+  };
+  return table;
+}
+
+template <>
+const std::vector<Field<avo::Queue>>& fields() {
+  static const std::vector<Field<avo::Queue>> table{
+      {"line", &avo::Queue::line, kRequired, kAnyValue, "m", "from the head of the row backward"},
+      {"spacing", &avo::Queue::spacing, kOptional, kPositive, "m", "from place to place"},
+      {"service", &avo::Queue::service, kOptional, kNotNegative, "s",
+       "that the first one waits at the head", "for ever"},
+  };
+  return table;
+}
+
+template <>
+const std::vector<Field<avo::Follow>>& fields() {
+  static const std::vector<Field<avo::Follow>> table{
+      {"spacing", &avo::Follow::spacing, kOptional, kPositive, "m", "from robot to robot"},
+      {"slots", &avo::Follow::slots, kOptional, kAnyValue, "m",
+       "places about the first one, x ahead and y to its left", "they follow its trail"},
+  };
+  return table;
+}
+
+template <>
+const std::vector<Field<avo::Patrol>>& fields() {
+  static const std::vector<Field<avo::Patrol>> table{
+      {"points", &avo::Patrol::points, kRequired, kAnyValue, "m", "to pass in turn"},
+      {"pass_distance", &avo::Patrol::pass_distance, kOptional, kPositive, "m",
+       "from a point, at which a robot goes on to the next"},
+  };
+  return table;
+}
+
+template <>
+const std::vector<Field<avo::Flow>>& fields() {
+  static const std::vector<Field<avo::Flow>> table{
+      {"exits", &avo::Flow::exits, kRequired, kAnyValue, "m", "the two ends of each exit"},
+      {"spacing", &avo::Flow::spacing, kOptional, kPositive, "m", "between goals on an exit"},
   };
   return table;
 }

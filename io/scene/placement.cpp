@@ -143,6 +143,12 @@ std::vector<Vec2> goals(const Group& group, const Starts& from, const avo::Scena
     FreeSpace space(area->min, area->max, radius, area->clearance, from.points.size());
     const WallSpace walls(scenario.obstacles, radius + area->clearance);
     result = random_points(group.number, area->min, area->max, radius, space, walls, random);
+  } else if (const auto* formation = std::get_if<FormationGoals>(&group.goals)) {
+    const std::vector<Vec2> slots =
+        avo::place_slots(avo::formation_slots(formation->shape, result.size(), formation->spacing),
+                         formation->center, formation->heading);
+    const std::vector<std::size_t> chosen = avo::assign_slots(from.points, slots);
+    for (std::size_t k = 0; k < result.size(); ++k) result[k] = slots[chosen[k]];
   } else {
     // Sattolo's algorithm: one cycle through all
     for (std::size_t i = result.size() - 1; i > 0; --i)
@@ -224,8 +230,12 @@ std::string append_group(const Group& group, std::uint64_t stream, avo::Scenario
     jitter(to, group.jitter, chance);
   }
   draw_reachable(group, scenario, stream, from, to);
-  for (std::size_t i = 0; i < to.size(); ++i)
+  std::vector<avo::RobotId> robots;
+  for (std::size_t i = 0; i < to.size(); ++i) {
+    robots.push_back({scenario.robots.size()});
     append_robot(group.robot, group.heading, from.points[i], to[i], random, scenario);
+  }
+  if (group.task) scenario.teams.push_back(avo::make_team(robots, *group.task));
   return "";
 }
 

@@ -111,6 +111,8 @@ Group read_group(const Reader& reader, const YamlNode& node, const std::string& 
   read_alike(reader, node, path, group);
   read_kind(reader, *node.find("placement"), path_to(path, "placement"), group.placement);
   read_kind(reader, *node.find("goals"), path_to(path, "goals"), group.goals);
+  if (const YamlNode* task = node.find("task"))
+    read_kind(reader, *task, path_to(path, "task"), group.task.emplace());
   return group;
 }
 

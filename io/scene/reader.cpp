@@ -258,6 +258,9 @@ void Reader::set(avo::Behavior& value, const YamlNode& node, const Path& path, c
 void Reader::set(avo::AfterGoal& value, const YamlNode& node, const Path& path, const Rule&) const {
   value = choice(node, path, kAfterGoals);
 }
+void Reader::set(avo::Formation& value, const YamlNode& node, const Path& path, const Rule&) const {
+  value = choice(node, path, kFormations);
+}
 
 void Reader::set(avo::Fill& value, const YamlNode& node, const Path& path, const Rule&) const {
   value = choice(node, path, kFills);

@@ -115,6 +115,7 @@ class Reader {
   void set(avo::NoiseDistribution& value, const YamlNode& node, const Path& path,
            const Rule& rule) const;
   void set(avo::Behavior& value, const YamlNode& node, const Path& path, const Rule& rule) const;
+  void set(avo::Formation& value, const YamlNode& node, const Path& path, const Rule& rule) const;
   void set(avo::AfterGoal& value, const YamlNode& node, const Path& path, const Rule& rule) const;
   void set(avo::AccelerationSet& value, const YamlNode& node, const Path& path,
            const Rule& rule) const;

@@ -170,10 +170,19 @@ class SceneBuilder {
         reader_.fail(*node.find("number"), path_to(path, "number"),
                      fmt::format("{} robots in all", total),
                      fmt::format("must be at most {}", avo::kMostRobots));
+      if (group.task) check_task(group, *node.find("task"), path_to(path, "task"));
       const std::string trouble = append_group(group, i, scenario_);
       if (!trouble.empty()) document_.fail(node, path_to(path, trouble));
       origins_.resize(scenario_.robots.size(), &node);
     }
+  }
+
+  void check_task(const Group& group, const YamlNode& node, const std::string& path) const {
+    if (group.robot.parked)
+      reader_.fail(node, path, "one of parked robots", "must be left out, as they do not move");
+    avo::retelling<avo::Error>(
+        [&] { avo::validate(*group.task); },
+        [&](const avo::Error& error) { document_.fail(node, path_to(path, error.what())); });
   }
 
   void apply(const std::vector<RobotPatch>& patches) {

@@ -3,12 +3,14 @@
 // maps.
 #pragma once
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
 
 #include "avo/geometry.h"
 #include "avo/scenario.h"
+#include "avo/teams.h"
 
 namespace avo_io {
 
@@ -58,7 +60,15 @@ struct RandomGoals {
   avo::Vec2 min, max;
   double clearance = 0.0;
 };
-using Goals = std::variant<AntipodalGoals, OffsetGoals, PermutationGoals, RandomGoals>;
+/// Slots of a formation about a center, dealt so that straight ways to them do not cross.
+struct FormationGoals {
+  avo::Formation shape = avo::Formation::block;
+  double spacing = 1.5;
+  avo::Vec2 center;
+  double heading = 0.0;
+};
+using Goals =
+    std::variant<AntipodalGoals, OffsetGoals, PermutationGoals, RandomGoals, FormationGoals>;
 
 enum class GroupHeading : std::uint8_t { goal, random, given };
 
@@ -69,6 +79,7 @@ struct Group {
   GroupHeading heading = GroupHeading::goal;
   Placement placement;
   Goals goals;
+  std::optional<avo::TeamTask> task = {};  ///< of all of them together
   double jitter = 0.0;  ///< m: the largest random offset of starts and goals, along x and along y
 };
 

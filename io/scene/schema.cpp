@@ -107,6 +107,9 @@ ValueSchema describe(avo::Behavior value, const avo::Range&) {
 ValueSchema describe(avo::AfterGoal value, const avo::Range&) {
   return {names_schema(kAfterGoals), value_name(kAfterGoals, value)};
 }
+ValueSchema describe(avo::Formation value, const avo::Range&) {
+  return {names_schema(kFormations), value_name(kFormations, value)};
+}
 ValueSchema describe(const std::optional<avo::Certificate>&, const avo::Range&) {
   return {names_schema(kCertificates), nullptr};
 }
@@ -233,7 +236,8 @@ Json alike_schema() {
 Json group_schema(const Json& alike) {
   Json json = map_schema(fields<Group>(),
                          {{"placement", kinds_schema(static_cast<const Placement*>(nullptr))},
-                          {"goals", kinds_schema(static_cast<const Goals*>(nullptr))}});
+                          {"goals", kinds_schema(static_cast<const Goals*>(nullptr))},
+                          {"task", kinds_schema(static_cast<const avo::TeamTask*>(nullptr))}});
   json["properties"].update(alike["properties"]);
   return json;
 }

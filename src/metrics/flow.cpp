@@ -24,21 +24,21 @@ std::optional<double> crossing(const MeasuringLine& line, Vec2 from, Vec2 to) {
 
 }  // namespace
 
-Flow::Flow(const MeasuringLine& line) : line_(line) {
+LineFlow::LineFlow(const MeasuringLine& line) : line_(line) {
   if (!is_finite(line.a) || !is_finite(line.b))
     throw Error("line: found an end that is not finite, must be two points");
   if (!(norm_squared(line.b - line.a) > 0.0))
     throw Error("line: found one point, must be two points");
 }
 
-void Flow::observe(std::span<const Body> robots, double begin, double duration) {
+void LineFlow::observe(std::span<const Body> robots, double begin, double duration) {
   for (const Body& robot : robots) {
     const auto part = crossing(line_, robot.path.control[0], robot.path.control[3]);
     if (part && crossed_.insert(robot.name).second) times_.push_back(begin + *part * duration);
   }
 }
 
-void Flow::describe(RunMetrics& metrics) const {
+void LineFlow::describe(RunMetrics& metrics) const {
   std::vector<double> times = times_;
   std::sort(times.begin(), times.end());
   if (times.size() >= 2 && times.back() > times.front()) {

@@ -12,10 +12,10 @@
 namespace avo::inline metrics {
 
 /// Each robot counts once, in either direction: where the center of its disc first crosses.
-class Flow {
+class LineFlow {
  public:
   /// Throws Error where the ends are not two points.
-  explicit Flow(const MeasuringLine& line);
+  explicit LineFlow(const MeasuringLine& line);
 
   /// Observes robots over a step that begins at that time, s.
   void observe(std::span<const Body> robots, double begin, double duration);

@@ -95,7 +95,7 @@ struct Metrics::State {
   WallContacts walls;
   std::vector<ObstacleId> static_ids;  // of the obstacles that the walls belong to
   std::optional<Crowd> crowd;
-  std::optional<Flow> flow;
+  std::optional<LineFlow> flow;
 
   FleetView look_at(const Simulation& simulation);
   void remember(const Simulation& simulation, const FleetView& fleet);

@@ -9,6 +9,7 @@
 #include "avo/decision_trace.h"
 #include "avo/planner.h"
 #include "avo/scenario.h"
+#include "avo/teams.h"
 
 namespace avo::inline planner {
 
@@ -46,6 +47,8 @@ AVO_LOCAL inline constexpr std::array kNames<Guide>{"route", "lane",  "passage",
 template <>
 AVO_LOCAL inline constexpr std::array kNames<WishRule>{
     "none", "steers", "keeps_right", "yields", "settles", "leaves_wall", "in_cell"};
+template <>
+AVO_LOCAL inline constexpr std::array kNames<Formation>{"line", "column", "wedge", "block", "ring"};
 template <>
 AVO_LOCAL inline constexpr std::array kNames<SafetyState>{"unknown", "safe", "doomed"};
 

@@ -118,10 +118,14 @@ std::pair<double, std::size_t> first_in(const ClearanceGrid& grid, Vec2 from, Ve
 
 }  // namespace
 
-void look_around(const World& world, Nearby& nearby) {
+void look_at_walls(const World& world, Nearby& nearby) {
   // what throws in the midst is made anew
   if (!nearby.has_walls) take_walls(world, nearby);
   nearby.has_walls = true;
+}
+
+void look_around(const World& world, Nearby& nearby) {
+  look_at_walls(world, nearby);
   if (!nearby.has_discs) take_discs(world, nearby);
   nearby.has_discs = true;
 }
@@ -170,6 +174,10 @@ std::optional<Simulation::Hit> first_hit(const World& world, const Nearby& nearb
     hit.moving_obstacle = world.obstacles.id[disc - nearby.robots];
   }
   return hit;
+}
+
+bool is_in_sight(const Nearby& nearby, Vec2 from, Vec2 to, double radius) {
+  return first_in(nearby.walls, from, to - from, radius).first > 1.0;
 }
 
 }  // namespace avo::inline sim

@@ -23,8 +23,9 @@ struct Nearby {
   bool has_discs = false, has_walls = false;
 };
 
-/// Makes what is not there yet.
+/// Makes what is not there yet: all of it, or the walls alone.
 void look_around(const World& world, Nearby& nearby);
+void look_at_walls(const World& world, Nearby& nearby);
 
 /// Ranks of robots whose discs come within `radius` of the point, the nearest disc first.
 std::vector<std::size_t> robots_within(const Nearby& nearby, Vec2 center, double radius);
@@ -35,5 +36,8 @@ bool is_free(const World& world, const Nearby& nearby, Vec2 position, double rad
 /// The first thing that a disc touches which moves straight from one point to the other.
 std::optional<Simulation::Hit> first_hit(const World& world, const Nearby& nearby, Vec2 from,
                                          Vec2 to, double radius);
+
+/// Returns whether no wall stops a disc that moves straight from one point to the other.
+bool is_in_sight(const Nearby& nearby, Vec2 from, Vec2 to, double radius);
 
 }  // namespace avo::inline sim

@@ -90,6 +90,7 @@ Simulation& Simulation::operator=(Simulation&&) noexcept = default;
 
 void Simulation::step() {
   require_whole(*state_, "Simulation::step");
+  for (Team& team : state_->settings.teams) lead(*this, team);
   state_->forget_views();
   state_->forget_discs();
   const std::size_t robots = state_->fleet.size();

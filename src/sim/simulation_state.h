@@ -48,6 +48,11 @@ struct Simulation::State : World {
     look_around(*this, nearby);
     return nearby;
   }
+  const Nearby& walls_now() {
+    const Lock lock(looking);
+    look_at_walls(*this, nearby);
+    return nearby;
+  }
   /// Discs have moved, changed or gone.
   void forget_discs() { nearby.has_discs = false; }
   void forget_views() {

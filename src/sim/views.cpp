@@ -88,6 +88,13 @@ std::optional<Simulation::Hit> Simulation::cast_ray(Vec2 from, Vec2 to, double r
   return first_hit(*state_, state_->nearby_now(), from, to, radius);
 }
 
+bool Simulation::is_in_sight(Vec2 from, Vec2 to, double radius) const {
+  require("is_in_sight: from", from, "m");
+  require("is_in_sight: to", to, "m");
+  require("is_in_sight: radius", radius, kNotNegative, "m");
+  return avo::is_in_sight(state_->walls_now(), from, to, radius);
+}
+
 ObstacleView Simulation::obstacles() const {
   const ObstacleColumns& o = state_->obstacles;
   return {o.position, o.velocity, o.setup, o.target, o.id};

@@ -343,6 +343,7 @@ void validate(const Scenario& scenario) {
   check_paths(scenario);
   for (std::size_t k = 0; k < scenario.obstacles.size(); ++k)
     check_static_obstacle(k, scenario.obstacles[k]);
+  check_teams(scenario);
   check_flights(scenario, options);
   check_one_sided(scenario);
   check_certificate(scenario, certified);

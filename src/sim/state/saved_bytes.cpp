@@ -21,11 +21,13 @@ namespace {
 
 constexpr std::uint64_t kMark = 0x65766173206f7661;           // "avo save"
 constexpr std::uint64_t kChangedMark = 0x32766173206f7661;    // "avo sav2": with what hosts change
+constexpr std::uint64_t kTeamsMark = 0x33766173206f7661;      // "avo sav3": also with teams
 constexpr std::size_t kFewestWords = 3;                       // mark, number of bytes, checksum
 constexpr std::size_t kObstacleWords = 17, kRobotWords = 19;  // at least
 constexpr std::size_t kPastWords = 4, kClockWords = 15, kKnotWords = 6;
 constexpr std::size_t kStaticWords = 4, kChainWords = 2;  // at least
 constexpr std::size_t kGapWords = 4, kToldWords = 3;
+constexpr std::size_t kTeamWords = 5, kMemberWords = 5;  // a team has at least
 
 std::uint64_t checksum(std::span<const std::byte> bytes) {
   std::uint64_t hash = 0;
@@ -293,6 +295,52 @@ void describe_changes(Archive<kReads>& archive, SavedState& state) {
   }
 }
 
+template <bool kReads>
+void describe(Archive<kReads>& archive, Queue& queue) {
+  describe(archive, queue.line), describe(archive, queue.spacing);
+  describe(archive, queue.service);
+}
+template <bool kReads>
+void describe(Archive<kReads>& archive, Follow& follow) {
+  describe(archive, follow.spacing), describe(archive, follow.slots);
+}
+template <bool kReads>
+void describe(Archive<kReads>& archive, Patrol& patrol) {
+  describe(archive, patrol.points), describe(archive, patrol.pass_distance);
+}
+template <bool kReads>
+void describe(Archive<kReads>& archive, Flow& flow) {
+  describe(archive, flow.exits), describe(archive, flow.spacing);
+}
+
+template <bool kReads>
+void describe(Archive<kReads>& archive, TeamTask& task) {
+  std::uint64_t kind = task.index();
+  archive.word(kind);
+  if constexpr (kReads) {
+    if (kind == 1) task = Follow{};
+    if (kind == 2) task = Patrol{};
+    if (kind == 3) task = Flow{};
+    if (kind > 3) refuse_saved("the task " + std::to_string(kind), "0 to 3");
+  }
+  std::visit([&](auto& one) { describe(archive, one); }, task);
+}
+
+template <bool kReads>
+void describe_teams(Archive<kReads>& archive, std::vector<Team>& teams) {
+  archive.size(teams, kTeamWords);
+  for (Team& team : teams) {
+    describe(archive, team.task);
+    archive.size(team.members, kMemberWords);
+    for (TeamMember& member : team.members) {
+      describe(archive, member.robot.value), describe(archive, member.is_led);
+      describe(archive, member.goal), describe(archive, member.number);
+    }
+    describe(archive, team.trail);
+    describe(archive, team.leader.value), describe(archive, team.since);
+  }
+}
+
 }  // namespace
 
 std::vector<std::byte> to_bytes(SavedState state) {
@@ -301,11 +349,12 @@ std::vector<std::byte> to_bytes(SavedState state) {
   std::vector<std::byte>& bytes = archive.written;
   bytes.reserve(kWord * (kSettings + kRobotWords * state.robots.size() +
                          kObstacleWords * state.obstacles.size()));
-  const bool changed = is_changed(state);
-  std::uint64_t mark = changed ? kChangedMark : kMark, size = 0;
+  const bool has_teams = !state.scene.teams.empty(), changed = has_teams || is_changed(state);
+  std::uint64_t mark = has_teams ? kTeamsMark : changed ? kChangedMark : kMark, size = 0;
   archive.word(mark), archive.word(size);
   describe(archive, state);
   if (changed) describe_changes(archive, state);
+  if (has_teams) describe_teams(archive, state.scene.teams);
   put_word(bytes.size() + kWord, &bytes[kWord]);
   std::uint64_t sum = checksum(bytes);
   archive.word(sum);
@@ -316,7 +365,8 @@ SavedState from_bytes(std::span<const std::byte> bytes) {
   if (bytes.size() < kFewestWords * kWord) {
     refuse_saved(std::to_string(bytes.size()) + " bytes", "whole");
   }
-  const bool changed = word_at(bytes, 0) == kChangedMark;
+  const bool has_teams = word_at(bytes, 0) == kTeamsMark;
+  const bool changed = has_teams || word_at(bytes, 0) == kChangedMark;
   if (word_at(bytes, 0) != kMark && !changed)
     refuse_saved("something else", "bytes of Simulation::save()");
   if (word_at(bytes, 1) != bytes.size() || bytes.size() % kWord != 0) {
@@ -334,6 +384,7 @@ SavedState from_bytes(std::span<const std::byte> bytes) {
   for (std::size_t k = 0; k < state.mover_ids.size(); ++k) state.mover_ids[k] = {k};
   state.next_mover = state.mover_ids.size();
   if (changed) describe_changes(archive, state);
+  if (has_teams) describe_teams(archive, state.scene.teams);
   if (!archive.unread.empty()) {
     refuse_saved(std::to_string(archive.unread.size()) + " more bytes", "no more");
   }

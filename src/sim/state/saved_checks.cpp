@@ -28,6 +28,7 @@ constexpr std::int64_t kLastStep = std::int64_t{1} << 53;
 // Checks as many robots at a time as a scene may have: a simulation may have more after additions.
 void check_setups(const Scenario& scene) {
   Scenario part = scene;
+  part.teams.clear();  // some of their robots may be gone
   constexpr auto kMost = static_cast<std::size_t>(kMostRobots);
   for (std::size_t first = 0; first == 0 || first < scene.robots.size(); first += kMost) {
     const std::size_t last = std::min(first + kMost, scene.robots.size());
@@ -37,6 +38,22 @@ void check_setups(const Scenario& scene) {
     part.sensing_error = scene.sensing_error;
     forget_undeclared_error(part);
     validate(part);
+  }
+}
+
+void check_led(const SavedState& state) {
+  for (const Team& team : state.scene.teams) {
+    validate(team.task);
+    const auto is_sound = [](Vec2 point) { return is_finite(point); };
+    const bool are_members =
+        std::all_of(team.members.begin(), team.members.end(),
+                    [&](const TeamMember& member) { return is_sound(member.goal); });
+    // one that is led has a trail
+    const bool has_trail = !std::holds_alternative<Follow>(team.task) || team.members.empty() ||
+                           !team.members.front().is_led || !team.trail.empty();
+    if (!are_members || !has_trail || !std::isfinite(team.since) ||
+        !std::all_of(team.trail.begin(), team.trail.end(), is_sound))
+      refuse_saved("a team that cannot be led", "one that can");
   }
 }
 
@@ -168,6 +185,7 @@ void check_states(const SavedState& state) {
   for (const ObstacleId id : state.static_ids) check_id(id.value, state.next_obstacle);
   next = 0;
   for (const MovingObstacleId id : state.mover_ids) check_id(id.value, state.next_mover);
+  check_led(state);
   check_flights(state);
   check_past(state);
   check_clocks(state);

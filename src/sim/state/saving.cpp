@@ -269,6 +269,7 @@ void restore(const SavedState& state, World& world) {
   std::vector<Travel> travels = travels_of(state, ways);
   if (other_ways) other_ways->forget_before();
   std::vector<Pace> paces = paces_among(world, !obstacles.setup.empty());
+  std::vector<Team> teams = state.scene.teams;
   // nothing throws from here on
   std::swap(world.paces, paces);
   std::swap(world.fleet, fleet);
@@ -277,6 +278,7 @@ void restore(const SavedState& state, World& world) {
   std::swap(world.senses, senses);
   std::swap(world.obstacles, obstacles);
   std::swap(ways.travels, travels);
+  std::swap(world.settings.teams, teams);
   if (statics) std::swap(world.statics, *statics);
   if (other_ways) std::swap(world.ways, *other_ways);
   world.statics.next_id = state.next_obstacle;

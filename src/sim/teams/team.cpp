@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: Apache-2.0
+// Teams: their checks, and what all tasks have in common.
+#include <algorithm>
+#include <string>
+#include <utility>
+
+#include "core/ranges.h"
+#include "planner/options.h"
+#include "sim/teams/tasks.h"
+
+namespace avo {
+inline namespace sim {
+
+std::size_t index_of(const Simulation& simulation, const TeamMember& member) {
+  return *simulation.index_of(member.robot);
+}
+
+Vec2 place_of(const Simulation& simulation, const TeamMember& member) {
+  return simulation.robot(index_of(simulation, member)).position;
+}
+
+Vec2 place_along(std::span<const Vec2> line, double length) {
+  std::size_t k = 1;
+  double piece = norm(line[1] - line[0]);
+  while (k + 1 < line.size() && length > piece) {
+    length -= piece;
+    ++k;
+    piece = norm(line[k] - line[k - 1]);
+  }
+  return line[k - 1] + length / piece * (line[k] - line[k - 1]);
+}
+
+void line_up(const Simulation& simulation, Vec2 point, Team& team) {
+  const auto fresh = std::stable_partition(team.members.begin(), team.members.end(),
+                                           [](const TeamMember& member) { return member.is_led; });
+  std::stable_sort(fresh, team.members.end(), [&](const TeamMember& a, const TeamMember& b) {
+    return norm_squared(place_of(simulation, a) - point) <
+           norm_squared(place_of(simulation, b) - point);
+  });
+}
+
+void set_goals(Simulation& simulation, const Team& team, std::size_t first,
+               std::span<const Vec2> goals) {
+  std::vector<RobotId> robots;
+  robots.reserve(goals.size());
+  for (std::size_t k = 0; k < goals.size(); ++k) robots.push_back(team.members[first + k].robot);
+  simulation.set_goals(robots, goals);
+}
+
+namespace {
+
+void require_points(const char* name, std::span<const Vec2> points, std::size_t least) {
+  if (points.size() < least)
+    refuse(name, std::to_string(points.size()) + " points", "at least " + std::to_string(least));
+  for (std::size_t k = 0; k < points.size(); ++k)
+    require(std::string(name) + "." + std::to_string(k), points[k], "m");
+}
+
+void check(const Queue& queue) {
+  require_points("line", queue.line, 2);
+  for (std::size_t k = 1; k < queue.line.size(); ++k)
+    if (!(norm(queue.line[k] - queue.line[k - 1]) > kSmallest))
+      refuse("line." + std::to_string(k), "the point before it", "another point");
+  require("spacing", queue.spacing, kPositive, "m");
+  if (queue.service) require("service", *queue.service, kNotNegative, "s");
+}
+
+void check(const Follow& follow) {
+  require("spacing", follow.spacing, kPositive, "m");
+  require_points("slots", follow.slots, 0);
+}
+
+void check(const Patrol& patrol) {
+  require_points("points", patrol.points, 1);
+  require("pass_distance", patrol.pass_distance, kPositive, "m");
+}
+
+void check(const Flow& flow) {
+  require_points("exits", flow.exits, 2);
+  if (flow.exits.size() % 2 != 0)
+    refuse("exits", std::to_string(flow.exits.size()) + " points", "two for each exit");
+  require("spacing", flow.spacing, kPositive, "m");
+}
+
+}  // namespace
+}  // namespace sim
+
+const char* to_string(Formation formation) {
+  return kNames<Formation>[static_cast<std::size_t>(formation)];
+}
+
+Team make_team(std::span<const RobotId> robots, TeamTask task) {
+  Team team;
+  for (const RobotId robot : robots) team.members.push_back({robot});
+  team.task = std::move(task);
+  return team;
+}
+
+void validate(const TeamTask& task) {
+  std::visit([](const auto& one) { check(one); }, task);
+}
+
+void lead(Simulation& simulation, Team& team) {
+  validate(team.task);
+  std::erase_if(team.members,
+                [&](const TeamMember& member) { return !simulation.index_of(member.robot); });
+  if (team.members.empty()) return;
+  std::visit([&](const auto& task) { lead(task, simulation, team); }, team.task);
+  for (TeamMember& member : team.members) member.is_led = true;
+}
+
+std::optional<RobotId> serve(Simulation& simulation, Team& team) {
+  if (!std::holds_alternative<Queue>(team.task)) return std::nullopt;
+  lead(simulation, team);
+  if (team.members.empty()) return std::nullopt;
+  const RobotId robot = send_first(simulation, team);
+  lead(simulation, team);
+  return robot;
+}
+
+void disband(Simulation& simulation, Team& team) {
+  const bool is_queue = std::holds_alternative<Queue>(team.task);
+  for (const TeamMember& member : team.members) {
+    if (!member.is_led || !simulation.index_of(member.robot)) continue;
+    if (is_queue) simulation.set_goal(member.robot, member.goal);
+    simulation.set_preferred_velocity(member.robot, std::nullopt);
+  }
+  team = {.members = {}, .task = std::move(team.task)};
+}
+
+}  // namespace avo
