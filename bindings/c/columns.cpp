@@ -281,6 +281,13 @@ avo_result avo_simulation_cast_ray(avo_simulation_id simulation, avo_vec2 from, 
   });
 }
 
+avo_result avo_simulation_is_in_sight(avo_simulation_id simulation, avo_vec2 from, avo_vec2 to,
+                                      double radius, bool* is_in_sight) {
+  return get(simulation, is_in_sight, [&](const avo::Simulation& own) {
+    return own.is_in_sight(from_c(from), from_c(to), radius);
+  });
+}
+
 avo_result avo_simulation_moving_obstacle_ids(avo_simulation_id simulation,
                                               avo_moving_obstacle_id* buffer, size_t capacity,
                                               size_t* count) {

@@ -8,6 +8,7 @@
 #include "avo/planner.h"
 #include "avo/robot.h"
 #include "avo/scenario.h"
+#include "avo/teams.h"
 #include "definitions.h"
 
 namespace avo_c {
@@ -45,7 +46,11 @@ avo_robot_def def_of(const avo::RobotSetup& setup);
 avo::MovingObstacle obstacle_of(const avo_moving_obstacle_def& def, const Where& where);
 avo::StaticObstacle obstacle_of(const avo_obstacle_def& def, const Where& where);
 
-/// Settings, robots and obstacles; without the threads.
+avo::Team team_of(const avo_team_def& def, const Where& where);
+/// A definition that points to the team and to `robots`, which it fills.
+avo_team_def def_of(const avo::Team& team, std::vector<avo_robot_id>& robots);
+
+/// Settings, robots, teams and obstacles; without the threads.
 avo::Scenario scenario_of(const avo_simulation_def& def);
 
 /// A scene's settings, without robots and obstacles.

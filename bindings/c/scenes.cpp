@@ -21,6 +21,8 @@ struct Scene {
   std::vector<avo_moving_obstacle_def> moving_obstacles;
   std::vector<avo_obstacle_def> obstacles;
   std::deque<std::vector<avo_chain>> chains;  // of the obstacles
+  std::vector<avo_team_def> teams;
+  std::deque<std::vector<avo_robot_id>> members;  // of the teams
   avo_simulation_def def;
 };
 
@@ -58,6 +60,10 @@ Scene::Scene(avo::Scenario read) : scenario(std::move(read)), def(settings_of(sc
     obstacles.push_back({sizeof(avo_obstacle_def), chains.back().data(), chains.back().size(),
                          obstacle.radius, static_cast<avo_fill>(obstacle.fill)});
   }
+  for (const avo::Team& team : scenario.teams)
+    teams.push_back(avo_c::def_of(team, members.emplace_back()));
+  def.teams = teams.data();
+  def.team_count = teams.size();
   def.robots = robots.data();
   def.robot_count = robots.size();
   def.moving_obstacles = moving_obstacles.data();

@@ -139,6 +139,10 @@ avo::Scenario scenario_of(const avo_simulation_def& def) {
            [&](const avo_obstacle_def& obstacle, const Where& where) {
              scenario.obstacles.push_back(obstacle_of(obstacle, where));
            });
+  for_each(def.teams, def.team_count, "teams", avo_default_team_def(),
+           [&](const avo_team_def& team, const Where& where) {
+             scenario.teams.push_back(team_of(team, where));
+           });
   return scenario;
 }
 

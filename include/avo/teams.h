@@ -112,7 +112,7 @@ AVO_API void validate(const TeamTask& task);
 
 /// Sets the goals and preferred velocities of the members for the next step: call it before each
 /// step. Members that are gone from the simulation leave the team. A simulation leads the teams of
-/// its scenario itself. Throws Error on a bad task.
+/// its scenario itself, from the moment it is made. Throws Error on a bad task.
 AVO_API void lead(Simulation& simulation, Team& team);
 
 /// Sends the first robot of a queue to its own goal; the others move up. Returns the robot; none if

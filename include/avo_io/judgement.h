@@ -52,7 +52,7 @@ struct Judgement {
   /// whether the velocities are estimated, see RecordedTime
   bool estimated = false;
   /// Robots of the scene, ascending, that have no row at the first time or at the last one; except
-  /// airplanes that left where they arrived.
+  /// airplanes that left where they arrived, and robots that leave by exits.
   std::vector<std::int64_t> lacking;
   /// The recording lasts from the start of the scene to its end, or to a time at which all have
   /// arrived; missing times are not judged. Without a scene its start and end are unknown.

@@ -213,8 +213,13 @@ void Judge::compare_with_scene() {
            !std::binary_search(report.not_arrived.begin(), report.not_arrived.end(),
                                static_cast<std::int64_t>(k));
   };
+  std::vector<bool> leaves_by_exit(there_last.size());
+  for (const avo::Team& team : scenario->teams)
+    for (const avo::TeamMember& member : team.members)
+      leaves_by_exit[static_cast<std::size_t>(member.robot.value)] =
+          std::holds_alternative<avo::Flow>(team.task);
   for (std::size_t k = 0; k < there_last.size(); ++k)
-    if (there_first[k] == 0 || (there_last[k] == 0 && !has_left(k)))
+    if (there_first[k] == 0 || (there_last[k] == 0 && !has_left(k) && !leaves_by_exit[k]))
       judgement.lacking.push_back(static_cast<std::int64_t>(k));
   judgement.whole = report.from <= 0.5 * scenario->time_step &&
                     (is_end(*scenario, report.to) || report.arrived == report.with_goal);

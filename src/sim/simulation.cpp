@@ -50,6 +50,10 @@ inline Vec2 place_now(const World& world, std::size_t slot) {
   return is_known ? world.fleet.position[slot] : place_at_present(world, slot);
 }
 
+void lead_teams(Simulation& simulation, std::vector<Team>& teams) {
+  for (Team& team : teams) lead(simulation, team);
+}
+
 void require_whole(const World& world, const char* call) {
   if (!world.torn) return;
   throw Error(std::string(call) +
@@ -77,11 +81,15 @@ std::unique_ptr<Simulation::State> Simulation::State::of(std::span<const std::by
 }
 
 Simulation::Simulation(const Scenario& scenario, int threads)
-    : state_(State::of(scenario, thread_pool(threads))) {}
+    : state_(State::of(scenario, thread_pool(threads))) {
+  lead_teams(*this, state_->settings.teams);
+}
 Simulation::Simulation(std::span<const std::byte> saved, int threads)
     : state_(State::of(saved, thread_pool(threads))) {}
 Simulation::Simulation(const Scenario& scenario, std::shared_ptr<Executor> executor)
-    : state_(State::of(scenario, checked(std::move(executor)))) {}
+    : state_(State::of(scenario, checked(std::move(executor)))) {
+  lead_teams(*this, state_->settings.teams);
+}
 Simulation::Simulation(std::span<const std::byte> saved, std::shared_ptr<Executor> executor)
     : state_(State::of(saved, checked(std::move(executor)))) {}
 Simulation::~Simulation() = default;
@@ -90,7 +98,7 @@ Simulation& Simulation::operator=(Simulation&&) noexcept = default;
 
 void Simulation::step() {
   require_whole(*state_, "Simulation::step");
-  for (Team& team : state_->settings.teams) lead(*this, team);
+  lead_teams(*this, state_->settings.teams);
   state_->forget_views();
   state_->forget_discs();
   const std::size_t robots = state_->fleet.size();

@@ -164,6 +164,37 @@ TEST(Placement, permutation_sends_everybody_elsewhere_once) {
   }
 }
 
+TEST(Placement, formations_are_slots_to_which_ways_do_not_cross) {
+  const Scenario scenario = with_group(
+      "{number: 6, placement: {grid: {spacing: 2, columns: 6}}, goals: {formation: {shape: column, "
+      "center: [5, 20], spacing: 1.5, heading: 0}}}");
+  std::set<double> along;
+  for (const avo::RobotSetup& robot : scenario.robots) {
+    EXPECT_NEAR(robot.goal.y, 20.0, 1e-9);
+    along.insert(robot.goal.x);
+  }
+  ASSERT_EQ(along.size(), 6U);
+  EXPECT_NEAR(*along.rbegin() - *along.begin(), 7.5, 1e-9);
+  for (std::size_t k = 1; k < 6; ++k)
+    EXPECT_LT(scenario.robots[k - 1].goal.x, scenario.robots[k].goal.x) << "in their order";
+}
+
+TEST(Placement, a_task_makes_a_team_of_its_group) {
+  const Scenario scenario = with_group(
+      "{number: 4, placement: {grid: {spacing: 2, columns: 4}}, goals: {offset: {by: [9, 0]}}, "
+      "task: {queue: {line: [[1, 2], [3, 4]], service: 2}}}");
+  ASSERT_EQ(scenario.teams.size(), 1U);
+  EXPECT_EQ(std::get<avo::Queue>(scenario.teams[0].task),
+            (avo::Queue{.line = {{1, 2}, {3, 4}}, .service = 2.0}));
+  ASSERT_EQ(scenario.teams[0].members.size(), 4U);
+  EXPECT_EQ(scenario.teams[0].members[3].robot, avo::RobotId{3});
+  EXPECT_TRUE(std::holds_alternative<avo::Follow>(
+      with_group("{number: 2, placement: {grid: {spacing: 2, columns: 4}}, goals: permutation, "
+                 "task: follow}")
+          .teams[0]
+          .task));
+}
+
 TEST(Placement, jitter_moves_starts_and_goals_by_chance_and_nothing_else) {
   const std::string group =
       "{number: 40, model: car, car: {heading: random}, placement: {circle: {spacing: 5}}, "

@@ -325,7 +325,8 @@ const std::vector<BadScene>& bad_scenes() {
        s("version: 1\ngroups:\n  - {number: 3, placement: circle, goals: antipodal, position: [0, "
          "0]}\n"),
        "3:54: groups.0: found the unknown key \"position\", allowed are number, placement, goals, "
-       "jitter, velocity, radius, max_speed, max_acceleration, preferred_speed, model, heading, "
+       "task, jitter, velocity, radius, max_speed, max_acceleration, preferred_speed, model, "
+       "heading, "
        "car, "
        "drive, "
        "airplane, priority, max_braking, parked, layers, avoids, behavior, time_step, "
@@ -366,6 +367,28 @@ const std::vector<BadScene>& bad_scenes() {
        s("version: 1\ngroups:\n  - {number: 3, placement: circle, goals: {antipodal: {center: [0, "
          "0]}}}\n"),
        "3:56: groups.0.goals.antipodal: found the unknown key \"center\", no key is allowed"},
+      {"task_unknown",
+       s("version: 1\ngroups:\n  - {number: 3, placement: circle, goals: antipodal, task: quee}\n"),
+       "3:60: groups.0.task: found \"quee\", must be one of queue, follow, patrol, flow; did you "
+       "mean \"queue\"?"},
+      {"task_needs_more",
+       s("version: 1\ngroups:\n  - {number: 3, placement: circle, goals: antipodal, task: {queue: "
+         "{spacing: 1}}}\n"),
+       "3:68: groups.0.task.queue: found no \"line\", must be given: from the head of the row "
+       "backward"},
+      {"task_of_a_short_line",
+       s("version: 1\ngroups:\n  - {number: 3, placement: circle, goals: antipodal, task: {queue: "
+         "{line: [[1, 1]]}}}\n"),
+       "3:60: groups.0.task.line: found 1 points, must be at least 2"},
+      {"task_of_half_an_exit",
+       s("version: 1\ngroups:\n  - {number: 3, placement: circle, goals: antipodal, task: {flow: "
+         "{exits: [[1, 1], [2, 1], [3, 1]]}}}\n"),
+       "3:60: groups.0.task.exits: found 3 points, must be two for each exit"},
+      {"formation_unknown",
+       s("version: 1\ngroups:\n  - {number: 3, placement: circle, goals: {formation: {shape: "
+         "wegde, center: [0, 9]}}}\n"),
+       "3:63: groups.0.goals.formation.shape: found \"wegde\", must be one of line, column, wedge, "
+       "block, ring; did you mean \"wedge\"?"},
       {"line_of_one_point",
        s("version: 1\ngroups:\n  - {number: 3, placement: {line: {from: [1, 1], to: [1, 1]}}, "
          "goals: "

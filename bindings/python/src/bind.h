@@ -21,6 +21,7 @@ void bind_batches(py::module_& module);
 void bind_scenario(py::module_& module);
 void bind_simulation(py::module_& module);
 void bind_events(py::module_& module);
+void bind_teams(py::module_& module);
 void bind_reports(py::module_& module);
 void bind_worlds(py::module_& module);
 

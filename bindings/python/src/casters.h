@@ -41,6 +41,7 @@ AVO_WORDS(avo::SafetyState, "state", 3, avo::to_string);
 AVO_WORDS(avo::AccelerationSet, "acceleration_set", 2, avo::to_string);
 AVO_WORDS(avo::AfterGoal, "after_goal", 2, avo::to_string);
 AVO_WORDS(avo::Behavior, "behavior", 3, avo::to_string);
+AVO_WORDS(avo::Formation, "formation", 5, avo::to_string);
 AVO_WORDS(avo::Fill, "fill", 3, fill_word);
 #undef AVO_WORDS
 
@@ -149,6 +150,8 @@ template <>
 struct type_caster<avo::AccelerationSet> : word_caster<avo::AccelerationSet> {};
 template <>
 struct type_caster<avo::AfterGoal> : word_caster<avo::AfterGoal> {};
+template <>
+struct type_caster<avo::Formation> : word_caster<avo::Formation> {};
 template <>
 struct type_caster<avo::Behavior> : word_caster<avo::Behavior> {};
 template <>

@@ -58,6 +58,7 @@ PYBIND11_MODULE(_avo, module) {
   bind_scenario(module);
   bind_simulation(module);
   bind_events(module);
+  bind_teams(module);
   bind_reports(module);
   bind_worlds(module);
 }

@@ -50,7 +50,15 @@ inline constexpr int kFields<avo::SensingModel> = 5;
 template <>
 inline constexpr int kFields<avo::SensingError> = 2;
 template <>
-inline constexpr int kFields<avo::Scenario> = 27;
+inline constexpr int kFields<avo::Scenario> = 28;
+template <>
+inline constexpr int kFields<avo::Queue> = 3;
+template <>
+inline constexpr int kFields<avo::Follow> = 2;
+template <>
+inline constexpr int kFields<avo::Patrol> = 2;
+template <>
+inline constexpr int kFields<avo::Flow> = 2;
 
 /// Returns references to all fields.
 template <typename T>
@@ -81,9 +89,10 @@ auto fields(T& x) {
     auto& [a, b, c, d, e, f, g, h, i, j, k, l] = x;
     return std::tie(a, b, c, d, e, f, g, h, i, j, k, l);
   } else {
-    auto& [a, b, c, d, e, f, g, h, i, j, k, l, m, o, p, q, r, s, t, u, v, w, z, aa, bb, cc, dd] = x;
+    auto& [a, b, c, d, e, f, g, h, i, j, k, l, m, o, p, q, r, s, t, u, v, w, z, aa, bb, cc, dd,
+           ee] = x;
     return std::tie(a, b, c, d, e, f, g, h, i, j, k, l, m, o, p, q, r, s, t, u, v, w, z, aa, bb, cc,
-                    dd);
+                    dd, ee);
   }
 }
 
@@ -134,6 +143,42 @@ template <>
 struct Plain<avo::RobotSetup> {
   static py::object of(const avo::RobotSetup& setup);
   static avo::RobotSetup from(const py::handle& plain);
+};
+
+/// The kind of the task, its values, and the robots' ids: no robot of a scene has been led.
+template <>
+struct Plain<avo::Team> {
+  static py::object of(const avo::Team& team) {
+    std::vector<std::uint64_t> robots;
+    for (const avo::TeamMember& member : team.members) robots.push_back(member.robot.value);
+    const py::object task = std::visit(
+        [](const auto& one) { return Plain<std::decay_t<decltype(one)>>::of(one); }, team.task);
+    return py::make_tuple(team.task.index(), task, robots);
+  }
+  static avo::Team from(const py::handle& plain) {
+    const auto values = plain.cast<py::tuple>();
+    if (values.size() != 3) refuse_pickle();
+    avo::Team team;
+    switch (values[0].cast<int>()) {
+      case 0:
+        team.task = Plain<avo::Queue>::from(values[1]);
+        break;
+      case 1:
+        team.task = Plain<avo::Follow>::from(values[1]);
+        break;
+      case 2:
+        team.task = Plain<avo::Patrol>::from(values[1]);
+        break;
+      case 3:
+        team.task = Plain<avo::Flow>::from(values[1]);
+        break;
+      default:
+        refuse_pickle();
+    }
+    for (const std::uint64_t robot : values[2].cast<std::vector<std::uint64_t>>())
+      team.members.push_back({{robot}});
+    return team;
+  }
 };
 
 template <typename T>

@@ -47,6 +47,14 @@ void bind_queries(SimulationClass& simulation) {
           arg("position"), arg("radius"),
           "Whether a disc there would touch nothing, and is where obstacles leave room.")
       .def(
+          "is_in_sight",
+          [](SharedSimulation& self, avo::Vec2 from, avo::Vec2 to, double radius) {
+            return self.briefly(
+                [&](const Simulation& s) { return s.is_in_sight(from, to, radius); });
+          },
+          arg("start"), arg("end"), arg("radius") = 0.0,
+          "Whether no static obstacle stops a disc of that radius, m, on the straight way.")
+      .def(
           "cast_ray",
           [](SharedSimulation& self, avo::Vec2 from, avo::Vec2 to, double radius) -> py::object {
             const auto hit =

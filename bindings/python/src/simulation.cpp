@@ -297,6 +297,7 @@ void bind_simulation(py::module_& module) {
   bind_state(simulation);
   bind_edits(simulation);
   bind_queries(simulation);
+  bind_team_edits(simulation);
   bind_robot_state(module);
   bind_inventory(simulation);
   bind_perception(module, simulation);

@@ -25,6 +25,7 @@ using SimulationClass = py::class_<SharedSimulation>;
 void bind_columns(SimulationClass& simulation);
 void bind_edits(SimulationClass& simulation);
 void bind_queries(SimulationClass& simulation);
+void bind_team_edits(SimulationClass& simulation);
 
 /// Returns the index into the columns; Error where it is none.
 std::size_t checked(const avo::Simulation& simulation, std::int64_t robot);

@@ -91,6 +91,11 @@ typedef struct avo_scene_id {
   uint32_t generation;
 } avo_scene_id;
 
+typedef struct avo_team_id {
+  uint32_t index;
+  uint32_t generation;
+} avo_team_id;
+
 /// Name of a robot within its simulation, never reused there. The robots of the definition are
 /// 1, 2, ... in its order: the number of the C++ interface and of scene files, plus 1.
 typedef struct avo_robot_id {
@@ -504,6 +509,28 @@ typedef struct avo_obstacle_def {
   avo_fill fill;
 } avo_obstacle_def;
 
+typedef int32_t avo_team_task;
+/// What the robots of a team do together.
+enum {
+  AVO_TASK_QUEUE = 0,   ///< they stand in a row along `points`, from its head, and move up
+  AVO_TASK_FOLLOW = 1,  ///< the first one goes to its goal, the others follow; `points` are slots
+  AVO_TASK_PATROL = 2,  ///< each goes from point to point for ever
+  AVO_TASK_FLOW = 3     ///< they leave by the nearest exit; `points` are two for each exit
+};
+
+/// Robots with one task, see avo_team_lead(). A robot is in one team at most.
+typedef struct avo_team_def {
+  size_t size;
+  avo_team_task task;
+  const avo_robot_id* robots;
+  size_t robot_count;
+  const avo_vec2* points;  ///< m, point_count points; slots: x ahead and y to the left of the first
+  size_t point_count;
+  double spacing;        ///< m, > 0: between places, robots of a row, goals on an exit; 0: usual
+  double service;        ///< s, >= 0, that the first one waits at the head; NAN: until it is served
+  double pass_distance;  ///< m, > 0: of a patrol, from a point to go on to the next; 0: usual
+} avo_team_def;
+
 /// The error of each coordinate of a measurement.
 typedef struct avo_measurement_noise {
   double position;   ///< m, >= 0: standard deviation; for uniform noise the bound
@@ -585,11 +612,14 @@ typedef struct avo_simulation_def {
   double comfort_jerk;                  ///< see avo_planner_def; 0: none
   double margin;                        ///< see avo_planner_def
   bool never_swerves;                   ///< see avo_planner_def
+  const avo_team_def* teams;            ///< that each step leads
+  size_t team_count;
 } avo_simulation_def;
 
 AVO_C_API avo_robot_def avo_default_robot_def(void);
 AVO_C_API avo_moving_obstacle_def avo_default_moving_obstacle_def(void);
 AVO_C_API avo_obstacle_def avo_default_obstacle_def(void);
+AVO_C_API avo_team_def avo_default_team_def(void);
 AVO_C_API avo_simulation_def avo_default_simulation_def(void);
 
 /// Loads the scene of a built-in name, e.g. "circle-100", or of a file. overrides: override_count
@@ -826,6 +856,10 @@ typedef struct avo_hit {
 /// A disc of that radius, m, >= 0, moves straight from one point to the other.
 AVO_C_API avo_result avo_simulation_cast_ray(avo_simulation_id simulation, avo_vec2 from,
                                              avo_vec2 to, double radius, avo_hit* hit);
+/// Whether no static obstacle stops a disc of that radius, m, >= 0, on the straight line between
+/// the points.
+AVO_C_API avo_result avo_simulation_is_in_sight(avo_simulation_id simulation, avo_vec2 from,
+                                                avo_vec2 to, double radius, bool* is_in_sight);
 /// The present moving obstacles, by ascending id, as their columns. buffer and count are those of
 /// avo_simulation_unreachable().
 AVO_C_API avo_result avo_simulation_moving_obstacle_ids(avo_simulation_id simulation,
@@ -870,6 +904,50 @@ AVO_C_API avo_result avo_simulation_events(avo_simulation_id simulation, avo_eve
 /// of avo_simulation_save().
 AVO_C_API avo_result avo_simulation_event_sentence(avo_simulation_id simulation, size_t event,
                                                    char* buffer, size_t capacity, size_t* size);
+
+/* ---------------------------------------------------------------------------------- teams */
+
+typedef int32_t avo_formation;
+enum {
+  AVO_FORMATION_LINE = 0,    ///< side by side
+  AVO_FORMATION_COLUMN = 1,  ///< one behind the other
+  AVO_FORMATION_WEDGE = 2,   ///< a V, whose point is ahead
+  AVO_FORMATION_BLOCK = 3,   ///< rows, as wide as deep
+  AVO_FORMATION_RING = 4     ///< on a circle
+};
+
+/// Writes `count` slots of a formation, m, about `center`. It faces `heading`, rad; neighboring
+/// slots are at least `spacing` apart, m, > 0.
+AVO_C_API avo_result avo_formation_slots(avo_formation formation, size_t count, double spacing,
+                                         avo_vec2 center, double heading, avo_vec2* slots);
+/// Writes for each of `count` places the index of its slot, so that the sum of the straight ways is
+/// least and no two of them cross. slot_count >= count.
+AVO_C_API avo_result avo_assign_slots(const avo_vec2* positions, size_t count,
+                                      const avo_vec2* slots, size_t slot_count, size_t* chosen);
+/// Sends each robot to a slot as avo_assign_slots() says. Where it fails, nothing has changed.
+AVO_C_API avo_result avo_simulation_form_up(avo_simulation_id simulation,
+                                            const avo_robot_id* robots, size_t count,
+                                            const avo_vec2* slots, size_t slot_count);
+
+/// A team that the host leads. The simulation leads the teams of its own definition.
+AVO_C_API avo_result avo_create_team(const avo_team_def* def, avo_team_id* team);
+AVO_C_API avo_result avo_destroy_team(avo_team_id team);
+AVO_C_API bool avo_team_is_valid(avo_team_id team);
+/// Sets goals and preferred velocities of the robots for the next step: call it before each step.
+/// Robots that are gone leave the team.
+AVO_C_API avo_result avo_team_lead(avo_team_id team, avo_simulation_id simulation);
+/// The first robot of a queue goes to its own goal, the others move up. *robot: that one; a null id
+/// if the team is empty or not a queue.
+AVO_C_API avo_result avo_team_serve(avo_team_id team, avo_simulation_id simulation,
+                                    avo_robot_id* robot);
+/// The robots go to their own goals again, and the team is empty.
+AVO_C_API avo_result avo_team_disband(avo_team_id team, avo_simulation_id simulation);
+/// Another robot joins, as the last one.
+AVO_C_API avo_result avo_team_add(avo_team_id team, avo_robot_id robot);
+/// The robots of the team, of a queue from its head. buffer and count are those of
+/// avo_simulation_unreachable().
+AVO_C_API avo_result avo_team_robots(avo_team_id team, avo_robot_id* buffer, size_t capacity,
+                                     size_t* count);
 
 /// Metrics by published definitions (docs/metrics.md). A trip belongs to a robot that is not
 /// parked, and lasts until it first arrives. NAN: no data.

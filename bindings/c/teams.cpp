@@ -1,0 +1,209 @@
+// SPDX-License-Identifier: Apache-2.0
+// Teams, and formations.
+#include "avo/teams.h"
+
+#include <cmath>
+#include <limits>
+#include <optional>
+
+#include "simulations.h"
+
+namespace avo_c {
+
+namespace {
+
+static_assert(AVO_FORMATION_RING == static_cast<int>(avo::Formation::ring));
+
+constinit Handles<avo_team_id, avo::Team> teams("team");
+
+std::vector<avo::Vec2> points_of(const avo_vec2* points, std::size_t count, const char* name) {
+  require_array(points, count, name);
+  std::vector<avo::Vec2> result;
+  for (std::size_t k = 0; k < count; ++k) result.push_back(from_c(points[k]));
+  return result;
+}
+
+std::vector<avo::RobotId> ids_of(const avo_robot_id* robots, std::size_t count) {
+  require_array(robots, count, "robots");
+  std::vector<avo::RobotId> ids;
+  for (std::size_t k = 0; k < count; ++k) {
+    if (robots[k].value == 0)
+      fail(AVO_ERROR_INVALID_ID,
+           "robots." + std::to_string(k) + ": found a null id, must be one of a robot");
+    ids.push_back(from_c(robots[k]));
+  }
+  return ids;
+}
+
+avo::TeamTask task_of(const avo_team_def& def, const Where& where) {
+  std::vector<avo::Vec2> points = points_of(def.points, def.point_count, "points");
+  const auto spacing = [&](double usual) { return def.spacing == 0.0 ? usual : def.spacing; };
+  switch (def.task) {
+    case AVO_TASK_QUEUE: {
+      const bool is_timed = !std::isnan(def.service);
+      return avo::Queue{std::move(points), spacing(avo::Queue{}.spacing),
+                        is_timed ? std::optional(def.service) : std::nullopt};
+    }
+    case AVO_TASK_FOLLOW:
+      return avo::Follow{spacing(avo::Follow{}.spacing), std::move(points)};
+    case AVO_TASK_PATROL:
+      return avo::Patrol{std::move(points), def.pass_distance == 0.0 ? avo::Patrol{}.pass_distance
+                                                                     : def.pass_distance};
+    case AVO_TASK_FLOW:
+      return avo::Flow{std::move(points), spacing(avo::Flow{}.spacing)};
+    default:
+      fail(AVO_ERROR_INVALID_VALUE,
+           where / "task" + ": found " + std::to_string(def.task) + ", must be 0 to 3");
+  }
+}
+
+const avo_vec2* lent(const std::vector<avo::Vec2>& points) {
+  return reinterpret_cast<const avo_vec2*>(points.data());
+}
+
+void set_task(const avo::Queue& queue, avo_team_def& def) {
+  def.task = AVO_TASK_QUEUE, def.spacing = queue.spacing;
+  def.points = lent(queue.line), def.point_count = queue.line.size();
+  if (queue.service) def.service = *queue.service;
+}
+void set_task(const avo::Follow& follow, avo_team_def& def) {
+  def.task = AVO_TASK_FOLLOW, def.spacing = follow.spacing;
+  def.points = lent(follow.slots), def.point_count = follow.slots.size();
+}
+void set_task(const avo::Patrol& patrol, avo_team_def& def) {
+  def.task = AVO_TASK_PATROL, def.pass_distance = patrol.pass_distance;
+  def.points = lent(patrol.points), def.point_count = patrol.points.size();
+}
+void set_task(const avo::Flow& flow, avo_team_def& def) {
+  def.task = AVO_TASK_FLOW, def.spacing = flow.spacing;
+  def.points = lent(flow.exits), def.point_count = flow.exits.size();
+}
+
+// change(own) of the simulation with that id: a team may remove robots, and changes goals.
+template <typename Change>
+void change_by_team(avo_simulation_id id, const Change& change) {
+  Simulation& own = simulations.at(id);
+  own.has_ids.store(false, std::memory_order_relaxed);
+  change(own.simulation);
+}
+
+}  // namespace
+
+avo::Team team_of(const avo_team_def& def, const Where& where) {
+  return avo::make_team(ids_of(def.robots, def.robot_count), task_of(def, where));
+}
+
+avo_team_def def_of(const avo::Team& team, std::vector<avo_robot_id>& robots) {
+  avo_team_def def = avo_default_team_def();
+  std::visit([&](const auto& task) { set_task(task, def); }, team.task);
+  for (const avo::TeamMember& member : team.members) robots.push_back(to_c(member.robot));
+  def.robots = robots.data(), def.robot_count = robots.size();
+  return def;
+}
+
+}  // namespace avo_c
+
+using namespace avo_c;  // NOLINT(google-build-using-namespace): what follows is C
+
+avo_team_def avo_default_team_def(void) {
+  avo_team_def def{};
+  def.size = sizeof def;
+  def.service = std::numeric_limits<double>::quiet_NaN();
+  return def;
+}
+
+avo_result avo_formation_slots(avo_formation formation, size_t count, double spacing,
+                               avo_vec2 center, double heading, avo_vec2* slots) {
+  return guarded([&] {
+    if (formation < AVO_FORMATION_LINE || formation > AVO_FORMATION_RING)
+      fail(AVO_ERROR_INVALID_VALUE,
+           "formation: found " + std::to_string(formation) + ", must be 0 to 4");
+    if (!std::isfinite(heading))
+      fail(AVO_ERROR_INVALID_VALUE, "heading: found no finite number, must be one");
+    require_array(slots, count, "slots");
+    const std::vector<avo::Vec2> made =
+        avo::formation_slots(static_cast<avo::Formation>(formation), count, spacing);
+    for (const avo::Vec2 slot : avo::place_slots(made, from_c(center), heading))
+      *slots++ = to_c(slot);
+  });
+}
+
+avo_result avo_assign_slots(const avo_vec2* positions, size_t count, const avo_vec2* slots,
+                            size_t slot_count, size_t* chosen) {
+  return guarded([&] {
+    require_array(chosen, count, "chosen");
+    for (const std::size_t slot : avo::assign_slots(points_of(positions, count, "positions"),
+                                                    points_of(slots, slot_count, "slots")))
+      *chosen++ = slot;
+  });
+}
+
+avo_result avo_simulation_form_up(avo_simulation_id simulation, const avo_robot_id* robots,
+                                  size_t count, const avo_vec2* slots, size_t slot_count) {
+  return guarded([&] {
+    for (std::size_t k = 0; k < count; ++k)
+      static_cast<void>(index_of(simulations.at(simulation).simulation, robots[k]));
+    change_by_team(simulation, [&](avo::Simulation& own) {
+      avo::form_up(own, ids_of(robots, count), points_of(slots, slot_count, "slots"));
+    });
+  });
+}
+
+avo_result avo_create_team(const avo_team_def* def, avo_team_id* team) {
+  return guarded([&] {
+    avo_team_id& id = at(team, "team");
+    auto made =
+        std::make_unique<avo::Team>(team_of(read(def, {"def"}, avo_default_team_def()), {"def"}));
+    avo::validate(made->task);
+    id = teams.add(std::move(made));
+  });
+}
+
+avo_result avo_destroy_team(avo_team_id team) {
+  return guarded([&] { teams.take(team); });
+}
+
+bool avo_team_is_valid(avo_team_id team) {
+  return teams.find(team) != nullptr;
+}
+
+avo_result avo_team_lead(avo_team_id team, avo_simulation_id simulation) {
+  return guarded([&] {
+    avo::Team& own = teams.at(team);
+    change_by_team(simulation, [&](avo::Simulation& led) { avo::lead(led, own); });
+  });
+}
+
+avo_result avo_team_serve(avo_team_id team, avo_simulation_id simulation, avo_robot_id* robot) {
+  return guarded([&] {
+    avo::Team& own = teams.at(team);
+    avo_robot_id& served = at(robot, "robot");
+    change_by_team(simulation, [&](avo::Simulation& led) {
+      const std::optional<avo::RobotId> first = avo::serve(led, own);
+      served = first ? to_c(*first) : avo_robot_id{0};
+    });
+  });
+}
+
+avo_result avo_team_disband(avo_team_id team, avo_simulation_id simulation) {
+  return guarded([&] {
+    avo::Team& own = teams.at(team);
+    change_by_team(simulation, [&](avo::Simulation& led) { avo::disband(led, own); });
+  });
+}
+
+avo_result avo_team_add(avo_team_id team, avo_robot_id robot) {
+  return guarded([&] { teams.at(team).members.push_back({ids_of(&robot, 1).front()}); });
+}
+
+avo_result avo_team_robots(avo_team_id team, avo_robot_id* buffer, size_t capacity, size_t* count) {
+  return guarded([&] {
+    const avo::Team& own = teams.at(team);
+    at(count, "count") = own.members.size();
+    if (buffer == nullptr) return;
+    if (capacity < own.members.size())
+      fail(AVO_ERROR_BUFFER_TOO_SMALL, "capacity: found " + std::to_string(capacity) +
+                                           ", must be >= " + std::to_string(own.members.size()));
+    for (const avo::TeamMember& member : own.members) *buffer++ = to_c(member.robot);
+  });
+}

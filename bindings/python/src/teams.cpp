@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: Apache-2.0
+// Teams, and formations.
+#include "avo/teams.h"
+
+#include <fmt/format.h>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "arrays.h"
+#include "simulation.h"
+
+namespace avo_python {
+namespace {
+
+using py::arg;
+using Points = std::vector<avo::Vec2>;
+
+/// A team that threads share.
+struct SharedTeam {
+  std::mutex mutex;
+  avo::Team team;
+};
+
+std::vector<avo::RobotId> robot_ids(const std::vector<std::int64_t>& ids) {
+  std::vector<avo::RobotId> robots;
+  for (const std::int64_t id : ids) robots.push_back(robot_id(id));
+  return robots;
+}
+
+std::unique_ptr<SharedTeam> make_team(const std::vector<std::int64_t>& robots,
+                                      const avo::TeamTask& task) {
+  auto made = std::make_unique<SharedTeam>();
+  made->team = avo::make_team(robot_ids(robots), task);
+  return made;
+}
+
+template <typename F>
+auto with(SharedTeam& self, SharedSimulation& simulation, F f) {
+  return simulation.alone([&](avo::Simulation& s) {
+    const std::lock_guard lock(self.mutex);
+    return f(s, self.team);
+  });
+}
+
+template <typename Task>
+Task checked_task(Task task) {
+  avo::validate(task);
+  return task;
+}
+
+py::array_t<double> array_of(const Points& points) {
+  auto array = target(std::nullopt, {static_cast<py::ssize_t>(points.size()), 2});
+  fill(array, points);
+  return array;
+}
+
+void bind_tasks(py::module_& module) {
+  py::class_<avo::Queue>(module, "Queue", "Robots stand in a row and move up.")
+      .def(py::init([](Points line, double spacing, std::optional<double> service) {
+             return checked_task(avo::Queue{std::move(line), spacing, service});
+           }),
+           arg("line"), py::kw_only(), arg("spacing") = avo::Queue{}.spacing,
+           arg("service") = py::none(),
+           "line: points, m, from the head of the row backward. spacing: m. service: s that the "
+           "first one waits at the head before it goes to its own goal; None: until Team.serve().")
+      .def_readonly("line", &avo::Queue::line)
+      .def_readonly("spacing", &avo::Queue::spacing)
+      .def_readonly("service", &avo::Queue::service);
+  py::class_<avo::Follow>(module, "Follow", "The first robot goes to its goal, others follow it.")
+      .def(py::init([](double spacing, Points slots) {
+             return checked_task(avo::Follow{spacing, std::move(slots)});
+           }),
+           py::kw_only(), arg("spacing") = avo::Follow{}.spacing, arg("slots") = Points{},
+           "spacing: m between robots on the trail of the first one. slots: places about it, m, x "
+           "ahead and y to its left; none: all follow the trail.")
+      .def_readonly("spacing", &avo::Follow::spacing)
+      .def_readonly("slots", &avo::Follow::slots);
+  py::class_<avo::Patrol>(module, "Patrol", "Each robot goes from point to point for ever.")
+      .def(py::init([](Points points, double pass_distance) {
+             return checked_task(avo::Patrol{std::move(points), pass_distance});
+           }),
+           arg("points"), py::kw_only(), arg("pass_distance") = avo::Patrol{}.pass_distance,
+           "points: m. pass_distance: m, from a point to go on to the next.")
+      .def_readonly("points", &avo::Patrol::points)
+      .def_readonly("pass_distance", &avo::Patrol::pass_distance);
+  py::class_<avo::Flow>(module, "Flow", "Robots leave by the nearest exit, and are removed there.")
+      .def(py::init([](Points exits, double spacing) {
+             return checked_task(avo::Flow{std::move(exits), spacing});
+           }),
+           arg("exits"), py::kw_only(), arg("spacing") = avo::Flow{}.spacing,
+           "exits: the two ends of each exit, m. spacing: m between the goals on an exit.")
+      .def_readonly("exits", &avo::Flow::exits)
+      .def_readonly("spacing", &avo::Flow::spacing);
+}
+
+void bind_team(py::module_& module) {
+  py::class_<SharedTeam>(module, "Team", "Robots with one task; a robot is in one team at most.")
+      .def(py::init(&make_team), arg("robots"), arg("task"),
+           "robots: ids, of Follow the leader first. task: Queue, Follow, Patrol or Flow.")
+      .def(
+          "lead",
+          [](SharedTeam& self, SharedSimulation& simulation) {
+            with(self, simulation, [](avo::Simulation& s, avo::Team& team) { lead(s, team); });
+          },
+          arg("simulation"),
+          "Sets goals and preferred velocities for the next step: call it before each step().")
+      .def(
+          "serve",
+          [](SharedTeam& self, SharedSimulation& simulation) {
+            const auto robot = with(self, simulation, [](avo::Simulation& s, avo::Team& team) {
+              return serve(s, team);
+            });
+            return robot ? std::optional(robot->value) : std::nullopt;
+          },
+          arg("simulation"),
+          "The first robot of a queue goes to its own goal. Returns its id; None: there is none.")
+      .def(
+          "disband",
+          [](SharedTeam& self, SharedSimulation& simulation) {
+            with(self, simulation, [](avo::Simulation& s, avo::Team& team) { disband(s, team); });
+          },
+          arg("simulation"), "The robots go to their own goals again; the team is empty.")
+      .def(
+          "add",
+          [](SharedTeam& self, std::int64_t robot) {
+            const std::lock_guard lock(self.mutex);
+            self.team.members.push_back({robot_id(robot)});
+          },
+          arg("robot"), "The robot joins as the last one.")
+      .def_property_readonly(
+          "robots",
+          [](SharedTeam& self) {
+            const std::lock_guard lock(self.mutex);
+            std::vector<std::uint64_t> ids;
+            for (const avo::TeamMember& member : self.team.members)
+              ids.push_back(member.robot.value);
+            return ids;
+          },
+          "Ids, of a queue from its head.");
+}
+
+}  // namespace
+
+void bind_teams(py::module_& module) {
+  bind_tasks(module);
+  bind_team(module);
+  module.def(
+      "formation_slots",
+      [](avo::Formation formation, std::size_t count, double spacing, avo::Vec2 center,
+         double heading) {
+        return array_of(place_slots(formation_slots(formation, count, spacing), center, heading));
+      },
+      arg("formation"), arg("count"), arg("spacing"), arg("center") = avo::Vec2{},
+      arg("heading") = 0.0,
+      "Slots (count, 2), m, about center, that face heading, rad. formation: line, column, wedge, "
+      "block or ring. spacing: m between neighboring slots, at least.");
+  module.def(
+      "assign_slots",
+      [](const py::object& positions, const py::object& slots) {
+        const Numbers from = numbers("positions", positions), to = numbers("slots", slots);
+        return avo::assign_slots(rows("positions", from), rows("slots", to));
+      },
+      arg("positions"), arg("slots"),
+      "For each position the index of its slot: the sum of the straight ways is least, and none of "
+      "them cross.");
+}
+
+void bind_team_edits(SimulationClass& simulation) {
+  simulation.def(
+      "form_up",
+      [](SharedSimulation& self, const std::vector<std::int64_t>& robots, const py::object& slots) {
+        const Numbers given = numbers("slots", slots);
+        const std::span<const avo::Vec2> places = rows("slots", given);
+        self.alone([&](avo::Simulation& s) { avo::form_up(s, robot_ids(robots), places); });
+      },
+      arg("robots"), arg("slots"), "Sends each robot to a slot (n, 2), as assign_slots() says.");
+}
+
+}  // namespace avo_python
