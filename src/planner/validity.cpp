@@ -132,7 +132,7 @@ bool all_valid(const Robot& robot, const Neighbors& neighbors) {
   const bool have_more = columns.has_priorities || columns.has_max_braking ||
                          columns.has_deviations || columns.has_partings;
   for (std::size_t k = neighbors.first; k < neighbors.first + neighbors.count; ++k) {
-    const bool is_usual = !have_more && columns.decides[k] == NeighborColumns::kPrompt;
+    const bool is_usual = !have_more && columns.kind(k) == NeighborKind::prompt;
     if (!(is_usual ? is_valid_usual(columns, k) : is_valid(columns[k]))) return false;
   }
   return true;
