@@ -13,6 +13,7 @@
 #include "avo/geometry.h"
 #include "avo/half_plane.h"
 #include "avo/horizon.h"
+#include "avo/method.h"
 #include "avo/metrics.h"
 #include "avo/planner.h"
 #include "avo/reachability.h"

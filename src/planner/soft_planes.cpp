@@ -98,7 +98,8 @@ void mark_coinciding(const Tile& tile, SoftPlanes& soft) {
 // Marks robots in contact. Without an early end, one instruction tests several pairs.
 void mark_overlaps(const PlannerOptions& options, const Tile& tile, SoftPlanes& soft) {
   if (soft.workspace.cases.contact == 0) return;
-  if (options.method == Method::avo) mark_coinciding(tile, soft);  // only method avo makes detours
+  // only method avo makes detours
+  if (method_traits(options.method).has_rules) mark_coinciding(tile, soft);
   const std::vector<PairState>& states = soft.relative.state;
   std::size_t i = 0;
   for (std::size_t r = 0; r < soft.pair_end.size(); ++r) {
@@ -238,7 +239,7 @@ void reserve(std::size_t robots, std::size_t pairs, SoftPlanes& soft) {
 
 void collect_soft_planes(const PlannerOptions& options, const Horizon& horizon, const Tile& tile,
                          SoftPlanes& soft) {
-  if (disregards_acceleration(options.method) || options.method == Method::buffered_voronoi) {
+  if (disregards_acceleration(options.method) || method_traits(options.method).stays_in_cell) {
     collect_others(options, horizon, tile, soft);
   } else {
     collect_exact(options, horizon, tile, soft);

@@ -95,7 +95,7 @@ void steer(const PlannerOptions& options, const StepLaw& law, Tile& tile, SteerM
   for (std::size_t i = 0; i < robots.count; ++i) {
     if (robots.model[i] == nullptr) continue;
     std::optional<Vec2> wish;
-    if (options.method == Method::avo) wish = maneuver_of(options, law, tile, i, memory);
+    if (method_traits(options.method).has_rules) wish = maneuver_of(options, law, tile, i, memory);
     if (!wish) wish = steered(robots.robot(i), approach_of(options));
     robots.preferred_x[i] = wish->x, robots.preferred_y[i] = wish->y;
   }

@@ -98,7 +98,7 @@ void trace_wish(const Decided& decided, DecisionTrace& trace) {
     trace.rule = WishRule::leaves_wall;
     return;
   }
-  if (decided.planner.options().method == Method::buffered_voronoi) {
+  if (method_traits(decided.planner.options().method).stays_in_cell) {
     trace.rule = WishRule::in_cell;
     return;
   }
@@ -149,7 +149,7 @@ void trace_program(const Decided& decided, DecisionTrace& trace) {
   trace.aim = decisions.aim(0);
   trace.target = trace.proposal = decisions.target(0);
   if (trace.target != trace.aim) trace_half_planes(decided, trace);
-  if (decided.planner.options().method == Method::avo)
+  if (method_traits(decided.planner.options().method).has_rules)
     trace.proposal = {decisions.next_x[0], decisions.next_y[0]};
 }
 

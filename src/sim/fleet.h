@@ -69,7 +69,7 @@ enum class Expectation : std::uint8_t {
 /// None where A does not avoid B.
 inline std::optional<Expectation> expected_of(const Conduct& b, const Conduct& a) {
   if ((a.avoids.bits & b.layers.bits) == 0) return std::nullopt;
-  const bool is_like = a.method != Method::avo || b.method == a.method;
+  const bool is_like = !method_traits(a.method).has_rules || b.method == a.method;
   if ((b.avoids.bits & a.layers.bits) == 0)
     return is_like ? Expectation::does_as_it_likes : Expectation::moves_on;
   if (b.behavior == Behavior::cooperates) return Expectation::cooperates;

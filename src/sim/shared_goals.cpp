@@ -99,7 +99,7 @@ class Sharing {
   }
 
   void note(std::size_t place, Shares shares) {
-    if (conduct(place).method != Method::avo) return;
+    if (!method_traits(conduct(place).method).has_rules) return;
     shares_.resize(fleet_.size());
     shares_[rank(place)] = std::max(shares_[rank(place)], shares);
   }
@@ -158,8 +158,9 @@ bool stays_near(const World& world, std::size_t slot) {
 void find_shared_goals(World& world) {
   if (!world.has_new_goals) return;
   const std::vector<Conduct>& conduct = world.fleet.conduct;
-  const bool is_minded = std::any_of(conduct.begin(), conduct.end(),
-                                     [](const Conduct& own) { return own.method == Method::avo; });
+  const bool is_minded = std::any_of(conduct.begin(), conduct.end(), [](const Conduct& own) {
+    return method_traits(own.method).has_rules;
+  });
   world.shares_goal = is_minded ? Sharing(world).found() : std::vector<Shares>();
   world.has_new_goals = false;
 }

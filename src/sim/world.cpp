@@ -187,7 +187,7 @@ void find_walls(World& world) {
             : 0.0;
     // from where the robot takes itself to be
     needs.include(traits, stray + 2.0 * law.localization_error, speed, law);
-    const double wished = options.method == Method::avo
+    const double wished = method_traits(options.method).has_rules
                               ? std::min(options.wall_range, way_range(limits_of(fleet, slot)))
                               : obstacle_reach(speed, traits.max_speed, options);
     const double maneuvers =

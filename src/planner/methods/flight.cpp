@@ -120,7 +120,7 @@ bool can_fly(const Robot& robot, double time_step) {
 }
 
 bool allows_loiterers(const PlannerOptions& options) {
-  return options.method == Method::avo && options.motion == Motion::held &&
+  return method_traits(options.method).has_rules && options.motion == Motion::held &&
          options.clock == Clock::common && options.sensing_error == SensingError{} &&
          options.localization_error == 0.0;
 }

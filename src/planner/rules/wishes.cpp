@@ -111,7 +111,7 @@ void make_wishes(const Planner& planner, const Tile& tile, DecisionColumns& deci
   const PlannerOptions& options = planner.options();
   const RobotColumns& robots = tile.robots;
   decisions.reserve(robots.count);
-  if (options.method != Method::avo) {
+  if (!method_traits(options.method).has_rules) {
     std::copy_n(robots.preferred_x.begin(), robots.count, decisions.wish_x.begin());
     std::copy_n(robots.preferred_y.begin(), robots.count, decisions.wish_y.begin());
     return;

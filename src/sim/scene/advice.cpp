@@ -64,7 +64,7 @@ void advise_control_time(const Scenario& scenario, std::vector<std::string>& lin
   // avo approaches v' as fast as it can, these others at once
   const auto& robots = scenario.robots;
   const auto is_paper = [&](const RobotSetup& r) {
-    return method_of(scenario, r) == Method::avo_paper;
+    return method_traits(method_of(scenario, r)).lags;
   };
   const auto first = std::find_if(robots.begin(), robots.end(), is_paper);
   if (first == robots.end()) return;

@@ -139,9 +139,9 @@ void check_flights(const World& world, const RobotSetup& setup, RobotId robot) {
                   [](const Conduct& conduct) { return conduct.behavior == Behavior::decides; });
   if (is_airplane(setup.model) && !(promised && setup.behavior == Behavior::decides))
     refuse(name_of(robot) + ": model", "airplane", "another one among robots that cooperate");
-  if (method_of(world.settings, setup) != Method::avo ||
+  if (!method_traits(method_of(world.settings, setup)).has_rules ||
       std::any_of(fleet.conduct.begin(), fleet.conduct.end(),
-                  [](const Conduct& other) { return other.method != Method::avo; }))
+                  [](const Conduct& other) { return !method_traits(other.method).has_rules; }))
     refuse(name_of(robot) + ": method", to_string(method_of(world.settings, setup)),
            "avo, of all robots, in a scene with airplanes");
 }

@@ -276,9 +276,10 @@ void check_flights(const Scenario& scenario, const PlannerOptions& options) {
       refuse(std::string(Place{"robots", i, "behavior"}), to_string(robots[i].behavior),
              "decides" + among + ", which cannot stop for it");
   }
-  if (options.method != Method::avo) refuse("method", to_string(options.method), "avo" + among);
+  if (!method_traits(options.method).has_rules)
+    refuse("method", to_string(options.method), "avo" + among);
   for (std::size_t i = 0; i < robots.size(); ++i) {
-    if (const Method own = method_of(scenario, robots[i]); own != Method::avo)
+    if (const Method own = method_of(scenario, robots[i]); !method_traits(own).has_rules)
       refuse(std::string(Place{"robots", i, "method"}), to_string(own), "avo" + among);
   }
   if (options.motion != Motion::held) refuse("motion", to_string(options.motion), "held" + among);
