@@ -71,7 +71,8 @@ class Sharing {
       if (fleet_.conduct[slot].parked || fleet_.flight(slot) != nullptr) continue;
       if (!fleet_.told_velocity(slot)) slots_.push_back(slot);
     }
-    along_y_ = are_along_y(goals_);
+    if (are_along_y(goals_))
+      for (Vec2& goal : goals_) std::swap(goal.x, goal.y);
     std::sort(slots_.begin(), slots_.end(), [&](std::uint32_t a, std::uint32_t b) {
       return along(goals_[a]) < along(goals_[b]);
     });
@@ -85,11 +86,9 @@ class Sharing {
 
  private:
   // The order of goals, in which equal ones are next to each other.
-  std::pair<double, double> along(Vec2 goal) const {
-    return along_y_ ? std::pair(goal.y, goal.x) : std::pair(goal.x, goal.y);
-  }
+  static std::pair<double, double> along(Vec2 goal) { return {goal.x, goal.y}; }
   double between(std::size_t first, std::size_t second) const {
-    return along(goal(second)).first - along(goal(first)).first;
+    return goal(second).x - goal(first).x;
   }
   Vec2 goal(std::size_t place) const { return goals_[slots_[place]]; }
   const Conduct& conduct(std::size_t place) const { return fleet_.conduct[slots_[place]]; }
@@ -139,8 +138,8 @@ class Sharing {
   }
 
   const Fleet& fleet_;
-  std::vector<Vec2> goals_;  // m, or the nearest reachable places
-  bool along_y_ = false;
+  // m, or the nearest reachable places; x is the axis along which goals lie
+  std::vector<Vec2> goals_;
   std::vector<std::uint32_t> slots_;  // of the robots that come to rest at their goals
   std::vector<Shares> shares_;
 };
