@@ -32,7 +32,7 @@ std::size_t index_of(const avo::Scenario& scenario, std::int64_t robot, double t
 // Returns s. Airplanes, and robots among moving obstacles alone, adopt the chosen velocity at once.
 double response_time_in(const Decision& decision, const avo::PlannerOptions& options) {
   const avo::Robot& self = decision.seen.robot;
-  if (!decision.by_half_planes || is_airplane(self.model)) return 0.0;
+  if (!decision.by_half_planes || !can_rest(self.model)) return 0.0;
   return avo::response_time_of(options, self.max_speed, self.max_acceleration);
 }
 

@@ -43,7 +43,7 @@ std::string contact_text(const Decision& decision) {
 }
 
 const char* safe_text(const avo::Simulation::Perception& seen) {
-  if (!is_airplane(seen.robot.model)) return "safe: braking avoids contact";
+  if (can_rest(seen.robot.model)) return "safe: braking avoids contact";
   const bool has_movers =
       std::any_of(seen.neighbors.begin(), seen.neighbors.end(), avo::is_predicted);
   return has_movers ? "safe: its circle keeps clear of all who decide, and it has a way out"
@@ -137,7 +137,7 @@ std::string evasion_text(const Decision& decision) {
   if (!(duration > 0.0)) return whom + ": it brakes";
   return fmt::format("{}: towards {} m/s until {:.6g} s, and then it could {}", whom,
                      text(velocity), decision.time + duration,
-                     is_airplane(decision.seen.robot.model) ? "circle" : "brake");
+                     can_rest(decision.seen.robot.model) ? "brake" : "circle");
 }
 
 }  // namespace

@@ -117,7 +117,7 @@ void aim_discs(const World& world, std::span<const std::uint32_t> slots, Worker&
   }
 }
 
-// Airplanes do not slow down at their goals, and circle after they have passed them.
+// Robots that fly do not slow down at their goals, and circle after they have passed them.
 void set_courses(const Fleet& fleet, std::span<const std::uint32_t> slots, Worker& worker) {
   RobotColumns& robots = worker.tile.robots;
   const MovingColumns& moving = worker.moving;

@@ -205,7 +205,7 @@ void leave(World& world) {
   for (std::size_t rank = fleet.flights.size(); rank > 0; --rank) {
     const std::uint32_t slot = fleet.slot_of[rank - 1];
     const Flight* own = fleet.flight(slot);
-    if (own != nullptr && own->has_arrived && leaves_at_goal(*fleet.own_model(slot)))
+    if (own != nullptr && own->has_arrived && model_traits(*fleet.own_model(slot)).leaves_at_goal)
       remove_robot(world, fleet.id[slot]);
   }
 }

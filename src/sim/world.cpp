@@ -190,9 +190,9 @@ void find_walls(World& world) {
     const double wished = method_traits(options.method).has_rules
                               ? std::min(options.wall_range, way_range(limits_of(fleet, slot)))
                               : obstacle_reach(speed, traits.max_speed, options);
-    const double maneuvers =
-        traits.has_model ? room_for_maneuvers(*fleet.own_model(slot)) + law.localization_error
-                         : 0.0;
+    const double maneuvers = traits.has_model ? model_traits(*fleet.own_model(slot)).maneuver_room +
+                                                    law.localization_error
+                                              : 0.0;
     needs.reach = std::max(needs.reach, traits.radius + std::max(wished, maneuvers));
   }
   if (statics.needs && statics.needs->cover(needs)) return;

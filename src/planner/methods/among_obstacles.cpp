@@ -112,7 +112,7 @@ Plan Planner::plan_among_obstacles(const Robot& robot, std::span<const Neighbor>
   Robot steering = robot;
   if (is_rest(robot.velocity)) steering.velocity = {};
   if (is_valid(robot)) steering.preferred_velocity = steered(robot, approach_of(options_));
-  if (method_traits(options_.method).stays_in_cell || is_airplane(robot.model)) {
+  if (method_traits(options_.method).stays_in_cell || !can_rest(robot.model)) {
     std::vector<Neighbor>& movers = PlanWorkspace::Scratch::of(workspace).movers;
     movers.assign(obstacles.begin(), obstacles.end());
     for (Neighbor& mover : movers) {

@@ -264,11 +264,11 @@ void check_beside_walls(const Scenario& scenario, Method method) {
   }
 }
 
-// The promises to and of an airplane hold only under these conditions.
+// The promises to and of a robot that flies hold only under these conditions.
 void check_flights(const Scenario& scenario, const PlannerOptions& options) {
   const std::vector<RobotSetup>& robots = scenario.robots;
   const auto first = std::find_if(robots.begin(), robots.end(),
-                                  [](const RobotSetup& r) { return is_airplane(r.model); });
+                                  [](const RobotSetup& r) { return !can_rest(r.model); });
   if (first == robots.end()) return;
   const std::string among = " in a scene with airplanes";
   for (std::size_t i = 0; i < robots.size(); ++i) {
