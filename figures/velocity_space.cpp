@@ -45,7 +45,7 @@ void append_walls(const Simulation::Perception& perception, const Planner& plann
       space.half_planes.push_back({cut.plane, "w" + std::to_string(cut.wall), binding, forbids});
     }
   };
-  const bool is_avo = planner.options().method == Method::avo;
+  const bool is_avo = method_traits(planner.options().method).has_rules;
   append(walls.speeds, !movers);
   append(walls.obstacles, !is_avo);
 }
@@ -61,7 +61,7 @@ LabeledObstacle obstacle_of(const Simulation::Perception& perception, std::size_
   const Robot& robot = perception.robot;
   const Pair pair{robot.position - neighbor.position, robot.velocity - neighbor.velocity,
                   robot.radius + neighbor.radius};
-  if (options.method == Method::reciprocal_velocity_obstacle &&
+  if (method_traits(options.method).is_reciprocal &&
       shares(neighbor)) {  // α times as large, with its apex moved by α to v_B
     const double alpha = reciprocal_share(robot.max_acceleration, neighbor.max_acceleration,
                                           robot.priority, neighbor.priority);
@@ -98,7 +98,7 @@ VelocitySpace velocity_space(const Simulation::Perception& perception, const Pla
       const auto i = static_cast<std::size_t>(cut.neighbor);
       space.half_planes.push_back(
           {cut.plane, source_label(perception.source[i]), lies_on(cut.plane, plan.new_velocity)});
-      if (planner.options().method == Method::buffered_voronoi)
+      if (method_traits(planner.options().method).stays_in_cell)
         continue;  // cells are not obstacles
       space.obstacles.push_back(obstacle_of(perception, i, planner.options()));
       space.obstacles.back().label.clear();  // the half-plane has that label

@@ -18,7 +18,7 @@ void apply_remedies(const SceneArguments& arguments, avo::Scenario& scenario) {
     const std::int64_t count = avo::start_at_rest(scenario);
     const bool any_flies =
         std::any_of(scenario.robots.begin(), scenario.robots.end(),
-                    [](const avo::RobotSetup& robot) { return is_airplane(robot.model); });
+                    [](const avo::RobotSetup& robot) { return !can_rest(robot.model); });
     say(fmt::format("--start-at-rest: {} of {} robots start {} instead of moving{}", count,
                     scenario.robots.size(),
                     any_flies ? "at rest, or at their min_speed," : "at rest",

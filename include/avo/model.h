@@ -103,8 +103,10 @@ using MotionModel = std::variant<Holonomic, Car, DifferentialDrive, Airplane>;
 inline bool is_holonomic(const MotionModel& model) {
   return std::holds_alternative<Holonomic>(model);
 }
-inline bool is_airplane(const MotionModel& model) {
-  return std::holds_alternative<Airplane>(model);
+/// Returns whether the robot can brake to rest. A robot that cannot rest flies: it reaches its goal
+/// by passing it, and its fallback is a LoiterCircle.
+inline bool can_rest(const MotionModel& model) {
+  return !std::holds_alternative<Airplane>(model);
 }
 
 /// m/s²: the bound that FleetView::applied_acceleration never exceeds for a robot with this

@@ -11,52 +11,13 @@
 #include "avo/export.h"
 #include "avo/geometry.h"
 #include "avo/horizon.h"
+#include "avo/method.h"
 #include "avo/robot.h"
 #include "avo/wall.h"
 
 namespace avo {
 
 struct DecisionTrace;
-
-/// How new velocities are chosen.
-enum class Method : std::uint8_t {
-  avo,                ///< the paper's half-planes, a certificate, and rules for arriving
-  avo_paper,          ///< the paper alone: acceleration-velocity obstacles, reciprocal half-planes
-  velocity_obstacle,  ///< the paper's §III-A: others keep their velocity, v' is adopted at once
-  orca,               ///< the limit δ -> 0, δ a_max -> infinity: v' is adopted at once
-  /// orca's choice, of which the velocity takes the part that a_max allows within a step
-  orca_clamped,
-  reciprocal_velocity_obstacle,  ///< velocity obstacles with their apex between v_A and v_B
-  buffered_voronoi,              ///< the robot's Voronoi cell less its radius, braking within it
-};
-
-/// Returns whether the method has no acceleration limit and no δ: v' is adopted at once.
-constexpr bool adopts_at_once(Method method) {
-  return method == Method::velocity_obstacle || method == Method::orca ||
-         method == Method::reciprocal_velocity_obstacle;
-}
-
-/// Returns whether v' keeps a_max and is reached at the end of the step: δ is Δt.
-constexpr bool reaches_within_step(Method method) {
-  return method == Method::orca_clamped || method == Method::buffered_voronoi;
-}
-
-/// Returns whether the method chooses a velocity without regard to the acceleration that it takes.
-constexpr bool disregards_acceleration(Method method) {
-  return adopts_at_once(method) || method == Method::orca_clamped;
-}
-
-/// Returns whether the method chooses outside the union of all neighbors' obstacles (§III-A).
-constexpr bool avoids_union(Method method) {
-  return method == Method::velocity_obstacle || method == Method::reciprocal_velocity_obstacle;
-}
-
-/// What no decision may break, whatever the half-planes ask for (docs/certificate.md).
-enum class Certificate : std::uint8_t {
-  none = 0,
-  // 1 was a certificate of earlier versions
-  braking_trajectories = 2,  ///< the places of braking robots are disjoint at every time
-};
 
 /// How the velocity changes between two decisions.
 enum class Motion : std::uint8_t {
@@ -88,26 +49,8 @@ struct SensingNoise {
 };
 
 /// Returns the name that scene files use.
-AVO_API const char* to_string(Method method);
-AVO_API const char* to_string(Certificate certificate);
 AVO_API const char* to_string(Motion motion);
 AVO_API const char* to_string(Clock clock);
-
-/// The usual options of a method: δ 2 s, τ 3 s, a response time of 0.1 T and braking_trajectories
-/// for avo. The others have the paper's δ 4 s and τ 10 s (§VI-A), without response time and
-/// certificate.
-constexpr double usual_control_time(Method method) {
-  return method == Method::avo ? 2.0 : 4.0;
-}
-constexpr double usual_time_horizon(Method method) {
-  return method == Method::avo ? 3.0 : 10.0;
-}
-constexpr double usual_response_time(Method method) {
-  return method == Method::avo ? 0.1 : 0.0;
-}
-constexpr Certificate usual_certificate(Method method) {
-  return method == Method::avo ? Certificate::braking_trajectories : Certificate::none;
-}
 
 /// Options that a planner is given once. All robots must agree on the options that others count on
 /// (docs/certificate.md, "What has to be common"). The usual values follow the method at

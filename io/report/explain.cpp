@@ -32,7 +32,7 @@ std::size_t index_of(const avo::Scenario& scenario, std::int64_t robot, double t
 // Returns s. Airplanes, and robots among moving obstacles alone, adopt the chosen velocity at once.
 double response_time_in(const Decision& decision, const avo::PlannerOptions& options) {
   const avo::Robot& self = decision.seen.robot;
-  if (!decision.by_half_planes || is_airplane(self.model)) return 0.0;
+  if (!decision.by_half_planes || !can_rest(self.model)) return 0.0;
   return avo::response_time_of(options, self.max_speed, self.max_acceleration);
 }
 
@@ -99,7 +99,7 @@ Decision explain(const avo::Simulation& simulation, const std::string& scene, st
     planner.collect_half_planes(self, neighbors, workspace, decision.half_planes, walls);
   const avo::SensingNoise& noise = planner.options().sensing_noise;
   if (decision.by_half_planes && (noise.position > 0.0 || noise.velocity > 0.0)) {
-    const bool is_avo = decision.method == avo::Method::avo;
+    const bool is_avo = avo::method_traits(decision.method).has_rules;
     const avo::Vec2 v = is_avo ? decision.plan.next_velocity : decision.plan.new_velocity;
     for (const avo::Neighbor& neighbor : neighbors)
       decision.risks.push_back(planner.half_plane_risk(self, neighbor, v));
@@ -107,7 +107,7 @@ Decision explain(const avo::Simulation& simulation, const std::string& scene, st
   planner.collect_half_planes(self, walls, decision.wall_planes);
   decision.certificate = planner.options().certificate;
   decision.response_time = response_time_in(decision, planner.options());
-  if (decision.method == avo::Method::avo)
+  if (avo::method_traits(decision.method).has_rules)
     planner.collect_certificate(self, neighbors, workspace, decision.constraints, walls);
   planner.collect_certificate(self, walls, workspace, decision.wall_constraints);
   decision.acceleration_disc = planner.acceleration_disc(self);

@@ -43,7 +43,7 @@ std::string contact_text(const Decision& decision) {
 }
 
 const char* safe_text(const avo::Simulation::Perception& seen) {
-  if (!is_airplane(seen.robot.model)) return "safe: braking avoids contact";
+  if (can_rest(seen.robot.model)) return "safe: braking avoids contact";
   const bool has_movers =
       std::any_of(seen.neighbors.begin(), seen.neighbors.end(), avo::is_predicted);
   return has_movers ? "safe: its circle keeps clear of all who decide, and it has a way out"
@@ -70,7 +70,7 @@ void append_walls(const Decision& decision,
       line(name, fmt::format("{} . v' >= {:.6g} m/s, of {}", text(plane.plane.normal),
                              plane.plane.offset, wall_of(plane.wall)));
   };
-  const bool is_avo = decision.method == avo::Method::avo;
+  const bool is_avo = avo::method_traits(decision.method).has_rules;
   append("speed before wall", decision.wall_planes.speeds);
   append(is_avo ? "wall's obstacle" : "half-plane", decision.wall_planes.obstacles);
   for (const avo::WallConstraint& constraint : decision.wall_constraints)
@@ -137,7 +137,7 @@ std::string evasion_text(const Decision& decision) {
   if (!(duration > 0.0)) return whom + ": it brakes";
   return fmt::format("{}: towards {} m/s until {:.6g} s, and then it could {}", whom,
                      text(velocity), decision.time + duration,
-                     is_airplane(decision.seen.robot.model) ? "circle" : "brake");
+                     can_rest(decision.seen.robot.model) ? "brake" : "circle");
 }
 
 }  // namespace
@@ -173,12 +173,12 @@ std::string readable(const Decision& decision) {
          fmt::format("{} . v' >= {:.6g} m/s, of {}", text(plane.plane.normal), plane.plane.offset,
                      text_of(decision.seen.source[static_cast<std::size_t>(plane.neighbor)])));
   append_walls(decision, line);
-  if (decision.method == avo::Method::avo) append_certificate(decision, line);
+  if (avo::method_traits(decision.method).has_rules) append_certificate(decision, line);
   line("preferred velocity", text(self.preferred_velocity) + " m/s");
   append_stages(decision, line);
   line("new velocity", text(decision.plan.new_velocity) + " m/s, the command of Eq. (7)");
   line("next velocity", text(decision.plan.next_velocity) + " m/s, after the step");
-  if (decision.method == avo::Method::avo)
+  if (avo::method_traits(decision.method).has_rules)
     line("response time", decision.response_time > 0.0
                               ? fmt::format("{:.6g} s", decision.response_time)
                               : std::string("0: at once"));

@@ -70,7 +70,7 @@ void read_model(const Reader& reader, const YamlNode& node, const std::string& p
   if (kind == ModelKind::differential_drive &&
       !std::holds_alternative<avo::DifferentialDrive>(robot.model))
     robot.model = avo::DifferentialDrive{};
-  if (kind == ModelKind::airplane && !is_airplane(robot.model)) robot.model = avo::Airplane{};
+  if (kind == ModelKind::airplane && can_rest(robot.model)) robot.model = avo::Airplane{};
   const YamlNode *given = node.find("heading"), *car = node.find("car");
   const YamlNode* within = car != nullptr ? car->find("heading") : nullptr;
   if (given != nullptr && within != nullptr)

@@ -74,7 +74,7 @@ AVO_EXPORT(std::size_t, outlines)
   std::vector<std::size_t> avoided;
   if (seen.among_movers || avo::avoids_union(planner.options().method)) {
     for (std::size_t k = 0; k < seen.neighbors.size(); ++k) avoided.push_back(k);
-  } else if (planner.options().method != avo::Method::buffered_voronoi) {
+  } else if (!avo::method_traits(planner.options().method).stays_in_cell) {
     avo::PlanWorkspace workspace;
     avo::HalfPlanes half_planes;
     planner.collect_half_planes(seen.robot, seen.neighbors, workspace, half_planes, seen.walls);

@@ -59,7 +59,7 @@ namespace {
 // Neighbors farther apart than both could reach count on this limit (docs/certificate/wheels.md,
 // "Cars").
 bool keeps_reach(const Robot& robot, const CandidatePath& path, const StepLaw& law) {
-  if (!may_exceed_reach(robot.model)) return true;
+  if (!may_exceed_reach(model_traits(robot.model))) return true;
   constexpr double kRounding = 1.0 + 0x1p-46;
   const double u = braking_decrement(robot.max_acceleration, law), speed = norm(robot.velocity);
   const double expected = law.lag * speed + (law.time_step - law.lag) * (speed + u) +
@@ -72,7 +72,7 @@ bool keeps_reach(const Robot& robot, const CandidatePath& path, const StepLaw& l
 bool admits(const Robot& robot, Vec2 next_velocity, const CertificateLaw& law,
             CertificateConstraints& constraints, Asked asked_for) {
   const bool holonomic = is_holonomic(robot.model);
-  if (constraints.demand_nothing() && (holonomic || !may_exceed_reach(robot.model))) return true;
+  if (constraints.demand_nothing() && !may_exceed_reach(model_traits(robot.model))) return true;
   // as long as nothing is broken, braking keeps the invariant, which a test with a margin for
   // rounding would not admit
   if (law.step.has_free_clocks() && next_velocity == backup_velocity(robot, law)) return true;

@@ -11,10 +11,6 @@
 namespace avo::inline certificate {
 namespace {
 
-const Airplane& airplane_of(const WayOptions& options) {
-  return std::get<Airplane>(options.wheels->model);
-}
-
 // The largest distance of a step from the parabola with the same ends and the same first velocity:
 // 2 h³/81 times the largest third derivative, which is 3 a s κ to the left and -s³ κ² ahead.
 double bend_of(double speed, double next_speed, double curvature, double h) {
@@ -37,7 +33,7 @@ class Flown {
       : options_(options),
         target_(control.speed),
         most_(options.wheels->max_acceleration * options.law.time_step),
-        across_(control.turn * usable_acceleration(airplane_of(options))) {}
+        across_(control.turn * usable_acceleration(options.wheels->model)) {}
 
   // By the equations of fly_along().
   ArcStep from(const WayState& state) {
@@ -72,7 +68,7 @@ class Flown {
 };
 
 LoiterCircle circle_from(const WayOptions& options, const WayState& state) {
-  return loiter_circle(airplane_of(options), state.position, state.velocity);
+  return *circle_of(options.wheels->model, state.position, state.velocity);
 }
 
 // Tests (C1) of one step, and (C3) of this step and of the circle after it.

@@ -1,20 +1,20 @@
 // SPDX-License-Identifier: Apache-2.0
-// Ways out of an airplane A: it holds a control for some steps, and then it circles for ever
+// Ways out of a robot A that flies: it holds a control for some steps, and then it circles for ever
 // (docs/movers.md, "Airplanes"). Places are relative to p_A, and times count from the decision.
 #pragma once
 #include "certificate/ways.h"
-#include "robots/airplane.h"
+#include "robots/flight.h"
 
 namespace avo::inline certificate {
 
-/// What an airplane holds until it circles.
+/// What the robot holds until it circles.
 struct FlightControl {
   double speed = 0.0;  ///< m/s, which it approaches as fast as it can
   double turn = 0.0;   ///< [-1, 1] part of its lateral acceleration; > 0: to the left
 };
 
 /// Returns whether the first step keeps clear, (C1) and (C3). The functions below judge the flight
-/// after it. `step` begins at 0; options.wheels is the airplane.
+/// after it. `step` begins at 0; options.wheels is the robot.
 bool take_first_flight(const WayOptions& options, Surroundings& around, const MotionState& now,
                        const FlightStep& step);
 /// The functions below then judge the flight from now on.

@@ -12,13 +12,13 @@
 #include "certificate/braking_path.h"
 #include "certificate/pair.h"
 #include "core/neighbor_columns.h"
-#include "robots/airplane.h"
+#include "robots/flight.h"
 
 namespace avo::inline certificate {
 
 /// The area that a robot does not leave if it decides nothing better: a segment with a radius.
 struct Footprint {
-  /// m: start and displacement of braking; for an airplane the center of its circle, and 0
+  /// m: start and displacement of braking; for a robot that flies the center of its circle, and 0
   Vec2 start, way;
   double radius = 0.0;     ///< m, of the area about that segment
   double intervals = 0.0;  ///< number of intervals until rest
@@ -58,8 +58,8 @@ bool keeps_loiterers(std::span<const LoiterLine> lines, const CandidatePath& pat
 void append_half_planes(std::span<const LoiterLine> lines, const Robot& robot, const StepLaw& law,
                         double top_speed, std::vector<HalfPlane>& half_planes);
 
-/// The demands of neighbors and walls on an airplane. Scratch memory; allocates only while it
-/// grows.
+/// The demands of neighbors and walls on a robot that flies. Scratch memory; allocates only while
+/// it grows.
 struct FlightConstraints {
   std::vector<SeparatingLine> lines;
   /// each with the distance that the robot keeps from its middle line as radius
@@ -77,7 +77,7 @@ void collect_flight(const Robot& robot, const Neighbors& neighbors, std::span<co
 /// where the circle stays.
 bool keeps_flight(const FlightConstraints& constraints, const Robot& robot, const FlightStep& step);
 
-/// m, covers all rounding of an airplane beside a wall.
+/// m, covers all rounding of a robot that flies beside a wall.
 double flight_margin(const Wall& wall, double radius, double circle);
 
 }  // namespace avo::inline certificate

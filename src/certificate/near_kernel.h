@@ -188,7 +188,7 @@ AVO_KERNEL bool look_for(const RobotColumns& robots, std::size_t i, const StepLa
                                    load(of_braking),
                                    load(columns.priority)};
     const auto counted = lane_numbers<Real>() < Real(static_cast<double>(neighbors.count - k));
-    const auto prompt = load(columns.decides) > zero;
+    const auto prompt = load(columns.kinds) > zero;
     others = others | (counted & !prompt);
     auto near = counted & prompt & !are_far(bound, self, other);
     if (any(near)) near = near & !are_clear(bound, self, other, law);

@@ -37,7 +37,7 @@ struct WayOptions {
   double longest = 0.0;    ///< s, until A brakes
   /// m: the center stays within this distance of p_A, where A knows the walls.
   double known = std::numeric_limits<double>::infinity();
-  const Robot* wheels = nullptr;  ///< A, unless it is holonomic; also an airplane
+  const Robot* wheels = nullptr;  ///< A, unless it is holonomic
 };
 
 /// An interval of braking, once it has been computed.
@@ -54,8 +54,8 @@ struct Surroundings {
   // s, until these times no motion of A matters to each of the others. They are counted from now
   // on, from the first step on, and from the last state of a way out on.
   std::vector<double> clear_now, clear_after, clear_until;
-  WayState after;          // the state after the first step
-  WayState last;           // of an airplane: the state in which the last way out begins to circle
+  WayState after;  // the state after the first step
+  WayState last;   // of a robot that flies: the state in which the last way out begins to circle
   double brakes_at = 0.0;  // s: the time at which the last clear way out begins to brake
   std::vector<KnownInterval> intervals;  // of the last braking path
   std::uint64_t brakings = 0;            // number of braking paths until now

@@ -128,13 +128,13 @@ void judge(const RowStep& step, const CheckedCar& car, CheckReport& report) {
   if (!(both_ways > at_rest)) judge_arc(step, arc, report);
 }
 
-void judge(const RowStep& step, const CheckedAirplane& airplane, CheckReport& report) {
+void judge(const RowStep& step, const CheckedAirplane& model, CheckReport& report) {
   const Arc arc = arc_of(step.before, step.now, step.duration);
   const Pull pull = pull_of(step, arc);
   report.largest_acceleration =
       std::max(report.largest_acceleration, norm(Vec2{pull.along, pull.across}));
   hold(step, report.accelerations, pull.along, max_acceleration(step.robot), pull.along_rounding);
-  hold(step, report.lateral_accelerations, pull.across, airplane.lateral_acceleration,
+  hold(step, report.lateral_accelerations, pull.across, model.lateral_acceleration,
        pull.across_rounding);
   judge_arc(step, arc, report);
 }
@@ -195,9 +195,9 @@ void judge_heading(const CheckedRobot& robot, const CheckedState& row, double ti
   const double off =
       swings ? std::abs(dot(h, row.velocity) - speed) : norm(row.velocity - speed * h);
   if (off > granted + rounding) count(report.headings, {time, row.robot, {}, off});
-  const auto* airplane = std::get_if<CheckedAirplane>(&robot.kinematics);
-  if (airplane != nullptr && airplane->min_speed - speed > granted + rounding)
-    count(report.slow_flights, {time, row.robot, {}, airplane->min_speed - speed});
+  const auto* flown = std::get_if<CheckedAirplane>(&robot.kinematics);
+  if (flown != nullptr && flown->min_speed - speed > granted + rounding)
+    count(report.slow_flights, {time, row.robot, {}, flown->min_speed - speed});
 }
 
 void judge_kinematics(const RowStep& step, CheckReport& report) {

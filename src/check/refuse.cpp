@@ -33,9 +33,9 @@ void require_kinematics(const std::string& place, const CheckedDrive& drive) {
   require_limit(place + ".wheel_acceleration", drive.wheel_acceleration, "m/s^2");
 }
 
-void require_kinematics(const std::string& place, const CheckedAirplane& airplane) {
-  require(place + ".min_speed", airplane.min_speed, kNotNegative, "m/s");
-  require_limit(place + ".lateral_acceleration", airplane.lateral_acceleration, "m/s^2");
+void require_kinematics(const std::string& place, const CheckedAirplane& model) {
+  require(place + ".min_speed", model.min_speed, kNotNegative, "m/s");
+  require_limit(place + ".lateral_acceleration", model.lateral_acceleration, "m/s^2");
 }
 
 }  // namespace

@@ -8,7 +8,7 @@ namespace avo::inline core {
 void NeighborColumns::grow(std::size_t size) {
   size = std::max(size, motion.size() + motion.size() / 2);
   for (auto* column :
-       {&x, &y, &v_x, &v_y, &radius, &max_acceleration, &max_braking, &decides, &priority}) {
+       {&x, &y, &v_x, &v_y, &radius, &max_acceleration, &max_braking, &kinds, &priority}) {
     column->resize(size, 1.0);
   }
   age.resize(size), position_error.resize(size);

@@ -3,6 +3,7 @@
 #pragma once
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <limits>
 #include <optional>
 #include <span>
@@ -14,6 +15,16 @@ namespace avo::inline core {
 
 /// Columns have room for so many extra entries, which are read but do not count.
 inline constexpr std::size_t kSpareNeighbors = 16;
+
+/// What a robot counts on from a neighbor. Kernels read the numbers: prompt neighbors are above 0,
+/// a neighbor of 0 takes no share.
+enum class NeighborKind : std::int8_t {
+  prompt = 1,       // it decides, and has the declared errors
+  mover = 0,        // it moves on
+  aged = -1,        // it decides, and has errors of its own
+  loiterer = -2,    // it decides, and does not brake
+  cooperator = -3,  // it should decide, and promises nothing
+};
 
 /// The known motion of a neighbor that does not decide.
 struct MoverMotion {
@@ -36,23 +47,22 @@ struct NeighborColumns {
   bool has_partings = false;                     // some have a parting
   std::vector<double> x, y, v_x, v_y;            // m, m/s
   std::vector<double> radius, max_acceleration;  // m, m/s²
-  std::vector<double> decides;         // see below; kPrompt unless add() was told otherwise
+  std::vector<double> kinds;           // NeighborKind; prompt unless add() was told otherwise
   std::vector<double> priority;        // 1 unless add() was told otherwise
   std::vector<double> max_braking;     // m/s², read where has_max_braking
-  std::vector<int> age;                // steps, of all neighbors that are not kPrompt
-  std::vector<double> position_error;  // m, of all neighbors that are not kPrompt
+  std::vector<int> age;                // steps, of all neighbors that are not prompt
+  std::vector<double> position_error;  // m, of all neighbors that are not prompt
   // of neighbors that do not decide; of others only its max_deviation
   std::vector<MoverMotion> motion;
   bool has_loiterers = false;
-  std::vector<LoiterCircle> loiter;  // of neighbors of kind kLoiterer
+  std::vector<LoiterCircle> loiter;  // of loiterers
   std::vector<Vec2> parting;         // 0 unless add() was told otherwise
 
-  // The values of `decides`: it decides and has the declared errors; it decides and has its own
-  // errors; it moves on; it decides and does not brake; it cooperates.
-  static constexpr double kPrompt = 1.0, kAged = -1.0, kMover = 0.0, kLoiterer = -2.0,
-                          kCooperator = -3.0;
+  NeighborKind kind(std::size_t k) const {
+    return static_cast<NeighborKind>(static_cast<int>(kinds[k]));
+  }
   bool is_predicted(std::size_t k) const {
-    return decides[k] == kMover || decides[k] == kCooperator;
+    return kind(k) == NeighborKind::mover || kind(k) == NeighborKind::cooperator;
   }
 
   /// Reserves room for so many.
@@ -78,11 +88,12 @@ struct NeighborColumns {
     const bool predicted = avo::is_predicted(neighbor);
     const bool aged = has_errors_of_its_own(neighbor);
     const bool loiters = !predicted && neighbor.loiter.has_value();
-    decides[count] = moves_on    ? kMover
-                     : predicted ? kCooperator
-                     : loiters   ? kLoiterer
-                     : aged      ? kAged
-                                 : kPrompt;
+    const NeighborKind own = moves_on    ? NeighborKind::mover
+                             : predicted ? NeighborKind::cooperator
+                             : loiters   ? NeighborKind::loiterer
+                             : aged      ? NeighborKind::aged
+                                         : NeighborKind::prompt;
+    kinds[count] = static_cast<double>(own);
     if (loiters) loiter[count] = *neighbor.loiter;
     has_loiterers = has_loiterers || loiters;
     age[count] = neighbor.age, position_error[count] = neighbor.position_error;
@@ -114,14 +125,15 @@ struct NeighborColumns {
     x[place] = x[other], y[place] = y[other];
     v_x[place] = v_x[other], v_y[place] = v_y[other];
     radius[place] = radius[other], max_acceleration[place] = max_acceleration[other];
-    decides[place] = decides[other], age[place] = age[other];
+    kinds[place] = kinds[other], age[place] = age[other];
     position_error[place] = position_error[other];
     motion[place] = motion[other], loiter[place] = loiter[other];
     priority[place] = priority[other], max_braking[place] = max_braking[other];
     parting[place] = parting[other];
   }
   void clear() {
-    if (has_movers || has_aged || has_loiterers) std::fill(decides.begin(), decides.end(), kPrompt);
+    if (has_movers || has_aged || has_loiterers)
+      std::fill(kinds.begin(), kinds.end(), static_cast<double>(NeighborKind::prompt));
     if (has_priorities) std::fill(priority.begin(), priority.end(), 1.0);
     if (has_partings) std::fill(parting.begin(), parting.end(), Vec2{});
     count = 0;
@@ -133,15 +145,15 @@ struct NeighborColumns {
                       .velocity = {v_x[i], v_y[i]},
                       .radius = radius[i],
                       .max_acceleration = max_acceleration[i],
-                      .age = decides[i] == kPrompt ? 0 : age[i],
+                      .age = kind(i) == NeighborKind::prompt ? 0 : age[i],
                       .priority = priority[i]};
-    if (decides[i] != kPrompt) neighbor.position_error = position_error[i];
+    if (kind(i) != NeighborKind::prompt) neighbor.position_error = position_error[i];
     if (has_max_braking) neighbor.max_braking = max_braking[i];
-    if (decides[i] == kLoiterer) neighbor.loiter = loiter[i];
+    if (kind(i) == NeighborKind::loiterer) neighbor.loiter = loiter[i];
     if (has_deviations) neighbor.max_deviation = motion[i].max_deviation;
     if (has_partings) neighbor.parting = parting[i];
     if (!is_predicted(i)) return neighbor;
-    neighbor.behavior = decides[i] == kMover ? Behavior::moves_on : Behavior::cooperates;
+    neighbor.behavior = kind(i) == NeighborKind::mover ? Behavior::moves_on : Behavior::cooperates;
     neighbor.acceleration = motion[i].acceleration;
     neighbor.max_speed = motion[i].max_speed;
     neighbor.likely_deviation = motion[i].likely_deviation;

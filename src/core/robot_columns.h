@@ -25,7 +25,7 @@ struct RobotColumns {
   std::vector<const MotionModel*> model;    // null for holonomic robots
   bool has_models = false;                  // some are not holonomic
   std::vector<Neighbors> neighbors;         // that each robot senses, nearest first
-  std::vector<const LoiterCircle*> loiter;  // of airplanes; empty where there are none
+  std::vector<const LoiterCircle*> loiter;  // of robots that fly; empty where there are none
 
   void reserve(std::size_t robots);
   void clear() {

@@ -34,7 +34,7 @@ void begin(Trip& trip, const Simulation& simulation, const FleetView& fleet, std
                   .speed = distance > 0.0 ? dot(fleet.velocity[i], ahead) / distance : 0.0,
                   .top_speed = std::min(setup.preferred_speed, setup.max_speed),
                   .acceleration = a,
-                  .stops = !is_airplane(setup.model)});
+                  .stops = can_rest(setup.model)});
   trip.acceleration_limit = acceleration_limit(setup.model, a);
   trip.position = position;
   trip.velocity = fleet.velocity[i];

@@ -88,9 +88,9 @@ AVO_KERNEL Traffic look_around(const RobotColumns& robots, std::size_t i, double
         (one - per_range * distance) * min(max(max(closes, rests), zero), one) * min(in_front, one);
     Real defers = one;
     if (has_priorities) {  // a mover never yields
-      const Real decides = load(columns.decides);
-      defers = select((decides < zero) | (decides > zero),
-                      deference(priority, load(columns.priority)), one);
+      const Real kind = load(columns.kinds);
+      defers =
+          select((kind < zero) | (kind > zero), deference(priority, load(columns.priority)), one);
       weight = weight * defers;
     }
     // sums of eight in a fixed order: the number of lanes and zeros at the end have no influence

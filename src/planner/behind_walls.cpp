@@ -58,7 +58,7 @@ struct HidingWalls {
 
   HidingWalls(const Robot& robot, std::span<const Wall> all, const StepLaw& law)
       : reach(reach_of(robot, law)) {
-    if (is_airplane(robot.model)) return;  // an airplane does not brake
+    if (!can_rest(robot.model)) return;  // it does not brake
     for (const Wall& wall : all) {
       if (count == kMost) break;
       if (distance_to(wall, robot.position) > reach + wall.radius) continue;

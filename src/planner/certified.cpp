@@ -66,7 +66,7 @@ bool is_within_limits(const Proposals& proposals) {
 // The part of a proposal that the robot can follow.
 Vec2 followed(const Proposals& proposals, Vec2 next_velocity) {
   const Robot& robot = proposals.robot;
-  if (is_holonomic(robot.model) || !has_limits_within_steps(robot.model)) return next_velocity;
+  if (!model_traits(robot.model).has_limits_within_steps) return next_velocity;
   if (proposals.follows == Follows::surely && next_velocity == proposals.wanted)
     return next_velocity;
   return within_own_limits(robot, proposals.law.step.braking_time, next_velocity);
@@ -175,7 +175,7 @@ Proposals proposals_of(const Robot& robot, Vec2 wanted, const CertificateLaw& la
   const double u = increment(robot.max_acceleration, law.step);
   return {robot,
           law,
-          {robot.velocity, is_holonomic(robot.model) ? u : reach_of(robot.model) * u},
+          {robot.velocity, model_traits(robot.model).reach * u},
           is_holonomic(robot.model) ? robot.max_speed : top_speed_of(robot, u),
           wanted,
           follows,

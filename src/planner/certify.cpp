@@ -62,7 +62,7 @@ struct Decision {
 };
 
 bool turns_at_rest(const Robot& robot) {
-  return turns_in_place(robot.model) && robot.velocity == Vec2{};
+  return robot.velocity == Vec2{} && model_traits(robot.model).turns_in_place;
 }
 
 // The choice of a robot that turns before it drives: what would be admitted once it has turned.
@@ -203,7 +203,7 @@ Plan certify_among_movers(const Planner& planner, const Robot& robot,
   const bool with_robots =
       std::any_of(neighbors.begin(), neighbors.end(), [](const Neighbor& n) { return shares(n); });
   Haste haste = with_robots ? haste_of(robot, execution) : haste_at_once(robot, execution);
-  haste.most *= reach_of(robot.model);
+  haste.most *= model_traits(robot.model).reach;
   const Vec2 wanted = executed(robot.velocity, {}, target.velocity, haste);
   certified.proposal = wanted;
   const CertifiedChoice choice = choose_certified(robot, wanted, law, certified);

@@ -36,7 +36,7 @@ void solve_programs(const Planner& planner, const RobotColumns& robots,
   const double control_time = planner.options().control_time;
   for (std::size_t i = 0; i < robots.count; ++i) {
     const MotionModel* model = robots.has_models ? robots.model[i] : nullptr;
-    const double reach = model == nullptr ? 1.0 : reach_of(*model);
+    const double reach = model == nullptr ? 1.0 : model_traits(*model).reach;
     const Disc acceleration =
         unlimited ? Disc{{}, std::numeric_limits<double>::infinity()}
                   : Disc{robots.velocity(i), reach * control_time * robots.max_acceleration[i]};
@@ -57,7 +57,7 @@ void solve_programs(const Planner& planner, const RobotColumns& robots,
 bool has_demands(const Tile& tile, std::size_t i, const DecisionColumns& decisions) {
   if (!tile.walls_of(i).empty()) return true;
   const MotionModel* model = tile.robots.model[i];
-  if (model == nullptr || !has_own_half_planes(*model)) return false;
+  if (model == nullptr || !model_traits(*model).has_own_half_planes) return false;
   const Vec2 target{decisions.target_x[i], decisions.target_y[i]};
   const bool rests = target == Vec2{} && decisions.wish(i) == target &&
                      tile.robots.velocity(i) == target && tile.detour[i]->angle == 0.0;

@@ -37,10 +37,6 @@ double most_violation(const SoftPlanes& soft, std::size_t i, double violation) {
   return violation;
 }
 
-bool is_airplane_at(const RobotColumns& robots, std::size_t i) {
-  return robots.model[i] != nullptr && is_airplane(*robots.model[i]);
-}
-
 // Without a certificate walls demand nothing.
 void begin_walls(const RobotColumns& robots, const Tile& tile, std::size_t i,
                  const CertificateLaw& law, WallConstraints& walls) {
@@ -58,8 +54,9 @@ Haste haste_of_any(const Robot& robot, bool maneuvers, const Execution& executio
   Haste haste = haste_of(robot, execution);
   if (is_holonomic(robot.model)) return haste;
   if (maneuvers || is_landing(robot, haste, execution)) haste = haste_at_once(robot, execution);
-  haste.most *= reach_of(robot.model);
-  haste.jerk = std::min(haste.jerk * reach_of(robot.model), kUnlimited);
+  const double reach = model_traits(robot.model).reach;
+  haste.most *= reach;
+  haste.jerk = std::min(haste.jerk * reach, kUnlimited);
   return haste;
 }
 
@@ -100,7 +97,7 @@ void evade(const Deciding& deciding, std::size_t i, const FlightConstraints* fli
     plan.state = SafetyState::unknown;
 }
 
-// Plans for an airplane, which can only turn.
+// Plans for a robot that flies, which can only turn.
 void fly(const Deciding& deciding, std::size_t i) {
   const auto& [planner, execution, tile, scratch, law] = deciding;
   FlightConstraints& flight = scratch.flight;
@@ -178,7 +175,7 @@ void decide(const Planner& planner, const Execution& execution, Tile& tile,
   if (law.kind == Certificate::braking_trajectories)
     admit_next(robots, decisions.next_x, decisions.next_y, law.step, constraints.near);
   for (std::size_t i = 0; i < robots.count; ++i) {
-    if (is_airplane_at(robots, i)) {
+    if (flies(robots, i)) {
       fly(deciding, i);
     } else {
       begin_walls(robots, tile, i, law, constraints.walls);

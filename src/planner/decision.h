@@ -37,7 +37,7 @@ inline void become_mover(Neighbor& neighbor) {
 template <typename Neighbors>
 bool is_among_movers(const PlannerOptions& options, const Neighbors& neighbors) {
   if (avoids_union(options.method)) return true;
-  if (options.method == Method::buffered_voronoi) return false;
+  if (method_traits(options.method).stays_in_cell) return false;
   const std::size_t count = options.certificate == Certificate::none
                                 ? planned_with(options, neighbors.size())
                                 : neighbors.size();
@@ -88,7 +88,7 @@ inline Plan plan_of(const PlannerOptions& options, Vec2 velocity, Vec2 new_veloc
 }
 
 inline Approach approach_of(const PlannerOptions& options) {
-  const bool at_once = options.method != Method::avo_paper;
+  const bool at_once = !method_traits(options.method).lags;
   return {at_once, options.time_step, 0.5 * options.arrival_distance};
 }
 

@@ -19,7 +19,7 @@ namespace avo::inline planner {
 
 /// Returns whether half-planes of walls limit only the speed towards them.
 constexpr bool slows_before_walls(Method method) {
-  return method == Method::avo || method == Method::buffered_voronoi;
+  return method_traits(method).has_rules || method_traits(method).stays_in_cell;
 }
 
 /// m/s: the largest V with V Δt + l(V) <= gap.

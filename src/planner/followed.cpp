@@ -26,8 +26,8 @@ Vec2 braking_velocity(const Robot& robot, double control_time, double rate) noex
   return ((speed - change) / speed) * robot.velocity;
 }
 
-// An airplane can hold its speed and turn right. That is its only choice where a number is wrong,
-// at any place. If its place or its circle is unknown, it acts as if it were at the origin.
+// A robot that flies can hold its speed and turn right. That is its only choice where a number is
+// wrong, at any place. If its place or its circle is unknown, it acts as if it were at the origin.
 std::optional<Robot> flying(const Robot& robot, double time_step) {
   if (!can_brake(robot) || !can_drive(robot)) return std::nullopt;
   if (has_known_place(robot) && can_fly(robot, time_step)) return robot;
@@ -41,14 +41,14 @@ std::optional<Robot> flying(const Robot& robot, double time_step) {
 Plan brake(const Planner& planner, const Robot& robot, PlanStatus status, double violation) {
   if (!can_brake(robot)) return {.status = PlanStatus::invalid_input};
   const PlannerOptions& options = planner.options();
-  if (is_airplane(robot.model)) {
-    const auto airplane = flying(robot, options.time_step);
-    return airplane ? loiter_on(planner, *airplane, status, violation)
-                    : Plan{.status = PlanStatus::invalid_input};
+  if (!can_rest(robot.model)) {
+    const auto flown = flying(robot, options.time_step);
+    return flown ? loiter_on(planner, *flown, status, violation)
+                 : Plan{.status = PlanStatus::invalid_input};
   }
   if (adopts_at_once(options.method))
     return plan_of(options, robot.velocity, {}, status, violation);
-  if (options.method == Method::avo) {
+  if (method_traits(options.method).has_rules) {
     const CertificateLaw law = certificate_law(planner);
     return plan_under(law, robot, backup_velocity(robot, law), status, violation);
   }
@@ -59,8 +59,8 @@ Plan brake(const Planner& planner, const Robot& robot, PlanStatus status, double
 
 Plan as_followed(const Planner& planner, const Robot& robot, Plan plan) {
   const PlannerOptions& options = planner.options();
-  if (options.certificate != Certificate::none || !has_limits_within_steps(robot.model) ||
-      !can_brake(robot) || !can_drive(robot))
+  if (options.certificate != Certificate::none ||
+      !model_traits(robot.model).has_limits_within_steps || !can_brake(robot) || !can_drive(robot))
     return plan;
   const double time_step = options.time_step;
   const Vec2 wanted = robot.velocity + time_step * plan.acceleration;
@@ -76,10 +76,10 @@ Plan with_next_velocity(const Planner& planner, const Robot& robot, Plan plan) {
   if (!can_brake(robot)) return plan;
   if (!is_holonomic(robot.model) && can_drive(robot) && follows_heading(robot)) {
     MotionState state{{}, robot.velocity, robot.heading};
-    if (is_airplane(robot.model)) {
-      const auto airplane = flying(robot, planner.options().time_step);
-      if (!airplane) return plan;
-      state.position = airplane->position, state.circle = *with_circle(*airplane).loiter;
+    if (!can_rest(robot.model)) {
+      const auto flown = flying(robot, planner.options().time_step);
+      if (!flown) return plan;
+      state.position = flown->position, state.circle = *with_circle(*flown).loiter;
     }
     const MotionLimits limits{planned_braking(robot), robot.max_speed};
     plan.next_velocity =

@@ -48,7 +48,7 @@ void list_seen(const Planner& planner, const Robot& robot, std::span<const Neigh
   for (const std::uint32_t k : scratch.order) scratch.listed.push_back(neighbors[k]);
 }
 
-// Lists the distance that the circle of an airplane keeps from each wall.
+// Lists the distance that the circle of a robot that flies keeps from each wall.
 void list_walls_of_flight(const Robot& robot, double time_step, std::span<const Wall> walls,
                           std::vector<WallConstraint>& constraints) {
   if (!can_fly(robot, time_step)) return;
@@ -113,7 +113,7 @@ void Planner::collect_half_planes(const Robot& robot, std::span<const Wall> wall
     speeds.clear();
     if (by_speed) append_speed_planes(robot, walls.subspan(k, 1), law, out, speeds);
     if (!speeds.empty() && cuts(speeds[0])) half_planes.speeds.push_back({index, speeds[0], 0.0});
-    if (options_.method == Method::buffered_voronoi) continue;
+    if (method_traits(options_.method).stays_in_cell) continue;
     const auto own =
         obstacle_plane(options_, *horizon_, robot, walls[k], index, half_planes.overlapping);
     if (own && (own->excess > 0.0 || cuts(own->plane))) half_planes.obstacles.push_back(*own);
@@ -125,7 +125,7 @@ void Planner::collect_certificate(const Robot& robot, std::span<const Wall> wall
                                   std::vector<WallConstraint>& constraints) const {
   constraints.clear();
   if (options_.certificate == Certificate::none || !can_decide(robot, {}, {}, options_)) return;
-  if (is_airplane(robot.model))
+  if (!can_rest(robot.model))
     return list_walls_of_flight(robot, options_.time_step, walls, constraints);
   WallConstraints& own = PlanWorkspace::Scratch::of(workspace).certified.constraints.walls;
   for (std::size_t k = 0; k < walls.size(); ++k) {
@@ -144,7 +144,7 @@ void Planner::find_admitted(const Robot& robot, std::span<const Neighbor> neighb
                             PlanWorkspace& workspace, std::span<const Vec2> next_velocities,
                             std::span<std::uint8_t> admitted, std::span<const Wall> walls) const {
   std::fill(admitted.begin(), admitted.end(), std::uint8_t{0});
-  if (is_airplane(robot.model) || !can_decide(robot, neighbors, walls, options_)) return;
+  if (!can_rest(robot.model) || !can_decide(robot, neighbors, walls, options_)) return;
   PlanWorkspace::Scratch& scratch = PlanWorkspace::Scratch::of(workspace);
   list_seen(*this, robot, neighbors, walls, scratch);
   const CertificateLaw law = certificate_law(*this);
@@ -162,7 +162,7 @@ void Planner::collect_certificate(const Robot& robot, std::span<const Neighbor> 
   if (!can_decide(robot, neighbors, walls, options_)) return;
   PlanWorkspace::Scratch& scratch = PlanWorkspace::Scratch::of(workspace);
   list_seen(*this, robot, neighbors, walls, scratch);
-  if (is_airplane(robot.model)) {
+  if (!can_rest(robot.model)) {
     const Robot on_circle = with_circle(robot);
     collect_flight(on_circle, in_columns(scratch.listed, scratch.alone.neighbors), {},
                    certificate_law(*this).step, scratch.flight);

@@ -2,6 +2,7 @@
 // Options of a planner: usual values, valid ranges, and names.
 #include "planner/options.h"
 
+#include <algorithm>
 #include <string>
 
 #include "core/ranges.h"
@@ -9,6 +10,12 @@
 
 namespace avo {
 namespace {
+
+// Rows and names stand in the order of the methods.
+static_assert(kNames<Method>.size() == kMethodTraits.size() &&
+              std::all_of(kMethodTraits.begin(), kMethodTraits.end(), [](const MethodTraits& row) {
+                return &row == &method_traits(row.method);
+              }));
 
 // Checks that motion can follow the response within a step.
 void validate_control(const PlannerOptions& options, const std::string& prefix) {
@@ -33,7 +40,7 @@ void validate_comfort(const PlannerOptions& options, const std::string& prefix) 
   if (options.comfort_jerk)
     require(prefix + "comfort_jerk", *options.comfort_jerk, kPositive, "m/s^3");
   require(prefix + "margin", options.margin, kNotNegative, "m");
-  if (options.method == Method::avo) return;
+  if (method_traits(options.method).has_rules) return;
   const std::string others = std::string(" with method ") + to_string(options.method);
   if (options.response_time > 0.0)
     refuse(prefix + "response_time", text(options.response_time), "0" + others);
@@ -46,7 +53,7 @@ void validate_comfort(const PlannerOptions& options, const std::string& prefix) 
 }
 
 void validate_certificate(const PlannerOptions& options, const std::string& prefix) {
-  if (options.certificate != Certificate::none && options.method != Method::avo)
+  if (options.certificate != Certificate::none && !method_traits(options.method).has_rules)
     refuse(prefix + "certificate", to_string(options.certificate),
            std::string("none with method ") + to_string(options.method));
   const SensingError& error = options.sensing_error;

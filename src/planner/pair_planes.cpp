@@ -94,7 +94,7 @@ NeighborPlane share_of(const PlannerOptions& options, const Robot& robot, const 
 std::optional<NeighborPlane> own_half_plane(const PlannerOptions& options, const Horizon& horizon,
                                             const Robot& robot, const Neighbor& neighbor, int index,
                                             bool& overlapping) {
-  if (options.method == Method::buffered_voronoi)
+  if (method_traits(options.method).stays_in_cell)
     return cell_half_plane(options, robot, neighbor, index, overlapping);
   const RelativeHalfPlane plane = relative_half_plane(options, horizon, robot, neighbor);
   const bool coincident = plane.state == PairState::coincident;

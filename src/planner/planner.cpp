@@ -84,7 +84,7 @@ Disc Planner::acceleration_disc(const Robot& robot) const {
   if (disregards_acceleration(options_.method))
     return {{}, std::numeric_limits<double>::infinity()};
   const double most = options_.control_time * robot.max_acceleration;
-  return {robot.velocity, is_holonomic(robot.model) ? most : reach_of(robot.model) * most};
+  return {robot.velocity, model_traits(robot.model).reach * most};
 }
 
 Disc Planner::speed_disc(const Robot& robot) const {

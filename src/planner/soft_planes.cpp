@@ -34,7 +34,7 @@ void add_movers(const PlannerOptions& options, const Tile& tile, SoftPlanes& sof
   std::size_t i = 0;
   for (std::size_t r = 0; r < tile.robots.count; ++r) {
     for (std::size_t k = tile.robots.neighbors[r].first; i < soft.pair_end[r]; ++i, ++k) {
-      if (neighbors.decides[k] != NeighborColumns::kMover) continue;
+      if (neighbors.kind(k) != NeighborKind::mover) continue;
       const double acceleration = norm(neighbors.motion[k].acceleration);
       soft.pairs.reach[i] = options.control_time * (tile.robots.max_acceleration[r] + acceleration);
       soft.raise[r] = std::max(soft.raise[r], options.control_time * acceleration);
@@ -50,7 +50,7 @@ void weigh(const Tile& tile, SoftPlanes& soft) {
   std::size_t i = 0;
   for (std::size_t r = 0; r < robots.count; ++r) {
     for (std::size_t k = robots.neighbors[r].first; i < soft.pair_end[r]; ++i, ++k) {
-      if (neighbors.decides[k] == NeighborColumns::kMover) continue;
+      if (neighbors.kind(k) == NeighborKind::mover) continue;
       soft.share[i] =
           share_of_plane(soft.relative.h[i], robots.max_acceleration[r],
                          neighbors.max_acceleration[k], robots.priority[r], neighbors.priority[k]);
@@ -73,8 +73,7 @@ void part_coinciding(const PlannerOptions& options, const Horizon& horizon, cons
   std::size_t i = 0;
   for (std::size_t r = 0; r < tile.robots.count; ++r) {
     for (std::size_t k = tile.robots.neighbors[r].first; i < soft.pair_end[r]; ++i, ++k) {
-      if (neighbors.parting[k] == Vec2{} || neighbors.decides[k] == NeighborColumns::kMover)
-        continue;
+      if (neighbors.parting[k] == Vec2{} || neighbors.kind(k) == NeighborKind::mover) continue;
       const RelativeHalfPlane plane = parting_plane(options, horizon, soft.pairs.radius[i],
                                                     neighbors.parting[k], soft.pairs.reach[i]);
       planes.n_x[i] = plane.plane.normal.x, planes.n_y[i] = plane.plane.normal.y;
@@ -89,7 +88,7 @@ void mark_coinciding(const Tile& tile, SoftPlanes& soft) {
   std::size_t i = 0;
   for (std::size_t r = 0; r < tile.robots.count; ++r) {
     for (std::size_t k = tile.robots.neighbors[r].first; i < soft.pair_end[r]; ++i, ++k) {
-      if (tile.neighbors.decides[k] != NeighborColumns::kMover &&
+      if (tile.neighbors.kind(k) != NeighborKind::mover &&
           nearly_coincide(norm(Vec2{pairs.p_x[i], pairs.p_y[i]}), pairs.radius[i]))
         soft.coinciding[r] = 1;
     }
@@ -99,7 +98,8 @@ void mark_coinciding(const Tile& tile, SoftPlanes& soft) {
 // Marks robots in contact. Without an early end, one instruction tests several pairs.
 void mark_overlaps(const PlannerOptions& options, const Tile& tile, SoftPlanes& soft) {
   if (soft.workspace.cases.contact == 0) return;
-  if (options.method == Method::avo) mark_coinciding(tile, soft);  // only method avo makes detours
+  // only method avo makes detours
+  if (method_traits(options.method).has_rules) mark_coinciding(tile, soft);
   const std::vector<PairState>& states = soft.relative.state;
   std::size_t i = 0;
   for (std::size_t r = 0; r < soft.pair_end.size(); ++r) {
@@ -154,7 +154,7 @@ void add_margins(const PlannerOptions& options, const Tile& tile, SoftPlanes& so
     const double margin = own(options.margin),
                  larger = own(mover_margin(options, robots.radius[r]));
     for (std::size_t k = robots.neighbors[r].first; i < soft.pair_end[r]; ++i, ++k) {
-      const bool shares = tile.neighbors.decides[k] != NeighborColumns::kMover;
+      const bool shares = tile.neighbors.kind(k) != NeighborKind::mover;
       pairs.radius[i] = with_margin({{pairs.p_x[i], pairs.p_y[i]}, {}, pairs.radius[i]},
                                     shares ? margin : larger);
     }
@@ -239,7 +239,7 @@ void reserve(std::size_t robots, std::size_t pairs, SoftPlanes& soft) {
 
 void collect_soft_planes(const PlannerOptions& options, const Horizon& horizon, const Tile& tile,
                          SoftPlanes& soft) {
-  if (disregards_acceleration(options.method) || options.method == Method::buffered_voronoi) {
+  if (disregards_acceleration(options.method) || method_traits(options.method).stays_in_cell) {
     collect_others(options, horizon, tile, soft);
   } else {
     collect_exact(options, horizon, tile, soft);

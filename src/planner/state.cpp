@@ -45,7 +45,7 @@ SafetyReport state_of(const Robot& robot, const Neighbors& neighbors, std::span<
   const bool is_safe = braking_keeps_clear(constraints);
   FirstContact first{{is_safe ? SafetyState::safe : SafetyState::unknown}};
   // it may accelerate more than its limit says
-  if (may_exceed_reach(robot.model)) return first.report;
+  if (may_exceed_reach(model_traits(robot.model))) return first.report;
   for (std::size_t k = 0; k < neighbors.size() && !first.is_now(); ++k) {
     const Neighbor neighbor = neighbors[k];
     if (is_safe && neighbor.behavior == Behavior::decides) continue;
@@ -100,7 +100,7 @@ SafetyReport Planner::state(const Robot& robot, std::span<const Neighbor> neighb
   if (!can_decide(robot, neighbors, walls, options_)) return {};
   const CertificateLaw law = law_of_state(*this);
   PlanWorkspace::Scratch& scratch = PlanWorkspace::Scratch::of(workspace);
-  if (is_airplane(robot.model))
+  if (!can_rest(robot.model))
     return state_of_flight(robot, {neighbors, walls, options_.wall_range}, law, scratch);
   CertificateConstraints& constraints = scratch.certified.constraints;
   collect_constraints(robot, neighbors, law, constraints, walls);

@@ -58,7 +58,7 @@ bool add_walls(const Robot& robot, std::span<const Wall> walls, const StepLaw& l
 // it as walls do, once they are slow.
 void add_slow_neighbors(const Robot& robot, const Neighbors& neighbors, double room,
                         std::vector<Obstacle>& obstacles) {
-  if (can_reverse(robot.model)) return;
+  if (model_traits(robot.model).can_reverse) return;
   for (std::size_t k = 0; k < neighbors.count; ++k) {
     const Neighbor neighbor = neighbors[k];
     const double speed = norm(neighbor.velocity), time = 0.5 * speed / braking_limit(neighbor);
@@ -70,7 +70,7 @@ void add_slow_neighbors(const Robot& robot, const Neighbors& neighbors, double r
 
 std::optional<Vec2> maneuver_of(const PlannerOptions& options, const StepLaw& law, Tile& tile,
                                 std::size_t i, SteerMemory& memory) {
-  const double room = room_for_maneuvers(*tile.robots.model[i]);
+  const double room = model_traits(*tile.robots.model[i]).maneuver_room;
   if (room == 0.0) return std::nullopt;
   const Robot robot = tile.robots.robot(i);
   std::vector<Obstacle>& obstacles = memory.obstacles;
@@ -95,7 +95,7 @@ void steer(const PlannerOptions& options, const StepLaw& law, Tile& tile, SteerM
   for (std::size_t i = 0; i < robots.count; ++i) {
     if (robots.model[i] == nullptr) continue;
     std::optional<Vec2> wish;
-    if (options.method == Method::avo) wish = maneuver_of(options, law, tile, i, memory);
+    if (method_traits(options.method).has_rules) wish = maneuver_of(options, law, tile, i, memory);
     if (!wish) wish = steered(robots.robot(i), approach_of(options));
     robots.preferred_x[i] = wish->x, robots.preferred_y[i] = wish->y;
   }

@@ -38,7 +38,7 @@ void adopt(const Planner& planner, Tile& tile, const PlanWorkspace::Scratch& scr
     double worst = decisions.violation[i];
     if (soft.exceeding) worst = with_excess(soft.of(i), soft.excess_of(i), target, worst);
     plan = plan_of(planner.options(), tile.robots.velocity(i), target, status_of(worst), worst);
-    if (planner.options().method == Method::orca_clamped)
+    if (method_traits(planner.options().method).clamps)
       plan = clamped(planner, tile.robots.robot(i), plan, soft.of(i));
     if (soft.overlapping[i] != 0)
       tell(deepest_contact(tile.robots.robot(i), tile.robots.neighbors[i], tile.walls_of(i),
@@ -71,8 +71,7 @@ bool decides_otherwise(const Planner& planner, const Tile& tile, std::size_t i,
     return true;
   }
   const bool has_movers = tile.neighbors.has_movers || avoids_union(options.method);
-  if (!has_movers || is_airplane_at(robots, i) || !is_among_movers(options, neighbors))
-    return false;
+  if (!has_movers || flies(robots, i) || !is_among_movers(options, neighbors)) return false;
   list(neighbors, scratch.listed);
   *tile.plan[i] =
       decide_among_obstacles(planner, robots.robot(i), scratch.listed, tile.walls_of(i), scratch);
@@ -110,14 +109,14 @@ void plan_together(const Planner& planner, Tile& tile, PlanWorkspace::Scratch& s
   collect_soft_planes(options, planner.horizon(), tile, scratch.soft);
   clock.lap(Stage::half_planes);
   make_wishes(planner, tile, scratch.decisions);
-  if (options.method == Method::buffered_voronoi) wish_within_cells(options, tile.robots, scratch);
+  if (method_traits(options.method).stays_in_cell) wish_within_cells(options, tile.robots, scratch);
   const Execution execution = execution_of(planner, tile.remembers);
   make_aims(planner, execution, tile, scratch.decisions);
   clock.lap(Stage::certificate);
   solve_programs(planner, tile.robots, scratch);
   if (tile.robots.has_models || !tile.walls.empty()) keep_to_demands(planner, tile, scratch);
   clock.lap(Stage::program);
-  if (options.method == Method::avo) {
+  if (method_traits(options.method).has_rules) {
     decide(planner, execution, tile, scratch);
   } else {
     adopt(planner, tile, scratch);

@@ -98,7 +98,7 @@ void trace_wish(const Decided& decided, DecisionTrace& trace) {
     trace.rule = WishRule::leaves_wall;
     return;
   }
-  if (decided.planner.options().method == Method::buffered_voronoi) {
+  if (method_traits(decided.planner.options().method).stays_in_cell) {
     trace.rule = WishRule::in_cell;
     return;
   }
@@ -149,7 +149,7 @@ void trace_program(const Decided& decided, DecisionTrace& trace) {
   trace.aim = decisions.aim(0);
   trace.target = trace.proposal = decisions.target(0);
   if (trace.target != trace.aim) trace_half_planes(decided, trace);
-  if (decided.planner.options().method == Method::avo)
+  if (method_traits(decided.planner.options().method).has_rules)
     trace.proposal = {decisions.next_x[0], decisions.next_y[0]};
 }
 
@@ -196,7 +196,8 @@ std::vector<Cause> refusing(const Decided& decided, Vec2 next_velocity) {
   const CertificateLaw law = certificate_law(decided.planner);
   if (law.kind == Certificate::none) return {};
   Robot asked = decided.robot;
-  if (turns_in_place(asked.model) && asked.velocity == Vec2{}) asked.model = Holonomic{};
+  if (asked.velocity == Vec2{} && model_traits(asked.model).turns_in_place)
+    asked.model = Holonomic{};
   if (!is_holonomic(asked.model))
     next_velocity = within_own_limits(asked, law.step.braking_time, next_velocity);
   if (admits(asked, next_velocity, law, decided.scratch.certified.constraints, Asked::all))
@@ -217,7 +218,8 @@ void trace_certificate(const Decided& decided, DecisionTrace& trace) {
   if (is_refused && last.empty() && !is_holonomic(decided.robot.model)) last.push_back({});
 }
 
-// An airplane that may not take the controls for its target: the neighbor whose circle is nearest.
+// A robot that flies and may not take the controls for its target: the neighbor whose circle is
+// nearest.
 void trace_flight(const Decided& decided, DecisionTrace& trace) {
   const PlanStatus status = trace.plan.status;
   if (status == PlanStatus::optimal || status == PlanStatus::least_unsafe) return;
@@ -265,10 +267,10 @@ DecisionTrace Planner::explain(const Robot& robot, std::span<const Neighbor> nei
   } else {
     trace_program(decided, trace);
   }
-  if (passes_goal(robot.model)) {
-    trace_flight(decided, trace);
-  } else {
+  if (can_rest(robot.model)) {
     trace_certificate(decided, trace);
+  } else {
+    trace_flight(decided, trace);
   }
   if (trace.plan.evading) trace_evasion(decided, trace);
   return trace;

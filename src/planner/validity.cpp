@@ -57,7 +57,7 @@ bool is_valid(const Robot& robot) {
 bool follows_heading(const Robot& robot) {
   if (!moves_along_heading(robot.model) || is_rest(robot.velocity)) return true;
   const Vec2 v = robot.velocity, heading = ahead_of(robot.heading);
-  const bool backwards = can_reverse(robot.model) && dot(v, heading) < 0.0;
+  const bool backwards = model_traits(robot.model).can_reverse && dot(v, heading) < 0.0;
   return norm_squared(v - norm(v) * (backwards ? -heading : heading)) <=
          kHeadingTolerance * kHeadingTolerance * norm_squared(v);
 }
@@ -132,7 +132,7 @@ bool all_valid(const Robot& robot, const Neighbors& neighbors) {
   const bool have_more = columns.has_priorities || columns.has_max_braking ||
                          columns.has_deviations || columns.has_partings;
   for (std::size_t k = neighbors.first; k < neighbors.first + neighbors.count; ++k) {
-    const bool is_usual = !have_more && columns.decides[k] == NeighborColumns::kPrompt;
+    const bool is_usual = !have_more && columns.kind(k) == NeighborKind::prompt;
     if (!(is_usual ? is_valid_usual(columns, k) : is_valid(columns[k]))) return false;
   }
   return true;
@@ -140,7 +140,7 @@ bool all_valid(const Robot& robot, const Neighbors& neighbors) {
 
 namespace {
 
-// An airplane counts on what it senses of a robot, and it evades a mover with any errors.
+// A robot that flies counts on what it senses of a robot, and it evades a mover with any errors.
 bool may_fly_beside(const Neighbor& neighbor) {
   if (neighbor.behavior == Behavior::moves_on) return true;
   return neighbor.behavior == Behavior::decides && !has_errors_of_its_own(neighbor);
@@ -149,7 +149,7 @@ bool may_fly_beside(const Neighbor& neighbor) {
 template <typename Neighbors>
 bool can_follow_among(const Robot& robot, const Neighbors& neighbors,
                       const PlannerOptions& options) {
-  const bool flies = is_airplane(robot.model);
+  const bool flies = !can_rest(robot.model);
   bool loiters = flies;
   for (std::size_t k = 0; k < neighbors.size(); ++k) {
     const Neighbor& neighbor = neighbors[k];
@@ -167,7 +167,7 @@ bool can_follow_among(const Robot& robot, const Neighbors& neighbors,
 }  // namespace
 
 bool can_follow(const Robot& robot, const Neighbors& neighbors, const PlannerOptions& options) {
-  if (!is_airplane(robot.model) && !neighbors.columns->has_loiterers)  // nearly always
+  if (can_rest(robot.model) && !neighbors.columns->has_loiterers)  // nearly always
     return can_follow_among(robot, std::span<const Neighbor>{}, options);
   return can_follow_among(robot, neighbors, options);
 }

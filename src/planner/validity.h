@@ -21,7 +21,7 @@ bool all_valid(const Robot& robot, const Neighbors& neighbors);
 bool follows_heading(const Robot& robot);
 
 /// A car holds its acceleration and brakes fully: it cannot do what the others expect under every
-/// option. The same holds for an airplane, and for a robot that decides beside an airplane.
+/// option. The same holds for a robot that flies, and for a robot that decides beside it.
 bool can_follow(const Robot& robot, const Neighbors& neighbors, const PlannerOptions& options);
 bool can_follow(const Robot& robot, std::span<const Neighbor> neighbors,
                 const PlannerOptions& options);

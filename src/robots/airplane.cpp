@@ -93,10 +93,6 @@ double sagitta(const Arc& arc) {
   return 0.125 * arc.length * arc.length * std::abs(arc.curvature);
 }
 
-Vec2 loitering(const Airplane& airplane, const MotionState& state) {
-  return loitering_along(airplane, ahead_of(state.heading));
-}
-
 FlightStep fly(const Airplane& airplane, const MotionLimits& limits, const MotionState& state,
                const Plan& plan, double time_step) {
   return fly_along(airplane, limits, state, ahead_of(state.heading), plan.acceleration, time_step);
@@ -123,6 +119,24 @@ FlightStep fly_along(const Airplane& airplane, const MotionLimits& limits, const
   step.motion.acceleration = norm(Vec2{(next_speed - speed) / time_step, across});
   step.motion.way = step.way.length;
   return step;
+}
+
+FlightStep fly_along(const MotionModel& model, const MotionLimits& limits, const MotionState& state,
+                     Vec2 heading, Vec2 acceleration, double time_step) {
+  return fly_along(std::get<Airplane>(model), limits, state, heading, acceleration, time_step);
+}
+
+double usable_acceleration(const MotionModel& model) {
+  return usable_acceleration(std::get<Airplane>(model));
+}
+
+Vec2 loitering(const MotionModel& model, const MotionState& state) {
+  return loitering_along(std::get<Airplane>(model), ahead_of(state.heading));
+}
+
+bool turns_slowly(const MotionModel& model, double time_step) {
+  const Airplane& airplane = std::get<Airplane>(model);
+  return !(airplane.lateral_acceleration * time_step > kMostTurn * airplane.min_speed);
 }
 
 // Along the heading a_max, across it a_lat.

@@ -246,7 +246,7 @@ SensingError unforeseen_of_car(const Car& car, double max_acceleration, double t
 // The disc of a car that turns about its axle moves farther than the axle.
 double top_speed_of(const Car& car, const Robot& robot, double u) {
   constexpr double kForTurning = 0.9;
-  if (!may_exceed_reach(robot.model)) return std::numeric_limits<double>::infinity();
+  if (!may_exceed_reach(model_traits(robot.model))) return std::numeric_limits<double>::infinity();
   return norm(robot.velocity) + (offset_of(car) == 0.0 ? u : kForTurning * u);
 }
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <optional>
 #include <span>
 #include <vector>
@@ -46,6 +47,13 @@ inline double offset_of(const Car& car) {
 /// Returns whether it can turn without driving.
 inline bool turns_in_place(const Car& car) {
   return !car.max_curvature;
+}
+/// [1, √2]: see ModelTraits.
+inline double reach_of(const Car& car) {
+  return car.acceleration_set == AccelerationSet::exact ? std::numbers::sqrt2 : 1.0;
+}
+inline bool has_own_half_planes(const Car& car) {
+  return !turns_in_place(car) || reach_of(car) > 1.0;
 }
 /// 1/m, while it drives. Others expect a disc to move about as far as two steps at its axle's speed
 /// (keeps_reach() in src/certificate). So a disc ahead of the axle may sweep aside as fast as the

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 #include <span>
 
 #include "core/plane.h"
@@ -22,7 +21,7 @@ const char* to_string(AccelerationSet set) {
 }
 
 bool moves_along_heading(const MotionModel& model) {
-  return std::holds_alternative<Car>(model) || is_airplane(model);
+  return std::holds_alternative<Car>(model) || !can_rest(model);
 }
 
 double usual_offset(double radius, double track) {
@@ -52,6 +51,37 @@ Vec2 disc_center(const MotionModel& model, Vec2 position, double heading) {
 }  // namespace avo
 
 namespace avo::inline robots {
+namespace {
+
+ModelTraits traits_of(const Holonomic&) {
+  return {};
+}
+
+ModelTraits traits_of(const Car& car) {
+  const bool swings = offset_of(car) != 0.0;
+  return {.turns_in_place = turns_in_place(car),
+          .can_reverse = car.reverse,
+          .swings = swings,
+          .has_own_half_planes = has_own_half_planes(car),
+          .reach = reach_of(car),
+          .speed_ratio = swings ? 1.0 + std::abs(offset_of(car)) * sharpest(car) : 1.0,
+          .maneuver_room = room_for_maneuvers(car)};
+}
+
+ModelTraits traits_of(const DifferentialDrive&) {
+  return {.has_limits_within_steps = true};
+}
+
+ModelTraits traits_of(const Airplane& airplane) {
+  return {.leaves_at_goal = airplane.after_goal == AfterGoal::leave,
+          .least_speed = airplane.min_speed};
+}
+
+}  // namespace
+
+ModelTraits own_traits(const MotionModel& model) {
+  return std::visit([](const auto& own) { return traits_of(own); }, model);
+}
 
 MotionStep advance(const MotionModel& model, const MotionLimits& limits, const MotionState& state,
                    const Plan& plan, double time_step) {
@@ -106,27 +136,6 @@ double swing_of(const MotionModel& model, double max_acceleration, double top_sp
   return std::max(driving, 0.5 * max_acceleration * time_step);
 }
 
-double fastest_of(const MotionModel& model, double max_speed) {
-  const Car* car = std::get_if<Car>(&model);
-  if (car == nullptr || offset_of(*car) == 0.0) return max_speed;
-  return max_speed * (1.0 + std::abs(offset_of(*car)) * sharpest(*car));
-}
-
-bool swings(const MotionModel& model) {
-  const Car* car = std::get_if<Car>(&model);
-  return car != nullptr && offset_of(*car) != 0.0;
-}
-
-bool may_exceed_reach(const MotionModel& model) {
-  return swings(model) || reach_of(model) > 1.0;
-}
-
-double reach_of(const MotionModel& model) {
-  const Car* car = std::get_if<Car>(&model);
-  const bool exact = car != nullptr && car->acceleration_set == AccelerationSet::exact;
-  return exact ? std::numbers::sqrt2 : 1.0;
-}
-
 double top_speed_of(const Robot& robot, double u) {
   const Car* car = std::get_if<Car>(&robot.model);
   return car != nullptr ? std::min(top_speed_of(*car, robot, u), robot.max_speed) : robot.max_speed;
@@ -136,22 +145,13 @@ Vec2 within_own_limits(const Robot& robot, double time, Vec2 v) {
   if (const auto* drive = std::get_if<DifferentialDrive>(&robot.model))
     return within_own_limits(*drive, robot, time, v);
   const Car* car = std::get_if<Car>(&robot.model);
-  return has_own_half_planes(robot.model) ? within_own_limits(*car, robot, time, v) : v;
+  return car != nullptr && has_own_half_planes(*car) ? within_own_limits(*car, robot, time, v) : v;
 }
 
 Vec2 approached(const Robot& robot, double time, double increment, Vec2 w) {
   if (const Car* car = std::get_if<Car>(&robot.model))
     return approached(*car, robot, time, increment, w);
   return within_own_limits(robot, time, approach(robot.velocity, w, increment));
-}
-
-bool has_own_half_planes(const MotionModel& model) {
-  const Car* car = std::get_if<Car>(&model);
-  return car != nullptr && (!turns_in_place(*car) || reach_of(model) > 1.0);
-}
-
-bool has_limits_within_steps(const MotionModel& model) {
-  return std::holds_alternative<DifferentialDrive>(model);
 }
 
 void append_own_half_planes(const Robot& robot, double time, std::vector<HalfPlane>& half_planes) {
@@ -189,20 +189,6 @@ std::optional<Vec2> maneuver(const Robot& robot, const Approach& approach, bool 
                         : std::nullopt;
 }
 
-double room_for_maneuvers(const MotionModel& model) {
-  const Car* car = std::get_if<Car>(&model);
-  return car != nullptr ? room_for_maneuvers(*car) : 0.0;
-}
-
-bool passes_goal(const MotionModel& model) {
-  return is_airplane(model);
-}
-
-bool leaves_at_goal(const MotionModel& model) {
-  const Airplane* airplane = std::get_if<Airplane>(&model);
-  return airplane != nullptr && airplane->after_goal == AfterGoal::leave;
-}
-
 double pass(const MotionModel& model, const MotionLimits& limits, const MotionState& state,
             const Plan& plan, double time_step, Vec2 goal) {
   return distance(fly(std::get<Airplane>(model), limits, state, plan, time_step).way, goal);
@@ -218,21 +204,6 @@ double room_to_turn(const MotionModel& model, double max_speed) {
   const Airplane* airplane = std::get_if<Airplane>(&model);
   if (airplane == nullptr) return 0.0;
   return 2.0 * max_speed * max_speed / usable_acceleration(*airplane);
-}
-
-double least_speed(const MotionModel& model) {
-  const Airplane* airplane = std::get_if<Airplane>(&model);
-  return airplane != nullptr ? airplane->min_speed : 0.0;
-}
-
-bool turns_in_place(const MotionModel& model) {
-  const Car* car = std::get_if<Car>(&model);
-  return car != nullptr && turns_in_place(*car);
-}
-
-bool can_reverse(const MotionModel& model) {
-  const Car* car = std::get_if<Car>(&model);
-  return car != nullptr && car->reverse;
 }
 
 bool is_valid(const MotionModel& model, double most_change, double max_speed) {

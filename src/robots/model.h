@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// The interface of motion models for all other code: the motion after a decision, its distance from
-// the
-// fallback, the decisions that it can follow, and its steering. An airplane falls back on a circle
-// (src/robots/airplane.h), every other robot on straight braking of its disc
-// (src/certificate/braking_path.h).
+// The interface of motion models for all other code: what a model answers, the motion after a
+// decision, its distance from the fallback, the decisions that it can follow, and its steering. A
+// robot that cannot rest falls back on a circle (src/robots/flight.h), every other robot on
+// straight braking of its disc (src/certificate/braking_path.h).
 //
 // Everything is about the robot's disc, see disc_center(). Only src/robots distinguishes models.
 #pragma once
@@ -20,6 +19,35 @@
 #include "robots/motion.h"
 
 namespace avo::inline robots {
+
+/// What a model answers about a robot, by default as for a holonomic robot. The public answers are
+/// is_holonomic(), can_rest() and moves_along_heading(). model.cpp has one row for each model.
+struct ModelTraits {
+  bool turns_in_place = false;       // it turns before it drives when it is at rest
+  bool can_reverse = false;          // it may move against its heading
+  bool leaves_at_goal = false;       // it leaves the scene after it has passed its goal
+  bool swings = false;               // its disc moves differently from its axle
+  bool has_own_half_planes = false;  // append_own_half_planes() limits its v'
+  // half-planes do not suffice: within_own_limits() decides which velocities it can follow
+  bool has_limits_within_steps = false;
+  double reach = 1.0;        // [1, √2]: |v' - v| is at most this times a_max times the time
+  double speed_ratio = 1.0;  // >= 1: the speed of its disc is at most this times max_speed
+  double least_speed = 0.0;  // m/s: its start speed if it should start at rest
+  // m, from its disc: the range of obstacles of its maneuvers; 0: it does not maneuver
+  double maneuver_room = 0.0;
+};
+/// The row of a model that is not holonomic.
+ModelTraits own_traits(const MotionModel& model);
+// Nearly all robots are holonomic, for which the compiler knows the answers.
+inline ModelTraits model_traits(const MotionModel& model) {
+  return is_holonomic(model) ? ModelTraits{} : own_traits(model);
+}
+
+/// Returns whether a decision could lead it farther than others expect from its acceleration: it
+/// must then keep their expectation.
+inline bool may_exceed_reach(const ModelTraits& traits) {
+  return traits.swings || traits.reach > 1.0;
+}
 
 struct MotionLimits {
   double planned_braking;  // m/s^2, with which a car stops if it must turn in place
@@ -64,19 +92,6 @@ SensingError unforeseen(const MotionModel& model, double max_acceleration, doubl
 double swing_of(const MotionModel& model, double max_acceleration, double top_speed,
                 double time_step);
 
-/// m/s: a speed that its disc never exceeds, where the robot itself keeps max_speed.
-double fastest_of(const MotionModel& model, double max_speed);
-
-/// Returns whether its disc moves differently from its axle.
-bool swings(const MotionModel& model);
-
-/// Returns whether a decision could lead it farther than others expect from its acceleration: it
-/// must then keep their expectation.
-bool may_exceed_reach(const MotionModel& model);
-
-/// [1, √2]: for its decisions |v' - v| is at most this times a_max times the time.
-double reach_of(const MotionModel& model);
-
 /// Appends the half-planes of v' that the robot can follow, where a disc about v does not suffice:
 /// Fig. 6(b). The velocities are reached after `time` s.
 void append_own_half_planes(const Robot& robot, double time, std::vector<HalfPlane>& half_planes);
@@ -106,8 +121,6 @@ struct ManeuverMemory;  // robots/maneuver_memory.h
 /// m/s: the velocity beside obstacles, in place of steered().
 std::optional<Vec2> maneuver(const Robot& robot, const Approach& approach, bool is_beside,
                              const ClearPlaces& is_clear, ManeuverMemory& memory);
-/// m, from its disc: the range of possible obstacles; 0: it needs none.
-double room_for_maneuvers(const MotionModel& model);
 
 /// m/s, after a step that a_max changes by u: the limit for the program.
 double top_speed_of(const Robot& robot, double u);
@@ -118,22 +131,10 @@ Vec2 within_own_limits(const Robot& robot, double time, Vec2 v);
 /// can have.
 Vec2 approached(const Robot& robot, double time, double increment, Vec2 w);
 
-bool has_own_half_planes(const MotionModel& model);
-/// Returns whether these half-planes do not suffice: within_own_limits() then decides which
-/// velocities it can follow.
-bool has_limits_within_steps(const MotionModel& model);
-inline bool has_own_limits(const MotionModel& model) {
-  return has_own_half_planes(model) || has_limits_within_steps(model);
-}
-
 /// append_own_half_planes() appends at most so many.
 inline constexpr std::size_t kMostOwnPlanes = 4;
 
-/// Returns whether it cannot stop: it reaches its goal by passing it, at its preferred speed.
-bool passes_goal(const MotionModel& model);
-/// Returns whether it leaves the scene after it has passed its goal.
-bool leaves_at_goal(const MotionModel& model);
-/// m: the least distance from the goal of a step of a robot that passes its goal.
+/// m: the least distance from the goal of a step of a robot that cannot rest.
 double pass(const MotionModel& model, const MotionLimits& limits, const MotionState& state,
             const Plan& plan, double time_step, Vec2 goal);
 /// The circle that it falls back on; none for a robot that brakes.
@@ -141,13 +142,6 @@ std::optional<LoiterCircle> circle_of(const MotionModel& model, Vec2 position, V
 /// m: the additional distance from its center, beyond its disc and braking, that its fallback may
 /// need.
 double room_to_turn(const MotionModel& model, double max_speed);
-/// m/s: its start speed if it should start at rest.
-double least_speed(const MotionModel& model);
-
-/// Returns whether it turns before it drives when it is at rest.
-bool turns_in_place(const MotionModel& model);
-/// Returns whether it may move against its heading.
-bool can_reverse(const MotionModel& model);
 /// Returns whether every number is finite and in range, and the model allows these limits; the
 /// acceleration is change_limit().
 bool is_valid(const MotionModel& model, double most_change, double max_speed);

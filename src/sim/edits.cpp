@@ -209,7 +209,7 @@ void move_robot(World& world, RobotId robot, Vec2 position) {
     refuse(name_of(robot), "another place for it", "one that is not parked");
   RobotSetup setup = fleet.setup(slot);
   setup.position = position;
-  if (!passes_goal(setup.model)) setup.velocity = {};
+  if (can_rest(setup.model)) setup.velocity = {};
   check_values(world, setup, robot, !world.statics.walls.empty());
   look_around_starts(world);
   check_start(world, setup, robot);

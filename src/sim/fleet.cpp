@@ -34,7 +34,7 @@ RobotTraits traits_of(const RobotSetup& setup) {
           .max_braking = braking_limit(setup),
           .preferred_speed = setup.preferred_speed,
           .has_model = !is_holonomic(setup.model),
-          .exceeds = reach_of(setup.model) > 1.0};
+          .exceeds = model_traits(setup.model).reach > 1.0};
 }
 
 Conduct conduct_of(const RobotSetup& setup, Method usual) {
@@ -45,10 +45,11 @@ Conduct conduct_of(const RobotSetup& setup, Method usual) {
 Vec2 start_velocity(const RobotSetup& setup) {
   if (is_holonomic(setup.model)) return setup.velocity;
   const Vec2 heading = elementary::direction(setup.heading);
-  const double least = least_speed(setup.model);
+  const double least = model_traits(setup.model).least_speed;
   if (setup.velocity == Vec2{} && least > 0.0)
     return std::clamp(setup.preferred_speed, least, setup.max_speed) * heading;
-  const bool backwards = can_reverse(setup.model) && dot(setup.velocity, heading) < 0.0;
+  const bool backwards =
+      model_traits(setup.model).can_reverse && dot(setup.velocity, heading) < 0.0;
   return norm(setup.velocity) * (backwards ? -heading : heading);
 }
 
@@ -78,7 +79,7 @@ void Fleet::add(RobotId robot, const RobotSetup& setup, const OwnPace& own_pace)
     own_radius.resize(slot + 1);
     models.resize(slot + 1);
   }
-  if (!flights.empty() || passes_goal(setup.model)) flights.resize(slot + 1);
+  if (!flights.empty() || !can_rest(setup.model)) flights.resize(slot + 1);
   if (!pace.empty() || !(own_pace == OwnPace{})) pace.resize(slot + 1);
   if (!told.empty()) told.resize(slot + 1);
   for_each_column([&](auto& column) { column.resize(slot + 1); });

@@ -69,7 +69,7 @@ enum class Expectation : std::uint8_t {
 /// None where A does not avoid B.
 inline std::optional<Expectation> expected_of(const Conduct& b, const Conduct& a) {
   if ((a.avoids.bits & b.layers.bits) == 0) return std::nullopt;
-  const bool is_like = a.method != Method::avo || b.method == a.method;
+  const bool is_like = !method_traits(a.method).has_rules || b.method == a.method;
   if ((b.avoids.bits & a.layers.bits) == 0)
     return is_like ? Expectation::does_as_it_likes : Expectation::moves_on;
   if (b.behavior == Behavior::cooperates) return Expectation::cooperates;
@@ -81,7 +81,7 @@ Neighbor sensed(const RobotTraits& traits, const Conduct& conduct, Expectation e
 /// m/s; for a robot with a heading it points along the heading, or against it.
 Vec2 start_velocity(const RobotSetup& setup);
 
-/// The memory of airplanes.
+/// The memory of a robot that flies.
 struct Flight {
   LoiterCircle circle;       // the circle that it falls back on
   bool has_arrived = false;  // it has passed its goal
@@ -139,7 +139,7 @@ struct Fleet {
   std::vector<OwnPace> pace;        // by rank; empty where all use the first one
   std::vector<MotionModel> models;  // by rank; empty where all are holonomic
   std::vector<double> own_radius;   // m, from their setups, by rank; empty where all are holonomic
-  std::vector<Flight> flights;      // by rank; empty where there are no airplanes
+  std::vector<Flight> flights;      // by rank; empty where no robot flies
   // m/s, preferred velocities that the host gave, by rank; empty where it gave none
   std::vector<std::optional<Vec2>> told;
 
@@ -187,10 +187,9 @@ struct Fleet {
   /// The setup with its goal, position, velocity and heading.
   RobotSetup setup(std::size_t slot) const { return setup(slot, state(slot)); }
   RobotSetup setup(std::size_t slot, const MotionState& state) const;
-  /// None for a robot that is no airplane.
+  /// None for a robot that can rest.
   const Flight* flight(std::size_t slot) const {
-    if (flights.empty() || !traits[slot].has_model || !passes_goal(*own_model(slot)))
-      return nullptr;
+    if (flights.empty() || !traits[slot].has_model || can_rest(*own_model(slot))) return nullptr;
     return &flights[static_cast<std::size_t>(rank[slot])];
   }
   Flight* flight(std::size_t slot) {
@@ -237,10 +236,10 @@ inline Vec2 disc_goal(const Fleet& fleet, std::size_t slot, Vec2 aim, Vec2 end) 
 inline double own_way_of(const Fleet& fleet, std::size_t slot) {
   constexpr double kOwnWay = 0.6;  // of its room for maneuvers
   const MotionModel* model = fleet.own_model(slot);
-  return model != nullptr ? kOwnWay * room_for_maneuvers(*model) : 0.0;
+  return model != nullptr ? kOwnWay * model_traits(*model).maneuver_room : 0.0;
 }
 
-/// m/s: the preferred velocity of an airplane.
+/// m/s: the preferred velocity of a robot that flies.
 inline Vec2 course_of(const Flight& flight, Vec2 position, Vec2 goal, double preferred_speed) {
   const Vec2 way = goal - position;
   const double distance = norm(way);

@@ -83,7 +83,7 @@ AVO_KERNEL Real soft_speed(Real distance, Real braking, Real response_time, Real
   return max(speed, admissible_speed(distance, softly, time_step));
 }
 
-/// Method avo reaches v' in one step, so v' needs only the lead of a soft landing.
+/// A method without lag reaches v' in one step, so v' needs only the lead of a soft landing.
 template <typename Real>
 AVO_KERNEL Vec<Real> approach(const Traveller<Real>& robot, const Way<Real>& way,
                               const StepResponse& step) {
@@ -109,7 +109,7 @@ AVO_KERNEL Vec<Real> approach(const Traveller<Real>& robot, const Way<Real>& way
   return select(known, at_speed, select(there, constant<Real>({}), slower));
 }
 
-/// The paper's method approaches v' with the lag of Eq. (7).
+/// For a method that approaches v' with the lag of Eq. (7).
 template <typename Real>
 AVO_KERNEL Vec<Real> lead(const Traveller<Real>& robot, const Way<Real>& way,
                           const StepResponse& step) {
@@ -135,9 +135,8 @@ AVO_KERNEL Vec<Real> lead(const Traveller<Real>& robot, const Way<Real>& way,
 template <typename Real>
 AVO_KERNEL Vec<Real> preferred_velocity(const Traveller<Real>& robot, const Way<Real>& way,
                                         const StepResponse& step) {
-  if (step.method == Method::avo) return approach(robot, way, step);
-  if (step.method == Method::avo_paper) return lead(robot, way, step);
-  if (reaches_within_step(step.method)) return approach(robot, way, step);
+  if (method_traits(step.method).lags) return lead(robot, way, step);
+  if (!adopts_at_once(step.method)) return approach(robot, way, step);
   return min(way.distance / Real(step.time_step), robot.preferred_speed) * way.direction;
 }
 

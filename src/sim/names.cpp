@@ -47,7 +47,7 @@ Words name_of(const Wall& wall) {
 Words name_of(const Explanation& e, Cause cause) {
   if (cause.neighbor >= 0) return name_of(e.seen.source[static_cast<std::size_t>(cause.neighbor)]);
   if (cause.wall >= 0) return name_of(e.seen.walls[static_cast<std::size_t>(cause.wall)]);
-  return is_airplane(e.seen.robot.model) ? "its own wings" : "its own wheels";
+  return can_rest(e.seen.robot.model) ? "its own wheels" : "its own wings";
 }
 
 Words list_of(const Explanation& e, const std::vector<Cause>& causes) {

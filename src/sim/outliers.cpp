@@ -110,7 +110,6 @@ void find_ranges(World& world) {
     all.push_back(some_far ? whom_they_meet(world, pace, true) : usual.back());
   }
   double sum = 0.0;
-  world.fast = false;
   outliers.reach = 0.0;
   for (const std::uint32_t slot : fleet.slot_of) {
     const Pace& pace = world.pace(slot);
@@ -124,7 +123,6 @@ void find_ranges(World& world) {
           std::max(outliers.reach, relevant_range(pace.planner, robot, all[k]).at(speed));
     }
     sum += std::min(fleet.range[slot].at(0.5 * robot.max_speed), world.sensing_radius);
-    world.fast = world.fast || world.is_fast(slot);
   }
   world.near = fleet.size() > 0 ? sum / static_cast<double>(fleet.size()) : 0.0;
 }

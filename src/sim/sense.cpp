@@ -17,7 +17,8 @@ namespace {
 // checked, and so is the place that the robot believes to be at.
 bool is_trusted(const World& world, std::size_t slot) {
   const Vec2 p = world.fleet.position[slot];
-  return world.valid && !world.fast && !(world.settings.sensing.localization.position > 0.0) &&
+  return world.summary.is_valid && !world.summary.is_fast &&
+         !(world.settings.sensing.localization.position > 0.0) &&
          std::abs(p.x) <= kFarthestTrusted && std::abs(p.y) <= kFarthestTrusted;
 }
 
@@ -35,7 +36,7 @@ double near_range(const World& world, std::size_t slot) {
   if (!world.all_matter_to(slot)) return -1.0;
   const Vec2 p = world.fleet.position[slot];
   const double farthest = std::max({std::abs(p.x), std::abs(p.y), everyone});
-  if (world.fast || !(farthest <= kMostRelevantPosition)) return everyone;
+  if (world.summary.is_fast || !(farthest <= kMostRelevantPosition)) return everyone;
   return world.fleet.range[slot].at(norm(world.fleet.velocity[slot]));
 }
 
@@ -254,7 +255,7 @@ Looked append_sensed(const World& world, std::size_t slot, std::size_t query, Wo
   if (scrutiny == Scrutiny::plain) {
     append(world.snapshot, hits, worker.search, to);
     part_coinciding(world, slot, hits, worker.search, to);
-    if (world.exceeding) append_deviations(world, hits, worker.search, to);
+    if (world.summary.exceeds) append_deviations(world, hits, worker.search, to);
     if (!world.outliers.robots.empty()) append_braking(hits, to);
   } else if (scrutiny == Scrutiny::one_by_one) {
     append_one_by_one(world, slot, world.snapshot.grid.list(query, worker.search), worker);

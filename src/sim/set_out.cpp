@@ -117,7 +117,7 @@ void aim_discs(const World& world, std::span<const std::uint32_t> slots, Worker&
   }
 }
 
-// Airplanes do not slow down at their goals, and circle after they have passed them.
+// Robots that fly do not slow down at their goals, and circle after they have passed them.
 void set_courses(const Fleet& fleet, std::span<const std::uint32_t> slots, Worker& worker) {
   RobotColumns& robots = worker.tile.robots;
   const MovingColumns& moving = worker.moving;
@@ -190,7 +190,7 @@ void set_out(const World& world, const Pace& pace, const Claims& claims,
   const Fleet& fleet = world.fleet;
   RobotColumns& robots = worker.tile.robots;
   fill_in(fleet, slots, worker);
-  if (pace.planner.options().method == Method::avo) break_ties(fleet, worker.tile);
+  if (method_traits(pace.planner.options().method).has_rules) break_ties(fleet, worker.tile);
   robots.model.assign(slots.size(), nullptr);
   for (std::size_t k = 0; k < slots.size() && !fleet.models.empty(); ++k) {
     robots.model[k] = fleet.own_model(slots[k]);

@@ -71,7 +71,8 @@ class Sharing {
       if (fleet_.conduct[slot].parked || fleet_.flight(slot) != nullptr) continue;
       if (!fleet_.told_velocity(slot)) slots_.push_back(slot);
     }
-    along_y_ = are_along_y(goals_);
+    if (are_along_y(goals_))
+      for (Vec2& goal : goals_) std::swap(goal.x, goal.y);
     std::sort(slots_.begin(), slots_.end(), [&](std::uint32_t a, std::uint32_t b) {
       return along(goals_[a]) < along(goals_[b]);
     });
@@ -85,11 +86,9 @@ class Sharing {
 
  private:
   // The order of goals, in which equal ones are next to each other.
-  std::pair<double, double> along(Vec2 goal) const {
-    return along_y_ ? std::pair(goal.y, goal.x) : std::pair(goal.x, goal.y);
-  }
+  static std::pair<double, double> along(Vec2 goal) { return {goal.x, goal.y}; }
   double between(std::size_t first, std::size_t second) const {
-    return along(goal(second)).first - along(goal(first)).first;
+    return goal(second).x - goal(first).x;
   }
   Vec2 goal(std::size_t place) const { return goals_[slots_[place]]; }
   const Conduct& conduct(std::size_t place) const { return fleet_.conduct[slots_[place]]; }
@@ -99,7 +98,7 @@ class Sharing {
   }
 
   void note(std::size_t place, Shares shares) {
-    if (conduct(place).method != Method::avo) return;
+    if (!method_traits(conduct(place).method).has_rules) return;
     shares_.resize(fleet_.size());
     shares_[rank(place)] = std::max(shares_[rank(place)], shares);
   }
@@ -139,8 +138,8 @@ class Sharing {
   }
 
   const Fleet& fleet_;
-  std::vector<Vec2> goals_;  // m, or the nearest reachable places
-  bool along_y_ = false;
+  // m, or the nearest reachable places; x is the axis along which goals lie
+  std::vector<Vec2> goals_;
   std::vector<std::uint32_t> slots_;  // of the robots that come to rest at their goals
   std::vector<Shares> shares_;
 };
@@ -158,8 +157,9 @@ bool stays_near(const World& world, std::size_t slot) {
 void find_shared_goals(World& world) {
   if (!world.has_new_goals) return;
   const std::vector<Conduct>& conduct = world.fleet.conduct;
-  const bool is_minded = std::any_of(conduct.begin(), conduct.end(),
-                                     [](const Conduct& own) { return own.method == Method::avo; });
+  const bool is_minded = std::any_of(conduct.begin(), conduct.end(), [](const Conduct& own) {
+    return method_traits(own.method).has_rules;
+  });
   world.shares_goal = is_minded ? Sharing(world).found() : std::vector<Shares>();
   world.has_new_goals = false;
 }

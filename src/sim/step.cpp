@@ -5,7 +5,6 @@
 #include <cmath>
 #include <iterator>
 
-#include "planner/validity.h"
 #include "robots/model.h"
 #include "sim/clocks.h"
 #include "sim/edits.h"
@@ -23,21 +22,6 @@ constexpr std::size_t kFewestOrdered = 1024;
 Executor& executor_of(World& world) {
   if (world.fleet.size() < kFewestParallel) return world.serial;
   return *world.executor;
-}
-
-// Sets what is true of some robots of the fleet, or of all.
-void look_over(World& world) {
-  const Fleet& fleet = world.fleet;
-  world.parked = static_cast<std::size_t>(
-      std::count_if(fleet.conduct.begin(), fleet.conduct.end(),
-                    [](const Conduct& conduct) { return conduct.parked; }));
-  world.exceeding = std::any_of(fleet.traits.begin(), fleet.traits.end(),
-                                [](const RobotTraits& traits) { return traits.exceeds; });
-  world.valid = world.sensing_radius <= kFarthestTrusted;
-  for (std::size_t i = 0; i < fleet.size(); ++i) {
-    world.valid =
-        world.valid && is_valid(fleet.sensed(i)) && fleet.traits[i].max_speed <= kFarthestTrusted;
-  }
 }
 
 // Notes the cell of each robot.
@@ -76,7 +60,7 @@ void index(World& world, Executor& executor) {
   StageClock& clock = world.workers[0].clock;
   clock.start();
   if (world.changed) {
-    look_over(world);
+    world.summary = summary_of(world);
     find_ranges(world);
     find_walls(world);
     if (!world.statics.walls.empty()) make_room(world);
@@ -104,7 +88,7 @@ void index(World& world, Executor& executor) {
 // The slots without parked robots.
 std::span<const std::uint32_t> deciding(const World& world, std::span<const std::uint32_t> slots,
                                         Worker& worker) {
-  if (world.parked == 0) return slots;
+  if (world.summary.parked == 0) return slots;
   worker.deciding.clear();
   std::copy_if(slots.begin(), slots.end(), std::back_inserter(worker.deciding),
                [&](std::uint32_t slot) { return !world.fleet.conduct[slot].parked; });
@@ -159,9 +143,9 @@ void assemble(World& world, Executor& executor) {
   unfile(world);
   note_cells(world, executor);
   if (world.changed) make_agenda(world);
-  world.fast = false;
-  for (std::size_t slot = 0; slot < fleet.size() && !world.fast; ++slot)
-    world.fast = !fleet.conduct[slot].parked && world.is_fast(slot);
+  world.summary.is_fast = false;
+  for (std::size_t slot = 0; slot < fleet.size() && !world.summary.is_fast; ++slot)
+    world.summary.is_fast = !fleet.conduct[slot].parked && world.is_fast(slot);
 }
 
 void collect_due(World& world) {
@@ -185,7 +169,7 @@ void step_near(World& world) {
   if (!world.obstacles.setup.empty())
     world.obstacle_grid.build(world.obstacles.position, world.sensing_radius);
   worker.clock.lap(Stage::index);
-  world.fast = false;
+  world.summary.is_fast = false;
   collect_due(world);
   for (const std::uint32_t slot : world.due) put_in_place(world, slot);
   for (const std::uint32_t& slot : world.due) {
@@ -221,7 +205,7 @@ void leave(World& world) {
   for (std::size_t rank = fleet.flights.size(); rank > 0; --rank) {
     const std::uint32_t slot = fleet.slot_of[rank - 1];
     const Flight* own = fleet.flight(slot);
-    if (own != nullptr && own->has_arrived && leaves_at_goal(*fleet.own_model(slot)))
+    if (own != nullptr && own->has_arrived && model_traits(*fleet.own_model(slot)).leaves_at_goal)
       remove_robot(world, fleet.id[slot]);
   }
 }
@@ -237,7 +221,7 @@ void step(World& world) {
   if (!near) index(world, executor);
   world.torn = true;
   bool fast = false;
-  std::size_t decisions = world.fleet.size() - world.parked;
+  std::size_t decisions = world.fleet.size() - world.summary.parked;
   if (is_free) {
     near ? step_near(world) : step_freely(world, executor);
     decisions = world.due.size();
@@ -249,7 +233,7 @@ void step(World& world) {
     fast = fast || worker.fast;
     worker.fast = false;
   }
-  if (!is_free) world.fast = fast;
+  if (!is_free) world.summary.is_fast = fast;
   world.torn = false;
   ++world.steps;
   if (!world.senses.are_exact()) {

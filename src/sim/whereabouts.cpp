@@ -119,7 +119,7 @@ void file(World& world) {
     own.step[place] = step_under_way(world, slot);
     own.place_of[slot] = place;
     const double speed = (1.0 + kSpeedRounding) * fleet.traits[slot].max_speed;
-    own.top_speed = std::max(own.top_speed, fastest_of(fleet.model(slot), speed));
+    own.top_speed = std::max(own.top_speed, model_traits(fleet.model(slot)).speed_ratio * speed);
     note_speeds(world, slot);
   }
 }

@@ -32,7 +32,8 @@ Words action_of(const Explanation& e) {
   const Vec2 v = e.seen.robot.velocity, next = plan.next_velocity;
   const bool rests = is_slow(e, v);
   if (rests && is_slow(e, next)) {
-    const bool turns = turns_in_place(e.seen.robot.model) && plan.new_velocity != Vec2{};
+    const bool turns =
+        model_traits(e.seen.robot.model).turns_in_place && plan.new_velocity != Vec2{};
     return turns ? "turns on the spot" : "stays at rest";
   }
   if (rests) return "starts";
@@ -132,7 +133,7 @@ Words refusal_of(const Explanation& e) {
   if (causes.size() == 1 && causes.front() == Cause{})
     return name_of(e, Cause{}) + " cannot follow " + (is_off ? "its detour" : "what it wants");
   const Words whom = causes.empty() ? Words("others") : list_of(e, causes);
-  if (is_airplane(e.seen.robot.model))
+  if (!can_rest(e.seen.robot.model))
     return "after what it wants, its circle would not keep clear of " +
            (causes.empty() ? Words("walls or others") : whom);
   if (decision.plan.status == PlanStatus::braking)
@@ -187,7 +188,8 @@ Words limits_of(const Explanation& e, const Planner& planner) {
 Words freedom_of(const Explanation& e) {
   const bool has_it = norm(e.seen.robot.velocity - e.seen.robot.preferred_velocity) < kAsPreferred;
   if (e.is_at_goal && is_slow(e, e.seen.robot.velocity)) return "it is at its goal";
-  const bool turns = is_slow(e, e.seen.robot.velocity) && turns_in_place(e.seen.robot.model);
+  const bool turns =
+      is_slow(e, e.seen.robot.velocity) && model_traits(e.seen.robot.model).turns_in_place;
   if (e.decision.rule == WishRule::steers || turns) return "it turns towards its route";
   return has_it ? "it has the velocity that it prefers, and nothing refuses that"
                 : "nothing refuses the velocity that it prefers";
@@ -229,7 +231,7 @@ Words reason_of(const Explanation& e, const Planner& planner) {
 }
 
 const char* safety_of(const Simulation::Perception& seen) {
-  if (!is_airplane(seen.robot.model)) return " Braking keeps clear of all others (safe).";
+  if (can_rest(seen.robot.model)) return " Braking keeps clear of all others (safe).";
   const bool has_movers = std::any_of(seen.neighbors.begin(), seen.neighbors.end(),
                                       [](const Neighbor& n) { return is_predicted(n); });
   return has_movers

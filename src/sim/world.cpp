@@ -12,10 +12,12 @@
 #include "planner/demands.h"
 #include "planner/rules/evading.h"
 #include "planner/scratch.h"
+#include "planner/validity.h"
 #include "robots/model.h"
 #include "sim/clocks.h"
 #include "sim/held_passages.h"
 #include "sim/scene/scene_checks.h"
+#include "sim/sense.h"
 #include "sim/ties.h"
 
 namespace avo::inline sim {
@@ -121,7 +123,6 @@ World::World(const Scenario& scenario, std::shared_ptr<Executor> steps_by)
   const PlannerOptions agreed = certified_options(scenario);
   if (agreed.sensing_error != SensingError{}) settings.sensing_error = agreed.sensing_error;
   if (fleet.has_clocks) settings.longest_step = agreed.longest_step;
-  certified = is_certified(paces.front());
   senses = senses_of(scenario);
   for (const RobotSetup& setup : scenario.robots) {
     senses.reserve_one(knots_needed(scenario, planner().options().longest_step, setup));
@@ -131,6 +132,20 @@ World::World(const Scenario& scenario, std::shared_ptr<Executor> steps_by)
   start_clocks(*this, scenario);
   senses.note(fleet, steps);
   for (Worker& worker : workers) reserve(*this, worker);
+}
+
+FleetSummary summary_of(const World& world) {
+  const Fleet& fleet = world.fleet;
+  FleetSummary summary{.is_valid = world.sensing_radius <= kFarthestTrusted};
+  for (std::size_t slot = 0; slot < fleet.size(); ++slot) {
+    const RobotTraits& traits = fleet.traits[slot];
+    if (fleet.conduct[slot].parked) ++summary.parked;
+    summary.exceeds = summary.exceeds || traits.exceeds;
+    summary.is_fast = summary.is_fast || world.is_fast(slot);
+    summary.is_valid =
+        summary.is_valid && is_valid(fleet.sensed(slot)) && traits.max_speed <= kFarthestTrusted;
+  }
+  return summary;
 }
 
 std::vector<Pace> paces_among(const World& world, bool has_movers) {
@@ -172,12 +187,12 @@ void find_walls(World& world) {
             : 0.0;
     // from where the robot takes itself to be
     needs.include(traits, stray + 2.0 * law.localization_error, speed, law);
-    const double wished = options.method == Method::avo
+    const double wished = method_traits(options.method).has_rules
                               ? std::min(options.wall_range, way_range(limits_of(fleet, slot)))
                               : obstacle_reach(speed, traits.max_speed, options);
-    const double maneuvers =
-        traits.has_model ? room_for_maneuvers(*fleet.own_model(slot)) + law.localization_error
-                         : 0.0;
+    const double maneuvers = traits.has_model ? model_traits(*fleet.own_model(slot)).maneuver_room +
+                                                    law.localization_error
+                                              : 0.0;
     needs.reach = std::max(needs.reach, traits.radius + std::max(wished, maneuvers));
   }
   if (statics.needs && statics.needs->cover(needs)) return;
@@ -227,9 +242,12 @@ OwnPace World::pace_of(const RobotSetup& setup, bool may_replace) {
       paces.emplace_back(options);
     else
       paces[index] = Pace(options);
-    certified = certified || is_certified(paces[index]);
   }
   return {index, setup.time_horizon, setup.arrival_distance};
+}
+
+bool World::all_matter() const {
+  return std::any_of(paces.begin(), paces.end(), is_certified);
 }
 
 const Planner& World::certified_planner() const {

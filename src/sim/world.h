@@ -85,6 +85,15 @@ enum class Shares : std::uint8_t {
   goal,  ///< the same goal, bit for bit
 };
 
+/// What holds for some robots of the fleet, or for all.
+struct FleetSummary {
+  std::size_t parked = 0;  // robots
+  bool exceeds = false;    // some accelerate by more than their max_acceleration
+  bool is_valid = false;   // all were valid when they came
+  bool is_fast = false;    // some exceed their max_speed
+};
+FleetSummary summary_of(const World& world);
+
 struct World {
   Scenario settings;        // without its robots and obstacles
   double sensing_radius;    // m; where the scene gives none, it grows with robots that are added
@@ -116,13 +125,8 @@ struct World {
   bool changed = true;                     // robots came or went
   std::atomic<bool> has_new_goals = true;  // since find_shared_goals()
   std::vector<Shares> shares_goal;         // by rank; empty where no robots share anything
-  bool fast = false;                       // some robot exceeds its max_speed
-  // whether some accelerate by more than their max_acceleration
-  bool exceeding = false;
-  std::size_t parked = 0;  // robots
-  bool certified = false;  // whether some keep a certificate
-  bool valid = false;      // whether all robots were valid when they came
-  double near = 0.0;       // m, typical of Fleet::range
+  FleetSummary summary;
+  double near = 0.0;  // m, typical of Fleet::range
   // the step at which the cells are chosen anew and the robots put in order
   std::int64_t next_layout = 1;
   std::int64_t robot_steps = 0;  // measured
@@ -147,7 +151,7 @@ struct World {
   /// Number of neighbors that the planner is given as the nearest.
   std::size_t most_nearest() const;
   /// A certificate must also know all others within the sensing radius.
-  bool all_matter() const { return certified; }
+  bool all_matter() const;
   bool all_matter_to(std::size_t slot) const {
     return pace(slot).planner.options().certificate != Certificate::none;
   }

@@ -135,7 +135,7 @@ Scene any_scene(Random& random) {
   Scene s;
   s.options = any_options(random);
   s.robot = any_robot(random);
-  const bool flies = is_airplane(s.robot.model);
+  const bool flies = !can_rest(s.robot.model);
   if (flies) s.options = default_options(Method::avo), s.options.time_step = 0.1;
   const bool kinds = !flies && random.below(2) == 0;
   for (int k = random.below(9); k > 0; --k) {

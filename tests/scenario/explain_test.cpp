@@ -104,8 +104,7 @@ void expect_stages(const Explanation& why, const avo::Planner& planner, Counts& 
   EXPECT_EQ(decision.preferred_velocity, why.seen.robot.preferred_velocity);
   const bool is_changed = decision.wish != decision.preferred_velocity;
   EXPECT_EQ(decision.rule != avo::WishRule::none, is_changed) << why.sentence;
-  if (why.seen.stop || status == PlanStatus::overlapping || is_airplane(why.seen.robot.model))
-    return;
+  if (why.seen.stop || status == PlanStatus::overlapping || !can_rest(why.seen.robot.model)) return;
   if (!why.seen.among_movers && !avo::avoids_union(planner.options().method) &&
       !(decision.plan.violation > 0.0))
     expect_binding(why, planner);

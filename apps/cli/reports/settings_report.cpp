@@ -35,7 +35,7 @@ std::string response_times(const avo::Scenario& scenario, avo::PlannerOptions op
   if (!(options.response_time > 0.0) && !options.comfort_jerk) return "0: at once";
   double least = 0.0, most = 0.0;
   for (const avo::RobotSetup& robot : scenario.robots) {
-    if (robot.parked || is_airplane(robot.model)) continue;
+    if (robot.parked || !can_rest(robot.model)) continue;
     options.time_step = time_step_of(scenario, robot);
     const double own = avo::response_time_of(options, robot.max_speed, robot.max_acceleration);
     least = least > 0.0 ? std::min(least, own) : own;

@@ -29,7 +29,7 @@ namespace {
 constexpr double kMoverHorizon = 2.0;  // τ
 
 double horizon_of(const PlannerOptions& options) {
-  const double factor = options.method == Method::avo ? kMoverHorizon : 1.0;
+  const double factor = method_traits(options.method).has_rules ? kMoverHorizon : 1.0;
   return factor * options.time_horizon;
 }
 
@@ -57,7 +57,7 @@ Plan decide_among_obstacles(const Planner& planner, const Robot& robot,
     Pair pair = relative(robot, obstacle);
     overlapping = overlapping || norm(pair.position) < pair.radius;
     pair.radius = kept_radius(options, robot, pair);
-    if (options.method == Method::reciprocal_velocity_obstacle) {
+    if (method_traits(options.method).is_reciprocal) {
       scratch.obstacles.push_back(reciprocal_obstacle(options, robot, obstacle));
       continue;
     }
@@ -70,7 +70,7 @@ Plan decide_among_obstacles(const Planner& planner, const Robot& robot,
   Demands& demands = scratch.demands;
   demands.clear();
   // in method avo the certificate itself finds a path around what it refuses
-  if (options.method != Method::avo)
+  if (!method_traits(options.method).has_rules)
     collect_demands(planner, robot, walls, certificate_law(planner).step, demands);
   overlapping = overlapping || demands.overlapping;
   // Eq. (14)
@@ -80,15 +80,14 @@ Plan decide_among_obstacles(const Planner& planner, const Robot& robot,
   if (choice.state == PassiveState::discs_disjoint) {
     return brake(planner, robot, PlanStatus::braking, choice.violation);
   }
-  if (choice.state == PassiveState::least_unsafe &&
-      options.method == Method::reciprocal_velocity_obstacle)
+  if (choice.state == PassiveState::least_unsafe && method_traits(options.method).is_reciprocal)
     choice = least_penalty(scratch.obstacles, planner.speed_disc(robot), options.time_horizon,
                            robot.preferred_velocity, scratch.passive);
-  if (options.method == Method::orca_clamped)
+  if (method_traits(options.method).clamps)
     choice = clamped(choice, robot, options.time_step, scratch.passive.limits);
   scratch.passive_choice = choice.velocity;
   Plan plan;
-  if (options.method == Method::avo) {
+  if (method_traits(options.method).has_rules) {
     plan = certify_among_movers(planner, robot, obstacles, walls, choice, overlapping, scratch);
   } else {
     const double violation =
@@ -113,7 +112,7 @@ Plan Planner::plan_among_obstacles(const Robot& robot, std::span<const Neighbor>
   Robot steering = robot;
   if (is_rest(robot.velocity)) steering.velocity = {};
   if (is_valid(robot)) steering.preferred_velocity = steered(robot, approach_of(options_));
-  if (options_.method == Method::buffered_voronoi || is_airplane(robot.model)) {
+  if (method_traits(options_.method).stays_in_cell || !can_rest(robot.model)) {
     std::vector<Neighbor>& movers = PlanWorkspace::Scratch::of(workspace).movers;
     movers.assign(obstacles.begin(), obstacles.end());
     for (Neighbor& mover : movers) {

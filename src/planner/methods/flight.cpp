@@ -14,10 +14,6 @@ namespace {
 constexpr double kSpeedOff = 1e-9;   // of a limit of the speed, by rounding
 constexpr double kCircleOff = 1e-6;  // of a circle's radius
 
-const Airplane& airplane_of(const Robot& robot) {
-  return std::get<Airplane>(robot.model);
-}
-
 MotionState state_of(const Robot& robot) {
   return {robot.position, robot.velocity, robot.heading, *robot.loiter};
 }
@@ -34,9 +30,9 @@ Plan plan_of(const Planner& planner, const Robot& robot, Vec2 acceleration, Plan
 Controls wanted_controls(const Planner& planner, const Robot& robot, Vec2 target) {
   const Vec2 h = ahead_of(robot.heading), change = target - robot.velocity;
   const double step = planner.options().time_step, speed = norm(robot.velocity);
-  const double a_max = robot.max_acceleration, a_lat = usable_acceleration(airplane_of(robot));
+  const double a_max = robot.max_acceleration, a_lat = usable_acceleration(robot.model);
   const double ahead = std::clamp(dot(h, change) / step, -a_max, a_max);
-  return {std::clamp(ahead, (airplane_of(robot).min_speed - speed) / step,
+  return {std::clamp(ahead, (model_traits(robot.model).least_speed - speed) / step,
                      (robot.max_speed - speed) / step),
           std::clamp(cross(h, change) / step, -a_lat, a_lat)};
 }
@@ -44,7 +40,7 @@ Controls wanted_controls(const Planner& planner, const Robot& robot, Vec2 target
 }  // namespace
 
 TriedControls controls_near(const Robot& robot, Controls wanted) {
-  const double a_lat = usable_acceleration(airplane_of(robot)), a_max = robot.max_acceleration;
+  const double a_lat = usable_acceleration(robot.model), a_max = robot.max_acceleration;
   TriedControls tried;
   for (const double ahead : {wanted.ahead, 0.0, -a_max, a_max}) {
     tried.controls[tried.count++] = {ahead, wanted.left};
@@ -61,8 +57,7 @@ TriedControls controls_near(const Robot& robot, Controls wanted) {
 
 Plan loiter_on(const Planner& planner, const Robot& robot, PlanStatus status, double violation) {
   const Robot on_circle = with_circle(robot);
-  return plan_of(planner, robot, loitering(airplane_of(robot), state_of(on_circle)), status,
-                 violation);
+  return plan_of(planner, robot, loitering(robot.model, state_of(on_circle)), status, violation);
 }
 
 Plan fly_towards(const Planner& planner, const Robot& given, const Neighbors& neighbors,
@@ -79,9 +74,8 @@ Plan fly_towards(const Planner& planner, const Robot& given, const Neighbors& ne
   const Vec2 h = ahead_of(robot.heading), n = perpendicular(h);
   const auto admitted = [&](Vec2 acceleration) {
     if (!certified) return true;
-    return keeps_flight(
-        constraints, robot,
-        fly_along(airplane_of(robot), limits, state, h, acceleration, law.step.time_step));
+    return keeps_flight(constraints, robot,
+                        fly_along(robot.model, limits, state, h, acceleration, law.step.time_step));
   };
   const Controls wanted = wanted_controls(planner, robot, flight.target);
   const Vec2 first = wanted.ahead * h + wanted.left * n;
@@ -99,36 +93,33 @@ bool is_on_circle(const Neighbor& neighbor) {
   const auto& [center, radius] = *neighbor.loiter;
   const Vec2 out = neighbor.position - center;
   const double off = kCircleOff * radius;
-  // the airplane turns right
+  // it turns right
   return std::abs(norm(out) - radius) <= off &&
          std::abs(dot(out, neighbor.velocity)) <= off * norm(neighbor.velocity) &&
          cross(out, neighbor.velocity) < 0.0;
 }
 
 bool can_fly(const Robot& robot, double time_step) {
-  const Airplane& airplane = airplane_of(robot);
-  if (robot.max_braking) return false;
-  if (airplane.lateral_acceleration * time_step > kMostTurn * airplane.min_speed) return false;
-  const double speed = norm(robot.velocity), least = airplane.min_speed;
+  if (robot.max_braking || !turns_slowly(robot.model, time_step)) return false;
+  const double speed = norm(robot.velocity), least = model_traits(robot.model).least_speed;
   if (!(speed >= least * (1.0 - kSpeedOff) && speed <= robot.max_speed * (1.0 + kSpeedOff)))
     return false;
   if (!robot.loiter) return true;
-  const LoiterCircle own = loiter_circle(airplane, robot.position, robot.velocity);
+  const LoiterCircle own = *circle_of(robot.model, robot.position, robot.velocity);
   const double off = kCircleOff * own.radius;
   return std::abs(own.radius - robot.loiter->radius) <= off &&
          norm(own.center - robot.loiter->center) <= off;
 }
 
 bool allows_loiterers(const PlannerOptions& options) {
-  return options.method == Method::avo && options.motion == Motion::held &&
+  return method_traits(options.method).has_rules && options.motion == Motion::held &&
          options.clock == Clock::common && options.sensing_error == SensingError{} &&
          options.localization_error == 0.0;
 }
 
 Robot with_circle(const Robot& robot) {
   Robot on_circle = robot;
-  if (!robot.loiter)
-    on_circle.loiter = loiter_circle(airplane_of(robot), robot.position, robot.velocity);
+  if (!robot.loiter) on_circle.loiter = circle_of(robot.model, robot.position, robot.velocity);
   return on_circle;
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Decisions of airplanes, which cannot stop.
+// Decisions of robots that fly, which cannot stop.
 #pragma once
 #include <array>
 #include <cstddef>
@@ -10,14 +10,14 @@
 
 namespace avo::inline planner {
 
-/// The target of an airplane.
+/// The target of a robot that flies.
 struct FlightTarget {
   Vec2 target;  ///< [v'] m/s, that Eq. (23) chose
   double violation = 0.0;
 };
 
 /// The controls nearest to the target that keep clear of all neighbors that decide and of the
-/// walls. If there are none, it is the circle that the airplane is on.
+/// walls. If there are none, it is the circle that the robot is on.
 Plan fly_towards(const Planner& planner, const Robot& robot, const Neighbors& neighbors,
                  std::span<const Wall> walls, const FlightTarget& flight,
                  FlightConstraints& constraints);
@@ -27,7 +27,7 @@ struct Controls {
   double ahead, left;
 };
 
-/// Controls that an airplane may try in place of wanted ones.
+/// Controls that a robot may try in place of wanted ones.
 struct TriedControls {
   static constexpr int kTurns = 8;  // to each side
   static constexpr int kRates = 3;  // changes of the speed, besides the wanted one
@@ -37,17 +37,17 @@ struct TriedControls {
 /// The controls nearest to the wanted ones first; of equally near ones right turns come first.
 TriedControls controls_near(const Robot& robot, Controls wanted);
 
-/// The airplane holds its speed and turns right.
+/// The robot holds its speed and turns right.
 Plan loiter_on(const Planner& planner, const Robot& robot, PlanStatus status, double violation);
 
-/// Returns whether the airplane can fly: its speed is within its limits, it turns by at most
+/// Returns whether the robot can fly: its speed is within its limits, it turns by at most
 /// kMostTurn in a step, and it is on its circle. It has no max_braking, because it does not brake.
 bool can_fly(const Robot& robot, double time_step);
 
 /// Returns whether the circle of a neighbor that loiters matches its position and velocity.
 bool is_on_circle(const Neighbor& neighbor);
 
-/// Returns whether an airplane, or a robot beside one, can keep the promise of
+/// Returns whether a robot that flies, or a robot beside it, can keep the promise of
 /// docs/certificate/airplanes.md with the planner's options.
 bool allows_loiterers(const PlannerOptions& options);
 

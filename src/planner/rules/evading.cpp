@@ -13,7 +13,7 @@ namespace {
 
 constexpr double kLongestWay = 2.0;   // T, until a way out brakes,
 constexpr double kWideWay = 3.0;      // or so many for wide neighbors,
-constexpr double kLongFlight = 8.0;   // or so many until an airplane circles,
+constexpr double kLongFlight = 8.0;   // or so many until a robot circles,
 constexpr double kMostSteps = 400.0;  // and steps at most
 // steps of braking; a robot that takes more has no ways out
 constexpr double kMostBraking = 1024.0;
@@ -21,10 +21,15 @@ constexpr double kLikelyFor = 1.5;      // T, for which likely deviations count
 constexpr int kMostWork = 200000;       // movers and intervals that a level may test,
 constexpr int kMostLikelyWork = 25000;  // or that a level with likely deviations may test
 
-// [T] s: an airplane also needs time to turn.
+// [T] s: a robot that flies also needs time to turn.
 double time_to_evade(const Robot& robot) {
   const double turning = room_to_turn(robot.model, robot.max_speed) / (2.0 * robot.max_speed);
   return std::max(time_to_speed(robot), turning);
+}
+
+// m/s: a speed that its disc never exceeds, where the robot itself keeps max_speed.
+double fastest_of(const Robot& robot, double max_speed) {
+  return model_traits(robot.model).speed_ratio * max_speed;
 }
 
 // m/s: after the end of a repeating trajectory the mover's place is not known.
@@ -95,13 +100,13 @@ void follow_trajectories(Evading& evading) {
 
 // s, until a way out brakes or circles, for any neighbors.
 double longest_of_all(const Robot& robot) {
-  return (is_airplane(robot.model) ? kLongFlight : kWideWay) * time_to_evade(robot);
+  return (can_rest(robot.model) ? kWideWay : kLongFlight) * time_to_evade(robot);
 }
 
-// s, until a way out brakes: long enough to leave the strip of the widest neighbor. Until an
-// airplane circles: long enough to pass by, since all of its circle must be clear then.
+// s, until a way out brakes: long enough to leave the strip of the widest neighbor. Until a
+// robot circles: long enough to pass by, since all of its circle must be clear then.
 double longest_way(const Robot& robot, std::span<const Neighbor> neighbors) {
-  if (is_airplane(robot.model)) return longest_of_all(robot);
+  if (!can_rest(robot.model)) return longest_of_all(robot);
   const double time = time_to_evade(robot);
   double contact = 0.0;  // m
   for (const Neighbor& neighbor : neighbors)
@@ -124,7 +129,7 @@ double way_range(const Robot& robot) {
 
 double longest_way_out(const Robot& robot, const StepLaw& law) {
   const double longest = std::min(longest_of_all(robot), kMostSteps * law.time_step);
-  const double braking = braking_time_of(robot, fastest_of(robot.model, robot.max_speed), law);
+  const double braking = braking_time_of(robot, fastest_of(robot, robot.max_speed), law);
   return longest + law.time_step + std::min(braking, kMostBraking * law.time_step);
 }
 
@@ -135,10 +140,10 @@ std::optional<Evading> begin_evading(const CertificateLaw& law, const Robot& rob
   evading.options = {
       .law = law.step,
       .decrement = decrement_of(robot, law.step),
-      .max_speed = fastest_of(robot.model, std::max(robot.max_speed, norm(robot.velocity))),
+      .max_speed = fastest_of(robot, std::max(robot.max_speed, norm(robot.velocity))),
       .longest = std::min(longest_way(robot, sight.neighbors), kMostSteps * law.step.time_step),
       .wheels = is_holonomic(robot.model) ? nullptr : &robot};
-  const bool brakes = !is_airplane(robot.model);
+  const bool brakes = can_rest(robot.model);
   if (brakes && !(evading.options.max_speed <= kMostBraking * evading.options.decrement))
     return std::nullopt;
   if (brakes) evading.braking = braking_time_of(robot, evading.options.max_speed, law.step);
@@ -176,8 +181,8 @@ void keep_walls(Evading& evading) {
     const Segment segment{wall.a - robot.position, wall.b - robot.position};
     const double held = robot.radius + wall.radius + law.localization_error;
     if (distance(Vec2{}, segment) > held + reach) continue;
-    const double margin = is_airplane(robot.model) ? 2.0 * flight_margin(wall, robot.radius, circle)
-                                                   : wall_margin(wall, rounding);
+    const double margin = can_rest(robot.model) ? wall_margin(wall, rounding)
+                                                : 2.0 * flight_margin(wall, robot.radius, circle);
     kept.push_back({segment, held + margin});
   }
   if (!kept.empty()) evading.options.known = reach;

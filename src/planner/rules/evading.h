@@ -30,7 +30,7 @@ struct Sight {
   /// all walls within wall_range, or those that the certificate needs
   std::span<const Wall> walls;
   double wall_range = 0.0;  ///< m, see PlannerOptions::wall_range
-  /// of an airplane, for its choices: the demands of its deciding neighbors and of walls
+  /// of a robot that flies, for its choices: the demands of its deciding neighbors and of walls
   const FlightConstraints* flight = nullptr;
 };
 
@@ -66,7 +66,7 @@ enum class Way : unsigned char { none, as_wanted, another };
 
 /// The replacement of a choice, and the way out that begins with it.
 struct Taken {
-  Vec2 choice;  // m/s, the velocity after the step; of an airplane m/s², its acceleration
+  Vec2 choice;  // m/s, the velocity after the step; of a robot that flies m/s², its acceleration
   Evasion way;
 };
 

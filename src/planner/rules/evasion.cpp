@@ -41,7 +41,7 @@ constexpr std::array<Level, 3> kCirclesForAWhile{{{1.0, 0.0, 0.0, true, 1.0},  /
                                                   {1.0, 0.0, 0.0, true, 0.25}}};
 
 bool flies(const Evading& evading) {
-  return is_airplane(evading.robot.model);
+  return !can_rest(evading.robot.model);
 }
 
 Way find_way(Evading& evading, const Level& level, Vec2 wanted, Taken& found) {
@@ -171,7 +171,7 @@ bool has_way_out(const CertificateLaw& law, const Robot& robot, const Sight& sig
   std::optional<Evading> evading = begin_evading(law, robot, sight, workspace);
   if (!evading) return false;
   keep_walls(*evading);
-  // an airplane need not stop, so that a level has a way out wherever a stronger one has one
+  // a robot that flies need not stop, so that a level has a way out wherever a stronger one has one
   const std::span<const Level> levels =
       flies(*evading) ? std::span(kLevels).last(1) : std::span(kLevels);
   return std::any_of(levels.begin(), levels.end(), [&](const Level& level) {

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <variant>
 
 #include "certificate/flight_ways.h"
 #include "core/plane.h"
@@ -22,7 +21,7 @@ MotionState state_now(const Robot& robot) {
 
 FlightStep step_by(const Evading& evading, const MotionState& now, Vec2 acceleration) {
   const Robot& robot = evading.robot;
-  return fly_along(std::get<Airplane>(robot.model), {robot.max_acceleration, robot.max_speed}, now,
+  return fly_along(robot.model, {robot.max_acceleration, robot.max_speed}, now,
                    ahead_of(robot.heading), acceleration, evading.law.step.time_step);
 }
 
@@ -39,7 +38,7 @@ constexpr std::size_t kControls = 9;
 std::array<FlightControl, kControls> controls_of(const Robot& robot, double speed) {
   std::array<FlightControl, kControls> controls;
   std::size_t count = 0;
-  for (const double target : {speed, robot.max_speed, least_speed(robot.model)})
+  for (const double target : {speed, robot.max_speed, model_traits(robot.model).least_speed})
     for (const double turn : {0.0, 1.0, -1.0}) controls[count++] = {target, turn};
   return controls;
 }
@@ -64,10 +63,9 @@ using FirstFlights = std::array<FirstFlight, kControls>;
 // Returns the steps, nearest to the wanted acceleration first.
 FirstFlights first_flights(const Evading& evading, Vec2 wanted) {
   const Robot& robot = evading.robot;
-  const auto& airplane = std::get<Airplane>(robot.model);
   const Vec2 h = ahead_of(robot.heading), n = perpendicular(h);
   const double speed = norm(robot.velocity), step = evading.law.step.time_step;
-  const double a_max = robot.max_acceleration, a_lat = usable_acceleration(airplane);
+  const double a_max = robot.max_acceleration, a_lat = usable_acceleration(robot.model);
   const auto controls = controls_of(robot, speed);
   FirstFlights flights;
   for (std::size_t k = 0; k < kControls; ++k) {
@@ -80,11 +78,11 @@ FirstFlights first_flights(const Evading& evading, Vec2 wanted) {
   return flights;
 }
 
-// The circle that the airplane is on is always admitted.
+// The circle that the robot is on is always admitted.
 bool is_admitted(const Evading& evading, Vec2 acceleration) {
   const Robot robot = with_circle(evading.robot);
   const MotionState now{robot.position, robot.velocity, robot.heading, *robot.loiter};
-  if (acceleration == loitering(std::get<Airplane>(robot.model), now)) return true;
+  if (acceleration == loitering(robot.model, now)) return true;
   return keeps_flight(*evading.sight.flight, robot, step_by(evading, now, acceleration));
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Beside movers, an airplane keeps a way out: docs/movers.md, "Airplanes". A choice is an
-// acceleration, m/s², that the airplane holds through the step.
+// Beside movers, a robot that flies keeps a way out: docs/movers.md, "Airplanes". A choice is an
+// acceleration, m/s², that the robot holds through the step.
 #pragma once
 #include "planner/rules/evading.h"
 

@@ -16,7 +16,8 @@ inline constexpr double kMoverMargin = 0.5;  // of A's radius: the least margin 
 
 /// m: the margin towards a neighbor that does not decide.
 inline double mover_margin(const PlannerOptions& options, double radius) {
-  return options.method == Method::avo ? std::max(options.margin, kMoverMargin * radius) : 0.0;
+  return method_traits(options.method).has_rules ? std::max(options.margin, kMoverMargin * radius)
+                                                 : 0.0;
 }
 
 /// m: the remaining margin at that distance from the goal.

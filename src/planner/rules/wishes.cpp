@@ -86,12 +86,12 @@ Vec2 aim_near_goal(const Execution& execution, const Tile& tile, std::size_t i,
   return aim;
 }
 
-// Returns whether the robot aims at the wish itself. An airplane does, and so does a robot with
-// wheels that maneuvers. A robot with wheels on the last part of its route does too: the wish
+// Returns whether the robot aims at the wish itself. A robot that flies does, and so does a robot
+// with wheels that maneuvers. A robot with wheels on the last part of its route does too: the wish
 // steers it to the place of its goal.
 bool steers_by_wish(const Tile& tile, std::size_t i) {
   const MotionModel* model = tile.robots.model[i];
-  return model != nullptr && (tile.maneuvers[i] != 0 || passes_goal(*model) ||
+  return model != nullptr && (tile.maneuvers[i] != 0 || !can_rest(*model) ||
                               is_near_goal(tile.robots.distance_to_goal[i], tile.robots.radius[i]));
 }
 
@@ -111,7 +111,7 @@ void make_wishes(const Planner& planner, const Tile& tile, DecisionColumns& deci
   const PlannerOptions& options = planner.options();
   const RobotColumns& robots = tile.robots;
   decisions.reserve(robots.count);
-  if (options.method != Method::avo) {
+  if (!method_traits(options.method).has_rules) {
     std::copy_n(robots.preferred_x.begin(), robots.count, decisions.wish_x.begin());
     std::copy_n(robots.preferred_y.begin(), robots.count, decisions.wish_y.begin());
     return;

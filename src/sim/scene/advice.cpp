@@ -41,7 +41,7 @@ Worst worst(const std::vector<RobotSetup>& robots, Measure measure) {
 }
 
 bool cannot_stop(const RobotSetup& robot) {
-  return least_speed(robot.model) > 0.0;
+  return !can_rest(robot.model);
 }
 
 /// The name of the value with which decisions slow a robot down.
@@ -64,7 +64,7 @@ void advise_control_time(const Scenario& scenario, std::vector<std::string>& lin
   // avo approaches v' as fast as it can, these others at once
   const auto& robots = scenario.robots;
   const auto is_paper = [&](const RobotSetup& r) {
-    return method_of(scenario, r) == Method::avo_paper;
+    return method_traits(method_of(scenario, r)).lags;
   };
   const auto first = std::find_if(robots.begin(), robots.end(), is_paper);
   if (first == robots.end()) return;
@@ -130,8 +130,8 @@ bool is_certified(const Scenario& scenario) {
 }
 
 /// How far a robot's edge gets from the present place of its center, if its fallback begins only a
-/// step later. It is r + v_max Δt + v_max² / (2 b), m; for an airplane room_to_turn() replaces the
-/// last term.
+/// step later. It is r + v_max Δt + v_max² / (2 b), m; for a robot that flies room_to_turn()
+/// replaces the last term.
 double fallback_reach(const RobotSetup& robot, double time_step) {
   const double v = robot.max_speed;
   return disc_radius(robot) + v * time_step +
@@ -202,16 +202,16 @@ void advise_localization(const Scenario& scenario, std::vector<std::string>& lin
 void advise_slow_flights(const Scenario& scenario, std::vector<std::string>& lines) {
   const auto advise = [&](const Worst& slow, const char* then) {
     const RobotSetup& robot = scenario.robots[slow.robot];
-    lines.push_back(
-        "preferred_speed " + in_short(robot.preferred_speed) + " m/s of " + robot_name(slow.robot) +
-        " is less than its min_speed = " + in_short(least_speed(robot.model)) + " m/s" + then);
+    lines.push_back("preferred_speed " + in_short(robot.preferred_speed) + " m/s of " +
+                    robot_name(slow.robot) + " is less than its min_speed = " +
+                    in_short(model_traits(robot.model).least_speed) + " m/s" + then);
   };
   const Worst circling = worst(scenario.robots, [](const RobotSetup& r) {
-    return r.preferred_speed > 0.0 ? 0.0 : least_speed(r.model);
+    return r.preferred_speed > 0.0 ? 0.0 : model_traits(r.model).least_speed;
   });
   if (circling.value > 0.0) advise(circling, ": it circles where it starts, for ever");
   const Worst slow = worst(scenario.robots, [](const RobotSetup& r) {
-    return r.preferred_speed > 0.0 ? least_speed(r.model) / r.preferred_speed : 0.0;
+    return r.preferred_speed > 0.0 ? model_traits(r.model).least_speed / r.preferred_speed : 0.0;
   });
   if (slow.value > 1.0) advise(slow, ", with which it flies");
 }

@@ -144,7 +144,7 @@ void examine(const Starter& a, const Starter& b, Expectation expected, Starts& s
   robot.loiter = circle_of(own.model, own.position, start_velocity(own));
   const double distance = norm(robot.position - neighbor.position);
   if (robot.loiter) {
-    // an airplane need not keep its circle beside an obstacle
+    // a robot that flies need not keep its circle beside an obstacle
     starts.constraints.invariant.slack =
         b.source < 0 ? distance - contact
                      : gap_of(footprint_of(robot, law.step), footprint_of(neighbor, law.step));

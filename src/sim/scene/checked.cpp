@@ -30,9 +30,9 @@ CheckedKinematics kinematics_of(const DifferentialDrive& drive) {
                       .wheel_acceleration = drive.wheel_acceleration};
 }
 
-CheckedKinematics kinematics_of(const Airplane& airplane) {
-  return CheckedAirplane{.min_speed = airplane.min_speed,
-                         .lateral_acceleration = airplane.lateral_acceleration};
+CheckedKinematics kinematics_of(const Airplane& model) {
+  return CheckedAirplane{.min_speed = model.min_speed,
+                         .lateral_acceleration = model.lateral_acceleration};
 }
 
 // m: a drive is judged by its own disc, about its axle; the disc that others sense contains it.

@@ -47,7 +47,7 @@ std::string further(std::int64_t count, std::size_t named, const std::string& wh
 }
 
 bool flies(const Scenario& scenario, int source) {
-  return source >= 0 && is_airplane(setup_of(scenario, source).model);
+  return source >= 0 && !can_rest(setup_of(scenario, source).model);
 }
 
 // What should keep the two apart, "both brake at once" or the like.

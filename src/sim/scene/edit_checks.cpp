@@ -128,20 +128,20 @@ void check_declared(const World& world, const RobotSetup& setup, RobotId robot) 
          "at most " + text_of(declared) + ", what all have declared");
 }
 
-// Refuses an airplane, or a robot beside one, of which nothing could be promised.
+// Refuses a robot that flies, or a robot beside it, of which nothing could be promised.
 void check_flights(const World& world, const RobotSetup& setup, RobotId robot) {
   const Fleet& fleet = world.fleet;
-  if (setup.parked || (fleet.flights.empty() && !is_airplane(setup.model))) return;
+  if (setup.parked || (fleet.flights.empty() && can_rest(setup.model))) return;
   if (!fleet.flights.empty() && setup.behavior != Behavior::decides)
     refuse(name_of(robot) + ": behavior", to_string(setup.behavior), "decides among airplanes");
   const bool promised =
       std::all_of(fleet.conduct.begin(), fleet.conduct.end(),
                   [](const Conduct& conduct) { return conduct.behavior == Behavior::decides; });
-  if (is_airplane(setup.model) && !(promised && setup.behavior == Behavior::decides))
+  if (!can_rest(setup.model) && !(promised && setup.behavior == Behavior::decides))
     refuse(name_of(robot) + ": model", "airplane", "another one among robots that cooperate");
-  if (method_of(world.settings, setup) != Method::avo ||
+  if (!method_traits(method_of(world.settings, setup)).has_rules ||
       std::any_of(fleet.conduct.begin(), fleet.conduct.end(),
-                  [](const Conduct& other) { return other.method != Method::avo; }))
+                  [](const Conduct& other) { return !method_traits(other.method).has_rules; }))
     refuse(name_of(robot) + ": method", to_string(method_of(world.settings, setup)),
            "avo, of all robots, in a scene with airplanes");
 }

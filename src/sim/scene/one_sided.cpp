@@ -28,8 +28,8 @@ std::vector<Example> examples_of(std::span<const RobotSetup> robots) {
   std::vector<Example> examples;
   for (std::size_t i = 0; i < robots.size(); ++i) {
     if (robots[i].parked) continue;
-    const Kind own{robots[i].layers.bits, robots[i].avoids.bits, is_airplane(robots[i].model),
-                   swings(robots[i].model)};
+    const Kind own{robots[i].layers.bits, robots[i].avoids.bits, !can_rest(robots[i].model),
+                   model_traits(robots[i].model).swings};
     const bool known = std::any_of(examples.begin(), examples.end(),
                                    [&](const Example& example) { return example.kind == own; });
     if (!known) examples.push_back({own, i});

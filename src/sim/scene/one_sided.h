@@ -17,7 +17,7 @@ struct OneSided {
 
 /// The first pair without a possible promise. A robot that avoids B without being avoided by B
 /// takes B for a mover with its acceleration. This does not describe the swing of a disc ahead of
-/// its axle. An airplane cannot stop for movers.
+/// its axle. A robot that flies cannot stop for movers.
 std::optional<OneSided> find_impossible(std::span<const RobotSetup> robots);
 
 }  // namespace avo::inline sim

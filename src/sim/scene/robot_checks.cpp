@@ -4,8 +4,8 @@
 #include <string_view>
 #include <variant>
 
-#include "robots/airplane.h"
 #include "robots/model.h"
+#include "robots/motion.h"
 #include "sim/scene/scene_checks.h"
 
 namespace avo::inline sim {
@@ -74,27 +74,26 @@ void check_drive(std::size_t i, const RobotSetup& robot, const DifferentialDrive
            "<= " + text(drive.wheel_speed) + " m/s, its drive.wheel_speed");
 }
 
-// Checks an airplane, for the promise to others, see docs/certificate/airplanes.md.
-void check_airplane(std::size_t i, const RobotSetup& robot, const Airplane& airplane,
-                    double time_step) {
+// For the promise to others, see docs/certificate/airplanes.md.
+void check_flight(std::size_t i, const RobotSetup& robot, const Airplane& model, double time_step) {
   constexpr double kOff = 1e-9;  // of a speed: error of the length of a vector of that speed
   const std::string_view list = "robots";
   const auto at = [&](std::string_view field) { return std::string(Place{list, i, field}); };
-  require(Place{list, i, "airplane.min_speed"}, airplane.min_speed, kPositive, "m/s");
-  require(Place{list, i, "airplane.lateral_acceleration"}, airplane.lateral_acceleration, kPositive,
+  require(Place{list, i, "airplane.min_speed"}, model.min_speed, kPositive, "m/s");
+  require(Place{list, i, "airplane.lateral_acceleration"}, model.lateral_acceleration, kPositive,
           "m/s^2");
-  if (airplane.min_speed > robot.max_speed)
-    refuse(at("airplane.min_speed"), text(airplane.min_speed),
+  if (model.min_speed > robot.max_speed)
+    refuse(at("airplane.min_speed"), text(model.min_speed),
            "<= max_speed = " + text(robot.max_speed) + " m/s");
-  const double most = kMostTurn * airplane.min_speed / time_step;
-  if (airplane.lateral_acceleration > most)
-    refuse(at("airplane.lateral_acceleration"), text(airplane.lateral_acceleration),
+  const double most = kMostTurn * model.min_speed / time_step;
+  if (model.lateral_acceleration > most)
+    refuse(at("airplane.lateral_acceleration"), text(model.lateral_acceleration),
            "<= " + text(most) + " m/s^2, 3 rad in a step at min_speed");
   const double speed = norm(robot.velocity);
   if (speed > 0.0 &&
-      !(speed >= (1.0 - kOff) * airplane.min_speed && speed <= (1.0 + kOff) * robot.max_speed))
+      !(speed >= (1.0 - kOff) * model.min_speed && speed <= (1.0 + kOff) * robot.max_speed))
     refuse(at("velocity"), text(speed) + " m/s",
-           text(airplane.min_speed) + " to " + text(robot.max_speed) +
+           text(model.min_speed) + " to " + text(robot.max_speed) +
                " m/s, or left out: preferred_speed");
   if (robot.max_braking)
     refuse(at("max_braking"), text(*robot.max_braking),
@@ -128,8 +127,8 @@ void check_robot(std::size_t i, const RobotSetup& robot, double time_step) {
   if (const Car* car = std::get_if<Car>(&robot.model)) check_car(i, *car);
   if (const auto* drive = std::get_if<DifferentialDrive>(&robot.model))
     check_drive(i, robot, *drive);
-  if (const Airplane* airplane = std::get_if<Airplane>(&robot.model))
-    check_airplane(i, robot, *airplane, time_step);
+  if (const Airplane* model = std::get_if<Airplane>(&robot.model))
+    check_flight(i, robot, *model, time_step);
 }
 
 }  // namespace avo::inline sim

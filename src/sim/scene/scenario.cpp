@@ -264,11 +264,11 @@ void check_beside_walls(const Scenario& scenario, Method method) {
   }
 }
 
-// The promises to and of an airplane hold only under these conditions.
+// The promises to and of a robot that flies hold only under these conditions.
 void check_flights(const Scenario& scenario, const PlannerOptions& options) {
   const std::vector<RobotSetup>& robots = scenario.robots;
   const auto first = std::find_if(robots.begin(), robots.end(),
-                                  [](const RobotSetup& r) { return is_airplane(r.model); });
+                                  [](const RobotSetup& r) { return !can_rest(r.model); });
   if (first == robots.end()) return;
   const std::string among = " in a scene with airplanes";
   for (std::size_t i = 0; i < robots.size(); ++i) {
@@ -276,9 +276,10 @@ void check_flights(const Scenario& scenario, const PlannerOptions& options) {
       refuse(std::string(Place{"robots", i, "behavior"}), to_string(robots[i].behavior),
              "decides" + among + ", which cannot stop for it");
   }
-  if (options.method != Method::avo) refuse("method", to_string(options.method), "avo" + among);
+  if (!method_traits(options.method).has_rules)
+    refuse("method", to_string(options.method), "avo" + among);
   for (std::size_t i = 0; i < robots.size(); ++i) {
-    if (const Method own = method_of(scenario, robots[i]); own != Method::avo)
+    if (const Method own = method_of(scenario, robots[i]); !method_traits(own).has_rules)
       refuse(std::string(Place{"robots", i, "method"}), to_string(own), "avo" + among);
   }
   if (options.motion != Motion::held) refuse("motion", to_string(options.motion), "held" + among);

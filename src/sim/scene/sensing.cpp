@@ -37,7 +37,7 @@ constexpr double kQuarterTurn = 0.25 * std::numbers::pi;
 struct Part {
   int robot = 0;
   double length = 0.0;   // m, radius and distance
-  double seconds = 0.0;  // until rest, or until an airplane has turned aside
+  double seconds = 0.0;  // until rest, or until it has turned aside on its circle
 };
 
 Part part_of(const Scenario& scenario, std::size_t i, const CertificateLaw& law) {
@@ -46,10 +46,10 @@ Part part_of(const Scenario& scenario, std::size_t i, const CertificateLaw& law)
   const double v = robot.max_speed, step = own.time_step,
                late = time_unseen(scenario, law.step.longest_step);
   const double u = decrement_of(robot, own);
-  const double fastest = fastest_of(robot.model, v);
+  const double fastest = model_traits(robot.model).speed_ratio * v;
   const double circle = room_to_turn(robot.model, v);
-  const bool flies = passes_goal(robot.model);
-  // an airplane turns aside by half of its circle
+  const bool flies = !can_rest(robot.model);
+  // a robot that flies turns aside by half of its circle
   const double seconds =
       flies ? step + kQuarterTurn * circle / v : step * (1.0 + braking_steps(v, u));
   return {static_cast<int>(i),
@@ -95,7 +95,7 @@ std::vector<Part> worst_for_obstacles(std::vector<Part> parts) {
 // The part of a robot that is not counted on to brake, towards another one that needs so many
 // seconds until rest.
 double part_of_mover(const RobotSetup& robot, double seconds) {
-  return disc_radius(robot) + seconds * fastest_of(robot.model, robot.max_speed);
+  return disc_radius(robot) + seconds * (model_traits(robot.model).speed_ratio * robot.max_speed);
 }
 
 // Robots of the same layers and behavior that all keep the certificate, or all do not, longest
@@ -182,9 +182,9 @@ std::optional<SensingNeed> sensing_need(const Scenario& scenario, const Certific
 
 namespace {
 
-// m/s: an airplane cannot be slower than its min_speed.
+// m/s: a robot that flies cannot be slower than its least speed.
 double limited_speed(const RobotSetup& robot, double limit) {
-  return std::min(robot.max_speed, std::max(limit, least_speed(robot.model)));
+  return std::min(robot.max_speed, std::max(limit, model_traits(robot.model).least_speed));
 }
 
 double scene_top_speed(const Scenario& scenario, const CertificateLaw& law) {
@@ -243,7 +243,7 @@ double admissible_speed(const Scenario& scenario) {
 std::int64_t start_at_rest(Scenario& scenario) {
   std::int64_t moved = 0;
   for (RobotSetup& robot : scenario.robots) {
-    const double least = least_speed(robot.model);
+    const double least = model_traits(robot.model).least_speed;
     if (exceeds(norm(start_velocity(robot)), least)) ++moved;
     robot.velocity = least > 0.0 ? least * elementary::direction(robot.heading) : Vec2{};
   }

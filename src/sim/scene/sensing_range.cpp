@@ -91,7 +91,7 @@ double rules_range(const Scenario& scenario) {
     range = std::max(range, arrival_range(robot, largest.radius));
     if (among_walls) range = std::max(range, kAmongWalls * robot.radius);
     const double tau = time_horizon_of(scenario, setup);
-    range = std::max(range, method_of(scenario, setup) == Method::avo
+    range = std::max(range, method_traits(method_of(scenario, setup)).has_rules
                                 ? evading_range(robot, largest, tau)
                                 : robot.radius + largest.radius + tau * robot.max_speed);
   }

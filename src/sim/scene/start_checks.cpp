@@ -42,13 +42,13 @@ class Reach {
   Reach(const World& world, const RobotSetup& setup)
       : world_(world),
         law_(certificate_law(world.certified_planner())),
-        flies_(is_airplane(setup.model) || !world.fleet.flights.empty()),
+        flies_(!can_rest(setup.model) || !world.fleet.flights.empty()),
         center_(disc_center(setup)),
         radius_(disc_radius(setup)),
         top_speed_(std::max(setup.max_speed, norm(setup.velocity))),
         seconds_(until_rest(norm(setup.velocity), braking_limit(setup))) {}
 
-  /// m, from the center of its disc; infinite where an airplane may come from anywhere.
+  /// m, from the center of its disc; infinite where a robot may fly in from anywhere.
   [[nodiscard]] double farthest(const MostOfOthers& most) const {
     if (flies_) return kInfinity;
     return radius_ + most.radius + std::max(seconds_, most.seconds) * (top_speed_ + most.speed);
@@ -57,7 +57,7 @@ class Reach {
 
   [[nodiscard]] bool includes(std::size_t slot) const {
     const Fleet& fleet = world_.fleet;
-    if (flies_) return true;  // no airplane comes to rest
+    if (flies_) return true;  // a robot that flies does not come to rest
     const RobotTraits& other = fleet.traits[slot];
     const double speed = norm(fleet.velocity[slot]);
     const double time = std::max(seconds_, until_rest(speed, other.max_braking));

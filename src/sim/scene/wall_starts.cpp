@@ -59,7 +59,7 @@ std::optional<WallStart> worst_wall(const Scenario& scenario, int number, const 
       wall_rounding(radius, robot.max_speed, ability_of(robot), step_law(scenario, robot, law));
   const double late = late_phase(robot, longest_first_step(law));
   const Vec2 way = stopping_way(state.velocity, decrement_of(robot, law.step), law.step);
-  const LoiterCircle* circle = passes_goal(robot.model) ? &state.circle : nullptr;
+  const LoiterCircle* circle = !can_rest(robot.model) ? &state.circle : nullptr;
   const auto start_at = [&](const Wall& wall) {
     const Segment segment{wall.a - center, wall.b - center};
     if (circle)

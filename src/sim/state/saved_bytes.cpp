@@ -248,7 +248,7 @@ void describe(Archive<kReads>& archive, SavedState& state) {
   if (kReads)
     state.flights.resize(static_cast<std::size_t>(
         std::count_if(scene.robots.begin(), scene.robots.end(),
-                      [](const RobotSetup& robot) { return is_airplane(robot.model); })));
+                      [](const RobotSetup& robot) { return !can_rest(robot.model); })));
   for (SavedFlight& flight : state.flights) describe(archive, flight);
   if (scene.clock == Clock::free) {
     describe(archive, state.now);

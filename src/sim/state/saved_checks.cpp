@@ -57,13 +57,13 @@ void check_led(const SavedState& state) {
   }
 }
 
-// Checks that airplanes are on their circles, as after a step.
+// Checks that robots that fly are on their circles, as after a step.
 void check_flights(const SavedState& state) {
   constexpr double kOff = 1e-6;  // of the radius
   std::size_t k = 0;
   for (std::size_t i = 0; i < state.robots.size(); ++i) {
     const SavedRobot& robot = state.robots[i];
-    if (!is_airplane(state.scene.robots[i].model)) continue;
+    if (can_rest(state.scene.robots[i].model)) continue;
     const LoiterCircle own =
         *circle_of(state.scene.robots[i].model, robot.position, robot.velocity);
     const LoiterCircle& saved = state.flights[k++].circle;

@@ -35,13 +35,13 @@ void describe(Archive<kReads>& archive, DifferentialDrive& drive) {
 }
 
 template <bool kReads>
-void describe(Archive<kReads>& archive, Airplane& airplane) {
-  auto after = static_cast<std::uint8_t>(airplane.after_goal);
-  describe(archive, airplane.min_speed), describe(archive, airplane.lateral_acceleration);
+void describe(Archive<kReads>& archive, Airplane& model) {
+  auto after = static_cast<std::uint8_t>(model.after_goal);
+  describe(archive, model.min_speed), describe(archive, model.lateral_acceleration);
   describe(archive, after);
   if (after > static_cast<std::uint8_t>(AfterGoal::leave))
     refuse_saved("an unknown after_goal", "a known one");
-  airplane.after_goal = static_cast<AfterGoal>(after);
+  model.after_goal = static_cast<AfterGoal>(after);
 }
 
 // The kind and then its values.

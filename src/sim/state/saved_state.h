@@ -43,7 +43,7 @@ struct SavedWay {
   Waiting waiting = {};  // without the map that is made from it
 };
 
-/// The additional state of an airplane that steps change.
+/// The additional state of a robot that flies, which steps change.
 struct SavedFlight {
   LoiterCircle circle;
   bool has_arrived = false;
@@ -72,7 +72,7 @@ struct SavedState {
   std::int64_t now = 0;                     // ns, of free clocks
   std::vector<SavedClock> clocks;           // of the robots; empty where the clock is common
   std::vector<std::uint64_t> stood;         // ids of robots with Fleet::has_stood; ascending
-  std::vector<SavedFlight> flights;         // of the airplanes among the robots, in their order
+  std::vector<SavedFlight> flights;         // of the robots that fly, in their order
   std::vector<MovingObstacleId> mover_ids;  // ascending, as many as the scene has moving obstacles
   std::uint64_t next_mover = 0;
   std::vector<SavedTold> told;            // by ascending id

@@ -13,6 +13,7 @@
 
 #include "certificate/certificate.h"
 #include "core/elementary.h"
+#include "robots/airplane.h"
 #include "robots/model.h"
 #include "support/certificates.h"
 
@@ -117,8 +118,8 @@ class Chooser {
       nearest = away, chosen = moved;
     };
     const Neighbor neighbor = seen(other);
-    is_airplane(robot.model) ? fly(random, robot, neighbor, consider)
-                             : drive(random, robot, neighbor, consider);
+    can_rest(robot.model) ? drive(random, robot, neighbor, consider)
+                          : fly(random, robot, neighbor, consider);
     return *chosen;
   }
   int admitted = 0;

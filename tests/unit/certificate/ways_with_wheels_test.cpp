@@ -48,7 +48,7 @@ Case random_case(test::Random& random, int kind) {
   robot.model = model_of(random, kind % kKinds);
   robot.max_acceleration = random.log_uniform(0.5, 2.0), robot.max_speed = 1.5;
   robot.heading = random.uniform(-std::numbers::pi, std::numbers::pi);
-  const bool backwards = can_reverse(robot.model) && random.below(2) == 0;
+  const bool backwards = model_traits(robot.model).can_reverse && random.below(2) == 0;
   const double speed = random.uniform(0.0, 1.0) * (backwards ? -1.0 : 1.0);
   robot.velocity = speed * elementary::direction(robot.heading);
   result.now = {{}, robot.velocity, 0.0, robot.heading};
@@ -56,7 +56,7 @@ Case random_case(test::Random& random, int kind) {
   options.law = {.time_step = h, .lag = 0.5 * h, .braking_time = h};
   options.decrement = robot.max_acceleration * h;
   options.increment = (kind % 2 == 0 ? 0.6 : 1.0) * options.decrement;
-  options.max_speed = fastest_of(robot.model, robot.max_speed);
+  options.max_speed = model_traits(robot.model).speed_ratio * robot.max_speed;
   options.longest = 4.0;
   for (int k = 0; k <= kind % 3; ++k) {
     Predicted other;

@@ -43,6 +43,33 @@ TEST(Options, out_of_range_are_refused_by_name) {
   EXPECT_NO_THROW(Planner{coarse});
 }
 
+TEST(Options, follow_the_row_of_their_method) {
+  struct Row {
+    Method method;
+    bool at_once, within_step, regardless, outside;
+  };
+  constexpr Row kRows[] = {{Method::avo, false, false, false, false},
+                           {Method::avo_paper, false, false, false, false},
+                           {Method::velocity_obstacle, true, false, true, true},
+                           {Method::orca, true, false, true, false},
+                           {Method::orca_clamped, false, true, true, false},
+                           {Method::reciprocal_velocity_obstacle, true, false, true, true},
+                           {Method::buffered_voronoi, false, true, false, false}};
+  static_assert(std::size(kRows) == kMethodTraits.size());
+  for (const Row& row : kRows) {
+    const PlannerOptions options = default_options(row.method);
+    const bool is_avo = row.method == Method::avo;
+    EXPECT_EQ(adopts_at_once(row.method), row.at_once) << to_string(row.method);
+    EXPECT_EQ(reaches_within_step(row.method), row.within_step) << to_string(row.method);
+    EXPECT_EQ(disregards_acceleration(row.method), row.regardless) << to_string(row.method);
+    EXPECT_EQ(avoids_union(row.method), row.outside) << to_string(row.method);
+    EXPECT_EQ(options.control_time, is_avo ? 2.0 : 4.0);
+    EXPECT_EQ(options.time_horizon, is_avo ? 3.0 : 10.0);
+    EXPECT_EQ(options.response_time, is_avo ? 0.1 : 0.0);
+    EXPECT_EQ(options.certificate, is_avo ? Certificate::braking_trajectories : Certificate::none);
+  }
+}
+
 TEST(Options, a_free_clock_is_refused_where_its_rule_does_not_hold) {
   PlannerOptions options;
   options.longest_step = 0.1;

@@ -47,7 +47,7 @@ RobotSetup any_robot(Random& random, const MotionModel& model) {
   robot.max_speed = 1.9;
   robot.preferred_speed = random.uniform(1.2, 1.9);
   robot.max_acceleration = 1.0;
-  if (!is_airplane(model) && random.below(2) == 0) robot.max_braking = random.uniform(0.5, 1.0);
+  if (can_rest(model) && random.below(2) == 0) robot.max_braking = random.uniform(0.5, 1.0);
   robot.goal = 20.0 * random.direction();
   return robot;
 }
@@ -118,7 +118,7 @@ TEST(EditsByModel, a_door_is_refused_where_it_would_be_touched_and_nowhere_else)
                              : is_holonomic(model) ? random.direction()
                                                    : heading;
       const double gap = least_gap(simulation, robot, direction);
-      if (across_way && !is_airplane(model)) {
+      if (across_way && can_rest(model)) {
         EXPECT_NEAR(gap, braking_way(robot, scene.time_step), 1e-6) << "at " << speed << " m/s";
         ++at_limit;
       }
@@ -133,7 +133,7 @@ TEST(EditsByModel, a_door_is_refused_where_it_would_be_touched_and_nowhere_else)
     if (std::holds_alternative<DifferentialDrive>(model)) {
       EXPECT_GT(off_heading, 10);
     }
-    if (!is_airplane(model)) {
+    if (can_rest(model)) {
       EXPECT_GT(at_limit, 15);
     }
   }

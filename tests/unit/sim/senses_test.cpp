@@ -505,7 +505,7 @@ TEST(Senses, nobody_comes_whose_disc_moves_as_nobody_has_declared) {
     for (const RobotSetup& setup : {swinging, exact}) {
       Simulation simulation(scene, 1);
       simulation.add_robot(plain);
-      if (!free && swings(setup.model)) {  // those who see it late know of it
+      if (!free && model_traits(setup.model).swings) {  // those who see it late know of it
         EXPECT_NO_THROW(simulation.add_robot(setup));
         continue;
       }
