@@ -4,7 +4,7 @@
 /** A file that a scene names, e.g. a map, by the path that follows from the scene. */
 export interface SceneFile {
   path: string;
-  text: string;
+  text: string | Uint8Array; // verbatim, e.g. of a binary graymap
   builtin: boolean;
 }
 

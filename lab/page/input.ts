@@ -2,7 +2,6 @@
 // The initial input of the page: the command line's, or else a scene that introduces the subject.
 import type { Library, SceneFile } from "../avo/avo.ts";
 import { bytesOfBase64 } from "./data/compression.ts";
-import { textOf } from "./data/graymap.ts";
 import type { RecordedScene } from "./data/recording.ts";
 import { makeLab, type PageLab } from "./run/make_lab.ts";
 
@@ -59,7 +58,7 @@ export function first(library: Library): PageLab {
 
 function sceneOf({ name, yaml, overrides, files, start_at_rest, limit_speed }: SceneOfInput): RecordedScene {
   const texts = files.map((file) => "text" in file ? file
-    : { path: file.path, text: textOf(bytesOfBase64(file.base64)), builtin: file.builtin });
+    : { path: file.path, text: bytesOfBase64(file.base64), builtin: file.builtin });
   return { name, yaml, overrides, files: texts, start_at_rest, limit_speed };
 }
 

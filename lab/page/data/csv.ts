@@ -204,6 +204,6 @@ export function openCsv(name: string, bytes: Uint8Array): Recording {
   if (times.length < 2)
     refuseAt(line, `found rows of ${times.length === 0 ? "no time" : "one time only"}, must be of two or more`);
   const { robots, every } = table;
-  return { kind: "csv", name, times, robots, headings: header.heading >= 0, every, scene: null, attributes: {},
+  return { kind: "csv", name, times, robots, headings: header.heading >= 0, every, scene: null,
     frame: async (k) => frameOf(table, k) };
 }

@@ -6,7 +6,6 @@ import { looksLikeCsv, openCsv } from "./csv.ts";
 import { openHdf5 } from "./hdf5.ts";
 import { isHdf5 } from "./hdf5_objects.ts";
 import type { Recording } from "./recording.ts";
-import { attributesOf } from "./recording_fields.ts";
 import { isSpool, openSpool } from "./spool.ts";
 
 export type FileFormat = "hdf5" | "spool" | "csv" | "yaml" | "unknown";
@@ -24,10 +23,10 @@ export function formatOf(name: string, bytes: Uint8Array): FileFormat {
 }
 
 function openBlocks(kind: "hdf5" | "spool", name: string, bytes: Uint8Array): Recording {
-  const { header, fields, stored } = kind === "hdf5" ? openHdf5(bytes) : openSpool(bytes);
+  const { header, stored } = kind === "hdf5" ? openHdf5(bytes) : openSpool(bytes);
   requireTimes(stored.times);
   requireSize(stored);
-  return { ...header, kind, name, times: stored.times, attributes: attributesOf(fields), frame: frameReader(stored) };
+  return { ...header, kind, name, times: stored.times, frame: frameReader(stored) };
 }
 
 /** Errors are one line with the file's name in front. */

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // A recording in the form that views use, whatever its file format.
-
-export interface SceneFile { path: string; text: string; builtin: boolean }
+import type { SceneFile } from "../../avo/avo.ts";
 
 /** The scene that a recording contains, and the options of its run. */
 export interface RecordedScene {
@@ -33,7 +32,6 @@ export interface Recording {
   headings: boolean;         // whether any robot may have a heading
   every: number;             // steps of the run from row to row
   scene: RecordedScene | null;
-  attributes: Record<string, string | number | bigint>;  // whole numbers beyond 2^53 are bigint
   /** Reads the frame at times[k]. Rejects with one line if the rows are damaged. */
   frame(k: number): Promise<RecordedFrame>;
 }

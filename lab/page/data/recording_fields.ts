@@ -1,31 +1,44 @@
 // SPDX-License-Identifier: Apache-2.0
-// The facts that a recording stores about itself: its attributes, restricted to what io/recording/recording_fields.cpp
-// allows.
+// The facts that a recording stores about itself, restricted to what io/recording/recording_fields.cpp allows.
 import type { StoredBlocks } from "./blocks.ts";
 import { refuse } from "./bytes.ts";
-import { textOf } from "./graymap.ts";
-import type { RecordedScene, Recording } from "./recording.ts";
+import { concatenated } from "./compression.ts";
+import type { RecordedScene } from "./recording.ts";
 import { inQuotes } from "./words.ts";
 
-/** Attributes by name; texts verbatim. */
+/** Fields by name; texts verbatim. */
 export type Fields = Map<string, Uint8Array | bigint>;
 
-export interface RecordingHeader {
-  robots: number;
-  every: number;
-  headings: boolean;
-  scene: RecordedScene;
+export interface RecordingHeader { robots: number; every: number; headings: boolean; scene: RecordedScene }
+export interface OpenedBlocks { header: RecordingHeader; stored: StoredBlocks }
+
+const FIRST_PART = "part.0.";
+
+const decoded = (bytes: Uint8Array) => new TextDecoder("utf-8", { ignoreBOM: true }).decode(bytes);
+
+/** Joins the parts of long texts: the text "scene" may be in "part.0.scene", "part.1.scene" and so on. */
+function joinParts(fields: Fields): void {
+  for (const first of [...fields.keys()].filter((key) => key.startsWith(FIRST_PART))) {
+    const name = first.slice(FIRST_PART.length);
+    const parts: Uint8Array[] = [];
+    for (let part = fields.get(first); part instanceof Uint8Array; part = fields.get(`part.${parts.length}.${name}`))
+      parts.push(part);
+    fields.set(name, concatenated(parts));
+  }
 }
 
-export interface OpenedBlocks { header: RecordingHeader; fields: Fields; stored: StoredBlocks }
-
-const FORMAT = "avo recording 1";
-
-export function textField(fields: Fields, name: string): string {
+function textField(fields: Fields, name: string): string {
   const value = fields.get(name);
   if (value === undefined) refuse(`found no attribute "${name}"`);
   if (typeof value === "bigint") refuse(`${name}: found another type, must be a text`);
-  return textOf(value);
+  return decoded(value);
+}
+
+/** Refuses another text; `where`: in front of its name. */
+export function requireText(fields: Fields, name: string, must: string, where = ""): void {
+  const value = fields.get(name);
+  const found = value instanceof Uint8Array ? decoded(value) : null;
+  if (found !== must) refuse(`${where}${name}: found ${found === null ? "none" : inQuotes(found)}, must be ${must}`);
 }
 
 function numberField(fields: Fields, name: string, least: number, most: number): number {
@@ -36,48 +49,29 @@ function numberField(fields: Fields, name: string, least: number, most: number):
   return Number(value);
 }
 
-export function requireFormat(fields: Fields): void {
-  const format = fields.get("format");
-  const found = format instanceof Uint8Array ? textOf(format) : null;
-  if (found !== FORMAT) refuse(`format: found ${found === null ? "none" : inQuotes(found)}, must be ${FORMAT}`);
-}
-
 function sceneOf(fields: Fields): RecordedScene {
+  const overrides = [...fields.keys()].filter((name) => name.startsWith("override."));
   const scene: RecordedScene = {
     name: textField(fields, "scene_name"),
     yaml: textField(fields, "scene"),
-    overrides: [],
+    overrides: overrides.map((_, k) => textField(fields, `override.${k}`)),
     files: [],
     start_at_rest: numberField(fields, "start_at_rest", 0, 1) === 1,
     limit_speed: numberField(fields, "limit_speed", 0, 1) === 1,
   };
-  const overrides = [...fields.keys()].filter((name) => name.startsWith("override.")).length;
-  for (let k = 0; k < overrides; ++k) scene.overrides.push(textField(fields, `override.${k}`));
-  for (const [name, value] of fields) {
-    const file = /^(builtin_)?file\.(.*)$/s.exec(name);
-    if (file === null || typeof value === "bigint") continue;
-    scene.files.push({ path: file[2], text: textOf(value), builtin: file[1] !== undefined });
+  for (const [name, text] of fields) {
+    const [, builtin, path] = /^(builtin_)?file\.(.*)$/s.exec(name) ?? [];
+    if (path !== undefined && typeof text !== "bigint") scene.files.push({ path, text, builtin: builtin !== undefined });
   }
   return scene;
 }
 
 export function headerOf(fields: Fields): RecordingHeader {
-  textField(fields, "version");
-  textField(fields, "build");
-  numberField(fields, "seed", 0, 2 ** 64);
+  joinParts(fields);
   return {
     robots: numberField(fields, "robots", 1, 1_000_000),
     every: numberField(fields, "every", 1, 100_000_000),
     headings: numberField(fields, "headings", 0, 1) === 1,
     scene: sceneOf(fields),
   };
-}
-
-export function attributesOf(fields: Fields): Recording["attributes"] {
-  const attributes: Recording["attributes"] = {};
-  for (const [name, value] of fields) {
-    if (typeof value !== "bigint") attributes[name] = textOf(value);
-    else attributes[name] = value > BigInt(Number.MAX_SAFE_INTEGER) ? value : Number(value);
-  }
-  return attributes;
 }

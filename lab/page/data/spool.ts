@@ -71,8 +71,7 @@ export function openSpool(file: Uint8Array): OpenedBlocks {
   const first = readRecord(reader);
   if (first === null || first.type !== HEADER)
     refuse("found no whole header, cut off or damaged, must be a spool of avo");
-  const fields = fieldsOf(first.payload);
-  const header = headerOf(fields);
+  const header = headerOf(fieldsOf(first.payload));
   const shape: BlockShape = { robots: header.robots, columns: header.headings ? 6 : 4 };
   if (shape.robots > MOST_ROBOTS)
     refuse(`robots: found ${shape.robots}, must be ${MOST_ROBOTS} at most to be shown here`);
@@ -86,5 +85,5 @@ export function openSpool(file: Uint8Array): OpenedBlocks {
   }
   if (blocks.length === 0) refuse("found no whole block, must be one or more");
   const times = Float64Array.from(blocks.flatMap((block) => Array.from(block.times)));
-  return { header, fields, stored: { shape, times, chunk: (block, number) => blocks[block].chunks[number] } };
+  return { header, stored: { shape, times, chunk: (block, number) => blocks[block].chunks[number] } };
 }

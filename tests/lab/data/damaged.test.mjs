@@ -45,6 +45,24 @@ test("other bytes in many places", async () => {
   }
 });
 
+/** Where this text begins in the file, for the first time from `from` on. */
+const placeOf = (text, from = 0) => Buffer.from(whole).indexOf(text, from);
+
+test("a letter of the scene's text, and the place of a chunk", async () => {
+  const letter = whole.slice();
+  ++letter[placeOf("version: 1")];
+  assert.equal(await refusal(openRecording("a.h5", letter)), "a.h5: found a damaged header of an object, must be whole");
+  let node = placeOf("TREE");
+  while (whole[node + 6] !== 4) node = placeOf("TREE", node + 1);  // of the table of states: four columns in one block
+  const place = whole.slice();
+  const ENTRY = 48, FIRST = 24, COLUMN = 24;
+  [place[node + FIRST + COLUMN], place[node + FIRST + ENTRY + COLUMN]] = [1, 0];
+  assert.equal(await refusal(openRecording("a.h5", place)), "a.h5: state: found a chunk out of its place, damaged");
+  place[node + FIRST + COLUMN] = 0;
+  place[node + 6] = 1;  // the others are not there
+  assert.equal(await refusal(openRecording("a.h5", place)), "a.h5: state: found less than all of its rows, must be all");
+});
+
 test("what is no recording", async () => {
   const noise = Uint8Array.from({ length: 5000 }, (_, k) => (k * k) >> 3);
   for (const bytes of [new Uint8Array(), noise, whole.subarray(1)])
