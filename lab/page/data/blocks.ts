@@ -5,7 +5,6 @@ import { refuse } from "./bytes.ts";
 import { uncompressed } from "./compression.ts";
 import { ABSENT, emptyFrame, LARGEST, LARGEST_RANGE, MOST_ROBOTS, type RecordedFrame,
   STATE_COLUMNS } from "./recording.ts";
-import { shortest } from "./words.ts";
 
 export const BLOCK_TIMES = 64;
 const MOST_ROBOTS_OF_CHUNK = 1024;
@@ -50,8 +49,8 @@ export function requireTimes(times: Float64Array): void {
   let last = -Infinity;
   for (const time of times) {
     const must = !Number.isFinite(time) ? "a finite number" : time < 0 ? ">= 0 s"
-      : time <= last ? `> ${shortest(last)} s, the time before` : time > LARGEST ? "<= 1e+12 s" : null;
-    if (must !== null) refuse(`time: found ${shortest(time)} s, must be ${must}`);
+      : time <= last ? `> ${last} s, the time before` : time > LARGEST ? "<= 1e+12 s" : null;
+    if (must !== null) refuse(`time: found ${time} s, must be ${must}`);
     last = time;
   }
 }
@@ -97,14 +96,14 @@ function columnsOf(block: Block, at: number): number {
 }
 
 function requireNumbers(block: Block, at: number, time: number, robot: number): void {
-  const where = `time ${shortest(time)} s, robot ${robot}`;
+  const where = `time ${time} s, robot ${robot}`;
   if (block.status[at] > LAST_STATUS)
     refuse(`${where}: status: found ${block.status[at]}, must be 0 to ${LAST_STATUS}, or ${ABSENT}, absent`);
   for (let c = 0; c < columnsOf(block, at); ++c) {
     const value = block.columns[c][at];
     if (Math.abs(value) <= LARGEST) continue;
     const must = Number.isFinite(value) ? LARGEST_RANGE : "a finite number";
-    refuse(`${where}: ${STATE_COLUMNS[c]}: found ${shortest(value)}, must be ${must}`);
+    refuse(`${where}: ${STATE_COLUMNS[c]}: found ${value}, must be ${must}`);
   }
 }
 

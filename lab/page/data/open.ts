@@ -2,6 +2,7 @@
 // Finds the kind of an opened file by its content.
 import { frameReader, requireSize, requireTimes } from "./blocks.ts";
 import { RecordingError, refuse } from "./bytes.ts";
+import { AvoError, type Library } from "../../avo/avo.ts";
 import { looksLikeCsv, openCsv } from "./csv.ts";
 import { openHdf5 } from "./hdf5.ts";
 import { isHdf5 } from "./hdf5_objects.ts";
@@ -29,21 +30,21 @@ function openBlocks(kind: "hdf5" | "spool", name: string, bytes: Uint8Array): Re
   return { ...header, kind, name, times: stored.times, frame: frameReader(stored) };
 }
 
-/** Errors are one line with the file's name in front. */
+/** Errors are one line with the file's name in front, as the library's errors have it. */
 function named(name: string, error: unknown): Error {
-  if (!(error instanceof RecordingError)) return error as Error;
-  return new Error(/^\d+: /.test(error.message) ? `${name}:${error.message}` : `${name}: ${error.message}`);
+  if (error instanceof AvoError) return new Error(error.message);
+  return error instanceof RecordingError ? new Error(`${name}: ${error.message}`) : error as Error;
 }
 
 /** Rejects with an Error of one line if the file is damaged or not a recording. */
-export async function openRecording(name: string, bytes: Uint8Array): Promise<Recording> {
+export async function openRecording(library: Library, name: string, bytes: Uint8Array): Promise<Recording> {
   try {
     const kind = formatOf(name, bytes);
     if (kind === "yaml") refuse("found a scene, must be a recording");
     if (kind === "unknown" && HDF5_NAME.test(name))
       refuse("found neither HDF5 nor a spool in it, cut off or damaged, must be one of them, whole");
     if (kind === "unknown") refuse("found no text, must be a scene as YAML, or a recording as CSV or HDF5");
-    const recording = kind === "csv" ? openCsv(name, bytes) : openBlocks(kind, name, bytes);
+    const recording = kind === "csv" ? openCsv(library, name, bytes) : openBlocks(kind, name, bytes);
     const { frame } = recording;
     recording.frame = (k) => frame(k).catch((error) => Promise.reject(named(name, error)));
     return recording;

@@ -4,7 +4,6 @@ import type { StoredBlocks } from "./blocks.ts";
 import { refuse } from "./bytes.ts";
 import { concatenated } from "./compression.ts";
 import type { RecordedScene } from "./recording.ts";
-import { inQuotes } from "./words.ts";
 
 /** Fields by name; texts verbatim. */
 export type Fields = Map<string, Uint8Array | bigint>;
@@ -38,7 +37,7 @@ function textField(fields: Fields, name: string): string {
 export function requireText(fields: Fields, name: string, must: string, where = ""): void {
   const value = fields.get(name);
   const found = value instanceof Uint8Array ? decoded(value) : null;
-  if (found !== must) refuse(`${where}${name}: found ${found === null ? "none" : inQuotes(found)}, must be ${must}`);
+  if (found !== must) refuse(`${where}${name}: found ${found === null ? "none" : JSON.stringify(found.slice(0, 40))}, must be ${must}`);
 }
 
 function numberField(fields: Fields, name: string, least: number, most: number): number {

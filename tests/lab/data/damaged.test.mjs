@@ -2,8 +2,7 @@
 // HDF5 files that are cut off, damaged or of others: one line, or numbers that are some; never a crash or a long wait.
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { openRecording } from "../../../lab/page/data/open.ts";
-import { allFrames, randomNumbers, recorded, refusal } from "./native.mjs";
+import { allFrames, openRecording, randomNumbers, recorded, refusal } from "./native.mjs";
 
 const whole = recorded("whole.h5", "positions-exchange", "--duration", "2");
 

@@ -5,9 +5,8 @@ import { spawn } from "node:child_process";
 import { existsSync, readFileSync, rmSync, statSync, writeFileSync } from "node:fs";
 import { test } from "node:test";
 import { pathToFileURL } from "node:url";
-import { openRecording } from "../../../lab/page/data/open.ts";
 import { library, steps } from "../wasm/module.mjs";
-import { allFrames, avo, recorded, refusal, sceneFile } from "./native.mjs";
+import { allFrames, avo, openRecording, recorded, refusal, sceneFile } from "./native.mjs";
 
 const h5wasm = await import(pathToFileURL(`${process.env.AVO_LAB}/node_modules/h5wasm/dist/node/hdf5_hl.js`));
 await h5wasm.ready;

@@ -4,8 +4,7 @@ import assert from "node:assert/strict";
 import { spawn } from "node:child_process";
 import { existsSync, readFileSync, rmSync, statSync } from "node:fs";
 import { test } from "node:test";
-import { openRecording } from "../../../lab/page/data/open.ts";
-import { allFrames, avo, randomNumbers, refusal } from "./native.mjs";
+import { allFrames, avo, openRecording, randomNumbers, refusal } from "./native.mjs";
 
 /** Of a run that was killed once its spool had that many bytes. */
 async function killed(file, scene, size) {
