@@ -43,8 +43,8 @@ std::optional<std::uint64_t> take_number(std::string_view& bytes) {
 std::optional<std::string> take_text(std::string_view& bytes) {
   const std::optional<std::uint64_t> size = take_number(bytes);
   if (!size || *size > bytes.size()) return std::nullopt;
-  std::string text(bytes.substr(0, *size));
-  bytes.remove_prefix(*size);
+  std::string text(bytes.substr(0, static_cast<std::size_t>(*size)));
+  bytes.remove_prefix(text.size());
   return text;
 }
 

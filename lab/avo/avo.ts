@@ -3,13 +3,13 @@
 // same words as natively.
 import { addText, emptyBytes, taken } from "./bytes.ts";
 import { getText, instantiate, put } from "./instance.ts";
+import { readHeader, readTable, writeTable, type TableForm } from "./recordings.ts";
 import { readScene, Simulation } from "./simulation.ts";
-import { readTable, writeTable, type TableForm } from "./table.ts";
-import type { BuiltinScene, SceneOptions, Setting } from "./types.ts";
+import type { BuiltinScene, RecordingHeader, SceneOptions, Setting } from "./types.ts";
 
 export { AvoError } from "./instance.ts";
+export { TABLE_ROW, TABLE_TIME, type TableForm } from "./recordings.ts";
 export type { Simulation } from "./simulation.ts";
-export { TABLE_ROW, TABLE_TIME, type TableForm } from "./table.ts";
 export type * from "./types.ts";
 
 /** The way a decision was made, by Moment's numbers. */
@@ -22,6 +22,8 @@ export interface Library {
   /** Returns the YAML of a built-in scene, or of circle-N and uniform-N for any N. */
   builtinText(name: string): string | undefined;
   settings(): Setting[];
+  /** Returns the header of a recording from its fields as a spool has them. Throws AvoError without a file's name. */
+  readHeader(fields: Uint8Array): RecordingHeader;
   /** Reads a recording as CSV, part by part: whole times, see TABLE_TIME. Robots have numbers below `mostRobots`. Throws
    * AvoError in the words of `avo check`. */
   readTable(name: string, file: Uint8Array, mostRobots: number): Iterable<Float64Array>;
@@ -52,6 +54,7 @@ export async function load(source: BufferSource | WebAssembly.Module): Promise<L
       put(asked, taken(bytes));
       return getText(asked, asked.functions["builtin_text"]!()) || undefined;
     },
+    readHeader: (fields) => readHeader(instantiate(module), fields), // which may be refused
     readTable: (name, file, mostRobots) => readTable(instantiate(module, file), name, mostRobots),
     writeTable: (times, form) => writeTable(instance, times, form),
     simulate: (yaml, options = {}) => {

@@ -22,6 +22,24 @@ export interface SceneOptions {
   metrics?: boolean;
 }
 
+/** The scene that a recording contains, and the options of its run. */
+export interface RecordedScene {
+  name: string;
+  yaml: string;
+  overrides: string[];
+  files: SceneFile[];
+  start_at_rest: boolean;
+  limit_speed: boolean;
+}
+
+/** The facts that a recording stores about itself. */
+export interface RecordingHeader {
+  robots: number; // upper bound of their numbers
+  every: number; // steps of the run from row to row
+  headings: boolean; // whether any robot may have a heading
+  scene: RecordedScene;
+}
+
 export interface BuiltinScene {
   name: string;
   description: string;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Recordings in blocks of 64 times, whose chunks are shuffled and compressed as io/recording/recording_blocks.cpp does
 // it. Shown data are uncompressed block by block, and the last blocks are kept.
+import type { RecordingHeader } from "../../avo/avo.ts";
 import { refuse } from "./bytes.ts";
 import { uncompressed } from "./compression.ts";
 import { ABSENT, emptyFrame, LARGEST, LARGEST_RANGE, MOST_ROBOTS, type RecordedFrame,
@@ -13,6 +14,8 @@ const KEPT_BYTES = 96 * 2 ** 20;    // of blocks, but at least two blocks
 const LAST_STATUS = 6;              // of PlanStatus
 
 export interface BlockShape { robots: number; columns: number }
+
+export const shapeOf = ({ robots, headings }: RecordingHeader): BlockShape => ({ robots, columns: headings ? 6 : 4 });
 
 /** Robots are split into parts of this number, each a chunk of its own. */
 export const partsOf = ({ robots }: BlockShape) => Math.ceil(robots / MOST_ROBOTS_OF_CHUNK);
@@ -27,6 +30,8 @@ export interface StoredBlocks {
   /** Stored bytes: all parts of each column, then those of the status and of the clearance. */
   chunk(block: number, number: number): Uint8Array;
 }
+
+export interface OpenedBlocks { header: RecordingHeader; stored: StoredBlocks }
 
 /** Tables [time, robot]. */
 interface Block { columns: Float64Array[]; status: Uint8Array; clearance: Float32Array }

@@ -1,23 +1,23 @@
 // SPDX-License-Identifier: Apache-2.0
 // Recordings as HDF5 files with avo's layout (docs/recordings.md).
+import type { Library } from "../../avo/avo.ts";
 import { refuse } from "./bytes.ts";
-import { BLOCK_TIMES, type BlockShape, partsOf, robotsOfChunk } from "./blocks.ts";
+import { BLOCK_TIMES, type OpenedBlocks, partsOf, robotsOfChunk, shapeOf } from "./blocks.ts";
 import { linksOf, readAttributes, readObject, readSuperblock } from "./hdf5_objects.ts";
 import { ENUMERATION, FLOAT32, FLOAT64, readChunks, readList } from "./hdf5_tables.ts";
 import { STATE_COLUMNS } from "./recording.ts";
-import { headerOf, type OpenedBlocks, requireText } from "./recording_fields.ts";
+import { packed, requireText } from "./recording_fields.ts";
 
 /** Reads everything except the chunks. */
-export function openHdf5(file: Uint8Array): OpenedBlocks {
+export function openHdf5(library: Library, file: Uint8Array): OpenedBlocks {
   const root = readObject(file, readSuperblock(file));
   const fields = readAttributes(root);
   requireText(fields, "format", "avo recording 1");
-  const header = headerOf(fields);
+  const header = library.readHeader(packed(fields));
   const links = linksOf(root);
   const table = (name: string) => readObject(file, links.get(name) ?? refuse(`found no table "${name}"`));
   const times = readList(file, table("time"), "time");
-  const shape: BlockShape = { robots: header.robots, columns: header.headings ? 6 : 4 };
-  const { robots, columns } = shape;
+  const shape = shapeOf(header), { robots, columns } = shape;
   const parts = partsOf(shape), chunk = [BLOCK_TIMES, robotsOfChunk(shape)], lengths = [times.length, robots];
   const states = table("state");
   requireText(readAttributes(states), "columns", STATE_COLUMNS.slice(0, columns).join(","), "state: ");

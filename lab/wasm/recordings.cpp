@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Tables of states as text: those of the host's files are read, and others are written, as by the
-// command line.
+// Recordings: the headers of HDF5 and spools are read. Tables of states as text are read from the
+// host's file, and written, as by the command line.
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -15,7 +15,9 @@
 #include "host.h"
 #include "io/files/byte_source.h"
 #include "io/recording/csv_lines.h"
+#include "io/recording/recording_fields.h"
 #include "io/recording/row_source.h"
+#include "io/text/json.h"
 
 /// Puts the next bytes of the host's file at `to`, at most `size`; returns their number, which is 0
 /// at the end.
@@ -41,6 +43,8 @@ std::unique_ptr<ByteSource> open_bytes(const std::string& /*path*/) {
 
 namespace avo_lab {
 namespace {
+
+using avo_io::Json;
 
 constexpr std::size_t kPart = std::size_t{1} << 17U;  // numbers
 constexpr std::size_t kRow = 7;                       // numbers of a robot
@@ -76,6 +80,34 @@ avo::CheckedState state_from(std::span<const double> row) {
 }
 
 }  // namespace
+
+/// Reads the header of a recording from its fields in the room, see avo_io::packed(). Returns a
+/// line of JSON, and then the texts of the scene's files, one after the other.
+AVO_EXPORT(std::size_t, recording_header)() {
+  const std::vector<std::byte> room = taken_from_room();
+  const auto fields = avo_io::unpacked({reinterpret_cast<const char*>(room.data()), room.size()});
+  if (!fields)
+    throw avo_io::RecordingError(
+        "found no whole header, cut off or damaged, must be that of a recording of avo");
+  const avo_io::RecordingHeader header = avo_io::header_from(avo_io::from_parts(*fields));
+  Json files = Json::array();
+  std::string texts;
+  for (const avo_io::SceneFile& file : header.scene.files) {
+    files.push_back({{"path", file.path}, {"builtin", file.builtin}, {"size", file.text.size()}});
+    texts += file.text;
+  }
+  const Json scene{{"name", header.scene.name},
+                   {"yaml", header.scene.yaml},
+                   {"overrides", header.scene.overrides},
+                   {"files", files},
+                   {"start_at_rest", header.scene.start_at_rest},
+                   {"limit_speed", header.scene.limit_speed}};
+  const Json json{{"robots", header.robots},
+                  {"every", header.every},
+                  {"headings", header.headings},
+                  {"scene", scene}};
+  return into_room(json.dump(-1, ' ', false, Json::error_handler_t::replace) + '\n' + texts);
+}
 
 /// Begins to read the host's file, whose name is in the room, as a table with so many robots at
 /// most.

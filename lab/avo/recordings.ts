@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// Recordings as CSV. Times are lists of numbers: TABLE_TIME of a time, and then TABLE_ROW of each of its rows.
+// Recordings: headers of HDF5 and spools, and tables of states as CSV. Times of a table are lists of numbers: TABLE_TIME
+// of a time, and then TABLE_ROW of each of its rows.
 import { addText, emptyBytes, taken } from "./bytes.ts";
 import { get, getText, put, type Instance } from "./instance.ts";
+import type { RecordingHeader } from "./types.ts";
 
 /** s, the steps from row to row, the number of rows. */
 export const TABLE_TIME = 3;
@@ -15,6 +17,17 @@ export interface TableForm {
   headings: boolean;
   every: number;
   begins: boolean;
+}
+
+export function readHeader(instance: Instance, fields: Uint8Array): RecordingHeader {
+  put(instance, fields);
+  const bytes = get(instance, instance.functions["recording_header"]!());
+  let at = bytes.indexOf("\n".charCodeAt(0)) + 1; // behind the line of JSON
+  const header = JSON.parse(new TextDecoder().decode(bytes.subarray(0, at))) as RecordingHeader;
+  header.scene.files = (header.scene.files as unknown as { path: string; builtin: boolean; size: number }[]).map(
+    ({ path, builtin, size }) => ({ path, text: bytes.subarray(at, (at += size)), builtin }),
+  );
+  return header;
 }
 
 export function* readTable(instance: Instance, name: string, mostRobots: number): Generator<Float64Array> {
