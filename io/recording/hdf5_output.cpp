@@ -10,6 +10,11 @@
 #include "io/files/regular_file.h"
 
 namespace avo_io {
+namespace {
+
+constexpr unsigned kMostAttributesInHeader = 65535;  // the limit of HDF5
+
+}  // namespace
 
 void prepare_hdf5() {
   static std::once_flag once;
@@ -29,6 +34,9 @@ Hdf5Handle Hdf5Output::create_file(const std::string& path, bool any_size) const
   const Hdf5Handle access = require(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
   if (any_size) require(H5Pset_libver_bounds(access.id(), H5F_LIBVER_V18, H5F_LIBVER_V18));
   const Hdf5Handle creation = properties(H5P_FILE_CREATE);
+  // else a file with more than eight attributes keeps them in a heap, which simple readers cannot
+  // read
+  if (any_size) require(H5Pset_attr_phase_change(creation.id(), kMostAttributesInHeader, 0));
   return require(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, creation.id(), access.id()), H5Fclose);
 }
 

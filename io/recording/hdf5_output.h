@@ -27,7 +27,8 @@ struct Hdf5Output {
   }
 
   /// Empties the file at `path`. `any_size`: attributes may have more than 64 KiB, which HDF5 reads
-  /// from version 1.8 on.
+  /// from version 1.8 on. Shorter attributes of the file itself are then in its header, however
+  /// many.
   [[nodiscard]] Hdf5Handle create_file(const std::string& path, bool any_size) const;
   /// Returns properties of a kind of object, H5P_DATASET_CREATE or H5P_GROUP_CREATE, without the
   /// time of day.

@@ -84,7 +84,7 @@ void Hdf5Reader::read_attributes() {
     refuse("found attributes that HDF5 cannot read, must be those of a recording of avo");
   try {
     require_format(fields);
-    header_ = header_from(fields);
+    header_ = header_from(from_parts(std::move(fields)));
   } catch (const avo::Error& error) {
     refuse(error.what());
   }

@@ -104,7 +104,7 @@ std::vector<double> times_of(const std::string& path, RecordingHeader& header) {
 
 void write_all(const Hdf5Output& target, hid_t file, const RecordedTables& recording) {
   target.write_attribute(file, "format", kRecordingFormat);
-  for (const RecordingField& field : fields_of(recording.header))
+  for (const RecordingField& field : in_parts(fields_of(recording.header)))
     std::visit([&](const auto& value) { target.write_attribute(file, field.name, value); },
                field.value);
   write_times(target, file, recording.times);

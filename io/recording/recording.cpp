@@ -3,11 +3,9 @@
 #include "avo_io/recording.h"
 
 #include <algorithm>
-#include <fmt/compile.h>
-#include <fmt/format.h>
-#include <iterator>
 
 #include "avo/checked.h"
+#include "io/recording/csv_lines.h"
 
 namespace avo_io {
 
@@ -26,28 +24,17 @@ bool is_hdf5_path(std::string_view path) {
 
 CsvRecording::CsvRecording(const std::string& path, bool headings, std::int64_t every)
     : Recording(path), headings_(headings), every_(every) {
-  file_.write(fmt::format("time,robot,x,y,vx,vy{}{}\n", headings ? ",heading,speed" : "",
-                          every > 1 ? ",every" : ""));
+  file_.write(csv_header({headings_, every_}));
 }
 
 void CsvRecording::add(const avo::Simulation& simulation) {
   using avo::Columns;
   const avo::FleetView fleet = simulation.fleet(
       Columns::id | Columns::position | Columns::velocity | Columns::heading | Columns::setup);
-  const auto end = std::back_inserter(rows_);
-  const std::string time = fmt::format("{}", simulation.time());
-  const std::string last = every_ > 1 ? fmt::format(",{}\n", every_) : "\n";
+  const std::string time = csv_time(simulation.time());
   rows_.clear();
-  for (std::size_t k = 0; k < fleet.id.size(); ++k) {
-    const avo::CheckedState state = checked_state(fleet, k);
-    const avo::Vec2 p = state.position, v = state.velocity;
-    fmt::format_to(end, FMT_COMPILE("{},{},{},{},{},{}"), time, state.robot, p.x, p.y, v.x, v.y);
-    if (headings_ && state.heading)
-      fmt::format_to(end, FMT_COMPILE(",{},{}"), state.heading->angle, state.heading->speed);
-    else if (headings_)
-      rows_ += ",,";
-    rows_ += last;
-  }
+  for (std::size_t k = 0; k < fleet.id.size(); ++k)
+    append_csv_line(time, checked_state(fleet, k), {headings_, every_}, rows_);
   file_.write({rows_.data(), rows_.size()});
 }
 

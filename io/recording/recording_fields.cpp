@@ -5,6 +5,9 @@
 #include <algorithm>
 #include <cstring>
 #include <fmt/format.h>
+#include <functional>
+#include <map>
+#include <utility>
 
 #include "core/ranges.h"
 
@@ -12,6 +15,11 @@ namespace avo_io {
 namespace {
 
 constexpr std::string_view kOverride = "override.", kFile = "file.", kBuiltinFile = "builtin_file.";
+constexpr std::string_view kPart = "part.";
+
+std::string part_of(std::string_view name, std::size_t k) {
+  return fmt::format("{}{}.{}", kPart, k, name);
+}
 
 void append_number(std::uint64_t number, std::string& bytes) {
   char raw[sizeof number];
@@ -35,8 +43,8 @@ std::optional<std::uint64_t> take_number(std::string_view& bytes) {
 std::optional<std::string> take_text(std::string_view& bytes) {
   const std::optional<std::uint64_t> size = take_number(bytes);
   if (!size || *size > bytes.size()) return std::nullopt;
-  std::string text(bytes.substr(0, *size));
-  bytes.remove_prefix(*size);
+  std::string text(bytes.substr(0, static_cast<std::size_t>(*size)));
+  bytes.remove_prefix(text.size());
   return text;
 }
 
@@ -128,6 +136,45 @@ RecordingHeader header_from(const std::vector<RecordingField>& fields) {
   if (has("state_hash")) header.state_hash = value_of<std::uint64_t>(fields, "state_hash");
   header.scene = scene_from(fields);
   return header;
+}
+
+std::vector<RecordingField> in_parts(std::vector<RecordingField> fields) {
+  constexpr std::size_t kLongest = 60'000;  // of an attribute in a header: 64 KiB with its name
+  std::vector<RecordingField> parts;
+  for (RecordingField& field : fields) {
+    const auto* text = std::get_if<std::string>(&field.value);
+    if (text == nullptr || text->size() <= kLongest) {
+      parts.push_back(std::move(field));
+      continue;
+    }
+    for (std::size_t k = 0; k * kLongest < text->size(); ++k)
+      parts.push_back({part_of(field.name, k), text->substr(k * kLongest, kLongest)});
+  }
+  return parts;
+}
+
+std::vector<RecordingField> from_parts(std::vector<RecordingField> fields) {
+  std::map<std::string, std::string, std::less<>> parts;
+  std::vector<RecordingField> whole;
+  for (RecordingField& field : fields) {
+    auto* text = std::get_if<std::string>(&field.value);
+    if (text != nullptr && field.name.starts_with(kPart))
+      parts.emplace(std::move(field.name), std::move(*text));
+    else
+      whole.push_back(std::move(field));
+  }
+  const std::string first = part_of("", 0);
+  for (const auto& [name, text] : parts) {
+    if (!name.starts_with(first)) continue;
+    RecordingField field{name.substr(first.size()), text};
+    for (std::size_t k = 1;; ++k) {
+      const auto part = parts.find(part_of(field.name, k));
+      if (part == parts.end()) break;
+      std::get<std::string>(field.value) += part->second;
+    }
+    whole.push_back(std::move(field));
+  }
+  return whole;
 }
 
 std::string packed(const std::vector<RecordingField>& fields) {

@@ -22,6 +22,12 @@ std::vector<RecordingField> fields_of(const RecordingHeader& header);
 /// Throws avo::Error, which names the missing or wrong field.
 RecordingHeader header_from(const std::vector<RecordingField>& fields);
 
+/// Splits texts that are too long for an attribute in the header of an HDF5 file: "scene" becomes
+/// "part.0.scene", "part.1.scene" and so on.
+std::vector<RecordingField> in_parts(std::vector<RecordingField> fields);
+/// Joins the parts again, in whatever order they come.
+std::vector<RecordingField> from_parts(std::vector<RecordingField> fields);
+
 /// Converts fields to bytes, and back. Returns none if the bytes are not such fields.
 std::string packed(const std::vector<RecordingField>& fields);
 std::optional<std::vector<RecordingField>> unpacked(std::string_view bytes);

@@ -7,13 +7,14 @@
 #include <limits>
 #include <system_error>
 
+#include "io/text/decimal.h"
+
 namespace avo_io {
 
 std::optional<double> parsed(std::string_view text) {
   if (text.starts_with('+') && !text.starts_with("+-")) text.remove_prefix(1);
   double value = 0.0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (end != text.data() + text.size()) return std::nullopt;
+  const std::errc error = read_decimal(text, value);
   if (error == std::errc::result_out_of_range) {
     const std::size_t exponent = text.find_first_of("eE");
     const bool small = exponent != std::string_view::npos && text.substr(exponent + 1)[0] == '-';

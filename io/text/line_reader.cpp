@@ -3,12 +3,9 @@
 #include "io/text/line_reader.h"
 
 #include <algorithm>
-#include <cerrno>
 #include <cstring>
-#include <fcntl.h>
 #include <fmt/format.h>
-#include <sys/stat.h>
-#include <unistd.h>
+#include <span>
 
 #include "avo_io/errors.h"
 #include "io/files/regular_file.h"
@@ -16,18 +13,10 @@
 namespace avo_io {
 
 LineReader::LineReader(const std::string& path, std::size_t longest)
-    : name_(path == "-" ? kStandardInput : path), longest_(longest), buffer_(4 * longest) {
-  descriptor_ = path == "-" ? STDIN_FILENO : open(path.c_str(), O_RDONLY | O_CLOEXEC);
-  struct stat status = {};
-  if (descriptor_ < 0 || fstat(descriptor_, &status) != 0) throw FileError(with_errno(name_));
-  if (!S_ISDIR(status.st_mode)) return;
-  if (path != "-") close(descriptor_);
-  throw FileError(name_ + ": found a directory, must be a file");
-}
-
-LineReader::~LineReader() {
-  if (descriptor_ > STDIN_FILENO) close(descriptor_);
-}
+    : name_(path == "-" ? kStandardInput : path),
+      longest_(longest),
+      bytes_(open_bytes(path)),
+      buffer_(4 * longest) {}
 
 // Reads more bytes behind the remaining ones; returns false at the end of the file.
 bool LineReader::fill() {
@@ -35,13 +24,9 @@ bool LineReader::fill() {
             buffer_.begin() + static_cast<std::ptrdiff_t>(end_), buffer_.begin());
   end_ -= begin_;
   begin_ = 0;
-  while (true) {
-    const ssize_t got = read(descriptor_, buffer_.data() + end_, buffer_.size() - end_);
-    if (got < 0 && errno == EINTR) continue;
-    if (got < 0) throw FileError(with_errno(name_));
-    end_ += static_cast<std::size_t>(got);
-    return got > 0;
-  }
+  const std::size_t got = bytes_->read(std::span(buffer_).subspan(end_));
+  end_ += got;
+  return got > 0;
 }
 
 std::optional<std::string_view> LineReader::next() {

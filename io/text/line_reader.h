@@ -3,10 +3,13 @@
 #pragma once
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
+
+#include "io/files/byte_source.h"
 
 namespace avo_io {
 
@@ -16,9 +19,6 @@ class LineReader {
 
   /// "-" is the standard input. Throws FileError.
   explicit LineReader(const std::string& path, std::size_t longest = kLongestLine);
-  ~LineReader();
-  LineReader(const LineReader&) = delete;
-  LineReader& operator=(const LineReader&) = delete;
 
   /// Returns the next line without its end (LF or CR LF), valid until the next call; none at the
   /// end. Throws FileError, and RecordingError for a line longer than the limit.
@@ -36,7 +36,7 @@ class LineReader {
 
   std::string name_;
   std::size_t longest_;
-  int descriptor_ = -1;
+  std::unique_ptr<ByteSource> bytes_;
   std::vector<char> buffer_;
   std::size_t begin_ = 0, end_ = 0;  // bytes that are read but not yet returned
   std::int64_t number_ = 0;

@@ -3,14 +3,12 @@
 #include "io/text/words.h"
 
 #include <algorithm>
-#include <charconv>
-#include <cmath>
 #include <cstddef>
-#include <cstdlib>
 #include <fmt/format.h>
 #include <system_error>
 
 #include "avo_io/printable.h"
+#include "io/text/decimal.h"
 
 namespace avo_io {
 namespace {
@@ -102,29 +100,11 @@ bool is_number(std::string_view text) {
   return i < text.size() && skip_digits(text, i) == text.size();
 }
 
-#ifdef __cpp_lib_to_chars
-
 std::optional<double> to_double(std::string_view text) {
   if (!text.empty() && text[0] == '+') text.remove_prefix(1);
   double value = 0.0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;
+  if (read_decimal(text, value) != std::errc()) return std::nullopt;
   return value + 0.0;
 }
-
-#else  // libc++ 19 has from_chars() for whole numbers only
-
-std::optional<double> to_double(std::string_view text) {
-  const std::string terminated(text);
-  char* end = nullptr;
-  const double value = std::strtod(terminated.c_str(), &end);
-  if (text.empty() || end != terminated.c_str() + text.size()) return std::nullopt;
-  const bool is_zero =
-      text.substr(0, text.find_first_of("eE")).find_first_of("123456789") == text.npos;
-  if (!std::isfinite(value) || (value == 0.0 && !is_zero)) return std::nullopt;
-  return value + 0.0;
-}
-
-#endif
 
 }  // namespace avo_io

@@ -3,10 +3,12 @@
 // same words as natively.
 import { addText, emptyBytes, taken } from "./bytes.ts";
 import { getText, instantiate, put } from "./instance.ts";
+import { readHeader, readTable, writeTable, type TableForm } from "./recordings.ts";
 import { readScene, Simulation } from "./simulation.ts";
-import type { BuiltinScene, SceneOptions, Setting } from "./types.ts";
+import type { BuiltinScene, RecordingHeader, SceneOptions, Setting } from "./types.ts";
 
 export { AvoError } from "./instance.ts";
+export { TABLE_ROW, TABLE_TIME, type TableForm } from "./recordings.ts";
 export type { Simulation } from "./simulation.ts";
 export type * from "./types.ts";
 
@@ -20,8 +22,13 @@ export interface Library {
   /** Returns the YAML of a built-in scene, or of circle-N and uniform-N for any N. */
   builtinText(name: string): string | undefined;
   settings(): Setting[];
-  /** Returns m/s: the component of that velocity (m/s) along the heading (rad), in the bits of recordings. */
-  speedAlong(heading: number, vx: number, vy: number): number;
+  /** Returns the header of a recording from its fields as a spool has them. Throws AvoError without a file's name. */
+  readHeader(fields: Uint8Array): RecordingHeader;
+  /** Reads a recording as CSV, part by part: whole times, see TABLE_TIME. Robots have numbers below `mostRobots`. Throws
+   * AvoError in the words of `avo check`. */
+  readTable(name: string, file: Uint8Array, mostRobots: number): Iterable<Float64Array>;
+  /** Returns the lines of such times, as `avo run --record FILE.csv` writes them. */
+  writeTable(times: Float64Array, form: TableForm): string;
   /** Throws AvoError, and then affects no other object. A text as bytes must be UTF-8. */
   simulate(yaml: string | Uint8Array, options?: SceneOptions): Simulation;
 }
@@ -47,7 +54,9 @@ export async function load(source: BufferSource | WebAssembly.Module): Promise<L
       put(asked, taken(bytes));
       return getText(asked, asked.functions["builtin_text"]!()) || undefined;
     },
-    speedAlong: (heading, vx, vy) => instance.functions["speed_along"]!(heading, vx, vy),
+    readHeader: (fields) => readHeader(instantiate(module), fields), // which may be refused
+    readTable: (name, file, mostRobots) => readTable(instantiate(module, file), name, mostRobots),
+    writeTable: (times, form) => writeTable(instance, times, form),
     simulate: (yaml, options = {}) => {
       const instance = instantiate(module);
       readScene(instance, yaml, options);

@@ -51,7 +51,9 @@ function system(memory: () => WebAssembly.Memory): WebAssembly.ModuleImports {
   };
 }
 
-export function instantiate(module: WebAssembly.Module): Instance {
+/** `file`: what the module reads as the host's file. */
+export function instantiate(module: WebAssembly.Module, file: Uint8Array = new Uint8Array()): Instance {
+  let read = 0; // bytes of the file
   const decoder = new TextDecoder("utf-8", { ignoreBOM: true });
   const text = (at: number, length: number) => decoder.decode(new Uint8Array(instance.memory.buffer, at, length));
   const { exports } = new WebAssembly.Instance(module, {
@@ -61,6 +63,12 @@ export function instantiate(module: WebAssembly.Module): Instance {
       },
       parse_yaml(at: number, length: number) {
         put(instance, eventsOf(text(at, length)));
+      },
+      read_file(at: number, size: number) {
+        const part = file.subarray(read, read + size);
+        new Uint8Array(instance.memory.buffer, at, part.length).set(part);
+        read += part.length;
+        return part.length;
       },
     },
     wasi_snapshot_preview1: system(() => instance.memory),

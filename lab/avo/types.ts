@@ -4,7 +4,7 @@
 /** A file that a scene names, e.g. a map, by the path that follows from the scene. */
 export interface SceneFile {
   path: string;
-  text: string;
+  text: string | Uint8Array; // verbatim, e.g. of a binary graymap
   builtin: boolean;
 }
 
@@ -20,6 +20,24 @@ export interface SceneOptions {
   recorded?: boolean;
   /** Whether all steps are observed, for Simulation.summary(); this costs about a tenth of their time. */
   metrics?: boolean;
+}
+
+/** The scene that a recording contains, and the options of its run. */
+export interface RecordedScene {
+  name: string;
+  yaml: string;
+  overrides: string[];
+  files: SceneFile[];
+  start_at_rest: boolean;
+  limit_speed: boolean;
+}
+
+/** The facts that a recording stores about itself. */
+export interface RecordingHeader {
+  robots: number; // upper bound of their numbers
+  every: number; // steps of the run from row to row
+  headings: boolean; // whether any robot may have a heading
+  scene: RecordedScene;
 }
 
 export interface BuiltinScene {

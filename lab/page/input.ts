@@ -1,22 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // The initial input of the page: the command line's, or else a scene that introduces the subject.
-import type { Library, SceneFile } from "../avo/avo.ts";
+import type { Library, RecordedScene, SceneFile } from "../avo/avo.ts";
 import { bytesOfBase64 } from "./data/compression.ts";
-import { textOf } from "./data/graymap.ts";
-import type { RecordedScene } from "./data/recording.ts";
 import { makeLab, type PageLab } from "./run/make_lab.ts";
 
 /** A file that a scene reads: as base64 if it is not text. */
 type InputFile = SceneFile | { path: string; base64: string; builtin: boolean };
 
-interface SceneOfInput {
-  name: string;
-  yaml: string;
-  overrides: string[];
-  files: InputFile[];
-  start_at_rest: boolean;
-  limit_speed: boolean;
-}
+type SceneOfInput = Omit<RecordedScene, "files"> & { files: InputFile[] };
 
 interface InputScene extends SceneOfInput {
   kind: "scene";
@@ -59,7 +50,7 @@ export function first(library: Library): PageLab {
 
 function sceneOf({ name, yaml, overrides, files, start_at_rest, limit_speed }: SceneOfInput): RecordedScene {
   const texts = files.map((file) => "text" in file ? file
-    : { path: file.path, text: textOf(bytesOfBase64(file.base64)), builtin: file.builtin });
+    : { path: file.path, text: bytesOfBase64(file.base64), builtin: file.builtin });
   return { name, yaml, overrides, files: texts, start_at_rest, limit_speed };
 }
 

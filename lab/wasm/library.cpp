@@ -5,7 +5,6 @@
 #include "avo/simd.h"
 #include "avo/version.h"
 #include "avo_io/scene.h"
-#include "core/elementary.h"
 #include "host.h"
 #include "io/text/json.h"
 
@@ -37,11 +36,6 @@ AVO_EXPORT(std::size_t, library)() {
 AVO_EXPORT(std::size_t, builtin_text)() {
   const std::string name = Input(taken_from_room()).text();
   return into_room(avo_io::builtin_text(name).value_or(""));
-}
-
-/// Returns m/s: the component of that velocity along the heading (rad), in the bits of recordings.
-AVO_EXPORT(double, speed_along)(double heading, double x, double y) {
-  return dot(avo::elementary::direction(heading), avo::Vec2{x, y}) + 0.0;  // no negative zero
 }
 
 }  // namespace avo_lab

@@ -2,6 +2,7 @@
 // What avo run records as HDF5 explains itself: avo check needs no scene, whatever the scene was
 // made of.
 #include <filesystem>
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <hdf5.h>
 #include <signal.h>
@@ -10,6 +11,8 @@
 #include <unistd.h>
 #include <vector>
 
+#include "avo_io/recording.h"
+#include "edit_hdf5.h"
 #include "verdicts.h"
 
 namespace avo_test {
@@ -74,6 +77,62 @@ TEST(Hdf5Recording, keeps_maps_and_the_scene_where_their_files_are_gone) {
   EXPECT_EQ(without["verdict"], "safe");
   EXPECT_GT(without["least_static_clearance"], 0.0);
   EXPECT_EQ(run_avo({"replay", h5}).exit_code, 0);
+}
+
+/// A scene of one robot and a plan of many posts, whose text is longer than an attribute in the
+/// header of a file can be.
+std::string scene_with_long_plan() {
+  std::string plan = "MULTIPOLYGON (";
+  for (int k = 0; k < 4000; ++k)
+    plan += fmt::format("{}(({} 20, {} 21, {} 20, {} 20))", k > 0 ? ", " : "", 2 * k, 2 * k,
+                        2 * k + 1, 2 * k);
+  write_file(path_of("plan.wkt"), plan + ")");
+  write_file(path_of("long.yaml"),
+             "version: 1\nname: long\nduration: 1\nobstacles:\n  - {wkt_file: plan.wkt}\n"
+             "robots:\n  - {position: [0, 0], goal: [9, 0]}\n");
+  return path_of("long.yaml");
+}
+
+TEST(Hdf5Recording, keeps_long_texts_in_parts_of_any_order) {
+  const std::string scene = scene_with_long_plan(), h5 = path_of("run.h5");
+  ASSERT_EQ(run_avo({"run", scene, "--record", h5, "-q"}).exit_code, 0);
+  const auto files_in = [&h5] { return avo_io::read_recording_header(h5)->scene.files; };
+  const std::vector<avo_io::SceneFile> files = files_in();
+  ASSERT_EQ(files.size(), 1U);
+  EXPECT_EQ(files[0].text, read_file(path_of("plan.wkt")));
+  std::filesystem::remove(path_of("plan.wkt"));
+  EXPECT_EQ(run_avo({"replay", h5}).exit_code, 0);
+  const std::string first = "part.0.file." + files[0].path;
+  set_attribute(h5, first.c_str(), files[0].text.substr(0, 60'000));  // which is the last one then
+  EXPECT_EQ(files_in()[0].text, files[0].text);
+  remove_attribute(h5, first.c_str());
+  EXPECT_EQ(run_avo({"replay", h5}).exit_code, 3) << "without its first part there is no text";
+}
+
+/// Bytes of the file's attributes outside of its header.
+hsize_t attributes_elsewhere(const std::string& h5) {
+  const avo_io::Hdf5Handle file = open_to_edit(h5);
+  H5O_info_t info{};
+  EXPECT_GE(H5Oget_info2(file.id(), &info, H5O_INFO_META_SIZE), 0);
+  return info.meta_size.attr.index_size + info.meta_size.attr.heap_size;
+}
+
+TEST(Hdf5Recording, has_all_attributes_in_its_header) {
+  const std::string h5 = path_of("run.h5");
+  ASSERT_EQ(run_avo({"run", scene_with_long_plan(), "--record", h5, "-q"}).exit_code, 0);
+  EXPECT_EQ(attributes_elsewhere(h5), 0U);
+}
+
+TEST(Hdf5Recording, of_an_older_build_with_attributes_in_a_heap_is_read) {
+  const std::string h5 = path_of("older.h5");
+  write_file(h5, read_file(AVO_OLDER_RECORDING));
+  EXPECT_GT(attributes_elsewhere(h5), 0U);
+  const auto header = avo_io::read_recording_header(h5);
+  EXPECT_EQ(header->scene.name, "circle-3");
+  EXPECT_EQ(header->scene.overrides, std::vector<std::string>{"duration=0.3"});
+  const Json found = Json::parse(run_avo({"check", h5, "--json"}).out);
+  EXPECT_EQ(found["verdict"], "safe");
+  EXPECT_EQ(found["robots"], 3);
 }
 
 TEST(Hdf5Recording, keeps_remedies) {

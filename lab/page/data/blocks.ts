@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // Recordings in blocks of 64 times, whose chunks are shuffled and compressed as io/recording/recording_blocks.cpp does
 // it. Shown data are uncompressed block by block, and the last blocks are kept.
+import type { RecordingHeader } from "../../avo/avo.ts";
 import { refuse } from "./bytes.ts";
 import { uncompressed } from "./compression.ts";
 import { ABSENT, emptyFrame, LARGEST, LARGEST_RANGE, MOST_ROBOTS, type RecordedFrame,
   STATE_COLUMNS } from "./recording.ts";
-import { shortest } from "./words.ts";
 
 export const BLOCK_TIMES = 64;
 const MOST_ROBOTS_OF_CHUNK = 1024;
@@ -14,6 +14,8 @@ const KEPT_BYTES = 96 * 2 ** 20;    // of blocks, but at least two blocks
 const LAST_STATUS = 6;              // of PlanStatus
 
 export interface BlockShape { robots: number; columns: number }
+
+export const shapeOf = ({ robots, headings }: RecordingHeader): BlockShape => ({ robots, columns: headings ? 6 : 4 });
 
 /** Robots are split into parts of this number, each a chunk of its own. */
 export const partsOf = ({ robots }: BlockShape) => Math.ceil(robots / MOST_ROBOTS_OF_CHUNK);
@@ -28,6 +30,8 @@ export interface StoredBlocks {
   /** Stored bytes: all parts of each column, then those of the status and of the clearance. */
   chunk(block: number, number: number): Uint8Array;
 }
+
+export interface OpenedBlocks { header: RecordingHeader; stored: StoredBlocks }
 
 /** Tables [time, robot]. */
 interface Block { columns: Float64Array[]; status: Uint8Array; clearance: Float32Array }
@@ -50,8 +54,8 @@ export function requireTimes(times: Float64Array): void {
   let last = -Infinity;
   for (const time of times) {
     const must = !Number.isFinite(time) ? "a finite number" : time < 0 ? ">= 0 s"
-      : time <= last ? `> ${shortest(last)} s, the time before` : time > LARGEST ? "<= 1e+12 s" : null;
-    if (must !== null) refuse(`time: found ${shortest(time)} s, must be ${must}`);
+      : time <= last ? `> ${last} s, the time before` : time > LARGEST ? "<= 1e+12 s" : null;
+    if (must !== null) refuse(`time: found ${time} s, must be ${must}`);
     last = time;
   }
 }
@@ -97,14 +101,14 @@ function columnsOf(block: Block, at: number): number {
 }
 
 function requireNumbers(block: Block, at: number, time: number, robot: number): void {
-  const where = `time ${shortest(time)} s, robot ${robot}`;
+  const where = `time ${time} s, robot ${robot}`;
   if (block.status[at] > LAST_STATUS)
     refuse(`${where}: status: found ${block.status[at]}, must be 0 to ${LAST_STATUS}, or ${ABSENT}, absent`);
   for (let c = 0; c < columnsOf(block, at); ++c) {
     const value = block.columns[c][at];
     if (Math.abs(value) <= LARGEST) continue;
     const must = Number.isFinite(value) ? LARGEST_RANGE : "a finite number";
-    refuse(`${where}: ${STATE_COLUMNS[c]}: found ${shortest(value)}, must be ${must}`);
+    refuse(`${where}: ${STATE_COLUMNS[c]}: found ${value}, must be ${must}`);
   }
 }
 

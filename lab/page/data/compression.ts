@@ -22,8 +22,7 @@ async function collected(stream: ReadableStream<Uint8Array>, most: number): Prom
   }
 }
 
-async function joined(stream: ReadableStream<Uint8Array>, most: number): Promise<Uint8Array<ArrayBuffer>> {
-  const parts = await collected(stream, most);
+export function concatenated(parts: Uint8Array[]): Uint8Array<ArrayBuffer> {
   const bytes = new Uint8Array(parts.reduce((size, part) => size + part.length, 0));
   let end = 0;
   for (const part of parts) {
@@ -33,6 +32,7 @@ async function joined(stream: ReadableStream<Uint8Array>, most: number): Promise
   return bytes;
 }
 
+const joined = async (stream: ReadableStream<Uint8Array>, most: number) => concatenated(await collected(stream, most));
 const streamOf = (bytes: Uint8Array) => new Blob([bytes as Uint8Array<ArrayBuffer>]).stream();
 
 export function compressed(bytes: Uint8Array, kind: Compression): Promise<Uint8Array<ArrayBuffer>> {

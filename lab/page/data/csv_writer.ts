@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // States as a table of text: the same bytes that `avo run --record FILE.csv` would write.
-import { shortest } from "./words.ts";
+import { type Library, TABLE_ROW, TABLE_TIME, type TableForm } from "../../avo/avo.ts";
 
 /** Robots at one time: those of a recording, where `there` tells which are present, or those of a run, by their
  * numbers. */
@@ -10,42 +10,21 @@ export interface CsvFrame {
   there?: ArrayLike<number>;
   position: ArrayLike<number>;
   velocity: ArrayLike<number>;
-  heading?: ArrayLike<number>;  // NaN for a robot without a heading
-  speed?: ArrayLike<number>;    // along the heading; without it, the speed follows from the velocity
+  heading: ArrayLike<number>;  // NaN for a robot without a heading
+  speed?: ArrayLike<number>;   // along the heading; without it, the speed follows from the velocity
 }
 
-/** Returns m/s, the velocity's component along the heading (rad): Library.speedAlong. */
-export type SpeedAlong = (heading: number, vx: number, vy: number) => number;
-
-/** `headings`: write headings and speeds of robots with wheels or wings. `every`: steps from row to row. */
-export interface CsvOptions { headings?: boolean; every?: number; speedAlong?: SpeedAlong }
-
-export function csvHeader({ headings = false, every = 1 }: CsvOptions = {}): string {
-  return `time,robot,x,y,vx,vy${headings ? ",heading,speed" : ""}${every > 1 ? ",every" : ""}\n`;
-}
-
-function headingColumns(frame: CsvFrame, k: number, speedAlong?: SpeedAlong): string {
-  const heading = frame.heading?.[k] ?? NaN;
-  if (Number.isNaN(heading)) return ",,";
-  const speed = frame.speed?.[k] ?? speedAlong!(heading, frame.velocity[2 * k]!, frame.velocity[2 * k + 1]!);
-  return `,${shortest(heading)},${shortest(speed)}`;
-}
-
-export function csvRows(frame: CsvFrame, { headings = false, every = 1, speedAlong }: CsvOptions = {}): string {
-  const time = shortest(frame.time);
-  const { position: p, velocity: v } = frame;
-  const last = every > 1 ? `,${every}\n` : "\n";
-  let rows = "";
-  for (let k = 0; 2 * k < p.length; ++k) {
-    if (frame.there !== undefined && frame.there[k] === 0) continue;
-    const state = [p[2 * k], p[2 * k + 1], v[2 * k], v[2 * k + 1]].map(shortest).join(",");
-    rows += `${time},${frame.robot?.[k] ?? k},${state}${headings ? headingColumns(frame, k, speedAlong) : ""}${last}`;
+/** Returns the lines of one time. */
+export function csvOf(library: Library, { time, robot, there, position, velocity, heading, speed }: CsvFrame,
+    form: TableForm): string {
+  const numbers = new Float64Array(TABLE_TIME + TABLE_ROW * heading.length);
+  let rows = 0;
+  for (let k = 0; k < heading.length; ++k) {
+    if (there?.[k] === 0) continue;
+    const row = [robot?.[k] ?? k, position[2 * k]!, position[2 * k + 1]!, velocity[2 * k]!, velocity[2 * k + 1]!,
+      heading[k]!, speed?.[k] ?? NaN];
+    numbers.set(row, TABLE_TIME + TABLE_ROW * rows++);
   }
-  return rows;
-}
-
-export function csvOf(frames: Iterable<CsvFrame>, options: CsvOptions = {}): string {
-  let text = csvHeader(options);
-  for (const frame of frames) text += csvRows(frame, options);
-  return text;
+  numbers.set([time, form.every, rows]);
+  return library.writeTable(numbers.subarray(0, TABLE_TIME + TABLE_ROW * rows), form);
 }

@@ -1,47 +1,33 @@
 // SPDX-License-Identifier: Apache-2.0
 // Recordings as HDF5 files with avo's layout (docs/recordings.md).
+import type { Library } from "../../avo/avo.ts";
 import { refuse } from "./bytes.ts";
-import { BLOCK_TIMES, type BlockShape, partsOf, robotsOfChunk, type StoredBlocks } from "./blocks.ts";
-import { readAttributes } from "./hdf5_attributes.ts";
-import { linksOf, type Message, readObject, readSuperblock } from "./hdf5_objects.ts";
+import { BLOCK_TIMES, type OpenedBlocks, partsOf, robotsOfChunk, shapeOf } from "./blocks.ts";
+import { linksOf, readAttributes, readObject, readSuperblock } from "./hdf5_objects.ts";
 import { ENUMERATION, FLOAT32, FLOAT64, readChunks, readList } from "./hdf5_tables.ts";
 import { STATE_COLUMNS } from "./recording.ts";
-import { headerOf, type OpenedBlocks, requireFormat, textField } from "./recording_fields.ts";
-import { inQuotes } from "./words.ts";
-
-function requireColumns(file: Uint8Array, state: Message[], columns: number): void {
-  const found = textField(readAttributes(file, state), "columns");
-  const must = STATE_COLUMNS.slice(0, columns).join(",");
-  if (found !== must) refuse(`state: columns: found ${inQuotes(found)}, must be ${must}`);
-}
+import { packed, requireText } from "./recording_fields.ts";
 
 /** Reads everything except the chunks. */
-export function openHdf5(file: Uint8Array): OpenedBlocks {
+export function openHdf5(library: Library, file: Uint8Array): OpenedBlocks {
   const root = readObject(file, readSuperblock(file));
-  const fields = readAttributes(file, root);
-  requireFormat(fields);
-  const header = headerOf(fields);
+  const fields = readAttributes(root);
+  requireText(fields, "format", "avo recording 1");
+  const header = library.readHeader(packed(fields));
   const links = linksOf(root);
   const table = (name: string) => readObject(file, links.get(name) ?? refuse(`found no table "${name}"`));
   const times = readList(file, table("time"), "time");
-  const shape: BlockShape = { robots: header.robots, columns: header.headings ? 6 : 4 };
-  const parts = partsOf(shape);
-  const lengths = [times.length, shape.robots];
-  const chunk = [BLOCK_TIMES, robotsOfChunk(shape)];
+  const shape = shapeOf(header), { robots, columns } = shape;
+  const parts = partsOf(shape), chunk = [BLOCK_TIMES, robotsOfChunk(shape)], lengths = [times.length, robots];
   const states = table("state");
-  requireColumns(file, states, shape.columns);
-  const state = readChunks(file, states, "state", FLOAT64, [...lengths, shape.columns], [...chunk, 1]);
+  requireText(readAttributes(states), "columns", STATE_COLUMNS.slice(0, columns).join(","), "state: ");
+  const state = readChunks(file, states, "state", FLOAT64, [...lengths, columns], [...chunk, 1]);
   const status = readChunks(file, table("status"), "status", ENUMERATION, lengths, chunk);
   const clearance = readChunks(file, table("clearance"), "clearance", FLOAT32, lengths, chunk);
-  const stored: StoredBlocks = {
-    shape,
-    times,
-    chunk(block, number) {
-      const part = number % parts;
-      const column = Math.floor(number / parts);
-      if (column < shape.columns) return state((block * parts + part) * shape.columns + column);
-      return (column === shape.columns ? status : clearance)(block * parts + part);
-    },
+  const stored = (block: number, number: number) => {
+    const part = block * parts + number % parts, column = Math.floor(number / parts);
+    if (column < columns) return state(part * columns + column);
+    return (column === columns ? status : clearance)(part);
   };
-  return { header, fields, stored };
+  return { header, stored: { shape, times, chunk: stored } };
 }

@@ -1,17 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // A recording in the form that views use, whatever its file format.
-
-export interface SceneFile { path: string; text: string; builtin: boolean }
-
-/** The scene that a recording contains, and the options of its run. */
-export interface RecordedScene {
-  name: string;
-  yaml: string;
-  overrides: string[];
-  files: SceneFile[];
-  start_at_rest: boolean;
-  limit_speed: boolean;
-}
+import type { RecordedScene, RecordingHeader } from "../../avo/avo.ts";
 
 /** All robots at one time, each at its number; absent robots have NaN. */
 export interface RecordedFrame {
@@ -25,15 +14,11 @@ export interface RecordedFrame {
   clearance: Float32Array;   // m, to the nearest other disc, +inf if there is none; in CSV unknown: NaN
 }
 
-export interface Recording {
+export interface Recording extends Omit<RecordingHeader, "scene"> {
   kind: "hdf5" | "spool" | "csv";
   name: string;
   times: Float64Array;       // s, ascending
-  robots: number;            // upper bound of their numbers
-  headings: boolean;         // whether any robot may have a heading
-  every: number;             // steps of the run from row to row
   scene: RecordedScene | null;
-  attributes: Record<string, string | number | bigint>;  // whole numbers beyond 2^53 are bigint
   /** Reads the frame at times[k]. Rejects with one line if the rows are damaged. */
   frame(k: number): Promise<RecordedFrame>;
 }

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // Spools (io/recording/spool.h), which a killed run leaves: records with checksums. Everything behind the last whole
 // block is lost.
+import type { Library } from "../../avo/avo.ts";
 import { beginsWith, ByteReader, RecordingError, refuse } from "./bytes.ts";
-import { BLOCK_TIMES, type BlockShape, chunksOf } from "./blocks.ts";
+import { BLOCK_TIMES, type BlockShape, chunksOf, type OpenedBlocks, shapeOf } from "./blocks.ts";
 import { MOST_ROBOTS } from "./recording.ts";
-import { type Fields, headerOf, type OpenedBlocks } from "./recording_fields.ts";
 
 const BEGIN = "avo spool 1\n";
 const HEADER = 1, BLOCK = 2;
@@ -36,18 +36,6 @@ function readRecord(reader: ByteReader): Record | null {
   return crc32(payload) === checksum ? { type, payload } : null;
 }
 
-function fieldsOf(payload: Uint8Array): Fields {
-  const reader = new ByteReader(payload, 0, "header");
-  const fields: Fields = new Map();
-  while (reader.left > 0) {
-    const name = new TextDecoder().decode(reader.take(reader.u64()));
-    const kind = reader.u64();
-    if (kind > 1) refuse("found no whole header, cut off or damaged, must be a spool of avo");
-    fields.set(name, kind === 0 ? reader.exact64() : reader.take(reader.u64()));
-  }
-  return fields;
-}
-
 interface SpoolBlock { times: Float64Array; chunks: Uint8Array[] }
 
 /** Returns null if it is not a block of that shape. */
@@ -66,14 +54,13 @@ function blockOf(payload: Uint8Array, shape: BlockShape): SpoolBlock | null {
 }
 
 /** Returns all whole blocks. */
-export function openSpool(file: Uint8Array): OpenedBlocks {
+export function openSpool(library: Library, file: Uint8Array): OpenedBlocks {
   const reader = new ByteReader(file, BEGIN.length);
   const first = readRecord(reader);
   if (first === null || first.type !== HEADER)
     refuse("found no whole header, cut off or damaged, must be a spool of avo");
-  const fields = fieldsOf(first.payload);
-  const header = headerOf(fields);
-  const shape: BlockShape = { robots: header.robots, columns: header.headings ? 6 : 4 };
+  const header = library.readHeader(first.payload);
+  const shape = shapeOf(header);
   if (shape.robots > MOST_ROBOTS)
     refuse(`robots: found ${shape.robots}, must be ${MOST_ROBOTS} at most to be shown here`);
   const blocks: SpoolBlock[] = [];
@@ -86,5 +73,5 @@ export function openSpool(file: Uint8Array): OpenedBlocks {
   }
   if (blocks.length === 0) refuse("found no whole block, must be one or more");
   const times = Float64Array.from(blocks.flatMap((block) => Array.from(block.times)));
-  return { header, fields, stored: { shape, times, chunk: (block, number) => blocks[block].chunks[number] } };
+  return { header, stored: { shape, times, chunk: (block, number) => blocks[block].chunks[number] } };
 }

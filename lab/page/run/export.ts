@@ -2,9 +2,8 @@
 // Exports the run as files: the scene, a table of states, pictures and films. All are made here, and the browser saves
 // them.
 import type { Lab } from "./lab.ts";
-import { csvHeader, csvRows, type SpeedAlong } from "../data/csv_writer.ts";
+import { csvOf } from "../data/csv_writer.ts";
 import { GifEncoder } from "../data/gif.ts";
-import type { Recording } from "../data/recording.ts";
 import { element } from "../elements.ts";
 import type { PageLab } from "./make_lab.ts";
 import { RecordedRun } from "./recorded_run.ts";
@@ -70,26 +69,22 @@ const timesSoFar = (lab: Lab): number[] => [...lab.past.times.subarray(0, lab.pa
 
 /** Returns the table that `avo run --record` writes: all steps of the run so far, or all rows of a recording. */
 export async function csvOfRun(lab: PageLab, progress: Progress): Promise<string> {
-  if (lab.run instanceof RecordedRun) return csvOfRecording(lab.run.recording, lab.library.speedAlong, progress);
-  const options = { headings: lab.info.robots.some((robot) => robot.model !== "holonomic"), speedAlong: lab.library.speedAlong };
-  const holonomic = new Set(lab.info.robots.filter((robot) => robot.model === "holonomic").map((robot) => robot.robot));
-  const parts = [csvHeader(options)];
-  await walk(lab, timesSoFar(lab), progress, () => {
-    const { time, robot, position, velocity, heading } = lab.moment;
-    parts.push(csvRows({ time, robot, position, velocity, heading: heading.map((angle, i) => (holonomic.has(robot[i]!) ? NaN : angle)) }, options));
-  });
-  return parts.join("");
-}
-
-async function csvOfRecording(recording: Recording, speedAlong: SpeedAlong, progress: Progress): Promise<string> {
-  const options = { headings: recording.headings, every: recording.every };
-  const parts = [csvHeader(options)];
-  const count = recording.times.length;
-  for (let k = 0; k < count && !progress.cancelled; ++k) {
-    parts.push(csvRows(await recording.frame(k), { ...options, speedAlong }));
-    progress.tell((k + 1) / count);
-    if (k % 16 === 15) await pause(0);  // so that the page stays responsive
+  const { library, run } = lab;
+  const parts: string[] = [];
+  if (run instanceof RecordedRun) {
+    const { headings, every, times } = run.recording;
+    for (let k = 0; k < times.length && !progress.cancelled; ++k) {
+      parts.push(csvOf(library, await run.recording.frame(k), { headings, every, begins: k === 0 }));
+      progress.tell((k + 1) / times.length);
+      if (k % 16 === 15) await pause(0);  // so that the page stays responsive
+    }
+    return parts.join("");
   }
+  const turning = new Set(lab.info.robots.filter(({ model }) => model !== "holonomic").map(({ robot }) => robot));
+  await walk(lab, timesSoFar(lab), progress, (k) => {
+    const heading = lab.moment.heading.map((angle, i) => (turning.has(lab.moment.robot[i]!) ? angle : NaN));
+    parts.push(csvOf(library, { ...lab.moment, heading }, { headings: turning.size > 0, every: 1, begins: k === 0 }));
+  });
   return parts.join("");
 }
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Files that are opened or dropped: a scene, a recording, and further files of a scene (maps, scenarios, graymaps).
 import type { SceneFile } from "../../avo/avo.ts";
-import { textOf } from "../data/graymap.ts";
 import { formatOf } from "../data/open.ts";
 import { element } from "../elements.ts";
 import type { PageLab } from "./make_lab.ts";
@@ -12,6 +11,8 @@ const MOST_BYTES = 1e9;
 const BEGINNING = 65536;  // bytes; the first key of a scene must be within them
 const ROS_MAP = /^image\s*:/m;
 const SCENE = /^[\s{]*["']?(version|name|robots|robots_from|groups)["']?\s*:/m;
+
+const textOf = (bytes: Uint8Array) => new TextDecoder().decode(bytes);
 
 /** Returns whether the file is read by scenes, and is not a scene itself. If the ending of the name does not tell, the
  * content does. */
@@ -24,10 +25,9 @@ function isAuxiliary({ name, bytes }: OpenedFile): boolean {
 
 /** Lists the file under each path that a text may use for it: each path that ends with its name. */
 function asSceneFiles(file: OpenedFile, texts: string[]): SceneFile[] {
-  const text = textOf(file.bytes);
   const escaped = file.name.replace(/[.*+?^${}()|[\]\\]/g, "\\$&");
   const paths = new Set([file.name, ...texts.flatMap((yaml) => yaml.match(new RegExp(`[^\\s"',:{}\\[\\]]*/${escaped}`, "g")) ?? [])]);
-  return [...paths].map((path) => ({ path, text, builtin: false }));
+  return [...paths].map((path) => ({ path, text: file.bytes, builtin: false }));
 }
 
 function filesFor(scene: OpenedFile, kept: OpenedFile[]): SceneFile[] {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The Lab: one run at a time, the user's actions on it, and its listeners.
-import { AvoError, type Library, type SceneFile, type SceneOptions, type Simulation } from "../../avo/avo.ts";
-import type { RecordedScene } from "../data/recording.ts";
+import { AvoError, type Library, type RecordedScene, type SceneFile, type SceneOptions, type Simulation } from "../../avo/avo.ts";
 import type { Lab, LabEvent, SceneDraft, WorldPicture } from "./lab.ts";
 import { LiveRun } from "./live_run.ts";
 import { opening } from "./opening.ts";

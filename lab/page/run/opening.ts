@@ -48,7 +48,7 @@ export function opening(core: Core): Partial<PageLab> {
     async openFile(name, bytes, files = [], scene = null) {
       try {
         if (formatOf(name, bytes) === "yaml") return lab.openText(yamlOf(library, bytes, name), name, { files });
-        const recording = await openRecording(name, bytes);
+        const recording = await openRecording(library, name, bytes);
         recording.scene ??= scene;
         const { info, goals } = infoOf(recording, library);
         const { yaml, options } = folded(recording.scene?.yaml ?? "", liveOptions(recording));

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // The results of each step of a run, in columns, for charts and for the strip of a robot's decisions.
 import { STATUSES, type Moment, type SceneInfo } from "../../avo/avo.ts";
+import { robotsOf } from "../map/discs.ts";
 import type { Past } from "./lab.ts";
+import { NO_DECISION } from "./thinned.ts";
 
-const NO_DECISION = 255;
 const STATUS_BYTES = 32e6;  // the limit for all robots' statuses; with more robots and steps there is no strip
 
 type Column = "times" | "clearance" | "speed_ratio" | "acceleration_ratio" | "arrived" | "contacts";
@@ -89,14 +90,11 @@ export class PastColumns implements Past {
 function ratios(moment: Moment, info: SceneInfo): { speed: number; acceleration: number } {
   let speed = 0;
   let acceleration = 0;
-  let at = 0;  // both are sorted by ascending numbers
-  for (let i = 0; i < moment.robot.length; ++i) {
-    while (at < info.robots.length && info.robots[at]!.robot < moment.robot[i]!) ++at;
-    const robot = info.robots[at];
-    if (!robot || robot.robot !== moment.robot[i]) continue;
+  robotsOf(moment, info).forEach((robot, i) => {
+    if (!robot) return;
     speed = Math.max(speed, Math.hypot(moment.velocity[2 * i]!, moment.velocity[2 * i + 1]!) / robot.max_speed);
-    if (robot.model === "airplane") continue;  // it has another limit across its direction of flight
+    if (robot.model === "airplane") return;  // it has another limit across its direction of flight
     acceleration = Math.max(acceleration, moment.acceleration[i]! / robot.max_acceleration);
-  }
+  });
   return { speed, acceleration };
 }

@@ -14,30 +14,25 @@ export function liveOptions(recording: Recording): SceneOptions {
 
 export function infoOf(recording: Recording, library: Library): { info: SceneInfo; goals: Goals } {
   const { scene } = recording;
-  if (!scene) return { info: unknownScene(recording), goals: new Map() };
+  if (!scene) return { info: unknownScene(recording, library), goals: new Map() };
   const simulation = library.simulate(scene.yaml, { ...liveOptions(recording), name: scene.name });
   const { robot, goal } = simulation.moment();
   const goals: Goals = new Map(Array.from(robot, (number, i) => [number, [goal[2 * i]!, goal[2 * i + 1]!]]));
   return { info: simulation.info(), goals };
 }
 
-/** Returns a scene for a table of positions alone, with the paper's constants, which are also the defaults of scenes. */
-function unknownScene(recording: Recording): SceneInfo {
-  const step = recording.times.length > 1 ? recording.times[1]! - recording.times[0]! : 0.1;
+/** The paper's constants, and the library's defaults. */
+const UNKNOWN = "version: 1\ncontrol_time: 2\ntime_horizon: 3\nsensing_radius: 15\n" +
+  "robots: [{position: [0, 0], goal: [1, 0]}]\n";
+
+/** Returns a scene for a table of positions alone. */
+function unknownScene(recording: Recording, library: Library): SceneInfo {
+  const { name, times, robots, headings } = recording;
+  const info = library.simulate(UNKNOWN).info();
+  const known = { ...info.robots[0]!, model: headings ? "car" as const : "holonomic" as const };
   return {
-    name: recording.name,
-    duration: recording.times[recording.times.length - 1] ?? 0,
-    options: {
-      method: "unknown", certificate: "none", motion: "held", control_time: 2, time_horizon: 3, time_step: step,
-      sensing_radius: 15, arrival_distance: 0.5,
-    },
-    robots: Array.from({ length: recording.robots }, (_, robot) => ({
-      robot, radius: 0.5, disc_radius: 0.5, disc_ahead: 0, max_speed: 2, max_acceleration: 1, preferred_speed: 2,
-      priority: 1, parked: false, model: recording.headings ? "car" as const : "holonomic" as const,
-    })),
-    walls: [],
-    moving_obstacles: [],
-    advice: [],
-    broken_assumptions: [],
+    ...info, name, duration: times[times.length - 1]!,
+    options: { ...info.options, method: "unknown", certificate: "none", time_step: times[1]! - times[0]! },
+    robots: Array.from({ length: robots }, (_, robot) => ({ ...known, robot })),
   };
 }

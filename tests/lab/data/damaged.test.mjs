@@ -2,8 +2,7 @@
 // HDF5 files that are cut off, damaged or of others: one line, or numbers that are some; never a crash or a long wait.
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { openRecording } from "../../../lab/page/data/open.ts";
-import { allFrames, randomNumbers, recorded, refusal } from "./native.mjs";
+import { allFrames, openRecording, randomNumbers, recorded, refusal } from "./native.mjs";
 
 const whole = recorded("whole.h5", "positions-exchange", "--duration", "2");
 
@@ -43,6 +42,24 @@ test("other bytes in many places", async () => {
     for (let n = 0; n < 40; ++n) bytes[Math.floor(random() * bytes.length)] = Math.floor(256 * random());
     await isRead(bytes);
   }
+});
+
+/** Where this text begins in the file, for the first time from `from` on. */
+const placeOf = (text, from = 0) => Buffer.from(whole).indexOf(text, from);
+
+test("a letter of the scene's text, and the place of a chunk", async () => {
+  const letter = whole.slice();
+  ++letter[placeOf("version: 1")];
+  assert.equal(await refusal(openRecording("a.h5", letter)), "a.h5: found a damaged header of an object, must be whole");
+  let node = placeOf("TREE");
+  while (whole[node + 6] !== 4) node = placeOf("TREE", node + 1);  // of the table of states: four columns in one block
+  const place = whole.slice();
+  const ENTRY = 48, FIRST = 24, COLUMN = 24;
+  [place[node + FIRST + COLUMN], place[node + FIRST + ENTRY + COLUMN]] = [1, 0];
+  assert.equal(await refusal(openRecording("a.h5", place)), "a.h5: state: found a chunk out of its place, damaged");
+  place[node + FIRST + COLUMN] = 0;
+  place[node + 6] = 1;  // the others are not there
+  assert.equal(await refusal(openRecording("a.h5", place)), "a.h5: state: found less than all of its rows, must be all");
 });
 
 test("what is no recording", async () => {

@@ -3,6 +3,10 @@
 import assert from "node:assert/strict";
 import { spawnSync } from "node:child_process";
 import { readFileSync, rmSync, writeFileSync } from "node:fs";
+import { openRecording as open } from "../../../lab/page/data/open.ts";
+import { library } from "../wasm/module.mjs";
+
+export const openRecording = (name, bytes) => open(library, name, bytes);
 
 export function avo(...args) {
   const { status, stdout, stderr } = spawnSync(process.env.AVO_BINARY, args, { encoding: "utf8", maxBuffer: 1 << 30 });
