@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "sim/travel.h"
+#include "guidance/travel.h"
 
 #include <algorithm>
 #include <utility>
@@ -7,7 +7,7 @@
 #include "core/plane.h"
 #include "navigation/path_map.h"
 
-namespace avo::inline sim {
+namespace avo::inline guidance {
 namespace {
 
 constexpr std::uint64_t kStepsBetweenLooks = 10;
@@ -119,4 +119,4 @@ bool looks_around(RobotId robot, std::int64_t steps) {
   return (robot.value + static_cast<std::uint64_t>(steps)) % kStepsBetweenLooks == 0;
 }
 
-}  // namespace avo::inline sim
+}  // namespace avo::inline guidance

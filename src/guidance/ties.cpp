@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "sim/ties.h"
+#include "guidance/ties.h"
 
 #include <cstdint>
 
-namespace avo::inline sim {
+namespace avo::inline guidance {
 namespace {
 
 constexpr double kTie = 0.03;    // robots right ahead: the largest value, too small to be visible
@@ -26,4 +26,4 @@ void break_tie(RobotId robot, double nearest_squared, double next_squared, Detou
   detour.congestion = static_cast<float>(kTie * spread(robot.value));
 }
 
-}  // namespace avo::inline sim
+}  // namespace avo::inline guidance

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "sim/ways.h"
+#include "guidance/ways.h"
 
 #include <algorithm>
 #include <cmath>
@@ -8,7 +8,7 @@
 #include "core/plane.h"
 #include "navigation/right_of_way.h"
 
-namespace avo::inline sim {
+namespace avo::inline guidance {
 namespace {
 
 constexpr double kSightReach = 0.1;  // m
@@ -70,12 +70,9 @@ double radius_class(double radius) {
   return rounded / (per_digit * scale);
 }
 
-Ways::Ways(const Scenario& settings, std::span<const Wall> walls, std::vector<Wall> resting,
+Ways::Ways(WayRules rules, std::span<const Wall> walls, std::vector<Wall> resting,
            const Ways* before)
-    : follows_(settings.navigation.value_or(true)),
-      heeds_passages_(follows_ && settings.right_of_way != RightOfWay::none),
-      before_(before),
-      resting_(std::move(resting)) {
+    : rules_(rules), before_(before), resting_(std::move(resting)) {
   if (!walls.empty()) sight_.emplace(walls, kSightReach);
 }
 
@@ -166,7 +163,7 @@ Travel Ways::plan(double radius, Vec2 position, Vec2 goal, double arrival_distan
   const Vec2 end = reachable_end(radius, position, goal, before);
   const bool is_there = end == goal;
   Travel travel = is_there ? straight : lead(radius, position, end);
-  if (follows_ && travel.target == PathMap::kNothing && radius_class(radius) != radius)
+  if (rules_.routes && travel.target == PathMap::kNothing && radius_class(radius) != radius)
     travel = lead(radius, position, end, true, false);
   if (is_there) return travel;
   const bool is_near = norm(end - goal) <= arrival_distance + kBesideSlack * radius;
@@ -179,7 +176,7 @@ Travel Ways::resume(double radius, Vec2 end, std::uint32_t target, bool is_exact
                     bool around_movers) {
   Travel travel;
   travel.target = target;
-  if (!follows_ || !(sight_ || around_movers)) return travel;
+  if (!rules_.routes || !(sight_ || around_movers)) return travel;
   const GraphKey key{around_movers, is_exact ? radius : radius_class(radius)};
   travel.graph = &graph_of(key);
   travel.map = map_to(key, end);
@@ -228,7 +225,7 @@ std::size_t Ways::most_targets() const {
 }
 
 void Ways::find_passages(std::vector<double> radii) {
-  if (!sight_ || !heeds_passages_ || radii == passage_radii_) return;
+  if (!sight_ || !rules_.routes || !rules_.passages || radii == passage_radii_) return;
   passages = Passages(sight_->walls(), radii, kClaimRange, std::exchange(earlier_, {}));
   passage_radii_ = std::move(radii);
 }
@@ -244,32 +241,16 @@ bool Ways::is_in_sight(Vec2 p, Vec2 q, const Wall*& behind) const {
   return behind == nullptr;
 }
 
-void plan_travels(Ways& ways, const Fleet& fleet, double arrival_distance, const Ways* before) {
-  if (ways.empty()) return;
-  ways.travels.reserve(fleet.size());
-  for (const std::uint32_t slot : fleet.slot_of) {
-    const double radius = fleet.traits[slot].radius;
-    const Vec2 position = fleet.position[slot];
-    const std::size_t rank = ways.travels.size();
-    const bool is_known = before != nullptr && !before->empty();
-    const Travel* known = is_known ? &before->travels[rank] : nullptr;
-    Travel travel;
-    if (!fleet.conduct[slot].parked) {
-      std::optional<Travel> carried;
-      if (known != nullptr) carried = ways.carry_over(*known, position, radius);
-      if (carried) {
-        travel = std::move(*carried);
-      } else {
-        travel = ways.plan(radius, position, fleet.goal[slot],
-                           fleet.own_arrival_distance(slot).value_or(arrival_distance), known);
-        if (known != nullptr) {
-          keep_waiting_on(*known, position, radius, travel, ways.scratch());
-          travel = replanned(*known, std::move(travel), position, radius, ways.scratch());
-        }
-      }
-    }
-    ways.travels.push_back(std::move(travel));
+Travel plan_anew(Ways& ways, double radius, Vec2 position, Vec2 goal, double arrival_distance,
+                 const Travel* before) {
+  if (before != nullptr) {
+    std::optional<Travel> carried = ways.carry_over(*before, position, radius);
+    if (carried) return std::move(*carried);
   }
+  Travel travel = ways.plan(radius, position, goal, arrival_distance, before);
+  if (before == nullptr) return travel;
+  keep_waiting_on(*before, position, radius, travel, ways.scratch());
+  return replanned(*before, std::move(travel), position, radius, ways.scratch());
 }
 
-}  // namespace avo::inline sim
+}  // namespace avo::inline guidance

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "sim/places.h"
+#include "guidance/places.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "sim/ways.h"
+#include "guidance/ways.h"
 #include "walls/segment.h"
 
-namespace avo::inline sim {
+namespace avo::inline guidance {
 namespace {
 
 // radii: a seeker within this distance is near the robots at rest
@@ -245,4 +245,4 @@ Vec2 place_of(const Seeker& seeker, const Occupied& occupied, std::span<const Wa
   return stays ? seeker.position : place;
 }
 
-}  // namespace avo::inline sim
+}  // namespace avo::inline guidance

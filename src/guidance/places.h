@@ -10,7 +10,7 @@
 #include "avo/wall.h"
 #include "core/neighbor_columns.h"
 
-namespace avo::inline sim {
+namespace avo::inline guidance {
 
 class Ways;
 
@@ -25,6 +25,8 @@ struct Seeker {
   bool steers = false;                   // it has wheels: it cannot reach every place beside it
   bool yields = false;                   // to others at a passage
   bool has_stood = false;                // it has come to rest at such a place
+  bool is_at_rest = false;
+  bool is_near = false;  // within the arrival distance of a goal that others have as well
 };
 
 /// Another robot that is nearly at rest.
@@ -69,4 +71,4 @@ bool is_at_crowd(const Seeker& seeker, Occupied& occupied, const Ways* ways = nu
 Vec2 place_of(const Seeker& seeker, const Occupied& occupied, std::span<const Wall> walls,
               bool stays, Detour& detour);
 
-}  // namespace avo::inline sim
+}  // namespace avo::inline guidance

@@ -7,7 +7,7 @@
 
 #include "avo/explanation.h"
 
-namespace avo::inline sim {
+namespace avo::inline guidance {
 
 using Words = std::string;
 
@@ -25,4 +25,4 @@ Words name_of(const Explanation& e, Cause cause);
 /// E.g. "robots 2 and 4", or "robot 2 and the wall from (0, 0) to (1, 0)"; the first few.
 Words list_of(const Explanation& e, const std::vector<Cause>& causes);
 
-}  // namespace avo::inline sim
+}  // namespace avo::inline guidance

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "sim/words.h"
+#include "guidance/words.h"
 
 #include <algorithm>
 #include <cmath>
@@ -9,10 +9,10 @@
 #include <vector>
 
 #include "core/plane.h"
+#include "guidance/names.h"
 #include "robots/model.h"
-#include "sim/names.h"
 
-namespace avo::inline sim {
+namespace avo::inline guidance {
 namespace {
 
 constexpr double kResting = 0.01;      // of v_max: a slower robot is at rest
@@ -259,4 +259,20 @@ std::string sentence_of(const Explanation& e, const Planner& planner) {
   return robot + action_of(e) + ": it has to wait " + wait_of(*e.seen.wait) + "." + state_of(e);
 }
 
-}  // namespace avo::inline sim
+void explain_decision(const Planner& planner, Explanation& explanation) {
+  const Simulation::Perception& seen = explanation.seen;
+  DecisionTrace& decision = explanation.decision;
+  PlanWorkspace workspace;
+  Detour detour = seen.detour;
+  decision = planner.explain(seen.robot, seen.neighbors, workspace, &detour, seen.walls);
+  if (seen.stop && decision.plan.status != PlanStatus::overlapping) {
+    const SafetyState state = decision.plan.state;
+    decision.plan = *seen.stop;
+    decision.plan.state = state;
+    decision.evasion.reset();
+  }
+  explanation.state = planner.state(seen.robot, seen.neighbors, workspace, seen.walls);
+  explanation.sentence = sentence_of(explanation, planner);
+}
+
+}  // namespace avo::inline guidance

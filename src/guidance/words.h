@@ -6,9 +6,12 @@
 #include "avo/explanation.h"
 #include "avo/planner.h"
 
-namespace avo::inline sim {
+namespace avo::inline guidance {
 
 /// See Explanation::sentence, which need not be set.
 std::string sentence_of(const Explanation& explanation, const Planner& planner);
 
-}  // namespace avo::inline sim
+/// Fills in the decision, the state and the sentence, from what the robot sees.
+void explain_decision(const Planner& planner, Explanation& explanation);
+
+}  // namespace avo::inline guidance

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Coming to rest at a goal under Eq. (7)'s control, in discrete steps.
-#ifndef AVO_SIM_GOALS_KERNEL_H
-#define AVO_SIM_GOALS_KERNEL_H
+#ifndef AVO_GUIDANCE_GOALS_KERNEL_H
+#define AVO_GUIDANCE_GOALS_KERNEL_H
 
 #include <limits>
 

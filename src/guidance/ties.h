@@ -5,11 +5,11 @@
 #include "avo/planner.h"
 #include "avo/simulation.h"
 
-namespace avo::inline sim {
+namespace avo::inline guidance {
 
 /// Breaks the tie of a robot of method avo that is not used to any traffic yet. Its two nearest
 /// neighbors must be at the same distance. It gets used to a little traffic, by its id. The
 /// arguments are squares of the distances, in order, m².
 void break_tie(RobotId robot, double nearest_squared, double next_squared, Detour& detour);
 
-}  // namespace avo::inline sim
+}  // namespace avo::inline guidance

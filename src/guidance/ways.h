@@ -13,21 +13,25 @@
 #include <utility>
 #include <vector>
 
-#include "avo/scenario.h"
-#include "avo/simulation.h"
+#include "avo/wall.h"
+#include "guidance/travel.h"
 #include "navigation/carried_graph.h"
 #include "navigation/corner_graph.h"
 #include "navigation/leg.h"
 #include "navigation/passages.h"
 #include "navigation/reachable_places.h"
-#include "sim/fleet.h"
-#include "sim/travel.h"
 
-namespace avo::inline sim {
+namespace avo::inline guidance {
 
 /// m: the radius rounded up, by 5 % at most, to two digits (from 1 to 2, to halves of the second
 /// one). Fleets with many different radii share graphs by this; most radii that people write stay.
 double radius_class(double radius);
+
+/// What robots heed of walls.
+struct WayRules {
+  bool routes = true;    // they follow routes around walls
+  bool passages = true;  // with routes: they keep the rules at passages
+};
 
 /// What robots know of the walls, and of movers at rest; routes lead around movers where possible.
 /// Without walls and movers at rest there are no routes.
@@ -35,12 +39,12 @@ class Ways {
  public:
   /// resting: discs. Earlier routes among mostly the same walls save time; they must stay alive
   /// while new routes are planned.
-  Ways(const Scenario& settings, std::span<const Wall> walls, std::vector<Wall> resting,
+  Ways(WayRules rules, std::span<const Wall> walls, std::vector<Wall> resting,
        const Ways* before = nullptr);
 
   [[nodiscard]] bool empty() const { return !sight_ && !goes_around_movers(); }
   [[nodiscard]] const std::vector<Wall>& resting() const { return resting_; }
-  [[nodiscard]] bool goes_around_movers() const { return follows_ && !resting_.empty(); }
+  [[nodiscard]] bool goes_around_movers() const { return rules_.routes && !resting_.empty(); }
   void forget_before() { before_ = nullptr, carried_.clear(); }
   /// Keeps the passages of other walls, from which those of these walls are found sooner.
   void remember_passages(Ways& before) noexcept {
@@ -71,7 +75,7 @@ class Ways {
   /// Finds the passages for robots of these radii, ascending, unless they are known.
   void find_passages(std::vector<double> radii);
 
-  std::vector<Travel> travels;  // by rank; none without walls
+  std::vector<Travel> travels;  // of the robots, in their order; none without walls
   Passages passages;            // empty where robots do not heed passages
 
  private:
@@ -84,7 +88,7 @@ class Ways {
   Travel lead(double radius, Vec2 position, Vec2 end);
   Vec2 reachable_end(double radius, Vec2 position, Vec2 goal, const Travel* before);
 
-  bool follows_ = false, heeds_passages_ = false;
+  WayRules rules_;
   const Ways* before_ = nullptr;  // until forget_before()
   std::optional<ClearanceGrid> sight_;
   std::vector<Wall> resting_;
@@ -104,10 +108,9 @@ class Ways {
   Passages earlier_;  // until find_passages()
 };
 
-/// Plans the routes of a whole fleet. `before`: its routes among other walls. A robot keeps its
-/// target if it would set out as before, and has as far to go from there.
-/// arrival_distance: m, of robots that have none of their own.
-void plan_travels(Ways& ways, const Fleet& fleet, double arrival_distance,
-                  const Ways* before = nullptr);
+/// Plans the robot's route. before: its route among other walls, if any. The robot keeps its target
+/// if it would set out as before, and has as far to go from there.
+Travel plan_anew(Ways& ways, double radius, Vec2 position, Vec2 goal, double arrival_distance,
+                 const Travel* before);
 
-}  // namespace avo::inline sim
+}  // namespace avo::inline guidance

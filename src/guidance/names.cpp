@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "sim/names.h"
+#include "guidance/names.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,7 +7,7 @@
 
 #include "avo/model.h"
 
-namespace avo::inline sim {
+namespace avo::inline guidance {
 namespace {
 
 constexpr std::size_t kNamed = 4;  // causes that are named
@@ -73,4 +73,4 @@ Words list_of(const Explanation& e, const std::vector<Cause>& causes) {
   return list;
 }
 
-}  // namespace avo::inline sim
+}  // namespace avo::inline guidance

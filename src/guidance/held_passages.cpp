@@ -4,7 +4,7 @@
 // would lose with that knowledge. Where there is no other route, some robots in a jam must go back,
 // and only those at its ends can: all of them try to, for half of the time. A crowd before a
 // passage of one lane is no jam, but waits in turn.
-#include "sim/held_passages.h"
+#include "guidance/held_passages.h"
 
 #include <cmath>
 #include <optional>
@@ -14,10 +14,8 @@
 #include "core/plane.h"
 #include "navigation/prospect.h"
 #include "planner/rules/arrival.h"
-#include "sim/clocks.h"
-#include "sim/world.h"
 
-namespace avo::inline sim {
+namespace avo::inline guidance {
 namespace {
 
 // radii of route length: a robot that comes nearer by this does not wait
@@ -49,12 +47,12 @@ double worth_waiting(double longer, const RobotTraits& traits) {
   return longer > 0.0 ? longer / traits.preferred_speed : 0.0;
 }
 
-std::optional<Passages::Crossing> gap_ahead(const World& world, const Travel& travel, Vec2 p) {
-  return next_gap(world.ways.passages, *travel.graph, *travel.map, p, travel.target);
+std::optional<Passages::Crossing> gap_ahead(const Ways& ways, const Travel& travel, Vec2 p) {
+  return next_gap(ways.passages, *travel.graph, *travel.map, p, travel.target);
 }
 
-bool has_two_lanes(const World& world, const Passages::Crossing& next) {
-  return world.ways.passages[next.passage].two_lanes;
+bool has_two_lanes(const Ways& ways, const Passages::Crossing& next) {
+  return ways.passages[next.passage].two_lanes;
 }
 
 // A route around that gap as well, or around it alone where that leads nowhere.
@@ -71,18 +69,18 @@ Travel way_around(const Travel& travel, const Segment& gap, Vec2 position, doubl
   return other;
 }
 
-void look_for_another_way(const World& world, std::size_t slot, Travel& travel,
+void look_for_another_way(const Ways& ways, const Follower& robot, Travel& travel,
                           LegScratch& scratch) {
-  const RobotTraits& traits = world.fleet.traits[slot];
-  const Vec2 p = world.fleet.position[slot];
+  const RobotTraits& traits = robot.traits;
+  const Vec2 p = robot.as_seen.position;
   Waiting& waiting = travel.waiting;
-  const auto next = gap_ahead(world, travel, p);
+  const auto next = gap_ahead(ways, travel, p);
   const double time = time_of(traits);
   if (!next) {
     waiting.looks_at = waiting.waited + kPatience * time;
     return;
   }
-  if (has_two_lanes(world, *next) && waiting.waited < kPatienceOfTwo * time) {
+  if (has_two_lanes(ways, *next) && waiting.waited < kPatienceOfTwo * time) {
     waiting.looks_at = kPatienceOfTwo * time;
     return;
   }
@@ -95,9 +93,9 @@ void look_for_another_way(const World& world, std::size_t slot, Travel& travel,
 
 // Opens the gaps once the robot has come as near to its end as where it waited, and the shortest
 // route leads elsewhere.
-void open_again(const World& world, std::size_t slot, Travel& travel, LegScratch& scratch) {
-  const double radius = world.fleet.traits[slot].radius;
-  const Vec2 p = world.fleet.position[slot];
+void open_again(const Follower& robot, Travel& travel, LegScratch& scratch) {
+  const double radius = robot.traits.radius;
+  const Vec2 p = robot.as_seen.position;
   if (length_of(travel, p) > travel.waiting.opens_at) return;
   Travel open = reopened(travel, p, radius, scratch);
   if (!open.is_known()) return;
@@ -107,28 +105,24 @@ void open_again(const World& world, std::size_t slot, Travel& travel, LegScratch
 
 }  // namespace
 
-void go_around_held(const World& world, std::size_t slot, double left, double time, Travel& travel,
-                    LegScratch& scratch) {
-  if (!travel.is_known() || world.settings.right_of_way != RightOfWay::seen) return;
-  const Fleet& fleet = world.fleet;
-  const bool rests = rests_at_place(world, slot);
-  wait_on(travel.waiting, left, fleet.traits[slot], rests ? 0.0 : time);
+void go_around_held(const Ways& ways, const Follower& robot, double left, double time,
+                    Travel& travel, LegScratch& scratch) {
+  if (!travel.is_known()) return;
+  wait_on(travel.waiting, left, robot.traits, robot.rests ? 0.0 : time);
   if (travel.waiting.waited >= travel.waiting.looks_at)
-    look_for_another_way(world, slot, travel, scratch);
-  if (!travel.waiting.closed.empty() && looks_around(fleet.id[slot], decisions_of(world, slot)))
-    open_again(world, slot, travel, scratch);
+    look_for_another_way(ways, robot, travel, scratch);
+  if (!travel.waiting.closed.empty() && robot.looks_around) open_again(robot, travel, scratch);
 }
 
-bool goes_back(const World& world, std::size_t slot, const Travel& travel) {
+bool goes_back(const Ways& ways, const Follower& robot, const Travel& travel) {
   const Waiting& waiting = travel.waiting;
-  if (!travel.is_known() || waiting.looks_at < kInfinity || rests_at_place(world, slot))
-    return false;
-  const double waited = waiting.waited / (kSteadfast * time_of(world.fleet.traits[slot]));
+  if (!travel.is_known() || waiting.looks_at < kInfinity || robot.rests) return false;
+  const double waited = waiting.waited / (kSteadfast * time_of(robot.traits));
   int power = 0;
   if (waited < 1.0 || std::frexp(waited, &power) >= kForth) return false;
-  const Vec2 p = world.fleet.position[slot];
-  return gap_ahead(world, travel, p) &&
-         has_room_for_two(world.ways.passages, *travel.graph, *travel.map, p, travel.target);
+  const Vec2 p = robot.as_seen.position;
+  return gap_ahead(ways, travel, p) &&
+         has_room_for_two(ways.passages, *travel.graph, *travel.map, p, travel.target);
 }
 
-}  // namespace avo::inline sim
+}  // namespace avo::inline guidance

@@ -11,11 +11,11 @@
 
 #include "avo/decision_trace.h"
 #include "avo/simulation.h"
+#include "guidance/traits.h"
 #include "navigation/corner_graph.h"
 #include "navigation/leg.h"
-#include "sim/fleet.h"
 
-namespace avo::inline sim {
+namespace avo::inline guidance {
 
 /// A part of the radius: a robot may be this much farther off than arrival_distance and still count
 /// as there, for a goal that it cannot reach. The nearest place keeps a little more than the radius
@@ -117,4 +117,4 @@ Heading beside_resting(std::span<const Wall> resting, const Heading& heading, Ve
 /// Returns whether the robot looks around in this step: not all robots do at once.
 bool looks_around(RobotId robot, std::int64_t steps);
 
-}  // namespace avo::inline sim
+}  // namespace avo::inline guidance
