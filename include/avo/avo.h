@@ -14,6 +14,7 @@
 #include "avo/half_plane.h"
 #include "avo/horizon.h"
 #include "avo/metrics.h"
+#include "avo/navigator.h"
 #include "avo/planner.h"
 #include "avo/reachability.h"
 #include "avo/response.h"
