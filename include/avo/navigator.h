@@ -129,4 +129,17 @@ class AVO_API Navigator {
   std::unique_ptr<State> state_;
 };
 
+/// m, between centers: how far a robot with a planner of these options has to sense such others.
+/// Nothing farther off changes what its certificate admits, nor what its rules for arriving do
+/// (docs/scenes.md, "How far robots sense"). Declared errors and clocks of their own count. Of all
+/// robots, radius, limits, model and priority count. has_map: with passages, at which robots give
+/// each other right of way. Throws Error on values out of range.
+AVO_API double sensing_range(const PlannerOptions& options, const Robot& robot,
+                             std::span<const Robot> others, bool has_map = false);
+
+/// m, from the position of a robot with a planner of these options: walls with a surface farther
+/// off change no decision. Its radius, limits, model and velocity count. Throws Error on values out
+/// of range.
+AVO_API double wall_range(const PlannerOptions& options, const Robot& robot);
+
 }  // namespace avo

@@ -23,6 +23,8 @@ from ._avo import (
     LoiterCircle,
     Metrics,
     MovingObstacle,
+    Navigator,
+    NavigatorDecision,
     Neighbor,
     Neighbors,
     Perception,
@@ -47,7 +49,9 @@ from ._avo import (
     parting_direction,
     run,
     schema,
+    sensing_range,
     usual_offset,
+    wall_range,
 )
 
 __all__ = [
@@ -68,6 +72,8 @@ __all__ = [
     "LoiterCircle",
     "Metrics",
     "MovingObstacle",
+    "Navigator",
+    "NavigatorDecision",
     "Neighbor",
     "Neighbors",
     "Perception",
@@ -92,6 +98,8 @@ __all__ = [
     "parting_direction",
     "run",
     "schema",
+    "sensing_range",
     "svg",
     "usual_offset",
+    "wall_range",
 ]
