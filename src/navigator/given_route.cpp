@@ -114,6 +114,18 @@ std::shared_ptr<const GivenRoute> given_route(std::span<const Waypoint> listed,
   return std::make_shared<const GivenRoute>(std::move(route));
 }
 
+std::shared_ptr<const GivenRoute> given_route(const Pose& from, std::span<const PathPiece> pieces,
+                                              double radius, std::span<const Wall> walls) {
+  RoundedRoute rounded(from, pieces);
+  std::vector<Vec2> places;
+  for (const double along : rounded.points()) places.push_back(rounded.at(along));
+  const double length = rounded.length();
+  GivenRoute route{
+      std::move(rounded), places, {{length, 0.0}}, {length}, graph_of(places, radius, walls),
+      map_of(places)};
+  return std::make_shared<const GivenRoute>(std::move(route));
+}
+
 Travel as_travel(const OnRoute& on) {
   const GivenRoute& route = *on.route;
   const std::span<const double> points = route.rounded.points();

@@ -40,6 +40,10 @@ std::shared_ptr<const GivenRoute> given_route(std::span<const Waypoint> points,
                                               const Rounding& rounding, double radius,
                                               std::span<const Wall> walls);
 
+/// The same of pieces from a pose on.
+std::shared_ptr<const GivenRoute> given_route(const Pose& from, std::span<const PathPiece> pieces,
+                                              double radius, std::span<const Wall> walls);
+
 /// How far a robot is on its given route.
 struct OnRoute {
   std::shared_ptr<const GivenRoute> route = {};

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <span>
 
 #include "core/elementary.h"
@@ -20,7 +21,8 @@ constexpr double kAheadOfCar = 1.2;  // turning circles
 // The last piece before a goal with a heading, on which the robot turns into it: radii, turning
 // circles, offsets of a drive.
 constexpr double kRunInRadii = 3.0, kRunInCircles = 2.5, kRunInOffsets = 5.0;
-constexpr double kShortest = 0.25;  // of that, where there is no more room
+constexpr double kRunInOfCar = 1.5;  // turning circles, at the end of a path of arcs
+constexpr double kShortest = 0.25;   // of that, where there is no more room
 
 Rounding rounding_of(const NavigatorState& state, const Robot& robot) {
   return {state.options.route_tolerance.value_or(kTolerance * robot.radius),
@@ -93,6 +95,35 @@ std::vector<Waypoint> corners_of(NavigatorState& state, Memory& memory, const Ro
   return points;
 }
 
+// Appends the piece in parts that turn by 30 degrees at most.
+void append_parts(const PathPiece& piece, std::vector<PathPiece>& parts) {
+  constexpr double kPart = std::numbers::pi / 6.0;
+  if (!(piece.length > 0.0)) return;
+  const double count = std::max(1.0, std::ceil(std::abs(piece.curvature) * piece.length / kPart));
+  for (double k = 0.0; k < count; k += 1.0)
+    parts.push_back({piece.curvature, piece.length / count});
+}
+
+// The shortest path of a car with bounded curvature from where it stands to its goal in that
+// heading, where no wall is near it.
+std::shared_ptr<const GivenRoute> path_of_car(const NavigatorState& state, const Robot& robot) {
+  const double turning = turning_radius(robot.model);
+  const Mission& mission = state.mission;
+  if (turning == 0.0 || mission.kind != Mission::Kind::goal) return nullptr;
+  const double run_in = kRunInOfCar * turning;
+  const Vec2 direction = elementary::direction(*mission.heading);
+  const Pose from{led_point(robot), robot.heading};
+  std::vector<PathPiece> parts;
+  for (const PathPiece& piece :
+       dubins_path(from, {mission.goal() - run_in * direction, *mission.heading}, kWider * turning))
+    append_parts(piece, parts);
+  parts.push_back({0.0, run_in});
+  auto route = given_route(from, parts, robot.radius, state.map);
+  for (std::size_t k = 0; k + 1 < route->points.size(); ++k)
+    if (!is_clear(state, robot, route->points[k], route->points[k + 1])) return nullptr;
+  return route;
+}
+
 }  // namespace
 
 double turning_radius(const MotionModel& model) {
@@ -121,8 +152,9 @@ void plan_routes(NavigatorState& state, Memory& memory, const Robot& robot) {
         std::upper_bound(marks.begin(), marks.end() - 1, memory.on.along) - marks.begin());
   }
   memory.travel = {};
-  const std::vector<Waypoint> corners = corners_of(state, memory, robot);
   memory.on = {};
+  if (mission.heading && (memory.on.route = path_of_car(state, robot))) return;
+  const std::vector<Waypoint> corners = corners_of(state, memory, robot);
   memory.on.route = given_route(corners, rounding_of(state, robot), robot.radius, state.map);
 }
 

@@ -49,6 +49,21 @@ RoundedRoute::RoundedRoute(std::span<const RoutePoint> points, const Rounding& r
   }
 }
 
+RoundedRoute::RoundedRoute(const Pose& from, std::span<const PathPiece> pieces)
+    : start_(from.place) {
+  points_.push_back(0.0);
+  Pose at = from;
+  for (const PathPiece& piece : pieces) {
+    const double top = piece.curvature == 0.0 ? kInfinity : kUsed / std::abs(piece.curvature);
+    elements_.push_back(
+        {at.place, elementary::direction(at.heading), piece.curvature, length_, piece.length, top});
+    at.place = point_on(elements_.back(), piece.length);
+    at.heading += piece.curvature * piece.length;
+    length_ += piece.length;
+    points_.push_back(length_);
+  }
+}
+
 void RoundedRoute::add_line(Vec2 from, Vec2 to) {
   const double length = norm(to - from);
   if (!(length > 0.0)) return;

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "avo/vec.h"
+#include "navigator/dubins.h"
 
 namespace avo::inline navigator {
 
@@ -25,6 +26,8 @@ class RoundedRoute {
  public:
   /// The points of a route, without repetitions; at least one.
   RoundedRoute(std::span<const RoutePoint> points, const Rounding& rounding);
+  /// The route of those pieces from a pose on. Its points are the start, and the end of each piece.
+  RoundedRoute(const Pose& from, std::span<const PathPiece> pieces);
 
   [[nodiscard]] double length() const { return length_; }  // m
   [[nodiscard]] Vec2 at(double along) const;               // m; along: m, from the start
