@@ -40,13 +40,14 @@ void NavigatorState::take_map(std::vector<Wall> walls) {
   map = std::move(walls);
   needs.reset();
   memory.travel = {}, memory.on.back.reset(), memory.is_planned = false;
+  memory.passages_for = 0.0;
 }
 
 void NavigatorState::begin(Mission next) {
   if (next == mission) return;
   mission = std::move(next);
   Memory fresh;  // as Simulation::set_goal()
-  fresh.ways = memory.ways;
+  fresh.ways = memory.ways, fresh.passages_for = memory.passages_for;
   fresh.detour.congestion = memory.detour.congestion;
   fresh.detour.acceleration_x = memory.detour.acceleration_x;
   fresh.detour.acceleration_y = memory.detour.acceleration_y;

@@ -10,7 +10,9 @@
 #include "guidance/ties.h"
 #include "navigator/plan_routes.h"
 #include "navigator/state.h"
+#include "planner/certify.h"
 #include "planner/rules/arrival.h"
+#include "planner/scratch.h"
 #include "robots/model.h"
 
 namespace avo::inline navigator {
@@ -18,6 +20,7 @@ namespace {
 
 // T: others must have stood on the goal for as long. A robot that only waits there moves on.
 constexpr double kStand = 2.0;
+constexpr std::size_t kRoomFor = 64;  // neighbors; memory for more is allocated when it is needed
 
 // m², of the two nearest neighbors.
 struct Nearest {
@@ -34,7 +37,7 @@ Nearest nearest_of(Vec2 position, std::span<const Neighbor> neighbors) {
   return nearest;
 }
 
-void find_walls(NavigatorState& state, const Memory& memory, const Robot& robot,
+void find_walls(NavigatorState& state, Memory& memory, const Robot& robot,
                 const RobotTraits& traits) {
   if (state.map.empty()) return;
   WallNeeds needs;
@@ -42,7 +45,10 @@ void find_walls(NavigatorState& state, const Memory& memory, const Robot& robot,
   if (!state.needs || !state.needs->cover(needs)) {
     state.grid = grid_of(state.map, needs);
     state.needs = needs;
+    PlanWorkspace::Scratch::of(state.workspace).reserve_walls(kRoomFor, state.grid.most());
   }
+  if (memory.passages_for == traits.radius) return;
+  memory.passages_for = traits.radius;
   std::vector<double> radii = state.options.fleet_radii;
   radii.push_back(traits.radius);
   std::sort(radii.begin(), radii.end());
@@ -53,7 +59,8 @@ void find_walls(NavigatorState& state, const Memory& memory, const Robot& robot,
 // Routes lead around the movers that are at rest now.
 void go_around_resting(NavigatorState& state, Memory& memory, const Robot& robot,
                        std::span<const Neighbor> neighbors) {
-  std::vector<Wall> resting;
+  std::vector<Wall>& resting = state.resting;
+  resting.clear();
   for (const Neighbor& one : neighbors) {
     if (one.behavior != Behavior::moves_on || one.trajectory != nullptr ||
         one.acceleration != Vec2{})
@@ -65,8 +72,8 @@ void go_around_resting(NavigatorState& state, Memory& memory, const Robot& robot
   if (std::equal(resting.begin(), resting.end(), known.begin(), known.end(),
                  [](const Wall& a, const Wall& b) { return a.a == b.a && a.radius == b.radius; }))
     return;
-  auto ways = std::make_shared<Ways>(way_rules_of(state.options), state.map, std::move(resting),
-                                     memory.ways.get());
+  auto ways =
+      std::make_shared<Ways>(way_rules_of(state.options), state.map, resting, memory.ways.get());
   if (memory.is_planned && memory.travel.graph != nullptr)
     memory.travel = plan_anew(*ways, robot.radius, robot.position, state.mission.goal(),
                               state.planner.options().arrival_distance, &memory.travel);
@@ -75,14 +82,25 @@ void go_around_resting(NavigatorState& state, Memory& memory, const Robot& robot
   memory.on.back.reset();
   ways->forget_before();
   ways->remember_passages(*memory.ways);
+  memory.passages_for = 0.0;
   memory.ways = std::move(ways);
+}
+
+// Reserves memory for the first steps of such a robot, so that later ones allocate nothing.
+void make_room(NavigatorState& state, const Robot& robot) {
+  const StepLaw law = certificate_law(state.planner).step;
+  const double steps = braking_steps(robot.max_speed, decrement_of(robot, law));
+  state.workspace.reserve(kRoomFor, static_cast<std::size_t>(std::min(steps, 4096.0)) + 3);
+  state.occupied.resting.reserve(kRoomFor), state.occupied.worth.reserve(kRoomFor);
+  state.claims.parts.resize(1);
+  state.claims.parts.front().reserve(kRoomFor), state.claims.claimants.reserve(kRoomFor);
+  state.resting.reserve(kRoomFor);
 }
 
 // The claims of the others as the robot sees them. A robot that moves on claims nothing.
 void collect_claims(NavigatorState& state, const Memory& memory,
                     std::span<const Neighbor> neighbors) {
   if (memory.ways->passages.empty()) return;
-  state.claims.parts.resize(1);
   std::vector<Claimant>& claimants = state.claims.parts.front();
   claimants.clear();
   for (std::size_t k = 0; k < neighbors.size(); ++k) {
@@ -146,6 +164,13 @@ AtSharedGoal at_goal(NavigatorState& state, Memory& memory, const Robot& robot,
   return at_shared_goal(seeker, state.occupied, *memory.ways, walls, memory.detour);
 }
 
+std::optional<Simulation::Wait> waited_for(const NavigatorState& state, const Memory& memory,
+                                           const Follower& follower) {
+  if (memory.on.is_given())
+    return wait_of(*memory.ways, state.claims, follower, as_travel(memory.on), kInfinity);
+  return wait_of(*memory.ways, state.claims, follower, memory.travel, kInfinity);
+}
+
 Headings headings_of(NavigatorState& state, Memory& memory, const Robot& robot,
                      const Follower& follower, double time_step) {
   if (memory.on.is_given())
@@ -164,6 +189,7 @@ SetOut set_out(NavigatorState& state, Memory& memory, const Robot& robot,
                std::span<const Neighbor> neighbors, double time_step) {
   SetOut out{robot, {}};
   RobotTraits traits = traits_of(robot, state.options.preferred_speed.value_or(robot.max_speed));
+  if (memory.decisions == 0) make_room(state, robot);
   go_around_resting(state, memory, robot, neighbors);
   find_walls(state, memory, robot, traits);
   if (!state.map.empty()) out.walls = state.grid.near(robot.position);
@@ -180,9 +206,7 @@ SetOut set_out(NavigatorState& state, Memory& memory, const Robot& robot,
   const Follower follower = follower_of(state, memory, robot, traits, std::sqrt(nearest.first));
   const Headings found = headings_of(state, memory, robot, follower, time_step);
   const Heading& heading = found.heading;
-  if (found.by_route.yields)
-    out.wait = wait_of(*memory.ways, state.claims, follower,
-                       memory.on.is_given() ? as_travel(memory.on) : memory.travel, kInfinity);
+  if (found.by_route.yields) out.wait = waited_for(state, memory, follower);
   const Vec2 end = memory.on.is_given() ? memory.on.end() : follower.end;
   const Vec2 to_disc = robot.position - follower.place;
   Vec2 goal = heading.goal == end ? disc_goal(state, memory, robot, end) : heading.goal + to_disc;

@@ -37,6 +37,7 @@ struct Progress {
 /// What one robot remembers from cycle to cycle.
 struct Memory {
   std::shared_ptr<Ways> ways;  // by the map and the movers at rest
+  double passages_for = 0.0;   // m, the radius for which they know the passages
   Detour detour;
   Travel travel;            // to the goal of a mission of kind goal
   OnRoute on;               // of the other kinds
@@ -71,6 +72,7 @@ struct NavigatorState {
   Memory memory;
   Claims claims;
   Occupied occupied;
+  std::vector<Wall> resting;  // scratch: the movers at rest
   PlanWorkspace workspace;
 
   NavigatorState(const NavigatorOptions& options, std::vector<Wall> walls);
