@@ -17,7 +17,9 @@ ALLOWED = {
     "navigation": {"core", "walls"},
     "certificate": {"core", "walls", "robots"},
     "planner": {"core", "walls", "obstacles", "lp", "certificate", "robots"},
-    "sim": {"core", "walls", "neighbors", "robots", "navigation", "certificate", "planner"},
+    "guidance": {"core", "walls", "robots", "navigation", "certificate", "planner"},
+    "navigator": {"core", "walls", "robots", "navigation", "certificate", "planner", "guidance"},
+    "sim": {"core", "walls", "neighbors", "robots", "navigation", "certificate", "planner", "guidance"},
     "metrics": {"core", "walls", "neighbors"},
 }
 # folder outside src/ -> folders and single headers of quoted includes that it may use

@@ -3,6 +3,7 @@
 #pragma once
 #include <bit>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "avo/planner.h"
@@ -36,6 +37,11 @@ void set_model(const avo::MotionModel& model, Def& def);
 
 avo::PlannerOptions options_of(const avo_planner_def& def);
 avo::Robot robot_of(const avo_robot& robot);
+avo::Robot read_robot(const avo_robot* robot);
+/// The neighbors of an argument of that name, in memory of this thread until the next call.
+std::span<const avo::Neighbor> neighbors_of(const avo_neighbor* neighbors, std::size_t count,
+                                            const char* list);
+std::vector<avo::StaticObstacle> obstacles_of(const avo_obstacle_def* obstacles, std::size_t count);
 avo::Neighbor neighbor_of(const avo_neighbor& neighbor, const Where& where);
 /// None where the id is null; throws Failure where it is stale.
 const avo::Trajectory* trajectory_of(avo_trajectory_id trajectory);

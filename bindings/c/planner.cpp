@@ -26,6 +26,8 @@ Scratch& scratch() {
   return own;
 }
 
+}  // namespace
+
 std::span<const avo::Neighbor> neighbors_of(const avo_neighbor* neighbors, std::size_t count,
                                             const char* list) {
   std::vector<avo::Neighbor>& to = scratch().neighbors;
@@ -37,13 +39,15 @@ std::span<const avo::Neighbor> neighbors_of(const avo_neighbor* neighbors, std::
   return to;
 }
 
+avo::Robot read_robot(const avo_robot* robot) {
+  return robot_of(read(robot, {"robot"}, avo_default_robot()));
+}
+
+namespace {
+
 std::span<const avo::Wall> walls_of(const avo_wall* walls, std::size_t count) {
   require_array(walls, count, "walls");
   return {reinterpret_cast<const avo::Wall*>(walls), count};
-}
-
-avo::Robot read_robot(const avo_robot* robot) {
-  return robot_of(read(robot, {"robot"}, avo_default_robot()));
 }
 
 }  // namespace

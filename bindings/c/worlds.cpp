@@ -123,6 +123,16 @@ avo::StaticObstacle obstacle_of(const avo_obstacle_def& def, const Where& where)
   return obstacle;
 }
 
+std::vector<avo::StaticObstacle> obstacles_of(const avo_obstacle_def* obstacles,
+                                              std::size_t count) {
+  std::vector<avo::StaticObstacle> result;
+  for_each(obstacles, count, "obstacles", avo_default_obstacle_def(),
+           [&](const avo_obstacle_def& obstacle, const Where& where) {
+             result.push_back(obstacle_of(obstacle, where));
+           });
+  return result;
+}
+
 avo::Scenario scenario_of(const avo_simulation_def& def) {
   avo::Scenario scenario;
   read_settings(def, scenario);
@@ -135,10 +145,7 @@ avo::Scenario scenario_of(const avo_simulation_def& def) {
            [&](const avo_moving_obstacle_def& obstacle, const Where& where) {
              scenario.moving_obstacles.push_back(obstacle_of(obstacle, where));
            });
-  for_each(def.obstacles, def.obstacle_count, "obstacles", avo_default_obstacle_def(),
-           [&](const avo_obstacle_def& obstacle, const Where& where) {
-             scenario.obstacles.push_back(obstacle_of(obstacle, where));
-           });
+  scenario.obstacles = obstacles_of(def.obstacles, def.obstacle_count);
   for_each(def.teams, def.team_count, "teams", avo_default_team_def(),
            [&](const avo_team_def& team, const Where& where) {
              scenario.teams.push_back(team_of(team, where));

@@ -9,7 +9,7 @@ from drawing import BLACK, BLUE, GRAY, RED, ROOT, Figure, arc, constants, polar
 
 WALLS = constants("navigation/gaps.cpp", "navigation/join_gaps.cpp",
                   "navigation/passages.h", "navigation/passages.cpp", "navigation/prospect.cpp", "navigation/right_of_way.h",
-                  "navigation/right_of_way.cpp", "sim/held_passages.cpp")
+                  "navigation/right_of_way.cpp", "guidance/held_passages.cpp")
 DOOR = 3.2  # r, the width of a door: 1.6 m for r = 0.5 m
 
 

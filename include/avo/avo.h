@@ -16,6 +16,7 @@
 #include "avo/ids.h"
 #include "avo/method.h"
 #include "avo/metrics.h"
+#include "avo/navigator.h"
 #include "avo/planner.h"
 #include "avo/reachability.h"
 #include "avo/response.h"

@@ -16,6 +16,7 @@
 #include "sim/clocks.h"
 #include "sim/scene/edit_checks.h"
 #include "sim/scene/scene_checks.h"
+#include "sim/travels.h"
 #include "sim/world.h"
 
 namespace avo::inline sim {
@@ -55,7 +56,7 @@ static_assert(std::is_nothrow_move_assignable_v<StaticWorld> &&
               std::is_nothrow_move_assignable_v<Ways>);
 
 Ways ways_among(const World& world, const StaticWorld& statics) {
-  Ways ways(world.settings, statics.walls, world.obstacles.resting(), &world.ways);
+  Ways ways(way_rules_of(world.settings), statics.walls, world.obstacles.resting(), &world.ways);
   plan_travels(ways, world.fleet, world.settings.arrival_distance, &world.ways);
   ways.forget_before();
   return ways;

@@ -4,8 +4,8 @@
 
 #include "avo/error.h"
 #include "avo/explanation.h"
+#include "guidance/words.h"
 #include "sim/simulation_state.h"
-#include "sim/words.h"
 
 namespace avo {
 
@@ -24,19 +24,7 @@ Explanation Simulation::explain(std::size_t robot) const {
                           .decision = {},
                           .state = {},
                           .sentence = {}};
-  const Perception& seen = explanation.seen;
-  DecisionTrace& decision = explanation.decision;
-  PlanWorkspace workspace;
-  Detour detour = seen.detour;
-  decision = own.explain(seen.robot, seen.neighbors, workspace, &detour, seen.walls);
-  if (seen.stop && decision.plan.status != PlanStatus::overlapping) {
-    const SafetyState state = decision.plan.state;
-    decision.plan = *seen.stop;
-    decision.plan.state = state;
-    decision.evasion.reset();
-  }
-  explanation.state = own.state(seen.robot, seen.neighbors, workspace, seen.walls);
-  explanation.sentence = sentence_of(explanation, own);
+  explain_decision(own, explanation);
   return explanation;
 }
 

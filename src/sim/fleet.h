@@ -1,16 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 // The state of a simulation in columns, one entry for each robot.
 #pragma once
-#include <algorithm>
 #include <cstddef>
-#include <numbers>
+#include <cstdint>
 #include <optional>
 #include <span>
 #include <vector>
 
 #include "avo/simulation.h"
-#include "certificate/braking_path.h"
 #include "core/executor.h"
+#include "guidance/traits.h"
 #include "planner/relevance.h"
 #include "robots/model.h"
 #include "robots/motion.h"
@@ -19,34 +18,7 @@
 namespace avo::inline sim {
 
 /// The constant part of a RobotSetup.
-struct RobotTraits {
-  double radius = 0.0;            // m, of its disc
-  double max_speed = 0.0;         // m/s
-  double max_acceleration = 0.0;  // m/s^2
-  double max_braking = 0.0;       // m/s^2
-  double preferred_speed = 0.0;   // m/s
-  bool has_model = false;         // it is not holonomic
-  bool exceeds = false;           // it may accelerate by more than max_acceleration
-};
 RobotTraits traits_of(const RobotSetup& setup);
-inline Ability ability_of(const RobotTraits& traits) {
-  return {traits.max_acceleration, traits.max_braking};
-}
-/// See planned_braking() in avo/robot.h.
-inline double planned_braking(const RobotTraits& traits) {
-  return std::min(traits.max_acceleration, traits.max_braking);
-}
-/// See Robot::max_braking; unset where it brakes with its max_acceleration.
-inline std::optional<double> max_braking_of(const RobotTraits& traits) {
-  if (traits.max_braking == traits.max_acceleration) return std::nullopt;
-  return traits.max_braking;
-}
-
-/// m/s²: the largest change of its velocity in a second.
-inline double top_acceleration(const RobotTraits& traits) {
-  const double reach = traits.exceeds ? std::numbers::sqrt2 : 1.0;
-  return std::max(reach * traits.max_acceleration, traits.max_braking);
-}
 
 /// How a robot and the others avoid each other. Nearly all robots have the same.
 struct Conduct {
@@ -230,13 +202,6 @@ Robot limits_of(const Fleet& fleet, std::size_t slot);
 /// disc.
 inline Vec2 disc_goal(const Fleet& fleet, std::size_t slot, Vec2 aim, Vec2 end) {
   return aim == end ? aim + fleet.offset(slot) : aim;
-}
-
-/// m, from its goal: a robot that maneuvers finds its own path within this distance.
-inline double own_way_of(const Fleet& fleet, std::size_t slot) {
-  constexpr double kOwnWay = 0.6;  // of its room for maneuvers
-  const MotionModel* model = fleet.own_model(slot);
-  return model != nullptr ? kOwnWay * model_traits(*model).maneuver_room : 0.0;
 }
 
 /// m/s: the preferred velocity of a robot that flies.

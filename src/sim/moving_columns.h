@@ -6,8 +6,8 @@
 #include <cstdint>
 
 #include "core/robot_columns.h"
+#include "guidance/goals.h"
 #include "robots/motion.h"
-#include "sim/fleet.h"
 
 namespace avo::inline sim {
 
@@ -21,14 +21,6 @@ struct alignas(64) MovingColumns {
   Column new_x{}, new_y{};                       // m/s, v'
   Column acceleration{};                         // m/s^2, see MotionStep; set by advance()
 };
-
-/// [v_A^pref] m/s: towards the goal at preferred_speed (the paper's), until the distance left is
-/// the braking distance. Then it is the v' with the highest next speed that still stops at the
-/// goal. Without other robots the robot comes to rest on the goal. It does not overshoot and does
-/// not oscillate, at any δ. v' leads the velocity by the lag of the controller, so near the goal it
-/// points away from it.
-Vec2 preferred_velocity(Vec2 position, Vec2 velocity, const RobotTraits& robot, Vec2 goal,
-                        const StepResponse& step);
 
 /// preferred_velocity() of all robots, and their distances from their goals.
 void choose_ways(const StepResponse& step, const MovingColumns& moving, RobotColumns& robots);

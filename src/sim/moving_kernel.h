@@ -7,8 +7,9 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "guidance/goals_kernel.h"
+#include "planner/relevance.h"
 #include "robots/holonomic_kernel.h"
-#include "sim/goals_kernel.h"
 #include "sim/moving_columns.h"
 
 AVO_BEGIN_KERNELS

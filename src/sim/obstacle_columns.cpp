@@ -2,13 +2,12 @@
 #include "sim/obstacle_columns.h"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
-#include <numbers>
 #include <optional>
 #include <string>
 
 #include "avo/error.h"
+#include "guidance/resting.h"
 
 namespace avo::inline sim {
 
@@ -48,23 +47,14 @@ void ObstacleColumns::look_over() {
 
 namespace {
 
-constexpr double kNearlyAtRest = 0.05;  // m/s
-// of the radius: the places of a slow obstacle are rounded to steps of this size
-constexpr double kMoved = 0.25;
-
 // The disc of an obstacle at rest, or a disc that contains a slow one; none for an obstacle that
 // moves, or will move.
 std::optional<Wall> resting_disc(const ObstacleColumns& obstacles, std::size_t k) {
   const MovingObstacle& setup = obstacles.setup[k];
   const Vec2 p = obstacles.position[k], v = obstacles.velocity[k];
-  if (!(norm_squared(v) <= kNearlyAtRest * kNearlyAtRest) || setup.acceleration != Vec2{} ||
-      setup.path.size() > 1)
-    return std::nullopt;
-  if (v == Vec2{} && setup.path.empty()) return Wall{p, p, setup.radius};
+  if (setup.acceleration != Vec2{} || setup.path.size() > 1) return std::nullopt;
   if (!setup.path.empty() && norm(setup.path[0] - p) > setup.radius) return std::nullopt;
-  const double step = kMoved * setup.radius;
-  const Vec2 place{step * std::round(p.x / step), step * std::round(p.y / step)};
-  return Wall{place, place, setup.radius + 0.5 * std::numbers::sqrt2 * step};
+  return resting_disc(p, v, setup.radius, setup.path.empty());
 }
 
 }  // namespace

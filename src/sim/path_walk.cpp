@@ -8,7 +8,7 @@
 #include "avo/scenario.h"
 #include "core/plane.h"
 #include "core/timed_places.h"
-#include "sim/goals_kernel.h"
+#include "guidance/goals_kernel.h"
 
 namespace avo {
 

@@ -6,11 +6,10 @@
 #include <limits>
 #include <span>
 
+#include "guidance/ties.h"
 #include "robots/ahead.h"
 #include "robots/model.h"
 #include "sim/clocks.h"
-#include "sim/held_passages.h"
-#include "sim/ties.h"
 #include "sim/world.h"
 
 namespace avo::inline sim {
@@ -50,34 +49,18 @@ void list_walls(const World& world, std::span<const std::uint32_t> slots, Worker
 // Around walls: the heading to the next point of each robot's route, as passages allow.
 void follow_ways(const World& world, const Pace& pace, const Claims& claims,
                  std::span<const std::uint32_t> slots, Worker& worker) {
-  const Fleet& fleet = world.fleet;
+  const double time_step = pace.planner.options().time_step;
   worker.headings.clear();
   for (std::size_t k = 0; k < slots.size(); ++k) {
-    const std::uint32_t slot = slots[k];
-    Travel& travel = *worker.travels[k];
-    const Vec2 end = travel.heads_for(fleet.goal[slot]);
-    const Vec2 p =
-        worker.lost.empty() ? fleet.position[slot] : fleet.position[slot] + worker.lost[k];
-    Heading heading = follow(travel, p, end, fleet.traits[slot], own_way_of(fleet, slot),
-                             looks_around(fleet.id[slot], decisions_of(world, slot)), worker.legs);
-    if (!world.shares_goal.empty()) worker.headings.push_back(heading);
-    if (!world.ways.passages.empty()) {
-      const RobotTraits& traits = fleet.traits[slot];
-      const double nearest = nearest_of(worker.tile.robots.neighbors[k], fleet.position[slot]);
-      const bool in_company = is_in_company(traits.radius, nearest);
-      const double left = norm(heading.goal - p);
-      heading = heed_passages(world, claims, slot, travel, heading, nearest);
-      const bool back = goes_back(world, slot, travel);
-      const double time = in_company || back ? pace.planner.options().time_step : 0.0;
-      go_around_held(world, slot, left, time, travel, worker.legs);
-      if (back) go_back(p, in_company, heading);
-      if (!world.shares_goal.empty()) worker.headings[k].yields = heading.yields;
-    }
-    if (world.ways.goes_around_movers())
-      heading = beside_resting(world.ways.resting(), heading, p, end, fleet.traits[slot].radius);
-    worker.moving.goal_x[k] = heading.goal.x, worker.moving.goal_y[k] = heading.goal.y;
-    worker.moving.preferred_speed[k] = heading.preferred_speed;
-    if (worker.told != nullptr) *worker.told = heading.guide;
+    const Vec2 lost = worker.lost.empty() ? Vec2{} : worker.lost[k];
+    const double nearest =
+        nearest_of(worker.tile.robots.neighbors[k], world.fleet.position[slots[k]]);
+    const Headings found = guide(world.ways, claims, follower_of(world, slots[k], lost, nearest),
+                                 time_step, world.sensing_radius, *worker.travels[k], worker.legs);
+    if (!world.shares_goal.empty()) worker.headings.push_back(found.by_route);
+    worker.moving.goal_x[k] = found.heading.goal.x, worker.moving.goal_y[k] = found.heading.goal.y;
+    worker.moving.preferred_speed[k] = found.heading.preferred_speed;
+    if (worker.told != nullptr) *worker.told = found.heading.guide;
   }
 }
 
@@ -104,7 +87,7 @@ void aim_discs(const World& world, std::span<const std::uint32_t> slots, Worker&
                                                  : worker.headings[k];
       const Seeker seeker = seeker_of(world, slot, heading, lost);
       Occupied& occupied = look_at_goal(seeker, worker.tile.robots.neighbors[k], worker);
-      const AtSharedGoal decided = at_shared_goal(world, slot, seeker, occupied,
+      const AtSharedGoal decided = at_shared_goal(seeker, occupied, world.ways,
                                                   worker.tile.walls_of(k), *worker.tile.detour[k]);
       if (decided.heads_for) {
         goal = *decided.heads_for, moving.preferred_speed[k] = heading.preferred_speed;

@@ -9,11 +9,8 @@
 #include <utility>
 #include <vector>
 
-#include "certificate/braking_path.h"
 #include "core/plane.h"
-#include "planner/certify.h"
 #include "planner/rules/arrival.h"
-#include "robots/model.h"
 #include "sim/world.h"
 
 namespace avo::inline sim {
@@ -170,50 +167,24 @@ bool shares_room(const World& world, std::size_t slot) {
 }
 
 Seeker seeker_of(const World& world, std::size_t slot, const Heading& heading, Vec2 lost) {
-  const RobotTraits& traits = world.fleet.traits[slot];
+  const Fleet& fleet = world.fleet;
+  const RobotTraits& traits = fleet.traits[slot];
   Robot robot;
   robot.radius = traits.radius, robot.max_speed = traits.max_speed;
   robot.max_acceleration = traits.max_acceleration, robot.max_braking = max_braking_of(traits);
   // farther away it may know the nearest ones only
   const bool knows_all = !world.pace(slot).planner.options().max_neighbors;
-  const Vec2 end = world.end_of(slot), goal = disc_goal(world.fleet, slot, end, end) - lost;
-  const bool sees_goal = heading.next == end;
-  return {.position = world.fleet.position[slot],
-          .goal = goal,
-          .next = sees_goal ? goal : heading.next - lost,
-          .beyond = sees_goal ? goal : heading.goal - lost,
-          .radius = traits.radius,
-          .max_speed = traits.max_speed,
-          .range = knows_all ? kInfinity : arrival_range(robot, traits.radius),
-          .steers = traits.has_model,
-          .yields = heading.yields,
-          .has_stood = world.fleet.has_stood[slot] != 0};
-}
-
-AtSharedGoal at_shared_goal(const World& world, std::size_t slot, const Seeker& seeker,
-                            Occupied& occupied, std::span<const Wall> walls, Detour& detour) {
-  const bool sees_goal = seeker.next == seeker.goal, taken = is_taken(occupied);
-  const bool is_near = sees_goal && stays_near(world, slot);
-  if (seeker.yields || !(is_near || taken)) return {};
-  const bool is_at_rest = world.fleet.velocity[slot] == Vec2{};
-  const auto is_among_them = [&] { return is_at_crowd(seeker, occupied, &world.ways); };
-  // a robot with wheels reaches few of the places beside it, and no robot reaches those right
-  // beside a mover
-  const bool is_content = seeker.steers || occupied.has_movers;
-  const bool stays = is_near || (is_content && is_among_them());
-  const Vec2 place = place_of(seeker, occupied, walls, stays, detour);
-  const bool is_there = place == seeker.position;
-  const bool may_stand = is_there && (stays || ((is_at_rest || !sees_goal) && is_among_them()));
-  if (is_there && !sees_goal && !may_stand) {  // another robot is in its path
-    detour.goal_taken = false;
-    return {};
-  }
-  const bool stood = is_there && seeker.has_stood;
-  const bool has_stood = stood || (may_stand && is_at_rest);
-  const Vec2 heads_for = place == seeker.next ? seeker.beyond : place;
-  if (stood && is_at_rest && detour.goal_taken) return {heads_for, has_stood, !occupied.has_movers};
-  // once it has stood it yields to others as all do
-  return {heads_for, has_stood, is_near && (!has_stood || detour.goal_taken)};
+  const Vec2 end = world.end_of(slot);
+  Seeker seeker = seeker_of({.position = fleet.position[slot],
+                             .goal = disc_goal(fleet, slot, end, end) - lost,
+                             .end = end,
+                             .lost = lost,
+                             .range = knows_all ? kInfinity : arrival_range(robot, traits.radius)},
+                            traits, heading);
+  seeker.has_stood = fleet.has_stood[slot] != 0;
+  seeker.is_at_rest = fleet.velocity[slot] == Vec2{};
+  seeker.is_near = stays_near(world, slot);
+  return seeker;
 }
 
 bool rests_at_place(const World& world, std::size_t slot) {
@@ -230,20 +201,12 @@ Plan stop_of(const World& world, std::size_t slot) {
   const Fleet& fleet = world.fleet;
   const RobotTraits& traits = fleet.traits[slot];
   Robot robot;
-  robot.velocity = fleet.velocity[slot];
+  robot.velocity = fleet.velocity[slot], robot.heading = fleet.heading[slot];
+  robot.max_speed = traits.max_speed;
   robot.max_acceleration = traits.max_acceleration, robot.max_braking = max_braking_of(traits);
+  robot.model = fleet.model(slot);
   const Pace& pace = world.pace(slot);
-  const CertificateLaw law = certificate_law(pace.planner);
-  const Vec2 next = braked(robot.velocity, decrement_of(robot, law.step));
-  Plan plan = plan_under(law, robot, next, PlanStatus::optimal, 0.0);
-  const MotionState state{{}, robot.velocity, fleet.heading[slot]};
-  const MotionModel* model = fleet.own_model(slot);
-  const MotionStep step = model == nullptr
-                              ? advance(state, plan, pace.response)
-                              : advance(*model, {planned_braking(traits), traits.max_speed}, state,
-                                        plan, pace.response.time_step);
-  plan.next_velocity = step.next.velocity;
-  return plan;
+  return stop_of(pace.planner, pace.response, robot);
 }
 
 }  // namespace avo::inline sim

@@ -17,6 +17,7 @@
 #include "sim/scene/complaints.h"
 #include "sim/simulation_state.h"
 #include "sim/state/saved_state.h"
+#include "sim/travels.h"
 
 namespace avo {
 namespace {

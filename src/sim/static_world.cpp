@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "sim/static_world.h"
 
-#include <algorithm>
 #include <bit>
 #include <cstddef>
 #include <utility>
@@ -29,34 +28,6 @@ std::uint64_t hash_of(const StaticWorld& statics) {
 }
 
 }  // namespace
-
-void WallNeeds::include(const RobotTraits& robot, double stray, double speed, const StepLaw& law) {
-  const double radius = robot.radius, max_speed = robot.max_speed;
-  const Ability ability = ability_of(robot);
-  const WallRounding own = wall_rounding(radius, max_speed, ability, law);
-  rounding = {std::max(rounding.steps, own.steps), std::max(rounding.lengths, own.lengths)};
-  const double top_speed = std::max(max_speed, speed);
-  reach = std::max(
-      reach, radius + stray + wall_reach(top_speed, max_speed, planned_ability_of(robot), law));
-}
-
-bool WallNeeds::cover(const WallNeeds& needs) const {
-  return needs.reach <= reach && needs.rounding.steps <= rounding.steps &&
-         needs.rounding.lengths <= rounding.lengths;
-}
-
-WallGrid grid_of(std::span<const Wall> walls, const WallNeeds& needs) {
-  constexpr double kRounding = 0x1p-20;  // of a length, more than the grid's own arithmetic hides
-  std::vector<double> within;
-  within.reserve(walls.size());
-  for (const Wall& wall : walls) {
-    const double exact = needs.reach + wall.radius + wall_margin(wall, needs.rounding);
-    within.push_back(exact * (1.0 + kRounding));
-  }
-  WallGrid grid;
-  grid.build(walls, within);
-  return grid;
-}
 
 StaticWorld::StaticWorld(std::vector<StaticObstacle> listed, std::vector<ObstacleId> ids,
                          std::uint64_t next, std::vector<Wall> discs)

@@ -7,24 +7,11 @@
 #include <vector>
 
 #include "avo/simulation.h"
-#include "certificate/wall_constraints.h"
+#include "guidance/wall_needs.h"
 #include "sim/fleet.h"
 #include "walls/wall_grid.h"
 
 namespace avo::inline sim {
-
-/// The needs of the robots beside walls, for a grid of walls.
-struct WallNeeds {
-  double reach = 0.0;  // m, from a robot's center, of everything that it could touch
-  WallRounding rounding;
-
-  /// stray: m, see Stray.
-  void include(const RobotTraits& robot, double stray, double speed, const StepLaw& law);
-  bool cover(const WallNeeds& needs) const;
-};
-
-/// The grid of the walls that matter to those robots, at any place.
-WallGrid grid_of(std::span<const Wall> walls, const WallNeeds& needs);
 
 /// Everything that does not move. Steps do not read it where there are no walls.
 struct StaticWorld {

@@ -9,16 +9,10 @@
 
 #include "core/plane.h"
 #include "planner/certify.h"
-#include "planner/demands.h"
-#include "planner/rules/evading.h"
 #include "planner/scratch.h"
-#include "planner/validity.h"
-#include "robots/model.h"
 #include "sim/clocks.h"
-#include "sim/held_passages.h"
 #include "sim/scene/scene_checks.h"
-#include "sim/sense.h"
-#include "sim/ties.h"
+#include "sim/travels.h"
 
 namespace avo::inline sim {
 namespace {
@@ -110,7 +104,7 @@ World::World(const Scenario& scenario, std::shared_ptr<Executor> steps_by)
       paces{Pace(planner_options(scenario))},
       obstacles(scenario.moving_obstacles),
       statics(static_world(scenario)),
-      ways(scenario, statics.walls, obstacles.resting()),
+      ways(way_rules_of(scenario), statics.walls, obstacles.resting()),
       executor(std::move(steps_by)),
       workers(executor->workers()) {
   fleet.has_clocks = scenario.clock == Clock::free;
@@ -175,25 +169,9 @@ void find_walls(World& world) {
   WallNeeds needs;
   for (std::size_t slot = 0; slot < fleet.size(); ++slot) {
     if (fleet.conduct[slot].parked) continue;
-    const RobotTraits& traits = fleet.traits[slot];
-    const double speed = norm(fleet.velocity[slot]);
-    const Planner& planner = world.pace(slot).planner;
-    const PlannerOptions& options = planner.options();
-    const StepLaw law = certificate_law(planner).step;
-    const double stray =
-        traits.has_model
-            ? stray_of(*fleet.own_model(slot), traits.max_acceleration, law.time_step).distance +
-                  room_to_turn(*fleet.own_model(slot), traits.max_speed)
-            : 0.0;
-    // from where the robot takes itself to be
-    needs.include(traits, stray + 2.0 * law.localization_error, speed, law);
-    const double wished = method_traits(options.method).has_rules
-                              ? std::min(options.wall_range, way_range(limits_of(fleet, slot)))
-                              : obstacle_reach(speed, traits.max_speed, options);
-    const double maneuvers = traits.has_model ? model_traits(*fleet.own_model(slot)).maneuver_room +
-                                                    law.localization_error
-                                              : 0.0;
-    needs.reach = std::max(needs.reach, traits.radius + std::max(wished, maneuvers));
+    Robot robot = limits_of(fleet, slot);
+    robot.velocity = fleet.velocity[slot];
+    needs.include(robot, fleet.traits[slot], world.pace(slot).planner);
   }
   if (statics.needs && statics.needs->cover(needs)) return;
   statics.grid = grid_of(statics.walls, needs);

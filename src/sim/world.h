@@ -11,6 +11,8 @@
 
 #include "core/executor.h"
 #include "core/stage_clock.h"
+#include "guidance/at_goal.h"
+#include "guidance/ways.h"
 #include "planner/relevance.h"
 #include "planner/tile.h"
 #include "robots/motion.h"
@@ -21,11 +23,9 @@
 #include "sim/kinds.h"
 #include "sim/moving_columns.h"
 #include "sim/outliers.h"
-#include "sim/places.h"
 #include "sim/senses.h"
 #include "sim/snapshot.h"
 #include "sim/static_world.h"
-#include "sim/ways.h"
 #include "sim/whereabouts.h"
 
 namespace avo::inline sim {
@@ -179,15 +179,6 @@ void find_shared_goals(World& world);
 bool shares_room(const World& world, std::size_t slot);
 /// heading: by its route, before the rules of passages. lost: see own_error().
 Seeker seeker_of(const World& world, std::size_t slot, const Heading& heading, Vec2 lost);
-/// What such a robot decides there, in place of any other decision.
-struct AtSharedGoal {
-  std::optional<Vec2> heads_for = {};  // m, target of its disc; none: where its route leads
-  bool has_stood = false;              // the new value, see Fleet::has_stood
-  bool stops = false;                  // it brakes until it stands, and does not yield
-};
-/// Computes it for that robot as a seeker, from what it sees; sets Detour::goal_taken.
-AtSharedGoal at_shared_goal(const World& world, std::size_t slot, const Seeker& seeker,
-                            Occupied& occupied, std::span<const Wall> walls, Detour& detour);
 /// Returns whether a robot for which shares_room() was true has come to rest, at its goal or as
 /// near as there was room.
 bool rests_at_place(const World& world, std::size_t slot);

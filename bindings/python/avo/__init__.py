@@ -25,6 +25,8 @@ from ._avo import (
     LoiterCircle,
     Metrics,
     MovingObstacle,
+    Navigator,
+    NavigatorDecision,
     Neighbor,
     Neighbors,
     Perception,
@@ -54,7 +56,9 @@ from ._avo import (
     parting_direction,
     run,
     schema,
+    sensing_range,
     usual_offset,
+    wall_range,
 )
 
 __all__ = [
@@ -77,6 +81,8 @@ __all__ = [
     "LoiterCircle",
     "Metrics",
     "MovingObstacle",
+    "Navigator",
+    "NavigatorDecision",
     "Neighbor",
     "Neighbors",
     "Perception",
@@ -106,6 +112,8 @@ __all__ = [
     "parting_direction",
     "run",
     "schema",
+    "sensing_range",
     "svg",
     "usual_offset",
+    "wall_range",
 ]

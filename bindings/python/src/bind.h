@@ -17,6 +17,7 @@ void bind_models(py::module_& module);
 void bind_robots(py::module_& module);
 void bind_setup(py::module_& module);
 void bind_planner(py::module_& module);
+void bind_navigator(py::module_& module);
 void bind_batches(py::module_& module);
 void bind_scenario(py::module_& module);
 void bind_simulation(py::module_& module);

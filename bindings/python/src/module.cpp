@@ -54,6 +54,7 @@ PYBIND11_MODULE(_avo, module) {
   bind_robots(module);
   bind_setup(module);
   bind_planner(module);
+  bind_navigator(module);
   bind_batches(module);
   bind_scenario(module);
   bind_simulation(module);

@@ -6,11 +6,10 @@
 
 #include "avo/assumptions.h"
 #include "certificate/certificate.h"
+#include "guidance/wall_needs.h"
 #include "robots/motion.h"
 
 namespace avo::inline sim {
-
-struct WallNeeds;
 
 /// The constants that the scene's robots with a certificate share.
 CertificateLaw certificate_law(const Scenario& scenario);

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Finds the robots that cannot reach their goals, for a scene before its simulation.
 #include "avo/reachability.h"
+#include "guidance/ways.h"
 #include "robots/model.h"
 #include "sim/static_world.h"
-#include "sim/ways.h"
 
 namespace avo {
 
@@ -11,9 +11,8 @@ std::vector<OutOfReach> out_of_reach(const Scenario& scenario) {
   const std::vector<Wall> walls = static_world(scenario).walls;
   std::vector<OutOfReach> result;
   if (walls.empty()) return result;
-  Scenario settings = scenario;
-  settings.navigation = false;  // the ends of routes do not depend on how the routes lead there
-  Ways ways(settings, walls, {});
+  // the ends of routes do not depend on how the routes lead there
+  Ways ways(WayRules{.routes = false}, walls, {});
   for (std::size_t k = 0; k < scenario.robots.size(); ++k) {
     const RobotSetup& robot = scenario.robots[k];
     if (robot.parked) continue;

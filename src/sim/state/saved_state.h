@@ -10,9 +10,9 @@
 
 #include "avo/scenario.h"
 #include "avo/simulation.h"
+#include "guidance/ways.h"
 #include "robots/motion.h"
 #include "sim/senses.h"
-#include "sim/ways.h"
 
 namespace avo::inline sim {
 

@@ -9,6 +9,7 @@
 
 #include "core/ranges.h"
 #include "sim/state/saved_state.h"
+#include "sim/travels.h"
 #include "sim/world.h"
 
 namespace avo::inline sim {
@@ -263,7 +264,7 @@ void restore(const SavedState& state, World& world) {
                     std::move(parked));
   std::vector<Wall> resting = obstacles.resting();
   if (statics || !are_same(resting, world.ways.resting()))
-    other_ways.emplace(world.settings, statics ? statics->walls : world.statics.walls,
+    other_ways.emplace(way_rules_of(world.settings), statics ? statics->walls : world.statics.walls,
                        std::move(resting), &world.ways);
   Ways& ways = other_ways ? *other_ways : world.ways;
   std::vector<Travel> travels = travels_of(state, ways);

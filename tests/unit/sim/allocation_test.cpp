@@ -8,6 +8,8 @@
 #include "avo/simulation.h"
 #include "core/executor.h"
 #include "core/thread_pool.h"
+#include "unit/navigation/buildings.h"
+#include "unit/navigator/on_board.h"
 #include "unit/sim/counting_new.h"
 #include "unit/sim/scenes.h"
 #include "unit/sim/walled_scenes.h"
@@ -311,6 +313,34 @@ TEST(Allocation, none_per_plan_in_a_crowd_that_thickens) {
   sum += planner.plan(robot, many, workspace).new_velocity.x;
   EXPECT_EQ(allocations - before, 0);
   EXPECT_TRUE(std::isfinite(sum));
+}
+
+// Four robots change rooms, and one follows a route; each with a navigator of its own.
+TEST(Allocation, none_per_step_of_a_warm_navigator) {
+  Scenario scene;
+  scene.obstacles = {test::pieces(test::doorway(1.6))};
+  for (int k = 0; k < 2; ++k) {
+    scene.robots.push_back(test::robot_at({-8, 2.0 * k - 4.0}, {8, 4.0 - 2.0 * k}));
+    scene.robots.push_back(test::robot_at({8, 2.0 * k - 4.0}, {-8, 4.0 - 2.0 * k}));
+  }
+  test::OnBoard fleet(scene);
+  fleet.navigators[0].set_route({{-8, -4}, {-4, 0}, {4, 0}, {8, 4}});
+  for (int k = 0; k < 50; ++k) fleet.step();
+  std::vector<Neighbor> seen;
+  seen.reserve(fleet.bases.size());
+  const long before = allocations;
+  for (int k = 0; k < 100; ++k) {
+    for (std::size_t own = 0; own < fleet.bases.size(); ++own) {
+      seen.clear();
+      for (std::size_t other = 0; other < fleet.bases.size(); ++other)
+        if (other != own) seen.push_back(test::seen_of(fleet.bases[other].robot));
+      fleet.decisions[own] = fleet.navigators[own].step(fleet.bases[own].robot, seen, fleet.time);
+    }
+    for (std::size_t own = 0; own < fleet.bases.size(); ++own)
+      fleet.bases[own].hold(fleet.navigators[own].planner(), fleet.decisions[own].plan);
+    fleet.time += 0.1;
+  }
+  EXPECT_EQ(allocations - before, 0);
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "avo/simulation.h"
+#include "sim/travels.h"
 #include "sim/world.h"
 #include "unit/navigation/buildings.h"
 #include "unit/sim/walled_scenes.h"

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "avo/simulation.h"
-#include "sim/ways.h"
+#include "guidance/ways.h"
 #include "unit/sim/walled_scenes.h"
 
 namespace avo {

@@ -12,6 +12,7 @@
 
 #include "core/executor.h"
 #include "sim/sense.h"
+#include "sim/travels.h"
 #include "sim/world.h"
 #include "unit/sim/scenes.h"
 

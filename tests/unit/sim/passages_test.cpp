@@ -7,6 +7,7 @@
 #include "avo/simulation.h"
 #include "navigation/prospect.h"
 #include "sim/claims.h"
+#include "sim/travels.h"
 #include "sim/world.h"
 #include "unit/navigation/buildings.h"
 #include "unit/sim/walled_scenes.h"
@@ -196,7 +197,9 @@ TEST(Claims, EndInsideWhereTheGoalIs) {
   World world(scene, std::make_unique<SerialExecutor>());
   plan_travels(world.ways, world.fleet, 0.5);
   find_walls(world);
-  const auto claim = prospect_of(world, 0, world.ways.travels[0]).claim;
+  const Travel& travel = world.ways.travels[0];
+  const auto claim =
+      look_ahead(world.ways.passages, *travel.graph, *travel.map, {}, travel.target).claim;
   ASSERT_TRUE(claim && claim->inside);
   EXPECT_TRUE(claim->ends);
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Whose goals leave no room for all of them come to rest around the place, by what they see.
-#include "sim/places.h"
+#include "guidance/places.h"
 
 #include <algorithm>
 #include <cmath>
@@ -9,9 +9,9 @@
 #include <vector>
 
 #include "avo/simulation.h"
+#include "guidance/ways.h"
 #include "perceived.h"
 #include "scenes.h"
-#include "sim/ways.h"
 #include "support/generators.h"
 #include "unit/sim/rallies.h"
 #include "unit/sim/walled_scenes.h"
@@ -106,7 +106,7 @@ TEST(Places, are_at_the_crowd_where_robots_at_rest_lead_to_the_goal) {
 
 TEST(Places, are_at_no_crowd_behind_a_wall) {
   const std::vector<Wall> walls = {{{-9, -1.2}, {9, -1.2}}};
-  const Ways ways(Scenario{}, walls, {});
+  const Ways ways(WayRules{}, walls, {});
   const Seeker before = seeker_at({0, 1.8}), behind = seeker_at({0, -1.8});
   const std::vector<Neighbor> others = {one_at({0, 0})};
   Occupied seen = seen_by(before, others);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Robots follow their ways around walls.
-#include "sim/ways.h"
+#include "guidance/ways.h"
 
 #include <algorithm>
 #include <cmath>
@@ -196,7 +196,7 @@ TEST(Ways, ThoseWhomOnlyTheirVeryRadiusLetsThroughGetThrough) {
   scene.robots = {test::robot_at({3, 7}, {17, 7}), test::robot_at({3, 8.1}, {0.5002, 8}),
                   test::robot_at({3, 2}, {7, 2})};
   for (RobotSetup& robot : scene.robots) robot.radius = radius;
-  Ways ways(scene, walls_of(scene.obstacles), {});
+  Ways ways(WayRules{}, walls_of(scene.obstacles), {});
   EXPECT_EQ(ways.plan(radius, {3, 7}, {17, 7}, 0.5).graph->radius, radius);
   EXPECT_EQ(ways.plan(radius, {3, 8}, {0.5002, 8}, 0.5).graph->radius, radius);
   EXPECT_EQ(ways.plan(radius, {3, 2}, {7, 2}, 0.5).graph->radius, 0.51);
@@ -216,7 +216,7 @@ TEST(Ways, ThoseWhomOnlyTheirVeryRadiusLetsThroughGetThrough) {
 // A robot that others push to where its class has no room.
 TEST(Ways, FromBesideAWallThereIsAWay) {
   const Scenario scene = scene_among(test::two_rooms(2.0));
-  Ways ways(scene, walls_of(scene.obstacles), {});
+  Ways ways(WayRules{}, walls_of(scene.obstacles), {});
   RobotSetup setup = test::robot_at({3, 9}, {11, 9});
   setup.radius = 0.5001;
   Travel travel = ways.plan(setup.radius, setup.position, setup.goal, 0.5);

@@ -76,6 +76,11 @@ typedef struct avo_planner_id {
   uint32_t generation;
 } avo_planner_id;
 
+typedef struct avo_navigator_id {
+  uint32_t index;
+  uint32_t generation;
+} avo_navigator_id;
+
 typedef struct avo_trajectory_id {
   uint32_t index;
   uint32_t generation;
@@ -185,6 +190,29 @@ enum {
   /// a known or sensed number is not finite or out of range: the robot brakes
   AVO_PLAN_INVALID_INPUT = 5,
   AVO_PLAN_DETOUR = 6  ///< little of the route is left, see avo::PlanStatus::detour
+};
+
+/// What a navigator is about.
+typedef uint8_t avo_navigator_status;
+enum {
+  AVO_NAVIGATOR_IDLE = 0,        ///< it has no goal: it stays where it is, and gives way
+  AVO_NAVIGATOR_UNDER_WAY = 1,   ///< on its way
+  AVO_NAVIGATOR_WAITING = 2,     ///< at a stage
+  AVO_NAVIGATOR_REACHED = 3,     ///< the goal is within the tolerances
+  AVO_NAVIGATOR_STUCK = 4,       ///< without progress for movement_time_allowance
+  AVO_NAVIGATOR_UNREACHABLE = 5  ///< the map leaves no route to its goal
+};
+
+/// What the preferred velocity of a robot leads to.
+typedef uint8_t avo_guide;
+enum {
+  AVO_GUIDE_ROUTE = 0,    ///< to its goal, or to the next corner of its route
+  AVO_GUIDE_LANE = 1,     ///< to the right-hand lane of a passage of two lanes
+  AVO_GUIDE_PASSAGE = 2,  ///< where the right of way at a passage of one lane lets it go
+  AVO_GUIDE_BACK = 3,     ///< away from its goal, out of a jam
+  AVO_GUIDE_MOVER = 4,    ///< beside a mover at rest that stands on its goal
+  AVO_GUIDE_PLACE = 5,    ///< to a place near its goal, which others share or stand on
+  AVO_GUIDE_HOST = 6      ///< to what the host says
 };
 
 /// What is proved of a state before a decision.
@@ -1011,6 +1039,90 @@ typedef struct avo_summary {
 AVO_C_API avo_summary avo_default_summary(void);
 /// AVO_ERROR_UNSUPPORTED where the definition did not ask for metrics. summary->size must be set.
 AVO_C_API avo_result avo_simulation_summary(avo_simulation_id simulation, avo_summary* summary);
+
+/* ---------------------------------------------------------------------------------- navigator */
+
+/// One robot on board: its route, the right of way at passages, and its goal. Robots of a fleet
+/// agree on what their planners share, on the map, and on fleet_radii.
+typedef struct avo_navigator_def {
+  size_t size;
+  double preferred_speed;  ///< m/s, >= 0; AVO_UNSET: max_speed
+  uint64_t id;  ///< its number among the robots, which breaks ties, and names it in words
+  const double* fleet_radii;  ///< m, > 0: of all robots of the fleet, or null
+  size_t fleet_radius_count;
+  double xy_goal_tolerance;         ///< m, > 0; 0: the planner's arrival_distance
+  double yaw_goal_tolerance;        ///< rad, > 0
+  double required_movement_radius;  ///< m, > 0
+  double movement_time_allowance;   ///< s, > 0
+  double route_tolerance;           ///< m, > 0, of a given route; 0: 0.3 of the radius
+  avo_right_of_way right_of_way;
+  bool navigation;  ///< routes lead around the obstacles of the map
+} avo_navigator_def;
+
+/// A place on a mission.
+typedef struct avo_stage {
+  avo_vec2 position;  ///< m
+  double wait;        ///< s, >= 0, that it rests there; 0: it passes; INFINITY: until go_on
+} avo_stage;
+
+/// One decision of a navigator.
+typedef struct avo_navigator_decision {
+  avo_plan plan;
+  avo_vec2 preferred_velocity;  ///< m/s
+  double route_left;            ///< m
+  double distance_left;         ///< m, from the end of the route to the goal
+  double stopping_distance;     ///< m, that it needs to brake from its present velocity
+  double without_progress;      ///< s
+  avo_vec2 passage;             ///< m, where it waits for another robot
+  int32_t waits_for;            ///< index of that robot in the neighbors given; -1: none
+  avo_navigator_status status;
+  avo_guide guide;
+} avo_navigator_decision;
+
+AVO_C_API avo_navigator_def avo_default_navigator_def(void);
+/// planner: the options of its planner. obstacles: the map; null where their count is 0.
+AVO_C_API avo_result avo_create_navigator(const avo_planner_def* planner,
+                                          const avo_navigator_def* def,
+                                          const avo_obstacle_def* obstacles, size_t obstacle_count,
+                                          avo_navigator_id* navigator);
+AVO_C_API avo_result avo_destroy_navigator(avo_navigator_id navigator);
+AVO_C_API bool avo_navigator_is_valid(avo_navigator_id navigator);
+/// heading: rad, in which a robot with wheels is to stand there; NAN: any. is_shared: others have
+/// the same goal.
+AVO_C_API avo_result avo_navigator_set_goal(avo_navigator_id navigator, avo_vec2 goal,
+                                            double heading, bool is_shared);
+/// Follows a route of somebody else's planner, of two points, m, or more.
+AVO_C_API avo_result avo_navigator_set_route(avo_navigator_id navigator, const avo_vec2* points,
+                                             size_t count, double heading);
+/// Goes by the map from stage to stage.
+AVO_C_API avo_result avo_navigator_set_stages(avo_navigator_id navigator, const avo_stage* stages,
+                                              size_t count, double heading);
+AVO_C_API avo_result avo_navigator_go_on(avo_navigator_id navigator);  ///< ends a wait
+AVO_C_API avo_result avo_navigator_clear_goal(avo_navigator_id navigator);
+AVO_C_API avo_result avo_navigator_set_obstacles(avo_navigator_id navigator,
+                                                 const avo_obstacle_def* obstacles,
+                                                 size_t obstacle_count);
+/// One cycle, every time_step. Of the robot, preferred_velocity and distance_to_goal are not read.
+/// time: s, of any clock that does not go back.
+AVO_C_API avo_result avo_navigator_step(avo_navigator_id navigator, const avo_robot* robot,
+                                        const avo_neighbor* neighbors, size_t neighbor_count,
+                                        double time, avo_navigator_decision* decision);
+/// The decision that it would make now in words, as avo_simulation_explain(). Neighbors are named
+/// by their indices.
+AVO_C_API avo_result avo_navigator_explain(avo_navigator_id navigator, const avo_robot* robot,
+                                           const avo_neighbor* neighbors, size_t neighbor_count,
+                                           char* buffer, size_t capacity, size_t* size);
+/// m: the corners of the route that is left, to its end. buffer and count are those of
+/// avo_simulation_unreachable().
+AVO_C_API avo_result avo_navigator_route(avo_navigator_id navigator, avo_vec2* buffer,
+                                         size_t capacity, size_t* count);
+/// m: how far a robot with such a planner has to sense such others. has_map: with passages.
+AVO_C_API avo_result avo_sensing_range(const avo_planner_def* planner, const avo_robot* robot,
+                                       const avo_robot* others, size_t other_count, bool has_map,
+                                       double* range);
+/// m: walls with a surface farther off change no decision.
+AVO_C_API avo_result avo_wall_range(const avo_planner_def* planner, const avo_robot* robot,
+                                    double* range);
 
 #ifdef __cplusplus
 }

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: Apache-2.0
+// Another route where the passage on the route is held, or the route back (docs/arrival.md, rules
+// 13 and 14).
+#pragma once
+#include "guidance/follower.h"
+
+namespace avo::inline guidance {
+
+/// For a robot that decides, with `left` m of its route left: if it has waited for longer than
+/// another route takes in addition, it takes that route. It does so from the next step on. A
+/// passage that is closed to it for this reason opens again once that makes no difference. time: s,
+/// that counts as waiting; none while no robot is near, unless it goes back.
+void go_around_held(const Ways& ways, const Follower& robot, double left, double time,
+                    Travel& travel, LegScratch& scratch);
+
+/// Returns whether the robot goes back for now, as far as others are near. It has then waited for
+/// long before a passage of two lanes. There is no other route, and no passage of one lane on it.
+/// After each power of two of that time it goes back for half of the time that it has waited.
+bool goes_back(const Ways& ways, const Follower& robot, const Travel& travel);
+
+/// Sets the heading of a robot at p that goes back: away from the old heading, or to its place
+/// while it has no company.
+inline void go_back(Vec2 p, bool in_company, Heading& heading) {
+  heading.goal = in_company ? p - (heading.goal - p) : p;
+  heading.yields = true, heading.guide = Guide::back;
+}
+
+}  // namespace avo::inline guidance

@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "navigator/given_route.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "core/plane.h"
+#include "navigation/path_map.h"
+
+namespace avo::inline navigator {
+namespace {
+
+// A robot looks ahead by twice the way that it covers in its lag. On an arc the chord to that point
+// leads the tangent by the lag, so the robot stays on the arc. Off a straight line it comes back
+// with a damping of 0.7.
+constexpr double kLags = 1.75;
+constexpr double kBackOn = 4.0;  // times the look-ahead: so far on it searches for its place
+constexpr double kFaster = 0.7;  // of a_max, to become faster
+
+CornerGraph graph_of(const std::vector<Vec2>& points, double radius, std::span<const Wall> walls) {
+  CornerGraph graph;
+  graph.radius = radius;
+  if (!walls.empty()) graph.grid = corner_grid(walls, radius);
+  graph.points = points;
+  return graph;
+}
+
+// Its entries lead from each point to the next one.
+std::shared_ptr<const PathMap> map_of(const std::vector<Vec2>& points) {
+  PathMap map;
+  map.goal = points.back();
+  map.is_free = true;
+  for (std::uint32_t k = 0; k + 1 < points.size(); ++k)
+    map.next.push_back(k + 2 == points.size() ? PathMap::kGoal : k + 1);
+  map.length.assign(map.next.size(), 0.0);
+  for (std::size_t k = map.next.size(); k-- > 0;)
+    map.length[k] =
+        norm(points[k + 1] - points[k]) + (k + 1 < map.next.size() ? map.length[k + 1] : 0.0);
+  map.top.assign(map.next.size(), kInfinity);
+  return std::make_shared<const PathMap>(std::move(map));
+}
+
+// The heading around the walls that hide the route, back to it.
+std::optional<Heading> way_back(Ways& ways, const Follower& robot, Vec2 aim, OnRoute& on) {
+  if (ways.is_in_sight(robot.place, aim)) {
+    on.back.reset();
+    return std::nullopt;
+  }
+  if (!on.back || !ways.is_in_sight(on.back_to, aim)) {
+    on.back = ways.plan(robot.traits.radius, robot.place, aim, 0.0);
+    on.back_to = aim;
+  }
+  return follow(*on.back, robot.place, on.back_to, robot.traits, robot.own_way, robot.looks_around,
+                ways.scratch());
+}
+
+// m/s: the speed that the corners ahead leave it, and from which it can still turn: more of a
+// change would leave nothing of a_max for the direction.
+double speed_of(const Follower& robot, double speed, const Pursuit& pursuit, const OnRoute& on) {
+  const double wished = robot.traits.preferred_speed, a = pursuit.acceleration;
+  const double seen = std::min(on.along + pursuit.lag * speed, on.next().along);
+  const double top =
+      on.route->rounded.top(seen, pursuit.braking / a, wished * wished / pursuit.braking);
+  return std::min({wished, std::sqrt(top * a), speed + kFaster * a * pursuit.lag});
+}
+
+// The heading along the route, towards a point that is so far ahead, m. Where the robot comes to
+// the end in a direction of its own, that point may be beyond the end.
+Heading heading_along(const Follower& robot, double speed, double ahead, Vec2 end_direction,
+                      const OnRoute& on) {
+  const double until = on.next().along, beyond = std::max(on.along + ahead - until, 0.0);
+  const bool is_directed = on.is_last() && end_direction != Vec2{};
+  Vec2 aim = on.route->rounded.at(std::min(on.along + ahead, until));
+  if (is_directed) aim = aim + beyond * end_direction;
+  const Vec2 way = aim - robot.place;
+  const double distance = norm(way), to_stop = until - on.along;
+  const bool is_last = !(distance > 0.0) || (beyond > 0.0 && !is_directed);
+  const double left = is_directed ? to_stop : std::max(to_stop, distance);
+  return {.goal = is_last ? aim : robot.place + (left / distance) * way,
+          .preferred_speed = speed,
+          .next = aim};
+}
+
+}  // namespace
+
+std::shared_ptr<const GivenRoute> given_route(std::span<const Waypoint> listed,
+                                              const Rounding& rounding, double radius,
+                                              std::span<const Wall> walls) {
+  std::vector<Waypoint> points;
+  for (const Waypoint& point : listed) {
+    if (points.empty() || !(point.place == points.back().place)) {
+      points.push_back(point);
+      continue;
+    }
+    points.back().wait = std::max(points.back().wait, point.wait);
+    points.back().is_stage = points.back().is_stage || point.is_stage;
+  }
+  std::vector<RoutePoint> corners;
+  std::vector<Vec2> places;
+  for (const Waypoint& point : points) {
+    corners.push_back({point.place, point.wait > 0.0});
+    places.push_back(point.place);
+  }
+  GivenRoute route{RoundedRoute(corners, rounding), places,        {}, {},
+                   graph_of(places, radius, walls), map_of(places)};
+  const std::span<const double> along = route.rounded.points();
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    const bool is_end = k + 1 == points.size();
+    if (points[k].wait > 0.0 && !is_end) route.stops.push_back({along[k], points[k].wait});
+    if (points[k].is_stage) route.marks.push_back(along[k]);
+  }
+  route.stops.push_back({route.rounded.length(), 0.0});
+  return std::make_shared<const GivenRoute>(std::move(route));
+}
+
+std::shared_ptr<const GivenRoute> given_route(const Pose& from, std::span<const PathPiece> pieces,
+                                              double radius, std::span<const Wall> walls) {
+  RoundedRoute rounded(from, pieces);
+  std::vector<Vec2> places;
+  for (const double along : rounded.points()) places.push_back(rounded.at(along));
+  const double length = rounded.length();
+  GivenRoute route{
+      std::move(rounded), places, {{length, 0.0}}, {length}, graph_of(places, radius, walls),
+      map_of(places)};
+  return std::make_shared<const GivenRoute>(std::move(route));
+}
+
+Travel as_travel(const OnRoute& on) {
+  const GivenRoute& route = *on.route;
+  const std::span<const double> points = route.rounded.points();
+  const auto next = std::upper_bound(points.begin(), points.end(), on.along);
+  Travel travel;
+  travel.graph = &route.graph;
+  travel.map = route.map;
+  travel.target = next == points.end() || next + 1 == points.end()
+                      ? PathMap::kGoal
+                      : static_cast<std::uint32_t>(next - points.begin());
+  return travel;
+}
+
+double left_of(const OnRoute& on, Vec2 position) {
+  const RoundedRoute& route = on.route->rounded;
+  return route.length() - on.along + norm(route.at(on.along) - position);
+}
+
+Headings follow_given(Ways& ways, const Claims& claims, const Follower& robot, Vec2 velocity,
+                      const Pursuit& pursuit, OnRoute& on) {
+  const RoundedRoute& route = on.route->rounded;
+  const double speed = norm(velocity), until = on.next().along;
+  const auto ahead_at = [&](double v) {
+    return std::max(kLags * pursuit.lag * v, pursuit.least_ahead);
+  };
+  const double farthest = on.has_begun ? on.along + kBackOn * ahead_at(speed) : until;
+  on.along = route.nearest(robot.place, on.along, std::min(farthest, until));
+  on.has_begun = true;
+  const double wished = speed_of(robot, speed, pursuit, on);
+  Heading by_route =
+      heading_along(robot, wished, ahead_at(std::min(speed, wished)), pursuit.end_direction, on);
+  if (const auto back = way_back(ways, robot, by_route.next, on)) by_route = *back;
+  Headings result{by_route, by_route};
+  if (ways.passages.empty()) return result;
+  result.heading = heed_passages(ways, claims, robot, as_travel(on), by_route, kInfinity);
+  result.by_route.yields = result.heading.yields;
+  return result;
+}
+
+}  // namespace avo::inline navigator

@@ -1,0 +1,241 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "avo/navigator.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <utility>
+
+#include "avo/error.h"
+#include "core/plane.h"
+#include "core/ranges.h"
+#include "navigator/plan_routes.h"
+#include "navigator/state.h"
+#include "planner/certify.h"
+#include "planner/decision.h"
+#include "planner/validity.h"
+#include "robots/model.h"
+
+namespace avo::inline navigator {
+namespace {
+
+// A navigator may meet movers: its ways out need all walls within their reach.
+PlannerOptions with_all_walls(PlannerOptions options) {
+  options.wall_range = kInfinity;
+  return options;
+}
+
+}  // namespace
+
+NavigatorState::NavigatorState(const NavigatorOptions& given, std::vector<Wall> walls)
+    : options(given),
+      planner(with_all_walls(given.planner)),
+      response(step_response(planner)),
+      map(std::move(walls)) {
+  memory.ways = std::make_shared<Ways>(way_rules_of(options), map, std::vector<Wall>{});
+}
+
+void NavigatorState::take_map(std::vector<Wall> walls) {
+  memory.ways = std::make_shared<Ways>(way_rules_of(options), walls, memory.ways->resting());
+  map = std::move(walls);
+  needs.reset();
+  memory.travel = {}, memory.on.back.reset(), memory.is_planned = false;
+  memory.passages_for = 0.0;
+}
+
+void NavigatorState::begin(Mission next) {
+  if (next == mission) return;
+  mission = std::move(next);
+  Memory fresh;  // as Simulation::set_goal()
+  fresh.ways = memory.ways, fresh.passages_for = memory.passages_for;
+  fresh.detour.congestion = memory.detour.congestion;
+  fresh.detour.acceleration_x = memory.detour.acceleration_x;
+  fresh.detour.acceleration_y = memory.detour.acceleration_y;
+  fresh.decisions = memory.decisions, fresh.time = memory.time;
+  memory = std::move(fresh);
+}
+
+namespace {
+
+// The decision on values with which nothing can be decided.
+NavigatorDecision invalid(NavigatorState& state, const Robot& robot) {
+  NavigatorDecision decision;
+  decision.status = NavigatorStatus::under_way;
+  decision.plan = with_next_velocity(state.planner, robot,
+                                     brake(state.planner, robot, PlanStatus::invalid_input, 0.0));
+  remember(decision.plan, state.memory.detour);
+  return decision;
+}
+
+void require_no_airplane(const Robot& robot) {
+  if (!can_rest(robot.model))
+    throw Error("Navigator: robot: found an airplane, must be a robot that can stop");
+}
+
+}  // namespace
+}  // namespace avo::inline navigator
+
+namespace avo {
+
+struct Navigator::State : NavigatorState {
+  using NavigatorState::NavigatorState;
+};
+
+namespace {
+
+void validate(const NavigatorOptions& options) {
+  const std::string prefix = "NavigatorOptions.";
+  const auto at = [&](const char* name) { return prefix + name; };
+  if (options.preferred_speed)
+    require(at("preferred_speed"), *options.preferred_speed, kNotNegative, "m/s");
+  for (const double radius : options.fleet_radii)
+    require(at("fleet_radii"), radius, kPositive, "m");
+  if (options.xy_goal_tolerance)
+    require(at("xy_goal_tolerance"), *options.xy_goal_tolerance, kPositive, "m");
+  require(at("yaw_goal_tolerance"), options.yaw_goal_tolerance, kPositive, "rad");
+  require(at("required_movement_radius"), options.required_movement_radius, kPositive, "m");
+  require(at("movement_time_allowance"), options.movement_time_allowance, kPositive, "s");
+  if (options.route_tolerance)
+    require(at("route_tolerance"), *options.route_tolerance, kPositive, "m");
+}
+
+std::vector<Wall> checked_walls(std::vector<StaticObstacle> obstacles) {
+  Scenario scene;
+  scene.obstacles = std::move(obstacles);
+  validate(scene);
+  return walls_of(scene.obstacles);
+}
+
+void check(const std::vector<Stage>& stages, const std::optional<double>& heading) {
+  for (const Stage& stage : stages) {
+    require("Navigator: position", stage.position, "m");
+    if (stage.wait != kInfinity) require("Navigator: wait", stage.wait, kNotNegative, "s");
+  }
+  if (heading) require("Navigator: heading", *heading, kAngle, "rad");
+}
+
+}  // namespace
+
+const char* to_string(NavigatorStatus status) {
+  switch (status) {
+    case NavigatorStatus::idle:
+      return "idle";
+    case NavigatorStatus::under_way:
+      return "under_way";
+    case NavigatorStatus::waiting:
+      return "waiting";
+    case NavigatorStatus::reached:
+      return "reached";
+    case NavigatorStatus::stuck:
+      return "stuck";
+    case NavigatorStatus::unreachable:
+      return "unreachable";
+  }
+  return "?";
+}
+
+Navigator::Navigator(const NavigatorOptions& options, std::vector<StaticObstacle> obstacles) {
+  validate(options);
+  state_ = std::make_unique<State>(options, checked_walls(std::move(obstacles)));
+}
+Navigator::~Navigator() = default;
+Navigator::Navigator(Navigator&&) noexcept = default;
+Navigator& Navigator::operator=(Navigator&&) noexcept = default;
+
+void Navigator::set_goal(Vec2 goal, std::optional<double> heading, bool is_shared) {
+  Mission mission{Mission::Kind::goal, {{goal}}, heading, is_shared};
+  check(mission.stages, heading);
+  state_->begin(std::move(mission));
+}
+
+void Navigator::set_route(std::vector<Vec2> points, std::optional<double> heading) {
+  if (points.size() < 2)
+    refuse("Navigator: route", std::to_string(points.size()) + " points", ">= 2 points");
+  Mission mission{Mission::Kind::route, {}, heading};
+  for (const Vec2 point : points) mission.stages.push_back({point});
+  check(mission.stages, heading);
+  state_->begin(std::move(mission));
+}
+
+void Navigator::set_stages(std::vector<Stage> stages, std::optional<double> heading) {
+  if (stages.empty()) refuse("Navigator: stages", "none", "one or more");
+  check(stages, heading);
+  state_->begin({Mission::Kind::stages, std::move(stages), heading});
+}
+
+void Navigator::go_on() {
+  OnRoute& on = state_->memory.on;
+  if (!on.is_given() || on.is_last() || on.waited == 0.0) return;
+  on.along = on.next().along;
+  ++on.stop, on.waited = 0.0;
+}
+
+void Navigator::clear_goal() {
+  state_->begin({});
+}
+
+void Navigator::set_obstacles(std::vector<StaticObstacle> obstacles) {
+  state_->take_map(checked_walls(std::move(obstacles)));
+}
+
+NavigatorDecision Navigator::step(const Robot& robot, std::span<const Neighbor> neighbors,
+                                  double time) {
+  require_no_airplane(robot);
+  NavigatorState& state = *state_;
+  Memory& memory = state.memory;
+  const bool is_later = std::isfinite(time) && (!memory.time || time >= *memory.time);
+  if (!is_later || !all_valid(robot, neighbors)) return invalid(state, robot);
+  const double since = memory.time ? time - *memory.time : state.planner.options().time_step;
+  const SetOut out = set_out(state, memory, robot, neighbors, since);
+  NavigatorDecision decision;
+  decision.plan =
+      state.planner.plan(out.robot, neighbors, state.workspace, &memory.detour, out.walls);
+  if (out.stops && decision.plan.status != PlanStatus::overlapping) {
+    const SafetyState proved = decision.plan.state;
+    decision.plan = stop_of(state.planner, state.response, robot);
+    decision.plan.state = proved;
+    remember(decision.plan, memory.detour);
+  }
+  memory.time = time;
+  ++memory.decisions;
+  decision.status = status_of(state, robot, since);
+  decision.guide = out.guide, decision.wait = out.wait;
+  decision.preferred_velocity = out.robot.preferred_velocity;
+  const Simulation::Way way = way_left(state, memory, robot);
+  decision.route_left = way.length, decision.distance_left = way.distance_left;
+  const StepLaw law = certificate_law(state.planner).step;
+  decision.stopping_distance = stopping_length(norm(robot.velocity), decrement_of(robot, law), law);
+  decision.without_progress = memory.progress.time;
+  return decision;
+}
+
+std::vector<Vec2> Navigator::route() const {
+  const Memory& memory = state_->memory;
+  std::vector<Vec2> corners;
+  if (!memory.is_planned || !state_->mission.has_goal()) return corners;
+  const Travel travel = memory.on.is_given() ? as_travel(memory.on) : memory.travel;
+  for (std::uint32_t at = travel.target; travel.is_known() && at < PathMap::kNothing;
+       at = travel.map->after(at))
+    corners.push_back(travel.graph->points[at]);
+  corners.push_back(end_of(state_->mission, memory));
+  return corners;
+}
+
+const Detour& Navigator::detour() const {
+  return state_->memory.detour;
+}
+
+const Planner& Navigator::planner() const {
+  return state_->planner;
+}
+
+const NavigatorOptions& Navigator::options() const {
+  return state_->options;
+}
+
+Explanation Navigator::explain(const Robot& robot, std::span<const Neighbor> neighbors) const {
+  require_no_airplane(robot);
+  return explanation_of(*state_, robot, neighbors);
+}
+
+}  // namespace avo

@@ -1,0 +1,108 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+/* A robot on board: around a wall to its goal, along a route, and what is refused. */
+#include <math.h>
+
+#include "check.h"
+
+static avo_navigator_id before_a_wall(void) {
+  const avo_vec2 ends[2] = {{4.0, -3.0}, {4.0, 3.0}};
+  avo_chain chain = {0};
+  avo_obstacle_def wall = avo_default_obstacle_def();
+  const avo_planner_def planner = avo_default_planner_def(AVO_METHOD_AVO);
+  const avo_navigator_def def = avo_default_navigator_def();
+  avo_navigator_id navigator;
+  chain.points = ends, chain.point_count = 2;
+  wall.chains = &chain, wall.chain_count = 1;
+  REQUIRE(avo_create_navigator(&planner, &def, &wall, 1, &navigator));
+  return navigator;
+}
+
+/* The base does as it is told; returns the number of steps until the goal is reached. */
+static int drive(avo_navigator_id navigator, avo_robot* robot, int most) {
+  avo_navigator_decision decision;
+  static double time = 0.0;
+  for (int k = 0; k < most; ++k, time += 0.1) {
+    REQUIRE(avo_navigator_step(navigator, robot, NULL, 0, time, &decision));
+    if (decision.status == AVO_NAVIGATOR_REACHED) return k;
+    CHECK(decision.plan.status != AVO_PLAN_INVALID_INPUT && decision.waits_for == -1);
+    robot->position.x += 0.05 * (robot->velocity.x + decision.plan.next_velocity.x);
+    robot->position.y += 0.05 * (robot->velocity.y + decision.plan.next_velocity.y);
+    robot->velocity = decision.plan.next_velocity;
+  }
+  return most;
+}
+
+static void check_goal(void) {
+  const avo_navigator_id navigator = before_a_wall();
+  const avo_vec2 goal = {8.0, 0.0};
+  avo_robot robot = avo_default_robot();
+  avo_navigator_decision decision;
+  avo_vec2 route[8];
+  char words[300];
+  size_t count = 0, size = 0;
+  REQUIRE(avo_navigator_step(navigator, &robot, NULL, 0, 0.0, &decision));
+  CHECK(decision.status == AVO_NAVIGATOR_IDLE);
+  REQUIRE(avo_navigator_set_goal(navigator, goal, NAN, false));
+  REQUIRE(avo_navigator_step(navigator, &robot, NULL, 0, 0.0, &decision));
+  CHECK(decision.status == AVO_NAVIGATOR_UNDER_WAY && decision.guide == AVO_GUIDE_ROUTE);
+  CHECK(decision.route_left > 10.0 && decision.distance_left == 0.0);
+  REQUIRE(avo_navigator_route(navigator, NULL, 0, &count));
+  CHECK(count > 1 && count <= 8);
+  REFUSES(avo_navigator_route(navigator, route, 1, &count), AVO_ERROR_BUFFER_TOO_SMALL, "capacity");
+  REQUIRE(avo_navigator_route(navigator, route, 8, &count));
+  CHECK(route[count - 1].x == 8.0 && fabs(route[0].y) > 3.0);
+  REQUIRE(avo_navigator_explain(navigator, &robot, NULL, 0, words, sizeof words, &size));
+  CHECK(strstr(words, "Robot 0 starts") == words && size == strlen(words) + 1);
+  CHECK(drive(navigator, &robot, 200) < 120);
+  REQUIRE(avo_destroy_navigator(navigator));
+  CHECK(!avo_navigator_is_valid(navigator));
+}
+
+static void check_routes(void) {
+  const avo_navigator_id navigator = before_a_wall();
+  const avo_vec2 points[3] = {{0.0, 0.0}, {0.0, 6.0}, {9.0, 6.0}};
+  const avo_stage stages[2] = {{{9.0, 9.0}, 1.0}, {{0.0, 9.0}, 0.0}};
+  avo_robot robot = avo_default_robot();
+  REQUIRE(avo_navigator_set_route(navigator, points, 3, NAN));
+  CHECK(drive(navigator, &robot, 200) < 130);
+  REQUIRE(avo_navigator_set_stages(navigator, stages, 2, NAN));
+  CHECK(drive(navigator, &robot, 300) < 200);
+  CHECK(fabs(robot.position.x) < 0.6);
+  REQUIRE(avo_navigator_go_on(navigator));
+  REQUIRE(avo_navigator_set_obstacles(navigator, NULL, 0));
+  REQUIRE(avo_navigator_clear_goal(navigator));
+  REFUSES(avo_navigator_set_route(navigator, points, 1, NAN), AVO_ERROR_INVALID_VALUE,
+          "route: found 1 points, must be >= 2 points");
+  REQUIRE(avo_destroy_navigator(navigator));
+  REFUSES(avo_navigator_go_on(navigator), AVO_ERROR_INVALID_ID, "navigator");
+}
+
+static void check_ranges(void) {
+  const avo_planner_def planner = avo_default_planner_def(AVO_METHOD_AVO);
+  const avo_robot robot = avo_default_robot();
+  double walls = 0.0, others = 0.0;
+  REQUIRE(avo_wall_range(&planner, &robot, &walls));
+  CHECK(fabs(walls - 2.7) < 0.02);
+  REQUIRE(avo_sensing_range(&planner, &robot, &robot, 1, false, &others));
+  CHECK(others > 2.0 * walls - 0.1 && others < 10.0);
+}
+
+static void check_refusals(void) {
+  const avo_planner_def planner = avo_default_planner_def(AVO_METHOD_AVO);
+  avo_navigator_def def = avo_default_navigator_def();
+  avo_navigator_id navigator;
+  def.required_movement_radius = -1.0;
+  REFUSES(avo_create_navigator(&planner, &def, NULL, 0, &navigator), AVO_ERROR_INVALID_VALUE,
+          "NavigatorOptions.required_movement_radius: found -1, must be > 0 m");
+  def.size = 3;
+  REFUSES(avo_create_navigator(&planner, &def, NULL, 0, &navigator), AVO_ERROR_INVALID_DEFINITION,
+          "def.size");
+}
+
+int main(void) {
+  check_goal();
+  check_routes();
+  check_ranges();
+  check_refusals();
+  return 0;
+}

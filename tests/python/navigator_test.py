@@ -1,0 +1,58 @@
+# SPDX-License-Identifier: Apache-2.0
+"""A robot on board: to its goal, along routes, and in words."""
+import math
+
+import avo
+import pytest
+
+WALL = avo.StaticObstacle([avo.Chain([(4, -3), (4, 3)])])
+
+
+def drive(navigator, robot, most=300, start=0.0):
+    """The base does as it is told; the decisions until the goal is reached."""
+    decisions = []
+    for k in range(most):
+        decisions.append(navigator.step(robot, time=start + 0.1 * k))
+        if decisions[-1].status == "reached":
+            break
+        (x, y), (v, w), (v_1, w_1) = robot.position, robot.velocity, decisions[-1].plan.next_velocity
+        robot.position = (x + 0.05 * (v + v_1), y + 0.05 * (w + w_1))
+        robot.velocity = (v_1, w_1)
+    return decisions
+
+
+def test_it_goes_around_a_wall_to_its_goal():
+    navigator, robot = avo.Navigator(obstacles=[WALL]), avo.Robot(position=(0, 0), velocity=(0, 0))
+    assert navigator.step(robot, time=0.0).status == "idle"
+    navigator.set_goal((8, 0))
+    first = navigator.step(robot, time=0.0)
+    assert first.status == "under_way" and first.guide == "route" and first.waits_for is None
+    assert first.route_left > 10 and first.stopping_distance == 0 and first.distance_left == 0
+    assert navigator.route()[-1] == (8, 0) and abs(navigator.route()[0][1]) > 3
+    assert navigator.explain(robot).startswith("Robot 0 starts:")
+    decisions = drive(navigator, robot)
+    assert decisions[-1].status == "reached" and len(decisions) < 120
+    assert math.dist(robot.position, (8, 0)) < 0.5
+
+
+def test_it_follows_a_route_and_rests_at_a_stage():
+    navigator, robot = avo.Navigator(preferred_speed=1.5), avo.Robot(position=(0, 0), velocity=(0, 0))
+    navigator.set_route([(0, 0), (0, 6), (9, 6)])
+    assert drive(navigator, robot)[-1].status == "reached"
+    navigator.set_stages([((9, 9), 1.0), ((0, 9), 0.0)])
+    decisions = drive(navigator, robot, start=50.0)
+    assert decisions[-1].status == "reached"
+    assert sum(decision.status == "waiting" for decision in decisions) in (10, 11)
+
+
+def test_what_is_out_of_range_is_refused():
+    with pytest.raises(avo.Error, match=r"NavigatorOptions.yaw_goal_tolerance: found 0, must be > 0 rad"):
+        avo.Navigator(yaw_goal_tolerance=0)
+    with pytest.raises(avo.Error, match="route: found 1 points, must be >= 2 points"):
+        avo.Navigator().set_route([(0, 0)])
+
+
+def test_how_far_it_has_to_see():
+    planner, robot = avo.Planner(), avo.Robot(position=(0, 0))
+    assert avo.wall_range(planner, robot) == pytest.approx(2.7, abs=0.02)
+    assert avo.sensing_range(planner, robot, [robot]) == pytest.approx(9.0, abs=0.5)
