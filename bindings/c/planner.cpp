@@ -51,7 +51,7 @@ avo::Robot read_robot(const avo_robot* robot) {
 avo::PlannerOptions options_of(const avo_planner_def& def) {
   const Where here;
   avo::PlannerOptions options;
-  options.method = word<avo::Method>(def.method, 7, here, "method");
+  options.method = word<avo::Method>(def.method, 9, here, "method");
   options.motion = word<avo::Motion>(def.motion, 2, here, "motion");
   options.control_time = def.control_time;
   options.time_horizon = def.time_horizon;

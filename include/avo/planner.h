@@ -28,22 +28,38 @@ enum class Method : std::uint8_t {
   orca_clamped,
   reciprocal_velocity_obstacle,  ///< velocity obstacles with their apex between v_A and v_B
   buffered_voronoi,              ///< the robot's Voronoi cell less its radius, braking within it
+  external,  ///< v' is the preferred velocity, which another planner chose; it is adopted at once
+  /// external's choice, of which the velocity takes the part that a_max allows within a step
+  external_clamped,
 };
+
+/// Returns whether another planner chooses the velocity (avo/external_method.h).
+constexpr bool is_external(Method method) {
+  return method == Method::external || method == Method::external_clamped;
+}
 
 /// Returns whether the method has no acceleration limit and no δ: v' is adopted at once.
 constexpr bool adopts_at_once(Method method) {
   return method == Method::velocity_obstacle || method == Method::orca ||
-         method == Method::reciprocal_velocity_obstacle;
+         method == Method::reciprocal_velocity_obstacle || method == Method::external;
 }
 
 /// Returns whether v' keeps a_max and is reached at the end of the step: δ is Δt.
 constexpr bool reaches_within_step(Method method) {
-  return method == Method::orca_clamped || method == Method::buffered_voronoi;
+  return method == Method::orca_clamped || method == Method::buffered_voronoi ||
+         method == Method::external_clamped;
+}
+
+/// Returns whether a certificate may be behind the method: it then admits the method's choice, or
+/// replaces it by the nearest velocity that it admits.
+constexpr bool may_be_certified(Method method) {
+  return method == Method::avo || reaches_within_step(method);
 }
 
 /// Returns whether the method chooses a velocity without regard to the acceleration that it takes.
 constexpr bool disregards_acceleration(Method method) {
-  return adopts_at_once(method) || method == Method::orca_clamped;
+  return adopts_at_once(method) || method == Method::orca_clamped ||
+         method == Method::external_clamped;
 }
 
 /// Returns whether the method chooses outside the union of all neighbors' obstacles (§III-A).
@@ -138,7 +154,8 @@ struct PlannerOptions {
   double margin = 0.0;
   /// [Δt] s, > 0, <= time_horizon, <= control_time where motion is held, else <= 700 control_time
   double time_step = 0.1;
-  Certificate certificate = usual_certificate(method);  ///< none except with method avo
+  /// none except with method avo, and with methods that reach v' within a step
+  Certificate certificate = usual_certificate(method);
   /// >= 1: only the nearest so many neighbors get a half-plane, except neighbors that walls keep
   /// away; unset: all. A certificate covers all neighbors in any case.
   std::optional<int> max_neighbors = {};

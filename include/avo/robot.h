@@ -18,6 +18,12 @@ namespace avo {
 /// braking with this error: 2 µm after 2 m.
 inline constexpr double kHeadingTolerance = 1e-6;
 
+/// Stable name of a robot; never reused within a simulation.
+struct RobotId {
+  std::uint64_t value = 0;  ///< robots of the scenario are 0, 1, ... in its order
+  friend constexpr bool operator==(RobotId, RobotId) = default;
+};
+
 /// Robot A, the robot that decides.
 struct Robot {
   Vec2 position = {};  ///< [p_A] m, the center of its disc: see disc_center()

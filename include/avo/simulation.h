@@ -17,12 +17,6 @@
 
 namespace avo {
 
-/// Stable name of a robot; never reused within a simulation.
-struct RobotId {
-  std::uint64_t value = 0;  ///< robots of the scenario are 0, 1, ... in its order
-  friend constexpr bool operator==(RobotId, RobotId) = default;
-};
-
 /// Stable name of a static obstacle; never reused within a simulation.
 struct ObstacleId {
   std::uint64_t value = 0;  ///< obstacles of the scenario are 0, 1, ... in its order
@@ -145,7 +139,14 @@ class AVO_API Simulation {
   /// route among many walls, or around a held passage. Where memory runs out it throws
   /// std::bad_alloc. If no robot has moved by then, the step can be tried again; otherwise every
   /// later step throws Error.
+  /// Robots of an external method first get their velocities from its function. Where there is
+  /// none, where it throws, or where a velocity is not finite, the step throws and has moved
+  /// nobody.
   void step();
+
+  /// Sets the function behind the scene's external_method. A simulation that was made from saved
+  /// bytes needs it: they hold the name alone.
+  void set_external(ExternalMethod method);
 
   /// Throws Error on bad values. Under a certificate it also throws Error on a robot that would
   /// have to be seen from farther away than the sensing radius. The same holds for a start from
@@ -169,8 +170,9 @@ class AVO_API Simulation {
   /// robot, are refused. Others know the new values at once. Throws Error as add_robot() does on
   /// values that break what the certificate assumes: a larger disc, other brakes or other layers
   /// where the robot is now. A robot that is faster than its new max_speed slows down, and others
-  /// allow for that. Where clocks are free and there is a certificate, only speeds, priority, horizon
-  /// and arrival distance change. The robot keeps what it remembers. Changes nothing where it throws.
+  /// allow for that. Where clocks are free and there is a certificate, only speeds, priority,
+  /// horizon and arrival distance change. The robot keeps what it remembers. Changes nothing where
+  /// it throws.
   void change_robot(RobotId robot, const RobotSetup& setup);
   /// Sets the preferred velocity, m/s, that the robot has from now on, in place of a route to its
   /// goal; none: it goes to its goal again. Meanwhile the robot has no goal: is_at_goal() is false,
@@ -330,7 +332,8 @@ class AVO_API Simulation {
   };
   [[nodiscard]] Perception perceive(std::size_t robot) const;
   /// The decision that `robot` (an index into fleet()) would make now, with its reasons
-  /// (avo/explanation.h). Throws Error if it is parked.
+  /// (avo/explanation.h). Throws Error if it is parked. The function of an external method is asked
+  /// about this robot alone.
   [[nodiscard]] Explanation explain(std::size_t robot) const;
   [[nodiscard]] const Planner& planner() const;                   ///< of the scene's method
   [[nodiscard]] const Planner& planner(std::size_t robot) const;  ///< that this robot plans with

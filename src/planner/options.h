@@ -23,7 +23,9 @@ AVO_LOCAL inline constexpr std::array kNames<Method>{"avo",
                                                      "orca",
                                                      "orca_clamped",
                                                      "reciprocal_velocity_obstacle",
-                                                     "buffered_voronoi"};
+                                                     "buffered_voronoi",
+                                                     "external",
+                                                     "external_clamped"};
 template <>
 AVO_LOCAL inline constexpr std::array kNames<Certificate>{"none", "unknown",
                                                           "braking_trajectories"};

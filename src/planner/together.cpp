@@ -24,7 +24,7 @@
 namespace avo::inline planner {
 namespace {
 
-// The plans of the other methods.
+// The plans of the other methods, without a certificate.
 void adopt(const Planner& planner, Tile& tile, const PlanWorkspace::Scratch& scratch) {
   const DecisionColumns& decisions = scratch.decisions;
   for (std::size_t i = 0; i < tile.robots.count; ++i) {
@@ -38,7 +38,8 @@ void adopt(const Planner& planner, Tile& tile, const PlanWorkspace::Scratch& scr
     double worst = decisions.violation[i];
     if (soft.exceeding) worst = with_excess(soft.of(i), soft.excess_of(i), target, worst);
     plan = plan_of(planner.options(), tile.robots.velocity(i), target, status_of(worst), worst);
-    if (planner.options().method == Method::orca_clamped)
+    if (disregards_acceleration(planner.options().method) &&
+        reaches_within_step(planner.options().method))
       plan = clamped(planner, tile.robots.robot(i), plan, soft.of(i));
     if (soft.overlapping[i] != 0)
       tell(deepest_contact(tile.robots.robot(i), tile.robots.neighbors[i], tile.walls_of(i),
@@ -115,9 +116,10 @@ void plan_together(const Planner& planner, Tile& tile, PlanWorkspace::Scratch& s
   make_aims(planner, execution, tile, scratch.decisions);
   clock.lap(Stage::certificate);
   solve_programs(planner, tile.robots, scratch);
-  if (tile.robots.has_models || !tile.walls.empty()) keep_to_demands(planner, tile, scratch);
+  if ((tile.robots.has_models || !tile.walls.empty()) && !is_external(options.method))
+    keep_to_demands(planner, tile, scratch);
   clock.lap(Stage::program);
-  if (options.method == Method::avo) {
+  if (options.method == Method::avo || options.certificate != Certificate::none) {
     decide(planner, execution, tile, scratch);
   } else {
     adopt(planner, tile, scratch);

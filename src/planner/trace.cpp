@@ -149,7 +149,8 @@ void trace_program(const Decided& decided, DecisionTrace& trace) {
   trace.aim = decisions.aim(0);
   trace.target = trace.proposal = decisions.target(0);
   if (trace.target != trace.aim) trace_half_planes(decided, trace);
-  if (decided.planner.options().method == Method::avo)
+  const PlannerOptions& options = decided.planner.options();
+  if (options.method == Method::avo || options.certificate != Certificate::none)
     trace.proposal = {decisions.next_x[0], decisions.next_y[0]};
 }
 

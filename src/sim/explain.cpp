@@ -4,6 +4,7 @@
 
 #include "avo/error.h"
 #include "avo/explanation.h"
+#include "sim/external.h"
 #include "sim/simulation_state.h"
 #include "sim/words.h"
 
@@ -24,6 +25,7 @@ Explanation Simulation::explain(std::size_t robot) const {
                           .decision = {},
                           .state = {},
                           .sentence = {}};
+  choose_externally(*state_, explanation.robot, explanation.goal, explanation.seen);
   const Perception& seen = explanation.seen;
   DecisionTrace& decision = explanation.decision;
   PlanWorkspace workspace;

@@ -9,6 +9,7 @@
 #include "robots/model.h"
 #include "sim/clocks.h"
 #include "sim/edits.h"
+#include "sim/external.h"
 #include "sim/sense.h"
 #include "sim/world.h"
 
@@ -33,6 +34,7 @@ void look_over(World& world) {
                     [](const Conduct& conduct) { return conduct.parked; }));
   world.exceeding = std::any_of(fleet.traits.begin(), fleet.traits.end(),
                                 [](const RobotTraits& traits) { return traits.exceeds; });
+  find_external(world);
   world.valid = world.sensing_radius <= kFarthestTrusted;
   for (std::size_t i = 0; i < fleet.size(); ++i) {
     world.valid =
@@ -235,6 +237,7 @@ void step(World& world) {
   const bool is_free = world.fleet.has_clocks, near = is_free && knows_near(world);
   if (is_free && !near) assemble(world, executor);
   if (!near) index(world, executor);
+  if (!world.external.ranks.empty()) choose_externally(world, executor);
   world.torn = true;
   bool fast = false;
   std::size_t decisions = world.fleet.size() - world.parked;

@@ -112,7 +112,7 @@ World::World(const Scenario& scenario, std::shared_ptr<Executor> steps_by)
       executor(std::move(steps_by)),
       workers(executor->workers()) {
   fleet.has_clocks = scenario.clock == Clock::free;
-  fleet.method = scenario.method;
+  fleet.usual = usual_method(scenario);
   fleet.reserve(scenario.robots.size());
   settings.robots = std::vector<RobotSetup>();  // {} would keep their memory
   settings.moving_obstacles = std::vector<MovingObstacle>();

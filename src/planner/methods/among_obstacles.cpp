@@ -84,11 +84,13 @@ Plan decide_among_obstacles(const Planner& planner, const Robot& robot,
       options.method == Method::reciprocal_velocity_obstacle)
     choice = least_penalty(scratch.obstacles, planner.speed_disc(robot), options.time_horizon,
                            robot.preferred_velocity, scratch.passive);
-  if (options.method == Method::orca_clamped)
+  const bool has_certificate =
+      options.method == Method::avo || options.certificate != Certificate::none;
+  if (options.method == Method::orca_clamped && !has_certificate)
     choice = clamped(choice, robot, options.time_step, scratch.passive.limits);
   scratch.passive_choice = choice.velocity;
   Plan plan;
-  if (options.method == Method::avo) {
+  if (has_certificate) {
     plan = certify_among_movers(planner, robot, obstacles, walls, choice, overlapping, scratch);
   } else {
     const double violation =
@@ -113,7 +115,8 @@ Plan Planner::plan_among_obstacles(const Robot& robot, std::span<const Neighbor>
   Robot steering = robot;
   if (is_rest(robot.velocity)) steering.velocity = {};
   if (is_valid(robot)) steering.preferred_velocity = steered(robot, approach_of(options_));
-  if (options_.method == Method::buffered_voronoi || is_airplane(robot.model)) {
+  if (options_.method == Method::buffered_voronoi || is_external(options_.method) ||
+      is_airplane(robot.model)) {
     std::vector<Neighbor>& movers = PlanWorkspace::Scratch::of(workspace).movers;
     movers.assign(obstacles.begin(), obstacles.end());
     for (Neighbor& mover : movers) {
