@@ -110,6 +110,7 @@ struct SweepOptions {
   int jobs = 0;  ///< runs at a time; 0: as many as the machine has processors
   SweepShard shard = {};
   /// A file to which every finished run is added at once. Runs in the file are not simulated again.
+  /// Empty: none.
   std::string journal;
   /// Called from the calling thread ten times a second. `done` is the number of runs that are done,
   /// with those in the journal, and `all` the number of all runs.

@@ -25,6 +25,7 @@ from ._avo import (
     MovingObstacle,
     Neighbor,
     Neighbors,
+    OwnMethod,
     Perception,
     Plan,
     Planner,
@@ -47,8 +48,10 @@ from ._avo import (
     parting_direction,
     run,
     schema,
+    sweep,
     usual_offset,
 )
+from ._method import MethodBatch
 
 __all__ = [
     "PLAN_STATUS",
@@ -66,10 +69,12 @@ __all__ = [
     "Evasion",
     "Holonomic",
     "LoiterCircle",
+    "MethodBatch",
     "Metrics",
     "MovingObstacle",
     "Neighbor",
     "Neighbors",
+    "OwnMethod",
     "Perception",
     "Plan",
     "Planner",
@@ -93,5 +98,6 @@ __all__ = [
     "run",
     "schema",
     "svg",
+    "sweep",
     "usual_offset",
 ]

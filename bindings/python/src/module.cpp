@@ -59,5 +59,6 @@ PYBIND11_MODULE(_avo, module) {
   bind_simulation(module);
   bind_events(module);
   bind_reports(module);
+  bind_sweeps(module);
   bind_worlds(module);
 }
