@@ -173,9 +173,14 @@ void add_convert(CLI::App& app, Action& action) {
   not_empty(verb->add_option("OUTPUT", arguments.output, "its ending says the format; - is stdout"))
       ->type_name("FILE.csv|.sqlite|.mcap|.h5|.txt")
       ->required();
-  not_empty(verb->add_option("--to", arguments.to,
-                             "csv, sqlite, mcap, pedestrian-hdf5, pedestrian-text or obsmat"))
+  not_empty(
+      verb->add_option("--to", arguments.to,
+                       "csv, sqlite, mcap, recording, pedestrian-hdf5, pedestrian-text or obsmat"))
       ->type_name("FORMAT");
+  not_empty(verb->add_option("--name", arguments.name,
+                             "with --to recording: of the method that made the motion; without it "
+                             "the file's name"))
+      ->type_name("NAME");
   not_empty(verb->add_option("--scene", arguments.scene.scene, kScene))->type_name("SCENE");
   add_overrides(*verb, arguments.scene);
   add_volume(*verb);

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <fmt/format.h>
 #include <set>
+#include <span>
 #include <type_traits>
 
 #include "avo_io/printable.h"
@@ -103,15 +104,14 @@ class SweepReader {
     });
   }
 
-  /// One of avo's methods, or of the caller's. An external method has a name of its own.
+  /// One of avo's methods, or of the caller's: an external method has a name of its own.
   std::string method_named(const YamlNode& node, const std::string& path) const {
     const std::vector<OwnMethod>& own = spec_.own_methods;
     const auto is_named = [&](const OwnMethod& method) { return method.name == node.text; };
     if (std::any_of(own.begin(), own.end(), is_named)) return node.text;
-    const avo::Method method = reader_.choice(node, path, kMethods);
-    if (is_external(method))
-      reader_.fail(node, path, shown(node), "must be the name that --method gives to your own");
-    return avo::to_string(method);
+    constexpr std::size_t kExternal = 2;  // the last ones
+    return avo::to_string(
+        reader_.choice(node, path, std::span(kMethods).first(kMethods.size() - kExternal)));
   }
 
   void read_parameters() {

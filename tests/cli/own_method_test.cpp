@@ -59,9 +59,51 @@ TEST(OwnMethod, stands_in_sweeps_and_comparisons_beside_the_others) {
   for (const char* method : {"avo", "field", "safe"})
     EXPECT_NE(compared.out.find(method), std::string::npos) << compared.out;
   const ProcessResult without = sweep(yaml, {"--out", path_of("other.csv")});
-  EXPECT_EQ(without.exit_code, 2);
+  EXPECT_EQ(without.exit_code, 3);
   EXPECT_NE(without.err.find("methods.1: found \"field\", must be one of avo"), std::string::npos)
       << without.err;
+}
+
+TEST(ForeignMotion, is_a_recording_of_a_method_of_its_own) {
+  const std::string csv = path_of("rvo.csv"), h5 = path_of("rvo.h5"), page = path_of("rvo.html");
+  ASSERT_EQ(
+      run_avo({"run", "circle-12", "--set", "method=orca", "--record", csv, "--until-arrived"})
+          .exit_code,
+      0);
+  const ProcessResult made =
+      run_avo({"convert", csv, h5, "--to", "recording", "--scene", "circle-12"});
+  ASSERT_EQ(made.exit_code, 0) << made.err;
+  const std::string avo = path_of("avo.h5");
+  ASSERT_EQ(run_avo({"run", "circle-12", "--record", avo, "--until-arrived"}).exit_code, 0);
+  const ProcessResult compared =
+      run_avo({"compare", h5, avo, "--traces", path_of("t.svg"), "--arrival", path_of("a.svg")});
+  ASSERT_EQ(compared.exit_code, 0) << compared.err;
+  EXPECT_NE(compared.out.find("rvo.h5"), std::string::npos) << compared.out;
+  ASSERT_EQ(run_avo({"report", h5, page}).exit_code, 0);
+  EXPECT_NE(read_file(page).find("12 robots, method rvo"), std::string::npos);
+  EXPECT_NE(read_file(page).find("it is by rvo"), std::string::npos);
+  // the same rows, back again
+  ASSERT_EQ(run_avo({"convert", h5, path_of("back.csv")}).exit_code, 0);
+  EXPECT_EQ(read_file(path_of("back.csv")), read_file(csv));
+}
+
+TEST(ForeignMotion, is_refused_where_it_is_not_of_the_scene) {
+  const std::string csv = path_of("orca.csv"), h5 = path_of("orca.h5");
+  write_file(csv, "time,robot,x,y,vx,vy\n0,0,0,0,1,0\n70,0,1,0,1,0\n");
+  const auto refused = [&](Strings more) {
+    more.insert(more.begin(), {"convert", csv, h5, "--to", "recording"});
+    const ProcessResult result = run_avo(more);
+    EXPECT_NE(result.exit_code, 0);
+    EXPECT_FALSE(exists(h5));
+    return result.err;
+  };
+  EXPECT_NE(refused({}).find("--scene: found none, must be given with --to recording"),
+            std::string::npos);
+  EXPECT_NE(refused({"--scene", "circle-3"}).find("another name than avo's own"),
+            std::string::npos);
+  EXPECT_NE(refused({"--scene", "circle-3", "--name", "rvo", "--set", "duration=60"})
+                .find("found 70 s, must be <= 60 s, the duration of the scene"),
+            std::string::npos);
 }
 
 TEST(OwnMethod, is_refused_where_it_cannot_be_had) {

@@ -116,7 +116,7 @@ def test_sweeps_name_methods_of_ones_own(tmp_path):
     assert [row["state_hash"] for row in again] == [row["state_hash"] for row in rows]
     with pytest.raises(avo.Error, match="methods.1"):
         avo.sweep(spec)
-    with pytest.raises(avo.Error, match="must be the name that --method gives to your own"):
+    with pytest.raises(avo.Error, match="must be one of avo, avo_paper"):
         avo.sweep({**spec, "methods": ["external"]})
 
 

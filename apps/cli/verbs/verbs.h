@@ -89,6 +89,7 @@ struct ConvertArguments {
   std::string output;     ///< "-": standard output
   SceneArguments scene;   ///< empty: the scene that the recording contains, if it contains one
   std::string to;         ///< a word of avo_io::kExportFormats; empty: by the output's ending
+  std::string name;       ///< of the method of a recording; empty: the recording's stem
 };
 int convert(const ConvertArguments& arguments);
 
