@@ -29,7 +29,7 @@ OUTER = {
     "io": {"avo", "avo_io", "io", "core/elementary.h", "core/ranges.h", "core/removed.h", "core/retell.h"},
     "bindings/c": {"avo", "avo_io", "avo_c", "core/removed.h"},
     "figures": {"avo", "figures"},
-    "apps": {"avo", "avo_io", "figures", "cli", "apps", "paper_figures", "verbs", "reports", "completion", "lab_page"},
+    "apps": {"avo", "avo_io", "bindings/c/external.h", "figures", "cli", "apps", "paper_figures", "verbs", "reports", "completion", "lab_page"},
     "bindings/python": {"avo", "avo_io", "core/removed.h"},
     "lab/wasm": {"avo", "avo_io", "io", "figures", "core/elementary.h", "core/retell.h", "planner/certify.h",
                  "sim/state/saved_state.h", "walls/segment.h", "walls/wall_grid.h"},

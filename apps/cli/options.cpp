@@ -14,6 +14,7 @@
 #include "completion/generate.h"
 #include "exit_codes.h"
 #include "option_parts.h"
+#include "own_methods.h"
 #include "terminal.h"
 #include "verbs/verbs.h"
 #include "words.h"
@@ -25,6 +26,7 @@ namespace {
 void add_scene(CLI::App& verb, SceneArguments& arguments) {
   not_empty(verb.add_option("SCENE", arguments.scene, kScene))->required();
   add_overrides(verb, arguments);
+  add_own_methods(verb, arguments.own_method, false);
   add_remedies(verb, arguments);
 }
 
@@ -138,6 +140,7 @@ void add_replay(CLI::App& app, Action& action) {
   not_empty(verb->add_option("RECORDING", arguments.recording, "as avo run --record writes it"))
       ->type_name("FILE.h5")
       ->required();
+  add_own_methods(*verb, arguments.own_method, false);
   verb->add_flag("--json", arguments.json, "as JSON");
   add_threads(*verb, arguments.threads);
   add_volume(*verb);
@@ -170,9 +173,14 @@ void add_convert(CLI::App& app, Action& action) {
   not_empty(verb->add_option("OUTPUT", arguments.output, "its ending says the format; - is stdout"))
       ->type_name("FILE.csv|.sqlite|.mcap|.h5|.txt")
       ->required();
-  not_empty(verb->add_option("--to", arguments.to,
-                             "csv, sqlite, mcap, pedestrian-hdf5, pedestrian-text or obsmat"))
+  not_empty(
+      verb->add_option("--to", arguments.to,
+                       "csv, sqlite, mcap, recording, pedestrian-hdf5, pedestrian-text or obsmat"))
       ->type_name("FORMAT");
+  not_empty(verb->add_option("--name", arguments.name,
+                             "with --to recording: of the method that made the motion; without it "
+                             "the file's name"))
+      ->type_name("NAME");
   not_empty(verb->add_option("--scene", arguments.scene.scene, kScene))->type_name("SCENE");
   add_overrides(*verb, arguments.scene);
   add_volume(*verb);

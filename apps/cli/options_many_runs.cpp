@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 
 #include "option_parts.h"
+#include "own_methods.h"
 #include "verbs/verbs.h"
 
 namespace avo_cli {
@@ -32,6 +33,7 @@ void add_sweep(CLI::App& app, Action& action) {
       verb->add_option("--merge", arguments.tables, "runs nothing: joins the tables of all shards"))
       ->type_name("FILE.csv|.h5")
       ->excludes(shard);
+  add_own_methods(*verb, arguments.own_methods, true);
   add_volume(*verb);
   verb->footer("Example: avo sweep sweep.yaml --out runs.csv --summary summary.csv");
   verb->callback([&action] { action = [] { return sweep(arguments); }; });
@@ -83,6 +85,7 @@ void add_report(CLI::App& app, Action& action) {
   not_empty(verb->add_option("--line", arguments.line,
                              "of a recording: tell the flow across this line, its ends in m"))
       ->type_name("X,Y,X,Y");
+  add_own_methods(*verb, arguments.own_methods, true);
   add_volume(*verb);
   verb->footer("Example: avo report out.h5 out.html");
   verb->callback([&action] { action = [] { return report(arguments); }; });

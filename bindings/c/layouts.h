@@ -54,6 +54,8 @@ template <typename Cpp>
 constexpr bool is(int c, Cpp cpp) {
   return c == static_cast<int>(cpp);
 }
+static_assert(is(AVO_METHOD_EXTERNAL_CLAMPED, avo::Method::external_clamped));
+static_assert(is(AVO_METHOD_EXTERNAL, avo::Method::external));
 static_assert(is(AVO_METHOD_BUFFERED_VORONOI, avo::Method::buffered_voronoi));
 static_assert(is(AVO_METHOD_RECIPROCAL_VELOCITY_OBSTACLE,
                  avo::Method::reciprocal_velocity_obstacle));

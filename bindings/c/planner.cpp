@@ -55,7 +55,7 @@ std::span<const avo::Wall> walls_of(const avo_wall* walls, std::size_t count) {
 avo::PlannerOptions options_of(const avo_planner_def& def) {
   const Where here;
   avo::PlannerOptions options;
-  options.method = word<avo::Method>(def.method, 7, here, "method");
+  options.method = word<avo::Method>(def.method, 9, here, "method");
   options.motion = word<avo::Motion>(def.motion, 2, here, "motion");
   options.control_time = def.control_time;
   options.time_horizon = def.time_horizon;

@@ -12,7 +12,7 @@ std::optional<avo::LoiterCircle> circle_of(const avo_loiter_circle& circle) {
 
 std::optional<avo::Method> own_method(std::int32_t method, const Where& where) {
   if (method == AVO_UNSET) return std::nullopt;
-  return word<avo::Method>(method, 7, where, "method");
+  return word<avo::Method>(method, 9, where, "method");
 }
 
 // A value that is unset is 0 in C.

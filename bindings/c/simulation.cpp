@@ -2,6 +2,7 @@
 // Simulations: made, stepped, edited.
 #include "avo/simulation.h"
 
+#include "external.h"
 #include "simulations.h"
 
 namespace avo_c {
@@ -123,6 +124,13 @@ avo_result avo_simulation_step(avo_simulation_id simulation) {
     observe(own);
     if (!has_events)
       fail(AVO_ERROR_OUT_OF_MEMORY, "events: memory ran out, the step is done, they end");
+  });
+}
+
+avo_result avo_simulation_set_external(avo_simulation_id simulation, avo_external_method* external,
+                                       void* context) {
+  return changed(simulation, [&](Simulation& own) {
+    own.simulation.set_external(external_of(external, context));
   });
 }
 

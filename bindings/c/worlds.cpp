@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "convert.h"
+#include "external.h"
 
 namespace avo_c {
 namespace {
@@ -74,7 +75,7 @@ void read_settings(const avo_simulation_def& def, avo::Scenario& scenario) {
   scenario.time_horizon = unless_zero(def.time_horizon);
   scenario.sensing_radius = unless_zero(def.sensing_radius);
   scenario.max_neighbors = unless_zero(def.max_neighbors);
-  scenario.method = word<avo::Method>(def.method, 7, here, "method");
+  scenario.method = word<avo::Method>(def.method, 9, here, "method");
   require_unused(def.unused, here, "samples");
   if (def.certificate != AVO_UNSET)
     scenario.certificate = word<avo::Certificate>(def.certificate, 3, here, "certificate");
@@ -92,6 +93,8 @@ void read_settings(const avo_simulation_def& def, avo::Scenario& scenario) {
   scenario.clock = word<avo::Clock>(def.clock, 2, here, "clock");
   scenario.longest_step = unless_zero(def.longest_step);
   scenario.allow_broken_assumptions = def.allow_broken_assumptions;
+  scenario.external_method = def.external_method == nullptr ? "" : def.external_method;
+  scenario.external = external_of(def.external, def.external_context);
 }
 
 }  // namespace
@@ -185,6 +188,7 @@ avo_simulation_def settings_of(const avo::Scenario& scenario) {
   def.localization = to_c(scenario.sensing.localization);
   def.sensing_error = {error.position, error.velocity};
   def.allow_broken_assumptions = scenario.allow_broken_assumptions;
+  def.external_method = scenario.external_method.c_str();
   def.workers = 1;
   return def;
 }
@@ -193,7 +197,7 @@ avo_simulation_def settings_of(const avo::Scenario& scenario) {
 
 avo_simulation_def avo_default_simulation_def(void) {
   avo_simulation_def def = avo_c::settings_of({});
-  def.name = nullptr;
+  def.name = def.external_method = nullptr;
   return def;
 }
 

@@ -10,6 +10,7 @@
 #include "avo/executor.h"
 #include "avo/explanation.h"
 #include "avo/export.h"
+#include "avo/external_method.h"
 #include "avo/geometry.h"
 #include "avo/half_plane.h"
 #include "avo/horizon.h"

@@ -19,6 +19,9 @@ enum class Method : std::uint8_t {
   orca_clamped,
   reciprocal_velocity_obstacle,  ///< velocity obstacles with their apex between v_A and v_B
   buffered_voronoi,              ///< the robot's Voronoi cell less its radius, braking within it
+  external,  ///< v' is the preferred velocity, which another planner chose; it is adopted at once
+  /// external's choice, of which the velocity takes the part that a_max allows within a step
+  external_clamped,
 };
 
 /// What no decision may break, whatever the half-planes ask for (docs/certificate.md).
@@ -35,12 +38,13 @@ AVO_API const char* to_string(Certificate certificate);
 /// What distinguishes a method, and its usual options: by default those of the paper (§VI-A).
 struct MethodTraits {
   Method method = Method::avo;
-  bool has_rules = false;       ///< rules shape what the robot wants, and it may have a certificate
+  bool has_rules = false;       ///< rules shape what the robot wants
   bool lags = false;            ///< v' is approached with the lag of Eq. (7)
   bool adopts_at_once = false;  ///< there is no acceleration limit and no δ
   bool clamps = false;  ///< of its choice the velocity takes the part that a_max allows in a step
   bool stays_in_cell = false;  ///< the robot keeps to its Voronoi cell, in place of half-planes
   bool avoids_union = false;  ///< it chooses outside the union of all neighbors' obstacles (§III-A)
+  bool is_external = false;   ///< another planner chooses the velocity (avo/external_method.h)
   bool is_reciprocal = false;  ///< the apexes of obstacles lie between v_A and v_B
   double control_time = 4.0;   ///< [δ] s
   double time_horizon = 10.0;  ///< [τ] s
@@ -49,7 +53,7 @@ struct MethodTraits {
 };
 
 /// One row for each method, in the order of Method.
-inline constexpr std::array<MethodTraits, 7> kMethodTraits{{
+inline constexpr std::array<MethodTraits, 9> kMethodTraits{{
     {.method = Method::avo,
      .has_rules = true,
      .control_time = 2.0,
@@ -65,6 +69,8 @@ inline constexpr std::array<MethodTraits, 7> kMethodTraits{{
      .avoids_union = true,
      .is_reciprocal = true},
     {.method = Method::buffered_voronoi, .stays_in_cell = true},
+    {.method = Method::external, .adopts_at_once = true, .is_external = true},
+    {.method = Method::external_clamped, .clamps = true, .is_external = true},
 }};
 
 /// Returns the row of the method.
@@ -80,6 +86,17 @@ constexpr bool adopts_at_once(Method method) {
 /// Returns whether v' keeps a_max and is reached at the end of the step: δ is Δt.
 constexpr bool reaches_within_step(Method method) {
   return method_traits(method).clamps || method_traits(method).stays_in_cell;
+}
+
+/// Returns whether another planner chooses the velocity.
+constexpr bool is_external(Method method) {
+  return method_traits(method).is_external;
+}
+
+/// Returns whether a certificate may be behind the method: it then admits the method's choice, or
+/// replaces it by the nearest velocity that it admits.
+constexpr bool may_be_certified(Method method) {
+  return method_traits(method).has_rules || reaches_within_step(method);
 }
 
 /// Returns whether the method chooses a velocity without regard to the acceleration that it takes.

@@ -81,7 +81,8 @@ struct PlannerOptions {
   double margin = 0.0;
   /// [Δt] s, > 0, <= time_horizon, <= control_time where motion is held, else <= 700 control_time
   double time_step = 0.1;
-  Certificate certificate = usual_certificate(method);  ///< none except with method avo
+  /// none except with method avo, and with methods that reach v' within a step
+  Certificate certificate = usual_certificate(method);
   /// >= 1: only the nearest so many neighbors get a half-plane, except neighbors that walls keep
   /// away; unset: all. A certificate covers all neighbors in any case.
   std::optional<int> max_neighbors = {};

@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "avo/export.h"
+#include "avo/ids.h"
 #include "avo/model.h"
 #include "avo/trajectory.h"
 #include "avo/vec.h"

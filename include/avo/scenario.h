@@ -4,9 +4,11 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "avo/export.h"
+#include "avo/external_method.h"
 #include "avo/planner.h"
 #include "avo/teams.h"
 #include "avo/trajectory.h"
@@ -222,6 +224,12 @@ struct Scenario {
   /// moved to places where they break the assumptions of the certificate, as onto others. They part
   /// then, and nothing is promised until they have parted.
   bool allow_broken_assumptions = false;
+  /// The name of the method of robots with method external or external_clamped, 1 to 64 bytes; not
+  /// read where there are none.
+  std::string external_method = {};
+  /// Its function, which is no key of scene files. A simulation without it can be made, and takes
+  /// no step.
+  ExternalMethod external = {};
 };
 
 /// s, between decisions of a robot of the scene.
@@ -234,12 +242,21 @@ constexpr Method method_of(const Scenario& scenario, const RobotSetup& robot) {
   return robot.method.value_or(scenario.method);
 }
 
+/// The name of the method in tables: the scene's own where that is external.
+inline std::string_view method_name(const Scenario& scenario) {
+  if (is_external(scenario.method)) return scenario.external_method;
+  return to_string(scenario.method);
+}
+
 /// The certificate that the robot's decisions never break.
 constexpr Certificate certificate_of(const Scenario& scenario, const RobotSetup& robot) {
   const Method method = method_of(scenario, robot);
   const Certificate usual = usual_certificate(method);
   return method == scenario.method ? scenario.certificate.value_or(usual) : usual;
 }
+
+/// Returns whether another planner chooses the velocities of some of its robots.
+AVO_API bool has_external(const Scenario& scenario);
 
 /// [τ] s, > 0, of a robot of the scene: its own, the scene's, or the usual one of its method.
 constexpr double time_horizon_of(const Scenario& scenario, const RobotSetup& robot) {

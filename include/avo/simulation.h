@@ -128,7 +128,14 @@ class AVO_API Simulation {
   /// route among many walls, or around a held passage. Where memory runs out it throws
   /// std::bad_alloc. If no robot has moved by then, the step can be tried again; otherwise every
   /// later step throws Error.
+  /// Robots of an external method first get their velocities from its function. Where there is
+  /// none, where it throws, or where a velocity is not finite, the step throws and has moved
+  /// nobody.
   void step();
+
+  /// Sets the function behind the scene's external_method. A simulation that was made from saved
+  /// bytes needs it: they hold the name alone.
+  void set_external(ExternalMethod method);
 
   /// Throws Error on bad values. Under a certificate it also throws Error on a robot that would
   /// have to be seen from farther away than the sensing radius. The same holds for a start from
@@ -317,7 +324,8 @@ class AVO_API Simulation {
   };
   [[nodiscard]] Perception perceive(std::size_t robot) const;
   /// The decision that `robot` (an index into fleet()) would make now, with its reasons
-  /// (avo/explanation.h). Throws Error if it is parked.
+  /// (avo/explanation.h). Throws Error if it is parked. The function of an external method is asked
+  /// about this robot alone.
   [[nodiscard]] Explanation explain(std::size_t robot) const;
   [[nodiscard]] const Planner& planner() const;                   ///< of the scene's method
   [[nodiscard]] const Planner& planner(std::size_t robot) const;  ///< that this robot plans with

@@ -11,6 +11,7 @@
 
 #include "avo/export.h"
 #include "avo/scenario.h"
+#include "avo_io/scene.h"
 
 namespace avo_io {
 
@@ -22,15 +23,17 @@ enum class ExportFormat {
   mcap,             ///< with the schemas of Foxglove
   pedestrian_text,  ///< of the archive, as PedPy reads it
   obsmat,           ///< of ETH and UCY
+  recording,        ///< as `avo run --record FILE.h5` writes it, with the scene
 };
 /// The names of the formats on the command line.
-inline constexpr std::array<std::pair<std::string_view, ExportFormat>, 6> kExportFormats{
+inline constexpr std::array<std::pair<std::string_view, ExportFormat>, 7> kExportFormats{
     {{"csv", ExportFormat::csv},
      {"sqlite", ExportFormat::sqlite},
      {"pedestrian-hdf5", ExportFormat::pedestrian_hdf5},
      {"mcap", ExportFormat::mcap},
      {"pedestrian-text", ExportFormat::pedestrian_text},
-     {"obsmat", ExportFormat::obsmat}}};
+     {"obsmat", ExportFormat::obsmat},
+     {"recording", ExportFormat::recording}}};
 
 /// Options of convert().
 struct ConvertOptions {
@@ -38,6 +41,7 @@ struct ConvertOptions {
   /// The scene of the recording; unset: the scene that the recording contains, if any. A scene
   /// without robots gives the walls.
   std::optional<avo::Scenario> scenario = {};
+  SceneSource source = {};  ///< of that scene; for the format `recording`
   /// Called with each time of the recording, s, once it is converted.
   std::function<void(double time)> converted = {};
 };

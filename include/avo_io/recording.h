@@ -78,6 +78,8 @@ class AVO_API CsvRecording final : public Recording {
   std::string rows_;
 };
 
+struct RecordedTime;
+
 /// HDF5 (docs/recordings.md). During the run, its rows are in a spool, "PATH.part", in blocks of 64
 /// times, which a thread of its own compresses. Whatever ends the process, the written blocks can
 /// be read. finish() makes an HDF5 file of them; the spool is removed once that is committed.
@@ -89,6 +91,12 @@ class AVO_API Hdf5Recording final : public Recording {
   ~Hdf5Recording() override;
   void add(const avo::Simulation& simulation) override;
   void finish(const avo::Simulation& simulation) override;
+  /// Adds rows that another program made of the scene's robots. How they were decided is unknown,
+  /// so their status is `optimal`. Throws RecordingError where the time is not in the scene, and
+  /// where a robot that is not holonomic has no heading.
+  void add(const RecordedTime& moment);
+  /// Call it after the last of such rows: there is no state of a simulation.
+  void finish();
 
  private:
   struct AVO_LOCAL State;

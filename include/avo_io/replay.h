@@ -33,10 +33,12 @@ struct Replay {
 
 /// Simulates the scene that the recording (HDF5, or a spool) contains. It compares each of the
 /// recorded values with the simulated value, until one differs. Calls observe(simulation), where it
-/// is given, at the start and after each step. Throws FileError; Error on the number of threads;
+/// is given, at the start and after each step. A scene with an external method needs its function.
+/// Throws FileError; Error on the number of threads;
 /// RecordingError also on a file of another version of avo, which need not simulate the same bits.
 AVO_API Replay replay(const std::string& recording, int threads = 0,
-                      const std::function<void(const avo::Simulation&)>& observe = {});
+                      const std::function<void(const avo::Simulation&)>& observe = {},
+                      const avo::ExternalMethod& external = {});
 
 /// Returns one line or two.
 AVO_API std::string readable(const Replay& replay);

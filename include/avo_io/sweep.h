@@ -26,13 +26,25 @@ struct SweepParameter {
   std::vector<std::string> values;  ///< as --set takes them
 };
 
+/// A method of the caller's own, which sweeps name beside avo's (docs/own_method.md).
+struct OwnMethod {
+  std::string name;  ///< 1 to 64 bytes, none of avo's
+  avo::ExternalMethod function;
+  bool clamped = true;     ///< method external_clamped, or else external
+  bool certified = false;  ///< with braking_trajectories behind it; only where it is clamped
+  std::string version;     ///< anything that changes with the function: results are not mixed
+};
+/// The changes of a scene by which its robots have that method, as `avo run --set` takes them.
+AVO_API std::vector<std::string> overrides_of(const OwnMethod& method);
+
 /// The content of a sweep's file. Its runs are numbered from 0: seeds vary fastest, then the last
 /// parameter, and scenes slowest.
 struct SweepSpec {
-  std::string name;                  ///< of the file, for messages
-  std::string text;                  ///< of the file
-  std::vector<std::string> scenes;   ///< built-in names, or paths relative to the file
-  std::vector<std::string> methods;  ///< empty: each scene's own
+  std::string name;                    ///< of the file, for messages
+  std::string text;                    ///< of the file
+  std::vector<std::string> scenes;     ///< built-in names, or paths relative to the file
+  std::vector<std::string> methods;    ///< empty: each scene's own
+  std::vector<OwnMethod> own_methods;  ///< that `methods` may name
   /// every value is combined with every value of the other keys
   std::vector<SweepParameter> parameters;
   std::vector<std::uint64_t> seeds;  ///< empty: each scene's own
@@ -49,8 +61,9 @@ struct SweepSpec {
 inline constexpr std::int64_t kMostSweepRuns = 1'000'000;
 
 /// Throws FileError, and SceneError with line and column.
-AVO_API SweepSpec load_sweep(const std::string& path);
-AVO_API SweepSpec parse_sweep(std::string_view yaml, const std::string& name);
+AVO_API SweepSpec load_sweep(const std::string& path, std::vector<OwnMethod> own_methods = {});
+AVO_API SweepSpec parse_sweep(std::string_view yaml, const std::string& name,
+                              std::vector<OwnMethod> own_methods = {});
 
 /// Returns the number of runs.
 AVO_API std::int64_t run_count(const SweepSpec& spec);
@@ -97,6 +110,7 @@ struct SweepOptions {
   int jobs = 0;  ///< runs at a time; 0: as many as the machine has processors
   SweepShard shard = {};
   /// A file to which every finished run is added at once. Runs in the file are not simulated again.
+  /// Empty: none.
   std::string journal;
   /// Called from the calling thread ten times a second. `done` is the number of runs that are done,
   /// with those in the journal, and `all` the number of all runs.

@@ -16,7 +16,8 @@ namespace avo_io {
 namespace {
 
 bool has_frames(ExportFormat format) {
-  return format != ExportFormat::csv && format != ExportFormat::mcap;
+  return format != ExportFormat::csv && format != ExportFormat::mcap &&
+         format != ExportFormat::recording;
 }
 
 /// Times as whole numbers of equal steps from the first one.
@@ -100,6 +101,7 @@ std::unique_ptr<ExportTarget> target_of(ExportFormat format, const ExportPlace& 
     case ExportFormat::obsmat:
       return export_text(place, format == ExportFormat::obsmat);
     case ExportFormat::mcap:
+    case ExportFormat::recording:
       break;
   }
   return export_mcap(place, *scenario);
@@ -117,10 +119,42 @@ void require_fitting_scene(const std::string& input, ExportFormat format,
                          "equal times; csv and mcap have times");
 }
 
+/// Makes a recording of rows of any origin, for what reads recordings with their scenes.
+Converted record(const std::string& input, const std::string& output,
+                 const ConvertOptions& options) {
+  if (!options.scenario || options.scenario->robots.empty())
+    throw avo::Error("the scene: found no robots, must have those of the recording");
+  const avo::Scenario& scenario = *options.scenario;
+  RecordingReader reader(input, static_cast<std::int64_t>(scenario.robots.size()));
+  std::optional<Hdf5Recording> recording;
+  Converted result;
+  RecordedTime moment;
+  while (reader.next(moment)) {
+    if (moment.time > scenario.duration * (1.0 + kOfStep))
+      throw RecordingError(fmt::format("{}: found {} s, must be <= {} s, the duration of the scene",
+                                       reader.place(), moment.time, scenario.duration));
+    for (const avo::CheckedState& row : moment.rows)
+      if (!row.heading && !is_holonomic(scenario.robots[static_cast<std::size_t>(row.robot)].model))
+        throw RecordingError(
+            fmt::format("{}: found no heading, must have one: robot {} is not holonomic",
+                        reader.place(row.robot), row.robot));
+    if (!recording)
+      recording.emplace(output, scenario, options.source, RecordingOptions{.every = moment.every});
+    recording->add(moment);
+    ++result.times;
+    result.rows += static_cast<std::int64_t>(moment.rows.size());
+    if (options.converted) options.converted(moment.time);
+  }
+  recording->finish();
+  recording->commit();
+  return result;
+}
+
 }  // namespace
 
 Converted convert(const std::string& input, const std::string& output,
                   const ConvertOptions& options) {
+  if (options.format == ExportFormat::recording) return record(input, output, options);
   const std::optional<avo::Scenario> scenario = scenario_of(input, options);
   const avo::Scenario* const scene = scenario ? &*scenario : nullptr;
   require_fitting_scene(input, options.format, scene);

@@ -16,7 +16,8 @@ using avo::SensingError;
 using avo::SensingModel;
 constexpr avo::Range kSeed{0.0, 18446744073709551615.0, false};
 constexpr avo::Range kDelay{0.0, avo::kMostDelay, false};
-constexpr avo::Range kName{1.0, 200.0, false};  // bytes
+constexpr avo::Range kName{1.0, 200.0, false};       // bytes
+constexpr avo::Range kMethodName{1.0, 64.0, false};  // bytes
 
 template <>
 const std::vector<Field<Scenario>>& fields() {
@@ -52,8 +53,10 @@ const std::vector<Field<Scenario>>& fields() {
       {"max_neighbors", &Scenario::max_neighbors, kOptional, kAtLeastOne, "",
        "nearest neighbors that get a half-plane", "no limit"},
       {"method", &Scenario::method, kOptional, kNoNumber, "", "how new velocities are chosen"},
+      {"external_method", &Scenario::external_method, kOptional, kMethodName, "",
+       "the name of your own method, for robots of method external or external_clamped", "none"},
       {"certificate", &Scenario::certificate, kOptional, kNoNumber, "",
-       "what no decision may break; method avo only",
+       "what no decision may break; not with methods that adopt v' at once, nor avo_paper",
        "braking_trajectories for method avo, else none"},
       {"motion", &Scenario::motion, kOptional, kNoNumber, "",
        "between decisions: acceleration held, or proportional control exactly"},

@@ -194,7 +194,7 @@ auto by_name(Choice first, Others... others) {
 inline const auto kMethods =
     by_name(avo::Method::avo, avo::Method::avo_paper, avo::Method::velocity_obstacle,
             avo::Method::orca, avo::Method::orca_clamped, avo::Method::reciprocal_velocity_obstacle,
-            avo::Method::buffered_voronoi);
+            avo::Method::buffered_voronoi, avo::Method::external, avo::Method::external_clamped);
 inline const auto kCertificates =
     by_name(avo::Certificate::none, avo::Certificate::braking_trajectories);
 inline const auto kMotions = by_name(avo::Motion::held, avo::Motion::exponential);

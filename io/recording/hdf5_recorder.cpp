@@ -99,6 +99,7 @@ struct Hdf5Recording::State {
   void hand_over();
   void wait_until_free(std::unique_lock<std::mutex>& lock);
   void stop();
+  void write_rest();
   void work();
   void write(RecordingBlock& block);
 };
@@ -172,16 +173,27 @@ void Hdf5Recording::add(const avo::Simulation& simulation) {
   if (state_->blocks[state_->filling].times == kBlockTimes) state_->hand_over();
 }
 
+void Hdf5Recording::add(const RecordedTime& moment) {
+  add_rows(moment, state_->shape, state_->blocks[state_->filling]);
+  if (state_->blocks[state_->filling].times == kBlockTimes) state_->hand_over();
+}
+
+void Hdf5Recording::State::write_rest() {
+  if (blocks[filling].times > 0) hand_over();
+  std::unique_lock lock(exchange.mutex);
+  wait_until_free(lock);
+}
+
 void Hdf5Recording::finish(const avo::Simulation& simulation) {
-  State& state = *state_;
-  if (state.blocks[state.filling].times > 0) state.hand_over();
-  {
-    std::unique_lock lock(state.exchange.mutex);
-    state.wait_until_free(lock);
-  }
-  state.spool.write_end(simulation.state_hash());
-  write_hdf5(state.spool.path(), file_.temporary(), state.path);
-  state.finished = true;
+  state_->write_rest();
+  state_->spool.write_end(simulation.state_hash());
+  finish();
+}
+
+void Hdf5Recording::finish() {
+  state_->write_rest();
+  write_hdf5(state_->spool.path(), file_.temporary(), state_->path);
+  state_->finished = true;
 }
 
 std::unique_ptr<Recording> open_recording(const std::string& path, const avo::Scenario& scenario,

@@ -2,6 +2,7 @@
 // The part of a simulation's state that a recording keeps.
 #include "io/recording/recorded_states.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
@@ -50,6 +51,26 @@ void add_states(const avo::Simulation& simulation, const BlockShape& shape, Reco
     ++next;
   }
   leave_out_before(shape.robots);
+}
+
+void add_rows(const RecordedTime& moment, const BlockShape& shape, RecordingBlock& block) {
+  const std::size_t k = block.times++;
+  block.time[k] = moment.time;
+  std::uint8_t* status = block.status.data() + k * shape.robots;
+  std::fill_n(status, shape.robots, kAbsent);
+  for (std::size_t c = 0; c < shape.columns; ++c)
+    std::fill_n(block.row(shape, c, k), shape.robots, kNoNumber);
+  for (const avo::CheckedState& row : moment.rows) {
+    const auto i = static_cast<std::size_t>(row.robot);
+    status[i] = static_cast<std::uint8_t>(avo::PlanStatus::optimal);
+    const double values[] = {row.position.x,
+                             row.position.y,
+                             row.velocity.x,
+                             row.velocity.y,
+                             row.heading ? row.heading->angle : kNoNumber,
+                             row.heading ? row.heading->speed : kNoNumber};
+    for (std::size_t c = 0; c < shape.columns; ++c) block.row(shape, c, k)[i] = values[c];
+  }
 }
 
 std::vector<avo::CheckedState> rows_of(const BlockShape& shape, const RecordingBlock& block,

@@ -132,7 +132,8 @@ void compare_hashes(const RecordingHeader& header, const avo::Simulation& simula
 }  // namespace
 
 Replay replay(const std::string& recording, int threads,
-              const std::function<void(const avo::Simulation&)>& observe) {
+              const std::function<void(const avo::Simulation&)>& observe,
+              const avo::ExternalMethod& external) {
   BlockSource source(recording);
   require_this_version(recording, source.header());
   require_same_motion(recording, source.header());
@@ -140,6 +141,7 @@ Replay replay(const std::string& recording, int threads,
   const BlockShape shape = source.shape();
   avo::Scenario recorded = scenario;
   recorded.allow_broken_assumptions = true;  // because the recorded run allowed them
+  recorded.external = external;
   avo::Simulation simulation(recorded, threads);
   avo::ClearanceFinder clearances(scenario);
   RecordingBlock now(shape);

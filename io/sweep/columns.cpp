@@ -194,7 +194,7 @@ std::vector<std::string> sweep_row(const SweepSpec& spec, const std::string& swe
                                    const SweepRun& run, const avo::Scenario& scenario,
                                    const RunOutcome& outcome) {
   std::vector<std::string> row{sweep, fmt::format("{}", run.number), run.scene,
-                               avo::to_string(scenario.method)};
+                               std::string(method_name(scenario))};
   row.insert(row.end(), run.values.begin(), run.values.end());
   row.push_back(fmt::format("{}", scenario.seed));
   row.push_back(fmt::format("{:#018x}", outcome.state_hash));

@@ -62,6 +62,7 @@ std::uint64_t hash_of(const SceneSource& source) {
 avo::Scenario scenario_of(const SweepSpec& spec, const SweepRun& run, SceneSource& source) {
   try {
     avo::Scenario scenario = load_scenario(scene_of(spec, run), overrides_of(spec, run), &source);
+    if (const OwnMethod* own = own_method_of(spec, run)) scenario.external = own->function;
     if (!scenario.allow_broken_assumptions && !avo::broken_assumptions(scenario).none())
       throw SceneError(
           "found a scene that breaks what its certificate assumes, must keep it; avo validate says "
@@ -165,6 +166,10 @@ std::string fingerprint(const SweepSpec& spec, const std::vector<std::uint64_t>&
     for (const std::string& value : parameter.values) hash.add(value);
   }
   for (const std::uint64_t seed : spec.seeds) hash.add(fmt::format("{}", seed));
+  for (const OwnMethod& own : spec.own_methods) {
+    for (const std::string& change : overrides_of(own)) hash.add(change);
+    hash.add(own.version);
+  }
   hash.add(spec.until_arrived ? "until_arrived" : "");
   for (const std::uint64_t robot : spec.judged) hash.add(fmt::format("judged {}", robot));
   if (spec.line)

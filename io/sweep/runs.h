@@ -22,6 +22,8 @@ struct SweepRun {
   std::optional<std::uint64_t> seed = {};  ///< unset: the scene's own
 };
 SweepRun run_of(const SweepSpec& spec, std::int64_t run);
+/// Returns the caller's own method of the run; none for avo's methods.
+const OwnMethod* own_method_of(const SweepSpec& spec, const SweepRun& run);
 /// Returns key=value, as --set takes them.
 std::vector<std::string> overrides_of(const SweepSpec& spec, const SweepRun& run);
 /// Returns a name or path for load_scenario().

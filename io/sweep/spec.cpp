@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <fmt/format.h>
 #include <set>
+#include <span>
 #include <type_traits>
 
 #include "avo_io/printable.h"
@@ -41,7 +42,10 @@ std::string flow_text(const Reader& reader, const YamlNode& node, const std::str
 
 class SweepReader {
  public:
-  explicit SweepReader(const Document& document) : root_(document.root), reader_(document) {}
+  SweepReader(const Document& document, std::vector<OwnMethod> own_methods)
+      : root_(document.root), reader_(document) {
+    spec_.own_methods = std::move(own_methods);
+  }
 
   SweepSpec read(const std::string& name) {
     reader_.check_keys(root_, "", {kSweepKeys.begin(), kSweepKeys.end()});
@@ -95,9 +99,19 @@ class SweepReader {
     const YamlNode* list = root_.find("methods");
     if (list == nullptr) return;
     read_list(*list, "methods", [&](const YamlNode& node, const std::string& path) {
-      spec_.methods.emplace_back(avo::to_string(reader_.choice(node, path, kMethods)));
+      spec_.methods.push_back(method_named(node, path));
       return spec_.methods.back();
     });
+  }
+
+  /// One of avo's methods, or of the caller's: an external method has a name of its own.
+  std::string method_named(const YamlNode& node, const std::string& path) const {
+    const std::vector<OwnMethod>& own = spec_.own_methods;
+    const auto is_named = [&](const OwnMethod& method) { return method.name == node.text; };
+    if (std::any_of(own.begin(), own.end(), is_named)) return node.text;
+    constexpr std::size_t kExternal = 2;  // the last ones
+    return avo::to_string(
+        reader_.choice(node, path, std::span(kMethods).first(kMethods.size() - kExternal)));
   }
 
   void read_parameters() {
@@ -183,16 +197,17 @@ class SweepReader {
 
 }  // namespace
 
-SweepSpec parse_sweep(std::string_view yaml, const std::string& name) {
+SweepSpec parse_sweep(std::string_view yaml, const std::string& name,
+                      std::vector<OwnMethod> own_methods) {
   Document document;
   document.root = parse_yaml(yaml, name, document);
-  SweepSpec spec = SweepReader(document).read(name);
+  SweepSpec spec = SweepReader(document, std::move(own_methods)).read(name);
   spec.text = yaml;
   return spec;
 }
 
-SweepSpec load_sweep(const std::string& path) {
-  return parse_sweep(read_regular_file(path), path);
+SweepSpec load_sweep(const std::string& path, std::vector<OwnMethod> own_methods) {
+  return parse_sweep(read_regular_file(path), path, std::move(own_methods));
 }
 
 std::int64_t run_count(const SweepSpec& spec) {
@@ -230,9 +245,26 @@ std::string run_name(const SweepSpec& spec, std::int64_t run) {
   return printable(name);
 }
 
+std::vector<std::string> overrides_of(const OwnMethod& method) {
+  const avo::Method kind = method.clamped ? avo::Method::external_clamped : avo::Method::external;
+  const avo::Certificate certificate =
+      method.certified ? avo::Certificate::braking_trajectories : avo::Certificate::none;
+  return {std::string("method=") + to_string(kind), "external_method=" + method.name,
+          std::string("certificate=") + to_string(certificate)};
+}
+
+const OwnMethod* own_method_of(const SweepSpec& spec, const SweepRun& run) {
+  const auto place = std::find_if(spec.own_methods.begin(), spec.own_methods.end(),
+                                  [&](const OwnMethod& own) { return own.name == run.method; });
+  return place == spec.own_methods.end() ? nullptr : &*place;
+}
+
 std::vector<std::string> overrides_of(const SweepSpec& spec, const SweepRun& run) {
   std::vector<std::string> overrides;
-  if (!run.method.empty()) overrides.push_back("method=" + run.method);
+  if (const OwnMethod* own = own_method_of(spec, run))
+    overrides = overrides_of(*own);
+  else if (!run.method.empty())
+    overrides.push_back("method=" + run.method);
   for (std::size_t i = 0; i < run.values.size(); ++i)
     overrides.push_back(spec.parameters[i].key + "=" + run.values[i]);
   if (run.seed) overrides.push_back(fmt::format("seed={}", *run.seed));

@@ -8,6 +8,7 @@
 #include <map>
 #include <mutex>
 #include <numeric>
+#include <optional>
 
 #include "io/sweep/journal.h"
 #include "io/sweep/parallel_work.h"
@@ -90,11 +91,14 @@ SweepResult run_sweep(const SweepSpec& spec, const SweepOptions& options) {
   SweepResult result;
   result.table.columns = sweep_columns(spec);
   result.runs = std::ssize(plan.runs);
-  SweepJournal journal(options.journal, plan.sweep,
-                       fmt::format("{}/{}", options.shard.index, options.shard.count),
-                       result.table.columns.size());
+  std::optional<SweepJournal> journal;
+  if (!options.journal.empty())
+    journal.emplace(options.journal, plan.sweep,
+                    fmt::format("{}/{}", options.shard.index, options.shard.count),
+                    result.table.columns.size());
   std::map<std::int64_t, std::vector<std::string>> rows;  // by number of the run
-  for (const std::vector<std::string>& row : journal.rows()) rows[number_of(row)] = row;
+  if (journal)
+    for (const std::vector<std::string>& row : journal->rows()) rows[number_of(row)] = row;
   result.resumed = std::ssize(rows);
   std::erase_if(plan.runs, [&](std::int64_t run) { return rows.contains(run); });
   prepare(plan, jobs, options);
@@ -106,7 +110,7 @@ SweepResult run_sweep(const SweepSpec& spec, const SweepOptions& options) {
     const RunOutcome outcome = simulate_run(spec, scenario);
     std::vector<std::string> row = sweep_row(spec, plan.sweep, run, scenario, outcome);
     const std::lock_guard lock(guard);
-    journal.add(row);
+    if (journal) journal->add(row);
     rows[run.number] = std::move(row);
   };
   const auto tell = [&] {

@@ -69,8 +69,10 @@ double sensing_range(const PlannerOptions& options, const Robot& robot,
   for (const Robot& other : others) {
     require_valid(other);
     const double until_rest = std::max(time_to_rest(robot, law), time_to_rest(other, law));
-    const double swing = fastest_of(robot.model, robot.max_speed) - robot.max_speed +
-                         fastest_of(other.model, other.max_speed) - other.max_speed;
+    const auto faster_by = [](const Robot& one) {
+      return (model_traits(one.model).speed_ratio - 1.0) * one.max_speed;
+    };
+    const double swing = faster_by(robot) + faster_by(other);
     const double unknown = options.sensing_error.position +
                            (options.sensing_error.velocity + swing) * until_rest +
                            unknown_by_clocks(other, law);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Decisions of method avo that a certificate may refuse.
+// Decisions that a certificate may refuse.
 #pragma once
 #include <cstddef>
 #include <span>

@@ -32,12 +32,14 @@ inline void become_mover(Neighbor& neighbor) {
 }
 
 /// Returns whether a robot has movers alone as neighbors, none of which does a share. It then
-/// avoids the union of their obstacles (§III-C) instead of taking its part of half-planes.
+/// avoids the union of their obstacles (§III-C) instead of taking its part of half-planes. An
+/// external method has avoided them already.
 /// Neighbors must come nearest first; without a certificate only the nearest count.
 template <typename Neighbors>
 bool is_among_movers(const PlannerOptions& options, const Neighbors& neighbors) {
   if (avoids_union(options.method)) return true;
-  if (method_traits(options.method).stays_in_cell) return false;
+  const MethodTraits& traits = method_traits(options.method);
+  if (traits.stays_in_cell || traits.is_external) return false;
   const std::size_t count = options.certificate == Certificate::none
                                 ? planned_with(options, neighbors.size())
                                 : neighbors.size();

@@ -48,7 +48,7 @@ Plan brake(const Planner& planner, const Robot& robot, PlanStatus status, double
   }
   if (adopts_at_once(options.method))
     return plan_of(options, robot.velocity, {}, status, violation);
-  if (method_traits(options.method).has_rules) {
+  if (goes_through_certificate(options)) {
     const CertificateLaw law = certificate_law(planner);
     return plan_under(law, robot, backup_velocity(robot, law), status, violation);
   }

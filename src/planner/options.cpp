@@ -53,7 +53,7 @@ void validate_comfort(const PlannerOptions& options, const std::string& prefix) 
 }
 
 void validate_certificate(const PlannerOptions& options, const std::string& prefix) {
-  if (options.certificate != Certificate::none && !method_traits(options.method).has_rules)
+  if (options.certificate != Certificate::none && !may_be_certified(options.method))
     refuse(prefix + "certificate", to_string(options.certificate),
            std::string("none with method ") + to_string(options.method));
   const SensingError& error = options.sensing_error;

@@ -24,7 +24,9 @@ AVO_LOCAL inline constexpr std::array kNames<Method>{"avo",
                                                      "orca",
                                                      "orca_clamped",
                                                      "reciprocal_velocity_obstacle",
-                                                     "buffered_voronoi"};
+                                                     "buffered_voronoi",
+                                                     "external",
+                                                     "external_clamped"};
 template <>
 AVO_LOCAL inline constexpr std::array kNames<Certificate>{"none", "unknown",
                                                           "braking_trajectories"};
@@ -51,6 +53,11 @@ template <>
 AVO_LOCAL inline constexpr std::array kNames<Formation>{"line", "column", "wedge", "block", "ring"};
 template <>
 AVO_LOCAL inline constexpr std::array kNames<SafetyState>{"unknown", "safe", "doomed"};
+
+/// Returns whether a certificate may refuse what the method proposes, and rule 3 then turns it.
+constexpr bool goes_through_certificate(const PlannerOptions& options) {
+  return method_traits(options.method).has_rules || options.certificate != Certificate::none;
+}
 
 /// The key in scene files of an enum of which values were removed.
 template <typename Choice>

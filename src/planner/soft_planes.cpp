@@ -11,6 +11,7 @@
 #include "planner/methods/buffered_voronoi.h"
 #include "planner/pair_planes.h"
 #include "planner/rules/margin.h"
+#include "walls/segment.h"
 
 namespace avo::inline planner {
 namespace {
@@ -222,6 +223,31 @@ void collect_others(const PlannerOptions& options, const Horizon& horizon, const
   }
 }
 
+bool touches_any(const Tile& tile, std::size_t i) {
+  const Vec2 position = tile.robots.position(i);
+  const Neighbors& neighbors = tile.robots.neighbors[i];
+  for (std::size_t k = 0; k < neighbors.size(); ++k) {
+    const Neighbor neighbor = neighbors[k];
+    if (norm(neighbor.position - position) < tile.robots.radius[i] + neighbor.radius) return true;
+  }
+  const std::span<const Wall> walls = tile.walls_of(i);
+  return std::any_of(walls.begin(), walls.end(), [&](const Wall& wall) {
+    return distance(position, {wall.a, wall.b}) < tile.robots.radius[i] + wall.radius;
+  });
+}
+
+// An external method has no half-planes; robots in contact are marked all the same.
+void collect_none(const Tile& tile, SoftPlanes& soft) {
+  soft.planes.clear();
+  soft.excess.clear();
+  soft.exceeding = false;
+  soft.first.assign(tile.robots.count + 1, 0);
+  soft.coinciding.assign(tile.robots.count, 0);
+  soft.overlapping.clear();
+  for (std::size_t i = 0; i < tile.robots.count; ++i)
+    soft.overlapping.push_back(touches_any(tile, i) ? 1 : 0);
+}
+
 }  // namespace
 
 void reserve(std::size_t robots, std::size_t pairs, SoftPlanes& soft) {
@@ -239,7 +265,10 @@ void reserve(std::size_t robots, std::size_t pairs, SoftPlanes& soft) {
 
 void collect_soft_planes(const PlannerOptions& options, const Horizon& horizon, const Tile& tile,
                          SoftPlanes& soft) {
-  if (disregards_acceleration(options.method) || method_traits(options.method).stays_in_cell) {
+  if (is_external(options.method)) {
+    collect_none(tile, soft);
+  } else if (disregards_acceleration(options.method) ||
+             method_traits(options.method).stays_in_cell) {
     collect_others(options, horizon, tile, soft);
   } else {
     collect_exact(options, horizon, tile, soft);

@@ -15,6 +15,7 @@
 #include "planner/execution.h"
 #include "planner/methods/buffered_voronoi.h"
 #include "planner/methods/clamped.h"
+#include "planner/options.h"
 #include "planner/rules/wishes.h"
 #include "planner/scratch.h"
 #include "planner/steer.h"
@@ -24,7 +25,7 @@
 namespace avo::inline planner {
 namespace {
 
-// The plans of the other methods.
+// The plans of the other methods, without a certificate.
 void adopt(const Planner& planner, Tile& tile, const PlanWorkspace::Scratch& scratch) {
   const DecisionColumns& decisions = scratch.decisions;
   for (std::size_t i = 0; i < tile.robots.count; ++i) {
@@ -114,9 +115,10 @@ void plan_together(const Planner& planner, Tile& tile, PlanWorkspace::Scratch& s
   make_aims(planner, execution, tile, scratch.decisions);
   clock.lap(Stage::certificate);
   solve_programs(planner, tile.robots, scratch);
-  if (tile.robots.has_models || !tile.walls.empty()) keep_to_demands(planner, tile, scratch);
+  if ((tile.robots.has_models || !tile.walls.empty()) && !is_external(options.method))
+    keep_to_demands(planner, tile, scratch);
   clock.lap(Stage::program);
-  if (method_traits(options.method).has_rules) {
+  if (goes_through_certificate(options)) {
     decide(planner, execution, tile, scratch);
   } else {
     adopt(planner, tile, scratch);

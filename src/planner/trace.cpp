@@ -149,7 +149,7 @@ void trace_program(const Decided& decided, DecisionTrace& trace) {
   trace.aim = decisions.aim(0);
   trace.target = trace.proposal = decisions.target(0);
   if (trace.target != trace.aim) trace_half_planes(decided, trace);
-  if (method_traits(decided.planner.options().method).has_rules)
+  if (goes_through_certificate(decided.planner.options()))
     trace.proposal = {decisions.next_x[0], decisions.next_y[0]};
 }
 

@@ -102,7 +102,7 @@ void change_robot(World& world, RobotId robot, const RobotSetup& setup) {
   changed.position = now.position, changed.velocity = now.velocity;
   changed.heading = now.heading, changed.goal = now.goal;
   if (!changed.time_step) changed.time_step = now.time_step;
-  if (changed.method == fleet.method) changed.method.reset();
+  if (changed.method == fleet.usual.method) changed.method.reset();
   if (changed.max_braking == changed.max_acceleration) changed.max_braking.reset();
   check_same_kind(now, changed, robot);
   KindAlone kind(world, now);

@@ -5,6 +5,7 @@
 #include "avo/error.h"
 #include "avo/explanation.h"
 #include "guidance/words.h"
+#include "sim/external.h"
 #include "sim/simulation_state.h"
 
 namespace avo {
@@ -24,6 +25,7 @@ Explanation Simulation::explain(std::size_t robot) const {
                           .decision = {},
                           .state = {},
                           .sentence = {}};
+  choose_externally(*state_, explanation.robot, explanation.goal, explanation.seen);
   explain_decision(own, explanation);
   return explanation;
 }

@@ -37,8 +37,16 @@ RobotTraits traits_of(const RobotSetup& setup) {
           .exceeds = model_traits(setup.model).reach > 1.0};
 }
 
-Conduct conduct_of(const RobotSetup& setup, Method usual) {
-  return {setup.priority, setup.parked, setup.method.value_or(usual),
+UsualMethod usual_method(const Scenario& scenario) {
+  return {scenario.method,
+          scenario.certificate.value_or(usual_certificate(scenario.method)) != Certificate::none};
+}
+
+Conduct conduct_of(const RobotSetup& setup, const UsualMethod& usual) {
+  const Method method = setup.method.value_or(usual.method);
+  const bool certified =
+      method == usual.method ? usual.certified : usual_certificate(method) != Certificate::none;
+  return {setup.priority, setup.parked, method,        certified,
           setup.layers,   setup.avoids, setup.behavior};
 }
 
@@ -86,7 +94,7 @@ void Fleet::add(RobotId robot, const RobotSetup& setup, const OwnPace& own_pace)
   id[slot] = robot;
   rank[slot] = static_cast<int>(slot);
   traits[slot] = traits_of(setup);
-  conduct[slot] = conduct_of(setup, method);
+  conduct[slot] = conduct_of(setup, usual);
   if (!pace.empty()) pace[slot] = own_pace;
   goal[slot] = setup.goal;
   position[slot] = disc_center(setup);
@@ -103,7 +111,7 @@ void Fleet::change(std::size_t slot, const RobotSetup& setup, const OwnPace& own
   if (pace.empty() && !(own_pace == OwnPace{})) pace.resize(size());
   if (!pace.empty()) pace[own] = own_pace;
   traits[slot] = traits_of(setup);
-  conduct[slot] = conduct_of(setup, method);
+  conduct[slot] = conduct_of(setup, usual);
   nearest[slot] = std::numeric_limits<float>::infinity();
   if (!models.empty()) own_radius[own] = setup.radius;
 }
@@ -178,7 +186,7 @@ RobotSetup Fleet::setup(std::size_t slot, const MotionState& state) const {
                    .max_braking = max_braking_of(robot_traits),
                    .behavior = conduct[slot].behavior};
   if (has_clocks && !conduct[slot].parked) setup.time_step = clock_of(slot).time_step;
-  if (conduct[slot].method != method) setup.method = conduct[slot].method;
+  if (conduct[slot].method != usual.method) setup.method = conduct[slot].method;
   if (!pace.empty()) {
     const OwnPace& own = pace[static_cast<std::size_t>(rank[slot])];
     setup.time_horizon = own.time_horizon, setup.arrival_distance = own.arrival_distance;

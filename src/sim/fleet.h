@@ -25,23 +25,30 @@ struct Conduct {
   double priority = 1.0;
   bool parked = false;
   Method method = Method::avo;
+  bool certified = true;  // it keeps the certificate
   LayerSet layers = RobotSetup{}.layers, avoids = RobotSetup{}.avoids;
   Behavior behavior = RobotSetup{}.behavior;  // towards robots that it avoids
   friend bool operator==(const Conduct&, const Conduct&) = default;
 };
-/// usual: the method of robots that have none of their own.
-Conduct conduct_of(const RobotSetup& setup, Method usual);
+/// The method of robots that have none of their own, and whether these keep a certificate.
+struct UsualMethod {
+  Method method = Method::avo;
+  bool certified = true;
+};
+UsualMethod usual_method(const Scenario& scenario);
+Conduct conduct_of(const RobotSetup& setup, const UsualMethod& usual);
 /// What A counts on from another robot that it avoids.
 enum class Expectation : std::uint8_t {
   decides,           ///< it does its share, and keeps the certificate of A, if A has one
   cooperates,        ///< it should do its share, and promises nothing
-  moves_on,          ///< it has a method of its own: only its velocity is known
+  moves_on,          ///< it keeps no certificate, and A does: only its velocity is known
   does_as_it_likes,  ///< it does not avoid A, and keeps its limits
 };
 /// None where A does not avoid B.
 inline std::optional<Expectation> expected_of(const Conduct& b, const Conduct& a) {
   if ((a.avoids.bits & b.layers.bits) == 0) return std::nullopt;
-  const bool is_like = !method_traits(a.method).has_rules || b.method == a.method;
+  const bool is_like =
+      b.method == a.method || (a.certified ? b.certified : !method_traits(a.method).has_rules);
   if ((b.avoids.bits & a.layers.bits) == 0)
     return is_like ? Expectation::does_as_it_likes : Expectation::moves_on;
   if (b.behavior == Behavior::cooperates) return Expectation::cooperates;
@@ -107,7 +114,7 @@ struct Fleet {
   std::vector<std::uint32_t> slot_of;  // by rank
   std::vector<OwnClock> clock;         // by rank; empty where the clock is common
   bool has_clocks = false;
-  Method method = Method::avo;      // of robots that have none of their own
+  UsualMethod usual;                // of robots that have none of their own
   std::vector<OwnPace> pace;        // by rank; empty where all use the first one
   std::vector<MotionModel> models;  // by rank; empty where all are holonomic
   std::vector<double> own_radius;   // m, from their setups, by rank; empty where all are holonomic

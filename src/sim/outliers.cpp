@@ -47,7 +47,7 @@ Outlier outlier_of(const World& world, std::size_t slot, double reach) {
   const Fleet& fleet = world.fleet;
   const Conduct& conduct = fleet.conduct[slot];
   Conduct usual;
-  usual.method = fleet.method;
+  usual.method = fleet.usual.method, usual.certified = fleet.usual.certified;
   usual.priority = conduct.priority;
   return {.rank = fleet.rank[slot],
           .reaches_far = reaches_beyond(world, slot, reach),

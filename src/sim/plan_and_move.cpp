@@ -131,6 +131,7 @@ void plan_and_move(World& world, const Pace& pace, std::span<const std::uint32_t
                    Worker& worker) {
   recall(world, slots, worker);
   set_out(world, pace, world.claims, slots, worker);
+  if (!world.external.chosen.empty()) take_chosen(world, slots, worker);
   worker.clock.lap(Stage::motion);
   plan_together(pace.planner, worker.tile, PlanWorkspace::Scratch::of(worker.workspace),
                 worker.clock);

@@ -107,6 +107,10 @@ void Simulation::step() {
   if (state_->fleet.size() != robots) state_->forget_robots();
 }
 
+void Simulation::set_external(ExternalMethod method) {
+  state_->settings.external = std::move(method);
+}
+
 std::vector<std::byte> Simulation::save() const {
   require_whole(*state_, "Simulation::save");
   state_->catch_up();

@@ -8,6 +8,7 @@
 #include "robots/model.h"
 #include "sim/clocks.h"
 #include "sim/edits.h"
+#include "sim/external.h"
 #include "sim/sense.h"
 #include "sim/world.h"
 
@@ -61,6 +62,7 @@ void index(World& world, Executor& executor) {
   clock.start();
   if (world.changed) {
     world.summary = summary_of(world);
+    find_external(world);
     find_ranges(world);
     find_walls(world);
     if (!world.statics.walls.empty()) make_room(world);
@@ -219,6 +221,7 @@ void step(World& world) {
   const bool is_free = world.fleet.has_clocks, near = is_free && knows_near(world);
   if (is_free && !near) assemble(world, executor);
   if (!near) index(world, executor);
+  if (!world.external.ranks.empty()) choose_externally(world, executor);
   world.torn = true;
   bool fast = false;
   std::size_t decisions = world.fleet.size() - world.summary.parked;

@@ -10,6 +10,7 @@
 #include "core/plane.h"
 #include "planner/certify.h"
 #include "planner/scratch.h"
+#include "planner/validity.h"
 #include "sim/clocks.h"
 #include "sim/scene/scene_checks.h"
 #include "sim/travels.h"
@@ -108,7 +109,7 @@ World::World(const Scenario& scenario, std::shared_ptr<Executor> steps_by)
       executor(std::move(steps_by)),
       workers(executor->workers()) {
   fleet.has_clocks = scenario.clock == Clock::free;
-  fleet.method = scenario.method;
+  fleet.usual = usual_method(scenario);
   fleet.reserve(scenario.robots.size());
   settings.robots = std::vector<RobotSetup>();  // {} would keep their memory
   settings.moving_obstacles = std::vector<MovingObstacle>();

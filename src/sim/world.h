@@ -19,6 +19,7 @@
 #include "sim/bystanders.h"
 #include "sim/claims.h"
 #include "sim/clocks.h"
+#include "sim/external.h"
 #include "sim/fleet.h"
 #include "sim/kinds.h"
 #include "sim/moving_columns.h"
@@ -116,6 +117,7 @@ struct World {
 
   Snapshot snapshot;
   Outliers outliers;
+  ExternalChoices external;
   UniformGrid obstacle_grid;
   std::shared_ptr<Executor> executor;
   SerialExecutor serial;

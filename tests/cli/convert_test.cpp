@@ -92,15 +92,15 @@ TEST(Convert, wrong_command_lines_take_one_line) {
   refused({"out.parquet"}, "the output out.parquet: found the ending \".parquet\"" + must);
   refused({"out"}, "the output out: found the ending \"\"" + must);
   refused({"-"}, "the output -: found the ending \"\"" + must);
-  refused(
-      {"out.h5"},
-      "the output out.h5: found the ending .h5 without --to, must be with --to pedestrian-hdf5");
+  refused({"out.h5"},
+          "the output out.h5: found the ending .h5 without --to, must be with --to recording or "
+          "pedestrian-hdf5");
   refused({"out.txt"},
           "the output out.txt: found the ending .txt without --to, must be with --to "
           "pedestrian-text or obsmat");
   refused({"out.csv", "--to", "mcab"},
           "--to: found mcab, must be one of csv, sqlite, pedestrian-hdf5, mcap, pedestrian-text, "
-          "obsmat; did you mean mcap?");
+          "obsmat, recording; did you mean mcap?");
   refused({"out.csv", "--to", "sqlite"},
           "the output out.csv: found the ending .csv, must be .sqlite or none");
   refused({"out.mcap"},

@@ -111,7 +111,8 @@ TEST(OwnMethods, stand_at_robots_and_at_groups) {
   EXPECT_EQ(
       refusal_of("version: 1\nrobots: [{position: [0, 0], goal: [9, 0], method: ocra}]\n"),
       "2:51: robots.0.method: found \"ocra\", must be one of avo, avo_paper, "
-      "velocity_obstacle, orca, orca_clamped, reciprocal_velocity_obstacle, buffered_voronoi; "
+      "velocity_obstacle, orca, orca_clamped, reciprocal_velocity_obstacle, buffered_voronoi, "
+      "external, external_clamped; "
       "did you mean \"orca\"?");
 }
 

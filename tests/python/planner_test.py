@@ -51,7 +51,8 @@ def test_a_contact_is_named_with_its_depth():
 
 
 @pytest.mark.parametrize("method", ["avo", "avo_paper", "velocity_obstacle", "orca", "orca_clamped",
-                                    "reciprocal_velocity_obstacle", "buffered_voronoi"])
+                                    "reciprocal_velocity_obstacle", "buffered_voronoi", "external",
+                                    "external_clamped"])
 def test_batches_have_the_bits_of_single_decisions(method):
     planner, robots = avo.Planner(method=method), crowd()
     neighbors = avo.Neighbors.among(robots, 5.0)
@@ -249,7 +250,7 @@ def one_neighbor(**fields):
 
 @pytest.mark.parametrize("make, message", [
     (lambda: avo.Planner(method="avo_papr"), 'method: found "avo_papr", must be one of avo, avo_paper, '
-     'velocity_obstacle, orca, orca_clamped, reciprocal_velocity_obstacle, buffered_voronoi; '
+     'velocity_obstacle, orca, orca_clamped, reciprocal_velocity_obstacle, buffered_voronoi, external, external_clamped; '
      'did you mean "avo_paper"?'),
     (lambda: avo.Planner(time_step=-1.0), "time_step: found -1"),
     (lambda: avo.Planner(certificate="stopping_capsules"),

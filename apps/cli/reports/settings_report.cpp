@@ -51,7 +51,7 @@ std::string methods_of(const avo::Scenario& scenario) {
   std::map<avo::Method, std::int64_t> others;
   for (const avo::RobotSetup& robot : scenario.robots)
     if (method_of(scenario, robot) != scenario.method) ++others[method_of(scenario, robot)];
-  std::string text = avo::to_string(scenario.method);
+  std::string text(method_name(scenario));
   for (const auto& [method, count] : others)
     text += fmt::format(", {} robots by {}", count, avo::to_string(method));
   return text;

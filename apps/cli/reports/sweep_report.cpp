@@ -15,6 +15,7 @@
 #include "exit_codes.h"
 #include "figures/trajectories.h"
 #include "lab_page.h"
+#include "own_methods.h"
 #include "reports/comparison.h"
 #include "reports/html.h"
 #include "reports/report_parts.h"
@@ -239,7 +240,8 @@ std::string sweep_page(const ReportArguments& arguments) {
   std::vector<std::pair<std::string, std::string>> provenance{
       {"avo", avo::kVersion}, {"table", arguments.input}, {"sweep", table.rows.front().front()}};
   if (!arguments.spec.empty()) {
-    const avo_io::SweepSpec spec = avo_io::load_sweep(arguments.spec);
+    const avo_io::SweepSpec spec =
+        avo_io::load_sweep(arguments.spec, own_methods_of(arguments.own_methods));
     const std::vector<std::string> shown = run_sections(arguments, spec, table);
     sections.insert(sections.end(), shown.begin(), shown.end());
     sections.push_back(

@@ -14,6 +14,7 @@
 #include "avo_io/nearest.h"
 #include "avo_io/printable.h"
 #include "avo_io/recording.h"
+#include "avo_io/sweep.h"
 #include "exit_codes.h"
 #include "files.h"
 #include "reports/settings_report.h"
@@ -35,6 +36,7 @@ struct Ending {
 constexpr Ending kEndings[] = {{".csv", ExportFormat::csv},
                                {".sqlite", ExportFormat::sqlite},
                                {".h5", ExportFormat::pedestrian_hdf5},
+                               {".h5", ExportFormat::recording},
                                {".mcap", ExportFormat::mcap},
                                {".txt", ExportFormat::pedestrian_text},
                                {".txt", ExportFormat::obsmat}};
@@ -62,7 +64,7 @@ ExportFormat format_of(const ConvertArguments& arguments) {
   if (ending == ".h5" || ending == ".txt")
     throw UsageError(fmt::format(
         "the output {}: found the ending {} without --to, must be with --to {}", arguments.output,
-        ending, ending == ".h5" ? "pedestrian-hdf5" : "pedestrian-text or obsmat"));
+        ending, ending == ".h5" ? "recording or pedestrian-hdf5" : "pedestrian-text or obsmat"));
   for (const Ending& known : kEndings)
     if (ending == known.ending) return known.format;
   throw UsageError(fmt::format(
@@ -70,10 +72,29 @@ ExportFormat format_of(const ConvertArguments& arguments) {
       arguments.output, avo_io::printable(ending, kLongestWord)));
 }
 
+/// The scene of --scene for a recording of another program: its robots have a method of their own,
+/// that nobody can ask again. --set may still change it.
+SceneArguments by_another_method(const ConvertArguments& arguments) {
+  SceneArguments scene = arguments.scene;
+  if (scene.scene.empty())
+    throw UsageError("--scene: found none, must be given with --to recording");
+  const std::string stem = std::filesystem::path(arguments.recording).stem().string();
+  const avo_io::OwnMethod method{.name = arguments.name.empty() ? stem : arguments.name,
+                                 .function = {},
+                                 .clamped = false,
+                                 .certified = false,
+                                 .version = ""};
+  const std::vector<std::string> changes = overrides_of(method);
+  scene.overrides.insert(scene.overrides.begin(), changes.begin(), changes.end());
+  return scene;
+}
+
 /// Returns the scene of --scene, or the scene in the recording, with the overrides.
-std::optional<avo::Scenario> scenario_of(const ConvertArguments& arguments) {
+std::optional<avo::Scenario> scenario_of(const ConvertArguments& arguments,
+                                         avo_io::SceneSource& source) {
+  if (format_of(arguments) == ExportFormat::recording)
+    return with_overrides(by_another_method(arguments), source);
   if (!arguments.scene.scene.empty()) {
-    avo_io::SceneSource source;
     avo::Scenario scenario = with_overrides(arguments.scene, source, true);
     tell_settings(arguments.scene, scenario, source);
     return scenario;
@@ -112,7 +133,10 @@ int convert(const ConvertArguments& arguments) {
     throw UsageError("the recording and --scene: found - twice, must be one standard input only");
   require_distinct({{"the recording", arguments.recording}, file_of(arguments.scene)},
                    {{"the output", arguments.output}});
-  avo_io::ConvertOptions options{.format = format, .scenario = scenario_of(arguments)};
+  if (!arguments.name.empty() && format != ExportFormat::recording)
+    throw UsageError("--name: found without --to recording, must be with it");
+  avo_io::ConvertOptions options{.format = format};
+  options.scenario = scenario_of(arguments, options.source);
   if (format == ExportFormat::mcap && options.scenario && options.scenario->robots.empty())
     throw UsageError("--scene: found no robots in it, must have them: MCAP shows radii");
   if (format == ExportFormat::mcap && !options.scenario) {

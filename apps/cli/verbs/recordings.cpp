@@ -8,6 +8,7 @@
 #include "avo_io/replay.h"
 #include "exit_codes.h"
 #include "files.h"
+#include "own_methods.h"
 #include "signals.h"
 #include "terminal.h"
 #include "verbs/verbs.h"
@@ -28,14 +29,16 @@ std::string recovered_path(const RecoverArguments& arguments) {
 }  // namespace
 
 int replay(const ReplayArguments& arguments) {
-  const auto own = avo_io::read_recorded_scene(arguments.recording);
-  if (!own)
+  const std::vector<avo_io::OwnMethod> own = own_methods_of(arguments.own_method);
+  const auto recorded = avo_io::read_recorded_scene(arguments.recording);
+  if (!recorded)
     throw avo_io::RecordingError(arguments.recording +
                                  ": found no scene in it, must be a recording as HDF5");
-  Progress progress(own->scenario.duration, true);
+  Progress progress(recorded->scenario.duration, true);
   const avo_io::Replay result = avo_io::replay(
       arguments.recording, arguments.threads,
-      [&progress](const avo::Simulation& simulation) { progress.show(simulation.time()); });
+      [&progress](const avo::Simulation& simulation) { progress.show(simulation.time()); },
+      own.empty() ? avo::ExternalMethod() : own.front().function);
   if (arguments.json)
     print(avo_io::to_json(result));
   else

@@ -19,6 +19,7 @@
 #include "files.h"
 #include "lab_page.h"
 #include "measuring_line.h"
+#include "own_methods.h"
 #include "reports/curves.h"
 #include "reports/html.h"
 #include "reports/report_parts.h"
@@ -62,9 +63,14 @@ Again told_by_rows(const avo_io::RecordedRun& run, const std::string& why) {
 }
 
 /// Returns the run's summary from simulating it again until the recording's last time.
-Again simulated_again(const std::string& recording, const avo_io::RecordingHeader& header,
+Again simulated_again(const ReportArguments& arguments, const avo_io::RecordingHeader& header,
                       const avo_io::RecordedRun& run,
                       const std::optional<avo::MeasuringLine>& line) {
+  const std::vector<avo_io::OwnMethod> own = own_methods_of(arguments.own_methods);
+  if (own.empty() && has_external(run.scenario))
+    return told_by_rows(run, "Without --method the run is not simulated again: it is by " +
+                                 as_html(run.scenario.external_method) +
+                                 ", a method of its maker's own.");
   if (header.version != avo::kVersion)
     return told_by_rows(run,
                         "Another version of avo has made the recording, so that it is not "
@@ -75,11 +81,13 @@ Again simulated_again(const std::string& recording, const avo_io::RecordingHeade
                                  "simulated again.");
   avo::Metrics metrics(run.scenario, {.crowd = false, .line = line});
   Progress progress(run.moments.back().time);
-  const avo_io::Replay replay =
-      avo_io::replay(recording, 0, [&](const avo::Simulation& simulation) {
+  const avo_io::Replay replay = avo_io::replay(
+      arguments.input, 0,
+      [&](const avo::Simulation& simulation) {
         metrics.observe(simulation);
         progress.show(simulation.time());
-      });
+      },
+      own.empty() ? avo::ExternalMethod() : own.front().function);
   if (replay.difference)
     return told_by_rows(run,
                         "Simulated again, the run is another one than the recording, so that there "
@@ -89,17 +97,18 @@ Again simulated_again(const std::string& recording, const avo_io::RecordingHeade
 }
 
 /// Returns the command that makes the recording again.
-std::string command_of(const avo_io::RecordingHeader& header, const std::string& recording,
+std::string command_of(const avo_io::RecordingHeader& header, const ReportArguments& arguments,
                        const Again& again, double end) {
   std::string command = "avo run " + shell_word(header.scene.name);
   command += set_options(header.scene.overrides);
+  for (const std::string& own : arguments.own_methods) command += " --method " + shell_word(own);
   if (header.scene.start_at_rest) command += " --start-at-rest";
   if (header.scene.limit_speed) command += " --limit-speed";
   if (header.every > 1) command += fmt::format(" --every {}", header.every);
   if (header.until_arrived) command += " --until-arrived";
   const bool as_asked = again.to_the_end || (header.until_arrived && again.all_arrived);
   if (!as_asked) command += fmt::format(" --duration {}", end);  // e.g. ended by a signal
-  return command + " --record " + shell_word(recording);
+  return command + " --record " + shell_word(arguments.input);
 }
 
 std::string chart_of(const std::string& y_label, const std::vector<avo::Vec2>& points,
@@ -149,7 +158,7 @@ std::string recording_page(const ReportArguments& arguments) {
   std::string scene = header.scene.yaml;
   for (const avo_io::SceneFile& file : header.scene.files)
     scene += fmt::format("\n# {}: {} bytes, in the recording\n", file.path, file.text.size());
-  const Again again = simulated_again(arguments.input, header, run, line);
+  const Again again = simulated_again(arguments, header, run, line);
   Rows provenance{{"avo", header.version},
                   {"build", header.build},
                   {"seed", std::to_string(header.seed)},
@@ -158,13 +167,13 @@ std::string recording_page(const ReportArguments& arguments) {
     provenance.emplace_back("state hash", fmt::format("{:#018x}", *header.state_hash));
   return page_of(
       scenario.name,
-      fmt::format("{} robots, method {}, {:.6g} s", scenario.robots.size(),
-                  avo::to_string(scenario.method), judgement.report.to),
+      fmt::format("{} robots, method {}, {:.6g} s", scenario.robots.size(), method_name(scenario),
+                  judgement.report.to),
       {fmt::format("<p><span class=\"verdict {0}\">{0}</span></p>\n", verdict),
        replay_of(arguments.input, run), page_figures("Figures", figures_of(run)),
        page_section("Results", again.results),
        page_text("What was judged", avo_io::readable(judgement)),
-       page_text("Command", command_of(header, arguments.input, again, run.moments.back().time)),
+       page_text("Command", command_of(header, arguments, again, run.moments.back().time)),
        page_text("Scene", scene), page_section("Made by", table_of(provenance))});
 }
 

@@ -16,6 +16,7 @@
 #include "avo_io/scene.h"
 #include "exit_codes.h"
 #include "files.h"
+#include "own_methods.h"
 #include "reports/settings_report.h"
 #include "terminal.h"
 #include "verbs/verbs.h"
@@ -24,9 +25,14 @@ namespace avo_cli {
 
 avo::Scenario with_overrides(const SceneArguments& arguments, avo_io::SceneSource& source,
                              bool may_lack_robots) {
+  const std::vector<avo_io::OwnMethod> own = own_methods_of(arguments.own_method);
+  std::vector<std::string> overrides;
+  if (!own.empty()) overrides = overrides_of(own.front());
+  overrides.insert(overrides.end(), arguments.overrides.begin(), arguments.overrides.end());
   try {
     const auto load = may_lack_robots ? avo_io::load_surroundings : avo_io::load_scenario;
-    avo::Scenario scenario = load(arguments.scene, arguments.overrides, &source);
+    avo::Scenario scenario = load(arguments.scene, overrides, &source);
+    if (!own.empty()) scenario.external = own.front().function;
     warn(source.notes);
     return scenario;
   } catch (const avo_io::OverrideError& error) {

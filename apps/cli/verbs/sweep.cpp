@@ -18,6 +18,7 @@
 #include "avo_io/recording.h"
 #include "exit_codes.h"
 #include "files.h"
+#include "own_methods.h"
 #include "signals.h"
 #include "terminal.h"
 #include "verbs/verbs.h"
@@ -142,7 +143,8 @@ class SweepProgress {
 int sweep(const SweepArguments& arguments) {
   check_sweep(arguments);
   const avo_io::SweepShard shard = shard_of(arguments.shard);
-  const avo_io::SweepSpec spec = avo_io::load_sweep(arguments.spec);
+  const avo_io::SweepSpec spec =
+      avo_io::load_sweep(arguments.spec, own_methods_of(arguments.own_methods));
   if (!arguments.tables.empty()) return merge(arguments, spec);
   if (shard.count > run_count(spec))  // a table without runs is not allowed
     throw UsageError(

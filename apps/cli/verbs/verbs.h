@@ -21,6 +21,7 @@ struct SceneArguments {
   std::map<std::string, std::string> typed_as;
   bool start_at_rest = false;
   bool limit_speed = false;
+  std::vector<std::string> own_method;  ///< see own_methods.h; one, or none
 };
 /// A file that the command line names.
 struct NamedFile {
@@ -71,6 +72,7 @@ int check(const CheckArguments& arguments);
 
 struct ReplayArguments {
   std::string recording;
+  std::vector<std::string> own_method;  ///< of the recorded scene; none: it has none
   bool json = false;
   int threads = 0;
 };
@@ -87,6 +89,7 @@ struct ConvertArguments {
   std::string output;     ///< "-": standard output
   SceneArguments scene;   ///< empty: the scene that the recording contains, if it contains one
   std::string to;         ///< a word of avo_io::kExportFormats; empty: by the output's ending
+  std::string name;       ///< of the method of a recording; empty: the recording's stem
 };
 int convert(const ConvertArguments& arguments);
 
@@ -105,6 +108,7 @@ struct ReportArguments {
   std::string spec;  ///< for a sweep; empty: none
   /// for a sweep: the run to show in motion; unset: the first one
   std::optional<std::int64_t> run;
+  std::vector<std::string> own_methods;  ///< of the recording or the sweep
   std::string line;  ///< "X,Y,X,Y", for a recording: the line of the measured flow; empty: none
 };
 int report(const ReportArguments& arguments);
@@ -129,8 +133,9 @@ int bench(const BenchArguments& arguments);
 
 struct SweepArguments {
   std::string spec;
-  std::string output;   ///< table of the runs
-  std::string summary;  ///< empty: none
+  std::vector<std::string> own_methods;  ///< see own_methods.h
+  std::string output;                    ///< table of the runs
+  std::string summary;                   ///< empty: none
   std::string shard = "1/1";
   std::vector<std::string> tables;  ///< tables to join; empty: the sweep is run
   int jobs = 0;

@@ -29,6 +29,7 @@ from ._avo import (
     NavigatorDecision,
     Neighbor,
     Neighbors,
+    OwnMethod,
     Perception,
     Plan,
     Planner,
@@ -57,9 +58,11 @@ from ._avo import (
     run,
     schema,
     sensing_range,
+    sweep,
     usual_offset,
     wall_range,
 )
+from ._method import MethodBatch
 
 __all__ = [
     "PLAN_STATUS",
@@ -79,12 +82,14 @@ __all__ = [
     "Follow",
     "Holonomic",
     "LoiterCircle",
+    "MethodBatch",
     "Metrics",
     "MovingObstacle",
     "Navigator",
     "NavigatorDecision",
     "Neighbor",
     "Neighbors",
+    "OwnMethod",
     "Perception",
     "Plan",
     "Planner",
@@ -114,6 +119,7 @@ __all__ = [
     "schema",
     "sensing_range",
     "svg",
+    "sweep",
     "usual_offset",
     "wall_range",
 ]

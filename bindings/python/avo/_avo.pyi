@@ -1,10 +1,12 @@
 # SPDX-License-Identifier: Apache-2.0
-from collections.abc import Sequence
+from collections.abc import Callable, Mapping, Sequence
 from os import PathLike
 from typing import Any, Literal, Union, final, overload
 
 import numpy as np
 import numpy.typing as npt
+
+from ._method import MethodBatch
 
 _Float = Union[float, np.floating[Any], np.integer[Any]]
 _Int = Union[int, np.integer[Any]]
@@ -24,7 +26,11 @@ _Method = Literal[
     "orca_clamped",
     "reciprocal_velocity_obstacle",
     "buffered_voronoi",
+    "external",
+    "external_clamped",
 ]
+_MethodFunction = Callable[[MethodBatch], npt.ArrayLike]
+_Output = Literal["velocity", "acceleration"]
 _Motion = Literal["held", "exponential"]
 _Certificate = Literal["none", "braking_trajectories"]
 _Clock = Literal["common", "free"]
@@ -597,6 +603,17 @@ class Scenario:
     @property
     def method(self) -> _Method: ...
     @property
+    def external_method(self) -> str: ...
+    def with_method(
+        self,
+        name: str,
+        function: _MethodFunction | None,
+        *,
+        clamped: bool = True,
+        certified: bool = False,
+        output: _Output = "velocity",
+    ) -> Scenario: ...
+    @property
     def motion(self) -> _Motion: ...
     @property
     def clock(self) -> _Clock: ...
@@ -664,6 +681,7 @@ class Simulation:
     @staticmethod
     def from_saved(saved: bytes, threads: _Int = 0, name: str = "") -> Simulation: ...
     def step(self, n: _Int = 1) -> None: ...
+    def set_external(self, function: _MethodFunction | None, *, output: _Output = "velocity") -> None: ...
     def save(self) -> bytes: ...
     def restore(self, saved: bytes) -> None: ...
     def __copy__(self) -> Simulation: ...
@@ -856,6 +874,24 @@ def check(
     require_arrival: bool = False,
     movers_at_rest: Literal["ok", "collision"] = "collision",
 ) -> dict[str, Any]: ...
+@final
+class OwnMethod:
+    def __init__(
+        self,
+        function: _MethodFunction,
+        *,
+        clamped: bool = True,
+        certified: bool = False,
+        output: _Output = "velocity",
+    ) -> None: ...
+
+def sweep(
+    spec: _Path | Mapping[str, Any],
+    *,
+    own: Mapping[str, OwnMethod] = ...,
+    jobs: _Int = 0,
+    out: _Path | None = None,
+) -> list[dict[str, Any]]: ...
 def run(
     scene: _Source,
     *,

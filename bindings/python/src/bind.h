@@ -24,6 +24,7 @@ void bind_simulation(py::module_& module);
 void bind_events(py::module_& module);
 void bind_teams(py::module_& module);
 void bind_reports(py::module_& module);
+void bind_sweeps(py::module_& module);
 void bind_worlds(py::module_& module);
 
 /// Returns the scenario of the name of a built-in scene, a path, a dict, or a Scenario itself.

@@ -31,7 +31,7 @@ inline const char* fill_word(avo::Fill fill) {
   return fill == avo::Fill::none ? "none" : fill == avo::Fill::solid ? "solid" : "bounds";
 }
 
-AVO_WORDS(avo::Method, "method", 7, avo::to_string);
+AVO_WORDS(avo::Method, "method", 9, avo::to_string);
 AVO_WORDS(avo::Certificate, "certificate", 3, avo::to_string);
 AVO_WORDS(avo::Motion, "motion", 2, avo::to_string);
 AVO_WORDS(avo::Clock, "clock", 2, avo::to_string);

@@ -61,5 +61,6 @@ PYBIND11_MODULE(_avo, module) {
   bind_events(module);
   bind_teams(module);
   bind_reports(module);
+  bind_sweeps(module);
   bind_worlds(module);
 }

@@ -50,7 +50,7 @@ inline constexpr int kFields<avo::SensingModel> = 5;
 template <>
 inline constexpr int kFields<avo::SensingError> = 2;
 template <>
-inline constexpr int kFields<avo::Scenario> = 28;
+inline constexpr int kFields<avo::Scenario> = 29;  // but the function, which stays in the process
 template <>
 inline constexpr int kFields<avo::Queue> = 3;
 template <>
@@ -89,10 +89,11 @@ auto fields(T& x) {
     auto& [a, b, c, d, e, f, g, h, i, j, k, l] = x;
     return std::tie(a, b, c, d, e, f, g, h, i, j, k, l);
   } else {
-    auto& [a, b, c, d, e, f, g, h, i, j, k, l, m, o, p, q, r, s, t, u, v, w, z, aa, bb, cc, dd,
-           ee] = x;
+    auto& [a, b, c, d, e, f, g, h, i, j, k, l, m, o, p, q, r, s, t, u, v, w, z, aa, bb, cc, dd, ee,
+           ff, function] = x;
+    static_cast<void>(function);
     return std::tie(a, b, c, d, e, f, g, h, i, j, k, l, m, o, p, q, r, s, t, u, v, w, z, aa, bb, cc,
-                    dd, ee);
+                    dd, ee, ff);
   }
 }
 

@@ -6,6 +6,7 @@
 #include "avo/assumptions.h"
 #include "avo/reachability.h"
 #include "avo_io/scene.h"
+#include "external.h"
 #include "pickles.h"
 
 namespace avo_python {
@@ -172,6 +173,16 @@ void bind_scenario(py::module_& module) {
       .def_property_readonly("needed_sensing_radius", &avo::needed_sensing_radius,
                              "m: the sensing radius that its robots need, whatever it names")
       .def_readonly("method", &Scenario::method, "as in scene files")
+      .def_readonly("external_method", &Scenario::external_method,
+                    "the name of your own method; \"\": none")
+      .def(
+          "with_method", &with_method, arg("name"), arg("function"), py::kw_only(),
+          arg("clamped") = true, arg("certified") = false, arg("output") = "velocity",
+          "The same scene with a method of your own for all robots that name none. function: is "
+          "called once a step with a MethodBatch of n robots, and returns (n, 2): velocities, m/s, "
+          "or, by output, accelerations, m/s^2. clamped: the velocity takes the part that "
+          "max_acceleration allows within a step. certified: the certificate is behind it, only "
+          "where it is clamped.")
       .def_readonly("motion", &Scenario::motion, "as in scene files")
       .def_readonly("clock", &Scenario::clock, "\"common\" or \"free\"")
       .def_readonly("right_of_way", &Scenario::right_of_way, "\"none\" or \"seen\"")

@@ -8,6 +8,7 @@
 #include <memory>
 
 #include "avo/planner.h"
+#include "external.h"
 
 namespace avo_python {
 namespace {
@@ -25,7 +26,9 @@ std::span<const std::byte> bytes_of(const py::bytes& saved) {
 std::unique_ptr<SharedSimulation> make(const py::object& scene, int threads) {
   const avo::Scenario scenario = scenario_of(scene, py::none());
   const py::gil_scoped_release release;
-  return std::make_unique<SharedSimulation>(Simulation(scenario, threads), scenario.name);
+  auto made = std::make_unique<SharedSimulation>(Simulation(scenario, threads), scenario.name);
+  made->external = scenario.external;
+  return made;
 }
 
 std::unique_ptr<SharedSimulation> from_saved(const py::bytes& saved, int threads,
@@ -61,8 +64,15 @@ int threads_of(SharedSimulation& simulation) {
   return simulation.briefly([](const Simulation& s) { return s.threads(); });
 }
 
+void set_external(SharedSimulation& self, const avo::ExternalMethod& method) {
+  self.alone([&](Simulation& simulation) { simulation.set_external(method); });
+  self.external = method;
+}
+
 auto copy_of(SharedSimulation& simulation) {
-  return from_saved(save(simulation), threads_of(simulation), simulation.name());
+  auto copy = from_saved(save(simulation), threads_of(simulation), simulation.name());
+  set_external(*copy, simulation.external);
+  return copy;
 }
 
 void bind_run(SimulationClass& simulation) {
@@ -73,6 +83,14 @@ void bind_run(SimulationClass& simulation) {
                   "Goes on from what another one saved.")
       .def("step", &step, arg("n") = 1,
            "n steps of all robots; other Python threads run meanwhile.")
+      .def(
+          "set_external",
+          [](SharedSimulation& self, const py::object& function, const std::string& output) {
+            set_external(self, external_of(function, output_of(output)));
+          },
+          arg("function"), py::kw_only(), arg("output") = "velocity",
+          "The function behind the scene's external_method, as in Scenario.with_method(): one from "
+          "saved bytes, or from a pickle, needs it.")
       .def("save", &save, "The whole state as bytes, the same on every machine.")
       .def(
           "restore",

@@ -16,6 +16,8 @@ class SharedSimulation : public Shared<avo::Simulation> {
       : Shared(std::move(simulation)), name_(std::move(name)) {}
 
   [[nodiscard]] const std::string& name() const { return name_; }
+  /// The function of its external method, for copies.
+  avo::ExternalMethod external = {};
 
  private:
   std::string name_;  // of the scene

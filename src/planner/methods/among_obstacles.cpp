@@ -83,11 +83,11 @@ Plan decide_among_obstacles(const Planner& planner, const Robot& robot,
   if (choice.state == PassiveState::least_unsafe && method_traits(options.method).is_reciprocal)
     choice = least_penalty(scratch.obstacles, planner.speed_disc(robot), options.time_horizon,
                            robot.preferred_velocity, scratch.passive);
-  if (method_traits(options.method).clamps)
+  if (method_traits(options.method).clamps && !goes_through_certificate(options))
     choice = clamped(choice, robot, options.time_step, scratch.passive.limits);
   scratch.passive_choice = choice.velocity;
   Plan plan;
-  if (method_traits(options.method).has_rules) {
+  if (goes_through_certificate(options)) {
     plan = certify_among_movers(planner, robot, obstacles, walls, choice, overlapping, scratch);
   } else {
     const double violation =
@@ -112,7 +112,8 @@ Plan Planner::plan_among_obstacles(const Robot& robot, std::span<const Neighbor>
   Robot steering = robot;
   if (is_rest(robot.velocity)) steering.velocity = {};
   if (is_valid(robot)) steering.preferred_velocity = steered(robot, approach_of(options_));
-  if (method_traits(options_.method).stays_in_cell || !can_rest(robot.model)) {
+  if (method_traits(options_.method).stays_in_cell || is_external(options_.method) ||
+      !can_rest(robot.model)) {
     std::vector<Neighbor>& movers = PlanWorkspace::Scratch::of(workspace).movers;
     movers.assign(obstacles.begin(), obstacles.end());
     for (Neighbor& mover : movers) {

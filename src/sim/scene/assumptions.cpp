@@ -102,7 +102,8 @@ std::optional<Expectation> counted_on(const Starter& b, const Starter& a, const 
     const bool some = keeps(scenario, own.parked ? other : own, starts.law);
     return some ? std::optional(Expectation::decides) : std::nullopt;
   }
-  return expected_of(conduct_of(other, scenario.method), conduct_of(own, scenario.method));
+  const UsualMethod usual = usual_method(scenario);
+  return expected_of(conduct_of(other, usual), conduct_of(own, usual));
 }
 
 bool cooperates(const Starter& starter, const Scenario& scenario) {
@@ -116,7 +117,7 @@ void examine(const Starter& a, const Starter& b, Expectation expected, Starts& s
   double margin = extra;
   if (b.source >= 0) {
     const RobotSetup& other = scenario.robots[static_cast<std::size_t>(b.source)];
-    neighbor = sensed(traits_of(other), conduct_of(other, scenario.method), expected,
+    neighbor = sensed(traits_of(other), conduct_of(other, usual_method(scenario)), expected,
                       disc_center(other), start_velocity(other));
     neighbor.loiter = circle_of(other.model, other.position, start_velocity(other));
     margin += late_phase(own, longest_step) + late_phase(other, longest_step);

@@ -182,6 +182,24 @@ void check_methods(const Scenario& scenario) {
   }
 }
 
+// The function of an external method decides for all its robots at once, and saved states and
+// tables name it.
+void check_external(const Scenario& scenario) {
+  if (!has_external(scenario)) return;
+  constexpr std::size_t kMostBytes = 64;
+  const std::string& name = scenario.external_method;
+  const char* const external = to_string(Method::external);
+  if (name.empty() || name.size() > kMostBytes)
+    refuse("external_method", name.empty() ? "none" : std::to_string(name.size()) + " bytes",
+           "a name of 1 to " + std::to_string(kMostBytes) + " bytes, for robots of method " +
+               external);
+  for (std::size_t k = 0; k < kNames<Method>.size(); ++k)
+    if (name == kNames<Method>[k]) refuse("external_method", name, "another name than avo's own");
+  if (scenario.clock == Clock::free)
+    refuse("clock", to_string(scenario.clock),
+           std::string("common, for robots of method ") + external);
+}
+
 void check_declared(const Scenario& scenario, const PlannerOptions& certified) {
   const Certificate certificate = certified.certificate;
   if (!scenario.sensing_error || *scenario.sensing_error == SensingError{} ||
@@ -196,7 +214,7 @@ void check_braking(const Scenario& scenario, const PlannerOptions& options) {
   // of any robot, which counts the others' braking in its own steps
   double time_step = options.time_step;
   for (const RobotSetup& robot : scenario.robots)
-    if (method_of(scenario, robot) == options.method)
+    if (certificate_of(scenario, robot) == options.certificate)
       time_step = std::min(time_step, time_step_of(scenario, robot));
   const double longest =
       options.motion == Motion::held
@@ -205,7 +223,7 @@ void check_braking(const Scenario& scenario, const PlannerOptions& options) {
                 options.control_time;
   for (std::size_t i = 0; i < scenario.robots.size(); ++i) {
     const RobotSetup& robot = scenario.robots[i];
-    if (method_of(scenario, robot) != options.method) continue;
+    if (certificate_of(scenario, robot) != options.certificate) continue;
     const double most = longest * braking_limit(robot);
     if (robot.max_speed <= most) continue;
     refuse(std::string(Place{"robots", i, "max_speed"}), text(robot.max_speed),
@@ -246,14 +264,14 @@ void check_paths(const Scenario& scenario) {
 }
 
 // The certificate tests the sides of a step's triangle, not its interior: no wall may hide there.
-void check_beside_walls(const Scenario& scenario, Method method) {
+void check_beside_walls(const Scenario& scenario, Certificate certificate) {
   const std::vector<RobotSetup>& robots = scenario.robots;
   const bool has_walls =
       !scenario.obstacles.empty() ||
       std::any_of(robots.begin(), robots.end(), [](const RobotSetup& r) { return r.parked; });
   for (std::size_t i = 0; i < robots.size() && has_walls; ++i) {
     const RobotSetup& robot = robots[i];
-    if (robot.parked || method_of(scenario, robot) != method) continue;
+    if (robot.parked || certificate_of(scenario, robot) != certificate) continue;
     const double time_step = time_step_of(scenario, robot);
     const double most = std::min(change_limit(robot) * time_step, 2.0 * robot.max_speed);
     const double height = 0.25 * most * time_step;
@@ -300,13 +318,13 @@ void check_certificate(const Scenario& scenario, const PlannerOptions& options) 
   if (options.certificate == Certificate::none) return;
   for (std::size_t i = 0; i < scenario.robots.size(); ++i) {
     const RobotSetup& robot = scenario.robots[i];
-    if (!is_holonomic(robot.model) && method_of(scenario, robot) == options.method &&
+    if (!is_holonomic(robot.model) && certificate_of(scenario, robot) == options.certificate &&
         options.motion != Motion::held)
       refuse(std::string(Place{"robots", i, "model"}), "one that is not holonomic",
              "holonomic with a certificate where motion is exponential");
   }
   check_braking(scenario, options);
-  check_beside_walls(scenario, options.method);
+  check_beside_walls(scenario, options.certificate);
   if (!scenario.sensing_error || scenario.clock == Clock::common) return;
   constexpr double kRounding = 1.0 + 1e-9;
   const SensingError least = unforeseen(scenario);
@@ -324,6 +342,13 @@ void check_certificate(const Scenario& scenario, const PlannerOptions& options) 
 
 }  // namespace
 
+bool has_external(const Scenario& scenario) {
+  return is_external(scenario.method) ||
+         std::any_of(scenario.robots.begin(), scenario.robots.end(), [&](const RobotSetup& robot) {
+           return is_external(method_of(scenario, robot));
+         });
+}
+
 void validate(const Scenario& scenario) {
   check_sensing(scenario.sensing);
   const PlannerOptions options = planner_options(scenario);
@@ -339,6 +364,7 @@ void validate(const Scenario& scenario) {
   for (std::size_t i = 0; i < scenario.robots.size(); ++i)
     check_robot(i, scenario.robots[i], scenario.time_step);
   check_methods(scenario);
+  check_external(scenario);
   for (std::size_t k = 0; k < scenario.moving_obstacles.size(); ++k)
     check_obstacle(k, scenario.moving_obstacles[k]);
   check_paths(scenario);

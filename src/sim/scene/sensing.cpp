@@ -118,14 +118,14 @@ void take_by_kind(const Scenario& scenario, const CertificateLaw& law,
     std::stable_sort(kind.begin(), kind.end(),
                      [](const Part& a, const Part& b) { return a.length > b.length; });
   }
+  const UsualMethod usual = usual_method(scenario);
   for (const auto& [key_a, of_a] : kinds) {
     const RobotSetup& a = robot(of_a.front());
     if (!keeps(scenario, a, law)) continue;
     const std::vector<Part> front = worst_for_obstacles(of_a);
     for (const auto& [key_b, of_b] : kinds) {
       const RobotSetup& b = robot(of_b.front());
-      const auto expected =
-          expected_of(conduct_of(b, scenario.method), conduct_of(a, scenario.method));
+      const auto expected = expected_of(conduct_of(b, usual), conduct_of(a, usual));
       if (!expected) continue;
       if (*expected == Expectation::decides) {
         const std::size_t second = key_a == key_b ? 1 : 0;

@@ -245,6 +245,7 @@ void describe(Archive<kReads>& archive, SavedState& state) {
   for (std::size_t k = 0; k < state.robots.size(); ++k) {
     describe(archive, scene.robots[k], state.robots[k]);
   }
+  if (has_external(scene)) describe(archive, scene.external_method);
   if (kReads)
     state.flights.resize(static_cast<std::size_t>(
         std::count_if(scene.robots.begin(), scene.robots.end(),

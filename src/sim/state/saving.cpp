@@ -67,6 +67,12 @@ void require_same_scene(const Scenario& saved, const World& world) {
   });
 }
 
+void require_same_external(const Scenario& saved, const World& world) {
+  if (!has_external(saved) || saved.external_method == world.settings.external_method) return;
+  refuse("saved state: external_method", shown(saved.external_method),
+         shown(world.settings.external_method) + " as in this simulation");
+}
+
 bool are_same(const std::vector<Wall>& theirs, const std::vector<Wall>& ours) {
   return std::equal(theirs.begin(), theirs.end(), ours.begin(), ours.end(),
                     [](const Wall& a, const Wall& b) {
@@ -98,7 +104,7 @@ void take_told(const SavedState& state, Fleet& fleet) {
 Fleet fleet_of(const SavedState& state, World& world) {
   Fleet fleet;
   fleet.has_clocks = state.scene.clock == Clock::free;
-  fleet.method = state.scene.method;
+  fleet.usual = usual_method(state.scene);
   fleet.reserve(state.robots.size());
   for (std::size_t k = 0; k < state.robots.size(); ++k) {
     const SavedRobot& robot = state.robots[k];
@@ -250,6 +256,7 @@ SavedState saved_state(const World& world) {
 
 void restore(const SavedState& state, World& world) {
   require_same_scene(state.scene, world);
+  require_same_external(state.scene, world);
   Fleet fleet = fleet_of(state, world);
   take_told(state, fleet);
   add_clocks(state, fleet);

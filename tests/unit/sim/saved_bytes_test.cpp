@@ -159,7 +159,7 @@ TEST(SavedBytes, forged_values_are_refused) {
     }
   }
   EXPECT_EQ(word(saved, 22), static_cast<std::uint64_t>(Method::avo_paper));
-  EXPECT_EQ(forged(22, 7), "saved state: found an unknown choice, must be a known one");
+  EXPECT_EQ(forged(22, 9), "saved state: found an unknown choice, must be a known one");
   EXPECT_EQ(forged(24, 1),
             "saved state: certificate: found stopping_capsules, must be braking_trajectories: "
             "stopping_capsules was removed");

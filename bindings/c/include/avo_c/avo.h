@@ -132,7 +132,9 @@ enum {
   AVO_METHOD_ORCA = 3,               ///< velocities are adopted at once
   AVO_METHOD_ORCA_CLAMPED = 4,       ///< the part of orca's choice that a_max allows within a step
   AVO_METHOD_RECIPROCAL_VELOCITY_OBSTACLE = 5,  ///< obstacles with an apex between both velocities
-  AVO_METHOD_BUFFERED_VORONOI = 6               ///< Voronoi cells less the radius, braking in them
+  AVO_METHOD_BUFFERED_VORONOI = 6,              ///< Voronoi cells less the radius, braking in them
+  AVO_METHOD_EXTERNAL = 7,         ///< avo_external_method chooses; velocities are adopted at once
+  AVO_METHOD_EXTERNAL_CLAMPED = 8  ///< the part of its choice that a_max allows within a step
 };
 
 typedef int32_t avo_certificate;
@@ -592,6 +594,43 @@ typedef struct avo_localization_noise {
 typedef void avo_task(void* task_context, size_t index, size_t worker);
 typedef void avo_run_tasks(void* run_context, size_t count, avo_task* task, void* task_context);
 
+/// What the robots of an external method know when they decide, by ascending id. One entry for each
+/// robot, neighbor or wall; valid during the call.
+typedef struct avo_method_batch {
+  size_t size;       ///< of this struct, bytes
+  double time;       ///< s, now
+  double time_step;  ///< s, until the robots decide again
+  size_t robot_count;
+  const avo_robot_id* id;
+  const avo_vec2* position;            ///< m, the centers of their discs
+  const avo_vec2* velocity;            ///< m/s
+  const avo_vec2* preferred_velocity;  ///< m/s, to the goal, around walls with navigation
+  const avo_vec2* goal;                ///< m
+  const double* radius;                ///< m
+  const double* max_speed;             ///< m/s
+  const double* max_acceleration;      ///< m/s^2
+  const double* max_braking;           ///< m/s^2
+  const double* heading;               ///< rad; of robots that are not holonomic
+  /// Robot i senses the neighbors first_neighbor[i] up to before first_neighbor[i + 1], nearest
+  /// first, and the walls first_wall[i] up to before first_wall[i + 1], in no order.
+  const size_t* first_neighbor;
+  const size_t* first_wall;
+  size_t neighbor_count;
+  const avo_vec2* neighbor_position;        ///< m
+  const avo_vec2* neighbor_velocity;        ///< m/s
+  const double* neighbor_radius;            ///< m
+  const double* neighbor_max_acceleration;  ///< m/s^2; 0: it moves on
+  const uint8_t* neighbor_behavior;         ///< of avo_behavior
+  size_t wall_count;
+  const avo_wall* wall;
+} avo_method_batch;
+
+/// Chooses a velocity for each robot of the batch, m/s; they are the preferred ones before the
+/// call. The thread that steps calls it once in a step. Any other result than 0 ends the step,
+/// which has moved nobody.
+typedef int32_t avo_external_method(void* context, const avo_method_batch* batch,
+                                    avo_vec2* velocities);
+
 /// A simulation: the settings of a scene, its robots and obstacles, and its threads. Pointers are
 /// read while the simulation is made, not later; but run_tasks and run_context are used as long as
 /// it lives.
@@ -642,6 +681,10 @@ typedef struct avo_simulation_def {
   bool never_swerves;                   ///< see avo_planner_def
   const avo_team_def* teams;            ///< that each step leads
   size_t team_count;
+  /// 1 to 64 bytes, where some robots have an external method: its name in saved states; or null
+  const char* external_method;
+  avo_external_method* external;  ///< its function; null: avo_simulation_set_external() gives it
+  void* external_context;         ///< for the function
 } avo_simulation_def;
 
 AVO_C_API avo_robot_def avo_default_robot_def(void);
@@ -685,6 +728,11 @@ AVO_C_API bool avo_simulation_is_valid(avo_simulation_id simulation);
 /// state is restored. The same holds where run_tasks breaks its contract. Where memory runs out for
 /// metrics alone, the step is done, and the metrics end.
 AVO_C_API avo_result avo_simulation_step(avo_simulation_id simulation);
+
+/// Sets the function behind the simulation's external_method. A simulation that was made from a
+/// saved state needs it.
+AVO_C_API avo_result avo_simulation_set_external(avo_simulation_id simulation,
+                                                 avo_external_method* external, void* context);
 
 /// Adds a robot. Its number is greater than all before. It is refused where the certificate cannot
 /// keep it from others or obstacles, unless the definition has allow_broken_assumptions. Moving a

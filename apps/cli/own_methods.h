@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: Apache-2.0
+// Methods of the user's own, from shared libraries (docs/own_method.md).
+#pragma once
+#include <string>
+#include <vector>
+
+#include "avo_io/sweep.h"
+
+namespace CLI {
+class App;
+}
+
+namespace avo_cli {
+
+/// Adds --method. several: it may be repeated.
+void add_own_methods(CLI::App& verb, std::vector<std::string>& given, bool several);
+
+/// The methods of "NAME=LIBRARY[:FUNCTION][,certified][,unclamped]". The libraries stay loaded.
+/// Throws UsageError.
+std::vector<avo_io::OwnMethod> own_methods_of(const std::vector<std::string>& given);
+
+}  // namespace avo_cli

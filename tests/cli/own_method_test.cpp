@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: Apache-2.0
+// Methods of the user's own on the command line: the potential field of examples/own_method.c.
+#include <gtest/gtest.h>
+#include <string>
+#include <vector>
+
+#include "run_avo.h"
+#include "support/json.h"
+#include "sweeps.h"
+
+namespace avo_test {
+namespace {
+
+const std::string kField = std::string("field=") + AVO_OWN_METHOD;
+
+ProcessResult run_by(const std::string& method, Strings more = {}) {
+  more.insert(more.begin(), {"run", "circle-30", "--method", method, "--until-arrived"});
+  return run_avo(more);
+}
+
+std::int64_t pairs_by(const std::string& method) {
+  const ProcessResult result = run_by(method, {"--json"});
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  return nlohmann::ordered_json::parse(result.out)["collision_pairs"].get<std::int64_t>();
+}
+
+TEST(OwnMethod, touches_alone_and_not_behind_the_certificate) {
+  EXPECT_GT(pairs_by(kField), 0);
+  EXPECT_GT(pairs_by(kField + ":avo_choose,unclamped"), 0);
+  EXPECT_EQ(pairs_by(kField + ",certified"), 0);
+}
+
+TEST(OwnMethod, is_recorded_judged_and_simulated_again) {
+  const std::string h5 = path_of("run.h5"), page = path_of("run.html");
+  ASSERT_EQ(run_by(kField + ",certified", {"--record", h5}).exit_code, 0);
+  const ProcessResult judged = run_avo({"check", h5});
+  EXPECT_EQ(judged.exit_code, 0) << judged.out;
+  EXPECT_EQ(run_avo({"replay", h5, "--method", kField}).exit_code, 0);
+  const ProcessResult without = run_avo({"replay", h5});
+  EXPECT_NE(without.err.find("external_method field: found no function, must have one"),
+            std::string::npos)
+      << without.err;
+  ASSERT_EQ(run_avo({"report", h5, page}).exit_code, 0);
+  EXPECT_NE(read_file(page).find("Without --method the run is not simulated again: it is by field"),
+            std::string::npos);
+  ASSERT_EQ(run_avo({"report", h5, page, "--method", kField}).exit_code, 0);
+  EXPECT_NE(read_file(page).find("30 robots, method field"), std::string::npos);
+  EXPECT_NE(read_file(page).find("--method field="), std::string::npos);
+}
+
+TEST(OwnMethod, stands_in_sweeps_and_comparisons_beside_the_others) {
+  const std::string yaml =
+      "version: 1\nscenes: [circle-12]\nmethods: [avo, field, safe]\nuntil_arrived: true\n";
+  const Strings own{"--method", kField, "--method",
+                    std::string("safe=") + AVO_OWN_METHOD + ",certified"};
+  const std::string table = swept(yaml, "runs.csv", own);
+  const ProcessResult compared = run_avo({"compare", table, "--by", "method"});
+  ASSERT_EQ(compared.exit_code, 0) << compared.err;
+  for (const char* method : {"avo", "field", "safe"})
+    EXPECT_NE(compared.out.find(method), std::string::npos) << compared.out;
+  const ProcessResult without = sweep(yaml, {"--out", path_of("other.csv")});
+  EXPECT_EQ(without.exit_code, 3);
+  EXPECT_NE(without.err.find("methods.1: found \"field\", must be one of avo"), std::string::npos)
+      << without.err;
+}
+
+TEST(ForeignMotion, is_a_recording_of_a_method_of_its_own) {
+  const std::string csv = path_of("rvo.csv"), h5 = path_of("rvo.h5"), page = path_of("rvo.html");
+  ASSERT_EQ(
+      run_avo({"run", "circle-12", "--set", "method=orca", "--record", csv, "--until-arrived"})
+          .exit_code,
+      0);
+  const ProcessResult made =
+      run_avo({"convert", csv, h5, "--to", "recording", "--scene", "circle-12"});
+  ASSERT_EQ(made.exit_code, 0) << made.err;
+  const std::string avo = path_of("avo.h5");
+  ASSERT_EQ(run_avo({"run", "circle-12", "--record", avo, "--until-arrived"}).exit_code, 0);
+  const ProcessResult compared =
+      run_avo({"compare", h5, avo, "--traces", path_of("t.svg"), "--arrival", path_of("a.svg")});
+  ASSERT_EQ(compared.exit_code, 0) << compared.err;
+  EXPECT_NE(compared.out.find("rvo.h5"), std::string::npos) << compared.out;
+  ASSERT_EQ(run_avo({"report", h5, page}).exit_code, 0);
+  EXPECT_NE(read_file(page).find("12 robots, method rvo"), std::string::npos);
+  EXPECT_NE(read_file(page).find("it is by rvo"), std::string::npos);
+  // the same rows, back again
+  ASSERT_EQ(run_avo({"convert", h5, path_of("back.csv")}).exit_code, 0);
+  EXPECT_EQ(read_file(path_of("back.csv")), read_file(csv));
+}
+
+TEST(ForeignMotion, is_refused_where_it_is_not_of_the_scene) {
+  const std::string csv = path_of("orca.csv"), h5 = path_of("orca.h5");
+  write_file(csv, "time,robot,x,y,vx,vy\n0,0,0,0,1,0\n70,0,1,0,1,0\n");
+  const auto refused = [&](Strings more) {
+    more.insert(more.begin(), {"convert", csv, h5, "--to", "recording"});
+    const ProcessResult result = run_avo(more);
+    EXPECT_NE(result.exit_code, 0);
+    EXPECT_FALSE(exists(h5));
+    return result.err;
+  };
+  EXPECT_NE(refused({}).find("--scene: found none, must be given with --to recording"),
+            std::string::npos);
+  EXPECT_NE(refused({"--scene", "circle-3"}).find("another name than avo's own"),
+            std::string::npos);
+  EXPECT_NE(refused({"--scene", "circle-3", "--name", "rvo", "--set", "duration=60"})
+                .find("found 70 s, must be <= 60 s, the duration of the scene"),
+            std::string::npos);
+}
+
+TEST(OwnMethod, is_refused_where_it_cannot_be_had) {
+  const auto refused = [](const std::string& method) {
+    const ProcessResult result = run_by(method);
+    EXPECT_EQ(result.exit_code, 2) << method;
+    return result.err;
+  };
+  const std::string form = "must be NAME=LIBRARY[:FUNCTION][,certified][,unclamped]";
+  for (const char* word : {"field", "=f.so", "field=", "field=f.so,fast", "field=f.so:"})
+    EXPECT_NE(refused(word).find(form), std::string::npos) << word;
+  EXPECT_NE(refused("field=f.so,certified,unclamped").find("not both"), std::string::npos);
+  EXPECT_NE(refused("field=./none.so").find("must be a library that can be loaded"),
+            std::string::npos);
+  EXPECT_NE(refused(kField + ":other").find("found no function other in"), std::string::npos);
+  EXPECT_NE(refused(std::string("avo=") + AVO_OWN_METHOD).find("another name than avo's own"),
+            std::string::npos);
+}
+
+}  // namespace
+}  // namespace avo_test
