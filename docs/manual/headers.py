@@ -86,12 +86,15 @@ def split(xml, found):
 
 
 def keep_members(scope, file):
-    """Leaves those of one header; their ids."""
+    """Leaves those of one header, without the rows of tables, which Sphinx cannot read; their ids."""
     kept = set()
     for section in scope.iter("sectiondef"):
         for member in section.findall("memberdef"):
             if member.find("location").get("file") == file:
                 kept.add(member.get("id"))
+                rows = member.find("initializer")
+                if rows is not None and words_of(member, "initializer").startswith("{"):
+                    member.remove(rows)
             else:
                 section.remove(member)
     return kept
