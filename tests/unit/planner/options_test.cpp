@@ -54,7 +54,9 @@ TEST(Options, follow_the_row_of_their_method) {
                            {Method::orca, true, false, true, false},
                            {Method::orca_clamped, false, true, true, false},
                            {Method::reciprocal_velocity_obstacle, true, false, true, true},
-                           {Method::buffered_voronoi, false, true, false, false}};
+                           {Method::buffered_voronoi, false, true, false, false},
+                           {Method::external, true, false, true, false},
+                           {Method::external_clamped, false, true, true, false}};
   static_assert(std::size(kRows) == kMethodTraits.size());
   for (const Row& row : kRows) {
     const PlannerOptions options = default_options(row.method);
@@ -63,6 +65,7 @@ TEST(Options, follow_the_row_of_their_method) {
     EXPECT_EQ(reaches_within_step(row.method), row.within_step) << to_string(row.method);
     EXPECT_EQ(disregards_acceleration(row.method), row.regardless) << to_string(row.method);
     EXPECT_EQ(avoids_union(row.method), row.outside) << to_string(row.method);
+    EXPECT_EQ(may_be_certified(row.method), is_avo || row.within_step) << to_string(row.method);
     EXPECT_EQ(options.control_time, is_avo ? 2.0 : 4.0);
     EXPECT_EQ(options.time_horizon, is_avo ? 3.0 : 10.0);
     EXPECT_EQ(options.response_time, is_avo ? 0.1 : 0.0);
