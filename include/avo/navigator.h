@@ -36,8 +36,8 @@ struct NavigatorOptions {
   /// m, > 0: the robot makes progress if it moves that far within movement_time_allowance
   double required_movement_radius = 0.5;
   double movement_time_allowance = 10.0;  ///< s, > 0
-  /// m, > 0: a given route is followed within this distance, except where others are in the way.
-  /// Its corners are cut by as much. Unset: 0.3 of the robot's radius
+  /// m, > 0: the corners of a given route are cut by as much, and most robots follow it within this
+  /// distance, except where others are in the way. Unset: 0.3 of the robot's radius
   std::optional<double> route_tolerance = {};
 };
 

@@ -11,10 +11,10 @@
 namespace avo::inline navigator {
 namespace {
 
-// A robot looks ahead by twice the way that it covers in its lag. On an arc the chord to that point
-// leads the tangent by the lag, so the robot stays on the arc. Off a straight line it comes back
-// with a damping of 0.7.
-constexpr double kLags = 1.75;
+// A robot aims at a point ahead by so many ways that it covers in its lag. With 2 the chord to that
+// point leads the tangent of an arc by the lag. With less it cuts corners less, and comes back to a
+// straight line with a damping of √1.3/2 = 0.57.
+constexpr double kLags = 1.3;
 constexpr double kBackOn = 4.0;  // times the look-ahead: so far on it searches for its place
 constexpr double kFaster = 0.7;  // of a_max, to become faster
 
@@ -58,11 +58,11 @@ std::optional<Heading> way_back(Ways& ways, const Follower& robot, Vec2 aim, OnR
 // m/s: the speed that the corners ahead leave it, and from which it can still turn: more of a
 // change would leave nothing of a_max for the direction.
 double speed_of(const Follower& robot, double speed, const Pursuit& pursuit, const OnRoute& on) {
-  const double wished = robot.traits.preferred_speed, a = pursuit.acceleration;
-  const double seen = std::min(on.along + pursuit.lag * speed, on.next().along);
-  const double top =
-      on.route->rounded.top(seen, pursuit.braking / a, wished * wished / pursuit.braking);
-  return std::min({wished, std::sqrt(top * a), speed + kFaster * a * pursuit.lag});
+  const Cornering& cornering = pursuit.cornering;
+  const double seen = std::min(on.along + cornering.lag * speed, on.next().along);
+  const double wished = robot.traits.preferred_speed;
+  return std::min(on.route->rounded.top_speed(seen, wished, cornering),
+                  speed + kFaster * cornering.acceleration * cornering.lag);
 }
 
 // The heading along the route, towards a point that is so far ahead, m. Where the robot comes to
@@ -149,7 +149,7 @@ Headings follow_given(Ways& ways, const Claims& claims, const Follower& robot, V
   const RoundedRoute& route = on.route->rounded;
   const double speed = norm(velocity), until = on.next().along;
   const auto ahead_at = [&](double v) {
-    return std::max(kLags * pursuit.lag * v, pursuit.least_ahead);
+    return std::max(kLags * pursuit.cornering.lag * v, pursuit.least_ahead);
   };
   const double farthest = on.has_begun ? on.along + kBackOn * ahead_at(speed) : until;
   on.along = route.nearest(robot.place, on.along, std::min(farthest, until));

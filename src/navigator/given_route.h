@@ -62,10 +62,8 @@ struct OnRoute {
 
 /// How a robot follows its route.
 struct Pursuit {
-  double lag = 0.0;           // s, with which its velocity follows its preferred velocity
-  double braking = 0.0;       // m/s², that it plans with
-  double acceleration = 0.0;  // m/s², that it uses
-  double least_ahead = 0.0;   // m, at least so far ahead is the point at which it aims
+  Cornering cornering = {};
+  double least_ahead = 0.0;  // m, at least so far ahead is the point at which it aims
   // unit, in which the robot comes to the end of its route; 0: any
   Vec2 end_direction = {};
 };

@@ -167,9 +167,9 @@ Pursuit pursuit_of(const NavigatorState& state, const Robot& robot) {
   const double response = response_time_of(options, robot.max_speed, robot.max_acceleration);
   const double used =
       std::min(robot.max_acceleration, options.comfort_acceleration.value_or(kInfinity));
-  return {.lag = 2.0 * response + 0.5 * options.time_step,
-          .braking = std::min(planned_braking(robot), used),
-          .acceleration = used,
+  return {.cornering = {.acceleration = used,
+                        .braking = std::min(planned_braking(robot), used),
+                        .lag = 2.0 * response + 0.5 * options.time_step},
           .least_ahead = std::max(kLeastAhead * rounding_of(state, robot).tolerance,
                                   kAheadOfCar * turning_radius(robot.model)),
           .end_direction =

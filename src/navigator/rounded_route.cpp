@@ -13,7 +13,14 @@ namespace {
 constexpr double kTurnsBack = -0.9;  // cosine: a sharper corner is no arc, it is passed slowly
 constexpr double kStraight = 1e-9;   // of a sine: no corner
 constexpr double kUsed = 0.8;        // of a_max, on arcs
-constexpr double kOff = 2.0;         // tolerances: with this v²/a a robot overshoots by one
+constexpr double kOff = 0.5;         // tolerances: the radius of a corner that turns back
+
+// rad: by so much a robot turns within its lag, at most; with more it would leave the arc.
+constexpr double kFollowed = 0.7;
+
+double radius_of(double curvature) {
+  return curvature == 0.0 ? kInfinity : 1.0 / std::abs(curvature);
+}
 
 struct Cut {
   double radius = 0.0;   // m
@@ -54,9 +61,8 @@ RoundedRoute::RoundedRoute(const Pose& from, std::span<const PathPiece> pieces)
   points_.push_back(0.0);
   Pose at = from;
   for (const PathPiece& piece : pieces) {
-    const double top = piece.curvature == 0.0 ? kInfinity : kUsed / std::abs(piece.curvature);
-    elements_.push_back(
-        {at.place, elementary::direction(at.heading), piece.curvature, length_, piece.length, top});
+    elements_.push_back({at.place, elementary::direction(at.heading), piece.curvature, length_,
+                         piece.length, radius_of(piece.curvature)});
     at.place = point_on(elements_.back(), piece.length);
     at.heading += piece.curvature * piece.length;
     length_ += piece.length;
@@ -77,8 +83,8 @@ Vec2 RoundedRoute::add_corner(Vec2 from, Vec2 corner, Vec2 before, Vec2 after, d
   const bool turns_back = cosine < kTurnsBack, is_straight = std::abs(sine) < kStraight;
   if (turns_back || is_straight) {
     add_line(from, corner);
-    const double top = turns_back ? kUsed * kOff * rounding.tolerance : kInfinity;
-    elements_.push_back({corner, after, 0.0, length_, 0.0, top});
+    const double radius = turns_back ? kOff * rounding.tolerance : kInfinity;
+    elements_.push_back({corner, after, 0.0, length_, 0.0, radius});
     points_.push_back(length_);
     return corner;
   }
@@ -87,7 +93,7 @@ Vec2 RoundedRoute::add_corner(Vec2 from, Vec2 corner, Vec2 before, Vec2 after, d
   add_line(from, start);
   const double length = cut.radius * std::abs(elementary::atan2(sine, cosine));
   elements_.push_back(
-      {start, before, std::copysign(1.0 / cut.radius, sine), length_, length, kUsed * cut.radius});
+      {start, before, std::copysign(1.0 / cut.radius, sine), length_, length, cut.radius});
   points_.push_back(length_ + 0.5 * length);
   length_ += length;
   return corner + cut.tangent * after;
@@ -136,14 +142,17 @@ double RoundedRoute::nearest(Vec2 p, double from, double to) const {
   return best;
 }
 
-double RoundedRoute::top(double along, double braking, double range) const {
-  double top = kInfinity;
+double RoundedRoute::top_speed(double along, double most, const Cornering& cornering) const {
+  const double range = most * most / (2.0 * kUsed * cornering.braking);
+  double square = most * most;
   for (std::size_t k = element_at(along); k < elements_.size(); ++k) {
-    const double ahead = std::max(elements_[k].begin - along, 0.0);
+    const double ahead = std::max(elements_[k].begin - along, 0.0), radius = elements_[k].radius;
     if (ahead > range) break;
-    top = std::min(top, elements_[k].top + 2.0 * kUsed * braking * ahead);
+    const double followed = kFollowed * radius / cornering.lag;
+    const double there = std::min(kUsed * cornering.acceleration * radius, followed * followed);
+    square = std::min(square, there + 2.0 * kUsed * cornering.braking * ahead);
   }
-  return top;
+  return std::sqrt(square);
 }
 
 }  // namespace avo::inline navigator

@@ -16,6 +16,13 @@ struct Rounding {
   double least_radius = 0.0;  // m, >= 0, of arcs, as far as the pieces leave room
 };
 
+/// How a robot follows a route, for its speed before and on arcs.
+struct Cornering {
+  double acceleration = 0.0;  // m/s², that it uses
+  double braking = 0.0;       // m/s², that it plans with
+  double lag = 0.0;           // s, with which its velocity follows its preferred velocity
+};
+
 /// A corner of a route, or its end.
 struct RoutePoint {
   Vec2 place = {};     // m
@@ -33,9 +40,9 @@ class RoundedRoute {
   [[nodiscard]] Vec2 at(double along) const;               // m; along: m, from the start
   /// m from the start, of the point nearest to p between both; the first one of several.
   [[nodiscard]] double nearest(Vec2 p, double from, double to) const;
-  /// m: the largest v²/a at a place from which the robot can slow down before the arcs. braking: as
-  /// a part of a. range: m, beyond which arcs do not count.
-  [[nodiscard]] double top(double along, double braking, double range) const;
+  /// m/s: the largest speed at a place from which the robot can slow down before the arcs.
+  /// most: m/s, at least as much as it wants.
+  [[nodiscard]] double top_speed(double along, double most, const Cornering& cornering) const;
   /// m from the start, of each of the points; of a cut corner, the middle of its arc.
   [[nodiscard]] std::span<const double> points() const { return points_; }
 
@@ -45,7 +52,7 @@ class RoundedRoute {
     Vec2 from, direction;
     double curvature = 0.0;            // 1/m, > 0: to the left
     double begin = 0.0, length = 0.0;  // m
-    double top = 0.0;                  // m, the largest v²/a on it
+    double radius = 0.0;               // m, on which it is driven; infinite where it is straight
   };
   void add_line(Vec2 from, Vec2 to);
   /// The arc, or the slow place, at a corner; returns where the next piece begins.

@@ -9,6 +9,7 @@
 
 #include "avo/navigator.h"
 #include "core/plane.h"
+#include "support/generators.h"
 #include "unit/navigation/buildings.h"
 #include "unit/navigator/on_board.h"
 #include "unit/sim/walled_scenes.h"
@@ -69,8 +70,35 @@ TEST(GivenRoute, is_followed_within_its_tolerance) {
     const Followed followed = follow(robot, route, 60.0);
     EXPECT_EQ(robot.decision.status, NavigatorStatus::reached);
     EXPECT_LT(followed.farthest_off, tolerance) << tolerance;
-    EXPECT_GT(followed.slowest, 0.2) << "it need not stop at corners";
+    EXPECT_GT(followed.slowest, 0.05) << "it need not stop at corners";
   }
+}
+
+// Any corners, limits and tolerances: most routes are kept within the tolerance.
+TEST(GivenRoute, is_followed_by_robots_of_any_limits) {
+  test::Random random(8);
+  int beyond = 0;
+  double worst = 0.0;
+  for (int k = 0; k < 300; ++k) {
+    std::vector<Vec2> route{{0, 0}};
+    for (int piece = 0; piece < 2 + k % 6; ++piece)
+      route.push_back(route.back() + random.uniform(1.0, 6.0) * random.direction());
+    NavigatorOptions options;
+    options.route_tolerance = random.uniform(0.05, 0.5);
+    Alone robot(options);
+    robot.base.robot.max_speed = random.uniform(0.4, 3.0);
+    robot.base.robot.max_acceleration = random.uniform(0.5, 4.0);
+    robot.navigator.set_route(route);
+    const Followed followed = follow(robot, route, 200.0);
+    EXPECT_EQ(robot.decision.status, NavigatorStatus::reached) << k;
+    const double part = followed.farthest_off / *options.route_tolerance;
+    worst = std::max(worst, part);
+    if (part > 1.0) ++beyond;
+  }
+  RecordProperty("beyond", beyond);
+  RecordProperty("worst", std::to_string(worst));
+  EXPECT_LE(beyond, 25);
+  EXPECT_LT(worst, 2.5);
 }
 
 TEST(GivenRoute, is_left_at_its_end_alone) {

@@ -164,6 +164,22 @@ TEST(Navigator, takes_another_map) {
   EXPECT_NEAR(navigator.step(robot, {}, 0.2).route_left, 6.0, 1e-12);
 }
 
+// Hosts say the goal at each cycle; the robot does not forget what it remembers.
+TEST(Navigator, has_the_goal_that_it_is_told_again) {
+  Scenario scene;
+  scene.obstacles = {test::pieces(test::doorway(1.2))};
+  scene.robots = {test::robot_at({-6, 0}, {6, 0}), test::robot_at({0, 0}, {0, 0})};
+  OnBoard once(scene), often(scene);
+  once.navigators[1].clear_goal(), often.navigators[1].clear_goal();
+  while (once.time < 15.0) {
+    often.navigators[0].set_goal({6, 0});
+    once.step(), often.step();
+    EXPECT_EQ(often.decisions[0].plan.next_velocity, once.decisions[0].plan.next_velocity);
+    EXPECT_EQ(often.decisions[0].without_progress, once.decisions[0].without_progress);
+  }
+  EXPECT_GT(often.decisions[0].without_progress, 5.0);
+}
+
 TEST(Navigator, says_why_it_waits) {
   Scenario scene;
   scene.obstacles = {test::pieces(test::corridor(1.6))};
