@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Method avo: the paper's program gives the target (soft), the certificate limits it (hard), and
-// the rules for arriving turn the wish. Behind another method the certificate limits its choice, and
-// only the rule for detours turns it.
+// the rules for arriving turn the wish. Behind another method the certificate limits its choice,
+// and only the rule for detours turns it.
 #include "planner/certify.h"
 
 #include <algorithm>

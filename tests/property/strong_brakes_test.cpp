@@ -178,7 +178,7 @@ TEST(StrongBrakes, bring_a_robot_past_people_sooner) {
 TEST(StrongBrakes, are_reckoned_with_by_those_whom_a_robot_does_not_avoid) {
   RobotSetup robot;
   const auto deviation = [&robot] {
-    const Conduct conduct = conduct_of(robot, Method::avo);
+    const Conduct conduct = conduct_of(robot, {});
     return sensed(traits_of(robot), conduct, Expectation::does_as_it_likes, {}, {}).max_deviation;
   };
   robot.max_braking = 3.0;
