@@ -22,6 +22,10 @@ struct Decision {
   avo::Vec2 goal;
   avo::Method method{};
   bool has_own_method = false;  ///< a method other than the scene's
+  /// Returns whether a certificate, or the rules of method avo, had a say.
+  [[nodiscard]] bool is_certified() const {
+    return method == avo::Method::avo || certificate != avo::Certificate::none;
+  }
   avo::Simulation::Perception seen;
   bool by_half_planes = true;  ///< false: outside the union of the obstacles (§III-C)
   avo::HalfPlanes half_planes;

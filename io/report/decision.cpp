@@ -205,7 +205,7 @@ std::string to_json(const Decision& decision) {
             {"half_planes", half_planes_of(decision)},
             {"walls", walls_of(decision)},
             {"wall_half_planes", wall_half_planes_of(decision.wall_planes)}};
-  if (avo::method_traits(decision.method).has_rules) {
+  if (decision.is_certified()) {
     json["certificate_kind"] = avo::to_string(decision.certificate);
     json["certificate"] = constraints_of(decision);
     json["wall_certificate"] = wall_constraints_of(decision);

@@ -107,7 +107,7 @@ Decision explain(const avo::Simulation& simulation, const std::string& scene, st
   planner.collect_half_planes(self, walls, decision.wall_planes);
   decision.certificate = planner.options().certificate;
   decision.response_time = response_time_in(decision, planner.options());
-  if (avo::method_traits(decision.method).has_rules)
+  if (decision.is_certified())
     planner.collect_certificate(self, neighbors, workspace, decision.constraints, walls);
   planner.collect_certificate(self, walls, workspace, decision.wall_constraints);
   decision.acceleration_disc = planner.acceleration_disc(self);

@@ -173,7 +173,7 @@ std::string readable(const Decision& decision) {
          fmt::format("{} . v' >= {:.6g} m/s, of {}", text(plane.plane.normal), plane.plane.offset,
                      text_of(decision.seen.source[static_cast<std::size_t>(plane.neighbor)])));
   append_walls(decision, line);
-  if (avo::method_traits(decision.method).has_rules) append_certificate(decision, line);
+  if (decision.is_certified()) append_certificate(decision, line);
   line("preferred velocity", text(self.preferred_velocity) + " m/s");
   append_stages(decision, line);
   line("new velocity", text(decision.plan.new_velocity) + " m/s, the command of Eq. (7)");

@@ -113,7 +113,7 @@ void Planner::collect_half_planes(const Robot& robot, std::span<const Wall> wall
     speeds.clear();
     if (by_speed) append_speed_planes(robot, walls.subspan(k, 1), law, out, speeds);
     if (!speeds.empty() && cuts(speeds[0])) half_planes.speeds.push_back({index, speeds[0], 0.0});
-    if (method_traits(options_.method).stays_in_cell) continue;
+    if (method_traits(options_.method).stays_in_cell || is_external(options_.method)) continue;
     const auto own =
         obstacle_plane(options_, *horizon_, robot, walls[k], index, half_planes.overlapping);
     if (own && (own->excess > 0.0 || cuts(own->plane))) half_planes.obstacles.push_back(*own);

@@ -132,10 +132,10 @@ static void check_methods_and_trajectories(void) {
   CHECK(robot.method == AVO_METHOD_ORCA && robot.time_horizon == 5.0);
   CHECK(robot.arrival_distance == 0.25);
   REQUIRE(avo_destroy_simulation(simulation));
-  robot.method = 7;
+  robot.method = 9;
   def.robots = &robot;
   REFUSES(avo_create_simulation(&def, &simulation), AVO_ERROR_INVALID_VALUE,
-          "robots.0.method: found 7, must be 0 to 6");
+          "robots.0.method: found 9, must be 0 to 8");
 }
 
 /* 0 stands for what the robots need, also of those that come later. */

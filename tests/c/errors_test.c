@@ -128,7 +128,7 @@ static void check_values(void) {
   robots[1].model = AVO_MODEL_HOLONOMIC;
   def.method = -3;
   REFUSES(avo_create_simulation(&def, &simulation), AVO_ERROR_INVALID_VALUE,
-          "method: found -3, must be 0 to 6");
+          "method: found -3, must be 0 to 8");
   def.method = AVO_METHOD_AVO;
   def.certificate = 1; /* of earlier headers */
   REFUSES(avo_create_simulation(&def, &simulation), AVO_ERROR_INVALID_VALUE,

@@ -1,5 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
 """Worlds for learning: shapes, determinism, safety, episodes."""
+import os
+import subprocess
+import sys
+
 import avo
 import avo.env
 import numpy as np
@@ -105,7 +109,97 @@ def test_huge_actions_are_shortened_as_others():
 def test_environments_have_what_is_looked_for():
     for env in made(), avo.env.ParallelEnv(SCENE):
         assert env.unwrapped is env and env.spec is None and env.render() is None
-        assert env.render_mode is None and env.metadata["render_modes"] == []
+        assert env.render_mode is None and env.metadata["render_modes"] == ["rgb_array"]
+
+
+YARD = {"version": 1, "navigation": False, "robots": [{"position": [0, 0], "goal": [9, 0]}],
+        "obstacles": [{"polyline": [[5, -2], [5, 2]]}, {"disc": {"center": [-4, 3], "radius": 1}}],
+        "moving_obstacles": [{"position": [0, 4], "velocity": [0.5, 0], "acceleration": [0, -0.1], "radius": 0.7},
+                             {"position": [-8, -3], "path": [[8, -3]], "max_speed": 1, "max_deviation": 1},
+                             {"trajectory": [[0, 0, 7], [2, 2, 7], [9, 2, 3]]}]}
+
+
+def test_walls_and_moving_obstacles_are_observed():
+    env = avo.env.VectorEnv(YARD, neighbors=4, walls=3)
+    env.reset(seed=1)
+    simulation = avo.Simulation(YARD)
+    simulation.set_preferred_velocity(0, (0, 0))
+    for _ in range(40):
+        seen = env.step(np.zeros((1, 1, 2)))[0][0, 0]
+        simulation.step()
+    assert seen.shape == (6 + 6 * 4 + 3 * 3,) and env.single_observation_space.shape == (1, 39)
+    others = seen[6:30].reshape(4, 6)
+    assert others[:, 5].tolist() == [-1, -1, -1, 0]
+    places = simulation.obstacle_position() - env.position()[0, 0]
+    order = np.argsort(np.linalg.norm(places, axis=1))
+    assert np.allclose(others[:3, :2], places[order], atol=1e-5)
+    walls = seen[30:].reshape(3, 3)
+    assert np.allclose(walls[0], (-3.2, 2.4, 1), atol=1e-5) and np.allclose(walls[1], (5, 0, 1), atol=1e-5)
+    assert not walls[2].any()
+
+
+def test_robots_evade_moving_obstacles():
+    crossed = {"version": 1, "navigation": False, "robots": [{"position": [0, 0], "goal": [9, 0]}],
+               "moving_obstacles": [{"position": [4.5, -6], "velocity": [0, 1]}]}
+    for action, touched in ([2.0, 0.0], False), ([0.0, 0.0], False):
+        env = avo.env.VectorEnv(crossed, neighbors=1, max_steps=200)
+        env.reset(seed=0)
+        gap = min(np.linalg.norm(env.step([[action]])[0][0, 0, 6:8]) - 1.0 for _ in range(60))
+        assert (gap < 0.0) == touched
+    assert gap > 2.0
+
+
+def with_reward(reward):
+    env = made(reward=reward)
+    env.reset(seed=1)
+    return env.step(np.ones((E, N, 2)))[1]
+
+
+def test_rewards_may_be_ones_own():
+    seen = []
+
+    def slow(step):
+        seen.append(step)
+        return -np.linalg.norm(step.velocity, axis=2)
+
+    rewards = with_reward(slow)
+    assert np.allclose(rewards, -0.1) and seen[0].actions.shape == (E, N, 2)
+    away = seen[0].clearance
+    assert np.all(away > 0.0) and np.allclose(with_reward(lambda step: np.zeros((E, N))), 0.0)
+    assert np.allclose(with_reward(avo.env.progress), with_reward(None))
+
+
+def test_images_show_robots_walls_and_moving_obstacles():
+    env = avo.env.VectorEnv(YARD, 2, render_mode="rgb_array")
+    env.reset(seed=1)
+    first = env.render()
+    assert len(first) == 2 and first[0].dtype == np.uint8 and max(first[0].shape) == 480 and first[0].shape[2] == 3
+    colors = {tuple(color) for color in first[0].reshape(-1, 3)}
+    assert colors == {(255, 255, 255), (51, 51, 51), (153, 153, 153), tuple(__import__("avo._raster")._raster._color(0))}
+    for _ in range(10):
+        env.step(np.ones((2, 1, 2)))
+    again = env.render()[1]
+    assert again.shape == first[1].shape and not np.array_equal(again, first[1])
+    assert avo.env.ParallelEnv(YARD, render_mode="rgb_array").render().shape == again.shape
+
+
+def test_spaces_are_gymnasiums_own_where_it_is_installed(tmp_path):
+    """By a stub: Debian has no Gymnasium. scripts/gymnasium runs its checks and PettingZoo's by hand."""
+    (tmp_path / "gymnasium").mkdir()
+    (tmp_path / "gymnasium/__init__.py").write_text("")
+    (tmp_path / "gymnasium/spaces.py").write_text(
+        "class Box:\n    def __init__(self, low, high, shape, dtype):\n"
+        "        self.low, self.high, self.shape, self.dtype = low, high, shape, dtype\n")
+    code = ("import avo.env, gymnasium.spaces, numpy\n"
+            "env, world = avo.env.VectorEnv('uniform-12', 3, neighbors=4, walls=2), avo.env.ParallelEnv('uniform-12')\n"
+            "spaces = [env.observation_space, env.single_observation_space, env.action_space, env.single_action_space,\n"
+            "          world.observation_space('robot_0'), world.action_space('robot_0')]\n"
+            "assert all(type(s) is gymnasium.spaces.Box and s.dtype is numpy.float32 for s in spaces)\n"
+            "assert [s.shape for s in spaces] == [(3, 12, 36), (12, 36), (3, 12, 2), (12, 2), (54,), (2,)]\n"
+            "assert env.reset(seed=1)[0].shape == (3, 12, 36)\n")
+    path = os.pathsep.join([str(tmp_path), os.environ["PYTHONPATH"]])
+    run = subprocess.run([sys.executable, "-c", code], env=dict(os.environ, PYTHONPATH=path), capture_output=True, text=True)
+    assert run.returncode == 0, run.stderr
 
 
 def test_robots_do_not_touch_whatever_the_actions_are():
@@ -197,7 +291,11 @@ def test_worlds_leave_the_way_around_walls_to_the_learner():
 
 @pytest.mark.parametrize("make, message", [
     (lambda: avo.env.VectorEnv("cars-100"), "robots.0.model: found another one, must be holonomic"),
-    (lambda: avo.env.VectorEnv("person"), "moving_obstacles: found some, must be none"),
+    (lambda: avo.env.VectorEnv(SCENE, walls=-1), "walls: found -1, must be a whole number from 0 to 1000"),
+    (lambda: avo.env.VectorEnv(SCENE, render_mode="human"), "render_mode: found 'human', must be 'rgb_array' or None"),
+    (lambda: with_reward(lambda step: step.distance[0]), f"reward: found shape ({N},), must be ({E}, {N})"),
+    (lambda: with_reward(lambda step: "much"), "reward: found an array of <U4, must be real numbers"),
+    (lambda: avo.Worlds(1, avo.Scenario(SCENE)).movers(1), "world: found 1, must be 0 to 0"),
     (lambda: avo.env.VectorEnv(with_wall(navigation=True)), "navigation: found true, must be false or left out in"),
     (lambda: avo.env.VectorEnv(with_wall(right_of_way="told")), "right_of_way: found \"told\", must be seen: told was removed"),
     (lambda: avo.env.VectorEnv(SCENE, 0), "num_envs: found 0, must be a whole number from 1 to 1000000"),

@@ -2,6 +2,7 @@
 """Spaces by duck typing, and the numbers that environments are made with."""
 from __future__ import annotations
 
+import importlib
 from dataclasses import dataclass
 from typing import Any
 
@@ -21,6 +22,15 @@ def generator(seed: int | None) -> np.random.Generator:
     if seed is not None and not (isinstance(seed, (int, np.integer)) and seed >= 0):
         raise Error(f"seed: found {seed!r}, must be a whole number >= 0")
     return np.random.default_rng(seed)
+
+
+def box(low: float, high: float, shape: tuple[int, ...]) -> Any:
+    """Gymnasium's own space where it is installed, as wrappers and checks ask for it; else a Box."""
+    try:
+        spaces = importlib.import_module("gymnasium.spaces")
+    except ImportError:
+        return Box(low, high, shape)
+    return spaces.Box(low, high, shape, np.float32)
 
 
 @dataclass

@@ -7,13 +7,15 @@ and ParallelEnv that of PettingZoo's parallel environments; neither package is n
 Action of a robot: its preferred velocity (x, y), m/s; a longer one than max_speed is shortened to it.
 The planner of the scene decides from it, without the memory of detours (avo.Detour).
 
-Observation of a robot, 6 + 6 k numbers, float32: where its goal is from it (2, m), its velocity
-(2, m/s), its radius (m) and max_speed (m/s); and of each of the k nearest robots within the scene's
-sensing_radius, nearest first: where it is from this one (2, m), its velocity less this one's (2, m/s),
-the sum of both radii (m) and 1; six zeros where there are fewer.
+Observation of a robot, 6 + 6 k + 3 w numbers, float32: where its goal is from it (2, m), its velocity
+(2, m/s), its radius (m) and max_speed (m/s); of each of the k nearest robots and moving obstacles within
+the scene's sensing_radius, nearest first: where it is from this one (2, m), its velocity less this one's
+(2, m/s), the sum of both radii (m) and 1, or -1 of a moving obstacle; six zeros where there are fewer;
+and of each of the w nearest walls: the way to its nearest point (2, m) and 1; three zeros where there are
+fewer.
 
 Reward of a robot: by how much nearer its goal has come in the step, m, and 1 more when it arrives,
-within the scene's arrival_distance. From then on it is terminated: it gets no reward, its actions do not
+within the scene's arrival_distance; or what a function of a Step returns. From then on it is terminated: it gets no reward, its actions do not
 count, and it goes to its goal by itself, avoided by the others. All robots of a world that have not
 arrived are truncated after max_steps.
 """
@@ -25,14 +27,14 @@ import numpy as np
 import numpy.typing as npt
 
 from ._avo import Error, Scenario, Worlds, _numbers
-from ._spaces import Box, generator, whole
+from ._raster import draw
+from ._rewards import Flags, Floats, Reward, Step, progress
+from ._spaces import box, generator, whole
 
-Floats = npt.NDArray[np.float64]
 Observations = npt.NDArray[np.float32]
-Flags = npt.NDArray[np.bool_]
 Source = Any  # what Scenario() takes
 Seeds = Union[int, Sequence[Union[int, None]], None]
-_OWN, _OTHER = 6, 6  # numbers
+_OWN, _OTHER, _WALL = 6, 6, 3  # numbers
 _HUGE = 1e100  # m/s
 _MOST_NEIGHBORS = 1000  # as Worlds.nearest()
 
@@ -44,40 +46,56 @@ class VectorEnv:
     (gymnasium's next-step mode): in that step actions do not count, and rewards are 0.
     """
 
-    metadata: dict[str, Any] = {"autoreset_mode": "NextStep", "render_modes": []}
-    render_mode = None
+    metadata: dict[str, Any] = {"autoreset_mode": "NextStep", "render_modes": ["rgb_array"], "render_fps": 10}
     spec = None  # it is in no registry
 
-    def __init__(self, scene: Source, num_envs: int = 1, *, neighbors: int = 8, max_steps: int | None = None) -> None:
+    def __init__(
+        self,
+        scene: Source,
+        num_envs: int = 1,
+        *,
+        neighbors: int = 8,
+        walls: int = 0,
+        max_steps: int | None = None,
+        reward: Reward | None = None,
+        render_mode: str | None = None,
+    ) -> None:
         """scene: what Scenario() takes but a Scenario itself, as worlds differ by its seed: scenes that
-        place robots at random (as uniform-N) begin differently, others alike. neighbors: k, 0 to
-        1000. max_steps: >= 1, None: those of the scene's duration."""
+        place robots at random (as uniform-N) begin differently, others alike. neighbors: k, walls: w, 0 to
+        1000. max_steps: >= 1, None: those of the scene's duration. reward: of a Step, (E, N); None:
+        progress and arrival. render_mode: "rgb_array", or None."""
         if isinstance(scene, Scenario):
             raise Error("scene: found a Scenario, must be what one is made from: worlds differ by their seeds")
         first = Scenario(scene)
         usual = max(1, round(first.duration / first.time_step))
         num_envs = whole("num_envs", num_envs, 1, 1_000_000)
         neighbors = whole("neighbors", neighbors, 0, _MOST_NEIGHBORS)
+        walls = whole("walls", walls, 0, _MOST_NEIGHBORS)
+        if render_mode not in (None, "rgb_array"):
+            raise Error(f"render_mode: found {render_mode!r}, must be 'rgb_array' or None")
+        self.render_mode, self._reward = render_mode, reward or progress
         self.max_steps = usual if max_steps is None else whole("max_steps", max_steps, 1, 2**53)
-        self._scene, self._neighbors = scene, neighbors
+        self._scene, self._neighbors, self._walls = scene, neighbors, walls
         self._worlds = Worlds(num_envs, first)
         self.num_envs, self.num_robots = num_envs, len(first.robots)
         self.time_step, self.arrival_distance = first.time_step, first.arrival_distance
         self._randoms = [generator(None)] * num_envs
+        self._placed = [first] * num_envs
         self._steps = np.zeros(num_envs, dtype=np.int64)
         self._arrived = np.zeros((num_envs, self.num_robots), dtype=bool)
         self._begins_anew = np.zeros(num_envs, dtype=bool)
         fastest = max(robot.max_speed for robot in first.robots)
-        observed = (self.num_robots, _OWN + _OTHER * neighbors)
-        self.single_observation_space = Box(-np.inf, np.inf, observed)
-        self.observation_space = Box(-np.inf, np.inf, (num_envs, *observed))
-        self.single_action_space = Box(-fastest, fastest, (self.num_robots, 2))
-        self.action_space = Box(-fastest, fastest, (num_envs, self.num_robots, 2))
+        robots = self.num_robots
+        self._observed, self._fastest = _OWN + _OTHER * neighbors + _WALL * walls, fastest
+        self.single_observation_space = box(-np.inf, np.inf, (robots, self._observed))
+        self.observation_space = box(-np.inf, np.inf, (num_envs, robots, self._observed))
+        self.single_action_space = box(-fastest, fastest, (robots, 2))
+        self.action_space = box(-fastest, fastest, (num_envs, robots, 2))
 
     def reset(
         self, *, seed: Seeds = None, options: Mapping[str, Any] | None = None
     ) -> tuple[Observations, dict[str, Any]]:
-        """Begins all worlds anew. Returns observations (E, N, 6 + 6 k) and {}. With the same seed and the
+        """Begins all worlds anew. Returns observations (E, N, 6 + 6 k + 3 w) and {}. With the same seed and the
         same actions all that follows is the same, bit by bit; None: goes on with the last seed. A list has
         one seed, or None, for each world, which then begins as no other world's seed would have it."""
         self._seed(seed)
@@ -86,15 +104,16 @@ class VectorEnv:
         return self._observe(), {}
 
     def step(self, actions: npt.ArrayLike) -> tuple[Observations, Floats, Flags, Flags, dict[str, Any]]:
-        """actions: (E, N, 2), m/s. Returns observations (E, N, 6 + 6 k) and (E, N) each of rewards,
-        terminated and truncated, and {}."""
+        """actions: (E, N, 2), m/s. Returns observations (E, N, 6 + 6 k + 3 w) and (E, N) each of
+        rewards, terminated and truncated, and {}."""
         anew = self._begins_anew.copy()
-        before = self._distances()
-        self._worlds.step(self._preferred(actions), [not begins for begins in anew])
+        before, taken = self._distances(), self._preferred(actions)
+        self._worlds.step(taken, [not begins for begins in anew])
         after = self._distances()
         came = (after <= self.arrival_distance) & ~self._arrived
-        rewards: Floats = np.where(self._arrived, 0.0, before - after)
-        rewards[came] += 1.0
+        had_arrived = self._arrived.copy()
+        step = Step(before, after, self.velocity(), taken, came, had_arrived, self._clearance())
+        rewards = np.where(had_arrived, 0.0, self._rewards(step))
         self._arrived |= came
         self._steps += 1
         for world in np.flatnonzero(anew):
@@ -108,8 +127,11 @@ class VectorEnv:
     def close(self) -> None:
         """Nothing is left open."""
 
-    def render(self) -> None:
-        """Nothing: there is no render mode. avo.svg.draw() draws scenes."""
+    def render(self) -> tuple[npt.NDArray[np.uint8], ...] | None:
+        """An image (height, width, 3) of each world; None without a render mode."""
+        if self.render_mode is None:
+            return None
+        return tuple(self._image(world) for world in range(self.num_envs))
 
     @property
     def unwrapped(self) -> VectorEnv:
@@ -131,6 +153,21 @@ class VectorEnv:
         """(E, N), m."""
         return self._worlds.radius()
 
+    def _image(self, world: int) -> npt.NDArray[np.uint8]:
+        return draw(self._placed[world], self.position()[world], self._worlds.movers(world))
+
+    def _rewards(self, step: Step) -> Floats:
+        rewards = _numbers("reward", self._reward(step))
+        if rewards.shape != (self.num_envs, self.num_robots):
+            raise Error(f"reward: found shape {rewards.shape}, must be {(self.num_envs, self.num_robots)}")
+        return rewards
+
+    def _clearance(self) -> Floats:
+        near = self._worlds.nearest(1)[:, :, 0].astype(np.float64)
+        away = np.linalg.norm(near[:, :, :2], axis=2) - near[:, :, 4]
+        clearance: Floats = np.where(near[:, :, 5] != 0.0, away, np.inf)
+        return clearance
+
     def _seed(self, seed: Seeds) -> None:
         if seed is None:
             return
@@ -144,7 +181,8 @@ class VectorEnv:
 
     def _begin(self, world: int) -> None:
         seed = int(self._randoms[world].integers(2**31))
-        self._worlds.place(world, Scenario(self._scene, overrides={"seed": seed}))
+        self._placed[world] = Scenario(self._scene, overrides={"seed": seed})
+        self._worlds.place(world, self._placed[world])
         self._steps[world] = 0
         self._arrived[world] = False
         self._begins_anew[world] = False
@@ -187,27 +225,38 @@ class VectorEnv:
         ]
         shape = (self.num_envs, self.num_robots, _OTHER * self._neighbors)
         nearest = worlds.nearest(self._neighbors).reshape(shape)
-        return np.concatenate([np.concatenate(own, axis=2).astype(np.float32), nearest], axis=2)
+        walls = worlds.nearest_walls(self._walls).reshape((*shape[:2], _WALL * self._walls))
+        return np.concatenate([np.concatenate(own, axis=2).astype(np.float32), nearest, walls], axis=2)
 
 
 class ParallelEnv:
     """One world of N robots: agents "robot_0" to "robot_N-1". Those that are terminated or truncated
     are agents no longer; reset() begins anew."""
 
-    metadata: dict[str, Any] = {"name": "avo_v0", "is_parallelizable": True, "render_modes": []}
-    render_mode = None
+    metadata: dict[str, Any] = {
+        "name": "avo_v0", "is_parallelizable": True, "render_modes": ["rgb_array"], "render_fps": 10}
     spec = None  # it is in no registry
 
-    def __init__(self, scene: Source, *, neighbors: int = 8, max_steps: int | None = None) -> None:
-        """As VectorEnv."""
-        self._env = VectorEnv(scene, 1, neighbors=neighbors, max_steps=max_steps)
+    def __init__(
+        self,
+        scene: Source,
+        *,
+        neighbors: int = 8,
+        walls: int = 0,
+        max_steps: int | None = None,
+        reward: Reward | None = None,
+        render_mode: str | None = None,
+    ) -> None:
+        """As VectorEnv; reward: (1, N)."""
+        self._env = VectorEnv(
+            scene, 1, neighbors=neighbors, walls=walls, max_steps=max_steps, reward=reward, render_mode=render_mode)
+        self.render_mode = render_mode
         self.possible_agents = [f"robot_{k}" for k in range(self._env.num_robots)]
         self.agents: list[str] = []
         self._actions = np.zeros(self._env.action_space.shape)
-        observed, acted = self._env.single_observation_space, self._env.single_action_space
-        agents = self.possible_agents
-        self.observation_spaces = {a: Box(observed.low, observed.high, observed.shape[1:]) for a in agents}
-        self.action_spaces = {a: Box(acted.low, acted.high, acted.shape[1:]) for a in agents}
+        observed, fastest = self._env._observed, self._env._fastest
+        self.observation_spaces = {a: box(-np.inf, np.inf, (observed,)) for a in self.possible_agents}
+        self.action_spaces = {a: box(-fastest, fastest, (2,)) for a in self.possible_agents}
 
     @property
     def num_agents(self) -> int:
@@ -217,16 +266,16 @@ class ParallelEnv:
     def max_num_agents(self) -> int:
         return len(self.possible_agents)
 
-    def observation_space(self, agent: str) -> Box:
+    def observation_space(self, agent: str) -> Any:
         return self.observation_spaces[agent]
 
-    def action_space(self, agent: str) -> Box:
+    def action_space(self, agent: str) -> Any:
         return self.action_spaces[agent]
 
     def reset(
         self, seed: int | None = None, options: Mapping[str, Any] | None = None
     ) -> tuple[dict[str, Observations], dict[str, dict[str, Any]]]:
-        """Observations (6 + 6 k,) and infos {} by agent."""
+        """Observations (6 + 6 k + 3 w,) and infos {} by agent."""
         observations, _ = self._env.reset(seed=seed)
         self.agents = list(self.possible_agents)
         return self._of_agents(lambda k: observations[0, k]), self._of_agents(lambda k: {})
@@ -234,7 +283,7 @@ class ParallelEnv:
     def step(
         self, actions: Mapping[str, npt.ArrayLike]
     ) -> tuple[dict[str, Observations], dict[str, float], dict[str, bool], dict[str, bool], dict[str, dict[str, Any]]]:
-        """actions: (2,), m/s, by agent. Returns observations (6 + 6 k,), rewards, terminations,
+        """actions: (2,), m/s, by agent. Returns observations (6 + 6 k + 3 w,), rewards, terminations,
         truncations and infos {} by agent."""
         if not self.agents:
             raise Error("step: found no agents, must be after reset()")
@@ -260,8 +309,9 @@ class ParallelEnv:
     def close(self) -> None:
         """Nothing is left open."""
 
-    def render(self) -> None:
-        """Nothing: there is no render mode. avo.svg.draw() draws scenes."""
+    def render(self) -> npt.NDArray[np.uint8] | None:
+        """An image (height, width, 3); None without a render mode."""
+        return None if self.render_mode is None else self._env._image(0)
 
     @property
     def unwrapped(self) -> ParallelEnv:

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Many worlds at once for learning. The caller gives the robots their preferred velocities; each
 // robot decides by a planner, as in a simulation.
+#include "worlds.h"
+
 #include <algorithm>
 #include <atomic>
 #include <fmt/format.h>
@@ -20,7 +22,6 @@ void require_plain(const avo::Scenario& scenario) {
   const auto refuse = [](const char* what, std::string_view found, const char* allowed) {
     throw avo::Error(fmt::format("{}: found {}, must be {} in these worlds", what, found, allowed));
   };
-  if (!scenario.moving_obstacles.empty()) refuse("moving_obstacles", "some", "none");
   if (scenario.clock != avo::Clock::common) refuse("clock", "free", "common");
   if (!scenario.sensing.is_exact()) refuse("sensing", "errors", "exact");
   // the learner decides where robots go, and which robot waits at a passage
@@ -36,12 +37,6 @@ void require_plain(const avo::Scenario& scenario) {
       refuse((name + ".layers").c_str(), "others", "the usual ones");
   }
 }
-
-struct World {
-  std::vector<avo::Robot> robots;
-  std::vector<avo::Vec2> goals;
-  std::vector<avo::Wall> walls;
-};
 
 avo::Robot robot_of(const avo::RobotSetup& setup) {
   return {.position = setup.position,
@@ -62,102 +57,101 @@ avo::Neighbor seen(const avo::Robot& robot) {
           .max_braking = robot.max_braking};
 }
 
-/// Keeps two threads from using the same worlds. Throws Error if a thread uses them already.
-class InUse {
- public:
-  explicit InUse(std::atomic<bool>& used) : used_(used) {
-    if (used_.exchange(true))
-      throw avo::Error("worlds: found in use by another thread, must be used by one at a time");
+/// A moving obstacle as robots sense it.
+avo::Neighbor seen(const avo::MovingObstacle& mover) {
+  return {.position = mover.position,
+          .velocity = mover.velocity,
+          .radius = mover.radius,
+          .behavior = avo::Behavior::moves_on,
+          .max_deviation = mover.max_deviation,
+          .acceleration = mover.acceleration,
+          .max_speed = mover.max_speed.value_or(kInfinity)};
+}
+
+/// Moves it by a step, as a simulation does. time: s, the end of the step.
+void move(avo::MovingObstacle& mover, std::uint32_t& target, double time_step, double time) {
+  if (mover.trajectory.empty() && mover.path.empty()) {
+    mover.position = mover.position + time_step * mover.velocity +
+                     (0.5 * time_step * time_step) * mover.acceleration;
+    mover.velocity = mover.velocity + time_step * mover.acceleration;
+    return;
   }
-  InUse(const InUse&) = delete;
-  InUse& operator=(const InUse&) = delete;
-  ~InUse() { used_ = false; }
+  const avo::PathWalk next =
+      mover.trajectory.empty()
+          ? avo::next_on_path(mover, {mover.position, mover.velocity, target}, time_step)
+          : avo::on_trajectory(mover, time);
+  mover.position = next.position, mover.velocity = next.velocity, target = next.target;
+}
 
- private:
-  std::atomic<bool>& used_;
-};
+}  // namespace
 
-/// E worlds of N robots each, with the settings of one scene.
-class Worlds {
- public:
-  Worlds(std::size_t worlds, const avo::Scenario& scenario)
-      : planner_(planner_options(scenario)),
-        sensing_radius_(avo::sensing_radius_of(scenario)),
-        robots_(scenario.robots.size()) {
-    if (worlds == 0) throw avo::Error("num_envs: found 0, must be >= 1");
-    all_.resize(worlds);
-    for (std::size_t e = 0; e < worlds; ++e) place(e, scenario);
+Worlds::Worlds(std::size_t worlds, const avo::Scenario& scenario)
+    : planner_(planner_options(scenario)),
+      sensing_radius_(avo::sensing_radius_of(scenario)),
+      robots_(scenario.robots.size()) {
+  if (worlds == 0) throw avo::Error("num_envs: found 0, must be >= 1");
+  all_.resize(worlds);
+  for (std::size_t e = 0; e < worlds; ++e) place(e, scenario);
+}
+
+void Worlds::place(std::size_t world, const avo::Scenario& scenario) {
+  require_plain(scenario);
+  if (world >= all_.size())
+    throw avo::Error(fmt::format("world: found {}, must be 0 to {}", world, all_.size() - 1));
+  if (scenario.robots.size() != robots_)
+    throw avo::Error(fmt::format("robots: found {} of them, must be {} as in the other worlds",
+                                 scenario.robots.size(), robots_));
+  World placed;
+  for (const avo::RobotSetup& setup : scenario.robots) {
+    placed.robots.push_back(robot_of(setup));
+    placed.goals.push_back(setup.goal);
   }
+  placed.walls = avo::walls_of(scenario.obstacles);
+  placed.movers = scenario.moving_obstacles;
+  placed.targets.assign(placed.movers.size(), 0);
+  all_[world] = std::move(placed);
+}
 
-  void place(std::size_t world, const avo::Scenario& scenario) {
-    require_plain(scenario);
-    if (world >= all_.size())
-      throw avo::Error(fmt::format("world: found {}, must be 0 to {}", world, all_.size() - 1));
-    if (scenario.robots.size() != robots_)
-      throw avo::Error(fmt::format("robots: found {} of them, must be {} as in the other worlds",
-                                   scenario.robots.size(), robots_));
-    World placed;
-    for (const avo::RobotSetup& setup : scenario.robots) {
-      placed.robots.push_back(robot_of(setup));
-      placed.goals.push_back(setup.goal);
-    }
-    placed.walls = avo::walls_of(scenario.obstacles);
-    all_[world] = std::move(placed);
+void Worlds::find_near(const World& world, std::size_t i,
+                       std::vector<std::pair<double, std::size_t>>& near) const {
+  near.clear();
+  const auto look_at = [&](avo::Vec2 position, std::size_t j) {
+    const double squared = norm_squared(position - world.robots[i].position);
+    if (j != i && squared <= sensing_radius_ * sensing_radius_) near.emplace_back(squared, j);
+  };
+  for (std::size_t j = 0; j < robots_; ++j) look_at(world.robots[j].position, j);
+  for (std::size_t k = 0; k < world.movers.size(); ++k)
+    look_at(world.movers[k].position, robots_ + k);
+  std::sort(near.begin(), near.end());
+}
+
+avo::Neighbor Worlds::neighbor(const World& world, std::size_t j) const {
+  return j < robots_ ? seen(world.robots[j]) : seen(world.movers[j - robots_]);
+}
+
+void Worlds::step(World& world, std::span<const avo::Vec2> preferred) {
+  const double h = planner_.options().time_step, lag = planner_.step_lag();
+  next_.clear();
+  for (std::size_t i = 0; i < robots_; ++i) {
+    avo::Robot& self = world.robots[i];
+    self.preferred_velocity = preferred[i];
+    find_near(world, i, near_);
+    neighbors_.clear();
+    for (const auto& [squared, j] : near_) neighbors_.push_back(neighbor(world, j));
+    next_.push_back(
+        planner_.plan(self, neighbors_, workspace(), nullptr, world.walls).next_velocity);
   }
-
-  /// preferred: for all robots of all worlds, m/s. moving: the worlds that take part.
-  void step(std::span<const avo::Vec2> preferred, const std::vector<char>& moving) {
-    for (std::size_t e = 0; e < all_.size(); ++e)
-      if (moving[e] != 0) step(all_[e], preferred.subspan(e * robots_, robots_));
+  for (std::size_t i = 0; i < robots_; ++i) {
+    avo::Robot& robot = world.robots[i];
+    robot.position = robot.position + lag * robot.velocity + (h - lag) * next_[i];
+    robot.velocity = next_[i];
   }
+  ++world.steps;
+  for (std::size_t k = 0; k < world.movers.size(); ++k)
+    move(world.movers[k], world.targets[k], h, static_cast<double>(world.steps) * h);
+}
 
-  [[nodiscard]] std::size_t worlds() const { return all_.size(); }
-  [[nodiscard]] std::size_t robots() const { return robots_; }
-  [[nodiscard]] const World& world(std::size_t e) const { return all_[e]; }
-  [[nodiscard]] std::atomic<bool>& used() const { return used_; }
-
-  /// Finds the neighbors that robot i of the world senses: squared distances, m^2, and numbers,
-  /// nearest first.
-  void find_near(const World& world, std::size_t i,
-                 std::vector<std::pair<double, std::size_t>>& near) const {
-    near.clear();
-    for (std::size_t j = 0; j < robots_; ++j) {
-      const double squared = norm_squared(world.robots[j].position - world.robots[i].position);
-      if (j != i && squared <= sensing_radius_ * sensing_radius_) near.emplace_back(squared, j);
-    }
-    std::sort(near.begin(), near.end());
-  }
-
- private:
-  /// First all robots decide from the same states, and then all robots move.
-  void step(World& world, std::span<const avo::Vec2> preferred) {
-    const double h = planner_.options().time_step, lag = planner_.step_lag();
-    next_.clear();
-    for (std::size_t i = 0; i < robots_; ++i) {
-      avo::Robot& self = world.robots[i];
-      self.preferred_velocity = preferred[i];
-      find_near(world, i, near_);
-      neighbors_.clear();
-      for (const auto& [squared, j] : near_) neighbors_.push_back(seen(world.robots[j]));
-      next_.push_back(
-          planner_.plan(self, neighbors_, workspace(), nullptr, world.walls).next_velocity);
-    }
-    for (std::size_t i = 0; i < robots_; ++i) {
-      avo::Robot& robot = world.robots[i];
-      robot.position = robot.position + lag * robot.velocity + (h - lag) * next_[i];
-      robot.velocity = next_[i];
-    }
-  }
-
-  avo::Planner planner_;
-  double sensing_radius_;
-  std::size_t robots_;
-  std::vector<World> all_;
-  mutable std::atomic<bool> used_ = false;
-  std::vector<avo::Vec2> next_;
-  std::vector<std::pair<double, std::size_t>> near_;
-  std::vector<avo::Neighbor> neighbors_;
-};
+namespace {
 
 template <typename Of>  // Vec2 of(world, robot)
 auto points(Of of) {
@@ -189,33 +183,6 @@ auto per_robot(Of of) {
         rows(i, k) = of(self.world(static_cast<std::size_t>(i)), static_cast<std::size_t>(k));
     return array;
   };
-}
-
-/// Returns relative position and velocity, sum of radii, and 1 for each of the k nearest; 0 for
-/// missing neighbors.
-py::array_t<float> nearest(const Worlds& self, std::size_t k) {
-  constexpr std::size_t kNumbers = 6, kMost = 1000;
-  if (k > kMost) throw avo::Error(fmt::format("k: found {}, must be 0 to {}", k, kMost));
-  py::array_t<float> array({self.worlds(), self.robots(), k, kNumbers});
-  float* out = array.mutable_data();
-  std::fill_n(out, array.size(), 0.0F);
-  const InUse use(self.used());
-  const py::gil_scoped_release release;
-  std::vector<std::pair<double, std::size_t>> near;
-  for (std::size_t e = 0; e < self.worlds(); ++e) {
-    const World& world = self.world(e);
-    for (std::size_t i = 0; i < self.robots(); ++i, out += k * kNumbers) {
-      self.find_near(world, i, near);
-      for (std::size_t n = 0; n < std::min(k, near.size()); ++n) {
-        const avo::Robot &a = world.robots[i], &b = world.robots[near[n].second];
-        const avo::Vec2 p = b.position - a.position, v = b.velocity - a.velocity;
-        const double row[kNumbers] = {p.x, p.y, v.x, v.y, a.radius + b.radius, 1.0};
-        std::transform(row, row + kNumbers, out + n * kNumbers,
-                       [](double number) { return static_cast<float>(number); });
-      }
-    }
-  }
-  return array;
 }
 
 void step(Worlds& self, const py::object& actions, const std::vector<bool>& moving) {
@@ -260,7 +227,13 @@ void bind_worlds(py::module_& module) {
            "preferred: (E, N, 2), m/s; moving: (E,) bool, the worlds that take part.")
       .def("nearest", &nearest, arg("k"),
            "(E, N, k, 6) float32: relative position, m, and velocity, m/s, sum of radii, m, and 1 "
-           "of the k nearest within the sensing radius, nearest first; 0 where there are fewer.")
+           "of a robot or -1 of a moving obstacle, of the k nearest within the sensing radius, "
+           "nearest first; 0 where there are fewer.")
+      .def("nearest_walls", &nearest_walls, arg("k"),
+           "(E, N, k, 3) float32: the way to the nearest point, m, and 1 of the k nearest walls "
+           "within the sensing radius, nearest first; 0 where there are fewer.")
+      .def("movers", &movers_of, arg("world"),
+           "(m, 3) float64: places and radii of its moving obstacles, m.")
       .def("position", points([](const World& w, std::size_t k) { return w.robots[k].position; }),
            "(E, N, 2) float64, m.")
       .def("velocity", points([](const World& w, std::size_t k) { return w.robots[k].velocity; }),
