@@ -82,6 +82,7 @@ struct Flow {
   friend bool operator==(const Flow&, const Flow&) = default;
 };
 
+/// What the robots of a team do together.
 using TeamTask = std::variant<Queue, Follow, Patrol, Flow>;
 
 /// A robot of a team.

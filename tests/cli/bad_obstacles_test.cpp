@@ -72,7 +72,7 @@ const std::vector<Bad> kEntries{
      "DIR/s.yaml:4:1: found the unknown key \"obstacle\", allowed are version, name, time_step, "
      "duration, control_time, response_time, comfort_acceleration, comfort_jerk, margin, "
      "never_swerves, time_horizon, "
-     "sensing_radius, max_neighbors, method, certificate, "
+     "sensing_radius, max_neighbors, method, external_method, certificate, "
      "motion, arrival_distance, seed, robots, groups, robots_from, "
      "moving_obstacles, obstacles, navigation, right_of_way, sensing, sensing_error, clock, "
      "allow_broken_assumptions; did "

@@ -190,7 +190,8 @@ const std::vector<BadScene>& bad_scenes() {
       {"method_number", kGood + s("method: 3\n"),
        "4:9: method: found 3, must be one of avo, avo_paper, velocity_obstacle, orca, "
        "orca_clamped, "
-       "reciprocal_velocity_obstacle, buffered_voronoi"},
+       "reciprocal_velocity_obstacle, buffered_voronoi, external, "
+       "external_clamped"},
       {"certificate_unknown", kGood + s("certificate: capsules\n"),
        "4:14: certificate: found \"capsules\", must be one of none, braking_trajectories"},
       {"stopping_capsules", kGood + s("certificate: stopping_capsules\n"),

@@ -16,7 +16,7 @@ inline const std::string kGood = "version: 1\nrobots:\n  - {position: [0, 0], go
 inline const std::string kSceneKeys =
     "version, name, time_step, duration, control_time, response_time, "
     "comfort_acceleration, comfort_jerk, margin, never_swerves, time_horizon, sensing_radius, "
-    "max_neighbors, method, certificate, motion, arrival_distance, seed, "
+    "max_neighbors, method, external_method, certificate, motion, arrival_distance, seed, "
     "robots, groups, robots_from, "
     "moving_obstacles, obstacles, navigation, right_of_way, sensing, sensing_error, clock, "
     "allow_broken_assumptions";

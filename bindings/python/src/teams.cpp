@@ -66,9 +66,9 @@ void bind_tasks(py::module_& module) {
            arg("service") = py::none(),
            "line: points, m, from the head of the row backward. spacing: m. service: s that the "
            "first one waits at the head before it goes to its own goal; None: until Team.serve().")
-      .def_readonly("line", &avo::Queue::line)
-      .def_readonly("spacing", &avo::Queue::spacing)
-      .def_readonly("service", &avo::Queue::service);
+      .def_readonly("line", &avo::Queue::line, "m, from the head backward.")
+      .def_readonly("spacing", &avo::Queue::spacing, "m, from place to place.")
+      .def_readonly("service", &avo::Queue::service, "s at the head; None: until serve().");
   py::class_<avo::Follow>(module, "Follow", "The first robot goes to its goal, others follow it.")
       .def(py::init([](double spacing, Points slots) {
              return checked_task(avo::Follow{spacing, std::move(slots)});
@@ -76,24 +76,24 @@ void bind_tasks(py::module_& module) {
            py::kw_only(), arg("spacing") = avo::Follow{}.spacing, arg("slots") = Points{},
            "spacing: m between robots on the trail of the first one. slots: places about it, m, x "
            "ahead and y to its left; none: all follow the trail.")
-      .def_readonly("spacing", &avo::Follow::spacing)
-      .def_readonly("slots", &avo::Follow::slots);
+      .def_readonly("spacing", &avo::Follow::spacing, "m, from robot to robot.")
+      .def_readonly("slots", &avo::Follow::slots, "m, about the first robot.");
   py::class_<avo::Patrol>(module, "Patrol", "Each robot goes from point to point for ever.")
       .def(py::init([](Points points, double pass_distance) {
              return checked_task(avo::Patrol{std::move(points), pass_distance});
            }),
            arg("points"), py::kw_only(), arg("pass_distance") = avo::Patrol{}.pass_distance,
            "points: m. pass_distance: m, from a point to go on to the next.")
-      .def_readonly("points", &avo::Patrol::points)
-      .def_readonly("pass_distance", &avo::Patrol::pass_distance);
+      .def_readonly("points", &avo::Patrol::points, "m, to pass in turn.")
+      .def_readonly("pass_distance", &avo::Patrol::pass_distance, "m, from a point to go on.");
   py::class_<avo::Flow>(module, "Flow", "Robots leave by the nearest exit, and are removed there.")
       .def(py::init([](Points exits, double spacing) {
              return checked_task(avo::Flow{std::move(exits), spacing});
            }),
            arg("exits"), py::kw_only(), arg("spacing") = avo::Flow{}.spacing,
            "exits: the two ends of each exit, m. spacing: m between the goals on an exit.")
-      .def_readonly("exits", &avo::Flow::exits)
-      .def_readonly("spacing", &avo::Flow::spacing);
+      .def_readonly("exits", &avo::Flow::exits, "m, the two ends of each exit.")
+      .def_readonly("spacing", &avo::Flow::spacing, "m, between goals on an exit.");
 }
 
 void bind_team(py::module_& module) {
