@@ -186,7 +186,8 @@ const std::vector<BadScene>& bad_scenes() {
        "4:7: seed: found 18446744073709551616, must be < 2^64 = 18446744073709551616"},
       {"method_unknown", kGood + s("method: orka\n"),
        "4:9: method: found \"orka\", must be one of avo, avo_paper, velocity_obstacle, orca, "
-       "orca_clamped, reciprocal_velocity_obstacle, buffered_voronoi; did you mean \"orca\"?"},
+       "orca_clamped, reciprocal_velocity_obstacle, buffered_voronoi, external, external_clamped; "
+       "did you mean \"orca\"?"},
       {"method_number", kGood + s("method: 3\n"),
        "4:9: method: found 3, must be one of avo, avo_paper, velocity_obstacle, orca, "
        "orca_clamped, "

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: Apache-2.0
+// Robots queue at a charger. The host serves the first one whenever the charger is free.
+#include <cstdio>
+#include <vector>
+
+#include <avo/avo.h>
+
+int main() {
+  avo::Scenario scene;
+  std::vector<avo::RobotId> all;
+  for (int k = 0; k < 8; ++k) {
+    avo::RobotSetup robot;
+    robot.radius = 0.3;
+    robot.position = {-6.0 - 1.5 * (k % 4), 3.0 * (k / 4)};
+    robot.goal = {10.0, 1.5 * k};
+    all.push_back({scene.robots.size()});
+    scene.robots.push_back(robot);
+  }
+  avo::Simulation simulation(scene);
+  avo::Metrics metrics(scene);
+  avo::Team queue =
+      avo::make_team(all, avo::Queue{.line = {{4, 0}, {0, 0}, {0, -10}}, .spacing = 1.0});
+  const avo::Vec2 charger{4, 0};  // m
+  double charged = 0.0;           // s
+  int served = 0;
+  while (simulation.can_step_by(120.0)) {
+    lead(simulation, queue);
+    simulation.step();
+    metrics.observe(simulation);
+    if (queue.members.empty()) continue;
+    const std::size_t first = *simulation.index_of(queue.members.front().robot);
+    const bool is_there = norm(simulation.robot(first).position - charger) < 0.5;
+    charged = is_there ? charged + 0.1 : 0.0;
+    if (charged < 3.0) continue;
+    serve(simulation, queue);
+    ++served;
+  }
+  std::printf("%d of 8 were charged, %s, %d pairs touched\n", served,
+              simulation.all_at_goal() ? "all are at their goals" : "some are not at their goals",
+              int(metrics.summary().collision_pairs));
+}

@@ -1,0 +1,10 @@
+# SPDX-License-Identifier: Apache-2.0
+"""ORCA's choice under limits of acceleration, alone and with the certificate behind it."""
+import avo
+
+for scene in ("circle-20", "crossing-streams", "doorway"):
+    for certificate in ("none", "braking_trajectories"):
+        summary = avo.run(avo.Scenario(scene, overrides={
+            "method": "orca_clamped", "certificate": certificate, "time_horizon": 3}))
+        print(f"{scene:18} {certificate:22} {summary['collision_pairs']:4} pairs collide, "
+              f"{summary['arrived']} of {summary['robots']} arrive")
