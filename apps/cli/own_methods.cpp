@@ -103,6 +103,10 @@ std::vector<avo_io::OwnMethod> own_methods_of(const std::vector<std::string>& gi
   std::vector<avo_io::OwnMethod> methods;
   for (const std::string& word : given) {
     const Given own = parts_of(word);
+    for (const avo_io::OwnMethod& other : methods)
+      if (other.name == own.name)
+        throw UsageError(fmt::format("--method: found {} twice, must have another name",
+                                     avo_io::printable(own.name, kLongestWord)));
     methods.push_back({own.name, avo_c::external_of(loaded(own), nullptr), own.clamped,
                        own.certified, version_of(own.library)});
   }

@@ -163,6 +163,9 @@ class AVO_API Simulation {
   /// horizon and arrival distance change. The robot keeps what it remembers. Changes nothing where
   /// it throws.
   void change_robot(RobotId robot, const RobotSetup& setup);
+  /// The teams of its scene, which each step leads: serve a queue, or change the members. Valid
+  /// until restore().
+  [[nodiscard]] std::span<Team> teams();
   /// Sets the preferred velocity, m/s, that the robot has from now on, in place of a route to its
   /// goal; none: it goes to its goal again. Meanwhile the robot has no goal: is_at_goal() is false,
   /// and it takes no part in the rules for passages and goals. The certificate holds as before.

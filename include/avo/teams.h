@@ -31,11 +31,13 @@ AVO_API const char* to_string(Formation formation);
 /// the origin. Neighboring slots are `spacing` apart: m, > 0. Throws Error on a bad spacing.
 AVO_API std::vector<Vec2> formation_slots(Formation formation, std::size_t count, double spacing);
 
-/// Returns slots turned by `heading`, rad, and moved so that their origin is at `center`, m.
+/// Returns slots turned by `heading`, rad, and moved so that their origin is at `center`, m. Throws
+/// Error on numbers that are not finite or out of range.
 AVO_API std::vector<Vec2> place_slots(std::span<const Vec2> slots, Vec2 center, double heading);
 
-/// Returns for each robot the index of its slot, so that the sum of the straight ways is least. The
-/// straight ways of two robots then never cross. There must be at least as many slots as robots,
+/// Returns for each robot the index of its slot, so that the sum of the straight ways is least, to
+/// a millionth of the longest one. The straight ways of two robots then do not cross, unless they
+/// are nearly on one line. There must be at least as many slots as robots,
 /// else it throws Error. The time is that of the Hungarian method: at most the square of the robots
 /// times the slots.
 AVO_API std::vector<std::size_t> assign_slots(std::span<const Vec2> positions,
@@ -59,6 +61,7 @@ struct Queue {
 };
 
 /// The first member goes to its goal, and the others follow it. They stand near it once it rests.
+/// They drive up to their max_speed to catch up.
 struct Follow {
   double spacing = 1.5;  ///< m, > 0, between two robots along the trail of the first one
   /// m: places of the others about the first one, x ahead and y to its left. Robots for which there
@@ -68,13 +71,16 @@ struct Follow {
 };
 
 /// Each member goes from point to point for ever. It begins with the point that is nearest to it.
+/// It goes on too where it rests beside its point because others leave no room, and passes over
+/// points that it cannot reach.
 struct Patrol {
   std::vector<Vec2> points = {};  ///< m, at least one
   double pass_distance = 1.0;     ///< m, > 0: a robot that near to a point goes on to the next
   friend bool operator==(const Patrol&, const Patrol&) = default;
 };
 
-/// The members leave by the nearest exit, and are removed there.
+/// The members leave by the nearest exit, and are removed once they are within the arrival distance
+/// of their goals on it.
 struct Flow {
   /// m: two points each, the ends of a line, e.g. of a door. At least one exit
   std::vector<Vec2> exits = {};
@@ -89,8 +95,8 @@ using TeamTask = std::variant<Queue, Follow, Patrol, Flow>;
 struct TeamMember {
   RobotId robot;
   bool is_led = false;       ///< lead() has taken it up
-  Vec2 goal = {};            ///< m: of a queue, the robot's own goal
-  std::uint32_t number = 0;  ///< index of its slot, or of the point that it goes to
+  Vec2 goal = {};            ///< m: the robot's own goal, from before lead() took it up
+  std::uint32_t number = 0;  ///< index of its slot, or of the point or the goal that it goes to
   friend constexpr bool operator==(const TeamMember&, const TeamMember&) = default;
 };
 
@@ -111,17 +117,17 @@ AVO_API Team make_team(std::span<const RobotId> robots, TeamTask task);
 /// Throws Error on a task with values out of range, e.g. "spacing: found 0, must be > 0 m".
 AVO_API void validate(const TeamTask& task);
 
-/// Sets the goals and preferred velocities of the members for the next step: call it before each
-/// step. Members that are gone from the simulation leave the team. A simulation leads the teams of
-/// its scenario itself, from the moment it is made. Throws Error on a bad task.
+/// Sets the goals and preferred velocities of the members for the next step, in place of those
+/// that the host has set: call it before each step. Members that are gone from the simulation leave
+/// the team. A simulation leads the teams of its scenario itself, from the moment it is made.
+/// Throws Error on a bad task.
 AVO_API void lead(Simulation& simulation, Team& team);
 
-/// Sends the first robot of a queue to its own goal; the others move up. Returns the robot; none if
-/// the team is empty or not a queue.
+/// Sends the first robot of a queue to its own goal; the others move up. Returns the robot, also
+/// where its service has ended just now; none if the team is empty or not a queue.
 AVO_API std::optional<RobotId> serve(Simulation& simulation, Team& team);
 
-/// Members go to their own goals again: of a queue to those that they had, of Follow as their
-/// goals are. The team is empty then.
+/// Members go to the goals again that they had before they joined. The team is empty then.
 AVO_API void disband(Simulation& simulation, Team& team);
 
 }  // namespace avo

@@ -245,11 +245,24 @@ std::string run_name(const SweepSpec& spec, std::int64_t run) {
   return printable(name);
 }
 
+// The name as YAML, so that no name is read as something else.
+std::string quoted(const std::string& name) {
+  std::string text = "\"";
+  for (const char letter : name) {
+    const auto number = static_cast<unsigned char>(letter);
+    if (number < 0x20)
+      text += fmt::format("\\x{:02x}", number);
+    else
+      text.append(letter == '"' || letter == '\\' ? "\\" : "").append(1, letter);
+  }
+  return text + "\"";
+}
+
 std::vector<std::string> overrides_of(const OwnMethod& method) {
   const avo::Method kind = method.clamped ? avo::Method::external_clamped : avo::Method::external;
   const avo::Certificate certificate =
       method.certified ? avo::Certificate::braking_trajectories : avo::Certificate::none;
-  return {std::string("method=") + to_string(kind), "external_method=" + method.name,
+  return {std::string("method=") + to_string(kind), "external_method=" + quoted(method.name),
           std::string("certificate=") + to_string(certificate)};
 }
 

@@ -31,9 +31,10 @@ void WallNeeds::include(const Robot& robot, const RobotTraits& traits, const Pla
                        : 0.0;
   // from where the robot takes itself to be
   include(traits, stray + 2.0 * law.localization_error, speed, law);
-  const double wished = method_traits(options.method).has_rules
-                            ? std::min(options.wall_range, way_range(robot))
-                            : obstacle_reach(speed, traits.max_speed, options);
+  const double wished =
+      method_traits(options.method).has_rules
+          ? std::min(options.wall_range, way_range(robot))
+          : obstacle_reach(std::max(speed, traits.max_speed), traits.max_speed, options);
   const double maneuvers =
       traits.has_model ? model_traits(robot.model).maneuver_room + law.localization_error : 0.0;
   reach = std::max(reach, traits.radius + std::max(wished, maneuvers));

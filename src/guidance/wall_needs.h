@@ -21,6 +21,7 @@ struct WallNeeds {
   /// velocity.
   void include(const Robot& robot, const RobotTraits& traits, const Planner& planner);
   bool cover(const WallNeeds& needs) const;
+  bool is_same(const WallNeeds& needs) const { return cover(needs) && needs.cover(*this); }
 };
 
 /// The grid of the walls that matter to those robots, at any place.

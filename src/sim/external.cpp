@@ -119,6 +119,18 @@ void collect_batch(World& world, Executor& executor) {
   for (std::size_t k = 0; k < own.tiles.size(); ++k) own.all.append(own.parts[k]);
 }
 
+// Tells that the function runs, also where it throws.
+class Asked {
+ public:
+  explicit Asked(bool& is_asked) : is_asked_(is_asked) { is_asked_ = true; }
+  ~Asked() { is_asked_ = false; }
+  Asked(const Asked&) = delete;
+  Asked& operator=(const Asked&) = delete;
+
+ private:
+  bool& is_asked_;
+};
+
 void choose(const World& world, const BatchColumns& all, std::vector<Vec2>& velocities) {
   require_function(world);
   velocities.clear();
@@ -154,7 +166,10 @@ void find_external(World& world) {
 void choose_externally(World& world, Executor& executor) {
   ExternalChoices& own = world.external;
   collect_batch(world, executor);
-  choose(world, own.all, own.velocities);
+  {
+    const Asked asked(own.is_asked);
+    choose(world, own.all, own.velocities);
+  }
   own.chosen.resize(world.fleet.size());
   for (std::size_t k = 0; k < own.slots.size(); ++k) own.chosen[own.slots[k]] = own.velocities[k];
 }
@@ -164,6 +179,9 @@ void take_chosen(const World& world, std::span<const std::uint32_t> slots, Worke
   for (std::size_t k = 0; k < slots.size(); ++k) {
     if (!is_external(world.fleet.conduct[slots[k]].method)) continue;
     const Vec2 v = world.external.chosen[slots[k]];
+    // a choice of its own says nothing of an approach to the goal
+    if (v != Vec2{robots.preferred_x[k], robots.preferred_y[k]})
+      robots.distance_to_goal[k] = kInfinity;
     robots.preferred_x[k] = v.x, robots.preferred_y[k] = v.y;
   }
 }
@@ -175,6 +193,7 @@ void choose_externally(const World& world, RobotId robot, Vec2 goal, Simulation:
   alone.add(robot, seen.robot, goal, seen.neighbors, seen.walls);
   std::vector<Vec2> velocities;
   choose(world, alone, velocities);
+  if (velocities.front() != seen.robot.preferred_velocity) seen.robot.distance_to_goal = kInfinity;
   seen.robot.preferred_velocity = velocities.front();
   seen.guide = Guide::host;
 }

@@ -42,6 +42,7 @@ struct ExternalChoices {
   BatchColumns all;
   std::vector<Vec2> velocities;  // m/s, in that order
   std::vector<Vec2> chosen;      // m/s, by slot; empty where there are no such robots
+  bool is_asked = false;         // the function runs: it must not change the simulation
 };
 
 /// Finds the robots of external methods.

@@ -33,6 +33,9 @@ std::size_t nearest_sought(const World& world) {
 double near_range(const World& world, std::size_t slot) {
   const double everyone = world.sensing_radius;
   if (!world.senses.are_exact() || world.outliers.usual == Scrutiny::everyone) return everyone;
+  // an external method chooses from all that its robot senses
+  if (!world.external.ranks.empty() && is_external(world.fleet.conduct[slot].method))
+    return everyone;
   if (!world.all_matter_to(slot)) return -1.0;
   const Vec2 p = world.fleet.position[slot];
   const double farthest = std::max({std::abs(p.x), std::abs(p.y), everyone});

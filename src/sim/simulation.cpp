@@ -98,7 +98,7 @@ Simulation::Simulation(Simulation&&) noexcept = default;
 Simulation& Simulation::operator=(Simulation&&) noexcept = default;
 
 void Simulation::step() {
-  require_whole(*state_, "Simulation::step");
+  require_whole(state_->to_change(), "Simulation::step");
   lead_teams(*this, state_->settings.teams);
   state_->forget_views();
   state_->forget_discs();
@@ -108,7 +108,7 @@ void Simulation::step() {
 }
 
 void Simulation::set_external(ExternalMethod method) {
-  state_->settings.external = std::move(method);
+  state_->to_change().settings.external = std::move(method);
 }
 
 std::vector<std::byte> Simulation::save() const {
@@ -118,7 +118,7 @@ std::vector<std::byte> Simulation::save() const {
 }
 
 void Simulation::restore(std::span<const std::byte> saved) {
-  avo::restore(from_bytes(saved), *state_);
+  avo::restore(from_bytes(saved), state_->to_change());
   state_->nearby.has_walls = false;
   state_->forget_robots();
 }

@@ -7,6 +7,7 @@
 #include <memory>
 #include <span>
 
+#include "avo/error.h"
 #include "core/mutex.h"
 #include "sim/clocks.h"
 #include "sim/fleet_mirror.h"
@@ -52,6 +53,12 @@ struct Simulation::State : World {
     const Lock lock(looking);
     look_at_walls(*this, nearby);
     return nearby;
+  }
+  /// Itself, to be changed. Throws Error within a function that the step calls.
+  State& to_change() {
+    if (external.is_asked)
+      throw Error("external_method: found a change within the step that asks it, must be after it");
+    return *this;
   }
   /// Discs have moved, changed or gone.
   void forget_discs() { nearby.has_discs = false; }

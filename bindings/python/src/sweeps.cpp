@@ -64,6 +64,7 @@ py::list sweep(const py::object& spec, const std::map<std::string, Own>& own, in
       interrupted = interrupted || PyErr_CheckSignals() != 0;
       if (interrupted) throw py::error_already_set();
     };
+    if (jobs < 0) throw avo::Error(fmt::format("jobs: found {}, must be >= 0", jobs));
     table = run_sweep(known, {.jobs = jobs, .journal = "", .progress = heed}).table;
     if (!path.empty()) write(table, path);
   }

@@ -193,6 +193,9 @@ void check_external(const Scenario& scenario) {
     refuse("external_method", name.empty() ? "none" : std::to_string(name.size()) + " bytes",
            "a name of 1 to " + std::to_string(kMostBytes) + " bytes, for robots of method " +
                external);
+  if (std::any_of(name.begin(), name.end(),
+                  [](unsigned char letter) { return letter < 0x20 || letter == 0x7f; }))
+    refuse("external_method", "a control character", "printable");
   for (std::size_t k = 0; k < kNames<Method>.size(); ++k)
     if (name == kNames<Method>[k]) refuse("external_method", name, "another name than avo's own");
   if (scenario.clock == Clock::free)

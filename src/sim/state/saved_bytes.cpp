@@ -19,10 +19,10 @@
 namespace avo::inline sim {
 namespace {
 
-constexpr std::uint64_t kMark = 0x65766173206f7661;           // "avo save"
-constexpr std::uint64_t kChangedMark = 0x32766173206f7661;    // "avo sav2": with what hosts change
-constexpr std::uint64_t kTeamsMark = 0x33766173206f7661;      // "avo sav3": also with teams
-constexpr std::size_t kFewestWords = 3;                       // mark, number of bytes, checksum
+constexpr std::uint64_t kMark = 0x65766173206f7661;         // "avo save"
+constexpr std::uint64_t kChangedMark = 0x32766173206f7661;  // "avo sav2": with what hosts change
+constexpr std::uint64_t kTeamsMark = 0x33766173206f7661;    // "avo sav3": also with teams and names
+constexpr std::size_t kFewestWords = 3;                     // mark, number of bytes, checksum
 constexpr std::size_t kObstacleWords = 17, kRobotWords = 19;  // at least
 constexpr std::size_t kPastWords = 4, kClockWords = 15, kKnotWords = 6;
 constexpr std::size_t kStaticWords = 4, kChainWords = 2;  // at least
@@ -342,6 +342,18 @@ void describe_teams(Archive<kReads>& archive, std::vector<Team>& teams) {
   }
 }
 
+// Only a scene that has one of these has this part. A method's name is here where no robot has the
+// method at present.
+bool has_teams_or_name(const Scenario& scene) {
+  return !scene.teams.empty() || (!has_external(scene) && !scene.external_method.empty());
+}
+
+template <bool kReads>
+void describe_more(Archive<kReads>& archive, Scenario& scene) {
+  describe_teams(archive, scene.teams);
+  if (!has_external(scene)) describe(archive, scene.external_method);
+}
+
 }  // namespace
 
 std::vector<std::byte> to_bytes(SavedState state) {
@@ -350,12 +362,12 @@ std::vector<std::byte> to_bytes(SavedState state) {
   std::vector<std::byte>& bytes = archive.written;
   bytes.reserve(kWord * (kSettings + kRobotWords * state.robots.size() +
                          kObstacleWords * state.obstacles.size()));
-  const bool has_teams = !state.scene.teams.empty(), changed = has_teams || is_changed(state);
-  std::uint64_t mark = has_teams ? kTeamsMark : changed ? kChangedMark : kMark, size = 0;
+  const bool has_more = has_teams_or_name(state.scene), changed = has_more || is_changed(state);
+  std::uint64_t mark = has_more ? kTeamsMark : changed ? kChangedMark : kMark, size = 0;
   archive.word(mark), archive.word(size);
   describe(archive, state);
   if (changed) describe_changes(archive, state);
-  if (has_teams) describe_teams(archive, state.scene.teams);
+  if (has_more) describe_more(archive, state.scene);
   put_word(bytes.size() + kWord, &bytes[kWord]);
   std::uint64_t sum = checksum(bytes);
   archive.word(sum);
@@ -366,8 +378,8 @@ SavedState from_bytes(std::span<const std::byte> bytes) {
   if (bytes.size() < kFewestWords * kWord) {
     refuse_saved(std::to_string(bytes.size()) + " bytes", "whole");
   }
-  const bool has_teams = word_at(bytes, 0) == kTeamsMark;
-  const bool changed = has_teams || word_at(bytes, 0) == kChangedMark;
+  const bool has_more = word_at(bytes, 0) == kTeamsMark;
+  const bool changed = has_more || word_at(bytes, 0) == kChangedMark;
   if (word_at(bytes, 0) != kMark && !changed)
     refuse_saved("something else", "bytes of Simulation::save()");
   if (word_at(bytes, 1) != bytes.size() || bytes.size() % kWord != 0) {
@@ -385,7 +397,7 @@ SavedState from_bytes(std::span<const std::byte> bytes) {
   for (std::size_t k = 0; k < state.mover_ids.size(); ++k) state.mover_ids[k] = {k};
   state.next_mover = state.mover_ids.size();
   if (changed) describe_changes(archive, state);
-  if (has_teams) describe_teams(archive, state.scene.teams);
+  if (has_more) describe_more(archive, state.scene);
   if (!archive.unread.empty()) {
     refuse_saved(std::to_string(archive.unread.size()) + " more bytes", "no more");
   }

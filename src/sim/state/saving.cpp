@@ -68,7 +68,7 @@ void require_same_scene(const Scenario& saved, const World& world) {
 }
 
 void require_same_external(const Scenario& saved, const World& world) {
-  if (!has_external(saved) || saved.external_method == world.settings.external_method) return;
+  if (saved.external_method == world.settings.external_method) return;
   refuse("saved state: external_method", shown(saved.external_method),
          shown(world.settings.external_method) + " as in this simulation");
 }

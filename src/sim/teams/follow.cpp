@@ -157,7 +157,10 @@ void lead(const Follow& follow, Simulation& simulation, Team& team) {
   const TeamMember& first = team.members.front();
   const bool is_new = !first.is_led || team.leader != first.robot;
   if (is_new) {
-    simulation.set_preferred_velocity(first.robot, std::nullopt);
+    if (first.is_led) {  // it has followed another leader
+      simulation.set_preferred_velocity(first.robot, std::nullopt);
+      simulation.set_goal(first.robot, first.goal);
+    }
     begin_trail(follow, simulation, team);
   }
   const Leader leader = look_at(simulation, index_of(simulation, first));

@@ -68,6 +68,8 @@ std::vector<Vec2> formation_slots(Formation formation, std::size_t count, double
 }
 
 std::vector<Vec2> place_slots(std::span<const Vec2> slots, Vec2 center, double heading) {
+  require("center", center, "m");
+  require("heading", heading, kAngle, "rad");
   const Vec2 ahead = elementary::direction(heading);
   std::vector<Vec2> placed;
   placed.reserve(slots.size());

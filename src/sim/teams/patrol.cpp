@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // A patrol: its robots pass points in turn, and do not stop at them.
 #include <algorithm>
+#include <cmath>
 #include <vector>
 
 #include "sim/teams/tasks.h"
@@ -16,16 +17,32 @@ std::uint32_t nearest(std::span<const Vec2> points, Vec2 place) {
                                     points.begin());
 }
 
+constexpr double kBeside = 4.0;     // pass_distance: a robot at rest is beside its point
+constexpr double kStanding = 0.01;  // m/s
+
+// Whether a robot goes on: it is near its point, it cannot come to the point at all, or it rests
+// beside the point because somebody else is there.
+bool has_passed(const Patrol& patrol, const Simulation& simulation, const TeamMember& member) {
+  const Vec2 point = patrol.points[member.number];
+  const std::size_t k = index_of(simulation, member);
+  const RobotState robot = simulation.robot(k);
+  const double off = norm(point - robot.position);
+  if (off <= patrol.pass_distance) return true;
+  if (!member.is_led) return false;
+  if (simulation.is_at_goal(k) || !std::isfinite(simulation.way(k).length)) return true;
+  return norm(robot.velocity) <= kStanding && off <= kBeside * patrol.pass_distance &&
+         !simulation.is_free(point, disc_radius(simulation.setup(k)));
+}
+
 }  // namespace
 
 void lead(const Patrol& patrol, Simulation& simulation, Team& team) {
   std::vector<Vec2> goals;
   goals.reserve(team.members.size());
   for (TeamMember& member : team.members) {
-    const Vec2 place = place_of(simulation, member);
-    if (!member.is_led) member.number = nearest(patrol.points, place);
+    if (!member.is_led) member.number = nearest(patrol.points, place_of(simulation, member));
     member.number %= static_cast<std::uint32_t>(patrol.points.size());
-    if (norm(patrol.points[member.number] - place) <= patrol.pass_distance)
+    if (has_passed(patrol, simulation, member))
       member.number = (member.number + 1) % static_cast<std::uint32_t>(patrol.points.size());
     goals.push_back(patrol.points[member.number]);
   }

@@ -30,8 +30,6 @@ RobotId send_first(Simulation& simulation, Team& team) {
 
 void lead(const Queue& queue, Simulation& simulation, Team& team) {
   line_up(simulation, queue.line.front(), team);
-  for (TeamMember& member : team.members)
-    if (!member.is_led) member.goal = simulation.robot(index_of(simulation, member)).goal;
   if (is_served(queue, simulation, team)) send_first(simulation, team);
   std::vector<Vec2> goals;
   goals.reserve(team.members.size());

@@ -105,13 +105,23 @@ void lead(Simulation& simulation, Team& team) {
   std::erase_if(team.members,
                 [&](const TeamMember& member) { return !simulation.index_of(member.robot); });
   if (team.members.empty()) return;
+  for (TeamMember& member : team.members)
+    if (!member.is_led) member.goal = simulation.robot(index_of(simulation, member)).goal;
   std::visit([&](const auto& task) { lead(task, simulation, team); }, team.task);
   for (TeamMember& member : team.members) member.is_led = true;
 }
 
 std::optional<RobotId> serve(Simulation& simulation, Team& team) {
   if (!std::holds_alternative<Queue>(team.task)) return std::nullopt;
+  std::erase_if(team.members,
+                [&](const TeamMember& member) { return !simulation.index_of(member.robot); });
+  const std::optional<TeamMember> before =
+      team.members.empty() ? std::nullopt : std::optional(team.members.front());
   lead(simulation, team);
+  // its service has ended just now
+  if (before && before->is_led &&
+      (team.members.empty() || team.members.front().robot != before->robot))
+    return before->robot;
   if (team.members.empty()) return std::nullopt;
   const RobotId robot = send_first(simulation, team);
   lead(simulation, team);
@@ -119,10 +129,9 @@ std::optional<RobotId> serve(Simulation& simulation, Team& team) {
 }
 
 void disband(Simulation& simulation, Team& team) {
-  const bool is_queue = std::holds_alternative<Queue>(team.task);
   for (const TeamMember& member : team.members) {
     if (!member.is_led || !simulation.index_of(member.robot)) continue;
-    if (is_queue) simulation.set_goal(member.robot, member.goal);
+    simulation.set_goal(member.robot, member.goal);
     simulation.set_preferred_velocity(member.robot, std::nullopt);
   }
   team = {.members = {}, .task = std::move(team.task)};

@@ -139,6 +139,7 @@ TEST(ExternalMethod, is_asked_once_a_step_about_all_its_robots_by_id_on_the_call
 TEST(ExternalMethod, sees_what_its_robots_would_plan_with) {
   for (bool noisy : {false, true}) {
     Scenario scene = furnished(Method::avo);
+    scene.max_neighbors = 3;  // limits half-planes, and not what the function sees
     if (noisy) scene.sensing.noise.position = 0.05, scene.sensing.delay = 2;
     Simulation* simulation = nullptr;
     scene = certified(
@@ -266,7 +267,8 @@ TEST(ExternalMethod, is_refused_without_a_name_and_where_clocks_are_free) {
 }
 
 TEST(ExternalMethod, is_explained) {
-  const Scenario scene = certified(potential_field, circle(12, 6.0, Method::avo));
+  Scenario scene = certified(potential_field, circle(12, 6.0, Method::avo));
+  scene.max_neighbors = 3;
   Simulation simulation(scene, 1);
   for (int k = 0; k < 30; ++k) {
     std::vector<Plan> expected;
@@ -281,6 +283,62 @@ TEST(ExternalMethod, is_explained) {
       EXPECT_EQ(simulation.robot(i).plan.status, expected[i].status);
     }
   }
+}
+
+TEST(ExternalMethod, may_not_change_the_simulation_that_asks_it) {
+  Simulation* simulation = nullptr;
+  std::vector<std::string> refusals;
+  const Scenario scene = certified(
+      [&](const MethodBatch&, std::span<Vec2>) {
+        refusals = {refusal([&] { simulation->step(); }),
+                    refusal([&] { simulation->remove_robot({0}); }), refusal([&] {
+                      simulation->set_goal({0}, {1, 1});
+                    }),
+                    refusal([&] { simulation->set_external(potential_field); })};
+      },
+      circle(6, 6.0, Method::avo));
+  Simulation own(scene, 1);
+  simulation = &own;
+  own.step();
+  ASSERT_EQ(refusals.size(), 4U);
+  for (const std::string& said : refusals)
+    EXPECT_EQ(said,
+              "external_method: found a change within the step that asks it, must be after it");
+  own.remove_robot({0});
+  own.step();
+}
+
+TEST(ExternalMethod, keeps_its_name_while_no_robot_has_it) {
+  Scenario scene = circle(6, 6.0, Method::avo);
+  scene.external_method = "mine";
+  scene.external = potential_field;
+  Simulation a(scene, 1);
+  Simulation b(a.save(), 1);
+  b.set_external(potential_field);
+  RobotSetup setup = a.setup(0);
+  setup.method = Method::external_clamped;
+  a.change_robot({0}, setup);
+  b.change_robot({0}, setup);
+  for (int k = 0; k < 50; ++k) a.step(), b.step();
+  EXPECT_EQ(a.state_hash(), b.state_hash());
+  b.restore(a.save());
+  EXPECT_EQ(a.save(), b.save());
+}
+
+// Near its goal an own choice is no approach to the goal: rule 3 lets both turn aside.
+TEST(ExternalMethod, passes_a_robot_that_it_meets_near_its_goal) {
+  Scenario scene;
+  scene.robots = {robot_at({-6, 0}, {-0.55, 0}), robot_at({6, 0}, {0.55, 0})};
+  Simulation simulation(certified(
+                            [](const MethodBatch& batch, std::span<Vec2> velocities) {
+                              for (std::size_t i = 0; i < batch.size(); ++i)
+                                velocities[i] = {batch.id[i].value == 0 ? 1.0 : -1.0, 0.0};
+                            },
+                            scene),
+                        1);
+  test::run_for(simulation, 40.0);
+  EXPECT_GT(simulation.robot(0).position.x, 5.0);
+  EXPECT_LT(simulation.robot(1).position.x, -5.0);
 }
 
 // What the certificate is for: contacts without it, and none with it.

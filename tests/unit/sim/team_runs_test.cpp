@@ -196,6 +196,51 @@ TEST(TeamRuns, a_crowd_leaves_by_the_nearest_exits) {
   EXPECT_EQ(metrics.summary().collision_pairs, 0);
 }
 
+TEST(TeamRuns, nobody_leaves_but_at_an_exit) {
+  Scenario scene = row_of(3, {0, 0});
+  scene.moving_obstacles = {{.position = {20, 0}, .radius = 2.0}};  // stands in the exit
+  scene.teams = {make_team(all_of(scene), Flow{.exits = {{20, -1}, {20, 1}}})};
+  Simulation simulation(scene, 1);
+  test::run_for(simulation, 40.0);
+  EXPECT_EQ(simulation.size(), 3U) << "the exit is blocked";
+  simulation.remove_moving_obstacle({0});
+  simulation.set_goal({0}, place(simulation, 0));  // undone by the team
+  test::run_for(simulation, 20.0);
+  EXPECT_EQ(simulation.size(), 0U);
+}
+
+TEST(TeamRuns, a_patrol_goes_on_past_points_that_cannot_be_passed) {
+  Scenario scene = row_of(1, {0, 0});
+  const Chain box{{{9, -1}, {11, -1}, {11, 1}, {9, 1}}, true};
+  scene.obstacles = {{{box}, 0.0, Fill::none}};
+  scene.moving_obstacles = {{.position = {0, 10}, .radius = 1.5}};  // stands on a point
+  const std::vector<Vec2> points{{0, 0}, {10, 0}, {0, 10}, {-10, 0}};
+  scene.teams = {make_team(all_of(scene), Patrol{.points = points})};
+  Simulation simulation(scene, 1);
+  int rounds = 0;
+  bool is_far = false;
+  while (simulation.time() < 120.0) {
+    simulation.step();
+    const double off = norm(place(simulation, 0) - Vec2{-10, 0});
+    if (off > 6.0) is_far = true;
+    if (is_far && off < 1.5) is_far = false, ++rounds;
+  }
+  EXPECT_GE(rounds, 2);
+}
+
+TEST(TeamRuns, serve_tells_of_a_robot_whose_service_has_just_ended) {
+  const Scenario scene = row_of(3, {10, 10});
+  Simulation simulation(scene, 1);
+  Team team = make_team(all_of(scene), Queue{.line = {{0, 0}, {-9, 0}}, .service = 0.5});
+  lead(simulation, team);
+  lead(simulation, team);
+  for (int step = 0; step < 6; ++step) simulation.step();
+  EXPECT_EQ(serve(simulation, team), RobotId{0});
+  EXPECT_EQ(team.members.size(), 2U);
+  disband(simulation, team);
+  EXPECT_EQ(simulation.robot(2).goal, scene.robots[2].goal);
+}
+
 Scenario all_tasks() {
   Scenario scene = row_of(16, {20, 5});
   const std::vector<RobotId> robots = all_of(scene);

@@ -101,6 +101,18 @@ TEST(Teams, slots_of_formations_are_a_spacing_apart_about_their_mean) {
   EXPECT_NEAR(norm(placed[0] - Vec2{5, 2}), 0.0, 1e-12) << "the first one is ahead";
 }
 
+TEST(Teams, slots_are_refused_at_places_that_are_none) {
+  const std::vector<Vec2> slots{{1, 0}};
+  EXPECT_EQ(refusal([&] {
+              place_slots(slots, {NAN, 0}, 0.0);
+            }),
+            "center.0: found nan, must be a finite number");
+  EXPECT_EQ(refusal([&] {
+              place_slots(slots, {0, 0}, 1e300);
+            }),
+            "heading: found 1e+300, must be <= 1e+06 rad");
+}
+
 TEST(Teams, forms_up_without_contact) {
   Scenario scene;
   for (int k = 0; k < 16; ++k)

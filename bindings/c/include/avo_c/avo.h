@@ -627,13 +627,14 @@ typedef struct avo_method_batch {
 
 /// Chooses a velocity for each robot of the batch, m/s; they are the preferred ones before the
 /// call. The thread that steps calls it once in a step. Any other result than 0 ends the step,
-/// which has moved nobody.
+/// which has moved nobody. It must not step or change the simulation that asks it: these calls fail
+/// meanwhile.
 typedef int32_t avo_external_method(void* context, const avo_method_batch* batch,
                                     avo_vec2* velocities);
 
 /// A simulation: the settings of a scene, its robots and obstacles, and its threads. Pointers are
-/// read while the simulation is made, not later; but run_tasks and run_context are used as long as
-/// it lives.
+/// read while the simulation is made, not later; but run_tasks, run_context, external and
+/// external_context are used as long as it lives.
 typedef struct avo_simulation_def {
   size_t size;
   const char* name;         ///< of the scene, for avo_summary alone; null: ""
