@@ -24,7 +24,7 @@ int main() {
   for (const Click& click :
        {Click{{40, 10}, 0.0, avo::Formation::wedge}, Click{{40, -30}, -1.57, avo::Formation::line},
         Click{{0, -30}, 3.14, avo::Formation::block}}) {
-    const std::vector<avo::Vec2> slots = avo::formation_slots(click.formation, 40, 1.5);
+    const std::vector<avo::Vec2> slots = avo::formation_slots(click.formation, 40, 1.8);
     avo::form_up(simulation, selected, avo::place_slots(slots, click.place, click.heading));
     const double begin = simulation.time();
     while (!simulation.all_at_goal() && simulation.can_step_by(begin + 120.0))

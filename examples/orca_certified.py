@@ -2,7 +2,7 @@
 """ORCA's choice under limits of acceleration, alone and with the certificate behind it."""
 import avo
 
-for scene in ("circle-20", "crossing-streams", "doorway"):
+for scene in ("crossing-streams", "doorway", "office"):
     for certificate in ("none", "braking_trajectories"):
         summary = avo.run(avo.Scenario(scene, overrides={
             "method": "orca_clamped", "certificate": certificate, "time_horizon": 3}))

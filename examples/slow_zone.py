@@ -13,8 +13,8 @@ while not simulation.all_at_goal() and simulation.can_step_by(90):
         if inside != (robot in slow):
             simulation.change_robot(robot, max_speed=0.5 if inside else 2.0, preferred_speed=0.5 if inside else 2.0)
             slow ^= {robot}
-            entered[robot] = simulation.time()
-        if inside and simulation.time() > entered[robot] + 2:
+            entered[robot] = simulation.time
+        if inside and simulation.time > entered[robot] + 2:
             fastest = max(fastest, float(abs(velocity[0])))
     simulation.step()
-print(f"all there after {simulation.time():.1f} s, at most {fastest:.2f} m/s in the zone")
+print(f"all there after {simulation.time:.1f} s, at most {fastest:.2f} m/s in the zone")

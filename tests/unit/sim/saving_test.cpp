@@ -188,6 +188,28 @@ TEST(Saving, ids_are_not_reused_after_it) {
   EXPECT_EQ(restored.add_robot(test::robot_at({500, 500}, {500, 500})).value, 5u);
 }
 
+// Robots at a shared goal search for places among the walls that are listed for them.
+TEST(Saving, walls_are_listed_for_the_robots_that_are_there) {
+  for (int trial = 0; trial < 12; ++trial) {
+    Random random(static_cast<std::uint64_t>(trial));
+    Scenario scene;
+    for (int k = 0; k < 8; ++k) {
+      scene.robots.push_back(test::robot_at({-10.0 + 1.5 * k, -8.0}, {0, 0}));
+      scene.robots.back().max_speed = scene.robots.back().preferred_speed = 1.0;
+    }
+    scene.robots.push_back(test::robot_at({60, 60}, {60, 60}));
+    scene.robots.back().max_speed = 6.0;  // it needs walls from farther away
+    const Vec2 a = somewhere(random, -4.0, 4.0);
+    scene.obstacles = {{{{{a, a + Vec2{2.0, random.uniform(-1.0, 1.0)}}, false}}}};
+    Simulation simulation(scene, 1);
+    simulation.step();
+    simulation.remove_robot({8});
+    Simulation restored(simulation.save(), 1);
+    for (int step = 0; step < 300; ++step) simulation.step(), restored.step();
+    EXPECT_EQ(simulation.state_hash(), restored.state_hash()) << trial;
+  }
+}
+
 TEST(Saving, takes_72_bytes_a_robot_beside_its_setup) {
   constexpr std::size_t kSetup = 11 * sizeof(double);  // goal, radius, limits, model, conduct
   Simulation few(holonomic_scene(10), 1), many(holonomic_scene(110), 1);
