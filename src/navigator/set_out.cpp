@@ -37,6 +37,11 @@ Nearest nearest_of(Vec2 position, std::span<const Neighbor> neighbors) {
   return nearest;
 }
 
+// Explanations step a copy of the memory: the ways that both share must not change then.
+bool is_copy(const NavigatorState& state, const Memory& memory) {
+  return &memory != &state.memory;
+}
+
 void find_walls(NavigatorState& state, Memory& memory, const Robot& robot,
                 const RobotTraits& traits) {
   if (state.map.empty()) return;
@@ -48,6 +53,9 @@ void find_walls(NavigatorState& state, Memory& memory, const Robot& robot,
     PlanWorkspace::Scratch::of(state.workspace).reserve_walls(kRoomFor, state.grid.most());
   }
   if (memory.passages_for == traits.radius) return;
+  if (is_copy(state, memory) && memory.ways == state.memory.ways)
+    memory.ways = std::make_shared<Ways>(way_rules_of(state.options), state.map,
+                                         state.memory.ways->resting());
   memory.passages_for = traits.radius;
   std::vector<double> radii = state.options.fleet_radii;
   radii.push_back(traits.radius);
@@ -81,7 +89,7 @@ void go_around_resting(NavigatorState& state, Memory& memory, const Robot& robot
     memory.is_planned = false;
   memory.on.back.reset();
   ways->forget_before();
-  ways->remember_passages(*memory.ways);
+  if (!is_copy(state, memory)) ways->remember_passages(*memory.ways);
   memory.passages_for = 0.0;
   memory.ways = std::move(ways);
 }
