@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "core/plane.h"
+#include "core/ranges.h"
 #include "navigation/path_map.h"
 
 namespace avo::inline navigator {
@@ -17,6 +18,9 @@ namespace {
 constexpr double kLags = 1.3;
 constexpr double kBackOn = 4.0;  // times the look-ahead: so far on it searches for its place
 constexpr double kFaster = 0.7;  // of a_max, to become faster
+// Radii: at first the robot takes its place on the first stretch of the route that is at most so
+// much farther off than the nearest one. A closed route thus begins at its start.
+constexpr double kBegins = 2.0;
 
 CornerGraph graph_of(const std::vector<Vec2>& points, double radius, std::span<const Wall> walls) {
   CornerGraph graph;
@@ -89,12 +93,12 @@ std::shared_ptr<const GivenRoute> given_route(std::span<const Waypoint> listed,
                                               std::span<const Wall> walls) {
   std::vector<Waypoint> points;
   for (const Waypoint& point : listed) {
-    if (points.empty() || !(point.place == points.back().place)) {
+    if (points.empty() || norm(point.place - points.back().place) > kSmallest) {
       points.push_back(point);
       continue;
     }
     points.back().wait = std::max(points.back().wait, point.wait);
-    points.back().is_stage = points.back().is_stage || point.is_stage;
+    points.back().stages += point.stages;
   }
   std::vector<RoutePoint> corners;
   std::vector<Vec2> places;
@@ -108,7 +112,7 @@ std::shared_ptr<const GivenRoute> given_route(std::span<const Waypoint> listed,
   for (std::size_t k = 0; k < points.size(); ++k) {
     const bool is_end = k + 1 == points.size();
     if (points[k].wait > 0.0 && !is_end) route.stops.push_back({along[k], points[k].wait});
-    if (points[k].is_stage) route.marks.push_back(along[k]);
+    route.marks.insert(route.marks.end(), points[k].stages, {along[k], route.stops.size()});
   }
   route.stops.push_back({route.rounded.length(), 0.0});
   return std::make_shared<const GivenRoute>(std::move(route));
@@ -120,9 +124,8 @@ std::shared_ptr<const GivenRoute> given_route(const Pose& from, std::span<const 
   std::vector<Vec2> places;
   for (const double along : rounded.points()) places.push_back(rounded.at(along));
   const double length = rounded.length();
-  GivenRoute route{
-      std::move(rounded), places, {{length, 0.0}}, {length}, graph_of(places, radius, walls),
-      map_of(places)};
+  GivenRoute route{std::move(rounded), places, {{length, 0.0}}, {}, graph_of(places, radius, walls),
+                   map_of(places)};
   return std::make_shared<const GivenRoute>(std::move(route));
 }
 
@@ -139,6 +142,15 @@ Travel as_travel(const OnRoute& on) {
   return travel;
 }
 
+std::size_t stages_passed(const OnRoute& on) {
+  std::size_t passed = 0;
+  const std::vector<Mark>& marks = on.route->marks;
+  while (passed + 1 < marks.size() && marks[passed].stops <= on.stop &&
+         marks[passed].along <= on.along)
+    ++passed;
+  return passed;
+}
+
 double left_of(const OnRoute& on, Vec2 position) {
   const RoundedRoute& route = on.route->rounded;
   return route.length() - on.along + norm(route.at(on.along) - position);
@@ -151,8 +163,9 @@ Headings follow_given(Ways& ways, const Claims& claims, const Follower& robot, V
   const auto ahead_at = [&](double v) {
     return std::max(kLags * pursuit.cornering.lag * v, pursuit.least_ahead);
   };
-  const double farthest = on.has_begun ? on.along + kBackOn * ahead_at(speed) : until;
-  on.along = route.nearest(robot.place, on.along, std::min(farthest, until));
+  const double farthest = std::min(on.along + kBackOn * ahead_at(speed), until);
+  on.along = on.has_begun ? route.nearest(robot.place, on.along, farthest)
+                          : route.first_near(robot.place, kBegins * robot.traits.radius, until);
   on.has_begun = true;
   const double wished = speed_of(robot, speed, pursuit, on);
   Heading by_route =

@@ -18,24 +18,30 @@ struct Stop {
   double wait = 0.0;   // s; infinite: until the host says so
 };
 
+/// Where a stage of the host is.
+struct Mark {
+  double along = 0.0;     // m, from the start
+  std::size_t stops = 0;  // number of stops up to there, with its own
+};
+
 /// What does not change while the robot follows the route.
 struct GivenRoute {
   RoundedRoute rounded;
-  std::vector<Vec2> points;   // m
-  std::vector<Stop> stops;    // ascending; the last one is the end
-  std::vector<double> marks;  // m from the start, of the points that are stages, ascending
-  CornerGraph graph;          // of the points, for the rules at passages
+  std::vector<Vec2> points;  // m
+  std::vector<Stop> stops;   // ascending; the last one is the end
+  std::vector<Mark> marks;   // ascending
+  CornerGraph graph;         // of the points, for the rules at passages
   std::shared_ptr<const PathMap> map;
 };
 
 /// A point of a route that is to be given.
 struct Waypoint {
-  Vec2 place = {};        // m
-  double wait = 0.0;      // s, see Stop; 0: the robot passes it
-  bool is_stage = false;  // the host has named it
+  Vec2 place = {};         // m
+  double wait = 0.0;       // s, see Stop; 0: the robot passes it
+  std::size_t stages = 0;  // number of stages that the host has named there
 };
 
-/// A point that repeats the one before it is left out. walls: of the map.
+/// A point that repeats the one before it, within kSmallest, is left out. walls: of the map.
 std::shared_ptr<const GivenRoute> given_route(std::span<const Waypoint> points,
                                               const Rounding& rounding, double radius,
                                               std::span<const Wall> walls);
@@ -47,10 +53,10 @@ std::shared_ptr<const GivenRoute> given_route(const Pose& from, std::span<const 
 /// How far a robot is on its given route.
 struct OnRoute {
   std::shared_ptr<const GivenRoute> route = {};
-  double along = 0.0;    // m, from the start
-  std::size_t stop = 0;  // index of the next stop
-  double waited = 0.0;   // s, there
-  bool has_begun = false;
+  double along = 0.0;               // m, from the start
+  std::size_t stop = 0;             // index of the next stop
+  double waited = 0.0;              // s, there
+  bool has_begun = false;           // the robot has its place on the route
   std::optional<Travel> back = {};  // around the walls between the robot and the route
   Vec2 back_to = {};                // m, of the route
 
@@ -74,6 +80,10 @@ Headings follow_given(Ways& ways, const Claims& claims, const Follower& robot, V
 
 /// The route as passages know it: straight pieces from its next point on.
 Travel as_travel(const OnRoute& on);
+
+/// Returns how many of the route's stages are behind the robot; the last one never is. A stage with
+/// a wait is behind the robot once the wait has ended.
+std::size_t stages_passed(const OnRoute& on);
 
 /// m, of the route that is left, from the robot's place.
 double left_of(const OnRoute& on, Vec2 position);

@@ -6,15 +6,18 @@
 #include <limits>
 #include <numbers>
 #include <span>
+#include <utility>
 
 #include "core/elementary.h"
 #include "core/plane.h"
+#include "navigator/simplified_route.h"
 #include "robots/model.h"
 
 namespace avo::inline navigator {
 namespace {
 
 constexpr double kTolerance = 0.3;   // radii: corners are cut by as much, see route_tolerance
+constexpr double kSimplified = 0.5;  // of the tolerance, for points that are left out
 constexpr double kWider = 1.3;       // times the turning circle: arcs of a car that it can drive
 constexpr double kLeastAhead = 1.0;  // tolerances
 constexpr double kAheadOfCar = 1.2;  // turning circles
@@ -83,13 +86,13 @@ std::vector<Waypoint> corners_of(NavigatorState& state, Memory& memory, const Ro
         to = to + disc_center(robot.model, {}, *mission.heading);
       const Vec2 from = run_in(state, robot, to, direction);
       if (by_map && !(from == to)) append_way(state, robot, from, memory, points);
-      if (!by_map && !(from == to)) points.push_back({from});
+      if (!by_map && !(from == to)) points.push_back({from, 0.0, 1});
     }
     if (by_map && (points.size() == 1 || memory.travel.ends != WayEnd::short_of))
       append_way(state, robot, to, memory, points);
     else
       points.push_back({to});
-    points.back().wait = is_last ? 0.0 : stage.wait, points.back().is_stage = true;
+    points.back().wait = is_last ? 0.0 : stage.wait, points.back().stages = by_map ? 1 : 0;
     if (memory.travel.ends == WayEnd::short_of) break;
   }
   return points;
@@ -124,6 +127,29 @@ std::shared_ptr<const GivenRoute> path_of_car(const NavigatorState& state, const
   return route;
 }
 
+// The route through the corners of the mission. Of a route of somebody else's planner, the points
+// left out and the arcs together keep within the tolerance.
+std::shared_ptr<const GivenRoute> route_of(NavigatorState& state, Memory& memory,
+                                           const Robot& robot) {
+  Rounding rounding = rounding_of(state, robot);
+  std::vector<Waypoint> corners = corners_of(state, memory, robot);
+  if (state.mission.kind == Mission::Kind::route) {
+    SimplifiedRoute simplified = simplified_route(corners, kSimplified * rounding.tolerance);
+    corners = std::move(simplified.points);
+    rounding.tolerance -= simplified.deviation;
+  }
+  return given_route(corners, rounding, robot.radius, state.map);
+}
+
+// m, from the start: where the robot is on the same route whose corners are cut otherwise. Each
+// place has moved by at most the difference of the lengths.
+double same_place(const OnRoute& before, const RoundedRoute& route) {
+  const double moved = std::abs(route.length() - before.route->rounded.length());
+  const double to = std::min(before.along + moved, route.length());
+  const double from = std::min(std::max(before.along - moved, 0.0), to);
+  return route.nearest(before.route->rounded.at(before.along), from, to);
+}
+
 }  // namespace
 
 double turning_radius(const MotionModel& model) {
@@ -146,16 +172,19 @@ void plan_routes(NavigatorState& state, Memory& memory, const Robot& robot) {
                                         state.planner.options().arrival_distance);
     return;
   }
-  if (memory.on.is_given() && mission.kind == Mission::Kind::stages) {
-    const std::vector<double>& marks = memory.on.route->marks;
-    memory.passed += static_cast<std::size_t>(
-        std::upper_bound(marks.begin(), marks.end() - 1, memory.on.along) - marks.begin());
-  }
+  const OnRoute before = std::exchange(memory.on, {});
   memory.travel = {};
-  memory.on = {};
-  if (mission.heading && (memory.on.route = path_of_car(state, robot))) return;
-  const std::vector<Waypoint> corners = corners_of(state, memory, robot);
-  memory.on.route = given_route(corners, rounding_of(state, robot), robot.radius, state.map);
+  if (mission.kind == Mission::Kind::route) {
+    memory.on.route = route_of(state, memory, robot);
+    memory.on.has_begun = before.has_begun;
+    if (before.has_begun) memory.on.along = same_place(before, memory.on.route->rounded);
+    return;
+  }
+  if (before.is_given()) memory.passed += stages_passed(before);
+  memory.on.waited = before.waited;  // the next stop is the same one
+  memory.on.has_begun = true;        // the route begins where the robot is
+  if (mission.heading) memory.on.route = path_of_car(state, robot);
+  if (!memory.on.is_given()) memory.on.route = route_of(state, memory, robot);
 }
 
 Vec2 end_of(const Mission& mission, const Memory& memory) {

@@ -142,6 +142,21 @@ double RoundedRoute::nearest(Vec2 p, double from, double to) const {
   return best;
 }
 
+double RoundedRoute::first_near(Vec2 p, double farther, double to) const {
+  const auto distance_at = [&](double along) { return norm(at(along) - p); };
+  const double reach = distance_at(nearest(p, 0.0, to)) + farther;
+  double best = 0.0, least = kInfinity;
+  for (std::size_t k = 0; k < elements_.size() && elements_[k].begin <= to; ++k) {
+    const Element& element = elements_[k];
+    const double along = std::min(element.begin + nearest_on(element, p), to);
+    const double distance = distance_at(along);
+    if (distance < least) least = distance, best = along;
+    const bool leads_away = distance_at(std::min(element.begin + element.length, to)) > reach;
+    if (least <= reach && leads_away) break;
+  }
+  return best;
+}
+
 double RoundedRoute::top_speed(double along, double most, const Cornering& cornering) const {
   const double range = most * most / (2.0 * kUsed * cornering.braking);
   double square = most * most;

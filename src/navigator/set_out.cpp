@@ -20,6 +20,9 @@ namespace {
 
 // T: others must have stood on the goal for as long. A robot that only waits there moves on.
 constexpr double kStand = 2.0;
+// The rest of a route leads to its end where it is at most so many times as long as the straight
+// line, and so many radii more.
+constexpr double kDirect = 1.5, kNearEnd = 4.0;
 constexpr std::size_t kRoomFor = 64;  // neighbors; memory for more is allocated when it is needed
 
 // m², of the two nearest neighbors.
@@ -37,6 +40,11 @@ Nearest nearest_of(Vec2 position, std::span<const Neighbor> neighbors) {
   return nearest;
 }
 
+// Explanations step a copy of the memory: the ways that both share must not change then.
+bool is_copy(const NavigatorState& state, const Memory& memory) {
+  return &memory != &state.memory;
+}
+
 void find_walls(NavigatorState& state, Memory& memory, const Robot& robot,
                 const RobotTraits& traits) {
   if (state.map.empty()) return;
@@ -48,6 +56,9 @@ void find_walls(NavigatorState& state, Memory& memory, const Robot& robot,
     PlanWorkspace::Scratch::of(state.workspace).reserve_walls(kRoomFor, state.grid.most());
   }
   if (memory.passages_for == traits.radius) return;
+  if (is_copy(state, memory) && memory.ways == state.memory.ways)
+    memory.ways = std::make_shared<Ways>(way_rules_of(state.options), state.map,
+                                         state.memory.ways->resting());
   memory.passages_for = traits.radius;
   std::vector<double> radii = state.options.fleet_radii;
   radii.push_back(traits.radius);
@@ -77,11 +88,11 @@ void go_around_resting(NavigatorState& state, Memory& memory, const Robot& robot
   if (memory.is_planned && memory.travel.graph != nullptr)
     memory.travel = plan_anew(*ways, robot.radius, robot.position, state.mission.goal(),
                               state.planner.options().arrival_distance, &memory.travel);
-  else
+  else if (state.mission.kind != Mission::Kind::route)  // that route leads where it leads
     memory.is_planned = false;
   memory.on.back.reset();
   ways->forget_before();
-  ways->remember_passages(*memory.ways);
+  if (!is_copy(state, memory)) ways->remember_passages(*memory.ways);
   memory.passages_for = 0.0;
   memory.ways = std::move(ways);
 }
@@ -141,11 +152,21 @@ Vec2 disc_goal(const NavigatorState& state, const Memory& memory, const Robot& r
   return end + disc_center(robot.model, {}, robot.heading);
 }
 
+// A closed route, and stages, pass by their end before.
+bool leads_to_end(const NavigatorState& state, const Memory& memory, const Robot& robot) {
+  if (!memory.on.is_given() || state.mission.kind == Mission::Kind::goal) return true;
+  const Vec2 place = led_point(robot);
+  const double direct = norm(memory.on.end() - place);
+  return memory.on.is_last() &&
+         left_of(memory.on, place) <= kDirect * direct + kNearEnd * robot.radius;
+}
+
 // Where others stand on the goal, or share it, a free place beside them (docs/arrival.md, rule 4).
 AtSharedGoal at_goal(NavigatorState& state, Memory& memory, const Robot& robot,
                      const RobotTraits& traits, const Heading& heading, Vec2 end,
                      std::span<const Neighbor> neighbors, std::span<const Wall> walls,
                      double time_step) {
+  if (!leads_to_end(state, memory, robot)) return {};
   const PlannerOptions& options = state.planner.options();
   Seeker seeker =
       seeker_of({.position = robot.position,

@@ -15,7 +15,9 @@ bool is_waiting(const NavigatorState& state, Memory& memory, const Robot& robot,
   if (!on.is_given() || on.is_last()) return false;
   const double tolerance =
       state.options.xy_goal_tolerance.value_or(state.planner.options().arrival_distance);
-  const bool is_there = norm(on.route->rounded.at(on.next().along) - robot.position) <= tolerance;
+  const double along = on.next().along;
+  const bool is_there = along - on.along <= tolerance &&
+                        norm(on.route->rounded.at(along) - robot.position) <= tolerance;
   if (!is_there || (on.waited == 0.0 && robot.velocity != Vec2{})) return false;
   on.waited += time;
   if (on.waited <= on.next().wait) return true;
@@ -32,6 +34,16 @@ void note_progress(const NavigatorOptions& options, Vec2 position, double time, 
     progress.from = position, progress.time = 0.0;
   else
     progress.time += time;
+}
+
+// Returns whether the robot has come to the end of its route. A route may pass its end before.
+bool is_at_end(const NavigatorState& state, const Memory& memory, const Robot& robot,
+               double tolerance) {
+  if (!memory.on.is_given()) return true;
+  if (!memory.on.is_last()) return false;
+  if (state.mission.kind == Mission::Kind::goal) return true;
+  const double off = norm(led_point(robot) - place_of(robot));
+  return memory.on.route->rounded.length() - memory.on.along <= tolerance + off;
 }
 
 }  // namespace
@@ -56,13 +68,13 @@ bool is_reached(const NavigatorState& state, const Memory& memory, const Robot& 
   const double tolerance =
       state.options.xy_goal_tolerance.value_or(state.planner.options().arrival_distance);
   const double slack = is_beside ? kBesideSlack * robot.radius : 0.0;
-  if (memory.on.is_given() && !memory.on.is_last()) return false;
   const bool is_turned =
       is_holonomic(robot.model) || !mission.heading ||
       std::abs(wrapped(robot.heading - *mission.heading)) <= state.options.yaw_goal_tolerance;
-  if (norm(goal - p) <= tolerance + slack && is_turned &&
-      memory.ways->is_in_sight(p, is_beside ? memory.travel.place : goal))
+  if (is_at_end(state, memory, robot, tolerance + slack) && norm(goal - p) <= tolerance + slack &&
+      is_turned && memory.ways->is_in_sight(p, is_beside ? memory.travel.place : goal))
     return true;
+  if (memory.on.is_given() && !memory.on.is_last()) return false;
   return memory.travel.ends != WayEnd::short_of && memory.has_stood && robot.velocity == Vec2{};
 }
 

@@ -13,19 +13,11 @@
 #include "unit/navigation/buildings.h"
 #include "unit/navigator/on_board.h"
 #include "unit/sim/walled_scenes.h"
-#include "walls/segment.h"
 
 namespace avo {
 namespace {
 
 constexpr double kStep = 0.1;  // s
-
-double off_route(Vec2 p, const std::vector<Vec2>& route) {
-  double least = std::numeric_limits<double>::infinity();
-  for (std::size_t k = 0; k + 1 < route.size(); ++k)
-    least = std::min(least, distance(p, Segment{route[k], route[k + 1]}));
-  return least;
-}
 
 // One robot with its navigator, alone.
 struct Alone {
@@ -52,7 +44,7 @@ Followed follow(Alone& robot, const std::vector<Vec2>& route, double most) {
   while (robot.decision.status != NavigatorStatus::reached && robot.time < most) {
     robot.step();
     result.farthest_off =
-        std::max(result.farthest_off, off_route(robot.base.robot.position, route));
+        std::max(result.farthest_off, test::off_route(robot.base.robot.position, route));
     if (robot.time > 2.0 && robot.decision.route_left > 2.5)
       result.slowest = std::min(result.slowest, norm(robot.base.robot.velocity));
   }

@@ -215,6 +215,36 @@ TEST(Navigator, explains_the_decision_that_it_makes_next) {
   }
 }
 
+// Two robots at a door. Questions about a larger robot, and about a mover at rest, change nothing.
+TEST(Navigator, decides_as_if_it_had_not_been_asked) {
+  Scenario scene;
+  scene.obstacles = {test::pieces(test::doorway(1.6))};
+  scene.robots = {test::robot_at({-6, 0.3}, {6, 0}), test::robot_at({6, 0.1}, {-6, 0})};
+  OnBoard silent(scene), asked(scene);
+  for (OnBoard* fleet : {&silent, &asked}) {  // that do not know the radii of others
+    for (std::size_t i = 0; i < 2; ++i) {
+      fleet->navigators[i] = Navigator({.id = {i}}, scene.obstacles);
+      fleet->navigators[i].set_goal(scene.robots[i].goal);
+    }
+  }
+  Neighbor mover{.position = {3, 0}};
+  mover.behavior = Behavior::moves_on;
+  bool waits = false;
+  for (int k = 0; k < 150; ++k) {
+    for (std::size_t i = 0; i < 2; ++i) {
+      Robot larger = asked.bases[i].robot;
+      (void)asked.navigators[i].explain(larger, {&mover, 1});
+      larger.radius = 0.9;
+      (void)asked.navigators[i].explain(larger, {});
+    }
+    silent.step(), asked.step();
+    waits = waits || silent.decisions[0].wait || silent.decisions[1].wait;
+    for (std::size_t i = 0; i < 2; ++i)
+      ASSERT_EQ(asked.decisions[i].plan.next_velocity, silent.decisions[i].plan.next_velocity) << k;
+  }
+  EXPECT_TRUE(waits);
+}
+
 TEST(Navigator, brakes_on_values_out_of_range) {
   Navigator navigator(NavigatorOptions{});
   navigator.set_goal({5, 0});

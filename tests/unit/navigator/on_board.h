@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 // Robots that each have a navigator of their own, and know the others by what they see.
 #pragma once
+#include <algorithm>
+#include <cstddef>
+#include <limits>
 #include <vector>
 
 #include "avo/navigator.h"
 #include "robots/model.h"
 #include "robots/motion.h"
+#include "walls/segment.h"
 
 namespace avo::test {
 
@@ -49,6 +53,14 @@ inline Neighbor seen_of(const Robot& robot) {
           .max_acceleration = robot.max_acceleration,
           .priority = robot.priority,
           .max_braking = robot.max_braking};
+}
+
+/// m, of the route through those points.
+inline double off_route(Vec2 p, const std::vector<Vec2>& route) {
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t k = 0; k + 1 < route.size(); ++k)
+    least = std::min(least, distance(p, Segment{route[k], route[k + 1]}));
+  return least;
 }
 
 /// The robots of a scene, each on its own.
