@@ -229,6 +229,36 @@ def test_robots_move_as_those_of_a_simulation():
         assert np.allclose(worlds.velocity()[0], simulation.velocity(), atol=1e-9)
 
 
+def test_a_reward_that_fails_leaves_a_counted_step():
+    failing = []
+
+    def reward(step):
+        step.arrives[:] = True  # its own copy
+        if failing:
+            raise RuntimeError("no reward")
+        return np.full((E, N), np.nan if len(seen) == 1 else 0.0)
+
+    seen = []
+    env, other = made(reward=reward), made()
+    env.reset(seed=1), other.reset(seed=1)
+    actions = np.ones((E, N, 2))
+    terminated = env.step(actions)[2]
+    assert not terminated.any()
+    failing.append(1)
+    with pytest.raises(RuntimeError):
+        env.step(actions)
+    failing.clear()
+    seen.append(1)
+    with pytest.raises(avo.Error, match="reward: found numbers that are not finite"):
+        env.step(actions)
+    seen.append(1)
+    for _ in range(3):
+        other.step(actions)
+    observations, *rest = env.step(actions)
+    wanted, *others = other.step(actions)
+    assert np.array_equal(observations, wanted) and np.array_equal(rest[2], others[2])
+
+
 def test_rewards_are_progress_and_arrival():
     env = avo.env.VectorEnv({"version": 1, "arrival_distance": 0.5, "robots": [
         {"position": [0, 0], "goal": [3, 0]}, {"position": [0, 50], "goal": [9, 50]}]}, 1, neighbors=1, max_steps=120)

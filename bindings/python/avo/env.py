@@ -112,16 +112,16 @@ class VectorEnv:
         after = self._distances()
         came = (after <= self.arrival_distance) & ~self._arrived
         had_arrived = self._arrived.copy()
-        step = Step(before, after, self.velocity(), taken, came, had_arrived, self._clearance())
-        rewards = np.where(had_arrived, 0.0, self._rewards(step))
+        step = Step(before, after, self.velocity(), taken, came.copy(), had_arrived.copy(), self._clearance())
         self._arrived |= came
         self._steps += 1
         for world in np.flatnonzero(anew):
             self._begin(int(world))
-            rewards[world] = 0.0
         terminated = self._arrived.copy()
         truncated: Flags = ~terminated & (self._steps >= self.max_steps)[:, None]
         self._begins_anew = np.all(terminated | truncated, axis=1)
+        # last, so that the step is counted also where the reward raises
+        rewards = np.where(had_arrived | anew[:, None], 0.0, self._rewards(step))
         return self._observe(), rewards, terminated, truncated, {}
 
     def close(self) -> None:
@@ -160,6 +160,8 @@ class VectorEnv:
         rewards = _numbers("reward", self._reward(step))
         if rewards.shape != (self.num_envs, self.num_robots):
             raise Error(f"reward: found shape {rewards.shape}, must be {(self.num_envs, self.num_robots)}")
+        if not np.isfinite(rewards).all():
+            raise Error("reward: found numbers that are not finite, must be finite")
         return rewards
 
     def _clearance(self) -> Floats:
