@@ -8,8 +8,7 @@
 #include "planner/options.h"
 #include "sim/teams/tasks.h"
 
-namespace avo {
-inline namespace sim {
+namespace avo::inline sim {
 
 std::size_t index_of(const Simulation& simulation, const TeamMember& member) {
   return *simulation.index_of(member.robot);
@@ -83,7 +82,9 @@ void check(const Flow& flow) {
 }
 
 }  // namespace
-}  // namespace sim
+}  // namespace avo::inline sim
+
+namespace avo {
 
 const char* to_string(Formation formation) {
   return kNames<Formation>[static_cast<std::size_t>(formation)];
