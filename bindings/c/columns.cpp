@@ -78,9 +78,7 @@ template <typename Id, typename Ids>
 void list(const Ids& ids, Id* buffer, std::size_t capacity, std::size_t* count) {
   at(count, "count") = ids.size();
   if (buffer == nullptr) return;
-  if (capacity < ids.size())
-    fail(AVO_ERROR_BUFFER_TOO_SMALL, "capacity: found " + std::to_string(capacity) +
-                                         ", must be >= " + std::to_string(ids.size()));
+  require_room(capacity, ids.size());
   for (const auto id : ids) *buffer++ = Id{id.value + 1};
 }
 

@@ -4,6 +4,7 @@
 #include <bit>
 #include <optional>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "avo/planner.h"
@@ -19,6 +20,16 @@ inline avo::Vec2 from_c(avo_vec2 v) {
 }
 inline avo_vec2 to_c(avo::Vec2 v) {
   return {v.x, v.y};
+}
+
+/// An array of the caller, which has that name.
+inline std::vector<avo::Vec2> points_of(const avo_vec2* points, std::size_t count,
+                                        const std::string& name) {
+  require_array(points, count, name.c_str());
+  std::vector<avo::Vec2> result;
+  result.reserve(count);
+  for (std::size_t k = 0; k < count; ++k) result.push_back(from_c(points[k]));
+  return result;
 }
 
 /// For numbers that must not be 0: 0 stands for none.

@@ -38,6 +38,13 @@ void require_array(const T* array, std::size_t count, const char* name) {
                                          ", must be at most " + std::to_string(kMostEntries));
 }
 
+/// Throws Failure if a buffer of the caller has no room for all.
+inline void require_room(std::size_t capacity, std::size_t needed) {
+  if (capacity < needed)
+    fail(AVO_ERROR_BUFFER_TOO_SMALL,
+         "capacity: found " + std::to_string(capacity) + ", must be >= " + std::to_string(needed));
+}
+
 /// The result for the exception that is being handled; stores its message.
 avo_result handle_exception() noexcept;
 

@@ -42,12 +42,6 @@ std::span<const avo::Event> happened_in(avo_simulation_id simulation) {
   return own.happened;
 }
 
-void require_room(std::size_t capacity, std::size_t needed) {
-  if (capacity < needed)
-    fail(AVO_ERROR_BUFFER_TOO_SMALL,
-         "capacity: found " + std::to_string(capacity) + ", must be >= " + std::to_string(needed));
-}
-
 }  // namespace
 }  // namespace avo_c
 

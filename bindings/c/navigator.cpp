@@ -29,13 +29,6 @@ std::optional<double> unless_nan(double value) {
   return std::isnan(value) ? std::nullopt : std::optional(value);
 }
 
-std::vector<avo::Vec2> points_of(const avo_vec2* points, std::size_t count) {
-  require_array(points, count, "points");
-  std::vector<avo::Vec2> result;
-  for (std::size_t k = 0; k < count; ++k) result.push_back(from_c(points[k]));
-  return result;
-}
-
 avo::PlannerOptions planner_options_of(const avo_planner_def* planner) {
   return options_of(read(planner, {"planner"}, avo_default_planner_def(AVO_METHOD_AVO)));
 }
@@ -72,12 +65,6 @@ avo_navigator_decision decision_of(const avo::NavigatorDecision& decision) {
   result.status = static_cast<avo_navigator_status>(decision.status);
   result.guide = static_cast<avo_guide>(decision.guide);
   return result;
-}
-
-void require_room(std::size_t needed, std::size_t capacity) {
-  if (capacity < needed)
-    fail(AVO_ERROR_BUFFER_TOO_SMALL,
-         "capacity: found " + std::to_string(capacity) + ", must be >= " + std::to_string(needed));
 }
 
 }  // namespace
@@ -124,8 +111,9 @@ avo_result avo_navigator_set_goal(avo_navigator_id navigator, avo_vec2 goal, dou
 
 avo_result avo_navigator_set_route(avo_navigator_id navigator, const avo_vec2* points, size_t count,
                                    double heading) {
-  return guarded(
-      [&] { navigators.at(navigator).set_route(points_of(points, count), unless_nan(heading)); });
+  return guarded([&] {
+    navigators.at(navigator).set_route(points_of(points, count, "points"), unless_nan(heading));
+  });
 }
 
 avo_result avo_navigator_set_stages(avo_navigator_id navigator, const avo_stage* stages,
@@ -176,7 +164,7 @@ avo_result avo_navigator_explain(avo_navigator_id navigator, const avo_robot* ro
             .sentence;
     written = words.size() + 1;
     if (buffer == nullptr) return;
-    require_room(written, capacity);
+    require_room(capacity, written);
     std::memcpy(buffer, words.c_str(), written);
   });
 }
@@ -188,7 +176,7 @@ avo_result avo_navigator_route(avo_navigator_id navigator, avo_vec2* buffer, siz
     const std::vector<avo::Vec2> route = navigators.at(navigator).route();
     written = route.size();
     if (buffer == nullptr) return;
-    require_room(written, capacity);
+    require_room(capacity, written);
     for (const avo::Vec2 corner : route) *buffer++ = to_c(corner);
   });
 }

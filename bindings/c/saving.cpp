@@ -23,9 +23,7 @@ void write_bytes(const void* bytes, std::size_t size, void* buffer, std::size_t 
                  std::size_t& written) {
   written = size;
   if (buffer == nullptr) return;
-  if (capacity < size)
-    fail(AVO_ERROR_BUFFER_TOO_SMALL,
-         "capacity: found " + std::to_string(capacity) + ", must be >= " + std::to_string(size));
+  require_room(capacity, size);
   std::memcpy(buffer, bytes, size);
 }
 

@@ -59,13 +59,6 @@ std::vector<avo::RobotId> numbers_of(const Simulation& simulation, const avo_rob
   return numbers;
 }
 
-std::vector<avo::Vec2> points_of(const avo_vec2* points, std::size_t count) {
-  if (count > 0) at(points, "values");
-  std::vector<avo::Vec2> result;
-  for (std::size_t k = 0; k < count; ++k) result.push_back(from_c(points[k]));
-  return result;
-}
-
 // The id among those that are there; in C they begin with 1.
 template <typename Id>
 Id among(std::span<const Id> ids, std::uint64_t number) {
@@ -182,7 +175,7 @@ avo_result avo_simulation_set_preferred_velocity(avo_simulation_id simulation, a
 avo_result avo_simulation_set_goals(avo_simulation_id simulation, const avo_robot_id* robots,
                                     const avo_vec2* goals, size_t count) {
   return changed(simulation, [&](Simulation& own) {
-    own.simulation.set_goals(numbers_of(own, robots, count), points_of(goals, count));
+    own.simulation.set_goals(numbers_of(own, robots, count), points_of(goals, count, "values"));
   });
 }
 
@@ -191,7 +184,7 @@ avo_result avo_simulation_set_preferred_velocities(avo_simulation_id simulation,
                                                    const avo_vec2* velocities, size_t count) {
   return changed(simulation, [&](Simulation& own) {
     own.simulation.set_preferred_velocities(numbers_of(own, robots, count),
-                                            points_of(velocities, count));
+                                            points_of(velocities, count, "values"));
   });
 }
 

@@ -16,13 +16,6 @@ static_assert(AVO_FORMATION_RING == static_cast<int>(avo::Formation::ring));
 
 constinit Handles<avo_team_id, avo::Team> teams("team");
 
-std::vector<avo::Vec2> points_of(const avo_vec2* points, std::size_t count, const char* name) {
-  require_array(points, count, name);
-  std::vector<avo::Vec2> result;
-  for (std::size_t k = 0; k < count; ++k) result.push_back(from_c(points[k]));
-  return result;
-}
-
 std::vector<avo::RobotId> ids_of(const avo_robot_id* robots, std::size_t count) {
   require_array(robots, count, "robots");
   std::vector<avo::RobotId> ids;
@@ -201,9 +194,7 @@ avo_result avo_team_robots(avo_team_id team, avo_robot_id* buffer, size_t capaci
     const avo::Team& own = teams.at(team);
     at(count, "count") = own.members.size();
     if (buffer == nullptr) return;
-    if (capacity < own.members.size())
-      fail(AVO_ERROR_BUFFER_TOO_SMALL, "capacity: found " + std::to_string(capacity) +
-                                           ", must be >= " + std::to_string(own.members.size()));
+    require_room(capacity, own.members.size());
     for (const avo::TeamMember& member : own.members) *buffer++ = to_c(member.robot);
   });
 }

@@ -9,15 +9,6 @@
 namespace avo_c {
 namespace {
 
-std::vector<avo::Vec2> points_of(const avo_vec2* points, std::size_t count,
-                                 const std::string& name) {
-  require_array(points, count, name.c_str());
-  std::vector<avo::Vec2> result;
-  result.reserve(count);
-  for (std::size_t k = 0; k < count; ++k) result.push_back(from_c(points[k]));
-  return result;
-}
-
 std::vector<avo::TimedPlace> places_of(const avo_timed_place* places, std::size_t count,
                                        const std::string& name) {
   require_array(places, count, name.c_str());

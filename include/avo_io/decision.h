@@ -24,7 +24,7 @@ struct Decision {
   bool has_own_method = false;  ///< a method other than the scene's
   /// Returns whether a certificate, or the rules of method avo, had a say.
   [[nodiscard]] bool is_certified() const {
-    return method == avo::Method::avo || certificate != avo::Certificate::none;
+    return avo::method_traits(method).has_rules || certificate != avo::Certificate::none;
   }
   avo::Simulation::Perception seen;
   bool by_half_planes = true;  ///< false: outside the union of the obstacles (§III-C)

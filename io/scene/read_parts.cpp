@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 #include <variant>
 
+#include "io/fields/kinds.h"
 #include "io/scene/read_model.h"
 #include "io/scene/trajectory.h"
 

@@ -9,6 +9,7 @@
 
 #include "avo_io/scene.h"
 #include "io/fields/fields.h"
+#include "io/fields/kinds.h"
 #include "io/text/json.h"
 
 namespace avo_io {

@@ -24,6 +24,12 @@ avo::RobotId robot_id(std::int64_t id) {
   return {static_cast<std::uint64_t>(id)};
 }
 
+std::vector<avo::RobotId> robot_ids(const std::vector<std::int64_t>& ids) {
+  std::vector<avo::RobotId> result;
+  for (const std::int64_t id : ids) result.push_back(robot_id(id));
+  return result;
+}
+
 namespace {
 
 avo::ObstacleId obstacle_id(std::int64_t id) {
@@ -34,12 +40,6 @@ avo::ObstacleId obstacle_id(std::int64_t id) {
 avo::MovingObstacleId mover_id(std::int64_t id) {
   if (id < 0) throw avo::Error(fmt::format("moving obstacle {}: found none of that id", id));
   return {static_cast<std::uint64_t>(id)};
-}
-
-std::vector<avo::RobotId> robot_ids(const std::vector<std::int64_t>& ids) {
-  std::vector<avo::RobotId> result;
-  for (const std::int64_t id : ids) result.push_back(robot_id(id));
-  return result;
 }
 
 void change_robot(SharedSimulation& self, std::int64_t id, const py::kwargs& given) {

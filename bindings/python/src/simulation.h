@@ -3,6 +3,7 @@
 #pragma once
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "avo/simulation.h"
 #include "bind.h"
@@ -33,6 +34,7 @@ void bind_team_edits(SimulationClass& simulation);
 std::size_t checked(const avo::Simulation& simulation, std::int64_t robot);
 /// Ids are not negative; Error as for one that is not there.
 avo::RobotId robot_id(std::int64_t id);
+std::vector<avo::RobotId> robot_ids(const std::vector<std::int64_t>& ids);
 
 template <typename F>
 auto told(F f) {

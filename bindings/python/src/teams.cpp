@@ -24,12 +24,6 @@ struct SharedTeam {
   avo::Team team;
 };
 
-std::vector<avo::RobotId> robot_ids(const std::vector<std::int64_t>& ids) {
-  std::vector<avo::RobotId> robots;
-  for (const std::int64_t id : ids) robots.push_back(robot_id(id));
-  return robots;
-}
-
 std::unique_ptr<SharedTeam> make_team(const std::vector<std::int64_t>& robots,
                                       const avo::TeamTask& task) {
   auto made = std::make_unique<SharedTeam>();

@@ -22,15 +22,22 @@ avo::Vec2 way_to(const avo::Wall& wall, avo::Vec2 from) {
   return distance > wall.radius ? (1.0 - wall.radius / distance) * way : avo::Vec2{};
 }
 
+// For each robot k rows of so many numbers, all 0.
+py::array_t<float> zeros(const Worlds& self, std::size_t k, std::size_t numbers) {
+  constexpr std::size_t kMost = 1000;
+  if (k > kMost) throw avo::Error(fmt::format("k: found {}, must be 0 to {}", k, kMost));
+  py::array_t<float> array({self.worlds(), self.robots(), k, numbers});
+  std::fill_n(array.mutable_data(), array.size(), 0.0F);
+  return array;
+}
+
 }  // namespace
 
 /// Returns the ways to the k nearest walls and 1 for each; 0 for missing walls.
 py::array_t<float> nearest_walls(const Worlds& self, std::size_t k) {
-  constexpr std::size_t kNumbers = 3, kMost = 1000;
-  if (k > kMost) throw avo::Error(fmt::format("k: found {}, must be 0 to {}", k, kMost));
-  py::array_t<float> array({self.worlds(), self.robots(), k, kNumbers});
+  constexpr std::size_t kNumbers = 3;
+  py::array_t<float> array = zeros(self, k, kNumbers);
   float* out = array.mutable_data();
-  std::fill_n(out, array.size(), 0.0F);
   const InUse use(self.used());
   const py::gil_scoped_release release;
   std::vector<std::pair<double, std::size_t>> near;  // m^2, and numbers
@@ -71,11 +78,9 @@ py::array_t<double> movers_of(const Worlds& self, std::size_t world) {
 /// Returns relative position and velocity, sum of radii, and 1 or -1 for each of the k nearest; 0
 /// for missing neighbors.
 py::array_t<float> nearest(const Worlds& self, std::size_t k) {
-  constexpr std::size_t kNumbers = 6, kMost = 1000;
-  if (k > kMost) throw avo::Error(fmt::format("k: found {}, must be 0 to {}", k, kMost));
-  py::array_t<float> array({self.worlds(), self.robots(), k, kNumbers});
+  constexpr std::size_t kNumbers = 6;
+  py::array_t<float> array = zeros(self, k, kNumbers);
   float* out = array.mutable_data();
-  std::fill_n(out, array.size(), 0.0F);
   const InUse use(self.used());
   const py::gil_scoped_release release;
   std::vector<std::pair<double, std::size_t>> near;

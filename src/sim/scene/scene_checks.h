@@ -40,6 +40,7 @@ inline std::string rounded(double value, int digits) {
 
 /// Refuses robot i of the scene if no robot of its model can have its values.
 void check_robot(std::size_t i, const RobotSetup& robot, double time_step);
+void check_external(const Scenario& scenario);
 void check_teams(const Scenario& scenario);
 
 /// The effect of the rest of a step on a state that is seen during the step, for free clocks

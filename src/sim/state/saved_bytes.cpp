@@ -15,6 +15,7 @@
 #include "sim/state/archive.h"
 #include "sim/state/saved_models.h"
 #include "sim/state/saved_state.h"
+#include "sim/state/saved_teams.h"
 
 namespace avo::inline sim {
 namespace {
@@ -27,7 +28,6 @@ constexpr std::size_t kObstacleWords = 17, kRobotWords = 19;  // at least
 constexpr std::size_t kPastWords = 4, kClockWords = 15, kKnotWords = 6;
 constexpr std::size_t kStaticWords = 4, kChainWords = 2;  // at least
 constexpr std::size_t kGapWords = 4, kToldWords = 3;
-constexpr std::size_t kTeamWords = 5, kMemberWords = 5;  // a team has at least
 
 std::uint64_t checksum(std::span<const std::byte> bytes) {
   std::uint64_t hash = 0;
@@ -293,52 +293,6 @@ void describe_changes(Archive<kReads>& archive, SavedState& state) {
   for (SavedTold& told : state.told) {
     describe(archive, told.robot);
     describe(archive, told.velocity);
-  }
-}
-
-template <bool kReads>
-void describe(Archive<kReads>& archive, Queue& queue) {
-  describe(archive, queue.line), describe(archive, queue.spacing);
-  describe(archive, queue.service);
-}
-template <bool kReads>
-void describe(Archive<kReads>& archive, Follow& follow) {
-  describe(archive, follow.spacing), describe(archive, follow.slots);
-}
-template <bool kReads>
-void describe(Archive<kReads>& archive, Patrol& patrol) {
-  describe(archive, patrol.points), describe(archive, patrol.pass_distance);
-}
-template <bool kReads>
-void describe(Archive<kReads>& archive, Flow& flow) {
-  describe(archive, flow.exits), describe(archive, flow.spacing);
-}
-
-template <bool kReads>
-void describe(Archive<kReads>& archive, TeamTask& task) {
-  std::uint64_t kind = task.index();
-  archive.word(kind);
-  if constexpr (kReads) {
-    if (kind == 1) task = Follow{};
-    if (kind == 2) task = Patrol{};
-    if (kind == 3) task = Flow{};
-    if (kind > 3) refuse_saved("the task " + std::to_string(kind), "0 to 3");
-  }
-  std::visit([&](auto& one) { describe(archive, one); }, task);
-}
-
-template <bool kReads>
-void describe_teams(Archive<kReads>& archive, std::vector<Team>& teams) {
-  archive.size(teams, kTeamWords);
-  for (Team& team : teams) {
-    describe(archive, team.task);
-    archive.size(team.members, kMemberWords);
-    for (TeamMember& member : team.members) {
-      describe(archive, member.robot.value), describe(archive, member.is_led);
-      describe(archive, member.goal), describe(archive, member.number);
-    }
-    describe(archive, team.trail);
-    describe(archive, team.leader.value), describe(archive, team.since);
   }
 }
 

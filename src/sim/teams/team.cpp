@@ -79,6 +79,13 @@ void check(const Flow& flow) {
   if (flow.exits.size() % 2 != 0)
     refuse("exits", std::to_string(flow.exits.size()) + " points", "two for each exit");
   require("spacing", flow.spacing, kPositive, "m");
+  constexpr double kMostGoals = 1000.0;  // on an exit
+  for (std::size_t k = 0; k < flow.exits.size(); k += 2) {
+    const double least = norm(flow.exits[k + 1] - flow.exits[k]) / kMostGoals;
+    if (flow.spacing < least)
+      refuse("spacing", text(flow.spacing),
+             ">= " + text(least) + " m, a thousandth of exit " + std::to_string(k / 2));
+  }
 }
 
 }  // namespace

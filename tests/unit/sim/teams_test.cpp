@@ -142,6 +142,8 @@ TEST(Teams, refuse_tasks_out_of_range) {
   EXPECT_EQ(refused(Patrol{}), "points: found 0 points, must be at least 1");
   EXPECT_EQ(refused(Flow{.exits = {{0, 0}, {1, 0}, {2, 0}}}),
             "exits: found 3 points, must be two for each exit");
+  EXPECT_EQ(refused(Flow{.exits = {{0, 0}, {1, 0}, {0, 5}, {100, 5}}, .spacing = 0.01}),
+            "spacing: found 0.01, must be >= 0.1 m, a thousandth of exit 1");
   EXPECT_EQ(refused(Follow{.slots = {{NAN, 0}}}), "slots.0.0: found nan, must be a finite number");
   EXPECT_EQ(refusal([] { assign_slots(std::vector<Vec2>(2), std::vector<Vec2>(1)); }),
             "slots: found 1, must be at least 2, one for each robot");
