@@ -49,6 +49,22 @@ TEST(HostQueries, asks_which_robots_are_near) {
             "robots_within: center.0: found nan, must be a finite number");
 }
 
+TEST(HostQueries, asks_whether_a_wall_hides_a_place) {
+  Simulation simulation = furnished();
+  EXPECT_FALSE(simulation.is_in_sight({0, 4}, {14, 4})) << "a solid lies between";
+  EXPECT_TRUE(simulation.is_in_sight({0, 8}, {14, 8})) << "it is beside the way";
+  EXPECT_FALSE(simulation.is_in_sight({0, 8}, {14, 8}, 2.0)) << "a wide disc touches it";
+  EXPECT_TRUE(simulation.is_in_sight({-8, 8}, {-3, 8})) << "movers do not count";
+  const Vec2 robot = simulation.robot(0).position;
+  EXPECT_TRUE(simulation.is_in_sight(robot - Vec2{1, 0}, robot + Vec2{1, 0})) << "nor do robots";
+  simulation.remove_obstacle({1});
+  EXPECT_TRUE(simulation.is_in_sight({0, 4}, {14, 4}));
+  EXPECT_EQ(refusal([&] {
+              static_cast<void>(simulation.is_in_sight({0, 0}, {1, 0}, -1.0));
+            }),
+            "is_in_sight: radius: found -1, must be >= 0 m");
+}
+
 TEST(HostQueries, asks_what_a_ray_meets_and_where_room_is) {
   Simulation simulation = furnished();
   const auto cast = [&](Vec2 from, Vec2 to, double radius) {

@@ -131,6 +131,21 @@ TEST(TeamRuns, slots_stay_about_their_leader) {
   EXPECT_TRUE(simulation.all_at_goal());
 }
 
+// Beside a corridor the slots are behind its walls.
+TEST(TeamRuns, robots_whose_slots_are_hidden_follow_the_trail) {
+  Scenario scene = row_of(4, {60, 0});
+  scene.robots[0].preferred_speed = 1.0;
+  scene.obstacles = {
+      {{{{{6, 1.2}, {40, 1.2}}, false}, {{{6, -1.2}, {40, -1.2}}, false}}, 0.0, Fill::none}};
+  scene.teams = {make_team(all_of(scene), Follow{.slots = {{-1, 3}, {-1, -3}, {-2, 4}}})};
+  Simulation simulation(scene, 1);
+  while (place(simulation, 0).x < 28.0 && simulation.time() < 60.0) simulation.step();
+  for (std::size_t k = 0; k < 4; ++k) {
+    EXPECT_LT(std::abs(place(simulation, k).y), 1.2) << k;
+    EXPECT_GT(place(simulation, k).x, 15.0) << k;
+  }
+}
+
 TEST(TeamRuns, another_robot_leads_when_the_leader_is_gone) {
   Scenario scene = row_of(4, {20, 0});
   scene.teams = {make_team(all_of(scene), Follow{})};

@@ -73,6 +73,10 @@ TEST(Teams, a_row_that_moves_along_itself_keeps_its_order) {
   for (int k = 0; k < 12; ++k) from.push_back({1.0 * k, 0}), to.push_back({20.0 + k, 0});
   const std::vector<std::size_t> chosen = assign_slots(from, to);
   for (std::size_t k = 0; k < chosen.size(); ++k) EXPECT_EQ(chosen[k], k);
+  // in whatever order the robots are listed
+  const std::vector<Vec2> back(from.rbegin(), from.rend());
+  const std::vector<std::size_t> again = assign_slots(back, to);
+  for (std::size_t k = 0; k < again.size(); ++k) EXPECT_EQ(again[k], back.size() - 1 - k);
 }
 
 TEST(Teams, slots_of_formations_are_a_spacing_apart_about_their_mean) {
