@@ -80,7 +80,7 @@ struct Patrol {
 };
 
 /// The members leave by the nearest exit, and are removed once they are within the arrival distance
-/// of their goals on it.
+/// of an exit, with no wall between.
 struct Flow {
   /// m: two points each, the ends of a line, e.g. of a door. At least one exit
   std::vector<Vec2> exits = {};

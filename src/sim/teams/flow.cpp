@@ -49,12 +49,23 @@ Vec2 goal_of(std::span<const Vec2> goals, Vec2 place, TeamMember& member) {
   return goals[member.number];
 }
 
-// Whether a robot has come to its goal on the exit. Robots that others or a mover keep from it, or
-// that the host has sent elsewhere, have not.
-bool is_out(const Simulation& simulation, std::size_t k, Vec2 place, Vec2 goal) {
+// The place on the exit from a to b that is nearest to the point.
+Vec2 nearest_on(Vec2 a, Vec2 b, Vec2 point) {
+  const Vec2 along = b - a;
+  const double squared = norm_squared(along);
+  const double part = squared > 0.0 ? dot(point - a, along) / squared : 0.0;
+  return a + std::clamp(part, 0.0, 1.0) * along;
+}
+
+// Whether a robot has come to an exit, wherever on the exit its goal is.
+bool is_out(const Flow& flow, const Simulation& simulation, std::size_t k, Vec2 place) {
   const double arrival = simulation.setup(k).arrival_distance.value_or(
       simulation.planner().options().arrival_distance);
-  return simulation.is_at_goal(k) && norm(place - goal) <= arrival;
+  for (std::size_t exit = 0; exit + 1 < flow.exits.size(); exit += 2) {
+    const Vec2 nearest = nearest_on(flow.exits[exit], flow.exits[exit + 1], place);
+    if (norm(nearest - place) <= arrival && simulation.is_in_sight(place, nearest)) return true;
+  }
+  return false;
 }
 
 }  // namespace
@@ -68,7 +79,7 @@ void lead(const Flow& flow, Simulation& simulation, Team& team) {
     const std::size_t k = index_of(simulation, member);
     make_for(flow, disc_radius(simulation.setup(k)), made);
     const Vec2 place = simulation.robot(k).position, goal = goal_of(made.goals, place, member);
-    if (member.is_led && is_out(simulation, k, place, goal)) {
+    if (member.is_led && is_out(flow, simulation, k, place)) {
       gone.push_back(member.robot);
     } else {
       staying.push_back(member);

@@ -256,6 +256,25 @@ TEST(TeamRuns, serve_tells_of_a_robot_whose_service_has_just_ended) {
   EXPECT_EQ(simulation.robot(2).goal, scene.robots[2].goal);
 }
 
+TEST(TeamRuns, nobody_passes_an_exit_and_turns_back) {
+  Scenario scene;
+  for (int k = 0; k < 12; ++k) {
+    RobotSetup robot = robot_at({6.0 + 1.5 * (k % 4), -10.0 + 1.5 * (k / 4)}, {0, 0});
+    robot.radius = 0.3;
+    scene.robots.push_back(robot);
+  }
+  scene.obstacles = {{{{{{13, -20}, {13, -8.2}}, false}, {{{13, -5.8}, {13, 6}}, false}}}};
+  scene.teams = {make_team(all_of(scene), Flow{.exits = {{14, -8.2}, {14, -5.8}}})};
+  Simulation simulation(scene, 1);
+  double farthest = 0.0;  // m
+  while (simulation.size() > 0 && simulation.time() < 60.0) {
+    simulation.step();
+    for (const Vec2 robot : simulation.fleet().position) farthest = std::max(farthest, robot.x);
+  }
+  EXPECT_EQ(simulation.size(), 0U);
+  EXPECT_LT(farthest, 14.6);
+}
+
 Scenario all_tasks() {
   Scenario scene = row_of(16, {20, 5});
   const std::vector<RobotId> robots = all_of(scene);
