@@ -16,7 +16,7 @@ TrajectoryConstraint constraint_at(const ConstraintColumns& columns, std::size_t
   return {columns.neighbor[k],
           static_cast<int>(columns.interval[k]),
           columns.needs[k] >= 0.0,
-          {columns.normal_x[k], columns.normal_y[k]},
+          {columns.normal[0][k], columns.normal[1][k]},
           {columns.offset[0][k], columns.offset[1][k], columns.offset[2][k]},
           columns.cone[k],
           columns.bound[k]};
@@ -28,7 +28,7 @@ namespace {
 double swing_coefficient(const TrajectoryConstraints& constraints, std::size_t k,
                          const CandidatePath& path, const StepLaw& law) {
   const ConstraintColumns& columns = constraints.columns;
-  const Vec2 normal{columns.normal_x[k], columns.normal_y[k]};
+  const Vec2 normal{columns.normal[0][k], columns.normal[1][k]};
   const Braking& own = constraints.own;
   const Vec2 middle = braking_distances(own.profile, law, 0).middle * own.direction + path.swing;
   const double cone = constraints.has_cones ? columns.cone[k] * norm(path.swing) : 0.0;

@@ -19,19 +19,20 @@ struct PackCoefficients {
   Real start, middle, end;
 };
 
-template <typename Real>
-AVO_KERNEL PackCoefficients<Real> coefficients(const ConstraintColumns& constraints, std::size_t k,
-                                               const Braking& own, const CandidatePath& path,
-                                               const StepLaw& law, bool has_cones) {
+template <typename Real, int D>
+AVO_KERNEL PackCoefficients<Real> coefficients(const ConstraintColumnsOf<D>& constraints,
+                                               std::size_t k, const BrakingOf<D>& own,
+                                               const CandidatePathOf<D>& path, const StepLaw& law,
+                                               bool has_cones) {
   const Real zero(0.0), one(1.0), infinity(std::numeric_limits<double>::infinity());
-  const Vec<Real> n{Real::load(&constraints.normal_x[k]), Real::load(&constraints.normal_y[k])};
+  const Vec<Real, D> n = load_vector<Real, D>(constraints.normal, k);
   const Real m = Real::load(&constraints.interval[k]);
   const auto later = m > zero;  // the interval is later than the step of the decision
   // the distances of the interval's points along the braking path that follows the first step
   const PackProfile<Real> braking = constant<Real>(path.braking);
   const PackDistances<Real> before = distances(braking, law, max(m - one, zero));
   const Real end = distances(braking, law, m).start;
-  const Vec<Real> first = constant<Real>(path.first), along = constant<Real>(path.direction);
+  const Vec<Real, D> first = constant<Real>(path.first), along = constant<Real>(path.direction);
   const Real base = dot(n, first), per_distance = dot(n, along);
   PackCoefficients<Real> result{
       base + per_distance * before.start + Real::load(&constraints.offset[0][k]),
@@ -39,8 +40,8 @@ AVO_KERNEL PackCoefficients<Real> coefficients(const ConstraintColumns& constrai
       base + per_distance * end + Real::load(&constraints.offset[2][k])};
   if (has_cones) {
     const Real cone = Real::load(&constraints.cone[k]);
-    const PackPoints<Real> x = points(own.profile, own.direction, law, m);
-    const auto off = [&](Real distance, Vec<Real> from) {
+    const PackPoints<Real, D> x = points(own.profile, own.direction, law, m);
+    const auto off = [&](Real distance, Vec<Real, D> from) {
       return cone * norm(first + distance * along - from);
     };
     result = {result.start - off(before.start, x.start),
@@ -54,9 +55,9 @@ AVO_KERNEL PackCoefficients<Real> coefficients(const ConstraintColumns& constrai
 }
 
 /// Returns whether the path keeps all constraints. They are judged as far as they are asked for.
-template <typename Real>
-bool keeps(const Braking& own, const CandidatePath& path, const StepLaw& law, bool has_cones,
-           Asked asked_for, ConstraintColumns& constraints) {
+template <typename Real, int D>
+bool keeps(const BrakingOf<D>& own, const CandidatePathOf<D>& path, const StepLaw& law,
+           bool has_cones, Asked asked_for, ConstraintColumnsOf<D>& constraints) {
   const Real zero(0.0), infinity(std::numeric_limits<double>::infinity());
   bool kept = true;
   std::size_t k = 0;

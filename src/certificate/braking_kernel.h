@@ -66,19 +66,20 @@ AVO_KERNEL Real braking_error(const PackProfile<Real>& seen, const StepLaw& law,
 }
 
 /// The three Bézier points of an interval.
-template <typename Real>
+template <typename Real, int D = 2>
 struct PackPoints {
-  Vec<Real> start, middle, end;
+  Vec<Real, D> start, middle, end;
 };
 
-template <typename Real>
-AVO_KERNEL PackPoints<Real> points(const BrakingProfile& profile, Vec2 direction,
-                                   const StepLaw& law, Real steps) {
+template <typename Real, typename Vector>
+AVO_KERNEL auto points(const BrakingProfile& profile, Vector direction, const StepLaw& law,
+                       Real steps) {
+  constexpr int D = sizeof(Vector) / sizeof(double);
   const PackProfile<Real> braking = constant<Real>(profile);
   const PackDistances<Real> now = distances(braking, law, steps);
   const PackDistances<Real> next = distances(braking, law, steps + Real(1.0));
-  const Vec<Real> along = constant<Real>(direction);
-  return {now.start * along, now.middle * along, next.start * along};
+  const Vec<Real, D> along = constant<Real>(direction);
+  return PackPoints<Real, D>{now.start * along, now.middle * along, next.start * along};
 }
 
 AVO_END_KERNELS

@@ -4,6 +4,7 @@
 #include "avo/planner.h"
 #include "avo/robot.h"
 #include "avo/vec.h"
+#include "core/vector_of.h"
 
 namespace avo::inline certificate {
 
@@ -102,18 +103,21 @@ Vec2 stopping_way(Vec2 velocity, double decrement, const StepLaw& law);
 double parabola_error(Vec2 acceleration, const StepLaw& law);
 
 /// A's path for a candidate: v_1 after one step, then braking. Relative to p_A.
-struct CandidatePath {
-  Vec2 first;          ///< m, end of the first step
-  Vec2 next_velocity;  ///< [v_1] m/s
-  Vec2 direction;      ///< of v_1; 0 at rest
-  double speed = 0.0;  ///< |v_1| m/s
+template <int D>
+struct CandidatePathOf {
+  using Vector = VectorOf<D>;
+  Vector first;          ///< m, end of the first step
+  Vector next_velocity;  ///< [v_1] m/s
+  Vector direction;      ///< of v_1; 0 at rest
+  double speed = 0.0;    ///< |v_1| m/s
   /// m, a lower bound of the distance of the first step, where the robot is not holonomic
   double way = 0.0;
   int moving = 0;          ///< number of intervals in which it moves, with the first step
   double bend = 0.0;       ///< m: how much more the arc of its first step needs than a parabola
-  Vec2 swing = {};         ///< m: distance from p_1 of that parabola to p_1 of the braking path
+  Vector swing = {};       ///< m: distance from p_1 of that parabola to p_1 of the braking path
   BrakingProfile braking;  ///< from v_1
 };
+using CandidatePath = CandidatePathOf<2>;
 
 /// The path of a robot that is not holonomic uses the velocity that it reaches when v_1 is
 /// commanded.

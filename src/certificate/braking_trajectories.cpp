@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <limits>
 
+#include "certificate/allow_braking.h"
 #include "certificate/kernels.h"
 
 namespace avo::inline certificate {
@@ -17,18 +18,6 @@ using Real = scalar::Pack<double>;
 // The error of the path of a robot that is sensed in motion for `time`, m.
 double error_at(const StepLaw& law, double time) {
   return law.sensing_error.position + law.sensing_error.velocity * time;
-}
-
-// Where braking leaves less than the margin as sensed, A may not lose more of it.
-void allow_braking(const Braking& own, const StepLaw& law, ConstraintColumns& constraints,
-                   std::size_t k) {
-  const auto [start, middle, end] =
-      braking_distances(own.profile, law, static_cast<int>(constraints.interval[k]));
-  const double along = dot({constraints.normal_x[k], constraints.normal_y[k]}, own.direction);
-  const std::array<double, 3> distances{start, middle, end};
-  for (std::size_t i = 0; i < 3; ++i) {
-    constraints.offset[i][k] = std::max(constraints.offset[i][k], -distances[i] * along);
-  }
 }
 
 // Subtracts the errors and the effects of movers from the pair's constraints.
@@ -62,7 +51,7 @@ void take_off(const PairConstraints& wanted, std::size_t first, const StepLaw& l
 // but braking, for ever.
 void drop_undirected(std::size_t first, ConstraintColumns& columns) {
   for (std::size_t k = first; k < columns.count; ++k) {
-    const bool has_direction = columns.normal_x[k] != 0.0 || columns.normal_y[k] != 0.0;
+    const bool has_direction = columns.normal[0][k] != 0.0 || columns.normal[1][k] != 0.0;
     if (!has_direction || columns.cone[k] > 0.0) columns.needs[k] = kNoConstraint;
   }
 }

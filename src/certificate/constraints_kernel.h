@@ -15,22 +15,22 @@
 #include "certificate/constraint_columns.h"
 #include "certificate/pair_constraints.h"
 #include "certificate/pair_kernel.h"
+#include "certificate/shape_kernel.h"
 
 AVO_BEGIN_KERNELS
 
 /// A's braking path and the largest deviation of its candidates from it.
-template <typename Real>
-void fill_own(const Braking& a, const Deviation& deviation, const StepLaw& law, OwnColumns& own) {
+template <typename Real, int D>
+void fill_own(const BrakingOf<D>& a, const Deviation& deviation, const StepLaw& law,
+              OwnColumnsOf<D>& own) {
   for (; own.filled <= own.count; own.filled += Real::kLanes) {
     const std::size_t k = own.filled;
     const Real m = Real::numbers_from(k);
     const PackDistances<Real> braking = distances(constant<Real>(a.profile), law, m);
-    const Vec<Real> along = constant<Real>(a.direction);
-    const Vec<Real> start = braking.start * along, middle = braking.middle * along;
-    start.x.store(&own.start_x[k]);
-    start.y.store(&own.start_y[k]);
-    middle.x.store(&own.middle_x[k]);
-    middle.y.store(&own.middle_y[k]);
+    const Vec<Real, D> along = constant<Real>(a.direction);
+    const Vec<Real, D> start = braking.start * along, middle = braking.middle * along;
+    store_vector(start, own.start, k);
+    store_vector(middle, own.middle, k);
     const Real fast = distances(constant<Real>(deviation.fast), law, m).start;
     const Real gained = fast - distances(constant<Real>(deviation.slow), law, m).start;
     const auto bound = [](const Deviation::Line& line, Real distance) {
@@ -46,12 +46,12 @@ void fill_own(const Braking& a, const Deviation& deviation, const StepLaw& law, 
 }
 
 /// B's path from p_B, where it brakes like A.
-template <typename Real>
+template <typename Real, int D = 2>
 struct BrakingOther {
-  const BrakingPair& pair;
+  const BrakingPairOf<D>& pair;
   const StepLaw& law;
 
-  AVO_KERNEL PackPoints<Real> operator()(Real m) const {
+  AVO_KERNEL PackPoints<Real, D> operator()(Real m) const {
     return points(pair.b.profile, pair.b.direction, law, m);
   }
 };
@@ -109,38 +109,6 @@ struct FollowingOther {
   }
 };
 
-/// The point of a segment nearest to the origin; odd in (a, b), bit for bit.
-template <typename Real>
-AVO_KERNEL Vec<Real> nearest_on_segment(Vec<Real> a, Vec<Real> b) {
-  const Real zero(0.0), one(1.0);
-  const Vec<Real> ab = b - a;
-  const Real squared = dot(ab, ab);
-  const Real part = -dot(a, ab) / select(squared > zero, squared, one);
-  return a + min(max(part, zero), one) * ab;
-}
-
-/// The direction of the point of the triangle's edges nearest to the origin; 0 where that point is
-/// the origin. Whether the origin lies inside is not tested, so that no sign of rounding noise
-/// decides anything. Any direction makes a sound constraint, and its distance gives the value of
-/// the constraint.
-template <typename Real>
-AVO_KERNEL Vec<Real> normal_of(const PackPoints<Real>& q) {
-  const Real zero(0.0), one(1.0);
-  Vec<Real> nearest = nearest_on_segment(q.start, q.middle);
-  Real squared = dot(nearest, nearest);
-  for (const Vec<Real>& other :
-       {nearest_on_segment(q.middle, q.end), nearest_on_segment(q.end, q.start)}) {
-    const Real of_other = dot(other, other);
-    const auto nearer = of_other < squared;
-    nearest = {select(nearer, other.x, nearest.x), select(nearer, other.y, nearest.y)};
-    squared = select(nearer, of_other, squared);
-  }
-  const Real length = sqrt(squared);
-  const auto has_length = length > zero;
-  const Real per_length = one / select(has_length, length, one);
-  return select(has_length, per_length * nearest, {zero, zero});
-}
-
 /// q_i - radius keeps A clear of all places of B in the interval.
 template <typename Real>
 struct PackReach {
@@ -157,7 +125,7 @@ template <typename Real>
 AVO_KERNEL PackReach<Real> reach_of(const Neighbor& mover, const PackPoints<Real>& q,
                                     const PackPoints<Real>& from_start, Real time) {
   const auto left = [](const PackPoints<Real>& points, Real radius) {
-    const Vec<Real> n = normal_of(points);
+    const Vec<Real> n = normal_of(points, PairShape<2>{});
     return min(min(dot(n, points.start), dot(n, points.middle)), dot(n, points.end)) - radius;
   };
   const Real by_deviation = Real(0.5 * mover.max_deviation) * time * time;
@@ -182,9 +150,9 @@ struct PackMargin {
 };
 
 /// distance: of the constraint; moved: how far B moves relative to A on the interval, m.
-template <typename Real>
-AVO_RARE_KERNEL PackMargin<Real> error_margin(const BrakingPair& pair, const StepLaw& law, Real m,
-                                              Real distance, Real moved) {
+template <typename Real, int D>
+AVO_RARE_KERNEL PackMargin<Real> error_margin(const BrakingPairOf<D>& pair, const StepLaw& law,
+                                              Real m, Real distance, Real moved) {
   const auto& [position, velocity] = law.sensing_error;
   const Real seen = m + Real(1.0), two(2.0);
   const Real error = pair.decides ? braking_error(constant<Real>(pair.b.profile), law, seen)
@@ -201,8 +169,8 @@ AVO_RARE_KERNEL PackMargin<Real> error_margin(const BrakingPair& pair, const Ste
 
 /// The margin where clocks are free. At a distance within the margin B may come as near as contact:
 /// the cone alone then limits A.
-template <typename Real>
-AVO_KERNEL PackMargin<Real> drift_margin(const BrakingPair& pair, const StepLaw& law, Real m,
+template <typename Real, int D>
+AVO_KERNEL PackMargin<Real> drift_margin(const BrakingPairOf<D>& pair, const StepLaw& law, Real m,
                                          Real distance, Real moved) {
   const auto& [position, velocity] = law.sensing_error;
   const BrakingProfile& b = pair.b.profile;
@@ -220,26 +188,21 @@ AVO_KERNEL PackMargin<Real> drift_margin(const BrakingPair& pair, const StepLaw&
   return {error, select(is_clear, zero, cone)};
 }
 
-template <typename Real>
-AVO_KERNEL Real one_norm(Vec<Real> a) {
-  return abs(a.x) + abs(a.y);
-}
-
 /// The constraints of a pair.
-template <typename Real>
+template <typename Real, int D>
 struct PackConstraints {
-  Vec<Real> normal;
+  Vec<Real, D> normal;
   Real cone, bound;
   std::array<Real, 3> offset;
 };
 
-template <bool is_free, typename Real>
-AVO_KERNEL PackConstraints<Real> constraints_of(const PairConstraints& wanted,
-                                                const PackPoints<Real>& own,
-                                                const PackPoints<Real>& q, Vec<Real> n,
-                                                Real distance, const PackMargin<Real>& margin) {
+template <bool is_free, typename Real, int D>
+AVO_KERNEL PackConstraints<Real, D> constraints_of(const PairConstraintsOf<D>& wanted,
+                                                   const PackPoints<Real, D>& own,
+                                                   const PackPoints<Real, D>& q, Vec<Real, D> n,
+                                                   Real distance, const PackMargin<Real>& margin) {
   const Real share(wanted.pair.share), held(wanted.pair.share * wanted.held);
-  const auto offset = [&](Vec<Real> of_q, Vec<Real> of_x) {
+  const auto offset = [&](Vec<Real, D> of_q, Vec<Real, D> of_x) {
     if constexpr (is_free) {  // a cone does not use the gap
       const Real gap = dot(n, of_q) - margin.distance - held;
       const Real rounding(wanted.pair.contact - wanted.pair.inflated);
@@ -257,12 +220,11 @@ AVO_KERNEL PackConstraints<Real> constraints_of(const PairConstraints& wanted,
 
 /// Stores the constraints of the kept lanes. The other lanes take up room without being
 /// constraints: nothing has to be moved.
-template <typename Real, typename Mask>
-AVO_KERNEL void push(const PackConstraints<Real>& fresh, Real m, Mask kept,
-                     const PairConstraints& wanted, ConstraintColumns& constraints) {
+template <typename Real, int D, typename Mask>
+AVO_KERNEL void push(const PackConstraints<Real, D>& fresh, Real m, Mask kept,
+                     const PairConstraintsOf<D>& wanted, ConstraintColumnsOf<D>& constraints) {
   const std::size_t w = constraints.count;
-  fresh.normal.x.store(&constraints.normal_x[w]);
-  fresh.normal.y.store(&constraints.normal_y[w]);
+  store_vector(fresh.normal, constraints.normal, w);
   fresh.cone.store(&constraints.cone[w]);
   fresh.bound.store(&constraints.bound[w]);
   for (std::size_t i = 0; i < 3; ++i) fresh.offset[i].store(&constraints.offset[i][w]);
@@ -275,18 +237,18 @@ AVO_KERNEL void push(const PackConstraints<Real>& fresh, Real m, Mask kept,
 
 /// Appends the constraints that can refuse a candidate. Returns the least distance of the intervals
 /// that are computed in full; in the others it is beyond contact.
-template <typename Real, bool is_free, typename Other>
-double append(const PairConstraints& wanted, const Other& other, const StepLaw& law,
-              const OwnColumns& own, ConstraintColumns& constraints) {
-  const BrakingPair& pair = wanted.pair;
+template <typename Real, bool is_free, int D, typename Other>
+double append(const PairConstraintsOf<D>& wanted, const Other& other, const StepLaw& law,
+              const OwnColumnsOf<D>& own, ConstraintColumnsOf<D>& constraints) {
+  const BrakingPairOf<D>& pair = wanted.pair;
   const Real infinity(std::numeric_limits<double>::infinity()), zero(0.0), one(1.0);
   const Real share(pair.share), contact(pair.contact);
   constexpr bool kFollows = std::is_same_v<Other, FollowingOther<Real>>;
   constexpr bool kDeviates = kFollows || std::is_same_v<Other, DeviatingOther<Real>>;
-  const Vec<Real> p = constant<Real>(pair.p), d = constant<Real>(pair.a.direction);
-  const auto load = [](const std::vector<double>& x, const std::vector<double>& y, std::size_t k) {
-    return Vec<Real>{Real::load(&x[k]), Real::load(&y[k])};
-  };
+  constexpr bool kSpreads = kDeviates || D == 3;
+  const PairShape<D>& shape = wanted.shape;
+  const Vec<Real, D> p = constant<Real>(pair.p),
+                     d = constant<Real>(own_direction(pair.a.direction, shape));
   const bool is_exact = law.sensing_error == SensingError{} && !is_free;
   const auto margin_at = [&](Real m, Real distance, Real moved) {
     if constexpr (is_free)
@@ -297,18 +259,18 @@ double append(const PairConstraints& wanted, const Other& other, const StepLaw& 
   Real nearest = infinity;
   for (std::size_t k = 0; k < wanted.intervals; k += Real::kLanes) {
     const Real m = Real::numbers_from(k);
-    const PackPoints<Real> x_A{load(own.start_x, own.start_y, k),
-                               load(own.middle_x, own.middle_y, k),
-                               load(own.start_x, own.start_y, k + 1)};
-    const PackPoints<Real> x_B = [&] {
+    const PackPoints<Real, D> x_A{load_vector<Real, D>(own.start, k),
+                                  load_vector<Real, D>(own.middle, k),
+                                  load_vector<Real, D>(own.start, k + 1)};
+    const PackPoints<Real, D> x_B = [&] {
       if constexpr (kFollows)
         return other.at(k);
       else
         return other(m);
     }();
-    PackPoints<Real> q{p + (x_A.start - x_B.start), p + (x_A.middle - x_B.middle),
-                       p + (x_A.end - x_B.end)};
-    const Real most = Real::load(&own.most[k]);
+    PackPoints<Real, D> q{p + (x_A.start - x_B.start), p + (x_A.middle - x_B.middle),
+                          p + (x_A.end - x_B.end)};
+    const Real most = longest(Real::load(&own.most[k]), shape);
     Real spread = zero, inflated(wanted.inflated);
     if constexpr (kDeviates) {
       const PackReach<Real> reach =
@@ -326,34 +288,41 @@ double append(const PairConstraints& wanted, const Other& other, const StepLaw& 
       const Real before = one_norm(q.middle - q.start), after = one_norm(q.end - q.middle);
       PackMargin<Real> margin = margin_at(m, contact, before + after);
       if (is_free) margin.cone = zero;  // a neighbor out of reach needs no cone
-      const Real around = max(before, after), length = norm(q.middle);
+      const Real around = max(before, after), length = distance_to(q.middle, shape);
       const Real gap = share * (length - (inflated + around + margin.distance));
       const Real left = gap - margin.cone * most;
       close = close & !(left > most);
       if (!any(close)) continue;
-      // n points to a point so near q_1 that n is turned by less than around/w
-      const Real w = length - Real(0.5) * around;
-      const Real E = Real::load(&own.ahead[k]), F = Real::load(&own.across[k]);
-      const Real loss = max(-dot(q.middle, d), zero) * E + abs(cross(q.middle, d)) * F;
-      close = close & !((left > zero) &
-                        ((left - Real::load(&own.anyhow[k])) * w > loss + around * (E + F)));
-      if (!any(close)) continue;
+      if constexpr (D == 2) {
+        // n points to a point so near q_1 that n is turned by less than around/w
+        const Real w = length - Real(0.5) * around;
+        const Real E = Real::load(&own.ahead[k]), F = Real::load(&own.across[k]);
+        const Real loss = max(-dot(q.middle, d), zero) * E + across(q.middle, d) * F;
+        close = close & !((left > zero) &
+                          ((left - Real::load(&own.anyhow[k])) * w > loss + around * (E + F)));
+        if (!any(close)) continue;
+      }
     }
-    const Vec<Real> n = normal_of(q);
+    const Vec<Real, D> n = normal_of(q, shape);
     const Real distance = min(min(dot(n, q.start), dot(n, q.middle)), dot(n, q.end));
+    if constexpr (D == 3) {
+      spread = support(n, shape);
+      inflated = inflated + spread;
+    }
     const auto holds = m < Real(wanted.moving);  // the invariant covers the interval
-    const Real left = kDeviates ? distance - spread : distance;
+    const Real left = kSpreads ? distance - spread : distance;
     nearest = select(close & holds & (left < nearest), left, nearest);
     const Real moved =
         is_exact ? zero : norm(q.middle - q.start) + norm(q.end - q.middle);  // only errors need it
     PackMargin<Real> margin = margin_at(m, distance, moved);
-    const Real loss = max(-dot(n, d), zero) * Real::load(&own.ahead[k]) +
-                      abs(cross(n, d)) * Real::load(&own.across[k]) + Real::load(&own.anyhow[k]) +
-                      margin.cone * most;
+    const Vec<Real, D> own_n = in_own_space(n, shape);
+    const Real loss = max(-dot(own_n, d), zero) * Real::load(&own.ahead[k]) +
+                      across(own_n, d) * Real::load(&own.across[k]) +
+                      times_length(Real::load(&own.anyhow[k]), own_n, shape) + margin.cone * most;
     const auto kept = close & !(share * (distance - inflated - margin.distance) > loss);
     // the invariant does not cover intervals at rest: all three points stay clear along n there
     margin = {select(holds, margin.distance, zero), select(holds, margin.cone, zero)};
-    if constexpr (kDeviates) margin.distance = margin.distance + spread;
+    if constexpr (kSpreads) margin.distance = margin.distance + spread;
     if (any(kept))
       push(constraints_of<is_free>(wanted, x_A, q, n, distance, margin), m, kept, wanted,
            constraints);
@@ -365,8 +334,9 @@ double append(const PairConstraints& wanted, const Other& other, const StepLaw& 
 
 /// Subtracts the held distance from the pair's constraints, the last ones from `first` on.
 /// Constraints of free clocks already contain it.
-template <typename Real>
-void hold(const PairConstraints& wanted, std::size_t first, ConstraintColumns& constraints) {
+template <typename Real, int D>
+void hold(const PairConstraintsOf<D>& wanted, std::size_t first,
+          ConstraintColumnsOf<D>& constraints) {
   const Real held(wanted.pair.share * wanted.held);
   for (std::size_t k = first; k < constraints.count; k += Real::kLanes) {
     (Real::load(&constraints.bound[k]) + held).store(&constraints.bound[k]);
@@ -391,6 +361,14 @@ double append_constraints(const PairConstraints& wanted, const StepLaw& law, con
   if (wanted.is_free)
     return append<Real, true>(wanted, HoldingOther<Real>{wanted.pair, law}, law, own, constraints);
   return append<Real, false>(wanted, BrakingOther<Real>{wanted.pair, law}, law, own, constraints);
+}
+
+/// The same in space, of a neighbor that decides at the same times.
+template <typename Real>
+double append_in_space(const PairConstraintsOf<3>& wanted, const StepLaw& law,
+                       const OwnColumnsOf<3>& own, ConstraintColumnsOf<3>& constraints) {
+  return append<Real, false>(wanted, BrakingOther<Real, 3>{wanted.pair, law}, law, own,
+                             constraints);
 }
 
 AVO_END_KERNELS

@@ -117,13 +117,4 @@ bool cannot_meet(const BrakingPair& pair, const Neighbor& neighbor, const StepLa
   return norm(pair.p) - reach > pair.inflated + pair.error;
 }
 
-double held_distance(const BrakingPair& pair, double distance, int index, Invariant& invariant) {
-  invariant.slack = std::min(invariant.slack, distance - pair.contact);
-  if (!(distance < pair.contact + pair.error)) return pair.inflated;
-  invariant.doubtful = true;
-  if (!(distance < pair.contact - pair.error)) return pair.inflated;
-  invariant.broken.take(index, (pair.contact - pair.error) - distance);
-  return distance;
-}
-
 }  // namespace avo::inline certificate

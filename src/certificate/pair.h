@@ -7,6 +7,7 @@
 #include "avo/robot.h"
 #include "certificate/braking_path.h"
 #include "certificate/deepest.h"
+#include "core/vector_of.h"
 
 namespace avo::inline certificate {
 
@@ -19,15 +20,17 @@ inline Vec2 nearest_on_segment(Vec2 a, Vec2 b) {
 }
 
 /// A robot that brakes.
-struct Braking {
+template <int D>
+struct BrakingOf {
   BrakingProfile profile;
   double increment = 0.0;  ///< [u_a] m/s, see increment()
-  Vec2 direction;          ///< unit, or 0 at rest
+  VectorOf<D> direction;   ///< unit, or 0 at rest
   double length = 0.0;     ///< [l] m until rest
   double reach = 0.0;      ///< m, the radius that no candidate's path leaves
   /// number of intervals in which the robot or one of its candidates may move
   double intervals = 0.0;
 };
+using Braking = BrakingOf<2>;
 Braking braking_of(Vec2 velocity, const Ability& ability, const StepLaw& law);
 
 /// The largest distance of any candidate's path from A's braking path, m, by interval: ahead of A's
@@ -49,8 +52,9 @@ inline constexpr double kMostIntervals = 65536.0;
 
 /// Robot A and one neighbor B. Each value on which both must agree is odd in the exchange of the
 /// two, bit for bit.
-struct BrakingPair {
-  Vec2 p;           ///< [p_A - p_B] m
+template <int D>
+struct BrakingPairOf {
+  VectorOf<D> p;    ///< [p_A - p_B] m
   double contact;   ///< [r_A + r_B] m
   double inflated;  ///< m, contact and a margin for all rounding (docs/certificate/rounding.md)
   double error;     ///< [e] m, the largest error of B's path relative to the sensed one, at its end
@@ -58,8 +62,9 @@ struct BrakingPair {
       /// [β] A's share of the free gap, room_share(), 1 against a neighbor that does not decide
       share;
   bool decides;  ///< whether B decides
-  Braking a, b;
+  BrakingOf<D> a, b;
 };
+using BrakingPair = BrakingPairOf<2>;
 BrakingPair braking_pair(const Robot& robot, const Neighbor& neighbor, const Braking& a,
                          const StepLaw& law);
 
@@ -95,6 +100,15 @@ struct Invariant {
 
 /// Returns the distance that the pair must keep from now on: contact where possible, and the
 /// distance that braking keeps where braking cannot keep contact. It also updates the invariant.
-double held_distance(const BrakingPair& pair, double distance, int index, Invariant& invariant);
+template <int D>
+double held_distance(const BrakingPairOf<D>& pair, double distance, int index,
+                     Invariant& invariant) {
+  invariant.slack = std::min(invariant.slack, distance - pair.contact);
+  if (!(distance < pair.contact + pair.error)) return pair.inflated;
+  invariant.doubtful = true;
+  if (!(distance < pair.contact - pair.error)) return pair.inflated;
+  invariant.broken.take(index, (pair.contact - pair.error) - distance);
+  return distance;
+}
 
 }  // namespace avo::inline certificate

@@ -17,16 +17,16 @@
 AVO_BEGIN_KERNELS
 
 /// See Braking.
-template <typename Real>
+template <typename Real, int D = 2>
 struct PackBraking {
   PackProfile<Real> profile;
   Real increment;
-  Vec<Real> direction;
+  Vec<Real, D> direction;
   Real length, reach, intervals;
 };
 
-template <typename Real>
-AVO_KERNEL PackBraking<Real> constant(const Braking& a) {
+template <typename Real, int D = 2>
+AVO_KERNEL PackBraking<Real, D> constant(const BrakingOf<D>& a) {
   return {.profile = constant<Real>(a.profile),
           .increment = a.increment,
           .direction = constant<Real>(a.direction),
@@ -45,7 +45,7 @@ AVO_KERNEL PackBraking<Real> braking_of(Vec<Real> velocity, Real max_acceleratio
   PackBraking<Real> result;
   result.profile = profile(speed, u);
   result.increment = max_acceleration * Real(law.braking_time);
-  result.direction = {select(moves, direction.x, zero), select(moves, direction.y, zero)};
+  result.direction = select(moves, direction, {zero, zero});
   // the robot may be faster than it is sensed
   const PackProfile<Real> top =
       profile(speed + Real(law.sensing_error.velocity) + result.increment, u);
@@ -57,19 +57,72 @@ AVO_KERNEL PackBraking<Real> braking_of(Vec<Real> velocity, Real max_acceleratio
 }
 
 /// See Neighbor.
-template <typename Real>
+template <typename Real, int D = 2>
 struct PackNeighbor {
-  Vec<Real> position, velocity;
+  Vec<Real, D> position, velocity;
   Real radius, max_acceleration, max_braking, priority;
 };
 
-/// Robot A.
+/// See space::Neighbor.
 template <typename Real>
-struct PackSelf {
-  Vec<Real> position, velocity;
+struct PackNeighbor<Real, 3> {
+  Vec<Real, 3> position, velocity;
   Real radius, max_acceleration, max_braking, priority;
-  PackBraking<Real> braking;
+  Real vertical, downwash;
 };
+
+/// Robot A.
+template <typename Real, int D = 2>
+struct PackSelf {
+  Vec<Real, D> position, velocity;
+  Real radius, max_acceleration, max_braking, priority;
+  PackBraking<Real, D> braking;
+};
+template <typename Real>
+struct PackSelf<Real, 3> {
+  Vec<Real, 3> position, velocity;
+  Real radius, max_acceleration, max_braking, priority;
+  PackBraking<Real, 3> braking;
+  Real downwash;
+};
+
+/// In space: a robot accelerates and brakes within an ellipsoid, a ball in its own space, in which
+/// z is divided by `vertical`. It brakes straight there and so also in space (docs/space.md, "Any
+/// norm").
+template <typename Real>
+AVO_KERNEL PackBraking<Real, 3> braking_of(Vec<Real, 3> velocity, Real max_acceleration,
+                                           Real max_braking, Real vertical, const StepLaw& law) {
+  const Real zero(0.0), one(1.0), speed = norm(velocity);
+  const Real own_speed = norm(Vec<Real, 3>{velocity.x, velocity.y, velocity.z / vertical});
+  const Real u = max_braking * Real(law.braking_time);
+  const auto moves = own_speed > zero;
+  const PackProfile<Real> own = profile(own_speed, u);
+  const Real ratio = speed / select(moves, own_speed, one);
+  PackBraking<Real, 3> result;
+  result.profile = {speed, select(moves, u * ratio, u), own.full_steps};
+  result.increment = max_acceleration * Real(law.braking_time);
+  result.direction = select(moves, velocity / select(moves, speed, one), zero_vector<Real, 3>());
+  const Real shortest = max(one, one / vertical), longest = max(one, vertical);
+  // the robot may be faster than it is sensed
+  const PackProfile<Real> top =
+      profile(own_speed + shortest * Real(law.sensing_error.velocity) + result.increment, u);
+  result.length = stopping_length(result.profile, law);
+  result.reach = longest * (Real(law.lag) * own_speed + Real(law.time_step - law.lag) * top.speed +
+                            stopping_length(top, law));
+  result.intervals = Real(2.0) + top.full_steps;
+  return result;
+}
+
+/// B's braking.
+template <bool kUnlike, typename Real>
+AVO_KERNEL PackBraking<Real> braking_of(const PackNeighbor<Real>& other, const StepLaw& law) {
+  const Real braking = kUnlike ? other.max_braking : other.max_acceleration;
+  return braking_of(other.velocity, other.max_acceleration, braking, law);
+}
+template <bool kUnlike, typename Real>
+AVO_KERNEL PackBraking<Real, 3> braking_of(const PackNeighbor<Real, 3>& other, const StepLaw& law) {
+  return braking_of(other.velocity, other.max_acceleration, other.max_braking, other.vertical, law);
+}
 
 /// See Deviation.
 template <typename Real>
@@ -83,8 +136,8 @@ struct PackDeviation {
 };
 
 // docs/certificate/left_out.md
-template <typename Real>
-AVO_KERNEL PackDeviation<Real> deviation_of(const PackBraking<Real>& a, Real stray_velocity,
+template <typename Real, int D>
+AVO_KERNEL PackDeviation<Real> deviation_of(const PackBraking<Real, D>& a, Real stray_velocity,
                                             Real stray_distance, const StepLaw& law) {
   const Real zero(0.0), rounding(1.0 + 0x1p-30), lead(law.time_step - law.lag);
   const Real speed = a.profile.speed, u = a.profile.decrement, u_a = a.increment;
@@ -129,21 +182,21 @@ struct PackCandidateDeviation {
 };
 
 // docs/certificate/left_out.md, applied to v_1 itself instead of all candidates of A
-template <typename Real>
-AVO_KERNEL PackCandidateDeviation<Real> candidate_deviation(const PackBraking<Real>& a,
-                                                            Vec<Real> next_velocity,
+template <typename Real, int D>
+AVO_KERNEL PackCandidateDeviation<Real> candidate_deviation(const PackBraking<Real, D>& a,
+                                                            Vec<Real, D> next_velocity,
                                                             const StepLaw& law) {
   const Real zero(0.0), rounding(1.0 + 0x1p-30), lead(law.time_step - law.lag);
   const Real u = a.profile.decrement, speed = norm(next_velocity);
   const Real braked = max(a.profile.speed - u, zero),
              left = stopping_length(profile(braked, u), law);
   const auto moves = speed > zero;
-  const Vec<Real> direction = (Real(1.0) / select(moves, speed, Real(1.0))) * next_velocity;
+  const Vec<Real, D> direction = (Real(1.0) / select(moves, speed, Real(1.0))) * next_velocity;
   const Real length = stopping_length(profile(speed, u), law);
   const auto steady = a.profile.speed >= a.increment;
   const Real far = lead * speed + length, margin = Real(0x1p-40) * a.reach;
   const Real ahead = dot(a.direction, direction) * far - lead * braked - left;
-  Real aside = select(steady, abs(cross(a.direction, direction)) * far, far);
+  Real aside = select(steady, across(a.direction, direction) * far, far);
   const auto weak = a.increment > u;
   if (any(weak)) {
     const Real along = dot(a.direction, next_velocity);
@@ -184,24 +237,25 @@ AVO_KERNEL Real later_intervals(Real increment, Real decrement, const StepLaw& l
 }
 
 /// See BrakingPair, for a neighbor that decides.
-template <typename Real>
+template <typename Real, int D = 2>
 struct PackPair {
-  Vec<Real> p;
+  Vec<Real, D> p;
   Real distance, contact, inflated, error, share;
-  PackBraking<Real> b;
+  PackBraking<Real, D> b;
 };
 
 /// Rounding moves a pair by at most 2^-50 of its lengths a step. While both brake these errors add
 /// up, for at most so many steps; a decision reduces the sum by a share.
-/// docs/certificate/rounding.md; four times the bound that is derived there.
-template <typename Real>
+/// docs/certificate/rounding.md; four times the bound that is derived there. In space:
+/// docs/space.md, "Rounding".
+template <typename Real, int D = 2>
 AVO_KERNEL Real rounding_margin(Real lengths, Real intervals, Real shrinks) {
-  return Real(0x1p-48) * lengths * (Real(1.0) + intervals) / shrinks;
+  return Real(D == 2 ? 0x1p-48 : 0x1p-46) * lengths * (Real(1.0) + intervals) / shrinks;
 }
 
 /// The largest error of B's path relative to the sensed one at any time, m.
-template <typename Real>
-AVO_KERNEL Real error_of(const PackBraking<Real>& b, const StepLaw& law) {
+template <typename Real, int D>
+AVO_KERNEL Real error_of(const PackBraking<Real, D>& b, const StepLaw& law) {
   if (law.is_exact()) return Real(0.0);
   if (!law.has_free_clocks()) return braking_error(b.profile, law, b.intervals);
   const auto& [position, velocity] = law.sensing_error;
@@ -210,15 +264,14 @@ AVO_KERNEL Real error_of(const PackBraking<Real>& b, const StepLaw& law) {
 }
 
 /// kUnlike: with priorities and limits of braking, which matter only where some differ.
-template <bool kUnlike = true, typename Real>
-AVO_KERNEL PackPair<Real> pair_of(const PackSelf<Real>& self, const PackNeighbor<Real>& other,
-                                  const StepLaw& law) {
+template <bool kUnlike = true, typename Real, int D>
+AVO_KERNEL PackPair<Real, D> pair_of(const PackSelf<Real, D>& self,
+                                     const PackNeighbor<Real, D>& other, const StepLaw& law) {
   const Real one(1.0);
-  const Vec<Real> p_A = self.position;
-  const PackBraking<Real>& a = self.braking;
-  PackPair<Real> pair;
-  const Real braking = kUnlike ? other.max_braking : other.max_acceleration;
-  pair.b = braking_of(other.velocity, other.max_acceleration, braking, law);
+  const Vec<Real, D> p_A = self.position;
+  const PackBraking<Real, D>& a = self.braking;
+  PackPair<Real, D> pair;
+  pair.b = braking_of<kUnlike>(other, law);
   pair.p = p_A - other.position;
   pair.distance = norm(pair.p);
   pair.contact = self.radius + other.radius;
@@ -228,11 +281,12 @@ AVO_KERNEL PackPair<Real> pair_of(const PackSelf<Real>& self, const PackNeighbor
                                      : a_A / (a_A + a_B);
   pair.b.intervals =
       pair.b.intervals + later_intervals(pair.b.increment, pair.b.profile.decrement, law);
-  const Real lengths = pair.contact + a.reach + pair.b.reach + (abs(p_A.x) + abs(p_A.y)) +
-                       (abs(other.position.x) + abs(other.position.y));
-  pair.inflated = pair.contact +
-                  rounding_margin(lengths, max(a.intervals, pair.b.intervals),
-                                  law.has_free_clocks() ? one : min(pair.share, one - pair.share));
+  Real lengths = pair.contact + a.reach + pair.b.reach + one_norm(p_A) + one_norm(other.position);
+  if constexpr (D == 3) lengths = lengths + (self.downwash + other.downwash);
+  pair.inflated =
+      pair.contact +
+      rounding_margin<Real, D>(lengths, max(a.intervals, pair.b.intervals),
+                               law.has_free_clocks() ? one : min(pair.share, one - pair.share));
   pair.error = error_of(pair.b, law);
   return pair;
 }
@@ -245,11 +299,13 @@ struct PackClearance {
   Real against;  // in [0, 1], the largest part of any of the normals against A's direction
 };
 
-template <bool kUnlike = true, typename Real>
-AVO_KERNEL PackClearance<Real> clearance_of(const PackSelf<Real>& self, const PackPair<Real>& pair,
-                                            const PackNeighbor<Real>& other, const StepLaw& law) {
+template <bool kUnlike = true, typename Real, int D>
+AVO_KERNEL PackClearance<Real> clearance_of(const PackSelf<Real, D>& self,
+                                            const PackPair<Real, D>& pair,
+                                            const PackNeighbor<Real, D>& other,
+                                            const StepLaw& law) {
   const Real zero(0.0), one(1.0), d = pair.distance, length_A = self.braking.length;
-  const Vec<Real> d_A = self.braking.direction, d_B = pair.b.direction;
+  const Vec<Real, D> d_A = self.braking.direction, d_B = pair.b.direction;
   const auto apart = d > zero;
   // along p, whenever each of them stops
   const Real towards =
@@ -274,9 +330,9 @@ AVO_KERNEL PackClearance<Real> clearance_of(const PackSelf<Real>& self, const Pa
 }
 
 /// The values of A that are_far() and are_clear() read.
-template <typename Real>
+template <typename Real, int D = 2>
 struct BrakingPoint {
-  Vec<Real> position, velocity, direction;
+  Vec<Real, D> position, velocity, direction;
   Real speed, max_acceleration;
 };
 
@@ -303,8 +359,9 @@ AVO_KERNEL std::array<Real, 3> reach_bound(Real increment, Real u, const StepLaw
           h + h * top * per_u + lost, half * h * per_u};
 }
 
-template <typename Real>
-AVO_KERNEL PackBound<Real> bound_of(Vec<Real> position, Real radius, const PackBraking<Real>& a,
+template <typename Real, int D = 2>
+AVO_KERNEL PackBound<Real> bound_of(Vec<Real, D> position, Real radius,
+                                    const PackBraking<Real, D>& a,
                                     const PackDeviation<Real>& deviation, Real max_speed,
                                     const StepLaw& law) {
   const PackProfile<Real>& own = a.profile;
@@ -317,7 +374,7 @@ AVO_KERNEL PackBound<Real> bound_of(Vec<Real> position, Real radius, const PackB
   Real error = Real(law.sensing_error.position) + Real(law.sensing_error.velocity) * h * intervals;
   if (law.has_free_clocks()) error = error + drift_of(speed, a.increment, u, law).most;
   // the part of the rounding margin that does not grow with the distance
-  const Real places = abs(position.x) + abs(position.y);
+  const Real places = one_norm(position);
   const Real lengths = radius + reach_at(own.speed);
   const Real margin = Real(0x1p-46) * (places + lengths + radius + reach_at(speed)) * intervals;
   const auto is_known = intervals <= Real(kMostIntervals);
@@ -333,18 +390,18 @@ AVO_KERNEL PackBound<Real> bound_of(Vec<Real> position, Real radius, const PackB
 
 /// Returns whether B has A's a_max, and is no faster than A may be. B's priority and limit of
 /// braking must be A's as well.
-template <typename Real>
-AVO_KERNEL auto is_alike(const PackBound<Real>& bound, const BrakingPoint<Real>& self,
-                         const PackNeighbor<Real>& other) {
+template <typename Real, int D>
+AVO_KERNEL auto is_alike(const PackBound<Real>& bound, const BrakingPoint<Real, D>& self,
+                         const PackNeighbor<Real, D>& other) {
   return (dot(other.velocity, other.velocity) <= bound.speed_squared) &
          (other.max_acceleration <= self.max_acceleration) &
          (other.max_acceleration >= self.max_acceleration);
 }
 
 /// Returns whether the two are alike, and farther apart than both reach.
-template <typename Real>
-AVO_KERNEL auto are_far(const PackBound<Real>& bound, const BrakingPoint<Real>& self,
-                        const PackNeighbor<Real>& other) {
+template <typename Real, int D>
+AVO_KERNEL auto are_far(const PackBound<Real>& bound, const BrakingPoint<Real, D>& self,
+                        const PackNeighbor<Real, D>& other) {
   const Real squared = dot(other.velocity, other.velocity);
   const Real reach = bound.reach[0] + bound.reach[1] * sqrt(squared) + bound.reach[2] * squared;
   const Real distance = norm(self.position - other.position);
@@ -355,11 +412,11 @@ AVO_KERNEL auto are_far(const PackBound<Real>& bound, const BrakingPoint<Real>& 
 /// Returns whether the two are alike, and drift towards each other too slowly for B to refuse a
 /// candidate. It uses the gap of clearance_of(), with the intervals of the faster one, times the
 /// part of the distance that remains after drifting. It takes no division.
-template <typename Real>
-AVO_KERNEL auto are_clear(const PackBound<Real>& bound, const BrakingPoint<Real>& self,
-                          const PackNeighbor<Real>& other, const StepLaw& law) {
+template <typename Real, int D>
+AVO_KERNEL auto are_clear(const PackBound<Real>& bound, const BrakingPoint<Real, D>& self,
+                          const PackNeighbor<Real, D>& other, const StepLaw& law) {
   const Real zero(0.0);
-  const Vec<Real> p = self.position - other.position;
+  const Vec<Real, D> p = self.position - other.position;
   const Real distance = norm(p);
   const Real steps = Real(1.0) + bound.per_decrement * max(self.speed, norm(other.velocity));
   const Real drift = Real(kFarther * law.time_step) * steps * norm(self.velocity - other.velocity);

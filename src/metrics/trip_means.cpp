@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The common results of the trips of a fleet (docs/metrics.md).
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -21,25 +22,34 @@ struct Mean {
   }
 };
 
-double duration_of(const Trip& trip) {
+template <int D>
+double duration_of(const TripOf<D>& trip) {
   return trip.end - trip.begin;
 }
 
 // Arrivals are seen at the ends of steps.
-bool is_in_time(const Trip& trip) {
+template <int D>
+bool is_in_time(const TripOf<D>& trip) {
   return trip.arrival && duration_of(trip) <= kPatience * trip.ideal_time + trip.step;
 }
 
 }  // namespace
 
-void Trips::describe(RunMetrics& metrics) const {
+double quantile(std::span<double> values, double share) {
+  const auto place = static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size()));
+  std::nth_element(values.begin(), values.begin() + place, values.end());
+  return values[static_cast<std::size_t>(place)];
+}
+
+template <int D>
+void describe_trips(std::span<const TripOf<D>* const> trips, RunMetrics& metrics) {
   Mean success, collision, timeout, extra, ratio, effort, reversals, efficacy, deadlock;
   double flowtime = 0.0, jerk_squared = 0.0, jerk_steps = 0.0, acceleration_squared = 0.0;
   std::int64_t moving_steps = 0, turned_back = 0;
   bool have_arrived = true;
   std::vector<double> extra_times;
-  for (const Trip& trip : trips_) {
-    if (trip.parked || !is_judged(trip.robot)) continue;
+  for (const TripOf<D>* const each : trips) {
+    const TripOf<D>& trip = *each;
     ++metrics.trips;
     collision.add(trip.overlapped ? 1.0 : 0.0);
     success.add(!trip.overlapped && is_in_time(trip) ? 1.0 : 0.0);
@@ -84,6 +94,16 @@ void Trips::describe(RunMetrics& metrics) const {
     metrics.turned_back = static_cast<double>(turned_back) / static_cast<double>(moving_steps);
   metrics.efficacy = efficacy.value();
   metrics.deadlock_time = deadlock.value();
+}
+template void describe_trips<2>(std::span<const TripOf<2>* const>, RunMetrics&);
+template void describe_trips<3>(std::span<const TripOf<3>* const>, RunMetrics&);
+
+void Trips::describe(RunMetrics& metrics) const {
+  std::vector<const Trip*> judged;
+  for (const Trip& trip : trips_) {
+    if (!trip.parked && is_judged(trip.robot)) judged.push_back(&trip);
+  }
+  describe_trips<2>(judged, metrics);
 }
 
 }  // namespace avo::inline metrics

@@ -10,11 +10,6 @@
 namespace avo::inline metrics {
 namespace {
 
-// of the preferred speed, nearer than ever before: less is no progress
-constexpr double kProgress = 0.01;
-constexpr double kNoDirection = 0.01;  // of a_max: a smaller acceleration has no direction
-constexpr double kStrong = 0.3;        // of a_max: a smaller acceleration cannot turn back
-
 // Begins the trip at the place of the robot with that index into the fleet.
 void begin(Trip& trip, const Simulation& simulation, const FleetView& fleet, std::size_t i,
            double usual_distance) {
@@ -40,56 +35,7 @@ void begin(Trip& trip, const Simulation& simulation, const FleetView& fleet, std
   trip.velocity = fleet.velocity[i];
 }
 
-// Returns whether two accelerations are both more than that, m/s^2, and more than 135 degrees
-// apart.
-bool turns_back(Vec2 a, Vec2 b, double least) {
-  const double along = dot(a, b), a_squared = norm_squared(a), b_squared = norm_squared(b);
-  return along < 0.0 && 2.0 * along * along > a_squared * b_squared &&
-         std::min(a_squared, b_squared) > least * least;
-}
-
-// Adds the robot's own step in which it accelerates by a, if it moves before it.
-void add_step(Trip& trip, Vec2 a) {
-  const double least = kMoves * trip.preferred_speed;  // m/s
-  if (!(norm_squared(trip.velocity) > least * least)) return;
-  ++trip.moving_steps;
-  if (turns_back(a, trip.acceleration, kStrong * trip.acceleration_limit)) ++trip.turned_back;
-}
-
 }  // namespace
-
-double quantile(std::span<double> values, double share) {
-  const auto place = static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size()));
-  std::nth_element(values.begin(), values.begin() + place, values.end());
-  return values[static_cast<std::size_t>(place)];
-}
-
-void go_on(Trip& trip, Vec2 position, Vec2 velocity, double way_left, double duration,
-           bool decided) {
-  const Vec2 a = (velocity - trip.velocity) / duration;
-  const double a_squared = norm_squared(a);
-  trip.length += norm(position - trip.position);
-  trip.way_left = way_left;
-  if (trip.progress - way_left >= kProgress * trip.preferred_speed * duration)
-    trip.progress = way_left;
-  else
-    trip.deadlock_time += duration;
-  trip.effort += a_squared * duration;
-  if (trip.has_acceleration) {
-    trip.jerk_squared += norm_squared(a - trip.acceleration) / (trip.step * trip.step);
-    trip.jerk_steps += duration == trip.step ? 1.0 : duration / trip.step;
-    if (decided) add_step(trip, a);
-  }
-  const double least = kNoDirection * trip.acceleration_limit;
-  if (a_squared >= least * least) {
-    if (dot(a, trip.directed) < 0.0) ++trip.reversals;
-    trip.directed = a;
-  }
-  trip.acceleration = a;
-  trip.has_acceleration = true;
-  trip.position = position;
-  trip.velocity = velocity;
-}
 
 Trips::Trips(const Scenario& scenario, std::span<const RobotId> judged)
     : step_(scenario.time_step), arrival_distance_(scenario.arrival_distance) {

@@ -32,9 +32,9 @@ AVO_KERNEL PackHaste<Real> haste_of(Real radius, Real max_speed, Real max_accele
 }
 
 /// The velocity after a step of at most `most` from v towards a target, m/s.
-template <typename Real>
-AVO_KERNEL Vec<Real> approach(Vec<Real> velocity, Vec<Real> target, Real most) {
-  const Vec<Real> change = target - velocity;
+template <typename Real, int D>
+AVO_KERNEL Vec<Real, D> approach(Vec<Real, D> velocity, Vec<Real, D> target, Real most) {
+  const Vec<Real, D> change = target - velocity;
   const Real length = norm(change);
   const auto is_long = length > most;
   const Real part = most / select(is_long, length, Real(1.0));
@@ -42,12 +42,12 @@ AVO_KERNEL Vec<Real> approach(Vec<Real> velocity, Vec<Real> target, Real most) {
 }
 
 /// See executed().
-template <typename Real>
-AVO_KERNEL Vec<Real> executed(Vec<Real> velocity, Vec<Real> last_change, Vec<Real> target,
-                              const PackHaste<Real>& haste) {
+template <typename Real, int D>
+AVO_KERNEL Vec<Real, D> executed(Vec<Real, D> velocity, Vec<Real, D> last_change,
+                                 Vec<Real, D> target, const PackHaste<Real>& haste) {
   const auto at_once = haste.gain >= Real(1.0);
-  const Vec<Real> aim = select(at_once, target, velocity + haste.gain * (target - velocity));
-  const Vec<Real> smooth =
+  const Vec<Real, D> aim = select(at_once, target, velocity + haste.gain * (target - velocity));
+  const Vec<Real, D> smooth =
       approach(velocity + last_change, approach(velocity, aim, haste.most), haste.jerk);
   return approach(velocity, smooth, haste.most);
 }

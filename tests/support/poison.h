@@ -162,14 +162,13 @@ class Poison {
     each(ahead, across, anyhow, fast, slow, most_ahead, most_aside);
   }
   void spoil(ConstraintColumns& columns) const {
-    auto& [count, judged, normal_x, normal_y, cone, bound, offset, interval, needs, coefficient,
-           neighbor] = columns;
-    each(count, judged, normal_x, normal_y, cone, bound, offset, interval, needs, coefficient,
-         neighbor);
+    auto& [count, judged, normal, cone, bound, offset, interval, needs, coefficient, neighbor] =
+        columns;
+    each(count, judged, normal, cone, bound, offset, interval, needs, coefficient, neighbor);
   }
   void spoil(OwnColumns& own) const {
-    auto& [count, filled, start_x, start_y, middle_x, middle_y, ahead, across, anyhow, most] = own;
-    each(count, filled, start_x, start_y, middle_x, middle_y, ahead, across, anyhow, most);
+    auto& [count, filled, start, middle, ahead, across, anyhow, most] = own;
+    each(count, filled, start, middle, ahead, across, anyhow, most);
   }
   void spoil(TrajectoryConstraints& constraints) const {
     auto& [columns, own, deviation, own_columns, trajectory, waiting, stays_at_rest, has_cones] =

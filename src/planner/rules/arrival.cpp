@@ -133,13 +133,20 @@ bool settles(const Robot& robot, const Detour& detour, double arrival_distance) 
   return robot.distance_to_goal < settling_distance(detour, robot.radius, arrival_distance);
 }
 
+PushRule push_rule(const Robot& robot, bool is_beside, const PlannerOptions& options,
+                   Detour& detour) {
+  remember(robot, is_beside, options, detour);
+  const double arrival_distance = options.arrival_distance;
+  if (settles(robot, detour, arrival_distance)) return {true, kPush, 0.0};
+  return {false, kPush, yields_to_all(robot, detour, arrival_distance) ? kPushAtRest : 0.0};
+}
+
 Vec2 wish_of(const Robot& robot, Vec2 kept_right, const Traffic& traffic,
              const PlannerOptions& options, Detour& detour) {
-  remember(robot, traffic.is_beside, options, detour);
-  const double arrival_distance = options.arrival_distance;
-  if (settles(robot, detour, arrival_distance)) return (kPush * robot.max_speed) * traffic.push;
-  const double at_rest = yields_to_all(robot, detour, arrival_distance) ? kPushAtRest : 0.0;
-  return kept_right + robot.max_speed * (kPush * traffic.push + at_rest * traffic.push_at_rest);
+  const PushRule rule = push_rule(robot, traffic.is_beside, options, detour);
+  if (rule.settles) return (kPush * robot.max_speed) * traffic.push;
+  return kept_right +
+         robot.max_speed * (kPush * traffic.push + rule.at_rest * traffic.push_at_rest);
 }
 
 double part_of_wish(Vec2 next_velocity, Vec2 unhindered_next_velocity, Vec2 wish) {

@@ -59,6 +59,15 @@ double unusual_congestion(double ahead, double time, double time_step, Detour& d
 /// Returns whether a robot that has been beside others for a while stays in place, near its goal.
 bool settles(const Robot& robot, const Detour& detour, double arrival_distance);
 
+/// How a robot follows the pushes of its neighbors: their factors, of v_max.
+struct PushRule {
+  bool settles = false;  ///< it stays in place, and wishes nothing but to move aside
+  double moving = 0.0, at_rest = 0.0;
+};
+/// Updates the detour.
+PushRule push_rule(const Robot& robot, bool is_beside, const PlannerOptions& options,
+                   Detour& detour);
+
 /// [m/s] The wish of a robot: the velocity that keeps right, or 0 where it has settled. In both
 /// cases it moves aside for neighbors that push.
 Vec2 wish_of(const Robot& robot, Vec2 kept_right, const Traffic& traffic,
