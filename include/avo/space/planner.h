@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: Apache-2.0
+// One robot's decision in space: from what it senses to its new velocity (docs/space.md). SI units.
+#pragma once
+#include <memory>
+#include <span>
+
+#include "avo/export.h"
+#include "avo/horizon.h"
+#include "avo/planner.h"
+#include "avo/space/box.h"
+#include "avo/space/robot.h"
+
+namespace avo::space {
+
+/// One decision.
+struct Plan {
+  /// [v'_A] m/s, Eqs. (14), (23): the command that leads to next_velocity by Eq. (7)
+  Vec3 new_velocity = {};
+  Vec3 next_velocity = {};                  ///< m/s, at the end of the step
+  Vec3 acceleration = {};                   ///< [a_A] m/s^2 at the start of the step, Eq. (7)
+  PlanStatus status = PlanStatus::optimal;  ///< how the decision was made
+  /// safe: while all robots brake, A touches no robot that decides and no box. unknown: otherwise,
+  /// and without a certificate
+  SafetyState state = SafetyState::unknown;
+  int neighbor = -1;   ///< if overlapping: index of the neighbor with the deepest overlap; -1: none
+  int box = -1;        ///< or index of the box; -1: none
+  float depth = 0.0F;  ///< m: the overlap, if overlapping
+  double violation = 0.0;  ///< m/s: the distance of v' from CA_A; 0 if optimal
+};
+
+/// What a robot remembers from one decision to the next, see avo::Detour. If the robot gets another
+/// goal, the memory must begin anew, except the congestion.
+struct Detour {
+  float angle = 0.0F;        ///< rad, how far the robot has turned off its way, to the right
+  float beside = 0.0F;       ///< v_max/a_max, 0 to 200: how long others have been beside it
+  float congestion = 0.0F;   ///< number of robots ahead that it is used to, 0 to 2.8
+  bool has_arrived = false;  ///< whether it was within arrival_distance of its goal, beside others
+  bool goal_taken = false;   ///< whether others are at rest on its goal
+  Vec3 acceleration = {};    ///< m/s², of its last step; 0 for a robot that has not moved
+};
+
+/// Scratch memory of a Planner; reuse it, and nothing is allocated once it has grown. Use one per
+/// thread.
+class AVO_API PlanWorkspace {
+ public:
+  PlanWorkspace();
+  ~PlanWorkspace();
+  PlanWorkspace(PlanWorkspace&&) noexcept;
+  PlanWorkspace& operator=(PlanWorkspace&&) noexcept;
+
+  struct AVO_LOCAL Scratch;
+
+ private:
+  friend class Planner;
+  std::unique_ptr<Scratch> scratch_;
+};
+
+/// Decides for one robot of space. Immutable after construction and safe to share between threads.
+class AVO_API Planner {
+ public:
+  /// Throws Error on options out of range, and on options that space does not have: a method other
+  /// than avo, a free clock, noise for the half-planes, errors of the robot's own place.
+  explicit Planner(const PlannerOptions& options);
+
+  /// Reciprocal collision avoidance (§IV-D) in space. All neighbors are assumed to decide at the
+  /// same times, by the same options.
+  ///
+  /// detour: the memory of the robot, kept by the caller from decision to decision; without it the
+  /// robot decides as for the first time.
+  ///
+  /// boxes: those within box_range() of the robot, which it does not touch. Farther boxes change no
+  /// bit.
+  [[nodiscard]] Plan plan(const Robot& robot, std::span<const Neighbor> neighbors,
+                          PlanWorkspace& workspace, Detour* detour = nullptr,
+                          std::span<const Box> boxes = {}) const;
+
+  /// Returns whether the certificate lets the robot have that velocity (m/s) at the end of the
+  /// step, within its own limits.
+  [[nodiscard]] bool is_admitted(const Robot& robot, std::span<const Neighbor> neighbors,
+                                 PlanWorkspace& workspace, Vec3 next_velocity,
+                                 std::span<const Box> boxes = {}) const;
+
+  [[nodiscard]] const PlannerOptions& options() const { return options_; }
+
+ private:
+  PlannerOptions options_;
+  Horizon horizon_;
+};
+
+/// m, from the robot's ball: boxes at a larger distance change nothing.
+AVO_API double box_range(const Robot& robot, const PlannerOptions& options);
+
+/// m, between centers: the distance within which the robot has to sense a neighbor of these limits,
+/// whatever their velocities.
+AVO_API double sensing_range(const Robot& robot, const Robot& other, const PlannerOptions& options);
+
+}  // namespace avo::space

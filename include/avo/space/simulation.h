@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: Apache-2.0
+// A fleet in space, step by step (docs/space.md). SI units.
+#pragma once
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <span>
+
+#include "avo/export.h"
+#include "avo/space/planner.h"
+#include "avo/space/scenario.h"
+
+namespace avo::space {
+
+/// Simulates the robots of a scene. Each robot decides alone, from the positions and velocities of
+/// those within the sensing radius. The same scene gives the same bits, whatever the number of
+/// threads.
+class AVO_API Simulation {
+ public:
+  /// threads: workers, 0: one for each processor. Throws Error as validate() does.
+  explicit Simulation(const Scenario& scenario, int threads = 1);
+  ~Simulation();
+  Simulation(Simulation&&) noexcept;
+  Simulation& operator=(Simulation&&) noexcept;
+
+  /// All robots decide, and move.
+  void step();
+
+  [[nodiscard]] double time() const;         ///< s
+  [[nodiscard]] std::int64_t steps() const;  ///< taken so far
+  [[nodiscard]] std::size_t size() const;    ///< number of robots
+  [[nodiscard]] const Scenario& scenario() const;
+  /// The states of all robots, in the order of the scene; valid until the next step.
+  [[nodiscard]] std::span<const Robot> robots() const;
+  /// The last decisions; those before the first step are empty.
+  [[nodiscard]] std::span<const Plan> plans() const;
+  [[nodiscard]] Vec3 goal(std::size_t robot) const;  ///< m
+  /// Returns whether the robot is within the arrival distance of its goal.
+  [[nodiscard]] bool is_at_goal(std::size_t robot) const;
+
+  /// Gives the robot another goal, m; the same goal again changes nothing. Throws Error for a robot
+  /// that does not exist, and for a goal that is not finite.
+  void set_goal(std::size_t robot, Vec3 goal);
+  /// Replaces all boxes between two steps. Throws Error, and changes nothing, where a robot is in a
+  /// box or cannot brake before it.
+  void set_boxes(std::span<const Box> boxes);
+
+  /// A hash of all positions and velocities, bit for bit.
+  [[nodiscard]] std::uint64_t state_hash() const;
+
+ private:
+  struct AVO_LOCAL State;
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace avo::space

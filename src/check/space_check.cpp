@@ -1,0 +1,265 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <utility>
+
+#include "avo/error.h"
+#include "avo/space/check.h"
+#include "check/counts.h"
+#include "check/space_path.h"
+
+namespace avo::space {
+namespace {
+
+using judge::Block;
+using judge::Cubic;
+using judge::Stick;
+
+// A robot's path over one step.
+struct Step {
+  std::size_t robot;
+  Cubic path;
+  Vec3 low, high;  // m, of the hull of its points
+};
+
+Step step_of(std::size_t robot, const CheckedState& before, const CheckedState& now,
+             double duration) {
+  Step step{robot,
+            judge::cubic_of(before.position, before.velocity, now.position, now.velocity, duration),
+            {},
+            {}};
+  step.low = step.high = step.path[0];
+  for (const Vec3& point : step.path) {
+    step.low = {std::min(step.low.x, point.x), std::min(step.low.y, point.y),
+                std::min(step.low.z, point.z)};
+    step.high = {std::max(step.high.x, point.x), std::max(step.high.y, point.y),
+                 std::max(step.high.z, point.z)};
+  }
+  return step;
+}
+
+// m: the gap of two hulls along the axis in which it is widest; negative where they overlap.
+double gap(const Step& a, const Step& b) {
+  return std::max({a.low.x - b.high.x, b.low.x - a.high.x, a.low.y - b.high.y, b.low.y - a.high.y,
+                   a.low.z - b.high.z, b.low.z - a.high.z});
+}
+
+Vec3 turned(Vec3 a, double c, double s) {
+  return {c * a.x + s * a.y, c * a.y - s * a.x, a.z};
+}
+
+// The length of a velocity or an acceleration, where limits along the vertical are so much of those
+// along the horizontal.
+double weighed(Vec3 a, double vertical) {
+  return std::hypot(std::hypot(a.x, a.y), a.z / vertical);
+}
+
+void require_positive(double value, std::size_t robot, const char* what) {
+  if (!(value > 0.0) || std::isnan(value))
+    throw Error("robot " + std::to_string(robot) + ": " + what + " must be > 0");
+}
+
+}  // namespace
+
+struct Check::State {
+  std::vector<CheckedRobot> robots;
+  std::vector<Box> boxes;
+  CheckOptions options;
+  CheckReport report;
+  std::vector<CheckedState> before;
+  std::vector<std::uint8_t> seen, arrived, touched_box;
+  std::vector<CheckedState> last;                              // of each robot
+  std::vector<std::pair<std::int64_t, std::int64_t>> touched;  // pairs, ascending
+  double time = 0.0;
+  bool has_time = false;
+
+  void judge_limits(const CheckedState& from, const CheckedState& to, double start,
+                    double duration);
+  void judge_row(const CheckedState& row, double now);
+  void judge_pairs(const std::vector<Step>& steps, double start);
+  void judge_pair(const Step& a, const Step& b, double start);
+  void judge_boxes(const Step& step, double start);
+};
+
+void Check::State::judge_row(const CheckedState& row, double now) {
+  const auto k = static_cast<std::size_t>(row.robot);
+  const CheckedRobot& robot = robots[k];
+  const double tolerance = 1.0 + options.relative_tolerance;
+  const double speed = weighed(row.velocity, robot.vertical);
+  report.largest_speed = std::max(report.largest_speed, norm(row.velocity));
+  const double over =
+      std::max({speed - robot.max_speed * tolerance, row.velocity.z - robot.climb * tolerance,
+                -row.velocity.z - robot.sink * tolerance});
+  if (over > 0.0) judge::count(report.speeds, {now, row.robot, {}, over});
+  if (!seen[k]) ++report.robots;
+  seen[k] = 1;
+  last[k] = row;
+  if (!robot.goal || arrived[k] != 0) return;
+  if (norm(row.position - *robot.goal) > options.arrival_distance) return;
+  arrived[k] = 1;
+  ++report.arrived;
+  report.last_arrival = now;
+}
+
+// The velocity of a step may change by a_max Δt, or be cut short straight by b Δt.
+void Check::State::judge_limits(const CheckedState& from, const CheckedState& to, double start,
+                                double duration) {
+  const CheckedRobot& robot = robots[static_cast<std::size_t>(from.robot)];
+  const Vec3 change = to.velocity - from.velocity;
+  const double tolerance = 1.0 + options.relative_tolerance;
+  const double acceleration = weighed(change, robot.vertical) / duration;
+  report.largest_acceleration = std::max(report.largest_acceleration, norm(change) / duration);
+  double allowed = robot.max_acceleration;
+  const double braking = robot.max_braking.value_or(robot.max_acceleration);
+  if (braking > allowed &&
+      norm(cross(from.velocity, to.velocity)) <= 1e-9 * norm(from.velocity) * norm(from.velocity))
+    allowed = braking;
+  // rounding of the two velocities
+  const double rounding = 4e-16 * (norm(from.velocity) + norm(to.velocity)) / duration;
+  const double over = acceleration - allowed * tolerance - rounding;
+  if (over > 0.0) judge::count(report.accelerations, {start, from.robot, {}, over});
+  const Vec3 off = to.position - from.position - 0.5 * duration * (from.velocity + to.velocity);
+  const double most = 0.5 * allowed * std::max(robot.vertical, 1.0) * duration * duration;
+  const double places = 1e-15 * (norm(from.position) + norm(to.position));
+  if (norm(off) > most * tolerance + places)
+    judge::count(report.jumps, {start, from.robot, {}, norm(off) - most});
+}
+
+void Check::State::judge_pair(const Step& a, const Step& b, double start) {
+  const CheckedRobot &first = robots[a.robot], &second = robots[b.robot];
+  const double contact = first.radius + second.radius;
+  const double room = report.least_clearance.value_or(std::numeric_limits<double>::infinity());
+  const double wash = std::max(first.downwash, second.downwash);
+  if (gap(a, b) - wash > contact + std::max(room, 0.0)) return;
+  Cubic relative;
+  for (std::size_t i = 0; i < 4; ++i) relative[i] = a.path[i] - b.path[i];
+  // b may not be below a: p_a - p_b is not on the stick from -w_b to w_a
+  const Stick stick{-second.downwash, first.downwash};
+  const double clearance = judge::least_distance(relative, stick, contact + room) - contact;
+  report.least_clearance = std::min(room, clearance);
+  if (!(clearance < -options.relative_tolerance * contact)) return;
+  const auto one = static_cast<std::int64_t>(std::min(a.robot, b.robot));
+  const auto other = static_cast<std::int64_t>(std::max(a.robot, b.robot));
+  judge::note(report.overlaps, {start, one, other, -clearance});
+  const std::pair pair{one, other};
+  const auto place = std::lower_bound(touched.begin(), touched.end(), pair);
+  if (place != touched.end() && *place == pair) return;
+  touched.insert(place, pair);
+  ++report.overlaps.count;
+}
+
+// Steps that overlap along x, in order of their low ends.
+void Check::State::judge_pairs(const std::vector<Step>& steps, double start) {
+  std::vector<const Step*> order;
+  for (const Step& step : steps) order.push_back(&step);
+  std::sort(order.begin(), order.end(), [](const Step* a, const Step* b) {
+    return a->low.x != b->low.x ? a->low.x < b->low.x : a->robot < b->robot;
+  });
+  double largest = 0.0;
+  for (const CheckedRobot& robot : robots) largest = std::max(largest, robot.radius);
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    for (std::size_t j = i + 1; j < order.size(); ++j) {
+      const double room = report.least_clearance.value_or(std::numeric_limits<double>::infinity());
+      if (order[j]->low.x - order[i]->high.x > 2.0 * largest + std::max(room, 0.0)) break;
+      judge_pair(*order[i], *order[j], start);
+    }
+  }
+}
+
+void Check::State::judge_boxes(const Step& step, double start) {
+  const double radius = robots[step.robot].radius;
+  for (std::size_t k = 0; k < boxes.size(); ++k) {
+    const Box& box = boxes[k];
+    const double c = std::cos(box.heading), s = std::sin(box.heading);
+    Cubic path;
+    for (std::size_t i = 0; i < 4; ++i) path[i] = turned(step.path[i], c, s);
+    const double contact = radius + box.radius;
+    const double room =
+        report.least_static_clearance.value_or(std::numeric_limits<double>::infinity());
+    const double clearance =
+        judge::least_distance(path, Block{box.min, box.max}, contact + std::max(room, 0.0)) -
+        contact;
+    report.least_static_clearance = std::min(room, clearance);
+    if (!(clearance < -options.relative_tolerance * contact)) continue;
+    judge::note(report.static_contacts, {start, static_cast<std::int64_t>(step.robot),
+                                         static_cast<std::int64_t>(k), -clearance});
+    if (touched_box[step.robot] == 0) ++report.static_contacts.count;
+    touched_box[step.robot] = 1;
+  }
+}
+
+Check::Check(std::vector<CheckedRobot> robots, std::vector<Box> boxes, const CheckOptions& options)
+    : state_(std::make_unique<State>()) {
+  for (std::size_t k = 0; k < robots.size(); ++k) {
+    require_positive(robots[k].radius, k, "radius");
+    require_positive(robots[k].max_acceleration, k, "max_acceleration");
+    require_positive(robots[k].max_speed, k, "max_speed");
+    require_positive(robots[k].vertical, k, "vertical");
+    if (robots[k].goal) ++state_->report.with_goal;
+  }
+  state_->robots = std::move(robots);
+  state_->boxes = std::move(boxes);
+  state_->options = options;
+  const std::size_t count = state_->robots.size();
+  state_->seen.resize(count);
+  state_->arrived.resize(count);
+  state_->touched_box.resize(count);
+  state_->last.resize(count);
+}
+Check::~Check() = default;
+Check::Check(Check&&) noexcept = default;
+Check& Check::operator=(Check&&) noexcept = default;
+
+void Check::add(double time, std::span<const CheckedState> rows) {
+  State& state = *state_;
+  CheckReport& report = state.report;
+  if (state.has_time && !(time >= state.time + 1e-12))
+    throw Error("time " + std::to_string(time) + " s: must be later than the one before");
+  std::int64_t previous = -1;
+  for (const CheckedState& row : rows) {
+    const bool is_known =
+        row.robot > previous && row.robot < static_cast<std::int64_t>(state.robots.size());
+    if (!is_known) throw Error("robot " + std::to_string(row.robot) + ": out of order or unknown");
+    if (!is_finite(row.position) || !is_finite(row.velocity))
+      throw RowError(row.robot, "a number that is not finite");
+    previous = row.robot;
+  }
+  std::vector<Step> steps;
+  const double duration = time - state.time;
+  auto from = state.before.cbegin();
+  for (const CheckedState& row : rows) {
+    state.judge_row(row, time);
+    ++report.rows;
+    while (from != state.before.cend() && from->robot < row.robot) ++from;
+    if (!state.has_time || from == state.before.cend() || from->robot != row.robot) continue;
+    state.judge_limits(*from, row, state.time, duration);
+    steps.push_back(step_of(static_cast<std::size_t>(row.robot), *from, row, duration));
+  }
+  report.robot_steps += static_cast<std::int64_t>(steps.size());
+  if (state.has_time) {
+    ++report.steps;
+    state.judge_pairs(steps, state.time);
+    for (const Step& step : steps) state.judge_boxes(step, state.time);
+  } else {
+    report.from = time;
+  }
+  report.to = state.time = time;
+  state.has_time = true;
+  state.before.assign(rows.begin(), rows.end());
+}
+
+CheckReport Check::report() const {
+  CheckReport report = state_->report;
+  for (std::size_t k = 0; k < state_->robots.size(); ++k) {
+    const CheckedRobot& robot = state_->robots[k];
+    if (!robot.goal || state_->seen[k] == 0) continue;
+    if (state_->arrived[k] == 0) report.not_arrived.push_back(static_cast<std::int64_t>(k));
+    if (norm(state_->last[k].position - *robot.goal) <= state_->options.arrival_distance)
+      ++report.at_goal_at_end;
+  }
+  if (report.arrived < report.with_goal) report.last_arrival.reset();
+  return report;
+}
+
+}  // namespace avo::space

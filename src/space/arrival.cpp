@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "space/arrival.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "avo/half_plane.h"
+#include "core/elementary.h"
+#include "space/own_space.h"
+
+namespace avo::space {
+namespace {
+
+// The robot of the plane with the same numbers, for the rules that read numbers alone.
+avo::Robot in_plane(const Robot& robot) {
+  avo::Robot same;
+  same.radius = robot.radius;
+  same.max_acceleration = robot.max_acceleration;
+  same.max_speed = robot.max_speed;
+  same.distance_to_goal = robot.distance_to_goal;
+  same.max_braking = robot.max_braking;
+  return same;
+}
+
+// The neighbor of the plane with the same distance and the same speeds, along one axis.
+avo::Neighbor in_plane(const Robot& robot, const Neighbor& neighbor) {
+  avo::Neighbor same;
+  same.radius = neighbor.radius;
+  same.velocity = {norm(neighbor.velocity), 0.0};
+  (void)robot;
+  return same;
+}
+
+/// The vector from B's body to A's: from the nearest point of the downwash.
+Vec3 away_from(const Robot& robot, const Neighbor& neighbor) {
+  Vec3 away = robot.position - neighbor.position;
+  away.z -= std::clamp(away.z, -neighbor.downwash, robot.downwash);
+  return away;
+}
+
+// See avo::push_of().
+Vec3 push_of(const Robot& robot, const Neighbor& neighbor, Vec3 away, double distance) {
+  avo::Robot a = in_plane(robot);
+  avo::Neighbor b = in_plane(robot, neighbor);
+  // along one axis, with the relative velocity of the two
+  a.position = {distance, 0.0};
+  a.velocity = {norm(robot.velocity - neighbor.velocity), 0.0};
+  b.velocity = {};
+  return (avo::push_of(a, b).x / distance) * away;
+}
+
+}  // namespace
+
+Traffic look_around(const Robot& robot, std::span<const Neighbor> neighbors) {
+  const avo::Robot same = in_plane(robot);
+  const double range = arrival_range(same, 0.0), pace = norm(robot.preferred_velocity);
+  Traffic traffic;
+  for (const Neighbor& neighbor : neighbors) {
+    const Vec3 towards = neighbor.position - robot.position;
+    const double distance = norm(towards), contact = robot.radius + neighbor.radius;
+    const double defers = 2.0 * room_share(1.0, 1.0, neighbor.priority, robot.priority);
+    if (distance > 0.0 && distance < range && pace > 0.0) {
+      const double in_front = dot(towards, robot.preferred_velocity) / (distance * kInFront * pace);
+      const double closes = 1.0 + dot(towards, robot.velocity - neighbor.velocity) /
+                                      (distance * kCloses * robot.max_speed);
+      const double rests = 2.0 - norm(neighbor.velocity) / (kSlow * robot.max_speed);
+      if (in_front > 0.0)
+        traffic.ahead += defers * (1.0 - distance / range) *
+                         std::clamp(std::max(closes, rests), 0.0, 1.0) * std::min(in_front, 1.0);
+    }
+    const Vec3 away = away_from(robot, neighbor);
+    const double gap = norm(away);
+    if (!(gap > 0.0 && gap < (1.0 + kRoom) * contact)) continue;
+    traffic.is_beside = true;
+    const Vec3 push = defers * push_of(robot, neighbor, away, gap);
+    const double motion = motion_of(same, in_plane(robot, neighbor));
+    traffic.push = traffic.push + motion * push;
+    traffic.push_at_rest = traffic.push_at_rest + (1.0 - motion) * push;
+  }
+  return traffic;
+}
+
+Vec3 axis_across(Vec3 way) {
+  constexpr double kSteep = 0.1;  // the squared cosine of a way that is steep
+  const double length = norm(way);
+  if (!(length > 0.0)) return {0.0, 0.0, 1.0};
+  const Vec3 d = way / length, up{0.0, 0.0, 1.0}, ahead{1.0, 0.0, 0.0};
+  Vec3 axis = up - d.z * d;
+  if (norm_squared(axis) < kSteep) axis = ahead - d.x * d;
+  return axis / norm(axis);
+}
+
+Vec3 turned_right(Vec3 a, Vec3 axis, double angle) {
+  const Vec2 turn = elementary::direction(angle);
+  return turn.x * a - turn.y * cross(axis, a) + ((1.0 - turn.x) * dot(axis, a)) * axis;
+}
+
+Vec3 wish_of(const Robot& robot, std::span<const Neighbor> neighbors, const PlannerOptions& options,
+             Vec3 axis, Detour& detour) {
+  const avo::Robot same = in_plane(robot);
+  const Traffic traffic = look_around(robot, neighbors);
+  avo::Detour plane{
+      .beside = detour.beside, .congestion = detour.congestion, .has_arrived = detour.has_arrived};
+  const double time = time_to_speed(same);
+  const double ahead = unusual_congestion(traffic.ahead, time, options.time_step, plane);
+  detour.congestion = plane.congestion;
+  if (detour.goal_taken) {
+    detour.beside = 0.0F, detour.has_arrived = false;
+    return robot.preferred_velocity;
+  }
+  // the turn fades to 0: on the last part of its way a robot needs its acceleration to brake
+  const double stopping = 0.5 * robot.max_speed * (robot.max_speed / planned_braking(robot));
+  const double left = (robot.distance_to_goal - stopping) / stopping;
+  Vec3 wish = robot.preferred_velocity;
+  if (left > 0.0 && ahead > 0.0) {
+    const double part = std::min(left, 1.0) * (std::min(ahead, kCongestion) / kCongestion);
+    wish = turned_right(wish, axis, part * kMostKeepRight);
+  }
+  if (!traffic.is_beside && detour.beside == 0.0F) return wish;
+  const PushRule rule = push_rule(same, traffic.is_beside, options, plane);
+  detour.beside = plane.beside, detour.has_arrived = plane.has_arrived;
+  const Vec3 push =
+      robot.max_speed * (rule.moving * traffic.push + rule.at_rest * traffic.push_at_rest);
+  return rule.settles ? push : wish + push;
+}
+
+}  // namespace avo::space

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: Apache-2.0
+// The rules for arriving in space (docs/arrival.md, docs/space.md): those of the plane, turned
+// about an axis across the way. Safety never depends on them.
+#pragma once
+#include <span>
+
+#include "avo/space/planner.h"
+#include "planner/rules/arrival.h"
+
+namespace avo::space {
+
+/// A robot's view of its neighbors, see avo::Traffic.
+struct Traffic {
+  double ahead = 0.0;
+  bool is_beside = false;
+  Vec3 push, push_at_rest;
+};
+Traffic look_around(const Robot& robot, std::span<const Neighbor> neighbors);
+
+/// A unit axis across the way, about which a robot turns to its right: up as the way sees it, and
+/// where the way is steep, ahead along x.
+Vec3 axis_across(Vec3 way);
+
+/// a turned by an angle in [0, π) rad, clockwise as seen from the tip of a unit axis.
+Vec3 turned_right(Vec3 a, Vec3 axis, double angle);
+
+/// [m/s] The velocity that the robot wishes: its preferred velocity, to the right in traffic, aside
+/// for others. Updates the detour.
+Vec3 wish_of(const Robot& robot, std::span<const Neighbor> neighbors, const PlannerOptions& options,
+             Vec3 axis, Detour& detour);
+
+}  // namespace avo::space

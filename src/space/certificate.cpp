@@ -1,0 +1,280 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "space/certificate.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "avo/robot.h"
+#include "certificate/allow_braking.h"
+#include "space/own_space.h"
+
+namespace avo::space {
+namespace {
+
+using Real = scalar::Pack<double>;
+constexpr double kForEver = 1e9;  // more than any constraint's interval
+
+scalar::Vec<Real, 3> pack(Vec3 a) {
+  return scalar::constant<Real>(a);
+}
+
+Braking plain(const scalar::PackBraking<Real, 3>& braking) {
+  return {.profile = {braking.profile.speed.value, braking.profile.decrement.value,
+                      braking.profile.full_steps.value},
+          .increment = braking.increment.value,
+          .direction = scalar::plain(braking.direction),
+          .length = braking.length.value,
+          .reach = braking.reach.value,
+          .intervals = braking.intervals.value};
+}
+
+scalar::PackBraking<Real, 3> packed_braking(const Robot& robot, const StepLaw& law) {
+  return scalar::braking_of(pack(robot.velocity), Real(robot.max_acceleration),
+                            Real(braking_limit(robot)), Real(robot.vertical), law);
+}
+
+// What candidates can deviate from braking, in the robot's own space, where it brakes with u.
+scalar::PackDeviation<Real> deviation_of(const Robot& robot, const StepLaw& law) {
+  scalar::PackBraking<Real, 3> own = packed_braking(robot, law);
+  own.profile = scalar::profile(Real(own_length(robot.velocity, robot.vertical)),
+                                Real(braking_limit(robot) * law.braking_time));
+  return scalar::deviation_of(own, Real(0.0), Real(0.0), law);
+}
+
+Deviation plain(const scalar::PackDeviation<Real>& deviation) {
+  const auto line = [](const auto& a) {
+    return Deviation::Line{a.start.value, a.per_distance.value};
+  };
+  const auto profile = [](const scalar::PackProfile<Real>& a) {
+    return BrakingProfile{a.speed.value, a.decrement.value, a.full_steps.value};
+  };
+  return {line(deviation.ahead),     line(deviation.across),  line(deviation.anyhow),
+          profile(deviation.fast),   profile(deviation.slow), deviation.most_ahead.value,
+          deviation.most_aside.value};
+}
+
+// The law with errors that are as large in every direction of a neighbor's own space.
+StepLaw law_against(const Neighbor& neighbor, const StepLaw& law) {
+  StepLaw result = law;
+  result.sensing_error.velocity *= std::max(neighbor.vertical, 1.0 / neighbor.vertical);
+  return result;
+}
+
+scalar::PackNeighbor<Real, 3> pack(const Neighbor& neighbor) {
+  return {pack(neighbor.position),   pack(neighbor.velocity), neighbor.radius,
+          neighbor.max_acceleration, braking_limit(neighbor), neighbor.priority,
+          neighbor.vertical,         neighbor.downwash};
+}
+
+scalar::PackSelf<Real, 3> pack(const Robot& robot, const scalar::PackBraking<Real, 3>& braking) {
+  return {pack(robot.position), pack(robot.velocity), robot.radius, robot.max_acceleration,
+          braking_limit(robot), robot.priority,       braking,      robot.downwash};
+}
+
+// For a pair that nearly coincides, drops the intervals on which it has no direction.
+void drop_undirected(std::size_t first, ConstraintColumns& columns) {
+  for (std::size_t k = first; k < columns.count; ++k) {
+    const bool has_direction =
+        columns.normal[0][k] != 0.0 || columns.normal[1][k] != 0.0 || columns.normal[2][k] != 0.0;
+    if (!has_direction || columns.cone[k] > 0.0) columns.needs[k] = kNoConstraint;
+  }
+}
+
+void collect_pair(const BrakingPair& pair, const PairShape<3>& shape, int index, const StepLaw& law,
+                  Constraints& constraints) {
+  const double most = std::max(pair.a.intervals, pair.b.intervals);
+  if (!(most <= kMostIntervals)) {
+    constraints.invariant.unknown = true;
+    return;
+  }
+  const auto intervals = static_cast<std::size_t>(most);
+  if (intervals > constraints.own_columns.count) {
+    constraints.own_columns.count = intervals;
+    constraints.own_columns.reserve(intervals);
+    fill_own(constraints.own, constraints.deviation, law, constraints.own_columns);
+  }
+  static constexpr avo::Neighbor kDecides;  // the pair has all its data that matter
+  PairConstraints wanted{.pair = pair,
+                         .other = kDecides,
+                         .neighbor = index,
+                         .intervals = intervals,
+                         .inflated = pair.inflated,
+                         .held = pair.inflated,
+                         .moving = std::numeric_limits<double>::infinity(),
+                         .shape = shape};
+  ConstraintColumns& columns = constraints.columns;
+  const std::size_t first = columns.count;
+  columns.reserve(first + intervals);
+  const double nearest = append_constraints(wanted, law, constraints.own_columns, columns);
+  wanted.held = held_distance(pair, nearest, index, constraints.invariant);
+  if (columns.count > first) hold(wanted, first, columns);
+  if (nearest < pair.contact - pair.error && nearly_coincide(nearest, pair.contact))
+    drop_undirected(first, columns);
+  if (law.is_exact()) return;
+  for (std::size_t k = first; k < columns.count; ++k) {
+    if (!columns.is_constraint(k) || !(columns.cone[k] > 0.0)) continue;
+    constraints.has_cones = true;
+    allow_braking(constraints.own, law, columns, k);
+  }
+}
+
+// Whether the pair cannot refuse any candidate: docs/space.md, "What can refuse nothing".
+bool refuses_nothing(const scalar::PackSelf<Real, 3>& self,
+                     const scalar::PackNeighbor<Real, 3>& other,
+                     const scalar::PackPair<Real, 3>& pair, const PairShape<3>& shape,
+                     const Deviation& deviation, const StepLaw& law) {
+  const double apart = scalar::distance_to(pair.p, shape).value;
+  if (apart - (self.braking.reach.value + pair.b.reach.value) >
+      pair.inflated.value + pair.error.value)
+    return true;
+  if (!law.is_exact() || shape.vertical != 1.0 || other.vertical.value != 1.0) return false;
+  const auto clearance = scalar::clearance_of<true>(self, pair, other, law);
+  const double gap = clearance.gap.value - pair.share.value * std::max(shape.up, shape.down);
+  // directions between a robot and the far end of a downwash are not those of `against`
+  const double against = shape.has_wash() ? 1.0 : clearance.against.value;
+  return gap > against * deviation.most_ahead + deviation.most_aside;
+}
+
+}  // namespace
+
+Braking braking_of(Vec3 velocity, double max_acceleration, double max_braking, double vertical,
+                   const StepLaw& law) {
+  return plain(scalar::braking_of(pack(velocity), Real(max_acceleration), Real(max_braking),
+                                  Real(vertical), law));
+}
+
+void begin_constraints(const Robot& robot, std::span<const Neighbor> neighbors,
+                       std::span<const Box> boxes, const StepLaw& law, Constraints& constraints) {
+  constraints.columns.count = constraints.columns.judged = 0;
+  constraints.own_columns.count = constraints.own_columns.filled = 0;
+  constraints.invariant = {.slack = std::numeric_limits<double>::infinity()};
+  constraints.has_cones = false;
+  const scalar::PackBraking<Real, 3> braking = packed_braking(robot, law);
+  constraints.own = plain(braking);
+  constraints.deviation = plain(deviation_of(robot, law));
+  const Vec3 own_velocity = to_own(robot.velocity, robot.vertical);
+  const double own_speed = norm(own_velocity);
+  constraints.own_direction = own_speed > 0.0 ? own_velocity / own_speed : Vec3{};
+  const scalar::PackSelf<Real, 3> self = pack(robot, braking);
+  for (std::size_t k = 0; k < neighbors.size(); ++k) {
+    const Neighbor& neighbor = neighbors[k];
+    const bool scales = !law.is_exact() && neighbor.vertical != 1.0;
+    const StepLaw pair_law = scales ? law_against(neighbor, law) : law;
+    const scalar::PackNeighbor<Real, 3> other = pack(neighbor);
+    const scalar::PackPair<Real, 3> packed = scalar::pair_of<true>(self, other, pair_law);
+    const PairShape<3> shape{robot.downwash, neighbor.downwash, robot.vertical,
+                             constraints.own_direction};
+    if (refuses_nothing(self, other, packed, shape, constraints.deviation, pair_law)) continue;
+    const BrakingPair pair{scalar::plain(packed.p), packed.contact.value, packed.inflated.value,
+                           packed.error.value,      packed.share.value,   true,
+                           constraints.own,         plain(packed.b)};
+    collect_pair(pair, shape, static_cast<int>(k), pair_law, constraints);
+  }
+  begin_boxes(robot, boxes, law, constraints.boxes);
+}
+
+namespace {
+
+CandidatePath follow(const Robot& robot, Vec3 next_velocity, const StepLaw& law) {
+  CandidatePath path;
+  path.first = law.lag * robot.velocity + (law.time_step - law.lag) * next_velocity;
+  path.next_velocity = next_velocity;
+  const Braking braking =
+      braking_of(next_velocity, robot.max_acceleration, braking_limit(robot), robot.vertical, law);
+  path.speed = braking.profile.speed;
+  path.direction = braking.direction;
+  path.braking = braking.profile;
+  const bool stays = path.speed == 0.0 && robot.velocity == Vec3{};
+  const double steps = path.speed > 0.0 ? std::min(path.braking.full_steps + 1.0, kForEver) : 0.0;
+  path.moving = stays ? 0 : 1 + static_cast<int>(steps);
+  return path;
+}
+
+/// The constraint that a path violates most, and the distances along its braking, m.
+struct Worst {
+  double coefficient = 0.0;  ///< m, < 0
+  std::size_t k = 0;
+  int point = 0;
+};
+
+Worst worst_of(const Constraints& constraints, const StepLaw& law, std::size_t first,
+               std::size_t last) {
+  const ConstraintColumns& columns = constraints.columns;
+  const double* coefficient = columns.coefficient.data();
+  Worst worst;
+  worst.k = static_cast<std::size_t>(std::min_element(coefficient + first, coefficient + last) -
+                                     coefficient);
+  worst.coefficient = coefficient[worst.k];
+  if (!(worst.coefficient < 0.0)) return worst;
+  const auto [start, middle, end] = scalar::coefficients<Real>(
+      columns, worst.k, constraints.own, constraints.path, law, constraints.has_cones);
+  worst.point = start.value <= worst.coefficient ? 0 : middle.value <= worst.coefficient ? 1 : 2;
+  return worst;
+}
+
+// The point is (Δt - s) v_1 + (v_1/|v_1|) D(|v_1|) and a constant. In the robot's own space the
+// second term grows with v_1 by D/|v_1| across it, and along it by the time for which braking moves
+// the point.
+HalfSpace tangent(const Robot& robot, const Worst& worst, const StepLaw& law,
+                  const Constraints& constraints) {
+  const ConstraintColumns& columns = constraints.columns;
+  const CandidatePath& path = constraints.path;
+  const int interval = static_cast<int>(columns.interval[worst.k]);
+  double across = law.time_step - law.lag, along = across;
+  if (interval > 0) {
+    const int m = interval - 1;
+    const BrakingDistances distances = braking_distances(path.braking, law, m);
+    const double distance = worst.point == 0   ? distances.start
+                            : worst.point == 1 ? distances.middle
+                                               : distances.end;
+    const double to_point = worst.point == 0 ? 0.0 : worst.point == 1 ? law.lag : law.time_step;
+    const double to_rest = law.time_step * path.braking.full_steps + law.lag;
+    across += path.speed > 0.0 ? distance / path.speed : law.lag;
+    along += std::min(law.time_step * m + to_point, to_rest);
+  }
+  const Vec3 normal =
+      from_own({columns.normal[0][worst.k], columns.normal[1][worst.k], columns.normal[2][worst.k]},
+               robot.vertical);
+  const Vec3 v = to_own(path.next_velocity, robot.vertical);
+  const double speed = norm(v);
+  const Vec3 direction = speed > 0.0 ? v / speed : Vec3{};
+  const Vec3 gradient = across * normal + ((along - across) * dot(normal, direction)) * direction;
+  const double length = norm(gradient);
+  if (!(length > 0.0)) return {normal / norm(normal), dot(normal, v) / norm(normal)};
+  return {gradient / length, (dot(gradient, v) - worst.coefficient) / length};
+}
+
+}  // namespace
+
+bool admits(const Robot& robot, Vec3 next_velocity, const StepLaw& law, Asked asked_for,
+            Constraints& constraints) {
+  if (constraints.invariant.unknown) return false;
+  constraints.path = follow(robot, next_velocity, law);
+  const bool kept = keeps(constraints.own, constraints.path, law, constraints.has_cones, asked_for,
+                          constraints.columns);
+  if (!kept && asked_for == Asked::until_refused) return false;
+  return keeps_boxes(robot, next_velocity, law, constraints.boxes) && kept;
+}
+
+Vec3 backup_velocity(const Robot& robot, const StepLaw& law) {
+  const double speed = own_length(robot.velocity, robot.vertical);
+  const double u = braking_limit(robot) * law.braking_time;
+  return speed > u ? ((speed - u) / speed) * robot.velocity : Vec3{};
+}
+
+void append_cuts(const Robot& robot, const StepLaw& law, const Constraints& constraints,
+                 std::vector<HalfSpace>& cuts) {
+  const ConstraintColumns& columns = constraints.columns;
+  for (std::size_t first = 0; first < columns.judged;) {
+    std::size_t last = first;
+    while (last < columns.judged && columns.neighbor[last] == columns.neighbor[first]) ++last;
+    const Worst worst = worst_of(constraints, law, first, last);
+    if (worst.coefficient < 0.0 && std::isfinite(worst.coefficient))
+      cuts.push_back(tangent(robot, worst, law, constraints));
+    first = last;
+  }
+  append_box_cuts(robot, constraints.path.next_velocity, law, constraints.boxes, cuts);
+}
+
+}  // namespace avo::space

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: Apache-2.0
+// One robot's certificate in space (docs/space.md, "The certificate"): the constraints of its
+// neighbors, and whether a next velocity keeps them.
+#pragma once
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "avo/space/robot.h"
+#include "certificate/deepest.h"
+#include "certificate/pair.h"
+#include "space/boxes.h"
+#include "space/kernels.h"
+#include "space/program.h"
+
+namespace avo::space {
+
+/// The demands of neighbors and boxes on a robot. Scratch memory; allocates only while it grows.
+struct Constraints {
+  ConstraintColumns columns;  ///< the constraints of one neighbor are consecutive
+  OwnColumns own_columns;
+  Braking own;
+  Vec3 own_direction;   ///< of the velocity in the robot's own space
+  Deviation deviation;  ///< in the robot's own space
+  Invariant invariant;
+  BoxConstraints boxes;
+  CandidatePath path;  ///< of the last judged candidate
+  bool has_cones = false;
+};
+
+/// The braking of a robot with that velocity.
+Braking braking_of(Vec3 velocity, double max_acceleration, double max_braking, double vertical,
+                   const StepLaw& law);
+
+/// Collects the constraints of all neighbors and boxes that can refuse a candidate.
+void begin_constraints(const Robot& robot, std::span<const Neighbor> neighbors,
+                       std::span<const Box> boxes, const StepLaw& law, Constraints& constraints);
+
+/// Returns whether the robot may have the velocity v_1 after this step, m/s. It is true for
+/// backup_velocity() wherever the invariant holds.
+bool admits(const Robot& robot, Vec3 next_velocity, const StepLaw& law, Asked asked_for,
+            Constraints& constraints);
+
+/// [v_1] m/s: full braking.
+Vec3 backup_velocity(const Robot& robot, const StepLaw& law);
+
+/// Appends for each neighbor and each box that refuses the last judged candidate the tangent of its
+/// worst constraint, a half-space in v_1 in the robot's own space.
+void append_cuts(const Robot& robot, const StepLaw& law, const Constraints& constraints,
+                 std::vector<HalfSpace>& cuts);
+
+}  // namespace avo::space

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "space/choice.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "space/own_space.h"
+
+namespace avo::space {
+namespace {
+
+// See planner/certified.cpp.
+constexpr auto kRounds = static_cast<int>(kMostCuts);
+constexpr int kBisections = 5;
+constexpr double kInside = 0x1p-30;
+constexpr double kDeeper = 0.125;
+constexpr double kStraight = 2.0, kBent = 7.0;
+constexpr double kBelow = 1.0 - 0x1p-48;  // a bound is kept in spite of rounding
+
+// The limits of v_1 in the robot's own space, m/s.
+struct Limits {
+  Vec3 velocity;
+  double change = 0.0, speed = 0.0;
+};
+
+Limits limits_of(const Robot& robot, const StepLaw& law) {
+  return {to_own(robot.velocity, robot.vertical), robot.max_acceleration * law.braking_time,
+          robot.max_speed};
+}
+
+// The nearest velocity of the ball of the change, where rounding has left it: the certificate
+// counts on that ball.
+Vec3 within(const Limits& limits, Vec3 own) {
+  const double speed = norm(own);
+  if (speed > limits.speed) own = (kBelow * limits.speed / speed) * own;
+  const Vec3 change = own - limits.velocity;
+  const double length = norm(change);
+  return length > limits.change ? limits.velocity + (kBelow * limits.change / length) * change
+                                : own;
+}
+
+bool is_within(const Limits& limits, const std::vector<HalfSpace>& own_planes, Vec3 own) {
+  return norm(own - limits.velocity) <= limits.change && norm(own) <= limits.speed &&
+         std::all_of(own_planes.begin(), own_planes.end(),
+                     [&](const HalfSpace& plane) { return violation(plane, own) <= 0.0; });
+}
+
+// Moves a cut in, since the admitted set bends away from its tangent.
+void move_in(HalfSpace& cut, Vec3 refused, double u) {
+  const double bent = (norm(refused) / u - kStraight) / (kBent - kStraight);
+  const double deeper = kDeeper * std::clamp(bent, 0.0, 1.0);
+  cut.offset += kInside * u + deeper * std::max(violation(cut, refused), 0.0);
+}
+
+}  // namespace
+
+void append_climb(const Robot& robot, std::vector<HalfSpace>& half_spaces) {
+  const double per = 1.0 / robot.vertical;
+  if (std::isfinite(robot.climb)) half_spaces.push_back({{0.0, 0.0, -1.0}, -robot.climb * per});
+  if (std::isfinite(robot.sink)) half_spaces.push_back({{0.0, 0.0, 1.0}, -robot.sink * per});
+}
+
+Choice choose(const Robot& robot, Vec3 wanted, const StepLaw& law, ChoiceWorkspace& workspace) {
+  Constraints& constraints = workspace.constraints;
+  std::vector<HalfSpace>& cuts = workspace.cuts;
+  const Limits limits = limits_of(robot, law);
+  const std::array<Ball, 2> balls{Ball{limits.velocity, limits.change}, Ball{{}, limits.speed}};
+  const Vec3 own_wanted = to_own(wanted, robot.vertical);
+  cuts.clear();
+  append_climb(robot, cuts);
+  for (int round = 0; round < kRounds; ++round) {
+    SpaceProgramResult result{.point = own_wanted};
+    const bool is_wanted = round == 0 && is_within(limits, cuts, own_wanted);
+    if (!is_wanted) result = nearest_point(cuts, balls, own_wanted, workspace.program);
+    if (result.state == SpaceProgramState::balls_disjoint) break;
+    const Vec3 own = is_wanted ? own_wanted : within(limits, result.point);
+    const Vec3 candidate = is_wanted ? wanted : from_own(own, robot.vertical);
+    const bool is_last = result.state == SpaceProgramState::least_unsafe || round + 1 == kRounds;
+    const Asked asked = is_last ? Asked::until_refused : Asked::all;
+    if (admits(robot, candidate, law, asked, constraints))
+      return {candidate, is_wanted ? Chosen::wanted : Chosen::candidate};
+    if (is_last) break;
+    const std::size_t before = cuts.size();
+    append_cuts(robot, law, constraints, cuts);
+    for (std::size_t k = before; k < cuts.size(); ++k) move_in(cuts[k], own, limits.change);
+  }
+  const Vec3 backup = backup_velocity(robot, law);
+  Choice choice{backup, Chosen::backup};
+  cuts.clear();
+  append_climb(robot, cuts);
+  const SpaceProgramResult farthest = nearest_point(cuts, balls, own_wanted, workspace.program);
+  if (farthest.state == SpaceProgramState::balls_disjoint) return choice;
+  const Vec3 own_backup = to_own(backup, robot.vertical), way = farthest.point - own_backup;
+  double admitted = 0.0, refused = 1.0;
+  for (int i = 0; i < kBisections; ++i) {
+    const double part = 0.5 * (admitted + refused);
+    const Vec3 candidate = from_own(within(limits, own_backup + part * way), robot.vertical);
+    if (admits(robot, candidate, law, Asked::until_refused, constraints)) {
+      admitted = part;
+      choice = {candidate, Chosen::candidate};
+    } else {
+      refused = part;
+    }
+  }
+  return choice;
+}
+
+}  // namespace avo::space

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "space/goals.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "guidance/goals_kernel.h"
+#include "space/own_space.h"
+
+namespace avo::space {
+
+using Number = scalar::Pack<double>;
+
+Vec3 preferred_velocity(const Robot& robot, Vec3 goal, double preferred_speed,
+                        const Landing& landing) {
+  const Vec3 way = goal - robot.position;
+  const double distance = norm(way);
+  // nearer than rounding can tell counts as there
+  if (!(distance > 0x1p-46 * (norm(robot.position) + norm(goal)))) return {};
+  const Vec3 direction = way / distance;
+  const ResponseLaw& law = landing.law;
+  // along the way a robot brakes with b/ν, and is as fast as v_max/ν
+  const double per_own = 1.0 / own_length(direction, robot.vertical);
+  const double climb = direction.z > 0.0 ? robot.climb / direction.z : robot.climb;
+  const double sink = direction.z < 0.0 ? -robot.sink / direction.z : robot.sink;
+  const double top = std::min({preferred_speed, robot.max_speed * per_own, climb, sink});
+  const double left = distance - landing.lag * dot(robot.velocity, direction);
+  const Number own_braking =
+      scalar::used_of(Number(planned_braking(robot)), Number(robot.max_speed), law);
+  const double braking = own_braking.value * per_own;
+  const double time_step = law.time_step;
+  if (!law.is_gentle()) {
+    const Number hard = scalar::admissible_speed(
+        Number(left), Number(braking * landing.braking_time), Number(time_step));
+    return std::min(hard.value, top) * direction;
+  }
+  const Number response = scalar::response_time(Number(robot.max_speed),
+                                                Number(robot.max_acceleration), own_braking, law);
+  const Number soft =
+      scalar::soft_speed(Number(left), Number(braking * landing.braking_time / time_step), response,
+                         Number(time_step));
+  return std::min(soft.value, top) * direction;
+}
+
+}  // namespace avo::space

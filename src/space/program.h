@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: Apache-2.0
+// Eq. (23) in space: of the points in two balls and some half-spaces the one nearest to a wish, and
+// where there is none, the least unsafe one (docs/space.md, "Programs").
+#pragma once
+#include <array>
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "avo/vec3.h"
+
+namespace avo::space {
+
+/// normal . w >= offset; the normal is a unit vector. m/s where w is a velocity.
+struct HalfSpace {
+  Vec3 normal;
+  double offset = 0.0;
+};
+
+inline double violation(const HalfSpace& half_space, Vec3 point) {
+  return half_space.offset - dot(half_space.normal, point);
+}
+
+struct Ball {
+  Vec3 center;
+  double radius = 0.0;  ///< >= 0
+};
+
+enum class SpaceProgramState : unsigned char {
+  optimal,         ///< the point keeps all half-spaces
+  least_unsafe,    ///< no point keeps all: the largest violation is as small as it can be
+  balls_disjoint,  ///< no point is in both balls
+};
+
+struct SpaceProgramResult {
+  Vec3 point;
+  double violation = 0.0;  ///< the largest of any half-space; 0 if optimal
+  SpaceProgramState state = SpaceProgramState::optimal;
+};
+
+/// Scratch memory of the program in K dimensions and of those below; allocates only while it grows.
+template <std::size_t K>
+struct ProgramLevel {
+  struct Plane {
+    std::array<double, K> normal;
+    double offset;
+  };
+  std::vector<Plane> planes, taken;
+  ProgramLevel<K - 1> below;
+};
+template <>
+struct ProgramLevel<1> {
+  struct Plane {
+    std::array<double, 1> normal;
+    double offset;
+  };
+  std::vector<Plane> planes, taken;
+};
+struct SpaceProgramWorkspace {
+  ProgramLevel<3> level;
+  std::vector<ProgramLevel<3>::Plane> all, unsafe;  ///< unsafe: those that bound the violation
+};
+
+/// The order of the half-spaces changes the result by rounding only.
+SpaceProgramResult nearest_point(std::span<const HalfSpace> half_spaces,
+                                 const std::array<Ball, 2>& balls, Vec3 wish,
+                                 SpaceProgramWorkspace& workspace);
+
+}  // namespace avo::space

@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "avo/space/scenario.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "avo/error.h"
+#include "core/ranges.h"
+#include "planner/options.h"
+#include "planner/rules/arrival.h"
+#include "space/certificate.h"
+#include "space/own_space.h"
+#include "space/step_law.h"
+
+namespace avo::space {
+
+PlannerOptions planner_options(const Scenario& scenario) {
+  PlannerOptions options{.method = Method::avo};
+  options.motion = scenario.motion;
+  options.time_step = scenario.time_step;
+  options.control_time = scenario.control_time.value_or(options.control_time);
+  options.response_time = scenario.response_time.value_or(options.response_time);
+  options.comfort_acceleration = scenario.comfort_acceleration;
+  options.comfort_jerk = scenario.comfort_jerk;
+  options.time_horizon = scenario.time_horizon.value_or(options.time_horizon);
+  options.certificate = scenario.certificate.value_or(Certificate::braking_trajectories);
+  options.max_neighbors = scenario.max_neighbors;
+  options.arrival_distance = scenario.arrival_distance;
+  return options;
+}
+
+Robot robot_of(const RobotSetup& setup) {
+  Robot robot;
+  robot.position = setup.position;
+  robot.velocity = setup.velocity;
+  robot.radius = setup.radius;
+  robot.max_acceleration = setup.max_acceleration;
+  robot.max_speed = setup.max_speed;
+  robot.vertical = setup.vertical;
+  robot.climb = setup.climb.value_or(robot.climb);
+  robot.sink = setup.sink.value_or(robot.sink);
+  robot.downwash = setup.downwash;
+  robot.priority = setup.priority;
+  robot.max_braking = setup.max_braking;
+  return robot;
+}
+
+namespace {
+
+// The largest values of any robot, in one.
+Robot largest_of(const Scenario& scenario) {
+  Robot largest;
+  largest.radius = largest.downwash = 0.0;
+  bool first = true;
+  for (const RobotSetup& setup : scenario.robots) {
+    const Robot robot = robot_of(setup);
+    largest.radius = std::max(largest.radius, robot.radius);
+    largest.downwash = std::max(largest.downwash, robot.downwash);
+    const auto widest = [first](double& value, double other, bool most) {
+      value = first ? other : most ? std::max(value, other) : std::min(value, other);
+    };
+    widest(largest.max_speed, robot.max_speed, true);
+    widest(largest.vertical, robot.vertical, true);
+    widest(largest.max_acceleration, robot.max_acceleration, true);
+    double braking = largest.max_braking.value_or(0.0);
+    widest(braking, braking_limit(robot), false);
+    largest.max_braking = braking;
+    first = false;
+  }
+  return largest;
+}
+
+double needed_radius(const Scenario& scenario, const PlannerOptions& options) {
+  const Robot largest = largest_of(scenario);
+  double radius =
+      options.certificate == Certificate::none ? 0.0 : sensing_range(largest, largest, options);
+  avo::Robot plane;
+  plane.radius = largest.radius, plane.max_speed = largest.max_speed;
+  plane.max_acceleration = std::min(largest.max_acceleration, *largest.max_braking);
+  radius = std::max(radius, arrival_range(plane, largest.radius));
+  // it sees others in time to get out of their way alone, from rest to rest
+  const double contact = 2.0 * largest.radius + largest.downwash;
+  const double evading = 2.0 * std::sqrt(contact / plane.max_acceleration);
+  return std::max(radius, contact + 2.0 * largest.max_speed * evading);
+}
+
+std::string numbered(const char* what, std::size_t k, const char* key) {
+  return std::string(what) + "." + std::to_string(k) + "." + key;
+}
+
+void require_vector(const std::string& key, Vec3 value, std::string_view unit) {
+  require(key + ".0", value.x, kAnyValue, unit);
+  require(key + ".1", value.y, kAnyValue, unit);
+  require(key + ".2", value.z, kAnyValue, unit);
+}
+
+void check_robot(const RobotSetup& robot, std::size_t k) {
+  const auto key = [k](const char* name) { return numbered("robots", k, name); };
+  require_vector(key("position"), robot.position, "m");
+  require_vector(key("velocity"), robot.velocity, "m/s");
+  require_vector(key("goal"), robot.goal, "m");
+  require(key("radius"), robot.radius, kPositive, "m");
+  require(key("max_speed"), robot.max_speed, kPositive, "m/s");
+  require(key("max_acceleration"), robot.max_acceleration, kPositive, "m/s^2");
+  require(key("preferred_speed"), robot.preferred_speed, kNotNegative, "m/s");
+  require(key("vertical"), robot.vertical, kPositive, "");
+  require(key("climb"), robot.climb.value_or(1.0), kPositive, "m/s");
+  require(key("sink"), robot.sink.value_or(1.0), kPositive, "m/s");
+  require(key("downwash"), robot.downwash, kNotNegative, "m");
+  require(key("priority"), robot.priority, kPositive, "");
+  require(key("max_braking"), robot.max_braking.value_or(1.0), kPositive, "m/s^2");
+}
+
+void check_box(const Box& box, std::size_t k) {
+  const auto key = [k](const char* name) { return numbered("obstacles", k, name); };
+  require(key("radius"), box.radius, kNotNegative, "m");
+  require(key("heading"), box.heading, kAngle, "rad");
+  const bool is_sound = box.min.x <= box.max.x && box.min.y <= box.max.y && box.min.z <= box.max.z;
+  if (!is_sound) throw Error(key("box") + ": min must not exceed max");
+}
+
+// Whether braking from the start keeps the robots apart, and from boxes.
+void check_starts(const Scenario& scenario, const StepLaw& law) {
+  std::vector<Robot> robots;
+  std::vector<Neighbor> others;
+  Constraints constraints;
+  for (std::size_t k = 0; k < scenario.robots.size(); ++k) {
+    const Robot robot = robot_of(scenario.robots[k]);
+    begin_constraints(robot, others, scenario.boxes, law, constraints);
+    const std::string name = "robots." + std::to_string(k);
+    if (constraints.invariant.broken.any())
+      throw Error(name + " and robots." + std::to_string(constraints.invariant.broken.index) +
+                  ": braking at the start leaves " + text(constraints.invariant.broken.depth) +
+                  " m less than contact; move them apart");
+    if (constraints.boxes.broken.any())
+      throw Error(name + " and obstacles." + std::to_string(constraints.boxes.broken.index) +
+                  ": braking at the start leaves " + text(constraints.boxes.broken.depth) +
+                  " m less than contact; move the robot away");
+    others.push_back(neighbor_of(robot));
+  }
+}
+
+}  // namespace
+
+Neighbor neighbor_of(const Robot& robot) {
+  return {robot.position, robot.velocity, robot.radius,   robot.max_acceleration,
+          robot.vertical, robot.downwash, robot.priority, robot.max_braking};
+}
+
+double sensing_radius_of(const Scenario& scenario) {
+  if (scenario.sensing_radius) return *scenario.sensing_radius;
+  if (scenario.robots.empty()) return 1.0;
+  return needed_radius(scenario, planner_options(scenario));
+}
+
+void validate(const Scenario& scenario) {
+  require("duration", scenario.duration, kPositive, "s");
+  require("arrival_distance", scenario.arrival_distance, kPositive, "m");
+  require("sensing_radius", scenario.sensing_radius.value_or(1.0), kPositive, "m");
+  for (std::size_t k = 0; k < scenario.robots.size(); ++k) check_robot(scenario.robots[k], k);
+  for (std::size_t k = 0; k < scenario.boxes.size(); ++k) check_box(scenario.boxes[k], k);
+  const PlannerOptions options = planner_options(scenario);
+  const Planner planner(options);
+  if (options.certificate == Certificate::none || scenario.robots.empty()) return;
+  const Robot largest = largest_of(scenario);
+  const double needed = sensing_range(largest, largest, options);
+  if (scenario.sensing_radius && scenario.robots.size() > 1 && *scenario.sensing_radius < needed)
+    throw Error("sensing_radius: found " + text(*scenario.sensing_radius) + ", must be >= " +
+                text(needed) + ", in which two robots can stop before each other");
+  check_starts(scenario, step_law(options, Horizon(options.control_time, options.time_horizon,
+                                                   options.time_step)));
+}
+
+}  // namespace avo::space

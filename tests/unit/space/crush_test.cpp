@@ -1,0 +1,237 @@
+// SPDX-License-Identifier: Apache-2.0
+// The certificate in space against robots that want contact: each takes the worst velocity that the
+// certificate admits. Judged by space::Check, which shares no formula with it.
+#include <algorithm>
+#include <cmath>
+#include <gtest/gtest.h>
+
+#include "avo/space/check.h"
+#include "avo/space/planner.h"
+#include "space/certificate.h"
+#include "space/own_space.h"
+#include "space/step_law.h"
+#include "unit/space/draws.h"
+
+namespace avo::space::tests {
+namespace {
+
+/// What robots of a crush have.
+struct Kind {
+  double least_radius = 0.5, most_radius = 0.5;  // m
+  double least_vertical = 1.0, most_vertical = 1.0;
+  double most_downwash = 0.0;  // m
+  double most_priority = 1.0;
+  bool brakes_differ = false;
+  SensingError error = {};
+  int boxes = 0;
+  int most_robots = 24;
+  double most_speed = 3.0;  // m/s
+};
+
+class Crush {
+ public:
+  Crush(const Kind& kind, double time_step, std::uint64_t seed)
+      : kind_(kind), draws_(seed), planner_(options(kind, time_step)) {
+    const int count = kind.most_robots / 3 + draws_.below(2 * kind.most_robots / 3 + 1);
+    for (int k = 0; k < count; ++k) place();
+    draw_boxes();
+    std::vector<CheckedRobot> bodies;
+    for (const Robot& robot : robots_)
+      bodies.push_back({.radius = robot.radius,
+                        .downwash = robot.downwash,
+                        .max_acceleration = robot.max_acceleration,
+                        .max_speed = robot.max_speed,
+                        .vertical = robot.vertical,
+                        .max_braking = robot.max_braking});
+    check_ = std::make_unique<Check>(bodies, boxes_, CheckOptions{.relative_tolerance = 1e-12});
+    observe();
+  }
+
+  void run(int steps) {
+    for (int k = 0; k < steps; ++k) step();
+  }
+  CheckReport report() const { return check_->report(); }
+
+ private:
+  static PlannerOptions options(const Kind& kind, double time_step) {
+    PlannerOptions result;
+    result.time_step = time_step;
+    result.control_time = std::max(2.0, time_step);
+    result.time_horizon = std::max(3.0, time_step);
+    result.sensing_error = kind.error;
+    return result;
+  }
+
+  static double gap(const Robot& a, const Robot& b) {
+    Vec3 p = a.position - b.position;
+    p.z -= std::clamp(p.z, -b.downwash, a.downwash);
+    return norm(p) - a.radius - b.radius;
+  }
+
+  void place() {
+    Robot robot;
+    robot.radius = draws_.between(kind_.least_radius, kind_.most_radius);
+    robot.vertical = draws_.between(kind_.least_vertical, kind_.most_vertical);
+    robot.downwash = draws_.between(0.0, kind_.most_downwash);
+    robot.priority = draws_.between(1.0, kind_.most_priority);
+    robot.max_acceleration = draws_.between(0.5, 1.5);
+    robot.max_speed = draws_.between(1.0, kind_.most_speed);
+    if (kind_.brakes_differ) robot.max_braking = robot.max_acceleration * draws_.between(0.6, 1.6);
+    for (double radius = 3.0;; radius *= 1.01) {
+      robot.position = draws_.within(radius);
+      const double room = 0.01 + 2.0 * kind_.error.position;
+      if (std::all_of(robots_.begin(), robots_.end(),
+                      [&](const Robot& other) { return gap(robot, other) > room; }))
+        break;
+    }
+    robots_.push_back(robot);
+  }
+
+  void draw_boxes() {
+    while (static_cast<int>(boxes_.size()) < kind_.boxes) {
+      Box box;
+      box.heading = draws_.between(-3.0, 3.0);
+      const Vec3 center = draws_.within(6.0);
+      Vec3 half{draws_.between(0.0, 2.0), draws_.between(0.0, 2.0), draws_.between(0.0, 2.0)};
+      if (draws_.below(2) == 0) half.x = 0.0;  // thin ones can be passed over by a step
+      box.min = center - half, box.max = center + half;
+      if (draws_.below(3) == 0) box.min.z = -Box::kFar;
+      if (draws_.below(3) == 0) box.max.x = Box::kFar;
+      box.radius = draws_.between(0.0, 0.2);
+      const bool is_free = std::all_of(robots_.begin(), robots_.end(), [&](const Robot& robot) {
+        return nearest(robot.position, robot.position, box).distance >
+               robot.radius + box.radius + 0.01;
+      });
+      if (is_free) boxes_.push_back(box);
+    }
+  }
+
+  Neighbor sensed(const Robot& robot) {
+    Neighbor neighbor = neighbor_of(robot);
+    neighbor.position = neighbor.position + draws_.within(kind_.error.position);
+    neighbor.velocity = neighbor.velocity + draws_.within(kind_.error.velocity);
+    return neighbor;
+  }
+
+  /// The worst of some velocities that is admitted: towards others, or anywhere.
+  Vec3 choose(std::size_t k) {
+    const Robot& robot = robots_[k];
+    std::vector<Neighbor> others;
+    for (std::size_t j = 0; j < robots_.size(); ++j) {
+      if (j != k) others.push_back(sensed(robots_[j]));
+    }
+    const double u = robot.max_acceleration * planner_.options().time_step;
+    const auto most = [&](Vec3 direction) {
+      const Vec3 own = to_own(direction, robot.vertical);
+      Vec3 v = to_own(robot.velocity, robot.vertical) + ((1.0 - 1e-12) * u / norm(own)) * own;
+      const double speed = norm(v);
+      if (speed > robot.max_speed) v = ((1.0 - 1e-12) * robot.max_speed / speed) * v;
+      return from_own(v, robot.vertical);
+    };
+    for (int attempt = 0; attempt < 6; ++attempt) {
+      Vec3 to = draws_.direction();
+      if (attempt < 4) {
+        const auto at = static_cast<std::size_t>(draws_.below(static_cast<int>(robots_.size())));
+        if (at == k) continue;
+        to = robots_[at].position - robot.position + 0.3 * draws_.direction();
+        if (!boxes_.empty() && attempt % 2 == 0) {
+          const auto box = static_cast<std::size_t>(draws_.below(static_cast<int>(boxes_.size())));
+          to = nearest(robot.position, robot.position, boxes_[box]).on_box - robot.position;
+        }
+      }
+      Vec3 v = most(to);
+      // as near to what is refused as the certificate lets it
+      const Vec3 backup = backup_velocity(robot, step_law(planner_.options(), horizon_));
+      for (int halving = 0; halving < 5; ++halving) {
+        if (planner_.is_admitted(robot, others, workspace_, v, boxes_)) return v;
+        v = 0.5 * (v + backup);
+      }
+    }
+    return backup_velocity(robot, step_law(planner_.options(), horizon_));
+  }
+
+  void step() {
+    std::vector<Vec3> next;
+    for (std::size_t k = 0; k < robots_.size(); ++k) next.push_back(choose(k));
+    const double h = planner_.options().time_step;
+    for (std::size_t k = 0; k < robots_.size(); ++k) {
+      Robot& robot = robots_[k];
+      robot.position = robot.position + (0.5 * h) * (robot.velocity + next[k]);
+      robot.velocity = next[k];
+    }
+    time_ += h;
+    observe();
+  }
+
+  void observe() {
+    std::vector<CheckedState> rows;
+    for (std::size_t k = 0; k < robots_.size(); ++k)
+      rows.push_back({static_cast<std::int64_t>(k), robots_[k].position, robots_[k].velocity});
+    check_->add(time_, rows);
+  }
+
+  Kind kind_;
+  Draws draws_;
+  Planner planner_;
+  Horizon horizon_{2.0, 3.0, 0.1};
+  PlanWorkspace workspace_;
+  std::vector<Robot> robots_;
+  std::vector<Box> boxes_;
+  std::unique_ptr<Check> check_;
+  double time_ = 0.0;
+};
+
+// Time steps from 0.05 to 1 s.
+void expect_no_contact(const Kind& kind, int crushes, double close = 0.02) {
+  std::int64_t robot_steps = 0;
+  double clearance = 1e9;
+  for (int k = 0; k < crushes; ++k) {
+    Crush crush(kind, 0.05 * std::pow(20.0, k / std::max(1.0, crushes - 1.0)),
+                static_cast<std::uint64_t>(100 + k));
+    crush.run(60);
+    const CheckReport report = crush.report();
+    ASSERT_EQ(report.overlaps.count, 0) << k << ": " << report.overlaps.worst;
+    ASSERT_EQ(report.static_contacts.count, 0) << k << ": " << report.static_contacts.worst;
+    ASSERT_EQ(report.accelerations.count, 0) << k << ": " << report.accelerations.worst;
+    ASSERT_EQ(report.speeds.count, 0) << k;
+    robot_steps += report.robot_steps;
+    clearance = std::min(clearance, report.least_clearance.value_or(1e9));
+  }
+  // they do come close: otherwise nothing has been tried
+  EXPECT_LT(clearance, close + 2.0 * kind.error.position) << robot_steps;
+}
+
+TEST(SpaceCrush, balls_do_not_touch) {
+  expect_no_contact({}, 6);
+}
+
+TEST(SpaceCrush, mixed_sizes_limits_priorities_and_brakes_do_not_touch) {
+  expect_no_contact({.least_radius = 0.05,
+                     .most_radius = 0.8,
+                     .least_vertical = 0.4,
+                     .most_vertical = 2.0,
+                     .most_priority = 4.0,
+                     .brakes_differ = true},
+                    8);
+}
+
+TEST(SpaceCrush, nobody_is_in_the_downwash_of_another) {
+  expect_no_contact({.least_radius = 0.1, .most_radius = 0.5, .most_downwash = 1.5}, 8);
+}
+
+TEST(SpaceCrush, boxes_are_not_touched) {
+  expect_no_contact({.least_vertical = 0.5, .most_vertical = 1.5, .boxes = 12}, 6);
+}
+
+TEST(SpaceCrush, thin_boxes_are_not_passed_through) {
+  expect_no_contact(
+      {.least_radius = 0.05, .most_radius = 0.2, .boxes = 20, .most_robots = 9, .most_speed = 8.0},
+      8, 0.5);
+}
+
+TEST(SpaceCrush, sensing_errors_cost_no_contact) {
+  expect_no_contact({.least_vertical = 0.6, .most_vertical = 1.4, .error = {0.04, 0.08}}, 6);
+}
+
+}  // namespace
+}  // namespace avo::space::tests

@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: Apache-2.0
+// Fleets in space arrive without contact, and the same whatever the number of threads.
+#include <cmath>
+#include <gtest/gtest.h>
+
+#include "avo/error.h"
+#include "avo/space/check.h"
+#include "avo/space/simulation.h"
+
+namespace avo::space::tests {
+namespace {
+
+// Antipodal goals on a sphere: everybody meets in the middle.
+Scenario sphere(int count, double radius, double downwash = 0.0) {
+  Scenario scene;
+  scene.duration = 60.0;
+  const double golden = 3.14159265358979323846 * (3.0 - std::sqrt(5.0));
+  for (int k = 0; k < count; ++k) {
+    const double z = 1.0 - (2.0 * k + 1.0) / count, across = std::sqrt(1.0 - z * z);
+    RobotSetup robot;
+    robot.position = radius * Vec3{across * std::cos(golden * k), across * std::sin(golden * k), z};
+    robot.goal = -robot.position;
+    robot.downwash = downwash;
+    scene.robots.push_back(robot);
+  }
+  return scene;
+}
+
+CheckReport run(const Scenario& scene, int threads = 1) {
+  Simulation simulation(scene, threads);
+  std::vector<CheckedRobot> bodies;
+  for (const RobotSetup& robot : scene.robots)
+    bodies.push_back({.radius = robot.radius,
+                      .downwash = robot.downwash,
+                      .max_acceleration = robot.max_acceleration,
+                      .max_speed = robot.max_speed,
+                      .goal = robot.goal});
+  Check check(bodies, scene.boxes);
+  const auto observe = [&] {
+    std::vector<CheckedState> rows;
+    for (std::size_t k = 0; k < simulation.size(); ++k)
+      rows.push_back({static_cast<std::int64_t>(k), simulation.robots()[k].position,
+                      simulation.robots()[k].velocity});
+    check.add(simulation.time(), rows);
+  };
+  observe();
+  bool all = false;
+  while (!all && simulation.time() < scene.duration) {
+    simulation.step();
+    observe();
+    all = true;
+    for (std::size_t k = 0; k < simulation.size(); ++k) all = all && simulation.is_at_goal(k);
+  }
+  return check.report();
+}
+
+TEST(SpaceFleets, a_sphere_of_50_arrives_without_contact) {
+  const CheckReport report = run(sphere(50, 7.1));
+  EXPECT_FALSE(report.broken());
+  EXPECT_EQ(report.arrived, 50);
+  EXPECT_LT(*report.last_arrival, 14.0);
+}
+
+TEST(SpaceFleets, nobody_flies_below_another_where_downwash_is_declared) {
+  const CheckReport report = run(sphere(30, 7.1, 1.5));
+  EXPECT_FALSE(report.broken());
+  EXPECT_EQ(report.arrived, 30);
+}
+
+TEST(SpaceFleets, a_floor_and_a_ceiling_are_not_touched) {
+  Scenario scene = sphere(16, 8.0);
+  for (std::size_t k = 0; k < scene.robots.size(); ++k) {
+    const double angle = 0.3926990816987241 * static_cast<double>(k);
+    scene.robots[k].position = {8.0 * std::cos(angle), 8.0 * std::sin(angle), 1.0};
+    scene.robots[k].goal = {-8.0 * std::cos(angle), -8.0 * std::sin(angle), 1.0};
+  }
+  scene.boxes = {{{-Box::kFar, -Box::kFar, -Box::kFar}, {Box::kFar, Box::kFar, 0.0}, 0.0, 0.0},
+                 {{-Box::kFar, -Box::kFar, 2.2}, {Box::kFar, Box::kFar, Box::kFar}, 0.0, 0.0}};
+  const CheckReport report = run(scene);
+  EXPECT_FALSE(report.broken());
+  EXPECT_EQ(report.arrived, 16);
+  EXPECT_LT(*report.least_static_clearance, 0.6);
+}
+
+TEST(SpaceFleets, threads_change_no_bit) {
+  const Scenario scene = sphere(300, 20.0);
+  Simulation one(scene, 1), two(scene, 3);
+  for (int k = 0; k < 15; ++k) one.step(), two.step();
+  EXPECT_EQ(one.state_hash(), two.state_hash());
+}
+
+TEST(SpaceFleets, a_start_in_contact_is_refused_by_name) {
+  Scenario scene = sphere(4, 8.0);
+  scene.robots[2].position = scene.robots[1].position + Vec3{0.5, 0, 0};
+  try {
+    const Simulation simulation(scene);
+    FAIL();
+  } catch (const Error& error) {
+    EXPECT_NE(std::string(error.what()).find("robots.2 and robots.1"), std::string::npos)
+        << error.what();
+  }
+}
+
+TEST(SpaceFleets, a_new_goal_is_followed_and_the_same_goal_changes_nothing) {
+  Scenario scene = sphere(1, 5.0);
+  Simulation simulation(scene), same(scene);
+  for (int k = 0; k < 30; ++k) {
+    same.set_goal(0, scene.robots[0].goal);
+    simulation.step(), same.step();
+  }
+  EXPECT_EQ(simulation.state_hash(), same.state_hash());
+  simulation.set_goal(0, {0, 0, 20});
+  for (int k = 0; k < 200; ++k) simulation.step();
+  EXPECT_TRUE(simulation.is_at_goal(0));
+  EXPECT_THROW(simulation.set_goal(1, {}), Error);
+}
+
+}  // namespace
+}  // namespace avo::space::tests

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: Apache-2.0
+// The judge of space on motion with a known outcome.
+#include <gtest/gtest.h>
+
+#include "avo/space/check.h"
+
+namespace avo::space::tests {
+namespace {
+
+CheckReport judged(const std::vector<CheckedRobot>& robots, const std::vector<Box>& boxes,
+                   const std::vector<std::vector<CheckedState>>& rows) {
+  Check check(robots, boxes);
+  double time = 0.0;
+  for (const auto& at : rows) check.add(time, at), time += 1.0;
+  return check.report();
+}
+
+TEST(SpaceJudge, finds_a_passage_between_two_rows) {
+  // A passes B by 0.9 m in the middle of the step
+  const CheckReport report = judged(
+      {{}, {}}, {},
+      {{{0, {-1, 0, 0.9}, {2, 0, 0}}, {1, {}, {}}}, {{0, {1, 0, 0.9}, {2, 0, 0}}, {1, {}, {}}}});
+  EXPECT_EQ(report.overlaps.count, 1);
+  EXPECT_NEAR(report.overlaps.worst, 0.1, 1e-11);
+  EXPECT_NEAR(*report.least_clearance, -0.1, 1e-11);
+}
+
+TEST(SpaceJudge, downwash_reaches_below_and_not_above) {
+  const auto passes_at = [](double height) {
+    return judged({{.downwash = 2.0}, {}}, {},
+                  {{{0, {}, {}}, {1, {-3, 0, height}, {1, 0, 0}}},
+                   {{0, {}, {}}, {1, {3, 0, height}, {1, 0, 0}}}})
+        .overlaps.count;
+  };
+  EXPECT_EQ(passes_at(-2.9), 1);
+  EXPECT_EQ(passes_at(-3.1), 0);
+  EXPECT_EQ(passes_at(0.9), 1);
+  EXPECT_EQ(passes_at(1.1), 0);
+}
+
+TEST(SpaceJudge, judges_limits_along_each_axis) {
+  const auto accelerates = [](Vec3 change) {
+    return judged({{.max_acceleration = 1.0, .max_speed = 9.0, .vertical = 0.5}}, {},
+                  {{{0, {}, {}}}, {{0, 0.5 * change, change}}})
+        .accelerations.count;
+  };
+  EXPECT_EQ(accelerates({1, 0, 0}), 0);
+  EXPECT_EQ(accelerates({1.01, 0, 0}), 1);
+  EXPECT_EQ(accelerates({0, 0, 0.5}), 0);
+  EXPECT_EQ(accelerates({0, 0, 0.51}), 1);
+  EXPECT_EQ(accelerates({0.8, 0, 0.4}), 1);
+  const CheckReport climbs =
+      judged({{.max_speed = 9.0, .climb = 1.0}}, {}, {{{0, {}, {0, 0, 1.1}}}});
+  EXPECT_EQ(climbs.speeds.count, 1);
+}
+
+TEST(SpaceJudge, finds_boxes_that_are_touched_within_a_step) {
+  const Box wall{{0.2, -Box::kFar, -Box::kFar}, {0.4, Box::kFar, Box::kFar}, 0.0, 0.0};
+  const CheckReport report =
+      judged({{}}, {wall}, {{{0, {-1.2, 0, 0}, {4, 0, 0}}}, {{0, {-1.2, 0, 0}, {-4, 0, 0}}}});
+  EXPECT_EQ(report.static_contacts.count, 1);
+  EXPECT_EQ(report.static_contacts.first->other, 0);
+}
+
+TEST(SpaceJudge, positions_that_do_not_follow_the_velocities_are_jumps) {
+  const CheckReport report = judged({{}}, {}, {{{0, {}, {}}}, {{0, {1, 0, 0}, {}}}});
+  EXPECT_EQ(report.jumps.count, 1);
+}
+
+TEST(SpaceJudge, tells_who_arrived) {
+  const CheckReport report = judged(
+      {{.goal = Vec3{1, 0, 0}}, {.goal = Vec3{0, 0, 9}}}, {},
+      {{{0, {0, 5, 0}, {}}, {1, {5, 0, 0}, {}}}, {{0, {1, 0.2, 0}, {}}, {1, {5, 0, 0}, {}}}});
+  EXPECT_EQ(report.with_goal, 2);
+  EXPECT_EQ(report.arrived, 1);
+  EXPECT_EQ(report.not_arrived, std::vector<std::int64_t>{1});
+  EXPECT_FALSE(report.last_arrival.has_value());
+}
+
+}  // namespace
+}  // namespace avo::space::tests
