@@ -9,6 +9,7 @@ struct FigureOptions {
   double width = 450.0;  ///< pt; a PNG has two pixels per point
   std::string title{};   ///< one line above the figure; empty: none
   bool axes = true;      ///< frame with ticks and units
+  std::string y_label = "y (m)";
 };
 
 }  // namespace avo::figures

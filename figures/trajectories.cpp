@@ -109,7 +109,7 @@ std::string draw_panels(std::span<const TimeLapse> panels, const Box& world,
         return std::clamp(static_cast<int>(length / 28.0), 3, kMostTicks);
       };
       draw_axes(canvas, {.x_label = "x (m)",
-                         .y_label = i == 0 ? "y (m)" : "",
+                         .y_label = i == 0 ? options.y_label : "",
                          .most_ticks_x = ticks(panel),
                          .most_ticks_y = ticks(height),
                          .y_numbers = i == 0});

@@ -15,6 +15,7 @@
 #include "avo/vec.h"
 #include "core/ranges.h"
 #include "io/scene/scene_parts.h"
+#include "io/space/space_parts.h"
 
 namespace avo_io {
 
@@ -143,6 +144,39 @@ template <>
 struct MembersOf<avo::LocalizationNoise> {
   using type =
       MemberOf<avo::LocalizationNoise, double, std::optional<double>, avo::NoiseDistribution>;
+};
+template <>
+struct MembersOf<avo::space::RobotSetup> {
+  using type = MemberOf<avo::space::RobotSetup, double, std::optional<double>, avo::Vec3>;
+};
+template <>
+struct MembersOf<avo::space::Scenario> {
+  using type = MemberOf<avo::space::Scenario, double, std::optional<double>, std::optional<int>,
+                        std::uint64_t, std::string, std::optional<avo::Certificate>, avo::Motion>;
+};
+template <>
+struct MembersOf<SpaceGroup> {
+  using type = MemberOf<SpaceGroup, int, double>;
+};
+template <>
+struct MembersOf<SpherePlacement> {
+  using type = MemberOf<SpherePlacement, double, avo::Vec3>;
+};
+template <>
+struct MembersOf<BoxPlacement> {
+  using type = MemberOf<BoxPlacement, double, avo::Vec3>;
+};
+template <>
+struct MembersOf<SpaceGridPlacement> {
+  using type = MemberOf<SpaceGridPlacement, double, int, avo::Vec3>;
+};
+template <>
+struct MembersOf<SpaceBox> {
+  using type = MemberOf<SpaceBox, double, avo::Vec3>;
+};
+template <>
+struct MembersOf<SpaceOffset> {
+  using type = MemberOf<SpaceOffset, avo::Vec3>;
 };
 template <class T>
 using Member = typename MembersOf<T>::type;

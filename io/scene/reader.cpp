@@ -131,6 +131,19 @@ avo::Vec2 Reader::point(const YamlNode& node, const std::string& path, const avo
           number(node.children[1], path_to(path, "1"), range, unit)};
 }
 
+avo::Vec3 Reader::place(const YamlNode& node, const std::string& path, const avo::Range& range,
+                        std::string_view unit) const {
+  if (node.kind != YamlNode::Kind::list || node.children.size() != 3)
+    fail(node, path,
+         node.kind == YamlNode::Kind::list && !node.children.empty()
+             ? fmt::format("a list of {}", node.children.size())
+             : shown(node),
+         fmt::format("must be [x, y, z] in {}", unit));
+  return {number(node.children[0], path_to(path, "0"), range, unit),
+          number(node.children[1], path_to(path, "1"), range, unit),
+          number(node.children[2], path_to(path, "2"), range, unit)};
+}
+
 std::vector<avo::Vec2> Reader::points(const YamlNode& node, const std::string& path,
                                       const avo::Range& range, std::string_view unit) const {
   require_list(node, path);
@@ -219,6 +232,9 @@ void Reader::set(std::string& value, const YamlNode& node, const Path& path,
 }
 void Reader::set(avo::Vec2& value, const YamlNode& node, const Path& path, const Rule& rule) const {
   value = point(node, path, rule.range, rule.unit);
+}
+void Reader::set(avo::Vec3& value, const YamlNode& node, const Path& path, const Rule& rule) const {
+  value = place(node, path, rule.range, rule.unit);
 }
 void Reader::set(avo::Method& value, const YamlNode& node, const Path& path, const Rule&) const {
   value = choice(node, path, kMethods);

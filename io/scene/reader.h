@@ -43,6 +43,9 @@ class Reader {
                              const avo::Range& range) const;
   avo::Vec2 point(const YamlNode& node, const std::string& path, const avo::Range& range,
                   std::string_view unit) const;
+  /// Reads [x, y, z].
+  avo::Vec3 place(const YamlNode& node, const std::string& path, const avo::Range& range,
+                  std::string_view unit) const;
   std::vector<avo::Vec2> points(const YamlNode& node, const std::string& path,
                                 const avo::Range& range, std::string_view unit) const;
   /// Reads triples [time, x, y].
@@ -102,6 +105,7 @@ class Reader {
   void set(std::uint64_t& value, const YamlNode& node, const Path& path, const Rule& rule) const;
   void set(std::string& value, const YamlNode& node, const Path& path, const Rule& rule) const;
   void set(avo::Vec2& value, const YamlNode& node, const Path& path, const Rule& rule) const;
+  void set(avo::Vec3& value, const YamlNode& node, const Path& path, const Rule& rule) const;
   void set(avo::Method& value, const YamlNode& node, const Path& path, const Rule& rule) const;
   void set(std::optional<avo::Method>& value, const YamlNode& node, const Path& path,
            const Rule& rule) const;

@@ -295,6 +295,28 @@ Scenario made_again(const SceneSource& source, std::optional<std::int64_t> robot
 
 }  // namespace
 
+namespace {
+
+// Takes `space: 2` away, which says nothing. Throws where the scene is one of space.
+void require_plane(Document& document) {
+  constexpr std::string_view kSpace = "space";
+  std::vector<YamlNode>& children = document.root.children;
+  const YamlNode* space =
+      document.root.kind == YamlNode::Kind::map ? document.root.find(kSpace) : nullptr;
+  if (space == nullptr) return;
+  if (space->kind != YamlNode::Kind::text || space->text != "2")
+    Reader(document).fail(*space, std::string(kSpace), shown(*space),
+                          "must be 2 here; run, check and validate take scenes of space as well");
+  for (std::size_t k = 0; k + 1 < children.size(); k += 2) {
+    if (children[k].text != kSpace) continue;
+    children.erase(children.begin() + static_cast<std::ptrdiff_t>(k),
+                   children.begin() + static_cast<std::ptrdiff_t>(k) + 2);
+    return;
+  }
+}
+
+}  // namespace
+
 Scenario scenario_of(std::string_view yaml, const std::string& file,
                      const std::vector<std::string>& overrides, SceneFiles& files,
                      std::optional<std::int64_t> robots) {
@@ -302,6 +324,7 @@ Scenario scenario_of(std::string_view yaml, const std::string& file,
   document.root = parse_yaml(yaml, file, document);
   const std::vector<RobotPatch> patches = apply_overrides(overrides, document);
   if (files.is_recorded) replace_removed(document.root);
+  require_plane(document);
   return SceneBuilder(document, files).build(patches, stem_of(file), robots);
 }
 

@@ -15,6 +15,7 @@
 #include "files.h"
 #include "reports/settings_report.h"
 #include "terminal.h"
+#include "verbs/space_verbs.h"
 #include "verbs/verbs.h"
 
 namespace avo_cli {
@@ -107,6 +108,8 @@ avo_io::Judgement judge_with_progress(const std::string& recording, avo_io::Judg
 }  // namespace
 
 int check(const CheckArguments& arguments) {
+  if (const auto in_space = load_in_space(arguments.scene, {}))
+    return check_in_space(arguments, *in_space);
   const std::optional<avo_io::RecordedScene> own = own_scene(arguments);
   if (arguments.recording == "-" && arguments.scene.scene == "-")
     throw UsageError("the recording and --scene: found - twice, must be one standard input only");

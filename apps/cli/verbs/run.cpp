@@ -19,6 +19,7 @@
 #include "reports/settings_report.h"
 #include "signals.h"
 #include "terminal.h"
+#include "verbs/space_verbs.h"
 #include "verbs/verbs.h"
 
 namespace avo_cli {
@@ -117,6 +118,8 @@ void check_arguments(const RunArguments& arguments) {
 int run(const RunArguments& arguments) {
   check_arguments(arguments);
   catch_signals();
+  if (const auto in_space = load_in_space(arguments.scene, files_of(arguments)))
+    return run_in_space(arguments, *in_space);
   avo_io::SceneSource source;
   const avo::Scenario scenario = load(arguments.scene, files_of(arguments), &source);
   Outputs outputs(arguments, scenario, source);

@@ -19,6 +19,7 @@
 #include "own_methods.h"
 #include "reports/settings_report.h"
 #include "terminal.h"
+#include "verbs/space_verbs.h"
 #include "verbs/verbs.h"
 
 namespace avo_cli {
@@ -130,6 +131,12 @@ std::vector<std::string> told_out_of_reach(const avo::Scenario& scenario) {
 }  // namespace
 
 int validate_scene(const SceneArguments& arguments) {
+  if (const auto in_space = load_in_space(arguments, {})) {
+    print_results(fmt::format("{}: valid: {} robots in space, {} boxes, {} s in steps of {} s\n",
+                              avo_io::printable(name_of(arguments)), in_space->robots.size(),
+                              in_space->boxes.size(), in_space->duration, in_space->time_step));
+    return kDone;
+  }
   const avo::Scenario scenario = load(arguments);
   warn(told_out_of_reach(scenario));
   const std::size_t walls = avo::walls_of(scenario.obstacles).size();

@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: Apache-2.0
+// avo run and avo check for scenes of space.
+#include "verbs/space_verbs.h"
+
+#include <chrono>
+#include <fmt/format.h>
+#include <optional>
+#include <vector>
+
+#include "avo/space/metrics.h"
+#include "avo_io/judgement.h"
+#include "avo_io/output_file.h"
+#include "exit_codes.h"
+#include "figures/space_views.h"
+#include "files.h"
+#include "reports/run_report.h"
+#include "signals.h"
+#include "terminal.h"
+
+namespace avo_cli {
+namespace {
+
+/// All outputs of a run. They are opened before the simulation, and get their names after it.
+struct SpaceOutputs {
+  std::optional<avo_io::SpaceCsvRecording> record;
+  std::optional<avo_io::OutputFile> summary, figure;
+  avo::figures::SpaceRecorder frames;
+
+  explicit SpaceOutputs(const RunArguments& arguments) {
+    if (!arguments.record.empty()) record.emplace(arguments.record, arguments.every.value_or(1));
+    if (!arguments.summary.empty()) summary.emplace(arguments.summary);
+    if (!arguments.figure.empty()) figure.emplace(arguments.figure);
+  }
+  void observe(const avo::space::Simulation& simulation) {
+    if (record) record->add(simulation);
+    if (figure) frames.observe(simulation);
+  }
+  void finish(const RunArguments& arguments, const avo::space::Scenario& scenario,
+              const avo::RunSummary& results) {
+    std::vector<avo_io::OutputFile*> files;
+    if (record) files.push_back(&record->file());
+    if (summary) files.push_back(&*summary), summary->write(avo_io::to_json(results));
+    if (figure) {
+      figure->write(drawn(
+          [&] { return avo::figures::draw_views(scenario, frames.frames(), arguments.figure); }));
+      files.push_back(&*figure);
+    }
+    commit_all(files);
+  }
+};
+
+avo::RunSummary simulate(const RunArguments& arguments, const avo::space::Scenario& scenario,
+                         SpaceOutputs& outputs) {
+  using Clock = std::chrono::steady_clock;
+  avo::space::Simulation simulation(scenario, arguments.threads);
+  avo::space::Metrics metrics(scenario);
+  Progress progress(scenario.duration, arguments.until_arrived);
+  metrics.observe(simulation);
+  outputs.observe(simulation);
+  const double end = scenario.duration - 0.5 * scenario.time_step;
+  while (simulation.time() < end && signal_caught() == 0) {
+    const Clock::time_point start = Clock::now();
+    simulation.step();
+    metrics.add_step_time(std::chrono::duration<double, std::milli>(Clock::now() - start).count());
+    metrics.observe(simulation);
+    outputs.observe(simulation);
+    progress.show(simulation.time());
+    if (arguments.until_arrived && metrics.all_arrived()) break;
+  }
+  return metrics.summary();
+}
+
+}  // namespace
+
+std::optional<avo::space::Scenario> load_in_space(const SceneArguments& arguments,
+                                                  const std::vector<NamedFile>& outputs) {
+  if (arguments.scene.empty()) return std::nullopt;
+  std::optional<avo::space::Scenario> scenario =
+      avo_io::load_space_scenario(arguments.scene, arguments.overrides);
+  if (!scenario) return std::nullopt;
+  require_distinct({file_of(arguments)}, outputs);
+  if (!arguments.own_method.empty())
+    throw UsageError("--method: found with a scene of space, which has method avo alone");
+  if (arguments.start_at_rest || arguments.limit_speed)
+    throw UsageError(
+        "--start-at-rest, --limit-speed: found with a scene of space, must be left out");
+  return scenario;
+}
+
+int run_in_space(const RunArguments& arguments, const avo::space::Scenario& scenario) {
+  if (arguments.record.ends_with(".h5"))
+    throw UsageError(
+        fmt::format("--record: found {}, must end in .csv for a scene of space", arguments.record));
+  SpaceOutputs outputs(arguments);
+  const avo::RunSummary results = simulate(arguments, scenario, outputs);
+  outputs.finish(arguments, scenario, results);
+  avo::Scenario named;  // what the text says of the scene
+  named.name = scenario.name;
+  named.time_step = scenario.time_step;
+  named.duration = scenario.duration;
+  const std::string text = readable(named, results);
+  if (arguments.record != "-" && arguments.summary != "-")
+    print_results(text);
+  else if (volume() != Volume::quiet)
+    say(lines_of(text));
+  return signal_caught() == 0 ? kDone : kSignal + signal_caught();
+}
+
+int check_in_space(const CheckArguments& arguments, const avo::space::Scenario& scenario) {
+  if (arguments.radius || arguments.max_acceleration || arguments.max_speed ||
+      arguments.max_braking)
+    throw UsageError(
+        "--radius, --max-acceleration, --max-speed, --max-braking: found besides the robots of "
+        "--scene, must be one or the other");
+  const avo_io::Judgement judgement = avo_io::judge_in_space(
+      arguments.recording, scenario, arguments.tolerance, arguments.require_arrival);
+  if (arguments.json)
+    print(avo_io::to_json(judgement));
+  else
+    print_results(avo_io::readable(judgement));
+  if (judgement.incomplete()) return kIncomplete;
+  return judgement.passed() ? kDone : kUnsafe;
+}
+
+}  // namespace avo_cli

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: Apache-2.0
+// Verbs for scenes with `space: 3`.
+#pragma once
+#include <optional>
+#include <vector>
+
+#include "avo_io/space.h"
+#include "verbs/verbs.h"
+
+namespace avo_cli {
+
+/// Returns the scene if it is one of space. Throws UsageError where an output is the scene's file.
+std::optional<avo::space::Scenario> load_in_space(const SceneArguments& arguments,
+                                                  const std::vector<NamedFile>& outputs);
+
+int run_in_space(const RunArguments& arguments, const avo::space::Scenario& scenario);
+/// Judges a recording of the scene's robots.
+int check_in_space(const CheckArguments& arguments, const avo::space::Scenario& scenario);
+
+}  // namespace avo_cli

@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: Apache-2.0
+// The table of fields for scenes of space.
+#include "io/fields/fields.h"
+
+namespace avo_io {
+
+using avo::kAnyValue;
+using avo::kAtLeastOne;
+using avo::kNotNegative;
+using avo::kPositive;
+using SpaceRobot = avo::space::RobotSetup;
+using SpaceScene = avo::space::Scenario;
+
+template <>
+const std::vector<Field<SpaceRobot>>& fields() {
+  static const std::vector<Field<SpaceRobot>> table{
+      {"position", &SpaceRobot::position, kRequired, kAnyValue, "m", "where it starts"},
+      {"velocity", &SpaceRobot::velocity, kOptional, kAnyValue, "m/s", "at the start"},
+      {"goal", &SpaceRobot::goal, kRequired, kAnyValue, "m", "where it wants to come to rest"},
+      {"radius", &SpaceRobot::radius, kOptional, kPositive, "m", "of its ball"},
+      {"max_speed", &SpaceRobot::max_speed, kOptional, kPositive, "m/s", "never exceeded"},
+      {"max_acceleration", &SpaceRobot::max_acceleration, kOptional, kPositive, "m/s^2",
+       "never exceeded"},
+      {"preferred_speed", &SpaceRobot::preferred_speed, kOptional, kNotNegative, "m/s",
+       "towards the goal", "max_speed"},
+      {"vertical", &SpaceRobot::vertical, kOptional, kPositive, "",
+       "its limits of acceleration and speed along the vertical, as a part of the horizontal ones"},
+      {"climb", &SpaceRobot::climb, kOptional, kPositive, "m/s", "the largest speed upwards",
+       "unlimited"},
+      {"sink", &SpaceRobot::sink, kOptional, kPositive, "m/s", "the largest speed downwards",
+       "unlimited"},
+      {"downwash", &SpaceRobot::downwash, kOptional, kNotNegative, "m",
+       "no robot may be so far below it, within both radii"},
+      {"priority", &SpaceRobot::priority, kOptional, kPositive, "",
+       "of a pair, A takes the part p_B/(p_A + p_B) of what both have to do, 1/64 to 63/64 of it"},
+      {"max_braking", &SpaceRobot::max_braking, kOptional, kPositive, "m/s^2",
+       "that it surely brakes with whenever it has to; may be more than max_acceleration",
+       "max_acceleration"},
+  };
+  return table;
+}
+
+template <>
+const std::vector<Field<SpaceScene>>& fields() {
+  static const std::vector<Field<SpaceScene>> table{
+      {"version", kNested, kRequired, kNoNumber, "", "version: 1"},
+      {"space", kNested, kRequired, kNoNumber, "", "space: 3, vectors have three numbers"},
+      {"name",
+       &SpaceScene::name,
+       kOptional,
+       {1.0, 200.0, false},
+       "",
+       "of the scene",
+       "that of the file"},
+      {"time_step", &SpaceScene::time_step, kOptional, kPositive, "s", "between decisions"},
+      {"duration", &SpaceScene::duration, kOptional, kPositive, "s", "of a run",
+       "what robots need with detours"},
+      {"control_time", &SpaceScene::control_time, kOptional, kPositive, "s", "delta of Eq. (7)",
+       "2"},
+      {"response_time", &SpaceScene::response_time, kOptional, kNotNegative, "",
+       "in units of v_max/a_max: how gently robots move", "as in the plane"},
+      {"comfort_acceleration", &SpaceScene::comfort_acceleration, kOptional, kPositive, "m/s^2",
+       "used unless the certificate asks for more", "all of max_acceleration"},
+      {"comfort_jerk", &SpaceScene::comfort_jerk, kOptional, kPositive, "m/s^3",
+       "the largest change of the acceleration in a second", "by response_time"},
+      {"time_horizon", &SpaceScene::time_horizon, kOptional, kPositive, "s",
+       "tau: how far robots look for collisions", "3"},
+      {"sensing_radius", &SpaceScene::sensing_radius, kOptional, kPositive, "m", "between centers",
+       "what the robots need"},
+      {"max_neighbors", &SpaceScene::max_neighbors, kOptional, kAtLeastOne, "",
+       "so many nearest neighbors get a half-space", "all"},
+      {"certificate", &SpaceScene::certificate, kOptional, kNoNumber, "",
+       "what no decision may break", "braking_trajectories"},
+      {"motion", &SpaceScene::motion, kOptional, kNoNumber, "",
+       "how the velocity changes between two decisions"},
+      {"arrival_distance", &SpaceScene::arrival_distance, kOptional, kPositive, "m",
+       "a robot has arrived once it is that near to its goal"},
+      {"seed",
+       &SpaceScene::seed,
+       kOptional,
+       {0.0, 9007199254740992.0, false},
+       "",
+       "of random placements"},
+      {"robots", kNested, kOptional, kNoNumber, "", "one by one"},
+      {"groups", kNested, kOptional, kNoNumber, "", "many of a kind"},
+      {"obstacles", kNested, kOptional, kNoNumber, "", "that do not move"},
+  };
+  return table;
+}
+
+template <>
+const std::vector<Field<SpaceGroup>>& fields() {
+  static const std::vector<Field<SpaceGroup>> table{
+      {"count", &SpaceGroup::count, kRequired, kNumber, "", "number of robots"},
+      {"sphere", kNested, kOptional, kNoNumber, "", "evenly over a sphere"},
+      {"box", kNested, kOptional, kNoNumber, "", "at random in a box"},
+      {"grid", kNested, kOptional, kNoNumber, "", "row by row, layer by layer"},
+      {"goal", kNested, kRequired, kNoNumber, "",
+       "antipodal, permuted, or {offset: {by: [x, y, z]}}"},
+      {"jitter", &SpaceGroup::jitter, kOptional, kNotNegative, "m",
+       "the largest random offset of starts and goals"},
+  };
+  return table;
+}
+
+template <>
+const std::vector<Field<SpherePlacement>>& fields() {
+  static const std::vector<Field<SpherePlacement>> table{
+      {"center", &SpherePlacement::center, kOptional, kAnyValue, "m", "of the sphere"},
+      {"radius", &SpherePlacement::radius, kOptional, kPositive, "m", "of the sphere"},
+  };
+  return table;
+}
+
+template <>
+const std::vector<Field<BoxPlacement>>& fields() {
+  static const std::vector<Field<BoxPlacement>> table{
+      {"min", &BoxPlacement::min, kRequired, kAnyValue, "m", "corner"},
+      {"max", &BoxPlacement::max, kRequired, kAnyValue, "m", "corner"},
+      {"clearance", &BoxPlacement::clearance, kOptional, kNotNegative, "m",
+       "between any two robots, beyond contact"},
+  };
+  return table;
+}
+
+template <>
+const std::vector<Field<SpaceGridPlacement>>& fields() {
+  static const std::vector<Field<SpaceGridPlacement>> table{
+      {"corner", &SpaceGridPlacement::corner, kRequired, kAnyValue, "m", "of the first robot"},
+      {"spacing", &SpaceGridPlacement::spacing, kOptional, kPositive, "m", "between neighbors"},
+      {"columns", &SpaceGridPlacement::columns, kRequired, kNumber, "", "robots along x"},
+      {"rows", &SpaceGridPlacement::rows, kRequired, kNumber, "", "robots along y"},
+  };
+  return table;
+}
+
+template <>
+const std::vector<Field<SpaceOffset>>& fields() {
+  static const std::vector<Field<SpaceOffset>> table{
+      {"by", &SpaceOffset::by, kRequired, kAnyValue, "m", "from the start to the goal"},
+  };
+  return table;
+}
+
+template <>
+const std::vector<Field<SpaceBox>>& fields() {
+  static const std::vector<Field<SpaceBox>> table{
+      {"min", &SpaceBox::min, kRequired, kAnyValue, "m", "corner"},
+      {"max", &SpaceBox::max, kRequired, kAnyValue, "m", "corner"},
+      {"heading", &SpaceBox::heading, kOptional, avo::kAngle, "rad",
+       "counter-clockwise from above, about the middle of the box"},
+  };
+  return table;
+}
+
+}  // namespace avo_io

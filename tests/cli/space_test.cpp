@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: Apache-2.0
+// Scenes of space on the command line: run, its outputs, check, and what is refused.
+#include "avo_io/space.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <string>
+
+#include "avo/space/simulation.h"
+#include "run_avo.h"
+#include "support/json.h"
+
+namespace avo_test {
+namespace {
+
+using Json = nlohmann::ordered_json;
+using testing::HasSubstr;
+
+const std::string kScene = R"(version: 1
+space: 3
+duration: 30
+groups:
+  - {count: 12, sphere: {radius: 6}, goal: antipodal, jitter: 0.1, downwash: 0.4}
+robots:
+  - {position: [0, -9, 1], goal: [2, 9, 1], vertical: 0.5, climb: 1, sink: 0.5}
+obstacles:
+  - {floor: -8}
+  - {ceiling: 8}
+  - {box: {min: [9, -1, -1], max: [10, 1, 1], heading: 0.3}}
+  - {polyline: [[-9, 3], [-9, 5]], height: [0, 3]}
+)";
+
+std::string scene_with(const std::string& what, const std::string& instead) {
+  std::string text = kScene;
+  const std::size_t at = text.find(what);
+  return text.replace(at, what.size(), instead);
+}
+
+std::string refused(const std::string& text, const std::string& verb = "run") {
+  write_file(path_of("bad.yaml"), text);
+  const ProcessResult result = run_avo({verb, path_of("bad.yaml")});
+  EXPECT_NE(result.exit_code, 0);
+  return result.err;
+}
+
+TEST(SpaceScenes, run_records_what_the_library_simulates_and_check_judges_it) {
+  const std::string scene = path_of("drones.yaml"), csv = path_of("drones.csv");
+  write_file(scene, kScene);
+  const ProcessResult run = run_avo({"run", scene, "--until-arrived", "--record", csv, "--summary",
+                                     path_of("s.json"), "--figure", path_of("f.svg")});
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_THAT(run.out, HasSubstr("arrived            13 of 13"));
+  avo::space::Simulation simulation(avo_io::parse_space_scenario(kScene, scene));
+  const std::vector<std::string> lines = lines_of(read_file(csv));
+  ASSERT_GT(lines.size(), 13U * 50U);
+  EXPECT_EQ(lines[0], "time,robot,x,y,z,vx,vy,vz");
+  for (std::size_t row = 1; row < lines.size(); ++row) {
+    const std::size_t robot = (row - 1) % 13;
+    if (row > 1 && robot == 0) simulation.step();
+    double time = 0, x = 0, y = 0, z = 0;
+    ASSERT_EQ(std::sscanf(lines[row].c_str(), "%lf,%*d,%lf,%lf,%lf", &time, &x, &y, &z), 4);
+    ASSERT_EQ((avo::Vec3{x, y, z}), simulation.robots()[robot].position) << row;
+    ASSERT_EQ(time, simulation.time());
+  }
+  const Json summary = Json::parse(read_file(path_of("s.json")));
+  EXPECT_EQ(summary["arrived"], 13);
+  EXPECT_EQ(summary["collision_pairs"], 0);
+  EXPECT_GT(summary["metrics"]["jerk"].get<double>(), 0.0);
+  EXPECT_THAT(read_file(path_of("f.svg")), HasSubstr("<svg"));
+  const ProcessResult check = run_avo({"check", csv, "--scene", scene, "--require-arrival"});
+  EXPECT_EQ(check.exit_code, 0) << check.out << check.err;
+  EXPECT_THAT(check.out, HasSubstr("safe"));
+}
+
+TEST(SpaceScenes, check_finds_what_is_wrong) {
+  const std::string scene = path_of("two.yaml"), csv = path_of("two.csv");
+  write_file(scene,
+             "version: 1\nspace: 3\nrobots:\n"
+             "  - {position: [0, 0, 5], goal: [0, 0, 5], downwash: 2}\n"
+             "  - {position: [-3, 0, 3], goal: [3, 0, 3]}\n");
+  const auto judged = [&](const std::string& rows) {
+    write_file(csv, "time,robot,x,y,z,vx,vy,vz\n" + rows);
+    return run_avo({"check", csv, "--scene", scene, "--json"});
+  };
+  const std::string below = "0,0,0,0,5,0,0,0\n0,1,-3,0,3,1,0,0\n";
+  const ProcessResult passes = judged(below + "6,0,0,0,5,0,0,0\n6,1,3,0,3,1,0,0\n");
+  EXPECT_NE(passes.exit_code, 0);
+  EXPECT_EQ(Json::parse(passes.out)["overlaps"]["count"], 1) << passes.out;
+  const ProcessResult fast = judged(below + "1,0,0,0,5,0,0,0\n1,1,0,0,3,5,0,0\n");
+  EXPECT_GE(Json::parse(fast.out)["accelerations"]["count"], 1) << fast.out;
+  const ProcessResult torn = judged(below + "1,0,0,0\n");
+  EXPECT_THAT(torn.err, HasSubstr("two.csv:4: found 4 columns, must be 8"));
+}
+
+TEST(SpaceScenes, set_changes_robots_of_groups_as_well) {
+  const std::string scene = path_of("drones.yaml");
+  write_file(scene, kScene);
+  const avo::space::Scenario changed =
+      *avo_io::load_space_scenario(scene, {"robots.5.radius=0.25", "groups.0.downwash=0"});
+  EXPECT_EQ(changed.robots[5].radius, 0.25);
+  EXPECT_EQ(changed.robots[6].radius, 0.5);
+  EXPECT_EQ(changed.robots[5].downwash, 0.0);
+}
+
+TEST(SpaceScenes, walls_of_the_plane_stand_between_heights) {
+  const avo::space::Scenario scene = avo_io::parse_space_scenario(kScene, "drones.yaml");
+  ASSERT_EQ(scene.boxes.size(), 4U);
+  EXPECT_EQ(scene.boxes[3].min.z, 0.0);
+  EXPECT_EQ(scene.boxes[3].max.z, 3.0);
+  const avo::space::Scenario all =
+      avo_io::parse_space_scenario(scene_with(", height: [0, 3]}", "}"), "drones.yaml");
+  EXPECT_EQ(all.boxes[3].max.z, avo::space::Box::kFar);
+}
+
+TEST(SpaceScenes, bad_scenes_are_refused_by_place_and_allowed_values) {
+  EXPECT_THAT(refused(scene_with("[0, -9, 1]", "[0, -9]")),
+              HasSubstr("robots.0.position: found a list of 2, must be [x, y, z] in m"));
+  EXPECT_THAT(refused(scene_with("space: 3", "space: 4")),
+              HasSubstr("bad.yaml:2:8: space: found 4, must be 2 or 3"));
+  EXPECT_THAT(refused(scene_with("climb", "clim")), HasSubstr("did you mean \"climb\"?"));
+  EXPECT_THAT(refused(scene_with("goal: antipodal", "goal: antipode")),
+              HasSubstr("groups.0.goal: found \"antipode\", must be one of antipodal, permuted"));
+  EXPECT_THAT(refused(scene_with("sphere: {radius: 6}, ", "")),
+              HasSubstr("must have one of sphere, box, grid"));
+  EXPECT_THAT(refused(scene_with("vertical: 0.5", "vertical: 0")), HasSubstr("must be > 0"));
+  EXPECT_THAT(refused(scene_with("floor: -8", "floor: 2")), HasSubstr("robots.0 and obstacles.0"));
+  EXPECT_THAT(refused(scene_with("radius: 6", "radius: 0.5")), HasSubstr("less than contact"));
+  EXPECT_THAT(refused(kScene, "bench"), HasSubstr("space: found 3, must be 2 here"));
+}
+
+TEST(SpaceScenes, a_scene_that_says_two_dimensions_is_one_of_the_plane) {
+  write_file(path_of("plane.yaml"),
+             "version: 1\nspace: 2\nrobots:\n  - {position: [0, 0], goal: [1, 0]}\n");
+  EXPECT_EQ(run_avo({"validate", path_of("plane.yaml")}).exit_code, 0);
+  write_file(path_of("drones.yaml"), kScene);
+  EXPECT_THAT(run_avo({"validate", path_of("drones.yaml")}).out, HasSubstr("13 robots in space"));
+}
+
+}  // namespace
+}  // namespace avo_test
