@@ -12,6 +12,7 @@
 #include "planner/scratch.h"
 #include "planner/validity.h"
 #include "sim/clocks.h"
+#include "sim/floors.h"
 #include "sim/scene/scene_checks.h"
 #include "sim/travels.h"
 
@@ -78,14 +79,15 @@ void reserve(const World& world, Worker& worker) {
                    sensed, most_braking_steps(world), PlanWorkspace::Scratch::of(worker.workspace));
 }
 
-void find_passages(World& world) {
+void find_passages(World& world, std::size_t floor) {
   std::vector<double> radii;
   for (std::size_t slot = 0; slot < world.fleet.size(); ++slot) {
-    if (!world.fleet.conduct[slot].parked) radii.push_back(world.fleet.traits[slot].radius);
+    if (!world.fleet.conduct[slot].parked && world.floor_of(slot) == floor)
+      radii.push_back(world.fleet.traits[slot].radius);
   }
   std::sort(radii.begin(), radii.end());
   radii.erase(std::unique(radii.begin(), radii.end()), radii.end());
-  world.ways.find_passages(std::move(radii));
+  world.ways[floor].find_passages(std::move(radii));
 }
 
 void start_clocks(World& world, const Scenario& scenario) {
@@ -105,7 +107,7 @@ World::World(const Scenario& scenario, std::shared_ptr<Executor> steps_by)
       paces{Pace(planner_options(scenario))},
       obstacles(scenario.moving_obstacles),
       statics(static_world(scenario)),
-      ways(way_rules_of(scenario), statics.walls, obstacles.resting()),
+      claims(statics.floors.size()),
       executor(std::move(steps_by)),
       workers(executor->workers()) {
   fleet.has_clocks = scenario.clock == Clock::free;
@@ -124,6 +126,9 @@ World::World(const Scenario& scenario, std::shared_ptr<Executor> steps_by)
     fleet.add({next_id++}, setup, pace_of(setup));
     senses.add(moment());
   }
+  for (const Floor& own : statics.floors)
+    ways.emplace_back(way_rules_of(scenario), own.walls, obstacles.resting());
+  floor = floors_of(fleet, statics);
   start_clocks(*this, scenario);
   senses.note(fleet, steps);
   for (Worker& worker : workers) reserve(*this, worker);
@@ -162,31 +167,41 @@ void World::reserve_workers() noexcept {
   }
 }
 
-void find_walls(World& world) {
-  StaticWorld& statics = world.statics;
-  if (statics.walls.empty()) return;
-  find_passages(world);
+namespace {
+
+void find_walls(World& world, std::size_t number) {
+  find_passages(world, number);
+  Floor& floor = world.statics.floors[number];
   const Fleet& fleet = world.fleet;
   WallNeeds needs;
   for (std::size_t slot = 0; slot < fleet.size(); ++slot) {
-    if (fleet.conduct[slot].parked) continue;
+    if (fleet.conduct[slot].parked || world.floor_of(slot) != number) continue;
     Robot robot = limits_of(fleet, slot);
     robot.velocity = fleet.velocity[slot];
     needs.include(robot, fleet.traits[slot], world.pace(slot).planner);
   }
   // a grid for more would list more walls, and a simulation made from saved bytes would not have it
-  if (statics.needs && statics.needs->is_same(needs)) return;
-  statics.grid = grid_of(statics.walls, needs);
-  statics.needs = needs;
+  if (floor.needs && floor.needs->is_same(needs)) return;
+  floor.grid = grid_of(floor.walls, needs);
+  floor.needs = needs;
+}
+
+}  // namespace
+
+void find_walls(World& world) {
+  for (std::size_t k = 0; k < world.statics.floors.size(); ++k)
+    if (!world.statics.floors[k].walls.empty()) find_walls(world, k);
 }
 
 void make_room(World& world) {
+  std::size_t most = 0, targets = 0;
+  for (const Floor& floor : world.statics.floors) most = std::max(most, floor.grid.most());
+  for (const Ways& ways : world.ways) targets = std::max(targets, ways.most_targets());
   for (Worker& worker : world.workers) {
-    PlanWorkspace::Scratch::of(worker.workspace)
-        .reserve_walls(most_seen(world), world.statics.grid.most());
-    worker.legs.targets.reserve(world.ways.most_targets());
+    PlanWorkspace::Scratch::of(worker.workspace).reserve_walls(most_seen(world), most);
+    worker.legs.targets.reserve(targets);
     if (world.planner().options().localization_error > 0.0)
-      worker.walls.reserve(kTileRobots * world.statics.grid.most());
+      worker.walls.reserve(kTileRobots * most);
   }
 }
 
@@ -238,6 +253,15 @@ const Planner& World::certified_planner() const {
 std::size_t World::most_nearest() const {
   const std::optional<int>& most = planner().options().max_neighbors;
   return most ? static_cast<std::size_t>(*most) : std::numeric_limits<std::size_t>::max();
+}
+
+bool World::has_ways() const {
+  return std::any_of(ways.begin(), ways.end(), [](const Ways& own) { return !own.empty(); });
+}
+
+bool World::has_passages() const {
+  return std::any_of(ways.begin(), ways.end(),
+                     [](const Ways& own) { return !own.passages.empty(); });
 }
 
 bool World::is_fast(std::size_t slot) const {
