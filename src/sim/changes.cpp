@@ -127,7 +127,7 @@ void change_robot(World& world, RobotId robot, const RobotSetup& setup) {
   kind.becomes(fleet.setup(slot));
   if (!world.floor.empty()) world.floor[rank] = floor;
   if (world.has_ways() && moves_otherwise) world.travels[rank] = std::move(travel);
-  note_late(world.bystanders, robot);  // there is room
+  note_late(world.bystanders, robot, fleet.position[slot]);  // there is room
   world.sensing_radius = sensing_radius;
   world.changed = world.has_new_goals = true;
 }

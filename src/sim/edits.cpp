@@ -44,7 +44,7 @@ void join(World& world, const RobotSetup& setup, RobotId robot) {
   world.changed = world.has_new_goals = true;
   try {
     if (world.kinds) world.kinds->add(world.fleet.setup(world.fleet.size() - 1));
-    note_late(world.bystanders, robot);
+    note_late(world.bystanders, robot, disc_center(setup));
   } catch (const std::bad_alloc&) {
     world.kinds.reset();
     forget(world.bystanders);
@@ -197,7 +197,7 @@ void move_robot(World& world, RobotId robot, Vec2 position) {
     world.travels[rank] =
         world.ways_of(slot).plan(disc_radius(setup), disc_center(setup), setup.goal,
                                  arrival_distance_of(world.settings, setup));
-  note_late(world.bystanders, robot);  // there is room
+  note_late(world.bystanders, robot, disc_center(setup));  // there is room
   fleet.position[slot] = disc_center(setup);
   fleet.velocity[slot] = start_velocity(setup);
   fleet.nearest[slot] = std::numeric_limits<float>::infinity();

@@ -7,6 +7,7 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <unordered_map>
 #include <vector>
 
 #include "core/executor.h"
@@ -99,6 +100,8 @@ struct World {
   Scenario settings;        // without its robots and obstacles
   double sensing_radius;    // m; where the scene gives none, it grows with robots that are added
   std::vector<Pace> paces;  // the scene's first; further ones for robots with values of their own
+  // indices of the further ones, by a hash of those values; some stand for others by now
+  std::unordered_multimap<std::uint64_t, std::uint32_t> pace_at;
   Fleet fleet;
   std::optional<Kinds> kinds;  // of the fleet, once a robot has been added
   Bystanders bystanders;       // for edits between two steps
