@@ -1017,6 +1017,18 @@ AVO_C_API avo_result avo_simulation_form_up(avo_simulation_id simulation,
 
 /// A team that the host leads. The simulation leads the teams of its own definition.
 AVO_C_API avo_result avo_create_team(const avo_team_def* def, avo_team_id* team);
+/// The number of teams that the simulation leads: those of its definition.
+AVO_C_API avo_result avo_simulation_team_count(avo_simulation_id simulation, size_t* count);
+/// The team of that number, 0 for the first one, for the functions below. The simulation leads it;
+/// avo_destroy_team() destroys only this id.
+AVO_C_API avo_result avo_simulation_team(avo_simulation_id simulation, size_t number,
+                                         avo_team_id* team);
+/// *task: the task, without robots. Its points are valid until the task changes or the team is gone.
+AVO_C_API avo_result avo_team_get_task(avo_team_id team, avo_team_def* task);
+/// Gives the team another task, of a definition whose robots are not read. The robots keep the goals
+/// that they had before they joined. Where it fails, nothing has changed.
+AVO_C_API avo_result avo_team_set_task(avo_team_id team, avo_simulation_id simulation,
+                                       const avo_team_def* task);
 AVO_C_API avo_result avo_destroy_team(avo_team_id team);
 AVO_C_API bool avo_team_is_valid(avo_team_id team);
 /// Sets goals and preferred velocities of the robots for the next step: call it before each step.
@@ -1030,6 +1042,8 @@ AVO_C_API avo_result avo_team_serve(avo_team_id team, avo_simulation_id simulati
 AVO_C_API avo_result avo_team_disband(avo_team_id team, avo_simulation_id simulation);
 /// Another robot joins, as the last one.
 AVO_C_API avo_result avo_team_add(avo_team_id team, avo_robot_id robot);
+/// The robot leaves the team. Its goal stays as the team has set it.
+AVO_C_API avo_result avo_team_remove(avo_team_id team, avo_robot_id robot);
 /// The robots of the team, of a queue from its head. buffer and count are those of
 /// avo_simulation_unreachable().
 AVO_C_API avo_result avo_team_robots(avo_team_id team, avo_robot_id* buffer, size_t capacity,
@@ -1115,6 +1129,7 @@ typedef struct avo_navigator_def {
   double route_tolerance;           ///< m, > 0, of a given route; 0: 0.3 of the radius
   avo_right_of_way right_of_way;
   bool navigation;  ///< routes lead around the obstacles of the map
+  uint32_t layers;  ///< bit k: it is in layer k; of the map it heeds the obstacles of its layers
 } avo_navigator_def;
 
 /// A place on a mission.
@@ -1129,7 +1144,6 @@ typedef struct avo_navigator_decision {
   avo_vec2 preferred_velocity;  ///< m/s
   double route_left;            ///< m
   double distance_left;         ///< m, from the end of the route to the goal
-  uint32_t layers;  ///< bit k: it is in layer k; of the map it heeds the obstacles of its layers
   double stopping_distance;     ///< m, that it needs to brake from its present velocity
   double without_progress;      ///< s
   avo_vec2 passage;             ///< m, where it waits for another robot
@@ -1158,6 +1172,8 @@ AVO_C_API avo_result avo_navigator_set_stages(avo_navigator_id navigator, const 
                                               size_t count, double heading);
 AVO_C_API avo_result avo_navigator_go_on(avo_navigator_id navigator);  ///< ends a wait
 AVO_C_API avo_result avo_navigator_clear_goal(avo_navigator_id navigator);
+/// Another map: a door has closed or opened, or the robot is in other layers now; 0: it stays in
+/// its layers.
 AVO_C_API avo_result avo_navigator_set_obstacles(avo_navigator_id navigator,
                                                  const avo_obstacle_def* obstacles,
                                                  size_t obstacle_count, uint32_t layers);
@@ -1172,8 +1188,6 @@ AVO_C_API avo_result avo_navigator_explain(avo_navigator_id navigator, const avo
                                            const avo_neighbor* neighbors, size_t neighbor_count,
                                            char* buffer, size_t capacity, size_t* size);
 /// m: the corners of the route that is left, to its end. buffer and count are those of
-/// Another map: a door has closed or opened, or the robot is in other layers now; 0: it stays in
-/// its layers.
 /// avo_simulation_unreachable().
 AVO_C_API avo_result avo_navigator_route(avo_navigator_id navigator, avo_vec2* buffer,
                                          size_t capacity, size_t* count);
