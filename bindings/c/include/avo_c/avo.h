@@ -1023,10 +1023,11 @@ AVO_C_API avo_result avo_simulation_team_count(avo_simulation_id simulation, siz
 /// avo_destroy_team() destroys only this id.
 AVO_C_API avo_result avo_simulation_team(avo_simulation_id simulation, size_t number,
                                          avo_team_id* team);
-/// *task: the task, without robots. Its points are valid until the task changes or the team is gone.
+/// *task: the task, without robots. Its points are valid until the task changes or the team is
+/// gone.
 AVO_C_API avo_result avo_team_get_task(avo_team_id team, avo_team_def* task);
-/// Gives the team another task, of a definition whose robots are not read. The robots keep the goals
-/// that they had before they joined. Where it fails, nothing has changed.
+/// Gives the team another task, of a definition whose robots are not read. The robots keep the
+/// goals that they had before they joined. Where it fails, nothing has changed.
 AVO_C_API avo_result avo_team_set_task(avo_team_id team, avo_simulation_id simulation,
                                        const avo_team_def* task);
 AVO_C_API avo_result avo_destroy_team(avo_team_id team);
