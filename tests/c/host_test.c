@@ -131,7 +131,7 @@ static void check_floors(void) {
   REQUIRE(avo_simulation_is_in_sight(simulation, origin, right, 0.0, 2, &sees));
   CHECK(!sees);
   REQUIRE(avo_simulation_cast_ray(simulation, origin, right, 0.0, 2, &hit));
-  CHECK(hit.obstacle.value == id.value && hit.distance == 1.0);
+  CHECK(hit.obstacle.value == id.value && fabs(hit.distance - 1.0) < 1e-6);
   robot.position = ends[1], robot.position.y = 0.0, robot.goal = robot.position;
   REQUIRE(avo_simulation_add_robot(simulation, &robot, &guest));
   robot.layers = 2, robot.position.y = robot.goal.y = 18.0;

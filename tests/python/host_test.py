@@ -78,7 +78,7 @@ def test_floors_and_parked_robots():
     simulation.add_obstacle(wall)
     assert simulation.is_in_sight((0, 0), (2, 0), layers=[0]) and not simulation.is_in_sight((0, 0), (2, 0))
     assert simulation.is_free((1, 0), 0.5, layers=[0]) and not simulation.is_free((1, 0), 0.5, [1])
-    assert simulation.cast_ray((0, 0), (2, 0), layers=[1])["distance"] == 1
+    assert simulation.cast_ray((0, 0), (2, 0), layers=[1])["distance"] == pytest.approx(1)
     robot = simulation.ids()[0]
     simulation.change_robot(robot, layers=[1], avoids=[1])
     assert list(simulation.setup(0).layers) == [1]
