@@ -113,4 +113,36 @@ std::vector<avo_io::OwnMethod> own_methods_of(const std::vector<std::string>& gi
   return methods;
 }
 
+namespace {
+
+// What is told about the method besides its library, and is not so in the recording.
+const char* what_differs(const avo_io::OwnMethod& own, const avo::Scenario& recorded) {
+  for (const avo::RobotSetup& robot : recorded.robots) {
+    const avo::Method method = method_of(recorded, robot);
+    if (robot.parked || !is_external(method)) continue;
+    if (!own.clamped && method == avo::Method::external_clamped) return "unclamped";
+    if (own.certified && certificate_of(recorded, robot) == avo::Certificate::none)
+      return "certified";
+  }
+  return nullptr;
+}
+
+}  // namespace
+
+avo::ExternalMethod method_behind(const std::vector<std::string>& given,
+                                  const avo::Scenario& recorded) {
+  const std::vector<avo_io::OwnMethod> own = own_methods_of(given);
+  if (own.empty()) return {};
+  const avo_io::OwnMethod& method = own.front();
+  if (!has_external(recorded))
+    refuse(method.name, "left out: no robot of the recording has a method of its maker's own");
+  if (method.name != recorded.external_method)
+    refuse(method.name, (avo_io::printable(recorded.external_method, kLongestWord) +
+                         ", the method of the recording")
+                            .c_str());
+  if (const char* differs = what_differs(method, recorded))
+    refuse(differs, "left out: the robots of the recording were otherwise");
+  return method.function;
+}
+
 }  // namespace avo_cli

@@ -19,4 +19,10 @@ void add_own_methods(CLI::App& verb, std::vector<std::string>& given, bool sever
 /// Throws UsageError.
 std::vector<avo_io::OwnMethod> own_methods_of(const std::vector<std::string>& given);
 
+/// The function behind the method that a recorded scene names; none where nothing is given. A
+/// recording says itself what its method was: throws UsageError where more than the library is
+/// given, and that differs.
+avo::ExternalMethod method_behind(const std::vector<std::string>& given,
+                                  const avo::Scenario& recorded);
+
 }  // namespace avo_cli

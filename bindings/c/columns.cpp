@@ -260,16 +260,17 @@ avo_result avo_simulation_nearest_robots(avo_simulation_id simulation, avo_vec2 
 }
 
 avo_result avo_simulation_is_free(avo_simulation_id simulation, avo_vec2 position, double radius,
-                                  bool* is_free) {
-  return get(simulation, is_free,
-             [&](const avo::Simulation& own) { return own.is_free(from_c(position), radius); });
+                                  uint32_t layers, bool* is_free) {
+  return get(simulation, is_free, [&](const avo::Simulation& own) {
+    return own.is_free(from_c(position), radius, {layers});
+  });
 }
 
 avo_result avo_simulation_cast_ray(avo_simulation_id simulation, avo_vec2 from, avo_vec2 to,
-                                   double radius, avo_hit* hit) {
+                                   double radius, uint32_t layers, avo_hit* hit) {
   return get(simulation, hit, [&](const avo::Simulation& own) {
     const auto number = [](const auto& id) { return id ? id->value + 1 : 0; };
-    const auto found = own.cast_ray(from_c(from), from_c(to), radius);
+    const auto found = own.cast_ray(from_c(from), from_c(to), radius, {layers});
     if (!found) return avo_hit{norm(from_c(to) - from_c(from)), to, {0}, {0}, {0}};
     return avo_hit{found->distance,
                    to_c(found->center),
@@ -280,9 +281,9 @@ avo_result avo_simulation_cast_ray(avo_simulation_id simulation, avo_vec2 from, 
 }
 
 avo_result avo_simulation_is_in_sight(avo_simulation_id simulation, avo_vec2 from, avo_vec2 to,
-                                      double radius, bool* is_in_sight) {
+                                      double radius, uint32_t layers, bool* is_in_sight) {
   return get(simulation, is_in_sight, [&](const avo::Simulation& own) {
-    return own.is_in_sight(from_c(from), from_c(to), radius);
+    return own.is_in_sight(from_c(from), from_c(to), radius, {layers});
   });
 }
 

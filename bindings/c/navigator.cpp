@@ -43,6 +43,7 @@ avo::NavigatorOptions navigator_options_of(const avo_planner_def* planner,
     options.preferred_speed = def.preferred_speed;
   options.id = {def.id};
   options.navigation = def.navigation;
+  options.layers = {def.layers};
   options.right_of_way = word<avo::RightOfWay>(def.right_of_way, 2, {}, "right_of_way");
   options.fleet_radii.assign(def.fleet_radii, def.fleet_radii + def.fleet_radius_count);
   options.xy_goal_tolerance = unless_zero(def.xy_goal_tolerance);
@@ -82,6 +83,7 @@ avo_navigator_def avo_default_navigator_def(void) {
   def.movement_time_allowance = options.movement_time_allowance;
   def.right_of_way = static_cast<avo_right_of_way>(options.right_of_way);
   def.navigation = options.navigation;
+  def.layers = options.layers.bits;
   return def;
 }
 
@@ -137,9 +139,12 @@ avo_result avo_navigator_clear_goal(avo_navigator_id navigator) {
 }
 
 avo_result avo_navigator_set_obstacles(avo_navigator_id navigator,
-                                       const avo_obstacle_def* obstacles, size_t obstacle_count) {
-  return guarded(
-      [&] { navigators.at(navigator).set_obstacles(obstacles_of(obstacles, obstacle_count)); });
+                                       const avo_obstacle_def* obstacles, size_t obstacle_count,
+                                       uint32_t layers) {
+  return guarded([&] {
+    const auto changed = layers != 0 ? std::optional(avo::LayerSet{layers}) : std::nullopt;
+    navigators.at(navigator).set_obstacles(obstacles_of(obstacles, obstacle_count), changed);
+  });
 }
 
 avo_result avo_navigator_step(avo_navigator_id navigator, const avo_robot* robot,

@@ -58,7 +58,8 @@ Scene::Scene(avo::Scenario read) : scenario(std::move(read)), def(settings_of(sc
   for (const avo::StaticObstacle& obstacle : scenario.obstacles) {
     chains.push_back(chains_of(obstacle));
     obstacles.push_back({sizeof(avo_obstacle_def), chains.back().data(), chains.back().size(),
-                         obstacle.radius, static_cast<avo_fill>(obstacle.fill)});
+                         obstacle.radius, static_cast<avo_fill>(obstacle.fill),
+                         obstacle.layers.bits});
   }
   for (const avo::Team& team : scenario.teams)
     teams.push_back(avo_c::def_of(team, members.emplace_back()));

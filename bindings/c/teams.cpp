@@ -2,6 +2,7 @@
 // Teams, and formations.
 #include "avo/teams.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <optional>
@@ -14,7 +15,30 @@ namespace {
 
 static_assert(AVO_FORMATION_RING == static_cast<int>(avo::Formation::ring));
 
-constinit Handles<avo_team_id, avo::Team> teams("team");
+/// A team of the host, or one that a simulation leads.
+struct TeamOfAny {
+  avo::Team own = {};
+  std::optional<avo_simulation_id> leads = {};  // the simulation that leads it
+  std::size_t number = 0;                       // among its teams
+};
+
+constinit Handles<avo_team_id, TeamOfAny> teams("team");
+
+avo::Team& team_at(avo_team_id id) {
+  TeamOfAny& team = teams.at(id);
+  if (!team.leads) return team.own;
+  const std::span<avo::Team> all = simulations.at(*team.leads).simulation.teams();
+  if (team.number >= all.size()) fail(AVO_ERROR_INVALID_ID, "team: found one that is gone");
+  return all[team.number];
+}
+
+// The team, which that simulation leads if any leads it.
+avo::Team& team_at(avo_team_id id, avo_simulation_id simulation) {
+  const std::optional<avo_simulation_id>& leads = teams.at(id).leads;
+  if (leads && (leads->index != simulation.index || leads->generation != simulation.generation))
+    fail(AVO_ERROR_INVALID_ID, "team: found a team of another simulation, must be of this one");
+  return team_at(id);
+}
 
 std::vector<avo::RobotId> ids_of(const avo_robot_id* robots, std::size_t count) {
   require_array(robots, count, "robots");
@@ -145,9 +169,9 @@ avo_result avo_simulation_form_up(avo_simulation_id simulation, const avo_robot_
 avo_result avo_create_team(const avo_team_def* def, avo_team_id* team) {
   return guarded([&] {
     avo_team_id& id = at(team, "team");
-    auto made =
-        std::make_unique<avo::Team>(team_of(read(def, {"def"}, avo_default_team_def()), {"def"}));
-    avo::validate(made->task);
+    auto made = std::make_unique<TeamOfAny>();
+    made->own = team_of(read(def, {"def"}, avo_default_team_def()), {"def"});
+    avo::validate(made->own.task);
     id = teams.add(std::move(made));
   });
 }
@@ -160,16 +184,53 @@ bool avo_team_is_valid(avo_team_id team) {
   return teams.find(team) != nullptr;
 }
 
+avo_result avo_simulation_team_count(avo_simulation_id simulation, size_t* count) {
+  return guarded(
+      [&] { at(count, "count") = simulations.at(simulation).simulation.teams().size(); });
+}
+
+avo_result avo_simulation_team(avo_simulation_id simulation, size_t number, avo_team_id* team) {
+  return guarded([&] {
+    avo_team_id& id = at(team, "team");
+    const std::size_t count = simulations.at(simulation).simulation.teams().size();
+    if (number >= count)
+      fail(AVO_ERROR_INVALID_VALUE, "number: found " + std::to_string(number) +
+                                        ", must be less than " + std::to_string(count) +
+                                        ", the teams that it leads");
+    auto made = std::make_unique<TeamOfAny>();
+    made->leads = simulation, made->number = number;
+    id = teams.add(std::move(made));
+  });
+}
+
+avo_result avo_team_get_task(avo_team_id team, avo_team_def* task) {
+  return guarded([&] {
+    avo_team_def& def = at(task, "task");
+    def = avo_default_team_def();
+    std::visit([&](const auto& own) { set_task(own, def); }, team_at(team).task);
+  });
+}
+
+avo_result avo_team_set_task(avo_team_id team, avo_simulation_id simulation,
+                             const avo_team_def* task) {
+  return guarded([&] {
+    avo::Team& own = team_at(team, simulation);
+    const avo_team_def def = read(task, {"task"}, avo_default_team_def());
+    change_by_team(simulation,
+                   [&](avo::Simulation& led) { avo::set_task(led, own, task_of(def, {"task"})); });
+  });
+}
+
 avo_result avo_team_lead(avo_team_id team, avo_simulation_id simulation) {
   return guarded([&] {
-    avo::Team& own = teams.at(team);
+    avo::Team& own = team_at(team, simulation);
     change_by_team(simulation, [&](avo::Simulation& led) { avo::lead(led, own); });
   });
 }
 
 avo_result avo_team_serve(avo_team_id team, avo_simulation_id simulation, avo_robot_id* robot) {
   return guarded([&] {
-    avo::Team& own = teams.at(team);
+    avo::Team& own = team_at(team, simulation);
     avo_robot_id& served = at(robot, "robot");
     change_by_team(simulation, [&](avo::Simulation& led) {
       const std::optional<avo::RobotId> first = avo::serve(led, own);
@@ -180,18 +241,36 @@ avo_result avo_team_serve(avo_team_id team, avo_simulation_id simulation, avo_ro
 
 avo_result avo_team_disband(avo_team_id team, avo_simulation_id simulation) {
   return guarded([&] {
-    avo::Team& own = teams.at(team);
+    avo::Team& own = team_at(team, simulation);
     change_by_team(simulation, [&](avo::Simulation& led) { avo::disband(led, own); });
   });
 }
 
 avo_result avo_team_add(avo_team_id team, avo_robot_id robot) {
-  return guarded([&] { teams.at(team).members.push_back({ids_of(&robot, 1).front()}); });
+  return guarded([&] {
+    std::vector<avo::TeamMember>& members = team_at(team).members;
+    const avo::RobotId id = ids_of(&robot, 1).front();
+    const auto is_it = [&](const avo::TeamMember& member) { return member.robot == id; };
+    if (std::any_of(members.begin(), members.end(), is_it))
+      fail(AVO_ERROR_INVALID_VALUE, "robot: found " + std::to_string(robot.value) +
+                                        ", which is in the team, must be another one");
+    members.push_back({id});
+  });
+}
+
+avo_result avo_team_remove(avo_team_id team, avo_robot_id robot) {
+  return guarded([&] {
+    const avo::RobotId id = ids_of(&robot, 1).front();
+    if (std::erase_if(team_at(team).members,
+                      [&](const avo::TeamMember& member) { return member.robot == id; }) == 0)
+      fail(AVO_ERROR_INVALID_ID,
+           "robot: found " + std::to_string(robot.value) + ", must be one of the team");
+  });
 }
 
 avo_result avo_team_robots(avo_team_id team, avo_robot_id* buffer, size_t capacity, size_t* count) {
   return guarded([&] {
-    const avo::Team& own = teams.at(team);
+    const avo::Team& own = team_at(team);
     at(count, "count") = own.members.size();
     if (buffer == nullptr) return;
     require_room(capacity, own.members.size());

@@ -114,6 +114,7 @@ avo::StaticObstacle obstacle_of(const avo_obstacle_def& def, const Where& where)
   }
   obstacle.radius = def.radius;
   obstacle.fill = word<avo::Fill>(def.fill, 3, where, "fill");
+  obstacle.layers = {def.layers};
   return obstacle;
 }
 
@@ -202,5 +203,6 @@ avo_moving_obstacle_def avo_default_moving_obstacle_def(void) {
 avo_obstacle_def avo_default_obstacle_def(void) {
   avo_obstacle_def def = {};
   def.size = sizeof def;
+  def.layers = AVO_ALL_LAYERS;
   return def;
 }

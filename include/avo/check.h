@@ -110,6 +110,9 @@ struct CheckedWall {
   Vec2 a = {};          ///< m
   Vec2 b = {};          ///< m
   double radius = 0.0;  ///< m, >= 0
+  /// Bits: robots that are in one of these layers must keep clear of it. All bits: every robot
+  /// must.
+  std::uint32_t layers = 0xffffffff;
 };
 
 /// How strictly the rows are judged.

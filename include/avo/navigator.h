@@ -25,7 +25,8 @@ struct NavigatorOptions {
   /// Its number among the robots. It breaks ties, so consecutive robots have consecutive numbers
   /// (docs/arrival.md, rule 1). Sentences name the robot by it.
   RobotId id = {};
-  bool navigation = true;                      ///< routes lead around the obstacles of the map
+  LayerSet layers{1};      ///< that it is in: of the map it heeds the obstacles of these layers
+  bool navigation = true;  ///< routes lead around the obstacles of the map
   RightOfWay right_of_way = RightOfWay::seen;  ///< at passages, with navigation
   /// m, > 0: the radii of all robots of the fleet. Robots that know the same radii find the same
   /// passages. Empty: the radius of this robot.
@@ -102,9 +103,10 @@ class AVO_API Navigator {
   void set_stages(std::vector<Stage> stages, std::optional<double> heading = {});
   void go_on();       ///< ends the wait at a stage
   void clear_goal();  ///< the robot has no goal any more
-  /// Another map: a door has closed or opened. The robot keeps its goal. Throws Error as the
-  /// constructor does; changes nothing then.
-  void set_obstacles(std::vector<StaticObstacle> obstacles);
+  /// Another map: a door has closed or opened, or the robot has changed to other layers, as in a
+  /// lift; none: it stays in its layers. The robot keeps its goal. Throws Error as the constructor
+  /// does; changes nothing then.
+  void set_obstacles(std::vector<StaticObstacle> obstacles, std::optional<LayerSet> layers = {});
 
   /// One cycle: to be called every time_step, at the times at which all robots decide. Of `robot`,
   /// preferred_velocity and distance_to_goal are not read; its limits may change from cycle to

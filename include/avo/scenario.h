@@ -17,12 +17,6 @@
 
 namespace avo {
 
-/// Some of the layers 0 to 31, by which robots choose the robots that they avoid.
-struct LayerSet {
-  std::uint32_t bits = 0;  ///< bit k: layer k
-  friend constexpr bool operator==(LayerSet, LayerSet) = default;
-};
-
 /// A robot as a scene lists it: where it starts, where it goes, what it can do.
 struct RobotSetup {
   Vec2 position = {};  ///< m, see disc_center()
@@ -40,15 +34,18 @@ struct RobotSetup {
   /// It never moves and decides nothing: to the others it is a disc that does not move, and that no
   /// robot may touch. Its goal is its position, and its velocity is 0.
   bool parked = false;
-  LayerSet layers{1};           ///< layers that it is in; a parked robot has the default
-  LayerSet avoids{0xffffffff};  ///< it avoids robots that are in one of these layers
+  /// Layers that it is in; it heeds the static obstacles of these layers. A parked robot has the
+  /// default.
+  LayerSet layers{1};
+  LayerSet avoids = kAllLayers;  ///< it avoids robots that are in one of these layers
   /// [Δt] s, > 0, whole nanoseconds: between its own decisions. Only where Scenario::clock is free;
   /// unset: the scene's.
   std::optional<double> time_step = {};
   /// [b] m/s^2, > 0, see Robot::max_braking; unset: max_acceleration
   std::optional<double> max_braking = {};
-  /// What others count on: decides, or cooperates. A robot that reacts to no other is a
-  /// MovingObstacle.
+  /// What others count on. To a robot that moves_on they do not leave any share of the avoidance:
+  /// they count on its velocity alone, as for one that has failed. The robot itself decides as
+  /// ever. A body that reacts to no robot is a MovingObstacle, or avoids no layer.
   Behavior behavior = Behavior::decides;
   /// The method that chooses its velocities; unset: the scene's. A robot with a method other than
   /// the scene's has the usual options of its own method, see planner_options().
@@ -204,7 +201,8 @@ struct Scenario {
   std::uint64_t seed = 1;         ///< of random placements
   std::vector<RobotSetup> robots = {};
   std::vector<MovingObstacle> moving_obstacles = {};
-  std::vector<StaticObstacle> obstacles = {};  ///< they do not move; no robot may touch them
+  /// They do not move; no robot of their layers may touch them.
+  std::vector<StaticObstacle> obstacles = {};
   std::vector<Team> teams = {};  ///< robots with one task; the simulation leads them, see lead()
   /// The preferred velocity follows a route around the obstacles, and around moving obstacles at
   /// rest; unset: where there are any.

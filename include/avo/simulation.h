@@ -154,14 +154,15 @@ class AVO_API Simulation {
   /// throws.
   void move_robot(RobotId robot, Vec2 position);
 
-  /// Changes what the robot can do and how it behaves: all of its setup but its state, goal, model,
-  /// time_step and parked. These are not read, except that another model or time_step, and a parked
-  /// robot, are refused. Others know the new values at once. Throws Error as add_robot() does on
-  /// values that break what the certificate assumes: a larger disc, other brakes or other layers
-  /// where the robot is now. A robot that is faster than its new max_speed slows down, and others
-  /// allow for that. Where clocks are free and there is a certificate, only speeds, priority,
-  /// horizon and arrival distance change. The robot keeps what it remembers. Changes nothing where
-  /// it throws.
+  /// Changes what the robot can do and how it behaves: all of its setup but its state, goal, model
+  /// and time_step. These are not read, except that another model or time_step is refused. A robot
+  /// at rest can be parked where it stands, and a parked robot set free. Both cost as much as
+  /// add_obstacle(), and its goal is then its place. Others know the new values at once. Throws
+  /// Error as add_robot() does on values that break what the certificate assumes: a larger disc,
+  /// other brakes or other layers where the robot is now. A robot that is faster than its new
+  /// max_speed slows down, and others allow for that. Where clocks are free and there is a
+  /// certificate, only speeds, priority, horizon and arrival distance change. The robot keeps what
+  /// it remembers. Changes nothing where it throws.
   void change_robot(RobotId robot, const RobotSetup& setup);
   /// The teams of its scene, which each step leads: serve a queue, or change the members. Valid
   /// until restore().
@@ -239,8 +240,10 @@ class AVO_API Simulation {
   /// The robots whose discs are nearest to the point, at most `count`, nearest first.
   [[nodiscard]] std::vector<std::size_t> nearest_robots(Vec2 position, std::size_t count) const;
   /// Returns whether a disc of that radius, m, > 0, would touch no robot, no moving obstacle and no
-  /// wall there, and would not be inside a solid or outside of bounds.
-  [[nodiscard]] bool is_free(Vec2 position, double radius) const;
+  /// wall there, and would not be inside a solid or outside of bounds. layers, here and below: only
+  /// robots that are in one of them count, and static obstacles that a robot in them heeds. All
+  /// moving obstacles and parked robots count.
+  [[nodiscard]] bool is_free(Vec2 position, double radius, LayerSet layers = kAllLayers) const;
   /// What a ray, or a moving disc, touches first: one of the three is set.
   struct Hit {
     double distance = 0.0;  ///< m, from the start; 0 where it touches from the start
@@ -250,10 +253,12 @@ class AVO_API Simulation {
     std::optional<ObstacleId> obstacle = {};
   };
   /// None where a disc of that radius, m, >= 0, touches nothing that stands now between the points.
-  [[nodiscard]] std::optional<Hit> cast_ray(Vec2 from, Vec2 to, double radius = 0.0) const;
+  [[nodiscard]] std::optional<Hit> cast_ray(Vec2 from, Vec2 to, double radius = 0.0,
+                                            LayerSet layers = kAllLayers) const;
   /// Returns whether no static obstacle stops a disc of that radius, m, >= 0, on the straight line
   /// between the points. Robots and moving obstacles do not count.
-  [[nodiscard]] bool is_in_sight(Vec2 from, Vec2 to, double radius = 0.0) const;
+  [[nodiscard]] bool is_in_sight(Vec2 from, Vec2 to, double radius = 0.0,
+                                 LayerSet layers = kAllLayers) const;
   [[nodiscard]] ObstacleView obstacles() const;
   [[nodiscard]] StaticObstacleView static_obstacles() const;
   [[nodiscard]] double time() const;  ///< s: steps() * time_step, or the instant of free clocks

@@ -111,7 +111,8 @@ struct Team {
   friend bool operator==(const Team&, const Team&) = default;
 };
 
-/// Returns a team of these robots. Add to Team::members, or take from them, at any time.
+/// Returns a team of these robots. Add to Team::members, or take from them, at any time. Throws
+/// Error on a robot that is named twice.
 AVO_API Team make_team(std::span<const RobotId> robots, TeamTask task);
 
 /// Throws Error on a task with values out of range, e.g. "spacing: found 0, must be > 0 m".
@@ -120,12 +121,16 @@ AVO_API void validate(const TeamTask& task);
 /// Sets the goals and preferred velocities of the members for the next step, in place of those
 /// that the host has set: call it before each step. Members that are gone from the simulation leave
 /// the team. A simulation leads the teams of its scenario itself, from the moment it is made.
-/// Throws Error on a bad task.
+/// Throws Error on a bad task, and on a member that is named twice.
 AVO_API void lead(Simulation& simulation, Team& team);
 
 /// Sends the first robot of a queue to its own goal; the others move up. Returns the robot, also
 /// where its service has ended just now; none if the team is empty or not a queue.
 AVO_API std::optional<RobotId> serve(Simulation& simulation, Team& team);
+
+/// Gives the team another task, which the members begin with the next lead(). They keep the goals
+/// that they had before they joined. Throws Error on a bad task, and changes nothing then.
+AVO_API void set_task(Simulation& simulation, Team& team, TeamTask task);
 
 /// Members go to the goals again that they had before they joined. The team is empty then.
 AVO_API void disband(Simulation& simulation, Team& team);

@@ -10,6 +10,14 @@
 
 namespace avo {
 
+/// Some of the layers 0 to 31. By layers robots choose the robots that they avoid, and the static
+/// obstacles that they heed.
+struct LayerSet {
+  std::uint32_t bits = 0;  ///< bit k: layer k
+  friend constexpr bool operator==(LayerSet, LayerSet) = default;
+};
+inline constexpr LayerSet kAllLayers{0xffffffff};
+
 /// All points within `radius` of the segment from a to b; a disc where a == b.
 struct Wall {
   Vec2 a = {};          ///< m
@@ -41,10 +49,21 @@ struct StaticObstacle {
   /// are behind `chains`: a robot that keeps clear of `chains` does not reach them. Only a judge
   /// reads both.
   std::vector<Chain> measured = {};
+  /// Robots that are in one of these layers heed the obstacle. To the other robots it is not there.
+  /// All layers: every robot heeds it.
+  LayerSet layers = kAllLayers;
   friend bool operator==(const StaticObstacle&, const StaticObstacle&) = default;
 };
 
+/// Returns whether a robot in those layers heeds the obstacle.
+constexpr bool heeds(LayerSet robot, const StaticObstacle& obstacle) {
+  return obstacle.layers == kAllLayers || (robot.bits & obstacle.layers.bits) != 0;
+}
+
 /// Returns the walls of all chains, in their order; a chain of one point is a disc.
 AVO_API std::vector<Wall> walls_of(std::span<const StaticObstacle> obstacles);
+/// The obstacles that a robot in those layers heeds, in their order.
+AVO_API std::vector<StaticObstacle> heeded(std::span<const StaticObstacle> obstacles,
+                                           LayerSet robot);
 
 }  // namespace avo

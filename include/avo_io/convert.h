@@ -8,6 +8,7 @@
 #include <string>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 #include "avo/export.h"
 #include "avo/scenario.h"
@@ -46,6 +47,13 @@ struct ConvertOptions {
   std::function<void(double time)> converted = {};
 };
 
+/// A robot whose first row is elsewhere than the scene has it start.
+struct OtherStart {
+  std::int64_t robot = 0;
+  std::optional<avo::Vec2> found = {};  ///< m; unset: it has no row at the first time
+  avo::Vec2 start = {};                 ///< m, in the scene
+};
+
 /// The result of convert().
 struct Converted {
   std::int64_t times = 0, rows = 0;
@@ -55,7 +63,11 @@ struct Converted {
   std::optional<double> left_out = {};
   /// The walkable area has no walls, because there is no scene.
   bool without_walls = false;
+  /// Robots that the scene has start more than kSameStart away from their first rows, for the
+  /// format `recording`.
+  std::vector<OtherStart> other_starts = {};
 };
+inline constexpr double kSameStart = 1e-3;  ///< m, for the digits of recordings
 
 /// Writes the recording at `input` (CSV, HDF5, a spool, trajectories of others; "-" is the standard
 /// input, of CSV) to `output`, whole or not at all. It never holds more than one time, of HDF5 64.

@@ -119,6 +119,23 @@ void require_fitting_scene(const std::string& input, ExportFormat format,
                          "equal times; csv and mcap have times");
 }
 
+/// The robots of the scene that are elsewhere at the first time of the recording, by number.
+std::vector<OtherStart> other_starts(const avo::Scenario& scenario, const RecordedTime& first) {
+  std::vector<OtherStart> others;
+  auto row = first.rows.begin();
+  for (std::size_t k = 0; k < scenario.robots.size(); ++k) {
+    const auto robot = static_cast<std::int64_t>(k);
+    const avo::Vec2 start = scenario.robots[k].position;
+    if (row == first.rows.end() || row->robot != robot) {
+      others.push_back({robot, std::nullopt, start});
+      continue;
+    }
+    if (norm(row->position - start) > kSameStart) others.push_back({robot, row->position, start});
+    ++row;
+  }
+  return others;
+}
+
 /// Makes a recording of rows of any origin, for what reads recordings with their scenes.
 Converted record(const std::string& input, const std::string& output,
                  const ConvertOptions& options) {
@@ -138,6 +155,7 @@ Converted record(const std::string& input, const std::string& output,
         throw RecordingError(
             fmt::format("{}: found no heading, must have one: robot {} is not holonomic",
                         reader.place(row.robot), row.robot));
+    if (!recording) result.other_starts = other_starts(scenario, moment);
     if (!recording)
       recording.emplace(output, scenario, options.source, RecordingOptions{.every = moment.every});
     recording->add(moment);

@@ -91,35 +91,35 @@ struct MembersOf<RobotsFrom> {
 };
 template <>
 struct MembersOf<PolylineObstacle> {
-  using type = MemberOf<PolylineObstacle, std::vector<avo::Vec2>>;
+  using type = MemberOf<PolylineObstacle, std::vector<avo::Vec2>, avo::LayerSet>;
 };
 template <>
 struct MembersOf<PolygonObstacle> {
-  using type = MemberOf<PolygonObstacle, std::vector<avo::Vec2>, bool>;
+  using type = MemberOf<PolygonObstacle, std::vector<avo::Vec2>, bool, avo::LayerSet>;
 };
 template <>
 struct MembersOf<DiscObstacle> {
-  using type = MemberOf<DiscObstacle>;
+  using type = MemberOf<DiscObstacle, avo::LayerSet>;
 };
 template <>
 struct MembersOf<WktObstacle> {
-  using type = MemberOf<WktObstacle, avo::Fill>;
+  using type = MemberOf<WktObstacle, avo::Fill, avo::LayerSet>;
 };
 template <>
 struct MembersOf<WktFileObstacle> {
-  using type = MemberOf<WktFileObstacle, std::string, avo::Fill>;
+  using type = MemberOf<WktFileObstacle, std::string, avo::Fill, avo::LayerSet>;
 };
 template <>
 struct MembersOf<GeojsonObstacle> {
-  using type = MemberOf<GeojsonObstacle, std::string, avo::Fill>;
+  using type = MemberOf<GeojsonObstacle, std::string, avo::Fill, avo::LayerSet>;
 };
 template <>
 struct MembersOf<MapObstacle> {
-  using type = MemberOf<MapObstacle, std::string, double, avo::Vec2>;
+  using type = MemberOf<MapObstacle, std::string, double, avo::Vec2, avo::LayerSet>;
 };
 template <>
 struct MembersOf<RosMapObstacle> {
-  using type = MemberOf<RosMapObstacle, std::string>;
+  using type = MemberOf<RosMapObstacle, std::string, avo::LayerSet>;
 };
 template <>
 struct MembersOf<RosMap> {
@@ -199,6 +199,7 @@ struct Field {
 /// Fields with keys of their own; ranges of values that are not numbers; ranges of numbers of
 /// robots.
 inline constexpr std::monostate kNested;
+inline constexpr avo::Range kLayer{0.0, 31.0, false};
 inline constexpr avo::Range kNoNumber{};
 inline constexpr avo::Range kNumber{1.0, static_cast<double>(avo::kMostRobots), false};
 
@@ -239,8 +240,8 @@ inline constexpr std::array<std::pair<std::string_view, avo::NoiseDistribution>,
 inline const auto kAccelerationSets =
     by_name(avo::AccelerationSet::incircle, avo::AccelerationSet::exact);
 
-/// Behaviors of robots: a robot that reacts to no other robot is a moving obstacle.
-inline const auto kBehaviors = by_name(avo::Behavior::decides, avo::Behavior::cooperates);
+inline const auto kBehaviors =
+    by_name(avo::Behavior::decides, avo::Behavior::cooperates, avo::Behavior::moves_on);
 inline const auto kFormations =
     by_name(avo::Formation::line, avo::Formation::column, avo::Formation::wedge,
             avo::Formation::block, avo::Formation::ring);

@@ -10,6 +10,21 @@ using avo::kPositive;
 constexpr avo::Range kFile{1.0, 4096.0, false};  // bytes
 constexpr avo::Range kShare{0.0, 1.0, false};
 
+namespace {
+
+template <class Kind>
+Field<Kind> layers_field() {
+  return {"layers",
+          &Kind::layers,
+          kOptional,
+          kLayer,
+          "",
+          "robots that are in one of these layers heed it",
+          "every robot heeds it"};
+}
+
+}  // namespace
+
 template <>
 const std::vector<Field<RobotsFrom>>& fields() {
   static const std::vector<Field<RobotsFrom>> table{
@@ -24,6 +39,7 @@ const std::vector<Field<PolylineObstacle>>& fields() {
   static const std::vector<Field<PolylineObstacle>> table{
       {"polyline", &PolylineObstacle::points, kRequired, kAnyValue, "m",
        "an open chain of walls, from point to point"},
+      layers_field<PolylineObstacle>(),
   };
   return table;
 }
@@ -34,6 +50,7 @@ const std::vector<Field<PolygonObstacle>>& fields() {
       {"polygon", &PolygonObstacle::points, kRequired, kAnyValue, "m",
        "a closed chain of walls, in any orientation"},
       {"solid", &PolygonObstacle::solid, kOptional, kNoNumber, "", "nobody may start inside"},
+      layers_field<PolygonObstacle>(),
   };
   return table;
 }
@@ -42,6 +59,7 @@ template <>
 const std::vector<Field<DiscObstacle>>& fields() {
   static const std::vector<Field<DiscObstacle>> table{
       {"disc", kNested, kRequired, kNoNumber, "", "a pillar"},
+      layers_field<DiscObstacle>(),
   };
   return table;
 }
@@ -63,6 +81,7 @@ const std::vector<Field<WktObstacle>>& fields() {
   static const std::vector<Field<WktObstacle>> table{
       {"wkt", kNested, kRequired, kNoNumber, "", "well-known text: lines and polygons, in m"},
       {"as", &WktObstacle::as, kOptional, kNoNumber, "", kAsText},
+      layers_field<WktObstacle>(),
   };
   return table;
 }
@@ -72,6 +91,7 @@ const std::vector<Field<WktFileObstacle>>& fields() {
   static const std::vector<Field<WktFileObstacle>> table{
       {"wkt_file", &WktFileObstacle::file, kRequired, kFile, "", "a file of well-known text"},
       {"as", &WktFileObstacle::as, kOptional, kNoNumber, "", kAsText},
+      layers_field<WktFileObstacle>(),
   };
   return table;
 }
@@ -82,6 +102,7 @@ const std::vector<Field<GeojsonObstacle>>& fields() {
       {"geojson", &GeojsonObstacle::file, kRequired, kFile, "",
        "a file of GeoJSON: lines and polygons, in m"},
       {"as", &GeojsonObstacle::as, kOptional, kNoNumber, "", kAsText},
+      layers_field<GeojsonObstacle>(),
   };
   return table;
 }
@@ -92,6 +113,7 @@ const std::vector<Field<MapObstacle>>& fields() {
       {"map", &MapObstacle::file, kRequired, kFile, "", "a MovingAI map, all around it blocked"},
       {"cell", &MapObstacle::cell, kOptional, kPositive, "m", "side of a cell"},
       {"origin", &MapObstacle::origin, kOptional, kAnyValue, "m", "lower left corner"},
+      layers_field<MapObstacle>(),
   };
   return table;
 }
@@ -101,6 +123,7 @@ const std::vector<Field<RosMapObstacle>>& fields() {
   static const std::vector<Field<RosMapObstacle>> table{
       {"ros_map", &RosMapObstacle::file, kRequired, kFile, "",
        "a map.yaml of ROS, all around it blocked"},
+      layers_field<RosMapObstacle>(),
   };
   return table;
 }

@@ -16,7 +16,6 @@ using avo::kAnyValue;
 using avo::kNotNegative;
 using avo::kPositive;
 using avo::RobotSetup;
-constexpr avo::Range kLayer{0.0, 31.0, false};
 
 template <>
 const std::vector<Field<RobotSetup>>& fields() {

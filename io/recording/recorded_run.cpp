@@ -6,6 +6,7 @@
 #include <cmath>
 #include <fmt/format.h>
 #include <iterator>
+#include <span>
 #include <utility>
 
 #include "avo/checked.h"
@@ -24,8 +25,9 @@ avo::Check judge_of_arrivals(const avo::Scenario& scenario) {
   for (const avo::RobotSetup& setup : scenario.robots) robots.push_back(checked_robot(setup));
   avo::Check check(robots, {}, {.arrival_distance = scenario.arrival_distance});
   std::vector<avo::CheckedWall> walls;
-  for (const avo::Wall& wall : avo::walls_of(scenario.obstacles))
-    walls.push_back({wall.a, wall.b, wall.radius});
+  for (const avo::StaticObstacle& obstacle : scenario.obstacles)
+    for (const avo::Wall& wall : avo::walls_of(std::span(&obstacle, 1)))
+      walls.push_back({wall.a, wall.b, wall.radius, obstacle.layers.bits});
   check.set_walls(std::move(walls));
   return check;
 }

@@ -59,7 +59,7 @@ void take_walls(const avo::Scenario& scenario, avo::Check& check,
   for (const avo::StaticObstacle& obstacle : scenario.obstacles) {
     const avo::StaticObstacle both[] = {obstacle, {obstacle.measured, obstacle.radius}};
     for (const avo::Wall& wall : avo::walls_of(both)) {
-      walls.push_back({wall.a, wall.b, wall.radius});
+      walls.push_back({wall.a, wall.b, wall.radius, obstacle.layers.bits});
       obstacle_of_wall.push_back(&obstacle - scenario.obstacles.data());
     }
   }

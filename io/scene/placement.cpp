@@ -90,7 +90,7 @@ Starts starts(const RandomPlacement& area, const Group& group, const avo::Scenar
   FreeSpace space(area.min, area.max, radius, area.clearance,
                   count + static_cast<std::size_t>(group.number));
   add_others(group, scenario, space);
-  const WallSpace walls(scenario.obstacles, radius + area.clearance);
+  const WallSpace walls(heeded(scenario.obstacles, group.robot.layers), radius + area.clearance);
   return {random_points(group.number, area.min, area.max, radius, space, walls, random),
           0.5 * (area.min + area.max)};
 }
@@ -110,7 +110,7 @@ Starts starts(const RingPlacement& ring, const Group& group, const avo::Scenario
   }
   for (const auto& mover : scenario.moving_obstacles)
     take(mover.position, mover.position, mover.radius);
-  const WallSpace walls(scenario.obstacles, radius + ring.clearance);
+  const WallSpace walls(heeded(scenario.obstacles, group.robot.layers), radius + ring.clearance);
   const auto is_clear = [&](Vec2 place) {
     return walls.is_clear(place) &&
            std::none_of(taken.begin(), taken.end(), [&](const avo::Disc& disc) {
@@ -141,7 +141,7 @@ std::vector<Vec2> goals(const Group& group, const Starts& from, const avo::Scena
   } else if (const auto* area = std::get_if<RandomGoals>(&group.goals)) {
     const double radius = room_of(group.robot);
     FreeSpace space(area->min, area->max, radius, area->clearance, from.points.size());
-    const WallSpace walls(scenario.obstacles, radius + area->clearance);
+    const WallSpace walls(heeded(scenario.obstacles, group.robot.layers), radius + area->clearance);
     result = random_points(group.number, area->min, area->max, radius, space, walls, random);
   } else if (const auto* formation = std::get_if<FormationGoals>(&group.goals)) {
     const std::vector<Vec2> slots =

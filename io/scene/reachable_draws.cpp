@@ -18,8 +18,9 @@ using avo::Vec2;
 constexpr int kTriesAgain = 2000;                          // for one place
 constexpr std::uint64_t kAgain = std::uint64_t{1} << 62U;  // differs from all other streams
 
-std::vector<avo::Wall> walls_about(const avo::Scenario& scenario) {
-  std::vector<avo::Wall> walls = avo::walls_of(scenario.obstacles);
+// The walls that a robot in those layers heeds.
+std::vector<avo::Wall> walls_about(const avo::Scenario& scenario, avo::LayerSet robot) {
+  std::vector<avo::Wall> walls = avo::walls_of(heeded(scenario.obstacles, robot));
   const std::vector<avo::Wall> parked = avo::parked_discs(scenario.robots);
   walls.insert(walls.end(), parked.begin(), parked.end());
   return walls;
@@ -88,7 +89,8 @@ class Draws {
     if (are_starts) add_others(group_, scenario_, space);
     for (std::size_t i = 0; i < places.size(); ++i)
       if (!std::binary_search(lost_.begin(), lost_.end(), i)) space.add({places[i], radius});
-    const WallSpace walls(scenario_.obstacles, radius + area.clearance);
+    const WallSpace walls(heeded(scenario_.obstacles, group_.robot.layers),
+                          radius + area.clearance);
     std::vector<std::size_t> still;
     for (const std::size_t i : lost_) {
       bool is_mended = false;
@@ -127,7 +129,7 @@ void draw_reachable(const Group& group, const avo::Scenario& scenario, std::uint
   const auto* area = std::get_if<RandomPlacement>(&group.placement);
   const auto* goals = std::get_if<RandomGoals>(&group.goals);
   if ((area == nullptr && goals == nullptr) || group.robot.parked) return;
-  const std::vector<avo::Wall> walls = walls_about(scenario);
+  const std::vector<avo::Wall> walls = walls_about(scenario, group.robot.layers);
   if (walls.empty()) return;
   Draws draws(group, scenario, Random(scenario.seed, stream + kAgain), walls, from, to);
   if (draws.all_reach()) return;

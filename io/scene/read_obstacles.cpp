@@ -154,6 +154,7 @@ StaticObstacle build_any(const Place& place, const std::variant<Kinds...>*) {
     place.reader.check_keys(place.node, place.path, keys_of(table));
     place.reader.read(place.node, place.path, table, entry);
     obstacle = build(place, entry);
+    obstacle.layers = entry.layers;
   };
   (build_if_given(Kinds{}), ...);
   return obstacle;

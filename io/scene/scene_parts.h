@@ -91,35 +91,45 @@ struct RobotsFrom {
   GroupHeading heading = GroupHeading::goal;
 };
 
+// `layers` of each kind: see avo::StaticObstacle.
+
 struct PolylineObstacle {
   std::vector<avo::Vec2> points;  ///< at least two
+  avo::LayerSet layers = avo::kAllLayers;
 };
 struct PolygonObstacle {
   std::vector<avo::Vec2> points;  ///< at least three
   bool solid = false;
+  avo::LayerSet layers = avo::kAllLayers;
 };
 struct DiscObstacle {
   avo::Disc disc;
+  avo::LayerSet layers = avo::kAllLayers;
 };
 struct WktObstacle {
   std::string text;
   avo::Fill as = avo::Fill::solid;
+  avo::LayerSet layers = avo::kAllLayers;
 };
 struct WktFileObstacle {
   std::string file;
   avo::Fill as = avo::Fill::solid;
+  avo::LayerSet layers = avo::kAllLayers;
 };
 struct GeojsonObstacle {
   std::string file;
   avo::Fill as = avo::Fill::solid;
+  avo::LayerSet layers = avo::kAllLayers;
 };
 struct MapObstacle {
   std::string file;
   double cell = 1.0;
   avo::Vec2 origin;
+  avo::LayerSet layers = avo::kAllLayers;
 };
 struct RosMapObstacle {
   std::string file;
+  avo::LayerSet layers = avo::kAllLayers;
 };
 /// An entry of `obstacles`; the first field of each kind is the key that identifies it.
 using ObstacleEntry = std::variant<PolylineObstacle, PolygonObstacle, DiscObstacle, WktObstacle,

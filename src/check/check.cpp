@@ -158,7 +158,8 @@ void Check::State::judge_arrival(double time, const CheckedState& row, const Mov
   if (!goal) return;
   const double within = robots[index].arrival_distance.value_or(options.arrival_distance);
   Seen& mine = seen[index];
-  mine.at_goal = norm(*goal - row.position) <= within && !walls.hides(row.position, *goal);
+  mine.at_goal = norm(*goal - row.position) <= within &&
+                 !walls.hides(row.position, *goal, robots[index].layers);
   const bool flies = std::holds_alternative<CheckedAirplane>(robots[index].kinematics);
   const bool arrives =
       flies ? passes(mover, *goal, within) || (skipped && mine.at_goal) : mine.at_goal;

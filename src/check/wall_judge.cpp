@@ -18,6 +18,12 @@ Box box_of(const CheckedWall& wall, std::size_t owner) {
   return box_around(std::array{wall.a, wall.b}, wall.radius, owner);
 }
 
+// Returns whether a robot in those layers must keep clear of the wall.
+bool concerns(const CheckedWall& wall, std::uint32_t layers) {
+  constexpr std::uint32_t kEveryRobot = ~std::uint32_t{0};
+  return wall.layers == kEveryRobot || (wall.layers & layers) != 0;
+}
+
 }  // namespace
 
 void WallJudge::set_walls(std::vector<CheckedWall> walls) {
@@ -29,11 +35,14 @@ void WallJudge::set_walls(std::vector<CheckedWall> walls) {
 
 void WallJudge::judge(const Mover& robot, const Step& step) {
   if (walls_.empty()) return;
+  const std::uint32_t layers = step.robots[static_cast<std::size_t>(robot.index)].layers;
   // no wall farther away than the least clearance changes the result
   tree_.visit(
       box_of(robot, 0, step.duration),
       [this] { return std::max(least_clearance_.value_or(kInfinity), 0.0); },
-      [&](std::size_t wall) { meet(robot, wall, step); });
+      [&](std::size_t wall) {
+        if (concerns(walls_[wall], layers)) meet(robot, wall, step);
+      });
 }
 
 void WallJudge::meet(const Mover& robot, std::size_t wall, const Step& step) {
@@ -69,7 +78,7 @@ void WallJudge::meet(const Mover& robot, std::size_t wall, const Step& step) {
        {step.from + fraction * step.duration, robot.index, static_cast<std::int64_t>(wall), depth});
 }
 
-bool WallJudge::hides(Vec2 from, Vec2 to) const {
+bool WallJudge::hides(Vec2 from, Vec2 to, std::uint32_t layers) const {
   constexpr double kRounding = 1e-12;  // ten times the error of nearest_instant()
   const auto [left, right] = std::minmax(from.x, to.x);
   const auto [bottom, top] = std::minmax(from.y, to.y);
@@ -78,11 +87,12 @@ bool WallJudge::hides(Vec2 from, Vec2 to) const {
   tree_.visit(
       {{left, bottom}, {right, top}}, [] { return std::numeric_limits<double>::min(); },
       [&](std::size_t k) {
-        const auto& [a, b, radius] = walls_[k];
+        if (!concerns(walls_[k], layers)) return;
+        const Vec2 a = walls_[k].a, b = walls_[k].b;
         const Vec2 start = from - a, end = to - a;
         const WallPath sight{{{start, start + third, end - third, end}}, b - a};
         const double rounding = kRounding * (norm(start) + norm(end) + norm(b - a));
-        is_hidden = is_hidden || nearest_instant(sight).distance <= radius + rounding;
+        is_hidden = is_hidden || nearest_instant(sight).distance <= walls_[k].radius + rounding;
       });
   return is_hidden;
 }

@@ -14,10 +14,10 @@ namespace avo::judge {
 class WallJudge {
  public:
   void set_walls(std::vector<CheckedWall> walls);
-  /// Judges one robot over the step.
+  /// Judges one robot over the step. A robot keeps clear of the walls of its layers.
   void judge(const Mover& robot, const Step& step);
-  /// Returns whether a wall touches the segment between the two places.
-  [[nodiscard]] bool hides(Vec2 from, Vec2 to) const;
+  /// Returns whether a wall of a robot in those layers touches the segment between the two places.
+  [[nodiscard]] bool hides(Vec2 from, Vec2 to, std::uint32_t layers) const;
   /// Writes all results.
   void write(CheckReport& report) const;
 

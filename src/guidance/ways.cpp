@@ -193,6 +193,10 @@ std::optional<Travel> Ways::carry_over(const Travel& before, Vec2 position, doub
       before.graph->radius != radius_class(radius))  // a graph that a new route tries last
     return std::nullopt;
   const GraphKey key{false, before.graph->radius};
+  if (before_ != nullptr) {  // nothing is known of the changes since another graph
+    const auto known = before_->graphs_.find(key);
+    if (known == before_->graphs_.end() || known->second.get() != before.graph) return std::nullopt;
+  }
   const CornerGraph& graph = graph_of(key);
   const std::optional<CarriedGraph>& carried = carried_[key];
   const auto rest = rest_of(before);

@@ -75,8 +75,7 @@ class Ways {
   /// Finds the passages for robots of these radii, ascending, unless they are known.
   void find_passages(std::vector<double> radii);
 
-  std::vector<Travel> travels;  // of the robots, in their order; none without walls
-  Passages passages;            // empty where robots do not heed passages
+  Passages passages;  // empty where robots do not heed passages
 
  private:
   using GraphKey = std::pair<bool, double>;              // around movers, radius

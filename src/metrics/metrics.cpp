@@ -128,7 +128,7 @@ void Metrics::State::collect_walls(const Simulation& simulation) {
   const StaticObstacleView now = simulation.static_obstacles();
   if (std::equal(now.id.begin(), now.id.end(), static_ids.begin(), static_ids.end())) return;
   static_ids.assign(now.id.begin(), now.id.end());
-  walls.search = WallSearch(walls_of(now.setup));
+  walls.take(now.setup);
 }
 
 void Metrics::State::observe_limits(const Simulation& simulation, const FleetView& fleet) {

@@ -7,6 +7,21 @@
 
 namespace avo::inline metrics {
 
+namespace {
+
+bool concerns(LayerSet wall, const Body& robot) {
+  return wall == kAllLayers || (wall.bits & robot.setup->layers.bits) != 0;
+}
+
+}  // namespace
+
+void WallContacts::take(std::span<const StaticObstacle> obstacles) {
+  search = WallSearch(walls_of(obstacles));
+  layers.clear();
+  for (const StaticObstacle& obstacle : obstacles)
+    layers.resize(layers.size() + walls_of(std::span(&obstacle, 1)).size(), obstacle.layers);
+}
+
 void WallContacts::observe(std::span<const Body> robots, const std::optional<Response>& response,
                            double time_step) {
   touching.clear();
@@ -15,13 +30,18 @@ void WallContacts::observe(std::span<const Body> robots, const std::optional<Res
   double least = least_clearance.value_or(std::numeric_limits<double>::infinity());
   double reach = 0.0, thickest = 0.0;  // m
   for (const Body& robot : robots) reach = std::max(reach, robot.radius + way_of(robot));
-  for (const Wall& wall : walls) {
+  for (std::size_t k = 0; k < walls.size(); ++k) {
+    const Wall& wall = walls[k];
     thickest = std::max(thickest, wall.radius);
     if (least_clearance) continue;
-    // any robot bounds the smallest clearance: the first one, in its place
-    const double apart = distance(robots[0].position, Segment{wall.a, wall.b});
-    least = std::min(least, apart - robots[0].radius - wall.radius);
+    // any robot bounds the smallest clearance: the first one that heeds the wall, in its place
+    const auto first = std::find_if(robots.begin(), robots.end(),
+                                    [&](const Body& robot) { return concerns(layers[k], robot); });
+    if (first == robots.end()) continue;
+    const double apart = distance(first->position, Segment{wall.a, wall.b});
+    least = std::min(least, apart - first->radius - wall.radius);
   }
+  if (least == std::numeric_limits<double>::infinity()) return;  // no robot heeds a wall
   search.prepare(reach + thickest + std::max(least, 0.0));
   const auto separation_from = [&](const Body& robot, const Segment& segment, double cutoff) {
     if (robot.arc) return separation(robot.arc->path, segment, cutoff);
@@ -31,6 +51,7 @@ void WallContacts::observe(std::span<const Body> robots, const std::optional<Res
   };
   for (const Body& robot : robots) {
     for (const std::size_t k : search.near(robot.position)) {
+      if (!concerns(layers[k], robot)) continue;
       const Segment segment{walls[k].a, walls[k].b};
       const double contact = robot.radius + walls[k].radius;
       const double cutoff = contact + std::max(least, 0.0);

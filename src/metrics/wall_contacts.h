@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "avo/wall.h"
 #include "metrics/body.h"
 #include "metrics/wall_search.h"
 
@@ -17,10 +18,13 @@ inline constexpr double kContact = 1e-9;
 
 struct WallContacts {
   WallSearch search = WallSearch();
+  std::vector<LayerSet> layers = {};           // of each wall's obstacle
   std::set<std::uint64_t> touched = {};        // ids of robots
   std::vector<std::uint64_t> touching = {};    // in this step
   std::optional<double> least_clearance = {};  // m
 
+  /// Takes the walls of those obstacles in place of the earlier ones.
+  void take(std::span<const StaticObstacle> obstacles);
   /// Observes robots over a step of time_step s; exact robots move by the response, where it is
   /// set.
   void observe(std::span<const Body> robots, const std::optional<Response>& response,

@@ -99,11 +99,12 @@ void validate(const NavigatorOptions& options) {
     require(at("route_tolerance"), *options.route_tolerance, kPositive, "m");
 }
 
-std::vector<Wall> checked_walls(std::vector<StaticObstacle> obstacles) {
+// The walls that a robot in those layers heeds.
+std::vector<Wall> checked_walls(std::vector<StaticObstacle> obstacles, LayerSet layers) {
   Scenario scene;
   scene.obstacles = std::move(obstacles);
   validate(scene);
-  return walls_of(scene.obstacles);
+  return walls_of(heeded(scene.obstacles, layers));
 }
 
 void check(const std::vector<Stage>& stages, const std::optional<double>& heading) {
@@ -136,7 +137,7 @@ const char* to_string(NavigatorStatus status) {
 
 Navigator::Navigator(const NavigatorOptions& options, std::vector<StaticObstacle> obstacles) {
   validate(options);
-  state_ = std::make_unique<State>(options, checked_walls(std::move(obstacles)));
+  state_ = std::make_unique<State>(options, checked_walls(std::move(obstacles), options.layers));
 }
 Navigator::~Navigator() = default;
 Navigator::Navigator(Navigator&&) noexcept = default;
@@ -174,8 +175,11 @@ void Navigator::clear_goal() {
   state_->begin({});
 }
 
-void Navigator::set_obstacles(std::vector<StaticObstacle> obstacles) {
-  state_->take_map(checked_walls(std::move(obstacles)));
+void Navigator::set_obstacles(std::vector<StaticObstacle> obstacles,
+                              std::optional<LayerSet> layers) {
+  const LayerSet own = layers.value_or(state_->options.layers);
+  state_->take_map(checked_walls(std::move(obstacles), own));
+  state_->options.layers = own;
 }
 
 NavigatorDecision Navigator::step(const Robot& robot, std::span<const Neighbor> neighbors,

@@ -14,13 +14,13 @@ void forget(Bystanders& bystanders) {
 }
 
 bool has_many_late(const Bystanders& bystanders) {
-  constexpr std::size_t kFew = 1024, kOfOne = 8;  // tests of a late robot, for one in the grid
+  constexpr std::size_t kFew = 1024, kOfOne = 64;  // tests of a late robot, for one in the grid
   const std::size_t late = bystanders.late.size();
   return late * late > kFew + kOfOne * bystanders.id.size();
 }
 
-void note_late(Bystanders& bystanders, RobotId robot) {
-  if (bystanders.is_made) bystanders.late.push_back(robot);
+void note_late(Bystanders& bystanders, RobotId robot, Vec2 position) {
+  if (bystanders.is_made) bystanders.late.push_back({robot, position});
 }
 
 void make(Bystanders& bystanders, const Fleet& fleet, const MostOfOthers& most, double side) {
@@ -46,7 +46,9 @@ std::vector<std::uint32_t> near_place(const Bystanders& bystanders, const Fleet&
   };
   for (const std::uint32_t place : places)
     take(bystanders.id[static_cast<std::size_t>(bystanders.grid.index(place))]);
-  for (const RobotId robot : bystanders.late) take(robot);
+  const double reach = kMargin * radius;
+  for (const Bystanders::Late& robot : bystanders.late)
+    if (!(norm_squared(robot.position - center) > reach * reach)) take(robot.id);
   std::sort(ranks.begin(), ranks.end());
   ranks.erase(std::unique(ranks.begin(), ranks.end()), ranks.end());
   for (const std::uint32_t rank : ranks) slots.push_back(fleet.slot_of[rank]);

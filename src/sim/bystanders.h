@@ -28,7 +28,11 @@ struct Bystanders {
   double side = 0.0;          // m, of its cells
   UniformGrid grid;           // of all robots at the time when it was made
   std::vector<RobotId> id;    // by index in the grid
-  std::vector<RobotId> late;  // robots that came or were moved since then
+  struct Late {
+    RobotId id;
+    Vec2 position;  // m, of its disc
+  };
+  std::vector<Late> late;  // robots that came or were moved since then
 };
 
 /// Forgets the grid; call it once all robots have moved.
@@ -36,8 +40,8 @@ void forget(Bystanders& bystanders);
 /// Returns whether the robots that came since then cost more than a new grid; its cost is spread
 /// over them.
 bool has_many_late(const Bystanders& bystanders);
-/// Notes that the robot has come, or has been moved.
-void note_late(Bystanders& bystanders, RobotId robot);
+/// Notes that the robot has come, or has been moved, to that place of its disc, m.
+void note_late(Bystanders& bystanders, RobotId robot, Vec2 position);
 void make(Bystanders& bystanders, const Fleet& fleet, const MostOfOthers& most, double side);
 /// Slots, in the order of ids, of all robots within the radius and of some others. It returns all
 /// slots where the grid does not cover the radius.

@@ -8,6 +8,7 @@
 #include "core/ranges.h"
 #include "robots/model.h"
 #include "sim/edits.h"
+#include "sim/floors.h"
 #include "sim/scene/edit_checks.h"
 #include "sim/scene/scene_checks.h"
 #include "sim/world.h"
@@ -17,8 +18,6 @@ namespace {
 
 // Refuses what only a new robot may have.
 void check_same_kind(const RobotSetup& now, const RobotSetup& changed, RobotId robot) {
-  if (now.parked || changed.parked)
-    refuse(name_of(robot) + ": parked", "a change", "false, before and after");
   if (!(changed.model == now.model))
     refuse(name_of(robot) + ": model", "another one", "the one that it has");
   if (changed.time_step && changed.time_step != now.time_step)
@@ -80,7 +79,7 @@ RobotSetup slowing(const RobotSetup& now, RobotSetup changed) {
 }
 
 void check_change(World& world, const RobotSetup& now, const RobotSetup& changed, RobotId robot) {
-  check_values(world, changed, robot, !world.statics.walls.empty());
+  check_values(world, changed, robot, world.statics.has_walls);
   check_company(world, slowing(now, changed), robot);
   if (!affects_certificate(world.fleet, now, changed)) return;
   // within its own step a robot cannot brake before the step ends
@@ -105,6 +104,10 @@ void change_robot(World& world, RobotId robot, const RobotSetup& setup) {
   if (changed.method == fleet.usual.method) changed.method.reset();
   if (changed.max_braking == changed.max_acceleration) changed.max_braking.reset();
   check_same_kind(now, changed, robot);
+  if (changed.parked != now.parked) return park_or_free(world, slot, changed);
+  if (now.parked)
+    refuse(name_of(robot), "a change of it", "one that is not parked, or is set free");
+  const std::uint32_t floor = floor_for(world, changed.layers);
   KindAlone kind(world, now);
   check_change(world, now, changed, robot);
   const double sensing_radius = sensing_radius_with(world, slowing(now, changed));
@@ -113,17 +116,18 @@ void change_robot(World& world, RobotId robot, const RobotSetup& setup) {
       knots_needed(world.settings, world.planner().options().longest_step, changed));
   if (world.bystanders.is_made) world.bystanders.late.reserve(world.bystanders.late.size() + 1);
   const auto rank = static_cast<std::size_t>(fleet.rank[slot]);
-  Ways& ways = world.ways;
-  const bool moves_otherwise =
-      disc_radius(changed) != disc_radius(now) || changed.arrival_distance != now.arrival_distance;
+  const bool moves_otherwise = disc_radius(changed) != disc_radius(now) ||
+                               changed.arrival_distance != now.arrival_distance ||
+                               floor != world.floor_of(slot);
   Travel travel;
-  if (!ways.empty() && moves_otherwise)
-    travel = ways.plan(disc_radius(changed), fleet.position[slot], changed.goal,
-                       arrival_distance_of(world.settings, changed));
+  if (world.has_ways() && moves_otherwise)
+    travel = world.ways[floor].plan(disc_radius(changed), fleet.position[slot], changed.goal,
+                                    arrival_distance_of(world.settings, changed));
   fleet.change(slot, changed, pace);
   kind.becomes(fleet.setup(slot));
-  if (!ways.empty() && moves_otherwise) ways.travels[rank] = std::move(travel);
-  note_late(world.bystanders, robot);  // there is room
+  if (!world.floor.empty()) world.floor[rank] = floor;
+  if (world.has_ways() && moves_otherwise) world.travels[rank] = std::move(travel);
+  note_late(world.bystanders, robot, fleet.position[slot]);  // there is room
   world.sensing_radius = sensing_radius;
   world.changed = world.has_new_goals = true;
 }

@@ -12,6 +12,23 @@ namespace {
 // of a robot; memory for more is allocated when it is needed
 constexpr std::size_t kMostClaims = 4;
 
+void collect_claims(const World& world, const Ways& ways, Executor& executor, Claims& claims) {
+  const std::size_t robots = world.fleet.size(), parts = executor.workers();
+  claims.parts.resize(std::max(claims.parts.size(), parts));
+  parallel_for(executor, parts, [&](std::size_t part, std::size_t) {
+    std::vector<Claimant>& own = claims.parts[part];
+    own.clear();
+    own.reserve(kMostClaims * (robots / parts + 1));
+    for (std::size_t k = part * robots / parts; k < (part + 1) * robots / parts; ++k) {
+      const std::uint32_t slot = world.fleet.slot_of[k];
+      if (world.fleet.conduct[slot].parked || world.fleet.told_velocity(slot)) continue;
+      append_claims(ways, claimant_of(world, slot), world.fleet.velocity[slot], own);
+    }
+  });
+  claims.claimants.reserve(kMostClaims * robots);
+  order_claims(ways.passages.size(), parts, claims);
+}
+
 }  // namespace
 
 Claimant claimant_of(const World& world, std::size_t slot) {
@@ -40,30 +57,20 @@ Follower follower_of(const World& world, std::size_t slot, Vec2 lost, double nea
           .rests = rests_at_place(world, slot)};
 }
 
-void collect_claims(const World& world, Executor& executor, Claims& claims) {
-  const std::size_t robots = world.fleet.size(), parts = executor.workers();
-  claims.parts.resize(std::max(claims.parts.size(), parts));
-  parallel_for(executor, parts, [&](std::size_t part, std::size_t) {
-    std::vector<Claimant>& own = claims.parts[part];
-    own.clear();
-    own.reserve(kMostClaims * (robots / parts + 1));
-    for (std::size_t k = part * robots / parts; k < (part + 1) * robots / parts; ++k) {
-      const std::uint32_t slot = world.fleet.slot_of[k];
-      if (world.fleet.conduct[slot].parked || world.fleet.told_velocity(slot)) continue;
-      append_claims(world.ways, claimant_of(world, slot), world.fleet.velocity[slot], own);
-    }
-  });
-  claims.claimants.reserve(kMostClaims * robots);
-  order_claims(world.ways.passages.size(), parts, claims);
+void collect_claims(const World& world, Executor& executor, std::vector<Claims>& claims) {
+  claims.resize(world.ways.size());
+  for (std::size_t k = 0; k < world.ways.size(); ++k)
+    if (!world.ways[k].passages.empty()) collect_claims(world, world.ways[k], executor, claims[k]);
 }
 
-std::optional<Simulation::Wait> wait_of(const World& world, const Claims& claims,
+std::optional<Simulation::Wait> wait_of(const World& world, std::span<const Claims> claims,
                                         std::size_t slot) {
   const Fleet& fleet = world.fleet;
-  if (fleet.conduct[slot].parked) return std::nullopt;
-  const Travel& travel = world.ways.travels[static_cast<std::size_t>(fleet.rank[slot])];
-  auto wait =
-      wait_of(world.ways, claims, follower_of(world, slot, {}, 0.0), travel, world.sensing_radius);
+  const std::size_t floor = world.floor_of(slot);
+  if (fleet.conduct[slot].parked || world.ways[floor].passages.empty()) return std::nullopt;
+  const Travel& travel = world.travels[static_cast<std::size_t>(fleet.rank[slot])];
+  auto wait = wait_of(world.ways[floor], claims[floor], follower_of(world, slot, {}, 0.0), travel,
+                      world.sensing_radius);
   if (wait) wait->robot = fleet.id[fleet.slot_of[static_cast<std::size_t>(wait->robot.value)]];
   return wait;
 }

@@ -3,6 +3,8 @@
 #pragma once
 #include <cstddef>
 #include <optional>
+#include <span>
+#include <vector>
 
 #include "core/executor.h"
 #include "guidance/claims.h"
@@ -12,8 +14,9 @@ namespace avo::inline sim {
 
 struct World;
 
-/// Collects the claims as others see them. There must be passages.
-void collect_claims(const World& world, Executor& executor, Claims& claims);
+/// Collects the claims of each floor's passages as others see them: robots of all floors may claim
+/// them.
+void collect_claims(const World& world, Executor& executor, std::vector<Claims>& claims);
 
 /// The robot as others see it, without a claim.
 Claimant claimant_of(const World& world, std::size_t slot);
@@ -22,6 +25,7 @@ Claimant claimant_of(const World& world, std::size_t slot);
 Follower follower_of(const World& world, std::size_t slot, Vec2 lost, double nearest);
 
 /// The robot for which this robot waits at a passage, if it waits.
-std::optional<Simulation::Wait> wait_of(const World& world, const Claims& claims, std::size_t slot);
+std::optional<Simulation::Wait> wait_of(const World& world, std::span<const Claims> claims,
+                                        std::size_t slot);
 
 }  // namespace avo::inline sim

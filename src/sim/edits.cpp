@@ -6,7 +6,6 @@
 #include <limits>
 #include <new>
 #include <string>
-#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -14,9 +13,9 @@
 #include "core/ranges.h"
 #include "robots/model.h"
 #include "sim/clocks.h"
+#include "sim/floors.h"
 #include "sim/scene/edit_checks.h"
 #include "sim/scene/scene_checks.h"
-#include "sim/travels.h"
 #include "sim/world.h"
 
 namespace avo::inline sim {
@@ -45,51 +44,19 @@ void join(World& world, const RobotSetup& setup, RobotId robot) {
   world.changed = world.has_new_goals = true;
   try {
     if (world.kinds) world.kinds->add(world.fleet.setup(world.fleet.size() - 1));
-    note_late(world.bystanders, robot);
+    note_late(world.bystanders, robot, disc_center(setup));
   } catch (const std::bad_alloc&) {
     world.kinds.reset();
     forget(world.bystanders);
   }
 }
 
-static_assert(std::is_nothrow_move_assignable_v<StaticWorld> &&
-              std::is_nothrow_move_assignable_v<Ways>);
-
-Ways ways_among(const World& world, const StaticWorld& statics) {
-  Ways ways(way_rules_of(world.settings), statics.walls, world.obstacles.resting(), &world.ways);
-  plan_travels(ways, world.fleet, world.settings.arrival_distance, &world.ways);
-  ways.forget_before();
-  return ways;
-}
-
-// A robot that has another end than before has not stood near it.
-void adopt(World& world, Ways ways) noexcept {
-  Fleet& fleet = world.fleet;
-  for (std::size_t slot = 0; slot < fleet.size(); ++slot) {
-    if (fleet.conduct[slot].parked) continue;
-    const Vec2 goal = fleet.goal[slot];
-    const auto rank = static_cast<std::size_t>(fleet.rank[slot]);
-    const Vec2 end = ways.travels.empty() ? goal : ways.travels[rank].heads_for(goal);
-    if (!(end == world.end_of(slot))) fleet.has_stood[slot] = 0;
-  }
-  ways.remember_passages(world.ways);
-  world.ways = std::move(ways);
-  world.changed = world.has_new_goals = true;
-}
-
-// Replaces the static world for the same fleet.
-void replace(World& world, StaticWorld statics) {
-  Ways ways = ways_among(world, statics);
-  world.statics = std::move(statics);
-  adopt(world, std::move(ways));
-}
-
 }  // namespace
 
 void go_around_resting(World& world) {
-  if (world.obstacles.rest_as(world.ways.resting())) return;
+  if (world.obstacles.rest_as(world.ways.front().resting())) return;
   catch_up(world);
-  adopt(world, ways_among(world, world.statics));
+  adopt(world, routes_among(world, world.statics));
 }
 
 namespace {
@@ -97,7 +64,8 @@ namespace {
 // The same obstacles beside other parked robots.
 StaticWorld beside(const World& world, std::vector<Wall> parked) {
   const StaticWorld& statics = world.statics;
-  return {statics.obstacles, statics.id, statics.next_id, std::move(parked)};
+  return {statics.obstacles, statics.id, statics.next_id, std::move(parked),
+          layers_of(world.fleet)};
 }
 
 void park(World& world, const RobotSetup& setup, RobotId robot) {
@@ -109,12 +77,14 @@ void park(World& world, const RobotSetup& setup, RobotId robot) {
   std::vector<Wall> parked = world.statics.parked;
   parked.push_back({center, center, radius});
   StaticWorld statics = beside(world, std::move(parked));
-  Ways ways = ways_among(world, statics);
-  ways.travels.reserve(world.fleet.size() + 1);
+  Routes routes = routes_among(world, statics);
+  routes.travels.reserve(world.fleet.size() + 1);
+  if (statics.floors.size() > 1) routes.floor.push_back(0);
+  world.claims.resize(std::max(world.claims.size(), statics.floors.size()));
   join(world, setup, robot);
-  ways.travels.emplace_back();  // there is room
+  routes.travels.emplace_back();  // there is room
   world.statics = std::move(statics);
-  adopt(world, std::move(ways));
+  adopt(world, std::move(routes));
 }
 
 void remove_parked(World& world, std::size_t slot) {
@@ -127,30 +97,37 @@ void remove_parked(World& world, std::size_t slot) {
   replace(world, beside(world, std::move(parked)));
 }
 
+// Makes room for one more, rarely.
+template <typename Entry>
+void reserve_one(std::vector<Entry>& column) {
+  if (column.size() == column.capacity()) column.reserve(2 * column.size() + 8);
+}
+
 }  // namespace
 
 RobotId add_robot(World& world, const RobotSetup& setup) {
   const RobotId robot{world.next_id};
   catch_up(world);
-  check_values(world, setup, robot, !world.statics.walls.empty());
+  check_values(world, setup, robot, world.statics.has_walls);
   if (setup.parked) {
     park(world, setup, robot);
     return robot;
   }
+  const std::uint32_t floor = floor_for(world, setup.layers);
   if (!world.kinds) world.kinds.emplace(world.fleet);
   look_around_starts(world);
   check_newcomer(world, setup, robot);
-  Ways& ways = world.ways;
   Travel travel;
-  if (!ways.empty()) {
-    travel = ways.plan(disc_radius(setup), disc_center(setup), setup.goal,
-                       arrival_distance_of(world.settings, setup));
-    if (ways.travels.size() == ways.travels.capacity())
-      ways.travels.reserve(2 * ways.travels.size() + 8);
+  if (world.has_ways()) {
+    travel = world.ways[floor].plan(disc_radius(setup), disc_center(setup), setup.goal,
+                                    arrival_distance_of(world.settings, setup));
+    reserve_one(world.travels);
   }
+  if (!world.floor.empty()) reserve_one(world.floor);
   const double sensing_radius = sensing_radius_with(world, setup);
   join(world, setup, robot);
-  if (!ways.empty()) ways.travels.push_back(std::move(travel));  // there is room
+  if (!world.floor.empty()) world.floor.push_back(floor);  // there is room
+  if (world.has_ways()) world.travels.push_back(std::move(travel));
   world.sensing_radius = sensing_radius;
   return robot;
 }
@@ -160,8 +137,9 @@ void remove_robot(World& world, RobotId robot) {
   catch_up(world);
   if (world.fleet.conduct[slot].parked) remove_parked(world, slot);
   if (world.kinds) world.kinds->remove(world.fleet.setup(slot));
-  std::vector<Travel>& travels = world.ways.travels;
+  std::vector<Travel>& travels = world.travels;
   if (!travels.empty()) travels.erase(travels.begin() + world.fleet.rank[slot]);
+  if (!world.floor.empty()) world.floor.erase(world.floor.begin() + world.fleet.rank[slot]);
   world.senses.remove(static_cast<std::size_t>(world.fleet.rank[slot]));
   world.fleet.remove(slot);
   world.changed = world.has_new_goals = true;
@@ -184,12 +162,11 @@ void set_goal(World& world, RobotId robot, Vec2 goal) {
     refuse(name_of(robot), "a goal for it", "one that is not parked");
   require(GoalOf{robot}, goal, "m");           // everything else was checked when the robot came
   if (goal == world.fleet.goal[slot]) return;  // it continues as before
-  Ways& ways = world.ways;
-  if (!ways.empty()) {
+  if (world.has_ways()) {
     put_in_place(world, slot);
-    ways.travels[static_cast<std::size_t>(world.fleet.rank[slot])] =
-        ways.plan(world.fleet.traits[slot].radius, world.fleet.position[slot], goal,
-                  world.arrival_distance(slot));
+    world.travels[static_cast<std::size_t>(world.fleet.rank[slot])] =
+        world.ways_of(slot).plan(world.fleet.traits[slot].radius, world.fleet.position[slot], goal,
+                                 world.arrival_distance(slot));
   }
   world.fleet.goal[slot] = goal;
   world.has_new_goals = true;
@@ -211,16 +188,16 @@ void move_robot(World& world, RobotId robot, Vec2 position) {
   RobotSetup setup = fleet.setup(slot);
   setup.position = position;
   if (can_rest(setup.model)) setup.velocity = {};
-  check_values(world, setup, robot, !world.statics.walls.empty());
+  check_values(world, setup, robot, world.statics.has_walls);
   look_around_starts(world);
   check_start(world, setup, robot);
   if (world.bystanders.is_made) world.bystanders.late.reserve(world.bystanders.late.size() + 1);
   const auto rank = static_cast<std::size_t>(fleet.rank[slot]);
-  Ways& ways = world.ways;
-  if (!ways.empty())
-    ways.travels[rank] = ways.plan(disc_radius(setup), disc_center(setup), setup.goal,
-                                   arrival_distance_of(world.settings, setup));
-  note_late(world.bystanders, robot);  // there is room
+  if (world.has_ways())
+    world.travels[rank] =
+        world.ways_of(slot).plan(disc_radius(setup), disc_center(setup), setup.goal,
+                                 arrival_distance_of(world.settings, setup));
+  note_late(world.bystanders, robot, disc_center(setup));  // there is room
   fleet.position[slot] = disc_center(setup);
   fleet.velocity[slot] = start_velocity(setup);
   fleet.nearest[slot] = std::numeric_limits<float>::infinity();
@@ -246,8 +223,8 @@ ObstacleId add_obstacle(World& world, const StaticObstacle& obstacle) {
   std::vector<ObstacleId> ids = world.statics.id;
   std::vector<StaticObstacle> obstacles = world.statics.obstacles;
   ids.push_back(id), obstacles.push_back(obstacle);
-  replace(world,
-          StaticWorld(std::move(obstacles), std::move(ids), id.value + 1, world.statics.parked));
+  replace(world, StaticWorld(std::move(obstacles), std::move(ids), id.value + 1,
+                             world.statics.parked, layers_of(world.fleet)));
   return id;
 }
 
@@ -260,7 +237,7 @@ void remove_obstacle(World& world, ObstacleId obstacle) {
   obstacles.erase(obstacles.begin() + (place - ids.begin()));
   ids.erase(place);
   replace(world, StaticWorld(std::move(obstacles), std::move(ids), world.statics.next_id,
-                             world.statics.parked));
+                             world.statics.parked, layers_of(world.fleet)));
 }
 
 }  // namespace avo::inline sim

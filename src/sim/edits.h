@@ -2,6 +2,7 @@
 // Changes by users between steps: robots, goals, obstacles. Each function throws Error on
 // bad input, and changes nothing where it throws.
 #pragma once
+#include <cstddef>
 #include <optional>
 #include <span>
 #include <vector>
@@ -22,6 +23,8 @@ void set_preferred_velocities(World& world, std::span<const RobotId> robots,
 std::vector<RobotId> add_robots(World& world, std::span<const RobotSetup> setups);
 void remove_robots(World& world, std::span<const RobotId> robots);
 void change_robot(World& world, RobotId robot, const RobotSetup& setup);
+/// Parks a robot at rest where it is, or sets a parked robot free there. changed: its setup then.
+void park_or_free(World& world, std::size_t slot, RobotSetup changed);
 void set_preferred_velocity(World& world, RobotId robot, std::optional<Vec2> velocity);
 MovingObstacleId add_moving_obstacle(World& world, const MovingObstacle& obstacle);
 void change_moving_obstacle(World& world, MovingObstacleId id, const MovingObstacle& obstacle);

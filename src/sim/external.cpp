@@ -56,7 +56,7 @@ struct Memories {
     for (const std::uint32_t slot : slots) {
       const auto rank = static_cast<std::size_t>(world.fleet.rank[slot]);
       detour.push_back(world.fleet.detour[slot]);
-      if (!world.ways.empty()) travels.push_back(world.ways.travels[rank]);
+      if (!world.travels.empty()) travels.push_back(world.travels[rank]);
       has_stood.push_back(world.fleet.has_stood[slot]);
     }
   }

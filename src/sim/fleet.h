@@ -41,7 +41,7 @@ Conduct conduct_of(const RobotSetup& setup, const UsualMethod& usual);
 enum class Expectation : std::uint8_t {
   decides,           ///< it does its share, and keeps the certificate of A, if A has one
   cooperates,        ///< it should do its share, and promises nothing
-  moves_on,          ///< it keeps no certificate, and A does: only its velocity is known
+  moves_on,          ///< A knows its velocity alone: it has failed, or only A keeps a certificate
   does_as_it_likes,  ///< it does not avoid A, and keeps its limits
 };
 /// None where A does not avoid B.
@@ -51,6 +51,7 @@ inline std::optional<Expectation> expected_of(const Conduct& b, const Conduct& a
       b.method == a.method || (a.certified ? b.certified : !method_traits(a.method).has_rules);
   if ((b.avoids.bits & a.layers.bits) == 0)
     return is_like ? Expectation::does_as_it_likes : Expectation::moves_on;
+  if (b.behavior == Behavior::moves_on) return Expectation::moves_on;
   if (b.behavior == Behavior::cooperates) return Expectation::cooperates;
   return is_like ? Expectation::decides : Expectation::moves_on;
 }

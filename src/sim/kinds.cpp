@@ -12,16 +12,16 @@ namespace {
 RobotSetup kind_of(RobotSetup setup) {
   setup.position = setup.velocity = setup.goal = {};
   setup.heading = 0.0;
+  if (!setup.parked) setup.arrival_distance.reset();  // parked robots may not have any
   return setup;
 }
 
 // Kinds that differ only in their models are few.
 std::uint64_t hash_of_kind(const RobotSetup& kind) {
   std::uint64_t hash = mixed(kind.layers.bits, kind.avoids.bits);
-  for (const double value :
-       {kind.radius, kind.max_speed, kind.max_acceleration, kind.preferred_speed, kind.priority,
-        kind.time_step.value_or(0.0), kind.max_braking.value_or(0.0),
-        kind.time_horizon.value_or(0.0), kind.arrival_distance.value_or(0.0)})
+  for (const double value : {kind.radius, kind.max_speed, kind.max_acceleration,
+                             kind.preferred_speed, kind.priority, kind.time_step.value_or(0.0),
+                             kind.max_braking.value_or(0.0), kind.time_horizon.value_or(0.0)})
     hash = mixed(hash, std::bit_cast<std::uint64_t>(value));
   return hash;
 }

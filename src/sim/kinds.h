@@ -10,7 +10,7 @@
 
 namespace avo::inline sim {
 
-/// Robots that differ only in place, velocity and goal are of one kind.
+/// Robots that differ only in place, velocity, goal and arrival distance are of one kind.
 class Kinds {
  public:
   explicit Kinds(const Fleet& fleet);

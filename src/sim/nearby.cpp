@@ -97,16 +97,34 @@ double enters(Vec2 from, Vec2 way, const Wall& wall, double room) {
   return first;
 }
 
+// Which discs and walls a query counts.
+struct Counted {
+  const World& world;
+  const Nearby& nearby;
+  LayerSet layers;
+
+  [[nodiscard]] bool disc(std::size_t k) const {
+    if (layers == kAllLayers || k >= nearby.robots) return true;
+    const Conduct& robot = world.fleet.conduct[world.fleet.slot_of[k]];
+    return robot.parked || (robot.layers.bits & layers.bits) != 0;
+  }
+  [[nodiscard]] bool wall(std::size_t k) const {
+    return layers == kAllLayers || heeds(layers, world.statics.obstacles[nearby.obstacle[k]]);
+  }
+};
+
 // The first of the grid's walls that the disc comes to touch, and the part of the way until then.
+template <typename Counts>
 std::pair<double, std::size_t> first_in(const ClearanceGrid& grid, Vec2 from, Vec2 way,
-                                        double radius) {
+                                        double radius, const Counts& counts) {
   std::pair<double, std::size_t> first{std::numeric_limits<double>::infinity(), 0};
   const Vec2 reach{radius, radius}, to = from + way;
   const Vec2 low{std::min(from.x, to.x), std::min(from.y, to.y)};
   const Vec2 high{std::max(from.x, to.x), std::max(from.y, to.y)};
   const auto look = [&](std::size_t k) {
     const Wall& wall = grid.walls()[k];
-    first = std::min(first, {enters(from, way, wall, std::max(radius + wall.radius, kThin)), k});
+    if (counts(k))
+      first = std::min(first, {enters(from, way, wall, std::max(radius + wall.radius, kThin)), k});
     return true;
   };
   if (radius == 0.0)
@@ -143,26 +161,33 @@ std::vector<std::size_t> nearest_robots(const Nearby& nearby, Vec2 position, std
   return ranks_of(found, wanted);
 }
 
-bool is_free(const World& world, const Nearby& nearby, Vec2 position, double radius) {
+bool is_free(const World& world, const Nearby& nearby, Vec2 position, double radius,
+             LayerSet layers) {
   const Vec2 reach{radius, radius};
-  for (const ClearanceGrid* grid : {&nearby.discs, &nearby.walls}) {
-    const bool is_clear = grid->all_in(position - reach, position + reach, [&](std::size_t k) {
-      const Wall& wall = grid->walls()[k];
-      return distance(position, {wall.a, wall.b}) > radius + wall.radius;
+  const Counted counted{world, nearby, layers};
+  const auto is_clear = [&](const ClearanceGrid& grid, const auto& counts) {
+    return grid.all_in(position - reach, position + reach, [&](std::size_t k) {
+      const Wall& wall = grid.walls()[k];
+      return distance(position, {wall.a, wall.b}) > radius + wall.radius || !counts(k);
     });
-    if (!is_clear) return false;
-  }
+  };
+  if (!is_clear(nearby.discs, [&](std::size_t k) { return counted.disc(k); }) ||
+      !is_clear(nearby.walls, [&](std::size_t k) { return counted.wall(k); }))
+    return false;
   const std::vector<StaticObstacle>& obstacles = world.statics.obstacles;
   return std::all_of(obstacles.begin(), obstacles.end(), [&](const StaticObstacle& obstacle) {
-    return leaves_room(position, obstacle);
+    return !heeds(layers, obstacle) || leaves_room(position, obstacle);
   });
 }
 
 std::optional<Simulation::Hit> first_hit(const World& world, const Nearby& nearby, Vec2 from,
-                                         Vec2 to, double radius) {
+                                         Vec2 to, double radius, LayerSet layers) {
   const Vec2 way = to - from;
-  const auto [disc_at, disc] = first_in(nearby.discs, from, way, radius);
-  const auto [wall_at, wall] = first_in(nearby.walls, from, way, radius);
+  const Counted counted{world, nearby, layers};
+  const auto [disc_at, disc] =
+      first_in(nearby.discs, from, way, radius, [&](std::size_t k) { return counted.disc(k); });
+  const auto [wall_at, wall] =
+      first_in(nearby.walls, from, way, radius, [&](std::size_t k) { return counted.wall(k); });
   const double first = std::min(disc_at, wall_at);
   if (!(first <= 1.0)) return std::nullopt;
   Simulation::Hit hit{.distance = first * norm(way), .center = from + first * way};
@@ -176,8 +201,12 @@ std::optional<Simulation::Hit> first_hit(const World& world, const Nearby& nearb
   return hit;
 }
 
-bool is_in_sight(const Nearby& nearby, Vec2 from, Vec2 to, double radius) {
-  return first_in(nearby.walls, from, to - from, radius).first > 1.0;
+bool is_in_sight(const World& world, const Nearby& nearby, Vec2 from, Vec2 to, double radius,
+                 LayerSet layers) {
+  const Counted counted{world, nearby, layers};
+  return first_in(nearby.walls, from, to - from, radius, [&](std::size_t k) {
+           return counted.wall(k);
+         }).first > 1.0;
 }
 
 }  // namespace avo::inline sim

@@ -32,12 +32,15 @@ std::vector<std::size_t> robots_within(const Nearby& nearby, Vec2 center, double
 /// Ranks of the robots whose discs are nearest to the point, nearest first.
 std::vector<std::size_t> nearest_robots(const Nearby& nearby, Vec2 position, std::size_t count);
 /// Returns whether a disc there would touch nothing, and would not be where a Fill excludes it.
-bool is_free(const World& world, const Nearby& nearby, Vec2 position, double radius);
+/// layers, here and below: see Simulation::is_free().
+bool is_free(const World& world, const Nearby& nearby, Vec2 position, double radius,
+             LayerSet layers);
 /// The first thing that a disc touches which moves straight from one point to the other.
 std::optional<Simulation::Hit> first_hit(const World& world, const Nearby& nearby, Vec2 from,
-                                         Vec2 to, double radius);
+                                         Vec2 to, double radius, LayerSet layers);
 
 /// Returns whether no wall stops a disc that moves straight from one point to the other.
-bool is_in_sight(const Nearby& nearby, Vec2 from, Vec2 to, double radius);
+bool is_in_sight(const World& world, const Nearby& nearby, Vec2 from, Vec2 to, double radius,
+                 LayerSet layers);
 
 }  // namespace avo::inline sim

@@ -85,6 +85,23 @@ bool reaches_far(const World& world, std::size_t slot) {
   return place != robots.end() && place->rank == world.fleet.rank[slot] && place->reaches_far;
 }
 
+// The first of the paces that differ from each pace in the arrival distance at most: their robots
+// meet the same.
+std::vector<std::size_t> first_alike(const std::vector<Pace>& paces) {
+  const auto are_alike = [&](std::size_t a, std::size_t b) {
+    const PlannerOptions &one = paces[a].planner.options(), &other = paces[b].planner.options();
+    return one.method == other.method && one.time_step == other.time_step &&
+           one.time_horizon == other.time_horizon;
+  };
+  std::vector<std::size_t> firsts, result;
+  for (std::size_t k = 0; k < paces.size(); ++k) {
+    const auto first = std::find_if(firsts.begin(), firsts.end(),
+                                    [&](std::size_t other) { return are_alike(k, other); });
+    result.push_back(first != firsts.end() ? *first : firsts.emplace_back(k));
+  }
+  return result;
+}
+
 // The robots that a robot of one pace may meet, with or without those of far reach.
 Peers whom_they_meet(const World& world, const Pace& pace, bool with_far) {
   const Fleet& fleet = world.fleet;
@@ -104,10 +121,14 @@ void find_ranges(World& world) {
   find_outliers(world);
   const bool some_far = std::any_of(outliers.robots.begin(), outliers.robots.end(),
                                     [](const Outlier& outlier) { return outlier.reaches_far; });
+  const std::vector<std::size_t> first = first_alike(world.paces);
   std::vector<Peers> all, usual;  // by pace
-  for (const Pace& pace : world.paces) {
-    usual.push_back(whom_they_meet(world, pace, false));
-    all.push_back(some_far ? whom_they_meet(world, pace, true) : usual.back());
+  for (std::size_t k = 0; k < first.size(); ++k) {
+    const Pace& pace = world.paces[k];
+    const bool is_first = first[k] == k;
+    usual.push_back(is_first ? whom_they_meet(world, pace, false) : Peers(usual[first[k]]));
+    const Peers met = some_far && is_first ? whom_they_meet(world, pace, true) : usual.back();
+    all.push_back(is_first ? met : Peers(all[first[k]]));
   }
   double sum = 0.0;
   outliers.reach = 0.0;

@@ -87,7 +87,7 @@ std::vector<Perceived> all_sensed(const World& world, std::size_t slot) {
 }
 
 // Takes the robot with what it senses as a tile of its own, as a step does.
-void set_out_alone(const World& world, const Claims& claims, std::uint32_t slot,
+void set_out_alone(const World& world, std::span<const Claims> claims, std::uint32_t slot,
                    Simulation::Perception& seen) {
   Worker alone;
   Tile& tile = alone.tile;
@@ -95,8 +95,8 @@ void set_out_alone(const World& world, const Claims& claims, std::uint32_t slot,
   for (const Neighbor& neighbor : seen.neighbors) tile.neighbors.add(neighbor);
   tile.robots.neighbors.push_back({&tile.neighbors, 0, seen.neighbors.size()});
   Travel travel;
-  if (!world.ways.empty())
-    travel = world.ways.travels[static_cast<std::size_t>(world.fleet.rank[slot])];
+  if (!world.travels.empty())
+    travel = world.travels[static_cast<std::size_t>(world.fleet.rank[slot])];
   std::uint8_t has_stood = 0;
   tile.detour.push_back(&seen.detour);
   alone.travels.push_back(&travel), alone.has_stood.push_back(&has_stood);
@@ -114,8 +114,7 @@ void set_out_alone(const World& world, const Claims& claims, std::uint32_t slot,
 std::optional<Simulation::Wait> Simulation::wait(std::size_t robot) const {
   State& state = *state_;
   state.catch_up();
-  const Claims& claims = state.claims_now();
-  if (state.ways.passages.empty()) return std::nullopt;
+  const std::span<const Claims> claims = state.claims_now();
   return wait_of(state, claims, state.fleet.slot_of[robot]);
 }
 

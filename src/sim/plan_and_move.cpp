@@ -25,8 +25,8 @@ void recall(World& world, std::span<const std::uint32_t> slots, Worker& worker) 
     worker.tile.detour.push_back(&fleet.detour[slot]);
     worker.tile.plan.push_back(&fleet.plan[slot]);
   }
-  for (std::size_t k = 0; k < slots.size() && !world.ways.empty(); ++k)
-    worker.travels.push_back(&world.ways.travels[static_cast<std::size_t>(fleet.rank[slots[k]])]);
+  for (std::size_t k = 0; k < slots.size() && !world.travels.empty(); ++k)
+    worker.travels.push_back(&world.travels[static_cast<std::size_t>(fleet.rank[slots[k]])]);
   for (std::size_t k = 0; k < slots.size() && !world.shares_goal.empty(); ++k)
     worker.has_stood.push_back(&fleet.has_stood[slots[k]]);
 }

@@ -93,7 +93,7 @@ struct Encounter {
     if (model().dropped > 0.0 && moment > first &&
         observer.draws(moment, other_id).uniform() < model().dropped)
       return false;
-    return !model().occlusion || world.ways.is_in_sight(from, to, behind);
+    return !model().occlusion || world.ways_of(observer.own.slot).is_in_sight(from, to, behind);
   }
 
   // The time of the last measurement that the observer has; place(moment): the place of the other

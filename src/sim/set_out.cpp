@@ -29,9 +29,9 @@ void lose_places(const World& world, std::span<const std::uint32_t> slots, Worke
 }
 
 void list_walls(const World& world, std::span<const std::uint32_t> slots, Worker& worker) {
-  const WallGrid& grid = world.statics.grid;
   std::size_t all = 0;
   for (const std::uint32_t slot : slots) {
+    const WallGrid& grid = world.statics.floors[world.floor_of(slot)].grid;
     worker.tile.walls.push_back(grid.near(world.fleet.position[slot]));
     all += worker.tile.walls.back().size();
   }
@@ -47,7 +47,7 @@ void list_walls(const World& world, std::span<const std::uint32_t> slots, Worker
 }
 
 // Around walls: the heading to the next point of each robot's route, as passages allow.
-void follow_ways(const World& world, const Pace& pace, const Claims& claims,
+void follow_ways(const World& world, const Pace& pace, std::span<const Claims> claims,
                  std::span<const std::uint32_t> slots, Worker& worker) {
   const double time_step = pace.planner.options().time_step;
   worker.headings.clear();
@@ -55,8 +55,10 @@ void follow_ways(const World& world, const Pace& pace, const Claims& claims,
     const Vec2 lost = worker.lost.empty() ? Vec2{} : worker.lost[k];
     const double nearest =
         nearest_of(worker.tile.robots.neighbors[k], world.fleet.position[slots[k]]);
-    const Headings found = guide(world.ways, claims, follower_of(world, slots[k], lost, nearest),
-                                 time_step, world.sensing_radius, *worker.travels[k], worker.legs);
+    const std::size_t floor = world.floor_of(slots[k]);
+    const Headings found =
+        guide(world.ways[floor], claims[floor], follower_of(world, slots[k], lost, nearest),
+              time_step, world.sensing_radius, *worker.travels[k], worker.legs);
     if (!world.shares_goal.empty()) worker.headings.push_back(found.by_route);
     worker.moving.goal_x[k] = found.heading.goal.x, worker.moving.goal_y[k] = found.heading.goal.y;
     worker.moving.preferred_speed[k] = found.heading.preferred_speed;
@@ -83,11 +85,12 @@ void aim_discs(const World& world, std::span<const std::uint32_t> slots, Worker&
     const Vec2 lost = worker.lost.empty() ? Vec2{} : worker.lost[k];
     Vec2 goal = disc_goal(fleet, slot, aim, world.end_of(slot)) - lost;
     if (shares_room(world, slot)) {
-      const Heading heading = world.ways.empty() ? straight_to(fleet.goal[slot], fleet.traits[slot])
-                                                 : worker.headings[k];
+      const Heading heading = world.travels.empty()
+                                  ? straight_to(fleet.goal[slot], fleet.traits[slot])
+                                  : worker.headings[k];
       const Seeker seeker = seeker_of(world, slot, heading, lost);
       Occupied& occupied = look_at_goal(seeker, worker.tile.robots.neighbors[k], worker);
-      const AtSharedGoal decided = at_shared_goal(seeker, occupied, world.ways,
+      const AtSharedGoal decided = at_shared_goal(seeker, occupied, world.ways_of(slot),
                                                   worker.tile.walls_of(k), *worker.tile.detour[k]);
       if (decided.heads_for) {
         goal = *decided.heads_for, moving.preferred_speed[k] = heading.preferred_speed;
@@ -168,7 +171,7 @@ void fill_in(const Fleet& fleet, std::span<const std::uint32_t> slots, Worker& w
 
 }  // namespace
 
-void set_out(const World& world, const Pace& pace, const Claims& claims,
+void set_out(const World& world, const Pace& pace, std::span<const Claims> claims,
              std::span<const std::uint32_t> slots, Worker& worker) {
   const Fleet& fleet = world.fleet;
   RobotColumns& robots = worker.tile.robots;
@@ -181,8 +184,8 @@ void set_out(const World& world, const Pace& pace, const Claims& claims,
   }
   if (robots.has_models) look_ahead(robots);
   lose_places(world, slots, worker);
-  if (!world.statics.walls.empty()) list_walls(world, slots, worker);
-  if (!world.ways.empty()) follow_ways(world, pace, claims, slots, worker);
+  if (world.statics.has_walls) list_walls(world, slots, worker);
+  if (!world.travels.empty()) follow_ways(world, pace, claims, slots, worker);
   if (robots.has_models || !world.shares_goal.empty() || !worker.lost.empty())
     aim_discs(world, slots, worker);
   choose_ways(pace.response, worker.moving, robots);

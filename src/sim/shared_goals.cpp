@@ -189,10 +189,9 @@ Seeker seeker_of(const World& world, std::size_t slot, const Heading& heading, V
 
 bool rests_at_place(const World& world, std::size_t slot) {
   const Fleet& fleet = world.fleet;
-  const Ways& ways = world.ways;
   const bool is_kept_out =
-      !ways.travels.empty() &&
-      ways.travels[static_cast<std::size_t>(fleet.rank[slot])].ends == WayEnd::short_of;
+      !world.travels.empty() &&
+      world.travels[static_cast<std::size_t>(fleet.rank[slot])].ends == WayEnd::short_of;
   return !is_kept_out && fleet.has_stood[slot] != 0 && fleet.velocity[slot] == Vec2{} &&
          shares_room(world, slot);
 }

@@ -69,7 +69,7 @@ std::unique_ptr<Simulation::State> Simulation::State::of(const Scenario& scenari
   validate(scenario);
   require_assumptions(scenario);
   auto state = std::make_unique<State>(scenario, std::move(executor));
-  plan_travels(state->ways, state->fleet, state->settings.arrival_distance);
+  state->travels = plan_travels(state->ways, state->fleet, state->floor, scenario.arrival_distance);
   return state;
 }
 
@@ -164,11 +164,11 @@ bool Simulation::is_at_goal(std::size_t robot) const {
   if (state_->fleet.told_velocity(slot)) return false;
   if (const Flight* flight = state_->fleet.flight(slot)) return flight->has_arrived;
   const Vec2 p = place_now(*state_, slot), goal = state_->fleet.goal[slot];
-  const Ways& ways = state_->ways;
-  const bool is_beside = !ways.empty() && ways.travels[robot].ends == WayEnd::beside;
+  const std::vector<Travel>& travels = state_->travels;
+  const bool is_beside = !travels.empty() && travels[robot].ends == WayEnd::beside;
   const double slack = is_beside ? kBesideSlack * state_->fleet.traits[slot].radius : 0.0;
   if (norm(goal - p) <= state_->arrival_distance(slot) + slack &&
-      ways.is_in_sight(p, is_beside ? ways.travels[robot].place : goal))
+      state_->ways_of(slot).is_in_sight(p, is_beside ? travels[robot].place : goal))
     return true;
   // so that goals are compared for few robots
   if (state_->fleet.has_stood[slot] == 0) return false;
@@ -191,13 +191,13 @@ Simulation::Way Simulation::way(std::size_t robot) const {
   const Fleet& fleet = state_->fleet;
   const std::uint32_t slot = fleet.slot_of[robot];
   const Vec2 p = place_now(*state_, slot), goal = fleet.goal[slot];
-  if (state_->ways.empty() || fleet.conduct[slot].parked) return {norm(goal - p), goal};
-  return rest_of_way(state_->ways.travels[robot], p, goal);
+  if (state_->travels.empty() || fleet.conduct[slot].parked) return {norm(goal - p), goal};
+  return rest_of_way(state_->travels[robot], p, goal);
 }
 
 std::vector<RobotId> Simulation::unreachable() const {
   std::vector<RobotId> robots;
-  const std::vector<Travel>& travels = state_->ways.travels;
+  const std::vector<Travel>& travels = state_->travels;
   for (std::size_t rank = 0; rank < travels.size(); ++rank) {
     if (travels[rank].ends == WayEnd::short_of)
       robots.push_back(state_->fleet.id[state_->fleet.slot_of[rank]]);

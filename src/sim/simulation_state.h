@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <memory>
 #include <span>
+#include <vector>
 
 #include "avo/error.h"
 #include "core/mutex.h"
@@ -26,7 +27,7 @@ struct Simulation::State : World {
   std::uint64_t roster = next_roster();
   bool has_claims = false;  // of the present generation, for readers
   Nearby nearby;
-  Claims present_claims;
+  std::vector<Claims> present_claims;
 
   /// See avo::catch_up(), for readers.
   void catch_up() {
@@ -35,10 +36,10 @@ struct Simulation::State : World {
     avo::catch_up(*this);
   }
   /// The claims of passages as they are now, for readers.
-  const Claims& claims_now() {
+  std::span<const Claims> claims_now() {
     const Lock lock(looking);
     if (changed) find_walls(*this);
-    if (!has_claims && !ways.passages.empty()) collect_claims(*this, serial, present_claims);
+    if (!has_claims) collect_claims(*this, serial, present_claims);
     has_claims = true;
     return present_claims;
   }

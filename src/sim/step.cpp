@@ -65,7 +65,7 @@ void index(World& world, Executor& executor) {
     find_external(world);
     find_ranges(world);
     find_walls(world);
-    if (!world.statics.walls.empty()) make_room(world);
+    if (world.statics.has_walls) make_room(world);
     if (world.fleet.has_clocks || !world.fleet.pace.empty()) world.due.reserve(world.fleet.size());
   }
   find_shared_goals(world);
@@ -79,7 +79,7 @@ void index(World& world, Executor& executor) {
   clock.lap(Stage::index);
   take_snapshot(world, executor);
   clock.start();
-  if (!world.ways.passages.empty()) collect_claims(world, executor, world.claims);
+  if (world.has_passages()) collect_claims(world, executor, world.claims);
   if (due && world.fleet.size() >= kFewestOrdered) {
     world.fleet.reorder(world.snapshot.grid.order(), executor, world.torn);
     world.snapshot.grid.forget_order();

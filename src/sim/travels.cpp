@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "sim/travels.h"
 
+#include <algorithm>
+#include <cstddef>
+
 namespace avo::inline sim {
 
 WayRules way_rules_of(const Scenario& settings) {
@@ -8,18 +11,24 @@ WayRules way_rules_of(const Scenario& settings) {
           .passages = settings.right_of_way != RightOfWay::none};
 }
 
-void plan_travels(Ways& ways, const Fleet& fleet, double arrival_distance, const Ways* before) {
-  if (ways.empty()) return;
-  ways.travels.reserve(fleet.size());
-  const bool is_known = before != nullptr && !before->empty();
+std::vector<Travel> plan_travels(std::span<Ways> ways, const Fleet& fleet,
+                                 std::span<const std::uint32_t> floor, double arrival_distance,
+                                 std::span<const Travel> before) {
+  std::vector<Travel> travels;
+  if (std::all_of(ways.begin(), ways.end(), [](const Ways& own) { return own.empty(); }))
+    return travels;
+  travels.reserve(fleet.size());
   for (const std::uint32_t slot : fleet.slot_of) {
-    const Travel* known = is_known ? &before->travels[ways.travels.size()] : nullptr;
-    ways.travels.push_back(
+    const std::size_t rank = travels.size();
+    const Travel* known = before.empty() ? nullptr : &before[rank];
+    travels.push_back(
         fleet.conduct[slot].parked
             ? Travel{}
-            : plan_anew(ways, fleet.traits[slot].radius, fleet.position[slot], fleet.goal[slot],
+            : plan_anew(ways[floor.empty() ? 0 : floor[rank]], fleet.traits[slot].radius,
+                        fleet.position[slot], fleet.goal[slot],
                         fleet.own_arrival_distance(slot).value_or(arrival_distance), known));
   }
+  return travels;
 }
 
 }  // namespace avo::inline sim

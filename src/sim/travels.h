@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // The routes of a whole fleet.
 #pragma once
+#include <cstdint>
+#include <span>
+#include <vector>
+
 #include "avo/scenario.h"
 #include "guidance/ways.h"
 #include "sim/fleet.h"
@@ -9,9 +13,11 @@ namespace avo::inline sim {
 
 WayRules way_rules_of(const Scenario& settings);
 
-/// Plans the routes of all robots. before: their routes among other walls, see plan_anew().
+/// The routes of all robots, by rank; none where no floor has ways. floor: of each robot, by rank;
+/// empty where there is one. before: their routes among other walls, or none, see plan_anew().
 /// arrival_distance: m, of robots that have none of their own.
-void plan_travels(Ways& ways, const Fleet& fleet, double arrival_distance,
-                  const Ways* before = nullptr);
+std::vector<Travel> plan_travels(std::span<Ways> ways, const Fleet& fleet,
+                                 std::span<const std::uint32_t> floor, double arrival_distance,
+                                 std::span<const Travel> before = {});
 
 }  // namespace avo::inline sim

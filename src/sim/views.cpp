@@ -75,24 +75,25 @@ std::vector<std::size_t> Simulation::nearest_robots(Vec2 position, std::size_t c
   return avo::nearest_robots(state_->nearby_now(), position, count);
 }
 
-bool Simulation::is_free(Vec2 position, double radius) const {
+bool Simulation::is_free(Vec2 position, double radius, LayerSet layers) const {
   require("is_free: position", position, "m");
   require("is_free: radius", radius, kPositive, "m");
-  return avo::is_free(*state_, state_->nearby_now(), position, radius);
+  return avo::is_free(*state_, state_->nearby_now(), position, radius, layers);
 }
 
-std::optional<Simulation::Hit> Simulation::cast_ray(Vec2 from, Vec2 to, double radius) const {
+std::optional<Simulation::Hit> Simulation::cast_ray(Vec2 from, Vec2 to, double radius,
+                                                    LayerSet layers) const {
   require("cast_ray: from", from, "m");
   require("cast_ray: to", to, "m");
   require("cast_ray: radius", radius, kNotNegative, "m");
-  return first_hit(*state_, state_->nearby_now(), from, to, radius);
+  return first_hit(*state_, state_->nearby_now(), from, to, radius, layers);
 }
 
-bool Simulation::is_in_sight(Vec2 from, Vec2 to, double radius) const {
+bool Simulation::is_in_sight(Vec2 from, Vec2 to, double radius, LayerSet layers) const {
   require("is_in_sight: from", from, "m");
   require("is_in_sight: to", to, "m");
   require("is_in_sight: radius", radius, kNotNegative, "m");
-  return avo::is_in_sight(state_->walls_now(), from, to, radius);
+  return avo::is_in_sight(*state_, state_->walls_now(), from, to, radius, layers);
 }
 
 ObstacleView Simulation::obstacles() const {

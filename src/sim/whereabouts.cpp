@@ -133,7 +133,7 @@ bool knows_near(const World& world) {
   const Whereabouts& own = world.whereabouts;
   return !world.changed && own.since >= 0 && world.now > own.fast_until &&
          own.decisions < world.fleet.size() && drift_of(world) <= world.sensing_radius &&
-         world.senses.are_exact() && world.ways.passages.empty() && world.fleet.flights.empty() &&
+         world.senses.are_exact() && !world.has_passages() && world.fleet.flights.empty() &&
          kFewDecide * world.agenda.now.size() <= std::max(kFewDecide, world.fleet.size());
 }
 

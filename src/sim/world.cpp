@@ -3,15 +3,18 @@
 #include "sim/world.h"
 
 #include <algorithm>
+#include <bit>
 #include <limits>
 #include <new>
 #include <utility>
 
+#include "core/hash.h"
 #include "core/plane.h"
 #include "planner/certify.h"
 #include "planner/scratch.h"
 #include "planner/validity.h"
 #include "sim/clocks.h"
+#include "sim/floors.h"
 #include "sim/scene/scene_checks.h"
 #include "sim/travels.h"
 
@@ -78,14 +81,15 @@ void reserve(const World& world, Worker& worker) {
                    sensed, most_braking_steps(world), PlanWorkspace::Scratch::of(worker.workspace));
 }
 
-void find_passages(World& world) {
+void find_passages(World& world, std::size_t floor) {
   std::vector<double> radii;
   for (std::size_t slot = 0; slot < world.fleet.size(); ++slot) {
-    if (!world.fleet.conduct[slot].parked) radii.push_back(world.fleet.traits[slot].radius);
+    if (!world.fleet.conduct[slot].parked && world.floor_of(slot) == floor)
+      radii.push_back(world.fleet.traits[slot].radius);
   }
   std::sort(radii.begin(), radii.end());
   radii.erase(std::unique(radii.begin(), radii.end()), radii.end());
-  world.ways.find_passages(std::move(radii));
+  world.ways[floor].find_passages(std::move(radii));
 }
 
 void start_clocks(World& world, const Scenario& scenario) {
@@ -105,7 +109,7 @@ World::World(const Scenario& scenario, std::shared_ptr<Executor> steps_by)
       paces{Pace(planner_options(scenario))},
       obstacles(scenario.moving_obstacles),
       statics(static_world(scenario)),
-      ways(way_rules_of(scenario), statics.walls, obstacles.resting()),
+      claims(statics.floors.size()),
       executor(std::move(steps_by)),
       workers(executor->workers()) {
   fleet.has_clocks = scenario.clock == Clock::free;
@@ -124,6 +128,9 @@ World::World(const Scenario& scenario, std::shared_ptr<Executor> steps_by)
     fleet.add({next_id++}, setup, pace_of(setup));
     senses.add(moment());
   }
+  for (const Floor& own : statics.floors)
+    ways.emplace_back(way_rules_of(scenario), own.walls, obstacles.resting());
+  floor = floors_of(fleet, statics);
   start_clocks(*this, scenario);
   senses.note(fleet, steps);
   for (Worker& worker : workers) reserve(*this, worker);
@@ -162,31 +169,41 @@ void World::reserve_workers() noexcept {
   }
 }
 
-void find_walls(World& world) {
-  StaticWorld& statics = world.statics;
-  if (statics.walls.empty()) return;
-  find_passages(world);
+namespace {
+
+void find_walls(World& world, std::size_t number) {
+  find_passages(world, number);
+  Floor& floor = world.statics.floors[number];
   const Fleet& fleet = world.fleet;
   WallNeeds needs;
   for (std::size_t slot = 0; slot < fleet.size(); ++slot) {
-    if (fleet.conduct[slot].parked) continue;
+    if (fleet.conduct[slot].parked || world.floor_of(slot) != number) continue;
     Robot robot = limits_of(fleet, slot);
     robot.velocity = fleet.velocity[slot];
     needs.include(robot, fleet.traits[slot], world.pace(slot).planner);
   }
   // a grid for more would list more walls, and a simulation made from saved bytes would not have it
-  if (statics.needs && statics.needs->is_same(needs)) return;
-  statics.grid = grid_of(statics.walls, needs);
-  statics.needs = needs;
+  if (floor.needs && floor.needs->is_same(needs)) return;
+  floor.grid = grid_of(floor.walls, needs);
+  floor.needs = needs;
+}
+
+}  // namespace
+
+void find_walls(World& world) {
+  for (std::size_t k = 0; k < world.statics.floors.size(); ++k)
+    if (!world.statics.floors[k].walls.empty()) find_walls(world, k);
 }
 
 void make_room(World& world) {
+  std::size_t most = 0, targets = 0;
+  for (const Floor& floor : world.statics.floors) most = std::max(most, floor.grid.most());
+  for (const Ways& ways : world.ways) targets = std::max(targets, ways.most_targets());
   for (Worker& worker : world.workers) {
-    PlanWorkspace::Scratch::of(worker.workspace)
-        .reserve_walls(most_seen(world), world.statics.grid.most());
-    worker.legs.targets.reserve(world.ways.most_targets());
+    PlanWorkspace::Scratch::of(worker.workspace).reserve_walls(most_seen(world), most);
+    worker.legs.targets.reserve(targets);
     if (world.planner().options().localization_error > 0.0)
-      worker.walls.reserve(kTileRobots * world.statics.grid.most());
+      worker.walls.reserve(kTileRobots * most);
   }
 }
 
@@ -200,30 +217,59 @@ std::size_t unused_pace(const World& world) {
   return static_cast<std::size_t>(std::find(used.begin(), used.end(), false) - used.begin());
 }
 
+// What tells the paces of a scene apart.
+struct PaceKey {
+  Method method;
+  double time_step, time_horizon, arrival_distance;  // s, s, m
+  friend bool operator==(const PaceKey&, const PaceKey&) = default;
+};
+
+PaceKey key_of(const Pace& pace) {
+  const PlannerOptions& options = pace.planner.options();
+  return {options.method, options.time_step, options.time_horizon, options.arrival_distance};
+}
+
+std::uint64_t hash_of(const PaceKey& key) {
+  auto hash = static_cast<std::uint64_t>(key.method);
+  for (const double value : {key.time_step, key.time_horizon, key.arrival_distance})
+    hash = mixed(hash, std::bit_cast<std::uint64_t>(value));
+  return hash;
+}
+
+std::optional<std::uint32_t> known_pace(const World& world, const PaceKey& key) {
+  if (key_of(world.paces.front()) == key) return 0;
+  const auto [first, last] = world.pace_at.equal_range(hash_of(key));
+  for (auto place = first; place != last; ++place) {
+    const std::uint32_t index = place->second;
+    if (index < world.paces.size() && key_of(world.paces[index]) == key) return index;
+  }
+  return std::nullopt;
+}
+
 }  // namespace
 
 OwnPace World::pace_of(const RobotSetup& setup, bool may_replace) {
   if (setup.parked) return {};
-  const Method method = method_of(settings, setup);
-  const double time_step = time_step_of(settings, setup);
-  const auto is_known = [&](const Pace& pace) {
-    const PlannerOptions& options = pace.planner.options();
-    return options.method == method && options.time_step == time_step &&
-           options.time_horizon == time_horizon_of(settings, setup) &&
-           options.arrival_distance == arrival_distance_of(settings, setup);
-  };
-  const auto place = std::find_if(paces.begin(), paces.end(), is_known);
-  auto index = static_cast<std::uint32_t>(place - paces.begin());
-  if (place == paces.end()) {
-    PlannerOptions options = planner_options(settings, setup);
-    options.wall_range = wall_range(!obstacles.setup.empty());
-    if (may_replace) index = static_cast<std::uint32_t>(unused_pace(*this));
-    if (index == paces.size())
-      paces.emplace_back(options);
-    else
-      paces[index] = Pace(options);
+  const PaceKey key{method_of(settings, setup), time_step_of(settings, setup),
+                    time_horizon_of(settings, setup), arrival_distance_of(settings, setup)};
+  if (const auto known = known_pace(*this, key))
+    return {*known, setup.time_horizon, setup.arrival_distance};
+  PlannerOptions options = planner_options(settings, setup);
+  options.wall_range = wall_range(!obstacles.setup.empty());
+  // where there are more paces than robots, some are unused
+  const bool replaces = may_replace && paces.size() > fleet.size() + 1;
+  const std::size_t index = replaces ? unused_pace(*this) : paces.size();
+  if (pace_at.size() > 2 * paces.size()) {  // most stand for others by now
+    std::erase_if(pace_at, [&](const auto& entry) {
+      return entry.second >= paces.size() || hash_of(key_of(paces[entry.second])) != entry.first;
+    });
   }
-  return {index, setup.time_horizon, setup.arrival_distance};
+  pace_at.emplace(hash_of(key), static_cast<std::uint32_t>(index));
+  if (index == paces.size())
+    paces.emplace_back(options);
+  else
+    paces[index] = Pace(options);
+  return {static_cast<std::uint32_t>(index), setup.time_horizon, setup.arrival_distance};
 }
 
 bool World::all_matter() const {
@@ -238,6 +284,15 @@ const Planner& World::certified_planner() const {
 std::size_t World::most_nearest() const {
   const std::optional<int>& most = planner().options().max_neighbors;
   return most ? static_cast<std::size_t>(*most) : std::numeric_limits<std::size_t>::max();
+}
+
+bool World::has_ways() const {
+  return std::any_of(ways.begin(), ways.end(), [](const Ways& own) { return !own.empty(); });
+}
+
+bool World::has_passages() const {
+  return std::any_of(ways.begin(), ways.end(),
+                     [](const Ways& own) { return !own.passages.empty(); });
 }
 
 bool World::is_fast(std::size_t slot) const {

@@ -7,6 +7,7 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <unordered_map>
 #include <vector>
 
 #include "core/executor.h"
@@ -99,14 +100,18 @@ struct World {
   Scenario settings;        // without its robots and obstacles
   double sensing_radius;    // m; where the scene gives none, it grows with robots that are added
   std::vector<Pace> paces;  // the scene's first; further ones for robots with values of their own
+  // indices of the further ones, by a hash of those values; some stand for others by now
+  std::unordered_multimap<std::uint64_t, std::uint32_t> pace_at;
   Fleet fleet;
   std::optional<Kinds> kinds;  // of the fleet, once a robot has been added
   Bystanders bystanders;       // for edits between two steps
   ObstacleColumns obstacles;
   Senses senses;
   StaticWorld statics;
-  Ways ways;
-  Claims claims;
+  std::vector<Ways> ways;            // of each floor
+  std::vector<Claims> claims;        // of each floor's passages
+  std::vector<std::uint32_t> floor;  // of each robot, by rank; empty where there is one
+  std::vector<Travel> travels;       // by rank; empty where no floor has ways
   std::int64_t steps = 0;
   Instant now = 0, before = -1;  // for free clocks: the last step began at `before`, if at all
   std::uint64_t next_id = 0;
@@ -158,10 +163,17 @@ struct World {
     return pace(slot).planner.options().certificate != Certificate::none;
   }
   bool is_fast(std::size_t slot) const;
+  std::size_t floor_of(std::size_t slot) const {
+    return floor.empty() ? 0 : floor[static_cast<std::size_t>(fleet.rank[slot])];
+  }
+  const Ways& ways_of(std::size_t slot) const { return ways[floor_of(slot)]; }
+  Ways& ways_of(std::size_t slot) { return ways[floor_of(slot)]; }
+  bool has_ways() const;      // on some floor
+  bool has_passages() const;  // on some floor
   /// m: the final target of the robot, its goal or the nearest place to it.
   Vec2 end_of(std::size_t slot) const {
-    if (ways.travels.empty()) return fleet.goal[slot];
-    return ways.travels[static_cast<std::size_t>(fleet.rank[slot])].heads_for(fleet.goal[slot]);
+    if (travels.empty()) return fleet.goal[slot];
+    return travels[static_cast<std::size_t>(fleet.rank[slot])].heads_for(fleet.goal[slot]);
   }
 };
 
@@ -169,7 +181,7 @@ struct World {
 /// sense exactly and decide at the same times know them.
 void foresee(World& world);
 
-/// Builds the grid of walls and finds the passages, where walls are new or a robot is larger or
+/// Builds the grids of walls and finds the passages, where walls are new or a robot is larger or
 /// reaches farther than before.
 void find_walls(World& world);
 
@@ -193,7 +205,7 @@ void make_room(World& world);
 /// Fills in what the robots of the worker's tile know of themselves, and their preferred
 /// velocities. The tile has their neighbors, and pointers to their memory. worker.staying: the
 /// robots that stop near goals that others share.
-void set_out(const World& world, const Pace& pace, const Claims& claims,
+void set_out(const World& world, const Pace& pace, std::span<const Claims> claims,
              std::span<const std::uint32_t> slots, Worker& worker);
 
 /// Decides for the robots of the worker's tile, which all have one pace and known neighbors, moves

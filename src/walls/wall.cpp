@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "avo/wall.h"
 
+#include <algorithm>
 #include <cstddef>
+#include <iterator>
 
 namespace avo {
 
@@ -20,6 +22,13 @@ std::vector<Wall> walls_of(std::span<const StaticObstacle> obstacles) {
     }
   }
   return walls;
+}
+
+std::vector<StaticObstacle> heeded(std::span<const StaticObstacle> obstacles, LayerSet robot) {
+  std::vector<StaticObstacle> result;
+  std::copy_if(obstacles.begin(), obstacles.end(), std::back_inserter(result),
+               [&](const StaticObstacle& obstacle) { return heeds(robot, obstacle); });
+  return result;
 }
 
 }  // namespace avo

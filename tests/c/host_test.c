@@ -98,13 +98,13 @@ static void check_player_and_queries(void) {
   CHECK(count == 2 && near[0].value == 1 && near[1].value == 2);
   REQUIRE(avo_simulation_robots_within(simulation, left, 10.5, near, 4, &count));
   CHECK(count == 2);
-  REQUIRE(avo_simulation_is_free(simulation, origin, 1.0, &is_free));
+  REQUIRE(avo_simulation_is_free(simulation, origin, 1.0, AVO_ALL_LAYERS, &is_free));
   CHECK(is_free);
-  REQUIRE(avo_simulation_cast_ray(simulation, origin, left, 0.0, &hit));
+  REQUIRE(avo_simulation_cast_ray(simulation, origin, left, 0.0, AVO_ALL_LAYERS, &hit));
   CHECK(hit.robot.value == 1 && hit.moving_obstacle.value == 0 && hit.obstacle.value == 0);
-  REQUIRE(avo_simulation_cast_ray(simulation, origin, above, 0.0, &hit));
+  REQUIRE(avo_simulation_cast_ray(simulation, origin, above, 0.0, AVO_ALL_LAYERS, &hit));
   CHECK(hit.robot.value == 0 && hit.distance == 30.0);
-  REFUSES(avo_simulation_is_free(simulation, origin, 0.0, &is_free), AVO_ERROR_INVALID_VALUE,
+  REFUSES(avo_simulation_is_free(simulation, origin, 0.0, AVO_ALL_LAYERS, &is_free), AVO_ERROR_INVALID_VALUE,
           "is_free: radius: found 0, must be > 0 m");
   REQUIRE(avo_simulation_remove_moving_obstacle(simulation, id));
   REFUSES(avo_simulation_remove_moving_obstacle(simulation, id), AVO_ERROR_INVALID_ID,
@@ -112,7 +112,36 @@ static void check_player_and_queries(void) {
   REQUIRE(avo_destroy_simulation(simulation));
 }
 
+/* A wall of another floor. */
+static void check_floors(void) {
+  const avo_simulation_id simulation = lanes();
+  const avo_vec2 ends[2] = {{1.0, -20.0}, {1.0, 20.0}}, origin = {0.0, 0.0}, right = {2.0, 0.0};
+  const avo_chain chain = {ends, 2, false};
+  avo_obstacle_def wall = avo_default_obstacle_def();
+  avo_obstacle_id id;
+  avo_robot_def robot = avo_default_robot_def();
+  avo_robot_id guest;
+  avo_hit hit;
+  bool sees = false;
+  CHECK(wall.layers == AVO_ALL_LAYERS);
+  wall.chains = &chain, wall.chain_count = 1, wall.layers = 2;
+  REQUIRE(avo_simulation_add_obstacle(simulation, &wall, &id));
+  REQUIRE(avo_simulation_is_in_sight(simulation, origin, right, 0.0, 1, &sees));
+  CHECK(sees);
+  REQUIRE(avo_simulation_is_in_sight(simulation, origin, right, 0.0, 2, &sees));
+  CHECK(!sees);
+  REQUIRE(avo_simulation_cast_ray(simulation, origin, right, 0.0, 2, &hit));
+  CHECK(hit.obstacle.value == id.value && fabs(hit.distance - 1.0) < 1e-6);
+  robot.position = ends[1], robot.position.y = 0.0, robot.goal = robot.position;
+  REQUIRE(avo_simulation_add_robot(simulation, &robot, &guest));
+  robot.layers = 2, robot.position.y = robot.goal.y = 18.0;
+  REFUSES(avo_simulation_add_robot(simulation, &robot, &guest), AVO_ERROR_INVALID_VALUE,
+          "obstacle");
+  REQUIRE(avo_destroy_simulation(simulation));
+}
+
 int main(void) {
+  check_floors();
   check_robots();
   check_bulk();
   check_player_and_queries();

@@ -69,7 +69,7 @@ static void check_routes(void) {
   CHECK(drive(navigator, &robot, 300) < 200);
   CHECK(fabs(robot.position.x) < 0.6);
   REQUIRE(avo_navigator_go_on(navigator));
-  REQUIRE(avo_navigator_set_obstacles(navigator, NULL, 0));
+  REQUIRE(avo_navigator_set_obstacles(navigator, NULL, 0, 2));
   REQUIRE(avo_navigator_clear_goal(navigator));
   REFUSES(avo_navigator_set_route(navigator, points, 1, NAN), AVO_ERROR_INVALID_VALUE,
           "route: found 1 points, must be >= 2 points");

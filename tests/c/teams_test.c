@@ -44,13 +44,61 @@ static void check_scene(void) {
   REFUSES(avo_team_lead(teams[0], led), AVO_ERROR_INVALID_ID, "team: found an id of none");
 }
 
+/* The teams of a scene are reached by their number. */
+static void check_led(void) {
+  avo_scene_id scene;
+  avo_simulation_def def = avo_default_simulation_def();
+  avo_team_def task = avo_default_team_def(), patrol = avo_default_team_def();
+  avo_simulation_id led, other;
+  avo_team_id queue, row, none;
+  avo_robot_id served, members[8];
+  const avo_robot_id fourth = {4};
+  const avo_vec2 points[2] = {{0.0, 30.0}, {9.0, 30.0}};
+  size_t count = 0;
+  REQUIRE(avo_parse_scene(kScene, strlen(kScene), "teams.yaml", NULL, 0, &scene));
+  REQUIRE(avo_scene_get_def(scene, &def));
+  REQUIRE(avo_create_simulation(&def, &led));
+  REQUIRE(avo_create_simulation(&def, &other));
+  REQUIRE(avo_simulation_team_count(led, &count));
+  CHECK(count == 2);
+  REQUIRE(avo_simulation_team(led, 0, &queue));
+  REQUIRE(avo_simulation_team(led, 1, &row));
+  REFUSES(avo_simulation_team(led, 2, &none), AVO_ERROR_INVALID_VALUE,
+          "number: found 2, must be less than 2, the teams that it leads");
+  REQUIRE(avo_team_get_task(queue, &task));
+  CHECK(task.task == AVO_TASK_QUEUE && task.point_count == 2 && task.service == 3.0);
+  REQUIRE(avo_team_serve(queue, led, &served));
+  REQUIRE(avo_team_robots(queue, members, 8, &count));
+  CHECK(served.value != 0 && count == 2);
+  REQUIRE(avo_team_remove(row, fourth));
+  REFUSES(avo_team_remove(row, fourth), AVO_ERROR_INVALID_ID,
+          "robot: found 4, must be one of the team");
+  REQUIRE(avo_team_add(queue, fourth));
+  REFUSES(avo_team_add(queue, fourth), AVO_ERROR_INVALID_VALUE,
+          "robot: found 4, which is in the team, must be another one");
+  patrol.task = AVO_TASK_PATROL, patrol.points = points, patrol.point_count = 2;
+  REQUIRE(avo_team_set_task(row, led, &patrol));
+  REQUIRE(avo_simulation_step(led));
+  REQUIRE(avo_team_get_task(row, &task));
+  CHECK(task.task == AVO_TASK_PATROL && task.points[1].x == 9.0);
+  REFUSES(avo_team_lead(queue, other), AVO_ERROR_INVALID_ID,
+          "team: found a team of another simulation, must be of this one");
+  patrol.point_count = 0;
+  REFUSES(avo_team_set_task(row, led, &patrol), AVO_ERROR_INVALID_VALUE, "points: found 0 points");
+  REQUIRE(avo_destroy_simulation(led));
+  REFUSES(avo_team_robots(queue, members, 8, &count), AVO_ERROR_INVALID_ID, "simulation: found");
+  REQUIRE(avo_destroy_team(queue));
+  REQUIRE(avo_destroy_simulation(other));
+  REQUIRE(avo_destroy_scene(scene));
+}
+
 static void check_host(void) {
   avo_simulation_def def = avo_default_simulation_def();
   avo_robot_def robots[3];
   avo_simulation_id simulation;
   avo_team_def team_def = avo_default_team_def();
   avo_team_id team;
-  const avo_robot_id two[2] = {{1}, {2}}, third = {3};
+  const avo_robot_id two[2] = {{1}, {2}}, twice[2] = {{3}, {3}}, third = {3};
   const avo_vec2 line[2] = {{10.0, 0.0}, {0.0, 0.0}};
   avo_robot_id served, members[3];
   avo_vec2 goal;
@@ -83,6 +131,11 @@ static void check_host(void) {
           "def.task: found 7, must be 0 to 3");
   team_def.task = AVO_TASK_FLOW, team_def.point_count = 1;
   REFUSES(avo_create_team(&team_def, &team), AVO_ERROR_INVALID_VALUE, "exits: found 1 points");
+  team_def = avo_default_team_def();
+  team_def.robots = twice, team_def.robot_count = 2;
+  team_def.points = line, team_def.point_count = 2;
+  REFUSES(avo_create_team(&team_def, &team), AVO_ERROR_INVALID_VALUE,
+          "team: found robot 2 twice, must be each robot once");
   REQUIRE(avo_destroy_simulation(simulation));
 }
 
@@ -102,6 +155,7 @@ static void check_formations(void) {
 
 int main(void) {
   check_scene();
+  check_led();
   check_host();
   check_formations();
   return 0;

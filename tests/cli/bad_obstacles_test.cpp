@@ -81,11 +81,11 @@ const std::vector<Bad> kEntries{
     {"navigation_word", "navigation: maybe\n",
      "DIR/s.yaml:4:13: navigation: found \"maybe\", must be true or false"},
     entry("no_map", "7",
-          "5: obstacles.0: found 7, must be a map with keys polyline, polygon, solid, disc, wkt, "
-          "as, wkt_file, geojson, map, cell, origin, ros_map"),
+          "5: obstacles.0: found 7, must be a map with keys polyline, layers, polygon, solid, "
+          "disc, wkt, as, wkt_file, geojson, map, cell, origin, ros_map"),
     entry("misspelled", "{polylin: [[0, 0], [1, 0]]}",
-          "6: obstacles.0: found the unknown key \"polylin\", allowed are polyline, polygon, "
-          "solid, disc, wkt, as, wkt_file, geojson, map, cell, origin, ros_map; did you mean "
+          "6: obstacles.0: found the unknown key \"polylin\", allowed are polyline, layers, "
+          "polygon, solid, disc, wkt, as, wkt_file, geojson, map, cell, origin, ros_map; did you mean "
           "\"polyline\"?"),
     entry("no_kind", "{solid: true}",
           "5: obstacles.0: found 0 kinds, must be one of polyline, polygon, disc, wkt, wkt_file, "
@@ -94,7 +94,7 @@ const std::vector<Bad> kEntries{
           "5: obstacles.0: found 2 kinds, must be one of polyline, polygon, disc, wkt, wkt_file, "
           "geojson, map, ros_map"),
     entry("key_of_another_kind", "{polyline: [[0, 0], [1, 0]], solid: true}",
-          "34: obstacles.0: found the unknown key \"solid\", allowed are polyline"),
+          "34: obstacles.0: found the unknown key \"solid\", allowed are polyline, layers"),
     entry("one_point", "{polyline: [[0, 0]]}",
           "16: obstacles.0.polyline: found 1 points, must be at least 2"),
     entry("two_corners", "{polygon: [[0, 0], [1, 0]]}",

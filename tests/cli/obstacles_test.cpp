@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Obstacles that do not move, in every form that a scene may give them.
+#include <cmath>
 #include <filesystem>
 #include <gtest/gtest.h>
 #include <string>
@@ -37,6 +38,42 @@ void expect_chain(const avo::Chain& chain, const Points& points, bool closed) {
   EXPECT_EQ(chain.closed, closed);
   ASSERT_EQ(chain.points.size(), points.size());
   for (std::size_t i = 0; i < points.size(); ++i) EXPECT_EQ(chain.points[i], points[i]) << i;
+}
+
+TEST(Obstacles, of_every_kind_have_layers) {
+  write_file(path_of("plan.wkt"), "LINESTRING (0 0, 1 0)");
+  for (const char* entry :
+       {"polyline: [[0, 0], [10, 0]]", "polygon: [[2, 2], [4, 2], [4, 4]]",
+        "disc: {center: [3, 3], radius: 0.5}", "wkt: LINESTRING (0 0, 1 0)", "wkt_file: plan.wkt"}) {
+    EXPECT_EQ(only("{" + std::string(entry) + ", layers: [1, 4]}").layers.bits, 18U) << entry;
+    EXPECT_EQ(only("{" + std::string(entry) + "}").layers, avo::kAllLayers) << entry;
+  }
+  try {
+    static_cast<void>(only("{polyline: [[0, 0], [10, 0]], layers: [32]}"));
+    ADD_FAILURE();
+  } catch (const avo::Error& error) {
+    EXPECT_NE(std::string(error.what()).find("obstacles.0.layers"), std::string::npos)
+        << error.what();
+  }
+}
+
+// A group that does not heed an obstacle is placed in it too, and goes through it.
+TEST(Obstacles, of_other_layers_leave_random_places_free) {
+  const auto inside = [](const std::string& layers) {
+    const Scenario scene = avo_io::parse_scenario(
+        "version: 1\nobstacles:\n  - {polygon: [[-4, -4], [4, -4], [4, 4], [-4, 4]], solid: true, "
+        "layers: [0]}\ngroups:\n  - {number: 20, layers: " +
+            layers +
+            ", placement: {random: {min: [-6, -6], max: [6, 6]}}, goals: {random: {min: [-6, -6], "
+            "max: [6, 6]}}}\n",
+        "f");
+    int count = 0;
+    for (const avo::RobotSetup& robot : scene.robots)
+      count += std::abs(robot.position.x) < 4.0 && std::abs(robot.position.y) < 4.0 ? 1 : 0;
+    return count;
+  };
+  EXPECT_EQ(inside("[0]"), 0);
+  EXPECT_GT(inside("[1]"), 3);
 }
 
 TEST(Obstacles, polyline_polygon_and_disc) {

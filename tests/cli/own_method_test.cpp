@@ -106,6 +106,44 @@ TEST(ForeignMotion, is_refused_where_it_is_not_of_the_scene) {
             std::string::npos);
 }
 
+// A recording says itself by what method its robots moved, and how.
+TEST(OwnMethod, of_a_recording_is_no_other_one) {
+  const std::string h5 = path_of("own.h5"), plain = path_of("plain.h5");
+  ASSERT_EQ(run_avo({"run", "circle-6", "--method", kField, "--record", h5}).exit_code, 0);
+  ASSERT_EQ(run_avo({"run", "circle-6", "--record", plain}).exit_code, 0);
+  const auto refused = [](const std::string& recording, const std::string& method) {
+    const ProcessResult result = run_avo({"replay", recording, "--method", method});
+    EXPECT_EQ(result.exit_code, 2) << method;
+    return result.err;
+  };
+  EXPECT_NE(refused(plain, kField)
+                .find("--method: found field, must be left out: no robot of the recording has a "
+                      "method of its maker's own"),
+            std::string::npos);
+  EXPECT_NE(refused(h5, std::string("other=") + AVO_OWN_METHOD)
+                .find("--method: found other, must be field, the method of the recording"),
+            std::string::npos);
+  EXPECT_NE(refused(h5, kField + ",unclamped").find("--method: found unclamped, must be left out"),
+            std::string::npos);
+  EXPECT_NE(refused(h5, kField + ",certified").find("--method: found certified, must be left out"),
+            std::string::npos);
+}
+
+TEST(ForeignMotion, is_told_where_it_begins_elsewhere) {
+  const std::string csv = path_of("elsewhere.csv"), h5 = path_of("elsewhere.h5");
+  write_file(csv, "time,robot,x,y,vx,vy\n0,0,0,0,1,0\n0,1,1,0,1,0\n1,0,1,0,1,0\n1,1,2,0,1,0\n");
+  const std::string scene = path_of("elsewhere.yaml");
+  write_file(scene,
+             "version: 1\nrobots:\n  - {position: [0, 0], goal: [9, 0]}\n"
+             "  - {position: [3, 0], goal: [9, 2]}\n  - {position: [5, 0], goal: [9, 4]}\n");
+  const ProcessResult made = run_avo({"convert", csv, h5, "--to", "recording", "--scene", scene});
+  EXPECT_EQ(made.exit_code, 0) << made.err;
+  EXPECT_NE(made.err.find("robot 1 is at [1, 0], and the scene has it start at [3, 0], and 1 more "
+                          "are elsewhere: is it the scene of the recording?"),
+            std::string::npos)
+      << made.err;
+}
+
 TEST(OwnMethod, is_refused_where_it_cannot_be_had) {
   const auto refused = [](const std::string& method) {
     const ProcessResult result = run_by(method);

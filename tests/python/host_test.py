@@ -32,7 +32,7 @@ def test_robots_change_and_are_led():
     ({"speed": 1}, TypeError, 'RobotSetup: found "speed", must be one of'),
     ({"max_sped": 1}, TypeError, 'did you mean "max_speed"?'),
     ({"max_speed": "fast"}, TypeError, "RobotSetup: max_speed: found 'fast', must be of another type"),
-    ({"parked": True}, avo.Error, "robot 1"),
+    ({"parked": True, "layers": [1]}, avo.Error, "robot 1: layers: found [1], must be left out"),
     ({"model": avo.Car()}, avo.Error, "robot 1: model: found another one, must be the one that it has"),
 ])
 def test_changes_that_are_refused_change_nothing(change, error, message):
@@ -69,6 +69,25 @@ def test_many_at_once():
     assert simulation.save() == before
     simulation.remove_robots([4, 5])
     assert simulation.ids().tolist() == [0, 1, 2, 3]
+
+
+def test_floors_and_parked_robots():
+    simulation = avo.Simulation(LANES)
+    wall = avo.StaticObstacle([avo.Chain([(1, -30), (1, 30)])], layers=[1])
+    assert list(wall.layers) == [1] and len(avo.StaticObstacle([avo.Chain([(0, 0)])]).layers) == 32
+    simulation.add_obstacle(wall)
+    assert simulation.is_in_sight((0, 0), (2, 0), layers=[0]) and not simulation.is_in_sight((0, 0), (2, 0))
+    assert simulation.is_free((1, 0), 0.5, layers=[0]) and not simulation.is_free((1, 0), 0.5, [1])
+    assert simulation.cast_ray((0, 0), (2, 0), layers=[1])["distance"] == pytest.approx(1)
+    robot = simulation.ids()[0]
+    simulation.change_robot(robot, layers=[1], avoids=[1])
+    assert list(simulation.setup(0).layers) == [1]
+    simulation.change_robot(robot, layers=[0], avoids=range(32))
+    simulation.change_robot(robot, parked=True)
+    with pytest.raises(avo.Error, match=f"robot {robot}: found a goal for it, must be one that is not parked"):
+        simulation.set_goal(robot, (0, 0))
+    simulation.change_robot(robot, parked=False, behavior="moves_on")
+    assert simulation.setup(0).behavior == "moves_on"
 
 
 def test_a_player_and_what_is_near():

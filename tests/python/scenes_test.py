@@ -183,7 +183,7 @@ def test_values_can_be_pickled():
         avo.Neighbor(position=(1, 2), behavior="moves_on", age=3), avo.DifferentialDrive(track=0.3), avo.Holonomic(),
         avo.RobotSetup(position=(1, 2), goal=(3, 4), layers=[2, 31], time_step=0.2, behavior="cooperates",
                        arrival_distance=0.2, heading=1, model=avo.Car(wheelbase=2)), avo.Wall((1, 2), (3, 4), radius=5),
-        avo.StaticObstacle([avo.Chain([(1, 2), (3, 4)], closed=True)], fill="solid"), avo.Detour(),
+        avo.StaticObstacle([avo.Chain([(1, 2), (3, 4)], closed=True)], fill="solid", layers=[1, 31]), avo.Detour(),
         avo.Scenario("person").moving_obstacles[0], circle]
     for value in values:
         again = pickle.loads(pickle.dumps(value))

@@ -41,6 +41,40 @@ def test_a_host_serves_a_queue():
     assert avo.Team([0], avo.Patrol([(0, 0)])).serve(simulation) is None
 
 
+def test_teams_of_a_scene_are_reached():
+    simulation = avo.Simulation(avo.Scenario(SCENE))
+    queue, crowd = simulation.teams()
+    assert sorted(queue.robots) == [0, 1, 2] and crowd.robots == [3, 4, 5, 6]
+    assert (queue.task.service, list(queue.task.line), crowd.task.spacing) == (3, [(8, 0), (0, 0)], 1)
+    simulation.step(20)
+    first = queue.robots[0]
+    assert queue.serve(simulation) == first and first not in queue.robots and len(queue.robots) == 2
+    crowd.remove(6)
+    queue.add(6)
+    simulation.step()
+    assert queue.robots[-1] == 6 and crowd.robots == [3, 4, 5]
+    crowd.set_task(simulation, avo.Patrol([(0, 30), (9, 30)]))
+    simulation.step()
+    assert isinstance(crowd.task, avo.Patrol) and {tuple(simulation.goal()[k]) for k in (3, 4, 5)} <= {(0, 30), (9, 30)}
+    crowd.disband(simulation)
+    assert tuple(simulation.goal()[3]) == (20, 30)
+    del simulation  # a team keeps its simulation
+    assert crowd.robots == []
+    with pytest.raises(avo.Error, match="found a team of another simulation, must be of this one"):
+        queue.lead(avo.Simulation("circle-10"))
+    assert avo.Simulation("circle-10").teams() == []
+
+
+def test_a_robot_is_in_a_team_once():
+    with pytest.raises(avo.Error, match="team: found robot 1 twice, must be each robot once"):
+        avo.Team([0, 1, 1], avo.Patrol([(0, 0)]))
+    team = avo.Team([0, 1], avo.Patrol([(0, 0)]))
+    with pytest.raises(avo.Error, match="robot 1: found it in the team, must be another one"):
+        team.add(1)
+    with pytest.raises(avo.Error, match="robot 7: found it elsewhere, must be in the team"):
+        team.remove(7)
+
+
 def test_formations():
     slots = avo.formation_slots("wedge", 5, 1.5, center=(4, 0), heading=np.pi / 2)
     assert slots.shape == (5, 2) and np.allclose(slots.mean(axis=0), (4, 0))

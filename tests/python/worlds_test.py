@@ -65,6 +65,43 @@ def test_the_same_seed_gives_the_same_bits():
     assert rollout(3) == rollout(3) != rollout(4)
 
 
+def test_worlds_begin_anew_as_the_mode_says():
+    east = np.ones((E, N, 2))
+    first = made().reset(seed=2)[0]
+    later = made(max_steps=2)  # NextStep
+    later.reset(seed=2)
+    later.step(east)
+    assert later.step(east)[3].all() and later.metadata["autoreset_mode"] == "NextStep"
+    begun, rewards, _, truncated, info = later.step(east)
+    assert not truncated.any() and not rewards.any() and info == {}
+    at_once = made(max_steps=2, autoreset_mode="SameStep")
+    assert np.array_equal(at_once.reset(seed=2)[0], first)
+    at_once.step(east)
+    seen, rewards, _, truncated, info = at_once.step(east)
+    assert truncated.all() and info["_final_obs"].all() and rewards.any()
+    assert np.array_equal(seen, begun) and info["final_obs"].shape == seen.shape
+    assert not np.array_equal(info["final_obs"], seen)
+    assert at_once.step(east)[4] == {}
+    never = made(max_steps=2, autoreset_mode="Disabled")
+    never.reset(seed=2)
+    for _ in range(3):
+        seen, _, _, truncated, _ = never.step(east)
+    assert truncated.all()
+    again, _ = never.reset(options={"reset_mask": np.array([False, True, False])})
+    assert np.array_equal(again[0], seen[0]) and not np.array_equal(again[1], seen[1])
+    assert never.step(east)[3].all(axis=1).tolist() == [True, False, True]
+
+
+def test_modes_and_masks_are_checked():
+    class Mode:  # as gymnasium's member of an enumeration
+        value = "SameStep"
+    assert made(autoreset_mode=Mode()).metadata["autoreset_mode"] == "SameStep"
+    with pytest.raises(avo.Error, match="autoreset_mode: found 'next', must be one of NextStep, SameStep, Disabled"):
+        made(autoreset_mode="next")
+    with pytest.raises(avo.Error, match=r"reset_mask: found bool \(2,\), must be bool \(3,\)"):
+        made().reset(options={"reset_mask": np.ones(2, dtype=bool)})
+
+
 def test_nobody_need_be_observed():
     assert avo.env.VectorEnv(SCENE, E, neighbors=0).reset(seed=1)[0].shape == (E, N, 6)
 

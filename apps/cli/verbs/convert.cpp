@@ -108,6 +108,20 @@ std::optional<avo::Scenario> scenario_of(const ConvertArguments& arguments,
   return std::move(own->scenario);
 }
 
+/// Says where the starts of a recording differ from those of the scene.
+std::string told(const std::vector<avo_io::OtherStart>& starts) {
+  const avo_io::OtherStart& first = starts.front();
+  const std::string place = first.found
+                                ? fmt::format("is at [{}, {}]", first.found->x, first.found->y)
+                                : std::string("has no row at the first time");
+  const std::string more =
+      starts.size() > 1 ? fmt::format(", and {} more are elsewhere", starts.size() - 1) : "";
+  return fmt::format(
+      "robot {} {}, and the scene has it start at [{}, {}]{}: is it the scene of the "
+      "recording?",
+      first.robot, place, first.start.x, first.start.y, more);
+}
+
 void report(const ConvertArguments& arguments, const avo_io::Converted& converted) {
   std::vector<std::string> warnings;
   if (converted.left_out)
@@ -117,6 +131,7 @@ void report(const ConvertArguments& arguments, const avo_io::Converted& converte
     warnings.push_back(
         "there is no scene, and nobody knows of walls: the walkable area is a rectangle around all "
         "motion; --scene gives one");
+  if (!converted.other_starts.empty()) warnings.push_back(told(converted.other_starts));
   if (!warnings.empty()) warn(warnings);
   if (arguments.output == "-") return;
   print_results(fmt::format(

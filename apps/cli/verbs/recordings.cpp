@@ -29,16 +29,15 @@ std::string recovered_path(const RecoverArguments& arguments) {
 }  // namespace
 
 int replay(const ReplayArguments& arguments) {
-  const std::vector<avo_io::OwnMethod> own = own_methods_of(arguments.own_method);
   const auto recorded = avo_io::read_recorded_scene(arguments.recording);
   if (!recorded)
     throw avo_io::RecordingError(arguments.recording +
                                  ": found no scene in it, must be a recording as HDF5");
+  const avo::ExternalMethod method = method_behind(arguments.own_method, recorded->scenario);
   Progress progress(recorded->scenario.duration, true);
   const avo_io::Replay result = avo_io::replay(
       arguments.recording, arguments.threads,
-      [&progress](const avo::Simulation& simulation) { progress.show(simulation.time()); },
-      own.empty() ? avo::ExternalMethod() : own.front().function);
+      [&progress](const avo::Simulation& simulation) { progress.show(simulation.time()); }, method);
   if (arguments.json)
     print(avo_io::to_json(result));
   else

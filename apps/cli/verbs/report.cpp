@@ -66,8 +66,8 @@ Again told_by_rows(const avo_io::RecordedRun& run, const std::string& why) {
 Again simulated_again(const ReportArguments& arguments, const avo_io::RecordingHeader& header,
                       const avo_io::RecordedRun& run,
                       const std::optional<avo::MeasuringLine>& line) {
-  const std::vector<avo_io::OwnMethod> own = own_methods_of(arguments.own_methods);
-  if (own.empty() && has_external(run.scenario))
+  const avo::ExternalMethod method = method_behind(arguments.own_methods, run.scenario);
+  if (!method && has_external(run.scenario))
     return told_by_rows(run, "Without --method the run is not simulated again: it is by " +
                                  as_html(run.scenario.external_method) +
                                  ", a method of its maker's own.");
@@ -87,7 +87,7 @@ Again simulated_again(const ReportArguments& arguments, const avo_io::RecordingH
         metrics.observe(simulation);
         progress.show(simulation.time());
       },
-      own.empty() ? avo::ExternalMethod() : own.front().function);
+      method);
   if (replay.difference)
     return told_by_rows(run,
                         "Simulated again, the run is another one than the recording, so that there "

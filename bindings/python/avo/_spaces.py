@@ -33,6 +33,19 @@ def box(low: float, high: float, shape: tuple[int, ...]) -> Any:
     return spaces.Box(low, high, shape, np.float32)
 
 
+def autoreset_mode(given: Any) -> tuple[str, Any]:
+    """The name of Gymnasium's mode, and its own member of that name where it is installed; else the name."""
+    names = ("NextStep", "SameStep", "Disabled")
+    name = getattr(given, "value", given)
+    if name not in names:
+        raise Error(f"autoreset_mode: found {given!r}, must be one of {', '.join(names)}")
+    try:
+        modes = importlib.import_module("gymnasium.vector").AutoresetMode
+    except (ImportError, AttributeError):
+        return name, name
+    return name, modes(name)
+
+
 @dataclass
 class Box:
     """A space by duck typing: arrays of a shape, between two bounds."""

@@ -29,6 +29,7 @@ import numpy.typing as npt
 from ._avo import Error, Scenario, Worlds, _numbers
 from ._raster import draw
 from ._rewards import Flags, Floats, Reward, Step, progress
+from ._spaces import autoreset_mode as mode_called
 from ._spaces import box, generator, whole
 
 Observations = npt.NDArray[np.float32]
@@ -42,8 +43,10 @@ _MOST_NEIGHBORS = 1000  # as Worlds.nearest()
 class VectorEnv:
     """E worlds of N holonomic robots each, all of one scene with seeds of their own.
 
-    A world in which all robots are terminated or truncated begins anew in the step after that
-    (gymnasium's next-step mode): in that step actions do not count, and rewards are 0.
+    A world is over when all its robots are terminated or truncated. What then happens says
+    autoreset_mode, by the names of gymnasium. "NextStep": it begins anew in the step after that, in which
+    actions do not count, and rewards are 0. "SameStep": it begins anew at once, and the info has
+    "final_obs", of the worlds of the mask "_final_obs". "Disabled": it goes on until reset().
     """
 
     metadata: dict[str, Any] = {"autoreset_mode": "NextStep", "render_modes": ["rgb_array"], "render_fps": 10}
@@ -59,11 +62,13 @@ class VectorEnv:
         max_steps: int | None = None,
         reward: Reward | None = None,
         render_mode: str | None = None,
+        autoreset_mode: Any = "NextStep",
     ) -> None:
         """scene: what Scenario() takes but a Scenario itself, as worlds differ by its seed: scenes that
         place robots at random (as uniform-N) begin differently, others alike. neighbors: k, walls: w, 0 to
         1000. max_steps: >= 1, None: those of the scene's duration. reward: of a Step, (E, N); None:
-        progress and arrival. render_mode: "rgb_array", or None."""
+        progress and arrival. render_mode: "rgb_array", or None. autoreset_mode: "NextStep", "SameStep",
+        "Disabled", or gymnasium's own member."""
         if isinstance(scene, Scenario):
             raise Error("scene: found a Scenario, must be what one is made from: worlds differ by their seeds")
         first = Scenario(scene)
@@ -74,6 +79,8 @@ class VectorEnv:
         if render_mode not in (None, "rgb_array"):
             raise Error(f"render_mode: found {render_mode!r}, must be 'rgb_array' or None")
         self.render_mode, self._reward = render_mode, reward or progress
+        self._autoreset, mode = mode_called(autoreset_mode)
+        self.metadata = {**type(self).metadata, "autoreset_mode": mode}
         self.max_steps = usual if max_steps is None else whole("max_steps", max_steps, 1, 2**53)
         self._scene, self._neighbors, self._walls = scene, neighbors, walls
         self._worlds = Worlds(num_envs, first)
@@ -97,15 +104,16 @@ class VectorEnv:
     ) -> tuple[Observations, dict[str, Any]]:
         """Begins all worlds anew. Returns observations (E, N, 6 + 6 k + 3 w) and {}. With the same seed and the
         same actions all that follows is the same, bit by bit; None: goes on with the last seed. A list has
-        one seed, or None, for each world, which then begins as no other world's seed would have it."""
+        one seed, or None, for each world, which then begins as no other world's seed would have it.
+        options: {"reset_mask": (E,) of bool}: only these worlds begin anew."""
         self._seed(seed)
-        for world in range(self.num_envs):
-            self._begin(world)
+        for world in np.flatnonzero(self._reset_mask(options)):
+            self._begin(int(world))
         return self._observe(), {}
 
     def step(self, actions: npt.ArrayLike) -> tuple[Observations, Floats, Flags, Flags, dict[str, Any]]:
         """actions: (E, N, 2), m/s. Returns observations (E, N, 6 + 6 k + 3 w) and (E, N) each of
-        rewards, terminated and truncated, and {}."""
+        rewards, terminated and truncated, and the info, {} but with "SameStep"."""
         anew = self._begins_anew.copy()
         before, taken = self._distances(), self._preferred(actions)
         self._worlds.step(taken, [not begins for begins in anew])
@@ -119,10 +127,11 @@ class VectorEnv:
             self._begin(int(world))
         terminated = self._arrived.copy()
         truncated: Flags = ~terminated & (self._steps >= self.max_steps)[:, None]
-        self._begins_anew = np.all(terminated | truncated, axis=1)
+        over = np.all(terminated | truncated, axis=1)
+        info = self._begin_over(over)
         # last, so that the step is counted also where the reward raises
         rewards = np.where(had_arrived | anew[:, None], 0.0, self._rewards(step))
-        return self._observe(), rewards, terminated, truncated, {}
+        return self._observe(), rewards, terminated, truncated, info
 
     def close(self) -> None:
         """Nothing is left open."""
@@ -180,6 +189,26 @@ class VectorEnv:
             raise Error(f"seed: found {len(seed)} of them, must be {self.num_envs}, one for each world")
         drawn = [generator(one) for one in seed]
         self._randoms = [last if one is None else new for one, new, last in zip(seed, drawn, self._randoms)]
+
+    def _reset_mask(self, options: Mapping[str, Any] | None) -> Flags:
+        if options is None or "reset_mask" not in options:
+            return np.ones(self.num_envs, dtype=bool)
+        mask = np.asarray(options["reset_mask"])
+        if mask.shape != (self.num_envs,) or mask.dtype != np.bool_:
+            raise Error(f"reset_mask: found {mask.dtype} {mask.shape}, must be bool {(self.num_envs,)}")
+        return mask
+
+    def _begin_over(self, over: Flags) -> dict[str, Any]:
+        """Does with the worlds that are over as autoreset_mode says; returns the info."""
+        if self._autoreset == "NextStep":
+            self._begins_anew = over
+        if self._autoreset != "SameStep" or not over.any():
+            return {}
+        final = self._observe()
+        final[~over] = 0.0
+        for world in np.flatnonzero(over):
+            self._begin(int(world))
+        return {"final_obs": final, "_final_obs": over}
 
     def _begin(self, world: int) -> None:
         seed = int(self._randoms[world].integers(2**31))

@@ -153,18 +153,22 @@ void bind_walls(py::module_& module) {
       .def_readonly("closed", &avo::Chain::closed,
                     "whether a wall leads from the last point to the first");
   py::class_<avo::StaticObstacle>(module, "StaticObstacle", "What does not move.")
-      .def(py::init([](std::vector<avo::Chain> chains, double radius, avo::Fill fill) {
-             return avo::StaticObstacle{std::move(chains), radius, fill};
+      .def(py::init([](std::vector<avo::Chain> chains, double radius, avo::Fill fill,
+                       avo::LayerSet layers) {
+             return avo::StaticObstacle{std::move(chains), radius, fill, {}, layers};
            }),
            arg("chains"), py::kw_only(), arg("radius") = 0.0, arg("fill") = "none",
+           arg("layers") = avo::kAllLayers,
            "chains: of walls; radius: m, >= 0, of all its walls; fill: \"none\", \"solid\" (robots "
-           "may not start inside) or \"bounds\" (not outside).")
+           "may not start inside) or \"bounds\" (not outside); layers: robots in one of them heed "
+           "it, all of them: every robot does.")
       .def(pickled<avo::StaticObstacle>())
       .def(py::self == py::self)
       .def_readonly("chains", &avo::StaticObstacle::chains, "list of Chain, a copy")
       .def_readonly("radius", &avo::StaticObstacle::radius, "m, >= 0, of its walls")
       .def_readonly("fill", &avo::StaticObstacle::fill,
                     "where no robot may start: \"none\", \"solid\" or \"bounds\"")
+      .def_readonly("layers", &avo::StaticObstacle::layers, "whose robots heed it")
       .def_readonly("measured", &avo::StaticObstacle::measured,
                     "list of Chain, a copy: the walls of a map whose stairs of cells have become "
                     "straight in chains");

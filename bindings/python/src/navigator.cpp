@@ -15,15 +15,16 @@ namespace {
 
 Navigator make_navigator(const avo::Planner* planner,
                          const std::vector<avo::StaticObstacle>& obstacles,
-                         std::optional<double> preferred_speed, std::uint64_t id, bool navigation,
-                         avo::RightOfWay right_of_way, std::vector<double> fleet_radii,
-                         std::optional<double> xy_goal_tolerance, double yaw_goal_tolerance,
-                         double required_movement_radius, double movement_time_allowance,
-                         std::optional<double> route_tolerance) {
+                         std::optional<double> preferred_speed, std::uint64_t id,
+                         avo::LayerSet layers, bool navigation, avo::RightOfWay right_of_way,
+                         std::vector<double> fleet_radii, std::optional<double> xy_goal_tolerance,
+                         double yaw_goal_tolerance, double required_movement_radius,
+                         double movement_time_allowance, std::optional<double> route_tolerance) {
   avo::NavigatorOptions options;
   if (planner != nullptr) options.planner = planner->options();
   options.preferred_speed = preferred_speed;
   options.id = {id};
+  options.layers = layers;
   options.navigation = navigation;
   options.right_of_way = right_of_way;
   options.fleet_radii = std::move(fleet_radii);
@@ -84,8 +85,8 @@ void bind_missions(py::class_<Navigator>& navigator) {
           "rests there; 0: it passes, inf: until go_on().")
       .def("go_on", &Navigator::go_on, "Ends the wait at a stage.")
       .def("clear_goal", &Navigator::clear_goal, "The robot has no goal any more.")
-      .def("set_obstacles", &Navigator::set_obstacles, arg("obstacles"),
-           "Another map: a door has closed or opened.");
+      .def("set_obstacles", &Navigator::set_obstacles, arg("obstacles"), arg("layers") = py::none(),
+           "Another map: a door has closed or opened, or the robot is in other layers now.");
 }
 
 NavigatorDecision step_navigator(Navigator& self, const avo::Robot& robot,
@@ -108,12 +109,13 @@ void bind_navigator(py::module_& module) {
   navigator.def(
       py::init(&make_navigator), py::kw_only(), arg("planner") = py::none(),
       arg("obstacles") = py::tuple(), arg("preferred_speed") = py::none(), arg("id") = 0,
-      arg("navigation") = true, arg("right_of_way") = "seen", arg("fleet_radii") = py::tuple(),
-      arg("xy_goal_tolerance") = py::none(), arg("yaw_goal_tolerance") = 0.25,
-      arg("required_movement_radius") = 0.5, arg("movement_time_allowance") = 10.0,
-      arg("route_tolerance") = py::none(),
+      arg("layers") = avo::LayerSet{1}, arg("navigation") = true, arg("right_of_way") = "seen",
+      arg("fleet_radii") = py::tuple(), arg("xy_goal_tolerance") = py::none(),
+      arg("yaw_goal_tolerance") = 0.25, arg("required_movement_radius") = 0.5,
+      arg("movement_time_allowance") = 10.0, arg("route_tolerance") = py::none(),
       "planner: a Planner, whose options count; None: the usual ones. obstacles: StaticObstacles, "
-      "the map. preferred_speed: m/s, None: max_speed; id: its number among the robots; "
+      "the map. preferred_speed: m/s, None: max_speed; id: its number among the robots; layers: of "
+      "the map it heeds the obstacles of these layers; "
       "navigation: routes lead around the map; right_of_way: \"seen\" or \"none\"; fleet_radii: m, "
       "of all robots; xy_goal_tolerance: m, None: arrival_distance; yaw_goal_tolerance: rad; "
       "required_movement_radius: m, within movement_time_allowance: s; route_tolerance: m, None: "

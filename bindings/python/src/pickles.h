@@ -32,7 +32,7 @@ inline constexpr int kFields<avo::Wall> = 3;
 template <>
 inline constexpr int kFields<avo::Chain> = 2;
 template <>
-inline constexpr int kFields<avo::StaticObstacle> = 4;
+inline constexpr int kFields<avo::StaticObstacle> = 5;
 template <>
 inline constexpr int kFields<avo::MovingObstacle> = 8;
 template <>

@@ -41,24 +41,28 @@ void bind_queries(SimulationClass& simulation) {
           arg("position"), arg("count"), "Ids of the robots whose discs are nearest to (x, y).")
       .def(
           "is_free",
-          [](SharedSimulation& self, avo::Vec2 position, double radius) {
-            return self.briefly([&](const Simulation& s) { return s.is_free(position, radius); });
+          [](SharedSimulation& self, avo::Vec2 position, double radius, avo::LayerSet layers) {
+            return self.briefly(
+                [&](const Simulation& s) { return s.is_free(position, radius, layers); });
           },
-          arg("position"), arg("radius"),
-          "Whether a disc there would touch nothing, and is where obstacles leave room.")
+          arg("position"), arg("radius"), arg("layers") = avo::kAllLayers,
+          "Whether a disc there would touch nothing, and is where obstacles leave room. layers, "
+          "here and below: only robots in one of them count, and static obstacles that they heed.")
       .def(
           "is_in_sight",
-          [](SharedSimulation& self, avo::Vec2 from, avo::Vec2 to, double radius) {
+          [](SharedSimulation& self, avo::Vec2 from, avo::Vec2 to, double radius,
+             avo::LayerSet layers) {
             return self.briefly(
-                [&](const Simulation& s) { return s.is_in_sight(from, to, radius); });
+                [&](const Simulation& s) { return s.is_in_sight(from, to, radius, layers); });
           },
-          arg("start"), arg("end"), arg("radius") = 0.0,
+          arg("start"), arg("end"), arg("radius") = 0.0, arg("layers") = avo::kAllLayers,
           "Whether no static obstacle stops a disc of that radius, m, on the straight way.")
       .def(
           "cast_ray",
-          [](SharedSimulation& self, avo::Vec2 from, avo::Vec2 to, double radius) -> py::object {
-            const auto hit =
-                self.briefly([&](const Simulation& s) { return s.cast_ray(from, to, radius); });
+          [](SharedSimulation& self, avo::Vec2 from, avo::Vec2 to, double radius,
+             avo::LayerSet layers) -> py::object {
+            const auto hit = self.briefly(
+                [&](const Simulation& s) { return s.cast_ray(from, to, radius, layers); });
             if (!hit) return py::none();
             py::dict found;
             found["distance"] = hit->distance, found["center"] = hit->center;
@@ -67,7 +71,7 @@ void bind_queries(SimulationClass& simulation) {
             if (hit->obstacle) found["obstacle"] = hit->obstacle->value;
             return found;
           },
-          arg("start"), arg("end"), arg("radius") = 0.0,
+          arg("start"), arg("end"), arg("radius") = 0.0, arg("layers") = avo::kAllLayers,
           "What a disc of that radius, m, touches first on the straight way: a dict of distance, "
           "m, "
           "center, and the id as robot, moving_obstacle or obstacle; None: nothing.");

@@ -18,25 +18,63 @@ namespace {
 using py::arg;
 using Points = std::vector<avo::Vec2>;
 
-/// A team that threads share.
+/// A team that threads share: the host's own one, or one that a simulation leads.
 struct SharedTeam {
   std::mutex mutex;
-  avo::Team team;
+  avo::Team own;
+  py::object leads = py::none();  // the simulation that leads it
+  std::size_t number = 0;         // among its teams
+
+  avo::Team& in(avo::Simulation& simulation) {
+    return leads.is_none() ? own : simulation.teams()[number];
+  }
 };
 
 std::unique_ptr<SharedTeam> make_team(const std::vector<std::int64_t>& robots,
                                       const avo::TeamTask& task) {
   auto made = std::make_unique<SharedTeam>();
-  made->team = avo::make_team(robot_ids(robots), task);
+  made->own = avo::make_team(robot_ids(robots), task);
   return made;
 }
 
 template <typename F>
 auto with(SharedTeam& self, SharedSimulation& simulation, F f) {
+  if (!self.leads.is_none() && self.leads.cast<SharedSimulation*>() != &simulation)
+    throw avo::Error("team: found a team of another simulation, must be of this one");
   return simulation.alone([&](avo::Simulation& s) {
     const std::lock_guard lock(self.mutex);
-    return f(s, self.team);
+    return f(s, self.in(s));
   });
+}
+
+// The same without a simulation, for what belongs to the team alone.
+template <typename F>
+auto with(SharedTeam& self, F f) {
+  if (!self.leads.is_none())
+    return self.leads.cast<SharedSimulation&>().alone(
+        [&](avo::Simulation& s) { return f(self.in(s)); });
+  const std::lock_guard lock(self.mutex);
+  return f(self.own);
+}
+
+void add_member(avo::Team& team, avo::RobotId robot) {
+  for (const avo::TeamMember& member : team.members)
+    if (member.robot == robot)
+      throw avo::Error(
+          fmt::format("robot {}: found it in the team, must be another one", robot.value));
+  team.members.push_back({robot});
+}
+
+void remove_member(avo::Team& team, avo::RobotId robot) {
+  const auto is_it = [&](const avo::TeamMember& member) { return member.robot == robot; };
+  if (std::erase_if(team.members, is_it) == 0)
+    throw avo::Error(fmt::format("robot {}: found it elsewhere, must be in the team", robot.value));
+}
+
+std::vector<std::uint64_t> ids_of(const avo::Team& team) {
+  std::vector<std::uint64_t> ids;
+  for (const avo::TeamMember& member : team.members) ids.push_back(member.robot.value);
+  return ids;
 }
 
 template <typename Task>
@@ -120,19 +158,30 @@ void bind_team(py::module_& module) {
       .def(
           "add",
           [](SharedTeam& self, std::int64_t robot) {
-            const std::lock_guard lock(self.mutex);
-            self.team.members.push_back({robot_id(robot)});
+            with(self, [&](avo::Team& team) { add_member(team, robot_id(robot)); });
           },
           arg("robot"), "The robot joins as the last one.")
+      .def(
+          "remove",
+          [](SharedTeam& self, std::int64_t robot) {
+            with(self, [&](avo::Team& team) { remove_member(team, robot_id(robot)); });
+          },
+          arg("robot"), "The robot leaves. Its goal stays as the team has set it.")
+      .def(
+          "set_task",
+          [](SharedTeam& self, SharedSimulation& simulation, const avo::TeamTask& task) {
+            with(self, simulation,
+                 [&](avo::Simulation& s, avo::Team& team) { set_task(s, team, task); });
+          },
+          arg("simulation"), arg("task"),
+          "Another task. The robots keep the goals that they had before they joined.")
+      .def_property_readonly(
+          "task",
+          [](SharedTeam& self) { return with(self, [](avo::Team& team) { return team.task; }); },
+          "Queue, Follow, Patrol or Flow, a copy.")
       .def_property_readonly(
           "robots",
-          [](SharedTeam& self) {
-            const std::lock_guard lock(self.mutex);
-            std::vector<std::uint64_t> ids;
-            for (const avo::TeamMember& member : self.team.members)
-              ids.push_back(member.robot.value);
-            return ids;
-          },
+          [](SharedTeam& self) { return with(self, [](avo::Team& team) { return ids_of(team); }); },
           "Ids, of a queue from its head.");
 }
 
@@ -163,6 +212,21 @@ void bind_teams(py::module_& module) {
 }
 
 void bind_team_edits(SimulationClass& simulation) {
+  simulation.def(
+      "teams",
+      [](const py::object& self) {
+        const std::size_t count = self.cast<SharedSimulation&>().alone(
+            [](avo::Simulation& s) { return s.teams().size(); });
+        std::vector<std::unique_ptr<SharedTeam>> teams;
+        for (std::size_t k = 0; k < count; ++k) {
+          auto team = std::make_unique<SharedTeam>();
+          team->leads = self, team->number = k;
+          teams.push_back(std::move(team));
+        }
+        return teams;
+      },
+      "The teams of its scene, a list of Team. Each step leads them: serve a queue, change the "
+      "robots or the task.");
   simulation.def(
       "form_up",
       [](SharedSimulation& self, const std::vector<std::int64_t>& robots, const py::object& slots) {

@@ -109,7 +109,7 @@ void Worlds::place(std::size_t world, const avo::Scenario& scenario) {
     placed.robots.push_back(robot_of(setup));
     placed.goals.push_back(setup.goal);
   }
-  placed.walls = avo::walls_of(scenario.obstacles);
+  placed.walls = avo::walls_of(heeded(scenario.obstacles, avo::RobotSetup{}.layers));
   placed.movers = scenario.moving_obstacles;
   placed.targets.assign(placed.movers.size(), 0);
   all_[world] = std::move(placed);

@@ -106,8 +106,8 @@ std::optional<Expectation> counted_on(const Starter& b, const Starter& a, const 
   return expected_of(conduct_of(other, usual), conduct_of(own, usual));
 }
 
-bool cooperates(const Starter& starter, const Scenario& scenario) {
-  return scenario.robots[static_cast<std::size_t>(starter.source)].behavior == Behavior::cooperates;
+bool promises(const Starter& starter, const Scenario& scenario) {
+  return scenario.robots[static_cast<std::size_t>(starter.source)].behavior == Behavior::decides;
 }
 
 void examine(const Starter& a, const Starter& b, Expectation expected, Starts& starts) {
@@ -166,7 +166,7 @@ void examine_pair(const Starter* a, const Starter* b, Starts& starts) {
   if (b->source >= 0 && (a->source < 0 || b->source < a->source)) std::swap(a, b);
   if (a->source < 0) return;
   // if one of the two promises nothing, the other one must keep clear
-  if (b->source >= 0 && cooperates(*a, starts.scenario) && counted_on(*a, *b, starts))
+  if (b->source >= 0 && !promises(*a, starts.scenario) && counted_on(*a, *b, starts))
     std::swap(a, b);
   if (const auto expected = counted_on(*b, *a, starts)) {
     examine(*a, *b, *expected, starts);

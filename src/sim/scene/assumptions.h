@@ -46,8 +46,12 @@ void include_start(const Scenario& scenario, const RobotSetup& robot, const Moti
 /// that starts: the disc of a drive moves off its heading.
 std::optional<WallStart> worst_wall(const Scenario& scenario, int robot, const MotionState& state,
                                     std::span<const Wall> walls, const CertificateLaw& law);
-/// Returns whether the obstacle's Fill lets a robot be there.
+/// Returns whether the obstacle's Fill lets any robot be there.
 bool leaves_room(Vec2 p, const StaticObstacle& obstacle);
+/// The same for a robot that may not heed the obstacle.
+inline bool leaves_room(const RobotSetup& robot, Vec2 p, const StaticObstacle& obstacle) {
+  return !heeds(robot.layers, obstacle) || leaves_room(p, obstacle);
+}
 
 /// Finds the robots in these states that break assumptions beside static obstacles, in solids and
 /// out of bounds: `states` has one entry for each robot of the scene.

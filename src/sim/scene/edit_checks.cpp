@@ -169,8 +169,8 @@ void check_one_sided(const World& world, const RobotSetup& setup, RobotId robot)
 
 // Throws Error where braking does not keep the margin from the obstacle, or its Fill excludes a
 // robot.
-void check_certificate(const World& world, const StaticObstacle& obstacle,
-                       const std::string& name) {
+void check_certificate(const World& world, const StaticObstacle& obstacle, const std::string& name,
+                       std::optional<RobotId> own) {
   const CertificateLaw law = certificate_law(world.certified_planner());
   if (law.kind == Certificate::none) return;
   const Fleet& fleet = world.fleet;
@@ -179,6 +179,7 @@ void check_certificate(const World& world, const StaticObstacle& obstacle,
   std::vector<MotionState> states;
   for (const std::uint32_t slot : fleet.slot_of) {
     scene.robots.push_back(fleet.setup(slot));
+    scene.robots.back().parked = scene.robots.back().parked || fleet.id[slot] == own;
     states.push_back(fleet.state(slot));
   }
   BrokenAssumptions broken;
@@ -190,12 +191,12 @@ void check_certificate(const World& world, const StaticObstacle& obstacle,
   };
   if (broken.beside_count > 0) {
     const WallStart& worst = broken.beside.front();
-    const double own = disc_radius(scene.robots[static_cast<std::size_t>(worst.robot)]);
+    const double radius = disc_radius(scene.robots[static_cast<std::size_t>(worst.robot)]);
     refuse(name,
            robot_at(worst.robot) + ", which is " + rounded(worst.distance, 9) + " m from it, " +
                rounded(worst.kept, 9) + " m once it has braked",
-           ">= " + text(own) + " + " + text(obstacle.radius) + " m and " +
-               rounded(worst.required - own - obstacle.radius, 2) + " m for rounding");
+           ">= " + text(radius) + " + " + text(obstacle.radius) + " m and " +
+               rounded(worst.required - radius - obstacle.radius, 2) + " m for rounding");
   }
   if (broken.misplaced_count > 0) {
     const bool solid = obstacle.fill == Fill::solid;
@@ -256,17 +257,17 @@ double sensing_radius_with(const World& world, const RobotSetup& setup) {
   return is_first ? needed : std::max(world.sensing_radius, needed);
 }
 
-void check_newly_static(const World& world, const StaticObstacle& obstacle,
-                        const std::string& name) {
+void check_newly_static(const World& world, const StaticObstacle& obstacle, const std::string& name,
+                        std::optional<RobotId> own) {
   // a robot within a step cannot brake before the step ends
   if (world.fleet.has_clocks && world.all_matter())
     refuse(name, "what comes while clocks are free",
            "there from the start where there is a certificate");
-  if (world.statics.walls.empty()) {  // the robots have not been checked for walls yet
+  if (!world.statics.has_walls) {  // the robots have not been checked for walls yet
     for (const std::uint32_t slot : world.fleet.slot_of)
       check_values(world, standing(world, slot), world.fleet.id[slot], true);
   }
-  check_certificate(world, obstacle, name);
+  check_certificate(world, obstacle, name, own);
 }
 
 }  // namespace avo::inline sim

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Checks that refuse an edit: each throws Error, which names the robot or obstacle.
 #pragma once
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -40,9 +41,10 @@ double sensing_radius_among(const World& world, const std::vector<MovingObstacle
                             const std::string& name);
 /// m: the sensing radius after this robot has come.
 double sensing_radius_with(const World& world, const RobotSetup& setup);
-/// Refuses an obstacle if a robot could not keep clear of what does not move from now on.
-void check_newly_static(const World& world, const StaticObstacle& obstacle,
-                        const std::string& name);
+/// Refuses an obstacle if a robot could not keep clear of what does not move from now on. own: the
+/// robot that becomes it, if there is one.
+void check_newly_static(const World& world, const StaticObstacle& obstacle, const std::string& name,
+                        std::optional<RobotId> own = {});
 
 /// The setup of a robot in its present state; its place does not matter for the checks of values.
 RobotSetup standing(const World& world, std::size_t slot);

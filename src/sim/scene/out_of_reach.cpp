@@ -8,14 +8,17 @@
 namespace avo {
 
 std::vector<OutOfReach> out_of_reach(const Scenario& scenario) {
-  const std::vector<Wall> walls = static_world(scenario).walls;
+  const StaticWorld statics = static_world(scenario);
   std::vector<OutOfReach> result;
-  if (walls.empty()) return result;
+  std::vector<Ways> all;
   // the ends of routes do not depend on how the routes lead there
-  Ways ways(WayRules{.routes = false}, walls, {});
+  for (const Floor& floor : statics.floors)
+    all.emplace_back(WayRules{.routes = false}, floor.walls, std::vector<Wall>());
   for (std::size_t k = 0; k < scenario.robots.size(); ++k) {
     const RobotSetup& robot = scenario.robots[k];
     if (robot.parked) continue;
+    Ways& ways = all[statics.floor_of(robot.layers).value_or(0)];
+    if (ways.empty()) continue;
     const Travel travel = ways.plan(disc_radius(robot), disc_center(robot), robot.goal,
                                     arrival_distance_of(scenario, robot));
     if (travel.ends == WayEnd::goal) continue;

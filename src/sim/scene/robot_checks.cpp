@@ -115,9 +115,6 @@ void check_robot(std::size_t i, const RobotSetup& robot, double time_step) {
   require(Place{list, i, "priority"}, robot.priority, kPositive, "");
   if (robot.max_braking)
     require(Place{list, i, "max_braking"}, *robot.max_braking, kPositive, "m/s^2");
-  if (robot.behavior == Behavior::moves_on)
-    refuse(std::string(Place{list, i, "behavior"}), to_string(robot.behavior),
-           "decides or cooperates; who reacts to nobody is one of moving_obstacles, or avoids []");
   if (robot.time_horizon)
     require(Place{list, i, "time_horizon"}, *robot.time_horizon, kPositive, "s");
   if (robot.arrival_distance)

@@ -157,18 +157,20 @@ std::optional<WallStart> find_wall(const World& world, const CertificateLaw& law
                                    ObstacleId& obstacle) {
   const StaticWorld& statics = world.statics;
   const RobotSetup& own = company.scene.robots.front();
+  const Floor& floor = statics.floors[statics.floor_of(own.layers).value_or(0)];
   const MotionState state = start_of(own);
   WallNeeds needs;
   include_start(company.scene, own, state, law, needs);
-  if (statics.needs && statics.needs->cover(needs) &&
-      !worst_wall(company.scene, 0, state, statics.grid.near(state.position), law))
+  if (floor.needs && floor.needs->cover(needs) &&
+      !worst_wall(company.scene, 0, state, floor.grid.near(state.position), law))
     return {};
   const std::span<const Wall> walls =
-      std::span(statics.walls).first(statics.walls.size() - statics.parked.size());
+      std::span(floor.walls).first(floor.walls.size() - statics.parked.size());
   auto worst = worst_wall(company.scene, 0, state, walls, law);
   if (!worst) return worst;
   auto before = static_cast<std::size_t>(worst->obstacle);
   for (std::size_t k = 0; k < statics.obstacles.size(); ++k) {
+    if (!heeds(own.layers, statics.obstacles[k])) continue;
     const std::size_t walls_of_it = walls_of(std::span(&statics.obstacles[k], 1)).size();
     if (before < walls_of_it) {
       company.scene.obstacles = {statics.obstacles[k]};
@@ -236,7 +238,7 @@ void check_start(const World& world, const RobotSetup& setup, RobotId robot) {
   if (world.settings.allow_broken_assumptions || !world.all_matter()) return;
   std::vector<std::size_t> others = others_near(world, setup, robot);
   const bool is_alone = others.empty() && world.obstacles.setup.empty() &&
-                        world.statics.obstacles.empty() && world.statics.walls.empty();
+                        world.statics.obstacles.empty() && !world.statics.has_walls;
   if (is_alone && !exceeds(norm(setup.velocity), setup.max_speed)) return;
   Company company(world, setup, robot, std::move(others));
   const CertificateLaw law = certificate_law(world.certified_planner());
@@ -257,7 +259,7 @@ void check_start(const World& world, const RobotSetup& setup, RobotId robot) {
   if (const auto wall = find_wall(world, law, company, obstacle))
     refuse_start(complaint(*wall, company.scene, wording));
   for (std::size_t k = 0; k < world.statics.obstacles.size(); ++k) {
-    if (leaves_room(disc_center(setup), world.statics.obstacles[k])) continue;
+    if (leaves_room(setup, disc_center(setup), world.statics.obstacles[k])) continue;
     company.scene.obstacles = {world.statics.obstacles[k]};
     obstacle = world.statics.id[k];
     refuse_start(complaint(MisplacedStart{0, 0}, company.scene, wording));

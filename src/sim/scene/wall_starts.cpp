@@ -25,27 +25,59 @@ void include_start(const Scenario& scenario, const RobotSetup& robot, const Moti
 
 namespace {
 
-// The walls of all obstacles, and which obstacle each belongs to.
+// The walls that robots of some layers heed, and which obstacle each belongs to.
 struct ListedWalls {
-  std::vector<Wall> walls;
-  std::vector<int> obstacle;
-  WallGrid grid;  // of the walls that a robot of the scene may be too near to
+  LayerSet layers;
+  std::vector<Wall> walls = {};
+  std::vector<int> obstacle = {};
+  WallGrid grid = {};  // of the walls that a robot of the scene may be too near to
 };
 
-ListedWalls list_walls(const Scenario& scenario, std::span<const MotionState> states,
-                       const CertificateLaw& law) {
-  ListedWalls listed;
-  for (std::size_t k = 0; k < scenario.obstacles.size(); ++k) {
-    const std::vector<Wall> walls = walls_of(std::span(&scenario.obstacles[k], 1));
-    listed.walls.insert(listed.walls.end(), walls.begin(), walls.end());
-    listed.obstacle.insert(listed.obstacle.end(), walls.size(), static_cast<int>(k));
+// Lists walls for the robots that are in the same layers of `telling`.
+class WallsOfLayers {
+ public:
+  WallsOfLayers(const Scenario& scenario, std::span<const MotionState> states,
+                const CertificateLaw& law)
+      : scenario_(scenario),
+        states_(states),
+        law_(law),
+        telling_(telling_layers(scenario.obstacles)) {}
+
+  // Valid until the next call.
+  const ListedWalls& of(const RobotSetup& robot) {
+    const LayerSet layers = told(robot);
+    const auto known = std::find_if(listed_.begin(), listed_.end(), [&](const ListedWalls& walls) {
+      return walls.layers == layers;
+    });
+    return known != listed_.end() ? *known : listed_.emplace_back(list(robot));
   }
-  WallNeeds needs;
-  for (std::size_t i = 0; i < states.size(); ++i)
-    include_start(scenario, scenario.robots[i], states[i], law, needs);
-  listed.grid = grid_of(listed.walls, needs);
-  return listed;
-}
+
+ private:
+  [[nodiscard]] LayerSet told(const RobotSetup& robot) const {
+    return {robot.layers.bits & telling_.bits};
+  }
+  [[nodiscard]] ListedWalls list(const RobotSetup& robot) const {
+    ListedWalls listed{told(robot)};
+    for (std::size_t k = 0; k < scenario_.obstacles.size(); ++k) {
+      if (!heeds(robot.layers, scenario_.obstacles[k])) continue;
+      const std::vector<Wall> walls = walls_of(std::span(&scenario_.obstacles[k], 1));
+      listed.walls.insert(listed.walls.end(), walls.begin(), walls.end());
+      listed.obstacle.insert(listed.obstacle.end(), walls.size(), static_cast<int>(k));
+    }
+    WallNeeds needs;
+    for (std::size_t i = 0; i < states_.size(); ++i)
+      if (told(scenario_.robots[i]) == listed.layers)
+        include_start(scenario_, scenario_.robots[i], states_[i], law_, needs);
+    listed.grid = grid_of(listed.walls, needs);
+    return listed;
+  }
+
+  const Scenario& scenario_;
+  std::span<const MotionState> states_;
+  const CertificateLaw& law_;
+  LayerSet telling_;
+  std::vector<ListedWalls> listed_;
+};
 
 }  // namespace
 
@@ -115,19 +147,20 @@ MotionState start_of(const RobotSetup& robot) {
 void find_wall_starts(const Scenario& scenario, std::span<const MotionState> states,
                       const CertificateLaw& law, BrokenAssumptions& result) {
   if (scenario.obstacles.empty()) return;
-  const ListedWalls listed = list_walls(scenario, states, law);
+  WallsOfLayers walls(scenario, states, law);
   std::vector<WallStart> beside;
   for (std::size_t i = 0; i < scenario.robots.size(); ++i) {
     const RobotSetup& robot = scenario.robots[i];
     if (robot.parked || !keeps(scenario, robot, law)) continue;
     const int number = static_cast<int>(i);
     const MotionState& state = states[i];
+    const ListedWalls& listed = walls.of(robot);
     if (worst_wall(scenario, number, state, listed.grid.near(state.position), law)) {
       beside.push_back(*worst_wall(scenario, number, state, listed.walls, law));
       beside.back().obstacle = listed.obstacle[static_cast<std::size_t>(beside.back().obstacle)];
     }
     for (std::size_t k = 0; k < scenario.obstacles.size(); ++k) {
-      if (leaves_room(states[i].position, scenario.obstacles[k])) continue;
+      if (leaves_room(robot, states[i].position, scenario.obstacles[k])) continue;
       ++result.misplaced_count;
       if (result.misplaced.size() < BrokenAssumptions::kNamed)
         result.misplaced.push_back({number, static_cast<int>(k)});

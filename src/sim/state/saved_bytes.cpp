@@ -85,11 +85,16 @@ void describe(Archive<kReads>& archive, MovingObstacle& setup, PathWalk& state) 
 template <bool kReads>
 void describe(Archive<kReads>& archive, StaticObstacle& obstacle, ObstacleId& id) {
   describe(archive, id.value);
-  auto fill = static_cast<std::uint8_t>(obstacle.fill);
-  describe(archive, obstacle.radius), describe(archive, fill);
-  if (fill > static_cast<std::uint8_t>(Fill::bounds))
+  describe(archive, obstacle.radius);
+  // one word for both: without layers the format is the older one
+  constexpr std::uint64_t kHasLayers = 256;
+  std::uint64_t kinds =
+      static_cast<std::uint64_t>(obstacle.fill) | (obstacle.layers == kAllLayers ? 0 : kHasLayers);
+  archive.word(kinds);
+  if ((kinds & ~kHasLayers) > static_cast<std::uint64_t>(Fill::bounds))
     refuse_saved("an unknown fill", "a known one");
-  obstacle.fill = static_cast<Fill>(fill);
+  obstacle.fill = static_cast<Fill>(kinds & ~kHasLayers);
+  if ((kinds & kHasLayers) != 0) describe(archive, obstacle.layers.bits);
   archive.size(obstacle.chains, kChainWords);
   for (Chain& chain : obstacle.chains) {
     describe(archive, chain.closed);
@@ -155,19 +160,20 @@ void describe(Archive<kReads>& archive, Detour& detour) {
 template <bool kReads>
 void describe_kinds(Archive<kReads>& archive, RobotSetup& setup) {
   const auto method = static_cast<std::uint64_t>(setup.method.value_or(Method{}));
-  std::uint64_t kinds = (setup.parked ? 1U : 0U) | (setup.method ? 2U | method << 8 : 0U) |
-                        (setup.time_horizon ? 4U : 0U) |
-                        (setup.behavior == Behavior::cooperates ? 8U : 0U) |
-                        (setup.arrival_distance ? 16U : 0U);
+  std::uint64_t kinds =
+      (setup.parked ? 1U : 0U) | (setup.method ? 2U | method << 8 : 0U) |
+      (setup.time_horizon ? 4U : 0U) | (setup.behavior == Behavior::cooperates ? 8U : 0U) |
+      (setup.arrival_distance ? 16U : 0U) | (setup.behavior == Behavior::moves_on ? 32U : 0U);
   archive.word(kinds);
   if constexpr (kReads) {
     const bool has_method = (kinds & 2) != 0;
     const bool is_more_than_parked = (kinds & 1) != 0 && kinds != 1;
-    if ((kinds & 0xe0) != 0 || (!has_method && kinds >> 8 != 0) || is_more_than_parked ||
-        kinds >> 8 >= kNames<Method>.size())
+    if ((kinds & 0xc0) != 0 || (kinds & 40) == 40 || (!has_method && kinds >> 8 != 0) ||
+        is_more_than_parked || kinds >> 8 >= kNames<Method>.size())
       refuse_saved("the kinds of a robot " + std::to_string(kinds), "known ones");
     setup.parked = (kinds & 1) != 0;
-    setup.behavior = (kinds & 8) != 0 ? Behavior::cooperates : Behavior::decides;
+    if ((kinds & 8) != 0) setup.behavior = Behavior::cooperates;
+    if ((kinds & 32) != 0) setup.behavior = Behavior::moves_on;
     if (has_method) setup.method = static_cast<Method>(kinds >> 8);
     if ((kinds & 4) != 0) setup.time_horizon.emplace();
     if ((kinds & 16) != 0) setup.arrival_distance.emplace();

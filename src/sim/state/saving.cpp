@@ -180,8 +180,11 @@ void keep_waiting(const SavedWay& way, Vec2 position, double radius, LegScratch&
 }
 
 // Makes the routes with the saved targets: no robot searches for its route again.
-std::vector<Travel> travels_of(const SavedState& state, Ways& ways) {
-  const std::size_t count = ways.empty() ? 0 : state.robots.size();
+std::vector<Travel> travels_of(const SavedState& state, std::span<Ways> ways,
+                               std::span<const std::uint32_t> floor) {
+  const bool has_ways =
+      std::any_of(ways.begin(), ways.end(), [](const Ways& own) { return !own.empty(); });
+  const std::size_t count = has_ways ? state.robots.size() : 0;
   if (state.ways.size() != count)
     refuse("saved state", std::to_string(state.ways.size()) + " ways", std::to_string(count));
   std::vector<Travel> travels;
@@ -194,13 +197,21 @@ std::vector<Travel> travels_of(const SavedState& state, Ways& ways) {
     }
     const SavedWay& way = state.ways[k];
     const Vec2 end = way.ends == WayEnd::goal ? setup.goal : way.place;
-    Travel travel = ways.resume(disc_radius(setup), end, way.target, way.is_exact,
-                                way.around_movers && ways.goes_around_movers());
+    Ways& own = ways[floor.empty() ? 0 : floor[k]];
+    Travel travel = own.resume(disc_radius(setup), end, way.target, way.is_exact,
+                               way.around_movers && own.goes_around_movers());
     travel.ends = way.ends, travel.place = way.place;
-    keep_waiting(way, state.robots[k].position, disc_radius(setup), ways.scratch(), travel);
+    keep_waiting(way, state.robots[k].position, disc_radius(setup), own.scratch(), travel);
     travels.push_back(std::move(travel));
   }
   return travels;
+}
+
+// Returns whether the static world has a floor for each robot.
+bool has_floors(const StaticWorld& statics, const Fleet& fleet) {
+  const std::vector<LayerSet> layers = layers_of(fleet);
+  return std::all_of(layers.begin(), layers.end(),
+                     [&](LayerSet robot) { return statics.floor_of(robot).has_value(); });
 }
 
 }  // namespace
@@ -222,9 +233,9 @@ SavedState saved_state(const World& world) {
       for (std::size_t k = 0; k < track.count; ++k) knots.push_back(track[k]);
     }
   }
-  state.ways.reserve(world.ways.travels.size());
-  for (std::size_t rank = 0; rank < world.ways.travels.size(); ++rank) {
-    const Travel& travel = world.ways.travels[rank];
+  state.ways.reserve(world.travels.size());
+  for (std::size_t rank = 0; rank < world.travels.size(); ++rank) {
+    const Travel& travel = world.travels[rank];
     const double radius = fleet.traits[fleet.slot_of[rank]].radius;
     state.ways.push_back({travel.target, travel.graph && travel.graph->radius == radius,
                           travel.around_movers, travel.ends, travel.place, travel.waiting});
@@ -263,19 +274,24 @@ void restore(const SavedState& state, World& world) {
   Senses senses = senses_of(state, fleet, world.planner().options().longest_step);
   ObstacleColumns obstacles = obstacles_of(state);
   std::optional<StaticWorld> statics;
-  std::optional<Ways> other_ways;
+  std::vector<Ways> other_ways;
   std::vector<Wall> parked = fleet.parked_discs();
   if (state.static_ids != world.statics.id || state.scene.obstacles != world.statics.obstacles ||
-      !are_same(parked, world.statics.parked))
-    statics.emplace(state.scene.obstacles, state.static_ids, state.next_obstacle,
-                    std::move(parked));
+      !are_same(parked, world.statics.parked) || !has_floors(world.statics, fleet))
+    statics.emplace(state.scene.obstacles, state.static_ids, state.next_obstacle, std::move(parked),
+                    layers_of(fleet));
+  const StaticWorld& known = statics ? *statics : world.statics;
+  std::vector<std::uint32_t> floor = floors_of(fleet, known);
+  std::vector<Claims> claims(known.floors.size());
   std::vector<Wall> resting = obstacles.resting();
-  if (statics || !are_same(resting, world.ways.resting()))
-    other_ways.emplace(way_rules_of(world.settings), statics ? statics->walls : world.statics.walls,
-                       std::move(resting), &world.ways);
-  Ways& ways = other_ways ? *other_ways : world.ways;
-  std::vector<Travel> travels = travels_of(state, ways);
-  if (other_ways) other_ways->forget_before();
+  if (statics || !are_same(resting, world.ways.front().resting())) {
+    for (const Floor& own : known.floors)
+      other_ways.emplace_back(way_rules_of(world.settings), own.walls, resting,
+                              &world.ways[world.statics.floor_of(own.layers).value_or(0)]);
+  }
+  std::vector<Ways>& ways = other_ways.empty() ? world.ways : other_ways;
+  std::vector<Travel> travels = travels_of(state, ways, floor);
+  for (Ways& own : other_ways) own.forget_before();
   std::vector<Pace> paces = paces_among(world, !obstacles.setup.empty());
   std::vector<Team> teams = state.scene.teams;
   // nothing throws from here on
@@ -285,10 +301,11 @@ void restore(const SavedState& state, World& world) {
   forget(world.bystanders);
   std::swap(world.senses, senses);
   std::swap(world.obstacles, obstacles);
-  std::swap(ways.travels, travels);
+  std::swap(world.travels, travels), std::swap(world.floor, floor);
+  std::swap(world.claims, claims);
   std::swap(world.settings.teams, teams);
   if (statics) std::swap(world.statics, *statics);
-  if (other_ways) std::swap(world.ways, *other_ways);
+  if (!other_ways.empty()) std::swap(world.ways, other_ways);
   world.statics.next_id = state.next_obstacle;
   world.sensing_radius = state.sensing_radius;
   world.steps = state.steps;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Teams: their checks, and what all tasks have in common.
 #include <algorithm>
+#include <cstdint>
 #include <string>
 #include <utility>
 
@@ -88,6 +89,16 @@ void check(const Flow& flow) {
   }
 }
 
+void require_each_once(const Team& team) {
+  std::vector<std::uint64_t> ids;
+  ids.reserve(team.members.size());
+  for (const TeamMember& member : team.members) ids.push_back(member.robot.value);
+  std::sort(ids.begin(), ids.end());
+  const auto twice = std::adjacent_find(ids.begin(), ids.end());
+  if (twice != ids.end())
+    refuse("team", "robot " + std::to_string(*twice) + " twice", "each robot once");
+}
+
 }  // namespace
 }  // namespace avo::inline sim
 
@@ -101,6 +112,7 @@ Team make_team(std::span<const RobotId> robots, TeamTask task) {
   Team team;
   for (const RobotId robot : robots) team.members.push_back({robot});
   team.task = std::move(task);
+  require_each_once(team);
   return team;
 }
 
@@ -110,6 +122,7 @@ void validate(const TeamTask& task) {
 
 void lead(Simulation& simulation, Team& team) {
   validate(team.task);
+  require_each_once(team);
   std::erase_if(team.members,
                 [&](const TeamMember& member) { return !simulation.index_of(member.robot); });
   if (team.members.empty()) return;
@@ -134,6 +147,14 @@ std::optional<RobotId> serve(Simulation& simulation, Team& team) {
   const RobotId robot = send_first(simulation, team);
   lead(simulation, team);
   return robot;
+}
+
+void set_task(Simulation& simulation, Team& team, TeamTask task) {
+  validate(task);
+  const std::vector<TeamMember> members = team.members;
+  disband(simulation, team);
+  for (const TeamMember& member : members) team.members.push_back({member.robot});
+  team.task = std::move(task);
 }
 
 void disband(Simulation& simulation, Team& team) {

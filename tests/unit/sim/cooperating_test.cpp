@@ -146,13 +146,42 @@ TEST(Cooperating, is_saved) {
   }
 }
 
+// A robot that has failed, as the host says: the others leave it no share, and count on its
+// velocity.
+TEST(Cooperating, nobody_counts_on_one_that_moves_on) {
+  Scenario scene = facing();
+  scene.robots[0].position = {-9, 0}, scene.robots[0].goal = {9, 0};
+  scene.robots[1] = robot_at({9, 0.1}, {-9, 0.1});
+  Simulation simulation(scene, 1);
+  RobotSetup failed = simulation.setup(1);
+  failed.behavior = Behavior::moves_on;
+  simulation.change_robot({1}, failed);
+  const Neighbor seen = simulation.perceive(0).neighbors.at(0);
+  EXPECT_EQ(seen.behavior, Behavior::moves_on);
+  EXPECT_GT(seen.likely_deviation, 0.0);
+  EXPECT_EQ(simulation.perceive(1).neighbors.at(0).behavior, Behavior::decides);
+  EXPECT_TRUE(simulation.perceive(0).among_movers);
+  Simulation continued(simulation.save(), 1);
+  EXPECT_EQ(continued.setup(1).behavior, Behavior::moves_on);
+  double nearest = 99.0;
+  while (simulation.can_step_by(30.0)) {
+    simulation.step();
+    nearest =
+        std::min(nearest, norm(simulation.fleet().position[0] - simulation.fleet().position[1]));
+  }
+  EXPECT_TRUE(simulation.all_at_goal());
+  EXPECT_GT(nearest, 1.0);
+  // it could brake, and is not counted on for that
+  scene.robots[1].behavior = Behavior::moves_on;
+  scene.robots[0].velocity = {1.5, 0}, scene.robots[1].velocity = {-2, 0};
+  scene.robots[1].position = {-4.4, 0};
+  EXPECT_EQ(broken_assumptions(scene).start_count, 1);
+  scene.robots[1].behavior = Behavior::decides;
+  EXPECT_EQ(broken_assumptions(scene).start_count, 0);
+}
+
 TEST(Cooperating, other_behavior_is_refused) {
   Scenario scene = facing();
-  scene.robots[1].behavior = Behavior::moves_on;
-  EXPECT_EQ(
-      refusal([&] { validate(scene); }),
-      "robots.1.behavior: found moves_on, must be decides or cooperates; who reacts to nobody "
-      "is one of moving_obstacles, or avoids []");
   scene.robots[1] = cooperating({6, 0}, {6, 0});
   scene.robots[1].parked = true;
   EXPECT_EQ(

@@ -2,6 +2,7 @@
 // A simulation that an independent judge looks at.
 #pragma once
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "avo/check.h"
@@ -17,8 +18,9 @@ class Judged {
 
   void step() {
     std::vector<CheckedWall> walls;
-    for (const Wall& wall : walls_of(simulation.static_obstacles().setup))
-      walls.push_back({wall.a, wall.b, wall.radius});
+    for (const StaticObstacle& obstacle : simulation.static_obstacles().setup)
+      for (const Wall& wall : walls_of(std::span(&obstacle, 1)))
+        walls.push_back({wall.a, wall.b, wall.radius, obstacle.layers.bits});
     check_.set_walls(walls);
     simulation.step();
     look();

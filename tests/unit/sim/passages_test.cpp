@@ -175,15 +175,15 @@ TEST(Claims, OutsideOnlyInSightOfTheMouth) {
     robot.velocity = is_hidden ? Vec2{0.5, -0.5} : Vec2{0.5, 0.5};
     scene.robots = {robot};
     World world(scene, std::make_unique<SerialExecutor>());
-    plan_travels(world.ways, world.fleet, 0.5);
+    world.travels = plan_travels(world.ways, world.fleet, world.floor, 0.5);
     find_walls(world);
-    ASSERT_FALSE(world.ways.passages.empty());
-    Claims claims;
+    ASSERT_FALSE(world.ways.front().passages.empty());
+    std::vector<Claims> claims;
     SerialExecutor serial;
     collect_claims(world, serial, claims);
     bool claims_door = false;
-    for (const Claimant& claimant : claims.claimants) {
-      const Passage& passage = world.ways.passages[claimant.claim.passage];
+    for (const Claimant& claimant : claims.front().claimants) {
+      const Passage& passage = world.ways.front().passages[claimant.claim.passage];
       claims_door = claims_door || norm(passage.axis[1]) < 0.1;
     }
     EXPECT_EQ(claims_door, !is_hidden);
@@ -195,11 +195,11 @@ TEST(Claims, EndInsideWhereTheGoalIs) {
   scene.obstacles = {test::pieces(test::corridor(1.6))};
   scene.robots = {test::robot_at({0, 0}, {0, 0})};
   World world(scene, std::make_unique<SerialExecutor>());
-  plan_travels(world.ways, world.fleet, 0.5);
+  world.travels = plan_travels(world.ways, world.fleet, world.floor, 0.5);
   find_walls(world);
-  const Travel& travel = world.ways.travels[0];
+  const Travel& travel = world.travels[0];
   const auto claim =
-      look_ahead(world.ways.passages, *travel.graph, *travel.map, {}, travel.target).claim;
+      look_ahead(world.ways.front().passages, *travel.graph, *travel.map, {}, travel.target).claim;
   ASSERT_TRUE(claim && claim->inside);
   EXPECT_TRUE(claim->ends);
 }
@@ -211,16 +211,17 @@ TEST(Claims, InsideHoldHoweverLongThePassageIs) {
   for (const double x : {-19.0, 0.0, 19.0})
     scene.robots.push_back(test::robot_at({x, 0}, {25, -6}));
   World world(scene, std::make_unique<SerialExecutor>());
-  plan_travels(world.ways, world.fleet, 0.5);
+  world.travels = plan_travels(world.ways, world.fleet, world.floor, 0.5);
   find_walls(world);
   for (std::size_t k = 0; k < scene.robots.size(); ++k) {
-    const Travel& travel = world.ways.travels[k];
-    const auto claim = look_ahead(world.ways.passages, *travel.graph, *travel.map,
+    const Travel& travel = world.travels[k];
+    const auto claim = look_ahead(world.ways.front().passages, *travel.graph, *travel.map,
                                   scene.robots[k].position, travel.target)
                            .claim;
     ASSERT_TRUE(claim) << k;
     EXPECT_TRUE(claim->inside && !claim->ends) << k;
-    const Vec2 out = axis_point(world.ways.passages[claim->passage], claim->forward, 0.0).direction;
+    const Vec2 out =
+        axis_point(world.ways.front().passages[claim->passage], claim->forward, 0.0).direction;
     EXPECT_NEAR(out.x, 1.0, 1e-12) << k;
   }
 }
@@ -246,21 +247,22 @@ TEST(Claims, LanesAreNotThoseOfAPassageBehindAWall) {
 // Each passage's own ones, however many parts there are.
 TEST(Claims, AreListedByPassage) {
   World world(test::crowd_at_doors(100, RightOfWay::seen), std::make_unique<SerialExecutor>());
-  plan_travels(world.ways, world.fleet, 0.5);
+  world.travels = plan_travels(world.ways, world.fleet, world.floor, 0.5);
   for (int k = 0; k < 60; ++k) step(world);
-  Claims claims;
+  std::vector<Claims> claims;
   SerialExecutor serial;
   collect_claims(world, serial, claims);
-  ASSERT_EQ(claims.first.size(), world.ways.passages.size() + 1);
-  EXPECT_GE(claims.claimants.size(), 50u);
+  ASSERT_EQ(claims.front().first.size(), world.ways.front().passages.size() + 1);
+  EXPECT_GE(claims.front().claimants.size(), 50u);
   std::size_t listed = 0;
-  for (std::uint32_t number = 0; number < world.ways.passages.size(); ++number) {
-    listed += claims.of(number).size();
-    for (const Claimant& claimant : claims.of(number)) EXPECT_EQ(claimant.claim.passage, number);
+  for (std::uint32_t number = 0; number < world.ways.front().passages.size(); ++number) {
+    listed += claims.front().of(number).size();
+    for (const Claimant& claimant : claims.front().of(number))
+      EXPECT_EQ(claimant.claim.passage, number);
   }
-  EXPECT_EQ(listed, claims.claimants.size());
-  EXPECT_EQ(claims.first.front(), 0u);
-  EXPECT_EQ(claims.first.back(), claims.claimants.size());
+  EXPECT_EQ(listed, claims.front().claimants.size());
+  EXPECT_EQ(claims.front().first.front(), 0u);
+  EXPECT_EQ(claims.front().first.back(), claims.front().claimants.size());
 }
 
 }  // namespace

@@ -61,13 +61,15 @@ RobotSetup any_robot(const Scenario& scene, Random& random) {
 
 StaticObstacle any_obstacle(Random& random) {
   const Vec2 a = anywhere(random);
+  const auto floor = static_cast<std::uint32_t>(random.below(4));  // 0 and 3: of both
   return {.chains = {{.points = {a, a + random.uniform(0.1, 2.0) * random.direction()}}},
-          .radius = random.below(2) == 0 ? 0.1 : 0.0};
+          .radius = random.below(2) == 0 ? 0.1 : 0.0,
+          .layers = floor == 0 ? kAllLayers : LayerSet{floor}};
 }
 
 // What the host changes of a robot between two steps.
 RobotSetup changed(RobotSetup robot, Random& random) {
-  switch (random.below(8)) {
+  switch (random.below(9)) {
     case 0:
       robot.radius *= random.uniform(0.7, 1.3);
       break;
@@ -87,7 +89,10 @@ RobotSetup changed(RobotSetup robot, Random& random) {
       robot.layers = robot.avoids = {random.below(2) == 0 ? 2U : 1U};
       break;
     case 6:
-      robot.behavior = random.below(2) == 0 ? Behavior::cooperates : Behavior::decides;
+      robot.behavior = static_cast<Behavior>(random.below(3));
+      break;
+    case 7:
+      robot.parked = !robot.parked;
       break;
     default:
       robot.time_horizon = random.uniform(1.0, 4.0);

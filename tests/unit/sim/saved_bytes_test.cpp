@@ -176,7 +176,7 @@ TEST(SavedBytes, forged_values_are_refused) {
   // a parked robot is at its goal, and at rest
   EXPECT_EQ(forged(end - 11, 1),
             "saved state: found a parked robot that has moved, must be one at its goal");
-  for (const char* kinds : {"3", "9", "32", "256"})
+  for (const char* kinds : {"3", "9", "33", "40", "64", "256"})
     EXPECT_EQ(
         forged(end - 11, std::stoul(kinds)),
         std::string("saved state: found the kinds of a robot ") + kinds + ", must be known ones");

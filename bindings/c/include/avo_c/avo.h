@@ -500,7 +500,7 @@ typedef struct avo_robot_def {
   uint32_t layers;        ///< bit k: it is in layer k
   uint32_t avoids;        ///< bit k: it avoids robots in layer k
   bool parked;            ///< never moves; its goal is its position
-  avo_behavior behavior;  ///< what others count on: AVO_BEHAVIOR_DECIDES or AVO_BEHAVIOR_COOPERATES
+  avo_behavior behavior;  ///< what others count on
   int32_t method;         ///< its own avo_method; AVO_UNSET: the simulation's
   /// s, > 0, its own; 0: the simulation's if it has the simulation's method
   double time_horizon;
@@ -530,6 +530,9 @@ typedef struct avo_chain {
   bool closed;
 } avo_chain;
 
+/// All layers, 0 to 31.
+#define AVO_ALL_LAYERS UINT32_C(0xffffffff)
+
 /// A static obstacle.
 typedef struct avo_obstacle_def {
   size_t size;
@@ -537,6 +540,7 @@ typedef struct avo_obstacle_def {
   size_t chain_count;
   double radius;  ///< m, >= 0, of all its walls
   avo_fill fill;
+  uint32_t layers;  ///< bit k: robots in layer k heed it; AVO_ALL_LAYERS: every robot does
 } avo_obstacle_def;
 
 typedef int32_t avo_team_task;
@@ -749,8 +753,9 @@ AVO_C_API avo_result avo_simulation_set_goal(avo_simulation_id simulation, avo_r
 AVO_C_API avo_result avo_simulation_move_robot(avo_simulation_id simulation, avo_robot_id robot,
                                                avo_vec2 position);
 /// Changes what the robot can do and how it behaves. All of the definition is taken but position,
-/// velocity, heading, goal, model and parked; another model, another time_step and a parked robot
-/// are refused. Otherwise it is refused as in add_robot. Take the present definition from
+/// velocity, heading, goal and model; another model and another time_step are refused. A robot at
+/// rest can be parked where it stands, and a parked robot set free; its goal is then its place.
+/// Otherwise it is refused as in add_robot. Take the present definition from
 /// avo_simulation_get_robot_def().
 AVO_C_API avo_result avo_simulation_change_robot(avo_simulation_id simulation, avo_robot_id robot,
                                                  const avo_robot_def* def);
@@ -918,9 +923,11 @@ AVO_C_API avo_result avo_simulation_nearest_robots(avo_simulation_id simulation,
                                                    avo_robot_id* buffer, size_t capacity,
                                                    size_t* count);
 /// Whether a disc of that radius, m, > 0, would touch no robot, no moving obstacle and no wall
-/// there, and would not be inside a solid or outside of bounds.
+/// there, and would not be inside a solid or outside of bounds. layers, here and below: only robots
+/// that are in one of them count, and static obstacles that a robot in them heeds. All moving
+/// obstacles and parked robots count.
 AVO_C_API avo_result avo_simulation_is_free(avo_simulation_id simulation, avo_vec2 position,
-                                            double radius, bool* is_free);
+                                            double radius, uint32_t layers, bool* is_free);
 /// What a ray, or a moving disc, touches first. At most one id is not 0; all are 0 where it touches
 /// nothing.
 typedef struct avo_hit {
@@ -932,11 +939,13 @@ typedef struct avo_hit {
 } avo_hit;
 /// A disc of that radius, m, >= 0, moves straight from one point to the other.
 AVO_C_API avo_result avo_simulation_cast_ray(avo_simulation_id simulation, avo_vec2 from,
-                                             avo_vec2 to, double radius, avo_hit* hit);
+                                             avo_vec2 to, double radius, uint32_t layers,
+                                             avo_hit* hit);
 /// Whether no static obstacle stops a disc of that radius, m, >= 0, on the straight line between
 /// the points.
 AVO_C_API avo_result avo_simulation_is_in_sight(avo_simulation_id simulation, avo_vec2 from,
-                                                avo_vec2 to, double radius, bool* is_in_sight);
+                                                avo_vec2 to, double radius, uint32_t layers,
+                                                bool* is_in_sight);
 /// The present moving obstacles, by ascending id, as their columns. buffer and count are those of
 /// avo_simulation_unreachable().
 AVO_C_API avo_result avo_simulation_moving_obstacle_ids(avo_simulation_id simulation,
@@ -1008,6 +1017,19 @@ AVO_C_API avo_result avo_simulation_form_up(avo_simulation_id simulation,
 
 /// A team that the host leads. The simulation leads the teams of its own definition.
 AVO_C_API avo_result avo_create_team(const avo_team_def* def, avo_team_id* team);
+/// The number of teams that the simulation leads: those of its definition.
+AVO_C_API avo_result avo_simulation_team_count(avo_simulation_id simulation, size_t* count);
+/// The team of that number, 0 for the first one, for the functions below. The simulation leads it;
+/// avo_destroy_team() destroys only this id.
+AVO_C_API avo_result avo_simulation_team(avo_simulation_id simulation, size_t number,
+                                         avo_team_id* team);
+/// *task: the task, without robots. Its points are valid until the task changes or the team is
+/// gone.
+AVO_C_API avo_result avo_team_get_task(avo_team_id team, avo_team_def* task);
+/// Gives the team another task, of a definition whose robots are not read. The robots keep the
+/// goals that they had before they joined. Where it fails, nothing has changed.
+AVO_C_API avo_result avo_team_set_task(avo_team_id team, avo_simulation_id simulation,
+                                       const avo_team_def* task);
 AVO_C_API avo_result avo_destroy_team(avo_team_id team);
 AVO_C_API bool avo_team_is_valid(avo_team_id team);
 /// Sets goals and preferred velocities of the robots for the next step: call it before each step.
@@ -1021,6 +1043,8 @@ AVO_C_API avo_result avo_team_serve(avo_team_id team, avo_simulation_id simulati
 AVO_C_API avo_result avo_team_disband(avo_team_id team, avo_simulation_id simulation);
 /// Another robot joins, as the last one.
 AVO_C_API avo_result avo_team_add(avo_team_id team, avo_robot_id robot);
+/// The robot leaves the team. Its goal stays as the team has set it.
+AVO_C_API avo_result avo_team_remove(avo_team_id team, avo_robot_id robot);
 /// The robots of the team, of a queue from its head. buffer and count are those of
 /// avo_simulation_unreachable().
 AVO_C_API avo_result avo_team_robots(avo_team_id team, avo_robot_id* buffer, size_t capacity,
@@ -1106,6 +1130,7 @@ typedef struct avo_navigator_def {
   double route_tolerance;           ///< m, > 0, of a given route; 0: 0.3 of the radius
   avo_right_of_way right_of_way;
   bool navigation;  ///< routes lead around the obstacles of the map
+  uint32_t layers;  ///< bit k: it is in layer k; of the map it heeds the obstacles of its layers
 } avo_navigator_def;
 
 /// A place on a mission.
@@ -1148,9 +1173,11 @@ AVO_C_API avo_result avo_navigator_set_stages(avo_navigator_id navigator, const 
                                               size_t count, double heading);
 AVO_C_API avo_result avo_navigator_go_on(avo_navigator_id navigator);  ///< ends a wait
 AVO_C_API avo_result avo_navigator_clear_goal(avo_navigator_id navigator);
+/// Another map: a door has closed or opened, or the robot is in other layers now; 0: it stays in
+/// its layers.
 AVO_C_API avo_result avo_navigator_set_obstacles(avo_navigator_id navigator,
                                                  const avo_obstacle_def* obstacles,
-                                                 size_t obstacle_count);
+                                                 size_t obstacle_count, uint32_t layers);
 /// One cycle, every time_step. Of the robot, preferred_velocity and distance_to_goal are not read.
 /// time: s, of any clock that does not go back.
 AVO_C_API avo_result avo_navigator_step(avo_navigator_id navigator, const avo_robot* robot,

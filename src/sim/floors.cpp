@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "sim/floors.h"
+
+#include <algorithm>
+#include <type_traits>
+#include <utility>
+
+#include "sim/travels.h"
+
+namespace avo::inline sim {
+
+static_assert(std::is_nothrow_move_assignable_v<StaticWorld>);
+
+std::vector<std::uint32_t> floors_of(const Fleet& fleet, const StaticWorld& statics) {
+  std::vector<std::uint32_t> floors;
+  if (statics.floors.size() < 2) return floors;
+  for (const std::uint32_t slot : fleet.slot_of)
+    floors.push_back(static_cast<std::uint32_t>(
+        statics.floor_of(fleet.conduct[slot].layers).value_or(0)));  // parked robots heed none
+  return floors;
+}
+
+std::uint32_t floor_for(World& world, LayerSet robot) {
+  if (const auto known = world.statics.floor_of(robot)) return static_cast<std::uint32_t>(*known);
+  StaticWorld& statics = world.statics;
+  const std::size_t number = statics.floors.size();
+  Floor floor = statics.floor_for(robot);
+  Ways ways(way_rules_of(world.settings), floor.walls, world.obstacles.resting());
+  std::vector<std::uint32_t> floors = world.floor;
+  if (floors.empty()) floors.assign(world.fleet.size(), 0);
+  const bool are_first = !world.has_ways() && !ways.empty();
+  std::vector<Travel> travels(are_first ? world.fleet.size() : 0);
+  statics.floors.reserve(number + 1), world.ways.reserve(number + 1);
+  world.claims.reserve(number + 1);
+  // nothing throws from here on
+  statics.floors.push_back(std::move(floor)), world.ways.push_back(std::move(ways));
+  world.claims.emplace_back();
+  std::swap(world.floor, floors);
+  if (are_first) std::swap(world.travels, travels);
+  world.changed = true;
+  return static_cast<std::uint32_t>(number);
+}
+
+Routes routes_among(const World& world, const StaticWorld& statics) {
+  Routes routes;
+  routes.floor = floors_of(world.fleet, statics);
+  routes.before.assign(statics.floors.size(), 0);
+  for (std::size_t rank = routes.floor.size(); rank > 0; --rank)
+    routes.before[routes.floor[rank - 1]] = world.floor_of(world.fleet.slot_of[rank - 1]);
+  for (std::size_t k = 0; k < statics.floors.size(); ++k)
+    routes.ways.emplace_back(way_rules_of(world.settings), statics.floors[k].walls,
+                             world.obstacles.resting(), &world.ways[routes.before[k]]);
+  routes.travels = plan_travels(routes.ways, world.fleet, routes.floor,
+                                world.settings.arrival_distance, world.travels);
+  for (Ways& ways : routes.ways) ways.forget_before();
+  return routes;
+}
+
+// A robot that has another end than before has not stood near it.
+void adopt(World& world, Routes routes) noexcept {
+  Fleet& fleet = world.fleet;
+  for (std::size_t slot = 0; slot < fleet.size(); ++slot) {
+    if (fleet.conduct[slot].parked) continue;
+    const Vec2 goal = fleet.goal[slot];
+    const auto rank = static_cast<std::size_t>(fleet.rank[slot]);
+    const Vec2 end = routes.travels.empty() ? goal : routes.travels[rank].heads_for(goal);
+    if (!(end == world.end_of(slot))) fleet.has_stood[slot] = 0;
+  }
+  for (std::size_t k = 0; k < routes.ways.size(); ++k) {
+    const auto first = std::find(routes.before.begin(), routes.before.end(), routes.before[k]);
+    if (first == routes.before.begin() + static_cast<std::ptrdiff_t>(k))  // what is moved away
+      routes.ways[k].remember_passages(world.ways[routes.before[k]]);
+  }
+  world.ways = std::move(routes.ways);
+  world.floor = std::move(routes.floor);
+  world.travels = std::move(routes.travels);
+  world.changed = world.has_new_goals = true;
+}
+
+void replace(World& world, StaticWorld statics) {
+  Routes routes = routes_among(world, statics);
+  world.claims.resize(std::max(world.claims.size(), statics.floors.size()));
+  world.statics = std::move(statics);
+  adopt(world, std::move(routes));
+}
+
+}  // namespace avo::inline sim

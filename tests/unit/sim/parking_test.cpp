@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: Apache-2.0
+// The host parks robots that stand, and sets parked robots free.
+#include <gtest/gtest.h>
+#include <vector>
+
+#include "avo/simulation.h"
+#include "support/refusal.h"
+#include "unit/sim/judged.h"
+#include "unit/sim/scenes.h"
+
+namespace avo {
+namespace {
+
+using test::refusal;
+using test::robot_at;
+
+void park(Simulation& simulation, std::size_t robot, bool is_parked) {
+  RobotSetup setup = simulation.setup(robot);
+  setup.parked = is_parked;
+  simulation.change_robot(simulation.robot(robot).id, setup);
+}
+
+// A robot parks in the way of another one, whose route then leads around it, and drives on later.
+TEST(Parking, makes_a_wall_of_a_robot_and_back) {
+  Scenario scene;
+  scene.robots = {robot_at({0, 0}, {0, 0}), robot_at({-8, 0}, {8, 0})};
+  test::Judged judged(scene, 1);
+  Simulation& simulation = judged.simulation;
+  EXPECT_EQ(simulation.way(1).length, 16.0);
+  park(simulation, 0, true);
+  EXPECT_TRUE(simulation.setup(0).parked);
+  EXPECT_GT(simulation.way(1).length, 16.01) << "around its disc";
+  EXPECT_TRUE(simulation.perceive(1).neighbors.empty()) << "it is a wall";
+  EXPECT_EQ(refusal([&] {
+              simulation.set_goal({0}, {5, 5});
+            }),
+            "robot 0: found a goal for it, must be one that is not parked");
+  Simulation continued(simulation.save(), 1);
+  judged.run(3.0);
+  for (int step = 0; step < 30; ++step) continued.step();
+  EXPECT_EQ(continued.state_hash(), simulation.state_hash());
+  EXPECT_EQ(simulation.robot(0).position, Vec2{});
+  park(simulation, 0, false);
+  EXPECT_EQ(simulation.robot(0).goal, Vec2{}) << "it stays until it is sent";
+  simulation.set_goal({0}, {0, 6});
+  judged.run(17.0);
+  EXPECT_TRUE(simulation.all_at_goal());
+  EXPECT_TRUE(judged.report().safe());
+}
+
+TEST(Parking, is_refused_in_motion_and_where_another_one_could_not_stop) {
+  Scenario scene;
+  scene.robots = {robot_at({0, 0}, {9, 0}), robot_at({-2.2, 0}, {9, 0})};
+  scene.robots[0].velocity = scene.robots[1].velocity = {1.2, 0};
+  Simulation moving(scene, 1);
+  EXPECT_EQ(refusal([&] { park(moving, 0, true); }),
+            "robot 0: parked: found a robot at 1.2 m/s, must be one at rest");
+  scene.robots[0].velocity = {};
+  scene.robots[1].position = {-1.75, 0};
+  Simulation beside(scene, 1);
+  EXPECT_EQ(refusal([&] { park(beside, 0, true); }), "") << "the other one stops before it";
+  EXPECT_NE(refusal([&] {
+              RobotSetup wide = beside.setup(0);
+              wide.radius = 0.6;
+              beside.change_robot({0}, wide);
+            }).find("must be one that is not parked"),
+            std::string::npos);
+  scene.clock = Clock::free;
+  Simulation freely(scene, 1);
+  EXPECT_EQ(refusal([&] { park(freely, 0, true); }),
+            "robot 0: parked: found a change while clocks are free, must be the same");
+}
+
+// Scenes with the same robots from the start move alike.
+TEST(Parking, equals_a_robot_that_was_parked_before) {
+  Scenario scene;
+  scene.obstacles = {{.chains = {{{{-3, 2}, {3, 2}}}}}};
+  scene.robots = {robot_at({0, 0}, {0, 0}), robot_at({-8, 0.1}, {8, 0}), robot_at({8, 1}, {-8, 0})};
+  Simulation changed(scene, 1);
+  scene.robots[0].parked = true;
+  Simulation given(scene, 1);
+  park(changed, 0, true);
+  for (int step = 0; step < 150; ++step) {
+    changed.step(), given.step();
+    ASSERT_EQ(changed.state_hash(), given.state_hash()) << step;
+  }
+}
+
+}  // namespace
+}  // namespace avo
