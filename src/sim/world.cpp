@@ -13,6 +13,7 @@
 #include "planner/validity.h"
 #include "sim/clocks.h"
 #include "sim/scene/scene_checks.h"
+#include "sim/sense.h"
 #include "sim/travels.h"
 
 namespace avo::inline sim {
