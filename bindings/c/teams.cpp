@@ -14,7 +14,7 @@ namespace {
 
 static_assert(AVO_FORMATION_RING == static_cast<int>(avo::Formation::ring));
 
-constinit Handles<avo_team_id, avo::Team> teams("team");
+AVO_C_CONSTINIT Handles<avo_team_id, avo::Team> teams("team");
 
 std::vector<avo::RobotId> ids_of(const avo_robot_id* robots, std::size_t count) {
   require_array(robots, count, "robots");
