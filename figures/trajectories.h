@@ -49,7 +49,7 @@ class TrajectoryRecorder {
   std::vector<TrajectoryFrame> kept_;
 };
 
-/// Draws the whole run in one picture. Returns the contents of the file at `path`. Throws Error if
+/// Draws the whole run in one picture, or those robots of it that the options name. Returns the contents of the file at `path`. Throws Error if
 /// the path is not that of a figure, or if the frames do not fit the scenario.
 [[nodiscard]] std::string draw_trajectories(const Scenario& scenario,
                                             std::span<const TrajectoryFrame> frames,

@@ -4,6 +4,7 @@ import assert from "node:assert/strict";
 import { test } from "node:test";
 import { digits } from "../../../lab/page/elements.ts";
 import { thinned, worstByPixel } from "../../../lab/page/run/thinned.ts";
+import { cssOf, directionColor } from "../../../lab/page/map/colors.ts";
 import { Labels } from "../../../lab/page/inspector/labels.ts";
 import { boxOf, panned, ticks, toScreen, toVelocity, zoomed } from "../../../lab/page/inspector/velocity_view.ts";
 
@@ -57,6 +58,13 @@ test("labels of one place do not cover each other, nor what is kept free", () =>
     places.slice(0, k).forEach((other, j) => assert.ok(!covers(place, other), `labels ${j} and ${k}`));
   });
   assert.equal(labels.place(150, 150, { ...label, optional: true }), null, "there is no room left near the point");
+});
+
+// The same numbers are in tests/unit/figures/colors_test.cpp and in tests/python/svg_test.py.
+test("directions have the colors of figures and of Python", () => {
+  const expected = { 0: "#56b4e9", 100: "#c47aa8", 180: "#de7f00", 250: "#c2ad00", "-30": "#30a8a5" };
+  for (const [degrees, color] of Object.entries(expected))
+    assert.equal(cssOf(directionColor(Number(degrees) * Math.PI / 180, "light")), color, degrees);
 });
 
 test("numbers for people", () => {
