@@ -49,6 +49,18 @@ avo_deb(dev libavo-dev libdevel "multi-robot collision avoidance: headers"
   "This package holds headers, and what CMake and pkg-config need.")
 set(CPACK_DEBIAN_DEV_PACKAGE_DEPENDS "libavo0 (= ${avo_deb_version})")
 set(CPACK_DEBIAN_DEV_PACKAGE_SHLIBDEPS OFF)
+if(TARGET avo_c_core)
+  avo_deb(c_core libavo-c-core0 libs "multi-robot collision avoidance: C library for games"
+    "This package holds the C interface without scene files.")
+  file(WRITE ${PROJECT_BINARY_DIR}/debian/c_core/shlibs "libavo_c_core 0 libavo-c-core0 (>= ${PROJECT_VERSION})\n")
+  set(CPACK_DEBIAN_C_CORE_PACKAGE_CONTROL_EXTRA
+    ${PROJECT_BINARY_DIR}/debian/c_core/shlibs ${PROJECT_BINARY_DIR}/debian/triggers)
+  avo_deb(c_core_dev libavo-c-core-dev libdevel "multi-robot collision avoidance: C header"
+    "This package holds the header of C, and what CMake and pkg-config need\nfor libavo-c-core0.")
+  set(CPACK_DEBIAN_C_CORE_DEV_PACKAGE_DEPENDS "libavo-c-core0 (= ${avo_deb_version})")
+  set(CPACK_DEBIAN_C_CORE_DEV_PACKAGE_SHLIBDEPS OFF)
+  string(APPEND CPACK_DEBIAN_DEV_PACKAGE_DEPENDS ", libavo-c-core-dev (= ${avo_deb_version})")
+endif()
 if(TARGET avo_cli)
   avo_deb(tools avo-tools science "multi-robot collision avoidance: command line"
     "This package holds the program avo: it runs scenes, draws them, and

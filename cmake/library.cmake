@@ -7,6 +7,9 @@ function(avo_set_up_library library)
   set_target_properties(${library} PROPERTIES VERSION ${PROJECT_VERSION} SOVERSION 0
     POSITION_INDEPENDENT_CODE ON CXX_VISIBILITY_PRESET hidden VISIBILITY_INLINES_HIDDEN ON
     INSTALL_RPATH "$ORIGIN")
+  if(WIN32 AND BUILD_SHARED_LIBS)  # avo/export.h
+    target_compile_definitions(${library} PUBLIC AVO_SHARED PRIVATE AVO_EXPORTING)
+  endif()
   # A call within the library is not a matter of what a program puts in its place; clang's default.
   target_compile_options(${library} PRIVATE $<$<CXX_COMPILER_ID:GNU>:-fno-semantic-interposition>)
   get_target_property(type ${library} TYPE)

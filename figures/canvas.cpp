@@ -26,20 +26,6 @@ Color mix(Color from, Color to, double part) {
           between(from.alpha, to.alpha)};
 }
 
-Color hue_color(double degrees) {
-  // a circle in a luma-chroma space: with fixed luma, yellow is not paler than blue
-  constexpr double kLuma = 0.47;
-  constexpr double kChroma = 0.42;
-  const double angle = degrees * std::numbers::pi / 180.0;
-  const double to_red = kChroma * std::cos(angle);
-  const double to_blue = kChroma * std::sin(angle);
-  const double red = kLuma + to_red;
-  const double blue = kLuma + to_blue;
-  const double green = kLuma - 0.4 * to_red - 0.15 * to_blue;
-  const auto unit = [](double value) { return std::clamp(value, 0.05, 0.95); };
-  return {unit(red), unit(green), unit(blue), 1.0};
-}
-
 Box enclosing(const Box& a, const Box& b) {
   return {{std::min(a.lower.x, b.lower.x), std::min(a.lower.y, b.lower.y)},
           {std::max(a.upper.x, b.upper.x), std::max(a.upper.y, b.upper.y)}};

@@ -30,9 +30,6 @@ inline constexpr Color kWhite = gray(1.0);
 /// Returns the color at fraction `part` between `from` (0) and `to` (1).
 Color mix(Color from, Color to, double part);
 
-/// Returns a saturated color of even visual weight; the hue is taken modulo 360 degrees.
-Color hue_color(double degrees);
-
 /// Axis-parallel rectangle, lower <= upper.
 struct Box {
   Vec2 lower, upper;

@@ -120,6 +120,7 @@ Canvas::State::State(std::string name, double page_width, double page_height)
   check_figure_path(path);
   const std::string extension = extension_of(path);
   png = extension == ".png";
+  svg = extension == ".svg";
   surface.reset(make_surface(extension, width, height, &bytes));
   check(path, cairo_surface_status(surface.get()));
   cairo.reset(cairo_create(surface.get()));
@@ -144,7 +145,8 @@ std::string Canvas::State::finish() {
     cairo_show_page(cairo.get());
     cairo_surface_finish(surface.get());
     check(path, cairo_surface_status(surface.get()));
-    if (bytes.starts_with("<?xml")) name_page(bytes);
+    if (svg) name_page(bytes);
+    if (svg) bytes.insert(bytes.rfind("</svg>"), texts);
   }
   return std::move(bytes);
 }

@@ -21,10 +21,14 @@ struct Canvas::State {
   std::string_view pixels() const;
   void set_color(Color color) const;
   void set_pen(const Stroke& stroke) const;
+  /// Returns where texts of an SVG go; null in other formats, whose texts Cairo draws.
+  std::string* svg_texts() { return svg ? &texts : nullptr; }
 
   std::string path;      // its extension gives the format; it is never opened
   double width, height;  // pt
   bool png = false;
+  bool svg = false;
+  std::string texts;  // elements of an SVG, above everything else
   std::string bytes;  // the file, complete in finish(); outlives the surface that writes to it
   std::unique_ptr<cairo_surface_t, CairoDelete> surface;
   std::unique_ptr<cairo_t, CairoDelete> cairo;

@@ -3,6 +3,7 @@
 #pragma once
 #include <array>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -27,11 +28,18 @@ struct Chart {
   std::string x_label, y_label;  ///< markup, with the unit
   std::vector<Series> series;
   std::optional<double> y_most = {};  ///< upper end of the y axis; none: above all points
+  std::string title{};                ///< plain text above the axes; empty: none
 };
 
-/// Both axes start at 0 unless a value is negative. Throws Error if no series has a point, or if
-/// the path is not that of a figure. Returns the contents of the file at `path`.
+/// Both axes start at 0 unless a value is negative. The x axis ends behind the last curve, with
+/// marks at the next tick. Throws Error if no series has a point, or if the path is not that of a
+/// figure. Returns the contents of the file at `path`.
 [[nodiscard]] std::string draw_chart(const Chart& chart, const std::string& path,
                                      const FigureOptions& options = {});
+
+/// Draws the charts in rows, each on its own axes, with one legend for all: series of one label
+/// must look the same. options.width is that of a chart which stands alone.
+[[nodiscard]] std::string draw_charts(std::span<const Chart> charts, const std::string& path,
+                                      const FigureOptions& options = {});
 
 }  // namespace avo::figures

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "figures/axes.h"
+#include "figures/colors.h"
 #include "figures/walls.h"
 
 namespace avo::figures {
@@ -16,7 +17,7 @@ constexpr int kUsualCells = 160;
 constexpr double kMapTop = 18.0, kMapRight = 8.0, kLegend = 20.0;  // pt
 constexpr Color kUnknown{0.93, 0.86, 0.68, 1.0};
 constexpr Color kDoomed{0.66, 0.16, 0.12, 1.0};
-constexpr Color kRobot{0.00, 0.36, 0.66, 1.0};
+constexpr Color kRobot = kBlue;
 
 Color color_of(SafetyState state) {
   if (state == SafetyState::unknown) return kUnknown;

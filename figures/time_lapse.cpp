@@ -3,12 +3,12 @@
 #include "figures/time_lapse.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <numbers>
 #include <string>
 
 #include "avo/error.h"
+#include "figures/colors.h"
 #include "figures/walls.h"
 
 namespace avo::figures {
@@ -116,24 +116,16 @@ std::vector<std::size_t> select_frames(const Scenario& scenario,
 }
 
 std::vector<Color> robot_colors(const Scenario& scenario) {
-  // distinguishable by readers with any color vision (Okabe, Ito)
-  static constexpr std::array<Color, 6> kFew{{{0.00, 0.36, 0.66, 1.0},
-                                              {0.80, 0.30, 0.00, 1.0},
-                                              {0.00, 0.55, 0.41, 1.0},
-                                              {0.72, 0.38, 0.58, 1.0},
-                                              {0.80, 0.55, 0.00, 1.0},
-                                              {0.25, 0.60, 0.82, 1.0}}};
+  const std::size_t count = scenario.robots.size();
+  if (count <= kFew.size())
+    return {kFew.begin(), kFew.begin() + static_cast<std::ptrdiff_t>(count)};
   std::vector<Color> colors;
-  if (scenario.robots.size() <= kFew.size()) {
-    colors.assign(kFew.begin(), kFew.begin() + static_cast<std::ptrdiff_t>(scenario.robots.size()));
-    return colors;
-  }
   Vec2 middle;
   for (const RobotSetup& robot : scenario.robots) middle = middle + robot.position;
   middle = middle / static_cast<double>(scenario.robots.size());
   for (const RobotSetup& robot : scenario.robots) {
     const Vec2 from = robot.position - middle;
-    colors.push_back(hue_color(std::atan2(from.y, from.x) * 180.0 / std::numbers::pi));
+    colors.push_back(direction_color(std::atan2(from.y, from.x) * 180.0 / std::numbers::pi));
   }
   return colors;
 }

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdio>
 #include <optional>
+#include <utility>
 
 #include "avo/error.h"
 #include "figures/axes.h"
@@ -94,7 +95,8 @@ std::string draw_panels(std::span<const TimeLapse> panels, const Box& world,
                      (titles.empty() ? 0.0 : kTitleHeight - 4.0);
   const double count = static_cast<double>(panels.size());
   const double panel = (options.width - left - kMargin - (count - 1.0) * kPanelGap) / count;
-  const double height = panel_height(world, panel);
+  const double height =
+      options.height > 0.0 ? options.height - top - bottom : panel_height(world, panel);
   Canvas canvas(path, options.width, top + height + bottom);
   if (!options.title.empty()) {
     canvas.plain_page_text({0.5 * options.width, 12.0}, options.title,
@@ -127,17 +129,42 @@ Box with_margin(const Box& world) {
   return grown(world, 0.03 * std::fmax(std::fmax(size.x, size.y), 1e-6));
 }
 
+// Leaves the robots of these rows alone.
+template <typename Value>
+void keep_rows(std::vector<Value>& values, std::span<const std::size_t> rows) {
+  if (values.empty()) return;
+  std::vector<Value> kept;
+  for (const std::size_t row : rows) kept.push_back(values[row]);
+  values = std::move(kept);
+}
+
+std::string draw_lapse_of(const Scenario& scenario, std::span<const TrajectoryFrame> frames,
+                          std::vector<Color> colors, const std::string& path,
+                          const FigureOptions& options) {
+  const std::size_t last = last_motion(scenario, frames);
+  const TimeLapse lapse{scenario, frames, select_frames(scenario, frames, last, kMostDiscs),
+                        std::move(colors)};
+  return draw_panels({&lapse, 1}, with_margin(covered(scenario, frames, 0, last)), {}, path,
+                     options);
+}
+
 }  // namespace
 
 std::string draw_trajectories(const Scenario& scenario, std::span<const TrajectoryFrame> frames,
                               const std::string& path, const FigureOptions& options) {
   check_figure_path(path);
   check_frames(scenario, frames);
-  const std::size_t last = last_motion(scenario, frames);
-  const TimeLapse lapse{scenario, frames, select_frames(scenario, frames, last, kMostDiscs),
-                        robot_colors(scenario)};
-  return draw_panels({&lapse, 1}, with_margin(covered(scenario, frames, 0, last)), {}, path,
-                     options);
+  std::vector<Color> colors = robot_colors(scenario);
+  if (options.robots.empty()) return draw_lapse_of(scenario, frames, colors, path, options);
+  Scenario fewer = scenario;
+  std::vector<TrajectoryFrame> theirs(frames.begin(), frames.end());
+  keep_rows(fewer.robots, options.robots);
+  keep_rows(colors, options.robots);
+  for (TrajectoryFrame& frame : theirs) {
+    keep_rows(frame.position, options.robots);
+    keep_rows(frame.heading, options.robots);
+  }
+  return draw_lapse_of(fewer, theirs, colors, path, options);
 }
 
 std::string draw_instants(const Scenario& scenario, std::span<const TrajectoryFrame> frames,

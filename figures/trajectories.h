@@ -49,8 +49,9 @@ class TrajectoryRecorder {
   std::vector<TrajectoryFrame> kept_;
 };
 
-/// Draws the whole run in one picture. Returns the contents of the file at `path`. Throws Error if
-/// the path is not that of a figure, or if the frames do not fit the scenario.
+/// Draws the whole run in one picture, or those robots of it that the options name. Returns the
+/// contents of the file at `path`. Throws Error if the path is not that of a figure, or if the
+/// frames do not fit the scenario.
 [[nodiscard]] std::string draw_trajectories(const Scenario& scenario,
                                             std::span<const TrajectoryFrame> frames,
                                             const std::string& path,

@@ -6,13 +6,14 @@
 #include <cmath>
 
 #include "avo/half_plane.h"
+#include "figures/colors.h"
 #include "figures/contour.h"
 
 namespace avo::figures {
 namespace {
 
-constexpr Color kPreferred{0.00, 0.36, 0.66, 1.0};
-constexpr Color kChosen{0.80, 0.20, 0.00, 1.0};
+constexpr Color kPreferred = kBlue;
+constexpr Color kChosen = kVermilion;
 constexpr int kContourCells = 240;
 
 std::string source_label(std::int64_t source) {

@@ -13,6 +13,7 @@
 #include "avo_io/printable.h"
 #include "completion/generate.h"
 #include "exit_codes.h"
+#include "figure_words.h"
 #include "option_parts.h"
 #include "own_methods.h"
 #include "terminal.h"
@@ -64,8 +65,18 @@ void add_run(CLI::App& app, Action& action) {
   verb->add_flag_callback(
           "--json", [] { arguments.summary = "-"; }, "the same as --summary -")
       ->excludes(summary);
-  not_empty(verb->add_option("--figure", arguments.figure, "time-lapse of the trajectories"))
-      ->type_name("FILE.svg|.png|.pdf");
+  CLI::Option* figure =
+      not_empty(verb->add_option("--figure", arguments.figure, "time-lapse of the trajectories"))
+          ->type_name("FILE.svg|.png|.pdf");
+  const auto of_figure = [&](const char* name, const char* type, const char* text, auto set) {
+    verb->add_option_function<std::string>(name, set, text)->type_name(type)->needs(figure);
+  };
+  of_figure("--figure-size", "WIDTH[xHEIGHT]", "of the figure, pt; a PNG has two pixels a point",
+            [](const std::string& word) { arguments.figure_size = figure_size(word); });
+  of_figure("--figure-time", "FROM:TO", "the figure shows this part of the run, s",
+            [](const std::string& word) { arguments.figure_time = figure_time(word); });
+  of_figure("--figure-robots", "I,J-K", "the figure shows these robots alone",
+            [](const std::string& word) { arguments.figure_robots = figure_robots(word); });
   add_shorthand(*verb, "duration", "S", arguments.scene);
   verb->add_flag("--until-arrived", arguments.until_arrived,
                  "ends as soon as every robot has arrived, at the latest after the duration");

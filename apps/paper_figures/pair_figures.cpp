@@ -8,6 +8,7 @@
 #include "avo/half_plane.h"
 #include "avo/velocity_obstacle.h"
 #include "figures/axes.h"
+#include "figures/colors.h"
 #include "figures/contour.h"
 #include "figures/velocity_space.h"
 #include "figures_of_the_paper.h"
@@ -31,7 +32,7 @@ constexpr Vec2 kVelocityB{-0.5, 0.1};
 constexpr Vec2 kNewVelocity{0.15, 0.95};  // relative, Fig. 3(b)
 constexpr double kControlTime = 2.0;      // [δ] s
 constexpr double kMaxAcceleration = 0.5;  // m/s^2, of A and of B, Fig. 5
-constexpr Color kPath{0.80, 0.30, 0.00, 1.0};
+constexpr Color kPath = figures::kVermilion;
 constexpr Box kVelocities{{-1.6, -1.2}, {3.2, 3.6}};
 
 Pair pair_of_figure() {

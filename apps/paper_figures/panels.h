@@ -6,6 +6,7 @@
 
 #include "avo/geometry.h"
 #include "figures/canvas.h"
+#include "figures/colors.h"
 
 namespace avo::paper {
 
@@ -36,6 +37,6 @@ void draw_bodies(figures::Canvas& canvas, const figures::Box& panel, const figur
 /// Returns the corners of the convex hull, counter-clockwise.
 std::vector<Vec2> convex_hull(std::vector<Vec2> points);
 
-inline constexpr figures::Color kRobotColor{0.00, 0.36, 0.66, 1.0};
+inline constexpr figures::Color kRobotColor = figures::kBlue;
 
 }  // namespace avo::paper

@@ -13,6 +13,7 @@
 #include "avo/simulation.h"
 #include "avo_io/scene.h"
 #include "figures/chart.h"
+#include "figures/colors.h"
 #include "figures_of_the_paper.h"
 
 namespace avo::paper {
@@ -91,8 +92,8 @@ std::string processor() {
 }  // namespace
 
 Caption draw_speed(const std::string& folder) {
-  figures::Series median{"median", {}, {0.00, 0.36, 0.66, 1.0}};
-  figures::Series high{"95 % of the steps", {}, {0.80, 0.30, 0.00, 1.0}, true, 3.0};
+  figures::Series median{"median", {}, figures::kBlue};
+  figures::Series high{"95 % of the steps", {}, figures::kVermilion, true, 3.0};
   const std::vector<StepTime> times = measure_all();
   for (std::size_t k = 0; k < times.size(); ++k) {
     median.points.push_back({1.0 * kCircles[k], times[k].median});

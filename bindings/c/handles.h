@@ -14,6 +14,14 @@
 
 #include "errors.h"
 
+// Tables are there before any code runs. A mutex of mingw-w64 has no constant initializer, so that
+// tables are made there when the library is loaded.
+#if defined(__MINGW32__)
+#define AVO_C_CONSTINIT
+#else
+#define AVO_C_CONSTINIT constinit
+#endif
+
 namespace avo_c {
 
 /// Id is a struct of index (from 1; 0: null) and generation. Finding an object takes no lock and

@@ -18,7 +18,7 @@
 namespace avo_c {
 namespace {
 
-constinit Handles<avo_navigator_id, avo::Navigator> navigators("navigator");
+AVO_C_CONSTINIT Handles<avo_navigator_id, avo::Navigator> navigators("navigator");
 
 static_assert(is(AVO_NAVIGATOR_UNREACHABLE, avo::NavigatorStatus::unreachable));
 static_assert(is(AVO_NAVIGATOR_WAITING, avo::NavigatorStatus::waiting));

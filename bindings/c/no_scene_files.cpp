@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Scenes without avo_io: there are none.
+// Scenes without avo_io, and in avo_c_core: there are none.
 #include "errors.h"
 #include "scene_files.h"
 
@@ -8,8 +8,7 @@ namespace {
 
 [[noreturn]] void fail_as_unsupported() {
   fail(AVO_ERROR_UNSUPPORTED,
-       "scenes: found a library that was built without AVO_IO, must be one "
-       "that was built with it");
+       "scenes: found a library without scene files, must be avo_c of a build with AVO_IO");
 }
 
 }  // namespace

@@ -13,7 +13,7 @@
 namespace avo_c {
 namespace {
 
-constinit Handles<avo_planner_id, avo::Planner> planners("planner");
+AVO_C_CONSTINIT Handles<avo_planner_id, avo::Planner> planners("planner");
 
 // The memory of one thread; it grows, and then nothing is allocated.
 struct Scratch {

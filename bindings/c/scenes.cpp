@@ -73,7 +73,7 @@ Scene::Scene(avo::Scenario read) : scenario(std::move(read)), def(settings_of(sc
   def.obstacle_count = obstacles.size();
 }
 
-constinit Handles<avo_scene_id, Scene> scenes("scene");
+AVO_C_CONSTINIT Handles<avo_scene_id, Scene> scenes("scene");
 
 std::vector<std::string> words_of(const char* const* overrides, std::size_t count) {
   require_array(overrides, count, "overrides");

@@ -32,7 +32,7 @@ struct Simulation {
   std::vector<avo_robot_id> ids;  // of the columns; made on demand
 };
 
-inline constinit Handles<avo_simulation_id, Simulation> simulations("simulation");
+inline AVO_C_CONSTINIT Handles<avo_simulation_id, Simulation> simulations("simulation");
 
 inline avo::RobotId from_c(avo_robot_id robot) {
   return {robot.value - 1};

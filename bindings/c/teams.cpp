@@ -22,7 +22,7 @@ struct TeamOfAny {
   std::size_t number = 0;                       // among its teams
 };
 
-constinit Handles<avo_team_id, TeamOfAny> teams("team");
+AVO_C_CONSTINIT Handles<avo_team_id, TeamOfAny> teams("team");
 
 avo::Team& team_at(avo_team_id id) {
   TeamOfAny& team = teams.at(id);

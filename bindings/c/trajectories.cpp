@@ -13,7 +13,7 @@
 namespace avo_c {
 namespace {
 
-constinit Handles<avo_trajectory_id, avo::Trajectory> trajectories("trajectory");
+AVO_C_CONSTINIT Handles<avo_trajectory_id, avo::Trajectory> trajectories("trajectory");
 
 }  // namespace
 

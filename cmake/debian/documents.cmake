@@ -14,7 +14,7 @@ foreach(component IN LISTS CPACK_COMPONENTS_ALL)
     " -- ${CPACK_PACKAGE_CONTACT}  ${date}\n")
   set(overrides "# Made from the sources of the project, not for Debian's archive: no bug asks for it."
     "${package}: initial-upload-closes-no-bugs *")
-  if(component STREQUAL "library")
+  if(component MATCHES "^(library|c_core)$")
     list(APPEND overrides "# CPack adds these scripts, which do nothing that the trigger does not do."
       "${package}: maintscript-calls-ldconfig *")
   endif()

@@ -9,10 +9,15 @@
 
 #include "avo/vec.h"
 
-// Every part of a kernel has this attribute: a call would cost more than the work.
+// Every part of a kernel has AVO_KERNEL: a call would cost more than the work. AVO_RARE_KERNEL is
+// for rare code that would slow down the common code if it were inlined.
+#if defined(_MSC_VER)
+#define AVO_KERNEL __forceinline
+#define AVO_RARE_KERNEL static __declspec(noinline)
+#else
 #define AVO_KERNEL inline __attribute__((always_inline))
-// For rare code that would slow down the common code if it were inlined.
 #define AVO_RARE_KERNEL static __attribute__((noinline))
+#endif
 
 // A kernel header, *_kernel.h, is compiled once per pass: first for the pack above, then once for
 // each instruction set, beginning with core/lanes.h. The latter undefines the guards of all kernel

@@ -9,7 +9,7 @@
 #if defined(__unix__)
 #include <unistd.h>
 #endif
-#if defined(__x86_64__) || defined(__i386__)
+#if defined(__x86_64__) || defined(__i386__) || defined(_M_X64)
 #include <immintrin.h>
 #endif
 
@@ -29,7 +29,7 @@ constexpr std::chrono::nanoseconds kTrifle{10'000};
 using Clock = std::chrono::steady_clock;
 
 void pause() {
-#if defined(__x86_64__) || defined(__i386__)
+#if defined(__x86_64__) || defined(__i386__) || defined(_M_X64)
   _mm_pause();
 #elif defined(__aarch64__)
   asm volatile("yield");

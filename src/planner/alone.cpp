@@ -14,10 +14,12 @@ namespace {
 
 // Prefetches a neighbor. Lists are in the caller's memory, far from the caches if the caller plans
 // many robots in turn.
-void prefetch(const Neighbor* neighbor) {
+void prefetch([[maybe_unused]] const Neighbor* neighbor) {
+#if defined(__GNUC__)
   constexpr std::size_t kLine = 64;  // bytes
   for (std::size_t at = 0; at < sizeof(Neighbor); at += kLine)
     __builtin_prefetch(reinterpret_cast<const char*>(neighbor) + at);
+#endif
 }
 
 // Takes the neighbors as the only ones of the tile, nearest first; none if one is invalid. It takes

@@ -5,7 +5,9 @@
 #include <string>
 
 #include "avo/error.h"
+#include "core/plane.h"
 #include "core/ranges.h"
+#include "sim/scene/edit_checks.h"
 #include "sim/sense.h"
 #include "sim/world.h"
 

@@ -16,6 +16,7 @@
 #include "sim/clocks.h"
 #include "sim/floors.h"
 #include "sim/scene/scene_checks.h"
+#include "sim/sense.h"
 #include "sim/travels.h"
 
 namespace avo::inline sim {

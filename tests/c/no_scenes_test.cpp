@@ -6,8 +6,8 @@
 
 int main() {
   REFUSES(avo_c::guarded([] { avo_c::load_scene("circle-10", {}); }), AVO_ERROR_UNSUPPORTED,
-          "built without AVO_IO");
+          "without scene files");
   REFUSES(avo_c::guarded([] { avo_c::parse_scene("version: 1", "a.yaml", {}); }),
-          AVO_ERROR_UNSUPPORTED, "built without AVO_IO");
+          AVO_ERROR_UNSUPPORTED, "without scene files");
   return 0;
 }

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "avo_io/recorded_run.h"
+#include "reports/curves.h"
 #include "support/json.h"
 #include "sweeps.h"
 
@@ -80,6 +81,27 @@ TEST(Compare, draws_tables) {
   EXPECT_EQ(read_file(path_of("again.svg")), read_file(arrival));
 }
 
+std::size_t count_of(const std::string& part, const std::string& text) {
+  std::size_t count = 0;
+  for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1))
+    ++count;
+  return count;
+}
+
+TEST(Compare, draws_a_chart_for_each_block_and_names_each_method_once) {
+  const std::string table = by_hand("a.csv");
+  ASSERT_EQ(run_avo({"compare", table, "--arrival", path_of("a.svg"), "-q"}).exit_code, 0);
+  const std::string by_method = read_file(path_of("a.svg"));
+  for (const char* text : {">time_horizon 5<", ">time_horizon 8<", ">method avo<", ">method orca<"})
+    EXPECT_EQ(count_of(text, by_method), 1U) << text;
+  EXPECT_EQ(count_of(">arrived (%)<", by_method), 2U);
+  const ProcessResult other =
+      run_avo({"compare", table, "--by=time_horizon", "--arrival", path_of("b.svg"), "-q"});
+  ASSERT_EQ(other.exit_code, 0) << other.err;
+  EXPECT_NE(read_file(path_of("b.svg")), by_method);
+  EXPECT_EQ(count_of(">method avo<", read_file(path_of("b.svg"))), 1U) << "a title";
+}
+
 TEST(Compare, draws_recordings) {
   const std::string a = path_of("a.h5"), b = path_of("b.h5");
   ASSERT_EQ(run_avo({"run", "circle-6", "--duration=30", "--record", a, "-q"}).exit_code, 0);
@@ -90,6 +112,14 @@ TEST(Compare, draws_recordings) {
   EXPECT_EQ(result.exit_code, 0) << result.err;
   EXPECT_THAT(result.out, HasSubstr("6 of 6   30 s"));
   for (const char* file : {"1.png", "2.png", "3.pdf"}) EXPECT_TRUE(exists(path_of(file))) << file;
+}
+
+TEST(Compare, charts_end_with_the_motion) {
+  const std::string a = path_of("a.h5");
+  ASSERT_EQ(run_avo({"run", "circle-2", "--duration=600", "--record", a, "-q"}).exit_code, 0);
+  const std::vector<avo::Vec2> arrivals = avo_cli::arrivals_of(avo_io::read_run(a));
+  EXPECT_LT(arrivals.back().x, 30.0);
+  EXPECT_EQ(arrivals.back().y, 100.0);
 }
 
 TEST(Compare, finds_in_a_recording_what_its_run_has_found) {

@@ -155,6 +155,49 @@ TEST(Outputs, figures_of_every_kind) {
   EXPECT_EQ(files_in(folder()), (Strings{"a.pdf", "a.png", "a.svg"})) << "nothing left behind";
 }
 
+TEST(Outputs, a_figure_has_a_size_a_part_of_the_run_and_robots) {
+  const auto drawn = [](const Strings& options) {
+    Strings words{"run", "circle-6", "--duration", "20", "--figure", "f.svg", "-q"};
+    words.insert(words.end(), options.begin(), options.end());
+    const ProcessResult result = run_here(words);
+    EXPECT_EQ(result.exit_code, 0) << result.err;
+    return read_file(path_of("f.svg"));
+  };
+  const std::string whole = drawn({});
+  EXPECT_NE(whole.find("width=\"450pt\""), std::string::npos);
+  const std::string sized = drawn({"--figure-size", "300x200"});
+  EXPECT_NE(sized.find("width=\"300pt\" height=\"200pt\""), std::string::npos);
+  EXPECT_LT(drawn({"--figure-robots", "0,2-3"}).size(), whole.size());
+  EXPECT_LT(drawn({"--figure-time", "2:4"}).size(), whole.size());
+  EXPECT_EQ(drawn({"--figure-time", "0:", "--figure-robots", "0-5"}), whole);
+}
+
+TEST(Outputs, options_of_a_figure_are_refused_in_one_line) {
+  const auto refused = [](const Strings& options) {
+    Strings words{"run", "circle-6", "--duration", "1", "-q"};
+    words.insert(words.end(), options.begin(), options.end());
+    const ProcessResult result = run_here(words);
+    EXPECT_EQ(result.exit_code, 2);
+    EXPECT_EQ(lines_of(result.err).size(), 1U) << result.err;
+    return result.err;
+  };
+  const Strings figure{"--figure", "f.svg"};
+  const auto of_figure = [&](const char* option, const char* word) {
+    return refused({figure[0], figure[1], option, word});
+  };
+  for (const char* word : {"", "x", "50", "300x", "300x9000", "nan"})
+    EXPECT_NE(of_figure("--figure-size", word).find("--figure-size"), std::string::npos) << word;
+  for (const char* word : {":", "5", "4:4", "-1:2", "a:b", "2:9:"})
+    EXPECT_NE(of_figure("--figure-time", word).find("--figure-time: found"), std::string::npos);
+  for (const char* word : {"1,", "x", "3-1", "-1", "0-99999999"})
+    EXPECT_NE(of_figure("--figure-robots", word).find("--figure-robots: found"), std::string::npos);
+  EXPECT_EQ(of_figure("--figure-robots", "0,6"),
+            "avo: --figure-robots: found 6, must be < 6, the number of robots\n");
+  EXPECT_EQ(of_figure("--figure-time", "2:3"),
+            "avo: --figure-time: found a begin at 2 s, must be <= 1 s, the duration\n");
+  EXPECT_NE(refused({"--figure-size", "300"}).find("--figure"), std::string::npos);
+}
+
 TEST(Outputs, places_that_cannot_be_written_are_reported_before_it_simulates) {
   const auto forever = [](const Strings& more) {
     Strings arguments{"run", "positions-exchange", "--set", "duration=1e6"};

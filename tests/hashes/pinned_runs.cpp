@@ -43,10 +43,13 @@ const std::vector<PinnedRun>& pinned_runs() {
   return runs;
 }
 
+std::int64_t steps_of(const PinnedRun& run, const avo::Scenario& scenario) {
+  return run.steps > 0 ? run.steps : avo::last_step(scenario, scenario.duration);
+}
+
 std::uint64_t state_hash(const PinnedRun& run, int threads) {
   const avo::Scenario scenario = avo_io::load_scenario(run.scene, run.overrides);
-  const std::int64_t steps =
-      run.steps > 0 ? run.steps : avo::last_step(scenario, scenario.duration);
+  const std::int64_t steps = steps_of(run, scenario);
   avo::Simulation simulation(scenario, threads);
   while (simulation.steps() < steps) simulation.step();
   return simulation.state_hash();

@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "avo/scenario.h"
+
 namespace avo_test {
 
 struct PinnedRun {
@@ -21,6 +23,9 @@ inline std::ostream& operator<<(std::ostream& out, const PinnedRun& run) {
 }
 
 const std::vector<PinnedRun>& pinned_runs();
+
+/// The number of steps of `run`, whose scene is `scenario`.
+std::int64_t steps_of(const PinnedRun& run, const avo::Scenario& scenario);
 
 /// The hash that `run` has now. threads as Simulation takes them.
 std::uint64_t state_hash(const PinnedRun& run, int threads);

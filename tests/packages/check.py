@@ -3,6 +3,7 @@
 """Builds and runs users' programs with this library as a package.
 
 usage: check.py static BUILD      the finished build BUILD, installed and moved to another folder
+       check.py c_core BUILD      the C library for games alone, installed from the finished build BUILD
        check.py shared BUILD      a build with BUILD_SHARED_LIBS=ON, likewise
        check.py parent BUILD      a project that adds the sources, with a shared library
        check.py libcxx BUILD      the same with a static one, by clang and libc++, from scratch
@@ -133,11 +134,39 @@ def check_static(arguments):
     check_installed(arguments, install_and_move(arguments.build, arguments.folder))
 
 
+def check_c_core(arguments):
+    """What a game takes along: one library that needs three others, a header, and what finds them."""
+    for component in ("c_core", "c_core_dev"):
+        run("cmake", "--install", arguments.build, "--component", component, "--prefix", arguments.folder / "installed")
+    prefix = (arguments.folder / "installed").rename(arguments.folder / "moved")
+    files = [path for path in prefix.rglob("*") if path.is_file()]
+    names = {path.name for path in files if "avo_c_core" not in path.name}
+    expect(names == {"avo.h"}, f"more than the library, its header and what finds them: {sorted(names)}")
+    library = next(path for path in files if ".so." in path.name and not path.is_symlink())
+    needed = re.findall(r"\(NEEDED\).*\[(.*)\]", run("readelf", "--dynamic", library))
+    needed = {name for name in needed if not name.startswith("ld-")}  # the loader itself
+    expect(needed == {"libc.so.6", "libm.so.6", "libstdc++.so.6"}, f"{library.name} needs {sorted(needed)}")
+    symbols.check(library)
+    check_game(arguments, prefix, library.parent)
+
+
+def check_game(arguments, prefix, library):
+    build = arguments.folder / "find_package"
+    run("cmake", "-G", "Ninja", "-S", HERE / "game", "-B", build, f"-DAVO_SOURCE={ROOT}", f"-DCMAKE_PREFIX_PATH={prefix}")
+    build_all(build)
+    program = arguments.folder / "game_loop"
+    words = run("pkg-config", "--cflags", "--libs", "avo_c_core", PKG_CONFIG_PATH=str(library / "pkgconfig")).split()
+    run("cc", "-std=c99", *WARNINGS, ROOT / "examples/game_loop.c", *words, "-lm", "-o", program)
+    said = {run(build / "game_loop"), run(program, LD_LIBRARY_PATH=str(library))}
+    expect(len(said) == 1 and "0 robots by the player, 0 pairs" in next(iter(said)), f"game_loop: {said}")
+    print("game:        ", *said, end="")
+
+
 def check_shared(arguments):
     build = arguments.folder / "build"
     configure(arguments, ROOT, build, *settings_of(arguments.build, build), "-DBUILD_SHARED_LIBS=ON",
               "-DAVO_TESTS=OFF", "-DAVO_BENCH=OFF", f"-DCMAKE_INSTALL_PREFIX={arguments.folder / 'elsewhere'}")
-    build_all(build, "avo", "avo_io", "avo_c", "avo_cli")  # what is installed
+    build_all(build, "avo", "avo_io", "avo_c", "avo_c_core", "avo_cli")  # what is installed
     prefix = install_and_move(build, arguments.folder)
     shutil.rmtree(build)  # nothing may come from there
     check_installed(arguments, prefix)
@@ -214,7 +243,7 @@ def expect_none_fused(file):
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__.split("\n\n")[0])
-    parser.add_argument("kind", choices=["static", "shared", "parent", "libcxx", "odr", "fused"])
+    parser.add_argument("kind", choices=["static", "c_core", "shared", "parent", "libcxx", "odr", "fused"])
     parser.add_argument("build", type=pathlib.Path)
     parser.add_argument("--folder", type=pathlib.Path, default=ROOT / "build" / "packages")
     parser.add_argument("--compiler", default="c++")
@@ -223,7 +252,7 @@ def main():
     arguments.folder = (arguments.folder / arguments.kind).absolute()
     shutil.rmtree(arguments.folder, ignore_errors=True)
     arguments.folder.mkdir(parents=True)
-    {"static": check_static, "shared": check_shared, "parent": check_parent,
+    {"static": check_static, "c_core": check_c_core, "shared": check_shared, "parent": check_parent,
      "libcxx": check_libcxx, "odr": check_odr, "fused": check_fused}[arguments.kind](arguments)
 
 

@@ -7,6 +7,7 @@ import avo
 import avo.svg
 import numpy as np
 import pytest
+from avo._colors import css, direction_color, robot_colors
 
 TAG = "{http://www.w3.org/2000/svg}"
 
@@ -73,3 +74,15 @@ def test_what_cannot_be_drawn_is_refused(scene, paths, message):
 def test_names_are_escaped():
     scene = avo.Scenario({"version": 1, "name": "<a & b>", "robots": [{"position": [0, 0], "goal": [1, 0]}]})
     assert parts(scene._repr_svg_(), "title")[0].text == "<a & b>"
+
+
+# The same numbers are in tests/unit/figures/colors_test.cpp and in tests/lab/page/drawing.test.mjs.
+def test_directions_have_the_colors_of_figures_and_of_the_lab():
+    expected = {0: "#56b4e9", 100: "#c47aa8", 180: "#de7f00", 250: "#c2ad00", -30: "#30a8a5"}
+    assert {degrees: css(direction_color(math.radians(degrees))) for degrees in expected} == expected
+
+
+def test_robots_have_different_colors():
+    for count in (1, 6, 7, 30):
+        angles = 2 * np.pi * np.arange(count) / count
+        assert len(set(robot_colors(np.column_stack([np.cos(angles), np.sin(angles)])))) == count

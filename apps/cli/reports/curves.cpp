@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 
 namespace avo_cli {
 namespace {
@@ -12,6 +13,15 @@ namespace {
 using avo::Vec2;
 
 constexpr std::size_t kMostPoints = 1000;  // per curve
+
+/// Returns the moments until no robot moves any more: a run may go on long after that.
+std::span<const avo_io::RecordedMoment> in_motion(const avo_io::RecordedRun& run) {
+  constexpr double kStill = 1e-3;  // m/s
+  std::size_t end = run.moments.size();
+  while (end > 0 && !(run.moments[end - 1].fastest > kStill)) --end;
+  if (end == 0) return run.moments;
+  return std::span(run.moments).first(std::min(end + 1, run.moments.size()));
+}
 
 /// Returns the lowest point of every n, at its own place.
 std::vector<Vec2> lowest(const std::vector<Vec2>& points) {
@@ -38,7 +48,7 @@ std::vector<Vec2> thinned(const std::vector<Vec2>& points) {
 
 std::vector<Vec2> arrivals_of(const avo_io::RecordedRun& run) {
   std::vector<Vec2> points;
-  for (const avo_io::RecordedMoment& moment : run.moments)
+  for (const avo_io::RecordedMoment& moment : in_motion(run))
     points.push_back(
         {moment.time, 100.0 * static_cast<double>(moment.arrived) /
                           static_cast<double>(std::max<std::int64_t>(run.travelers, 1))});
@@ -47,14 +57,14 @@ std::vector<Vec2> arrivals_of(const avo_io::RecordedRun& run) {
 
 std::vector<Vec2> clearances_of(const avo_io::RecordedRun& run) {
   std::vector<Vec2> points;
-  for (const avo_io::RecordedMoment& moment : run.moments)
+  for (const avo_io::RecordedMoment& moment : in_motion(run))
     if (moment.clearance) points.push_back({moment.time, *moment.clearance});
   return lowest(points);
 }
 
 std::vector<Vec2> top_speeds_of(const avo_io::RecordedRun& run) {
   std::vector<Vec2> points;
-  for (const avo_io::RecordedMoment& moment : run.moments)
+  for (const avo_io::RecordedMoment& moment : in_motion(run))
     points.push_back({moment.time, moment.fastest});
   return thinned(points);
 }

@@ -12,6 +12,7 @@ namespace avo_cli {
 /// Returns as many points as a figure can show, and the last point.
 std::vector<avo::Vec2> thinned(const std::vector<avo::Vec2>& points);
 
+// Curves end where no robot moves any more.
 /// % of the robots that are not parked
 std::vector<avo::Vec2> arrivals_of(const avo_io::RecordedRun& run);
 /// m, the least clearance of two robots; thinned to the lowest value of every n times.

@@ -64,6 +64,7 @@ int compare(const CompareArguments& arguments) {
   comparison.tables.reserve(arguments.files.size());  // because cases point into it
   for (const std::string& file : arguments.files) read_into(comparison, file);
   require_table(arguments, comparison);
+  comparison.by = arguments.by;
   const std::string text =
       readable(cases_of(comparison), arguments.by, arguments.columns) + readable(comparison);
   std::vector<std::unique_ptr<avo_io::OutputFile>> files;

@@ -15,6 +15,7 @@
 #include "avo_io/replay.h"
 #include "exit_codes.h"
 #include "figures/chart.h"
+#include "figures/colors.h"
 #include "figures/trajectories.h"
 #include "files.h"
 #include "lab_page.h"
@@ -122,13 +123,12 @@ std::string chart_of(const std::string& y_label, const std::vector<avo::Vec2>& p
 std::string figures_of(const avo_io::RecordedRun& run) {
   return image_of(draw_trajectories(run.scenario, frames_of(run), "run.svg"), "trajectories") +
          "\n" +
-         chart_of("clearance (m)", clearances_of(run), figures::hue_color(250.0),
+         chart_of("clearance (m)", clearances_of(run), figures::kPurple,
                   "least clearance of all robots") +
          "\n" +
-         chart_of("arrived (%)", arrivals_of(run), figures::hue_color(140.0),
-                  "robots that have arrived", 100.0) +
-         "\n" +
-         chart_of("speed (m/s)", top_speeds_of(run), figures::hue_color(20.0), "fastest robot");
+         chart_of("arrived (%)", arrivals_of(run), figures::kGreen, "robots that have arrived",
+                  100.0) +
+         "\n" + chart_of("speed (m/s)", top_speeds_of(run), figures::kVermilion, "fastest robot");
 }
 
 /// Returns the replay in the lab, if a page of some megabytes can hold it; otherwise a drawing.

@@ -25,6 +25,8 @@
 namespace avo_cli {
 namespace {
 
+constexpr double kSlack = 1e-9;  // s: times of steps are rounded
+
 std::vector<NamedFile> files_of(const RunArguments& arguments) {
   return {{"--record", arguments.record},
           {"--summary", arguments.summary},
@@ -38,11 +40,19 @@ struct Outputs {
   std::optional<avo_io::OutputFile> summary, figure;
   std::optional<avo::figures::TrajectoryRecorder> trajectories;
   std::string figure_path;
+  TimeWindow shown;          ///< by the figure
+  double time_of_end = 0.0;  ///< s
+  avo::figures::FigureOptions figure_options;
   std::int64_t every;  ///< steps between rows of the recording
 
   Outputs(const RunArguments& arguments, const avo::Scenario& scenario,
           const avo_io::SceneSource& source)
-      : figure_path(arguments.figure), every(arguments.every.value_or(1)) {
+      : figure_path(arguments.figure),
+        shown(arguments.figure_time.value_or(TimeWindow{})),
+        every(arguments.every.value_or(1)) {
+    const FigureSize size = arguments.figure_size.value_or(FigureSize{});
+    figure_options.width = size.width, figure_options.height = size.height;
+    figure_options.robots = arguments.figure_robots;
     if (!arguments.figure.empty()) {
       figure.emplace(arguments.figure);
       trajectories.emplace();
@@ -56,14 +66,30 @@ struct Outputs {
   /// Call it at the start and after each step.
   void observe(const avo::Simulation& simulation) {
     if (record && simulation.steps() % every == 0) record->add(simulation);
-    if (trajectories) trajectories->observe(simulation);
+    if (trajectories && simulation.time() >= shown.from - kSlack &&
+        simulation.time() <= shown.to + kSlack)
+      trajectories->observe(simulation);
   }
 
   /// Call it after the last step.
   void observe_last(const avo::Simulation& simulation) {
+    time_of_end = simulation.time();
     if (!record) return;
     if (simulation.steps() % every != 0) record->add(simulation);
     record->finish(simulation);
+  }
+
+  /// Draws the figure, and adds its file. Without a moment to show there is none.
+  void draw(const avo::Scenario& scenario, std::vector<avo_io::OutputFile*>& files) {
+    const std::vector<avo::figures::TrajectoryFrame> frames = trajectories->frames();
+    if (frames.empty() && signal_caught() != 0) return;
+    if (frames.empty())
+      throw UsageError(
+          fmt::format("--figure-time: found {:.6g} s, must be before the run's end, at {:.6g} s",
+                      shown.from, time_of_end));
+    files.push_back(&*figure);
+    figure->write(
+        drawn([&] { return draw_trajectories(scenario, frames, figure_path, figure_options); }));
   }
 
   /// Finishes all outputs, or none if one cannot be written. A figure can take longer to draw than
@@ -74,10 +100,7 @@ struct Outputs {
     if (summary) files.push_back(&*summary);
     if (summary) summary->write(avo_io::to_json(results));
     if (signal_caught() != 0) commit_all(files);
-    if (figure) files.push_back(&*figure);
-    if (figure)
-      figure->write(
-          drawn([&] { return draw_trajectories(scenario, trajectories->frames(), figure_path); }));
+    if (figure) draw(scenario, files);
     commit_all(files);
   }
 };
@@ -113,6 +136,17 @@ void check_arguments(const RunArguments& arguments) {
     throw UsageError("--every: found without --record, must be with it: it thins the recording");
 }
 
+/// Refuses a window behind the end of the run, and robots that are not there.
+void check_figure(const RunArguments& arguments, const avo::Scenario& scenario) {
+  if (arguments.figure_time && arguments.figure_time->from > scenario.duration)
+    throw UsageError(
+        fmt::format("--figure-time: found a begin at {:.6g} s, must be <= {:.6g} s, the duration",
+                    arguments.figure_time->from, scenario.duration));
+  if (!arguments.figure_robots.empty() && arguments.figure_robots.back() >= scenario.robots.size())
+    throw UsageError(fmt::format("--figure-robots: found {}, must be < {}, the number of robots",
+                                 arguments.figure_robots.back(), scenario.robots.size()));
+}
+
 }  // namespace
 
 int run(const RunArguments& arguments) {
@@ -122,6 +156,7 @@ int run(const RunArguments& arguments) {
     return run_in_space(arguments, *in_space);
   avo_io::SceneSource source;
   const avo::Scenario scenario = load(arguments.scene, files_of(arguments), &source);
+  check_figure(arguments, scenario);
   Outputs outputs(arguments, scenario, source);
   const avo::RunSummary results = simulate(arguments, scenario, outputs);
   outputs.finish(scenario, results);

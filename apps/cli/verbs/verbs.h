@@ -10,6 +10,7 @@
 
 #include "avo/scenario.h"
 #include "avo_io/scene.h"
+#include "figure_words.h"
 
 namespace avo_cli {
 
@@ -47,6 +48,10 @@ struct RunArguments {
   std::optional<std::int64_t> every;    ///< steps between the rows of the recording; unset: 1
   bool until_arrived = false;  ///< ends with the first step after which all robots have arrived
   int threads = 0;
+  // of the figure; unset: the usual size, the whole run, all robots
+  std::optional<FigureSize> figure_size;
+  std::optional<TimeWindow> figure_time;
+  std::vector<std::size_t> figure_robots;
 };
 int run(const RunArguments& arguments);
 

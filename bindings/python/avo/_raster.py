@@ -2,13 +2,12 @@
 """Worlds as images of pixels: no other package is needed."""
 from __future__ import annotations
 
-import colorsys
-
 import numpy as np
 import numpy.typing as npt
 
 from . import svg
 from ._avo import Scenario
+from ._colors import robot_colors
 
 _WIDTH = 480  # px, of the longer side
 _WALL, _MOVER, _GOAL = (51, 51, 51), (153, 153, 153), 0.35  # colors; of a radius
@@ -43,11 +42,6 @@ class _Canvas:
         block[inside] = color
 
 
-def _color(k: int) -> tuple[int, ...]:
-    """As avo.svg."""
-    return tuple(round(255 * part) for part in colorsys.hls_to_rgb(k * 0.618034 % 1.0, 0.45, 0.6))
-
-
 def draw(scene: Scenario, position: _Points, movers: _Points) -> _Image:
     """(height, width, 3): the scene with its robots and moving obstacles, (m, 3), where they are now."""
     robots = svg._robots_of(scene)
@@ -57,7 +51,8 @@ def draw(scene: Scenario, position: _Points, movers: _Points) -> _Image:
         canvas.segment(np.array(wall.a), np.array(wall.b), wall.radius, _WALL)
     for x, y, radius in movers:
         canvas.segment(np.array((x, y)), np.array((x, y)), radius, _MOVER)
-    for k, (_, radius, goal) in enumerate(robots):
-        canvas.segment(goal, goal, _GOAL * radius, _color(k))
-        canvas.segment(position[k], position[k], radius, _color(k))
+    colors = robot_colors(np.array([goal for _, _, goal in robots]))
+    for (_, radius, goal), at, color in zip(robots, position, colors):
+        canvas.segment(goal, goal, _GOAL * radius, color)
+        canvas.segment(at, at, radius, color)
     return canvas.image

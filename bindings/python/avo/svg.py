@@ -2,7 +2,6 @@
 """Scenes as SVG, for notebooks: no other package is needed."""
 from __future__ import annotations
 
-import colorsys
 from html import escape
 from typing import TYPE_CHECKING, Any
 
@@ -10,6 +9,7 @@ import numpy as np
 import numpy.typing as npt
 
 from ._avo import Error, Scenario, Simulation, _numbers
+from ._colors import css, robot_colors
 
 if TYPE_CHECKING:
     from ._avo import StaticObstacle
@@ -45,10 +45,11 @@ def draw(scene: Scenario | Simulation, paths: npt.ArrayLike | None = None) -> st
     ]
     parts += [_obstacle(obstacle, 2.0 / scale) for obstacle in obstacles]
     parts += [_disc(position, radius, 'fill="#999"') for position, radius in movers]
-    parts += [_way(ways[:, k], _color(k)) for k in range(ways.shape[1])]
-    for k, (position, radius, goal) in enumerate(robots):
-        parts.append(_cross(goal, 0.5 * radius, _color(k)))
-        parts.append(_disc(position, radius, f'fill="{_color(k)}" fill-opacity="0.7" stroke="{_color(k)}"'))
+    colors = [css(color) for color in robot_colors(np.array([goal for _, _, goal in robots]))] or ["#333"]
+    parts += [_way(ways[:, k], colors[k % len(colors)]) for k in range(ways.shape[1])]
+    for (position, radius, goal), color in zip(robots, colors):
+        parts.append(_cross(goal, 0.5 * radius, color))
+        parts.append(_disc(position, radius, f'fill="{color}" fill-opacity="0.7" stroke="{color}"'))
     return "\n".join([*parts, "</g>", "</svg>"]) + "\n"
 
 
@@ -91,12 +92,6 @@ def _bounds(
     low, high = every.min(axis=0), every.max(axis=0)
     margin = 0.02 * float((high - low).max()) + 0.5
     return low - margin, high + margin
-
-
-def _color(k: int) -> str:
-    """Neighbors in the list differ by the golden ratio of the color circle."""
-    red, green, blue = colorsys.hls_to_rgb(k * 0.618034 % 1.0, 0.45, 0.6)
-    return f"#{round(255 * red):02x}{round(255 * green):02x}{round(255 * blue):02x}"
 
 
 def _at(point: npt.ArrayLike) -> str:

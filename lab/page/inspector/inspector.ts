@@ -168,7 +168,7 @@ function empty(lab: Lab): HTMLElement {
     element("p", {}, "Click a robot, or tap it. Here you then look into its decision:"),
     element("ol", {},
       element("li", {}, "the velocities that it can reach, and those that its neighbors forbid,"),
-      element("li", {}, "the one that it prefers, vᵖʳᵉᶠ, and the one that it chooses, v′, and why,"),
+      element("li", {}, "the one that it prefers, vᵖʳᵉᶠ, the one that it aims at, v′, the one that it has after this step, large, and why,"),
       element("li", {}, "what the certificate admits, so that all can always brake,"),
       element("li", {}, "how it has decided so far, and how another method would decide now.")),
     element("button", { type: "button", onclick: () => lab.select(busiest(lab)) }, "Look into one"));

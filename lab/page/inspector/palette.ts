@@ -20,7 +20,7 @@ export interface Palette {
 const LIGHT: Palette = {
   ink: "#16191d", soft: "#6a727c", frame: "#c3c8ce",
   chosen: "#ffffff", beyond: "#eceef1", forbidden: "#b9bec6", forbidden_beyond: "#d9dce1",
-  highlight: "#d07c00", preferred: "#0068a8", decided: "#c8421a", admitted: [0, 158, 115, 0.3],
+  highlight: "#d07c00", preferred: "#0072b2", decided: "#d55e00", admitted: [0, 158, 115, 0.3],
   halo: "rgba(255,255,255,0.9)",
 };
 

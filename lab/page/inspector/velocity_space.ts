@@ -31,7 +31,12 @@ export interface VelocitySpace {
   admitted: Admitted | null;
 }
 
-const LABEL = 12;  // px
+const LABEL = 12, CHOSEN = 8;  // px; the size of text, the radius of the dot at the chosen next velocity
+
+/** Whether the velocity after the step and v' are two points on the screen. */
+function isApart({ decision, why }: VelocitySpace, view: View): boolean {
+  return Math.hypot(why.next[0] - decision.new_velocity[0], why.next[1] - decision.new_velocity[1]) * view.scale > CHOSEN;
+}
 
 function drawRegions(pen: Pen, space: VelocitySpace): void {
   const { decision, law, why, outlines } = space;
@@ -121,11 +126,13 @@ function drawLabels(pen: Pen, space: VelocitySpace, highlighted: string | null):
   const { palette, view } = pen;
   const labels = new Labels(pen.context, { left: 30, top: 4, right: view.width - 4, bottom: view.height - 22 });
   const points: [Vec, string, string][] = [
-    [decision.velocity, "*v*", palette.ink], [decision.preferred_velocity, "*v*^{pref}", palette.preferred],
-    [decision.new_velocity, "*v*′", palette.decided],
+    [decision.preferred_velocity, "*v*^{pref}", palette.preferred], [decision.new_velocity, "*v*′", palette.decided],
   ];
-  for (const [v] of points) labels.keepFree(...toScreen(view, v) as [number, number], 5);
-  labels.keepFree(...toScreen(view, along([0, 0], decision.velocity, 0.5)) as [number, number], 4);
+  if (isApart(space, view)) points.unshift([why.next, "*v*_{next}", palette.decided]);
+  points.unshift([decision.velocity, "*v*", palette.ink]);
+  for (const [v] of points) labels.keepFree(...toScreen(view, v) as [number, number], v === why.next ? CHOSEN : 5);
+  for (const part of [0.25, 0.5, 0.75])
+    labels.keepFree(...toScreen(view, along([0, 0], decision.velocity, part)) as [number, number], 4);
   for (const [v, formula, color] of points)
     labels.place(...toScreen(view, v) as [number, number], { formula, size: 16, color, halo: palette.halo, distance: 7 });
   for (const cut of why.cuts) {
@@ -198,8 +205,8 @@ export function drawVelocitySpace(context: CanvasRenderingContext2D, view: View,
   arrow(pen, [0, 0], decision.velocity, palette.ink, 2);
   if (norm(decision.new_velocity) > 0) arrow(pen, decision.velocity, decision.new_velocity, palette.decided, 1.6);
   dotAt(pen, decision.preferred_velocity, 4.5, palette.preferred);
-  dotAt(pen, decision.new_velocity, 5, palette.decided);
-  if (law.method === "avo") dotAt(pen, why.next, 2.5, palette.decided);
+  dotAt(pen, why.next, CHOSEN, palette.decided);  // what the robot does; v' is what it aims at
+  if (isApart(space, view)) dotAt(pen, decision.new_velocity, 4, palette.decided);
   drawLabels(pen, space, highlighted);
   drawTicks(pen);
 }

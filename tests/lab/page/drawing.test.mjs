@@ -4,6 +4,8 @@ import assert from "node:assert/strict";
 import { test } from "node:test";
 import { digits } from "../../../lab/page/elements.ts";
 import { thinned, worstByPixel } from "../../../lab/page/run/thinned.ts";
+import { cssOf, directionColor } from "../../../lab/page/map/colors.ts";
+import { Labels } from "../../../lab/page/inspector/labels.ts";
 import { boxOf, panned, ticks, toScreen, toVelocity, zoomed } from "../../../lab/page/inspector/velocity_view.ts";
 
 const VIEW = { center: [0.3, -0.2], scale: 90, width: 400, height: 300 };
@@ -40,6 +42,29 @@ test("a pixel of the history has the worst status of its steps", () => {
   assert.deepEqual([...worstByPixel(statuses, times, 10, 10)], [0, 0, 0, 4, 0, 0, 2, 0, -1, 0]);
   // a detour (6) is calmer than braking (3)
   assert.deepEqual([...worstByPixel(Uint8Array.from([255, 6, 3, 6, 2]), [0, 1, 2, 3, 4], 4, 2)], [3, 6]);
+});
+
+/** A canvas that only measures: 7 pixels a letter. */
+const measuring = { measureText: (text) => ({ width: 7 * text.length }), strokeText() {}, fillText() {}, save() {}, restore() {} };
+
+test("labels of one place do not cover each other, nor what is kept free", () => {
+  const labels = new Labels(measuring, { left: 0, top: 0, right: 300, bottom: 300 });
+  labels.keepFree(150, 150, 5);
+  const label = { formula: "label", size: 16, color: "", halo: "", distance: 7 };
+  const places = Array.from({ length: 12 }, (_, k) => labels.place(150 + (k % 3), 150, label));
+  const covers = (a, b) => a.left < b.right && b.left < a.right && a.top < b.bottom && b.top < a.bottom;
+  places.forEach((place, k) => {
+    assert.ok(!covers(place, { left: 145, top: 145, right: 155, bottom: 155 }), `the point, by label ${k}`);
+    places.slice(0, k).forEach((other, j) => assert.ok(!covers(place, other), `labels ${j} and ${k}`));
+  });
+  assert.equal(labels.place(150, 150, { ...label, optional: true }), null, "there is no room left near the point");
+});
+
+// The same numbers are in tests/unit/figures/colors_test.cpp and in tests/python/svg_test.py.
+test("directions have the colors of figures and of Python", () => {
+  const expected = { 0: "#56b4e9", 100: "#c47aa8", 180: "#de7f00", 250: "#c2ad00", "-30": "#30a8a5" };
+  for (const [degrees, color] of Object.entries(expected))
+    assert.equal(cssOf(directionColor(Number(degrees) * Math.PI / 180, "light")), color, degrees);
 });
 
 test("numbers for people", () => {

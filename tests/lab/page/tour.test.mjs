@@ -28,6 +28,25 @@ test("every step explains its robot at its time, also at the ends of its control
   });
 });
 
+/** How far the velocity that the robot of the step chooses is from the preferred one, m/s. */
+function turnedAside(step, text) {
+  writeFileSync("tour.yaml", text);
+  const { status, stdout, stderr } = avo("explain", "tour.yaml", "--robot", step.robot, "--time", step.time, "--json");
+  assert.equal(status, 0, String(stderr));
+  const { new_velocity, preferred_velocity } = JSON.parse(String(stdout));
+  return Math.hypot(new_velocity[0] - preferred_velocity[0], new_velocity[1] - preferred_velocity[1]);
+}
+
+test("in the first two steps the robot turns aside, because of the obstacle", () => {
+  for (const step of TOUR.slice(0, 2)) {
+    const text = step.scene(library);
+    const alone = text.replace(/moving_obstacles:\n.*\n/, "");
+    assert.notEqual(alone, text);
+    assert.ok(turnedAside(step, text) > 0.5, `${step.title}: ${turnedAside(step, text)} m/s`);
+    assert.ok(turnedAside(step, alone) < 1e-9, `${step.title} without it: ${turnedAside(step, alone)} m/s`);
+  }
+});
+
 test("the velocity obstacle asks for more than a_max, the acceleration-velocity obstacle does not; neither is touched", () => {
   const [first, second] = [summary(0), summary(1)];
   assert.ok(first.max_acceleration > 5, String(first.max_acceleration));

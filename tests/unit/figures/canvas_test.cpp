@@ -118,6 +118,18 @@ TEST_F(CanvasFile, discs_fills_and_clips_end_up_where_they_belong) {
   EXPECT_TRUE(is({-4.8, 4.8}, 255, 0));
 }
 
+TEST_F(CanvasFile, an_svg_has_its_texts_as_text) {
+  Canvas canvas(path("t.svg"), 100.0, 100.0);
+  canvas.plain_page_text({10.0, 20.0}, "a < b & \u03b4", {.size = 8.0, .halo = true});
+  canvas.page_text({10.0, 40.0}, "v_{max}", {.size = 10.0, .align_x = 0.5, .angle = 0.5});
+  const std::string svg = canvas.finish();
+  EXPECT_NE(svg.find(">a &lt; b &amp; \u03b4</tspan></text>"), std::string::npos) << svg;
+  EXPECT_NE(svg.find(">v</tspan><tspan"), std::string::npos);
+  EXPECT_NE(svg.find("rotate(-28.65)"), std::string::npos);
+  EXPECT_EQ(svg.find("glyph"), std::string::npos);
+  EXPECT_TRUE(svg.ends_with("</text>\n</svg>\n")) << "above everything else";
+}
+
 TEST_F(CanvasFile, markup_takes_less_room_than_its_characters) {
   const Canvas canvas(path("a.svg"), 100.0, 100.0);
   const TextStyle style{.size = 10.0};

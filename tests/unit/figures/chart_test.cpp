@@ -5,6 +5,7 @@
 #include <array>
 #include <cstdlib>
 #include <limits>
+#include <string>
 #include <vector>
 
 #include "avo/error.h"
@@ -94,6 +95,43 @@ TEST_F(ChartFile, curves_can_have_a_pattern_of_dashes) {
   const double solid = red_pixels({});
   EXPECT_NEAR(red_pixels({6, 2, 6, 2}) / solid, 0.75, 0.05);
   EXPECT_NEAR(red_pixels({6, 6, 6, 2}) / solid, 0.6, 0.05);
+}
+
+TEST_F(ChartFile, the_axis_ends_behind_curves_over_time) {
+  const Chart chart{"x", "y", {{"", {{0.0, 5.0}, {41.0, 5.0}}, kRed, false}}, 10.0};
+  write_bytes(path("e.png"), draw_chart(chart, path("e.png"), {.width = 300.0}));
+  const Picture picture = read_png(path("e.png"));
+  const double height = 0.58 * (300.0 - kAxesLeft - 14.0);
+  const auto is_red = [&](double from_the_frame) {
+    const png_byte* pixel = picture.at(300.0 - 14.0 - from_the_frame, 8.0 + 0.5 * height);
+    return pixel[0] > 200 && pixel[1] < 120;
+  };
+  EXPECT_TRUE(is_red(8.0));
+  EXPECT_FALSE(is_red(2.0));
+}
+
+std::size_t count_of(const std::string& part, const std::string& text) {
+  std::size_t count = 0;
+  for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1))
+    ++count;
+  return count;
+}
+
+TEST_F(ChartFile, several_charts_have_titles_and_one_legend) {
+  const auto chart = [](const char* title) {
+    return Chart{"time",
+                 "y",
+                 {{"one", {{0.0, 0.0}, {1.0, 1.0}}, kRed, false},
+                  {"two", {{0.0, 1.0}, {1.0, 0.0}}, kBlack, false}},
+                 1.0,
+                 title};
+  };
+  const std::vector<Chart> charts{chart("a"), chart("b"), chart("c")};
+  const std::string svg = draw_charts(charts, "a.svg");
+  for (const char* text : {">a<", ">b<", ">c<", ">one<", ">two<"})
+    EXPECT_EQ(count_of(text, svg), 1U) << text;
+  EXPECT_EQ(count_of(">time<", svg), 3U);
+  EXPECT_THROW((void)draw_charts({}, "a.svg"), Error);
 }
 
 TEST_F(ChartFile, an_empty_or_broken_chart_is_refused) {

@@ -5,6 +5,7 @@
 
 #include "avo/error.h"
 #include "figures/axes.h"
+#include "figures/time_lapse.h"
 #include "picture.h"
 
 namespace avo::figures {
@@ -69,6 +70,37 @@ TEST_F(TrajectoriesFile, newer_discs_are_darker_and_on_top) {
   EXPECT_GT(oldest, turn + 20);
   EXPECT_GT(turn, newest + 20);  // the way there passes below it, half way through the run
   EXPECT_EQ(brightness({5.5, 2.0}), 255);
+}
+
+TEST_F(TrajectoriesFile, robots_can_be_left_out_and_the_others_keep_their_colors) {
+  Drive run = there_and_back();
+  run.scenario.robots.resize(2);
+  run.scenario.robots[1].goal = {2.0, -3.0};
+  for (TrajectoryFrame& frame : run.frames)
+    frame.position.push_back(frame.position[0] + Vec2{0.0, -3.0});
+  const auto drawn = [&](std::vector<std::size_t> robots) {
+    FigureOptions options{.width = 216.0, .height = 120.0, .axes = false};
+    options.robots = std::move(robots);
+    const std::string bytes = draw_trajectories(run.scenario, run.frames, path("r.png"), options);
+    write_bytes(path("r.png"), bytes);
+    return read_png(path("r.png"));
+  };
+  const auto pixels_like = [](const Picture& picture, Color color) {
+    std::size_t found = 0;
+    for (std::size_t k = 0; k < picture.rgb.size(); k += 3)
+      if (std::abs(picture.rgb[k] - 255.0 * color.red) < 3.0 &&
+          std::abs(picture.rgb[k + 1] - 255.0 * color.green) < 3.0 &&
+          std::abs(picture.rgb[k + 2] - 255.0 * color.blue) < 3.0)
+        ++found;
+    return found;
+  };
+  const std::vector<Color> colors = robot_colors(run.scenario);
+  const Picture both = drawn({}), second = drawn({1});
+  EXPECT_EQ(second.height, 240U);
+  EXPECT_GT(pixels_like(both, colors[0]), 50U);
+  EXPECT_GT(pixels_like(both, colors[1]), 50U);
+  EXPECT_EQ(pixels_like(second, colors[0]), 0U);
+  EXPECT_GT(pixels_like(second, colors[1]), 50U);
 }
 
 TEST_F(TrajectoriesFile, movers_are_gray) {

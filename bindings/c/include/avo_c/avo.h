@@ -31,7 +31,11 @@
 #include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
-#if defined(__GNUC__)
+#if defined(_WIN32) && defined(AVO_C_EXPORTING) /* while the library is compiled */
+#define AVO_C_API __declspec(dllexport)
+#elif defined(_WIN32)
+#define AVO_C_API __declspec(dllimport)
+#elif defined(__GNUC__)
 #define AVO_C_API __attribute__((visibility("default")))
 #else
 #define AVO_C_API
