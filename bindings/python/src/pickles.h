@@ -50,6 +50,8 @@ inline constexpr int kFields<avo::SensingModel> = 5;
 template <>
 inline constexpr int kFields<avo::SensingError> = 2;
 template <>
+inline constexpr int kFields<avo::ExecutionModel> = 8;
+template <>
 inline constexpr int kFields<avo::Scenario> = 29;  // but the function, which stays in the process
 template <>
 inline constexpr int kFields<avo::Queue> = 3;
