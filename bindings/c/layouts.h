@@ -56,6 +56,8 @@ AVO_SAME_PLACE(avo_execution_model, avo::ExecutionModel, deadband);
 AVO_SAME_PLACE(avo_execution_model, avo::ExecutionModel, quantum);
 AVO_SAME_PLACE(avo_execution_model, avo::ExecutionModel, velocity_error);
 AVO_SAME_PLACE(avo_execution_model, avo::ExecutionModel, heading_age);
+AVO_SAME_PLACE(avo_execution_model, avo::ExecutionModel, measured_position_error);
+AVO_SAME_PLACE(avo_execution_model, avo::ExecutionModel, measured_velocity_error);
 
 static_assert(kSameSize<avo_base_command, avo::BaseCommand>);
 AVO_SAME_PLACE(avo_base_command, avo::BaseCommand, next_reference);

@@ -27,6 +27,8 @@ struct ExecutionModel {
   /// [h] s, >= 0, of a differential drive: how old the heading of drive_command() is at most while
   /// the wheels execute the command
   double heading_age = 0.0;
+  /// [μ_p] m, [μ_v] m/s, >= 0: how wrong the measured position and velocity of the body may be
+  double measured_position_error = 0.0, measured_velocity_error = 0.0;
   friend constexpr bool operator==(const ExecutionModel&, const ExecutionModel&) = default;
 };
 
@@ -52,9 +54,8 @@ struct BaseCommand {
   /// m/s, its velocity then. Others who are told both have no error of this robot to declare.
   Vec2 next_velocity = {};
   double deviation = 0.0;  ///< [|p_body - p_reference|] m, at the decision
-  /// Whether the deviation was more than ExecutionError::position. The reference then begins anew
-  /// at the body. Nothing is promised to others until the deviation has kept its bound for the dead
-  /// time and three time constants.
+  /// Whether the deviation was more than ExecutionError::position and μ_p. The reference then
+  /// begins anew at the body. Nothing is promised to others until the robot has been at rest.
   bool has_left = false;
 };
 

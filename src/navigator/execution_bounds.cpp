@@ -55,12 +55,18 @@ double rounding_of(const ExecutionModel& model) {
   return 0.5 * std::max(least_speed(model), model.quantum);
 }
 
+// [μ/Δt] m/s: what a command is wrong by, because the body is measured so badly.
+double noise_of(const ExecutionModel& model, double time_step) {
+  return (model.measured_position_error + model.time_constant * model.measured_velocity_error) /
+         time_step;
+}
+
 struct Bounds {
   ExecutionError error;
   double lag;  // [Y] m/s, of the velocity's distance from the late reference's
 };
 
-// g, e: m/s, what a command may be rounded by, and the error of the executed velocity. The names
+// g, e: m/s, what a command may be wrong by, and the error of the executed velocity. The names
 // are those of docs/certificate/execution.md, "The bounds".
 Bounds bounds_with(const ExecutionModel& model, const ExecutionLimits& limits, double dt, double g,
                    double e) {
@@ -88,14 +94,14 @@ Bounds bounds_with(const ExecutionModel& model, const ExecutionLimits& limits, d
 double error_by_wheels(const ExecutionModel& model, const DifferentialDrive& drive,
                        const ExecutionLimits& limits, const Bounds& bounds) {
   const double T = model.time_constant, dT = model.time_constant_error;
+  const double wrong = model.measured_velocity_error, h = model.heading_age;
   const double V = limits.speed + bounds.error.velocity, turning = V / drive.offset;
-  const double aged =
-      T > 0.0 ? 2.0 * (T * (limits.change + V * turning) + 2.0 * bounds.lag * T / (T - dT)) : 0.0;
+  const double swerve =
+      T > 0.0 ? 2.0 * T * (limits.change + V * turning + 2.0 * bounds.lag / (T - dT)) : 0.0;
+  const double aged = h > 0.0 ? h * (bounds.error.command + swerve) : 0.0;
   return model.velocity_error +
          rounding_of(model) * std::max(1.0, 2.0 * drive.offset / drive.track) +
-         turning *
-             (V * dT +
-              (model.heading_age > 0.0 ? model.heading_age * (bounds.error.command + aged) : 0.0));
+         turning * (V * dT + aged) + T * wrong * (2.0 * V + wrong) / drive.offset;
 }
 
 // e' grows with the bounds that it makes larger: the least solution, from below.
@@ -103,10 +109,10 @@ ExecutionError bounds_of_drive(const ExecutionModel& model, const DifferentialDr
                                const ExecutionLimits& limits, double time_step) {
   double e = model.velocity_error;
   for (int round = 0; round < kMostIterations; ++round) {
-    Bounds bounds = bounds_with(model, limits, time_step, 0.0, e);
+    Bounds bounds = bounds_with(model, limits, time_step, noise_of(model, time_step), e);
     const double needed = error_by_wheels(model, drive, limits, bounds);
     if (needed <= e) {
-      const double V = limits.speed + bounds.error.velocity;
+      const double V = limits.speed + bounds.error.velocity + model.measured_velocity_error;
       const double k = 0.5 * drive.track / drive.offset, lag = model.time_constant;
       bounds.error.command =
           std::sqrt(1.0 + k * k) * (bounds.error.command + lag * V * V / drive.offset);
@@ -130,7 +136,7 @@ ExecutionError bounds_of(const ExecutionModel& model, const MotionModel& robot,
     throw Error(
         "ExecutionModel: found a car or an airplane, must be a holonomic robot or a "
         "differential drive");
-  const double g = std::numbers::sqrt2 * rounding_of(model);
+  const double g = std::numbers::sqrt2 * rounding_of(model) + noise_of(model, time_step);
   return bounds_with(model, limits, time_step, g, model.velocity_error).error;
 }
 
@@ -146,6 +152,8 @@ void validate(const ExecutionModel& model, double time_step) {
   require(at("quantum"), model.quantum, kNotNegative, "m/s");
   require(at("velocity_error"), model.velocity_error, kNotNegative, "m/s");
   require(at("heading_age"), model.heading_age, kNotNegative, "s");
+  require(at("measured_position_error"), model.measured_position_error, kNotNegative, "m");
+  require(at("measured_velocity_error"), model.measured_velocity_error, kNotNegative, "m/s");
   const double back = feedback_of(model, time_step).sum();
   if (back < 1.0) return;
   const std::string steps = model.dead_time_error > 0.0 ? " + 2 dead_time_error/time_step" : "";

@@ -27,8 +27,7 @@ struct ReferenceTracker::State {
 
 namespace {
 
-constexpr double kDeviationRounding =
-    1e-9;  // relative, of a deviation that is compared with its bound
+constexpr double kDeviationRounding = 1e-9;  // of a bound that a deviation is compared with
 
 ExecutionLimits limits_of(const ExecutionLimits& before, const Robot& body) {
   return {std::max(before.change, change_limit(body)), std::max(before.speed, body.max_speed)};
@@ -61,8 +60,8 @@ double deviation_of(const std::optional<MotionState>& reference, const Robot& bo
   return reference ? norm(body.position - reference->position) : 0.0;
 }
 
-bool is_within(double deviation, const ExecutionError& error) {
-  return deviation <= (1.0 + kDeviationRounding) * error.position;
+bool is_within(double deviation, const ExecutionError& error, const ExecutionModel& model) {
+  return deviation <= (1.0 + kDeviationRounding) * (error.position + model.measured_position_error);
 }
 
 MotionState moved(const Robot& robot, const Plan& plan, const StepResponse& response) {
@@ -90,7 +89,7 @@ Robot ReferenceTracker::reference(const Robot& body) const {
   Robot led = body;
   led.radius += most.position;
   const std::optional<MotionState>& at = state_->reference;
-  if (at && is_within(deviation_of(at, body), most))
+  if (at && is_within(deviation_of(at, body), most, state_->model))
     led.position = at->position, led.velocity = at->velocity;
   return led;
 }
@@ -101,7 +100,7 @@ BaseCommand ReferenceTracker::follow(const Robot& body, const Plan& plan) {
   const double dt = state.response.time_step, lead = model.time_constant + model.dead_time;
   BaseCommand command;
   command.deviation = deviation_of(state.reference, body);
-  command.has_left = !is_within(command.deviation, error(body));
+  command.has_left = !is_within(command.deviation, error(body), model);
   const Robot led = reference(body);
   state.limits = limits_of(state.limits, body);
   if (!state.has_sent) std::fill(state.sent.begin(), state.sent.end(), body.velocity);

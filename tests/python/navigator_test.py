@@ -87,3 +87,18 @@ def test_what_a_base_declares():
     assert avo.drive_command(avo.ExecutionModel(), drive, (0.3, 0.1)) == pytest.approx((0.3, 0.5))
     with pytest.raises(avo.Error, match="ExecutionModel.dead_time: found -1, must be >= 0 s"):
         avo.Navigator(execution=avo.ExecutionModel(dead_time=-1))
+
+
+def test_a_reference_is_kept_beside_plan():
+    planner, body = avo.Planner(), avo.Robot(position=(0, 0), preferred_velocity=(1, 0))
+    tracker = avo.ReferenceTracker(avo.ExecutionModel(time_constant=0.2), planner)
+    most = tracker.error(body)
+    led = tracker.reference(body)
+    assert led.radius == body.radius + most.position and led.position == body.position
+    plan = planner.plan(led)
+    command = tracker.follow(body, plan)
+    assert command.next_velocity == plan.next_velocity and command.velocity[0] > plan.next_velocity[0]
+    body.position = (command.next_reference[0], 0.5 * most.position)
+    assert tracker.reference(body).position == command.next_reference
+    tracker.forget()
+    assert tracker.reference(body).position == body.position

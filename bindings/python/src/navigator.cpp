@@ -76,14 +76,23 @@ void bind_execution_model(py::module_& module) {
                              "Each coordinate is executed by itself.")
       .def(py::init([](double time_constant, double time_constant_error, double dead_time,
                        double dead_time_error, double deadband, double quantum,
-                       double velocity_error, double heading_age) {
-             return ExecutionModel{
-                 time_constant, time_constant_error, dead_time,  dead_time_error, deadband,
-                 quantum,       velocity_error,      heading_age};
+                       double velocity_error, double heading_age, double measured_position_error,
+                       double measured_velocity_error) {
+             return ExecutionModel{time_constant,
+                                   time_constant_error,
+                                   dead_time,
+                                   dead_time_error,
+                                   deadband,
+                                   quantum,
+                                   velocity_error,
+                                   heading_age,
+                                   measured_position_error,
+                                   measured_velocity_error};
            }),
            py::kw_only(), arg("time_constant") = 0.0, arg("time_constant_error") = 0.0,
            arg("dead_time") = 0.0, arg("dead_time_error") = 0.0, arg("deadband") = 0.0,
-           arg("quantum") = 0.0, arg("velocity_error") = 0.0, arg("heading_age") = 0.0)
+           arg("quantum") = 0.0, arg("velocity_error") = 0.0, arg("heading_age") = 0.0,
+           arg("measured_position_error") = 0.0, arg("measured_velocity_error") = 0.0)
       .def(pickled<ExecutionModel>())
       .def(py::self == py::self)
       .def_readonly("time_constant", &ExecutionModel::time_constant, "[T] s, of the lag")
@@ -96,11 +105,15 @@ void bind_execution_model(py::module_& module) {
                     "m/s: coordinates are whole multiples; 0: any")
       .def_readonly("velocity_error", &ExecutionModel::velocity_error, "[e] m/s: slip, scale")
       .def_readonly("heading_age", &ExecutionModel::heading_age,
-                    "s, of the heading of drive_command() while the wheels execute it");
+                    "s, of the heading of drive_command() while the wheels execute it")
+      .def_readonly("measured_position_error", &ExecutionModel::measured_position_error,
+                    "m, of the body")
+      .def_readonly("measured_velocity_error", &ExecutionModel::measured_velocity_error,
+                    "m/s, of the body");
 }
 
 void bind_execution(py::module_& module) {
-  using avo::BaseCommand, avo::ExecutionError;
+  using avo::BaseCommand, avo::ExecutionError, avo::ExecutionModel, avo::ReferenceTracker;
   bind_execution_model(module);
   py::class_<ExecutionError>(module, "ExecutionError",
                              "How far a base is from its reference at most.")
@@ -118,6 +131,20 @@ void bind_execution(py::module_& module) {
       .def_readonly("deviation", &BaseCommand::deviation, "m, of the body from the reference")
       .def_readonly("has_left", &BaseCommand::has_left,
                     "whether that was more than the bound: the reference begins anew at the body");
+  py::class_<ReferenceTracker>(module, "ReferenceTracker",
+                               "Keeps the reference of one robot beside Planner.plan, and makes "
+                               "its base follow the reference.")
+      .def(py::init([](const ExecutionModel& model, const avo::Planner& planner) {
+             return ReferenceTracker(model, planner);
+           }),
+           arg("model"), arg("planner"))
+      .def("reference", &ReferenceTracker::reference, arg("body"),
+           "The Robot to plan for in place of the body.")
+      .def("follow", &ReferenceTracker::follow, arg("body"), arg("plan"),
+           "The BaseCommand for the Plan of reference(body): once every time_step.")
+      .def("forget", &ReferenceTracker::forget, "The reference begins anew at the body.")
+      .def("error", &ReferenceTracker::error, arg("body"),
+           "ExecutionError, for the largest limits that the robot has had so far.");
   module.def("execution_error", &avo::execution_error, arg("model"), arg("robot"), arg("time_step"),
              "The ExecutionError of a Robot of these limits.");
   module.def(

@@ -46,7 +46,8 @@ void pull(const ExecutionModel& model, const Robot& limits, int cycles, Random& 
   Robot body = limits;
   Vec2 towards = {};
   for (int k = 0; k < 200; ++k) {
-    body.position = base.position(), body.velocity = base.velocity(), body.heading = base.heading;
+    body.position = base.position() + model.measured_position_error * random.direction();
+    body.velocity = base.velocity(), body.heading = base.heading;
     const Robot now = tracker.reference(body);
     if (random.below(6) == 0) towards = random.below(4) == 0 ? Vec2{} : random.direction();
     Vec2 a = limits.max_acceleration * towards;
@@ -84,6 +85,7 @@ TEST(BaseDrive, stays_within_the_bounds_of_its_declaration) {
     ExecutionModel model{.time_constant = some(0.2), .dead_time = 0.01 * random.below(12)};
     model.time_constant_error = std::min(0.1 * model.time_constant, some(0.02));
     model.deadband = some(0.04), model.quantum = some(0.02), model.velocity_error = some(0.02);
+    model.measured_position_error = some(0.002);
     model.heading_age = 0.01;
     const Robot limits = drive_of(random.uniform(0.2, 0.6), random.uniform(0.2, 0.5));
     const auto most = bound_of(model, limits);
@@ -110,6 +112,28 @@ TEST(BaseDrive, age_of_the_heading_cannot_be_left_out) {
   for (int run = 0; run < 40; ++run) pull(aged, limits, 2, random, worst);
   EXPECT_LE(worst.position, most);
   EXPECT_GT(worst.position, execution_error({}, limits, 0.1).position);
+}
+
+// The bound is that of a holonomic base with what the wheels add to its velocity error, and the sum
+// that is written out here is the one that the bound has been computed with.
+TEST(BaseDrive, bound_has_each_error_of_the_wheels) {
+  const double T = 0.1, v = 0.4, offset = 0.2;
+  Robot drive = drive_of(0.5, v), holonomic = drive;
+  holonomic.model = Holonomic{};
+  const auto expect_sum = [&](ExecutionModel model, double rounding, double aged) {
+    const ExecutionError found = execution_error(model, drive, 0.1);
+    const double V = v + found.velocity;
+    const double wrong = model.measured_velocity_error;
+    const double turned = V * V * model.time_constant_error + T * wrong * (2.0 * V + wrong);
+    const double e = rounding + (turned + V * aged) / offset;
+    model.velocity_error = e, model.deadband = 0.0, model.heading_age = 0.0;
+    const ExecutionError same = execution_error(model, holonomic, 0.1);
+    EXPECT_NEAR(found.position / same.position, 1.0, 1e-4);
+    EXPECT_NEAR(found.velocity / same.velocity, 1.0, 1e-4);
+  };
+  expect_sum({.time_constant = T, .time_constant_error = 0.005}, 0.0, 0.0);
+  expect_sum({.time_constant = T, .deadband = 0.04}, 0.02, 0.0);
+  expect_sum({.time_constant = T, .measured_velocity_error = 0.01}, 0.0, 0.0);
 }
 
 TEST(BaseDrive, fast_turns_on_old_headings_are_refused) {

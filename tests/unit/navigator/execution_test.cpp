@@ -65,7 +65,9 @@ void drive(const ExecutionModel& model, const Planner& planner, const Robot& lim
   Robot body = limits;
   const double dt = planner.options().time_step;
   for (int k = 0; k < steps; ++k) {
-    body.position = base.position, body.velocity = base.velocity;
+    const double wrong = k == 0 ? 0.0 : 1.0;  // at rest the body is known
+    body.position = base.position + wrong * model.measured_position_error * adversary.towards;
+    body.velocity = base.velocity + wrong * model.measured_velocity_error * adversary.towards;
     const Robot now = tracker.reference(body);
     Vec2 a = adversary.acceleration(base.position - now.position, change_limit(limits));
     Vec2 next = now.velocity + dt * a;
@@ -110,6 +112,7 @@ ExecutionModel random_model(test::Random& random, double time_step) {
   model.time_constant_error = std::min(0.2 * model.time_constant, some(0.1));
   model.dead_time_error = std::min(some(0.15 * time_step), model.dead_time);
   model.deadband = some(0.1), model.quantum = some(0.05), model.velocity_error = some(0.05);
+  model.measured_position_error = some(0.01), model.measured_velocity_error = some(0.05);
   return model;
 }
 
@@ -162,6 +165,9 @@ TEST(BaseExecution, no_term_can_be_left_out) {
   expect_needed("deadband", {.deadband = 0.1}, {});
   expect_needed("quantum", {.quantum = 0.1}, {});
   expect_needed("velocity_error", {.velocity_error = 0.05}, {});
+  expect_needed("measured_position_error", {.measured_position_error = 0.01}, {});
+  expect_needed("measured_velocity_error", {.time_constant = 0.3, .measured_velocity_error = 0.03},
+                {.time_constant = 0.3});
 }
 
 TEST(BaseExecution, exact_base_is_commanded_as_decided) {
@@ -237,6 +243,7 @@ TEST(BaseExecution, table_of_on_board) {
   expect_row({.quantum = 0.01}, base, 0.0020, 0.06, 1.01);
   expect_row({.deadband = 0.05}, base, 0.0048, 0.12, 1.07);
   expect_row({.velocity_error = 0.02}, base, 0.0033, 0.09, 1.02);
+  expect_row({.measured_position_error = 0.002}, base, 0.0033, 0.09, 1.04);
   expect_row({.time_constant = 0.2}, base, 0.0013, 0.01, 1.2);
   expect_row({.time_constant = 0.2, .time_constant_error = 0.02}, base, 0.0058, 0.06, 1.25);
   expect_row({.dead_time = 0.1}, base, 0.0063, 0.25, 1.1);

@@ -1096,14 +1096,16 @@ AVO_C_API avo_result avo_simulation_summary(avo_simulation_id simulation, avo_su
 /// coordinate is executed by itself: x and y of a holonomic base, the wheels of a differential
 /// drive. All are 0 of a base that executes exactly.
 typedef struct avo_execution_model {
-  double time_constant;        ///< [T] s, >= 0, of the velocity's first-order lag
-  double time_constant_error;  ///< s, 0 to T
-  double dead_time;            ///< [d] s, >= 0, from command to effect
-  double dead_time_error;      ///< s, 0 to d
-  double deadband;             ///< m/s, >= 0: the base executes a slower coordinate as 0
-  double quantum;              ///< m/s, >= 0: coordinates are whole multiples; 0: any
-  double velocity_error;       ///< [e] m/s, >= 0
-  double heading_age;          ///< s, >= 0, of the heading of avo_drive_command()
+  double time_constant;            ///< [T] s, >= 0, of the velocity's first-order lag
+  double time_constant_error;      ///< s, 0 to T
+  double dead_time;                ///< [d] s, >= 0, from command to effect
+  double dead_time_error;          ///< s, 0 to d
+  double deadband;                 ///< m/s, >= 0: the base executes a slower coordinate as 0
+  double quantum;                  ///< m/s, >= 0: coordinates are whole multiples; 0: any
+  double velocity_error;           ///< [e] m/s, >= 0
+  double heading_age;              ///< s, >= 0, of the heading of avo_drive_command()
+  double measured_position_error;  ///< m, >= 0, of the body
+  double measured_velocity_error;  ///< m/s, >= 0, of the body
 } avo_execution_model;
 
 /// How far a base is from its reference at most.
