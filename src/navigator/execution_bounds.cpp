@@ -71,19 +71,20 @@ struct Bounds {
 Bounds bounds_with(const ExecutionModel& model, const ExecutionLimits& limits, double dt, double g,
                    double e) {
   const double c = limits.change, T = model.time_constant, d = model.dead_time;
-  const double dT = model.time_constant_error, dd = model.dead_time_error;
+  const double lag_error = model.time_constant_error, dead_error = model.dead_time_error;
   const Feedback back = feedback_of(model, dt);
   const double kappa = back.by_time_constant, psi = back.by_dead_time;
-  const double late = 0.5 * dt + d + dT, window = dt + d;
-  const double X =
-      (2.0 * g + e + c * dT + kappa * (c * late + e) + psi * c * (dt + T + d)) / (1.0 - back.sum());
+  const double late = 0.5 * dt + d + lag_error, window = dt + d;
+  const double X = (2.0 * g + e + c * lag_error + kappa * (c * late + e) + psi * c * (dt + T + d)) /
+                   (1.0 - back.sum());
   const double Y = c * late + X + e;
   const double by_lag =
-      dT > 0.0 ? dT * (c * window + 2.0 * Y * std::min(2.0, window / (T - dT))) : 0.0;
-  const double by_shift = dd * (c * (3.0 * dt + d + 4.0 * (T + d)) + 4.0 * X);
+      lag_error > 0.0 ? lag_error * (c * window + 2.0 * Y * std::min(2.0, window / (T - lag_error)))
+                      : 0.0;
+  const double by_shift = dead_error * (c * (3.0 * dt + d + 4.0 * (T + d)) + 4.0 * X);
   const double position =
       dt * g + e * window + by_lag + by_shift + c * (0.125 * dt * dt + 0.5 * d * d + T * d);
-  const double velocity = Y + c * (d + dd);
+  const double velocity = Y + c * (d + dead_error);
   return {{.position = position,
            .velocity = T > 0.0 ? std::min(velocity, 2.0 * position / T) : velocity,
            .command = limits.speed + c * (T + d) + X},
@@ -93,15 +94,15 @@ Bounds bounds_with(const ExecutionModel& model, const ExecutionLimits& limits, d
 // [e'] m/s: what the wheels of a drive make of the velocity error, with such bounds.
 double error_by_wheels(const ExecutionModel& model, const DifferentialDrive& drive,
                        const ExecutionLimits& limits, const Bounds& bounds) {
-  const double T = model.time_constant, dT = model.time_constant_error;
+  const double T = model.time_constant, lag_error = model.time_constant_error;
   const double wrong = model.measured_velocity_error, h = model.heading_age;
   const double V = limits.speed + bounds.error.velocity, turning = V / drive.offset;
   const double swerve =
-      T > 0.0 ? 2.0 * T * (limits.change + V * turning + 2.0 * bounds.lag / (T - dT)) : 0.0;
+      T > 0.0 ? 2.0 * T * (limits.change + V * turning + 2.0 * bounds.lag / (T - lag_error)) : 0.0;
   const double aged = h > 0.0 ? h * (bounds.error.command + swerve) : 0.0;
   return model.velocity_error +
          rounding_of(model) * std::max(1.0, 2.0 * drive.offset / drive.track) +
-         turning * (V * dT + aged) + T * wrong * (2.0 * V + wrong) / drive.offset;
+         turning * (V * lag_error + aged) + T * wrong * (2.0 * V + wrong) / drive.offset;
 }
 
 // e' grows with the bounds that it makes larger: the least solution, from below.
