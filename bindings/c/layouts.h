@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <type_traits>
 
+#include "avo/execution.h"
 #include "avo/planner.h"
 #include "avo/simulation.h"
 #include "avo/wall.h"
@@ -46,6 +47,23 @@ AVO_SAME_PLACE(avo_plan, avo::Plan, neighbor);
 AVO_SAME_PLACE(avo_plan, avo::Plan, wall);
 AVO_SAME_PLACE(avo_plan, avo::Plan, depth);
 AVO_SAME_PLACE(avo_plan, avo::Plan, violation);
+
+static_assert(kSameSize<avo_execution_model, avo::ExecutionModel>);
+AVO_SAME_PLACE(avo_execution_model, avo::ExecutionModel, time_constant_error);
+AVO_SAME_PLACE(avo_execution_model, avo::ExecutionModel, dead_time);
+AVO_SAME_PLACE(avo_execution_model, avo::ExecutionModel, dead_time_error);
+AVO_SAME_PLACE(avo_execution_model, avo::ExecutionModel, deadband);
+AVO_SAME_PLACE(avo_execution_model, avo::ExecutionModel, quantum);
+AVO_SAME_PLACE(avo_execution_model, avo::ExecutionModel, velocity_error);
+AVO_SAME_PLACE(avo_execution_model, avo::ExecutionModel, heading_age);
+AVO_SAME_PLACE(avo_execution_model, avo::ExecutionModel, measured_position_error);
+AVO_SAME_PLACE(avo_execution_model, avo::ExecutionModel, measured_velocity_error);
+
+static_assert(kSameSize<avo_base_command, avo::BaseCommand>);
+AVO_SAME_PLACE(avo_base_command, avo::BaseCommand, next_reference);
+AVO_SAME_PLACE(avo_base_command, avo::BaseCommand, next_velocity);
+AVO_SAME_PLACE(avo_base_command, avo::BaseCommand, deviation);
+AVO_SAME_PLACE(avo_base_command, avo::BaseCommand, has_left);
 
 #undef AVO_SAME_PLACE
 

@@ -33,6 +33,10 @@ avo::PlannerOptions planner_options_of(const avo_planner_def* planner) {
   return options_of(read(planner, {"planner"}, avo_default_planner_def(AVO_METHOD_AVO)));
 }
 
+avo::ExecutionModel execution_of(const avo_execution_model& model) {
+  return std::bit_cast<avo::ExecutionModel>(model);
+}
+
 avo::NavigatorOptions navigator_options_of(const avo_planner_def* planner,
                                            const avo_navigator_def* given) {
   const avo_navigator_def def = read(given, {"def"}, avo_default_navigator_def());
@@ -51,6 +55,7 @@ avo::NavigatorOptions navigator_options_of(const avo_planner_def* planner,
   options.required_movement_radius = def.required_movement_radius;
   options.movement_time_allowance = def.movement_time_allowance;
   options.route_tolerance = unless_zero(def.route_tolerance);
+  if (def.execution != nullptr) options.execution = execution_of(*def.execution);
   return options;
 }
 
@@ -65,6 +70,8 @@ avo_navigator_decision decision_of(const avo::NavigatorDecision& decision) {
   if (decision.wait) result.passage = to_c(decision.wait->passage);
   result.status = static_cast<avo_navigator_status>(decision.status);
   result.guide = static_cast<avo_guide>(decision.guide);
+  result.has_command = decision.command.has_value();
+  if (decision.command) result.command = std::bit_cast<avo_base_command>(*decision.command);
   return result;
 }
 
@@ -183,6 +190,24 @@ avo_result avo_navigator_route(avo_navigator_id navigator, avo_vec2* buffer, siz
     if (buffer == nullptr) return;
     require_room(capacity, written);
     for (const avo::Vec2 corner : route) *buffer++ = to_c(corner);
+  });
+}
+
+avo_result avo_find_execution_error(const avo_execution_model* model, const avo_robot* robot,
+                                    double time_step, avo_execution_error* error) {
+  return guarded([&] {
+    const avo::ExecutionError found =
+        avo::execution_error(execution_of(at(model, "model")), read_robot(robot), time_step);
+    at(error, "error") = {found.position, found.velocity, found.command};
+  });
+}
+
+avo_result avo_drive_command(const avo_execution_model* model, const avo_robot* body,
+                             avo_vec2 velocity, avo_wheel_command* command) {
+  return guarded([&] {
+    const avo::DriveCommand found =
+        avo::drive_command(execution_of(at(model, "model")), read_robot(body), from_c(velocity));
+    at(command, "command") = {found.speed, found.turning_rate};
   });
 }
 

@@ -7,6 +7,7 @@
 #include "avo/decision_trace.h"
 #include "avo/error.h"
 #include "avo/events.h"
+#include "avo/execution.h"
 #include "avo/executor.h"
 #include "avo/explanation.h"
 #include "avo/export.h"

@@ -9,6 +9,7 @@
 #include <span>
 #include <vector>
 
+#include "avo/execution.h"
 #include "avo/explanation.h"
 #include "avo/export.h"
 #include "avo/planner.h"
@@ -40,6 +41,11 @@ struct NavigatorOptions {
   /// m, > 0: the corners of a given route are cut by as much, and most robots follow it within this
   /// distance, except where others are in the way. Unset: 0.3 of the robot's radius
   std::optional<double> route_tolerance = {};
+  /// How the base executes commands; unset: exactly. If set, `robot` of step() is the body as it is
+  /// measured, the decision is about its reference, and NavigatorDecision::command is for the base
+  /// (docs/on_board.md, "Bases that do not execute exactly"). For holonomic robots, with held
+  /// motion.
+  std::optional<ExecutionModel> execution = {};
 };
 
 /// A place on a mission: the robot passes it, or it rests there for a while.
@@ -64,6 +70,8 @@ AVO_API const char* to_string(NavigatorStatus status);
 /// One decision of a navigator.
 struct NavigatorDecision {
   Plan plan;  ///< send it to the base, as docs/on_board.md says
+  /// Send this in place of the plan, where NavigatorOptions::execution is set; else unset.
+  std::optional<BaseCommand> command = {};
   NavigatorStatus status = NavigatorStatus::idle;
   Guide guide = Guide::route;    ///< what the preferred velocity leads to
   Vec2 preferred_velocity = {};  ///< m/s, given to the planner
@@ -111,7 +119,8 @@ class AVO_API Navigator {
   /// One cycle: to be called every time_step, at the times at which all robots decide. Of `robot`,
   /// preferred_velocity and distance_to_goal are not read; its limits may change from cycle to
   /// cycle. time: s, of any clock that does not go back. Where a value is out of range, the plan
-  /// says invalid_input, and the robot brakes. Throws Error on an airplane.
+  /// says invalid_input, and the robot brakes. Throws Error on an airplane, and on wheels where
+  /// NavigatorOptions::execution is set.
   NavigatorDecision step(const Robot& robot, std::span<const Neighbor> neighbors, double time);
 
   /// The decision that step() would make now, with its reasons in words. Neighbors are named by

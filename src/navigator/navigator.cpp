@@ -19,6 +19,8 @@
 namespace avo::inline navigator {
 namespace {
 
+constexpr double kLate = 1.5;  // steps: so long after the last cycle, a cycle has been left out
+
 // A navigator may meet movers: its ways out need all walls within their reach.
 PlannerOptions with_all_walls(PlannerOptions options) {
   options.wall_range = kInfinity;
@@ -33,6 +35,7 @@ NavigatorState::NavigatorState(const NavigatorOptions& given, std::vector<Wall> 
       response(step_response(planner)),
       map(std::move(walls)) {
   memory.ways = std::make_shared<Ways>(way_rules_of(options), map, std::vector<Wall>{});
+  if (options.execution) tracker.emplace(*options.execution, planner);
 }
 
 void NavigatorState::take_map(std::vector<Wall> walls) {
@@ -57,13 +60,47 @@ void NavigatorState::begin(Mission next) {
 
 namespace {
 
+// A base that does not execute exactly has a reference, which decides in its place.
+Robot deciding(const NavigatorState& state, const Robot& body) {
+  return state.tracker ? state.tracker->reference(body) : body;
+}
+
+// Returns whether a cycle has been left out, which leaves the reference behind.
+bool forgets_late(NavigatorState& state, double time) {
+  if (!state.tracker) return false;
+  const double time_step = state.planner.options().time_step;
+  const bool is_late = state.followed && time - *state.followed > kLate * time_step;
+  if (is_late) state.tracker->forget();
+  return is_late;
+}
+
+std::optional<BaseCommand> followed(NavigatorState& state, const Robot& body, const Plan& plan,
+                                    double time, bool is_late) {
+  if (!state.tracker) return {};
+  BaseCommand command = state.tracker->follow(body, plan);
+  command.has_left |= is_late;
+  state.followed = time;
+  return command;
+}
+
 // The decision on values with which nothing can be decided.
-NavigatorDecision invalid(NavigatorState& state, const Robot& robot) {
+NavigatorDecision invalid(NavigatorState& state, const Robot& body, double time) {
+  const bool is_led =
+      state.tracker && std::isfinite(time) && all_valid(body, std::span<const Neighbor>{});
+  const bool is_late = is_led && forgets_late(state, time);
+  const Robot robot = is_led ? deciding(state, body) : body;
   NavigatorDecision decision;
   decision.status = NavigatorStatus::under_way;
   decision.plan = with_next_velocity(state.planner, robot,
                                      brake(state.planner, robot, PlanStatus::invalid_input, 0.0));
   remember(decision.plan, state.memory.detour);
+  if (is_led) {
+    decision.command = followed(state, body, decision.plan, time, is_late);
+  } else if (state.tracker) {  // of the body itself nothing is known
+    state.tracker->forget();
+    const Vec2 next = decision.plan.next_velocity;
+    decision.command = {next, body.position, next, 0.0, true};
+  }
   return decision;
 }
 
@@ -182,13 +219,15 @@ void Navigator::set_obstacles(std::vector<StaticObstacle> obstacles,
   state_->options.layers = own;
 }
 
-NavigatorDecision Navigator::step(const Robot& robot, std::span<const Neighbor> neighbors,
+NavigatorDecision Navigator::step(const Robot& body, std::span<const Neighbor> neighbors,
                                   double time) {
-  require_no_airplane(robot);
+  require_no_airplane(body);
   NavigatorState& state = *state_;
   Memory& memory = state.memory;
   const bool is_later = std::isfinite(time) && (!memory.time || time >= *memory.time);
-  if (!is_later || !all_valid(robot, neighbors)) return invalid(state, robot);
+  if (!is_later || !all_valid(body, neighbors)) return invalid(state, body, time);
+  const bool is_late = forgets_late(state, time);
+  const Robot robot = deciding(state, body);
   const double since = memory.time ? time - *memory.time : state.planner.options().time_step;
   const SetOut out = set_out(state, memory, robot, neighbors, since);
   NavigatorDecision decision;
@@ -200,6 +239,7 @@ NavigatorDecision Navigator::step(const Robot& robot, std::span<const Neighbor> 
     decision.plan.state = proved;
     remember(decision.plan, memory.detour);
   }
+  decision.command = followed(state, body, decision.plan, time, is_late);
   memory.time = time;
   ++memory.decisions;
   decision.status = status_of(state, robot, since);
@@ -239,7 +279,8 @@ const NavigatorOptions& Navigator::options() const {
 
 Explanation Navigator::explain(const Robot& robot, std::span<const Neighbor> neighbors) const {
   require_no_airplane(robot);
-  return explanation_of(*state_, robot, neighbors);
+  const bool is_led = state_->tracker && all_valid(robot, neighbors);
+  return explanation_of(*state_, is_led ? deciding(*state_, robot) : robot, neighbors);
 }
 
 }  // namespace avo

@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "avo/execution.h"
 #include "avo/navigator.h"
 #include "guidance/at_goal.h"
 #include "guidance/wall_needs.h"
@@ -74,6 +75,8 @@ struct NavigatorState {
   Occupied occupied;
   std::vector<Wall> resting;  // scratch: the movers at rest
   PlanWorkspace workspace;
+  std::optional<ReferenceTracker> tracker;  // of a base that does not execute exactly
+  std::optional<double> followed;           // s, when it was commanded last
 
   NavigatorState(const NavigatorOptions& options, std::vector<Wall> walls);
   /// Routes are made anew at the next step.

@@ -87,6 +87,49 @@ static void check_ranges(void) {
   CHECK(others > 2.0 * walls - 0.1 && others < 10.0);
 }
 
+/* A base that obeys 0.1 s late: by the commands that it has not executed yet. */
+static void check_execution(void) {
+  const avo_vec2 goal = {4.0, 0.0};
+  const avo_execution_model model = {.dead_time = 0.1, .deadband = 0.02};
+  const avo_planner_def planner = avo_default_planner_def(AVO_METHOD_AVO);
+  avo_navigator_def def = avo_default_navigator_def();
+  avo_navigator_id navigator;
+  avo_robot body = avo_default_robot();
+  avo_navigator_decision decision = {0};
+  avo_execution_error most;
+  int steps = 0;
+  def.execution = &model;
+  REQUIRE(avo_create_navigator(&planner, &def, NULL, 0, &navigator));
+  REQUIRE(avo_find_execution_error(&model, &body, 0.1, &most));
+  CHECK(most.position > 0.005 && most.position < 0.02 && most.command > 2.0);
+  REQUIRE(avo_navigator_set_goal(navigator, goal, NAN, false));
+  for (; steps < 100 && decision.status != AVO_NAVIGATOR_REACHED; ++steps) {
+    const avo_vec2 acting = decision.command.velocity;
+    REQUIRE(avo_navigator_step(navigator, &body, NULL, 0, 0.1 * steps, &decision));
+    CHECK(decision.has_command && !decision.command.has_left);
+    CHECK(decision.command.deviation <= most.position);
+    body.position.x += 0.1 * acting.x, body.position.y += 0.1 * acting.y;
+    body.velocity = acting;
+  }
+  CHECK(steps < 100 && fabs(body.position.x - 4.0) < 0.5);
+  REQUIRE(avo_destroy_navigator(navigator));
+}
+
+static void check_drive_command(void) {
+  const avo_execution_model exact = {0};
+  const avo_vec2 aside = {0.0, 0.1};
+  avo_wheel_command command;
+  avo_robot body = avo_default_robot();
+  REFUSES(avo_drive_command(&exact, &body, aside, &command), AVO_ERROR_INVALID_VALUE,
+          "must be a differential drive");
+  body.model = AVO_MODEL_DIFFERENTIAL_DRIVE;
+  body.drive.track = 0.4, body.drive.offset = 0.2;
+  body.drive.wheel_speed = 1.0, body.drive.wheel_acceleration = 2.0;
+  body.max_acceleration = 0.5, body.max_speed = 0.5;
+  REQUIRE(avo_drive_command(&exact, &body, aside, &command));
+  CHECK(fabs(command.speed) < 1e-12 && fabs(command.turning_rate - 0.5) < 1e-12);
+}
+
 static void check_refusals(void) {
   const avo_planner_def planner = avo_default_planner_def(AVO_METHOD_AVO);
   avo_navigator_def def = avo_default_navigator_def();
@@ -103,6 +146,8 @@ int main(void) {
   check_goal();
   check_routes();
   check_ranges();
+  check_execution();
+  check_drive_command();
   check_refusals();
   return 0;
 }

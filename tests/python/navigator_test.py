@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """A robot on board: to its goal, along routes, and in words."""
 import math
+import pickle
 
 import avo
 import pytest
@@ -56,3 +57,48 @@ def test_how_far_it_has_to_see():
     planner, robot = avo.Planner(), avo.Robot(position=(0, 0))
     assert avo.wall_range(planner, robot) == pytest.approx(2.7, abs=0.02)
     assert avo.sensing_range(planner, robot, [robot]) == pytest.approx(9.0, abs=0.5)
+
+
+def test_a_base_that_is_late_stays_near_its_reference():
+    model = avo.ExecutionModel(dead_time=0.1, quantum=0.01)
+    navigator, body = avo.Navigator(execution=model), avo.Robot(position=(0, 0))
+    most = avo.execution_error(model, body, 0.1)
+    assert 0.005 < most.position < 0.02 and most.command > body.max_speed
+    navigator.set_goal((4, 0))
+    acting = (0.0, 0.0)
+    for k in range(100):
+        decision = navigator.step(body, time=0.1 * k)
+        command = decision.command
+        assert command.deviation <= most.position and not command.has_left
+        if decision.status == "reached":
+            break
+        body.position = (body.position[0] + 0.1 * acting[0], body.position[1] + 0.1 * acting[1])
+        body.velocity, acting = acting, command.velocity
+    assert decision.status == "reached" and math.dist(body.position, (4, 0)) < 0.5
+    body.position = (2, 2)
+    assert navigator.step(body, time=0.1 * k + 0.1).command.has_left
+    assert avo.Navigator().step(avo.Robot(position=(0, 0)), time=0).command is None
+
+
+def test_what_a_base_declares():
+    model = avo.ExecutionModel(time_constant=0.2, deadband=0.05)
+    assert pickle.loads(pickle.dumps(model)) == model and model.deadband == 0.05
+    drive = avo.Robot(position=(0, 0), model=avo.DifferentialDrive(track=0.4, offset=0.2), heading=0.0)
+    assert avo.drive_command(avo.ExecutionModel(), drive, (0.3, 0.1)) == pytest.approx((0.3, 0.5))
+    with pytest.raises(avo.Error, match="ExecutionModel.dead_time: found -1, must be >= 0 s"):
+        avo.Navigator(execution=avo.ExecutionModel(dead_time=-1))
+
+
+def test_a_reference_is_kept_beside_plan():
+    planner, body = avo.Planner(), avo.Robot(position=(0, 0), preferred_velocity=(1, 0))
+    tracker = avo.ReferenceTracker(avo.ExecutionModel(time_constant=0.2), planner)
+    most = tracker.error(body)
+    led = tracker.reference(body)
+    assert led.radius == body.radius + most.position and led.position == body.position
+    plan = planner.plan(led)
+    command = tracker.follow(body, plan)
+    assert command.next_velocity == plan.next_velocity and command.velocity[0] > plan.next_velocity[0]
+    body.position = (command.next_reference[0], 0.5 * most.position)
+    assert tracker.reference(body).position == command.next_reference
+    tracker.forget()
+    assert tracker.reference(body).position == body.position

@@ -35,14 +35,31 @@ struct SpaceOutputs {
     if (record) record->add(simulation);
     if (figure) frames.observe(simulation);
   }
+  void draw(const RunArguments& arguments, const avo::space::Scenario& scenario) {
+    const FigureSize size = arguments.figure_size.value_or(FigureSize{});
+    avo::figures::FigureOptions options;
+    options.width = size.width, options.height = size.height;
+    options.robots = arguments.figure_robots;
+    if (!options.robots.empty() && options.robots.back() >= scenario.robots.size())
+      throw UsageError(fmt::format("--figure-robots: found {}, must be < {}, the number of robots",
+                                   options.robots.back(), scenario.robots.size()));
+    const TimeWindow shown = arguments.figure_time.value_or(TimeWindow{});
+    std::vector<avo::figures::SpaceRecorder::Frame> kept = frames.frames();
+    std::erase_if(
+        kept, [&](const auto& frame) { return frame.time < shown.from || frame.time > shown.to; });
+    if (kept.empty())
+      throw UsageError(
+          fmt::format("--figure-time: found {:.6g} s, must be before the run's end", shown.from));
+    figure->write(
+        drawn([&] { return avo::figures::draw_views(scenario, kept, arguments.figure, options); }));
+  }
   void finish(const RunArguments& arguments, const avo::space::Scenario& scenario,
               const avo::RunSummary& results) {
     std::vector<avo_io::OutputFile*> files;
     if (record) files.push_back(&record->file());
     if (summary) files.push_back(&*summary), summary->write(avo_io::to_json(results));
     if (figure) {
-      figure->write(drawn(
-          [&] { return avo::figures::draw_views(scenario, frames.frames(), arguments.figure); }));
+      draw(arguments, scenario);
       files.push_back(&*figure);
     }
     commit_all(files);

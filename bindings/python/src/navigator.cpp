@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // One robot on board.
 #include <fmt/format.h>
+#include <pybind11/operators.h>
 #include <utility>
 
 #include "bind.h"
+#include "pickles.h"
 
 namespace avo_python {
 
@@ -19,7 +21,8 @@ Navigator make_navigator(const avo::Planner* planner,
                          avo::LayerSet layers, bool navigation, avo::RightOfWay right_of_way,
                          std::vector<double> fleet_radii, std::optional<double> xy_goal_tolerance,
                          double yaw_goal_tolerance, double required_movement_radius,
-                         double movement_time_allowance, std::optional<double> route_tolerance) {
+                         double movement_time_allowance, std::optional<double> route_tolerance,
+                         std::optional<avo::ExecutionModel> execution) {
   avo::NavigatorOptions options;
   if (planner != nullptr) options.planner = planner->options();
   options.preferred_speed = preferred_speed;
@@ -33,6 +36,7 @@ Navigator make_navigator(const avo::Planner* planner,
   options.required_movement_radius = required_movement_radius;
   options.movement_time_allowance = movement_time_allowance;
   options.route_tolerance = route_tolerance;
+  options.execution = execution;
   return Navigator(options, obstacles);
 }
 
@@ -58,10 +62,100 @@ void bind_decision(py::module_& module) {
             return self.wait ? std::optional(self.wait->robot.value) : std::nullopt;
           },
           "index of the neighbor for which it waits at a passage, or None")
+      .def_readonly("command", &NavigatorDecision::command,
+                    "BaseCommand to send in place of the plan, where execution is set; or None")
       .def("__repr__", [](const NavigatorDecision& self) {
         return fmt::format("<avo.NavigatorDecision {}: {:.6g} m left>", avo::to_string(self.status),
                            self.route_left);
       });
+}
+
+void bind_execution_model(py::module_& module) {
+  using avo::ExecutionModel;
+  py::class_<ExecutionModel>(module, "ExecutionModel",
+                             "How a base executes velocity commands: T dv/dt = w(t - d) + e - v. "
+                             "Each coordinate is executed by itself.")
+      .def(py::init([](double time_constant, double time_constant_error, double dead_time,
+                       double dead_time_error, double deadband, double quantum,
+                       double velocity_error, double heading_age, double measured_position_error,
+                       double measured_velocity_error) {
+             return ExecutionModel{time_constant,
+                                   time_constant_error,
+                                   dead_time,
+                                   dead_time_error,
+                                   deadband,
+                                   quantum,
+                                   velocity_error,
+                                   heading_age,
+                                   measured_position_error,
+                                   measured_velocity_error};
+           }),
+           py::kw_only(), arg("time_constant") = 0.0, arg("time_constant_error") = 0.0,
+           arg("dead_time") = 0.0, arg("dead_time_error") = 0.0, arg("deadband") = 0.0,
+           arg("quantum") = 0.0, arg("velocity_error") = 0.0, arg("heading_age") = 0.0,
+           arg("measured_position_error") = 0.0, arg("measured_velocity_error") = 0.0)
+      .def(pickled<ExecutionModel>())
+      .def(py::self == py::self)
+      .def_readonly("time_constant", &ExecutionModel::time_constant, "[T] s, of the lag")
+      .def_readonly("time_constant_error", &ExecutionModel::time_constant_error, "s, 0 to T")
+      .def_readonly("dead_time", &ExecutionModel::dead_time, "[d] s, from command to effect")
+      .def_readonly("dead_time_error", &ExecutionModel::dead_time_error, "s, 0 to d")
+      .def_readonly("deadband", &ExecutionModel::deadband,
+                    "m/s: the base executes a slower coordinate as 0")
+      .def_readonly("quantum", &ExecutionModel::quantum,
+                    "m/s: coordinates are whole multiples; 0: any")
+      .def_readonly("velocity_error", &ExecutionModel::velocity_error, "[e] m/s: slip, scale")
+      .def_readonly("heading_age", &ExecutionModel::heading_age,
+                    "s, of the heading of drive_command() while the wheels execute it")
+      .def_readonly("measured_position_error", &ExecutionModel::measured_position_error,
+                    "m, of the body")
+      .def_readonly("measured_velocity_error", &ExecutionModel::measured_velocity_error,
+                    "m/s, of the body");
+}
+
+void bind_execution(py::module_& module) {
+  using avo::BaseCommand, avo::ExecutionError, avo::ExecutionModel, avo::ReferenceTracker;
+  bind_execution_model(module);
+  py::class_<ExecutionError>(module, "ExecutionError",
+                             "How far a base is from its reference at most.")
+      .def_readonly("position", &ExecutionError::position, "m: the robot's disc is larger by this")
+      .def_readonly("velocity", &ExecutionError::velocity,
+                    "m/s: others who sense the base add both to their sensing_error")
+      .def_readonly("command", &ExecutionError::command,
+                    "m/s: the base, or each wheel, must accept commands of this speed");
+  py::class_<BaseCommand>(module, "BaseCommand", "What a base is told for the next time_step.")
+      .def_readonly("velocity", &BaseCommand::velocity,
+                    "(x, y), m/s: a differential drive gets drive_command() of it")
+      .def_readonly("next_reference", &BaseCommand::next_reference,
+                    "(x, y), m, where the reference is at the next decision")
+      .def_readonly("next_velocity", &BaseCommand::next_velocity, "(x, y), m/s, its velocity then")
+      .def_readonly("deviation", &BaseCommand::deviation, "m, of the body from the reference")
+      .def_readonly("has_left", &BaseCommand::has_left,
+                    "whether that was more than the bound: the reference begins anew at the body");
+  py::class_<ReferenceTracker>(module, "ReferenceTracker",
+                               "Keeps the reference of one robot beside Planner.plan, and makes "
+                               "its base follow the reference.")
+      .def(py::init([](const ExecutionModel& model, const avo::Planner& planner) {
+             return ReferenceTracker(model, planner);
+           }),
+           arg("model"), arg("planner"))
+      .def("reference", &ReferenceTracker::reference, arg("body"),
+           "The Robot to plan for in place of the body.")
+      .def("follow", &ReferenceTracker::follow, arg("body"), arg("plan"),
+           "The BaseCommand for the Plan of reference(body): once every time_step.")
+      .def("forget", &ReferenceTracker::forget, "The reference begins anew at the body.")
+      .def("error", &ReferenceTracker::error, arg("body"),
+           "ExecutionError, for the largest limits that the robot has had so far.");
+  module.def("execution_error", &avo::execution_error, arg("model"), arg("robot"), arg("time_step"),
+             "The ExecutionError of a Robot of these limits.");
+  module.def(
+      "drive_command",
+      [](const avo::ExecutionModel& model, const avo::Robot& body, avo::Vec2 velocity) {
+        const avo::DriveCommand command = avo::drive_command(model, body, velocity);
+        return std::pair(command.speed, command.turning_rate);
+      },
+      arg("model"), arg("body"), arg("velocity"),
+      "(m/s, rad/s) of a differential drive: at each cycle of the wheels' controller.");
 }
 
 void bind_missions(py::class_<Navigator>& navigator) {
@@ -102,6 +196,7 @@ double sensing_range_of(const avo::Planner& planner, const avo::Robot& robot,
 }  // namespace
 
 void bind_navigator(py::module_& module) {
+  bind_execution(module);
   bind_decision(module);
   py::class_<Navigator> navigator(
       module, "Navigator",
@@ -113,13 +208,14 @@ void bind_navigator(py::module_& module) {
       arg("fleet_radii") = py::tuple(), arg("xy_goal_tolerance") = py::none(),
       arg("yaw_goal_tolerance") = 0.25, arg("required_movement_radius") = 0.5,
       arg("movement_time_allowance") = 10.0, arg("route_tolerance") = py::none(),
+      arg("execution") = py::none(),
       "planner: a Planner, whose options count; None: the usual ones. obstacles: StaticObstacles, "
       "the map. preferred_speed: m/s, None: max_speed; id: its number among the robots; layers: of "
       "the map it heeds the obstacles of these layers; "
       "navigation: routes lead around the map; right_of_way: \"seen\" or \"none\"; fleet_radii: m, "
       "of all robots; xy_goal_tolerance: m, None: arrival_distance; yaw_goal_tolerance: rad; "
       "required_movement_radius: m, within movement_time_allowance: s; route_tolerance: m, None: "
-      "0.3 of the radius.");
+      "0.3 of the radius; execution: an ExecutionModel of the base, None: it executes exactly.");
   bind_missions(navigator);
   navigator
       .def("step", &step_navigator, arg("robot"), arg("neighbors") = py::tuple(), py::kw_only(),

@@ -50,6 +50,8 @@ inline constexpr int kFields<avo::SensingModel> = 5;
 template <>
 inline constexpr int kFields<avo::SensingError> = 2;
 template <>
+inline constexpr int kFields<avo::ExecutionModel> = 10;
+template <>
 inline constexpr int kFields<avo::Scenario> = 29;  // but the function, which stays in the process
 template <>
 inline constexpr int kFields<avo::Queue> = 3;
@@ -85,6 +87,9 @@ auto fields(T& x) {
   } else if constexpr (n == 8) {
     auto& [a, b, c, d, e, f, g, h] = x;
     return std::tie(a, b, c, d, e, f, g, h);
+  } else if constexpr (n == 10) {
+    auto& [a, b, c, d, e, f, g, h, i, j] = x;
+    return std::tie(a, b, c, d, e, f, g, h, i, j);
   } else if constexpr (n == 12) {
     auto& [a, b, c, d, e, f, g, h, i, j, k, l] = x;
     return std::tie(a, b, c, d, e, f, g, h, i, j, k, l);

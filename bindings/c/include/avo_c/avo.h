@@ -1119,6 +1119,54 @@ AVO_C_API avo_result avo_simulation_summary(avo_simulation_id simulation, avo_su
 
 /* ---------------------------------------------------------------------------------- navigator */
 
+/// How a base executes velocity commands: T dv/dt = w(t - d) + e - v, with the command w and an
+/// error |e| <= velocity_error. T and d are constant, and known with the errors given. Each
+/// coordinate is executed by itself: x and y of a holonomic base, the wheels of a differential
+/// drive. All are 0 of a base that executes exactly.
+typedef struct avo_execution_model {
+  double time_constant;            ///< [T] s, >= 0, of the velocity's first-order lag
+  double time_constant_error;      ///< s, 0 to T
+  double dead_time;                ///< [d] s, >= 0, from command to effect
+  double dead_time_error;          ///< s, 0 to d
+  double deadband;                 ///< m/s, >= 0: the base executes a slower coordinate as 0
+  double quantum;                  ///< m/s, >= 0: coordinates are whole multiples; 0: any
+  double velocity_error;           ///< [e] m/s, >= 0
+  double heading_age;              ///< s, >= 0, of the heading of avo_drive_command()
+  double measured_position_error;  ///< m, >= 0, of the body
+  double measured_velocity_error;  ///< m/s, >= 0, of the body
+} avo_execution_model;
+
+/// How far a base is from its reference at most.
+typedef struct avo_execution_error {
+  double position;  ///< m: the robot's disc is larger by this, for itself and for others
+  double velocity;  ///< m/s: others who sense the base add both to their sensing error
+  double command;   ///< m/s: the base, or each wheel, must accept commands of this speed
+} avo_execution_error;
+
+/// What a base is told for the next time_step.
+typedef struct avo_base_command {
+  /// m/s: a holonomic base gets it as it is, a differential drive gets avo_drive_command() of it
+  avo_vec2 velocity;
+  avo_vec2 next_reference;  ///< m, where the reference is at the next decision
+  avo_vec2 next_velocity;   ///< m/s, its velocity then
+  double deviation;         ///< m, of the body from the reference at the decision
+  bool has_left;            ///< it was more than the bound: the reference begins anew at the body
+} avo_base_command;
+
+/// What a differential drive is told.
+typedef struct avo_wheel_command {
+  double speed;         ///< m/s, of the middle of its axle
+  double turning_rate;  ///< rad/s, counter-clockwise
+} avo_wheel_command;
+
+/// The bounds for a robot of these limits.
+AVO_C_API avo_result avo_find_execution_error(const avo_execution_model* model,
+                                              const avo_robot* robot, double time_step,
+                                              avo_execution_error* error);
+/// To be called at each cycle of the wheels' controller, with the body as it is then.
+AVO_C_API avo_result avo_drive_command(const avo_execution_model* model, const avo_robot* body,
+                                       avo_vec2 velocity, avo_wheel_command* command);
+
 /// One robot on board: its route, the right of way at passages, and its goal. Robots of a fleet
 /// agree on what their planners share, on the map, and on fleet_radii.
 typedef struct avo_navigator_def {
@@ -1135,6 +1183,9 @@ typedef struct avo_navigator_def {
   avo_right_of_way right_of_way;
   bool navigation;  ///< routes lead around the obstacles of the map
   uint32_t layers;  ///< bit k: it is in layer k; of the map it heeds the obstacles of its layers
+  /// How the base executes commands; null: exactly. If given, the robot of a step is the body as it
+  /// is measured, and the command of the decision is for the base.
+  const avo_execution_model* execution;
 } avo_navigator_def;
 
 /// A place on a mission.
@@ -1155,6 +1206,8 @@ typedef struct avo_navigator_decision {
   int32_t waits_for;            ///< index of that robot in the neighbors given; -1: none
   avo_navigator_status status;
   avo_guide guide;
+  bool has_command;          ///< where the definition has an execution
+  avo_base_command command;  ///< send this in place of the plan then
 } avo_navigator_decision;
 
 AVO_C_API avo_navigator_def avo_default_navigator_def(void);
