@@ -55,12 +55,16 @@ inline Halves halved(const Cubic& q) {
   return {{q[0], a, d, f}, {f, e, c, q[3]}};
 }
 
-/// m: the least distance of the path from the body, to 1e-12 m. Where it is at least `enough`, any
-/// value that is at least `enough`. The path lies in the hull of its four points; the plane across
-/// the direction from the body to the middle of the path bounds the hull's distance from below.
+/// m: the least distance of the path from the body, to 1e-12 m and the rounding of its places.
+/// Where it is at least `enough`, any value that is at least `enough`. The path lies in the hull of
+/// its four points; the plane across the direction from the body to the middle of the path bounds
+/// the hull's distance from below.
 template <typename Body>
 double least_distance(const Cubic& path, const Body& body, double enough) {
-  constexpr double kTolerance = 1e-12;
+  double tolerance = 1e-12;
+  for (const Vec3& point : path)
+    tolerance =
+        std::max(tolerance, 8e-16 * (std::abs(point.x) + std::abs(point.y) + std::abs(point.z)));
   const auto distance = [&body](Vec3 a) { return norm(a - body.nearest(a)); };
   double best = std::min(distance(path[0]), distance(path[3]));
   std::vector<Cubic> open{path};
@@ -76,10 +80,10 @@ double least_distance(const Cubic& path, const Body& body, double enough) {
     double least = dot(n, piece[0]);
     for (const Vec3& point : piece) least = std::min(least, dot(n, point));
     const double bound = least - body.support(n);
-    if (bound >= std::min(best, enough) - kTolerance) continue;
+    if (bound >= std::min(best, enough) - tolerance) continue;
     // nothing is shorter than rounding
     if (norm(piece[3] - piece[0]) + norm(piece[1] - piece[0]) + norm(piece[2] - piece[0]) <
-        kTolerance)
+        tolerance)
       continue;
     open.push_back(halves.first);
     open.push_back(halves.second);

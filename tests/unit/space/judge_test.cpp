@@ -62,6 +62,16 @@ TEST(SpaceJudge, finds_boxes_that_are_touched_within_a_step) {
   EXPECT_EQ(report.static_contacts.first->other, 0);
 }
 
+TEST(SpaceJudge, comes_to_an_end_far_from_the_origin) {
+  const double far = 3e11;
+  const CheckReport report =
+      judged({{}, {}}, {{{far + 1, -1, -1}, {far + 2, 1, 1}, 0.0, 0.0}},
+             {{{0, {far, 0, 0}, {0.3, 0.1, 0}}, {1, {far, 0.9, 0}, {0.3, 0, 0}}},
+              {{0, {far, 0, 0}, {0.3, 0.1, 0}}, {1, {far, 0.9, 0}, {0.3, 0, 0}}}});
+  EXPECT_EQ(report.overlaps.count, 1);
+  EXPECT_EQ(report.static_contacts.count, 2);
+}
+
 TEST(SpaceJudge, positions_that_do_not_follow_the_velocities_are_jumps) {
   const CheckReport report = judged({{}}, {}, {{{0, {}, {}}}, {{0, {1, 0, 0}, {}}}});
   EXPECT_EQ(report.jumps.count, 1);
