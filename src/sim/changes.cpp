@@ -118,8 +118,8 @@ void change_robot(World& world, RobotId robot, const RobotSetup& setup) {
       disc_radius(changed) != disc_radius(now) || changed.arrival_distance != now.arrival_distance;
   Travel travel;
   if (!ways.empty() && moves_otherwise)
-    travel = ways.plan(disc_radius(changed), fleet.position[slot], changed.goal,
-                       arrival_distance_of(world.settings, changed));
+    travel = ways.plan(way_radius(changed.model, disc_radius(changed)), fleet.position[slot],
+                       changed.goal, arrival_distance_of(world.settings, changed));
   fleet.change(slot, changed, pace);
   kind.becomes(fleet.setup(slot));
   if (!ways.empty() && moves_otherwise) ways.travels[rank] = std::move(travel);

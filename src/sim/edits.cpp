@@ -101,13 +101,13 @@ StaticWorld beside(const World& world, std::vector<Wall> parked) {
 }
 
 void park(World& world, const RobotSetup& setup, RobotId robot) {
-  const Vec2 center = disc_center(setup);
-  const double radius = disc_radius(setup);
-  const StaticObstacle disc{{{{center}, false}}, radius, Fill::none};
+  const Wall own = parked_wall(setup);
+  const std::vector<Vec2> ends = own.a == own.b ? std::vector{own.a} : std::vector{own.a, own.b};
+  const StaticObstacle disc{{{ends, false}}, own.radius, Fill::none};
   check_newly_static(world, disc, name_of(robot));
   check_start(world, setup, robot);
   std::vector<Wall> parked = world.statics.parked;
-  parked.push_back({center, center, radius});
+  parked.push_back(own);
   StaticWorld statics = beside(world, std::move(parked));
   Ways ways = ways_among(world, statics);
   ways.travels.reserve(world.fleet.size() + 1);
@@ -122,7 +122,7 @@ void remove_parked(World& world, std::size_t slot) {
   std::vector<Wall> parked;
   for (const std::uint32_t other : fleet.slot_of) {
     if (fleet.conduct[other].parked && other != slot)
-      parked.push_back({fleet.position[other], fleet.position[other], fleet.traits[other].radius});
+      parked.push_back(parked_wall(fleet.setup(other)));
   }
   replace(world, beside(world, std::move(parked)));
 }
@@ -143,7 +143,7 @@ RobotId add_robot(World& world, const RobotSetup& setup) {
   Ways& ways = world.ways;
   Travel travel;
   if (!ways.empty()) {
-    travel = ways.plan(disc_radius(setup), disc_center(setup), setup.goal,
+    travel = ways.plan(way_radius(setup.model, disc_radius(setup)), disc_center(setup), setup.goal,
                        arrival_distance_of(world.settings, setup));
     if (ways.travels.size() == ways.travels.capacity())
       ways.travels.reserve(2 * ways.travels.size() + 8);
@@ -188,7 +188,7 @@ void set_goal(World& world, RobotId robot, Vec2 goal) {
   if (!ways.empty()) {
     put_in_place(world, slot);
     ways.travels[static_cast<std::size_t>(world.fleet.rank[slot])] =
-        ways.plan(world.fleet.traits[slot].radius, world.fleet.position[slot], goal,
+        ways.plan(world.fleet.traits[slot].way_radius, world.fleet.position[slot], goal,
                   world.arrival_distance(slot));
   }
   world.fleet.goal[slot] = goal;
@@ -218,8 +218,8 @@ void move_robot(World& world, RobotId robot, Vec2 position) {
   const auto rank = static_cast<std::size_t>(fleet.rank[slot]);
   Ways& ways = world.ways;
   if (!ways.empty())
-    ways.travels[rank] = ways.plan(disc_radius(setup), disc_center(setup), setup.goal,
-                                   arrival_distance_of(world.settings, setup));
+    ways.travels[rank] = ways.plan(way_radius(setup.model, disc_radius(setup)), disc_center(setup),
+                                   setup.goal, arrival_distance_of(world.settings, setup));
   note_late(world.bystanders, robot);  // there is room
   fleet.position[slot] = disc_center(setup);
   fleet.velocity[slot] = start_velocity(setup);

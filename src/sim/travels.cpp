@@ -17,7 +17,7 @@ void plan_travels(Ways& ways, const Fleet& fleet, double arrival_distance, const
     ways.travels.push_back(
         fleet.conduct[slot].parked
             ? Travel{}
-            : plan_anew(ways, fleet.traits[slot].radius, fleet.position[slot], fleet.goal[slot],
+            : plan_anew(ways, fleet.traits[slot].way_radius, fleet.position[slot], fleet.goal[slot],
                         fleet.own_arrival_distance(slot).value_or(arrival_distance), known));
   }
 }

@@ -81,7 +81,7 @@ void reserve(const World& world, Worker& worker) {
 void find_passages(World& world) {
   std::vector<double> radii;
   for (std::size_t slot = 0; slot < world.fleet.size(); ++slot) {
-    if (!world.fleet.conduct[slot].parked) radii.push_back(world.fleet.traits[slot].radius);
+    if (!world.fleet.conduct[slot].parked) radii.push_back(world.fleet.traits[slot].way_radius);
   }
   std::sort(radii.begin(), radii.end());
   radii.erase(std::unique(radii.begin(), radii.end()), radii.end());
