@@ -39,6 +39,23 @@ void draw_drive(Canvas& canvas, const DifferentialDrive& drive, const Disc& own,
   }
 }
 
+// Draws the discs of a footprint, and a line from the position to the foremost center.
+void draw_discs(Canvas& canvas, const Footprint& footprint, const Pose& pose, Color body,
+                const Stroke& edge) {
+  const Vec2 ahead{std::cos(pose.heading), std::sin(pose.heading)};
+  const auto add_discs = [&] {
+    for (int k = 0; k < footprint.discs; ++k)
+      canvas.add_disc({pose.position + footprint.ahead(k) * ahead, footprint.radius});
+  };
+  add_discs();
+  canvas.stroke(edge);
+  add_discs();  // the edges within the union are painted over
+  canvas.fill(body);
+  canvas.add_polyline(
+      std::array{pose.position, pose.position + footprint.ahead(footprint.discs - 1) * ahead});
+  canvas.stroke(edge);
+}
+
 }  // namespace
 
 void draw_robot(Canvas& canvas, const RobotSetup& setup, const Pose& pose, Color color,
@@ -54,6 +71,10 @@ void draw_robot(Canvas& canvas, const RobotSetup& setup, const Pose& pose, Color
     return;
   }
   const Vec2 center = disc_center(setup.model, pose.position, pose.heading);
+  if (const Footprint footprint = footprint_of(setup.model)) {
+    draw_discs(canvas, footprint, {center, pose.heading}, body, edge);
+    return;
+  }
   if (age == 1.0) {
     canvas.add_disc({center, radius});
     canvas.fill_and_stroke(mix(kWhite, color, 0.3), edge);

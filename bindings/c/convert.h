@@ -54,6 +54,13 @@ std::span<const avo::Neighbor> neighbors_of(const avo_neighbor* neighbors, std::
                                             const char* list);
 std::vector<avo::StaticObstacle> obstacles_of(const avo_obstacle_def* obstacles, std::size_t count);
 avo::Neighbor neighbor_of(const avo_neighbor& neighbor, const Where& where);
+
+inline avo::Footprint from_c(const avo_footprint& footprint) {
+  return {footprint.discs, footprint.radius, footprint.first, footprint.spacing};
+}
+inline avo_footprint to_c(const avo::Footprint& footprint) {
+  return {footprint.radius, footprint.first, footprint.spacing, footprint.discs};
+}
 /// None where the id is null; throws Failure where it is stale.
 const avo::Trajectory* trajectory_of(avo_trajectory_id trajectory);
 

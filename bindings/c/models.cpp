@@ -8,8 +8,9 @@
 namespace avo_c {
 namespace {
 
-avo::Car car_of(const avo_car& car, const Where& where) {
+avo::Car car_of(const avo_car& car, const avo_footprint& footprint, const Where& where) {
   avo::Car result;
+  result.footprint = from_c(footprint);
   result.wheelbase = car.wheelbase;
   result.max_curvature = unless_zero(car.max_curvature);
   if (car.body.radius != 0.0) result.body = avo::CarBody{car.body.offset, car.body.radius};
@@ -51,10 +52,10 @@ template <typename Def>
 avo::MotionModel model_of(const Def& def, const Where& where) {
   switch (word<std::int32_t>(def.model, 4, where, "model")) {
     case AVO_MODEL_CAR:
-      return car_of(def.car, where);
+      return car_of(def.car, def.footprint, where);
     case AVO_MODEL_DIFFERENTIAL_DRIVE:
       return avo::DifferentialDrive{def.drive.track, offset_of(def), def.drive.wheel_speed,
-                                    def.drive.wheel_acceleration};
+                                    def.drive.wheel_acceleration, from_c(def.footprint)};
     case AVO_MODEL_AIRPLANE:
       return avo::Airplane{
           def.airplane.min_speed, def.airplane.lateral_acceleration,
@@ -71,8 +72,11 @@ void set_model(const avo::MotionModel& model, Def& def) {
   def.drive = to_c(avo::DifferentialDrive{});
   if constexpr (std::is_same_v<Def, avo_robot_def>) def.drive.offset = 0.0;
   def.airplane = to_c(avo::Airplane{});
-  if (const auto* car = std::get_if<avo::Car>(&model)) def.car = to_c(*car);
-  if (const auto* drive = std::get_if<avo::DifferentialDrive>(&model)) def.drive = to_c(*drive);
+  def.footprint = to_c(avo::Footprint{});
+  if (const auto* car = std::get_if<avo::Car>(&model))
+    def.car = to_c(*car), def.footprint = to_c(car->footprint);
+  if (const auto* drive = std::get_if<avo::DifferentialDrive>(&model))
+    def.drive = to_c(*drive), def.footprint = to_c(drive->footprint);
   if (const auto* airplane = std::get_if<avo::Airplane>(&model)) def.airplane = to_c(*airplane);
 }
 

@@ -136,6 +136,18 @@ avo_result avo_planner_response_time(avo_planner_id planner, double max_speed,
   });
 }
 
+avo_result avo_planner_braking_pose(avo_planner_id planner, const avo_robot* robot,
+                                    avo_braking_pose* pose, avo_footprint* footprint) {
+  return guarded([&] {
+    avo_braking_pose& to = at(pose, "pose");
+    avo_footprint& about_disc = at(footprint, "footprint");
+    const avo::Robot own = read_robot(robot);
+    const avo::BrakingPose found = planners.at(planner).braking_pose(own);
+    to = {to_c(found.ahead), found.spread};
+    about_disc = to_c(avo::footprint_of(own.model));
+  });
+}
+
 avo_result avo_planner_plan(avo_planner_id planner, const avo_robot* robot,
                             const avo_neighbor* neighbors, size_t neighbor_count,
                             const avo_wall* walls, size_t wall_count, avo_detour* detour,

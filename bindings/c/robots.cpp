@@ -116,7 +116,10 @@ avo::Neighbor neighbor_of(const avo_neighbor& neighbor, const Where& where) {
           .likely_deviation = neighbor.likely_deviation,
           .parting = from_c(neighbor.parting),
           .trajectory = trajectory_of(neighbor.trajectory),
-          .trajectory_time = neighbor.trajectory_time};
+          .trajectory_time = neighbor.trajectory_time,
+          .footprint = from_c(neighbor.footprint),
+          .ahead = from_c(neighbor.pose.ahead),
+          .spread = neighbor.pose.spread};
 }
 
 }  // namespace avo_c
@@ -146,7 +149,27 @@ avo_neighbor avo_default_neighbor(void) {
   neighbor.max_acceleration = usual.max_acceleration;
   neighbor.priority = usual.priority;
   neighbor.max_speed = usual.max_speed;
+  neighbor.footprint = avo_c::to_c(usual.footprint);
   return neighbor;
+}
+
+avo_result avo_cover_rectangle(double length, double width, double offset, double excess,
+                               avo_footprint* footprint) {
+  return avo_c::guarded([&] {
+    avo_c::at(footprint, "footprint") =
+        avo_c::to_c(avo::cover_rectangle(length, width, offset, excess));
+  });
+}
+
+avo_result avo_cover_polygon(const avo_vec2* corners, size_t corner_count, double excess,
+                             avo_footprint* footprint) {
+  return avo_c::guarded([&] {
+    avo_footprint& cover = avo_c::at(footprint, "footprint");
+    avo_c::require_array(corners, corner_count, "corners");
+    std::vector<avo::Vec2> points;
+    for (std::size_t k = 0; k < corner_count; ++k) points.push_back(avo_c::from_c(corners[k]));
+    cover = avo_c::to_c(avo::cover_polygon(points, excess));
+  });
 }
 
 avo_vec2 avo_parting_direction(uint64_t id, uint64_t other) {

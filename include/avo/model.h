@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 // Motion models: how a robot can move (paper §V). SI units.
 //
-// The other robots know a robot by its disc alone, and by its fallback: it brakes, or it loiters.
-// They never ask for its model. The position of a robot in a scene is a point of its model, see
-// disc_center().
+// The other robots know a robot by its disc, or by the discs of its footprint, and by its fallback:
+// it brakes, or it loiters. They never ask for its model. The position of a robot in a scene is a
+// point of its model, see disc_center().
 #pragma once
 #include <cstdint>
 #include <optional>
 #include <variant>
 
 #include "avo/export.h"
+#include "avo/footprint.h"
 #include "avo/vec.h"
 
 namespace avo {
@@ -43,6 +44,7 @@ struct Car {
   std::optional<CarBody> body = {};          ///< unset: about the axle
   bool reverse = false;                      ///< may drive backwards
   AccelerationSet acceleration_set = AccelerationSet::incircle;
+  Footprint footprint = {};  ///< from the rear axle; a car has a body or a footprint
   friend bool operator==(const Car&, const Car&) = default;
 };
 
@@ -58,6 +60,7 @@ struct DifferentialDrive {
   double offset = 0.5 * track;
   double wheel_speed = 2.0;         ///< [w_max] m/s, > 0, of each wheel on the ground
   double wheel_acceleration = 3.0;  ///< [α_w] m/s², > 0, of each wheel
+  Footprint footprint = {};         ///< from the middle of the axle
   friend bool operator==(const DifferentialDrive&, const DifferentialDrive&) = default;
 };
 
@@ -117,7 +120,11 @@ AVO_API double acceleration_limit(const MotionModel& model, double max_accelerat
 /// robots move on parabolas between decisions where acceleration is held.
 AVO_API bool moves_along_heading(const MotionModel& model);
 
-/// m: the radius of the disc that others sense, for a robot with `radius` in its setup.
+/// The footprint about the center of that disc, see disc_center(); without discs where it has none.
+AVO_API Footprint footprint_of(const MotionModel& model);
+
+/// m: the radius of the disc that others sense, for a robot with `radius` in its setup. It covers
+/// the footprint at any heading.
 AVO_API double disc_radius(const MotionModel& model, double radius);
 
 /// m: the center of that disc for a robot at `position`; heading in rad.

@@ -274,6 +274,13 @@ struct SafetyReport {
   double depth = 0.0;
 };
 
+/// The heading of a robot with a footprint while it brakes: within `spread` of `ahead`, see
+/// Neighbor.
+struct BrakingPose {
+  Vec2 ahead = {};      ///< unit
+  double spread = 0.0;  ///< rad
+};
+
 /// Scratch memory of a Planner; reuse it, and nothing is allocated once it has grown. Use one per
 /// thread. Where memory runs out while it grows, plan() throws std::bad_alloc; the workspace can be
 /// used again.
@@ -414,6 +421,10 @@ class AVO_API Planner {
   /// false where plan() says invalid_input, and without a certificate.
   [[nodiscard]] bool has_way_out(const Robot& robot, std::span<const Neighbor> neighbors,
                                  PlanWorkspace& workspace, std::span<const Wall> walls = {}) const;
+
+  /// Returns what others have to know of a robot with a footprint: Neighbor::ahead and
+  /// Neighbor::spread. A car brakes along its heading. A differential drive may turn meanwhile.
+  [[nodiscard]] BrakingPose braking_pose(const Robot& robot) const;
 
   /// D(v_A, δ a_max), the velocities that the acceleration allows, Eq. (21); without bound
   /// (infinite radius) for methods that disregard it.

@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "avo/export.h"
+#include "avo/footprint.h"
 #include "avo/ids.h"
 #include "avo/model.h"
 #include "avo/trajectory.h"
@@ -25,7 +26,7 @@ struct Robot {
   /// [v_A] m/s; for a differential drive the velocity of this center
   Vec2 velocity = {};
   Vec2 preferred_velocity = {};   ///< [v_A^pref] m/s
-  double radius = 0.5;            ///< [r_A] m, > 0, of that disc
+  double radius = 0.5;            ///< [r_A] m, > 0, of that disc; it covers a footprint
   double max_acceleration = 1.0;  ///< [a_A^max] m/s^2, > 0
   double max_speed = 2.0;         ///< [v_A^max] m/s, > 0
   /// m, left to the place where it comes to rest, if it has such a goal. Method avo then makes no
@@ -106,6 +107,13 @@ struct Neighbor {
   /// on this trajectory. The trajectory has to stay valid while plan() runs.
   const Trajectory* trajectory = nullptr;
   double trajectory_time = 0.0;  ///< s: the present time on the trajectory's clock; -1e12 to 1e12
+  /// Its discs from its position, where it is no disc; `radius` then covers them at any heading.
+  /// The centers are along `ahead`.
+  Footprint footprint = {};
+  Vec2 ahead = {};  ///< unit: along its heading; read only with a footprint
+  /// rad, 0 to π: while B brakes, its heading may differ that much from `ahead`. It is 0 for a
+  /// robot that brakes along its heading; see braking_pose() for a differential drive.
+  double spread = 0.0;
 };
 
 /// Returns the direction in which a robot of the first id leaves a robot of the other id, where

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <fmt/format.h>
 
+#include "avo/discs.h"
 #include "avo_io/errors.h"
 #include "io/export/foxglove.h"
 #include "io/export/mcap_file.h"
@@ -166,11 +167,13 @@ std::string McapExport::walls(const std::string& timestamp) const {
 
 std::string McapExport::robot_of(const avo::CheckedState& row, const std::string& timestamp) const {
   const avo::RobotSetup& setup = scenario_.robots[static_cast<std::size_t>(row.robot)];
-  const double radius = disc_radius(setup);
-  const Vec2 center =
-      row.heading ? avo::disc_center(setup.model, row.position, row.heading->angle) : row.position;
-  return disc_of(entity_of(timestamp, fmt::format("{}", row.robot)), center, row.velocity, radius,
-                 kRobotPaint);
+  ProtoBytes entity = entity_of(timestamp, fmt::format("{}", row.robot));
+  if (!row.heading)
+    return disc_of(entity, row.position, row.velocity, disc_radius(setup), kRobotPaint);
+  const std::vector<avo::Disc> discs = discs_at(setup, row.position, row.heading->angle);
+  for (std::size_t k = 0; k + 1 < discs.size(); ++k)
+    entity.text(10, cylinder_of(discs[k].center, discs[k].radius, kRobotPaint));
+  return disc_of(entity, discs.back().center, row.velocity, discs.back().radius, kRobotPaint);
 }
 
 // Returns the moving obstacles. Recordings have no rows of them: their scene tells their places.

@@ -46,6 +46,10 @@ struct MembersOf<avo::DifferentialDrive> {
   using type = MemberOf<avo::DifferentialDrive, double>;
 };
 template <>
+struct MembersOf<FootprintShape> {
+  using type = MemberOf<FootprintShape, double, std::optional<double>, std::vector<avo::Vec2>>;
+};
+template <>
 struct MembersOf<avo::Airplane> {
   using type = MemberOf<avo::Airplane, double, avo::AfterGoal>;
 };

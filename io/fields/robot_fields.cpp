@@ -40,6 +40,9 @@ const std::vector<Field<RobotSetup>>& fields() {
       {"drive", kNested, kOptional, kNoNumber, "",
        "a differential drive's own; its position is the middle of its axle"},
       {"airplane", kNested, kOptional, kNoNumber, "", "an airplane's own; it cannot stop"},
+      {"footprint", kNested, kOptional, kNoNumber, "",
+       "its body where that is no disc, of a car or a drive: up to five discs cover it",
+       "that of radius, or of car.body"},
       {"priority", &RobotSetup::priority, kOptional, kPositive, "",
        "of a pair, A takes the part p_B/(p_A + p_B) of what both have to do, 1/64 to 63/64 of it"},
       {"max_braking", &RobotSetup::max_braking, kOptional, kPositive, "m/s^2",
@@ -123,6 +126,23 @@ const std::vector<Field<CarBody>>& fields() {
       {"offset", &CarBody::offset, kOptional, kAnyValue, "m",
        "of its center, ahead of the rear axle"},
       {"radius", &CarBody::radius, kRequired, kPositive, "m", "of the disc, instead of radius"},
+  };
+  return table;
+}
+
+template <>
+const std::vector<Field<FootprintShape>>& fields() {
+  static const std::vector<Field<FootprintShape>> table{
+      {"length", &FootprintShape::length, kOptional, kPositive, "m",
+       "of a rectangle, along the heading", "a polygon"},
+      {"width", &FootprintShape::width, kOptional, kPositive, "m", "of the rectangle", "a polygon"},
+      {"offset", &FootprintShape::offset, kOptional, kAnyValue, "m",
+       "of the rectangle's center, ahead of the position"},
+      {"polygon", &FootprintShape::polygon, kOptional, kAnyValue, "m",
+       "corners, from the position: x along the heading, y to its left", "a rectangle"},
+      {"excess", &FootprintShape::excess, kOptional, kNotNegative, "m",
+       "by which discs may exceed its sides; as few discs as that allows cover it",
+       "a quarter of its width"},
   };
   return table;
 }

@@ -1,7 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "io/scene/read_model.h"
 
+#include <algorithm>
+#include <cmath>
 #include <variant>
+
+#include "avo/error.h"
+#include "avo/footprint.h"
 
 namespace avo_io {
 namespace {
@@ -59,6 +64,41 @@ void read_car(const Reader& reader, const YamlNode& node, const std::string& pat
   reader.read(*body, path_to(path, "body"), fields<avo::CarBody>(), *car.body, is_whole);
 }
 
+// Returns the cover of the shape that the keys describe.
+avo::Footprint cover_of(const Reader& reader, const YamlNode& node, const std::string& path) {
+  FootprintShape shape;
+  reader.check_keys(node, path, keys_of(fields<FootprintShape>()));
+  reader.read(node, path, fields<FootprintShape>(), shape);
+  const bool is_rectangle = shape.length && shape.width && node.find("polygon") == nullptr;
+  const bool is_polygon =
+      !shape.polygon.empty() && !shape.length && !shape.width && node.find("offset") == nullptr;
+  if (!is_rectangle && !is_polygon)
+    reader.fail(node, path, shown(node), "must have length and width, or a polygon alone");
+  double side = is_rectangle ? 0.5 * *shape.width : 0.0;
+  for (const avo::Vec2 corner : shape.polygon) side = std::max(side, std::abs(corner.y));
+  const double excess = shape.excess.value_or(2.0 * side * avo::kUsualExcess);
+  try {
+    return is_rectangle ? avo::cover_rectangle(*shape.length, *shape.width, shape.offset, excess)
+                        : avo::cover_polygon(shape.polygon, excess);
+  } catch (const avo::Error& error) {
+    reader.document().fail(node, path + "." + error.what());
+  }
+}
+
+void read_footprint(const Reader& reader, const YamlNode& node, const std::string& path,
+                    avo::MotionModel& model) {
+  if (auto* car = std::get_if<avo::Car>(&model)) {
+    car->footprint = cover_of(reader, node, path);
+  } else if (auto* drive = std::get_if<avo::DifferentialDrive>(&model)) {
+    drive->footprint = cover_of(reader, node, path);
+  } else {
+    reader.fail(node, path, "a footprint",
+                "must be left out: its model is " +
+                    std::string(model_name(static_cast<ModelKind>(model.index()))) +
+                    ", not car or differential_drive");
+  }
+}
+
 }  // namespace
 
 void read_model(const Reader& reader, const YamlNode& node, const std::string& path,
@@ -89,6 +129,8 @@ void read_model(const Reader& reader, const YamlNode& node, const std::string& p
     reader.read(*drive, path_to(path, "drive"), table,
                 std::get<avo::DifferentialDrive>(robot.model), true);
   }
+  if (const YamlNode* footprint = node.find("footprint"))
+    read_footprint(reader, *footprint, path_to(path, "footprint"), robot.model);
   if (const YamlNode* airplane = node.find("airplane")) {
     const auto& table = fields<avo::Airplane>();
     reader.check_keys(*airplane, path_to(path, "airplane"), keys_of(table));

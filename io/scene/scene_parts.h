@@ -20,6 +20,14 @@ struct CirclePlacement {
   double min_radius = 0.0;
   double spacing = 2.25;
 };
+/// A body that is no disc: a rectangle, or a polygon in the robot's frame.
+struct FootprintShape {
+  std::optional<double> length, width;  ///< m, of a rectangle
+  double offset = 0.0;                  ///< m, from the position forward to its center
+  std::vector<avo::Vec2> polygon;       ///< m; x along the heading, y to its left
+  std::optional<double> excess;         ///< m, of its discs at its sides
+};
+
 /// Robots row by row from `corner` towards +x, then +y.
 struct GridPlacement {
   avo::Vec2 corner;

@@ -214,6 +214,14 @@ Json list_schema(const char* definition) {
   return {{"type", "array"}, {"items", {{"$ref", std::string("#/$defs/") + definition}}}};
 }
 
+/// Returns the schema of a body that is no disc: a rectangle or a polygon.
+Json footprint_schema() {
+  Json json = map_schema(fields<FootprintShape>());
+  json["properties"]["polygon"]["minItems"] = 3;
+  json["oneOf"] = {{{"required", {"length", "width"}}}, {{"required", {"polygon"}}}};
+  return json;
+}
+
 /// Returns the schemas of the keys of a robot's motion.
 Json nested_of_robots(const Json& heading) {
   Json car = map_schema(fields<avo::Car>(), {{"body", map_schema(fields<avo::CarBody>())}});
@@ -222,6 +230,7 @@ Json nested_of_robots(const Json& heading) {
           {"heading", heading},
           {"car", car},
           {"drive", map_schema(fields<avo::DifferentialDrive>())},
+          {"footprint", footprint_schema()},
           {"airplane", map_schema(fields<avo::Airplane>())}};
 }
 

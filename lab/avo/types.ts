@@ -70,11 +70,18 @@ export interface Moment {
   moving_obstacles: Float64Array; // x, y, vx, vy of each
 }
 
+/** Discs of one radius along the heading, at these distances ahead of the position. */
+export interface Footprint {
+  radius: number; // m
+  ahead: number[]; // m
+}
+
 export interface RobotInfo {
   robot: number;
   radius: number;
   disc_radius: number; // of the disc that neighbors sense
   disc_ahead: number; // from its position to the disc's center, along its heading
+  footprint: Footprint | null; // null if the robot is one disc
   max_speed: number;
   max_acceleration: number;
   preferred_speed: number;

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "avo/clearance.h"
+#include "avo/discs.h"
 #include "host.h"
 #include "io/text/json.h"
 #include "walls/segment.h"
@@ -24,15 +25,16 @@ struct Disc {
   std::string name;
   Vec2 center;
   double radius;
+  std::size_t row;  // of its robot
 };
 
-/// Returns the disc of each present robot.
+/// Returns the discs of all present robots.
 std::vector<Disc> discs_of(const avo::FleetView& fleet) {
   std::vector<Disc> discs;
   for (std::size_t k = 0; k < fleet.id.size(); ++k)
-    discs.push_back({name_of(static_cast<std::int64_t>(fleet.id[k].value)),
-                     disc_center(fleet.setup[k].model, fleet.position[k], fleet.heading[k]),
-                     disc_radius(fleet.setup[k])});
+    for (const avo::Disc& disc : discs_at(fleet.setup[k], fleet.position[k], fleet.heading[k]))
+      discs.push_back(
+          {name_of(static_cast<std::int64_t>(fleet.id[k].value)), disc.center, disc.radius, k});
   return discs;
 }
 
@@ -52,10 +54,11 @@ void append_robots(const avo::FleetView& fleet, const std::vector<Disc>& discs, 
   const std::span<const float> clearance = clearances_of(fleet);
   std::vector<std::size_t> touched;
   for (std::size_t k = 0; k < discs.size(); ++k)
-    if (clearance[k] < 0.0F) touched.push_back(k);
+    if (clearance[discs[k].row] < 0.0F) touched.push_back(k);
   for (std::size_t i = 0; i < touched.size(); ++i) {
     for (std::size_t j = i + 1; j < touched.size(); ++j) {
-      const auto &a = fleet.setup[touched[i]], &b = fleet.setup[touched[j]];
+      if (discs[touched[i]].row == discs[touched[j]].row) continue;
+      const auto &a = fleet.setup[discs[touched[i]].row], &b = fleet.setup[discs[touched[j]].row];
       if (!avoids(a, b) || !avoids(b, a) || (a.parked && b.parked)) continue;
       const Disc& other = discs[touched[j]];
       append_overlap(discs[touched[i]], other.name, other.center, other.radius, contacts);
@@ -76,7 +79,7 @@ void append_walls(const avo::Simulation& simulation, const std::vector<Disc>& di
     grid.build(walls, reach);
     const std::string name = "obstacles." + std::to_string(obstacles.id[k].value);
     for (std::size_t i = 0; i < discs.size(); ++i) {
-      if (simulation.fleet().setup[i].parked) continue;
+      if (simulation.fleet().setup[discs[i].row].parked) continue;
       for (const avo::Wall& wall : grid.near(discs[i].center))
         append_overlap(discs[i], name, nearest_on({wall.a, wall.b}, discs[i].center), wall.radius,
                        contacts);

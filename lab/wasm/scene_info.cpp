@@ -5,6 +5,7 @@
 #include <type_traits>
 #include <variant>
 
+#include "avo/discs.h"
 #include "avo_io/complaints.h"
 #include "host.h"
 #include "io/fields/fields.h"
@@ -54,6 +55,15 @@ const char* model_of(const avo::RobotSetup& robot) {
   return std::visit(name, robot.model);
 }
 
+/// Returns null for a robot that is one disc.
+Json footprint_of(const avo::RobotSetup& robot) {
+  if (!avo::footprint_of(robot.model)) return {};
+  Json ahead = Json::array();
+  const std::vector<avo::Disc> discs = discs_at(robot, {}, 0.0);
+  for (const avo::Disc& disc : discs) ahead.push_back(disc.center.x);
+  return {{"radius", discs[0].radius}, {"ahead", ahead}};
+}
+
 Json robots_of(const avo::FleetView& fleet) {
   Json robots = Json::array();
   for (std::size_t k = 0; k < fleet.id.size(); ++k) {
@@ -62,6 +72,7 @@ Json robots_of(const avo::FleetView& fleet) {
                       {"radius", robot.radius},
                       {"disc_radius", disc_radius(robot)},
                       {"disc_ahead", disc_center(robot.model, {}, 0.0).x},
+                      {"footprint", footprint_of(robot)},
                       {"max_speed", robot.max_speed},
                       {"max_acceleration", robot.max_acceleration},
                       {"preferred_speed", robot.preferred_speed},

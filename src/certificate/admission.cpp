@@ -119,6 +119,8 @@ HalfPlane tangent(const WorstConstraint& worst, const CandidatePath& path, const
     across += path.speed > 0.0 ? distance / path.speed : law.lag;
     along += std::min(law.time_step * m + to_point, to_rest);
   }
+  if (path.lever != 0.0 && path.speed > 0.0)
+    across += path.lever / path.speed;  // it turns with v_1
   const Vec2 normal = constraint.normal - worst.lean;
   const double n_along = dot(normal, path.direction);
   const Vec2 gradient = across * normal + ((along - across) * n_along) * path.direction;

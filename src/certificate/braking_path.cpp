@@ -61,20 +61,10 @@ Plan plan_to(const Robot& robot, Vec2 next_velocity, const StepLaw& law) {
   return {.new_velocity = plain(v_new), .acceleration = plain(a)};
 }
 
-CandidatePath follow(const Robot& robot, Vec2 next_velocity, const StepLaw& law) {
-  CandidatePath path;
-  path.first = law.lag * robot.velocity + (law.time_step - law.lag) * next_velocity;
-  path.next_velocity = next_velocity;
-  if (!is_holonomic(robot.model)) {
-    const MotionStep step = advance(robot.model, {planned_braking(robot), robot.max_speed},
-                                    {{}, robot.velocity, robot.heading},
-                                    plan_to(robot, next_velocity, law), law.time_step);
-    path.first = step.next.position;
-    path.next_velocity = step.next.velocity;
-    path.bend = step.bend;
-    path.swing = law.lag * step.swing;
-    path.way = step.way;
-  }
+namespace {
+
+// path.first and path.next_velocity are those of the step.
+void brake_after(const Robot& robot, const StepLaw& law, CandidatePath& path) {
   const double decrement = decrement_of(robot, law);
   path.speed = norm(path.next_velocity);
   path.direction = path.speed > 0.0 ? path.next_velocity / path.speed : Vec2{};
@@ -83,6 +73,33 @@ CandidatePath follow(const Robot& robot, Vec2 next_velocity, const StepLaw& law)
   path.braking = braking_profile(path.speed, decrement);
   const double steps = path.speed > 0.0 ? std::min(path.braking.full_steps + 1.0, kForEver) : 0.0;
   path.moving = stays ? 0 : 1 + static_cast<int>(steps);
+  path.end = path.first;
+}
+
+}  // namespace
+
+CandidatePath path_after(const Robot& robot, const MotionStep& step, const StepLaw& law) {
+  CandidatePath path;
+  path.first = step.next.position;
+  path.next_velocity = step.next.velocity;
+  path.bend = step.bend;
+  path.swing = law.lag * step.swing;
+  path.way = step.way;
+  brake_after(robot, law, path);
+  return path;
+}
+
+CandidatePath follow(const Robot& robot, Vec2 next_velocity, const StepLaw& law) {
+  if (!is_holonomic(robot.model))
+    return path_after(robot,
+                      advance(robot.model, {planned_braking(robot), robot.max_speed},
+                              {{}, robot.velocity, robot.heading},
+                              plan_to(robot, next_velocity, law), law.time_step),
+                      law);
+  CandidatePath path;
+  path.first = law.lag * robot.velocity + (law.time_step - law.lag) * next_velocity;
+  path.next_velocity = next_velocity;
+  brake_after(robot, law, path);
   return path;
 }
 

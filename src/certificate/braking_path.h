@@ -5,6 +5,7 @@
 #include "avo/robot.h"
 #include "avo/vec.h"
 #include "core/vector_of.h"
+#include "robots/motion.h"
 
 namespace avo::inline certificate {
 
@@ -116,11 +117,19 @@ struct CandidatePathOf {
   double bend = 0.0;       ///< m: how much more the arc of its first step needs than a parabola
   Vector swing = {};       ///< m: distance from p_1 of that parabola to p_1 of the braking path
   BrakingProfile braking;  ///< from v_1
+  // of a disc of a footprint (docs/certificate/footprints.md):
+  Vec2 begin = {}, end = {};  ///< m: first and last point of the step; `end` is `first` otherwise
+  double grown_within = 0.0;  ///< m, of the disc's radius within the step
+  double grown = 0.0;         ///< m, of its radius after the step
+  double lever = 0.0;         ///< m, from the robot to the disc, in the direction of v_1
 };
 using CandidatePath = CandidatePathOf<2>;
 
 /// The path of a robot that is not holonomic uses the velocity that it reaches when v_1 is
 /// commanded.
 CandidatePath follow(const Robot& robot, Vec2 next_velocity, const StepLaw& law);
+
+/// The path after a step of a robot that is not holonomic; the step begins at {0, 0}.
+CandidatePath path_after(const Robot& robot, const MotionStep& step, const StepLaw& law);
 
 }  // namespace avo::inline certificate

@@ -8,12 +8,16 @@
 #include <limits>
 
 #include "certificate/allow_braking.h"
+#include "certificate/discs.h"
 #include "certificate/kernels.h"
 
 namespace avo::inline certificate {
 namespace {
 
 using Real = scalar::Pack<double>;
+
+// The radius of a disc that covers a footprint may have been rounded to a float.
+constexpr double kCoverRounding = 1.0 + 1e-5;
 
 // The error of the path of a robot that is sensed in motion for `time`, m.
 double error_at(const StepLaw& law, double time) {
@@ -140,16 +144,44 @@ void begin_trajectories(const Robot& robot, const Neighbors& neighbors, const Ne
   constraints.own = near.own.braking(i);
   constraints.deviation = near.own.deviation(i);
   for (const NearPair& pair : near.of(i)) constraints.waiting.push_back(&pair);
-  for (std::size_t k = 0; has_others && k < neighbors.size(); ++k) {
+  if (has_others)
+    collect_one_by_one({robot, robot}, neighbors, Selected::left_out, law, constraints, invariant);
+}
+
+namespace {
+
+// Collects the constraints of one disc of a neighbor, towards the robot or one disc of it.
+void collect_disc(const OneDisc& self, const Neighbor& other, double other_lever, std::size_t index,
+                  const StepLaw& law, TrajectoryConstraints& constraints, Invariant& invariant) {
+  BrakingPair pair = braking_pair(self.disc, other, constraints.own, law);
+  pair.inflated += rounding_of_discs(pair, self.lever, other_lever);
+  const double nearest = pair.contact + law.sensing_error.position;
+  if (!pair.decides && norm(pair.p) < nearest) invariant.touched = true;
+  collect_close(pair, other, index, law, constraints, invariant);
+}
+
+// Returns whether the lanes have the constraints of this neighbor, or others have them.
+bool is_elsewhere(const Neighbor& neighbor, Selected selected) {
+  if (neighbor.behavior != Behavior::decides) return false;
+  if (neighbor.loiter) return true;
+  return selected == Selected::left_out && !has_errors_of_its_own(neighbor) && !neighbor.footprint;
+}
+
+}  // namespace
+
+void collect_one_by_one(const OneDisc& self, const Neighbors& neighbors, Selected selected,
+                        const StepLaw& law, TrajectoryConstraints& constraints,
+                        Invariant& invariant) {
+  for (std::size_t k = 0; k < neighbors.size(); ++k) {
     const Neighbor other = neighbors[k];
-    const bool decides = other.behavior == Behavior::decides;
-    if (decides && (!has_errors_of_its_own(other) || other.loiter)) continue;
+    if (is_elsewhere(other, selected)) continue;
     const StepLaw pair_law = has_errors_of_its_own(other) ? law_against(other, law) : law;
-    const BrakingPair pair = braking_pair(robot, other, constraints.own, pair_law);
-    if (cannot_meet(pair, other, pair_law)) continue;
-    const double nearest = pair.contact + pair_law.sensing_error.position;
-    if (!decides && norm(pair.p) < nearest) invariant.touched = true;
-    collect_close(pair, other, k, pair_law, constraints, invariant);
+    BrakingPair whole = braking_pair(self.robot, other, constraints.own, pair_law);
+    if (self.lever != 0.0 || has_discs(other)) whole.inflated *= kCoverRounding;
+    if (cannot_meet(whole, other, pair_law)) continue;
+    for (int l = 0; l < disc_count(other); ++l)
+      collect_disc(self, disc_of(other, l), has_discs(other) ? other.footprint.ahead(l) : 0.0, k,
+                   pair_law, constraints, invariant);
   }
 }
 

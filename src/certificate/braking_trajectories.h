@@ -57,6 +57,20 @@ void begin_trajectories(const Robot& robot, const Neighbors& neighbors, const Ne
                         std::size_t i, const StepLaw& law, TrajectoryConstraints& constraints,
                         Invariant& invariant);
 
+/// A robot, or one disc of its footprint.
+struct OneDisc {
+  const Robot& robot;  ///< the whole robot, which may meet the neighbor
+  Robot disc;          ///< what keeps clear of it
+  double lever = 0.0;  ///< m, from the robot's position to the disc
+};
+/// The neighbors that are judged one by one: all, or those that the lanes leave out.
+enum class Selected : unsigned char { all, left_out };
+
+/// Collects the constraints of these neighbors, with all discs of their footprints.
+void collect_one_by_one(const OneDisc& self, const Neighbors& neighbors, Selected selected,
+                        const StepLaw& law, TrajectoryConstraints& constraints,
+                        Invariant& invariant);
+
 /// Collects the constraints of the waiting pairs that can refuse the path.
 void collect_refusing(const Robot& robot, const CandidatePath& path, const StepLaw& law,
                       TrajectoryConstraints& constraints, Invariant& invariant);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "robots/footprint.h"
 #include "robots/model.h"
 
 namespace avo::inline certificate {
@@ -34,10 +35,21 @@ void collect_constraints(const Robot& robot, std::span<const Neighbor> neighbors
   constraints.alone.clear();
   constraints.alone.add(robot, in_columns(neighbors, constraints.seen));
   find_near(constraints.alone, law, constraints);
-  begin_walls(robot, law.kind == Certificate::none ? std::span<const Wall>{} : walls, law.step,
-              constraints.walls);
+  begin_walls_of(robot, walls, law, constraints);
   begin_constraints(robot, constraints.alone.neighbors[0], 0, law, constraints);
   collect_waiting(law.step, constraints.trajectories, constraints.invariant);
+}
+
+void begin_walls_of(const Robot& robot, std::span<const Wall> walls, const CertificateLaw& law,
+                    CertificateConstraints& constraints) {
+  constraints.footprint.count = 0;
+  if (law.kind == Certificate::none) {
+    constraints.walls.clear();
+  } else if (has_footprint(robot.model)) {
+    begin_disc_walls(robot, walls, law.step, constraints.footprint, constraints.walls);
+  } else {
+    begin_walls(robot, walls, law.step, constraints.walls);
+  }
 }
 
 void begin_constraints(const Robot& robot, const Neighbors& neighbors, std::size_t i,
@@ -48,8 +60,12 @@ void begin_constraints(const Robot& robot, const Neighbors& neighbors, std::size
   constraints.trajectories.waiting.clear();
   constraints.loiterers.clear();
   if (law.kind == Certificate::none) return;
-  begin_trajectories(robot, neighbors, constraints.near, i, law.step, constraints.trajectories,
-                     constraints.invariant);
+  if (constraints.footprint.count > 0)
+    collect_discs(robot, neighbors, constraints.near, i, law.step, constraints.footprint,
+                  constraints.invariant);
+  else
+    begin_trajectories(robot, neighbors, constraints.near, i, law.step, constraints.trajectories,
+                       constraints.invariant);
   if (neighbors.columns->has_loiterers)
     collect_loiterers(robot, neighbors, law.step, constraints.loiterers, constraints.invariant);
 }
@@ -65,6 +81,14 @@ bool keeps_reach(const Robot& robot, const CandidatePath& path, const StepLaw& l
   const double expected = law.lag * speed + (law.time_step - law.lag) * (speed + u) +
                           stopping_length(speed + u, decrement_of(robot, law), law);
   return path.way + stopping_length(path.braking, law) <= kRounding * expected;
+}
+
+// Returns whether the robot moves on the judged path; one that turns in place moves its discs.
+bool moves(const CertificateConstraints& constraints) {
+  const auto& discs = constraints.footprint.all();
+  return constraints.path.moving > 0 ||
+         std::any_of(discs.begin(), discs.end(),
+                     [](const DiscConstraints& disc) { return disc.path.moving > 0; });
 }
 
 }  // namespace
@@ -83,10 +107,13 @@ bool admits(const Robot& robot, Vec2 next_velocity, const CertificateLaw& law,
                    constraints.invariant);
   const bool trajectories_kept =
       keeps_trajectories(constraints.path, law.step, constraints.trajectories, asked_for);
-  if (constraints.invariant.unknown ||
-      (constraints.invariant.touched && constraints.path.moving > 0))
+  const bool discs_kept =
+      constraints.footprint.count == 0 ||
+      keep_discs(robot, next_velocity, law.step, constraints.footprint, asked_for);
+  if (constraints.invariant.unknown || (constraints.invariant.touched && moves(constraints)))
     return false;
-  return trajectories_kept && keeps_loiterers(constraints.loiterers, constraints.path, law.step) &&
+  return trajectories_kept && discs_kept &&
+         keeps_loiterers(constraints.loiterers, constraints.path, law.step) &&
          keeps_walls(constraints.walls, constraints.path, law.step);
 }
 
@@ -101,6 +128,15 @@ void list_constraints(const CertificateConstraints& constraints, Vec2 position,
     if (!constraints.trajectories.columns.is_constraint(k)) continue;
     const TrajectoryConstraint constraint = constraint_at(constraints.trajectories.columns, k);
     list.push_back({constraint.neighbor, constraint.interval, constraint.normal, constraint.bound});
+  }
+  for (const DiscConstraints& disc : constraints.footprint.all()) {
+    const ConstraintColumns& columns = disc.trajectories.columns;
+    for (std::size_t k = 0; k < columns.count; ++k) {
+      if (!columns.is_constraint(k)) continue;
+      const TrajectoryConstraint constraint = constraint_at(columns, k);
+      list.push_back(
+          {constraint.neighbor, constraint.interval, constraint.normal, constraint.bound});
+    }
   }
   for (const LoiterLine& line : constraints.loiterers)
     list.push_back({line.neighbor, 0, line.normal, line.offset + dot(line.normal, position)});

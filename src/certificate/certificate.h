@@ -7,7 +7,8 @@
 
 #include "avo/planner.h"
 #include "certificate/braking_trajectories.h"
-#include "certificate/footprints.h"
+#include "certificate/discs.h"
+#include "certificate/fallback_areas.h"
 #include "certificate/wall_constraints.h"
 #include "core/neighbor_columns.h"
 
@@ -24,16 +25,17 @@ struct CertificateConstraints {
   Invariant invariant;
   TrajectoryConstraints trajectories;
   std::vector<LoiterLine> loiterers;
-  WallConstraints walls;  ///< by begin_walls()
-  CandidatePath path;     ///< of the last judged candidate
-  NearPairs near;         ///< of all robots that find_near() was given
+  WallConstraints walls;           ///< by begin_walls_of()
+  FootprintConstraints footprint;  ///< of a robot with a footprint: in place of those above
+  CandidatePath path;              ///< of the last judged candidate
+  NearPairs near;                  ///< of all robots that find_near() was given
   // of a robot that is planned alone
   RobotColumns alone;
   NeighborColumns seen;
 
   bool demand_nothing() const {
     return trajectories.columns.count == 0 && trajectories.waiting.empty() && loiterers.empty() &&
-           walls.near.empty() && !invariant.unknown && !invariant.touched;
+           walls.near.empty() && !invariant.unknown && !invariant.touched && footprint.count == 0;
   }
 };
 
@@ -47,9 +49,12 @@ void find_near(const RobotColumns& robots, const CertificateLaw& law,
 
 /// Begins the constraints of the neighbors of robot i, an index into the robots that find_near()
 /// was last given. admits() collects the constraints that may refuse a candidate. Its walls come
-/// from begin_walls().
+/// from begin_walls_of(), which must come first.
 void begin_constraints(const Robot& robot, const Neighbors& neighbors, std::size_t i,
                        const CertificateLaw& law, CertificateConstraints& constraints);
+/// Begins the constraints of the walls near a robot, or near its discs.
+void begin_walls_of(const Robot& robot, std::span<const Wall> walls, const CertificateLaw& law,
+                    CertificateConstraints& constraints);
 /// Collects all constraints of one robot that is planned alone.
 void collect_constraints(const Robot& robot, std::span<const Neighbor> neighbors,
                          const CertificateLaw& law, CertificateConstraints& constraints,

@@ -152,7 +152,7 @@ void judge(const StepLaw& law, NearQueue& queue, std::vector<NearPair>& kept) {
 }
 
 /// Queues the neighbors of robot i that are not far. Returns whether there are neighbors that the
-/// lanes leave out: movers, and neighbors with an age.
+/// lanes leave out: movers, and neighbors with an age or a footprint.
 template <typename Real, bool kUnlike>
 AVO_KERNEL bool look_for(const RobotColumns& robots, std::size_t i, const StepLaw& law,
                          NearPairs& pairs) {
@@ -223,7 +223,9 @@ inline bool are_unlike(const RobotColumns& robots) {
 template <typename Real, bool kUnlike>
 AVO_KERNEL void look_for_all(const RobotColumns& robots, const StepLaw& law, NearPairs& pairs) {
   for (std::size_t i = 0; i < robots.count; ++i) {
-    pairs.has_others[i] = look_for<Real, kUnlike>(robots, i, law, pairs) ? 1 : 0;
+    const bool has_discs = robots.has_models && pairs.own.has_discs[i] != 0;
+    const bool has_others = has_discs || look_for<Real, kUnlike>(robots, i, law, pairs);
+    pairs.has_others[i] = has_others ? 1 : 0;
   }
   judge<Real, kUnlike>(law, pairs.queue, pairs.kept);
 }

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "robots/footprint.h"
 #include "robots/model.h"
 
 namespace avo::inline certificate {
@@ -22,15 +23,19 @@ void BrakingColumns::reserve(std::size_t robots) {
 }
 
 void BrakingColumns::take_strays(const RobotColumns& robots, const StepLaw& law) {
+  has_discs.clear();
   if (!robots.has_models) {
     std::fill_n(stray_velocity.begin(), robots.count, 0.0);
     std::fill_n(stray_distance.begin(), robots.count, 0.0);
     return;
   }
+  has_discs.resize(robots.count);
   for (std::size_t i = 0; i < robots.count; ++i) {
     Stray stray;
-    if (robots.model[i] != nullptr)
+    if (robots.model[i] != nullptr) {
       stray = stray_of(*robots.model[i], robots.max_acceleration[i], law.time_step);
+      has_discs[i] = has_footprint(*robots.model[i]) ? 1 : 0;
+    }
     stray_velocity[i] = stray.velocity, stray_distance[i] = stray.distance;
   }
 }

@@ -29,9 +29,11 @@ struct BrakingColumns {
   Column clear_distance, per_decrement;    // m, s/m
   Column next_ahead, next_aside;           // m, of one candidate; set by admit_next()
   std::array<Column, 3> far_reach;         // a polynomial in the other's speed: m, s, s²/m
+  // whether robot i has a footprint: see collect_discs(); empty where none has a model
+  std::vector<std::uint8_t> has_discs;
 
   void reserve(std::size_t robots);
-  /// Sets how far the models of the robots stray.
+  /// Sets how far the models of the robots stray, and which robots have footprints.
   void take_strays(const RobotColumns& robots, const StepLaw& law);
   Braking braking(std::size_t i) const;
   Deviation deviation(std::size_t i) const;
@@ -78,7 +80,8 @@ struct NearPairs {
   NearQueue queue;
   std::vector<NearPair> kept;    ///< robot by robot, by ascending neighbor
   std::vector<std::size_t> end;  ///< one past the pairs of robot i
-  /// Whether robot i has neighbors that do not decide, or have an age: they are judged one by one.
+  /// Whether robot i has neighbors that do not decide, or have an age or a footprint: they are
+  /// judged one by one. All neighbors of a robot with a footprint are.
   std::vector<std::uint8_t> has_others;
   std::vector<std::uint8_t> admits;  ///< set by admit_next()
 

@@ -29,17 +29,21 @@ constexpr double kMoreThanRounding = 1.0 + 0x1p-20;
 Pieces pieces_of(const WallConstraints& walls, const CandidatePath& path, const StepLaw& law) {
   const Vec2 end = path.first + stopping_length(path.braking, law) * path.direction;
   const Vec2 middle = walls.middle + path.swing;
-  Pieces pieces{{{{path.first, end}, {middle, path.first}, {{}, path.first}, {{}, middle}}}};
+  Pieces pieces{
+      {{{path.first, end}, {middle, path.end}, {path.begin, path.end}, {path.begin, middle}}}};
   if (!(path.swing == Vec2{})) pieces.count = 4;
-  pieces.extent = std::max({norm(path.first), norm(end), norm(middle)}) + path.bend;
+  const double grown = std::max({path.grown, path.grown_within, 0.0});
+  pieces.extent = std::max({norm(path.first), norm(end), norm(middle)}) + path.bend +
+                  (norm(path.begin) + norm(path.end - path.first) + grown);
   pieces.height = distance(middle, pieces.segment[2]) + path.bend;
   return pieces;
 }
 
 // m. A robot at rest within a margin of the wall must be able to leave: its step keeps less than a
 // choice keeps.
-double demanded(const NearWall& wall, std::size_t piece) {
-  return wall.held + (piece == kBraking ? wall.margin : 0.5 * wall.margin);
+double demanded(const NearWall& wall, std::size_t piece, const CandidatePath& path) {
+  if (piece == kBraking) return (wall.held + wall.margin) + path.grown;
+  return (wall.held + 0.5 * wall.margin) + path.grown_within;
 }
 
 // An arc is within bend t²/Δt² of the step's parabola, and this is the weight of the last Bézier
@@ -61,9 +65,10 @@ bool leaves_wall(const NearWall& wall, const WallConstraints& walls, const Piece
   const auto gained = [&](Vec2 from_braking, double bend) {
     return dot(wall.normal, from_braking) - bend - wall.cone * (norm(from_braking) + bend);
   };
-  return gained(pieces.segment[kBraking].a - walls.first, path.bend) >= wall.margin &&
-         gained(pieces.segment[kBraking].b - walls.stop, 0.0) >= wall.margin &&
-         gained(path.swing, 0.0) >= 0.0;
+  return gained(pieces.segment[kBraking].a - walls.first, path.bend) >= wall.margin + path.grown &&
+         gained(pieces.segment[kBraking].b - walls.stop, 0.0) >= wall.margin + path.grown &&
+         gained(path.end - walls.first, path.bend) >= wall.margin + path.grown_within &&
+         gained(path.swing, 0.0) >= path.grown_within;
 }
 
 bool keeps_wall(const NearWall& wall, const WallConstraints& walls, const Pieces& pieces,
@@ -74,9 +79,9 @@ bool keeps_wall(const NearWall& wall, const WallConstraints& walls, const Pieces
   if (pieces.height > wall.held) return false;  // the wall may lie inside the triangle
   for (std::size_t k = 0; k < pieces.count; ++k) {
     const NearestPoints nearest = nearest_points(pieces.segment[k], wall.segment);
-    const double least = demanded(wall, k);
+    const double least = demanded(wall, k, path);
     if (!(nearest.distance >= least)) return false;
-    if (k != kBraking && path.bend > 0.0 && !keeps_bend(nearest, path.first, path.bend, least))
+    if (k != kBraking && path.bend > 0.0 && !keeps_bend(nearest, path.end, path.bend, least))
       return false;
   }
   return true;
@@ -89,13 +94,15 @@ struct WorstPoint {
 };
 
 // Where the path crosses the wall, the normal points to the side of braking.
-std::optional<WorstPoint> worst_point(const NearWall& wall, const Pieces& pieces, Vec2 stop) {
+std::optional<WorstPoint> worst_point(const NearWall& wall, const Pieces& pieces,
+                                      const CandidatePath& path, Vec2 stop) {
   WorstPoint worst;
   double least = std::numeric_limits<double>::infinity(), distance = least;
   for (std::size_t k = 0; k < pieces.count; ++k) {
     const NearestPoints nearest = nearest_points(pieces.segment[k], wall.segment);
-    if (!(nearest.distance - demanded(wall, k) < least)) continue;
-    least = nearest.distance - demanded(wall, k), distance = nearest.distance;
+    const double beyond = nearest.distance - demanded(wall, k, path);
+    if (!(beyond < least)) continue;
+    least = beyond, distance = nearest.distance;
     worst = {k, nearest.on_first, nearest.on_second, {}};
   }
   if (distance > 0.0) {
@@ -124,13 +131,16 @@ Vec2 gradient_at(const WorstPoint& worst, const Pieces& pieces, const CandidateP
                  const StepLaw& law) {
   const double fraction = fraction_of(worst.on_path, pieces.segment[worst.piece]);
   const double first = law.time_step - law.lag;
-  if (worst.piece != kBraking) return fraction * first * worst.normal;
+  const double turning = path.lever != 0.0 && path.speed > 0.0 ? path.lever / path.speed : 0.0;
+  const double n_along = dot(worst.normal, path.direction);
+  if (worst.piece != kBraking && turning == 0.0) return fraction * first * worst.normal;
+  if (worst.piece != kBraking)
+    return fraction * ((first + turning) * worst.normal - turning * n_along * path.direction);
   const Segment& braking = pieces.segment[kBraking];
   const double length = norm(braking.b - braking.a);
   const double per_speed = path.speed > 0.0 ? length / path.speed : law.lag;
   const double to_rest = law.time_step * path.braking.full_steps + law.lag;
-  const double across = first + fraction * per_speed, along = first + fraction * to_rest;
-  const double n_along = dot(worst.normal, path.direction);
+  const double across = first + turning + fraction * per_speed, along = first + fraction * to_rest;
   return across * worst.normal + ((along - across) * n_along) * path.direction;
 }
 
@@ -144,13 +154,13 @@ std::optional<HalfPlane> cut_of(const NearWall& wall, const WallConstraints& wal
     const double least = wall.cone * change + wall.margin / (law.time_step - law.lag);
     return HalfPlane{wall.normal, dot(wall.normal, walls.backup) + kMoreThanRounding * least};
   }
-  const std::optional<WorstPoint> worst = worst_point(wall, pieces, walls.stop);
+  const std::optional<WorstPoint> worst = worst_point(wall, pieces, path, walls.stop);
   if (!worst) return std::nullopt;
   const Vec2 gradient = gradient_at(*worst, pieces, path, law);
   const double length = norm(gradient);
   if (!(length > 0.0)) return std::nullopt;
-  const double missing =
-      wall.held + wall.margin + path.bend - dot(worst->normal, worst->on_path - worst->on_wall);
+  const double missing = demanded(wall, kBraking, path) + path.bend -
+                         dot(worst->normal, worst->on_path - worst->on_wall);
   const HalfPlane cut{gradient / length, (dot(gradient, path.next_velocity) + missing) / length};
   if (!std::isfinite(cut.offset)) return std::nullopt;
   return cut;
@@ -196,14 +206,15 @@ void hold_lost(NearWall& near, const WallConstraints& constraints, double contac
 }  // namespace
 
 void begin_walls(const Robot& robot, std::span<const Wall> walls, const StepLaw& law,
-                 WallConstraints& constraints) {
+                 WallConstraints& constraints, const DiscRoom& room) {
   constraints.clear();
   if (walls.empty()) return;
   const double u = decrement_of(robot, law), speed = norm(robot.velocity);
   const double reach = wall_reach(speed, robot.max_speed, ability_of(robot), law) +
-                       stray_of(robot.model, robot.max_acceleration, law.time_step).distance;
+                       stray_of(robot.model, robot.max_acceleration, law.time_step).distance +
+                       room.reach;
   const WallRounding rounding =
-      wall_rounding(robot.radius, robot.max_speed, ability_of(robot), law);
+      wall_rounding(robot.radius + room.lengths, robot.max_speed, ability_of(robot), law);
   constraints.middle = law.lag * robot.velocity;
   constraints.backup = braked(robot.velocity, u);
   constraints.stop = stopping_way(robot.velocity, u, law);

@@ -59,9 +59,15 @@ WallRounding wall_rounding(double radius, double max_speed, const Ability& abili
 /// [m] m, covers all rounding of a robot beside a wall: the same in all its decisions.
 double wall_margin(const Wall& wall, const WallRounding& rounding);
 
+/// The additional room of a disc that turns with its robot.
+struct DiscRoom {
+  double reach = 0.0;    ///< m, how much farther it may get
+  double lengths = 0.0;  ///< m, for the rounding of its place
+};
+
 /// Begins the constraints of the walls that are near. Walls out of reach change nothing.
 void begin_walls(const Robot& robot, std::span<const Wall> walls, const StepLaw& law,
-                 WallConstraints& constraints);
+                 WallConstraints& constraints, const DiscRoom& room = {});
 
 /// Returns whether the path keeps clear of all walls, or is braking.
 bool keeps_walls(const WallConstraints& constraints, const CandidatePath& path, const StepLaw& law);

@@ -62,6 +62,7 @@ struct Check::State {
   std::vector<judge::Box> boxes;
 
   void require_sound(double time, std::span<const CheckedState> rows) const;
+  void add_newcomer(const CheckedRobot& robot, const CheckedState& row);
   void judge_row(double time, const CheckedState& row);
   void judge_step(const CheckedRobot& robot, const CheckedState& before, const CheckedState& now,
                   double time);
@@ -168,6 +169,11 @@ void Check::State::judge_arrival(double time, const CheckedState& row, const Mov
   last_arrival = time;
 }
 
+void Check::State::add_newcomer(const CheckedRobot& robot, const CheckedState& row) {
+  for (std::size_t disc = 0; disc < judge::disc_count(robot); ++disc)
+    movers.push_back(judge::newcomer(robot, disc, row));
+}
+
 void Check::State::judge_row(double time, const CheckedState& row) {
   const auto index = static_cast<std::size_t>(row.robot);
   const CheckedRobot& robot = robots[index];
@@ -184,17 +190,19 @@ void Check::State::judge_row(double time, const CheckedState& row) {
   if (was_there && skipped) {
     if (is_holonomic(robot.kinematics)) judge_limits(robot, mine.row, row, time);
     mine.clock.before.reset();
-    movers.push_back(judge::newcomer(robot, row));
+    add_newcomer(robot, row);
   } else if (was_there) {
     ++report.robot_steps;
     judge_step(robot, mine.row, row, time);
     judge_changes(robot, row, time);
-    movers.push_back(judge::robot_mover(robot, mine.row, row, duration));
-    report.interpolation_error = std::max(report.interpolation_error, movers.back().error);
+    for (std::size_t disc = 0; disc < judge::disc_count(robot); ++disc) {
+      movers.push_back(judge::robot_mover(robot, disc, mine.row, row, duration));
+      report.interpolation_error = std::max(report.interpolation_error, movers.back().error);
+    }
   } else {
     if (mine.at >= 0) ++report.gaps;
     mine.clock.before.reset();
-    movers.push_back(judge::newcomer(robot, row));
+    add_newcomer(robot, row);
   }
   judge_arrival(time, row, movers.back());
   mine.row = row;

@@ -45,35 +45,38 @@ Course course_through(const Division& division, Vec2 end, double duration, const
 
 }  // namespace
 
-double ahead_of(const CheckedKinematics& kinematics) {
-  const auto* car = std::get_if<CheckedCar>(&kinematics);
+double ahead_of(const CheckedRobot& robot, std::size_t disc) {
+  if (!robot.discs.empty()) return robot.discs[disc];
+  const auto* car = std::get_if<CheckedCar>(&robot.kinematics);
   return car != nullptr ? car->body_offset : 0.0;
 }
 
-bool needs_heading(const CheckedKinematics& kinematics) {
-  return std::holds_alternative<CheckedDrive>(kinematics) || ahead_of(kinematics) != 0.0;
+bool needs_heading(const CheckedRobot& robot) {
+  return std::holds_alternative<CheckedDrive>(robot.kinematics) || !robot.discs.empty() ||
+         ahead_of(robot) != 0.0;
 }
 
-Vec2 center_of(const CheckedRobot& robot, const CheckedState& row) {
-  const double ahead = ahead_of(robot.kinematics);
+Vec2 center_of(const CheckedRobot& robot, const CheckedState& row, std::size_t disc) {
+  const double ahead = ahead_of(robot, disc);
   if (ahead == 0.0 || !row.heading) return row.position;
   return row.position + ahead * elementary::direction(row.heading->angle);
 }
 
-std::optional<Course> course_of(const CheckedRobot& robot, const CheckedState& before,
-                                const CheckedState& now, double duration) {
+std::optional<Course> course_of(const CheckedRobot& robot, std::size_t disc,
+                                const CheckedState& before, const CheckedState& now,
+                                double duration) {
   if (!has_heading(robot, before, now)) return std::nullopt;
-  const Vec2 end = center_of(robot, now);
+  const Vec2 end = center_of(robot, now, disc);
+  const double ahead = ahead_of(robot, disc);
   if (const auto* drive = std::get_if<CheckedDrive>(&robot.kinematics)) {
     const TowedAxle axle = towed_axle(before, now, drive->offset, duration);
-    const Division division = division_of(fourth_derivative(axle), duration);
+    const Division division = division_of(fourth_derivative(axle, ahead), duration);
     return course_through(division, end, duration, [&](std::size_t k) {
-      return knot_on(axle, k * (TowedAxle::kParts / division.parts));
+      return knot_on(axle, ahead, k * (TowedAxle::kParts / division.parts));
     });
   }
   const Arc arc = arc_of(before, now, duration);
   if (changes_direction(arc)) return std::nullopt;
-  const double ahead = ahead_of(robot.kinematics);
   const Division division = division_of(fourth_derivative(arc, ahead), duration);
   return course_through(division, end, duration, [&](std::size_t k) {
     return knot_on(arc, ahead, static_cast<double>(k) / static_cast<double>(division.parts));

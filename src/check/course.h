@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The path of a disc with a heading over one step, as cubics through points on it.
 #pragma once
+#include <cstddef>
 #include <optional>
 #include <vector>
 
@@ -14,12 +15,16 @@ struct Course {
   double error = 0.0;       // m, of the cubics between them
 };
 
-/// m, of the disc's center; the heading is that of the row.
-double ahead_of(const CheckedKinematics& kinematics);
-/// The place of the disc in a row.
-Vec2 center_of(const CheckedRobot& robot, const CheckedState& row);
+/// m, from its position forward to the center of a disc, see CheckedRobot::discs.
+double ahead_of(const CheckedRobot& robot, std::size_t disc = 0);
+/// The number of its discs.
+inline std::size_t disc_count(const CheckedRobot& robot) {
+  return robot.discs.empty() ? 1 : robot.discs.size();
+}
+/// The place of a disc in a row.
+Vec2 center_of(const CheckedRobot& robot, const CheckedState& row, std::size_t disc = 0);
 /// Returns whether rows must have headings.
-bool needs_heading(const CheckedKinematics& kinematics);
+bool needs_heading(const CheckedRobot& robot);
 /// Returns whether it is judged by its headings over this step.
 inline bool has_heading(const CheckedRobot& robot, const CheckedState& before,
                         const CheckedState& now) {
@@ -27,7 +32,8 @@ inline bool has_heading(const CheckedRobot& robot, const CheckedState& before,
 }
 
 /// None where it has no heading, or no possible motion from row to row: the cubic is used then.
-std::optional<Course> course_of(const CheckedRobot& robot, const CheckedState& before,
-                                const CheckedState& now, double duration);
+std::optional<Course> course_of(const CheckedRobot& robot, std::size_t disc,
+                                const CheckedState& before, const CheckedState& now,
+                                double duration);
 
 }  // namespace avo::judge

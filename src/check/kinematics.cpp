@@ -165,7 +165,7 @@ void judge(const RowStep& step, const CheckedDrive& drive, CheckReport& report) 
   // the axle and the heading are where the point tows them
   const Vec2 h = elementary::direction(step.now.heading->angle);
   const double turned_off = drive.offset * norm(h - axle.heading.back());
-  const double off = norm(step.now.position - knot_on(axle, TowedAxle::kParts).position);
+  const double off = norm(step.now.position - knot_on(axle, 0.0, TowedAxle::kParts).position);
   const double way = 0.5 * speeds * step.duration + drive.offset;
   judge_jump(step, std::max(off, turned_off), granted_way(step, way, speeds), report);
 }

@@ -106,7 +106,8 @@ void PairJudge::meet_mover(const Mover& robot, const Mover& other, const Step& s
 }
 
 void PairJudge::meet(const Mover& a, const Mover& b, const Step& step) {
-  if (a.obstacle) return;  // then both are
+  if (a.obstacle) return;                         // then both are
+  if (!b.obstacle && a.index == b.index) return;  // two discs of one robot
   if (b.obstacle) return meet_mover(a, b, step, with_obstacles_);
   switch (duty(step.robots[static_cast<std::size_t>(a.index)],
                step.robots[static_cast<std::size_t>(b.index)])) {

@@ -13,6 +13,13 @@ namespace {
 // Speeds and accelerations of a step then stay finite.
 constexpr double kShortestStep = 1e-12;  // s
 
+constexpr std::size_t kMostDiscs = 5;
+
+bool may_have_discs(const CheckedKinematics& kinematics) {
+  return std::holds_alternative<CheckedCar>(kinematics) ||
+         std::holds_alternative<CheckedDrive>(kinematics);
+}
+
 // Infinity: no limit.
 void require_limit(const std::string& name, double value, const char* unit) {
   if (!(std::isinf(value) && value > 0.0)) require(name, value, kPositive, unit);
@@ -49,6 +56,13 @@ void require_sound(const std::string& place, const CheckedRobot& robot) {
   if (robot.largest_jump) require(place + ".largest_jump", *robot.largest_jump, kNotNegative, "m");
   if (robot.time_step) require(place + ".time_step", *robot.time_step, kPositive, "s");
   if (robot.goal) require(place + ".goal", *robot.goal, "m");
+  if (robot.discs.size() > kMostDiscs)
+    refuse(place + ".discs", std::to_string(robot.discs.size()),
+           "at most " + std::to_string(kMostDiscs));
+  if (!robot.discs.empty() && !may_have_discs(robot.kinematics))
+    refuse(place + ".discs", std::to_string(robot.discs.size()), "none: it is no car and no drive");
+  for (std::size_t k = 0; k < robot.discs.size(); ++k)
+    require(place + ".discs." + std::to_string(k), robot.discs[k], kAnyValue, "m");
   std::visit([&](const auto& kinematics) { require_kinematics(place + ".kinematics", kinematics); },
              robot.kinematics);
 }
@@ -86,7 +100,7 @@ void require_sound(const CheckedRobot& robot, const CheckedState& row) {
   const bool has_heading = row.heading.has_value();
   if (good(row.position) && good(row.velocity) &&
       (!has_heading || good({row.heading->angle, row.heading->speed})) &&
-      (has_heading || is_holonomic(robot.kinematics) || !needs_heading(robot.kinematics)))
+      (has_heading || is_holonomic(robot.kinematics) || !needs_heading(robot)))
     return;
   const std::string place = "robot " + std::to_string(row.robot);
   require(place + ": position", row.position, "m");

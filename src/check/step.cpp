@@ -93,12 +93,16 @@ double speed_within(const Span& span, double from, double to, double duration) {
 
 }  // namespace
 
-Mover robot_mover(const CheckedRobot& robot, const CheckedState& before, const CheckedState& now,
-                  double duration) {
-  Mover mover{
-      center_of(robot, before),  before.velocity, center_of(robot, now), now.velocity, robot.radius,
-      robot.interpolation_error, now.robot};
-  if (std::optional<Course> course = course_of(robot, before, now, duration)) {
+Mover robot_mover(const CheckedRobot& robot, std::size_t disc, const CheckedState& before,
+                  const CheckedState& now, double duration) {
+  Mover mover{center_of(robot, before, disc),
+              before.velocity,
+              center_of(robot, now, disc),
+              now.velocity,
+              robot.radius,
+              robot.interpolation_error,
+              now.robot};
+  if (std::optional<Course> course = course_of(robot, disc, before, now, duration)) {
     mover.error += course->error;
     mover.knots = std::move(course->knots);
   } else if (!is_holonomic(robot.kinematics)) {
@@ -109,8 +113,8 @@ Mover robot_mover(const CheckedRobot& robot, const CheckedState& before, const C
   return mover;
 }
 
-Mover newcomer(const CheckedRobot& robot, const CheckedState& now) {
-  const Vec2 center = center_of(robot, now);
+Mover newcomer(const CheckedRobot& robot, std::size_t disc, const CheckedState& now) {
+  const Vec2 center = center_of(robot, now, disc);
   Mover mover{center,   now.velocity, center, now.velocity, robot.radius, robot.interpolation_error,
               now.robot};
   mover.newcomer = true;

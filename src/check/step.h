@@ -35,11 +35,11 @@ struct Mover {
   std::size_t parts() const { return knots.empty() ? 1 : knots.size() - 1; }
 };
 
-/// The robot from row `before` to row `now`, `duration` s later.
-Mover robot_mover(const CheckedRobot& robot, const CheckedState& before, const CheckedState& now,
-                  double duration);
-/// A robot without a row at the start of the step.
-Mover newcomer(const CheckedRobot& robot, const CheckedState& now);
+/// A disc of the robot from row `before` to row `now`, `duration` s later.
+Mover robot_mover(const CheckedRobot& robot, std::size_t disc, const CheckedState& before,
+                  const CheckedState& now, double duration);
+/// A disc of a robot without a row at the start of the step.
+Mover newcomer(const CheckedRobot& robot, std::size_t disc, const CheckedState& now);
 /// The place and the velocity of a body.
 struct Place {
   Vec2 position, velocity;  // m, m/s

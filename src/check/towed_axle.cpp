@@ -101,21 +101,29 @@ TowedAxle towed_axle(const CheckedState& before, const CheckedState& now, double
   return axle;
 }
 
-Knot knot_on(const TowedAxle& axle, std::size_t part) {
+Knot knot_on(const TowedAxle& axle, double ahead, std::size_t part) {
   const double time = time_of(axle, part);
   const Vec2 h = axle.heading[part], velocity = velocity_at(axle, time);
   const Vec2 point = axle.from + time * (axle.velocity + (0.5 * time) * axle.acceleration);
-  return {point - axle.offset * h, dot(h, velocity) * h};
+  const Knot knot{point - axle.offset * h, dot(h, velocity) * h};
+  if (ahead == 0.0) return knot;
+  const Vec2 n = left_of(h);
+  return {knot.position + ahead * h, knot.velocity + (ahead * dot(n, velocity) / axle.offset) * n};
 }
 
-// Each derivative is replaced by its bound: s', s'', s''' and ω, ω', ω''.
-double fourth_derivative(const TowedAxle& axle) {
+// Each derivative is replaced by its bound: s', s'', s''' and ω, ω', ω''. The length of h'''' is at
+// most |ω'''| + 4 |ω| |ω''| + 3 ω'² + 6 ω² |ω'| + ω⁴, where ω''' is that of (n·a - s ω)/L.
+double fourth_derivative(const TowedAxle& axle, double ahead) {
   const double length = axle.offset, a = norm(axle.acceleration);
   const double v = std::max(norm(axle.velocity), norm(velocity_at(axle, axle.duration)));
   const double w = v / length, w1 = (a + v * w) / length, s1 = a + length * w * w;
   const double w2 = (w * a + s1 * w + v * w1) / length, s2 = w * a + 2.0 * length * w * w1;
   const double s3 = (w1 + w * w) * a + 2.0 * length * (w1 * w1 + w * w2);
-  return s3 + 3.0 * s2 * w + 3.0 * s1 * (w1 + w * w) + v * (w2 + 3.0 * w * w1 + w * w * w);
+  const double of_axle =
+      s3 + 3.0 * s2 * w + 3.0 * s1 * (w1 + w * w) + v * (w2 + 3.0 * w * w1 + w * w * w);
+  const double w3 = ((w1 + w * w) * a + s2 * w + 2.0 * s1 * w1 + v * w2) / length;
+  const double of_heading = w3 + 4.0 * w * w2 + 3.0 * w1 * w1 + 6.0 * w * w * w1 + w * w * w * w;
+  return of_axle + std::abs(ahead) * of_heading;
 }
 
 WheelPeaks wheel_peaks(const TowedAxle& axle, double track) {

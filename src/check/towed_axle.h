@@ -22,10 +22,10 @@ struct TowedAxle {
 TowedAxle towed_axle(const CheckedState& before, const CheckedState& now, double offset,
                      double duration);
 
-/// The state of the axle at the end of a part.
-Knot knot_on(const TowedAxle& axle, std::size_t part);
-/// m/s^4, an upper bound of the fourth derivative of its place.
-double fourth_derivative(const TowedAxle& axle);
+/// The point `ahead` m ahead of the axle at the end of a part.
+Knot knot_on(const TowedAxle& axle, double ahead, std::size_t part);
+/// m/s^4, an upper bound of the fourth derivative of that place.
+double fourth_derivative(const TowedAxle& axle, double ahead);
 
 /// The largest of both wheels' |speed|, m/s, and |acceleration|, m/s^2, within the step.
 struct WheelPeaks {

@@ -12,7 +12,7 @@ void NeighborColumns::grow(std::size_t size) {
     column->resize(size, 1.0);
   }
   age.resize(size), position_error.resize(size);
-  loiter.resize(size), parting.resize(size);
+  loiter.resize(size), parting.resize(size), covers.resize(size);
   motion.resize(size);
 }
 

@@ -24,6 +24,14 @@ enum class NeighborKind : std::int8_t {
   aged = -1,        // it decides, and has errors of its own
   loiterer = -2,    // it decides, and does not brake
   cooperator = -3,  // it should decide, and promises nothing
+  covered = -4,     // it decides, has the declared errors, and a footprint
+};
+
+/// The footprint of a neighbor, as others know it: see Neighbor.
+struct SensedFootprint {
+  Footprint footprint;
+  Vec2 ahead;           // unit
+  double spread = 0.0;  // rad
 };
 
 /// The known motion of a neighbor that does not decide.
@@ -56,7 +64,9 @@ struct NeighborColumns {
   std::vector<MoverMotion> motion;
   bool has_loiterers = false;
   std::vector<LoiterCircle> loiter;  // of loiterers
-  std::vector<Vec2> parting;         // 0 unless add() was told otherwise
+  bool has_footprints = false;
+  std::vector<SensedFootprint> covers;  // without discs unless add() was told otherwise
+  std::vector<Vec2> parting;            // 0 unless add() was told otherwise
 
   NeighborKind kind(std::size_t k) const {
     return static_cast<NeighborKind>(static_cast<int>(kinds[k]));
@@ -88,11 +98,12 @@ struct NeighborColumns {
     const bool predicted = avo::is_predicted(neighbor);
     const bool aged = has_errors_of_its_own(neighbor);
     const bool loiters = !predicted && neighbor.loiter.has_value();
-    const NeighborKind own = moves_on    ? NeighborKind::mover
-                             : predicted ? NeighborKind::cooperator
-                             : loiters   ? NeighborKind::loiterer
-                             : aged      ? NeighborKind::aged
-                                         : NeighborKind::prompt;
+    const NeighborKind own = moves_on             ? NeighborKind::mover
+                             : predicted          ? NeighborKind::cooperator
+                             : loiters            ? NeighborKind::loiterer
+                             : aged               ? NeighborKind::aged
+                             : neighbor.footprint ? NeighborKind::covered
+                                                  : NeighborKind::prompt;
     kinds[count] = static_cast<double>(own);
     if (loiters) loiter[count] = *neighbor.loiter;
     has_loiterers = has_loiterers || loiters;
@@ -100,6 +111,7 @@ struct NeighborColumns {
     priority[count] = neighbor.priority;
     max_braking[count] = braking_limit(neighbor);
     if (neighbor.parting != Vec2{}) part(count, neighbor.parting);
+    if (neighbor.footprint) cover(count, {neighbor.footprint, neighbor.ahead, neighbor.spread});
     motion[count].max_deviation = neighbor.max_deviation;
     if (predicted) {
       motion[count].acceleration = moves_on ? neighbor.acceleration : Vec2{};
@@ -120,6 +132,10 @@ struct NeighborColumns {
     parting[place] = direction;
     has_partings = true;
   }
+  void cover(std::size_t place, const SensedFootprint& footprint) {
+    covers[place] = footprint;
+    has_footprints = true;
+  }
   /// Replaces the neighbor at `place` by the one at `other`, which stays.
   void replace(std::size_t place, std::size_t other) {
     x[place] = x[other], y[place] = y[other];
@@ -129,16 +145,17 @@ struct NeighborColumns {
     position_error[place] = position_error[other];
     motion[place] = motion[other], loiter[place] = loiter[other];
     priority[place] = priority[other], max_braking[place] = max_braking[other];
-    parting[place] = parting[other];
+    parting[place] = parting[other], covers[place] = covers[other];
   }
   void clear() {
-    if (has_movers || has_aged || has_loiterers)
+    if (has_movers || has_aged || has_loiterers || has_footprints)
       std::fill(kinds.begin(), kinds.end(), static_cast<double>(NeighborKind::prompt));
     if (has_priorities) std::fill(priority.begin(), priority.end(), 1.0);
     if (has_partings) std::fill(parting.begin(), parting.end(), Vec2{});
+    if (has_footprints) std::fill(covers.begin(), covers.end(), SensedFootprint{});
     count = 0;
     has_movers = has_aged = has_priorities = has_max_braking = has_loiterers = false;
-    has_deviations = has_partings = false;
+    has_deviations = has_partings = has_footprints = false;
   }
   Neighbor operator[](std::size_t i) const {
     Neighbor neighbor{.position = {x[i], y[i]},
@@ -152,6 +169,10 @@ struct NeighborColumns {
     if (kind(i) == NeighborKind::loiterer) neighbor.loiter = loiter[i];
     if (has_deviations) neighbor.max_deviation = motion[i].max_deviation;
     if (has_partings) neighbor.parting = parting[i];
+    if (has_footprints && covers[i].footprint) {
+      neighbor.footprint = covers[i].footprint;
+      neighbor.ahead = covers[i].ahead, neighbor.spread = covers[i].spread;
+    }
     if (!is_predicted(i)) return neighbor;
     neighbor.behavior = kind(i) == NeighborKind::mover ? Behavior::moves_on : Behavior::cooperates;
     neighbor.acceleration = motion[i].acceleration;

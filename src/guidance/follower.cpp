@@ -21,7 +21,8 @@ Headings guide(const Ways& ways, const Claims& claims, const Follower& robot, do
     result.by_route.yields = heading.yields;
   }
   if (ways.goes_around_movers())
-    heading = beside_resting(ways.resting(), heading, robot.place, robot.end, robot.traits.radius);
+    heading =
+        beside_resting(ways.resting(), heading, robot.place, robot.end, robot.traits.way_radius);
   return result;
 }
 

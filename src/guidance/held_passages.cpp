@@ -30,14 +30,14 @@ constexpr double kForth = 0.75;
 
 double time_of(const RobotTraits& traits) {
   Robot robot;
-  robot.radius = traits.radius;
+  robot.radius = traits.way_radius;
   robot.max_speed = traits.max_speed, robot.max_acceleration = traits.max_acceleration;
   return time_to_speed(robot);
 }
 
 void wait_on(Waiting& waiting, double left, const RobotTraits& traits, double time) {
   waiting.waited += time;
-  if (!(left < waiting.least - kComesNearer * traits.radius)) return;
+  if (!(left < waiting.least - kComesNearer * traits.way_radius)) return;
   waiting.least = left, waiting.waited = 0.0;
   waiting.looks_at = kPatience * time_of(traits);
 }
@@ -84,7 +84,7 @@ void look_for_another_way(const Ways& ways, const Follower& robot, Travel& trave
     waiting.looks_at = kPatienceOfTwo * time;
     return;
   }
-  Travel other = way_around(travel, next->gap, p, traits.radius, scratch);
+  Travel other = way_around(travel, next->gap, p, traits.way_radius, scratch);
   waiting.looks_at = other.is_known()
                          ? worth_waiting(length_of(other, p) - length_of(travel, p), traits)
                          : kInfinity;
@@ -94,7 +94,7 @@ void look_for_another_way(const Ways& ways, const Follower& robot, Travel& trave
 // Opens the gaps once the robot has come as near to its end as where it waited, and the shortest
 // route leads elsewhere.
 void open_again(const Follower& robot, Travel& travel, LegScratch& scratch) {
-  const double radius = robot.traits.radius;
+  const double radius = robot.traits.way_radius;
   const Vec2 p = robot.as_seen.position;
   if (length_of(travel, p) > travel.waiting.opens_at) return;
   Travel open = reopened(travel, p, radius, scratch);

@@ -13,6 +13,7 @@ namespace avo::inline guidance {
 
 struct RobotTraits {
   double radius = 0.0;            // m, of its disc
+  double way_radius = 0.0;        // m, of each disc of its footprint: the room that its route needs
   double max_speed = 0.0;         // m/s
   double max_acceleration = 0.0;  // m/s^2
   double max_braking = 0.0;       // m/s^2
@@ -23,6 +24,7 @@ struct RobotTraits {
 /// Of a robot with that preferred speed, m/s.
 inline RobotTraits traits_of(const Robot& robot, double preferred_speed) {
   return {.radius = robot.radius,
+          .way_radius = way_radius(robot.model, robot.radius),
           .max_speed = robot.max_speed,
           .max_acceleration = robot.max_acceleration,
           .max_braking = braking_limit(robot),

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "core/elementary.h"
 #include "core/plane.h"
 
 namespace avo::inline metrics {
@@ -48,21 +49,39 @@ void collect_rows(const FleetView& fleet, const LastSeen& last, std::vector<Body
   std::size_t j = 0;
   for (std::size_t i = 0; i < fleet.id.size(); ++i) {
     while (j < last.robots.size() && last.robots[j].id.value < fleet.id[i].value) ++j;
-    if (j < last.robots.size() && last.robots[j].id == fleet.id[i]) rows.push_back({i, j});
+    if (j == last.robots.size() || !(last.robots[j].id == fleet.id[i])) continue;
+    const int discs = std::max(footprint_of(fleet.setup[i].model).discs, 1);
+    for (int disc = 0; disc < discs; ++disc) rows.push_back({i, j, disc});
   }
 }
 
+namespace {
+
+// m/s, of a point that is so far ahead of the disc that others sense, by the turn of the heading.
+Vec2 swing_of(const MotionModel& model, Vec2 velocity, double heading, double ahead) {
+  const auto* drive = std::get_if<DifferentialDrive>(&model);
+  if (drive == nullptr || ahead == 0.0) return {};
+  const Vec2 left = perpendicular(elementary::direction(heading));
+  return (ahead * dot(left, velocity) / drive->offset) * left;
+}
+
+}  // namespace
+
 Body body_of(const FleetView& fleet, const BodyStep& step, BodyRow row) {
-  const auto [i, j] = row;
+  const auto [i, j, disc] = row;
   const LastSeen::Robot& last = step.last.robots[j];
   Body body;
   body.name = fleet.id[i].value;
   body.setup = &fleet.setup[i];
-  body.radius = disc_radius(fleet.setup[i]);
-  body.velocity = last.velocity;
   const MotionModel& model = fleet.setup[i].model;
+  const Footprint footprint = footprint_of(model);
+  const double ahead = footprint ? footprint.ahead(disc) : 0.0;
+  body.radius = footprint ? footprint.radius : disc_radius(fleet.setup[i]);
+  body.velocity = last.velocity;
   const auto center = [&](Vec2 position, double heading) {
-    return is_holonomic(model) ? position : disc_center(model, position, heading);
+    if (is_holonomic(model)) return position;
+    const Vec2 sensed = disc_center(model, position, heading);
+    return ahead == 0.0 ? sensed : sensed + ahead * elementary::direction(heading);
   };
   body.position = center(last.position, last.heading);
   const Vec2 next = center(fleet.position[i], fleet.heading[i]);
@@ -74,7 +93,10 @@ Body body_of(const FleetView& fleet, const BodyStep& step, BodyRow row) {
   if (!step.moves) {
     body.path.control.fill(body.position);
   } else if (!moves_along_heading(model)) {
-    body.path = hermite_path(body.position, start, next, fleet.velocity[i], step.duration);
+    body.path = hermite_path(
+        body.position, start + swing_of(model, start, last.heading, ahead), next,
+        fleet.velocity[i] + swing_of(model, fleet.velocity[i], fleet.heading[i], ahead),
+        step.duration);
   } else {
     const double turn = wrapped(fleet.heading[i] - last.heading);
     const double speed = norm(body.velocity), next_speed = norm(fleet.velocity[i]);

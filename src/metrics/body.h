@@ -35,11 +35,13 @@ struct BodyStep {
   Method method;    // of robots that have none of their own
 };
 
-/// The index of a robot in the present columns and in those of the last observation.
+/// The index of a robot in the present columns and in those of the last observation, and the number
+/// of a disc of it.
 struct BodyRow {
   std::size_t now, before;
+  int disc = 0;
 };
-/// The robots that are present before and after the step.
+/// The discs of the robots that are present before and after the step.
 void collect_rows(const FleetView& fleet, const LastSeen& last, std::vector<BodyRow>& rows);
 Body body_of(const FleetView& fleet, const BodyStep& step, BodyRow row);
 void collect_robots(const FleetView& fleet, const BodyStep& step, std::span<const BodyRow> rows,

@@ -9,13 +9,17 @@
 #include <limits>
 #include <vector>
 
+#include "core/elementary.h"
+
 namespace avo::inline metrics {
 
-/// The constant data of a robot.
+/// The constant data of a robot's disc, or of one disc of its footprint.
 struct ClearanceDisc {
   double radius = 0.0;  // m
   std::uint32_t layers = 0, avoids = 0;
   bool parked = false;
+  double ahead = 0.0;     // m, from the center of the disc that others sense
+  std::size_t robot = 0;  // that it belongs to
 };
 
 /// A square grid over all present robots, with about one cell for each.
@@ -66,28 +70,31 @@ FleetGrid grid_over(std::span<const Vec2> centers, std::size_t count) {
 struct ClearanceFinder::State {
   std::vector<MotionModel> models;
   std::vector<ClearanceDisc> discs;
-  double largest_radius = 0.0;  // m
-  std::vector<Vec2> centers;    // of the discs
+  double largest_radius = 0.0;          // m
+  std::vector<Vec2> centers;            // of the discs
+  std::vector<std::size_t> first_disc;  // of each robot, and behind the last one
   FleetGrid grid;
   std::vector<std::uint32_t> cell_of, first, by_cell;  // robots, sorted by cell
 
   std::size_t place(const FleetColumns& fleet);
   void sort_by_cell(std::size_t count);
-  [[nodiscard]] double clearance_of(std::size_t robot) const;
-  void search_ring(std::size_t robot, std::int64_t ring, double& least) const;
-  void search_cell(std::size_t robot, std::int64_t column, std::int64_t row, double& least) const;
+  [[nodiscard]] double clearance_of(std::size_t disc) const;
+  void search_ring(std::size_t disc, std::int64_t ring, double& least) const;
+  void search_cell(std::size_t disc, std::int64_t column, std::int64_t row, double& least) const;
 };
 
-// Returns the number of present robots.
+// Returns the number of discs of the robots that are present.
 std::size_t ClearanceFinder::State::place(const FleetColumns& fleet) {
   std::size_t count = 0;
-  for (std::size_t i = 0; i < centers.size(); ++i) {
+  for (std::size_t i = 0; i < models.size(); ++i) {
     const Vec2 position{fleet.x[i], fleet.y[i]};
     const double heading = fleet.heading.empty() ? 0.0 : fleet.heading[i];
-    const bool here = !std::isnan(position.x);
-    centers[i] =
-        here && !is_holonomic(models[i]) ? disc_center(models[i], position, heading) : position;
-    count += here ? 1 : 0;
+    const bool here = !std::isnan(position.x), turns = here && !is_holonomic(models[i]);
+    const Vec2 center = turns ? disc_center(models[i], position, heading) : position;
+    const Vec2 ahead = turns ? elementary::direction(heading) : Vec2{};
+    for (std::size_t k = first_disc[i]; k < first_disc[i + 1]; ++k)
+      centers[k] = discs[k].ahead == 0.0 ? center : center + discs[k].ahead * ahead;
+    count += here ? first_disc[i + 1] - first_disc[i] : 0;
   }
   return count;
 }
@@ -109,58 +116,63 @@ void ClearanceFinder::State::sort_by_cell(std::size_t count) {
   first.back() = static_cast<std::uint32_t>(count);
 }
 
-void ClearanceFinder::State::search_cell(std::size_t robot, std::int64_t column, std::int64_t row,
+void ClearanceFinder::State::search_cell(std::size_t disc, std::int64_t column, std::int64_t row,
                                          double& least) const {
   if (column < 0 || column >= grid.columns || row < 0 || row >= grid.rows) return;
   const auto cell = static_cast<std::size_t>(row * grid.columns + column);
-  const ClearanceDisc& own = discs[robot];
+  const ClearanceDisc& own = discs[disc];
   for (std::uint32_t k = first[cell]; k < first[cell + 1]; ++k) {
     const std::size_t other = by_cell[k];
     const double reach = least + own.radius + discs[other].radius;
-    const double distance_squared = norm_squared(centers[other] - centers[robot]);
+    const double distance_squared = norm_squared(centers[other] - centers[disc]);
     const bool nearer = distance_squared < reach * reach && reach > 0.0;
-    if (!nearer || other == robot || !avoid_each_other(own, discs[other])) continue;
+    if (!nearer || discs[other].robot == own.robot || !avoid_each_other(own, discs[other]))
+      continue;
     least = std::min(least, std::sqrt(distance_squared) - own.radius - discs[other].radius);
   }
 }
 
-void ClearanceFinder::State::search_ring(std::size_t robot, std::int64_t ring,
-                                         double& least) const {
-  const std::int64_t column = grid.column(centers[robot].x), row = grid.row(centers[robot].y);
-  if (ring == 0) return search_cell(robot, column, row, least);
+void ClearanceFinder::State::search_ring(std::size_t disc, std::int64_t ring, double& least) const {
+  const std::int64_t column = grid.column(centers[disc].x), row = grid.row(centers[disc].y);
+  if (ring == 0) return search_cell(disc, column, row, least);
   for (std::int64_t k = -ring; k <= ring; ++k) {
-    search_cell(robot, column + k, row - ring, least);
-    search_cell(robot, column + k, row + ring, least);
+    search_cell(disc, column + k, row - ring, least);
+    search_cell(disc, column + k, row + ring, least);
   }
   for (std::int64_t k = 1 - ring; k < ring; ++k) {
-    search_cell(robot, column - ring, row + k, least);
-    search_cell(robot, column + ring, row + k, least);
+    search_cell(disc, column - ring, row + k, least);
+    search_cell(disc, column + ring, row + k, least);
   }
 }
 
-double ClearanceFinder::State::clearance_of(std::size_t robot) const {
+double ClearanceFinder::State::clearance_of(std::size_t disc) const {
   double least = kNobody;
-  const double radii = discs[robot].radius + largest_radius;
+  const double radii = discs[disc].radius + largest_radius;
   const std::int64_t rings = std::max(grid.columns, grid.rows);
   for (std::int64_t ring = 0; ring < rings; ++ring) {
     // no robot of this ring is nearer than that; cells are found from rounded numbers
     const double nearest = static_cast<double>(ring - 1) * grid.cell * (1.0 - 1e-9);
     if (nearest - radii >= least) break;
-    search_ring(robot, ring, least);
+    search_ring(disc, ring, least);
   }
   return least;
 }
 
 ClearanceFinder::ClearanceFinder(const Scenario& scenario) : state_(std::make_unique<State>()) {
   for (const RobotSetup& robot : scenario.robots) {
+    const Footprint footprint = footprint_of(robot.model);
+    const double radius = footprint ? footprint.radius : disc_radius(robot);
+    state_->first_disc.push_back(state_->discs.size());
+    for (int k = 0; k < std::max(footprint.discs, 1); ++k)
+      state_->discs.push_back({radius, robot.layers.bits, robot.avoids.bits, robot.parked,
+                               footprint ? footprint.ahead(k) : 0.0, state_->models.size()});
     state_->models.push_back(robot.model);
-    state_->discs.push_back(
-        {disc_radius(robot), robot.layers.bits, robot.avoids.bits, robot.parked});
-    state_->largest_radius = std::max(state_->largest_radius, disc_radius(robot));
+    state_->largest_radius = std::max(state_->largest_radius, radius);
   }
-  state_->centers.resize(scenario.robots.size());
-  state_->cell_of.resize(scenario.robots.size());
-  state_->by_cell.resize(scenario.robots.size());
+  state_->first_disc.push_back(state_->discs.size());
+  state_->centers.resize(state_->discs.size());
+  state_->cell_of.resize(state_->discs.size());
+  state_->by_cell.resize(state_->discs.size());
 }
 ClearanceFinder::~ClearanceFinder() = default;
 ClearanceFinder::ClearanceFinder(ClearanceFinder&&) noexcept = default;
@@ -169,9 +181,14 @@ ClearanceFinder& ClearanceFinder::operator=(ClearanceFinder&&) noexcept = defaul
 void ClearanceFinder::find(const FleetColumns& fleet, std::span<float> clearance) {
   const std::size_t count = state_->place(fleet);
   if (count > 0) state_->sort_by_cell(count);
-  for (std::size_t i = 0; i < clearance.size(); ++i)
-    clearance[i] = std::isnan(state_->centers[i].x) ? std::numeric_limits<float>::quiet_NaN()
-                                                    : static_cast<float>(state_->clearance_of(i));
+  for (std::size_t i = 0; i < clearance.size(); ++i) {
+    const std::size_t first = state_->first_disc[i], behind = state_->first_disc[i + 1];
+    clearance[i] = std::numeric_limits<float>::quiet_NaN();
+    if (std::isnan(state_->centers[first].x)) continue;
+    double least = kNobody;
+    for (std::size_t k = first; k < behind; ++k) least = std::min(least, state_->clearance_of(k));
+    clearance[i] = static_cast<float>(least);
+  }
 }
 
 }  // namespace avo

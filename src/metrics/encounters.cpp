@@ -17,6 +17,7 @@ constexpr double kAtRest = 1e-9;        // of max_speed: a slower robot is at re
 // Which of two robots avoid the other. Parked robots cannot avoid others.
 enum class Avoidance : unsigned char { none, one_sided, mutual };
 Avoidance avoidance(const RobotSetup& a, const RobotSetup& b) {
+  if (&a == &b) return Avoidance::none;  // two discs of one robot
   if (a.parked || b.parked) return a.parked && b.parked ? Avoidance::none : Avoidance::mutual;
   const bool of_a = avoids(a, b), of_b = avoids(b, a);
   if (of_a && of_b) return Avoidance::mutual;

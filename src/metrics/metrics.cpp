@@ -172,7 +172,10 @@ void Metrics::State::observe_step(const Simulation& simulation, const FleetView&
   trips.add_overlaps(walls.touching);
   if (!started) return;
   if (crowd) crowd->observe(simulation, trips, duration);
-  if (flow) flow->observe(robots, last_time, duration);
+  if (!flow) return;
+  const auto is_same = [](const Body& a, const Body& b) { return a.name == b.name; };
+  robots.erase(std::unique(robots.begin(), robots.end(), is_same), robots.end());
+  flow->observe(robots, last_time, duration);
 }
 
 Metrics::Metrics(const Scenario& scenario, const MetricsOptions& options)

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "avo/discs.h"
 #include "core/plane.h"
 #include "metrics/wall_contacts.h"
 
@@ -13,6 +14,15 @@ bool is_before(const MoverContact& a, const MoverContact& b) {
   return a.robot != b.robot ? a.robot < b.robot : a.obstacle < b.obstacle;
 }
 
+// For a robot with a footprint, where it is now.
+bool touches_disc(const RobotSetup& robot, const ObstacleView& movers, std::size_t mover) {
+  const std::vector<Disc> discs = discs_at(robot, robot.position, robot.heading);
+  return std::any_of(discs.begin(), discs.end(), [&](const Disc& disc) {
+    const double contact = disc.radius + movers.setup[mover].radius;
+    return norm(movers.position[mover] - disc.center) < contact * (1.0 - kContact);
+  });
+}
+
 }  // namespace
 
 void MoverContacts::take(const FleetView& fleet) {
@@ -20,7 +30,8 @@ void MoverContacts::take(const FleetView& fleet) {
   for (std::size_t row = 0; row < fleet.id.size(); ++row) {
     const RobotSetup& setup = fleet.setup[row];
     discs_.push_back({fleet.id[row].value, setup.parked, disc_radius(setup),
-                      norm(disc_center(setup) - setup.position)});
+                      norm(disc_center(setup) - setup.position),
+                      footprint_of(setup.model).discs > 0});
   }
 }
 
@@ -37,8 +48,10 @@ void MoverContacts::meet(const Simulation& simulation, Vec2 position, std::size_
     const double contact = disc.radius + movers.setup[k].radius, near = contact + disc.offset;
     if (norm_squared(movers.position[k] - position) > near * near) continue;
     const Vec2 center = disc.offset > 0.0 ? disc_center(simulation.setup(row)) : position;
-    if (norm(movers.position[k] - center) < contact * (1.0 - kContact))
-      now_.push_back({disc.robot, movers.id[k].value, row});
+    const bool touches = disc.is_covered
+                             ? touches_disc(simulation.setup(row), movers, k)
+                             : norm(movers.position[k] - center) < contact * (1.0 - kContact);
+    if (touches) now_.push_back({disc.robot, movers.id[k].value, row});
   }
   std::sort(now_.begin() + first, now_.end(), is_before);
 }

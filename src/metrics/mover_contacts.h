@@ -30,8 +30,9 @@ class MoverContacts {
   struct Disc {
     std::uint64_t robot = 0;
     bool parked = false;
-    double radius = 0.0;  // m
-    double offset = 0.0;  // m, from the robot's place to the disc's center
+    double radius = 0.0;      // m
+    double offset = 0.0;      // m, from the robot's place to the disc's center
+    bool is_covered = false;  // it has a footprint, which the disc covers at any heading
   };
   void meet(const Simulation& simulation, Vec2 position, std::size_t row);
 

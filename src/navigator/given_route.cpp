@@ -52,7 +52,7 @@ std::optional<Heading> way_back(Ways& ways, const Follower& robot, Vec2 aim, OnR
     return std::nullopt;
   }
   if (!on.back || !ways.is_in_sight(on.back_to, aim)) {
-    on.back = ways.plan(robot.traits.radius, robot.place, aim, 0.0);
+    on.back = ways.plan(robot.traits.way_radius, robot.place, aim, 0.0);
     on.back_to = aim;
   }
   return follow(*on.back, robot.place, on.back_to, robot.traits, robot.own_way, robot.looks_around,
@@ -165,7 +165,7 @@ Headings follow_given(Ways& ways, const Claims& claims, const Follower& robot, V
   };
   const double farthest = std::min(on.along + kBackOn * ahead_at(speed), until);
   on.along = on.has_begun ? route.nearest(robot.place, on.along, farthest)
-                          : route.first_near(robot.place, kBegins * robot.traits.radius, until);
+                          : route.first_near(robot.place, kBegins * robot.traits.way_radius, until);
   on.has_begun = true;
   const double wished = speed_of(robot, speed, pursuit, on);
   Heading by_route =

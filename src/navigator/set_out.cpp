@@ -55,13 +55,13 @@ void find_walls(NavigatorState& state, Memory& memory, const Robot& robot,
     state.needs = needs;
     PlanWorkspace::Scratch::of(state.workspace).reserve_walls(kRoomFor, state.grid.most());
   }
-  if (memory.passages_for == traits.radius) return;
+  if (memory.passages_for == traits.way_radius) return;
   if (is_copy(state, memory) && memory.ways == state.memory.ways)
     memory.ways = std::make_shared<Ways>(way_rules_of(state.options), state.map,
                                          state.memory.ways->resting());
-  memory.passages_for = traits.radius;
+  memory.passages_for = traits.way_radius;
   std::vector<double> radii = state.options.fleet_radii;
-  radii.push_back(traits.radius);
+  radii.push_back(traits.way_radius);
   std::sort(radii.begin(), radii.end());
   radii.erase(std::unique(radii.begin(), radii.end()), radii.end());
   memory.ways->find_passages(std::move(radii));

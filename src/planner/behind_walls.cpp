@@ -9,6 +9,7 @@
 #include "certificate/wall_constraints.h"
 #include "core/plane.h"
 #include "planner/decision.h"
+#include "robots/footprint.h"
 #include "walls/segment.h"
 
 namespace avo::inline planner {
@@ -58,7 +59,8 @@ struct HidingWalls {
 
   HidingWalls(const Robot& robot, std::span<const Wall> all, const StepLaw& law)
       : reach(reach_of(robot, law)) {
-    if (!can_rest(robot.model)) return;  // it does not brake
+    // it does not brake, or it is no disc
+    if (!can_rest(robot.model) || has_footprint(robot.model)) return;
     for (const Wall& wall : all) {
       if (count == kMost) break;
       if (distance_to(wall, robot.position) > reach + wall.radius) continue;
@@ -70,7 +72,7 @@ struct HidingWalls {
 
   bool hide(Vec2 p, const Neighbor& neighbor, const StepLaw& law) const {
     if (neighbor.behavior != Behavior::decides || has_errors_of_its_own(neighbor) ||
-        neighbor.loiter)
+        neighbor.loiter || neighbor.footprint)
       return false;
     const Vec2 q = neighbor.position;
     return std::any_of(walls.data(), walls.data() + count, [&](const Wall* wall) {

@@ -84,19 +84,19 @@ void move_in(HalfPlane& cut, const CandidatePath& refused, double u) {
   cut.offset += kInside * u + deeper * std::max(violation(cut, refused.next_velocity), 0.0);
 }
 
-// For every neighbor that refuses the last judged path, appends the tangent of its worst
-// constraint.
-void append_trajectory_cuts(const Proposals& proposals) {
-  const CertificateConstraints& constraints = proposals.workspace.constraints;
-  const ConstraintColumns& columns = constraints.trajectories.columns;
+// For every neighbor that refuses the judged path of the robot or one of its discs, appends the
+// tangent of its worst constraint.
+void append_trajectory_cuts(const Proposals& proposals, const TrajectoryConstraints& constraints,
+                            const CandidatePath& path) {
+  const ConstraintColumns& columns = constraints.columns;
   for (std::size_t first = 0; first < columns.count;) {
     std::size_t last = first;
     while (last < columns.count && columns.neighbor[last] == columns.neighbor[first]) ++last;
-    const WorstConstraint worst = worst_constraint(constraints.trajectories, constraints.path,
-                                                   proposals.law.step, first, last);
+    const WorstConstraint worst =
+        worst_constraint(constraints, path, proposals.law.step, first, last);
     if (worst.coefficient < 0.0 && std::isfinite(worst.coefficient)) {
-      HalfPlane cut = tangent(worst, constraints.path, proposals.law.step);
-      move_in(cut, constraints.path, proposals.acceleration.radius);
+      HalfPlane cut = tangent(worst, path, proposals.law.step);
+      move_in(cut, path, proposals.acceleration.radius);
       proposals.workspace.hard.push_back(cut);
     }
     first = last;
@@ -115,16 +115,25 @@ void append_loiterer_cuts(const Proposals& proposals) {
   for (std::size_t k = before; k < hard.size(); ++k) hard[k].offset += kInside * u;
 }
 
-// Appends the cuts of all constraints that refuse the last judged path.
-void append_cuts(const Proposals& proposals) {
-  append_trajectory_cuts(proposals);
-  append_loiterer_cuts(proposals);
-  const CertificateConstraints& constraints = proposals.workspace.constraints;
+void append_cuts_of_walls(const Proposals& proposals, const WallConstraints& walls,
+                          const CandidatePath& path) {
   std::vector<HalfPlane>& hard = proposals.workspace.hard;
   const std::size_t before = hard.size();
-  append_wall_cuts(constraints.walls, constraints.path, proposals.law.step, hard);
+  append_wall_cuts(walls, path, proposals.law.step, hard);
   for (std::size_t k = before; k < hard.size(); ++k)
-    move_in(hard[k], constraints.path, proposals.acceleration.radius);
+    move_in(hard[k], path, proposals.acceleration.radius);
+}
+
+// Appends the cuts of all constraints that refuse the last judged path.
+void append_cuts(const Proposals& proposals) {
+  const CertificateConstraints& constraints = proposals.workspace.constraints;
+  append_trajectory_cuts(proposals, constraints.trajectories, constraints.path);
+  for (const DiscConstraints& disc : constraints.footprint.all())
+    append_trajectory_cuts(proposals, disc.trajectories, disc.path);
+  append_loiterer_cuts(proposals);
+  append_cuts_of_walls(proposals, constraints.walls, constraints.path);
+  for (const DiscConstraints& disc : constraints.footprint.all())
+    append_cuts_of_walls(proposals, disc.walls, disc.path);
 }
 
 // Braking trajectories are not convex in v_1: the constraints that a proposal violates are added as

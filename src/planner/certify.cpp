@@ -15,6 +15,7 @@
 #include "planner/rules/evasion.h"
 #include "planner/scratch.h"
 #include "planner/state.h"
+#include "robots/footprint.h"
 #include "robots/model.h"
 
 namespace avo::inline planner {
@@ -63,7 +64,7 @@ struct Decision {
 };
 
 bool turns_at_rest(const Robot& robot) {
-  return robot.velocity == Vec2{} && model_traits(robot.model).turns_in_place;
+  return robot.velocity == Vec2{} && turns_unnoticed(robot.model);
 }
 
 // The choice of a robot that turns before it drives: what would be admitted once it has turned.

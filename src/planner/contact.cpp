@@ -6,6 +6,7 @@
 
 #include "certificate/pair.h"
 #include "core/plane.h"
+#include "planner/disc_pairs.h"
 #include "walls/segment.h"
 
 namespace avo::inline planner {
@@ -62,6 +63,7 @@ template <typename Neighbors>
 Contact find_deepest(const Robot& robot, const Neighbors& neighbors, std::span<const Wall> walls,
                      const StepLaw& law, const Deepest& neighbor, const Deepest& wall) {
   ContactSearch search{way_of(robot, law)};
+  const Discs discs = discs_of(robot, law);
   for (std::size_t k = 0; k < neighbors.size(); ++k) {
     const int index = static_cast<int>(k);
     if (index != neighbor.index && !is_deeper(robot, neighbors, k, search)) continue;
@@ -69,14 +71,17 @@ Contact find_deepest(const Robot& robot, const Neighbors& neighbors, std::span<c
     const double hidden = error_against(other, law).position;
     const double radii = robot.radius + other.radius;
     double depth = radii - norm(other.position - robot.position) - hidden;
+    if (discs.count > 1 || other.footprint) depth = -nearest_discs(discs, other).gap - hidden;
     if (index == neighbor.index) depth = std::max(depth, neighbor.depth);
     if (depth > 0.0) search.take(index, -1, depth, radii, way_of(other, law));
   }
   for (std::size_t k = 0; k < walls.size(); ++k) {
     const int index = static_cast<int>(k);
     const double radii = robot.radius + walls[k].radius;
-    double depth =
-        radii - law.localization_error - distance(robot.position, {walls[k].a, walls[k].b});
+    double depth = -kInfinity;
+    for (const Robot& disc : discs.all())
+      depth = std::max(depth, disc.radius + walls[k].radius - law.localization_error -
+                                  distance(disc.position, {walls[k].a, walls[k].b}));
     if (index == wall.index) depth = std::max(depth, wall.depth);
     if (depth > 0.0) search.take(-1, index, depth, radii, 0.0);
   }

@@ -39,12 +39,13 @@ double most_violation(const SoftPlanes& soft, std::size_t i, double violation) {
 
 // Without a certificate walls demand nothing.
 void begin_walls(const RobotColumns& robots, const Tile& tile, std::size_t i,
-                 const CertificateLaw& law, WallConstraints& walls) {
+                 const CertificateLaw& law, CertificateConstraints& constraints) {
   const std::span<const Wall> near = tile.walls_of(i);
-  if (near.empty() || law.kind == Certificate::none) {
-    walls.clear();
+  if ((near.empty() && robots.model[i] == nullptr) || law.kind == Certificate::none) {
+    constraints.walls.clear();
+    constraints.footprint.count = 0;
   } else {
-    begin_walls(robots.robot(i), near, law.step, walls);
+    begin_walls_of(robots.robot(i), near, law, constraints);
   }
 }
 
@@ -178,7 +179,7 @@ void decide(const Planner& planner, const Execution& execution, Tile& tile,
     if (flies(robots, i)) {
       fly(deciding, i);
     } else {
-      begin_walls(robots, tile, i, law, constraints.walls);
+      begin_walls(robots, tile, i, law, constraints);
       const bool is_free =
           decisions.is_free[i] != 0.0 && is_unhindered(law, tile, constraints.near, i);
       is_free&& constraints.walls.near.empty() ? go_freely(deciding, i) : go_certified(deciding, i);

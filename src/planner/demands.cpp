@@ -9,7 +9,9 @@
 #include "certificate/wall_constraints.h"
 #include "obstacles/wall_half_plane.h"
 #include "planner/contact.h"
+#include "planner/disc_pairs.h"
 #include "planner/rules/way_out.h"
+#include "robots/footprint.h"
 #include "robots/model.h"
 #include "walls/segment.h"
 
@@ -86,25 +88,44 @@ std::optional<WallPlane> obstacle_plane(const PlannerOptions& options, const Hor
   return WallPlane{index, apportion(relative.plane, robot.velocity, 1.0), excess};
 }
 
-void collect_demands(const Planner& planner, const Robot& robot, std::span<const Wall> walls,
-                     const StepLaw& law, Demands& demands) {
-  demands.clear();
+namespace {
+
+void append_slowing(const Robot& robot, std::span<const Wall> walls, const StepLaw& law,
+                    Demands& demands) {
+  const std::size_t before = demands.planes.size();
+  if (!append_speed_planes(robot, walls, law, {}, demands.planes)) return;
+  demands.out = velocity_out(robot, walls, law);
+  const bool is_out_of_all = is_kept(demands, demands.out);
+  demands.planes.resize(before);
+  append_speed_planes(robot, walls, law, is_out_of_all ? demands.out : Vec2{}, demands.planes);
+}
+
+// Appends the demands of walls on a robot, or on one disc of it.
+void append_demands(const Planner& planner, const Robot& robot, std::span<const Wall> walls,
+                    const StepLaw& law, Demands& demands) {
   const PlannerOptions& options = planner.options();
-  const bool at_once = adopts_at_once(options.method);
-  const bool by_speed = slows_before_walls(options.method);
-  if (by_speed && append_speed_planes(robot, walls, law, {}, demands.planes)) {
-    demands.out = velocity_out(robot, walls, law);
-    const bool is_out_of_all = is_kept(demands, demands.out);
-    demands.planes.clear();
-    append_speed_planes(robot, walls, law, is_out_of_all ? demands.out : Vec2{}, demands.planes);
-  }
-  for (std::size_t k = 0; k < walls.size() && !by_speed; ++k) {
-    const Wall& wall = walls[k];
+  if (slows_before_walls(options.method)) return append_slowing(robot, walls, law, demands);
+  for (const Wall& wall : walls) {
     const auto own =
         obstacle_plane(options, planner.horizon(), robot, wall, 0, demands.overlapping);
     if (!own) continue;
     demands.planes.push_back(own->plane);
     demands.excess.push_back(own->excess);
+  }
+}
+
+}  // namespace
+
+void collect_demands(const Planner& planner, const Robot& robot, std::span<const Wall> walls,
+                     const StepLaw& law, Demands& demands) {
+  demands.clear();
+  const PlannerOptions& options = planner.options();
+  const bool at_once = adopts_at_once(options.method);
+  if (!has_footprint(robot.model)) {
+    append_demands(planner, robot, walls, law, demands);
+  } else {
+    for (const Robot& disc : discs_of(robot, law).all())
+      append_demands(planner, disc, walls, law, demands);
   }
   append_own_half_planes(robot, at_once ? options.time_step : options.control_time, demands.planes);
 }

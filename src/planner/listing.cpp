@@ -16,6 +16,7 @@
 #include "planner/contact.h"
 #include "planner/decision.h"
 #include "planner/demands.h"
+#include "planner/disc_pairs.h"
 #include "planner/methods/flight.h"
 #include "planner/neighbor_order.h"
 #include "planner/rules/evasion.h"
@@ -62,6 +63,16 @@ void list_walls_of_flight(const Robot& robot, double time_step, std::span<const 
   }
 }
 
+// The disc of a robot that is nearest to the wall.
+Robot nearest_disc(const Discs& discs, const Wall& wall) {
+  const auto gap = [&wall](const Robot& disc) {
+    return distance(disc.position, Segment{wall.a, wall.b}) - disc.radius;
+  };
+  const std::span<const Robot> all = discs.all();
+  return *std::min_element(all.begin(), all.end(),
+                           [&](const Robot& a, const Robot& b) { return gap(a) < gap(b); });
+}
+
 }  // namespace
 
 void Planner::collect_half_planes(const Robot& robot, std::span<const Neighbor> neighbors,
@@ -75,7 +86,7 @@ void Planner::collect_half_planes(const Robot& robot, std::span<const Neighbor> 
   if (!take_alone(robot, neighbors, walls, scratch)) return;
   if (options_.certificate != Certificate::none && !walls.empty())
     avo::leave_out_hidden(options_, certificate_law(*this).step, tile);
-  collect_soft_planes(options_, *horizon_, tile, scratch.soft);
+  collect_soft_planes(options_, *horizon_, certificate_law(*this).step, tile, scratch.soft);
   const SoftPlanes& soft = scratch.soft;
   half_planes.overlapping = soft.overlapping[0] != 0;
   const Lens allowed = make_lens(acceleration_disc(robot), robot.max_speed);
@@ -106,16 +117,18 @@ void Planner::collect_half_planes(const Robot& robot, std::span<const Wall> wall
   std::vector<HalfPlane> speeds;
   const bool by_speed = slows_before_walls(options_.method);
   const StepLaw law = certificate_law(*this).step;
-  const Vec2 out = by_speed ? velocity_out(robot, walls, law) : Vec2{};
+  const Discs discs = discs_of(robot, law);
+  const Vec2 out = by_speed ? velocity_out(discs.discs[0], walls, law) : Vec2{};
   for (std::size_t k = 0; k < walls.size(); ++k) {
     if (!is_valid(walls[k])) continue;
     const int index = static_cast<int>(k);
+    const Robot disc = nearest_disc(discs, walls[k]);
     speeds.clear();
-    if (by_speed) append_speed_planes(robot, walls.subspan(k, 1), law, out, speeds);
+    if (by_speed) append_speed_planes(disc, walls.subspan(k, 1), law, out, speeds);
     if (!speeds.empty() && cuts(speeds[0])) half_planes.speeds.push_back({index, speeds[0], 0.0});
     if (method_traits(options_.method).stays_in_cell || is_external(options_.method)) continue;
     const auto own =
-        obstacle_plane(options_, *horizon_, robot, walls[k], index, half_planes.overlapping);
+        obstacle_plane(options_, *horizon_, disc, walls[k], index, half_planes.overlapping);
     if (own && (own->excess > 0.0 || cuts(own->plane))) half_planes.obstacles.push_back(*own);
   }
 }
@@ -128,9 +141,11 @@ void Planner::collect_certificate(const Robot& robot, std::span<const Wall> wall
   if (!can_rest(robot.model))
     return list_walls_of_flight(robot, options_.time_step, walls, constraints);
   WallConstraints& own = PlanWorkspace::Scratch::of(workspace).certified.constraints.walls;
+  const StepLaw law = certificate_law(*this).step;
+  const Discs discs = discs_of(robot, law);
   for (std::size_t k = 0; k < walls.size(); ++k) {
     if (!is_valid(walls[k])) continue;
-    begin_walls(robot, walls.subspan(k, 1), certificate_law(*this).step, own);
+    begin_walls(nearest_disc(discs, walls[k]), walls.subspan(k, 1), law, own);
     if (own.near.empty()) continue;
     const NearWall& wall = own.near[0];
     const NearestPoints nearest = nearest_points({{}, own.stop}, wall.segment);

@@ -6,8 +6,10 @@
 #include <algorithm>
 #include <limits>
 
+#include "certificate/discs.h"
 #include "core/plane.h"
 #include "planner/alone.h"
+#include "planner/certify.h"
 #include "planner/contact.h"
 #include "planner/decision.h"
 #include "planner/execution.h"
@@ -78,6 +80,10 @@ Planner::Planner(const PlannerOptions& options) : options_(options) {
   if (reaches_within_step(options.method)) options_.control_time = options.time_step;
   horizon_ = std::make_shared<const Horizon>(options_.control_time, options.time_horizon,
                                              options.time_step);
+}
+
+BrakingPose Planner::braking_pose(const Robot& robot) const {
+  return avo::braking_pose(robot, certificate_law(*this).step);
 }
 
 Disc Planner::acceleration_disc(const Robot& robot) const {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "avo/planner.h"
-#include "certificate/footprints.h"
+#include "certificate/fallback_areas.h"
 #include "core/neighbor_columns.h"
 #include "lp/linear_program.h"
 #include "lp/programs.h"

@@ -8,9 +8,11 @@
 
 #include "certificate/pair.h"
 #include "planner/decision.h"
+#include "planner/disc_pairs.h"
 #include "planner/methods/buffered_voronoi.h"
 #include "planner/pair_planes.h"
 #include "planner/rules/margin.h"
+#include "robots/footprint.h"
 #include "walls/segment.h"
 
 namespace avo::inline planner {
@@ -149,15 +151,38 @@ void add_margins(const PlannerOptions& options, const Tile& tile, SoftPlanes& so
   PairColumns& pairs = soft.pairs;
   std::size_t i = 0;
   for (std::size_t r = 0; r < robots.count; ++r) {
+    const MotionModel* model = robots.model[r];
+    const double radius =
+        model != nullptr ? way_radius(*model, robots.radius[r]) : robots.radius[r];
     const auto own = [&](double margin) {
-      return margin_on_way(margin, robots.radius[r], robots.distance_to_goal[r]);
+      return margin_on_way(margin, radius, robots.distance_to_goal[r]);
     };
-    const double margin = own(options.margin),
-                 larger = own(mover_margin(options, robots.radius[r]));
+    const double margin = own(options.margin), larger = own(mover_margin(options, radius));
     for (std::size_t k = robots.neighbors[r].first; i < soft.pair_end[r]; ++i, ++k) {
       const bool shares = tile.neighbors.kind(k) != NeighborKind::mover;
       pairs.radius[i] = with_margin({{pairs.p_x[i], pairs.p_y[i]}, {}, pairs.radius[i]},
                                     shares ? margin : larger);
+    }
+  }
+}
+
+// Of pairs with footprints, the half-planes are those of the two nearest discs.
+void take_nearest_discs(const Tile& tile, const StepLaw& law, SoftPlanes& soft) {
+  PairColumns& pairs = soft.pairs;
+  std::size_t i = 0;
+  for (std::size_t r = 0; r < tile.robots.count; ++r) {
+    const std::size_t first = i;
+    i = soft.pair_end[r];
+    if (i == first || !has_discs(tile.robots, r)) continue;
+    const Robot robot = tile.robots.robot(r);
+    const Discs discs = discs_of(robot, law);
+    for (std::size_t k = first; k < i; ++k) {
+      const Neighbor neighbor = tile.robots.neighbors[r][k - first];
+      if (!neighbor.footprint && !has_footprint(robot.model)) continue;
+      const DiscPair nearest = nearest_discs(discs, neighbor);
+      const Vec2 p = nearest.robot.position - nearest.neighbor.position;
+      pairs.p_x[k] = p.x, pairs.p_y[k] = p.y;
+      pairs.radius[k] = nearest.robot.radius + nearest.neighbor.radius;
     }
   }
 }
@@ -169,14 +194,15 @@ void reserve(std::size_t pairs, SoftPlanes& soft) {
   grow(soft.shared.kept, pairs + kSparePairs);
 }
 
-void collect_exact(const PlannerOptions& options, const Horizon& horizon, const Tile& tile,
-                   SoftPlanes& soft) {
+void collect_exact(const PlannerOptions& options, const Horizon& horizon, const StepLaw& law,
+                   const Tile& tile, SoftPlanes& soft) {
   const RobotColumns& robots = tile.robots;
   soft.overlapping.assign(robots.count, 0);
   soft.coinciding.assign(robots.count, 0);
   if (robots.count == 0) return;
   reserve(count_pairs(options, robots, soft), soft);
   relate(robots, tile.neighbors, soft.pair_end, options.control_time, soft.pairs, soft.share);
+  if (tile.robots.has_models || tile.neighbors.has_footprints) take_nearest_discs(tile, law, soft);
   if (tile.neighbors.has_movers) add_movers(options, tile, soft);
   if (has_noise(options.sensing_noise)) reserve_room(reserve_of(options), soft.pairs);
   if (options.margin > 0.0 || tile.neighbors.has_movers) add_margins(options, tile, soft);
@@ -191,8 +217,8 @@ void collect_exact(const PlannerOptions& options, const Horizon& horizon, const 
 }
 
 // Collects half-planes of the methods that disregard accelerations, and of Voronoi cells.
-void collect_others(const PlannerOptions& options, const Horizon& horizon, const Tile& tile,
-                    SoftPlanes& soft) {
+void collect_others(const PlannerOptions& options, const Horizon& horizon, const StepLaw& law,
+                    const Tile& tile, SoftPlanes& soft) {
   soft.planes.clear();
   soft.excess.clear();
   soft.exceeding = false;
@@ -203,13 +229,20 @@ void collect_others(const PlannerOptions& options, const Horizon& horizon, const
     const Robot robot = tile.robots.robot(i);
     const Neighbors& neighbors = tile.robots.neighbors[i];
     const std::size_t count = planned_with(options, neighbors);
+    const bool are_covered = has_discs(tile.robots, i);
+    const Discs discs = are_covered ? discs_of(robot, law) : Discs{};
     bool overlapping = false;
     for (std::size_t k = 0; k < count; ++k) {
-      const Neighbor neighbor = neighbors[k];
+      Neighbor neighbor = neighbors[k];
+      Robot disc = robot;
+      if (are_covered) {
+        const DiscPair nearest = nearest_discs(discs, neighbor);
+        disc = nearest.robot, neighbor = nearest.neighbor;
+      }
       const auto own =
-          own_half_plane(options, horizon, robot, neighbor, static_cast<int>(k), overlapping);
+          own_half_plane(options, horizon, disc, neighbor, static_cast<int>(k), overlapping);
       if (shares(neighbor) &&
-          nearly_coincide(norm(robot.position - neighbor.position), robot.radius + neighbor.radius))
+          nearly_coincide(norm(disc.position - neighbor.position), disc.radius + neighbor.radius))
         soft.coinciding[i] = 1;
       if (!own) continue;
       grow(soft.shared.kept, soft.planes.size() + 1);
@@ -223,21 +256,22 @@ void collect_others(const PlannerOptions& options, const Horizon& horizon, const
   }
 }
 
-bool touches_any(const Tile& tile, std::size_t i) {
-  const Vec2 position = tile.robots.position(i);
+bool touches_any(const Tile& tile, const StepLaw& law, std::size_t i) {
+  const Discs discs = discs_of(tile.robots.robot(i), law);
   const Neighbors& neighbors = tile.robots.neighbors[i];
-  for (std::size_t k = 0; k < neighbors.size(); ++k) {
-    const Neighbor neighbor = neighbors[k];
-    if (norm(neighbor.position - position) < tile.robots.radius[i] + neighbor.radius) return true;
-  }
+  for (std::size_t k = 0; k < neighbors.size(); ++k)
+    if (nearest_discs(discs, neighbors[k]).gap < 0.0) return true;
   const std::span<const Wall> walls = tile.walls_of(i);
   return std::any_of(walls.begin(), walls.end(), [&](const Wall& wall) {
-    return distance(position, {wall.a, wall.b}) < tile.robots.radius[i] + wall.radius;
+    const std::span<const Robot> all = discs.all();
+    return std::any_of(all.begin(), all.end(), [&](const Robot& disc) {
+      return distance(disc.position, {wall.a, wall.b}) < disc.radius + wall.radius;
+    });
   });
 }
 
 // An external method has no half-planes; robots in contact are marked all the same.
-void collect_none(const Tile& tile, SoftPlanes& soft) {
+void collect_none(const Tile& tile, const StepLaw& law, SoftPlanes& soft) {
   soft.planes.clear();
   soft.excess.clear();
   soft.exceeding = false;
@@ -245,7 +279,7 @@ void collect_none(const Tile& tile, SoftPlanes& soft) {
   soft.coinciding.assign(tile.robots.count, 0);
   soft.overlapping.clear();
   for (std::size_t i = 0; i < tile.robots.count; ++i)
-    soft.overlapping.push_back(touches_any(tile, i) ? 1 : 0);
+    soft.overlapping.push_back(touches_any(tile, law, i) ? 1 : 0);
 }
 
 }  // namespace
@@ -263,15 +297,15 @@ void reserve(std::size_t robots, std::size_t pairs, SoftPlanes& soft) {
   soft.coinciding.reserve(robots);
 }
 
-void collect_soft_planes(const PlannerOptions& options, const Horizon& horizon, const Tile& tile,
-                         SoftPlanes& soft) {
+void collect_soft_planes(const PlannerOptions& options, const Horizon& horizon, const StepLaw& law,
+                         const Tile& tile, SoftPlanes& soft) {
   if (is_external(options.method)) {
-    collect_none(tile, soft);
+    collect_none(tile, law, soft);
   } else if (disregards_acceleration(options.method) ||
              method_traits(options.method).stays_in_cell) {
-    collect_others(options, horizon, tile, soft);
+    collect_others(options, horizon, law, tile, soft);
   } else {
-    collect_exact(options, horizon, tile, soft);
+    collect_exact(options, horizon, law, tile, soft);
   }
 }
 

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "avo/planner.h"
+#include "certificate/braking_path.h"
 #include "obstacles/half_planes.h"
 #include "planner/tile.h"
 
@@ -49,7 +50,7 @@ void reserve(std::size_t robots, std::size_t pairs, SoftPlanes& soft);
 
 /// Collects the half-planes of all robots of the tile. A half-plane that contains one of the two
 /// limit discs is left out: it cannot cut.
-void collect_soft_planes(const PlannerOptions& options, const Horizon& horizon, const Tile& tile,
-                         SoftPlanes& soft);
+void collect_soft_planes(const PlannerOptions& options, const Horizon& horizon, const StepLaw& law,
+                         const Tile& tile, SoftPlanes& soft);
 
 }  // namespace avo::inline planner

@@ -12,6 +12,7 @@
 #include "planner/rules/evasion.h"
 #include "planner/scratch.h"
 #include "planner/validity.h"
+#include "robots/footprint.h"
 #include "robots/model.h"
 
 namespace avo::inline planner {
@@ -50,9 +51,11 @@ SafetyReport state_of(const Robot& robot, const Neighbors& neighbors, std::span<
     const Neighbor neighbor = neighbors[k];
     if (is_safe && neighbor.behavior == Behavior::decides) continue;
     if (neighbor.loiter) continue;  // it turns faster than its acceleration says
+    if (neighbor.footprint || has_footprint(robot.model)) continue;  // they may turn out of the way
     first.take(inevitable_contact(robot, neighbor, law.step), static_cast<int>(k), -1);
   }
-  const bool lost = law.step.localization_error > 0.0;  // the robot may be elsewhere
+  // the robot may be elsewhere, or turn out of the way
+  const bool lost = law.step.localization_error > 0.0 || has_footprint(robot.model);
   for (std::size_t k = 0; !is_safe && !lost && !first.is_now() && k < walls.size(); ++k)
     first.take(inevitable_contact(robot, walls[k]), -1, static_cast<int>(k));
   return first.report;

@@ -64,8 +64,9 @@ bool decides_otherwise(const Planner& planner, const Tile& tile, std::size_t i,
   const RobotColumns& robots = tile.robots;
   const Neighbors& neighbors = robots.neighbors[i];
   const bool valid = tile.trusted || all_valid(robots.robot(i), neighbors);
+  const NeighborColumns& columns = *robots.neighbors[i].columns;
   const bool can_follow_any =
-      robots.model[i] == nullptr && !robots.neighbors[i].columns->has_loiterers;
+      robots.model[i] == nullptr && !columns.has_loiterers && !columns.has_footprints;
   if (!valid || !(can_follow_any || can_follow(robots.robot(i), neighbors, options))) {
     *tile.plan[i] = brake(planner, robots.robot(i), PlanStatus::invalid_input, 0.0);
     remember(*tile.plan[i], *tile.detour[i]);
@@ -107,7 +108,8 @@ void plan_together(const Planner& planner, Tile& tile, PlanWorkspace::Scratch& s
   set_apart(planner, tile, scratch);
   if (options.certificate != Certificate::none && !tile.walls.empty())
     leave_out_hidden(options, certificate_law(planner).step, tile);
-  collect_soft_planes(options, planner.horizon(), tile, scratch.soft);
+  collect_soft_planes(options, planner.horizon(), certificate_law(planner).step, tile,
+                      scratch.soft);
   clock.lap(Stage::half_planes);
   make_wishes(planner, tile, scratch.decisions);
   if (method_traits(options.method).stays_in_cell) wish_within_cells(options, tile.robots, scratch);

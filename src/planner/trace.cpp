@@ -17,6 +17,7 @@
 #include "planner/rules/arrival.h"
 #include "planner/rules/evasion.h"
 #include "planner/scratch.h"
+#include "robots/footprint.h"
 #include "robots/model.h"
 
 namespace avo::inline planner {
@@ -167,27 +168,46 @@ void trace_union(const Decided& decided, DecisionTrace& trace) {
 }
 
 // The neighbors and walls whose constraints refuse the path that was last judged.
-std::vector<Cause> list_refusing(const Decided& decided, const StepLaw& law) {
-  std::vector<Cause> refusing;
-  const CertificateConstraints& own = decided.scratch.certified.constraints;
-  const ConstraintColumns& columns = own.trajectories.columns;
+void add_refusing(const Decided& decided, const TrajectoryConstraints& constraints,
+                  const CandidatePath& path, const StepLaw& law, std::vector<Cause>& refusing) {
+  const ConstraintColumns& columns = constraints.columns;
   for (std::size_t first = 0; first < columns.count;) {
     std::size_t last = first;
     while (last < columns.count && columns.neighbor[last] == columns.neighbor[first]) ++last;
-    const WorstConstraint worst = worst_constraint(own.trajectories, own.path, law, first, last);
+    const WorstConstraint worst = worst_constraint(constraints, path, law, first, last);
     if (worst.coefficient < 0.0)
       add(refusing, {decided.given_index(static_cast<std::size_t>(columns.neighbor[first])), -1});
     first = last;
   }
+}
+
+// Returns whether a wall refuses the judged path of the robot, or of one of its discs.
+bool refuses(const Wall& wall, const Decided& decided, const StepLaw& law) {
+  const CertificateConstraints& own = decided.scratch.certified.constraints;
+  WallConstraints alone;
+  if (own.footprint.count == 0) {
+    begin_walls(decided.robot, {&wall, 1}, law, alone);
+    return !keeps_walls(alone, own.path, law);
+  }
+  FootprintConstraints footprint;
+  begin_disc_walls(decided.robot, {&wall, 1}, law, footprint, alone);
+  for (std::size_t k = 0; k < footprint.count; ++k)
+    if (!keeps_walls(footprint.discs[k].walls, own.footprint.discs[k].path, law)) return true;
+  return false;
+}
+
+std::vector<Cause> list_refusing(const Decided& decided, const StepLaw& law) {
+  std::vector<Cause> refusing;
+  const CertificateConstraints& own = decided.scratch.certified.constraints;
+  add_refusing(decided, own.trajectories, own.path, law, refusing);
+  for (const DiscConstraints& disc : own.footprint.all())
+    add_refusing(decided, disc.trajectories, disc.path, law, refusing);
   for (const LoiterLine& line : own.loiterers) {
     if (!keeps_loiterers({&line, 1}, own.path, law))
       add(refusing, {decided.given_index(static_cast<std::size_t>(line.neighbor)), -1});
   }
-  WallConstraints alone = own.walls;
-  for (std::size_t k = 0; k < decided.walls.size(); ++k) {
-    begin_walls(decided.robot, decided.walls.subspan(k, 1), law, alone);
-    if (!keeps_walls(alone, own.path, law)) add(refusing, {-1, static_cast<int>(k)});
-  }
+  for (std::size_t k = 0; k < decided.walls.size(); ++k)
+    if (refuses(decided.walls[k], decided, law)) add(refusing, {-1, static_cast<int>(k)});
   return refusing;
 }
 
@@ -196,8 +216,7 @@ std::vector<Cause> refusing(const Decided& decided, Vec2 next_velocity) {
   const CertificateLaw law = certificate_law(decided.planner);
   if (law.kind == Certificate::none) return {};
   Robot asked = decided.robot;
-  if (asked.velocity == Vec2{} && model_traits(asked.model).turns_in_place)
-    asked.model = Holonomic{};
+  if (asked.velocity == Vec2{} && turns_unnoticed(asked.model)) asked.model = Holonomic{};
   if (!is_holonomic(asked.model))
     next_velocity = within_own_limits(asked, law.step.braking_time, next_velocity);
   if (admits(asked, next_velocity, law, decided.scratch.certified.constraints, Asked::all))

@@ -5,12 +5,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "core/plane.h"
 #include "core/ranges.h"
 #include "planner/certify.h"
 #include "planner/methods/flight.h"
 #include "robots/ahead.h"
+#include "robots/footprint.h"
 #include "robots/model.h"
 
 namespace avo::inline planner {
@@ -39,9 +41,20 @@ bool can_brake(const Robot& robot) {
   return (velocity & is_size(robot.max_acceleration) & is_size(robot.max_speed) & braking) != 0;
 }
 
+namespace {
+
+// The disc of the radius must cover a footprint, up to the rounding of a float.
+bool covers(double radius, const Footprint& footprint) {
+  constexpr double kOfFloats = 1e-6;
+  return !footprint || radius >= (1.0 - kOfFloats) * bounding_radius(footprint);
+}
+
+}  // namespace
+
 bool can_drive(const Robot& robot) {
   return is_known(robot.heading) != 0 &&
-         is_valid(robot.model, change_limit(robot), robot.max_speed);
+         is_valid(robot.model, change_limit(robot), robot.max_speed) &&
+         covers(robot.radius, footprint_of(robot.model));
 }
 
 bool is_valid(const Robot& robot) {
@@ -85,6 +98,17 @@ bool is_valid_loiterer(const Neighbor& neighbor) {
 
 }  // namespace
 
+namespace {
+
+bool is_valid_footprint(const Neighbor& neighbor) {
+  constexpr double kUnit = 1e-6;  // of a length: a direction is that near to a unit vector
+  return is_valid(neighbor.footprint) && covers(neighbor.radius, neighbor.footprint) &&
+         std::abs(norm_squared(neighbor.ahead) - 1.0) <= kUnit && neighbor.spread >= 0.0 &&
+         neighbor.spread <= std::numbers::pi;
+}
+
+}  // namespace
+
 bool is_valid(const Neighbor& neighbor) {
   const int dated = static_cast<int>(neighbor.age >= 0) &
                     static_cast<int>(neighbor.age <= kMostAge) &
@@ -100,6 +124,7 @@ bool is_valid(const Neighbor& neighbor) {
   if (able == 0) return false;
   if (neighbor.max_braking && is_size(*neighbor.max_braking) == 0) return false;
   if (neighbor.age > 0 && !is_deviation(neighbor.max_deviation)) return false;
+  if (neighbor.footprint && !is_valid_footprint(neighbor)) return false;
   return !neighbor.loiter || is_valid_loiterer(neighbor);
 }
 
@@ -129,8 +154,8 @@ bool is_valid_usual(const NeighborColumns& columns, std::size_t k) {
 bool all_valid(const Robot& robot, const Neighbors& neighbors) {
   if (!is_valid(robot)) return false;
   const NeighborColumns& columns = *neighbors.columns;
-  const bool have_more = columns.has_priorities || columns.has_max_braking ||
-                         columns.has_deviations || columns.has_partings;
+  const bool have_more = columns.has_footprints || columns.has_priorities ||
+                         columns.has_max_braking || columns.has_deviations || columns.has_partings;
   for (std::size_t k = neighbors.first; k < neighbors.first + neighbors.count; ++k) {
     const bool is_usual = !have_more && columns.kind(k) == NeighborKind::prompt;
     if (!(is_usual ? is_valid_usual(columns, k) : is_valid(columns[k]))) return false;
@@ -166,13 +191,30 @@ bool can_follow_among(const Robot& robot, const Neighbors& neighbors,
 
 }  // namespace
 
+namespace {
+
+// Robots with clocks of their own are sensed within their steps, where the turn of discs is
+// unknown.
+bool allows_footprints(const PlannerOptions& options) {
+  return options.clock == Clock::common || options.certificate == Certificate::none;
+}
+
+}  // namespace
+
 bool can_follow(const Robot& robot, const Neighbors& neighbors, const PlannerOptions& options) {
+  if ((neighbors.columns->has_footprints || has_footprint(robot.model)) &&
+      !allows_footprints(options))
+    return false;
   if (can_rest(robot.model) && !neighbors.columns->has_loiterers)  // nearly always
     return can_follow_among(robot, std::span<const Neighbor>{}, options);
   return can_follow_among(robot, neighbors, options);
 }
 bool can_follow(const Robot& robot, std::span<const Neighbor> neighbors,
                 const PlannerOptions& options) {
+  const bool are_covered = has_footprint(robot.model) ||
+                           std::any_of(neighbors.begin(), neighbors.end(),
+                                       [](const Neighbor& n) { return bool{n.footprint}; });
+  if (are_covered && !allows_footprints(options)) return false;
   return can_follow_among(robot, neighbors, options);
 }
 

@@ -172,8 +172,10 @@ Begun begin(const Car& car, const MotionLimits& limits, const MotionState& state
   if (moves && std::abs(turn) <= kTurnInPlace) return drive(driving, control, time_step);
   if (driving.speed > 0.0) return drive(driving, {-driving.speed / time_step, 0.0}, time_step);
 
-  // the front axle, one wheelbase ahead, moves at v_max at most
-  double most = std::min(limits.max_speed / car.wheelbase * time_step, kMostTurn);
+  // the front axle, one wheelbase ahead, moves at v_max at most, and so do discs of a footprint
+  const double lever =
+      car.footprint ? std::max(car.wheelbase, farthest_center(car.footprint)) : car.wheelbase;
+  double most = std::min(limits.max_speed / lever * time_step, kMostTurn);
   // and the disc accelerates by a_max at most; the turn rate at the end is twice the mean
   if (driving.offset != 0.0)
     most = std::min(0.5 * most, 0.5 * slow * time_step / std::abs(driving.offset));
@@ -212,6 +214,19 @@ void advance_cars(std::span<ModelStep* const> steps, double time_step) {
   for (std::size_t k = 0; k < steps.size(); ++k) {
     ModelStep& step = *steps[k];
     step.result = finish(car_of(step), step.state, begun[k], {x[k], y[k]}, time_step);
+  }
+}
+
+void advance_discs(const Car& car, const MotionLimits& limits, const MotionState& state,
+                   const Plan& plan, double time_step, std::span<MotionStep> discs) {
+  Begun begun = begin(car, limits, state, plan, time_step);
+  const Vec2 by = elementary::direction(begun.angle);
+  // a car that drives backwards is seen from its rear
+  const bool reverses = dot(begun.driving.heading, ahead_of(state.heading)) < 0.0;
+  for (std::size_t k = 0; k < discs.size(); ++k) {
+    const double ahead = car.footprint.ahead(static_cast<int>(k));
+    begun.driving.offset = reverses ? -ahead : ahead;
+    discs[k] = finish(car, state, begun, by, time_step);
   }
 }
 

@@ -17,6 +17,9 @@ MotionStep advance_car(const Car& car, const MotionLimits& limits, const MotionS
                        const Plan& plan, double time_step);
 /// The same for several robots that are all cars, with their results.
 void advance_cars(std::span<ModelStep* const> steps, double time_step);
+/// See advance_discs() in robots/model.h.
+void advance_discs(const Car& car, const MotionLimits& limits, const MotionState& state,
+                   const Plan& plan, double time_step, std::span<MotionStep> discs);
 /// src/robots/within.cpp
 MotionState within_arc(const Car& car, const MotionState& from, const MotionState& to, double time,
                        double duration);
@@ -58,8 +61,11 @@ inline bool has_own_half_planes(const Car& car) {
 /// 1/m, while it drives. Others expect a disc to move about as far as two steps at its axle's speed
 /// (keeps_reach() in src/certificate). So a disc ahead of the axle may sweep aside as fast as the
 /// car drives, and no car could stay on a sharper curve. Where the curvature has no bound, the
-/// sweep adds a quarter to its speed at most.
+/// sweep adds a quarter to its speed at most. Discs of a footprint have no such limit, because
+/// others expect them anywhere within the disc that covers them. Where the curvature has no bound,
+/// they sweep aside as fast as the car drives at most.
 inline double sharpest(const Car& car) {
+  if (car.footprint && !car.max_curvature) return 1.0 / farthest_center(car.footprint);
   const double offset = std::abs(offset_of(car));
   if (offset == 0.0) return car.max_curvature.value_or(std::numeric_limits<double>::infinity());
   return car.max_curvature ? std::min(*car.max_curvature, 1.0 / offset) : 0.25 / offset;

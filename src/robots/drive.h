@@ -18,6 +18,12 @@ void advance_drives(std::span<ModelStep* const> steps, double time_step);
 MotionState within_step(const DifferentialDrive& drive, const MotionState& from,
                         const MotionState& to, double time, double duration);
 
+/// src/robots/drive_heading.cpp; heading: unit. See robots/model.h.
+BrakingPose turn_while_braking(const DifferentialDrive& drive, Vec2 velocity, Vec2 heading,
+                               double way);
+BrakingPose turn_within(const DifferentialDrive& drive, const MotionState& from,
+                        const MotionState& to, double time_step);
+
 /// Returns whether the wheels keep their limits while q accelerates evenly to that velocity, at
 /// every instant of the step. They must also keep them if it then brakes straight at up to
 /// most_braking.

@@ -108,7 +108,8 @@ double Maneuvering::clear_length(const Pose& from, const Move& move, double most
   for (double length = 0.0; length < most;) {
     const double next = std::min(length + kSample * turning, most);
     const Pose there = after(from, move, next, turns);
-    if (!is_clear(there.axle + offset_of(car) * there.heading, nearness)) return length;
+    if (!is_clear(there.axle + offset_of(car) * there.heading, there.heading, nearness))
+      return length;
     length = next;
   }
   return most;
@@ -123,7 +124,7 @@ bool Maneuvering::is_clear_leg(const Pose& from, const Move& move, const ArcLeg&
   const Move ahead{move.gear, 0.0, planned};
   const Pose turned = after(from, move, leg.arc, turns);
   const Pose end = after(turned, ahead, straight, turns);
-  return is_clear(end.axle + offset_of(car) * end.heading, nearness) &&
+  return is_clear(end.axle + offset_of(car) * end.heading, end.heading, nearness) &&
          clear_length(from, move, leg.arc, nearness) >= leg.arc &&
          clear_length(turned, ahead, straight, nearness) >= straight;
 }

@@ -13,6 +13,7 @@
 #include "robots/airplane.h"
 #include "robots/car.h"
 #include "robots/drive.h"
+#include "robots/footprint.h"
 
 namespace avo {
 
@@ -35,6 +36,7 @@ double acceleration_limit(const MotionModel& model, double max_acceleration) {
 }
 
 double disc_radius(const MotionModel& model, double radius) {
+  if (const Footprint footprint = footprint_of(model)) return bounding_radius(footprint);
   if (const auto* drive = std::get_if<DifferentialDrive>(&model)) return radius + drive->offset;
   const Car* car = std::get_if<Car>(&model);
   return car != nullptr && car->body ? car->body->radius : radius;
@@ -106,6 +108,27 @@ void advance_together(std::span<ModelStep> steps, double time_step) {
   }
   if (drive_count > 0) advance_drives(std::span(drives).first(drive_count), time_step);
   if (car_count > 0) advance_cars(std::span(cars).first(car_count), time_step);
+}
+
+void advance_discs(const MotionModel& model, const MotionLimits& limits, const MotionState& state,
+                   const Plan& plan, double time_step, std::span<MotionStep> discs) {
+  if (const Car* car = std::get_if<Car>(&model))
+    return advance_discs(*car, limits, state, plan, time_step, discs);
+  const MotionStep step = advance(model, limits, state, plan, time_step);
+  std::fill(discs.begin(), discs.end(), step);
+}
+
+BrakingPose turn_while_braking(const MotionModel& model, Vec2 velocity, double heading,
+                               double way) {
+  const auto* drive = std::get_if<DifferentialDrive>(&model);
+  if (drive != nullptr) return turn_while_braking(*drive, velocity, ahead_of(heading), way);
+  return {ahead_of(heading), 0.0};
+}
+
+std::optional<BrakingPose> turn_within(const MotionModel& model, const MotionState& from,
+                                       const MotionState& to, double time_step) {
+  const auto* drive = std::get_if<DifferentialDrive>(&model);
+  return drive != nullptr ? std::optional(turn_within(*drive, from, to, time_step)) : std::nullopt;
 }
 
 MotionState within(const MotionModel& model, const MotionState& from, const MotionState& to,
@@ -206,12 +229,17 @@ double room_to_turn(const MotionModel& model, double max_speed) {
   return 2.0 * max_speed * max_speed / usable_acceleration(*airplane);
 }
 
+double way_radius(const MotionModel& model, double radius) {
+  const Footprint footprint = footprint_of(model);
+  return footprint ? footprint.radius : radius;
+}
+
 bool is_valid(const MotionModel& model, double most_change, double max_speed) {
   if (const auto* drive = std::get_if<DifferentialDrive>(&model)) {
     return kPositive.contains(drive->track) && kPositive.contains(drive->offset) &&
            kPositive.contains(drive->wheel_speed) &&
-           kPositive.contains(drive->wheel_acceleration) && max_speed <= drive->wheel_speed &&
-           most_change < most_acceleration(*drive);
+           kPositive.contains(drive->wheel_acceleration) && is_valid(drive->footprint) &&
+           max_speed <= drive->wheel_speed && most_change < most_acceleration(*drive);
   }
   if (const Airplane* airplane = std::get_if<Airplane>(&model))
     return kPositive.contains(airplane->min_speed) &&
@@ -220,7 +248,8 @@ bool is_valid(const MotionModel& model, double most_change, double max_speed) {
   if (car == nullptr) return true;
   const bool body = !car->body || (kAnyValue.contains(car->body->offset) &&
                                    kPositive.contains(car->body->radius));
-  return kPositive.contains(car->wheelbase) && body &&
+  const bool footprint = is_valid(car->footprint) && !(car->footprint && car->body);
+  return kPositive.contains(car->wheelbase) && body && footprint &&
          (!car->max_curvature || kPositive.contains(*car->max_curvature));
 }
 

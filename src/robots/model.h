@@ -70,6 +70,19 @@ inline constexpr std::size_t kMostModelSteps = 16;
 /// At most kMostModelSteps of them.
 void advance_together(std::span<ModelStep> steps, double time_step);
 
+/// The same step of each disc of the robot's footprint: state.position is that of the robot, and
+/// step.next.position is as far from it as the disc has moved. Of a drive it is the robot's own
+/// step alone, without the turn of its discs.
+void advance_discs(const MotionModel& model, const MotionLimits& limits, const MotionState& state,
+                   const Plan& plan, double time_step, std::span<MotionStep> discs);
+
+/// The heading while the robot brakes, on a way of that length, m.
+BrakingPose turn_while_braking(const MotionModel& model, Vec2 velocity, double heading, double way);
+/// The heading within a step, where the discs of a footprint may be anywhere within the spread.
+/// None for a robot whose discs advance_discs() has followed on their paths.
+std::optional<BrakingPose> turn_within(const MotionModel& model, const MotionState& from,
+                                       const MotionState& to, double time_step);
+
 /// The same robot within such a step, see within() in robots/motion.h.
 MotionState within(const MotionModel& model, const MotionState& from, const MotionState& to,
                    double time, double duration);
@@ -115,8 +128,8 @@ Vec2 turning_first(const Robot& robot, Vec2 v);
 
 /// How soon a maneuvering car comes to a place: by its present move, by a first new move, or later.
 enum class Nearness : std::uint8_t { begun, next, later };
-/// Returns whether the disc may be at a place.
-using ClearPlaces = std::function<bool(Vec2 place, Nearness nearness)>;
+/// Returns whether the disc, or the discs of a footprint, may be at a place in a heading (unit).
+using ClearPlaces = std::function<bool(Vec2 place, Vec2 heading, Nearness nearness)>;
 struct ManeuverMemory;  // robots/maneuver_memory.h
 /// m/s: the velocity beside obstacles, in place of steered().
 std::optional<Vec2> maneuver(const Robot& robot, const Approach& approach, bool is_beside,
@@ -142,6 +155,9 @@ std::optional<LoiterCircle> circle_of(const MotionModel& model, Vec2 position, V
 /// m: the additional distance from its center, beyond its disc and braking, that its fallback may
 /// need.
 double room_to_turn(const MotionModel& model, double max_speed);
+/// m: the radius with which it finds its ways, for a disc of the other radius: that of each disc of
+/// its footprint.
+double way_radius(const MotionModel& model, double radius);
 /// Returns whether every number is finite and in range, and the model allows these limits; the
 /// acceleration is change_limit().
 bool is_valid(const MotionModel& model, double most_change, double max_speed);

@@ -121,7 +121,8 @@ void change_robot(World& world, RobotId robot, const RobotSetup& setup) {
                                floor != world.floor_of(slot);
   Travel travel;
   if (world.has_ways() && moves_otherwise)
-    travel = world.ways[floor].plan(disc_radius(changed), fleet.position[slot], changed.goal,
+    travel = world.ways[floor].plan(way_radius(changed.model, disc_radius(changed)),
+                                    fleet.position[slot], changed.goal,
                                     arrival_distance_of(world.settings, changed));
   fleet.change(slot, changed, pace);
   kind.becomes(fleet.setup(slot));

@@ -69,13 +69,13 @@ StaticWorld beside(const World& world, std::vector<Wall> parked) {
 }
 
 void park(World& world, const RobotSetup& setup, RobotId robot) {
-  const Vec2 center = disc_center(setup);
-  const double radius = disc_radius(setup);
-  const StaticObstacle disc{{{{center}, false}}, radius, Fill::none};
+  const Wall own = parked_wall(setup);
+  const std::vector<Vec2> ends = own.a == own.b ? std::vector{own.a} : std::vector{own.a, own.b};
+  const StaticObstacle disc{{{ends, false}}, own.radius, Fill::none};
   check_newly_static(world, disc, name_of(robot));
   check_start(world, setup, robot);
   std::vector<Wall> parked = world.statics.parked;
-  parked.push_back({center, center, radius});
+  parked.push_back(own);
   StaticWorld statics = beside(world, std::move(parked));
   Routes routes = routes_among(world, statics);
   routes.travels.reserve(world.fleet.size() + 1);
@@ -92,7 +92,7 @@ void remove_parked(World& world, std::size_t slot) {
   std::vector<Wall> parked;
   for (const std::uint32_t other : fleet.slot_of) {
     if (fleet.conduct[other].parked && other != slot)
-      parked.push_back({fleet.position[other], fleet.position[other], fleet.traits[other].radius});
+      parked.push_back(parked_wall(fleet.setup(other)));
   }
   replace(world, beside(world, std::move(parked)));
 }
@@ -119,8 +119,8 @@ RobotId add_robot(World& world, const RobotSetup& setup) {
   check_newcomer(world, setup, robot);
   Travel travel;
   if (world.has_ways()) {
-    travel = world.ways[floor].plan(disc_radius(setup), disc_center(setup), setup.goal,
-                                    arrival_distance_of(world.settings, setup));
+    travel = world.ways[floor].plan(way_radius(setup.model, disc_radius(setup)), disc_center(setup),
+                                    setup.goal, arrival_distance_of(world.settings, setup));
     reserve_one(world.travels);
   }
   if (!world.floor.empty()) reserve_one(world.floor);
@@ -165,8 +165,8 @@ void set_goal(World& world, RobotId robot, Vec2 goal) {
   if (world.has_ways()) {
     put_in_place(world, slot);
     world.travels[static_cast<std::size_t>(world.fleet.rank[slot])] =
-        world.ways_of(slot).plan(world.fleet.traits[slot].radius, world.fleet.position[slot], goal,
-                                 world.arrival_distance(slot));
+        world.ways_of(slot).plan(world.fleet.traits[slot].way_radius, world.fleet.position[slot],
+                                 goal, world.arrival_distance(slot));
   }
   world.fleet.goal[slot] = goal;
   world.has_new_goals = true;
@@ -195,8 +195,8 @@ void move_robot(World& world, RobotId robot, Vec2 position) {
   const auto rank = static_cast<std::size_t>(fleet.rank[slot]);
   if (world.has_ways())
     world.travels[rank] =
-        world.ways_of(slot).plan(disc_radius(setup), disc_center(setup), setup.goal,
-                                 arrival_distance_of(world.settings, setup));
+        world.ways_of(slot).plan(way_radius(setup.model, disc_radius(setup)), disc_center(setup),
+                                 setup.goal, arrival_distance_of(world.settings, setup));
   note_late(world.bystanders, robot, disc_center(setup));  // there is room
   fleet.position[slot] = disc_center(setup);
   fleet.velocity[slot] = start_velocity(setup);

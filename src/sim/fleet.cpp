@@ -12,6 +12,8 @@
 #include "avo/error.h"
 #include "core/elementary.h"
 #include "core/hash.h"
+#include "robots/ahead.h"
+#include "robots/footprint.h"
 #include "robots/model.h"
 
 namespace avo::inline sim {
@@ -29,6 +31,7 @@ std::uint64_t hashed(std::uint64_t hash, Vec2 value) {
 
 RobotTraits traits_of(const RobotSetup& setup) {
   return {.radius = disc_radius(setup),
+          .way_radius = way_radius(setup.model, disc_radius(setup)),
           .max_speed = setup.max_speed,
           .max_acceleration = setup.max_acceleration,
           .max_braking = braking_limit(setup),
@@ -102,6 +105,7 @@ void Fleet::add(RobotId robot, const RobotSetup& setup, const OwnPace& own_pace)
   nearest[slot] = std::numeric_limits<float>::infinity();
   heading[slot] = traits[slot].has_model ? setup.heading : 0.0;
   if (!models.empty()) models[slot] = setup.model, own_radius[slot] = setup.radius;
+  has_footprints = has_footprints || has_footprint(setup.model);
   if (Flight* own = flight(slot)) *own = {*circle_of(setup.model, position[slot], velocity[slot])};
   slot_of.push_back(static_cast<std::uint32_t>(slot));
 }
@@ -139,8 +143,7 @@ void Fleet::remove(std::size_t slot) {
 std::vector<Wall> Fleet::parked_discs() const {
   std::vector<Wall> discs;
   for (const std::uint32_t slot : slot_of) {
-    if (conduct[slot].parked)
-      discs.push_back({position[slot], position[slot], traits[slot].radius});
+    if (conduct[slot].parked) discs.push_back(parked_wall(setup(slot)));
   }
   return discs;
 }
@@ -230,6 +233,20 @@ Neighbor sensed(const RobotTraits& traits, const Conduct& conduct, Expectation e
   if (decides) return neighbor;
   neighbor.max_speed = std::max(traits.max_speed, norm(velocity));
   return neighbor;
+}
+
+Wall parked_wall(const RobotSetup& setup) {
+  const Vec2 center = disc_center(setup);
+  const Footprint footprint = footprint_of(setup.model);
+  if (!footprint) return {center, center, disc_radius(setup)};
+  const Vec2 ahead = ahead_of(setup.heading);
+  return {center + footprint.first * ahead, center + footprint.ahead(footprint.discs - 1) * ahead,
+          footprint.radius};
+}
+
+void cover(const MotionModel& model, const BrakingPose& pose, Neighbor& neighbor) {
+  neighbor.footprint = footprint_of(model);
+  neighbor.ahead = pose.ahead, neighbor.spread = pose.spread;
 }
 
 Neighbor Fleet::sensed(std::size_t slot, Expectation expected) const {

@@ -58,6 +58,10 @@ inline std::optional<Expectation> expected_of(const Conduct& b, const Conduct& a
 /// A robot in the view of others with that expectation.
 Neighbor sensed(const RobotTraits& traits, const Conduct& conduct, Expectation expected,
                 Vec2 position, Vec2 velocity);
+/// Adds the footprint of a robot of that model to what others sense of it.
+void cover(const MotionModel& model, const BrakingPose& pose, Neighbor& neighbor);
+/// A parked robot as others know it: all discs of its footprint, and what is between them.
+Wall parked_wall(const RobotSetup& setup);
 /// m/s; for a robot with a heading it points along the heading, or against it.
 Vec2 start_velocity(const RobotSetup& setup);
 
@@ -115,6 +119,7 @@ struct Fleet {
   std::vector<std::uint32_t> slot_of;  // by rank
   std::vector<OwnClock> clock;         // by rank; empty where the clock is common
   bool has_clocks = false;
+  bool has_footprints = false;
   UsualMethod usual;                // of robots that have none of their own
   std::vector<OwnPace> pace;        // by rank; empty where all use the first one
   std::vector<MotionModel> models;  // by rank; empty where all are holonomic

@@ -5,6 +5,7 @@
 #include <functional>
 
 #include "core/plane.h"
+#include "robots/footprint.h"
 #include "sim/world.h"
 
 namespace avo::inline sim {
@@ -43,6 +44,11 @@ bool reaches_beyond(const World& world, std::size_t slot, double reach) {
   return own.reach > reach;
 }
 
+bool is_covered(const Fleet& fleet, std::size_t slot) {
+  return fleet.has_footprints && fleet.own_model(slot) != nullptr &&
+         has_footprint(*fleet.own_model(slot));
+}
+
 Outlier outlier_of(const World& world, std::size_t slot, double reach) {
   const Fleet& fleet = world.fleet;
   const Conduct& conduct = fleet.conduct[slot];
@@ -51,7 +57,8 @@ Outlier outlier_of(const World& world, std::size_t slot, double reach) {
   usual.priority = conduct.priority;
   return {.rank = fleet.rank[slot],
           .reaches_far = reaches_beyond(world, slot, reach),
-          .is_unlike = conduct.priority != Conduct{}.priority || max_braking_of(fleet.traits[slot]),
+          .is_unlike = conduct.priority != Conduct{}.priority ||
+                       max_braking_of(fleet.traits[slot]) || is_covered(fleet, slot),
           .stands_apart = conduct != usual || fleet.flight(slot) != nullptr};
 }
 

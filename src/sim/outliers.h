@@ -23,7 +23,7 @@ enum class Scrutiny : std::uint8_t {
 struct Outlier {
   int rank = 0;
   bool reaches_far = false;  // it matters to others from much farther away than most robots do
-  bool is_unlike = false;    // in priority or braking
+  bool is_unlike = false;    // in priority, braking or footprint
   // it is parked or loiters, or some robot does not avoid it, or it does not avoid some robot
   bool stands_apart = false;
 };

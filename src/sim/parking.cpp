@@ -54,9 +54,9 @@ Routes routes_with(const World& world, const StaticWorld& statics, std::size_t s
   if (routes.travels.empty()) return routes;
   routes.travels[rank] = {};
   if (!changed.parked)
-    routes.travels[rank] =
-        routes.ways[floor].plan(disc_radius(changed), world.fleet.position[slot], changed.goal,
-                                arrival_distance_of(world.settings, changed));
+    routes.travels[rank] = routes.ways[floor].plan(way_radius(changed.model, disc_radius(changed)),
+                                                   world.fleet.position[slot], changed.goal,
+                                                   arrival_distance_of(world.settings, changed));
   return routes;
 }
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <memory>
 
+#include "certificate/discs.h"
 #include "core/mutex.h"
 #include "planner/decision.h"
 #include "sim/simulation_state.h"
@@ -16,6 +17,18 @@ struct Perceived {
   double distance_squared = 0.0;  // m², to its sensed place
   int source = 0;                 // see Sighting
 };
+
+// Gives a robot its footprint, in the pose that it has now.
+void cover_now(const World& world, std::size_t slot, Neighbor& neighbor) {
+  const Fleet& fleet = world.fleet;
+  if (!fleet.has_footprints || fleet.own_model(slot) == nullptr) return;
+  const StepLaw law = certificate_law(world.certified_planner()).step;
+  const MotionModel& model = *fleet.own_model(slot);
+  cover(model,
+        braking_pose(model, fleet.velocity[slot], fleet.heading[slot],
+                     fleet.traits[slot].max_braking, law),
+        neighbor);
+}
 
 // Appends all robots and movers within the sensing radius of a robot, in their true states, by
 // testing all.
@@ -35,6 +48,7 @@ void append_all(const World& world, std::size_t slot, std::vector<Perceived>& ro
     const auto expected = fleet.expected(other, slot);
     if (other == slot || !expected) continue;
     Neighbor neighbor = fleet.sensed(other, *expected);
+    cover_now(world, other, neighbor);
     if (neighbor.position == position && neighbor.velocity == fleet.velocity[slot])
       neighbor.parting = parting_direction(fleet.id[slot].value, fleet.id[other].value);
     add(neighbor, static_cast<int>(rank), robots);
@@ -66,8 +80,11 @@ std::vector<Perceived> as_sensed(const World& world, std::size_t slot,
   std::vector<Sighting> sightings;
   look(world, present(static_cast<std::size_t>(fleet.rank[slot])), others, hits, sightings);
   std::vector<Perceived> result;
-  for (const Sighting& seen : sightings)
-    result.push_back({neighbor_of(world, seen), seen.distance_squared, seen.source});
+  for (const Sighting& seen : sightings) {
+    Neighbor neighbor = neighbor_of(world, seen);
+    if (seen.source >= 0) cover_now(world, seen.slot, neighbor);
+    result.push_back({neighbor, seen.distance_squared, seen.source});
+  }
   return result;
 }
 

@@ -116,6 +116,8 @@ std::optional<Neighbor> sensed_by(const World& world, std::size_t a, std::size_t
   const auto expected = fleet.expected(b, a);
   if (!expected) return std::nullopt;
   Neighbor neighbor = sensed(fleet.traits[b], fleet.conduct[b], *expected, position, velocity);
+  if (fleet.has_footprints && fleet.own_model(b) != nullptr)
+    cover(*fleet.own_model(b), world.snapshot.pose[b], neighbor);
   if (position == fleet.position[a] && velocity == fleet.velocity[a])
     neighbor.parting = parting_direction(fleet.id[a].value, fleet.id[b].value);
   return neighbor;

@@ -218,7 +218,8 @@ void look_at_mover(const Observer& observer, std::size_t k, std::vector<Sighting
 // alone.
 bool is_usual(const Fleet& fleet, std::size_t slot) {
   const RobotTraits& traits = fleet.traits[slot];
-  return !traits.exceeds && fleet.conduct[slot].priority == 1.0 && !max_braking_of(traits);
+  return !traits.exceeds && fleet.conduct[slot].priority == 1.0 && !max_braking_of(traits) &&
+         !(fleet.has_footprints && traits.has_model);
 }
 
 }  // namespace
@@ -251,7 +252,10 @@ void append(const World& world, const Sighting& seen, NeighborColumns& to) {
     to.add_usual(seen.position, seen.velocity, traits.radius, traits.max_acceleration);
     return;
   }
-  to.add(neighbor_of(world, seen));
+  Neighbor neighbor = neighbor_of(world, seen);
+  if (seen.source >= 0 && world.fleet.has_footprints && world.fleet.own_model(seen.slot) != nullptr)
+    cover(*world.fleet.own_model(seen.slot), world.snapshot.pose[seen.slot], neighbor);
+  to.add(neighbor);
 }
 
 // Uses the same numbers as look() and append().

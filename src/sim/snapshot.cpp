@@ -5,6 +5,9 @@
 #include <cmath>
 #include <numbers>
 
+#include "certificate/discs.h"
+#include "robots/footprint.h"
+
 namespace avo::inline sim {
 namespace {
 
@@ -29,7 +32,22 @@ void lay_out(const Fleet& fleet, double radius, double near, std::size_t most, S
   snapshot.cells = make_cells(fleet.position, side);
 }
 
-void prepare(const Fleet& fleet, Snapshot& snapshot) {
+namespace {
+
+void take_poses(const Fleet& fleet, const StepLaw& law, std::vector<BrakingPose>& poses) {
+  poses.assign(fleet.has_footprints ? fleet.size() : 0, {});
+  for (std::size_t slot = 0; slot < poses.size(); ++slot) {
+    const MotionModel* model = fleet.own_model(slot);
+    if (model == nullptr || !has_footprint(*model)) continue;
+    poses[slot] = braking_pose(*model, fleet.velocity[slot], fleet.heading[slot],
+                               fleet.traits[slot].max_braking, law);
+  }
+}
+
+}  // namespace
+
+void prepare(const Fleet& fleet, const StepLaw& law, Snapshot& snapshot) {
+  take_poses(fleet, law, snapshot.pose);
   snapshot.grid.prepare(snapshot.cells, fleet.size());
   snapshot.sensed.resize(fleet.size());
   snapshot.circle.resize(fleet.flights.empty() ? 0 : fleet.size());

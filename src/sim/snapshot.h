@@ -26,13 +26,14 @@ struct Snapshot {
   std::vector<Sensed> sensed;
   std::vector<LoiterCircle> circle;  // with radius 0 for robots that brake; empty where all do
   std::uint64_t crowding = 0;        // see SortedPart
+  std::vector<BrakingPose> pose;     // by slot; empty where no robot has a footprint
 };
 
 /// Chooses the size of the cells: the width of a search, or half of that in crowds. radius: m, of
 /// sensing; near: m, typical of relevant_range(); most: neighbors found farther away.
 void lay_out(const Fleet& fleet, double radius, double near, std::size_t most, Snapshot& snapshot);
 
-void prepare(const Fleet& fleet, Snapshot& snapshot);
+void prepare(const Fleet& fleet, const StepLaw& law, Snapshot& snapshot);
 /// Parts may be taken at the same time, after prepare(). Returns the part's crowding.
 std::uint64_t take(const Fleet& fleet, std::size_t part, std::size_t parts, Snapshot& snapshot);
 

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <utility>
+#include <vector>
 
 #include "robots/model.h"
 #include "sim/clocks.h"
@@ -44,7 +46,7 @@ void lay_out(World& world, Executor& executor) {
 
 void take_snapshot(World& world, Executor& executor) {
   const std::size_t parts = executor.workers();
-  prepare(world.fleet, world.snapshot);
+  prepare(world.fleet, certificate_law(world.certified_planner()).step, world.snapshot);
   parallel_for(executor, parts, [&](std::size_t part, std::size_t worker) {
     StageClock& clock = world.workers[worker].clock;
     clock.start();
@@ -55,6 +57,14 @@ void take_snapshot(World& world, Executor& executor) {
   for (std::size_t part = 0; part < parts; ++part) {
     world.snapshot.crowding += world.workers[part].crowding;
   }
+}
+
+// Brings the poses into the order of the cells, as Fleet::reorder() does with the robots.
+void reorder_poses(Snapshot& snapshot) {
+  if (snapshot.pose.empty()) return;
+  std::vector<BrakingPose> sorted;
+  for (const std::uint32_t slot : snapshot.grid.order()) sorted.push_back(snapshot.pose[slot]);
+  snapshot.pose = std::move(sorted);
 }
 
 void index(World& world, Executor& executor) {
@@ -81,6 +91,7 @@ void index(World& world, Executor& executor) {
   clock.start();
   if (world.has_passages()) collect_claims(world, executor, world.claims);
   if (due && world.fleet.size() >= kFewestOrdered) {
+    reorder_poses(world.snapshot);
     world.fleet.reorder(world.snapshot.grid.order(), executor, world.torn);
     world.snapshot.grid.forget_order();
   }

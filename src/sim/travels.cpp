@@ -24,7 +24,7 @@ std::vector<Travel> plan_travels(std::span<Ways> ways, const Fleet& fleet,
     travels.push_back(
         fleet.conduct[slot].parked
             ? Travel{}
-            : plan_anew(ways[floor.empty() ? 0 : floor[rank]], fleet.traits[slot].radius,
+            : plan_anew(ways[floor.empty() ? 0 : floor[rank]], fleet.traits[slot].way_radius,
                         fleet.position[slot], fleet.goal[slot],
                         fleet.own_arrival_distance(slot).value_or(arrival_distance), known));
   }

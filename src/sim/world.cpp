@@ -86,7 +86,7 @@ void find_passages(World& world, std::size_t floor) {
   std::vector<double> radii;
   for (std::size_t slot = 0; slot < world.fleet.size(); ++slot) {
     if (!world.fleet.conduct[slot].parked && world.floor_of(slot) == floor)
-      radii.push_back(world.fleet.traits[slot].radius);
+      radii.push_back(world.fleet.traits[slot].way_radius);
   }
   std::sort(radii.begin(), radii.end());
   radii.erase(std::unique(radii.begin(), radii.end()), radii.end());

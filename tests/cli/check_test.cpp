@@ -107,6 +107,35 @@ TEST(Check, recordings_of_cars_without_headings_are_judged_by_their_velocities) 
                              "its velocity is of, is ahead of its position\n");
 }
 
+// Two trucks pass each other in a lane that is narrower than the disc that covers one of them.
+TEST(Check, judges_each_disc_of_a_footprint) {
+  const auto scene = [](const std::string& footprint) {
+    const std::string path = path_of("trucks.yaml");
+    const std::string own = ", car: {wheelbase: 3.5, max_curvature: 0.2}, footprint: " + footprint;
+    write_file(path,
+               "version: 1\nname: trucks\nduration: 30\nrobots:\n"
+               "  - {position: [-15, -1.6], goal: [15, -1.6]" +
+                   own +
+                   "}\n"
+                   "  - {position: [15, 1.6], goal: [-15, 1.6], heading: 3.141592653589793" +
+                   own +
+                   "}\nobstacles:\n  - {polyline: [[-25, -3.4], [25, -3.4]]}\n"
+                   "  - {polyline: [[-25, 3.4], [25, 3.4]]}\n");
+    return path;
+  };
+  const Recorded trucks = record({scene("{length: 6, width: 2, offset: 1.75}")});
+  EXPECT_EQ(trucks.summary["arrived"], 2);
+  EXPECT_EQ(trucks.summary["collision_pairs"], 0);
+  const ProcessResult result =
+      run_avo({"check", trucks.csv, "--scene", path_of("trucks.yaml"), "--require-arrival"});
+  EXPECT_EQ(result.exit_code, 0) << result.out << result.err;
+  const Json wider = Json::parse(run_avo({"check", trucks.csv, "--json", "--scene",
+                                          scene("{length: 6, width: 4, offset: 1.75}")})
+                                     .out);
+  EXPECT_EQ(wider["overlaps"]["count"], 1) << "as wide as the lane: " << wider;
+  EXPECT_EQ(wider["static_contacts"]["count"], 2);
+}
+
 // 40 of them on 30 m x 30 m; bodies ahead, behind and about the axle.
 TEST(Check, cars_of_all_settings_keep_their_limits) {
   const std::string settings[] = {

@@ -174,6 +174,32 @@ def test_a_drive_without_offset_takes_one_that_fits_its_robot():
         avo.DifferentialDrive(offset=0)
 
 
+def test_footprints_cover_bodies():
+    truck = avo.Footprint.rectangle(6, 2, offset=1.75)
+    assert (truck.discs, truck.first, truck.spacing) == (3, -0.25, 2) and truck.radius == pytest.approx(2**0.5)
+    corners = [(-1.25, -1), (4.75, -1), (4.75, 1), (-1.25, 1)]
+    assert avo.Footprint.polygon(corners).radius == pytest.approx(truck.radius)
+    assert avo.Car().footprint is None and avo.Car(footprint=truck).footprint == truck
+    with pytest.raises(avo.Error, match="excess: found 0.25 m, must be >= 0.8 m"):
+        avo.Footprint.rectangle(12, 1)
+
+
+def test_others_know_footprints_by_their_poses():
+    truck = avo.Footprint.rectangle(6, 2, offset=1.75)
+    car = avo.Car(wheelbase=3.5, max_curvature=0.2, footprint=truck)
+    robot = avo.Robot(position=(0, 0), velocity=(1, 0), radius=5.2, preferred_velocity=(2, 0), model=car)
+    planner = avo.Planner()
+    assert planner.braking_pose(robot) == ((1, 0), 0)
+    # 2 m beside it, within the disc that covers it
+    other = avo.Neighbor(position=(1, 2.5), radius=0.5)
+    assert planner.plan(robot, [other]).status != "overlapping"
+    other.position = (1, 1.5)
+    plan = planner.plan(robot, [other])
+    assert plan.status == "overlapping" and plan.depth == pytest.approx(0.5 + 2**0.5 - (0.75**2 + 1.5**2) ** 0.5, rel=0.2)
+    robot.radius = 5
+    assert planner.plan(robot, [other]).status == "invalid_input"
+
+
 def test_values_can_be_pickled():
     circle = avo.LoiterCircle(center=(1, 2), radius=3)
     values = [
@@ -184,7 +210,10 @@ def test_values_can_be_pickled():
         avo.RobotSetup(position=(1, 2), goal=(3, 4), layers=[2, 31], time_step=0.2, behavior="cooperates",
                        arrival_distance=0.2, heading=1, model=avo.Car(wheelbase=2)), avo.Wall((1, 2), (3, 4), radius=5),
         avo.StaticObstacle([avo.Chain([(1, 2), (3, 4)], closed=True)], fill="solid", layers=[1, 31]), avo.Detour(),
-        avo.Scenario("person").moving_obstacles[0], circle]
+        avo.Scenario("person").moving_obstacles[0], circle, avo.Footprint.rectangle(6, 2, offset=1),
+        avo.Car(footprint=avo.Footprint(discs=2, radius=1, spacing=1.5)),
+        avo.DifferentialDrive(offset=0.3, footprint=avo.Footprint.rectangle(2, 1)),
+        avo.Neighbor(position=(1, 2), footprint=avo.Footprint(discs=2, radius=1), ahead=(0, 1), spread=0.1)]
     for value in values:
         again = pickle.loads(pickle.dumps(value))
         names = [name for name in dir(value) if not name.startswith("_")]

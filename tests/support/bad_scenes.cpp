@@ -269,6 +269,33 @@ const std::vector<BadScene>& bad_scenes() {
        "3:45: robots.0.model: found \"cart\", must be one of holonomic, car, differential_drive, "
        "airplane; did you mean "
        "\"car\"?"},
+      {"footprint_of_a_holonomic_robot",
+       s("version: 1\nrobots:\n  - {position: [0, 0], goal: [1, 0], footprint: {length: 3, width: "
+         "1}}\n"),
+       "3:49: robots.0.footprint: found a footprint, must be left out: its model is holonomic, not "
+       "car or differential_drive"},
+      {"footprint_of_an_airplane",
+       s("version: 1\nrobots:\n  - {position: [0, 0], goal: [1, 0], airplane: {}, footprint: "
+         "{length: 3, width: 1}}\n"),
+       "3:63: robots.0.footprint: found a footprint, must be left out: its model is airplane, not "
+       "car or differential_drive"},
+      {"footprint_too_long",
+       s("version: 1\nrobots:\n  - {position: [0, 0], goal: [1, 0], car: {}, footprint: {length: "
+         "12, width: 1}}\n"),
+       "3:58: robots.0.footprint.excess: found 0.25 m, must be >= 0.8 m: so far do 5 discs exceed "
+       "the sides"},
+      {"footprint_without_width",
+       s("version: 1\nrobots:\n  - {position: [0, 0], goal: [1, 0], car: {}, footprint: {length: "
+         "12}}\n"),
+       "3:58: robots.0.footprint: found a map, must have length and width, or a polygon alone"},
+      {"footprint_beside_a_body",
+       s("version: 1\nrobots:\n  - {position: [0, 0], goal: [1, 0], car: {body: {radius: 1}}, "
+         "footprint: {length: 3, width: 1}}\n"),
+       "robots.0.car.body: found one, must be left out: it has a footprint"},
+      {"footprint_with_free_clocks",
+       s("version: 1\nclock: free\nrobots:\n  - {position: [0, 0], goal: [1, 0], car: {}, "
+         "footprint: {length: 3, width: 1}}\n"),
+       "clock: found free, must be common with footprints: robots.0.footprint is one"},
       {"body_unknown_key",
        s("version: 1\nrobots:\n  - {position: [0, 0], goal: [1, 0], car: {body: {ofset: 1}}}\n"),
        "3:51: robots.0.car.body: found the unknown key \"ofset\", allowed are offset, radius; did "

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <fmt/format.h>
 
+#include "avo/discs.h"
 #include "avo/wall.h"
 #include "figures/picture.h"
 #include "figures/time_lapse.h"
@@ -33,9 +34,10 @@ std::uint16_t coordinate(double value, double low, double size) {
       std::lround(65534.0 * std::clamp((value - low) / size, 0.0, 1.0)));
 }
 
-avo::Vec2 center_of(const avo::RobotSetup& robot, const avo_io::RecordedFrame& frame,
-                    std::size_t i) {
-  return disc_center(robot.model, frame.position[i], frame.heading[i]);
+/// Returns the discs of robot i.
+std::vector<avo::Disc> discs_of(const avo::Scenario& scenario, const avo_io::RecordedFrame& frame,
+                                std::size_t i) {
+  return discs_at(scenario.robots[i], frame.position[i], frame.heading[i]);
 }
 
 /// Returns the box of everything that is visible at any time.
@@ -47,7 +49,7 @@ figures::Box world_of(const avo_io::RecordedRun& run) {
   };
   for (const avo_io::RecordedFrame& frame : run.frames) {
     for (std::size_t i = 0; i < scenario.robots.size(); ++i)
-      add(center_of(scenario.robots[i], frame, i), disc_radius(scenario.robots[i]));
+      for (const avo::Disc& disc : discs_of(scenario, frame, i)) add(disc.center, disc.radius);
     for (std::size_t k = 0; k < scenario.moving_obstacles.size(); ++k)
       add(frame.obstacle_position[k], scenario.moving_obstacles[k].radius);
   }
@@ -83,8 +85,9 @@ std::string drawing_of(const avo_io::RecordedRun& run) {
                          word_of(colors[i]));
   svg += "</g>\n<g id=\"bodies\" fill-opacity=\"0.85\">\n";
   for (std::size_t i = 0; i < scenario.robots.size(); ++i)
-    svg += fmt::format("<circle r=\"{:.6g}\" fill=\"{}\"><title>robot {}</title></circle>\n",
-                       disc_radius(scenario.robots[i]), word_of(colors[i]), i);
+    for (const avo::Disc& disc : discs_at(scenario.robots[i], {}, 0.0))
+      svg += fmt::format("<circle r=\"{:.6g}\" fill=\"{}\"><title>robot {}</title></circle>\n",
+                         disc.radius, word_of(colors[i]), i);
   for (std::size_t i = 0; i < scenario.moving_obstacles.size(); ++i)
     svg += fmt::format(
         "<circle r=\"{:.6g}\" fill=\"#555\"><title>moving obstacle {}</title></circle>\n",
@@ -105,7 +108,7 @@ std::string data_of(const avo_io::RecordedRun& run) {
   for (const avo_io::RecordedFrame& frame : run.frames) {
     times.push_back(frame.time);
     for (std::size_t i = 0; i < scenario.robots.size(); ++i)
-      add(center_of(scenario.robots[i], frame, i), frame.there[i]);
+      for (const avo::Disc& disc : discs_of(scenario, frame, i)) add(disc.center, frame.there[i]);
     for (const avo::Vec2 at : frame.obstacle_position) add(at, true);
   }
   const std::string bytes(reinterpret_cast<const char*>(positions.data()),

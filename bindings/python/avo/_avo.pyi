@@ -60,6 +60,25 @@ class CarBody:
     @property
     def radius(self) -> float: ...
 
+class Footprint:
+    def __init__(
+        self, *, discs: _Int, radius: _Float, first: _Float = 0.0, spacing: _Float = 0.0
+    ) -> None: ...
+    @staticmethod
+    def rectangle(
+        length: _Float, width: _Float, *, offset: _Float = 0.0, excess: _Float | None = None
+    ) -> Footprint: ...
+    @staticmethod
+    def polygon(corners: Sequence[_Pair], *, excess: _Float | None = None) -> Footprint: ...
+    @property
+    def discs(self) -> int: ...
+    @property
+    def radius(self) -> float: ...
+    @property
+    def first(self) -> float: ...
+    @property
+    def spacing(self) -> float: ...
+
 class Car:
     def __init__(
         self,
@@ -69,6 +88,7 @@ class Car:
         body: CarBody | None = None,
         reverse: bool = False,
         acceleration_set: Literal["incircle", "exact"] = "incircle",
+        footprint: Footprint | None = None,
     ) -> None: ...
     @property
     def wheelbase(self) -> float: ...
@@ -80,6 +100,8 @@ class Car:
     def reverse(self) -> bool: ...
     @property
     def acceleration_set(self) -> Literal["incircle", "exact"]: ...
+    @property
+    def footprint(self) -> Footprint | None: ...
 
 class DifferentialDrive:
     def __init__(
@@ -89,6 +111,7 @@ class DifferentialDrive:
         offset: _Float | None = None,
         wheel_speed: _Float = 2.0,
         wheel_acceleration: _Float = 3.0,
+        footprint: Footprint | None = None,
     ) -> None: ...
     @property
     def track(self) -> float: ...
@@ -98,6 +121,8 @@ class DifferentialDrive:
     def wheel_speed(self) -> float: ...
     @property
     def wheel_acceleration(self) -> float: ...
+    @property
+    def footprint(self) -> Footprint | None: ...
 
 class Airplane:
     def __init__(
@@ -267,6 +292,9 @@ class Neighbor:
     parting: _Point
     trajectory: Trajectory | None
     trajectory_time: _Number
+    footprint: Footprint | None
+    ahead: _Point
+    spread: _Number
     def __init__(
         self,
         *,
@@ -287,6 +315,9 @@ class Neighbor:
         parting: _Pair = (0.0, 0.0),
         trajectory: Trajectory | None = None,
         trajectory_time: _Float = 0.0,
+        footprint: Footprint | None = None,
+        ahead: _Pair = (0.0, 0.0),
+        spread: _Float = 0.0,
     ) -> None: ...
 
 class Detour:
@@ -428,6 +459,7 @@ class Planner:
         walls: Sequence[Wall] = (),
         detour: Detours | None = None,
     ) -> Plans: ...
+    def braking_pose(self, robot: Robot) -> tuple[tuple[float, float], float]: ...
     def plan_among_obstacles(self, robot: Robot, obstacles: Sequence[Neighbor]) -> Plan: ...
     def state(self, robot: Robot, neighbors: Sequence[Neighbor] = (), walls: Sequence[Wall] = ()) -> SafetyReport: ...
     def evasion(

@@ -16,7 +16,8 @@ using Whole = py::array_t<std::int64_t, py::array::c_style | py::array::forcecas
 
 /// Throws Error for any other field: one that only a single robot has, or one that does not exist.
 void refuse_fields(const py::kwargs& others, const std::vector<std::string_view>& known) {
-  constexpr std::string_view kOfOne[] = {"model", "heading", "loiter", "trajectory"};
+  constexpr std::string_view kOfOne[] = {"model",     "heading", "loiter", "trajectory",
+                                         "footprint", "ahead",   "spread"};
   for (const auto& [key, value] : others) {
     const auto field = key.cast<std::string>();
     if (std::find(std::begin(kOfOne), std::end(kOfOne), field) == std::end(kOfOne))

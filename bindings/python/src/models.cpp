@@ -12,6 +12,52 @@ using py::arg;
 
 constexpr double kNoOffset = 0.0;  // for a differential drive whose offset has not been chosen yet
 
+std::optional<avo::Footprint> if_any(const avo::Footprint& footprint) {
+  return footprint ? std::optional(footprint) : std::nullopt;
+}
+
+double excess_of(std::optional<double> excess, double width) {
+  return excess.value_or(avo::kUsualExcess * width);
+}
+
+void bind_footprints(py::module_& module) {
+  using avo::Footprint;
+  py::class_<Footprint>(module, "Footprint",
+                        "Up to five discs of one radius in a row along the heading, which cover a "
+                        "body that is no disc.")
+      .def(py::init([](int discs, double radius, double first, double spacing) {
+             return Footprint{discs, radius, first, spacing};
+           }),
+           py::kw_only(), arg("discs"), arg("radius"), arg("first") = 0.0, arg("spacing") = 0.0,
+           "discs: 1 to 5; radius: m, > 0, of each; first: m, from the position forward to the "
+           "rearmost center; spacing: m, >= 0, from one center to the next.")
+      .def_static(
+          "rectangle",
+          [](double length, double width, double offset, std::optional<double> excess) {
+            return avo::cover_rectangle(length, width, offset, excess_of(excess, width));
+          },
+          arg("length"), arg("width"), py::kw_only(), arg("offset") = 0.0,
+          arg("excess") = py::none(),
+          "The fewest discs that cover a rectangle and exceed its sides by at most excess, m; "
+          "None: "
+          "a quarter of its width. offset: m, from the position forward to its center.")
+      .def_static(
+          "polygon",
+          [](const std::vector<avo::Vec2>& corners, std::optional<double> excess) {
+            double side = 0.0;
+            for (const avo::Vec2 corner : corners) side = std::max(side, std::abs(corner.y));
+            return avo::cover_polygon(corners, excess_of(excess, 2.0 * side));
+          },
+          arg("corners"), py::kw_only(), arg("excess") = py::none(),
+          "The same for a polygon, by its corners (x, y), m: x along the heading, y to its left.")
+      .def(pickled<Footprint>())
+      .def(py::self == py::self)
+      .def_readonly("discs", &Footprint::discs, "1 to 5")
+      .def_readonly("radius", &Footprint::radius, "m, > 0, of each disc")
+      .def_readonly("first", &Footprint::first, "m, forward to the rearmost center")
+      .def_readonly("spacing", &Footprint::spacing, "m, >= 0, from one center to the next");
+}
+
 void bind_cars(py::module_& module) {
   py::class_<avo::CarBody>(module, "CarBody", "The disc that covers a car's body.")
       .def(py::init([](double offset, double radius) {
@@ -26,13 +72,17 @@ void bind_cars(py::module_& module) {
       .def_readonly("radius", &avo::CarBody::radius, "m, > 0");
   py::class_<avo::Car>(module, "Car", "Car-like: its position is the center of its rear axle.")
       .def(py::init([](double wheelbase, std::optional<double> max_curvature,
-                       std::optional<avo::CarBody> body, bool reverse, avo::AccelerationSet set) {
-             return avo::Car{wheelbase, max_curvature, body, reverse, set};
+                       std::optional<avo::CarBody> body, bool reverse, avo::AccelerationSet set,
+                       std::optional<avo::Footprint> footprint) {
+             return avo::Car{wheelbase, max_curvature, body,
+                             reverse,   set,           footprint.value_or(avo::Footprint{})};
            }),
            py::kw_only(), arg("wheelbase") = 1.0, arg("max_curvature") = py::none(),
            arg("body") = py::none(), arg("reverse") = false, arg("acceleration_set") = "incircle",
+           arg("footprint") = py::none(),
            "wheelbase: m, > 0; max_curvature: 1/m, > 0, None: unbounded; body: None: a disc about "
-           "the axle; acceleration_set: \"incircle\" or \"exact\".")
+           "the axle; acceleration_set: \"incircle\" or \"exact\"; footprint: from the rear axle, "
+           "instead of a body.")
       .def(pickled<avo::Car>())
       .def(py::self == py::self)
       .def_readonly("wheelbase", &avo::Car::wheelbase, "[d] m, > 0")
@@ -40,21 +90,26 @@ void bind_cars(py::module_& module) {
                     "[kappa_max] 1/m, > 0; None: unbounded")
       .def_readonly("body", &avo::Car::body, "CarBody; None: about the axle")
       .def_readonly("reverse", &avo::Car::reverse, "whether it may drive backwards")
-      .def_readonly("acceleration_set", &avo::Car::acceleration_set, "\"incircle\" or \"exact\"");
+      .def_readonly("acceleration_set", &avo::Car::acceleration_set, "\"incircle\" or \"exact\"")
+      .def_property_readonly(
+          "footprint", [](const avo::Car& car) { return if_any(car.footprint); },
+          "Footprint from the rear axle; None: one disc");
 }
 
 void bind_drives(py::module_& module) {
   using Drive = avo::DifferentialDrive;
   py::class_<Drive>(module, "DifferentialDrive", "Two wheels on one axle, each driven by itself.")
-      .def(py::init(
-               [](double track, std::optional<double> offset, double speed, double acceleration) {
-                 if (offset == 0.0) throw avo::Error("offset: found 0, must be > 0 m, or None");
-                 return Drive{track, offset.value_or(kNoOffset), speed, acceleration};
-               }),
+      .def(py::init([](double track, std::optional<double> offset, double speed,
+                       double acceleration, std::optional<avo::Footprint> footprint) {
+             if (offset == 0.0) throw avo::Error("offset: found 0, must be > 0 m, or None");
+             return Drive{track, offset.value_or(kNoOffset), speed, acceleration,
+                          footprint.value_or(avo::Footprint{})};
+           }),
            py::kw_only(), arg("track") = 0.4, arg("offset") = py::none(), arg("wheel_speed") = 2.0,
-           arg("wheel_acceleration") = 3.0,
+           arg("wheel_acceleration") = 3.0, arg("footprint") = py::none(),
            "track: m, > 0; offset: m, > 0, None: a RobotSetup takes usual_offset() of its radius "
-           "and the track; wheel_speed: m/s, > 0; wheel_acceleration: m/s^2, > 0.")
+           "and the track; wheel_speed: m/s, > 0; wheel_acceleration: m/s^2, > 0; footprint: from "
+           "the middle of the axle.")
       .def(pickled<Drive>())
       .def(py::self == py::self)
       .def_readonly("track", &Drive::track, "[b] m, > 0, between the wheels")
@@ -67,7 +122,10 @@ void bind_drives(py::module_& module) {
       .def_readonly("wheel_speed", &Drive::wheel_speed,
                     "[w_max] m/s, > 0, of each wheel on the ground")
       .def_readonly("wheel_acceleration", &Drive::wheel_acceleration,
-                    "[alpha_w] m/s^2, > 0, likewise");
+                    "[alpha_w] m/s^2, > 0, likewise")
+      .def_property_readonly(
+          "footprint", [](const Drive& drive) { return if_any(drive.footprint); },
+          "Footprint from the middle of the axle; None: one disc");
   module.def("usual_offset", &avo::usual_offset, arg("radius"), arg("track"),
              "[L] m: half of the smaller one of both, m: the offset of a drive that names none.");
 }
@@ -107,6 +165,7 @@ void bind_motion_models(py::module_& module) {
       .def(py::pickle([](const avo::Holonomic&) { return py::tuple(); },
                       [](const py::tuple&) { return avo::Holonomic{}; }))
       .def("__repr__", [](const avo::Holonomic&) { return "Holonomic()"; });
+  bind_footprints(module);
   bind_cars(module);
   bind_drives(module);
   bind_airplanes(module);

@@ -20,9 +20,11 @@ inline constexpr int kFields = 0;
 template <>
 inline constexpr int kFields<avo::CarBody> = 2;
 template <>
-inline constexpr int kFields<avo::Car> = 5;
+inline constexpr int kFields<avo::Footprint> = 4;
 template <>
-inline constexpr int kFields<avo::DifferentialDrive> = 4;
+inline constexpr int kFields<avo::Car> = 6;
+template <>
+inline constexpr int kFields<avo::DifferentialDrive> = 5;
 template <>
 inline constexpr int kFields<avo::Airplane> = 3;
 template <>

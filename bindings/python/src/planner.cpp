@@ -211,6 +211,14 @@ void bind_planner(py::module_& module) {
            "One decision of a Robot. neighbors: Neighbors, in any order; walls: Walls near the "
            "robot; detour: what it remembers, updated, None: nothing. Bad numbers are the status "
            "\"invalid_input\".")
+      .def(
+          "braking_pose",
+          [](const Planner& self, const avo::Robot& robot) {
+            const avo::BrakingPose pose = self.braking_pose(robot);
+            return std::pair(pose.ahead, pose.spread);
+          },
+          arg("robot"),
+          "(ahead, spread) of a Robot with a footprint: what others have to know, see Neighbor.")
       .def("plan_among_obstacles", &plan_among_obstacles, arg("robot"), arg("obstacles"),
            "One robot among movers that do not react (paper III-C).")
       .def("evasion", &evasion, arg("robot"), arg("neighbors") = py::tuple(),

@@ -108,10 +108,16 @@ void bind_trajectory(py::module_& module) {
 // The trajectory lives as long as the neighbor. The attributes of the neighbor are copied.
 py::tuple reduced(const py::object& neighbor) {
   py::dict fields;
-  for (const char* name :
-       {"position", "velocity", "radius", "max_acceleration", "behavior", "age", "priority",
-        "max_braking", "loiter", "max_deviation", "position_error", "acceleration", "max_speed",
-        "likely_deviation", "parting", "trajectory", "trajectory_time"})
+  for (const char* name : {"position",        "velocity",
+                           "radius",          "max_acceleration",
+                           "behavior",        "age",
+                           "priority",        "max_braking",
+                           "loiter",          "max_deviation",
+                           "position_error",  "acceleration",
+                           "max_speed",       "likely_deviation",
+                           "parting",         "trajectory",
+                           "trajectory_time", "footprint",
+                           "ahead",           "spread"})
     fields[name] = neighbor.attr(name);
   const py::object make = py::module_::import("functools").attr("partial");
   return py::make_tuple(make(py::type::of<avo::Neighbor>(), **fields), py::tuple());
@@ -126,13 +132,18 @@ void bind_neighbor(py::module_& module) {
                        std::optional<double> max_braking, std::optional<avo::LoiterCircle> loiter,
                        double max_deviation, double position_error, avo::Vec2 acceleration,
                        double max_speed, double likely_deviation, avo::Vec2 parting,
-                       const avo::Trajectory* trajectory, double trajectory_time) {
-             return Neighbor{position,         velocity,         radius,
-                             max_acceleration, behavior,         age,
-                             priority,         max_braking,      loiter,
-                             max_deviation,    position_error,   acceleration,
-                             max_speed,        likely_deviation, parting,
-                             trajectory,       trajectory_time};
+                       const avo::Trajectory* trajectory, double trajectory_time,
+                       std::optional<avo::Footprint> footprint, avo::Vec2 ahead, double spread) {
+             return Neighbor{position,        velocity,
+                             radius,          max_acceleration,
+                             behavior,        age,
+                             priority,        max_braking,
+                             loiter,          max_deviation,
+                             position_error,  acceleration,
+                             max_speed,       likely_deviation,
+                             parting,         trajectory,
+                             trajectory_time, footprint.value_or(avo::Footprint{}),
+                             ahead,           spread};
            }),
            py::keep_alive<1, 17>(), py::kw_only(), arg("position"),
            arg("velocity") = py::make_tuple(0.0, 0.0), arg("radius") = 0.5,
@@ -142,6 +153,8 @@ void bind_neighbor(py::module_& module) {
            arg("acceleration") = py::make_tuple(0.0, 0.0), arg("max_speed") = kInfinity,
            arg("likely_deviation") = 0.0, arg("parting") = py::make_tuple(0.0, 0.0),
            arg("trajectory") = py::none(), arg("trajectory_time") = 0.0,
+           arg("footprint") = py::none(), arg("ahead") = py::make_tuple(0.0, 0.0),
+           arg("spread") = 0.0,
            "position: (x, y), m; velocity: m/s; radius: m, > 0; max_acceleration: m/s^2, > 0; "
            "behavior: \"decides\", \"moves_on\" or \"cooperates\"; age: steps since it was sensed; "
            "priority: > 0; "
@@ -149,7 +162,8 @@ void bind_neighbor(py::module_& module) {
            "m/s^2, and max_speed: m/s, of one that moves on; likely_deviation: m/s^2, >= 0, that "
            "ways "
            "out reckon with; parting: see parting_direction(); "
-           "trajectory: Trajectory of one that moves on, None: unknown; trajectory_time: s, now.")
+           "trajectory: Trajectory of one that moves on, None: unknown; trajectory_time: s, now; "
+           "footprint: from its position; ahead, spread: see Planner.braking_pose().")
       .def_readwrite("position", &Neighbor::position, "[p_B] (x, y), m")
       .def_readwrite("velocity", &Neighbor::velocity, "[v_B] (x, y), m/s")
       .def_readwrite("radius", &Neighbor::radius, "[r_B] m, > 0")
@@ -184,7 +198,19 @@ void bind_neighbor(py::module_& module) {
               py::keep_alive<1, 2>()),
           "Trajectory of one that moves on: where it will be; None: unknown")
       .def_readwrite("trajectory_time", &Neighbor::trajectory_time,
-                     "s: now, as the trajectory tells the time");
+                     "s: now, as the trajectory tells the time")
+      .def_property(
+          "footprint",
+          [](const Neighbor& neighbor) {
+            return neighbor.footprint ? std::optional(neighbor.footprint) : std::nullopt;
+          },
+          [](Neighbor& neighbor, std::optional<avo::Footprint> footprint) {
+            neighbor.footprint = footprint.value_or(avo::Footprint{});
+          },
+          "Footprint from its position; None: one disc")
+      .def_readwrite("ahead", &Neighbor::ahead, "unit (x, y), along its heading")
+      .def_readwrite("spread", &Neighbor::spread,
+                     "rad: how far off `ahead` its heading may be while it brakes");
   module.def("parting_direction", &avo::parting_direction, arg("id"), arg("other"),
              "(x, y): the direction in which a robot of the first id leaves one of the other id, "
              "where they coincide; the opposite one if the ids are exchanged, 0 of equal ids.");

@@ -29,22 +29,24 @@ const gap = (a: Disc, b: Disc) => Math.hypot(b.x - a.x, b.y - a.y) - a.radius - 
 function discsByX(moment: Moment, info: SceneInfo): Disc[] {
   const robots = robotsOf(moment, info);
   const discs = Array.from(moment.robot, (_, row) => {
-    const ahead = robots[row]?.disc_ahead ?? 0;
-    return {
+    const robot = robots[row];
+    const { ahead, radius } = robot?.footprint ?? { ahead: [robot?.disc_ahead ?? 0], radius: robot?.disc_radius ?? 0 };
+    return ahead.map((each) => ({
       row,
-      x: moment.position[2 * row]! + ahead * Math.cos(moment.heading[row]!),
-      y: moment.position[2 * row + 1]! + ahead * Math.sin(moment.heading[row]!),
-      radius: robots[row]?.disc_radius ?? 0,
-    };
-  });
+      x: moment.position[2 * row]! + each * Math.cos(moment.heading[row]!),
+      y: moment.position[2 * row + 1]! + each * Math.sin(moment.heading[row]!),
+      radius,
+    }));
+  }).flat();
   return discs.sort((a, b) => a.x - b.x);
 }
 
-/** Calls `visit` for all pairs whose discs are less than `reach` apart along x. */
+/** Calls `visit` for all pairs of discs of two robots that are less than `reach` apart along x. */
 function sweep(discs: Disc[], reach: number, visit: (a: Disc, b: Disc) => void): void {
   const widest = discs.reduce((most, disc) => Math.max(most, disc.radius), 0);
   discs.forEach((a, i) => {
-    for (let j = i + 1; j < discs.length && discs[j]!.x - a.x < a.radius + widest + reach; ++j) visit(a, discs[j]!);
+    for (let j = i + 1; j < discs.length && discs[j]!.x - a.x < a.radius + widest + reach; ++j)
+      if (discs[j]!.row !== a.row) visit(a, discs[j]!);
   });
 }
 

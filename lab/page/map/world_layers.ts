@@ -165,18 +165,33 @@ export function drawMovers(layers: Layers, lab: Lab, shown: Shown, paint: Paint)
   });
 }
 
+/** Returns the centers of the discs of a robot: of its footprint, or of its one disc. */
+function centersOf(shown: Shown, row: number): [number, number][] {
+  const robot = shown.robots[row];
+  const [x, y, heading] = [shown.x[row]!, shown.y[row]!, shown.heading[row]!];
+  if (!robot?.footprint) return [[x, y]];
+  return robot.footprint.ahead.map((ahead) => {
+    const from = ahead - robot.disc_ahead;
+    return [x + from * Math.cos(heading), y + from * Math.sin(heading)];
+  });
+}
+
 /** Filled: the robot decides as usual. Hollow: it brakes. Dashed: no velocity satisfies all half-planes, or a number is
  * not valid. A heavy rim: it touches another disc. A dot: it has arrived. */
 export function drawRobots(layers: Layers, shown: Shown, colors: Rgb[], paint: Paint): void {
   const { moment, robots } = shown;
   const few = moment.robot.length <= FEW;
   for (let i = 0; i < moment.robot.length; ++i) {
-    const [x, y, r, color, heading] = [shown.x[i]!, shown.y[i]!, shown.radius[i]!, colors[i]!, shown.heading[i]!];
+    const [color, heading] = [colors[i]!, shown.heading[i]!];
     const robot = robots[i];
+    const r = robot?.footprint?.radius ?? shown.radius[i]!;
     const least = !few ? LEAST_RADIUS : robot?.model === "airplane" ? LEAST_AIRPLANE : LEAST_OF_FEW;
     const status = moment.decided[i] ? moment.status[i] : -1;
+    const draw = (paintOfDisc: Rgb, alpha: number, look: DiscLook) => {
+      for (const [x, y] of centersOf(shown, i)) disc(layers.discs, x, y, r, paintOfDisc, alpha, look);
+    };
     if (robot?.parked) {
-      disc(layers.discs, x, y, r, paint.mover, 0.9, { mark: MARK.bar, least });
+      draw(paint.mover, 0.9, { mark: MARK.bar, least });
       continue;
     }
     const model = robot?.model ?? "holonomic";
@@ -184,12 +199,9 @@ export function drawRobots(layers: Layers, shown: Shown, colors: Rgb[], paint: P
     const mark = headed || (moment.arrived[i] ? MARK.dot : MARK.none);
     const touches = status === OVERLAPPING || moment.clearance[i]! < -1e-9;
     const hollow = !touches && !moment.arrived[i] && (status === BRAKING || status === LEAST_UNSAFE || status === INVALID);
-    disc(layers.discs, x, y, r, color, hollow ? 0.28 : moment.arrived[i] ? 0.55 : 1, { mark, least, heading });
-    if (hollow) {
-      const form = status === BRAKING ? FORM.ring : FORM.dashed;
-      disc(layers.discs, x, y, r, color, 1, { form, outline: 2, least });
-    }
-    if (touches) disc(layers.discs, x, y, r, paint.danger, 1, { form: FORM.ring, outline: 3, least: least + 1 });
+    draw(color, hollow ? 0.28 : moment.arrived[i] ? 0.55 : 1, { mark, least, heading });
+    if (hollow) draw(color, 1, { form: status === BRAKING ? FORM.ring : FORM.dashed, outline: 2, least });
+    if (touches) draw(paint.danger, 1, { form: FORM.ring, outline: 3, least: least + 1 });
   }
 }
 

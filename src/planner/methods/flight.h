@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <span>
 
-#include "certificate/footprints.h"
+#include "certificate/fallback_areas.h"
 #include "planner/decision.h"
 
 namespace avo::inline planner {

@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-#include "certificate/footprints.h"
+#include "certificate/fallback_areas.h"
 #include "certificate/ways.h"
 #include "planner/certified.h"
 #include "planner/decision.h"

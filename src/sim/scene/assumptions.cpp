@@ -9,8 +9,10 @@
 #include <limits>
 #include <span>
 
-#include "certificate/footprints.h"
+#include "certificate/fallback_areas.h"
 #include "neighbors/uniform_grid.h"
+#include "planner/disc_pairs.h"
+#include "robots/footprint.h"
 #include "robots/model.h"
 #include "sim/fleet.h"
 
@@ -110,6 +112,11 @@ bool promises(const Starter& starter, const Scenario& scenario) {
   return scenario.robots[static_cast<std::size_t>(starter.source)].behavior == Behavior::decides;
 }
 
+BrakingPose start_pose(const RobotSetup& robot, const CertificateLaw& law) {
+  return braking_pose(robot.model, start_velocity(robot), robot.heading, braking_limit(robot),
+                      law.step);
+}
+
 void examine(const Starter& a, const Starter& b, Expectation expected, Starts& starts) {
   const auto& [scenario, law, longest_step, mixed, extra, starters, constraints, broken] = starts;
   const RobotSetup& own = scenario.robots[static_cast<std::size_t>(a.source)];
@@ -120,6 +127,7 @@ void examine(const Starter& a, const Starter& b, Expectation expected, Starts& s
     neighbor = sensed(traits_of(other), conduct_of(other, usual_method(scenario)), expected,
                       disc_center(other), start_velocity(other));
     neighbor.loiter = circle_of(other.model, other.position, start_velocity(other));
+    if (has_footprint(other.model)) cover(other.model, start_pose(other, law), neighbor);
     margin += late_phase(own, longest_step) + late_phase(other, longest_step);
   } else {
     const MovingObstacle& other =
@@ -143,12 +151,16 @@ void examine(const Starter& a, const Starter& b, Expectation expected, Starts& s
   robot.max_speed = own.max_speed;
   robot.max_braking = own.max_braking;
   robot.loiter = circle_of(own.model, own.position, start_velocity(own));
-  const double distance = norm(robot.position - neighbor.position);
+  if (has_footprint(own.model)) robot.model = own.model, robot.heading = own.heading;
+  double distance = norm(robot.position - neighbor.position);
+  if (neighbor.footprint || has_footprint(own.model))  // as if the discs were the robots
+    distance = contact + nearest_discs(discs_of(robot, law.step), neighbor).gap;
   if (robot.loiter) {
     // a robot that flies need not keep its circle beside an obstacle
     starts.constraints.invariant.slack =
-        b.source < 0 ? distance - contact
-                     : gap_of(footprint_of(robot, law.step), footprint_of(neighbor, law.step));
+        b.source < 0
+            ? distance - contact
+            : gap_of(fallback_area_of(robot, law.step), fallback_area_of(neighbor, law.step));
   } else {
     collect_constraints(robot, std::span(&neighbor, 1), law, starts.constraints);
   }

@@ -35,8 +35,20 @@ CheckedKinematics kinematics_of(const Airplane& model) {
                          .lateral_acceleration = model.lateral_acceleration};
 }
 
+// m, from the position of a robot with a footprint forward to the centers of its discs.
+std::vector<double> judged_discs(const MotionModel& model) {
+  Footprint footprint;
+  if (const Car* car = std::get_if<Car>(&model)) footprint = car->footprint;
+  if (const auto* drive = std::get_if<DifferentialDrive>(&model)) footprint = drive->footprint;
+  std::vector<double> discs;
+  for (int k = 0; k < footprint.discs; ++k) discs.push_back(footprint.ahead(k));
+  return discs;
+}
+
 // m: a drive is judged by its own disc, about its axle; the disc that others sense contains it.
 double judged_radius(const RobotSetup& robot) {
+  const Footprint footprint = footprint_of(robot.model);
+  if (footprint) return footprint.radius;
   const bool drives = std::holds_alternative<DifferentialDrive>(robot.model);
   return drives ? robot.radius : disc_radius(robot);
 }
@@ -54,7 +66,8 @@ CheckedRobot checked_robot(const RobotSetup& robot) {
       .parked = robot.parked,
       .layers = robot.layers.bits,
       .avoids = robot.avoids.bits,
-      .max_braking = robot.max_braking};
+      .max_braking = robot.max_braking,
+      .discs = judged_discs(robot.model)};
 }
 
 CheckedState checked_state(const FleetView& fleet, std::size_t robot) {

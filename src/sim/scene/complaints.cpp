@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "avo/error.h"
+#include "robots/footprint.h"
 #include "sim/scene/scene_checks.h"
 
 namespace avo::inline sim {
@@ -87,6 +88,14 @@ std::string complaint_of(const SensingNeed& need, const Scenario& scenario,
 
 }  // namespace
 
+namespace {
+
+bool has_footprint_of(const Scenario& scenario, int robot) {
+  return has_footprint(setup_of(scenario, robot).model);
+}
+
+}  // namespace
+
 std::string complaint(const BrokenStart& start, const Scenario& scenario, const Wording& wording) {
   const double own = disc_radius(setup_of(scenario, start.robot));
   const double other =
@@ -94,6 +103,11 @@ std::string complaint(const BrokenStart& start, const Scenario& scenario, const 
           ? disc_radius(setup_of(scenario, start.other))
           : scenario.moving_obstacles[static_cast<std::size_t>(-1 - start.other)].radius;
   const std::string pair = wording.name_of(start.robot) + " and " + wording.name_of(start.other);
+  const bool are_discs = !has_footprint_of(scenario, start.robot) &&
+                         (start.other < 0 || !has_footprint_of(scenario, start.other));
+  if (start.distance < (1.0 - 1e-9) * (own + other) && !are_discs)
+    return pair + " overlap at the start: found " + rounded(own + other - start.distance, 6) +
+           " m of overlap of their footprints, must be none; move them apart";
   if (start.distance < (1.0 - 1e-9) * (own + other))
     return pair + " overlap at the start: found " + rounded(start.distance, 6) +
            " m between the centers, must be >= " + rounded(own, 6) + " + " + rounded(other, 6) +
@@ -107,7 +121,8 @@ std::string complaint(const BrokenStart& start, const Scenario& scenario, const 
 }
 
 std::string complaint(const WallStart& start, const Scenario& scenario, const Wording& wording) {
-  const double own = disc_radius(setup_of(scenario, start.robot));
+  const RobotSetup& setup = setup_of(scenario, start.robot);
+  const double own = way_radius(setup.model, disc_radius(setup));
   const double wall = scenario.obstacles[static_cast<std::size_t>(start.obstacle)].radius;
   const double margin = start.required - own - wall;
   const std::string name = wording.name_of(start.robot);

@@ -19,12 +19,12 @@ std::vector<OutOfReach> out_of_reach(const Scenario& scenario) {
     if (robot.parked) continue;
     Ways& ways = all[statics.floor_of(robot.layers).value_or(0)];
     if (ways.empty()) continue;
-    const Travel travel = ways.plan(disc_radius(robot), disc_center(robot), robot.goal,
-                                    arrival_distance_of(scenario, robot));
+    const double radius = way_radius(robot.model, disc_radius(robot));
+    const Travel travel =
+        ways.plan(radius, disc_center(robot), robot.goal, arrival_distance_of(scenario, robot));
     if (travel.ends == WayEnd::goal) continue;
     result.push_back({k, travel.place, norm(robot.goal - travel.place),
-                      !ways.is_free(disc_radius(robot), robot.goal),
-                      travel.ends == WayEnd::beside});
+                      !ways.is_free(radius, robot.goal), travel.ends == WayEnd::beside});
   }
   return result;
 }

@@ -121,6 +121,7 @@ void check_robot(std::size_t i, const RobotSetup& robot, double time_step) {
     require(Place{list, i, "arrival_distance"}, *robot.arrival_distance, kPositive, "m");
   if (robot.parked) check_parked(i, robot);
   require(Place{list, i, "heading"}, robot.heading, kAngle, "rad");
+  check_footprint(i, robot);
   if (const Car* car = std::get_if<Car>(&robot.model)) check_car(i, *car);
   if (const auto* drive = std::get_if<DifferentialDrive>(&robot.model))
     check_drive(i, robot, *drive);

@@ -257,8 +257,9 @@ void check_beside_walls(const Scenario& scenario, Certificate certificate) {
     const double time_step = time_step_of(scenario, robot);
     const double most = std::min(change_limit(robot) * time_step, 2.0 * robot.max_speed);
     const double height = 0.25 * most * time_step;
-    if (disc_radius(robot) > height) continue;
-    refuse(std::string(Place{"robots", i, "radius"}), text(disc_radius(robot)),
+    const double radius = way_radius(robot.model, disc_radius(robot));
+    if (radius > height) continue;
+    refuse(std::string(Place{"robots", i, "radius"}), text(radius),
            "> " + text(height) + " m beside obstacles, with a certificate: what a step of " +
                text(time_step) + " s can turn off its way");
   }
@@ -339,6 +340,7 @@ void validate(const Scenario& scenario) {
   for (std::size_t i = 0; i < scenario.robots.size(); ++i)
     check_robot(i, scenario.robots[i], scenario.time_step);
   check_methods(scenario);
+  check_footprints(scenario);
   check_external(scenario);
   for (std::size_t k = 0; k < scenario.moving_obstacles.size(); ++k)
     check_obstacle(k, scenario.moving_obstacles[k]);

@@ -40,6 +40,10 @@ inline std::string rounded(double value, int digits) {
 
 /// Refuses robot i of the scene if no robot of its model can have its values.
 void check_robot(std::size_t i, const RobotSetup& robot, double time_step);
+/// Refuses a footprint that the robot's model cannot have.
+void check_footprint(std::size_t i, const RobotSetup& robot);
+/// Refuses what robots with footprints cannot keep apart with.
+void check_footprints(const Scenario& scenario);
 void check_external(const Scenario& scenario);
 void check_teams(const Scenario& scenario);
 

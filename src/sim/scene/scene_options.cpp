@@ -110,10 +110,7 @@ namespace avo {
 std::vector<Wall> parked_discs(const std::vector<RobotSetup>& robots) {
   std::vector<Wall> discs;
   for (const RobotSetup& robot : robots) {
-    if (robot.parked) {
-      const Vec2 center = disc_center(robot);
-      discs.push_back({center, center, disc_radius(robot)});
-    }
+    if (robot.parked) discs.push_back(parked_wall(robot));
   }
   return discs;
 }

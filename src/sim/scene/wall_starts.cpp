@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 // Starts beside static obstacles: the first state of the certificate against walls.
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <optional>
 #include <span>
 #include <vector>
 
-#include "certificate/footprints.h"
+#include "certificate/discs.h"
+#include "certificate/fallback_areas.h"
 #include "robots/model.h"
 #include "sim/fleet.h"
 #include "sim/scene/assumptions.h"
@@ -81,14 +83,21 @@ class WallsOfLayers {
 
 }  // namespace
 
-// Braking leaves less than the required distance.
+namespace {
+
+// A disc of a robot at the start.
+struct StartDisc {
+  Vec2 center;
+  double radius, lever;  // m
+};
+
 std::optional<WallStart> worst_wall(const Scenario& scenario, int number, const MotionState& state,
-                                    std::span<const Wall> walls, const CertificateLaw& law) {
+                                    const StartDisc& disc, std::span<const Wall> walls,
+                                    const CertificateLaw& law) {
   const RobotSetup& robot = scenario.robots[static_cast<std::size_t>(number)];
-  const Vec2 center = state.position;
-  const double radius = disc_radius(robot);
-  const WallRounding rounding =
-      wall_rounding(radius, robot.max_speed, ability_of(robot), step_law(scenario, robot, law));
+  const auto& [center, radius, lever] = disc;
+  const WallRounding rounding = wall_rounding(radius + lengths_of_rounding(lever), robot.max_speed,
+                                              ability_of(robot), step_law(scenario, robot, law));
   const double late = late_phase(robot, longest_first_step(law));
   const Vec2 way = stopping_way(state.velocity, decrement_of(robot, law.step), law.step);
   const LoiterCircle* circle = !can_rest(robot.model) ? &state.circle : nullptr;
@@ -107,6 +116,29 @@ std::optional<WallStart> worst_wall(const Scenario& scenario, int number, const 
     WallStart start = start_at(walls[k]);
     start.obstacle = static_cast<int>(k);
     if (lacks(start) > 0.0 && (!worst || lacks(start) > lacks(*worst))) worst = start;
+  }
+  return worst;
+}
+
+}  // namespace
+
+// Braking leaves less than the required distance.
+std::optional<WallStart> worst_wall(const Scenario& scenario, int number, const MotionState& state,
+                                    std::span<const Wall> walls, const CertificateLaw& law) {
+  const RobotSetup& robot = scenario.robots[static_cast<std::size_t>(number)];
+  const Footprint footprint = footprint_of(robot.model);
+  if (!footprint)
+    return worst_wall(scenario, number, state, {state.position, disc_radius(robot), 0.0}, walls,
+                      law);
+  const BrakingPose pose = braking_pose(robot.model, state.velocity, state.heading,
+                                        braking_limit(robot), step_law(scenario, robot, law));
+  std::optional<WallStart> worst;
+  for (int k = 0; k < footprint.discs; ++k) {
+    const double ahead = footprint.ahead(k);
+    const StartDisc disc{state.position + ahead * pose.ahead,
+                         footprint.radius + std::abs(ahead) * pose.spread, ahead};
+    const auto own = worst_wall(scenario, number, state, disc, walls, law);
+    if (own && (!worst || own->required - own->kept > worst->required - worst->kept)) worst = own;
   }
   return worst;
 }

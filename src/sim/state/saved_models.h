@@ -2,6 +2,7 @@
 // Motion models in a saved state.
 #pragma once
 #include <cstdint>
+#include <string>
 #include <variant>
 
 #include "avo/scenario.h"
@@ -44,17 +45,43 @@ void describe(Archive<kReads>& archive, Airplane& model) {
   model.after_goal = static_cast<AfterGoal>(after);
 }
 
-// The kind and then its values.
+inline Footprint* footprint_in(MotionModel& model) {
+  if (Car* car = std::get_if<Car>(&model)) return &car->footprint;
+  auto* drive = std::get_if<DifferentialDrive>(&model);
+  return drive != nullptr ? &drive->footprint : nullptr;
+}
+
+template <bool kReads>
+void describe(Archive<kReads>& archive, Footprint& footprint) {
+  auto discs = static_cast<std::uint64_t>(footprint.discs);
+  archive.word(discs);
+  if (discs == 0 || discs > static_cast<std::uint64_t>(Footprint::kMostDiscs))
+    refuse_saved("a footprint of " + std::to_string(discs) + " discs", "1 to 5");
+  footprint.discs = static_cast<int>(discs);
+  describe(archive, footprint.radius), describe(archive, footprint.first);
+  describe(archive, footprint.spacing);
+}
+
+// The kind and then its values, and those of its footprint.
 template <bool kReads>
 void describe(Archive<kReads>& archive, MotionModel& model) {
-  auto kind = static_cast<std::uint64_t>(model.index());
+  constexpr std::uint64_t kCovered = 1U << 8;  // the kind of a model with a footprint has this bit
+  const Footprint* own = footprint_in(model);
+  auto kind = static_cast<std::uint64_t>(model.index()) |
+              (own != nullptr && *own ? kCovered : std::uint64_t{0});
   archive.word(kind);
+  const bool is_covered = (kind & kCovered) != 0;
+  kind &= ~kCovered;
   if (kReads && kind == 0) model = Holonomic{};
   if (kReads && kind == 1) model = Car{};
   if (kReads && kind == 2) model = DifferentialDrive{};
   if (kReads && kind == 3) model = Airplane{};
   if (kind != model.index()) refuse_saved("an unknown motion model", "a known one");
   std::visit([&](auto& known) { describe(archive, known); }, model);
+  if (!is_covered) return;
+  Footprint* footprint = footprint_in(model);
+  if (footprint == nullptr) refuse_saved("a footprint of another model", "one of a car or a drive");
+  describe(archive, *footprint);
 }
 
 }  // namespace avo::inline sim

@@ -198,10 +198,11 @@ std::vector<Travel> travels_of(const SavedState& state, std::span<Ways> ways,
     const SavedWay& way = state.ways[k];
     const Vec2 end = way.ends == WayEnd::goal ? setup.goal : way.place;
     Ways& own = ways[floor.empty() ? 0 : floor[k]];
-    Travel travel = own.resume(disc_radius(setup), end, way.target, way.is_exact,
+    const double radius = way_radius(setup.model, disc_radius(setup));
+    Travel travel = own.resume(radius, end, way.target, way.is_exact,
                                way.around_movers && own.goes_around_movers());
     travel.ends = way.ends, travel.place = way.place;
-    keep_waiting(way, state.robots[k].position, disc_radius(setup), own.scratch(), travel);
+    keep_waiting(way, state.robots[k].position, radius, own.scratch(), travel);
     travels.push_back(std::move(travel));
   }
   return travels;
@@ -236,7 +237,7 @@ SavedState saved_state(const World& world) {
   state.ways.reserve(world.travels.size());
   for (std::size_t rank = 0; rank < world.travels.size(); ++rank) {
     const Travel& travel = world.travels[rank];
-    const double radius = fleet.traits[fleet.slot_of[rank]].radius;
+    const double radius = fleet.traits[fleet.slot_of[rank]].way_radius;
     state.ways.push_back({travel.target, travel.graph && travel.graph->radius == radius,
                           travel.around_movers, travel.ends, travel.place, travel.waiting});
   }

@@ -276,6 +276,21 @@ typedef struct avo_airplane {
   avo_after_goal after_goal;
 } avo_airplane;
 
+/// Up to five discs of one radius in a row along the heading, which cover a body that is no disc.
+/// The position is that of the model: the rear axle of a car, the middle of the axle of a drive.
+typedef struct avo_footprint {
+  double radius;   ///< m, > 0, of each disc
+  double first;    ///< m, from the position forward to the rearmost center
+  double spacing;  ///< m, >= 0, from one center to the next
+  int32_t discs;   ///< 1 to 5; 0: no footprint, the robot is one disc
+} avo_footprint;
+
+/// The heading of a robot with a footprint while it brakes: within `spread` of `ahead`.
+typedef struct avo_braking_pose {
+  avo_vec2 ahead;  ///< unit
+  double spread;   ///< rad
+} avo_braking_pose;
+
 /// The circle on which an airplane turns right if it decides nothing better.
 typedef struct avo_loiter_circle {
   avo_vec2 center;  ///< m
@@ -367,6 +382,7 @@ typedef struct avo_robot {
   avo_differential_drive drive;
   avo_airplane airplane;
   avo_model model;
+  avo_footprint footprint;  ///< of a car or a drive; radius then covers it at any heading
 } avo_robot;
 
 /// Another robot, or an obstacle, as it is sensed.
@@ -394,6 +410,9 @@ typedef struct avo_neighbor {
   /// with this neighbor runs.
   avo_trajectory_id trajectory;
   double trajectory_time;  ///< s: the present time on the trajectory's clock
+  /// From its position, where it is no disc; discs 0: none. radius then covers it at any heading.
+  avo_footprint footprint;
+  avo_braking_pose pose;  ///< read only with a footprint: see avo_planner_braking_pose()
 } avo_neighbor;
 
 /// The way out that a robot takes in place of its target.
@@ -475,6 +494,17 @@ AVO_C_API avo_result avo_planner_has_way_out(avo_planner_id planner, const avo_r
                                              const avo_neighbor* neighbors, size_t neighbor_count,
                                              const avo_wall* walls, size_t wall_count,
                                              bool* has_way_out);
+/// What others have to know of a robot with a footprint: avo_neighbor.pose, and its footprint from
+/// the center of its disc.
+AVO_C_API avo_result avo_planner_braking_pose(avo_planner_id planner, const avo_robot* robot,
+                                              avo_braking_pose* pose, avo_footprint* footprint);
+/// The fewest discs that cover a rectangle along the heading and exceed its long sides by at most
+/// `excess`. offset: m, from the position forward to its center.
+AVO_C_API avo_result avo_cover_rectangle(double length, double width, double offset, double excess,
+                                         avo_footprint* footprint);
+/// The same for a polygon, by its corners in the robot's frame: x along the heading, y to its left.
+AVO_C_API avo_result avo_cover_polygon(const avo_vec2* corners, size_t corner_count, double excess,
+                                       avo_footprint* footprint);
 /// Whether the robot can go on without contact, as far as that is proved.
 AVO_C_API avo_result avo_planner_state(avo_planner_id planner, const avo_robot* robot,
                                        const avo_neighbor* neighbors, size_t neighbor_count,
@@ -509,6 +539,7 @@ typedef struct avo_robot_def {
   /// s, > 0, its own; 0: the simulation's if it has the simulation's method
   double time_horizon;
   double arrival_distance;  ///< m, > 0, its own; 0: the simulation's
+  avo_footprint footprint;  ///< of a car or a drive; discs 0: none
 } avo_robot_def;
 
 /// A disc that reacts to no robot. It moves with constant acceleration, along a path, or as a

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Pairs one of which loiters: whatever is chosen of what both are allowed, they do not touch.
-#include "certificate/footprints.h"
+#include "certificate/fallback_areas.h"
 
 #include <algorithm>
 #include <array>
@@ -113,7 +113,7 @@ class Chooser {
     double nearest = std::numeric_limits<double>::infinity();
     const auto consider = [&](const Moved& moved) {
       const double away =
-          gap_of(footprint_of(moved.robot, law_of_run), footprint_of(other, law_of_run));
+          gap_of(fallback_area_of(moved.robot, law_of_run), fallback_area_of(other, law_of_run));
       if (chosen && (!worst || away >= nearest)) return;
       nearest = away, chosen = moved;
     };
@@ -177,7 +177,7 @@ Result run(Kind first, Kind second, int situations, int steps, double time_step 
   Chooser chooser;
   for (int k = 0; k < situations;) {
     Robot a = any_robot(random, first), b = any_robot(random, second);
-    if (gap_of(footprint_of(a, law_of_run), footprint_of(b, law_of_run)) < 1e-9) continue;
+    if (gap_of(fallback_area_of(a, law_of_run), fallback_area_of(b, law_of_run)) < 1e-9) continue;
     ++k;
     for (int i = 0; i < steps; ++i) {
       const Moved next_a = chooser.choose(random, a, b), next_b = chooser.choose(random, b, a);
@@ -195,20 +195,20 @@ Result run(Kind first, Kind second, int situations, int steps, double time_step 
   return result;
 }
 
-TEST(Footprints, airplanes_do_not_touch_whatever_they_choose) {
+TEST(FallbackAreas, airplanes_do_not_touch_whatever_they_choose) {
   const Result result = run(Kind::airplane, Kind::airplane, 300, 80);
   EXPECT_GE(result.least, 0.0);
   EXPECT_GT(result.admitted, 100'000);
 }
 
 // What is between the circles before and after a step counts too: they may turn by 3 rad.
-TEST(Footprints, airplanes_do_not_touch_in_long_steps) {
+TEST(FallbackAreas, airplanes_do_not_touch_in_long_steps) {
   const Result result = run(Kind::airplane, Kind::airplane, 500, 40, 1.0);
   EXPECT_GE(result.least, 0.0);
   EXPECT_GT(result.admitted, 100'000);
 }
 
-TEST(Footprints, all_of_an_admitted_step_keeps_to_the_line) {
+TEST(FallbackAreas, all_of_an_admitted_step_keeps_to_the_line) {
   law_of_run = {.time_step = 1.0, .lag = 0.5, .braking_time = 1.0};
   Random random(44);
   FlightConstraints flight;
@@ -216,7 +216,7 @@ TEST(Footprints, all_of_an_admitted_step_keeps_to_the_line) {
   int admitted = 0;
   for (int k = 0; k < 20'000; ++k) {
     const Robot a = any_robot(random, Kind::airplane), b = any_robot(random, Kind::airplane);
-    if (gap_of(footprint_of(a, law_of_run), footprint_of(b, law_of_run)) < 1e-6) continue;
+    if (gap_of(fallback_area_of(a, law_of_run), fallback_area_of(b, law_of_run)) < 1e-6) continue;
     const Neighbor other = seen(b);
     collect_flight(a, in_columns(std::span(&other, 1), columns), {}, law_of_run, flight);
     const SeparatingLine& line = flight.lines[0];
@@ -233,7 +233,7 @@ TEST(Footprints, all_of_an_admitted_step_keeps_to_the_line) {
   EXPECT_GT(admitted, 3'000);
 }
 
-TEST(Footprints, airplanes_and_robots_that_brake_do_not_touch_whatever_they_choose) {
+TEST(FallbackAreas, airplanes_and_robots_that_brake_do_not_touch_whatever_they_choose) {
   for (const Kind kind : {Kind::holonomic, Kind::car}) {
     const Result result = run(Kind::airplane, kind, 300, 80);
     EXPECT_GE(result.least, 0.0) << static_cast<int>(kind);
@@ -242,7 +242,7 @@ TEST(Footprints, airplanes_and_robots_that_brake_do_not_touch_whatever_they_choo
 }
 
 // Both derive one line, and their parts add up to the gap.
-TEST(Footprints, both_of_a_pair_mean_the_same_line) {
+TEST(FallbackAreas, both_of_a_pair_mean_the_same_line) {
   law_of_run = {};
   Random random(42);
   FlightConstraints of_a, of_b;
@@ -250,7 +250,7 @@ TEST(Footprints, both_of_a_pair_mean_the_same_line) {
   int pairs = 0;
   while (pairs < 2'000) {
     const Robot a = any_robot(random, Kind::airplane), b = any_robot(random, Kind::airplane);
-    const double gap = gap_of(footprint_of(a, law_of_run), footprint_of(b, law_of_run));
+    const double gap = gap_of(fallback_area_of(a, law_of_run), fallback_area_of(b, law_of_run));
     if (gap < 1e-6) continue;
     ++pairs;
     const Neighbor seen_a = seen(a), seen_b = seen(b);
@@ -262,7 +262,8 @@ TEST(Footprints, both_of_a_pair_mean_the_same_line) {
   }
 }
 
-// A pair of a robot that brakes and an airplane that circles, with a gap between their footprints.
+// A pair of a robot that brakes and an airplane that circles, with a gap between their fallback
+// areas.
 struct Beside {
   Robot robot;
   Neighbor airplane;
@@ -272,33 +273,34 @@ Beside beside_an_airplane(Random& random) {
   for (;;) {
     const Robot robot = any_robot(random, Kind::holonomic);
     const Robot airplane = any_robot(random, Kind::airplane);
-    const double gap = gap_of(footprint_of(robot, law_of_run), footprint_of(airplane, law_of_run));
+    const double gap =
+        gap_of(fallback_area_of(robot, law_of_run), fallback_area_of(airplane, law_of_run));
     if (gap > 1e-6 && gap < 2.0) return {robot, seen(airplane)};
   }
 }
 
 // p and the place where it stops, relative to the robot before its step.
-std::array<Vec2, 2> next_footprint(const Robot& robot, Vec2 next_velocity) {
+std::array<Vec2, 2> next_area(const Robot& robot, Vec2 next_velocity) {
   const Vec2 moved = 0.5 * law_of_run.time_step * (robot.velocity + next_velocity);
   Robot next = robot;
   next.velocity = next_velocity;
-  return {moved, moved + footprint_of(next, law_of_run).way};
+  return {moved, moved + fallback_area_of(next, law_of_run).way};
 }
 
-TEST(Footprints, braking_keeps_the_next_one_in_the_present_one) {
+TEST(FallbackAreas, braking_keeps_the_next_one_in_the_present_one) {
   law_of_run = {.time_step = 0.1, .lag = 0.05, .braking_time = 0.1};
   Random random(45);
   for (int k = 0; k < 2'000; ++k) {
     const Robot robot = any_robot(random, Kind::holonomic);
-    const Vec2 stop = footprint_of(robot, law_of_run).way;
+    const Vec2 stop = fallback_area_of(robot, law_of_run).way;
     const auto [moved, next_stop] =
-        next_footprint(robot, braked(robot.velocity, decrement_of(robot, law_of_run)));
+        next_area(robot, braked(robot.velocity, decrement_of(robot, law_of_run)));
     EXPECT_LE(norm(next_stop - stop), 1e-13 * (1.0 + norm(stop)));
     EXPECT_NEAR(norm(moved) + norm(stop - moved), norm(stop), 1e-12);
   }
 }
 
-TEST(Footprints, next_one_of_a_robot_that_brakes_is_what_is_tested) {
+TEST(FallbackAreas, next_one_of_a_robot_that_brakes_is_what_is_tested) {
   law_of_run = {.time_step = 0.1, .lag = 0.05, .braking_time = 0.1};
   const CertificateLaw law{Certificate::braking_trajectories, law_of_run};
   Random random(46);
@@ -311,7 +313,7 @@ TEST(Footprints, next_one_of_a_robot_that_brakes_is_what_is_tested) {
     const LoiterLine line = constraints.loiterers[0];
     const Vec2 next = robot.velocity + test::in_disc(random, robot.max_acceleration * 0.1);
     double margin = std::numeric_limits<double>::infinity();
-    for (const Vec2 p : next_footprint(robot, next))
+    for (const Vec2 p : next_area(robot, next))
       margin = std::min(margin, dot(line.normal, p) - line.offset);
     if (std::abs(margin) < 1e-10) continue;
     EXPECT_EQ(admits(robot, next, law, constraints), margin > 0.0);
@@ -320,7 +322,7 @@ TEST(Footprints, next_one_of_a_robot_that_brakes_is_what_is_tested) {
   EXPECT_GT(refused, 100);
 }
 
-TEST(Footprints, half_planes_of_lines_suffice_up_to_their_speed) {
+TEST(FallbackAreas, half_planes_of_lines_suffice_up_to_their_speed) {
   law_of_run = {.time_step = 0.1, .lag = 0.05, .braking_time = 0.1};
   const CertificateLaw law{Certificate::braking_trajectories, law_of_run};
   Random random(47);
@@ -344,7 +346,7 @@ TEST(Footprints, half_planes_of_lines_suffice_up_to_their_speed) {
 }
 
 // The circle and the way, beside a wall that is straight ahead.
-TEST(Footprints, an_airplane_keeps_its_circle_off_walls) {
+TEST(FallbackAreas, an_airplane_keeps_its_circle_off_walls) {
   law_of_run = {};
   Random random(43);
   FlightConstraints constraints;

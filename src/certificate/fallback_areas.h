@@ -17,40 +17,40 @@
 namespace avo::inline certificate {
 
 /// The area that a robot does not leave if it decides nothing better: a segment with a radius.
-struct Footprint {
+struct FallbackArea {
   /// m: start and displacement of braking; for a robot that flies the center of its circle, and 0
   Vec2 start, way;
   double radius = 0.0;     ///< m, of the area about that segment
   double intervals = 0.0;  ///< number of intervals until rest
 };
-Footprint footprint_of(const Robot& robot, const StepLaw& law);
-Footprint footprint_of(const Neighbor& neighbor, const StepLaw& law);
+FallbackArea fallback_area_of(const Robot& robot, const StepLaw& law);
+FallbackArea fallback_area_of(const Neighbor& neighbor, const StepLaw& law);
 
-/// m, between two footprints; < 0 where they overlap.
-double gap_of(const Footprint& a, const Footprint& b);
+/// m, between two fallback areas; < 0 where they overlap.
+double gap_of(const FallbackArea& a, const FallbackArea& b);
 
 /// The separating line of one neighbor.
 struct SeparatingLine {
   int neighbor = 0;
-  Vec2 normal;        ///< unit, from B's footprint to A's
+  Vec2 normal;        ///< unit, from B's fallback area to A's
   double part = 0.0;  ///< m, how much nearer A may come along the normal: its part of the gap
 };
 
 /// The line of a neighbor that loiters, for a robot A that brakes: normal . x >= offset for all of
-/// A's next footprint, relative to p_A.
+/// A's next fallback area, relative to p_A.
 struct LoiterLine {
   int neighbor = 0;
-  Vec2 normal;          ///< unit, from the neighbor's circle to A's footprint
+  Vec2 normal;          ///< unit, from the neighbor's circle to A's fallback area
   double offset = 0.0;  ///< m
-  double begin = 0.0;   ///< m, the start of A's present footprint
+  double begin = 0.0;   ///< m, the start of A's present fallback area
 };
 
 /// For robots that brake: appends the lines of the neighbors that loiter.
 void collect_loiterers(const Robot& robot, const Neighbors& neighbors, const StepLaw& law,
                        std::vector<LoiterLine>& lines, Invariant& invariant);
 
-/// Returns whether the footprint after the candidate's first step, and with it that step, keeps to
-/// all lines.
+/// Returns whether the fallback area after the candidate's first step, and with it that step, keeps
+/// to all lines.
 bool keeps_loiterers(std::span<const LoiterLine> lines, const CandidatePath& path,
                      const StepLaw& law);
 

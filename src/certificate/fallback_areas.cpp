@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "certificate/footprints.h"
+#include "certificate/fallback_areas.h"
 
 #include <algorithm>
 #include <cmath>
@@ -19,25 +19,25 @@ using Real = scalar::Pack<double>;
 // rounding errors of a circle that is remembered, in steps of braking
 constexpr double kLoitering = 4.0;
 
-Footprint braking_footprint(Vec2 position, Vec2 velocity, double radius, const Ability& ability,
-                            const StepLaw& law) {
+FallbackArea braking_area(Vec2 position, Vec2 velocity, double radius, const Ability& ability,
+                          const StepLaw& law) {
   const Braking braking = braking_of(velocity, ability, law);
   return {position, braking.length * braking.direction, radius, braking.intervals};
 }
 
-Footprint loitering_footprint(const LoiterCircle& circle, double radius) {
+FallbackArea loitering_area(const LoiterCircle& circle, double radius) {
   return {circle.center, {}, circle.radius + radius, kLoitering};
 }
 
 // The vector from B's to A's, odd in the exchange of the two, bit for bit. One of them is a point:
 // the displacement of a or of b is 0.
-Vec2 between(const Footprint& a, const Footprint& b) {
+Vec2 between(const FallbackArea& a, const FallbackArea& b) {
   const Vec2 p = a.start - b.start;
   return nearest_on_segment(p, p + (a.way - b.way));
 }
 
 // docs/certificate/rounding.md: a decision reduces the accumulated error by a share.
-double margin_between(const Footprint& a, const Footprint& b, double share) {
+double margin_between(const FallbackArea& a, const FallbackArea& b, double share) {
   const double lengths =
       length_1(a.start) + length_1(b.start) + norm(a.way) + norm(b.way) + a.radius + b.radius;
   return scalar::rounding_margin<Real>(lengths, std::max(a.intervals, b.intervals),
@@ -51,7 +51,7 @@ struct Between {
 };
 
 // A pair that overlaps keeps its present distance.
-Between line_between(const Footprint& a, const Footprint& b, double share) {
+Between line_between(const FallbackArea& a, const FallbackArea& b, double share) {
   const Vec2 nearest = between(a, b);
   const double distance = norm(nearest), gap = distance - (a.radius + b.radius);
   const Vec2 normal = distance > 0.0 ? nearest / distance : Vec2{};
@@ -65,32 +65,33 @@ double share_of(const Robot& robot, const Neighbor& neighbor) {
 
 }  // namespace
 
-Footprint footprint_of(const Robot& robot, const StepLaw& law) {
-  if (robot.loiter) return loitering_footprint(*robot.loiter, robot.radius);
-  return braking_footprint(robot.position, robot.velocity, robot.radius, ability_of(robot), law);
+FallbackArea fallback_area_of(const Robot& robot, const StepLaw& law) {
+  if (robot.loiter) return loitering_area(*robot.loiter, robot.radius);
+  return braking_area(robot.position, robot.velocity, robot.radius, ability_of(robot), law);
 }
 
-Footprint footprint_of(const Neighbor& neighbor, const StepLaw& law) {
-  if (neighbor.loiter) return loitering_footprint(*neighbor.loiter, neighbor.radius);
-  return braking_footprint(neighbor.position, neighbor.velocity, neighbor.radius,
-                           ability_of(neighbor), law);
+FallbackArea fallback_area_of(const Neighbor& neighbor, const StepLaw& law) {
+  if (neighbor.loiter) return loitering_area(*neighbor.loiter, neighbor.radius);
+  return braking_area(neighbor.position, neighbor.velocity, neighbor.radius, ability_of(neighbor),
+                      law);
 }
 
-double gap_of(const Footprint& a, const Footprint& b) {
+double gap_of(const FallbackArea& a, const FallbackArea& b) {
   return norm(between(a, b)) - (a.radius + b.radius);
 }
 
 void collect_loiterers(const Robot& robot, const Neighbors& neighbors, const StepLaw& law,
                        std::vector<LoiterLine>& lines, Invariant& invariant) {
-  const Footprint own = footprint_of(robot, law);
+  const FallbackArea own = fallback_area_of(robot, law);
   for (std::size_t k = 0; k < neighbors.size(); ++k) {
     const Neighbor neighbor = neighbors[k];
     if (!neighbor.loiter || neighbor.behavior != Behavior::decides) continue;
-    const Between line = line_between(own, footprint_of(neighbor, law), share_of(robot, neighbor));
+    const Between line =
+        line_between(own, fallback_area_of(neighbor, law), share_of(robot, neighbor));
     invariant.slack = std::min(invariant.slack, line.gap);
     if (line.gap < 0.0)
       invariant.broken.take(static_cast<int>(k), -line.gap), invariant.doubtful = true;
-    // A's footprint begins at n . x = min(0, n . own.way)
+    // A's fallback area begins at n . x = min(0, n . own.way)
     const double begin = std::min(0.0, dot(line.normal, own.way));
     lines.push_back({static_cast<int>(k), line.normal, begin - line.part, begin});
   }
@@ -131,7 +132,7 @@ double flight_margin(const Wall& wall, double radius, double circle) {
 
 void collect_flight(const Robot& robot, const Neighbors& neighbors, std::span<const Wall> walls,
                     const StepLaw& law, FlightConstraints& constraints) {
-  const Footprint own = footprint_of(robot, law);
+  const FallbackArea own = fallback_area_of(robot, law);
   constraints = {std::move(constraints.lines),
                  std::move(constraints.walls),
                  std::numeric_limits<double>::infinity(),
@@ -141,7 +142,8 @@ void collect_flight(const Robot& robot, const Neighbors& neighbors, std::span<co
   for (std::size_t k = 0; k < neighbors.size(); ++k) {
     const Neighbor neighbor = neighbors[k];
     if (neighbor.behavior != Behavior::decides) continue;
-    const Between line = line_between(own, footprint_of(neighbor, law), share_of(robot, neighbor));
+    const Between line =
+        line_between(own, fallback_area_of(neighbor, law), share_of(robot, neighbor));
     constraints.slack = std::min(constraints.slack, line.gap);
     constraints.broken.take(static_cast<int>(k), -line.gap);
     constraints.lines.push_back({static_cast<int>(k), line.normal, line.part});
