@@ -28,15 +28,12 @@ std::uint32_t floor_for(World& world, LayerSet robot) {
   Ways ways(way_rules_of(world.settings), floor.walls, world.obstacles.resting());
   std::vector<std::uint32_t> floors = world.floor;
   if (floors.empty()) floors.assign(world.fleet.size(), 0);
-  const bool are_first = !world.has_ways() && !ways.empty();
-  std::vector<Travel> travels(are_first ? world.fleet.size() : 0);
   statics.floors.reserve(number + 1), world.ways.reserve(number + 1);
   world.claims.reserve(number + 1);
   // nothing throws from here on
   statics.floors.push_back(std::move(floor)), world.ways.push_back(std::move(ways));
   world.claims.emplace_back();
   std::swap(world.floor, floors);
-  if (are_first) std::swap(world.travels, travels);
   world.changed = true;
   return static_cast<std::uint32_t>(number);
 }
@@ -50,8 +47,9 @@ Routes routes_among(const World& world, const StaticWorld& statics) {
   for (std::size_t k = 0; k < statics.floors.size(); ++k)
     routes.ways.emplace_back(way_rules_of(world.settings), statics.floors[k].walls,
                              world.obstacles.resting(), &world.ways[routes.before[k]]);
-  routes.travels = plan_travels(routes.ways, world.fleet, routes.floor,
-                                world.settings.arrival_distance, world.travels);
+  if (has_ways(statics, routes.ways))
+    routes.travels = plan_travels(routes.ways, world.fleet, routes.floor,
+                                  world.settings.arrival_distance, world.travels);
   for (Ways& ways : routes.ways) ways.forget_before();
   return routes;
 }

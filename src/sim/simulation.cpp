@@ -69,7 +69,9 @@ std::unique_ptr<Simulation::State> Simulation::State::of(const Scenario& scenari
   validate(scenario);
   require_assumptions(scenario);
   auto state = std::make_unique<State>(scenario, std::move(executor));
-  state->travels = plan_travels(state->ways, state->fleet, state->floor, scenario.arrival_distance);
+  if (state->has_ways())
+    state->travels =
+        plan_travels(state->ways, state->fleet, state->floor, scenario.arrival_distance);
   return state;
 }
 

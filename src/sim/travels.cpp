@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "sim/travels.h"
 
-#include <algorithm>
 #include <cstddef>
 
 namespace avo::inline sim {
@@ -11,12 +10,14 @@ WayRules way_rules_of(const Scenario& settings) {
           .passages = settings.right_of_way != RightOfWay::none};
 }
 
+bool has_ways(const StaticWorld& statics, std::span<const Ways> ways) {
+  return statics.has_walls || ways.front().goes_around_movers();
+}
+
 std::vector<Travel> plan_travels(std::span<Ways> ways, const Fleet& fleet,
                                  std::span<const std::uint32_t> floor, double arrival_distance,
                                  std::span<const Travel> before) {
   std::vector<Travel> travels;
-  if (std::all_of(ways.begin(), ways.end(), [](const Ways& own) { return own.empty(); }))
-    return travels;
   travels.reserve(fleet.size());
   for (const std::uint32_t slot : fleet.slot_of) {
     const std::size_t rank = travels.size();

@@ -288,7 +288,7 @@ std::size_t World::most_nearest() const {
 }
 
 bool World::has_ways() const {
-  return std::any_of(ways.begin(), ways.end(), [](const Ways& own) { return !own.empty(); });
+  return avo::has_ways(statics, ways);
 }
 
 bool World::has_passages() const {

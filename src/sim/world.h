@@ -111,7 +111,7 @@ struct World {
   std::vector<Ways> ways;            // of each floor
   std::vector<Claims> claims;        // of each floor's passages
   std::vector<std::uint32_t> floor;  // of each robot, by rank; empty where there is one
-  std::vector<Travel> travels;       // by rank; empty where no floor has ways
+  std::vector<Travel> travels;       // by rank; empty without ways
   std::int64_t steps = 0;
   Instant now = 0, before = -1;  // for free clocks: the last step began at `before`, if at all
   std::uint64_t next_id = 0;
@@ -168,7 +168,7 @@ struct World {
   }
   const Ways& ways_of(std::size_t slot) const { return ways[floor_of(slot)]; }
   Ways& ways_of(std::size_t slot) { return ways[floor_of(slot)]; }
-  bool has_ways() const;      // on some floor
+  bool has_ways() const;
   bool has_passages() const;  // on some floor
   /// m: the final target of the robot, its goal or the nearest place to it.
   Vec2 end_of(std::size_t slot) const {

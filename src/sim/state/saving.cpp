@@ -180,11 +180,9 @@ void keep_waiting(const SavedWay& way, Vec2 position, double radius, LegScratch&
 }
 
 // Makes the routes with the saved targets: no robot searches for its route again.
-std::vector<Travel> travels_of(const SavedState& state, std::span<Ways> ways,
-                               std::span<const std::uint32_t> floor) {
-  const bool has_ways =
-      std::any_of(ways.begin(), ways.end(), [](const Ways& own) { return !own.empty(); });
-  const std::size_t count = has_ways ? state.robots.size() : 0;
+std::vector<Travel> travels_of(const SavedState& state, const StaticWorld& statics,
+                               std::span<Ways> ways, std::span<const std::uint32_t> floor) {
+  const std::size_t count = has_ways(statics, ways) ? state.robots.size() : 0;
   if (state.ways.size() != count)
     refuse("saved state", std::to_string(state.ways.size()) + " ways", std::to_string(count));
   std::vector<Travel> travels;
@@ -291,7 +289,7 @@ void restore(const SavedState& state, World& world) {
                               &world.ways[world.statics.floor_of(own.layers).value_or(0)]);
   }
   std::vector<Ways>& ways = other_ways.empty() ? world.ways : other_ways;
-  std::vector<Travel> travels = travels_of(state, ways, floor);
+  std::vector<Travel> travels = travels_of(state, known, ways, floor);
   for (Ways& own : other_ways) own.forget_before();
   std::vector<Pace> paces = paces_among(world, !obstacles.setup.empty());
   std::vector<Team> teams = state.scene.teams;

@@ -60,7 +60,10 @@ Scenario together(const Scenario& first, const Scenario& second) {
 TEST(Floors, another_storey_changes_no_bit) {
   const Scenario ground = storey(kGround, test::doorway(1.6), 24, -1.0);
   const Scenario upper = storey(kUpper, test::corridor(1.6), 20, 1.0);
-  for (const auto& [first, second] : {std::pair(ground, upper), std::pair(upper, ground)}) {
+  Scenario roof = storey({4}, test::doorway(1.6), 16, -1.0);
+  roof.obstacles.clear();
+  for (const auto& [first, second] : {std::pair(ground, upper), std::pair(upper, ground),
+                                      std::pair(roof, ground), std::pair(ground, roof)}) {
     Simulation both(together(first, second), 2), alone(first, 1);
     for (int step = 0; step < 200; ++step) {
       both.step(), alone.step();
@@ -218,6 +221,22 @@ TEST(Floors, are_saved_and_restored) {
   Simulation fresh(scene, 1);  // which has no floor for that robot
   fresh.restore(saved);
   EXPECT_EQ(hash_after(fresh, 60), future);
+}
+
+// The only robot of a storey leaves; what is saved then is whole, and so is what is refused.
+TEST(Floors, need_no_robots) {
+  Scenario scene;
+  scene.obstacles = {wall_of(kUpper, {0, -3}, {0, 3})};
+  scene.robots = {on_floor(kGround, {0, 0}, {8, 0}), on_floor(kUpper, {5, 0}, {8, 0})};
+  Simulation simulation(scene, 1);
+  simulation.remove_robot({1});
+  const std::vector<std::byte> saved = simulation.save();
+  EXPECT_EQ(Simulation(saved, 1).state_hash(), simulation.state_hash());
+  RobotSetup refused = on_floor({3}, {0.2, 0}, {8, 0});
+  EXPECT_NE(refusal([&] { simulation.add_robot(refused); }), "");
+  EXPECT_TRUE(simulation.save() == saved);
+  Simulation continued(saved, 1);
+  EXPECT_EQ(hash_after(continued, 50), hash_after(simulation, 50));
 }
 
 // On board as in a simulation: of the map, the walls of its layers.
