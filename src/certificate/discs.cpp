@@ -124,7 +124,7 @@ namespace {
 double step_coefficient(const TrajectoryConstraints& constraints, std::size_t k,
                         const CandidatePath& path, const StepLaw& law) {
   const ConstraintColumns& columns = constraints.columns;
-  const Vec2 normal{columns.normal_x[k], columns.normal_y[k]};
+  const Vec2 normal{columns.normal[0][k], columns.normal[1][k]};
   const Braking& own = constraints.own;
   const BrakingDistances braking = braking_distances(own.profile, law, 0);
   const std::array<Vec2, 3> from{{{}, braking.middle * own.direction, braking.end * own.direction}};
