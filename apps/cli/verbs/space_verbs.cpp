@@ -10,6 +10,7 @@
 #include "avo/space/metrics.h"
 #include "avo_io/judgement.h"
 #include "avo_io/output_file.h"
+#include "avo_io/recording.h"
 #include "exit_codes.h"
 #include "figures/space_views.h"
 #include "files.h"
