@@ -284,7 +284,7 @@ const std::vector<Bad> kScens{
     scen("unknown_key", "",
          "s.yaml:5:29: robots_from: found the unknown key \"numbr\", allowed "
          "are scen, number, velocity, radius, max_speed, max_acceleration, preferred_speed, model, "
-         "heading, car, drive, airplane, "
+         "heading, car, drive, airplane, footprint, "
          "priority, max_braking, parked, layers, avoids, behavior, time_step, method, "
          "time_horizon, arrival_distance; "
          "did you mean \"number\"?",

@@ -291,11 +291,11 @@ const std::vector<BadScene>& bad_scenes() {
       {"footprint_beside_a_body",
        s("version: 1\nrobots:\n  - {position: [0, 0], goal: [1, 0], car: {body: {radius: 1}}, "
          "footprint: {length: 3, width: 1}}\n"),
-       "robots.0.car.body: found one, must be left out: it has a footprint"},
+       "3:50: robots.0.car.body: found one, must be left out: it has a footprint"},
       {"footprint_with_free_clocks",
        s("version: 1\nclock: free\nrobots:\n  - {position: [0, 0], goal: [1, 0], car: {}, "
          "footprint: {length: 3, width: 1}}\n"),
-       "clock: found free, must be common with footprints: robots.0.footprint is one"},
+       "2:8: clock: found free, must be common with footprints: robots.0.footprint is one"},
       {"body_unknown_key",
        s("version: 1\nrobots:\n  - {position: [0, 0], goal: [1, 0], car: {body: {ofset: 1}}}\n"),
        "3:51: robots.0.car.body: found the unknown key \"ofset\", allowed are offset, radius; did "

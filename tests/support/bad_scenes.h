@@ -22,7 +22,7 @@ inline const std::string kSceneKeys =
     "allow_broken_assumptions";
 inline const std::string kRobotKeys =
     "position, velocity, goal, radius, max_speed, max_acceleration, preferred_speed, model, "
-    "heading, car, drive, airplane, "
+    "heading, car, drive, airplane, footprint, "
     "priority, max_braking, parked, layers, avoids, behavior, time_step, method, time_horizon, "
     "arrival_distance";
 
