@@ -127,10 +127,12 @@ class Poison {
   void spoil(NeighborColumns& neighbors) const {
     auto& [count, has_movers, has_aged, has_priorities, has_max_braking, has_deviations,
            has_partings, x, y, v_x, v_y, radius, max_acceleration, decides, priority, max_braking,
-           age, position_error, motion, has_loiterers, loiter, parting] = neighbors;
+           age, position_error, motion, has_loiterers, loiter, has_footprints, covers, parting] =
+        neighbors;
     each(count, has_movers, has_aged, has_priorities, has_max_braking, has_deviations, has_partings,
          x, y, v_x, v_y, radius, max_acceleration, decides, priority, max_braking, age,
-         position_error, motion, has_loiterers, loiter, parting);
+         position_error, motion, has_loiterers, loiter, has_footprints, parting);
+    static_cast<void>(covers);
   }
   // model, neighbors and loiter are lists
   void spoil(RobotColumns& robots) const {
@@ -188,8 +190,10 @@ class Poison {
     each(near, middle, stop, backup, first, broken, doubtful, must_brake);
   }
   void spoil(CandidatePath& path) const {
-    auto& [first, next_velocity, direction, speed, way, moving, bend, swing, braking] = path;
-    each(first, next_velocity, direction, speed, way, moving, bend, swing, braking);
+    auto& [first, next_velocity, direction, speed, way, moving, bend, swing, braking, begin, end,
+           grown_within, grown, lever] = path;
+    each(first, next_velocity, direction, speed, way, moving, bend, swing, braking, begin, end,
+         grown_within, grown, lever);
   }
   void spoil(Deepest& deepest) const { each(deepest.index, deepest.depth); }
   void spoil(Invariant& invariant) const {
@@ -221,7 +225,10 @@ class Poison {
     each(own, queue, kept, end, has_others, admits);
   }
   void spoil(CertificateConstraints& constraints) const {
-    auto& [invariant, trajectories, loiterers, walls, path, near, alone, seen] = constraints;
+    auto& [invariant, trajectories, loiterers, walls, footprint, path, near, alone, seen] =
+        constraints;
+    for (DiscConstraints& disc : footprint.discs)
+      each(disc.ahead, disc.trajectories, disc.walls, disc.path);
     each(invariant, trajectories, loiterers, walls, path, near, alone, seen);
   }
   void spoil(CertifiedWorkspace& certified) const {
