@@ -39,7 +39,7 @@ def kind_of(key):
         return f"``{json.dumps(key['const'])}``"
     if "enum" in key:
         return ", ".join(f"``{word}``" for word in key["enum"])
-    if "oneOf" in key:
+    if "oneOf" in key and "type" not in key:
         return " or ".join(dict.fromkeys(kind_of(one) for one in key["oneOf"]))
     if "prefixItems" in key:
         return "[x, y]"

@@ -18,7 +18,7 @@ root_doc = "docs/manual/index"
 include_patterns = ["*.md", "bench/*.md", "docs/**"]
 exclude_patterns = [".*", "build*", "apps", "figures", "io", "scenarios", "scripts", "src", "tests"]
 nitpicky = True
-nitpick_ignore_regex = [("(c|cpp):identifier", r"avo(_io)?|std|u?int\d+_t|size_t|byte"), ("py:.*", ".*")]
+nitpick_ignore_regex = [("(c|cpp):identifier", r"avo(_io|::space)?|std|u?int\d+_t|size_t|byte"), ("py:.*", ".*")]
 toc_object_entries = False  # they would make contents long, and slow
 
 myst_heading_anchors = 4  # as GitHub names them

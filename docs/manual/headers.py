@@ -140,7 +140,7 @@ class OtherHeaders(Generated):
 
     def text(self):
         named = "".join(path.read_text() for path in (ROOT / "docs/manual/reference").glob("*.rst"))
-        names = [str(path.relative_to(INCLUDE)) for path in sorted(INCLUDE.glob("avo*/*.h"))]
+        names = [str(path.relative_to(INCLUDE)) for path in sorted(INCLUDE.glob("avo*/**/*.h"))]
         return "".join(f"{heading(name, '-')}.. avo-header:: {name}\n\n" for name in names
                        if name not in ("avo/avo.h", "avo/export.h") and f"avo-header:: {name}\n" not in named)
 

@@ -16,6 +16,7 @@ struct LayerSet {
   std::uint32_t bits = 0;  ///< bit k: layer k
   friend constexpr bool operator==(LayerSet, LayerSet) = default;
 };
+/// Every layer.
 inline constexpr LayerSet kAllLayers{0xffffffff};
 
 /// All points within `radius` of the segment from a to b; a disc where a == b.

@@ -33,14 +33,13 @@ AVO_API avo::space::Scenario parse_space_scenario(std::string_view yaml, const s
 /// bits, rows by time then robot.
 class AVO_API SpaceCsvRecording {
  public:
-  explicit SpaceCsvRecording(const std::string& path, std::int64_t every = 1);
-  /// Adds the present state, if it is one of every n-th. Throws FileError.
+  explicit SpaceCsvRecording(const std::string& path);
+  /// Adds the present state: a row of each robot. Throws FileError.
   void add(const avo::space::Simulation& simulation);
   OutputFile& file() { return file_; }
 
  private:
   OutputFile file_;
-  std::int64_t every_;
   std::string rows_;
 };
 

@@ -6,6 +6,7 @@
 #include <fcntl.h>
 #include <filesystem>
 #include <fmt/format.h>
+#include <optional>
 #include <sys/stat.h>
 #include <system_error>
 #include <unistd.h>
@@ -67,11 +68,13 @@ bool is_missing(const std::string& path) {
 }
 
 std::string read_standard_input() {
+  static std::optional<std::string> text;  // a second reader would find nothing
+  if (text) return *text;
   struct stat status = {};
   if (fstat(STDIN_FILENO, &status) != 0) throw FileError(with_errno(kStandardInput));
   if (S_ISDIR(status.st_mode))
     throw FileError(fmt::format("{}: found a directory, must be a file", kStandardInput));
-  return read_all(STDIN_FILENO, kStandardInput);
+  return text.emplace(read_all(STDIN_FILENO, kStandardInput));
 }
 
 }  // namespace avo_io

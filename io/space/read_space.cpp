@@ -180,8 +180,10 @@ class SpaceBuilder {
   void read_obstacles() {
     const YamlNode* list = list_of("obstacles");
     if (list == nullptr) return;
-    for (std::size_t i = 0; i < list->children.size(); ++i)
+    for (std::size_t i = 0; i < list->children.size(); ++i) {
       read_obstacle(list->children[i], fmt::format("obstacles.{}", i));
+      scenario_.obstacle_of_box.resize(scenario_.boxes.size(), static_cast<std::int64_t>(i));
+    }
   }
 
   void read_obstacle(const YamlNode& node, const std::string& path) {
@@ -202,7 +204,10 @@ class SpaceBuilder {
       const std::string inside = path_to(path, "box");
       const SpaceBox box = read_map<SpaceBox>(*bounds, inside);
       if (!(box.min.x <= box.max.x && box.min.y <= box.max.y && box.min.z <= box.max.z))
-        reader_.fail(*bounds, inside, shown(*bounds), "min must not exceed max");
+        reader_.fail(*bounds, inside,
+                     fmt::format("min [{}, {}, {}] and max [{}, {}, {}]", box.min.x, box.min.y,
+                                 box.min.z, box.max.x, box.max.y, box.max.z),
+                     "min must not exceed max");
       scenario_.boxes.push_back(box_of(box));
     } else {
       read_walls(node, path);
@@ -282,20 +287,26 @@ std::optional<Scenario> load_space_scenario(const std::string& name_or_path,
                                             const std::vector<std::string>& overrides,
                                             SceneSource* source) {
   const std::optional<std::string> builtin = builtin_text(name_or_path);
-  if (!builtin && (name_or_path == "-" || is_missing(name_or_path))) return std::nullopt;
-  const std::string yaml = builtin ? *builtin : read_regular_file(name_or_path);
+  const bool is_input = name_or_path == "-";
+  if (!builtin && !is_input && is_missing(name_or_path)) return std::nullopt;
+  const std::string yaml = builtin    ? *builtin
+                           : is_input ? read_standard_input()
+                                      : read_regular_file(name_or_path);
   const auto speaks_of_space = [](const std::string& text) {
     return text.find(kSpaceKey) != std::string::npos;
   };
   if (!speaks_of_space(yaml) && std::none_of(overrides.begin(), overrides.end(), speaks_of_space))
     return std::nullopt;
   Document document;
-  const std::vector<RobotPatch> patches = parse(yaml, name_or_path, overrides, document);
+  const std::string file = is_input ? kStandardInput : name_or_path;
+  const std::vector<RobotPatch> patches = parse(yaml, file, overrides, document);
   if (!is_in_space(document)) return std::nullopt;
   SceneFiles files{folder_of(name_or_path)};
-  files.builtin = builtin ? BuiltinFiles::first : BuiltinFiles::none;
-  Scenario scenario = SpaceBuilder(document, files).build(patches, stem_of(name_or_path));
-  if (source != nullptr) *source = {name_or_path, yaml, overrides, std::move(files.read)};
+  files.builtin = builtin    ? BuiltinFiles::first
+                  : is_input ? BuiltinFiles::last
+                             : BuiltinFiles::none;
+  Scenario scenario = SpaceBuilder(document, files).build(patches, stem_of(file));
+  if (source != nullptr) *source = {file, yaml, overrides, std::move(files.read)};
   return scenario;
 }
 

@@ -57,7 +57,8 @@ SpaceRow row_of(std::string_view line, const LineReader& lines) {
   }
   if (count != kColumns)
     fail(lines, fmt::format("found {} columns, must be {}: {}", count, kColumns, kHeader));
-  if (numbers[1] != std::floor(numbers[1]) || numbers[1] < 0.0)
+  constexpr double kMostRobots = 1e9;
+  if (numbers[1] != std::floor(numbers[1]) || numbers[1] < 0.0 || numbers[1] > kMostRobots)
     fail(lines, fmt::format("found robot {}, must be a whole number", numbers[1]));
   return {numbers[0],
           {static_cast<std::int64_t>(numbers[1]),
@@ -79,13 +80,11 @@ void add(avo::space::Check& check, double time, std::vector<avo::space::CheckedS
 
 }  // namespace
 
-SpaceCsvRecording::SpaceCsvRecording(const std::string& path, std::int64_t every)
-    : file_(path), every_(every) {
+SpaceCsvRecording::SpaceCsvRecording(const std::string& path) : file_(path) {
   file_.write(std::string(kHeader) + "\n");
 }
 
 void SpaceCsvRecording::add(const avo::space::Simulation& simulation) {
-  if (simulation.steps() % every_ != 0) return;
   rows_.clear();
   const std::string time = csv_time(simulation.time());
   for (std::size_t k = 0; k < simulation.size(); ++k) {
@@ -119,16 +118,22 @@ Judgement judge_in_space(const std::string& recording, const avo::space::Scenari
   avo::space::Check check(
       avo::space::checked_robots(scene), scene.boxes,
       {.relative_tolerance = tolerance, .arrival_distance = scene.arrival_distance});
+  Judgement judgement;
   std::vector<avo::space::CheckedState> rows;
   double time = 0.0;
   while (const auto line = lines.next()) {
     const SpaceRow row = row_of(*line, lines);
-    if (!rows.empty() && row.time != time) add(check, time, rows, lines);
+    if (!rows.empty() && row.time != time) {
+      add(check, time, rows, lines);
+      const double step = row.time - time;
+      const bool is_even = std::abs(step - scene.time_step) <= 1e-6 * scene.time_step;
+      if (!is_even) ++judgement.uneven_steps;
+      if (step > 1.5 * scene.time_step) check.skip();
+    }
     time = row.time;
     rows.push_back(row.state);
   }
   add(check, time, rows, lines);
-  Judgement judgement;
   judgement.report = check.report();
   judgement.recording = recording;
   const avo::CheckReport& report = judgement.report;
@@ -139,8 +144,7 @@ Judgement judge_in_space(const std::string& recording, const avo::space::Scenari
   judgement.scene_end = scene.duration;
   judgement.whole = report.from == 0.0 &&
                     (report.arrived == report.with_goal || report.to >= scene.duration - 1e-9);
-  for (std::size_t k = 0; k < scene.boxes.size(); ++k)
-    judgement.obstacle_of_wall.push_back(static_cast<std::int64_t>(k));
+  judgement.obstacle_of_wall = scene.obstacle_of_box;
   const auto robots = static_cast<std::int64_t>(scene.robots.size());
   if (report.robots < robots)
     throw RecordingError(fmt::format("{}: found {} robots, must be {}, those of the scene",

@@ -55,9 +55,32 @@ double weighed(Vec3 a, double vertical) {
   return std::hypot(std::hypot(a.x, a.y), a.z / vertical);
 }
 
-void require_positive(double value, std::size_t robot, const char* what) {
-  if (!(value > 0.0) || std::isnan(value))
-    throw Error("robot " + std::to_string(robot) + ": " + what + " must be > 0");
+bool slows_straight(Vec3 from, Vec3 to) {
+  const double speed = norm(from);
+  return norm(to) <= speed && dot(from, to) >= 0.0 && norm(cross(from, to)) <= 1e-9 * speed * speed;
+}
+
+void require_that(bool holds, const char* body, std::size_t number, const char* rule) {
+  if (!holds) throw Error(std::string(body) + " " + std::to_string(number) + ": " + rule);
+}
+
+void check_body(const CheckedRobot& robot, std::size_t k) {
+  require_that(robot.radius > 0.0, "robot", k, "radius must be > 0");
+  require_that(robot.downwash >= 0.0, "robot", k, "downwash must be >= 0");
+  require_that(robot.max_acceleration > 0.0, "robot", k, "max_acceleration must be > 0");
+  require_that(robot.max_speed > 0.0, "robot", k, "max_speed must be > 0");
+  require_that(robot.vertical > 0.0, "robot", k, "vertical must be > 0");
+  require_that(robot.climb > 0.0, "robot", k, "climb must be > 0");
+  require_that(robot.sink > 0.0, "robot", k, "sink must be > 0");
+  require_that(robot.max_braking.value_or(1.0) > 0.0, "robot", k, "max_braking must be > 0");
+  require_that(!robot.goal || is_finite(*robot.goal), "robot", k, "goal must be finite");
+}
+
+void check_body(const Box& box, std::size_t k) {
+  require_that(box.min.x <= box.max.x && box.min.y <= box.max.y && box.min.z <= box.max.z, "box", k,
+               "min must not exceed max");
+  require_that(box.radius >= 0.0 && std::isfinite(box.heading), "box", k,
+               "radius must be >= 0, and heading finite");
 }
 
 }  // namespace
@@ -112,9 +135,7 @@ void Check::State::judge_limits(const CheckedState& from, const CheckedState& to
   report.largest_acceleration = std::max(report.largest_acceleration, norm(change) / duration);
   double allowed = robot.max_acceleration;
   const double braking = robot.max_braking.value_or(robot.max_acceleration);
-  if (braking > allowed &&
-      norm(cross(from.velocity, to.velocity)) <= 1e-9 * norm(from.velocity) * norm(from.velocity))
-    allowed = braking;
+  if (braking > allowed && slows_straight(from.velocity, to.velocity)) allowed = braking;
   // rounding of the two velocities
   const double rounding = 4e-16 * (norm(from.velocity) + norm(to.velocity)) / duration;
   const double over = acceleration - allowed * tolerance - rounding;
@@ -136,7 +157,8 @@ void Check::State::judge_pair(const Step& a, const Step& b, double start) {
   for (std::size_t i = 0; i < 4; ++i) relative[i] = a.path[i] - b.path[i];
   // b may not be below a: p_a - p_b is not on the stick from -w_b to w_a
   const Stick stick{-second.downwash, first.downwash};
-  const double clearance = judge::least_distance(relative, stick, contact + room) - contact;
+  const double clearance =
+      judge::least_distance(relative, stick, contact + std::max(room, 0.0)) - contact;
   report.least_clearance = std::min(room, clearance);
   if (!(clearance < -options.relative_tolerance * contact)) return;
   const auto one = static_cast<std::int64_t>(std::min(a.robot, b.robot));
@@ -192,12 +214,12 @@ void Check::State::judge_boxes(const Step& step, double start) {
 Check::Check(std::vector<CheckedRobot> robots, std::vector<Box> boxes, const CheckOptions& options)
     : state_(std::make_unique<State>()) {
   for (std::size_t k = 0; k < robots.size(); ++k) {
-    require_positive(robots[k].radius, k, "radius");
-    require_positive(robots[k].max_acceleration, k, "max_acceleration");
-    require_positive(robots[k].max_speed, k, "max_speed");
-    require_positive(robots[k].vertical, k, "vertical");
+    check_body(robots[k], k);
     if (robots[k].goal) ++state_->report.with_goal;
   }
+  for (std::size_t k = 0; k < boxes.size(); ++k) check_body(boxes[k], k);
+  if (!(options.relative_tolerance >= 0.0 && options.relative_tolerance < 1.0))
+    throw Error("relative_tolerance: must be >= 0 and < 1");
   state_->robots = std::move(robots);
   state_->boxes = std::move(boxes);
   state_->options = options;
@@ -247,6 +269,12 @@ void Check::add(double time, std::span<const CheckedState> rows) {
   report.to = state.time = time;
   state.has_time = true;
   state.before.assign(rows.begin(), rows.end());
+}
+
+void Check::skip() {
+  if (!state_->has_time) return;
+  state_->before.clear();
+  ++state_->report.unjudged_steps;
 }
 
 CheckReport Check::report() const {

@@ -11,23 +11,11 @@
 namespace avo::space {
 namespace {
 
-// The robot of the plane with the same numbers, for the rules that read numbers alone.
-avo::Robot in_plane(const Robot& robot) {
-  avo::Robot same;
-  same.radius = robot.radius;
-  same.max_acceleration = robot.max_acceleration;
-  same.max_speed = robot.max_speed;
-  same.distance_to_goal = robot.distance_to_goal;
-  same.max_braking = robot.max_braking;
-  return same;
-}
-
 // The neighbor of the plane with the same distance and the same speeds, along one axis.
-avo::Neighbor in_plane(const Robot& robot, const Neighbor& neighbor) {
+avo::Neighbor in_plane(const Neighbor& neighbor) {
   avo::Neighbor same;
   same.radius = neighbor.radius;
   same.velocity = {norm(neighbor.velocity), 0.0};
-  (void)robot;
   return same;
 }
 
@@ -40,8 +28,8 @@ Vec3 away_from(const Robot& robot, const Neighbor& neighbor) {
 
 // See avo::push_of().
 Vec3 push_of(const Robot& robot, const Neighbor& neighbor, Vec3 away, double distance) {
-  avo::Robot a = in_plane(robot);
-  avo::Neighbor b = in_plane(robot, neighbor);
+  avo::Robot a = numbers_of(robot);
+  avo::Neighbor b = in_plane(neighbor);
   // along one axis, with the relative velocity of the two
   a.position = {distance, 0.0};
   a.velocity = {norm(robot.velocity - neighbor.velocity), 0.0};
@@ -52,7 +40,7 @@ Vec3 push_of(const Robot& robot, const Neighbor& neighbor, Vec3 away, double dis
 }  // namespace
 
 Traffic look_around(const Robot& robot, std::span<const Neighbor> neighbors) {
-  const avo::Robot same = in_plane(robot);
+  const avo::Robot same = numbers_of(robot);
   const double range = arrival_range(same, 0.0), pace = norm(robot.preferred_velocity);
   Traffic traffic;
   for (const Neighbor& neighbor : neighbors) {
@@ -73,7 +61,7 @@ Traffic look_around(const Robot& robot, std::span<const Neighbor> neighbors) {
     if (!(gap > 0.0 && gap < (1.0 + kRoom) * contact)) continue;
     traffic.is_beside = true;
     const Vec3 push = defers * push_of(robot, neighbor, away, gap);
-    const double motion = motion_of(same, in_plane(robot, neighbor));
+    const double motion = motion_of(same, in_plane(neighbor));
     traffic.push = traffic.push + motion * push;
     traffic.push_at_rest = traffic.push_at_rest + (1.0 - motion) * push;
   }
@@ -97,7 +85,7 @@ Vec3 turned_right(Vec3 a, Vec3 axis, double angle) {
 
 Vec3 wish_of(const Robot& robot, std::span<const Neighbor> neighbors, const PlannerOptions& options,
              Vec3 axis, Detour& detour) {
-  const avo::Robot same = in_plane(robot);
+  const avo::Robot same = numbers_of(robot);
   const Traffic traffic = look_around(robot, neighbors);
   avo::Detour plane{
       .beside = detour.beside, .congestion = detour.congestion, .has_arrived = detour.has_arrived};

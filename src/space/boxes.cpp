@@ -204,7 +204,7 @@ double box_reach(const Robot& robot, const StepLaw& law) {
 void begin_boxes(const Robot& robot, std::span<const Box> boxes, const StepLaw& law,
                  BoxConstraints& constraints) {
   constraints.near.clear();
-  constraints.broken = {};
+  constraints.broken = constraints.tight = {};
   constraints.must_brake = false;
   if (boxes.empty()) return;
   constraints.middle = robot.position + law.lag * robot.velocity;
@@ -221,11 +221,13 @@ void begin_boxes(const Robot& robot, std::span<const Box> boxes, const StepLaw& 
     // the center is in the box: there is no side to keep, and nothing is deeper
     if (!(away > 0.0)) {
       constraints.broken.take(static_cast<int>(k), contact);
+      constraints.tight.take(static_cast<int>(k), contact + margin);
       continue;
     }
     const double kept = nearest(robot.position, constraints.stop, box).distance;
     if (kept < contact + 0.5 * margin) near.held = kept, near.margin = 0.0;
     constraints.broken.take(static_cast<int>(k), contact - kept);
+    constraints.tight.take(static_cast<int>(k), contact + margin - kept);
     constraints.must_brake = constraints.must_brake || (kept == 0.0 && !(robot.velocity == Vec3{}));
     constraints.near.push_back(near);
   }

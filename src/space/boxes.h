@@ -36,6 +36,7 @@ struct BoxConstraints {
   Vec3 stop;                  ///< m, where braking ends
   Vec3 backup;                ///< m/s, the velocity after one step of braking
   Deepest broken = {};        ///< the deepest of the boxes that braking touches
+  Deepest tight = {};         ///< of the boxes from which braking does not keep the margin as well
   bool must_brake = false;    ///< braking takes the center into a box
 };
 

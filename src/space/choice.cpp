@@ -45,6 +45,23 @@ bool is_within(const Limits& limits, const std::vector<HalfSpace>& own_planes, V
                      [&](const HalfSpace& plane) { return violation(plane, own) <= 0.0; });
 }
 
+// Whether a velocity keeps climb and sink. Where the present velocity breaks them, it may not break
+// them by more.
+bool keeps_climb(const Robot& robot, Vec3 next) {
+  return next.z <= std::max(robot.climb, robot.velocity.z) &&
+         -next.z <= std::max(robot.sink, -robot.velocity.z);
+}
+
+// The candidate with its height within climb and sink, which rounding may have left: slower, and
+// nearer to the present velocity.
+Vec3 within_climb(const Robot& robot, Vec3 next) {
+  if (keeps_climb(robot, next)) return next;
+  constexpr double kLeft = 1e-6;  // of the limit, at most
+  const double most = next.z > 0.0 ? robot.climb : robot.sink;
+  if (std::abs(next.z) <= (1.0 + kLeft) * most) next.z = next.z > 0.0 ? most : -most;
+  return next;
+}
+
 // Moves a cut in, since the admitted set bends away from its tangent.
 void move_in(HalfSpace& cut, Vec3 refused, double u) {
   const double bent = (norm(refused) / u - kStraight) / (kBent - kStraight);
@@ -74,9 +91,10 @@ Choice choose(const Robot& robot, Vec3 wanted, const StepLaw& law, ChoiceWorkspa
     if (!is_wanted) result = nearest_point(cuts, balls, own_wanted, workspace.program);
     if (result.state == SpaceProgramState::balls_disjoint) break;
     const Vec3 own = is_wanted ? own_wanted : within(limits, result.point);
-    const Vec3 candidate = is_wanted ? wanted : from_own(own, robot.vertical);
+    const Vec3 candidate = is_wanted ? wanted : within_climb(robot, from_own(own, robot.vertical));
     const bool is_last = result.state == SpaceProgramState::least_unsafe || round + 1 == kRounds;
     const Asked asked = is_last ? Asked::until_refused : Asked::all;
+    if (!keeps_climb(robot, candidate)) break;  // no point keeps all cuts and the climb
     if (admits(robot, candidate, law, asked, constraints))
       return {candidate, is_wanted ? Chosen::wanted : Chosen::candidate};
     if (is_last) break;
@@ -95,7 +113,8 @@ Choice choose(const Robot& robot, Vec3 wanted, const StepLaw& law, ChoiceWorkspa
   for (int i = 0; i < kBisections; ++i) {
     const double part = 0.5 * (admitted + refused);
     const Vec3 candidate = from_own(within(limits, own_backup + part * way), robot.vertical);
-    if (admits(robot, candidate, law, Asked::until_refused, constraints)) {
+    if (keeps_climb(robot, candidate) &&
+        admits(robot, candidate, law, Asked::until_refused, constraints)) {
       admitted = part;
       choice = {candidate, Chosen::candidate};
     } else {

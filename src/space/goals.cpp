@@ -21,9 +21,9 @@ Vec3 preferred_velocity(const Robot& robot, Vec3 goal, double preferred_speed,
   const ResponseLaw& law = landing.law;
   // along the way a robot brakes with b/ν, and is as fast as v_max/ν
   const double per_own = 1.0 / own_length(direction, robot.vertical);
-  const double climb = direction.z > 0.0 ? robot.climb / direction.z : robot.climb;
-  const double sink = direction.z < 0.0 ? -robot.sink / direction.z : robot.sink;
-  const double top = std::min({preferred_speed, robot.max_speed * per_own, climb, sink});
+  double top = std::min(preferred_speed, robot.max_speed * per_own);
+  if (direction.z > 0.0) top = std::min(top, robot.climb / direction.z);
+  if (direction.z < 0.0) top = std::min(top, -robot.sink / direction.z);
   const double left = distance - landing.lag * dot(robot.velocity, direction);
   const Number own_braking =
       scalar::used_of(Number(planned_braking(robot)), Number(robot.max_speed), law);

@@ -4,6 +4,7 @@
 #pragma once
 #include <algorithm>
 
+#include "avo/robot.h"
 #include "avo/space/robot.h"
 #include "space/program.h"
 
@@ -37,6 +38,17 @@ inline double braking_limit(const Neighbor& neighbor) {
 /// min(a_max, b), m/s²: the deceleration for what a robot foresees.
 inline double planned_braking(const Robot& robot) {
   return std::min(robot.max_acceleration, braking_limit(robot));
+}
+
+/// The robot of the plane with the same numbers, for rules that read numbers alone.
+inline avo::Robot numbers_of(const Robot& robot) {
+  avo::Robot same;
+  same.radius = robot.radius;
+  same.max_acceleration = robot.max_acceleration;
+  same.max_speed = robot.max_speed;
+  same.distance_to_goal = robot.distance_to_goal;
+  same.max_braking = robot.max_braking;
+  return same;
 }
 
 /// A robot as others sense it exactly.

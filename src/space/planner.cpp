@@ -6,16 +6,15 @@
 #include <algorithm>
 #include <cmath>
 
-#include "avo/error.h"
 #include "core/response_law.h"
 #include "planner/execution.h"
 #include "planner/execution_kernel.h"
-#include "planner/options.h"
 #include "space/arrival.h"
 #include "space/choice.h"
 #include "space/half_spaces.h"
 #include "space/own_space.h"
 #include "space/step_law.h"
+#include "space/validity.h"
 #include "space/workspace.h"
 
 namespace avo::space {
@@ -27,76 +26,9 @@ PlanWorkspace& PlanWorkspace::operator=(PlanWorkspace&&) noexcept = default;
 
 namespace {
 
-void refuse(const char* option, const char* found, const char* allowed) {
-  throw Error(std::string("PlannerOptions.") + option + ": space has no " + found +
-              "; allowed: " + allowed);
-}
-
-void validate_in_space(const PlannerOptions& options) {
-  validate(options, "PlannerOptions.");
-  if (options.method != Method::avo) refuse("method", to_string(options.method), "avo");
-  if (options.clock != Clock::common) refuse("clock", to_string(options.clock), "common");
-  if (options.localization_error > 0.0)
-    refuse("localization_error", "errors of a robot's own place", "0");
-  if (options.sensing_noise.position > 0.0 || options.sensing_noise.velocity > 0.0)
-    refuse("sensing_noise", "noise of half-spaces", "0");
-  if (options.margin > 0.0) refuse("margin", "margin", "0");
-}
-
-bool is_positive(double x) {
-  return std::isfinite(x) && x > 0.0;
-}
-
-template <typename Body>
-bool is_valid_body(const Body& body) {
-  return is_finite(body.position) && is_finite(body.velocity) && is_positive(body.radius) &&
-         is_positive(body.max_acceleration) && is_positive(body.vertical) &&
-         std::isfinite(body.downwash) && body.downwash >= 0.0 && is_positive(body.priority) &&
-         is_positive(braking_limit(body));
-}
-
-bool is_valid(const Robot& robot) {
-  return is_valid_body(robot) && is_finite(robot.preferred_velocity) &&
-         is_positive(robot.max_speed) && robot.climb > 0.0 && robot.sink > 0.0 &&
-         robot.distance_to_goal >= 0.0;
-}
-
-bool is_valid(const Box& box) {
-  return box.min.x <= box.max.x && box.min.y <= box.max.y && box.min.z <= box.max.z &&
-         std::isfinite(box.heading) && std::isfinite(box.radius) && box.radius >= 0.0;
-}
-
-// The errors of sensing are not derived for capsules (docs/space.md, "Downwash").
-bool has_downwash(const Robot& robot, std::span<const Neighbor> neighbors) {
-  return robot.downwash > 0.0 ||
-         std::any_of(neighbors.begin(), neighbors.end(),
-                     [](const Neighbor& neighbor) { return neighbor.downwash > 0.0; });
-}
-
-bool are_valid(const PlannerOptions& options, const Robot& robot,
-               std::span<const Neighbor> neighbors, std::span<const Box> boxes) {
-  const bool is_derived =
-      options.sensing_error == SensingError{} || !has_downwash(robot, neighbors);
-  return is_derived && is_valid(robot) &&
-         std::all_of(neighbors.begin(), neighbors.end(),
-                     [](const Neighbor& neighbor) { return is_valid_body(neighbor); }) &&
-         std::all_of(boxes.begin(), boxes.end(), [](const Box& box) { return is_valid(box); });
-}
-
 bool is_sound(const Detour& detour) {
   avo::Detour plane{detour.angle, detour.beside, detour.congestion};
   return avo::is_sound(plane) && is_finite(detour.acceleration);
-}
-
-// The robot of the plane with the same numbers, for what reads numbers alone.
-avo::Robot numbers_of(const Robot& robot) {
-  avo::Robot same;
-  same.radius = robot.radius;
-  same.max_acceleration = robot.max_acceleration;
-  same.max_speed = robot.max_speed;
-  same.distance_to_goal = robot.distance_to_goal;
-  same.max_braking = robot.max_braking;
-  return same;
 }
 
 // The inputs of a decision. Velocities with `own` in their names are in the robot's own space.

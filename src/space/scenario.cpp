@@ -6,6 +6,7 @@
 #include <string>
 
 #include "avo/error.h"
+#include "avo/space/planner.h"
 #include "core/ranges.h"
 #include "planner/options.h"
 #include "planner/rules/arrival.h"
@@ -110,10 +111,26 @@ void check_robot(const RobotSetup& robot, std::size_t k) {
   require(key("downwash"), robot.downwash, kNotNegative, "m");
   require(key("priority"), robot.priority, kPositive, "");
   require(key("max_braking"), robot.max_braking.value_or(1.0), kPositive, "m/s^2");
+  const auto require_slow = [&](double speed, double most, const char* limit) {
+    if (speed > most * (1.0 + 1e-9))
+      refuse(key("velocity"), text(speed) + " m/s at the start",
+             std::string("<= its ") + limit + ", " + text(most) + " m/s");
+  };
+  require_slow(own_length(robot.velocity, robot.vertical), robot.max_speed, "max_speed");
+  if (robot.climb) require_slow(robot.velocity.z, *robot.climb, "climb");
+  if (robot.sink) require_slow(-robot.velocity.z, *robot.sink, "sink");
 }
 
-void check_box(const Box& box, std::size_t k) {
-  const auto key = [k](const char* name) { return numbered("obstacles", k, name); };
+// The box k in messages: by the obstacle of the scene file that it comes from.
+std::string box_name(const Scenario& scenario, std::size_t k) {
+  const bool is_known = k < scenario.obstacle_of_box.size();
+  return is_known ? "obstacles." + std::to_string(scenario.obstacle_of_box[k])
+                  : "boxes." + std::to_string(k);
+}
+
+void check_box(const Scenario& scenario, std::size_t k) {
+  const Box& box = scenario.boxes[k];
+  const auto key = [&](const char* name) { return box_name(scenario, k) + "." + name; };
   require(key("radius"), box.radius, kNotNegative, "m");
   require(key("heading"), box.heading, kAngle, "rad");
   const bool is_sound = box.min.x <= box.max.x && box.min.y <= box.max.y && box.min.z <= box.max.z;
@@ -122,7 +139,6 @@ void check_box(const Box& box, std::size_t k) {
 
 // Whether braking from the start keeps the robots apart, and from boxes.
 void check_starts(const Scenario& scenario, const StepLaw& law) {
-  std::vector<Robot> robots;
   std::vector<Neighbor> others;
   Constraints constraints;
   for (std::size_t k = 0; k < scenario.robots.size(); ++k) {
@@ -133,10 +149,10 @@ void check_starts(const Scenario& scenario, const StepLaw& law) {
       throw Error(name + " and robots." + std::to_string(constraints.invariant.broken.index) +
                   ": braking at the start leaves " + text(constraints.invariant.broken.depth) +
                   " m less than contact; move them apart");
-    if (constraints.boxes.broken.any())
-      throw Error(name + " and obstacles." + std::to_string(constraints.boxes.broken.index) +
-                  ": braking at the start leaves " + text(constraints.boxes.broken.depth) +
-                  " m less than contact; move the robot away");
+    if (const Deepest& tight = constraints.boxes.tight; tight.any())
+      throw Error(name + " and " + box_name(scenario, static_cast<std::size_t>(tight.index)) +
+                  ": braking at the start leaves " + text(tight.depth) +
+                  " m less than contact and the margin for rounding; move the robot away");
     others.push_back(neighbor_of(robot));
   }
 }
@@ -155,12 +171,13 @@ double sensing_radius_of(const Scenario& scenario) {
 }
 
 void validate(const Scenario& scenario) {
-  require("duration", scenario.duration, kPositive, "s");
+  const PlannerOptions options = planner_options(scenario);
+  validate(options, "");
+  require("duration", scenario.duration, {scenario.time_step, kLargest, false}, "s");
   require("arrival_distance", scenario.arrival_distance, kPositive, "m");
   require("sensing_radius", scenario.sensing_radius.value_or(1.0), kPositive, "m");
   for (std::size_t k = 0; k < scenario.robots.size(); ++k) check_robot(scenario.robots[k], k);
-  for (std::size_t k = 0; k < scenario.boxes.size(); ++k) check_box(scenario.boxes[k], k);
-  const PlannerOptions options = planner_options(scenario);
+  for (std::size_t k = 0; k < scenario.boxes.size(); ++k) check_box(scenario, k);
   const Planner planner(options);
   if (options.certificate == Certificate::none || scenario.robots.empty()) return;
   const Robot largest = largest_of(scenario);

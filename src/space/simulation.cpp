@@ -170,11 +170,12 @@ void Simulation::set_boxes(std::span<const Box> boxes) {
   BoxConstraints constraints;
   for (std::size_t k = 0; k < size(); ++k) {
     begin_boxes(state_->robots[k], boxes, state_->law, constraints);
-    if (constraints.broken.any())
-      throw Error("box " + std::to_string(constraints.broken.index) + ": robot " +
+    if (constraints.tight.any())
+      throw Error("box " + std::to_string(constraints.tight.index) + ": robot " +
                   std::to_string(k) + " is in it, or cannot brake before it");
   }
   state_->scenario.boxes.assign(boxes.begin(), boxes.end());
+  state_->scenario.obstacle_of_box.clear();
 }
 
 std::uint64_t Simulation::state_hash() const {

@@ -125,7 +125,26 @@ TEST(SpaceScenes, bad_scenes_are_refused_by_place_and_allowed_values) {
   EXPECT_THAT(refused(scene_with("vertical: 0.5", "vertical: 0")), HasSubstr("must be > 0"));
   EXPECT_THAT(refused(scene_with("floor: -8", "floor: 2")), HasSubstr("robots.0 and obstacles.0"));
   EXPECT_THAT(refused(scene_with("radius: 6", "radius: 0.5")), HasSubstr("less than contact"));
+  EXPECT_THAT(refused(scene_with("vertical: 0.5,", "velocity: [19, 0, 0],")),
+              HasSubstr("found 19 m/s at the start, must be <= its max_speed, 2 m/s"));
+  EXPECT_THAT(refused(scene_with("duration: 30", "duration: 0.01")), HasSubstr("duration"));
   EXPECT_THAT(refused(kScene, "bench"), HasSubstr("space: found 3, must be 2 here"));
+}
+
+TEST(SpaceScenes, obstacles_are_named_by_their_numbers_in_the_file) {
+  const std::string text =
+      "version: 1\nspace: 3\nrobots:\n  - {position: [0, 0, 0.5], goal: [5, 0, 1]}\nobstacles:\n"
+      "  - {polygon: [[20, 0], [22, 0], [22, 2]]}\n  - {floor: 0}\n";
+  EXPECT_THAT(refused(text), HasSubstr("robots.0 and obstacles.1: braking at the start leaves"));
+}
+
+TEST(SpaceScenes, recordings_with_missing_rows_are_not_called_safe) {
+  const std::string scene = path_of("one.yaml"), csv = path_of("one.csv");
+  write_file(scene, "version: 1\nspace: 3\nrobots:\n  - {position: [0, 0, 0], goal: [9, 0, 0]}\n");
+  write_file(csv, "time,robot,x,y,z,vx,vy,vz\n0,0,0,0,0,0,0,0\n9,0,9,0,0,0,0,0\n");
+  EXPECT_EQ(run_avo({"check", csv, "--scene", scene}).exit_code, 7);
+  const ProcessResult thinned = run_avo({"run", scene, "--record", csv, "--every", "5"});
+  EXPECT_THAT(thinned.err, HasSubstr("--every: found with a scene of space"));
 }
 
 TEST(SpaceScenes, a_scene_that_says_two_dimensions_is_one_of_the_plane) {

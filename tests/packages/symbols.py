@@ -73,7 +73,7 @@ def check(library):
 
     namespace = "avo_io" if "avo_io" in pathlib.Path(library).name else "avo"
     declared = set()
-    for header in (ROOT / "include" / namespace).glob("*.h"):
+    for header in (ROOT / "include" / namespace).rglob("*.h"):
         declared |= set(re.findall(r"^(?:AVO_API [^;(]*?(?=\w+\()|class AVO_API )(\w+)", header.read_text(),
                                    re.M))
     hidden = declared - {part for symbol in symbols for part in name_of(symbol).split("::")}

@@ -28,7 +28,7 @@ struct SpaceOutputs {
   avo::figures::SpaceRecorder frames;
 
   explicit SpaceOutputs(const RunArguments& arguments) {
-    if (!arguments.record.empty()) record.emplace(arguments.record, arguments.every.value_or(1));
+    if (!arguments.record.empty()) record.emplace(arguments.record);
     if (!arguments.summary.empty()) summary.emplace(arguments.summary);
     if (!arguments.figure.empty()) figure.emplace(arguments.figure);
   }
@@ -106,6 +106,8 @@ std::optional<avo::space::Scenario> load_in_space(const SceneArguments& argument
 }
 
 int run_in_space(const RunArguments& arguments, const avo::space::Scenario& scenario) {
+  if (arguments.every)
+    throw UsageError("--every: found with a scene of space, which records every step");
   if (arguments.record.ends_with(".h5"))
     throw UsageError(
         fmt::format("--record: found {}, must end in .csv for a scene of space", arguments.record));

@@ -52,6 +52,9 @@ class AVO_API Check {
   /// on anything else. A robot may be missing: it is judged over the steps that have it at both
   /// ends.
   void add(double time, std::span<const CheckedState> rows);
+  /// Declares that rows are missing between the last add() and the next one: the step is one of
+  /// CheckReport::unjudged_steps.
+  void skip();
   /// The report of the plane; a static contact names a robot and a box. No robot has a heading.
   [[nodiscard]] CheckReport report() const;
 

@@ -95,7 +95,8 @@ std::optional<WallStart> worst_wall(const Scenario& scenario, int number, const 
                                     const StartDisc& disc, std::span<const Wall> walls,
                                     const CertificateLaw& law) {
   const RobotSetup& robot = scenario.robots[static_cast<std::size_t>(number)];
-  const auto& [center, radius, lever] = disc;
+  const Vec2 center = disc.center;
+  const double radius = disc.radius, lever = disc.lever;
   const WallRounding rounding = wall_rounding(radius + lengths_of_rounding(lever), robot.max_speed,
                                               ability_of(robot), step_law(scenario, robot, law));
   const double late = late_phase(robot, longest_first_step(law));

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 #include <gtest/gtest.h>
+#include <span>
+#include <utility>
 
 #include "unit/space/draws.h"
 
@@ -33,6 +35,27 @@ TEST(Boxes, the_nearest_point_of_a_segment_is_the_nearest) {
     ASSERT_NEAR(distance_of(found.on_segment, box), found.distance, 1e-12);
     for (int i = 0; i <= 100; ++i)
       ASSERT_LE(found.distance, distance_of(a + (0.01 * i) * (b - a), box) + 1e-12) << k;
+  }
+}
+
+// A thin pillar below the middle of the triangle of a step: far from its sides, and nearer to its
+// inside than the radius.
+TEST(Boxes, near_the_inside_of_the_triangle_of_a_step_are_seen) {
+  const StepLaw law{.time_step = 1.0, .lag = 0.5, .braking_time = 1.0};
+  Robot robot;
+  robot.radius = 0.2, robot.max_acceleration = 100.0, robot.max_speed = 100.0;
+  robot.velocity = {4, 0, 0};
+  const Vec3 next{0, 4, 0}, middle{2, 0, 0}, first{2, 2, 0};
+  const Vec3 inside = (middle + first) / 3.0;
+  for (const double height : {0.1, 0.19, 0.21}) {
+    const Vec3 tip = inside - Vec3{0, 0, height};
+    const Box pillar{{tip.x, tip.y, -Box::kFar}, tip, 0.0, 0.0};
+    for (const auto& [a, b] : {std::pair(Vec3{}, middle), {middle, first}, {Vec3{}, first}})
+      ASSERT_GT(nearest(a, b, pillar).distance, 0.25);
+    BoxConstraints constraints;
+    begin_boxes(robot, std::span(&pillar, 1), law, constraints);
+    ASSERT_FALSE(constraints.broken.any());
+    EXPECT_EQ(keeps_boxes(robot, next, law, constraints), height > 0.2) << height;
   }
 }
 

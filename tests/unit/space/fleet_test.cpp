@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // Fleets in space arrive without contact, and the same whatever the number of threads.
+#include <algorithm>
 #include <cmath>
 #include <gtest/gtest.h>
+#include <span>
+#include <string>
 
 #include "avo/error.h"
 #include "avo/space/check.h"
@@ -80,6 +83,87 @@ TEST(SpaceFleets, a_floor_and_a_ceiling_are_not_touched) {
   EXPECT_FALSE(report.broken());
   EXPECT_EQ(report.arrived, 16);
   EXPECT_LT(*report.least_static_clearance, 0.6);
+}
+
+TEST(SpaceFleets, climb_and_sink_limit_the_vertical_speed_alone) {
+  const auto flight = [](Vec3 goal) {
+    Scenario scene;
+    scene.duration = 100.0;
+    scene.robots.push_back({.goal = goal, .climb = 0.3, .sink = 0.2});
+    Simulation simulation(scene);
+    double most = 0.0, least = 0.0;
+    while (!simulation.is_at_goal(0) && simulation.time() < scene.duration) {
+      simulation.step();
+      most = std::max(most, simulation.robots()[0].velocity.z);
+      least = std::min(least, simulation.robots()[0].velocity.z);
+    }
+    EXPECT_LE(most, 0.3);
+    EXPECT_GE(least, -0.2);
+    return simulation.time();
+  };
+  EXPECT_LT(flight({20, 0, 0}), 13.0);
+  EXPECT_LT(flight({20, 0, -0.5}), 13.0);
+  EXPECT_NEAR(flight({0, 0, 6}), 5.5 / 0.3, 2.0);
+  EXPECT_NEAR(flight({0, 0, -4}), 3.5 / 0.2, 2.0);
+}
+
+TEST(SpaceFleets, starts_that_break_limits_or_margins_are_refused) {
+  const auto is_refused = [](const RobotSetup& robot, const std::vector<Box>& boxes = {}) {
+    Scenario scene;
+    scene.robots = {robot};
+    scene.boxes = boxes;
+    try {
+      validate(scene);
+    } catch (const Error&) {
+      return true;
+    }
+    return false;
+  };
+  EXPECT_TRUE(is_refused({.velocity = {19, 0, 0}}));
+  EXPECT_FALSE(is_refused({.velocity = {2, 0, 0}}));
+  EXPECT_TRUE(is_refused({.velocity = {0, 0, 2}, .climb = 1.0}));
+  const Box floor{{-Box::kFar, -Box::kFar, -Box::kFar}, {Box::kFar, Box::kFar, 0.0}, 0.0, 0.0};
+  EXPECT_TRUE(is_refused({.position = {0, 0, 0.5}}, {floor}));
+  EXPECT_FALSE(is_refused({.position = {0, 0, 0.50001}}, {floor}));
+}
+
+TEST(SpaceFleets, exponential_motion_keeps_apart_as_well) {
+  Scenario scene = sphere(30, 6.0);
+  scene.motion = Motion::exponential;
+  const CheckReport report = run(scene);
+  EXPECT_EQ(report.overlaps.count, 0);
+  EXPECT_EQ(report.arrived, 30);
+}
+
+TEST(SpaceFleets, boxes_that_come_between_two_steps_are_heeded_or_refused) {
+  Scenario scene = sphere(8, 8.0);
+  Simulation simulation(scene);
+  for (int k = 0; k < 10; ++k) simulation.step();
+  const Vec3 place = simulation.robots()[0].position;
+  const Box on_robot{place - Vec3{1, 1, 1}, place + Vec3{1, 1, 1}, 0.0, 0.0};
+  EXPECT_THROW(simulation.set_boxes(std::span(&on_robot, 1)), Error);
+  const Box middle{{-0.5, -0.5, -0.5}, {0.5, 0.5, 0.5}, 0.0, 0.0};
+  simulation.set_boxes(std::span(&middle, 1));
+  for (int k = 0; k < 150; ++k) {
+    simulation.step();
+    for (const Robot& robot : simulation.robots()) {
+      const Vec3 p = robot.position;
+      const Vec3 off{std::max(std::abs(p.x) - 0.5, 0.0), std::max(std::abs(p.y) - 0.5, 0.0),
+                     std::max(std::abs(p.z) - 0.5, 0.0)};
+      ASSERT_GE(norm(off), robot.radius - 1e-9);
+    }
+  }
+}
+
+TEST(SpaceFleets, a_downwash_beside_declared_errors_is_invalid_input) {
+  PlannerOptions options;
+  options.sensing_error = {0.01, 0.01};
+  const Planner planner(options);
+  PlanWorkspace workspace;
+  Robot robot;
+  EXPECT_NE(planner.plan(robot, {}, workspace).status, PlanStatus::invalid_input);
+  robot.downwash = 1.0;
+  EXPECT_EQ(planner.plan(robot, {}, workspace).status, PlanStatus::invalid_input);
 }
 
 TEST(SpaceFleets, threads_change_no_bit) {

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // The judge of space on motion with a known outcome.
+#include <cmath>
 #include <gtest/gtest.h>
 
+#include "avo/error.h"
 #include "avo/space/check.h"
 
 namespace avo::space::tests {
@@ -60,6 +62,32 @@ TEST(SpaceJudge, finds_boxes_that_are_touched_within_a_step) {
       judged({{}}, {wall}, {{{0, {-1.2, 0, 0}, {4, 0, 0}}}, {{0, {-1.2, 0, 0}, {-4, 0, 0}}}});
   EXPECT_EQ(report.static_contacts.count, 1);
   EXPECT_EQ(report.static_contacts.first->other, 0);
+}
+
+TEST(SpaceJudge, counts_every_overlap_beside_a_deeper_one) {
+  const std::vector<CheckedState> rows{
+      {0, {0, 0, 0}, {}}, {1, {0.1, 0, 0}, {}}, {2, {9, 0, 0}, {}}, {3, {9.9, 0, 0}, {}}};
+  EXPECT_EQ(judged({{}, {}, {}, {}}, {}, {rows, rows}).overlaps.count, 2);
+}
+
+TEST(SpaceJudge, grants_braking_to_robots_that_slow_down_alone) {
+  const auto changes = [](Vec3 from, Vec3 to) {
+    return judged({{.max_speed = 20.0, .max_braking = 5.0}}, {},
+                  {{{0, {}, from}}, {{0, 0.5 * (from + to), to}}})
+        .accelerations.count;
+  };
+  EXPECT_EQ(changes({6, 0, 0}, {1.5, 0, 0}), 0);
+  EXPECT_EQ(changes({}, {5, 0, 0}), 1);
+  EXPECT_EQ(changes({1, 0, 0}, {6, 0, 0}), 1);
+  EXPECT_EQ(changes({1, 0, 0}, {-4, 0, 0}), 1);
+}
+
+TEST(SpaceJudge, refuses_what_it_cannot_judge) {
+  EXPECT_THROW(Check(std::vector<CheckedRobot>{{.downwash = -1}}), Error);
+  EXPECT_THROW(Check(std::vector<CheckedRobot>{{.climb = -1}}), Error);
+  EXPECT_THROW(Check(std::vector<CheckedRobot>{{.goal = Vec3{std::nan(""), 0, 0}}}), Error);
+  EXPECT_THROW(Check({{}}, {{{1, 0, 0}, {0, 1, 1}, 0.0, 0.0}}), Error);
+  EXPECT_THROW(Check({{}}, {}, {.relative_tolerance = -1}), Error);
 }
 
 TEST(SpaceJudge, comes_to_an_end_far_from_the_origin) {
