@@ -122,7 +122,9 @@ void expect_ways(const Truck& truck, Random& random) {
   EXPECT_NEAR(*report.least_static_clearance,
               std::min(from_wall - truck.robot.radius - 0.1, others), 1e-5);
   const bool touches = apart < truck.robot.radius + 0.2 - 1e-5;
-  if (touches) EXPECT_EQ(report.overlaps.count, 1);
+  if (touches) {
+    EXPECT_EQ(report.overlaps.count, 1);
+  }
 }
 
 TEST(CheckFootprints, discs_of_a_car_are_where_its_arc_takes_them) {

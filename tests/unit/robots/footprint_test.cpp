@@ -46,7 +46,9 @@ TEST(Footprint, covers_all_of_a_rectangle_with_as_few_discs_as_the_excess_allows
       EXPECT_LE(outside(cover, p), 1e-12);
     }
     const double half = 0.5 * length / (cover.discs - 1);
-    if (cover.discs > 1) EXPECT_GT(norm(Vec2{half, 0.5 * width}), 0.5 * width + excess);
+    if (cover.discs > 1) {
+      EXPECT_GT(norm(Vec2{half, 0.5 * width}), 0.5 * width + excess);
+    }
   }
 }
 
