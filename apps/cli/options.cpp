@@ -186,12 +186,15 @@ void add_convert(CLI::App& app, Action& action) {
       ->required();
   not_empty(
       verb->add_option("--to", arguments.to,
-                       "csv, sqlite, mcap, recording, pedestrian-hdf5, pedestrian-text or obsmat"))
+                       "csv, sqlite, mcap, recording, pedestrian-hdf5, pedestrian-text, obsmat or "
+                       "set-points"))
       ->type_name("FORMAT");
   not_empty(verb->add_option("--name", arguments.name,
                              "with --to recording: of the method that made the motion; without it "
                              "the file's name"))
       ->type_name("NAME");
+  verb->add_option("--rate", arguments.rate, "with --to set-points: so many a second; 50")
+      ->type_name("HZ");
   not_empty(verb->add_option("--scene", arguments.scene.scene, kScene))->type_name("SCENE");
   add_overrides(*verb, arguments.scene);
   add_volume(*verb);

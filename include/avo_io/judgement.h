@@ -58,6 +58,9 @@ struct Judgement {
   /// arrived; missing times are not judged. Without a scene its start and end are unknown.
   bool whole = true;
   double scene_end = 0.0;  ///< s, the duration of the scene
+  /// m: the rows are references of quadrotors, whose radii contain a deviation of so much at most;
+  /// 0: there are no quadrotors
+  double deviation = 0.0;
 
   [[nodiscard]] bool passed() const {
     return safe() && (!require_arrival || report.arrived == report.with_goal);

@@ -50,4 +50,11 @@ AVO_API Judgement judge_in_space(const std::string& recording, const avo::space:
 /// Returns whether the first line of the file has the columns of space.
 AVO_API bool is_space_csv(const std::string& path);
 
+/// Writes the set points of a recording's quadrotors as CSV with header
+/// "time,robot,x,y,z,vx,vy,vz,ax,ay,az", `rate` (Hz) times a second, rows by time then robot;
+/// `output` is whole or not there. All robots of the scene must be quadrotors. Returns the number
+/// of rows. Throws Error, RecordingError, FileError.
+AVO_API std::int64_t write_set_points(const std::string& recording, const std::string& output,
+                                      const avo::space::Scenario& scene, double rate);
+
 }  // namespace avo_io

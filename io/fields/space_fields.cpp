@@ -36,6 +36,31 @@ const std::vector<Field<SpaceRobot>>& fields() {
       {"max_braking", &SpaceRobot::max_braking, kOptional, kPositive, "m/s^2",
        "that it surely brakes with whenever it has to; may be more than max_acceleration",
        "max_acceleration"},
+      {"quadrotor", kNested, kOptional, kNoNumber, "",
+       "what flies behind the reference; it gives max_acceleration", "none"},
+  };
+  return table;
+}
+
+template <>
+const std::vector<Field<avo::space::Quadrotor>>& fields() {
+  using avo::space::Quadrotor;
+  static const std::vector<Field<Quadrotor>> table{
+      {"mass", &Quadrotor::mass, kRequired, kPositive, "kg", "of the vehicle"},
+      {"max_thrust", &Quadrotor::max_thrust, kRequired, kPositive, "N", "of all rotors"},
+      {"min_thrust", &Quadrotor::min_thrust, kOptional, kNotNegative, "N", "of all rotors",
+       "a tenth of its weight"},
+      {"max_tilt",
+       &Quadrotor::max_tilt,
+       kRequired,
+       {0.0, 1.5, true},
+       "rad",
+       "of the thrust off the vertical"},
+      {"attitude_time", &Quadrotor::attitude_time, kRequired, kPositive, "s",
+       "the mean delay of its acceleration behind a command"},
+      {"tracking_error", &Quadrotor::tracking_error, kOptional, kNotNegative, "m",
+       "the largest distance from the reference of attitude_time ago, as measured",
+       "max_acceleration attitude_time^2"},
   };
   return table;
 }

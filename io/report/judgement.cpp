@@ -191,6 +191,9 @@ std::string readable(const Judgement& judgement) {
          fmt::format("{:.6g} to {:.6g} s of the scene, which ends at {:.6g} s or when all have "
                      "arrived",
                      report.from, report.to, judgement.scene_end));
+  if (judgement.deviation > 0.0)
+    line("references", fmt::format("of quadrotors; radii contain deviations of up to {:.3g} m",
+                                   judgement.deviation));
   line("overlaps", text_of(judgement, report.overlaps, "pairs of robots", "m"));
   const char* allowed = report.movers_at_rest ? ", which is allowed" : "";
   if (judgement.scene)
@@ -284,6 +287,7 @@ std::string to_json(const Judgement& judgement) {
   json["at_goal_at_end"] = report.at_goal_at_end;
   json["last_arrival"] = or_null(report.last_arrival);
   json["not_arrived"] = report.not_arrived;
+  json["deviation"] = judgement.deviation;
   json["estimated"] = judgement.estimated;
   json["tolerance"] = judgement.tolerance;
   json["interpolation_error"] = report.interpolation_error;

@@ -15,6 +15,7 @@ namespace avo_io {
 namespace {
 
 using avo::Vec3;
+using avo::space::Robot;
 using avo::space::RobotSetup;
 using avo::space::Scenario;
 
@@ -28,7 +29,7 @@ struct Starts {
 };
 
 // m: how far p_A - p_B, of robots alike, is from contact; negative in contact.
-double gap(Vec3 p, const RobotSetup& robot) {
+double gap(Vec3 p, const Robot& robot) {
   p.z -= std::clamp(p.z, -robot.downwash, robot.downwash);
   return norm(p) - 2.0 * robot.radius;
 }
@@ -67,6 +68,7 @@ Starts place(const BoxPlacement& box, const SpaceGroup& group, Random& random,
              const Scenario& scenario) {
   Starts starts{.center = 0.5 * (box.min + box.max)};
   std::vector<Vec3> taken;
+  const Robot body = robot_of(group.robot);
   for (const RobotSetup& robot : scenario.robots) taken.push_back(robot.position);
   while (starts.places.size() < static_cast<std::size_t>(group.count)) {
     bool is_free = false;
@@ -74,9 +76,8 @@ Starts place(const BoxPlacement& box, const SpaceGroup& group, Random& random,
       const double x = random.between(box.min.x, box.max.x);
       const double y = random.between(box.min.y, box.max.y);
       const Vec3 a{x, y, random.between(box.min.z, box.max.z)};
-      is_free = std::all_of(taken.begin(), taken.end(), [&](Vec3 other) {
-        return gap(a - other, group.robot) > box.clearance;
-      });
+      is_free = std::all_of(taken.begin(), taken.end(),
+                            [&](Vec3 other) { return gap(a - other, body) > box.clearance; });
       if (is_free) taken.push_back(a), starts.places.push_back(a);
     }
     if (is_free) continue;

@@ -17,6 +17,7 @@
 #include "io/scene/reader.h"
 #include "io/scene/scene_files.h"
 #include "io/space/placement.h"
+#include "io/space/read_robot.h"
 #include "io/text/yaml_tree.h"
 
 namespace avo_io {
@@ -31,13 +32,6 @@ constexpr std::string_view kSpaceKey = "space";
 
 bool is_text(const YamlNode& node, std::string_view text) {
   return node.kind == YamlNode::Kind::text && !node.quoted && node.text == text;
-}
-
-void read_robot(const Reader& reader, const YamlNode& node, const std::string& path,
-                RobotSetup& robot, bool patch) {
-  reader.check_keys(node, path, keys_of(fields<RobotSetup>()));
-  reader.read(node, path, fields<RobotSetup>(), robot, patch);
-  if (!patch && node.find("preferred_speed") == nullptr) robot.preferred_speed = robot.max_speed;
 }
 
 // The box of the bounds, turned about its middle.
@@ -138,16 +132,9 @@ class SpaceBuilder {
   }
 
   SpaceGroup read_group(const YamlNode& node, const std::string& path) const {
-    std::vector<Field<RobotSetup>> robot = fields<RobotSetup>();
-    std::erase_if(robot, [](const auto& f) { return f.key == "position" || f.key == "goal"; });
-    std::vector<std::string_view> keys = keys_of(fields<SpaceGroup>());
-    for (const std::string_view key : keys_of(robot)) keys.push_back(key);
-    reader_.check_keys(node, path, keys);
     SpaceGroup group;
+    read_robot_of_group(reader_, node, path, keys_of(fields<SpaceGroup>()), group.robot);
     reader_.read(node, path, fields<SpaceGroup>(), group);
-    reader_.read(node, path, robot, group.robot);
-    if (node.find("preferred_speed") == nullptr)
-      group.robot.preferred_speed = group.robot.max_speed;
     const YamlNode *sphere = node.find("sphere"), *box = node.find("box"),
                    *grid = node.find("grid");
     const int kinds = (sphere != nullptr) + (box != nullptr) + (grid != nullptr);

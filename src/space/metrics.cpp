@@ -14,16 +14,16 @@ namespace avo::space {
 std::vector<CheckedRobot> checked_robots(const Scenario& scenario) {
   std::vector<CheckedRobot> robots;
   for (const RobotSetup& setup : scenario.robots) {
-    CheckedRobot robot{.radius = setup.radius,
-                       .downwash = setup.downwash,
-                       .max_acceleration = setup.max_acceleration,
-                       .max_speed = setup.max_speed,
-                       .vertical = setup.vertical,
-                       .max_braking = setup.max_braking,
-                       .goal = setup.goal};
-    robot.climb = setup.climb.value_or(robot.climb);
-    robot.sink = setup.sink.value_or(robot.sink);
-    robots.push_back(robot);
+    const Robot robot = robot_of(setup);
+    robots.push_back({.radius = robot.radius,
+                      .downwash = robot.downwash,
+                      .max_acceleration = robot.max_acceleration,
+                      .max_speed = robot.max_speed,
+                      .vertical = robot.vertical,
+                      .climb = robot.climb,
+                      .sink = robot.sink,
+                      .max_braking = robot.max_braking,
+                      .goal = setup.goal});
   }
   return robots;
 }
@@ -60,13 +60,13 @@ void Metrics::State::begin(const Simulation& simulation, std::size_t k) {
   trip.step = scenario.time_step;
   trip.preferred_speed = setup.preferred_speed;
   trip.way = trip.way_left = trip.progress = distance;
-  trip.acceleration_limit = setup.max_acceleration;
+  trip.acceleration_limit = robot.max_acceleration;
   trip.ideal_time =
       ideal_time({.way = distance,
                   .margin = scenario.arrival_distance,
                   .speed = distance > 0.0 ? dot(robot.velocity, ahead) / distance : 0.0,
                   .top_speed = std::min(setup.preferred_speed, per * setup.max_speed),
-                  .acceleration = per * setup.max_acceleration});
+                  .acceleration = per * robot.max_acceleration});
   trip.position = robot.position;
   trip.velocity = robot.velocity;
 }

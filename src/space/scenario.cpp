@@ -44,7 +44,19 @@ Robot robot_of(const RobotSetup& setup) {
   robot.downwash = setup.downwash;
   robot.priority = setup.priority;
   robot.max_braking = setup.max_braking;
+  if (!setup.quadrotor) return robot;
+  const QuadrotorLimits limits = limits_of(*setup.quadrotor);
+  robot.max_acceleration = limits.max_acceleration;
+  robot.radius += limits.deviation;
   return robot;
+}
+
+double fleet_delay(const Scenario& scenario) {
+  double delay = 0.0;
+  for (const RobotSetup& setup : scenario.robots) {
+    if (setup.quadrotor) delay = std::max(delay, limits_of(*setup.quadrotor).delay);
+  }
+  return delay;
 }
 
 namespace {
@@ -121,6 +133,20 @@ void check_robot(const RobotSetup& robot, std::size_t k) {
   if (robot.sink) require_slow(-robot.velocity.z, *robot.sink, "sink");
 }
 
+// The accelerations of a quadrotor's reference have to lie in the ball of its limits.
+void check_quadrotor(const RobotSetup& robot, std::size_t k, Motion motion) {
+  const std::string name = numbered("robots", k, "quadrotor");
+  validate(*robot.quadrotor, name);
+  if (motion != Motion::held)
+    refuse("motion", to_string(motion), "held: " + name + " needs accelerations that are held");
+  if (robot.vertical > 1.0)
+    refuse(numbered("robots", k, "vertical"), text(robot.vertical), "<= 1 of a quadrotor");
+  const double most = limits_of(*robot.quadrotor).max_acceleration;
+  if (robot.max_braking.value_or(most) > most)
+    refuse(numbered("robots", k, "max_braking"), text(*robot.max_braking),
+           "<= " + text(most) + " m/s^2, the limit of its quadrotor");
+}
+
 // The box k in messages: by the obstacle of the scene file that it comes from.
 std::string box_name(const Scenario& scenario, std::size_t k) {
   const bool is_known = k < scenario.obstacle_of_box.size();
@@ -177,6 +203,9 @@ void validate(const Scenario& scenario) {
   require("arrival_distance", scenario.arrival_distance, kPositive, "m");
   require("sensing_radius", scenario.sensing_radius.value_or(1.0), kPositive, "m");
   for (std::size_t k = 0; k < scenario.robots.size(); ++k) check_robot(scenario.robots[k], k);
+  for (std::size_t k = 0; k < scenario.robots.size(); ++k) {
+    if (scenario.robots[k].quadrotor) check_quadrotor(scenario.robots[k], k, scenario.motion);
+  }
   for (std::size_t k = 0; k < scenario.boxes.size(); ++k) check_box(scenario, k);
   const Planner planner(options);
   if (options.certificate == Certificate::none || scenario.robots.empty()) return;

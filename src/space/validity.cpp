@@ -12,7 +12,7 @@
 namespace avo::space {
 namespace {
 
-void refuse(const char* option, const char* found, const char* allowed) {
+void refuse_option(const char* option, const char* found, const char* allowed) {
   throw Error(std::string("PlannerOptions.") + option + ": space has no " + found +
               "; allowed: " + allowed);
 }
@@ -21,13 +21,13 @@ void refuse(const char* option, const char* found, const char* allowed) {
 
 void validate_in_space(const PlannerOptions& options) {
   validate(options, "PlannerOptions.");
-  if (options.method != Method::avo) refuse("method", to_string(options.method), "avo");
-  if (options.clock != Clock::common) refuse("clock", to_string(options.clock), "common");
+  if (options.method != Method::avo) refuse_option("method", to_string(options.method), "avo");
+  if (options.clock != Clock::common) refuse_option("clock", to_string(options.clock), "common");
   if (options.localization_error > 0.0)
-    refuse("localization_error", "errors of a robot's own place", "0");
+    refuse_option("localization_error", "errors of a robot's own place", "0");
   if (options.sensing_noise.position > 0.0 || options.sensing_noise.velocity > 0.0)
-    refuse("sensing_noise", "noise of half-spaces", "0");
-  if (options.margin > 0.0) refuse("margin", "margin", "0");
+    refuse_option("sensing_noise", "noise of half-spaces", "0");
+  if (options.margin > 0.0) refuse_option("margin", "margin", "0");
 }
 
 namespace {

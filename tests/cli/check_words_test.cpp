@@ -109,6 +109,7 @@ TEST(Check, json_has_all_keys_in_order) {
                            "at_goal_at_end",
                            "last_arrival",
                            "not_arrived",
+                           "deviation",
                            "estimated",
                            "tolerance",
                            "interpolation_error",

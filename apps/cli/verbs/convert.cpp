@@ -20,6 +20,7 @@
 #include "reports/settings_report.h"
 #include "signals.h"
 #include "terminal.h"
+#include "verbs/space_verbs.h"
 #include "verbs/verbs.h"
 
 namespace avo_cli {
@@ -47,6 +48,7 @@ ExportFormat format_called(const std::string& word) {
     if (name == word) return format;
     words.push_back(name);
   }
+  words.emplace_back(kSetPoints);
   const auto meant = avo_io::nearest(word, words);
   throw UsageError(fmt::format("--to: found {}, must be one of {}{}",
                                avo_io::printable(word, kLongestWord), fmt::join(words, ", "),
@@ -143,6 +145,8 @@ void report(const ConvertArguments& arguments, const avo_io::Converted& converte
 
 int convert(const ConvertArguments& arguments) {
   catch_signals(Patience::none);
+  if (arguments.to == kSetPoints) return convert_to_set_points(arguments);
+  if (arguments.rate) throw UsageError("--rate: found without --to set-points, must be with it");
   const ExportFormat format = format_of(arguments);
   if (arguments.recording == "-" && arguments.scene.scene == "-")
     throw UsageError("the recording and --scene: found - twice, must be one standard input only");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// avo run and avo check for scenes of space.
+// avo run, avo check and avo convert for scenes of space.
 #include "verbs/space_verbs.h"
 
 #include <chrono>
@@ -140,6 +140,22 @@ int check_in_space(const CheckArguments& arguments, const avo::space::Scenario& 
     print_results(avo_io::readable(judgement));
   if (judgement.incomplete()) return kIncomplete;
   return judgement.passed() ? kDone : kUnsafe;
+}
+
+int convert_to_set_points(const ConvertArguments& arguments) {
+  constexpr double kUsualRate = 50.0;  // Hz
+  require_ending({"the output", arguments.output}, {".csv"});
+  require_distinct({{"the recording", arguments.recording}, file_of(arguments.scene)},
+                   {{"the output", arguments.output}});
+  if (!arguments.name.empty())
+    throw UsageError("--name: found without --to recording, must be with it");
+  const std::optional<avo::space::Scenario> scenario = load_in_space(arguments.scene, {});
+  if (!scenario)
+    throw UsageError("--scene: found no scene with space: 3, must be given with --to set-points");
+  const std::int64_t rows = avo_io::write_set_points(
+      arguments.recording, arguments.output, *scenario, arguments.rate.value_or(kUsualRate));
+  if (arguments.output != "-") print_results(fmt::format("{}: {} rows\n", arguments.output, rows));
+  return kDone;
 }
 
 }  // namespace avo_cli

@@ -89,12 +89,15 @@ struct RecoverArguments {
 };
 int recover(const RecoverArguments& arguments);
 
+inline constexpr const char* kSetPoints = "set-points";
 struct ConvertArguments {
   std::string recording;  ///< "-": standard input
   std::string output;     ///< "-": standard output
   SceneArguments scene;   ///< empty: the scene that the recording contains, if it contains one
-  std::string to;         ///< a word of avo_io::kExportFormats; empty: by the output's ending
-  std::string name;       ///< of the method of a recording; empty: the recording's stem
+  /// a word of avo_io::kExportFormats, or kSetPoints; empty: by the output's ending
+  std::string to;
+  std::string name;            ///< of the method of a recording; empty: the recording's stem
+  std::optional<double> rate;  ///< Hz, of set points; unset: 50
 };
 int convert(const ConvertArguments& arguments);
 

@@ -10,6 +10,7 @@
 #include "avo/export.h"
 #include "avo/planner.h"
 #include "avo/space/box.h"
+#include "avo/space/quadrotor.h"
 #include "avo/space/robot.h"
 #include "avo/vec3.h"
 
@@ -17,19 +18,22 @@ namespace avo::space {
 
 /// A robot as a scene lists it: where it starts, where it goes, what it can do.
 struct RobotSetup {
-  Vec3 position = {};                      ///< m
-  Vec3 velocity = {};                      ///< m/s
-  Vec3 goal = {};                          ///< m
-  double radius = 0.5;                     ///< m, > 0
-  double max_speed = 2.0;                  ///< m/s, > 0
-  double max_acceleration = 1.0;           ///< m/s^2, > 0
-  double preferred_speed = 2.0;            ///< m/s, >= 0
-  double vertical = 1.0;                   ///< > 0, see Robot::vertical
-  std::optional<double> climb = {};        ///< m/s, > 0; unset: no limit but the speed
-  std::optional<double> sink = {};         ///< m/s, > 0; unset: no limit but the speed
-  double downwash = 0.0;                   ///< m, >= 0, see Robot::downwash
-  double priority = 1.0;                   ///< > 0
+  Vec3 position = {};                ///< m
+  Vec3 velocity = {};                ///< m/s
+  Vec3 goal = {};                    ///< m
+  double radius = 0.5;               ///< m, > 0
+  double max_speed = 2.0;            ///< m/s, > 0
+  double max_acceleration = 1.0;     ///< m/s^2, > 0; of a quadrotor that of its limits instead
+  double preferred_speed = 2.0;      ///< m/s, >= 0
+  double vertical = 1.0;             ///< > 0, see Robot::vertical
+  std::optional<double> climb = {};  ///< m/s, > 0; unset: no limit but the speed
+  std::optional<double> sink = {};   ///< m/s, > 0; unset: no limit but the speed
+  double downwash = 0.0;             ///< m, >= 0, see Robot::downwash
+  double priority = 1.0;             ///< > 0
   std::optional<double> max_braking = {};  ///< m/s^2, > 0; unset: max_acceleration
+  /// What flies behind its reference. The robot is the reference then: others keep its deviation
+  /// more than its radius away.
+  std::optional<Quadrotor> quadrotor = {};
 
   friend bool operator==(const RobotSetup&, const RobotSetup&) = default;
 };
@@ -61,8 +65,13 @@ struct Scenario {
 
 AVO_API PlannerOptions planner_options(const Scenario& scenario);
 
-/// Returns the robot of that setup, at its start.
+/// Returns the robot of that setup, at its start. That of a quadrotor has the quadrotor's limit of
+/// acceleration, and a radius that contains its deviation.
 AVO_API Robot robot_of(const RobotSetup& setup);
+
+/// [D] s: how long after their references all quadrotors of the scene fly, the largest of their
+/// delays; 0 without quadrotors.
+AVO_API double fleet_delay(const Scenario& scenario);
 
 /// m: the sensing radius of the scene, or the one that its robots need.
 AVO_API double sensing_radius_of(const Scenario& scenario);

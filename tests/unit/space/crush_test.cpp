@@ -1,16 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // The certificate in space against robots that want contact: each takes the worst velocity that the
 // certificate admits. Judged by space::Check, which shares no formula with it.
+#include "unit/space/crush.h"
+
 #include <algorithm>
 #include <cmath>
 #include <gtest/gtest.h>
 
-#include "avo/space/check.h"
-#include "avo/space/planner.h"
 #include "space/certificate.h"
-#include "space/own_space.h"
-#include "space/step_law.h"
-#include "unit/space/draws.h"
 
 namespace avo::space::tests {
 namespace {
@@ -28,40 +25,24 @@ struct Kind {
   double most_speed = 3.0;  // m/s
 };
 
-class Crush {
+/// Draws robots and boxes of a kind that do not touch.
+class Scatter {
  public:
-  Crush(const Kind& kind, double time_step, std::uint64_t seed)
-      : kind_(kind), draws_(seed), planner_(options(kind, time_step)) {
+  Scatter(const Kind& kind, std::uint64_t seed) : kind_(kind), draws_(seed) {
     const int count = kind.most_robots / 3 + draws_.below(2 * kind.most_robots / 3 + 1);
     for (int k = 0; k < count; ++k) place();
     draw_boxes();
-    std::vector<CheckedRobot> bodies;
-    for (const Robot& robot : robots_)
-      bodies.push_back({.radius = robot.radius,
-                        .downwash = robot.downwash,
-                        .max_acceleration = robot.max_acceleration,
-                        .max_speed = robot.max_speed,
-                        .vertical = robot.vertical,
-                        .max_braking = robot.max_braking});
-    check_ = std::make_unique<Check>(bodies, boxes_, CheckOptions{.relative_tolerance = 1e-12});
-    observe();
   }
-
-  void run(int steps) {
-    for (int k = 0; k < steps; ++k) step();
+  Crush crush(double time_step) const {
+    PlannerOptions options;
+    options.time_step = time_step;
+    options.control_time = std::max(2.0, time_step);
+    options.time_horizon = std::max(3.0, time_step);
+    options.sensing_error = kind_.error;
+    return {robots_, boxes_, options, draws_};
   }
-  CheckReport report() const { return check_->report(); }
 
  private:
-  static PlannerOptions options(const Kind& kind, double time_step) {
-    PlannerOptions result;
-    result.time_step = time_step;
-    result.control_time = std::max(2.0, time_step);
-    result.time_horizon = std::max(3.0, time_step);
-    result.sensing_error = kind.error;
-    return result;
-  }
-
   static double gap(const Robot& a, const Robot& b) {
     Vec3 p = a.position - b.position;
     p.z -= std::clamp(p.z, -b.downwash, a.downwash);
@@ -106,79 +87,10 @@ class Crush {
     }
   }
 
-  Neighbor sensed(const Robot& robot) {
-    Neighbor neighbor = neighbor_of(robot);
-    neighbor.position = neighbor.position + draws_.within(kind_.error.position);
-    neighbor.velocity = neighbor.velocity + draws_.within(kind_.error.velocity);
-    return neighbor;
-  }
-
-  /// The worst of some velocities that is admitted: towards others, or anywhere.
-  Vec3 choose(std::size_t k) {
-    const Robot& robot = robots_[k];
-    std::vector<Neighbor> others;
-    for (std::size_t j = 0; j < robots_.size(); ++j) {
-      if (j != k) others.push_back(sensed(robots_[j]));
-    }
-    const double u = robot.max_acceleration * planner_.options().time_step;
-    const auto most = [&](Vec3 direction) {
-      const Vec3 own = to_own(direction, robot.vertical);
-      Vec3 v = to_own(robot.velocity, robot.vertical) + ((1.0 - 1e-12) * u / norm(own)) * own;
-      const double speed = norm(v);
-      if (speed > robot.max_speed) v = ((1.0 - 1e-12) * robot.max_speed / speed) * v;
-      return from_own(v, robot.vertical);
-    };
-    for (int attempt = 0; attempt < 6; ++attempt) {
-      Vec3 to = draws_.direction();
-      if (attempt < 4) {
-        const auto at = static_cast<std::size_t>(draws_.below(static_cast<int>(robots_.size())));
-        if (at == k) continue;
-        to = robots_[at].position - robot.position + 0.3 * draws_.direction();
-        if (!boxes_.empty() && attempt % 2 == 0) {
-          const auto box = static_cast<std::size_t>(draws_.below(static_cast<int>(boxes_.size())));
-          to = nearest(robot.position, robot.position, boxes_[box]).on_box - robot.position;
-        }
-      }
-      Vec3 v = most(to);
-      // as near to what is refused as the certificate lets it
-      const Vec3 backup = backup_velocity(robot, step_law(planner_.options(), horizon_));
-      for (int halving = 0; halving < 5; ++halving) {
-        if (planner_.is_admitted(robot, others, workspace_, v, boxes_)) return v;
-        v = 0.5 * (v + backup);
-      }
-    }
-    return backup_velocity(robot, step_law(planner_.options(), horizon_));
-  }
-
-  void step() {
-    std::vector<Vec3> next;
-    for (std::size_t k = 0; k < robots_.size(); ++k) next.push_back(choose(k));
-    const double h = planner_.options().time_step;
-    for (std::size_t k = 0; k < robots_.size(); ++k) {
-      Robot& robot = robots_[k];
-      robot.position = robot.position + (0.5 * h) * (robot.velocity + next[k]);
-      robot.velocity = next[k];
-    }
-    time_ += h;
-    observe();
-  }
-
-  void observe() {
-    std::vector<CheckedState> rows;
-    for (std::size_t k = 0; k < robots_.size(); ++k)
-      rows.push_back({static_cast<std::int64_t>(k), robots_[k].position, robots_[k].velocity});
-    check_->add(time_, rows);
-  }
-
   Kind kind_;
   Draws draws_;
-  Planner planner_;
-  Horizon horizon_{2.0, 3.0, 0.1};
-  PlanWorkspace workspace_;
   std::vector<Robot> robots_;
   std::vector<Box> boxes_;
-  std::unique_ptr<Check> check_;
-  double time_ = 0.0;
 };
 
 // Time steps from 0.05 to 1 s.
@@ -186,9 +98,9 @@ void expect_no_contact(const Kind& kind, int crushes, double close = 0.02) {
   std::int64_t robot_steps = 0;
   double clearance = 1e9;
   for (int k = 0; k < crushes; ++k) {
-    Crush crush(kind, 0.05 * std::pow(20.0, k / std::max(1.0, crushes - 1.0)),
-                static_cast<std::uint64_t>(100 + k));
-    crush.run(60);
+    Crush crush = Scatter(kind, static_cast<std::uint64_t>(100 + k))
+                      .crush(0.05 * std::pow(20.0, k / std::max(1.0, crushes - 1.0)));
+    for (int step = 0; step < 60; ++step) crush.step();
     const CheckReport report = crush.report();
     ASSERT_EQ(report.overlaps.count, 0) << k << ": " << report.overlaps.worst;
     ASSERT_EQ(report.static_contacts.count, 0) << k << ": " << report.static_contacts.worst;

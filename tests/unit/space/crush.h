@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: Apache-2.0
+// Robots that want contact: each takes the worst velocity that the certificate admits.
+#pragma once
+#include <memory>
+#include <vector>
+
+#include "avo/space/check.h"
+#include "avo/space/planner.h"
+#include "unit/space/draws.h"
+
+namespace avo::space::tests {
+
+class Crush {
+ public:
+  Crush(std::vector<Robot> robots, std::vector<Box> boxes, const PlannerOptions& options,
+        Draws draws);
+
+  void step();
+  const std::vector<Robot>& robots() const { return robots_; }
+  CheckReport report() const { return check_.report(); }
+
+ private:
+  Neighbor sensed(const Robot& robot);
+  Vec3 towards(const Robot& robot, Vec3 direction) const;
+  Vec3 choose(std::size_t k);
+  void observe();
+
+  std::vector<Robot> robots_;
+  std::vector<Box> boxes_;
+  Draws draws_;
+  Planner planner_;
+  Horizon horizon_;
+  PlanWorkspace workspace_;
+  Check check_;
+  double time_ = 0.0;
+};
+
+}  // namespace avo::space::tests
