@@ -16,11 +16,10 @@ namespace {
 
 using avo::Vec3;
 using avo::space::QuadrotorLimits;
-using avo::space::Scenario;
 using testing::HasSubstr;
 using Json = nlohmann::ordered_json;
 
-const std::string kScene = R"(version: 1
+const std::string kQuadrotors = R"(version: 1
 space: 3
 duration: 3
 groups:
@@ -36,12 +35,12 @@ robots:
     quadrotor: {mass: 0.03, max_thrust: 0.6, max_tilt: 0.5, attitude_time: 0.05, tracking_error: 0.03}
 )";
 
-std::string scene_with(const std::string& what, const std::string& instead) {
-  std::string text = kScene;
+std::string quadrotors_with(const std::string& what, const std::string& instead) {
+  std::string text = kQuadrotors;
   return text.replace(text.find(what), what.size(), instead);
 }
 
-std::string refused(const std::string& text) {
+std::string refused_quadrotors(const std::string& text) {
   write_file(path_of("bad.yaml"), text);
   const ProcessResult result = run_avo({"validate", path_of("bad.yaml")});
   EXPECT_NE(result.exit_code, 0);
@@ -49,7 +48,7 @@ std::string refused(const std::string& text) {
 }
 
 TEST(QuadrotorScenes, give_robots_the_limits_of_their_quadrotors) {
-  const Scenario scene = avo_io::parse_space_scenario(kScene, "drones.yaml");
+  const avo::space::Scenario scene = avo_io::parse_space_scenario(kQuadrotors, "drones.yaml");
   ASSERT_EQ(scene.robots.size(), 5U);
   const QuadrotorLimits limits = limits_of(*scene.robots[2].quadrotor);
   const avo::space::Robot robot = robot_of(scene.robots[2]);
@@ -57,8 +56,8 @@ TEST(QuadrotorScenes, give_robots_the_limits_of_their_quadrotors) {
   EXPECT_EQ(robot.radius, 0.25 + limits.deviation);
   EXPECT_EQ(robot_of(scene.robots[0]).radius, 0.53);
   EXPECT_EQ(fleet_delay(scene), 0.12);
-  write_file(path_of("drones.yaml"), kScene);
-  const Scenario changed =
+  write_file(path_of("drones.yaml"), kQuadrotors);
+  const avo::space::Scenario changed =
       *avo_io::load_space_scenario(path_of("drones.yaml"), {"robots.3.quadrotor.mass=1.5"});
   EXPECT_EQ(changed.robots[3].quadrotor->mass, 1.5);
   EXPECT_EQ(changed.robots[3].quadrotor->max_thrust, 26.0);
@@ -67,7 +66,7 @@ TEST(QuadrotorScenes, give_robots_the_limits_of_their_quadrotors) {
 
 TEST(QuadrotorScenes, are_judged_with_the_deviation_and_the_judge_says_so) {
   const std::string scene = path_of("drones.yaml"), csv = path_of("drones.csv");
-  write_file(scene, kScene);
+  write_file(scene, kQuadrotors);
   ASSERT_EQ(run_avo({"run", scene, "--record", csv}).exit_code, 0);
   const ProcessResult check = run_avo({"check", csv, "--scene", scene});
   EXPECT_EQ(check.exit_code, 0) << check.out << check.err;
@@ -90,7 +89,7 @@ TEST(QuadrotorScenes, are_judged_with_the_deviation_and_the_judge_says_so) {
 TEST(QuadrotorScenes, convert_writes_the_set_points_of_the_filter) {
   const std::string scene = path_of("drones.yaml"), csv = path_of("drones.csv"),
                     points = path_of("points.csv");
-  write_file(scene, kScene);
+  write_file(scene, kQuadrotors);
   ASSERT_EQ(run_avo({"run", scene, "--record", csv}).exit_code, 0);
   const ProcessResult converted =
       run_avo({"convert", csv, points, "--to", "set-points", "--rate", "100", "--scene", scene});
@@ -98,7 +97,7 @@ TEST(QuadrotorScenes, convert_writes_the_set_points_of_the_filter) {
   const std::vector<std::string> lines = lines_of(read_file(points));
   ASSERT_EQ(lines.size(), 1U + 301U * 5U);
   EXPECT_EQ(lines[0], "time,robot,x,y,z,vx,vy,vz,ax,ay,az");
-  const Scenario drones = avo_io::parse_space_scenario(kScene, scene);
+  const avo::space::Scenario drones = avo_io::parse_space_scenario(kQuadrotors, scene);
   avo::space::Simulation simulation(drones);
   std::vector<avo::space::Filter> filters;
   for (const auto& robot : drones.robots)
@@ -130,7 +129,7 @@ TEST(QuadrotorScenes, convert_writes_the_set_points_of_the_filter) {
 TEST(QuadrotorScenes, convert_refuses_what_gives_no_set_points) {
   const std::string scene = path_of("drones.yaml"), csv = path_of("drones.csv"),
                     points = path_of("points.csv");
-  write_file(scene, kScene);
+  write_file(scene, kQuadrotors);
   const auto error = [&](const std::string& rows) {
     write_file(csv, "time,robot,x,y,z,vx,vy,vz\n" + rows);
     const ProcessResult result =
@@ -156,23 +155,24 @@ TEST(QuadrotorScenes, convert_refuses_what_gives_no_set_points) {
 }
 
 TEST(QuadrotorScenes, bad_quadrotors_are_refused_by_place_and_allowed_values) {
-  EXPECT_THAT(refused(scene_with("mass: 1.2, ", "")),
+  EXPECT_THAT(refused_quadrotors(quadrotors_with("mass: 1.2, ", "")),
               HasSubstr("groups.0.quadrotor: found no \"mass\""));
-  EXPECT_THAT(refused(scene_with("max_tilt: 0.6", "max_tilt: 1.6")),
+  EXPECT_THAT(refused_quadrotors(quadrotors_with("max_tilt: 0.6", "max_tilt: 1.6")),
               HasSubstr("groups.0.quadrotor.max_tilt: found 1.6, must be <= 1.5 rad"));
-  EXPECT_THAT(refused(scene_with("max_thrust: 26", "max_trust: 26")),
+  EXPECT_THAT(refused_quadrotors(quadrotors_with("max_thrust: 26", "max_trust: 26")),
               HasSubstr("did you mean \"max_thrust\"?"));
-  EXPECT_THAT(refused(scene_with("max_thrust: 26", "max_thrust: 11")),
+  EXPECT_THAT(refused_quadrotors(quadrotors_with("max_thrust: 26", "max_thrust: 11")),
               HasSubstr("quadrotor.max_thrust: found 11, must be > 11.7679"));
-  EXPECT_THAT(refused(scene_with("    radius: 0.25", "    max_acceleration: 2")),
+  EXPECT_THAT(refused_quadrotors(quadrotors_with("    radius: 0.25", "    max_acceleration: 2")),
               HasSubstr("groups.0.max_acceleration: found 2, must be left out: the quadrotor"));
-  EXPECT_THAT(refused(scene_with("    radius: 0.25", "    vertical: 1.5")),
+  EXPECT_THAT(refused_quadrotors(quadrotors_with("    radius: 0.25", "    vertical: 1.5")),
               HasSubstr("vertical: found 1.5, must be <= 1 of a quadrotor"));
-  EXPECT_THAT(refused(scene_with("    radius: 0.25", "    max_braking: 9")),
+  EXPECT_THAT(refused_quadrotors(quadrotors_with("    radius: 0.25", "    max_braking: 9")),
               HasSubstr("max_braking: found 9, must be <= 4.42"));
-  EXPECT_THAT(refused(scene_with("duration: 3", "duration: 3\nmotion: exponential")),
-              HasSubstr("motion: found exponential, must be held"));
-  write_file(path_of("drones.yaml"), kScene);
+  EXPECT_THAT(
+      refused_quadrotors(quadrotors_with("duration: 3", "duration: 3\nmotion: exponential")),
+      HasSubstr("motion: found exponential, must be held"));
+  write_file(path_of("drones.yaml"), kQuadrotors);
   EXPECT_THAT(
       run_avo({"validate", path_of("drones.yaml"), "--set", "robots.3.max_acceleration=1"}).err,
       HasSubstr("robots.3.max_acceleration: found 1, must be left out"));
