@@ -15,7 +15,7 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 def public_text():
     """The public headers without comments, private members and what is AVO_LOCAL."""
     text = ""
-    for header in sorted(ROOT.glob("include/*/*.h")):
+    for header in sorted((ROOT / "include").rglob("*.h")):
         lines = re.sub(r"//.*", "", header.read_text())
         lines = re.sub(r"^ private:.*?^};", "};", lines, flags=re.M | re.S)
         text += re.sub(r"[^;{}]*\bAVO_LOCAL\b[^;]*;", "", lines)
@@ -40,7 +40,7 @@ def name_of(symbol):
 def check_headers():
     """Every function and class with a body elsewhere says whether it is public."""
     declaration = r"^(?!AVO_|inline|constexpr|template|using|typedef)[A-Za-z_][\w:<>,*& ]*\b\w+\("
-    for header in sorted(ROOT.glob("include/*/*.h")):
+    for header in sorted((ROOT / "include").rglob("*.h")):
         bare = re.findall(declaration, header.read_text(), re.M)
         bare += re.findall(r"^class (?!AVO_)\w+[^;\n]*\{", header.read_text(), re.M)
         if bare:
