@@ -7,6 +7,7 @@
 
 #include "avo/error.h"
 #include "avo/footprint.h"
+#include "core/retell.h"
 
 namespace avo_io {
 namespace {
@@ -77,12 +78,13 @@ avo::Footprint cover_of(const Reader& reader, const YamlNode& node, const std::s
   double side = is_rectangle ? 0.5 * *shape.width : 0.0;
   for (const avo::Vec2 corner : shape.polygon) side = std::max(side, std::abs(corner.y));
   const double excess = shape.excess.value_or(2.0 * side * avo::kUsualExcess);
-  try {
-    return is_rectangle ? avo::cover_rectangle(*shape.length, *shape.width, shape.offset, excess)
-                        : avo::cover_polygon(shape.polygon, excess);
-  } catch (const avo::Error& error) {
-    reader.document().fail(node, path + "." + error.what());
-  }
+  return avo::retelling<avo::Error>(
+      [&] {
+        return is_rectangle
+                   ? avo::cover_rectangle(*shape.length, *shape.width, shape.offset, excess)
+                   : avo::cover_polygon(shape.polygon, excess);
+      },
+      [&](const avo::Error& error) { reader.document().fail(node, path + "." + error.what()); });
 }
 
 void read_footprint(const Reader& reader, const YamlNode& node, const std::string& path,

@@ -9,6 +9,7 @@
 #include "avo/error.h"
 #include "avo_io/space.h"
 #include "core/elementary.h"
+#include "core/retell.h"
 #include "io/files/file_names.h"
 #include "io/files/regular_file.h"
 #include "io/scene/overrides.h"
@@ -237,11 +238,9 @@ class SpaceBuilder {
   }
 
   void validate() const {
-    try {
-      avo::space::validate(scenario_);
-    } catch (const avo::Error& error) {
-      document_.fail(document_.root, error.what());
-    }
+    avo::retelling<avo::Error>(
+        [this] { avo::space::validate(scenario_); },
+        [this](const avo::Error& error) { document_.fail(document_.root, error.what()); });
   }
 
   const Document& document_;

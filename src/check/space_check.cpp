@@ -8,6 +8,7 @@
 #include "avo/space/check.h"
 #include "check/counts.h"
 #include "check/space_path.h"
+#include "core/elementary.h"
 
 namespace avo::space {
 namespace {
@@ -52,7 +53,7 @@ Vec3 turned(Vec3 a, double c, double s) {
 // The length of a velocity or an acceleration, where limits along the vertical are so much of those
 // along the horizontal.
 double weighed(Vec3 a, double vertical) {
-  return std::hypot(std::hypot(a.x, a.y), a.z / vertical);
+  return norm(Vec3{a.x, a.y, a.z / vertical});
 }
 
 bool slows_straight(Vec3 from, Vec3 to) {
@@ -193,7 +194,7 @@ void Check::State::judge_boxes(const Step& step, double start) {
   const double radius = robots[step.robot].radius;
   for (std::size_t k = 0; k < boxes.size(); ++k) {
     const Box& box = boxes[k];
-    const double c = std::cos(box.heading), s = std::sin(box.heading);
+    const auto [c, s] = elementary::direction(box.heading);
     Cubic path;
     for (std::size_t i = 0; i < 4; ++i) path[i] = turned(step.path[i], c, s);
     const double contact = radius + box.radius;

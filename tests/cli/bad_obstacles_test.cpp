@@ -85,7 +85,8 @@ const std::vector<Bad> kEntries{
           "disc, wkt, as, wkt_file, geojson, map, cell, origin, ros_map"),
     entry("misspelled", "{polylin: [[0, 0], [1, 0]]}",
           "6: obstacles.0: found the unknown key \"polylin\", allowed are polyline, layers, "
-          "polygon, solid, disc, wkt, as, wkt_file, geojson, map, cell, origin, ros_map; did you mean "
+          "polygon, solid, disc, wkt, as, wkt_file, geojson, map, cell, origin, ros_map; did you "
+          "mean "
           "\"polyline\"?"),
     entry("no_kind", "{solid: true}",
           "5: obstacles.0: found 0 kinds, must be one of polyline, polygon, disc, wkt, wkt_file, "

@@ -114,10 +114,10 @@ TEST(Check, judges_each_disc_of_a_footprint) {
     const std::string own = ", car: {wheelbase: 3.5, max_curvature: 0.2}, footprint: " + footprint;
     write_file(path,
                "version: 1\nname: trucks\nduration: 30\nrobots:\n"
-               "  - {position: [-15, -1.6], goal: [15, -1.6]" +
+               "  - {position: [-15, -1.8], goal: [15, -1.8]" +
                    own +
                    "}\n"
-                   "  - {position: [15, 1.6], goal: [-15, 1.6], heading: 3.141592653589793" +
+                   "  - {position: [15, 1.8], goal: [-15, 1.8], heading: 3.141592653589793" +
                    own +
                    "}\nobstacles:\n  - {polyline: [[-25, -3.4], [25, -3.4]]}\n"
                    "  - {polyline: [[-25, 3.4], [25, 3.4]]}\n");

@@ -100,7 +100,7 @@ TEST(Convert, wrong_command_lines_take_one_line) {
           "pedestrian-text or obsmat");
   refused({"out.csv", "--to", "mcab"},
           "--to: found mcab, must be one of csv, sqlite, pedestrian-hdf5, mcap, pedestrian-text, "
-          "obsmat, recording; did you mean mcap?");
+          "obsmat, recording, set-points; did you mean mcap?");
   refused({"out.csv", "--to", "sqlite"},
           "the output out.csv: found the ending .csv, must be .sqlite or none");
   refused({"out.mcap"},

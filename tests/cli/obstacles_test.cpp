@@ -42,9 +42,9 @@ void expect_chain(const avo::Chain& chain, const Points& points, bool closed) {
 
 TEST(Obstacles, of_every_kind_have_layers) {
   write_file(path_of("plan.wkt"), "LINESTRING (0 0, 1 0)");
-  for (const char* entry :
-       {"polyline: [[0, 0], [10, 0]]", "polygon: [[2, 2], [4, 2], [4, 4]]",
-        "disc: {center: [3, 3], radius: 0.5}", "wkt: LINESTRING (0 0, 1 0)", "wkt_file: plan.wkt"}) {
+  for (const char* entry : {"polyline: [[0, 0], [10, 0]]", "polygon: [[2, 2], [4, 2], [4, 4]]",
+                            "disc: {center: [3, 3], radius: 0.5}", "wkt: 'LINESTRING (0 0, 1 0)'",
+                            "wkt_file: plan.wkt"}) {
     EXPECT_EQ(only("{" + std::string(entry) + ", layers: [1, 4]}").layers.bits, 18U) << entry;
     EXPECT_EQ(only("{" + std::string(entry) + "}").layers, avo::kAllLayers) << entry;
   }

@@ -83,7 +83,12 @@ TEST(SpaceScenes, check_finds_what_is_wrong) {
     return run_avo({"check", csv, "--scene", scene, "--json"});
   };
   const std::string below = "0,0,0,0,5,0,0,0\n0,1,-3,0,3,1,0,0\n";
-  const ProcessResult passes = judged(below + "6,0,0,0,5,0,0,0\n6,1,3,0,3,1,0,0\n");
+  std::string rows;  // of each step: rows that are farther apart are not judged
+  for (int step = 0; step <= 60; ++step) {
+    const std::string time = std::to_string(0.1 * step), x = std::to_string(0.1 * step - 3.0);
+    rows += time + ",0,0,0,5,0,0,0\n" + time + ",1," + x + ",0,3,1,0,0\n";
+  }
+  const ProcessResult passes = judged(rows);
   EXPECT_NE(passes.exit_code, 0);
   EXPECT_EQ(Json::parse(passes.out)["overlaps"]["count"], 1) << passes.out;
   const ProcessResult fast = judged(below + "1,0,0,0,5,0,0,0\n1,1,0,0,3,5,0,0\n");

@@ -361,7 +361,7 @@ const std::vector<BadScene>& bad_scenes() {
        "heading, "
        "car, "
        "drive, "
-       "airplane, priority, max_braking, parked, layers, avoids, behavior, time_step, "
+       "airplane, footprint, priority, max_braking, parked, layers, avoids, behavior, time_step, "
        "method, time_horizon, arrival_distance"},
       {"placement_unknown",
        s("version: 1\ngroups:\n  - {number: 3, placement: cirle, goals: antipodal}\n"),

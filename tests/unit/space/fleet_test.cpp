@@ -29,7 +29,7 @@ Scenario sphere(int count, double radius, double downwash = 0.0) {
   return scene;
 }
 
-CheckReport run(const Scenario& scene, int threads = 1) {
+CheckReport report_of(const Scenario& scene, int threads = 1) {
   Simulation simulation(scene, threads);
   std::vector<CheckedRobot> bodies;
   for (const RobotSetup& robot : scene.robots)
@@ -58,14 +58,14 @@ CheckReport run(const Scenario& scene, int threads = 1) {
 }
 
 TEST(SpaceFleets, a_sphere_of_50_arrives_without_contact) {
-  const CheckReport report = run(sphere(50, 7.1));
+  const CheckReport report = report_of(sphere(50, 7.1));
   EXPECT_FALSE(report.broken());
   EXPECT_EQ(report.arrived, 50);
   EXPECT_LT(*report.last_arrival, 14.0);
 }
 
 TEST(SpaceFleets, nobody_flies_below_another_where_downwash_is_declared) {
-  const CheckReport report = run(sphere(30, 7.1, 1.5));
+  const CheckReport report = report_of(sphere(30, 7.1, 1.5));
   EXPECT_FALSE(report.broken());
   EXPECT_EQ(report.arrived, 30);
 }
@@ -79,7 +79,7 @@ TEST(SpaceFleets, a_floor_and_a_ceiling_are_not_touched) {
   }
   scene.boxes = {{{-Box::kFar, -Box::kFar, -Box::kFar}, {Box::kFar, Box::kFar, 0.0}, 0.0, 0.0},
                  {{-Box::kFar, -Box::kFar, 2.2}, {Box::kFar, Box::kFar, Box::kFar}, 0.0, 0.0}};
-  const CheckReport report = run(scene);
+  const CheckReport report = report_of(scene);
   EXPECT_FALSE(report.broken());
   EXPECT_EQ(report.arrived, 16);
   EXPECT_LT(*report.least_static_clearance, 0.6);
@@ -130,7 +130,7 @@ TEST(SpaceFleets, starts_that_break_limits_or_margins_are_refused) {
 TEST(SpaceFleets, exponential_motion_keeps_apart_as_well) {
   Scenario scene = sphere(30, 6.0);
   scene.motion = Motion::exponential;
-  const CheckReport report = run(scene);
+  const CheckReport report = report_of(scene);
   EXPECT_EQ(report.overlaps.count, 0);
   EXPECT_EQ(report.arrived, 30);
 }
