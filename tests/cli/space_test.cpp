@@ -91,7 +91,7 @@ TEST(SpaceScenes, check_finds_what_is_wrong) {
   const ProcessResult passes = judged(rows);
   EXPECT_NE(passes.exit_code, 0);
   EXPECT_EQ(Json::parse(passes.out)["overlaps"]["count"], 1) << passes.out;
-  const ProcessResult fast = judged(below + "1,0,0,0,5,0,0,0\n1,1,0,0,3,5,0,0\n");
+  const ProcessResult fast = judged(below + "0.1,0,0,0,5,0,0,0\n0.1,1,-2.7,0,3,5,0,0\n");
   EXPECT_GE(Json::parse(fast.out)["accelerations"]["count"], 1) << fast.out;
   const ProcessResult torn = judged(below + "1,0,0,0\n");
   EXPECT_THAT(torn.err, HasSubstr("two.csv:4: found 4 columns, must be 8"));

@@ -93,7 +93,7 @@ TEST(SpaceJudge, refuses_what_it_cannot_judge) {
 TEST(SpaceJudge, comes_to_an_end_far_from_the_origin) {
   const double far = 3e11;
   const CheckReport report =
-      judged({{}, {}}, {{{far + 1, -1, -1}, {far + 2, 1, 1}, 0.0, 0.0}},
+      judged({{}, {}}, {{{far + 0.4, -1, -1}, {far + 2, 1, 1}, 0.0, 0.0}},
              {{{0, {far, 0, 0}, {0.3, 0.1, 0}}, {1, {far, 0.9, 0}, {0.3, 0, 0}}},
               {{0, {far, 0, 0}, {0.3, 0.1, 0}}, {1, {far, 0.9, 0}, {0.3, 0, 0}}}});
   EXPECT_EQ(report.overlaps.count, 1);
