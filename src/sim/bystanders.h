@@ -24,10 +24,10 @@ struct MostOfOthers {
 /// one search of all robots costs less.
 struct Bystanders {
   bool is_wanted = false, is_made = false;
-  MostOfOthers most;          // of the robots in the grid
-  double side = 0.0;          // m, of its cells
-  UniformGrid grid;           // of all robots at the time when it was made
-  std::vector<RobotId> id;    // by index in the grid
+  MostOfOthers most;        // of the robots in the grid
+  double side = 0.0;        // m, of its cells
+  UniformGrid grid;         // of all robots at the time when it was made
+  std::vector<RobotId> id;  // by index in the grid
   struct Late {
     RobotId id;
     Vec2 position;  // m, of its disc

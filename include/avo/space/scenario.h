@@ -58,8 +58,8 @@ struct Scenario {
   std::uint64_t seed = 1;         ///< of random placements
   std::vector<RobotSetup> robots = {};
   std::vector<Box> boxes = {};  ///< static obstacles
-  /// The number of the obstacle of the scene file that each box comes from, for messages; empty: the
-  /// boxes come from no file.
+  /// The number of the obstacle of the scene file that each box comes from, for messages; empty:
+  /// the boxes come from no file.
   std::vector<std::int64_t> obstacle_of_box = {};
 };
 
