@@ -52,11 +52,10 @@ Starts place(const SpaceGridPlacement& grid, const SpaceGroup& group, Random&, c
   Starts starts;
   const int layer = grid.columns * grid.rows;
   for (int k = 0; k < group.count; ++k) {
-    const int in_layer = k % layer;
-    starts.places.push_back(grid.corner +
-                            grid.spacing * Vec3{static_cast<double>(in_layer % grid.columns),
-                                                static_cast<double>(in_layer / grid.columns),
-                                                static_cast<double>(k / layer)});
+    const int column = k % grid.columns, row = k % layer / grid.columns, above = k / layer;
+    const Vec3 cell{static_cast<double>(column), static_cast<double>(row),
+                    static_cast<double>(above)};
+    starts.places.push_back(grid.corner + grid.spacing * cell);
   }
   const int layers = (group.count + layer - 1) / layer;
   starts.center =

@@ -175,6 +175,7 @@ void Check::State::judge_pair(const Step& a, const Step& b, double start) {
 // Steps that overlap along x, in order of their low ends.
 void Check::State::judge_pairs(const std::vector<Step>& steps, double start) {
   std::vector<const Step*> order;
+  order.reserve(steps.size());
   for (const Step& step : steps) order.push_back(&step);
   std::sort(order.begin(), order.end(), [](const Step* a, const Step* b) {
     return a->low.x != b->low.x ? a->low.x < b->low.x : a->robot < b->robot;

@@ -101,6 +101,7 @@ std::vector<Disc> discs_at(const RobotSetup& robot, Vec2 position, double headin
   if (!footprint) return {{center, disc_radius(robot)}};
   const Vec2 ahead = elementary::direction(heading);
   std::vector<Disc> discs;
+  discs.reserve(static_cast<std::size_t>(footprint.discs));
   for (int k = 0; k < footprint.discs; ++k)
     discs.push_back({center + footprint.ahead(k) * ahead, footprint.radius});
   return discs;
