@@ -104,21 +104,8 @@ WorstConstraint worst_constraint(const TrajectoryConstraints& constraints,
 
 HalfPlane tangent(const WorstConstraint& worst, const CandidatePath& path, const StepLaw& law) {
   const TrajectoryConstraint& constraint = worst.constraint;
-  // the point is (Δt - s) v_1 + (v_1/|v_1|) D(|v_1|) and a constant. The second term grows with v_1
-  // by D/|v_1| across it, and along it by D', the time for which braking moves it.
-  double across = law.time_step - law.lag, along = across;
-  if (constraint.interval > 0) {
-    const int m = constraint.interval - 1;
-    const BrakingDistances distances = braking_distances(path.braking, law, m);
-    const double distance = worst.point == 0   ? distances.start
-                            : worst.point == 1 ? distances.middle
-                                               : distances.end;
-    // in the step that ends at rest only the lag counts
-    const double to_point = worst.point == 0 ? 0.0 : worst.point == 1 ? law.lag : law.time_step;
-    const double to_rest = law.time_step * path.braking.full_steps + law.lag;
-    across += path.speed > 0.0 ? distance / path.speed : law.lag;
-    along += std::min(law.time_step * m + to_point, to_rest);
-  }
+  auto [across, along] =
+      point_growth(path.braking, path.speed, constraint.interval, worst.point, law);
   if (path.lever != 0.0 && path.speed > 0.0)
     across += path.lever / path.speed;  // it turns with v_1
   const Vec2 normal = constraint.normal - worst.lean;

@@ -27,6 +27,25 @@ BrakingProfile braking_profile(double speed, double decrement) {
   return {speed, decrement, packed.full_steps.value};
 }
 
+// The point is (Δt - s) v_1 + (v_1/|v_1|) D(|v_1|) and a constant. The second term grows with v_1
+// by D/|v_1| across it, and along it by D', the time for which braking moves the point.
+PointGrowth point_growth(const BrakingProfile& braking, double speed, int interval, int point,
+                         const StepLaw& law) {
+  double across = law.time_step - law.lag, along = across;
+  if (interval == 0) return {across, along};
+  const int m = interval - 1;
+  const BrakingDistances distances = braking_distances(braking, law, m);
+  const double distance = point == 0   ? distances.start
+                          : point == 1 ? distances.middle
+                                       : distances.end;
+  // in the step that ends at rest only the lag counts
+  const double to_point = point == 0 ? 0.0 : point == 1 ? law.lag : law.time_step;
+  const double to_rest = law.time_step * braking.full_steps + law.lag;
+  across += speed > 0.0 ? distance / speed : law.lag;
+  along += std::min(law.time_step * m + to_point, to_rest);
+  return {across, along};
+}
+
 double stopping_length(const BrakingProfile& braking, const StepLaw& law) {
   return scalar::stopping_length(scalar::constant<Real>(braking), law).value;
 }

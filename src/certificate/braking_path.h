@@ -87,6 +87,15 @@ struct BrakingDistances {
 };
 BrakingDistances braking_distances(const BrakingProfile& braking, const StepLaw& law, int interval);
 
+/// s: how a point of a path that brakes after v_1 moves with v_1, across it and along it.
+struct PointGrowth {
+  double across, along;
+};
+/// `interval` 0 is the step to v_1, and `speed` is |v_1|, with which `braking` begins. `point`: 0
+/// is the start of the interval, 1 its middle Bézier point, 2 its end.
+PointGrowth point_growth(const BrakingProfile& braking, double speed, int interval, int point,
+                         const StepLaw& law);
+
 /// [l] m until rest, by steps of `decrement` and a last step that takes off the rest. It is not
 /// v²/2a: a robot that moves in steps needs up to u Δt/8 more. It is exact within a few ulp, for
 /// any speed >= 0.

@@ -7,24 +7,11 @@
 #include <cstddef>
 
 #include "lp/linear_program.h"
+#include "planner/cuts.h"
 #include "robots/model.h"
 
 namespace avo::inline planner {
 namespace {
-
-// Each round cuts off the last proposal; more rounds find hardly anything nearer.
-constexpr auto kRounds = static_cast<int>(kMostCuts);
-constexpr int kBisections = 5;
-// Half-planes are drawn so far on the safe side, of u: a point of them passes the exact test for
-// any rounding.
-constexpr double kInside = 0x1p-30;
-// The admitted set has curved boundaries that bend away from their tangents, since the braking
-// distance grows with the square of the speed. The next proposal lies on a tangent, so 97 in 100 of
-// them were refused on Circle-1000. A cut is therefore moved in by a part of its violation: then 1
-// in 100 is refused. Near rest nothing bends, and robots in a jam would back off from each other.
-// So the part grows with the speed between these two, of u.
-constexpr double kDeeper = 0.125;
-constexpr double kStraight = 2.0, kBent = 7.0;
 
 // The inputs of the proposals.
 struct Proposals {
@@ -79,9 +66,7 @@ bool is_admitted(const Proposals& proposals, Vec2 next_velocity,
 }
 
 void move_in(HalfPlane& cut, const CandidatePath& refused, double u) {
-  const double bent = (refused.speed / u - kStraight) / (kBent - kStraight);
-  const double deeper = kDeeper * std::min(1.0, std::max(0.0, bent));
-  cut.offset += kInside * u + deeper * std::max(violation(cut, refused.next_velocity), 0.0);
+  cut.offset += moved_in(refused.speed, violation(cut, refused.next_velocity), u);
 }
 
 // For every neighbor that refuses the judged path of the robot or one of its discs, appends the
@@ -166,7 +151,7 @@ CertifiedChoice choose_by_cuts(const Proposals& proposals) {
   const ProgramResult farthest = propose(proposals, proposals.top_speed);
   if (farthest.state == ProgramState::discs_disjoint) return choice;
   double admitted = 0.0, refused = 1.0;
-  for (int i = 0; i < kBisections; ++i) {
+  for (int i = 0; i < kCutBisections; ++i) {
     const double part = 0.5 * (admitted + refused);
     const Vec2 candidate = followed(proposals, backup + part * (farthest.point - backup));
     if (is_admitted(proposals, candidate)) {

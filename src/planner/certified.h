@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The next velocity nearest to a wanted velocity that the certificate admits.
 #pragma once
-#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <vector>
@@ -25,9 +24,6 @@ struct CertifiedChoice {
   Vec2 next_velocity;  ///< [v_1] m/s, after the step
   Chosen chosen = Chosen::wanted;
 };
-
-/// A neighbor is cut off by at most so many half-planes.
-inline constexpr std::size_t kMostCuts = 6;
 
 /// Scratch memory; allocates only while it grows.
 struct CertifiedWorkspace {

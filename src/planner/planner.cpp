@@ -11,6 +11,7 @@
 #include "planner/alone.h"
 #include "planner/certify.h"
 #include "planner/contact.h"
+#include "planner/cuts.h"
 #include "planner/decision.h"
 #include "planner/execution.h"
 #include "planner/options.h"

@@ -213,26 +213,12 @@ Worst worst_of(const Constraints& constraints, const StepLaw& law, std::size_t f
   return worst;
 }
 
-// The point is (Δt - s) v_1 + (v_1/|v_1|) D(|v_1|) and a constant. In the robot's own space the
-// second term grows with v_1 by D/|v_1| across it, and along it by the time for which braking moves
-// the point.
 HalfSpace tangent(const Robot& robot, const Worst& worst, const StepLaw& law,
                   const Constraints& constraints) {
   const ConstraintColumns& columns = constraints.columns;
   const CandidatePath& path = constraints.path;
-  const int interval = static_cast<int>(columns.interval[worst.k]);
-  double across = law.time_step - law.lag, along = across;
-  if (interval > 0) {
-    const int m = interval - 1;
-    const BrakingDistances distances = braking_distances(path.braking, law, m);
-    const double distance = worst.point == 0   ? distances.start
-                            : worst.point == 1 ? distances.middle
-                                               : distances.end;
-    const double to_point = worst.point == 0 ? 0.0 : worst.point == 1 ? law.lag : law.time_step;
-    const double to_rest = law.time_step * path.braking.full_steps + law.lag;
-    across += path.speed > 0.0 ? distance / path.speed : law.lag;
-    along += std::min(law.time_step * m + to_point, to_rest);
-  }
+  const auto [across, along] = point_growth(
+      path.braking, path.speed, static_cast<int>(columns.interval[worst.k]), worst.point, law);
   const Vec3 normal =
       from_own({columns.normal[0][worst.k], columns.normal[1][worst.k], columns.normal[2][worst.k]},
                robot.vertical);

@@ -4,17 +4,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "planner/cuts.h"
 #include "space/own_space.h"
 
 namespace avo::space {
 namespace {
 
-// See planner/certified.cpp.
-constexpr auto kRounds = static_cast<int>(kMostCuts);
-constexpr int kBisections = 5;
-constexpr double kInside = 0x1p-30;
-constexpr double kDeeper = 0.125;
-constexpr double kStraight = 2.0, kBent = 7.0;
 constexpr double kBelow = 1.0 - 0x1p-48;  // a bound is kept in spite of rounding
 
 // The limits of v_1 in the robot's own space, m/s.
@@ -62,13 +57,6 @@ Vec3 within_climb(const Robot& robot, Vec3 next) {
   return next;
 }
 
-// Moves a cut in, since the admitted set bends away from its tangent.
-void move_in(HalfSpace& cut, Vec3 refused, double u) {
-  const double bent = (norm(refused) / u - kStraight) / (kBent - kStraight);
-  const double deeper = kDeeper * std::clamp(bent, 0.0, 1.0);
-  cut.offset += kInside * u + deeper * std::max(violation(cut, refused), 0.0);
-}
-
 }  // namespace
 
 void append_climb(const Robot& robot, std::vector<HalfSpace>& half_spaces) {
@@ -100,7 +88,8 @@ Choice choose(const Robot& robot, Vec3 wanted, const StepLaw& law, ChoiceWorkspa
     if (is_last) break;
     const std::size_t before = cuts.size();
     append_cuts(robot, law, constraints, cuts);
-    for (std::size_t k = before; k < cuts.size(); ++k) move_in(cuts[k], own, limits.change);
+    for (std::size_t k = before; k < cuts.size(); ++k)
+      cuts[k].offset += moved_in(norm(own), violation(cuts[k], own), limits.change);
   }
   const Vec3 backup = backup_velocity(robot, law);
   Choice choice{backup, Chosen::backup};
@@ -110,7 +99,7 @@ Choice choose(const Robot& robot, Vec3 wanted, const StepLaw& law, ChoiceWorkspa
   if (farthest.state == SpaceProgramState::balls_disjoint) return choice;
   const Vec3 own_backup = to_own(backup, robot.vertical), way = farthest.point - own_backup;
   double admitted = 0.0, refused = 1.0;
-  for (int i = 0; i < kBisections; ++i) {
+  for (int i = 0; i < kCutBisections; ++i) {
     const double part = 0.5 * (admitted + refused);
     const Vec3 candidate = from_own(within(limits, own_backup + part * way), robot.vertical);
     if (keeps_climb(robot, candidate) &&

@@ -105,11 +105,20 @@ avo_io::Judgement judge_with_progress(const std::string& recording, avo_io::Judg
   return avo_io::judge(recording, options);
 }
 
+int tell(const avo_io::Judgement& judgement, bool json) {
+  if (json)
+    print(avo_io::to_json(judgement));
+  else
+    print_results(avo_io::readable(judgement));
+  if (judgement.incomplete()) return kIncomplete;
+  return judgement.passed() ? kDone : kUnsafe;
+}
+
 }  // namespace
 
 int check(const CheckArguments& arguments) {
   if (const auto in_space = load_in_space(arguments.scene, {}))
-    return check_in_space(arguments, *in_space);
+    return tell(judge_in_space(arguments, *in_space), arguments.json);
   const std::optional<avo_io::RecordedScene> own = own_scene(arguments);
   if (arguments.recording == "-" && arguments.scene.scene == "-")
     throw UsageError("the recording and --scene: found - twice, must be one standard input only");
@@ -128,12 +137,7 @@ int check(const CheckArguments& arguments) {
         {fmt::format("{} of {} robot-steps are of robots without headings in the recording; their "
                      "velocities are judged, and not where they face",
                      judgement.report.without_heading, judgement.report.robot_steps)});
-  if (arguments.json)
-    print(avo_io::to_json(judgement));
-  else
-    print_results(avo_io::readable(judgement));
-  if (judgement.incomplete()) return kIncomplete;
-  return judgement.passed() ? kDone : kUnsafe;
+  return tell(judgement, arguments.json);
 }
 
 }  // namespace avo_cli

@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "avo/space/metrics.h"
-#include "avo_io/judgement.h"
 #include "avo_io/output_file.h"
 #include "avo_io/recording.h"
 #include "exit_codes.h"
@@ -126,20 +125,15 @@ int run_in_space(const RunArguments& arguments, const avo::space::Scenario& scen
   return signal_caught() == 0 ? kDone : kSignal + signal_caught();
 }
 
-int check_in_space(const CheckArguments& arguments, const avo::space::Scenario& scenario) {
+avo_io::Judgement judge_in_space(const CheckArguments& arguments,
+                                 const avo::space::Scenario& scenario) {
   if (arguments.radius || arguments.max_acceleration || arguments.max_speed ||
       arguments.max_braking)
     throw UsageError(
         "--radius, --max-acceleration, --max-speed, --max-braking: found besides the robots of "
         "--scene, must be one or the other");
-  const avo_io::Judgement judgement = avo_io::judge_in_space(
-      arguments.recording, scenario, arguments.tolerance, arguments.require_arrival);
-  if (arguments.json)
-    print(avo_io::to_json(judgement));
-  else
-    print_results(avo_io::readable(judgement));
-  if (judgement.incomplete()) return kIncomplete;
-  return judgement.passed() ? kDone : kUnsafe;
+  return avo_io::judge_in_space(arguments.recording, scenario, arguments.tolerance,
+                                arguments.require_arrival);
 }
 
 int convert_to_set_points(const ConvertArguments& arguments) {

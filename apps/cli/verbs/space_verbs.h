@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include "avo_io/judgement.h"
 #include "avo_io/space.h"
 #include "verbs/verbs.h"
 
@@ -15,7 +16,8 @@ std::optional<avo::space::Scenario> load_in_space(const SceneArguments& argument
 
 int run_in_space(const RunArguments& arguments, const avo::space::Scenario& scenario);
 /// Judges a recording of the scene's robots.
-int check_in_space(const CheckArguments& arguments, const avo::space::Scenario& scenario);
+avo_io::Judgement judge_in_space(const CheckArguments& arguments,
+                                 const avo::space::Scenario& scenario);
 /// Writes the set points of a recording's quadrotors.
 int convert_to_set_points(const ConvertArguments& arguments);
 
