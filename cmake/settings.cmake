@@ -33,8 +33,7 @@ target_compile_features(avo_settings INTERFACE cxx_std_20)
 target_compile_options(avo_settings INTERFACE
   $<$<NOT:$<CXX_COMPILER_ID:MSVC>>:-Wall;-Wextra;-Wpedantic;-Wconversion;-Wshadow;-ffp-contract=off>
   $<$<AND:$<CXX_COMPILER_ID:GNU>,$<BOOL:${AVO_FUSED_INSTRUCTIONS}>>:-fno-tree-slp-vectorize>
-  $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict>  # false alarms of g++ 12 in std::string's operator+
-  $<$<AND:$<NOT:$<CXX_COMPILER_ID:MSVC>>,$<BOOL:${AVO_WERROR}>>:-Werror>)
+  $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict>)  # false alarms of g++ 12 in std::string's operator+
 if(AVO_FUSED_INSTRUCTIONS)
   target_compile_definitions(avo_settings INTERFACE AVO_FUSED_INSTRUCTIONS)
 endif()

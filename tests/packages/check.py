@@ -54,7 +54,7 @@ def configure(arguments, source, build, *options):
 def settings_of(build, folder):
     """Options of a build in FOLDER with the settings and, where they fit, the objects of BUILD."""
     cache = (build / "CMakeCache.txt").read_text()
-    values = re.findall(r"^((?:CMAKE_BUILD_TYPE|CMAKE_CXX_FLAGS\w*|AVO_SIMD|AVO_WERROR):.*)$", cache, re.M)
+    values = re.findall(r"^((?:CMAKE_BUILD_TYPE|CMAKE_CXX_FLAGS\w*|AVO_SIMD|CMAKE_COMPILE_WARNING_AS_ERROR):.*)$", cache, re.M)
     launcher = f"{sys.executable};-S;{HERE / 'reuse.py'};{build.absolute()};{folder}"
     return [f"-D{value}" for value in values] + [f"-DCMAKE_CXX_COMPILER_LAUNCHER={launcher}"]
 
@@ -165,7 +165,7 @@ def check_game(arguments, prefix, library):
 def check_shared(arguments):
     build = arguments.folder / "build"
     configure(arguments, ROOT, build, *settings_of(arguments.build, build), "-DBUILD_SHARED_LIBS=ON",
-              "-DAVO_TESTS=OFF", "-DAVO_BENCH=OFF", f"-DCMAKE_INSTALL_PREFIX={arguments.folder / 'elsewhere'}")
+              "-DAVO_TESTS=OFF", f"-DCMAKE_INSTALL_PREFIX={arguments.folder / 'elsewhere'}")
     build_all(build, "avo", "avo_io", "avo_c", "avo_c_core", "avo_cli")  # what is installed
     prefix = install_and_move(build, arguments.folder)
     shutil.rmtree(build)  # nothing may come from there
@@ -199,7 +199,7 @@ def check_fused(arguments):
     compiled anew are those in which g++ 12 makes such instructions, unless cmake/settings.cmake prevents it."""
     expect_none_fused(next((arguments.build / "src").glob("libavo.[as]*")))
     build = arguments.folder / "build"
-    configure(arguments, ROOT, build, "-DCMAKE_BUILD_TYPE=Release", "-DAVO_TESTS=OFF", "-DAVO_BENCH=OFF",
+    configure(arguments, ROOT, build, "-DCMAKE_BUILD_TYPE=Release", "-DAVO_TESTS=OFF",
               "-DCMAKE_CXX_FLAGS=-march=x86-64-v3")
     targets = run("ninja", "-C", build, "-t", "targets", "all")
     units = r"(?:robots|drive_turns|obstacles|half_planes)(?:_cxx\.cxx|\.cpp)\.o"
