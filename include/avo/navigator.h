@@ -39,7 +39,7 @@ struct NavigatorOptions {
   double required_movement_radius = 0.5;
   double movement_time_allowance = 10.0;  ///< s, > 0
   /// m, > 0: the corners of a given route are cut by as much, and most robots follow it within this
-  /// distance, except where others are in the way. Unset: 0.3 of the robot's radius
+  /// distance, except where others stand there. Unset: 0.3 of the robot's radius
   std::optional<double> route_tolerance = {};
   /// How the base executes commands; unset: exactly. If set, `robot` of step() is the body as it is
   /// measured, the decision is about its reference, and NavigatorDecision::command is for the base
@@ -58,8 +58,8 @@ struct Stage {
 
 /// What a navigator is about.
 enum class NavigatorStatus : std::uint8_t {
-  idle,         ///< it has no goal: it stays where it is, and gives way
-  under_way,    ///< on its way
+  idle,         ///< it has no goal: it stays where it is, and lets others pass
+  under_way,    ///< it moves on its route
   waiting,      ///< at a stage
   reached,      ///< the goal is within the tolerances, or as near as others at rest leave room
   stuck,        ///< under way, and without progress for movement_time_allowance

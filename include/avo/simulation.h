@@ -233,11 +233,11 @@ class AVO_API Simulation {
   /// Index of the robot into fleet(). It differs from the robot's number once another robot has
   /// been removed or has left. It is none if the robot itself is gone.
   [[nodiscard]] std::optional<std::size_t> index_of(RobotId robot) const;
-  /// Robots whose discs come within `radius`, m, of the point, the nearest disc first: indices into
+  /// Robots with discs within `radius`, m, of the point, the nearest disc first: indices into
   /// fleet(). This query and the next three find what is near in a grid, which the first one after
   /// a change makes. A query then takes as long as it has to look at.
   [[nodiscard]] std::vector<std::size_t> robots_within(Vec2 center, double radius) const;
-  /// The robots whose discs are nearest to the point, at most `count`, nearest first.
+  /// The robots with the discs nearest to the point, at most `count`, nearest first.
   [[nodiscard]] std::vector<std::size_t> nearest_robots(Vec2 position, std::size_t count) const;
   /// Returns whether a disc of that radius, m, > 0, would touch no robot, no moving obstacle and no
   /// wall there, and would not be inside a solid or outside of bounds. layers, here and below: only

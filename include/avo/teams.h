@@ -21,7 +21,7 @@ class Simulation;
 enum class Formation : std::uint8_t {
   line,    ///< side by side
   column,  ///< one behind the other
-  wedge,   ///< a V, whose point is ahead
+  wedge,   ///< a V with its point ahead
   block,   ///< rows, as wide as deep
   ring,    ///< on a circle
 };
@@ -35,8 +35,8 @@ AVO_API std::vector<Vec2> formation_slots(Formation formation, std::size_t count
 /// Error on numbers that are not finite or out of range.
 AVO_API std::vector<Vec2> place_slots(std::span<const Vec2> slots, Vec2 center, double heading);
 
-/// Returns for each robot the index of its slot, so that the sum of the straight ways is least, to
-/// a millionth of the longest one. The straight ways of two robots then do not cross, unless they
+/// Returns for each robot the index of its slot, so that the sum of the distances is least, to
+/// a millionth of the longest one. The straight lines of two robots then do not cross, unless they
 /// are nearly on one line. There must be at least as many slots as robots,
 /// else it throws Error. The time is that of the Hungarian method: at most the square of the robots
 /// times the slots.

@@ -21,7 +21,7 @@ struct RobotTraits {
   bool has_model = false;         // it is not holonomic
   bool exceeds = false;           // it may accelerate by more than max_acceleration
 };
-/// Of a robot with that preferred speed, m/s.
+/// The traits of a robot with that preferred speed, m/s.
 inline RobotTraits traits_of(const Robot& robot, double preferred_speed) {
   return {.radius = robot.radius,
           .way_radius = way_radius(robot.model, robot.radius),

@@ -35,7 +35,7 @@ void MoverContacts::take(const FleetView& fleet) {
   }
 }
 
-// Meets the movers whose x is near enough.
+// Meets the movers with an x that is near enough.
 void MoverContacts::meet(const Simulation& simulation, Vec2 position, std::size_t row) {
   const ObstacleView movers = simulation.obstacles();
   const Disc& disc = discs_[row];

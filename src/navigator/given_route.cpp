@@ -12,9 +12,9 @@
 namespace avo::inline navigator {
 namespace {
 
-// A robot aims at a point ahead by so many ways that it covers in its lag. With 2 the chord to that
-// point leads the tangent of an arc by the lag. With less it cuts corners less, and comes back to a
-// straight line with a damping of √1.3/2 = 0.57.
+// A robot aims at a point ahead, farther by this factor than the distance that it covers in its
+// lag. With 2 the chord to that point leads the tangent of an arc by the lag. With less it cuts
+// corners less, and comes back to a straight line with a damping of √1.3/2 = 0.57.
 constexpr double kLags = 1.3;
 constexpr double kBackOn = 4.0;  // times the look-ahead: so far on it searches for its place
 constexpr double kFaster = 0.7;  // of a_max, to become faster

@@ -38,7 +38,7 @@ double run_in_of(const Robot& robot) {
                    drive != nullptr ? kRunInOffsets * drive->offset : 0.0});
 }
 
-// Appends the corners of the way by the map from one place to another.
+// Appends the corners of the route by the map from one place to another.
 void append_way(NavigatorState& state, const Robot& robot, Vec2 to, Memory& memory,
                 std::vector<Waypoint>& points) {
   const Vec2 from = points.back().place;
@@ -141,7 +141,7 @@ std::shared_ptr<const GivenRoute> route_of(NavigatorState& state, Memory& memory
   return given_route(corners, rounding, robot.radius, state.map);
 }
 
-// m, from the start: where the robot is on the same route whose corners are cut otherwise. Each
+// m, from the start: where the robot is on the same route with other cuts of its corners. Each
 // place has moved by at most the difference of the lengths.
 double same_place(const OnRoute& before, const RoundedRoute& route) {
   const double moved = std::abs(route.length() - before.route->rounded.length());

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A route of straight pieces whose corners are cut by arcs.
+// A route of straight pieces with corners that are cut by arcs.
 #pragma once
 #include <cstddef>
 #include <span>

@@ -40,7 +40,7 @@ Nearest nearest_of(Vec2 position, std::span<const Neighbor> neighbors) {
   return nearest;
 }
 
-// Explanations step a copy of the memory: the ways that both share must not change then.
+// Explanations step a copy of the memory: the map of routes that both share must not change then.
 bool is_copy(const NavigatorState& state, const Memory& memory) {
   return &memory != &state.memory;
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// How far a navigator's robot is: what is left of its way, and whether it makes progress.
+// How far a navigator's robot is: what is left of its route, and whether it makes progress.
 #include <cmath>
 
 #include "core/plane.h"

@@ -12,7 +12,7 @@ inline std::array<Vec2, 2> ends_of(const WallPair& pair) {
   return {pair.from_a, pair.from_b};
 }
 
-/// m, from the nearest point of the wall to the robot's place after the displacement `way`.
+/// m, from the nearest point of the wall to the robot's place after that displacement.
 Vec2 away_from_wall(const WallPair& pair, Vec2 way);
 
 /// m, from the nearest point of the wall to that of the ray on which the robot keeps its velocity;

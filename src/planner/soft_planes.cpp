@@ -166,7 +166,7 @@ void add_margins(const PlannerOptions& options, const Tile& tile, SoftPlanes& so
   }
 }
 
-// Of pairs with footprints, the half-planes are those of the two nearest discs.
+// The half-planes of pairs with footprints are those of the two nearest discs.
 void take_nearest_discs(const Tile& tile, const StepLaw& law, SoftPlanes& soft) {
   PairColumns& pairs = soft.pairs;
   std::size_t i = 0;

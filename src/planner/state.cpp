@@ -51,10 +51,10 @@ SafetyReport state_of(const Robot& robot, const Neighbors& neighbors, std::span<
     const Neighbor neighbor = neighbors[k];
     if (is_safe && neighbor.behavior == Behavior::decides) continue;
     if (neighbor.loiter) continue;  // it turns faster than its acceleration says
-    if (neighbor.footprint || has_footprint(robot.model)) continue;  // they may turn out of the way
+    if (neighbor.footprint || has_footprint(robot.model)) continue;  // their discs may turn aside
     first.take(inevitable_contact(robot, neighbor, law.step), static_cast<int>(k), -1);
   }
-  // the robot may be elsewhere, or turn out of the way
+  // the robot may be elsewhere, or its discs turn aside
   const bool lost = law.step.localization_error > 0.0 || has_footprint(robot.model);
   for (std::size_t k = 0; !is_safe && !lost && !first.is_now() && k < walls.size(); ++k)
     first.take(inevitable_contact(robot, walls[k]), -1, static_cast<int>(k));

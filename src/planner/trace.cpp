@@ -58,7 +58,7 @@ double push_weight(const Robot& robot, const Neighbor& neighbor) {
   return norm(push_of(robot, neighbor));
 }
 
-// Of a neighbor ahead within the range of the rule: its weight falls with the distance.
+// The weight of a neighbor ahead, within the range of the rule, falls with the distance.
 double ahead_weight(const Robot& robot, const Neighbor& neighbor, double range) {
   const Vec2 towards = neighbor.position - robot.position;
   const double distance = norm(towards);
@@ -167,7 +167,7 @@ void trace_union(const Decided& decided, DecisionTrace& trace) {
   }
 }
 
-// The neighbors and walls whose constraints refuse the path that was last judged.
+// The neighbors and walls that refuse, by their constraints, the path that was last judged.
 void add_refusing(const Decided& decided, const TrajectoryConstraints& constraints,
                   const CandidatePath& path, const StepLaw& law, std::vector<Cause>& refusing) {
   const ConstraintColumns& columns = constraints.columns;
@@ -237,8 +237,8 @@ void trace_certificate(const Decided& decided, DecisionTrace& trace) {
   if (is_refused && last.empty() && !is_holonomic(decided.robot.model)) last.push_back({});
 }
 
-// A robot that flies and may not take the controls for its target: the neighbor whose circle is
-// nearest.
+// A robot that flies and may not take the controls for its target: the neighbor with the nearest
+// circle.
 void trace_flight(const Decided& decided, DecisionTrace& trace) {
   const PlanStatus status = trace.plan.status;
   if (status == PlanStatus::optimal || status == PlanStatus::least_unsafe) return;

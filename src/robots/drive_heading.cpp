@@ -12,7 +12,7 @@
 
 namespace avo::inline robots {
 
-// dφ/ds = -sin φ/L on the straight way of q: the heading turns towards the velocity, and not past
+// dφ/ds = -sin φ/L on the straight path of q: the heading turns towards the velocity, and not past
 // it.
 BrakingPose turn_while_braking(const DifferentialDrive& drive, Vec2 velocity, Vec2 heading,
                                double way) {

@@ -76,10 +76,10 @@ void advance_together(std::span<ModelStep> steps, double time_step);
 void advance_discs(const MotionModel& model, const MotionLimits& limits, const MotionState& state,
                    const Plan& plan, double time_step, std::span<MotionStep> discs);
 
-/// The heading while the robot brakes, on a way of that length, m.
+/// The heading while the robot brakes, on a path of that length, m.
 BrakingPose turn_while_braking(const MotionModel& model, Vec2 velocity, double heading, double way);
 /// The heading within a step, where the discs of a footprint may be anywhere within the spread.
-/// None for a robot whose discs advance_discs() has followed on their paths.
+/// None for a robot if advance_discs() has followed its discs on their paths.
 std::optional<BrakingPose> turn_within(const MotionModel& model, const MotionState& from,
                                        const MotionState& to, double time_step);
 
@@ -155,8 +155,8 @@ std::optional<LoiterCircle> circle_of(const MotionModel& model, Vec2 position, V
 /// m: the additional distance from its center, beyond its disc and braking, that its fallback may
 /// need.
 double room_to_turn(const MotionModel& model, double max_speed);
-/// m: the radius with which it finds its ways, for a disc of the other radius: that of each disc of
-/// its footprint.
+/// m: the radius with which its routes are found, for a disc of the other radius: that of each disc
+/// of its footprint.
 double way_radius(const MotionModel& model, double radius);
 /// Returns whether every number is finite and in range, and the model allows these limits; the
 /// acceleration is change_limit().

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The next decision of one robot with its reasons: a step of that robot alone, which moves nobody.
+// The next decision of one robot with its reasons: a step of that robot alone. No robot moves.
 #include <string>
 
 #include "avo/error.h"

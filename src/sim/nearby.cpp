@@ -69,8 +69,8 @@ std::vector<std::size_t> ranks_of(const std::vector<Ranked>& found, std::size_t 
   return ranks;
 }
 
-// The part of the way at which a point comes within `room` of the other point; infinite where it
-// does not.
+// The part of the displacement at which a point comes within `room` of the other point; infinite
+// where it does not.
 double enters_disc(Vec2 from, Vec2 way, Vec2 center, double room) {
   const Vec2 away = from - center;
   const double a = norm_squared(way), b = dot(away, way), c = norm_squared(away) - room * room;
@@ -113,7 +113,8 @@ struct Counted {
   }
 };
 
-// The first of the grid's walls that the disc comes to touch, and the part of the way until then.
+// The first of the grid's walls that the disc comes to touch, and the part of the displacement
+// until then.
 template <typename Counts>
 std::pair<double, std::size_t> first_in(const ClearanceGrid& grid, Vec2 from, Vec2 way,
                                         double radius, const Counts& counts) {

@@ -27,9 +27,9 @@ struct Nearby {
 void look_around(const World& world, Nearby& nearby);
 void look_at_walls(const World& world, Nearby& nearby);
 
-/// Ranks of robots whose discs come within `radius` of the point, the nearest disc first.
+/// Ranks of robots with discs within `radius` of the point, the nearest disc first.
 std::vector<std::size_t> robots_within(const Nearby& nearby, Vec2 center, double radius);
-/// Ranks of the robots whose discs are nearest to the point, nearest first.
+/// Ranks of the robots with the discs nearest to the point, nearest first.
 std::vector<std::size_t> nearest_robots(const Nearby& nearby, Vec2 position, std::size_t count);
 /// Returns whether a disc there would touch nothing, and would not be where a Fill excludes it.
 /// layers, here and below: see Simulation::is_free().

@@ -116,7 +116,7 @@ void set_courses(const Fleet& fleet, std::span<const std::uint32_t> slots, Worke
   }
 }
 
-// Robots whose preferred velocity the host gave do not come to rest at a goal.
+// Robots with a preferred velocity of the host do not come to rest at a goal.
 void take_told(const Fleet& fleet, std::span<const std::uint32_t> slots, Worker& worker) {
   RobotColumns& robots = worker.tile.robots;
   for (std::size_t k = 0; k < slots.size(); ++k) {

@@ -17,7 +17,7 @@ WayRules way_rules_of(const Scenario& settings);
 /// Returns whether robots have routes, on whatever floor: there are walls, or movers at rest.
 bool has_ways(const StaticWorld& statics, std::span<const Ways> ways);
 
-/// The routes of all robots, by rank; there must be ways. floor: of each robot, by rank;
+/// The routes of all robots, by rank; a floor must have routes. floor: of each robot, by rank;
 /// empty where there is one. before: their routes among other walls, or none, see plan_anew().
 /// arrival_distance: m, of robots that have none of their own.
 std::vector<Travel> plan_travels(std::span<Ways> ways, const Fleet& fleet,

@@ -111,7 +111,7 @@ struct World {
   std::vector<Ways> ways;            // of each floor
   std::vector<Claims> claims;        // of each floor's passages
   std::vector<std::uint32_t> floor;  // of each robot, by rank; empty where there is one
-  std::vector<Travel> travels;       // by rank; empty without ways
+  std::vector<Travel> travels;       // by rank; empty without routes
   std::int64_t steps = 0;
   Instant now = 0, before = -1;  // for free clocks: the last step began at `before`, if at all
   std::uint64_t next_id = 0;
@@ -150,8 +150,8 @@ struct World {
   double arrival_distance(std::size_t slot) const {
     return fleet.own_arrival_distance(slot).value_or(settings.arrival_distance);
   }
-  /// The pace of such a robot; it is made if there is none yet. may_replace: in place of one that
-  /// no robot has, where all robots are in the fleet.
+  /// The pace of such a robot; a missing pace is made. may_replace: the new pace may replace a pace
+  /// of no robot, where all robots are in the fleet.
   OwnPace pace_of(const RobotSetup& setup, bool may_replace = false);
   /// The common planner of the robots with a certificate; the scene's where there are none.
   const Planner& certified_planner() const;

@@ -18,11 +18,11 @@ constexpr double kInfinite = std::numeric_limits<double>::infinity();
 /// undercuts.
 struct Market {
   std::span<const Vec2> positions, slots;
-  double longest = 0.0;  // m, of the ways
+  double longest = 0.0;  // m, of the lines from robots to slots
   std::vector<double> robot_price, slot_price;
   std::vector<std::size_t> owner;  // of each slot, a robot
 
-  /// m. Of two assignments with equal sums, the one with the shorter longest ways costs less:
+  /// m. Of two assignments with equal sums, the one with the shorter longest lines costs less:
   /// robots in a row that move along the row keep their order.
   [[nodiscard]] double cost(std::size_t robot, std::size_t slot) const {
     const double way = norm(slots[slot] - positions[robot]);

@@ -96,7 +96,7 @@ Moving at_slot(const Leader& leader, Vec2 slot, double spacing, std::span<const 
   return {leader.place + slot.x * ahead + slot.y * perpendicular(ahead), leader.velocity};
 }
 
-// Matches robots and slots so that the robots' ways to them do not cross. Robots beyond the slots
+// Matches robots and slots so that the lines to the slots do not cross. Robots beyond the slots
 // follow the trail.
 void take_slots(const Follow& follow, const Leader& leader, const Simulation& simulation,
                 Team& team) {

@@ -201,8 +201,8 @@ enum {
 /// What a navigator is about.
 typedef uint8_t avo_navigator_status;
 enum {
-  AVO_NAVIGATOR_IDLE = 0,        ///< it has no goal: it stays where it is, and gives way
-  AVO_NAVIGATOR_UNDER_WAY = 1,   ///< on its way
+  AVO_NAVIGATOR_IDLE = 0,        ///< it has no goal: it stays where it is, and lets others pass
+  AVO_NAVIGATOR_UNDER_WAY = 1,   ///< it moves on its route
   AVO_NAVIGATOR_WAITING = 2,     ///< at a stage
   AVO_NAVIGATOR_REACHED = 3,     ///< the goal is within the tolerances
   AVO_NAVIGATOR_STUCK = 4,       ///< without progress for movement_time_allowance
@@ -666,7 +666,7 @@ typedef struct avo_method_batch {
 
 /// Chooses a velocity for each robot of the batch, m/s; they are the preferred ones before the
 /// call. The thread that steps calls it once in a step. Any other result than 0 ends the step,
-/// which has moved nobody. It must not step or change the simulation that asks it: these calls fail
+/// which moved no robot. It must not step or change the simulation that asks it: these calls fail
 /// meanwhile.
 typedef int32_t avo_external_method(void* context, const avo_method_batch* batch,
                                     avo_vec2* velocities);
@@ -948,12 +948,12 @@ AVO_C_API avo_result avo_simulation_get_state_hash(avo_simulation_id simulation,
 /// written.
 AVO_C_API avo_result avo_simulation_unreachable(avo_simulation_id simulation, avo_robot_id* buffer,
                                                 size_t capacity, size_t* count);
-/// Robots whose discs come within `radius`, m, of the point, the nearest disc first. buffer and
+/// Robots with discs within `radius`, m, of the point, the nearest disc first. buffer and
 /// count are those of avo_simulation_unreachable().
 AVO_C_API avo_result avo_simulation_robots_within(avo_simulation_id simulation, avo_vec2 center,
                                                   double radius, avo_robot_id* buffer,
                                                   size_t capacity, size_t* count);
-/// The robots whose discs are nearest to the point, nearest first: at most `capacity`.
+/// The robots with the discs nearest to the point, nearest first: at most `capacity`.
 AVO_C_API avo_result avo_simulation_nearest_robots(avo_simulation_id simulation, avo_vec2 position,
                                                    avo_robot_id* buffer, size_t capacity,
                                                    size_t* count);
@@ -1032,7 +1032,7 @@ typedef int32_t avo_formation;
 enum {
   AVO_FORMATION_LINE = 0,    ///< side by side
   AVO_FORMATION_COLUMN = 1,  ///< one behind the other
-  AVO_FORMATION_WEDGE = 2,   ///< a V, whose point is ahead
+  AVO_FORMATION_WEDGE = 2,   ///< a V with its point ahead
   AVO_FORMATION_BLOCK = 3,   ///< rows, as wide as deep
   AVO_FORMATION_RING = 4     ///< on a circle
 };
@@ -1041,8 +1041,8 @@ enum {
 /// slots are at least `spacing` apart, m, > 0.
 AVO_C_API avo_result avo_formation_slots(avo_formation formation, size_t count, double spacing,
                                          avo_vec2 center, double heading, avo_vec2* slots);
-/// Writes for each of `count` places the index of its slot, so that the sum of the straight ways is
-/// least and no two of them cross. slot_count >= count.
+/// Writes for each of `count` places the index of its slot, so that the sum of the distances is
+/// least and no two of the lines cross. slot_count >= count.
 AVO_C_API avo_result avo_assign_slots(const avo_vec2* positions, size_t count,
                                       const avo_vec2* slots, size_t slot_count, size_t* chosen);
 /// Sends each robot to a slot as avo_assign_slots() says. Where it fails, nothing has changed.
