@@ -89,7 +89,7 @@ double top_speed(const Robot& robot) {
 }
 
 // A straight line beside a wall that no robot reaches without contact.
-struct Front {
+struct WallLine {
   double gap = 0.0;      // m, to the line
   double closing = 0.0;  // m/s, towards it
   double place = 0.0;    // m, from one end of the line to the foot
@@ -100,7 +100,7 @@ constexpr int kLines = 17;
 
 // The time by which A has reached the line for any change of its velocity by `most` m/s². The
 // latest time is that of full braking, if the foot has not left the line by then.
-std::optional<double> find_crossing(const Front& front, double most) {
+std::optional<double> find_crossing(const WallLine& front, double most) {
   const auto& [gap, closing, place, sliding, length] = front;
   const double left = closing * closing - 2.0 * most * gap;
   if (!(closing > 0.0) || !(left > 0.0)) return std::nullopt;
@@ -157,9 +157,9 @@ std::optional<double> find_contact_of(const Robot& robot, const Wall& wall, doub
   for (int k = 0; k < kLines; ++k) {
     const double off = contact * (kLines - 1 - k) / (kLines - 1);
     const double beyond = std::sqrt(contact * contact - off * off) - lost;
-    const Front front{std::max(std::abs(side) - off, 0.0), -dot(normal, robot.velocity),
-                      dot(along, -segment.a) + beyond, dot(along, robot.velocity),
-                      length + 2.0 * beyond};
+    const WallLine front{std::max(std::abs(side) - off, 0.0), -dot(normal, robot.velocity),
+                         dot(along, -segment.a) + beyond, dot(along, robot.velocity),
+                         length + 2.0 * beyond};
     if (const auto time = find_crossing(front, most)) return time;
   }
   return std::nullopt;

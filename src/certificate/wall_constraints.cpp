@@ -16,7 +16,7 @@ namespace {
 
 // A's candidate as segments, relative to p_A: the braking segment from p_1, and the sides of the
 // triangle of its step. The side from p lies in the present capsule, except where the disc swings.
-struct Pieces {
+struct CandidatePieces {
   std::array<Segment, 4> segment;
   std::size_t count = 3;
   double extent = 0.0;  // m, the largest distance of any of their points from p_A
@@ -26,10 +26,11 @@ struct Pieces {
 constexpr std::size_t kBraking = 0;
 constexpr double kMoreThanRounding = 1.0 + 0x1p-20;
 
-Pieces pieces_of(const WallConstraints& walls, const CandidatePath& path, const StepLaw& law) {
+CandidatePieces pieces_of(const WallConstraints& walls, const CandidatePath& path,
+                          const StepLaw& law) {
   const Vec2 end = path.first + stopping_length(path.braking, law) * path.direction;
   const Vec2 middle = walls.middle + path.swing;
-  Pieces pieces{
+  CandidatePieces pieces{
       {{{path.first, end}, {middle, path.end}, {path.begin, path.end}, {path.begin, middle}}}};
   if (!(path.swing == Vec2{})) pieces.count = 4;
   const double grown = std::max({path.grown, path.grown_within, 0.0});
@@ -59,7 +60,7 @@ bool keeps_bend(const NearestPoints& nearest, Vec2 first, double bend, double le
 // Returns whether each point of the path is at least as far from the wall as the point of braking
 // at the same time. It holds for all possible places of A (docs/certificate/walls.md, "Errors of
 // one's own place").
-bool leaves_wall(const NearWall& wall, const WallConstraints& walls, const Pieces& pieces,
+bool leaves_wall(const NearWall& wall, const WallConstraints& walls, const CandidatePieces& pieces,
                  const CandidatePath& path) {
   if (!(wall.cone < 1.0)) return false;
   const auto gained = [&](Vec2 from_braking, double bend) {
@@ -71,7 +72,7 @@ bool leaves_wall(const NearWall& wall, const WallConstraints& walls, const Piece
          gained(path.swing, 0.0) >= path.grown_within;
 }
 
-bool keeps_wall(const NearWall& wall, const WallConstraints& walls, const Pieces& pieces,
+bool keeps_wall(const NearWall& wall, const WallConstraints& walls, const CandidatePieces& pieces,
                 const CandidatePath& path) {
   // the margin covers more than rounding may hide
   if (wall.distance - pieces.extent > wall.held + wall.margin) return true;
@@ -94,7 +95,7 @@ struct WorstPoint {
 };
 
 // Where the path crosses the wall, the normal points to the side of braking.
-std::optional<WorstPoint> worst_point(const NearWall& wall, const Pieces& pieces,
+std::optional<WorstPoint> worst_point(const NearWall& wall, const CandidatePieces& pieces,
                                       const CandidatePath& path, Vec2 stop) {
   WorstPoint worst;
   double least = std::numeric_limits<double>::infinity(), distance = least;
@@ -127,7 +128,7 @@ double fraction_of(Vec2 point, const Segment& segment) {
 
 // The displacement of a path point for each m/s of v_1, in the direction of the normal: the
 // gradient.
-Vec2 gradient_at(const WorstPoint& worst, const Pieces& pieces, const CandidatePath& path,
+Vec2 gradient_at(const WorstPoint& worst, const CandidatePieces& pieces, const CandidatePath& path,
                  const StepLaw& law) {
   const double fraction = fraction_of(worst.on_path, pieces.segment[worst.piece]);
   const double first = law.time_step - law.lag;
@@ -145,7 +146,7 @@ Vec2 gradient_at(const WorstPoint& worst, const Pieces& pieces, const CandidateP
 }
 
 std::optional<HalfPlane> cut_of(const NearWall& wall, const WallConstraints& walls,
-                                const Pieces& pieces, const CandidatePath& path,
+                                const CandidatePieces& pieces, const CandidatePath& path,
                                 const StepLaw& law) {
   const bool is_lost = wall.cone < 1.0;
   if (is_lost && distance({{}, walls.stop}, wall.segment) < wall.held + wall.margin) {
@@ -252,7 +253,7 @@ bool keeps_walls(const WallConstraints& constraints, const CandidatePath& path,
   // a robot that comes to rest on an arc does not brake as others expect
   if (path.next_velocity == constraints.backup && path.bend == 0.0) return true;
   if (constraints.must_brake) return false;
-  const Pieces pieces = pieces_of(constraints, path, law);
+  const CandidatePieces pieces = pieces_of(constraints, path, law);
   return std::all_of(constraints.near.begin(), constraints.near.end(), [&](const NearWall& wall) {
     return keeps_wall(wall, constraints, pieces, path);
   });
@@ -261,7 +262,7 @@ bool keeps_walls(const WallConstraints& constraints, const CandidatePath& path,
 void append_wall_cuts(const WallConstraints& constraints, const CandidatePath& path,
                       const StepLaw& law, std::vector<HalfPlane>& half_planes) {
   if (constraints.near.empty() || constraints.must_brake) return;
-  const Pieces pieces = pieces_of(constraints, path, law);
+  const CandidatePieces pieces = pieces_of(constraints, path, law);
   for (const NearWall& wall : constraints.near) {
     if (keeps_wall(wall, constraints, pieces, path)) continue;
     const std::optional<HalfPlane> cut = cut_of(wall, constraints, pieces, path, law);

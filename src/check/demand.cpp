@@ -6,7 +6,7 @@
 
 namespace avo::judge {
 
-double demand_of(const Change& change, const Ability& ability, bool square) {
+double demand_of(const Change& change, const Agility& ability, bool square) {
   const auto [slowing, across] = change;
   const auto [a, b] = ability;
   const double all = square ? std::max(std::abs(slowing), across) : norm(Vec2{slowing, across});
@@ -35,7 +35,7 @@ double demand_of(const CheckedRobot& robot, double a_max, Vec2 before, Vec2 now,
   const Vec2 from = before - (step / duration - 1.0) * change;
   const double speed = norm(from);
   if (!(speed > 0.0)) return norm(change);
-  const Ability ability{a_max * duration, std::min(b, speed / step) * duration};
+  const Agility ability{a_max * duration, std::min(b, speed / step) * duration};
   return demand_of({-dot(from, change) / speed, std::abs(cross(from, change)) / speed}, ability,
                    false);
 }

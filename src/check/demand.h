@@ -12,7 +12,7 @@ struct Change {
 };
 
 /// The possible change of a robot's velocity, m/s.
-struct Ability {
+struct Agility {
   double changing = 0.0;  ///< in any direction
   double braking = 0.0;   ///< and against its velocity, where that is more
 };
@@ -21,7 +21,7 @@ struct Ability {
 /// and a change within ability.changing. The latter is a disc, or a square about the heading. The
 /// value is the change's length, or its longest side, where it touches these; otherwise the support
 /// of the mixture, in the same measure.
-double demand_of(const Change& change, const Ability& ability, bool square);
+double demand_of(const Change& change, const Agility& ability, bool square);
 
 /// m/s^2, the robot's largest deceleration.
 double braking_of(const CheckedRobot& robot);

@@ -18,18 +18,19 @@ using judge::Cubic;
 using judge::Stick;
 
 // A robot's path over one step.
-struct Step {
+struct StepPath {
   std::size_t robot;
   Cubic path;
   Vec3 low, high;  // m, of the hull of its points
 };
 
-Step step_of(std::size_t robot, const CheckedState& before, const CheckedState& now,
-             double duration) {
-  Step step{robot,
-            judge::cubic_of(before.position, before.velocity, now.position, now.velocity, duration),
-            {},
-            {}};
+StepPath step_of(std::size_t robot, const CheckedState& before, const CheckedState& now,
+                 double duration) {
+  StepPath step{
+      robot,
+      judge::cubic_of(before.position, before.velocity, now.position, now.velocity, duration),
+      {},
+      {}};
   step.low = step.high = step.path[0];
   for (const Vec3& point : step.path) {
     step.low = {std::min(step.low.x, point.x), std::min(step.low.y, point.y),
@@ -41,7 +42,7 @@ Step step_of(std::size_t robot, const CheckedState& before, const CheckedState& 
 }
 
 // m: the gap of two hulls along the axis in which it is widest; negative where they overlap.
-double gap(const Step& a, const Step& b) {
+double gap(const StepPath& a, const StepPath& b) {
   return std::max({a.low.x - b.high.x, b.low.x - a.high.x, a.low.y - b.high.y, b.low.y - a.high.y,
                    a.low.z - b.high.z, b.low.z - a.high.z});
 }
@@ -101,9 +102,9 @@ struct Check::State {
   void judge_limits(const CheckedState& from, const CheckedState& to, double start,
                     double duration);
   void judge_row(const CheckedState& row, double now);
-  void judge_pairs(const std::vector<Step>& steps, double start);
-  void judge_pair(const Step& a, const Step& b, double start);
-  void judge_boxes(const Step& step, double start);
+  void judge_pairs(const std::vector<StepPath>& steps, double start);
+  void judge_pair(const StepPath& a, const StepPath& b, double start);
+  void judge_boxes(const StepPath& step, double start);
 };
 
 void Check::State::judge_row(const CheckedState& row, double now) {
@@ -148,7 +149,7 @@ void Check::State::judge_limits(const CheckedState& from, const CheckedState& to
     judge::count(report.jumps, {start, from.robot, {}, norm(off) - most});
 }
 
-void Check::State::judge_pair(const Step& a, const Step& b, double start) {
+void Check::State::judge_pair(const StepPath& a, const StepPath& b, double start) {
   const CheckedRobot &first = robots[a.robot], &second = robots[b.robot];
   const double contact = first.radius + second.radius;
   const double room = report.least_clearance.value_or(std::numeric_limits<double>::infinity());
@@ -173,11 +174,11 @@ void Check::State::judge_pair(const Step& a, const Step& b, double start) {
 }
 
 // Steps that overlap along x, in order of their low ends.
-void Check::State::judge_pairs(const std::vector<Step>& steps, double start) {
-  std::vector<const Step*> order;
+void Check::State::judge_pairs(const std::vector<StepPath>& steps, double start) {
+  std::vector<const StepPath*> order;
   order.reserve(steps.size());
-  for (const Step& step : steps) order.push_back(&step);
-  std::sort(order.begin(), order.end(), [](const Step* a, const Step* b) {
+  for (const StepPath& step : steps) order.push_back(&step);
+  std::sort(order.begin(), order.end(), [](const StepPath* a, const StepPath* b) {
     return a->low.x != b->low.x ? a->low.x < b->low.x : a->robot < b->robot;
   });
   double largest = 0.0;
@@ -191,7 +192,7 @@ void Check::State::judge_pairs(const std::vector<Step>& steps, double start) {
   }
 }
 
-void Check::State::judge_boxes(const Step& step, double start) {
+void Check::State::judge_boxes(const StepPath& step, double start) {
   const double radius = robots[step.robot].radius;
   for (std::size_t k = 0; k < boxes.size(); ++k) {
     const Box& box = boxes[k];
@@ -249,7 +250,7 @@ void Check::add(double time, std::span<const CheckedState> rows) {
       throw RowError(row.robot, "a number that is not finite");
     previous = row.robot;
   }
-  std::vector<Step> steps;
+  std::vector<StepPath> steps;
   const double duration = time - state.time;
   auto from = state.before.cbegin();
   for (const CheckedState& row : rows) {
@@ -264,7 +265,7 @@ void Check::add(double time, std::span<const CheckedState> rows) {
   if (state.has_time) {
     ++report.steps;
     state.judge_pairs(steps, state.time);
-    for (const Step& step : steps) state.judge_boxes(step, state.time);
+    for (const StepPath& step : steps) state.judge_boxes(step, state.time);
   } else {
     report.from = time;
   }

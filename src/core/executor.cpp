@@ -21,9 +21,9 @@ namespace {
 
 // The thread that sets the bit of a task begins the task. Between two runs all bits are set, so
 // that a host that comes back too late finds nothing to do.
-class Counted final : public Executor {
+class CountedExecutor final : public Executor {
  public:
-  explicit Counted(std::shared_ptr<Executor> host)
+  explicit CountedExecutor(std::shared_ptr<Executor> host)
       : host_(std::move(host)), workers_(host_->workers()), is_busy_(workers_) {}
 
   [[nodiscard]] std::size_t workers() const override { return workers_; }
@@ -68,7 +68,7 @@ class Counted final : public Executor {
   }
 
   static void do_task(void* pointer, std::size_t index, std::size_t worker) {
-    Counted& own = *static_cast<Counted*>(pointer);
+    CountedExecutor& own = *static_cast<CountedExecutor*>(pointer);
     if (index < own.count_ && worker < own.workers_ && own.do_once(index, worker)) return;
     own.is_wrong_.store(true, std::memory_order_relaxed);
   }
@@ -102,7 +102,7 @@ class Counted final : public Executor {
 }  // namespace
 
 std::shared_ptr<Executor> counted(std::shared_ptr<Executor> host) {
-  return std::make_shared<Counted>(std::move(host));
+  return std::make_shared<CountedExecutor>(std::move(host));
 }
 
 }  // namespace avo::inline core

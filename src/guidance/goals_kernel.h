@@ -20,7 +20,7 @@ struct Traveller {
 };
 
 template <typename Real>
-struct Way {
+struct GoalLine {
   Real distance;        // m, to the goal
   Vec<Real> direction;  // unit, or 0 at the goal
   Real along;           // m/s, velocity in that direction
@@ -57,9 +57,9 @@ AVO_KERNEL Vec<Real> limited(Vec<Real> a, Real length) {
 }
 
 template <typename Real>
-AVO_KERNEL Way<Real> way_of(const Traveller<Real>& robot, const StepResponse& step) {
+AVO_KERNEL GoalLine<Real> way_of(const Traveller<Real>& robot, const StepResponse& step) {
   const Vec<Real> way = robot.goal - robot.position;
-  Way<Real> result;
+  GoalLine<Real> result;
   result.distance = norm(way);
   const auto is_away = result.distance > Real(0.0);
   result.direction =
@@ -85,7 +85,7 @@ AVO_KERNEL Real soft_speed(Real distance, Real braking, Real response_time, Real
 
 /// A method without lag reaches v' in one step, so v' needs only the lead of a soft landing.
 template <typename Real>
-AVO_KERNEL Vec<Real> approach(const Traveller<Real>& robot, const Way<Real>& way,
+AVO_KERNEL Vec<Real> approach(const Traveller<Real>& robot, const GoalLine<Real>& way,
                               const StepResponse& step) {
   const Real speed = robot.preferred_speed, time_step(step.time_step);
   const auto is_soft = robot.is_holonomic > Real(step.law.is_gentle() ? 0.0 : 1.0);
@@ -111,7 +111,7 @@ AVO_KERNEL Vec<Real> approach(const Traveller<Real>& robot, const Way<Real>& way
 
 /// For a method that approaches v' with the lag of Eq. (7).
 template <typename Real>
-AVO_KERNEL Vec<Real> lead(const Traveller<Real>& robot, const Way<Real>& way,
+AVO_KERNEL Vec<Real> lead(const Traveller<Real>& robot, const GoalLine<Real>& way,
                           const StepResponse& step) {
   const Real top = robot.preferred_speed, time_step(step.time_step), rate(step.rate);
   const Real control_time(step.control_time), reach = control_time * robot.planned_braking;
@@ -133,7 +133,7 @@ AVO_KERNEL Vec<Real> lead(const Traveller<Real>& robot, const Way<Real>& way,
 
 /// See preferred_velocity().
 template <typename Real>
-AVO_KERNEL Vec<Real> preferred_velocity(const Traveller<Real>& robot, const Way<Real>& way,
+AVO_KERNEL Vec<Real> preferred_velocity(const Traveller<Real>& robot, const GoalLine<Real>& way,
                                         const StepResponse& step) {
   if (method_traits(step.method).lags) return lead(robot, way, step);
   if (!adopts_at_once(step.method)) return approach(robot, way, step);

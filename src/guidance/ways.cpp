@@ -104,7 +104,7 @@ ReachablePlaces& Ways::places_of(double radius) {
 // The whole map, or the goal alone for a robot that searches for its own route.
 std::shared_ptr<const PathMap> Ways::map_to(GraphKey key, Vec2 end, bool is_whole) {
   const CornerGraph& graph = graph_of(key);
-  Goal& goal = maps_[{key.first, key.second, end.x, end.y}];
+  AskedGoal& goal = maps_[{key.first, key.second, end.x, end.y}];
   std::shared_ptr<const PathMap> map = goal.map.lock();
   if (map) return map;
   const std::size_t corners = graph.corners();

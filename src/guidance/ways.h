@@ -94,11 +94,11 @@ class Ways {
   std::map<GraphKey, std::unique_ptr<const CornerGraph>> graphs_;
   std::map<GraphKey, std::optional<CarriedGraph>> carried_;  // until forget_before()
   std::map<double, std::unique_ptr<ReachablePlaces>> places_;
-  struct Goal {
+  struct AskedGoal {
     std::weak_ptr<const PathMap> map;  // the whole map, if there is one
     std::uint32_t asked = 0;           // number of requests, before there was one
   };
-  std::map<Key, Goal> maps_;
+  std::map<Key, AskedGoal> maps_;
   // of all whole maps that exist, where corners are many
   std::shared_ptr<std::size_t> kept_corners_ = std::make_shared<std::size_t>(0);
   LegScratch scratch_;

@@ -23,7 +23,7 @@ AVO_KERNEL Real clamp(Real a, Real lo, Real hi) {
 
 /// The acceleration disc; the speed disc lies around 0.
 template <typename Real>
-struct Discs {
+struct LimitDiscs {
   Vec<Real> center;
   Real radius, top_speed;
 };
@@ -57,7 +57,7 @@ AVO_KERNEL Mask<Real> is_within(Vec<Real> a, double largest) {
 
 /// An infinite radius is no limit, and does not count as a size.
 template <typename Real>
-AVO_KERNEL Mask<Real> is_ordinary(const Discs<Real>& discs) {
+AVO_KERNEL Mask<Real> is_ordinary(const LimitDiscs<Real>& discs) {
   const Real zero = 0.0;
   const Mask<Real> unlimited = discs.radius >= Real(std::numeric_limits<double>::infinity());
   const Real radius = select(unlimited, zero, discs.radius);
@@ -68,7 +68,7 @@ AVO_KERNEL Mask<Real> is_ordinary(const Discs<Real>& discs) {
 }
 
 template <typename Real>
-AVO_KERNEL Lens<Real> make_lens(const Discs<Real>& discs) {
+AVO_KERNEL Lens<Real> make_lens(const LimitDiscs<Real>& discs) {
   const Vec<Real> zero{0.0, 0.0};
   const Real ulps = kToleranceUlps * kUlp;
   Lens<Real> lens;
@@ -157,7 +157,7 @@ AVO_KERNEL Vec<Real> farthest_along(const Lens<Real>& lens, Vec<Real> direction)
 
 /// Moves the point back into the discs, the smaller one last.
 template <typename Real>
-AVO_KERNEL Vec<Real> absolute_point(const Lens<Real>& lens, const Discs<Real>& discs,
+AVO_KERNEL Vec<Real> absolute_point(const Lens<Real>& lens, const LimitDiscs<Real>& discs,
                                     Vec<Real> relative) {
   const Vec<Real> larger_center = select(lens.speed_is_larger, Vec<Real>{0.0, 0.0}, discs.center);
   Vec<Real> u = lens.origin + relative;

@@ -66,19 +66,19 @@ struct Line {
 
 /// The remaining part of a line, lo <= t <= hi.
 template <typename Real>
-struct Range {
+struct LineRange {
   Real lo, hi;
   Mask<Real> left;
 };
 
 /// Both ends in factors (r - o)(r + o): r² - o² would lose half the digits of a short chord.
 template <bool kRelaxed, typename Real>
-AVO_KERNEL Range<Real> clip_to_discs(const Lens<Real>& lens, const Line<Real>& line) {
+AVO_KERNEL LineRange<Real> clip_to_discs(const Lens<Real>& lens, const Line<Real>& line) {
   const Real zero = 0.0;
   const Real slack = kRelaxed ? Real(0.5) * lens.tolerance : zero;
   const Real gap = lens.radius - abs(line.offset);
   const Real half = slack + sqrt(max(gap, zero) * (lens.radius + abs(line.offset)));
-  Range<Real> range{-half, half, gap >= -slack};
+  LineRange<Real> range{-half, half, gap >= -slack};
   if (!any(lens.two_arcs)) return range;
 
   const Real larger_slack = kRelaxed ? Real(0.5) * lens.larger_tolerance : zero;
@@ -97,11 +97,11 @@ AVO_KERNEL Range<Real> clip_to_discs(const Lens<Real>& lens, const Line<Real>& l
 /// Along the line, a plane is t * slope >= excess. Where the whole lens cannot change t * slope by
 /// more than rounding, the two lines are parallel and only the excess counts.
 template <bool kRelaxed, typename Real, typename Row>
-AVO_KERNEL Range<Real> clip(const Lens<Real>& lens, const Line<Real>& line,
-                            const Planes<Real, Row>& planes) {
+AVO_KERNEL LineRange<Real> clip(const Lens<Real>& lens, const Line<Real>& line,
+                                const Planes<Real, Row>& planes) {
   const Real zero = 0.0;
   const Real slack = kRelaxed ? Real(0.5) * lens.tolerance : zero;
-  Range<Real> range = clip_to_discs<kRelaxed>(lens, line);
+  LineRange<Real> range = clip_to_discs<kRelaxed>(lens, line);
   for (std::size_t j = 0; j < planes.count; ++j) {
     const Plane<Real> plane = planes[j];
     const Real slope = dot(plane.normal, line.along);
@@ -133,9 +133,9 @@ AVO_KERNEL Mask<Real> move_to_boundary(const Lens<Real>& lens, const Planes<Real
     const Vec<Real> normal = per_length * plane.normal;
     line = {normal, perpendicular(normal), per_length * plane.offset};
   }
-  Range<Real> range = clip<false>(lens, line, before);
+  LineRange<Real> range = clip<false>(lens, line, before);
   if (const Mask<Real> thin = moved & !range.left; any(thin)) {
-    const Range<Real> relaxed = clip<true>(lens, line, before);
+    const LineRange<Real> relaxed = clip<true>(lens, line, before);
     range.lo = select(thin, relaxed.lo, range.lo);
     range.hi = select(thin, relaxed.hi, range.hi);
     moved = moved & (range.left | relaxed.left);

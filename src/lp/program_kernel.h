@@ -70,9 +70,9 @@ AVO_KERNEL Real reported_violation(const Lens<Real>& lens, const Planes<Real, Ro
 /// least unsafe points; otherwise they are marked as failed.
 template <typename Real, typename Group, typename Row>
 AVO_KERNEL void solve_pack(Group& group, Row* rows, Row* scratch, std::size_t first, int enough) {
-  const Discs<Real> discs{{Real::load(group.c_x + first), Real::load(group.c_y + first)},
-                          Real::load(group.radius + first),
-                          Real::load(group.top_speed + first)};
+  const LimitDiscs<Real> discs{{Real::load(group.c_x + first), Real::load(group.c_y + first)},
+                               Real::load(group.radius + first),
+                               Real::load(group.top_speed + first)};
   const Vec<Real> wish{Real::load(group.p_x + first), Real::load(group.p_y + first)};
   const Lens<Real> lens = make_lens(discs);
   const Planes<Real, Row> planes{rows, first, group.count};

@@ -21,7 +21,7 @@ constexpr double kTouching = 1e-3;         // of the radius: walls this near are
 constexpr double kLeanSlack = 0.1;         // where neighbors of a point are cut off
 constexpr double kWidestGap = 1.15;        // of what points around ends need to pass
 
-struct Arc {
+struct OpenArc {
   double from = 0.0, angle = 0.0;  // rad, of the outward directions
 };
 
@@ -89,7 +89,7 @@ class CornerFinder {
   }
 
   // The directions that are not within 90 degrees of a wall at this end; none at a concave corner.
-  Arc free_arc(Vec2 end, double& widest) const {
+  OpenArc free_arc(Vec2 end, double& widest) const {
     std::vector<double> angles;
     grid_.all_near(end, end, [&](std::size_t k) {
       const Wall& wall = grid_.walls()[k];
@@ -103,7 +103,7 @@ class CornerFinder {
     if (angles.empty()) return {0.0, 2.0 * kPi};
     std::sort(angles.begin(), angles.end());
     angles.push_back(angles.front() + 2.0 * kPi);
-    Arc widest_arc;
+    OpenArc widest_arc;
     for (std::size_t k = 0; k + 1 < angles.size(); ++k) {
       const double angle = angles[k + 1] - angles[k] - kPi;
       if (angle > widest_arc.angle) widest_arc = {angles[k] + 0.5 * kPi, angle};
@@ -115,7 +115,7 @@ class CornerFinder {
     constexpr double kLeastAngle = 1e-6;  // rad
     if (is_repeated(wall, end, is_second)) return;
     double widest = 0.0;
-    const Arc arc = free_arc(end, widest);
+    const OpenArc arc = free_arc(end, widest);
     if (arc.angle < kLeastAngle) return;
     const double count = std::ceil(arc.angle / kPointAngle - kLengthRounding),
                  step = arc.angle / count;
@@ -149,12 +149,12 @@ class CornerFinder {
     found_.all.push_back({point, room, {}, 1.0});
   }
 
-  struct Gap {
+  struct EndGap {
     Vec2 middle, across;  // m; unit
   };
   // Adds the point where the middle lines of two gaps at one end meet: the route bends around that
   // end between walls on its other side.
-  void add_in_bend(const Gap& one, const Gap& other, double widest) {
+  void add_in_bend(const EndGap& one, const EndGap& other, double widest) {
     const double sine = cross(one.across, other.across);
     const Vec2 apart = other.middle - one.middle;
     if (!(std::abs(sine) > kTouching)) return;
@@ -170,7 +170,7 @@ class CornerFinder {
     if (!looked_at_.insert(mixed(place, word_of(own))).second) return;  // for pieces that touch
     const double rounding = kLengthRounding * radius_;
     const double widest = kWidestGap * (1.0 + kStretch) * (radius_ + kSpareRoom);
-    std::vector<Gap> gaps;
+    std::vector<EndGap> gaps;
     grid_.all_near(end, end, [&](std::size_t k) {
       const Wall& other = grid_.walls()[k];
       const Vec2 nearest = nearest_on({other.a, other.b}, end);

@@ -68,7 +68,7 @@ std::uint32_t best_of_all(const Lookout& lookout) {
 }
 
 // The shortest route through one of several targets.
-struct Choice {
+struct LegChoice {
   const Lookout& lookout;
   std::uint32_t best = PathMap::kNothing;
   double least = kInfinity;
@@ -116,7 +116,7 @@ std::uint32_t best_in_view(const Lookout& lookout) {
   if (lookout.sees_goal()) return PathMap::kGoal;
   if (!lookout.map().is_whole) return best_by_search(lookout);
   if (lookout.graph.lattice.empty()) return best_of_all(lookout);
-  Choice choice{lookout};
+  LegChoice choice{lookout};
   const Lattice& lattice = lookout.graph.lattice;
   if (!lattice.covers(lookout.p)) {
     for (const std::uint32_t target : lookout.map().from_outside) choice.look(target);
@@ -148,7 +148,7 @@ bool is_surely_longer(const Lookout& lookout, std::uint32_t corner, bool is_besi
 
 // Tries the entries of a map of one route for everything that best_around() examines; false: the
 // entries do not suffice.
-bool look_beside(Choice& choice, std::uint32_t target) {
+bool look_beside(LegChoice& choice, std::uint32_t target) {
   const Lookout& lookout = choice.lookout;
   const std::vector<std::uint32_t>& ways = lookout.map().beside;
   const bool is_beside = std::find(ways.begin(), ways.end(), target) != ways.end();
@@ -188,7 +188,7 @@ bool turn_to(const Lookout& lookout, std::uint32_t corner) {
 
 // The best target around the present one, where a part of the map is known.
 std::uint32_t best_beside(const Lookout& lookout, std::uint32_t target, bool is_in_view) {
-  Choice choice{lookout};
+  LegChoice choice{lookout};
   if (is_in_view) choice.best = target, choice.least = lookout.length_by(target);
   const std::uint32_t before = choice.best;
   const double least = choice.least;
@@ -221,7 +221,7 @@ std::uint32_t best_beside(const Lookout& lookout, std::uint32_t target, bool is_
 // The best target in view of those around the present target, or around the robot. The present
 // target counts where it is in view.
 std::uint32_t best_around(const Lookout& lookout, std::uint32_t target, bool is_in_view) {
-  Choice choice{lookout};
+  LegChoice choice{lookout};
   if (is_in_view) choice.best = target, choice.least = lookout.length_by(target);
   if (target == PathMap::kGoal) return choice.best;
   if (lookout.sees_goal()) return PathMap::kGoal;

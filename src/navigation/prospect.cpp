@@ -16,7 +16,7 @@ constexpr double kSight = 1e-9;       // m: lines of sight do not pass where pie
 constexpr double kRoom = 1.0 - 1e-3;  // of the radius, that the segment into a lane needs
 
 // A straight piece of the route.
-struct Piece {
+struct RoutePiece {
   Vec2 from, to;
   double before = 0.0, length = 0.0;  // m, of the route
   bool is_last = false;
@@ -27,7 +27,7 @@ struct Piece {
 template <typename Visit>
 void walk(const CornerGraph& graph, const PathMap& map, Vec2 p, std::uint32_t target,
           double farthest, const Visit& visit) {
-  Piece piece{p, p};
+  RoutePiece piece{p, p};
   while (target != PathMap::kNothing && piece.before <= farthest) {
     piece.is_last = target == PathMap::kGoal;
     piece.to = piece.is_last ? map.goal : graph.points[target];
@@ -44,7 +44,7 @@ std::optional<Claim> claim_inside(const Passage& passage, std::uint32_t number, 
                                   const Walk& walk_on) {
   std::optional<Claim> claim;
   const double along = place_in(passage, p).along;
-  walk_on([&](const Piece& piece) {
+  walk_on([&](const RoutePiece& piece) {
     const PassagePlace end = place_in(passage, piece.to);
     const bool leaves = !is_inside(passage, end);
     if (leaves || piece.is_last) {
@@ -62,7 +62,7 @@ template <typename Walk>
 std::optional<Claim> claim_outside(const Passages& passages, Vec2 p, const Walk& walk_on,
                                    double& way) {
   std::optional<Claim> claim;
-  walk_on([&](const Piece& piece) {
+  walk_on([&](const RoutePiece& piece) {
     const auto crossed = passages.first_crossed(piece.from, piece.to);
     if (!crossed) return true;
     const Vec2 mouth = axis_point(passages[crossed->passage], crossed->forward, 0.0).point;
@@ -80,7 +80,7 @@ std::optional<Vec2> lane_ahead(const Passages& passages, const CornerGraph& grap
                                const Walk& walk_on) {
   std::optional<Vec2> lane;
   const double ahead = kAhead * graph.radius;
-  walk_on([&](const Piece& piece) {
+  walk_on([&](const RoutePiece& piece) {
     if (piece.before + piece.length < ahead) return true;
     const Vec2 direction = (piece.to - piece.from) / piece.length;
     const Vec2 place = piece.from + (ahead - piece.before) * direction;
@@ -129,7 +129,7 @@ Prospect look_ahead(const Passages& passages, const CornerGraph& graph, const Pa
 std::optional<Passages::Crossing> next_gap(const Passages& passages, const CornerGraph& graph,
                                            const PathMap& map, Vec2 p, std::uint32_t target) {
   std::optional<Passages::Crossing> gap;
-  walk(graph, map, p, target, kFarthestPassage * graph.radius, [&](const Piece& piece) {
+  walk(graph, map, p, target, kFarthestPassage * graph.radius, [&](const RoutePiece& piece) {
     gap = passages.first_narrow(piece.from, piece.to);
     return !gap;
   });
@@ -139,10 +139,11 @@ std::optional<Passages::Crossing> next_gap(const Passages& passages, const Corne
 bool has_room_for_two(const Passages& passages, const CornerGraph& graph, const PathMap& map,
                       Vec2 p, std::uint32_t target) {
   bool has_room = true;
-  walk(graph, map, p, target, std::numeric_limits<double>::infinity(), [&](const Piece& piece) {
-    has_room = !passages.first_crossed(piece.from, piece.to);
-    return has_room;
-  });
+  walk(graph, map, p, target, std::numeric_limits<double>::infinity(),
+       [&](const RoutePiece& piece) {
+         has_room = !passages.first_crossed(piece.from, piece.to);
+         return has_room;
+       });
   return has_room;
 }
 

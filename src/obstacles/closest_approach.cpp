@@ -32,13 +32,13 @@ double initial_bend(const Response& response) {
 }
 
 // The motion at one time; slope is half the derivative of the squared distance.
-struct Instant {
+struct MotionAt {
   double t, gain, rate;
   Vec2 position, velocity;
   double slope;
 };
 
-Instant at(const RelativeMotion& motion, double t) {
+MotionAt at(const RelativeMotion& motion, double t) {
   const double gain = t > 0.0 ? motion.response.gain(t) : 0.0;
   const double rate = motion.response.rate(t);
   const Vec2 position = motion.p + t * motion.v + gain * motion.w;
@@ -47,7 +47,7 @@ Instant at(const RelativeMotion& motion, double t) {
 }
 
 // The error of a position: a few roundings of its three terms, m.
-double position_error(const RelativeMotion& motion, const Instant& instant) {
+double position_error(const RelativeMotion& motion, const MotionAt& instant) {
   return kEpsilon * (norm(motion.p) + instant.t * norm(motion.v) + instant.gain * norm(motion.w));
 }
 
@@ -68,14 +68,14 @@ double triangle_distance(Vec2 a, Vec2 b, Vec2 c) {
 // (t, g(t)) is convex and bends no less at its start than at its end. It stays in the triangle of
 // both ends and the point where the tangent of the start is at half time. (At t = 0 it is at the
 // lag, where the tangents meet, at no extra cost.) The motion does so too, as a linear image of it.
-Vec2 apex(const Instant& from, const Instant& to) {
+Vec2 apex(const MotionAt& from, const MotionAt& to) {
   const double half = from.t == 0.0 ? to.t - to.gain / to.rate : 0.5 * (to.t - from.t);
   return from.position + half * from.velocity;
 }
 
 // Returns whether the squared distance is monotone. Its slope x . x' is bilinear, x in the triangle
 // and x' on the segment of the end velocities: the signs at the corners decide.
-bool is_monotone(const Instant& from, const Instant& to, Vec2 corner) {
+bool is_monotone(const MotionAt& from, const MotionAt& to, Vec2 corner) {
   const auto [low, high] = std::minmax({from.slope, to.slope, dot(from.position, to.velocity),
                                         dot(to.position, from.velocity), dot(corner, from.velocity),
                                         dot(corner, to.velocity)});
@@ -85,7 +85,8 @@ bool is_monotone(const Instant& from, const Instant& to, Vec2 corner) {
 // Returns whether the squared distance is convex: |x'|² + g'' x . w > 0 with the least |x'|, the
 // largest g'' and the least x . w of the interval. g'' does not grow: it is at most that at 0, or
 // the mean so far.
-bool is_convex(const RelativeMotion& motion, const Instant& from, const Instant& to, Vec2 corner) {
+bool is_convex(const RelativeMotion& motion, const MotionAt& from, const MotionAt& to,
+               Vec2 corner) {
   const double least =
       std::min({dot(from.position, motion.w), dot(to.position, motion.w), dot(corner, motion.w)});
   const double speed = segment_distance(from.velocity, to.velocity);
@@ -97,11 +98,11 @@ bool is_convex(const RelativeMotion& motion, const Instant& from, const Instant&
 // The zero of the slope between `from` (slope < 0) and `to` (slope > 0). It uses regula falsi with
 // the weights of Anderson and Björck, and a bisection wherever three steps did not halve the
 // bracket.
-Instant bottom(const RelativeMotion& motion, Instant from, Instant to) {
+MotionAt bottom(const RelativeMotion& motion, MotionAt from, MotionAt to) {
   double low = from.slope, high = to.slope;  // weighted
   double width = to.t - from.t;
   int side = 0;  // of the last step
-  Instant middle = to;
+  MotionAt middle = to;
   for (int k = 1; k < 200; ++k) {
     double t = from.t - low * ((to.t - from.t) / (high - low));
     if (k % 3 == 0) {
@@ -131,14 +132,14 @@ Instant bottom(const RelativeMotion& motion, Instant from, Instant to) {
 }
 
 // The time of the split: at the zero of the slope's chord if there is one, not too near the ends.
-double split_time(const Instant& from, const Instant& to) {
+double split_time(const MotionAt& from, const MotionAt& to) {
   double part = 0.5;
   if (from.slope < 0.0 && to.slope > 0.0) part = from.slope / (from.slope - to.slope);
   return from.t + std::clamp(part, 0.25, 0.75) * (to.t - from.t);
 }
 
 // Keeps the smallest distance so far; of equal ones the earliest.
-void keep_nearer(const Instant& instant, ClosestApproach& best) {
+void keep_nearer(const MotionAt& instant, ClosestApproach& best) {
   const double distance = norm(instant.position);
   if (distance < best.distance || (distance == best.distance && instant.t < best.time)) {
     best = {instant.t, distance};
@@ -147,7 +148,7 @@ void keep_nearer(const Instant& instant, ClosestApproach& best) {
 
 // Returns whether nothing in the interval is nearer than `limit`, or than `best` by more than 2^-46
 // of it or than rounding.
-bool is_farther(const RelativeMotion& motion, const Instant& from, const Instant& to, Vec2 corner,
+bool is_farther(const RelativeMotion& motion, const MotionAt& from, const MotionAt& to, Vec2 corner,
                 const ClosestApproach& best, double limit) {
   const double least = triangle_distance(from.position, to.position, corner);
   return !(least < limit) ||
@@ -161,14 +162,14 @@ ClosestApproach search(const Obstacle& obstacle, Vec2 u, double limit) {
   const RelativeMotion motion{obstacle.pair.position, obstacle.pair.velocity, change(obstacle, u),
                               obstacle.response, initial_bend(obstacle.response)};
   const bool any_will_do = std::isfinite(limit);
-  Instant from = at(motion, 0.0);
+  MotionAt from = at(motion, 0.0);
   ClosestApproach best{0.0, norm(from.position)};
-  std::array<Instant, kMaxOpen> open;
+  std::array<MotionAt, kMaxOpen> open;
   std::size_t count = 1;
   open[0] = at(motion, obstacle.time_horizon);
   keep_nearer(open[0], best);
   for (int splits = 0; count > 0 && !(any_will_do && best.distance < limit);) {
-    const Instant& to = open[count - 1];
+    const MotionAt& to = open[count - 1];
     const Vec2 corner = apex(from, to);
     bool settled =
         is_monotone(from, to, corner) || is_farther(motion, from, to, corner, best, limit);

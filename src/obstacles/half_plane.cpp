@@ -40,19 +40,19 @@ Solved horn(const scalar::Local<Real>& local, const Horizon& horizon) {
   return solved.settled.bit ? solved : searched_horn(local, horizon);
 }
 
-Solved local_half_plane(const scalar::Frame<Real>& frame, const Horizon& horizon) {
+Solved local_half_plane(const scalar::LocalFrame<Real>& frame, const Horizon& horizon) {
   const scalar::Tip<Real> tip = scalar::tip(frame.local, horizon.end());
   if (tip.nearest.bit) return {tip.plane, {true}, tip.plane.h <= -frame.local.R};
   if (!frame.on_collision_course.bit) return horn(frame.local, horizon);
   return {scalar::convex(frame.local, horizon.table()), {true}, {false}};
 }
 
-scalar::Frame<Real> frame_of(const Pair& pair, double reach, const Horizon& horizon) {
+scalar::LocalFrame<Real> frame_of(const Pair& pair, double reach, const Horizon& horizon) {
   const Vec2 p = pair.position, v = pair.velocity;
   return scalar::frame_of<Real>({p.x, p.y}, {v.x, v.y}, pair.radius, reach, horizon.end());
 }
 
-RelativeHalfPlane turned_back(const Solved& solved, const scalar::Frame<Real>& frame,
+RelativeHalfPlane turned_back(const Solved& solved, const scalar::LocalFrame<Real>& frame,
                               double reach) {
   if (solved.free.bit) return {};
   const Vec2 normal = plain(frame.turned_back(solved.plane.n));
@@ -64,7 +64,7 @@ RelativeHalfPlane turned_back(const Solved& solved, const scalar::Frame<Real>& f
 }  // namespace
 
 RelativeHalfPlane half_plane(const Pair& pair, double reach, const Horizon& horizon) noexcept {
-  const scalar::Frame<Real> frame = frame_of(pair, reach, horizon);
+  const scalar::LocalFrame<Real> frame = frame_of(pair, reach, horizon);
   if (frame.in_contact.bit) return separate(pair, reach, horizon);
   if (frame.too_far.bit) return {};
   return turned_back(local_half_plane(frame, horizon), frame, reach);
@@ -84,7 +84,7 @@ RelativeHalfPlane parting_half_plane(double radius, Vec2 direction, double reach
 
 RelativeHalfPlane searched_half_plane(const Pair& pair, double reach,
                                       const Horizon& horizon) noexcept {
-  const scalar::Frame<Real> frame = frame_of(pair, reach, horizon);
+  const scalar::LocalFrame<Real> frame = frame_of(pair, reach, horizon);
   return turned_back(searched_horn(frame.local, horizon), frame, reach);
 }
 

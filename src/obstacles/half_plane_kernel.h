@@ -54,7 +54,7 @@ AVO_KERNEL Tip<Real> tip(const Local<Real>& pair, const ResponseAt& horizon_end)
 // A collision course: p . v < 0 and the miss distance |b| is below r. With û = -v/|v| and ê across
 // it, x(t) = σ û + b ê, σ = |v| (t_m - t), t_m the time of closest approach.
 template <typename Real>
-struct Approach {
+struct PairApproach {
   Real speed, per_speed, t_m, b;  // m/s, s/m, s, m; b < 0 only in a tie
   Vec<Real> u, e;                 // û, ê
 
@@ -66,8 +66,8 @@ struct Approach {
 };
 
 template <typename Real>
-AVO_KERNEL Approach<Real> approach(const Local<Real>& pair) {
-  Approach<Real> result;
+AVO_KERNEL PairApproach<Real> approach(const Local<Real>& pair) {
+  PairApproach<Real> result;
   result.speed = norm(pair.v);
   result.per_speed = inverse(result.speed);
   result.u = -result.per_speed * pair.v;
@@ -80,8 +80,8 @@ AVO_KERNEL Approach<Real> approach(const Local<Real>& pair) {
 // Two starts, each near the root where the other is far. One is the lag of the latest time, the
 // other is |x| linear in t halfway through the disc of radius r.
 template <typename Real>
-AVO_KERNEL Real first_sigma(const Local<Real>& pair, const Approach<Real>& approach, Real cosine,
-                            const ResponseTable& table, Real low, Real high) {
+AVO_KERNEL Real first_sigma(const Local<Real>& pair, const PairApproach<Real>& approach,
+                            Real cosine, const ResponseTable& table, Real low, Real high) {
   const Real half_chord2 = max((pair.r - approach.b) * (pair.r + approach.b), Real(0.0));
   const Real halfway = Real(0.5) * sqrt(half_chord2) * approach.per_speed;
   const At<Real> middle = at(table, min(max(approach.t_m - halfway, Real(0.0)), Real(table.end)));
@@ -94,8 +94,8 @@ AVO_KERNEL Real first_sigma(const Local<Real>& pair, const Approach<Real>& appro
 // The σ at which n . y = r, where (σ m + b²)/|x| increases in σ (in t it would have a kink near
 // t_m): Newton's iteration, guarded by bisection; excess and slope are times |x|.
 template <typename Real>
-AVO_KERNEL Real solve_approach(const Local<Real>& pair, const Approach<Real>& approach, Real cosine,
-                               const ResponseTable& table) {
+AVO_KERNEL Real solve_approach(const Local<Real>& pair, const PairApproach<Real>& approach,
+                               Real cosine, const ResponseTable& table) {
   const Real tau = table.end, b2 = approach.b * approach.b;
   Real low = max(Real(0.0), approach.speed * (approach.t_m - tau));
   Real high = approach.speed * approach.t_m;
@@ -128,7 +128,7 @@ AVO_KERNEL Real solve_approach(const Local<Real>& pair, const Approach<Real>& ap
 
 template <typename Real>
 AVO_KERNEL Plane<Real> convex(const Local<Real>& pair, const ResponseTable& table) {
-  const Approach<Real> course = approach(pair);
+  const PairApproach<Real> course = approach(pair);
   const Real tau = table.end;
   const At<Real> latest = at(table, min(course.t_m, tau));
   const Real per_m = Real(1.0) / course.m(latest), cosine = pair.r * per_m;

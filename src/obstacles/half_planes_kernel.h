@@ -19,7 +19,7 @@ AVO_BEGIN_KERNELS
 
 /// A pair's own frame (see Local), and what is known without further computation.
 template <typename Real>
-struct Frame {
+struct LocalFrame {
   using Mask = decltype(Real() < Real());
   Local<Real> local;
   Vec<Real> e;  // first axis, p/|p|
@@ -35,11 +35,12 @@ struct Frame {
 // Parallel vectors are a tie, which goes to the left of p: A passes B on its own right. A tie must
 // survive rounding, or robots on a circle would each choose a side at random.
 template <typename Real>
-AVO_KERNEL Frame<Real> frame_of(Vec<Real> p, Vec<Real> v, Real r, Real R, const ResponseAt& end) {
+AVO_KERNEL LocalFrame<Real> frame_of(Vec<Real> p, Vec<Real> v, Real r, Real R,
+                                     const ResponseAt& end) {
   const Real d = norm(p), per_d = inverse(d), v2 = dot(v, v);
   const Real across = (p.x * v.y - p.y * v.x) * per_d;
   const Real across2 = across * abs(across);
-  Frame<Real> frame;
+  LocalFrame<Real> frame;
   frame.side = select(across2 < Real(-kTie * kTie) * v2, Real(-1.0), Real(1.0));
   frame.e = per_d * p;
   frame.local = {d, {dot(p, v) * per_d, frame.side * across}, r, R};
@@ -55,8 +56,8 @@ AVO_KERNEL Frame<Real> frame_of(Vec<Real> p, Vec<Real> v, Real r, Real R, const 
 /// read from the same queue, they stay in it: whole packs are written, but no farther than its old
 /// end.
 template <typename Real>
-AVO_KERNEL void push(HalfPlaneQueue& queue, Real index, const Frame<Real>& frame,
-                     typename Frame<Real>::Mask chosen, std::size_t count) {
+AVO_KERNEL void push(HalfPlaneQueue& queue, Real index, const LocalFrame<Real>& frame,
+                     typename LocalFrame<Real>::Mask chosen, std::size_t count) {
   const auto put = [&](Real value, std::vector<double>& column) {
     store_chosen(chosen, value, &column[queue.count]);
   };
@@ -68,9 +69,9 @@ AVO_KERNEL void push(HalfPlaneQueue& queue, Real index, const Frame<Real>& frame
 }
 
 template <typename Real>
-AVO_KERNEL Frame<Real> queued(const HalfPlaneQueue& queue, std::size_t i) {
+AVO_KERNEL LocalFrame<Real> queued(const HalfPlaneQueue& queue, std::size_t i) {
   const auto load = [i](const std::vector<double>& column) { return Real::load(&column[i]); };
-  Frame<Real> frame{};  // its masks are not read again
+  LocalFrame<Real> frame{};  // its masks are not read again
   frame.local = {
       load(queue.d), {load(queue.v_x), load(queue.v_y)}, load(queue.radius), load(queue.reach)};
   frame.e = {load(queue.e_x), load(queue.e_y)};
@@ -109,9 +110,10 @@ void classify(const PairColumns& pairs, const Horizon& horizon, HalfPlaneWorkspa
   const ResponseAt& end = horizon.end();
   for (std::size_t i = 0; i < pairs.count; i += Real::kLanes) {
     const Real R = Real::load(&pairs.reach[i]);
-    const Frame<Real> frame = frame_of<Real>({Real::load(&pairs.p_x[i]), Real::load(&pairs.p_y[i])},
-                                             {Real::load(&pairs.v_x[i]), Real::load(&pairs.v_y[i])},
-                                             Real::load(&pairs.radius[i]), R, end);
+    const LocalFrame<Real> frame =
+        frame_of<Real>({Real::load(&pairs.p_x[i]), Real::load(&pairs.p_y[i])},
+                       {Real::load(&pairs.v_x[i]), Real::load(&pairs.v_y[i])},
+                       Real::load(&pairs.radius[i]), R, end);
     const Tip<Real> last = tip(frame.local, end);
     // equal centers have no normal
     const auto overlapping = frame.in_contact & (frame.local.d > Real(kTiniest));
@@ -166,7 +168,7 @@ void classify(const PairColumns& pairs, const Horizon& horizon, HalfPlaneWorkspa
 }
 
 template <typename Real>
-AVO_KERNEL void put(const Frame<Real>& frame, const Plane<Real>& plane, const double* index,
+AVO_KERNEL void put(const LocalFrame<Real>& frame, const Plane<Real>& plane, const double* index,
                     std::size_t lanes, PlaneColumns& planes) {
   const Vec<Real> n = frame.turned_back(plane.n);
   const auto beyond_reach = plane.h > frame.local.R;
@@ -194,7 +196,7 @@ void solve_convex(const Horizon& horizon, HalfPlaneWorkspace& work, PlaneColumns
   work.cases.convex = queue.count;
   fill_up<Real>(queue);
   for (std::size_t i = 0; i < queue.count; i += Real::kLanes) {
-    const Frame<Real> frame = queued<Real>(queue, i);
+    const LocalFrame<Real> frame = queued<Real>(queue, i);
     put(frame, convex(frame.local, table), &queue.index[i], std::min(Real::kLanes, queue.count - i),
         planes);
   }
@@ -206,7 +208,7 @@ AVO_KERNEL void solve_horns_at(std::size_t first, std::size_t count, const Horiz
                                HalfPlaneQueue& queue, PlaneColumns& planes) {
   const double* index = &queue.index[first];
   const std::size_t lanes = std::min(Real::kLanes, count - first);
-  const Frame<Real> frame = queued<Real>(queue, first);
+  const LocalFrame<Real> frame = queued<Real>(queue, first);
   const HornPlane<Real> result = horn<look>(frame.local, horizon.end(), horizon.table());
   put(frame, result.plane, index, lanes, planes);
   const std::uint32_t settled = bits(result.settled), all = 0xffffffffU >> (32U - lanes);

@@ -20,7 +20,7 @@ using Side = scalar::NearSide<Real>;
 
 constexpr double kTurnTolerance = 1e-7;  // relative; every use is of second order in the time
 
-struct Search {
+struct HornSearch {
   scalar::Horn<Real> horn;
   ResponseTable table;
   double R, speed;  // m/s
@@ -35,25 +35,25 @@ struct Touch {
   bool outside;   // |b| > R
 };
 
-Touch touch_at(const Search& search, double t) {
+Touch touch_at(const HornSearch& search, double t) {
   const Side side = scalar::near_side(search.horn, scalar::at(search.table, Real(t)), search.table);
   const double length = scalar::length_of(side).value;
   return {side, t, length, length > search.R};
 }
 
 // |p + t v|² - r²
-double beyond(const Search& search, double t) {
+double beyond(const HornSearch& search, double t) {
   return (search.horn.gap2 + search.horn.rise(Real(search.speed * t))).value;
 }
 
 // The crossing of a piece that has at most one, if there is one.
-void cross(const Search& search, const Touch& from, const Touch& to, NearCorners& corners) {
+void cross(const HornSearch& search, const Touch& from, const Touch& to, NearCorners& corners) {
   if (from.outside == to.outside) return;
   // |b|^{-1/2} is nearly linear in time; the limit keeps the step in balance
   const auto f = [&](double length) { return std::sqrt(std::min(search.R / length, 9.0)) - 1.0; };
   const double f_from = f(from.length), f_to = f(to.length);
   const double start = (from.t * f_to - to.t * f_from) / (f_to - f_from);
-  const scalar::Crossing<Real> crossed = scalar::crossing(
+  const scalar::HornCrossing<Real> crossed = scalar::crossing(
       search.horn, {from.t, to.t, start, from.outside ? 1.0 : -1.0, kCloseTolerance}, search.table,
       scalar::Mask{true});
   const scalar::TwoPoints<Real> ends =
@@ -65,7 +65,7 @@ void cross(const Search& search, const Touch& from, const Touch& to, NearCorners
 }
 
 // The point where |b| turns as `sign` does, by false position (Illinois), then bisection.
-Touch turn(const Search& search, const Touch& from, const Touch& to, Real Side::*sign) {
+Touch turn(const HornSearch& search, const Touch& from, const Touch& to, Real Side::*sign) {
   double low = from.t, high = to.t, f_low = (from.side.*sign).value, f_high = (to.side.*sign).value;
   const double negligible = 1e-8 * (std::abs(f_low) + std::abs(f_high));
   int kept = 0;
@@ -94,7 +94,8 @@ bool changes(const Touch& from, const Touch& to, Real Side::*sign) {
 }
 
 // The crossings of a piece on which |b| may turn once by either sign.
-void cross_turning(const Search& search, const Touch& from, const Touch& to, NearCorners& corners) {
+void cross_turning(const HornSearch& search, const Touch& from, const Touch& to,
+                   NearCorners& corners) {
   const bool one = changes(from, to, &Side::tangential), other = changes(from, to, &Side::cusp);
   const bool falls = (from.side.tangential.value < 0.0) == (from.side.cusp.value < 0.0);
   // no turn; or one turn that does not pass R and come back: down from outside, or up from inside
@@ -110,13 +111,13 @@ void cross_turning(const Search& search, const Touch& from, const Touch& to, Nea
 
 // Earlier than this a pair in contact looks like a pair that touches at rest: its discs have tended
 // to a half-plane, to first order in t.
-double contact_time(const Search& search) {
+double contact_time(const HornSearch& search) {
   return 1e-7 * std::min(search.horn.pair.r.value / search.speed, search.table.control_time);
 }
 
 // Returns whether |b| stays below R from here on: |b| <= |x|/g, and |x|/g <= R stays true once |v|
 // <= R g'.
-bool stays_in_reach(const Search& search, const Touch& touch) {
+bool stays_in_reach(const HornSearch& search, const Touch& touch) {
   const scalar::At<Real>& at = touch.side.at;
   return !touch.outside && search.speed <= search.R * at.rate.value &&
          norm(search.horn.pair.x(at)).value <= search.R * at.gain.value;
@@ -125,7 +126,7 @@ bool stays_in_reach(const Search& search, const Touch& touch) {
 // All crossings of the near side. |b| falls up to the closest approach t_m. Past the cusps it can
 // cross R outwards only while R g' < |v|, and then falls wherever it exceeds R. So only times
 // between those two are searched for turning points.
-void find_crossings(const Search& search, NearCorners& corners) {
+void find_crossings(const HornSearch& search, NearCorners& corners) {
   const double tau = search.table.end, first = std::min(search.first, tau);
   Touch from = touch_at(search, first);
   if (search.R * from.side.at.gain.value * (2.0 * search.horn.pair.r.value) >
@@ -147,10 +148,10 @@ void find_crossings(const Search& search, NearCorners& corners) {
 // With a distance of at least `closest`, everything is out of reach while R t²/(2 δ) < closest - r.
 // A pair in contact with a miss distance of r up to rounding has the present distance again at 2
 // t_m. Before that, its discs demand more than any reach, only to prevent an overlap of rounding.
-Search search_of(const scalar::Local<Real>& pair, const Horizon& horizon) {
+HornSearch search_of(const scalar::Local<Real>& pair, const Horizon& horizon) {
   const scalar::Horn<Real> horn = scalar::horn_of(pair);
   const double speed = horn.speed.value, R = pair.R.value;
-  Search search{horn, horizon.table(), R, speed, 0.0, 0.0};
+  HornSearch search{horn, horizon.table(), R, speed, 0.0, 0.0};
   const double contact = contact_time(search), clear = (horn.closest - pair.r).value;
   const double t_m = std::max(0.0, -(horn.z * horn.per_speed).value);
   const double r = pair.r.value;

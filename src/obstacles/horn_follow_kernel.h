@@ -65,7 +65,7 @@ AVO_KERNEL Real pace(const NearSide<Real>& side) {
 
 /// The near side at one time, with the values that limit what may happen up to the next time.
 template <typename Real>
-struct Stop {
+struct NearSideAt {
   using Mask = decltype(Real() < Real());
   Real time, length, pace;  // s; |b|, m/s; absolute value of d|b|/dt, m/s²
   Real tangential, cusp;
@@ -75,7 +75,8 @@ struct Stop {
 };
 
 template <typename Real>
-AVO_KERNEL Stop<Real> stop(const Horn<Real>& horn, Real t, Real t_m, const ResponseTable& table) {
+AVO_KERNEL NearSideAt<Real> stop(const Horn<Real>& horn, Real t, Real t_m,
+                                 const ResponseTable& table) {
   const NearSide<Real> side = near_side(horn, at(table, t), table);
   const Real R = horn.pair.R;
   const auto outruns = horn.speed <= R * side.at.rate;
@@ -90,8 +91,9 @@ AVO_KERNEL Stop<Real> stop(const Horn<Real>& horn, Real t, Real t_m, const Respo
 }
 
 template <typename Real>
-AVO_KERNEL void move(decltype(Real() < Real()) moves, const Stop<Real>& to, Stop<Real>& from) {
-  using S = Stop<Real>;
+AVO_KERNEL void move(decltype(Real() < Real()) moves, const NearSideAt<Real>& to,
+                     NearSideAt<Real>& from) {
+  using S = NearSideAt<Real>;
   for (Real S::*number : {&S::time, &S::length, &S::pace, &S::tangential, &S::cusp}) {
     from.*number = select(moves, to.*number, from.*number);
   }
@@ -103,7 +105,7 @@ AVO_KERNEL void move(decltype(Real() < Real()) moves, const Stop<Real>& to, Stop
 // Returns whether |b| may reach R between two times at which it is on the same side of R. Either it
 // turns in between, near enough to R to get there, or `cusp` may change its sign twice.
 template <typename Real>
-AVO_KERNEL auto may_turn_at(Real R, const Stop<Real>& from, const Stop<Real>& to) {
+AVO_KERNEL auto may_turn_at(Real R, const NearSideAt<Real>& from, const NearSideAt<Real>& to) {
   const Real stride = to.time - from.time;
   const Real gap = min(abs(from.length - R), abs(to.length - R));
   const auto turns =
@@ -123,13 +125,13 @@ struct Crossings {
 
 // Strides along the near side, halved where |b| may turn at R.
 template <typename Real>
-AVO_KERNEL Crossings<Real> follow(const Horn<Real>& horn, const Passage<Real>& passage,
+AVO_KERNEL Crossings<Real> follow(const Horn<Real>& horn, const SearchSpan<Real>& passage,
                                   const ResponseTable& table) {
   using Lanes = decltype(Real() < Real());
   const Real R = horn.pair.R, tau = table.end, t_m = passage.t_m;
   const Strides<Real> stride = strides(horn, t_m, table);
   const Real start = min(max(passage.first, t_m), tau);  // |b| falls up to t_m
-  Stop<Real> from = stop(horn, start, t_m, table);
+  NearSideAt<Real> from = stop(horn, start, t_m, table);
   Real last = start;
   Lanes active = passage.ordinary & (passage.first < tau);
   Lanes inside = from.length <= R, lost = active & (!active), doubt = lost;
@@ -142,7 +144,7 @@ AVO_KERNEL Crossings<Real> follow(const Horn<Real>& horn, const Passage<Real>& p
     if (!any(active)) break;
     const Real ahead = select(from.settled, tau, min(stride.next(from.time), tau));
     const Real next = select(doubt, Real(0.5) * (from.time + last), ahead);
-    const Stop<Real> to = stop(horn, next, t_m, table);
+    const NearSideAt<Real> to = stop(horn, next, t_m, table);
     doubt = active & (!from.settled) & may_turn_at(R, from, to);
     const auto moves = active & (!doubt), now_inside = to.length <= R;
     const auto enters = moves & now_inside & (!inside), leaves = moves & inside & (!now_inside);

@@ -113,13 +113,13 @@ AVO_KERNEL Hull<Real, kCrossings> hull_of(const Horn<Real>& horn, const At<Real>
   return hull;
 }
 
-/// At most one crossing, as Passage says.
+/// At most one crossing, as SearchSpan says.
 template <typename Real>
 AVO_KERNEL HornPlane<Real> once_crossed(const Local<Real>& pair, const ResponseAt& horizon_end,
                                         const ResponseTable& table) {
   const Horn<Real> shape = horn_of(pair);
   const At<Real> end = constant<Real>(horizon_end);
-  const Passage<Real> way = passage(shape, horizon_end, table);
+  const SearchSpan<Real> way = passage(shape, horizon_end, table);
   Hull<Real, 1> hull = hull_of<1>(shape, end, horizon_end);
   // |b| <= |x|/g: a near side that is in reach at the end has crossed
   const Real reach = pair.R * end.gain;
@@ -130,7 +130,7 @@ AVO_KERNEL HornPlane<Real> once_crossed(const Local<Real>& pair, const ResponseA
     has_crossing = (has_crossing | crossed) & (way.first < end.time);
   }
   hull.has_crossing[0] = has_crossing;
-  const Crossing<Real> cross = crossing(
+  const HornCrossing<Real> cross = crossing(
       shape, {way.first, way.last, first_time(shape, table), Real(1.0), Real(kTimeTolerance)},
       table, has_crossing & way.once & way.ordinary);
   hull.crossing[0] = circle_points(shape, at(table, cross.time)).near;
@@ -158,7 +158,7 @@ AVO_KERNEL HornPlane<Real> often_crossed(const Local<Real>& pair, const Response
     const auto wanted = crossings.present[k] & crossings.complete;
     hull.crossing[k] = hull.center;
     if (!any(wanted)) continue;
-    const Crossing<Real> cross = crossing(shape, crossings.between[k], table, wanted);
+    const HornCrossing<Real> cross = crossing(shape, crossings.between[k], table, wanted);
     const TwoPoints<Real> ends = circle_points(shape, at(table, cross.time));
     const auto on_near_end = cross.tangential >= Real(0.0);
     hull.crossing[k] = select(on_near_end, ends.near, ends.far);

@@ -98,7 +98,7 @@ AVO_KERNEL TwoPoints<Real> circle_points(const Horn<Real>& horn, const At<Real>&
 
 /// The start and the end of the search for the crossing, and whether there is only one.
 template <typename Real>
-struct Passage {
+struct SearchSpan {
   using Mask = decltype(Real() < Real());
   Real first, last;  // s
   Mask once;         // at most one crossing, between them
@@ -153,8 +153,8 @@ AVO_KERNEL auto closest_in_reach(const Horn<Real>& horn, Real t_m, const Respons
 }
 
 template <typename Real>
-AVO_KERNEL Passage<Real> passage(const Horn<Real>& horn, const ResponseAt& horizon_end,
-                                 const ResponseTable& table) {
+AVO_KERNEL SearchSpan<Real> passage(const Horn<Real>& horn, const ResponseAt& horizon_end,
+                                    const ResponseTable& table) {
   const Real r = horn.pair.r, R = horn.pair.R, zero = Real(0.0);
   const Real clear = horn.closest - r, t_m = max(-horn.z * horn.per_speed, zero);
   const auto in_reach = closest_in_reach(horn, t_m, table);
@@ -217,17 +217,18 @@ struct Bracket {
 /// two times, guarded by bisection. `tangential` is of the last time but one. The result is valid
 /// in the wanted lanes only.
 template <typename Real>
-struct Crossing {
+struct HornCrossing {
   Real time, tangential;
 };
 
 template <typename Real>
-AVO_KERNEL Crossing<Real> crossing(const Horn<Real>& horn, const Bracket<Real>& bracket,
-                                   const ResponseTable& table, decltype(Real() < Real()) wanted) {
+AVO_KERNEL HornCrossing<Real> crossing(const Horn<Real>& horn, const Bracket<Real>& bracket,
+                                       const ResponseTable& table,
+                                       decltype(Real() < Real()) wanted) {
   const Real one = Real(1.0), zero = Real(0.0), R = horn.pair.R;
   Real low = bracket.low, high = bracket.high, t = bracket.guess;
   t = select((t > low) & (t < high), t, Real(0.5) * (low + high));
-  Crossing<Real> result{t, zero};
+  HornCrossing<Real> result{t, zero};
   Real last_f = one, last_pace = zero, last_t = zero, last_step = t;
   auto active = wanted, again = wanted & (!wanted);
   for (int i = 0; i < kMaxIterations; ++i) {

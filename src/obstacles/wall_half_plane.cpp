@@ -38,7 +38,7 @@ ResponseAt instant_of_lag(double lag, const Horizon& horizon) {
 }
 
 // A robot that drives at the wall, with the flat side of the wall towards it: Lemma 12.
-struct Course {
+struct DriveAtWall {
   const WallPair& pair;
   const Horizon& horizon;
   double tolerance;  // m/s
@@ -50,7 +50,7 @@ struct Course {
 };
 
 // Braking: the line of the wall's own direction.
-void offer_facing(const Facing& wall, Course& course) {
+void offer_facing(const Facing& wall, DriveAtWall& course) {
   const Vec2 n = wall.normal;
   const double closing = -dot(n, course.pair.velocity), gap = wall.distance - course.pair.radius;
   const ResponseAt& end = course.horizon.end();
@@ -61,7 +61,7 @@ void offer_facing(const Facing& wall, Course& course) {
 }
 
 // The disc of τ about one end.
-void offer_tip(Vec2 from_end, Vec2 from_other, Course& course) {
+void offer_tip(Vec2 from_end, Vec2 from_other, DriveAtWall& course) {
   const ResponseAt& end = course.horizon.end();
   const Vec2 v = course.pair.velocity, x = from_end + end.time * v;
   const double r = course.pair.radius, length = norm(x);
@@ -125,7 +125,7 @@ std::optional<ResponseAt> turning_instant(const WallSide& side, const Horizon& h
   return at;
 }
 
-void offer_side(Vec2 from_end, Vec2 from_other, double sign, Course& course) {
+void offer_side(Vec2 from_end, Vec2 from_other, double sign, DriveAtWall& course) {
   const Vec2 v = course.pair.velocity;
   const double speed = norm(v), r = course.pair.radius;
   const double c = -sign * cross(from_end, v) / speed;
@@ -143,7 +143,7 @@ void offer_side(Vec2 from_end, Vec2 from_other, double sign, Course& course) {
 
 RelativeHalfPlane collision_course(const WallPair& pair, const Facing& wall, double reach,
                                    const Horizon& horizon) {
-  Course course{pair, horizon, kEqualSupports * reach};
+  DriveAtWall course{pair, horizon, kEqualSupports * reach};
   offer_facing(wall, course);
   for (const double sign : {1.0, -1.0}) {  // the left ones first
     offer_side(pair.from_a, pair.from_b, sign, course);

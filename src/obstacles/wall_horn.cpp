@@ -17,7 +17,7 @@ namespace {
 
 using Real = scalar::Pack<double>;
 
-struct Hull {
+struct WallHull {
   Vec2 separating{};
   double R = 0.0;              // m/s
   std::array<Disc, 2> last{};  // the ends' discs of τ
@@ -50,7 +50,7 @@ struct Hull {
 };
 
 // The sides of an end's horn along which n . v >= 0.
-void add_near_sides(const WallPair& pair, Vec2 from_end, const Horizon& horizon, Hull& hull) {
+void add_near_sides(const WallPair& pair, Vec2 from_end, const Horizon& horizon, WallHull& hull) {
   const double d = norm(from_end);
   const Vec2 e = from_end / d, v = pair.velocity;
   const double along = dot(e, v), across = cross(e, v);
@@ -67,7 +67,7 @@ void add_near_sides(const WallPair& pair, Vec2 from_end, const Horizon& horizon,
 }
 
 // The points where the circle of radius R about 0 cuts a disc's edge.
-void add_cuts(const Disc& disc, Hull& hull) {
+void add_cuts(const Disc& disc, WallHull& hull) {
   const double c = norm(disc.center), R = hull.R;
   if (!(c > 0.0) || c > R + disc.radius || c < std::abs(R - disc.radius)) return;
   const double foot = 0.5 * (c + (R - disc.radius) * (R + disc.radius) / c);
@@ -78,7 +78,7 @@ void add_cuts(const Disc& disc, Hull& hull) {
 }
 
 // The points where it cuts a side between the two discs.
-void add_cuts(Vec2 from, Vec2 to, Hull& hull) {
+void add_cuts(Vec2 from, Vec2 to, WallHull& hull) {
   const Vec2 along = to - from;
   const double length = norm(along);
   if (!(length > 0.0)) return;
@@ -92,7 +92,7 @@ void add_cuts(Vec2 from, Vec2 to, Hull& hull) {
 }
 
 // The wall of τ, a disc about each end and the area between them.
-void add_last_wall(const WallPair& pair, Vec2 wall_normal, const Horizon& horizon, Hull& hull) {
+void add_last_wall(const WallPair& pair, Vec2 wall_normal, const Horizon& horizon, WallHull& hull) {
   const ResponseAt& end = horizon.end();
   const Vec2 coasted = end.time * pair.velocity;
   const double radius = pair.radius / end.gain;
@@ -111,7 +111,7 @@ void add_last_wall(const WallPair& pair, Vec2 wall_normal, const Horizon& horizo
 struct Outermost {
   Vec2 left, right;
 };
-Outermost outermost(const Hull& hull) {
+Outermost outermost(const WallHull& hull) {
   // tan(φ/2), φ is the angle from the middle of the half circle
   const Vec2 up = hull.separating;
   const auto place = [&](Vec2 w) { return cross(up, w) / (hull.R - dot(up, w)); };
@@ -123,7 +123,7 @@ Outermost outermost(const Hull& hull) {
 }
 
 // Normals of the lines through the corner that touch the disc.
-void offer_tangents(Vec2 corner, const Disc& disc, Hull& hull) {
+void offer_tangents(Vec2 corner, const Disc& disc, WallHull& hull) {
   const Vec2 m = disc.center - corner;
   const double m2 = norm_squared(m), l2 = m2 - disc.radius * disc.radius;
   if (!(l2 > 0.0)) return;
@@ -132,7 +132,7 @@ void offer_tangents(Vec2 corner, const Disc& disc, Hull& hull) {
   hull.offer((-1.0 / m2) * (l * perpendicular(m) + disc.radius * m));
 }
 
-void offer_edges(Hull& hull) {
+void offer_edges(WallHull& hull) {
   if (hull.count == 0) return;
   const auto [left, right] = outermost(hull);
   for (const Vec2 corner : {left, right}) {
@@ -160,7 +160,7 @@ RelativeHalfPlane wall_horn(const WallPair& pair, Vec2 separating, double reach,
     if (h <= -reach) return {};
     return {PairState::constrained, {n, h}};
   }
-  Hull hull;
+  WallHull hull;
   hull.separating = separating, hull.R = reach;
   add_last_wall(pair, facing(pair).normal, horizon, hull);
   for (const Vec2 from_end : ends_of(pair)) add_near_sides(pair, from_end, horizon, hull);

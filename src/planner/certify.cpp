@@ -41,7 +41,7 @@ CertificateLaw certificate_law(const Planner& planner) {
 namespace {
 
 // The inputs of a decision; the constraints of the robot are in `certified`.
-struct Decision {
+struct Certifying {
   const Robot& robot;
   CertificateLaw law;
   Haste haste;
@@ -68,7 +68,7 @@ bool turns_at_rest(const Robot& robot) {
 }
 
 // The choice of a robot that turns before it drives: what would be admitted once it has turned.
-CertifiedChoice choose_as_turned(const Decision& decision, Vec2 wanted) {
+CertifiedChoice choose_as_turned(const Certifying& decision, Vec2 wanted) {
   Robot turned = decision.robot;
   turned.model = Holonomic{};
   return choose_certified(turned, wanted, decision.law, decision.certified);
@@ -77,7 +77,7 @@ CertifiedChoice choose_as_turned(const Decision& decision, Vec2 wanted) {
 // The admitted velocity nearest to `wanted`, one step towards the choice of Eq. (23). A car that
 // turns in place does not move, so anything is admitted. It would turn in vain towards a direction
 // in which it may not drive then, and back again, for ever.
-CertifiedChoice choose_admitted(const Decision& decision, Vec2 wanted, Follows follows) {
+CertifiedChoice choose_admitted(const Certifying& decision, Vec2 wanted, Follows follows) {
   if (!turns_at_rest(decision.robot) || wanted == Vec2{})
     return choose_certified(decision.robot, wanted, decision.law, decision.certified, follows);
   const Vec2 later = choose_as_turned(decision, wanted).next_velocity;
@@ -91,7 +91,7 @@ CertifiedChoice choose_admitted(const Decision& decision, Vec2 wanted, Follows f
 }
 
 // [v'] m/s, Eq. (23).
-Vec2 solved(const Decision& decision, std::span<const HalfPlane> half_planes, Vec2 wish) {
+Vec2 solved(const Certifying& decision, std::span<const HalfPlane> half_planes, Vec2 wish) {
   return nearest_point(half_planes, decision.acceleration, decision.robot.max_speed, wish,
                        decision.certified.rows)
       .point;
@@ -100,7 +100,7 @@ Vec2 solved(const Decision& decision, std::span<const HalfPlane> half_planes, Ve
 // The remaining part of the velocity along `wish` if v' is approached at once, as far as the
 // certificate allows it. The certificate has been asked for `choice`. aim: the input for which v'
 // was chosen.
-double part_left(const Decision& decision, const CertifiedChoice& choice, Vec2 v_new, Vec2 aim,
+double part_left(const Certifying& decision, const CertifiedChoice& choice, Vec2 v_new, Vec2 aim,
                  Vec2 wish) {
   if (choice.chosen == Chosen::wanted && v_new == aim && !turns_at_rest(decision.robot))
     return 1.0;  // part_of_wish() of the velocity that an unhindered robot would reach
@@ -113,7 +113,7 @@ double part_left(const Decision& decision, const CertifiedChoice& choice, Vec2 v
 }
 
 // The choice as far off the route as the detour has led, within the half-planes.
-CertifiedChoice choose_as_far_off(const Decision& decision, const Detour& detour) {
+CertifiedChoice choose_as_far_off(const Certifying& decision, const Detour& detour) {
   const Robot& robot = decision.robot;
   const Vec2 turned = within_steering(robot, turned_right(decision.wished.wish, detour.angle));
   const Vec2 v_new = solved(decision, decision.wished.half_planes, turned);
@@ -124,8 +124,8 @@ CertifiedChoice choose_as_far_off(const Decision& decision, const Detour& detour
 
 // The choice on the detour that the certificate alone admits. It gradually replaces `choice` as
 // less of the route is left.
-CertifiedChoice choose_detour(const Decision& decision, const CertifiedChoice& choice, double left,
-                              Detour& detour) {
+CertifiedChoice choose_detour(const Certifying& decision, const CertifiedChoice& choice,
+                              double left, Detour& detour) {
   const Robot& robot = decision.robot;
   const std::span<const HalfPlane> walls = decision.wished.walls;
   const Vec2 turned = within_steering(robot, turned_right(decision.wished.wish, detour.angle));
@@ -140,7 +140,7 @@ CertifiedChoice choose_detour(const Decision& decision, const CertifiedChoice& c
   return next;
 }
 
-CertifiedChoice choose_and_arrive(const Decision& decision, Detour& detour) {
+CertifiedChoice choose_and_arrive(const Certifying& decision, Detour& detour) {
   const Robot& robot = decision.robot;
   const Wished& wished = decision.wished;
   decision.certified.proposal = wished.next;
@@ -181,7 +181,7 @@ Plan certify(const Planner& planner, const CertificateLaw& law, const RobotColum
              std::size_t i, const Haste& haste, const Wished& wished, CertifiedWorkspace& certified,
              Detour& detour) {
   const Robot robot = robots.robot(i);
-  const Decision decision{robot, law, haste, planner.acceleration_disc(robot), wished, certified};
+  const Certifying decision{robot, law, haste, planner.acceleration_disc(robot), wished, certified};
   begin_constraints(robot, robots.neighbors[i], i, law, certified.constraints);
   const CertifiedChoice choice = choose_and_arrive(decision, detour);
   return plan_under(law, robot, choice.next_velocity,

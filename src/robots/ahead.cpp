@@ -14,13 +14,13 @@
 namespace avo::inline robots {
 namespace {
 
-struct Known {
+struct KnownHeading {
   double heading;
   Vec2 direction;
 };
 
 constexpr int kSetBits = 8;  // the cache has several times as many sets as a tile has robots
-using Set = std::array<Known, 2>;
+using Set = std::array<KnownHeading, 2>;
 thread_local std::array<Set, std::size_t{1} << kSetBits> known{};
 
 Set& set_of(double heading) {
@@ -29,7 +29,7 @@ Set& set_of(double heading) {
   return known[static_cast<std::size_t>(spread >> (64 - kSetBits))];
 }
 
-void keep(Set& set, const Known& newest) {
+void keep(Set& set, const KnownHeading& newest) {
   set[1] = set[0];
   set[0] = newest;
 }
@@ -55,7 +55,7 @@ void look_ahead(const RobotColumns& robots) {
 Vec2 ahead_of(double heading) {
   if (heading == 0.0) return {1.0, heading};  // no set begins with this heading
   Set& set = set_of(heading);
-  for (const Known& each : set)
+  for (const KnownHeading& each : set)
     if (each.heading == heading) return each.direction;
   keep(set, {heading, elementary::direction(heading)});
   return set[0].direction;

@@ -22,7 +22,7 @@ constexpr double kLateralReserve = 1e-6;
 constexpr double kWiderLoiter = 1.05;
 
 // The vector from the start to the point at that length of the arc.
-Vec2 chord(const Arc& arc, double length) {
+Vec2 chord(const FlightArc& arc, double length) {
   const double half = 0.5 * arc.curvature * length;
   const Vec2 by = elementary::direction(half);
   const double straight = std::abs(half) < 1e-8 ? length : length * (by.y / half);
@@ -59,17 +59,17 @@ double usable_acceleration(const Airplane& airplane) {
   return (1.0 - kLateralReserve) * airplane.lateral_acceleration;
 }
 
-Vec2 chord(const Arc& arc) {
+Vec2 chord(const FlightArc& arc) {
   return chord(arc, arc.length);
 }
 
-ArcEnd end_of(const Arc& arc, Vec2 chord) {
+ArcEnd end_of(const FlightArc& arc, Vec2 chord) {
   return {chord, turned(arc.heading, elementary::direction(arc.curvature * arc.length))};
 }
 
 // Where the path stops leading down, heading and n are at right angles. With σ the sign of κ it has
 // come down by (1 + σ n × h)/|κ| by then. The code avoids the difference of nearly equal numbers.
-double lowest(const Arc& arc, const ArcEnd& end, Vec2 n) {
+double lowest(const FlightArc& arc, const ArcEnd& end, Vec2 n) {
   const double turn = arc.curvature * arc.length, down = dot(n, arc.heading);
   const double least = std::min(0.0, dot(n, end.chord));
   if (!(down < 0.0 && dot(n, end.heading) > 0.0)) return least;
@@ -78,7 +78,7 @@ double lowest(const Arc& arc, const ArcEnd& end, Vec2 n) {
   return std::min(least, -part / std::abs(arc.curvature));
 }
 
-double distance(const Arc& arc, Vec2 p) {
+double distance(const FlightArc& arc, Vec2 p) {
   const Vec2 to = p - arc.start;
   const double x = dot(arc.heading, to), y = cross(arc.heading, to);
   const double turn = elementary::atan2(arc.curvature * x, 1.0 - arc.curvature * y);
@@ -88,7 +88,7 @@ double distance(const Arc& arc, Vec2 p) {
   return least;
 }
 
-double sagitta(const Arc& arc) {
+double sagitta(const FlightArc& arc) {
   // for half a turn at most: (1 - cos x) <= x²/2, and the chord is no longer than the arc
   return 0.125 * arc.length * arc.length * std::abs(arc.curvature);
 }

@@ -34,7 +34,7 @@ constexpr double kRestRounding = 0x1p-48;
 // this.
 constexpr double kLeastDecided = 0x1p-30;
 
-struct Controls {
+struct CarControls {
   double linear = 0.0;     // [a_lin] m/s^2
   double curvature = 0.0;  // [κ] 1/m
 };
@@ -65,9 +65,9 @@ Driving driving_of(const Car& car, const MotionState& state, Vec2 wanted) {
 // stays below the decided value all through it. The car comes to rest at the end of a step at the
 // earliest. A car that brakes weakly could turn by more than kMostTurn at low speed; this is
 // limited. slow: m/s, the speed from which it can brake within the step.
-Controls controls(const Car& car, Vec2 acceleration, const Driving& driving, double slow,
-                  double time_step) {
-  Controls result;
+CarControls controls(const Car& car, Vec2 acceleration, const Driving& driving, double slow,
+                     double time_step) {
+  CarControls result;
   result.linear = std::max(dot(driving.heading, acceleration), -driving.speed / time_step);
   if (driving.speed <= slow && driving.speed + result.linear * time_step < kLeastDecided * slow)
     result.linear = -driving.speed / time_step;
@@ -84,7 +84,8 @@ Controls controls(const Car& car, Vec2 acceleration, const Driving& driving, dou
 // heading and by -s (v s + 3 e a_lin κ) along it. Together it is less than J(v), which is convex in
 // time: at most linear between J_0 and J_1. With y = v_0 t + t² z(t), z is an average of the
 // acceleration, and |z(Δt) - z(t)| <= Δt (3 J_0 + J_1)/24.
-double bend(const Driving& driving, double next_speed, const Controls& control, double time_step) {
+double bend(const Driving& driving, double next_speed, const CarControls& control,
+            double time_step) {
   const double lever = 1.0 + std::abs(driving.offset * control.curvature);
   const auto jerk = [&](double v) {
     const double turning = std::abs(v * control.curvature);
@@ -103,14 +104,14 @@ double largest(const Car& car, Vec2 acceleration) {
 struct Begun {
   Driving driving;
   bool stays = false;  // whether it turns in place; otherwise it drives
-  Controls control = {};
+  CarControls control = {};
   double next_speed = 0.0;  // m/s
   double length = 0.0;      // m, of its arc
   double angle = 0.0;       // rad: half of the turn on an arc, the whole turn in place
 };
 
 // Eq. (24) with held controls: an arc of the length that the speed covers.
-Begun drive(const Driving& driving, const Controls& control, double time_step) {
+Begun drive(const Driving& driving, const CarControls& control, double time_step) {
   double next_speed = std::max(0.0, driving.speed + control.linear * time_step);
   if (next_speed < kRestRounding * driving.speed) next_speed = 0.0;
   const double length = 0.5 * (driving.speed + next_speed) * time_step;
@@ -160,7 +161,7 @@ Begun begin(const Car& car, const MotionLimits& limits, const MotionState& state
             double time_step) {
   const Driving driving = driving_of(car, state, plan.new_velocity);
   const double slow = limits.planned_braking * time_step;
-  const Controls control = controls(car, plan.acceleration, driving, slow, time_step);
+  const CarControls control = controls(car, plan.acceleration, driving, slow, time_step);
   const double top = std::max(driving.speed, driving.speed + control.linear * time_step);
   if (top > slow || !turns_in_place(car)) return drive(driving, control, time_step);
   const bool moves =

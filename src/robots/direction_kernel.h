@@ -12,13 +12,13 @@ AVO_BEGIN_KERNELS
 
 /// An angle without its whole quarters of a turn: in [-π/4, π/4], but for rounding.
 template <typename Real>
-struct Reduced {
+struct ReducedAngle {
   DoubleDouble<Real> rest;
   Real quadrant;  // 0 to 3, modulo 4
 };
 
 template <typename Real>
-AVO_KERNEL Reduced<Real> reduced(Real x) {
+AVO_KERNEL ReducedAngle<Real> reduced(Real x) {
   using elementary::kHalfPi;
   const Real round(0x1.8p52);
   const Real quarters = (x * Real(0x1.45f306dc9c883p-1) + round) - round;
@@ -36,7 +36,7 @@ AVO_KERNEL Reduced<Real> reduced(Real x) {
 
 template <typename Real>
 AVO_KERNEL Vec<Real> direction(Real x) {
-  const Reduced<Real> part = reduced(x);
+  const ReducedAngle<Real> part = reduced(x);
   const Vec<Real> near{cosine_near_zero(part.rest), sine_near_zero(part.rest)};
   const Real q = part.quadrant;
   const auto negative_y = q > Real(1.5), negative_x = (q > Real(0.5)) & (q < Real(2.5));

@@ -8,7 +8,7 @@
 namespace avo::inline robots {
 
 /// A path of constant curvature, of less than half a turn.
-struct Arc {
+struct FlightArc {
   Vec2 start;              ///< m
   Vec2 heading;            ///< unit, there
   double curvature = 0.0;  ///< [κ] 1/m, > 0: to the left
@@ -20,19 +20,19 @@ struct ArcEnd {
   Vec2 heading;  ///< unit
 };
 /// chord: the chord of the arc.
-ArcEnd end_of(const Arc& arc, Vec2 chord);
-Vec2 chord(const Arc& arc);
+ArcEnd end_of(const FlightArc& arc, Vec2 chord);
+Vec2 chord(const FlightArc& arc);
 
 /// m: the least n·(x - start) over the points x of the arc with that end; n a unit vector.
-double lowest(const Arc& arc, const ArcEnd& end, Vec2 n);
+double lowest(const FlightArc& arc, const ArcEnd& end, Vec2 n);
 /// m, from p to its nearest point.
-double distance(const Arc& arc, Vec2 p);
+double distance(const FlightArc& arc, Vec2 p);
 /// m, an upper bound of the distance of its points from its chord.
-double sagitta(const Arc& arc);
+double sagitta(const FlightArc& arc);
 
 struct FlightStep {
   MotionStep motion;  ///< with the circle that it falls back on afterwards
-  Arc way;
+  FlightArc way;
   Vec2 chord;  ///< of the path
 };
 /// One step with that acceleration; heading: the direction of state.heading.

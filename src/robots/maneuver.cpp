@@ -76,7 +76,7 @@ Vec2 KnownTurns::direction(double turn) {
   return directions[k];
 }
 
-Pose after(const Pose& pose, const Move& move, double length, KnownTurns& turns) {
+AxlePose after(const AxlePose& pose, const Move& move, double length, KnownTurns& turns) {
   const Vec2 ahead = move.gear * pose.heading;
   if (move.side == 0.0) return {pose.axle + length * ahead, pose.heading};
   const Vec2 turn = turns.direction(move.side * length / move.radius);
@@ -84,7 +84,7 @@ Pose after(const Pose& pose, const Move& move, double length, KnownTurns& turns)
   return {pose.axle + to_center - turned(to_center, turn), turned(pose.heading, turn)};
 }
 
-std::optional<ArcLeg> leg_to(const Pose& pose, const Move& move, Vec2 place) {
+std::optional<ArcLeg> leg_to(const AxlePose& pose, const Move& move, Vec2 place) {
   const Vec2 ahead = move.gear * pose.heading;
   const Vec2 from_center = place - pose.axle - (move.side * move.radius) * perpendicular(ahead);
   const double squared = norm_squared(from_center) - move.radius * move.radius;
@@ -103,11 +103,11 @@ double Maneuvering::lead_left(double gear) const {
   return goes_on(gear) ? lead * std::max(0.0, 1.0 - std::abs(speed) / top) : lead;
 }
 
-double Maneuvering::clear_length(const Pose& from, const Move& move, double most,
+double Maneuvering::clear_length(const AxlePose& from, const Move& move, double most,
                                  Nearness nearness) const {
   for (double length = 0.0; length < most;) {
     const double next = std::min(length + kSample * turning, most);
-    const Pose there = after(from, move, next, turns);
+    const AxlePose there = after(from, move, next, turns);
     if (!is_clear(there.axle + offset_of(car) * there.heading, there.heading, nearness))
       return length;
     length = next;
@@ -116,14 +116,14 @@ double Maneuvering::clear_length(const Pose& from, const Move& move, double most
 }
 
 // Routes around walls touch them, and the part after the corner is not known here.
-bool Maneuvering::is_clear_leg(const Pose& from, const Move& move, const ArcLeg& leg,
+bool Maneuvering::is_clear_leg(const AxlePose& from, const Move& move, const ArcLeg& leg,
                                Nearness nearness) const {
   const bool is_near = norm(goal - pose.axle) <= kNearGoal * turning;
   const double straight = is_near ? leg.straight : std::min(leg.straight, kStraight * turning);
   if (straight < leg.straight) nearness = Nearness::begun;
   const Move ahead{move.gear, 0.0, planned};
-  const Pose turned = after(from, move, leg.arc, turns);
-  const Pose end = after(turned, ahead, straight, turns);
+  const AxlePose turned = after(from, move, leg.arc, turns);
+  const AxlePose end = after(turned, ahead, straight, turns);
   return is_clear(end.axle + offset_of(car) * end.heading, end.heading, nearness) &&
          clear_length(from, move, leg.arc, nearness) >= leg.arc &&
          clear_length(turned, ahead, straight, nearness) >= straight;

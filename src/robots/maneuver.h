@@ -17,10 +17,10 @@ struct ArcLeg {
   double arc = 0.0, straight = 0.0;  // m
 };
 
-Pose after(const Pose& pose, const Move& move, double length, KnownTurns& turns);
+AxlePose after(const AxlePose& pose, const Move& move, double length, KnownTurns& turns);
 
 /// None for places inside the circle.
-std::optional<ArcLeg> leg_to(const Pose& pose, const Move& move, Vec2 place);
+std::optional<ArcLeg> leg_to(const AxlePose& pose, const Move& move, Vec2 place);
 
 /// One car that searches for a path.
 struct Maneuvering {
@@ -31,7 +31,7 @@ struct Maneuvering {
   double planned;  // m, radius of the circles in planned paths
   double lead;     // m, straight distance at its start, before it turns
   Vec2 goal;       // m, of the axle
-  Pose pose;
+  AxlePose pose;
   double speed;  // m/s, along the heading
   KnownTurns& turns;
 
@@ -41,9 +41,10 @@ struct Maneuvering {
   double lead_left(double gear) const;
   int gears() const { return car.reverse ? 2 : 1; }
   /// m, distance that the car can drive before it comes too near to an obstacle
-  double clear_length(const Pose& from, const Move& move, double most, Nearness nearness) const;
+  double clear_length(const AxlePose& from, const Move& move, double most, Nearness nearness) const;
   /// Returns whether the examined part of the leg is clear.
-  bool is_clear_leg(const Pose& from, const Move& move, const ArcLeg& leg, Nearness nearness) const;
+  bool is_clear_leg(const AxlePose& from, const Move& move, const ArcLeg& leg,
+                    Nearness nearness) const;
   /// m: the cost to stop, to come back as far, and to start again
   double change_from_now(double gear) const {
     return gear * speed < 0.0 ? 2.0 * stopping_way() + kGearChange * turning : 0.0;

@@ -13,7 +13,7 @@
 namespace avo::inline robots {
 
 /// The middle of the axle.
-struct Pose {
+struct AxlePose {
   Vec2 axle, heading;
 };
 
@@ -40,7 +40,7 @@ struct ManeuverMemory {
   static constexpr std::size_t kMostNodes = 2048;
   static constexpr std::uint32_t kNone = 0xffffffff;
   struct Node {
-    Pose pose;
+    AxlePose pose;
     double angle = 0.0;            // rad, of the heading
     double cost = 0.0;             // m of path, up to this node
     double since = 0.0;            // m, since the last change of gear

@@ -56,12 +56,12 @@ struct WaySearch {
   };
   struct LastLeg {
     double cost = 0.0;  // m, of the whole path
-    Pose pose;          // after the lead
+    AxlePose pose;      // after the lead
     ArcLeg leg;
     Next next;
   };
 
-  double left(const Pose& pose) const { return norm(car.goal - pose.axle); }
+  double left(const AxlePose& pose) const { return norm(car.goal - pose.axle); }
   Move straight_on(double gear) const { return {gear, 0.0, car.planned}; }
 
   // The key of cell and heading, relative to the goal, and gear.
@@ -141,7 +141,7 @@ struct WaySearch {
     if (norm_squared(node.pose.axle - car.pose.axle) <= room * room) push(node);
   }
 
-  bool is_clear(const Pose& from, const Next& next, double lead) const {
+  bool is_clear(const AxlePose& from, const Next& next, double lead) const {
     return car.clear_length(from, straight_on(next.move.gear), lead, next.nearness) >= lead;
   }
 
@@ -185,7 +185,7 @@ struct WaySearch {
       for (const double side : {-1.0, 1.0}) {
         const auto next = next_of(from, number, k == 0 ? 1.0 : -1.0, side);
         if (!next) continue;
-        const Pose pose = after(from.pose, straight_on(next->move.gear), next->lead, car.turns);
+        const AxlePose pose = after(from.pose, straight_on(next->move.gear), next->lead, car.turns);
         const auto leg = leg_to(pose, next->move, car.goal);
         if (!leg || (!next->is_first && leg->arc > kMostArc * car.planned)) continue;
         const double cost = from.cost + next->lead + leg->arc + leg->straight + extra_cost(*next);

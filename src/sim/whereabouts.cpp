@@ -41,12 +41,12 @@ StepUnderWay step_under_way(const World& world, std::size_t slot) {
   return step;
 }
 
-struct Place {
+struct PresentPlace {
   Vec2 position, velocity;
 };
 
 // Its present_state(), by the same expressions.
-Place present_place(const World& world, const StepUnderWay& step, std::size_t slot) {
+PresentPlace present_place(const World& world, const StepUnderWay& step, std::size_t slot) {
   if (step.kind == StepUnderWay::Kind::parked) return {step.position, step.velocity};
   if (step.kind == StepUnderWay::Kind::by_model || step.end == world.now) {
     const MotionState state = present_state(world, slot);

@@ -31,7 +31,7 @@ struct CurvePoint {
 CurvePoint point_at(const Curve& curve, std::span<const Limit> limits, double parameter);
 
 /// The part of a curve between two neighboring points.
-struct Piece {
+struct CurvePiece {
   int curve = 0;
   int first = 0, second = 0;  ///< indices of points
   /// m/s, a lower bound of the distance of its points from the preferred velocity
@@ -43,7 +43,7 @@ struct PassiveWorkspace {
   std::vector<Limit> limits;
   std::vector<Curve> curves;
   std::vector<CurvePoint> points;
-  std::vector<Piece> pieces;
+  std::vector<CurvePiece> pieces;
 };
 
 /// Appends the boundary of limit k as far as the discs reach, cut into points.

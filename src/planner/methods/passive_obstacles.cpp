@@ -19,7 +19,7 @@ constexpr int kRootSteps = 100;
 constexpr int kObstacleHalvings = 4;
 constexpr int kDiscHalvings = 12;
 
-struct Search {
+struct FreeSearch {
   std::span<const Limit> limits;
   std::span<const Curve> curves;
   Vec2 preferred;
@@ -73,7 +73,7 @@ struct Search {
 // position with halved weights (Illinois), and bisection where that does not halve the bracket in
 // three steps.
 template <typename F>
-CurvePoint crossing(const Search& search, const Curve& curve, CurvePoint negative, double f_low,
+CurvePoint crossing(const FreeSearch& search, const Curve& curve, CurvePoint negative, double f_low,
                     CurvePoint positive, double f_high, F&& f) {
   double width = std::abs(positive.parameter - negative.parameter);
   int side = 0;
@@ -107,7 +107,7 @@ CurvePoint crossing(const Search& search, const Curve& curve, CurvePoint negativ
 // A point between a and b at which the limit holds, although both violate it; the first one found
 // from a on. Halves are given up where the clearance cannot rise to 0 at the rate that `steepness`
 // allows, or after `depth` halvings.
-std::optional<CurvePoint> release(const Search& search, const Curve& curve, const Limit& limit,
+std::optional<CurvePoint> release(const FreeSearch& search, const Curve& curve, const Limit& limit,
                                   const CurvePoint& a, double f_a, const CurvePoint& b, double f_b,
                                   int depth) {
   // the curve turns so little in a piece that it is at most a quarter longer than its chord
@@ -122,7 +122,7 @@ std::optional<CurvePoint> release(const Search& search, const Curve& curve, cons
 }
 
 // Walks a stretch on which the distance to `preferred` only grows: its first free point is offered.
-void walk(Search& search, const Curve& curve, CurvePoint& first, const CurvePoint& last) {
+void walk(FreeSearch& search, const Curve& curve, CurvePoint& first, const CurvePoint& last) {
   if (search.too_far(search.distance_to(first.position))) return;
   int k = search.violated(first);
   CurvePoint from = first;
@@ -148,7 +148,7 @@ void walk(Search& search, const Curve& curve, CurvePoint& first, const CurvePoin
 
 // Tries a piece of a boundary: it is cut at the projection of `preferred`, and each part is walked
 // outwards.
-void try_piece(Search& search, const Curve& curve, CurvePoint& a, CurvePoint& b) {
+void try_piece(FreeSearch& search, const Curve& curve, CurvePoint& a, CurvePoint& b) {
   const auto side = [&](const CurvePoint& point) {
     return cross(point.normal, search.preferred - point.position);
   };
@@ -233,7 +233,7 @@ PassiveChoice choose_among_obstacles(std::span<const PassiveObstacle> obstacles,
 
   // the preferred velocity itself, or its projection on the discs
   const Vec2 allowed = nearest(lens, preferred);
-  Search search{limits, curves, preferred};
+  FreeSearch search{limits, curves, preferred};
   if (limits.empty() || search.violated(allowed) == CurvePoint::kFree) {
     return {allowed, 0.0, PassiveState::free};
   }
@@ -246,15 +246,15 @@ PassiveChoice choose_among_obstacles(std::span<const PassiveObstacle> obstacles,
   const auto point = [&workspace](int k) -> CurvePoint& {
     return workspace.points[static_cast<std::size_t>(k)];
   };
-  for (Piece& piece : pieces) {
+  for (CurvePiece& piece : pieces) {
     piece.bound = piece_bound(point(piece.first).position, point(piece.second).position, preferred);
   }
-  std::sort(pieces.begin(), pieces.end(), [](const Piece& a, const Piece& b) {
+  std::sort(pieces.begin(), pieces.end(), [](const CurvePiece& a, const CurvePiece& b) {
     return a.bound != b.bound ? a.bound < b.bound : a.first < b.first;
   });
   search.limits = limits;
   search.curves = curves;
-  for (const Piece& piece : pieces) {
+  for (const CurvePiece& piece : pieces) {
     if (search.too_far(piece.bound)) break;
     try_piece(search, curves[static_cast<std::size_t>(piece.curve)], point(piece.first),
               point(piece.second));

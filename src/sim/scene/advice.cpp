@@ -25,14 +25,14 @@ std::string robot_name(std::size_t index) {
 
 /// The robot with the largest value, and that value; the first of equals. For parked robots it is
 /// 0.
-struct Worst {
+struct WorstRobot {
   std::size_t robot = 0;
   double value = 0.0;
 };
 
 template <class Measure>
-Worst worst(const std::vector<RobotSetup>& robots, Measure measure) {
-  Worst result;
+WorstRobot worst(const std::vector<RobotSetup>& robots, Measure measure) {
+  WorstRobot result;
   for (std::size_t i = 0; i < robots.size(); ++i) {
     const double value = robots[i].parked ? 0.0 : measure(robots[i]);
     if (value > result.value) result = {i, value};
@@ -70,7 +70,7 @@ void advise_control_time(const Scenario& scenario, std::vector<std::string>& lin
   if (first == robots.end()) return;
   const double delta = planner_options(scenario, *first).control_time;
   // Twice the rule or half of it still behaves like the paper's own figures.
-  const Worst shortest = worst(robots, [&](const RobotSetup& r) {
+  const WorstRobot shortest = worst(robots, [&](const RobotSetup& r) {
     return is_paper(r) ? usual_control_time(r) / delta : 0.0;
   });
   if (shortest.value > 2.0) {
@@ -81,7 +81,7 @@ void advise_control_time(const Scenario& scenario, std::vector<std::string>& lin
                     in_short(robot.max_acceleration) + " = " +
                     in_short(delta * robot.max_acceleration) + " m/s");
   }
-  const Worst longest = worst(robots, [&](const RobotSetup& r) {
+  const WorstRobot longest = worst(robots, [&](const RobotSetup& r) {
     return is_paper(r) ? delta / usual_control_time(r) : 0.0;
   });
   if (longest.value > 2.0)
@@ -94,7 +94,7 @@ void advise_control_time(const Scenario& scenario, std::vector<std::string>& lin
 }
 
 void advise_time_step(const Scenario& scenario, std::vector<std::string>& lines) {
-  const Worst jump = worst(scenario.robots, [&](const RobotSetup& r) {
+  const WorstRobot jump = worst(scenario.robots, [&](const RobotSetup& r) {
     return r.max_speed * time_step_of(scenario, r) / disc_radius(r);
   });
   if (jump.value <= 1.0) return;
@@ -108,7 +108,7 @@ void advise_time_step(const Scenario& scenario, std::vector<std::string>& lines)
 
 void advise_time_horizon(const Scenario& scenario, std::vector<std::string>& lines) {
   const auto stops_within = [](const RobotSetup& r) { return r.max_speed / planned_braking(r); };
-  const Worst slowest = worst(scenario.robots, [&](const RobotSetup& r) {
+  const WorstRobot slowest = worst(scenario.robots, [&](const RobotSetup& r) {
     return cannot_stop(r) ? 0.0 : stops_within(r) - time_horizon_of(scenario, r);
   });
   if (!(slowest.value > 0.0)) return;
@@ -149,9 +149,9 @@ void advise_sensing_radius(const Scenario& scenario, std::vector<std::string>& l
   const auto reach = [&](const RobotSetup& r) {
     return fallback_reach(r, time_step_of(scenario, r));
   };
-  const Worst first = worst(robots, reach);
+  const WorstRobot first = worst(robots, reach);
   robots.erase(robots.begin() + static_cast<std::ptrdiff_t>(first.robot));
-  const Worst second = worst(robots, reach);
+  const WorstRobot second = worst(robots, reach);
   const double needed = first.value + second.value;
   const double sensing_radius = sensing_radius_of(scenario);
   if (sensing_radius >= needed) return;
@@ -189,7 +189,7 @@ void advise_localization(const Scenario& scenario, std::vector<std::string>& lin
       !scenario.obstacles.empty() || std::any_of(scenario.robots.begin(), scenario.robots.end(),
                                                  [](const RobotSetup& r) { return r.parked; });
   const double error = planner_options(scenario).localization_error;
-  const Worst lost =
+  const WorstRobot lost =
       worst(scenario.robots, [&](const RobotSetup& r) { return 2.0 * error / disc_radius(r); });
   if (!has_walls || lost.value < 1.0) return;
   lines.push_back("sensing.localization lets " + robot_name(lost.robot) + " be up to " +
@@ -200,31 +200,31 @@ void advise_localization(const Scenario& scenario, std::vector<std::string>& lin
 }
 
 void advise_slow_flights(const Scenario& scenario, std::vector<std::string>& lines) {
-  const auto advise = [&](const Worst& slow, const char* then) {
+  const auto advise = [&](const WorstRobot& slow, const char* then) {
     const RobotSetup& robot = scenario.robots[slow.robot];
     lines.push_back("preferred_speed " + in_short(robot.preferred_speed) + " m/s of " +
                     robot_name(slow.robot) + " is less than its min_speed = " +
                     in_short(model_traits(robot.model).least_speed) + " m/s" + then);
   };
-  const Worst circling = worst(scenario.robots, [](const RobotSetup& r) {
+  const WorstRobot circling = worst(scenario.robots, [](const RobotSetup& r) {
     return r.preferred_speed > 0.0 ? 0.0 : model_traits(r.model).least_speed;
   });
   if (circling.value > 0.0) advise(circling, ": it circles where it starts, for ever");
-  const Worst slow = worst(scenario.robots, [](const RobotSetup& r) {
+  const WorstRobot slow = worst(scenario.robots, [](const RobotSetup& r) {
     return r.preferred_speed > 0.0 ? model_traits(r.model).least_speed / r.preferred_speed : 0.0;
   });
   if (slow.value > 1.0) advise(slow, ", with which it flies");
 }
 
 void advise_speeds(const Scenario& scenario, std::vector<std::string>& lines) {
-  const Worst wish =
+  const WorstRobot wish =
       worst(scenario.robots, [](const RobotSetup& r) { return r.preferred_speed / r.max_speed; });
   if (wish.value > 1.0)
     lines.push_back("preferred_speed " + in_short(scenario.robots[wish.robot].preferred_speed) +
                     " m/s of " + robot_name(wish.robot) + " is more than its max_speed = " +
                     in_short(scenario.robots[wish.robot].max_speed) + " m/s");
   advise_slow_flights(scenario, lines);
-  const Worst start = worst(scenario.robots, [&](const RobotSetup& r) {
+  const WorstRobot start = worst(scenario.robots, [&](const RobotSetup& r) {
     return keeps_certificate(scenario, r) ? 0.0 : norm(r.velocity) / r.max_speed;
   });
   if (start.value > 1.0)

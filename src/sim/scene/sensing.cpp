@@ -34,13 +34,13 @@ constexpr double kSumRounding = 1e-12;
 constexpr double kQuarterTurn = 0.25 * std::numbers::pi;
 
 // What a robot at its highest speed needs, if it is unseen until the next step.
-struct Part {
+struct UnseenPart {
   int robot = 0;
   double length = 0.0;   // m, radius and distance
   double seconds = 0.0;  // until rest, or until it has turned aside on its circle
 };
 
-Part part_of(const Scenario& scenario, std::size_t i, const CertificateLaw& law) {
+UnseenPart part_of(const Scenario& scenario, std::size_t i, const CertificateLaw& law) {
   const RobotSetup& robot = scenario.robots[i];
   const StepLaw own = step_law(scenario, robot, law);
   const double v = robot.max_speed, step = own.time_step,
@@ -81,12 +81,12 @@ double part_of(const MovingObstacle& obstacle, double seconds, double duration,
 
 // The robots that need more time or more length than all others: only they can be the worst for an
 // obstacle.
-std::vector<Part> worst_for_obstacles(std::vector<Part> parts) {
-  std::stable_sort(parts.begin(), parts.end(), [](const Part& a, const Part& b) {
+std::vector<UnseenPart> worst_for_obstacles(std::vector<UnseenPart> parts) {
+  std::stable_sort(parts.begin(), parts.end(), [](const UnseenPart& a, const UnseenPart& b) {
     return a.seconds != b.seconds ? a.seconds > b.seconds : a.length > b.length;
   });
-  std::vector<Part> front;
-  for (const Part& part : parts) {
+  std::vector<UnseenPart> front;
+  for (const UnseenPart& part : parts) {
     if (front.empty() || part.length > front.back().length) front.push_back(part);
   }
   return front;
@@ -100,29 +100,30 @@ double part_of_mover(const RobotSetup& robot, double seconds) {
 
 // Robots of the same layers and behavior that all keep the certificate, or all do not, longest
 // first.
-using Kinds = std::map<std::tuple<std::uint32_t, std::uint32_t, Behavior, bool>, std::vector<Part>>;
+using Kinds =
+    std::map<std::tuple<std::uint32_t, std::uint32_t, Behavior, bool>, std::vector<UnseenPart>>;
 
 // Takes pairs in which at least one robot avoids the other, and keeps the certificate.
 template <typename Take>
 void take_by_kind(const Scenario& scenario, const CertificateLaw& law,
-                  const std::vector<Part>& parts, const Take& take) {
+                  const std::vector<UnseenPart>& parts, const Take& take) {
   Kinds kinds;
-  const auto robot = [&](const Part& part) -> const RobotSetup& {
+  const auto robot = [&](const UnseenPart& part) -> const RobotSetup& {
     return scenario.robots[static_cast<std::size_t>(part.robot)];
   };
-  for (const Part& part : parts)
+  for (const UnseenPart& part : parts)
     kinds[{robot(part).layers.bits, robot(part).avoids.bits, robot(part).behavior,
            keeps(scenario, robot(part), law)}]
         .push_back(part);
   for (auto& [key, kind] : kinds) {
     std::stable_sort(kind.begin(), kind.end(),
-                     [](const Part& a, const Part& b) { return a.length > b.length; });
+                     [](const UnseenPart& a, const UnseenPart& b) { return a.length > b.length; });
   }
   const UsualMethod usual = usual_method(scenario);
   for (const auto& [key_a, of_a] : kinds) {
     const RobotSetup& a = robot(of_a.front());
     if (!keeps(scenario, a, law)) continue;
-    const std::vector<Part> front = worst_for_obstacles(of_a);
+    const std::vector<UnseenPart> front = worst_for_obstacles(of_a);
     for (const auto& [key_b, of_b] : kinds) {
       const RobotSetup& b = robot(of_b.front());
       const auto expected = expected_of(conduct_of(b, usual), conduct_of(a, usual));
@@ -132,8 +133,8 @@ void take_by_kind(const Scenario& scenario, const CertificateLaw& law,
         if (second < of_b.size()) take(of_a.front(), of_b[second].robot, of_b[second].length);
         continue;
       }
-      for (const Part& avoiding : front) {
-        for (const Part& mover : of_b)
+      for (const UnseenPart& avoiding : front) {
+        for (const UnseenPart& mover : of_b)
           take(avoiding, mover.robot, part_of_mover(robot(mover), avoiding.seconds));
       }
     }
@@ -144,22 +145,23 @@ void take_by_kind(const Scenario& scenario, const CertificateLaw& law,
 
 std::optional<SensingNeed> sensing_need(const Scenario& scenario, const CertificateLaw& law) {
   std::optional<SensingNeed> worst;
-  const auto take = [&](const Part& part, int other, double other_part) {
+  const auto take = [&](const UnseenPart& part, int other, double other_part) {
     const double range = part.length + other_part;
     if (!worst || range > worst->range) {
       worst = SensingNeed{range, part.robot, other, part.length, other_part};
     }
   };
-  std::vector<Part> parts;
+  std::vector<UnseenPart> parts;
   for (std::size_t i = 0; i < scenario.robots.size(); ++i) {
     if (!scenario.robots[i].parked) parts.push_back(part_of(scenario, i, law));
   }
   if (is_mixed(scenario)) {
     take_by_kind(scenario, law, parts, take);
   } else if (parts.size() > 1) {
-    Part first = parts[0], second = parts[1];  // the longest two, in the order of their numbers
+    UnseenPart first = parts[0],
+               second = parts[1];  // the longest two, in the order of their numbers
     for (std::size_t i = 2; i < parts.size(); ++i) {
-      Part& shorter = first.length < second.length ? first : second;
+      UnseenPart& shorter = first.length < second.length ? first : second;
       if (parts[i].length <= shorter.length) continue;
       if (&shorter == &first) first = second;
       second = parts[i];
@@ -167,12 +169,12 @@ std::optional<SensingNeed> sensing_need(const Scenario& scenario, const Certific
     take(first, second.robot, second.length);
   }
   if (scenario.moving_obstacles.empty()) return worst;
-  std::erase_if(parts, [&](const Part& part) {
+  std::erase_if(parts, [&](const UnseenPart& part) {
     return !keeps(scenario, scenario.robots[static_cast<std::size_t>(part.robot)], law);
   });
-  const std::vector<Part> front = worst_for_obstacles(parts);
+  const std::vector<UnseenPart> front = worst_for_obstacles(parts);
   for (std::size_t k = 0; k < scenario.moving_obstacles.size(); ++k) {
-    for (const Part& part : front) {
+    for (const UnseenPart& part : front) {
       take(part, -1 - static_cast<int>(k),
            part_of(scenario.moving_obstacles[k], part.seconds, scenario.duration, law));
     }

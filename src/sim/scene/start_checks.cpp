@@ -27,13 +27,13 @@ double time_until_rest(double speed, double max_braking, const CertificateLaw& l
 
 // The new robot and all robots that it could meet while they brake, as a scene; the new robot comes
 // first.
-struct Company {
+struct StartCompany {
   Scenario scene;
   std::vector<RobotId> id;        // of its robots
   std::vector<std::size_t> slot;  // of the others
 
-  Company(const World& world, const RobotSetup& setup, RobotId robot,
-          std::vector<std::size_t> others);
+  StartCompany(const World& world, const RobotSetup& setup, RobotId robot,
+               std::vector<std::size_t> others);
 };
 
 // Finds them by the distance that each moves at its highest speed until both are at rest.
@@ -105,8 +105,8 @@ std::vector<std::size_t> others_near(const World& world, const RobotSetup& setup
   return others;
 }
 
-Company::Company(const World& world, const RobotSetup& setup, RobotId robot,
-                 std::vector<std::size_t> others)
+StartCompany::StartCompany(const World& world, const RobotSetup& setup, RobotId robot,
+                           std::vector<std::size_t> others)
     : scene(world.settings), id{robot}, slot(std::move(others)) {
   scene.robots.push_back(setup);
   for (const std::size_t other : slot) {
@@ -127,7 +127,7 @@ bool keeps_any(const World& world, const RobotSetup& robot) {
 
 // Finds a contact with a robot within a step, which continues to the end of the step; its path may
 // be curved.
-std::optional<BrokenStart> find_on_way(const World& world, const Company& company) {
+std::optional<BrokenStart> find_on_way(const World& world, const StartCompany& company) {
   const Fleet& fleet = world.fleet;
   const RobotSetup& own = company.scene.robots.front();
   for (std::size_t k = 0; k < company.slot.size() && fleet.has_clocks; ++k) {
@@ -153,8 +153,8 @@ std::optional<BrokenStart> find_on_way(const World& world, const Company& compan
 
 // Finds the obstacle, not a robot, to which the new robot is too near by most; the scene gets that
 // obstacle alone.
-std::optional<WallStart> find_wall(const World& world, const CertificateLaw& law, Company& company,
-                                   ObstacleId& obstacle) {
+std::optional<WallStart> find_wall(const World& world, const CertificateLaw& law,
+                                   StartCompany& company, ObstacleId& obstacle) {
   const StaticWorld& statics = world.statics;
   const RobotSetup& own = company.scene.robots.front();
   const Floor& floor = statics.floors[statics.floor_of(own.layers).value_or(0)];
@@ -183,7 +183,7 @@ std::optional<WallStart> find_wall(const World& world, const CertificateLaw& law
   return worst;
 }
 
-Wording wording_of(const Company& company, const ObstacleId& obstacle) {
+Wording wording_of(const StartCompany& company, const ObstacleId& obstacle) {
   return {{},
           [&company](int source) {
             return source >= 0 ? name_of(company.id[static_cast<std::size_t>(source)])
@@ -240,7 +240,7 @@ void check_start(const World& world, const RobotSetup& setup, RobotId robot) {
   const bool is_alone = others.empty() && world.obstacles.setup.empty() &&
                         world.statics.obstacles.empty() && !world.statics.has_walls;
   if (is_alone && !exceeds(norm(setup.velocity), setup.max_speed)) return;
-  Company company(world, setup, robot, std::move(others));
+  StartCompany company(world, setup, robot, std::move(others));
   const CertificateLaw law = certificate_law(world.certified_planner());
   ObstacleId obstacle;
   const Wording wording = wording_of(company, obstacle);

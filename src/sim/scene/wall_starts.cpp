@@ -86,13 +86,13 @@ class WallsOfLayers {
 namespace {
 
 // A disc of a robot at the start.
-struct StartDisc {
+struct WallStartDisc {
   Vec2 center;
   double radius, lever;  // m
 };
 
 std::optional<WallStart> worst_wall(const Scenario& scenario, int number, const MotionState& state,
-                                    const StartDisc& disc, std::span<const Wall> walls,
+                                    const WallStartDisc& disc, std::span<const Wall> walls,
                                     const CertificateLaw& law) {
   const RobotSetup& robot = scenario.robots[static_cast<std::size_t>(number)];
   const Vec2 center = disc.center;
@@ -136,8 +136,8 @@ std::optional<WallStart> worst_wall(const Scenario& scenario, int number, const 
   std::optional<WallStart> worst;
   for (int k = 0; k < footprint.discs; ++k) {
     const double ahead = footprint.ahead(k);
-    const StartDisc disc{state.position + ahead * pose.ahead,
-                         footprint.radius + std::abs(ahead) * pose.spread, ahead};
+    const WallStartDisc disc{state.position + ahead * pose.ahead,
+                             footprint.radius + std::abs(ahead) * pose.spread, ahead};
     const auto own = worst_wall(scenario, number, state, disc, walls, law);
     if (own && (!worst || own->required - own->kept > worst->required - worst->kept)) worst = own;
   }
