@@ -12,8 +12,8 @@
 
 AVO_BEGIN_KERNELS
 
-/// normal . y_i + offset_i at the three points of the constraint's interval, minus the part of its
-/// cone, m.
+/// n·y_i + offset_i in meters, at the three points of the constraint's interval. Where a constraint
+/// has a cone, the part of the cone is subtracted.
 template <typename Real>
 struct PackCoefficients {
   Real start, middle, end;
@@ -48,8 +48,8 @@ AVO_KERNEL PackCoefficients<Real> coefficients(const ConstraintColumnsOf<D>& con
               result.middle - off(before.middle, x.middle),
               result.end - off(end, x.end) - cone * Real(path.bend)};
   }
-  // y_0 and y_1 of the step itself are those of the braking path, except in keeps_swing(); the bend
-  // of an arc is subtracted at the end
+  // In the interval of the step the candidate shares y_0 and y_1 with the braking path. The other
+  // case is in keeps_swing(). The bend of an arc lowers the value at the end.
   return {select(later, result.start, infinity), select(later, result.middle, infinity),
           select(later, result.end, result.end - Real(path.bend))};
 }

@@ -218,8 +218,8 @@ AVO_KERNEL PackConstraints<Real, D> constraints_of(const PairConstraintsOf<D>& w
           {offset(q.start, own.start), offset(q.middle, own.middle), offset(q.end, own.end)}};
 }
 
-/// Stores the constraints of the kept lanes. The other lanes take up room without being
-/// constraints: nothing has to be moved.
+/// Stores the constraints of all lanes. Lanes that are not kept are marked as no constraints, so
+/// that no gap has to be closed.
 template <typename Real, int D, typename Mask>
 AVO_KERNEL void push(const PackConstraints<Real, D>& fresh, Real m, Mask kept,
                      const PairConstraintsOf<D>& wanted, ConstraintColumnsOf<D>& constraints) {
@@ -320,7 +320,7 @@ double append(const PairConstraintsOf<D>& wanted, const Other& other, const Step
                       across(own_n, d) * Real::load(&own.across[k]) +
                       times_length(Real::load(&own.anyhow[k]), own_n, shape) + margin.cone * most;
     const auto kept = close & !(share * (distance - inflated - margin.distance) > loss);
-    // the invariant does not cover intervals at rest: all three points stay clear along n there
+    // the invariant does not cover intervals in which A rests: the margin is 0 there
     margin = {select(holds, margin.distance, zero), select(holds, margin.cone, zero)};
     if constexpr (kSpreads) margin.distance = margin.distance + spread;
     if (any(kept))

@@ -38,7 +38,7 @@ struct Tip {
   decltype(Real() < Real()) nearest;  // the line with n = x(τ)/|x(τ)| is highest at τ
 };
 
-// A test without search: A <= 0, B s >= A.
+// A test without search. With A = r - n·p and B = n·v, the tip decides if A <= 0 and B s(τ) >= A.
 template <typename Real>
 AVO_KERNEL Tip<Real> tip(const Local<Real>& pair, const ResponseAt& horizon_end) {
   const At<Real> end = constant<Real>(horizon_end);
@@ -51,8 +51,9 @@ AVO_KERNEL Tip<Real> tip(const Local<Real>& pair, const ResponseAt& horizon_end)
 
 // ---- convex: lemma 3
 
-// A collision course: p . v < 0 and the miss distance |b| is below r. With û = -v/|v| and ê across
-// it, x(t) = σ û + b ê, σ = |v| (t_m - t), t_m the time of closest approach.
+// On a collision course p·v < 0, and the miss distance |b|, c in the document, is below r. With
+// û = -v/|v| and ê across it, x(t) = σ û + b ê, σ = |v| (t_m - t), t_m the time of closest
+// approach.
 template <typename Real>
 struct PairApproach {
   Real speed, per_speed, t_m, b;  // m/s, s/m, s, m; b < 0 only in a tie

@@ -52,9 +52,8 @@ AVO_KERNEL LocalFrame<Real> frame_of(Vec<Real> p, Vec<Real> v, Real r, Real R,
   return frame;
 }
 
-/// Moves the chosen lanes of a pack behind the other entries, `count` of them. If the pack was just
-/// read from the same queue, they stay in it: whole packs are written, but no farther than its old
-/// end.
+/// Appends the chosen lanes of a pack to the queue, which has `count` entries. The pack may have
+/// been read from the same queue: whole packs are written, and never past the old end of it.
 template <typename Real>
 AVO_KERNEL void push(HalfPlaneQueue& queue, Real index, const LocalFrame<Real>& frame,
                      typename LocalFrame<Real>::Mask chosen, std::size_t count) {

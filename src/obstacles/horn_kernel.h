@@ -205,8 +205,8 @@ AVO_KERNEL Real beyond_newton(Real back, Real first_f, Real first_pace, Real f, 
 }
 
 /// Times between which |b| passes R once, a guess, and whether |b| falls there (1) or rises (-1).
-/// The search ends when the relative product of two steps is `tolerance`. The remaining error is
-/// about the square of that where the near side is smooth.
+/// The search ends when the product of the last two steps is at most `tolerance` times t². The
+/// remaining error is about the square of that where the near side is smooth.
 template <typename Real>
 struct Bracket {
   Real low, high, guess, sense, tolerance;
