@@ -8,6 +8,8 @@
 
 AVO_BEGIN_KERNELS
 
+// ---- horn: lemmas 4 to 7
+
 /// A pair along its relative motion. After the distance |v| t the squared distance of the pair is
 /// closest² + rise(|v| t), with terms that do not cancel. `closest` is the miss distance, or |p|
 /// where p . v >= 0.
