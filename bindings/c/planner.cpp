@@ -9,6 +9,7 @@
 #include "convert.h"
 #include "handles.h"
 #include "layouts.h"
+#include "members.h"
 
 namespace avo_c {
 namespace {
@@ -52,30 +53,41 @@ std::span<const avo::Wall> walls_of(const avo_wall* walls, std::size_t count) {
 
 }  // namespace
 
+namespace {
+
+// The members of a definition and of a planner's options, except for the noise.
+constexpr auto for_each_option = [](const auto& visit) {
+  using Def = avo_planner_def;
+  using Options = avo::PlannerOptions;
+  visit("method", &Def::method, &Options::method);
+  visit("motion", &Def::motion, &Options::motion);
+  visit("control_time", &Def::control_time, &Options::control_time);
+  visit("time_horizon", &Def::time_horizon, &Options::time_horizon);
+  visit("time_step", &Def::time_step, &Options::time_step);
+  visit("certificate", &Def::certificate, &Options::certificate);
+  visit("max_neighbors", &Def::max_neighbors, &Options::max_neighbors);
+  visit("sensing_error", &Def::sensing_error, &Options::sensing_error);
+  visit("clock", &Def::clock, &Options::clock);
+  visit("longest_step", &Def::longest_step, &Options::longest_step);
+  visit("arrival_distance", &Def::arrival_distance, &Options::arrival_distance);
+  visit("localization_error", &Def::localization_error, &Options::localization_error);
+  visit("response_time", &Def::response_time, &Options::response_time);
+  visit("comfort_acceleration", &Def::comfort_acceleration, &Options::comfort_acceleration);
+  visit("comfort_jerk", &Def::comfort_jerk, &Options::comfort_jerk);
+  visit("margin", &Def::margin, &Options::margin);
+  visit("wall_range", &Def::wall_range, &Options::wall_range);
+  visit("never_swerves", &Def::never_swerves, &Options::never_swerves);
+};
+
+}  // namespace
+
 avo::PlannerOptions options_of(const avo_planner_def& def) {
   const Where here;
-  avo::PlannerOptions options;
-  options.method = word<avo::Method>(def.method, 9, here, "method");
-  options.motion = word<avo::Motion>(def.motion, 2, here, "motion");
-  options.control_time = def.control_time;
-  options.time_horizon = def.time_horizon;
-  options.time_step = def.time_step;
   require_unused(def.unused, here, "samples");
-  options.certificate = word<avo::Certificate>(def.certificate, 3, here, "certificate");
-  options.max_neighbors = unless_zero(def.max_neighbors);
-  options.sensing_error = {def.sensing_error.position, def.sensing_error.velocity};
+  avo::PlannerOptions options;
+  take_members(def, options, here, for_each_option);
   options.sensing_noise = {def.sensing_noise.position, def.sensing_noise.velocity,
                            def.sensing_noise.quantile};
-  options.clock = word<avo::Clock>(def.clock, 2, here, "clock");
-  options.longest_step = def.longest_step;
-  options.arrival_distance = def.arrival_distance;
-  options.localization_error = def.localization_error;
-  options.response_time = def.response_time;
-  options.comfort_acceleration = unless_zero(def.comfort_acceleration);
-  options.comfort_jerk = unless_zero(def.comfort_jerk);
-  options.margin = def.margin;
-  options.wall_range = def.wall_range;
-  options.never_swerves = def.never_swerves;
   return options;
 }
 
@@ -89,26 +101,9 @@ avo_planner_def avo_default_planner_def(avo_method method) {
       avo::default_options(is_known ? static_cast<avo::Method>(method) : avo::Method::avo);
   avo_planner_def def = {};
   def.size = sizeof def;
-  def.method = static_cast<avo_method>(options.method);
-  def.motion = static_cast<avo_motion>(options.motion);
-  def.control_time = options.control_time;
-  def.time_horizon = options.time_horizon;
-  def.time_step = options.time_step;
-  def.certificate = static_cast<avo_certificate>(options.certificate);
-  def.max_neighbors = options.max_neighbors.value_or(0);
-  def.clock = static_cast<avo_clock>(options.clock);
-  def.sensing_error = {options.sensing_error.position, options.sensing_error.velocity};
+  give_members(options, def, for_each_option);
   def.sensing_noise = {options.sensing_noise.position, options.sensing_noise.velocity,
                        options.sensing_noise.quantile};
-  def.longest_step = options.longest_step;
-  def.arrival_distance = options.arrival_distance;
-  def.localization_error = options.localization_error;
-  def.response_time = options.response_time;
-  def.comfort_acceleration = options.comfort_acceleration.value_or(0.0);
-  def.comfort_jerk = options.comfort_jerk.value_or(0.0);
-  def.margin = options.margin;
-  def.wall_range = options.wall_range;
-  def.never_swerves = options.never_swerves;
   return def;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Robots of a simulation, and robots for a planner.
 #include "convert.h"
+#include "members.h"
 
 namespace avo_c {
 namespace {
@@ -10,77 +11,43 @@ std::optional<avo::LoiterCircle> circle_of(const avo_loiter_circle& circle) {
   return avo::LoiterCircle{from_c(circle.center), circle.radius};
 }
 
-std::optional<avo::Method> own_method(std::int32_t method, const Where& where) {
-  if (method == AVO_UNSET) return std::nullopt;
-  return word<avo::Method>(method, 9, where, "method");
-}
-
-// A value that is unset is 0 in C.
-void take(avo::Vec2& to, avo_vec2 from) {
-  to = from_c(from);
-}
-void take(avo_vec2& to, avo::Vec2 from) {
-  to = to_c(from);
-}
-void take(double& to, double from) {
-  to = from;
-}
-void take(std::optional<double>& to, double from) {
-  to = unless_zero(from);
-}
-void take(double& to, const std::optional<double>& from) {
-  to = from.value_or(0.0);
-}
-void take(bool& to, bool from) {
-  to = from;
-}
-void take(avo::LayerSet& to, std::uint32_t from) {
-  to.bits = from;
-}
-void take(std::uint32_t& to, avo::LayerSet from) {
-  to = from.bits;
-}
-
-// The members of a definition and of a setup, except for the model and for words.
-template <class Action>
-void for_each_member(const Action& action) {
+// The members of a definition and of a setup, except for the model.
+constexpr auto for_each_member = [](const auto& visit) {
   using Def = avo_robot_def;
   using Setup = avo::RobotSetup;
-  action(&Def::position, &Setup::position);
-  action(&Def::velocity, &Setup::velocity);
-  action(&Def::goal, &Setup::goal);
-  action(&Def::radius, &Setup::radius);
-  action(&Def::max_speed, &Setup::max_speed);
-  action(&Def::max_acceleration, &Setup::max_acceleration);
-  action(&Def::preferred_speed, &Setup::preferred_speed);
-  action(&Def::heading, &Setup::heading);
-  action(&Def::priority, &Setup::priority);
-  action(&Def::parked, &Setup::parked);
-  action(&Def::layers, &Setup::layers);
-  action(&Def::avoids, &Setup::avoids);
-  action(&Def::time_step, &Setup::time_step);
-  action(&Def::max_braking, &Setup::max_braking);
-  action(&Def::time_horizon, &Setup::time_horizon);
-  action(&Def::arrival_distance, &Setup::arrival_distance);
-}
+  visit("position", &Def::position, &Setup::position);
+  visit("velocity", &Def::velocity, &Setup::velocity);
+  visit("goal", &Def::goal, &Setup::goal);
+  visit("radius", &Def::radius, &Setup::radius);
+  visit("max_speed", &Def::max_speed, &Setup::max_speed);
+  visit("max_acceleration", &Def::max_acceleration, &Setup::max_acceleration);
+  visit("preferred_speed", &Def::preferred_speed, &Setup::preferred_speed);
+  visit("heading", &Def::heading, &Setup::heading);
+  visit("priority", &Def::priority, &Setup::priority);
+  visit("max_braking", &Def::max_braking, &Setup::max_braking);
+  visit("parked", &Def::parked, &Setup::parked);
+  visit("layers", &Def::layers, &Setup::layers);
+  visit("avoids", &Def::avoids, &Setup::avoids);
+  visit("behavior", &Def::behavior, &Setup::behavior);
+  visit("time_step", &Def::time_step, &Setup::time_step);
+  visit("method", &Def::method, &Setup::method);
+  visit("time_horizon", &Def::time_horizon, &Setup::time_horizon);
+  visit("arrival_distance", &Def::arrival_distance, &Setup::arrival_distance);
+};
 
 }  // namespace
 
 avo::RobotSetup setup_of(const avo_robot_def& def, const Where& where) {
   avo::RobotSetup setup{.model = model_of(def, where)};
-  for_each_member([&](auto in_c, auto member) { take(setup.*member, def.*in_c); });
-  setup.behavior = word<avo::Behavior>(def.behavior, 3, where, "behavior");
-  setup.method = own_method(def.method, where);
+  take_members(def, setup, where, for_each_member);
   return setup;
 }
 
 avo_robot_def def_of(const avo::RobotSetup& setup) {
   avo_robot_def def = {};
   def.size = sizeof def;
-  for_each_member([&](auto in_c, auto member) { take(def.*in_c, setup.*member); });
+  give_members(setup, def, for_each_member);
   set_model(setup.model, def);
-  def.behavior = static_cast<avo_behavior>(setup.behavior);
-  def.method = setup.method ? static_cast<std::int32_t>(*setup.method) : AVO_UNSET;
   return def;
 }
 
@@ -100,26 +67,27 @@ avo::Robot robot_of(const avo_robot& robot) {
 }
 
 avo::Neighbor neighbor_of(const avo_neighbor& neighbor, const Where& where) {
-  return {.position = from_c(neighbor.position),
-          .velocity = from_c(neighbor.velocity),
-          .radius = neighbor.radius,
-          .max_acceleration = neighbor.max_acceleration,
-          .behavior = word<avo::Behavior>(neighbor.behavior, 3, where, "behavior"),
-          .age = neighbor.age,
-          .priority = neighbor.priority,
-          .max_braking = unless_zero(neighbor.max_braking),
-          .loiter = circle_of(neighbor.loiter),
-          .max_deviation = neighbor.max_deviation,
-          .position_error = neighbor.position_error,
-          .acceleration = from_c(neighbor.acceleration),
-          .max_speed = neighbor.max_speed,
-          .likely_deviation = neighbor.likely_deviation,
-          .parting = from_c(neighbor.parting),
-          .trajectory = trajectory_of(neighbor.trajectory),
-          .trajectory_time = neighbor.trajectory_time,
-          .footprint = from_c(neighbor.footprint),
-          .ahead = from_c(neighbor.pose.ahead),
-          .spread = neighbor.pose.spread};
+  return {
+      .position = from_c(neighbor.position),
+      .velocity = from_c(neighbor.velocity),
+      .radius = neighbor.radius,
+      .max_acceleration = neighbor.max_acceleration,
+      .behavior = word<avo::Behavior>(neighbor.behavior, kWords<avo::Behavior>, where, "behavior"),
+      .age = neighbor.age,
+      .priority = neighbor.priority,
+      .max_braking = unless_zero(neighbor.max_braking),
+      .loiter = circle_of(neighbor.loiter),
+      .max_deviation = neighbor.max_deviation,
+      .position_error = neighbor.position_error,
+      .acceleration = from_c(neighbor.acceleration),
+      .max_speed = neighbor.max_speed,
+      .likely_deviation = neighbor.likely_deviation,
+      .parting = from_c(neighbor.parting),
+      .trajectory = trajectory_of(neighbor.trajectory),
+      .trajectory_time = neighbor.trajectory_time,
+      .footprint = from_c(neighbor.footprint),
+      .ahead = from_c(neighbor.pose.ahead),
+      .spread = neighbor.pose.spread};
 }
 
 }  // namespace avo_c

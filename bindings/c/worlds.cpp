@@ -5,6 +5,7 @@
 
 #include "convert.h"
 #include "external.h"
+#include "members.h"
 
 namespace avo_c {
 namespace {
@@ -52,38 +53,44 @@ avo_localization_noise to_c(const avo::LocalizationNoise& noise) {
           static_cast<avo_noise_distribution>(noise.distribution)};
 }
 
+// The members of a definition and of a scene, except for texts and for what 0 is a value of.
+constexpr auto for_each_setting = [](const auto& visit) {
+  using Def = avo_simulation_def;
+  using Scene = avo::Scenario;
+  visit("time_step", &Def::time_step, &Scene::time_step);
+  visit("duration", &Def::duration, &Scene::duration);
+  visit("control_time", &Def::control_time, &Scene::control_time);
+  visit("comfort_acceleration", &Def::comfort_acceleration, &Scene::comfort_acceleration);
+  visit("comfort_jerk", &Def::comfort_jerk, &Scene::comfort_jerk);
+  visit("margin", &Def::margin, &Scene::margin);
+  visit("never_swerves", &Def::never_swerves, &Scene::never_swerves);
+  visit("time_horizon", &Def::time_horizon, &Scene::time_horizon);
+  visit("sensing_radius", &Def::sensing_radius, &Scene::sensing_radius);
+  visit("max_neighbors", &Def::max_neighbors, &Scene::max_neighbors);
+  visit("method", &Def::method, &Scene::method);
+  visit("certificate", &Def::certificate, &Scene::certificate);
+  visit("motion", &Def::motion, &Scene::motion);
+  visit("arrival_distance", &Def::arrival_distance, &Scene::arrival_distance);
+  visit("seed", &Def::seed, &Scene::seed);
+  visit("navigation", &Def::navigation, &Scene::navigation);
+  visit("right_of_way", &Def::right_of_way, &Scene::right_of_way);
+  visit("clock", &Def::clock, &Scene::clock);
+  visit("longest_step", &Def::longest_step, &Scene::longest_step);
+  visit("allow_broken_assumptions", &Def::allow_broken_assumptions,
+        &Scene::allow_broken_assumptions);
+};
+
 void read_settings(const avo_simulation_def& def, avo::Scenario& scenario) {
   const Where here;
-  scenario.name = def.name == nullptr ? "" : def.name;
-  scenario.time_step = def.time_step;
-  scenario.duration = def.duration;
-  scenario.control_time = unless_zero(def.control_time);
-  if (!std::isnan(def.response_time)) scenario.response_time = def.response_time;
-  scenario.comfort_acceleration = unless_zero(def.comfort_acceleration);
-  scenario.comfort_jerk = unless_zero(def.comfort_jerk);
-  scenario.margin = def.margin;
-  scenario.never_swerves = def.never_swerves;
-  scenario.time_horizon = unless_zero(def.time_horizon);
-  scenario.sensing_radius = unless_zero(def.sensing_radius);
-  scenario.max_neighbors = unless_zero(def.max_neighbors);
-  scenario.method = word<avo::Method>(def.method, 9, here, "method");
   require_unused(def.unused, here, "samples");
-  if (def.certificate != AVO_UNSET)
-    scenario.certificate = word<avo::Certificate>(def.certificate, 3, here, "certificate");
-  scenario.motion = word<avo::Motion>(def.motion, 2, here, "motion");
-  scenario.arrival_distance = def.arrival_distance;
-  scenario.seed = def.seed;
-  if (def.navigation != AVO_UNSET)
-    scenario.navigation = word<std::int32_t>(def.navigation, 2, here, "navigation") == 1;
-  scenario.right_of_way = word<avo::RightOfWay>(def.right_of_way, 2, here, "right_of_way");
+  take_members(def, scenario, here, for_each_setting);
+  scenario.name = def.name == nullptr ? "" : def.name;
+  if (!std::isnan(def.response_time)) scenario.response_time = def.response_time;
   scenario.sensing = sensing_of(def.sensing);
   scenario.sensing.localization = localization_of(def.localization);
   const auto& error = def.sensing_error;
   if (!std::isnan(error.position) || !std::isnan(error.velocity))
     scenario.sensing_error = avo::SensingError{error.position, error.velocity};
-  scenario.clock = word<avo::Clock>(def.clock, 2, here, "clock");
-  scenario.longest_step = unless_zero(def.longest_step);
-  scenario.allow_broken_assumptions = def.allow_broken_assumptions;
   scenario.external_method = def.external_method == nullptr ? "" : def.external_method;
   scenario.external = external_of(def.external, def.external_context);
 }
@@ -153,33 +160,12 @@ avo_simulation_def settings_of(const avo::Scenario& scenario) {
   const avo::SensingError error = scenario.sensing_error.value_or(avo::SensingError{kNone, kNone});
   avo_simulation_def def = {};
   def.size = sizeof def;
+  give_members(scenario, def, for_each_setting);
   def.name = scenario.name.c_str();
-  def.time_step = scenario.time_step;
-  def.duration = scenario.duration;
-  def.control_time = scenario.control_time.value_or(0.0);
   def.response_time = scenario.response_time.value_or(kNone);
-  def.comfort_acceleration = scenario.comfort_acceleration.value_or(0.0);
-  def.comfort_jerk = scenario.comfort_jerk.value_or(0.0);
-  def.margin = scenario.margin;
-  def.never_swerves = scenario.never_swerves;
-  def.time_horizon = scenario.time_horizon.value_or(0.0);
-  def.sensing_radius = scenario.sensing_radius.value_or(0.0);
-  def.arrival_distance = scenario.arrival_distance;
-  def.longest_step = scenario.longest_step.value_or(0.0);
-  def.seed = scenario.seed;
-  def.max_neighbors = scenario.max_neighbors.value_or(0);
-  def.method = static_cast<avo_method>(scenario.method);
-  def.certificate = scenario.certificate ? static_cast<avo_certificate>(*scenario.certificate)
-                                         : static_cast<avo_certificate>(AVO_UNSET);
-  def.motion = static_cast<avo_motion>(scenario.motion);
-  def.clock = static_cast<avo_clock>(scenario.clock);
-  def.navigation = AVO_UNSET;
-  if (scenario.navigation) def.navigation = *scenario.navigation ? 1 : 0;
-  def.right_of_way = static_cast<avo_right_of_way>(scenario.right_of_way);
   def.sensing = to_c(scenario.sensing);
   def.localization = to_c(scenario.sensing.localization);
   def.sensing_error = {error.position, error.velocity};
-  def.allow_broken_assumptions = scenario.allow_broken_assumptions;
   def.external_method = scenario.external_method.c_str();
   def.workers = 1;
   return def;

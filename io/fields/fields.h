@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The one table of the fields of a scene file: the parser, overrides, the JSON Schema and error
-// messages all read it. Default values are those of the structs themselves.
+// messages all read it. The fields of public structs are those of src/fields.
 #pragma once
 #include <array>
 #include <cstdint>
@@ -14,44 +14,27 @@
 #include "avo/scenario.h"
 #include "avo/vec.h"
 #include "core/ranges.h"
+#include "fields/field.h"
+#include "fields/robot_fields.h"
 #include "io/scene/scene_parts.h"
 #include "io/space/space_parts.h"
 
 namespace avo_io {
+using avo::kHeadingField;
+using avo::kLayer;
+using avo::kNested;
+using avo::kNoNumber;
+using avo::kOptional;
+using avo::kRequired;
+using avo::MemberOf;
+using avo::Need;
 
-/// The kinds of values that T may be. std::monostate stands for a value with keys of its own, which
-/// code reads.
-template <class T, class... Kinds>
-using MemberOf = std::variant<std::monostate, Kinds T::*...>;
+/// The kinds of values that T may have.
 template <class T>
-struct MembersOf {
-  using type = MemberOf<T, double, avo::Vec2>;
-};
-template <>
-struct MembersOf<avo::RobotSetup> {
-  using type = MemberOf<avo::RobotSetup, double, std::optional<double>, avo::Vec2, bool,
-                        avo::LayerSet, avo::Behavior, std::optional<avo::Method>>;
-};
-template <>
-struct MembersOf<avo::MovingObstacle> {
-  using type = MemberOf<avo::MovingObstacle, double, std::optional<double>, avo::Vec2,
-                        std::vector<avo::Vec2>, std::vector<avo::TimedPlace>>;
-};
-template <>
-struct MembersOf<avo::Car> {
-  using type = MemberOf<avo::Car, double, std::optional<double>, bool, avo::AccelerationSet>;
-};
-template <>
-struct MembersOf<avo::DifferentialDrive> {
-  using type = MemberOf<avo::DifferentialDrive, double>;
-};
+struct MembersOf : avo::MembersOf<T> {};
 template <>
 struct MembersOf<FootprintShape> {
   using type = MemberOf<FootprintShape, double, std::optional<double>, std::vector<avo::Vec2>>;
-};
-template <>
-struct MembersOf<avo::Airplane> {
-  using type = MemberOf<avo::Airplane, double, avo::AfterGoal>;
 };
 template <>
 struct MembersOf<AntipodalGoals> {
@@ -130,26 +113,6 @@ struct MembersOf<RosMap> {
   using type = MemberOf<RosMap, std::string, double, RosMode>;
 };
 template <>
-struct MembersOf<avo::Scenario> {
-  using type = MemberOf<avo::Scenario, double, std::optional<double>, int, std::optional<int>,
-                        std::uint64_t, std::string, avo::Method, std::optional<avo::Certificate>,
-                        avo::Motion, bool, std::optional<bool>, avo::RightOfWay, avo::Clock>;
-};
-template <>
-struct MembersOf<avo::SensingModel> {
-  using type = MemberOf<avo::SensingModel, double, int, bool>;
-};
-template <>
-struct MembersOf<avo::MeasurementNoise> {
-  using type =
-      MemberOf<avo::MeasurementNoise, double, std::optional<double>, avo::NoiseDistribution>;
-};
-template <>
-struct MembersOf<avo::LocalizationNoise> {
-  using type =
-      MemberOf<avo::LocalizationNoise, double, std::optional<double>, avo::NoiseDistribution>;
-};
-template <>
 struct MembersOf<avo::space::RobotSetup> {
   using type = MemberOf<avo::space::RobotSetup, double, std::optional<double>, avo::Vec3>;
 };
@@ -189,39 +152,15 @@ struct MembersOf<SpaceOffset> {
 template <class T>
 using Member = typename MembersOf<T>::type;
 
-enum class Need : std::uint8_t { required, optional };
-inline constexpr Need kRequired = Need::required;
-inline constexpr Need kOptional = Need::optional;
-
 template <class T>
-struct Field {
-  std::string_view key;
-  Member<T> member;
-  Need need = Need::optional;
-  avo::Range range = {};  ///< of numbers; of both components of points; of the byte counts of texts
-  std::string_view unit;  ///< empty: none
-  std::string_view doc;   ///< one line
-  std::string_view default_text = "";  ///< if the default is not the struct's value
-};
+using Field = avo::Field<T, Member<T>>;
 
-/// Fields with keys of their own; ranges of values that are not numbers; ranges of numbers of
-/// robots.
-inline constexpr std::monostate kNested;
-inline constexpr avo::Range kLayer{0.0, 31.0, false};
-inline constexpr avo::Range kNoNumber{};
+/// How many robots.
 inline constexpr avo::Range kNumber{1.0, static_cast<double>(avo::kMostRobots), false};
 
 /// The fields of T, in the order of the documentation.
 template <class T>
 const std::vector<Field<T>>& fields();
-
-/// The heading of a robot; a car has this key too.
-struct HeadingField {
-  std::string_view key, unit, doc;
-  avo::Range range;
-};
-inline constexpr HeadingField kHeadingField{"heading", "rad", "counter-clockwise from +x",
-                                            avo::kAngle};
 
 /// RobotSetup's fields without position and goal, for groups.
 const std::vector<Field<avo::RobotSetup>>& group_robot_fields();

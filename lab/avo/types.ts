@@ -121,12 +121,55 @@ export interface SceneInfo {
 
 /** A robot to add; omitted values have the defaults of scene files. */
 export interface RobotSetup {
-  position: [number, number];
-  goal: [number, number];
-  radius?: number;
-  max_speed?: number;
-  max_acceleration?: number;
-  preferred_speed?: number;
+  position: [number, number]; // m
+  velocity?: [number, number]; // m/s
+  goal: [number, number]; // m
+  radius?: number; // m
+  max_speed?: number; // m/s
+  max_acceleration?: number; // m/s^2
+  preferred_speed?: number; // m/s
+  model?: RobotInfo["model"];
+  heading?: number; // rad
+  car?: Car;
+  drive?: DifferentialDrive;
+  airplane?: Airplane;
+  priority?: number;
+  max_braking?: number; // m/s^2
+  parked?: boolean;
+  layers?: number[];
+  avoids?: number[];
+  behavior?: "decides" | "cooperates" | "moves_on";
+  time_step?: number; // s
+  method?: string;
+  time_horizon?: number; // s
+  arrival_distance?: number; // m
+}
+
+export interface Car {
+  wheelbase?: number; // m
+  max_curvature?: number; // 1/m
+  body?: CarBody;
+  reverse?: boolean;
+  acceleration_set?: "incircle" | "exact";
+}
+
+/** The disc that covers a car. */
+export interface CarBody {
+  offset?: number; // m, forward of the rear axle
+  radius: number; // m
+}
+
+export interface DifferentialDrive {
+  track?: number; // m
+  offset?: number; // m
+  wheel_speed?: number; // m/s
+  wheel_acceleration?: number; // m/s^2
+}
+
+export interface Airplane {
+  min_speed?: number; // m/s
+  lateral_acceleration?: number; // m/s^2
+  after_goal?: "loiter" | "leave";
 }
 
 /** Two discs that overlap now, or a disc and a wall: "robots.3", "moving_obstacles.0", "obstacles.2". */

@@ -64,8 +64,7 @@ const std::vector<BadScene>& bad_scenes() {
       {"behavior_parked",
        s("version: 1\nrobots:\n"
          "  - {position: [0, 0], goal: [0, 0], parked: true, behavior: cooperates}\n"),
-       "3:62: robots.0.behavior: found cooperates, must be left out: it is parked, and does "
-       "nothing"},
+       "3:62: robots.0.behavior: found cooperates, must be left out: it is parked"},
       {"never_swerves_of_orca",
        s("version: 1\nmethod: orca\nrobots:\n  - {position: [0, 0], goal: [1, 0]}\n"
          "never_swerves: true\n"),

@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // Which robots a scene may have: ranges of their values, and the demands of their motion models.
+#include <optional>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <variant>
 
+#include "fields/model_fields.h"
+#include "fields/robot_fields.h"
 #include "robots/model.h"
 #include "robots/motion.h"
 #include "sim/scene/scene_checks.h"
@@ -11,7 +15,7 @@
 namespace avo::inline sim {
 namespace {
 
-std::string list_of(LayerSet set) {
+std::string found(LayerSet set) {
   std::string list("[");
   for (int k = 0; k < 32; ++k) {
     if ((set.bits >> k & 1U) == 0) continue;
@@ -19,6 +23,18 @@ std::string list_of(LayerSet set) {
     list.append(std::to_string(k));
   }
   return list.append("]");
+}
+
+template <typename Value>
+std::string found(const Value& value) {
+  if constexpr (std::is_enum_v<Value>)
+    return to_string(value);
+  else
+    return text(value);
+}
+template <typename Value>
+std::string found(const std::optional<Value>& value) {
+  return value ? found(*value) : "none";
 }
 
 // A parked robot has arrived where it stands.
@@ -30,34 +46,21 @@ void check_parked(std::size_t i, const RobotSetup& robot) {
     refuse(std::string(Place{"robots", i, "velocity"}), text(robot.velocity),
            "[0, 0]: it is parked");
   const RobotSetup usual;
-  const auto require_usual = [&](std::string_view field, LayerSet found, LayerSet left_out) {
-    if (!(found == left_out))
-      refuse(std::string(Place{"robots", i, field}), list_of(found),
-             "left out: it is parked, and nobody may touch it");
-  };
-  require_usual("layers", robot.layers, usual.layers);
-  require_usual("avoids", robot.avoids, usual.avoids);
-  if (robot.behavior != usual.behavior)
-    refuse(std::string(Place{"robots", i, "behavior"}), to_string(robot.behavior),
-           "left out: it is parked, and does nothing");
+  for_each_member(kRobotFields, [&](const RobotField& field, auto member) {
+    if (field.whose == Whose::deciding && !(robot.*member == usual.*member))
+      refuse(std::string(Place{"robots", i, field.key}), found(robot.*member),
+             "left out: it is parked");
+  });
 }
 
 void check_car(std::size_t i, const Car& car) {
-  const std::string_view list = "robots";
-  require(Place{list, i, "car.wheelbase"}, car.wheelbase, kPositive, "m");
-  if (car.max_curvature)
-    require(Place{list, i, "car.max_curvature"}, *car.max_curvature, kPositive, "1/m");
-  if (!car.body) return;
-  require(Place{list, i, "car.body.offset"}, car.body->offset, kAnyValue, "m");
-  require(Place{list, i, "car.body.radius"}, car.body->radius, kPositive, "m");
+  require_ranges(car, kCarFields, PlaceOf{"robots", i, "car."});
+  if (car.body) require_ranges(*car.body, kCarBodyFields, PlaceOf{"robots", i, "car.body."});
 }
 
 void check_drive(std::size_t i, const RobotSetup& robot, const DifferentialDrive& drive) {
   const std::string_view list = "robots";
-  require(Place{list, i, "drive.track"}, drive.track, kPositive, "m");
-  require(Place{list, i, "drive.offset"}, drive.offset, kPositive, "m");
-  require(Place{list, i, "drive.wheel_speed"}, drive.wheel_speed, kPositive, "m/s");
-  require(Place{list, i, "drive.wheel_acceleration"}, drive.wheel_acceleration, kPositive, "m/s^2");
+  require_ranges(drive, kDriveFields, PlaceOf{list, i, "drive."});
   if (robot.max_speed > drive.wheel_speed)
     refuse(std::string(Place{list, i, "max_speed"}), text(robot.max_speed),
            "<= " + text(drive.wheel_speed) + " m/s, its drive.wheel_speed");
@@ -79,9 +82,7 @@ void check_flight(std::size_t i, const RobotSetup& robot, const Airplane& model,
   constexpr double kOff = 1e-9;  // of a speed: error of the length of a vector of that speed
   const std::string_view list = "robots";
   const auto at = [&](std::string_view field) { return std::string(Place{list, i, field}); };
-  require(Place{list, i, "airplane.min_speed"}, model.min_speed, kPositive, "m/s");
-  require(Place{list, i, "airplane.lateral_acceleration"}, model.lateral_acceleration, kPositive,
-          "m/s^2");
+  require_ranges(model, kAirplaneFields, PlaceOf{list, i, "airplane."});
   if (model.min_speed > robot.max_speed)
     refuse(at("airplane.min_speed"), text(model.min_speed),
            "<= max_speed = " + text(robot.max_speed) + " m/s");
@@ -104,23 +105,9 @@ void check_flight(std::size_t i, const RobotSetup& robot, const Airplane& model,
 }  // namespace
 
 void check_robot(std::size_t i, const RobotSetup& robot, double time_step) {
-  const std::string_view list = "robots";
-  require(Place{list, i, "position"}, robot.position, "m");
-  require(Place{list, i, "velocity"}, robot.velocity, "m/s");
-  require(Place{list, i, "goal"}, robot.goal, "m");
-  require(Place{list, i, "radius"}, robot.radius, kPositive, "m");
-  require(Place{list, i, "max_speed"}, robot.max_speed, kPositive, "m/s");
-  require(Place{list, i, "max_acceleration"}, robot.max_acceleration, kPositive, "m/s^2");
-  require(Place{list, i, "preferred_speed"}, robot.preferred_speed, kNotNegative, "m/s");
-  require(Place{list, i, "priority"}, robot.priority, kPositive, "");
-  if (robot.max_braking)
-    require(Place{list, i, "max_braking"}, *robot.max_braking, kPositive, "m/s^2");
-  if (robot.time_horizon)
-    require(Place{list, i, "time_horizon"}, *robot.time_horizon, kPositive, "s");
-  if (robot.arrival_distance)
-    require(Place{list, i, "arrival_distance"}, *robot.arrival_distance, kPositive, "m");
+  require_ranges(robot, kRobotFields, PlaceOf{"robots", i});
   if (robot.parked) check_parked(i, robot);
-  require(Place{list, i, "heading"}, robot.heading, kAngle, "rad");
+  require(Place{"robots", i, "heading"}, robot.heading, kAngle, "rad");
   check_footprint(i, robot);
   if (const Car* car = std::get_if<Car>(&robot.model)) check_car(i, *car);
   if (const auto* drive = std::get_if<DifferentialDrive>(&robot.model))

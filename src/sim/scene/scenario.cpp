@@ -10,6 +10,7 @@
 
 #include "avo/response.h"
 #include "core/ranges.h"
+#include "fields/scene_fields.h"
 #include "planner/options.h"
 #include "robots/model.h"
 #include "sim/clocks.h"
@@ -25,7 +26,6 @@ constexpr int kMostRemembered = 1 << 16;  // steps
 void check_max_speed(std::size_t k, const MovingObstacle& obstacle) {
   const std::string_view list = "moving_obstacles";
   const double most = *obstacle.max_speed;
-  require(Place{list, k, "max_speed"}, most, kPositive, "m/s");
   if (!(obstacle.max_deviation > 0.0))
     refuse(std::string(Place{list, k, "max_speed"}), text(most),
            "left out without max_deviation: it keeps its acceleration");
@@ -72,19 +72,14 @@ void check_trajectory(std::size_t k, const MovingObstacle& obstacle) {
 }
 
 void check_obstacle(std::size_t k, const MovingObstacle& obstacle) {
-  const std::string_view list = "moving_obstacles";
-  require(Place{list, k, "position"}, obstacle.position, "m");
-  require(Place{list, k, "velocity"}, obstacle.velocity, "m/s");
-  require(Place{list, k, "acceleration"}, obstacle.acceleration, "m/s^2");
-  require(Place{list, k, "radius"}, obstacle.radius, kPositive, "m");
-  require(Place{list, k, "max_deviation"}, obstacle.max_deviation, kNotNegative, "m/s^2");
+  require_ranges(obstacle, kMoverFields, PlaceOf{"moving_obstacles", k});
   if (obstacle.max_speed) check_max_speed(k, obstacle);
   if (!obstacle.trajectory.empty()) check_trajectory(k, obstacle);
   if (obstacle.path.empty()) return;
   if (!obstacle.max_speed)
-    refuse(std::string(Place{list, k, "path"}), "one",
+    refuse(std::string(Place{"moving_obstacles", k, "path"}), "one",
            "left out without max_speed and max_deviation, within which it is followed");
-  for (const Vec2 point : obstacle.path) require(Place{list, k, "path"}, point, "m");
+  for (const Vec2 point : obstacle.path) require(Place{"moving_obstacles", k, "path"}, point, "m");
 }
 
 void check_static_obstacle(std::size_t k, const StaticObstacle& obstacle) {
@@ -146,8 +141,6 @@ void check_clocks(const Scenario& scenario, const PlannerOptions& options) {
   for (std::size_t i = 0; i < scenario.robots.size(); ++i) {
     const RobotSetup& robot = scenario.robots[i];
     const Place place{"robots", i, "time_step"};
-    if (robot.time_step && robot.parked)
-      refuse(std::string(place), text(*robot.time_step), "left out: it is parked");
     if (robot.time_step && !is_free)
       refuse(std::string(place), text(*robot.time_step), "left out where clock is common");
     if (!is_free || robot.parked) continue;
@@ -167,17 +160,10 @@ void check_methods(const Scenario& scenario) {
     const RobotSetup& robot = scenario.robots[i];
     if (!robot.method && !robot.time_horizon && !robot.time_step && !robot.arrival_distance)
       continue;
-    const auto at = [&](std::string_view field) { return std::string(Place{"robots", i, field}); };
-    if (robot.parked && robot.method)
-      refuse(at("method"), to_string(*robot.method), "left out: it is parked");
-    if (robot.parked && robot.time_horizon)
-      refuse(at("time_horizon"), text(*robot.time_horizon), "left out: it is parked");
-    if (robot.parked && robot.arrival_distance)
-      refuse(at("arrival_distance"), text(*robot.arrival_distance), "left out: it is parked");
-    if (robot.parked) continue;
     const Method method = method_of(scenario, robot);
     if (reaches_within_step(method) && scenario.motion != Motion::held)
-      refuse(at("method"), to_string(method), "another one where motion is exponential");
+      refuse(std::string(Place{"robots", i, "method"}), to_string(method),
+             "another one where motion is exponential");
     validate(planner_options(scenario, robot, agreed), "robots." + std::to_string(i) + ".");
   }
 }
@@ -214,23 +200,19 @@ void check_braking(const Scenario& scenario, const PlannerOptions& options) {
   }
 }
 
-template <typename Noise>
-void check_truncation(const std::string& key, const Noise& noise) {
-  if (!noise.truncated) return;
-  require(key + ".truncated", *noise.truncated, kTruncation, "");
-  if (noise.distribution == NoiseDistribution::uniform)
-    refuse(key + ".truncated", text(*noise.truncated),
+template <typename Noise, typename Table>
+void check_noise(const std::string& part, const Noise& noise, const Table& table) {
+  require_ranges(noise, table, [&](std::string_view key) { return part + std::string(key); });
+  if (noise.truncated && noise.distribution == NoiseDistribution::uniform)
+    refuse(part + "truncated", text(*noise.truncated),
            "left out with distribution uniform, which stays within what is given");
 }
 
 void check_sensing(const SensingModel& sensing) {
-  require("sensing.noise.position", sensing.noise.position, kNoise, "m");
-  require("sensing.noise.velocity", sensing.noise.velocity, kNoise, "m/s");
-  check_truncation("sensing.noise", sensing.noise);
-  require("sensing.localization.position", sensing.localization.position, kNoise, "m");
-  check_truncation("sensing.localization", sensing.localization);
-  require("sensing.delay", sensing.delay, Range{0.0, kMostDelay, false}, "steps");
-  require("sensing.dropped", sensing.dropped, kShareMissed, "");
+  check_noise("sensing.noise.", sensing.noise, kMeasurementNoiseFields);
+  check_noise("sensing.localization.", sensing.localization, kLocalizationNoiseFields);
+  require_ranges(sensing, kSensingFields,
+                 [](std::string_view key) { return "sensing." + std::string(key); });
 }
 
 // A measurement of the past is extrapolated from the past state, which is not stored for an

@@ -115,6 +115,11 @@ void describe(Archive<kReads>& archive, Vec2& value) {
   describe(archive, value.x), describe(archive, value.y);
 }
 
+template <bool kReads>
+void describe(Archive<kReads>& archive, LayerSet& layers) {
+  describe(archive, layers.bits);
+}
+
 template <bool kReads, typename Value>
 void describe(Archive<kReads>& archive, std::optional<Value>& optional) {
   bool is_set = optional.has_value();

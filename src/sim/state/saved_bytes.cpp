@@ -13,6 +13,7 @@
 #include "core/ranges.h"
 #include "core/removed.h"
 #include "sim/state/archive.h"
+#include "sim/state/late_fields.h"
 #include "sim/state/saved_models.h"
 #include "sim/state/saved_state.h"
 #include "sim/state/saved_teams.h"
@@ -163,9 +164,12 @@ void describe_kinds(Archive<kReads>& archive, RobotSetup& setup) {
   std::uint64_t kinds =
       (setup.parked ? 1U : 0U) | (setup.method ? 2U | method << 8 : 0U) |
       (setup.time_horizon ? 4U : 0U) | (setup.behavior == Behavior::cooperates ? 8U : 0U) |
-      (setup.arrival_distance ? 16U : 0U) | (setup.behavior == Behavior::moves_on ? 32U : 0U);
+      (setup.arrival_distance ? 16U : 0U) | (setup.behavior == Behavior::moves_on ? 32U : 0U) |
+      late_kinds(setup, kLateFields);
   archive.word(kinds);
+  const std::uint64_t late = kinds & kLateKinds;
   if constexpr (kReads) {
+    kinds &= ~kLateKinds;
     const bool has_method = (kinds & 2) != 0;
     const bool is_more_than_parked = (kinds & 1) != 0 && kinds != 1;
     if ((kinds & 0xc0) != 0 || (kinds & 40) == 40 || (!has_method && kinds >> 8 != 0) ||
@@ -180,6 +184,7 @@ void describe_kinds(Archive<kReads>& archive, RobotSetup& setup) {
   }
   if (setup.time_horizon) describe(archive, *setup.time_horizon);
   if (setup.arrival_distance) describe(archive, *setup.arrival_distance);
+  describe_late(archive, setup, late, kLateFields);
 }
 
 template <bool kReads>

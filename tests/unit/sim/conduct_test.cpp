@@ -161,8 +161,7 @@ TEST(Parked, elsewhere_than_at_its_goal_or_in_motion_is_refused) {
   setup.velocity = {0, 0.1};
   EXPECT_EQ(refused(setup), "robots.0.velocity: found [0, 0.1], must be [0, 0]: it is parked");
   EXPECT_EQ(refused(in_layer(parked_at({1, 2}), 6, 0xffffffff)),
-            "robots.0.layers: found [1, 2], must be left out: it is parked, and nobody may touch "
-            "it");
+            "robots.0.layers: found [1, 2], must be left out: it is parked");
 }
 
 TEST(Parked, has_arrived_and_counts_for_no_mean) {

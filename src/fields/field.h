@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: Apache-2.0
+// The table of fields of the public structs: key, member, range, unit and one line of text. Scene
+// files, checks of ranges, saved states and the bindings read it. Default values are those of the
+// structs themselves.
+#pragma once
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <type_traits>
+#include <variant>
+#include <vector>
+
+#include "avo/scenario.h"
+#include "core/ranges.h"
+
+namespace avo::inline fields {
+
+/// The kinds of values that T may have. std::monostate stands for a value with keys of its own,
+/// which code reads.
+template <class T, class... Kinds>
+using MemberOf = std::variant<std::monostate, Kinds T::*...>;
+template <class T>
+struct MembersOf {
+  using type = MemberOf<T, double, Vec2>;
+};
+template <>
+struct MembersOf<RobotSetup> {
+  using type = MemberOf<RobotSetup, double, std::optional<double>, Vec2, bool, LayerSet, Behavior,
+                        std::optional<Method>>;
+};
+template <>
+struct MembersOf<MovingObstacle> {
+  using type = MemberOf<MovingObstacle, double, std::optional<double>, Vec2, std::vector<Vec2>,
+                        std::vector<TimedPlace>>;
+};
+template <>
+struct MembersOf<Car> {
+  using type = MemberOf<Car, double, std::optional<double>, bool, AccelerationSet>;
+};
+template <>
+struct MembersOf<DifferentialDrive> {
+  using type = MemberOf<DifferentialDrive, double>;
+};
+template <>
+struct MembersOf<Airplane> {
+  using type = MemberOf<Airplane, double, AfterGoal>;
+};
+template <>
+struct MembersOf<Scenario> {
+  using type = MemberOf<Scenario, double, std::optional<double>, int, std::optional<int>,
+                        std::uint64_t, std::string, Method, std::optional<Certificate>, Motion,
+                        bool, std::optional<bool>, RightOfWay, Clock>;
+};
+template <>
+struct MembersOf<SensingModel> {
+  using type = MemberOf<SensingModel, double, int, bool>;
+};
+template <>
+struct MembersOf<MeasurementNoise> {
+  using type = MemberOf<MeasurementNoise, double, std::optional<double>, NoiseDistribution>;
+};
+template <>
+struct MembersOf<LocalizationNoise> {
+  using type = MemberOf<LocalizationNoise, double, std::optional<double>, NoiseDistribution>;
+};
+
+enum class Need : std::uint8_t { required, optional };
+inline constexpr Need kRequired = Need::required;
+inline constexpr Need kOptional = Need::optional;
+
+/// Which robots may have another value than the default: a parked robot decides nothing.
+enum class Whose : std::uint8_t { all, deciding };
+inline constexpr Whose kDeciding = Whose::deciding;
+
+template <class T, class Member = typename MembersOf<T>::type>
+struct Field {
+  std::string_view key;
+  Member member;
+  Need need = Need::optional;
+  Range range = {};       ///< of numbers; of both components of points; of the byte counts of texts
+  std::string_view unit;  ///< empty: none
+  std::string_view doc;   ///< one line
+  std::string_view default_text = "";  ///< if the default is not the struct's value
+  Whose whose = Whose::all;
+};
+
+/// Fields with keys of their own; ranges of layers, and of values that are not numbers.
+inline constexpr std::monostate kNested;
+inline constexpr Range kLayer{0.0, 31.0, false};
+inline constexpr Range kNoNumber{};
+
+/// visit(field, member) for each field of a table that has a member, in the table's order.
+template <class Table, class Visit>
+void for_each_member(const Table& table, const Visit& visit) {
+  for (const auto& field : table)
+    std::visit(
+        [&](const auto member) {
+          if constexpr (!std::is_same_v<decltype(member), const std::monostate>)
+            visit(field, member);
+        },
+        field.member);
+}
+
+/// Throws Error for the first number of the value that is outside of its field's range. name(key):
+/// the number's name, of any type that converts to a string.
+template <class T, class Table, class Name>
+void require_ranges(const T& value, const Table& table, const Name& name) {
+  for_each_member(table, [&](const auto& field, const auto member) {
+    const auto& own = value.*member;
+    using Value = std::decay_t<decltype(own)>;
+    if constexpr (std::is_same_v<Value, double> || std::is_same_v<Value, int>)
+      require(name(field.key), own, field.range, field.unit);
+    else if constexpr (std::is_same_v<Value, Vec2>)
+      require(name(field.key), own, field.unit);
+    else if constexpr (std::is_same_v<Value, std::optional<double>>)
+      if (own) require(name(field.key), *own, field.range, field.unit);
+  });
+}
+
+}  // namespace avo::inline fields
