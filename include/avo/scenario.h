@@ -64,16 +64,20 @@ inline double disc_radius(const RobotSetup& robot) {
   return disc_radius(robot.model, robot.radius);
 }
 
-/// Returns whether A avoids B by their layers. If B does not avoid A, B is a mover to A: it reacts
-/// to no other (docs/certificate/movers.md). If A has method avo, B is also a mover to A if it has
-/// another method: B promises nothing (docs/certificate/movers.md, "Robots of other methods").
+/// Returns whether A avoids B: by their layers, or because one of them is parked. A parked robot
+/// and one that decides avoid each other, two parked robots do not. If B does not avoid A, B is a
+/// mover to A: it reacts to no other (docs/certificate/movers.md). If A has method avo, B is also a
+/// mover to A if it has another method: B promises nothing (docs/certificate/movers.md, "Robots of
+/// other methods").
 constexpr bool avoids(const RobotSetup& a, const RobotSetup& b) {
+  if (a.parked || b.parked) return a.parked != b.parked;
   return (a.avoids.bits & b.layers.bits) != 0;
 }
 
-/// Returns whether the two may not be in one place: one of them avoids the other, or is parked.
+/// Returns whether the two may not be in one place: one of them avoids the other, or both are
+/// parked.
 constexpr bool keep_apart(const RobotSetup& a, const RobotSetup& b) {
-  return a.parked || b.parked || avoids(a, b) || avoids(b, a);
+  return (a.parked && b.parked) || avoids(a, b) || avoids(b, a);
 }
 
 /// A disc that reacts to no robot. It moves with constant acceleration, along a path, or as a

@@ -59,7 +59,7 @@ void append_robots(const avo::FleetView& fleet, const std::vector<Disc>& discs, 
     for (std::size_t j = i + 1; j < touched.size(); ++j) {
       if (discs[touched[i]].row == discs[touched[j]].row) continue;
       const auto &a = fleet.setup[discs[touched[i]].row], &b = fleet.setup[discs[touched[j]].row];
-      if (!avoids(a, b) || !avoids(b, a) || (a.parked && b.parked)) continue;
+      if (!avoids(a, b) || !avoids(b, a)) continue;
       const Disc& other = discs[touched[j]];
       append_overlap(discs[touched[i]], other.name, other.center, other.radius, contacts);
     }

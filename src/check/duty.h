@@ -10,13 +10,13 @@
 namespace avo::judge {
 
 inline bool avoids(const CheckedRobot& a, const CheckedRobot& b) {
+  if (a.parked || b.parked) return a.parked != b.parked;
   return (a.avoids & b.layers) != 0;
 }
 
 /// Which robots of a pair must keep clear of the other.
 enum class Duty : unsigned char { nobody, first, second, both };
 inline Duty duty(const CheckedRobot& a, const CheckedRobot& b) {
-  if (a.parked || b.parked) return a.parked && b.parked ? Duty::nobody : Duty::both;
   if (avoids(a, b)) return avoids(b, a) ? Duty::both : Duty::first;
   return avoids(b, a) ? Duty::second : Duty::nobody;
 }

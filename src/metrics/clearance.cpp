@@ -44,8 +44,10 @@ namespace {
 
 constexpr double kNobody = std::numeric_limits<double>::infinity();
 
+// As avoids() of the robots, both ways.
 bool avoid_each_other(const ClearanceDisc& a, const ClearanceDisc& b) {
-  return (a.avoids & b.layers) != 0 && (b.avoids & a.layers) != 0 && !(a.parked && b.parked);
+  if (a.parked || b.parked) return a.parked != b.parked;
+  return (a.avoids & b.layers) != 0 && (b.avoids & a.layers) != 0;
 }
 
 FleetGrid grid_over(std::span<const Vec2> centers, std::size_t count) {

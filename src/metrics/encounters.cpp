@@ -14,11 +14,10 @@ namespace {
 constexpr double kSurely = 1.0 + 1e-9;  // of lengths
 constexpr double kAtRest = 1e-9;        // of max_speed: a slower robot is at rest
 
-// Which of two robots avoid the other. Parked robots cannot avoid others.
+// Which of two robots avoid the other.
 enum class Avoidance : unsigned char { none, one_sided, mutual };
 Avoidance avoidance(const RobotSetup& a, const RobotSetup& b) {
   if (&a == &b) return Avoidance::none;  // two discs of one robot
-  if (a.parked || b.parked) return a.parked && b.parked ? Avoidance::none : Avoidance::mutual;
   const bool of_a = avoids(a, b), of_b = avoids(b, a);
   if (of_a && of_b) return Avoidance::mutual;
   return of_a || of_b ? Avoidance::one_sided : Avoidance::none;

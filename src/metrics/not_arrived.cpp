@@ -51,8 +51,7 @@ NotArrived LastSeen::describe(std::size_t robot, std::span<const RobotSetup> set
     if (beyond <= kTouching * contact) near.emplace_back(beyond, name);
   };
   for (std::size_t i = 0; i < robots.size(); ++i) {
-    const bool minds = setups[i].parked || (self.avoids.bits & setups[i].layers.bits) != 0;
-    if (i == robot || !minds) continue;
+    if (i == robot || !avoids(self, setups[i])) continue;
     consider(robots[i].position, setups[i].radius, static_cast<std::int64_t>(robots[i].id.value));
   }
   for (std::size_t k = 0; k < obstacles.size(); ++k) {

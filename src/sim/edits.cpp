@@ -30,8 +30,8 @@ void add_clock(World& world, const RobotSetup& setup) {
   start_clock(world, slot);
 }
 
-// Adds one entry to all data that have an entry for each robot, except the routes; nothing has
-// changed where it throws.
+}  // namespace
+
 void join(World& world, const RobotSetup& setup, RobotId robot) {
   const OwnPace pace = world.pace_of(setup, true);
   world.senses.reserve_one(
@@ -51,8 +51,6 @@ void join(World& world, const RobotSetup& setup, RobotId robot) {
   }
 }
 
-}  // namespace
-
 void go_around_resting(World& world) {
   if (world.obstacles.rest_as(world.ways.front().resting())) return;
   catch_up(world);
@@ -60,42 +58,6 @@ void go_around_resting(World& world) {
 }
 
 namespace {
-
-// The same obstacles beside other parked robots.
-StaticWorld beside(const World& world, std::vector<Wall> parked) {
-  const StaticWorld& statics = world.statics;
-  return {statics.obstacles, statics.id, statics.next_id, std::move(parked),
-          layers_of(world.fleet)};
-}
-
-void park(World& world, const RobotSetup& setup, RobotId robot) {
-  const Wall own = parked_wall(setup);
-  const std::vector<Vec2> ends = own.a == own.b ? std::vector{own.a} : std::vector{own.a, own.b};
-  const StaticObstacle disc{{{ends, false}}, own.radius, Fill::none};
-  check_newly_static(world, disc, name_of(robot));
-  check_start(world, setup, robot);
-  std::vector<Wall> parked = world.statics.parked;
-  parked.push_back(own);
-  StaticWorld statics = beside(world, std::move(parked));
-  Routes routes = routes_among(world, statics);
-  routes.travels.reserve(world.fleet.size() + 1);
-  if (statics.floors.size() > 1) routes.floor.push_back(0);
-  world.claims.resize(std::max(world.claims.size(), statics.floors.size()));
-  join(world, setup, robot);
-  routes.travels.emplace_back();  // there is room
-  world.statics = std::move(statics);
-  adopt(world, std::move(routes));
-}
-
-void remove_parked(World& world, std::size_t slot) {
-  Fleet& fleet = world.fleet;
-  std::vector<Wall> parked;
-  for (const std::uint32_t other : fleet.slot_of) {
-    if (fleet.conduct[other].parked && other != slot)
-      parked.push_back(parked_wall(fleet.setup(other)));
-  }
-  replace(world, beside(world, std::move(parked)));
-}
 
 // Makes room for one more, rarely.
 template <typename Entry>
@@ -110,7 +72,7 @@ RobotId add_robot(World& world, const RobotSetup& setup) {
   catch_up(world);
   check_values(world, setup, robot, world.statics.has_walls);
   if (setup.parked) {
-    park(world, setup, robot);
+    add_parked(world, setup, robot);
     return robot;
   }
   const std::uint32_t floor = floor_for(world, setup.layers);
@@ -135,7 +97,7 @@ RobotId add_robot(World& world, const RobotSetup& setup) {
 void remove_robot(World& world, RobotId robot) {
   const std::size_t slot = world.fleet.find(robot);
   catch_up(world);
-  if (world.fleet.conduct[slot].parked) remove_parked(world, slot);
+  if (world.fleet.conduct[slot].parked) take_away_parked(world, slot);
   if (world.kinds) world.kinds->remove(world.fleet.setup(slot));
   std::vector<Travel>& travels = world.travels;
   if (!travels.empty()) travels.erase(travels.begin() + world.fleet.rank[slot]);

@@ -23,6 +23,13 @@ void set_preferred_velocities(World& world, std::span<const RobotId> robots,
 std::vector<RobotId> add_robots(World& world, std::span<const RobotSetup> setups);
 void remove_robots(World& world, std::span<const RobotId> robots);
 void change_robot(World& world, RobotId robot, const RobotSetup& setup);
+/// Adds a robot to all data that have an entry for each one, except the routes; nothing has changed
+/// where it throws.
+void join(World& world, const RobotSetup& setup, RobotId robot);
+/// Adds a parked robot, and a wall where it is. Its values were checked.
+void add_parked(World& world, const RobotSetup& setup, RobotId robot);
+/// Removes the wall of a parked robot.
+void take_away_parked(World& world, std::size_t slot);
 /// Parks a robot at rest where it is, or sets a parked robot free there. changed: its setup then.
 void park_or_free(World& world, std::size_t slot, RobotSetup changed);
 void set_preferred_velocity(World& world, RobotId robot, std::optional<Vec2> velocity);

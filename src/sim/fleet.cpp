@@ -140,12 +140,17 @@ void Fleet::remove(std::size_t slot) {
   });
 }
 
-std::vector<Wall> Fleet::parked_discs() const {
-  std::vector<Wall> discs;
+std::vector<Wall> Fleet::parked_walls(std::optional<std::size_t> changed,
+                                      const std::optional<Wall>& own) const {
+  std::vector<Wall> walls;
   for (const std::uint32_t slot : slot_of) {
-    if (conduct[slot].parked) discs.push_back(parked_wall(setup(slot)));
+    if (changed == slot) {
+      walls.insert(walls.end(), own ? 1 : 0, own.value_or(Wall{}));
+    } else if (conduct[slot].parked) {
+      walls.push_back(parked_wall(model(slot), position[slot], traits[slot].radius, heading[slot]));
+    }
   }
-  return discs;
+  return walls;
 }
 
 // A robot's rank is its number, less the number of removed robots before it.
@@ -235,11 +240,10 @@ Neighbor sensed(const RobotTraits& traits, const Conduct& conduct, Expectation e
   return neighbor;
 }
 
-Wall parked_wall(const RobotSetup& setup) {
-  const Vec2 center = disc_center(setup);
-  const Footprint footprint = footprint_of(setup.model);
-  if (!footprint) return {center, center, disc_radius(setup)};
-  const Vec2 ahead = ahead_of(setup.heading);
+Wall parked_wall(const MotionModel& model, Vec2 center, double radius, double heading) {
+  const Footprint footprint = footprint_of(model);
+  if (!footprint) return {center, center, radius};
+  const Vec2 ahead = ahead_of(heading);
   return {center + footprint.first * ahead, center + footprint.ahead(footprint.discs - 1) * ahead,
           footprint.radius};
 }

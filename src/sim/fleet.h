@@ -60,8 +60,12 @@ Neighbor sensed(const RobotTraits& traits, const Conduct& conduct, Expectation e
                 Vec2 position, Vec2 velocity);
 /// Adds the footprint of a robot of that model to what others sense of it.
 void cover(const MotionModel& model, const BrakingPose& pose, Neighbor& neighbor);
-/// A parked robot as others know it: all discs of its footprint, and what is between them.
-Wall parked_wall(const RobotSetup& setup);
+/// A parked robot as others know it, by the center of its disc: all discs of its footprint, and
+/// what is between them.
+Wall parked_wall(const MotionModel& model, Vec2 center, double radius, double heading);
+inline Wall parked_wall(const RobotSetup& setup) {
+  return parked_wall(setup.model, disc_center(setup), disc_radius(setup), setup.heading);
+}
 /// m/s; for a robot with a heading it points along the heading, or against it.
 Vec2 start_velocity(const RobotSetup& setup);
 
@@ -135,8 +139,9 @@ struct Fleet {
   /// Takes all of the setup but its state, goal, model and clock. It may throw bad_alloc before any
   /// change.
   void change(std::size_t slot, const RobotSetup& setup, const OwnPace& own_pace);
-  /// The discs of parked robots, in the order of their ids.
-  std::vector<Wall> parked_discs() const;
+  /// The walls of parked robots, in the order of their ids, as if one robot had this wall, or none.
+  std::vector<Wall> parked_walls(std::optional<std::size_t> changed = {},
+                                 const std::optional<Wall>& own = {}) const;
   /// Slot of the robot.
   std::optional<std::size_t> slot(RobotId robot) const;
   /// Throws Error if there is no such robot.

@@ -12,7 +12,7 @@ namespace {
 RobotSetup kind_of(RobotSetup setup) {
   setup.position = setup.velocity = setup.goal = {};
   setup.heading = 0.0;
-  if (!setup.parked) setup.arrival_distance.reset();  // parked robots may not have any
+  setup.arrival_distance.reset();
   return setup;
 }
 

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// Parks a robot where it stands, or sets a parked robot free, between two steps.
+// Parked robots between two steps: they come and go, a robot parks where it stands, or is set free.
 #include <algorithm>
 #include <cstddef>
+#include <optional>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -15,17 +17,28 @@
 namespace avo::inline sim {
 namespace {
 
-// The discs of parked robots, in the order of their ids, once this robot is parked or free.
-std::vector<Wall> discs_with(const Fleet& fleet, std::size_t changed, bool is_parked) {
-  std::vector<Wall> discs;
-  for (const std::uint32_t slot : fleet.slot_of) {
-    if (slot == changed ? is_parked : fleet.conduct[slot].parked)
-      discs.push_back({fleet.position[slot], fleet.position[slot], fleet.traits[slot].radius});
-  }
-  return discs;
+// The same obstacles beside other parked robots, for robots in these layers.
+StaticWorld beside(const World& world, std::vector<Wall> parked, std::span<const LayerSet> layers) {
+  const StaticWorld& statics = world.statics;
+  return {statics.obstacles, statics.id, statics.next_id, std::move(parked), layers};
 }
 
-void check(World& world, std::size_t slot, const RobotSetup& changed) {
+// Refuses a new wall of a parked robot, of its own id, where a robot could not stop before it.
+void check_wall(World& world, const Wall& wall, RobotId robot, std::optional<RobotId> own) {
+  const std::vector<Vec2> ends =
+      wall.a == wall.b ? std::vector{wall.a} : std::vector{wall.a, wall.b};
+  check_newly_static(world, {{{ends, false}}, wall.radius, Fill::none}, name_of(robot), own);
+}
+
+// Its wall where it stands; none where it is set free.
+std::optional<Wall> wall_of(const Fleet& fleet, std::size_t slot, const RobotSetup& changed) {
+  if (!changed.parked) return std::nullopt;
+  return parked_wall(changed.model, fleet.position[slot], disc_radius(changed),
+                     fleet.heading[slot]);
+}
+
+void check(World& world, std::size_t slot, const RobotSetup& changed,
+           const std::optional<Wall>& wall) {
   const RobotId robot = world.fleet.id[slot];
   const double speed = norm(world.fleet.velocity[slot]);
   if (world.fleet.has_clocks)
@@ -35,12 +48,10 @@ void check(World& world, std::size_t slot, const RobotSetup& changed) {
   check_values(world, changed, robot, world.statics.has_walls);
   if (!world.kinds) world.kinds.emplace(world.fleet);
   look_around_starts(world);
-  if (changed.parked) {
-    const Vec2 center = world.fleet.position[slot];
-    check_newly_static(world, {{{{center}, false}}, disc_radius(changed)}, name_of(robot), robot);
-  } else {
+  if (wall)
+    check_wall(world, *wall, robot, robot);
+  else
     check_company(world, changed, robot);
-  }
   check_start(world, changed, robot);
 }
 
@@ -62,17 +73,37 @@ Routes routes_with(const World& world, const StaticWorld& statics, std::size_t s
 
 }  // namespace
 
+void add_parked(World& world, const RobotSetup& setup, RobotId robot) {
+  const Wall own = parked_wall(setup);
+  check_wall(world, own, robot, {});
+  check_start(world, setup, robot);
+  std::vector<Wall> parked = world.statics.parked;
+  parked.push_back(own);
+  StaticWorld statics = beside(world, std::move(parked), layers_of(world.fleet));
+  Routes routes = routes_among(world, statics);
+  routes.travels.reserve(world.fleet.size() + 1);
+  if (statics.floors.size() > 1) routes.floor.push_back(0);
+  world.claims.resize(std::max(world.claims.size(), statics.floors.size()));
+  join(world, setup, robot);
+  routes.travels.emplace_back();  // there is room
+  world.statics = std::move(statics);
+  adopt(world, std::move(routes));
+}
+
+void take_away_parked(World& world, std::size_t slot) {
+  replace(world, beside(world, world.fleet.parked_walls(slot), layers_of(world.fleet)));
+}
+
 void park_or_free(World& world, std::size_t slot, RobotSetup changed) {
   Fleet& fleet = world.fleet;
   changed.goal = changed.position;
-  check(world, slot, changed);
+  const std::optional<Wall> wall = wall_of(fleet, slot, changed);
+  check(world, slot, changed, wall);
   const double sensing_radius = sensing_radius_with(world, changed);
   const OwnPace pace = world.pace_of(changed, true);
   std::vector<LayerSet> layers = layers_of(fleet);
   if (!changed.parked) layers.push_back(changed.layers);
-  const StaticWorld& now = world.statics;
-  StaticWorld statics(now.obstacles, now.id, now.next_id, discs_with(fleet, slot, changed.parked),
-                      layers);
+  StaticWorld statics = beside(world, fleet.parked_walls(slot, wall), layers);
   Routes routes = routes_with(world, statics, slot, changed);
   world.claims.resize(std::max(world.claims.size(), statics.floors.size()));
   fleet.change(slot, changed, pace);

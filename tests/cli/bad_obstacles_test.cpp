@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "run_avo.h"
+#include "support/bad_scenes.h"
 
 namespace avo_test {
 namespace {
@@ -284,11 +285,8 @@ const std::vector<Bad> kScens{
          "{scen: a.scen, number: 2, radius: 0.6}"),
     scen("unknown_key", "",
          "s.yaml:5:29: robots_from: found the unknown key \"numbr\", allowed "
-         "are scen, number, velocity, radius, max_speed, max_acceleration, preferred_speed, model, "
-         "heading, car, drive, airplane, footprint, "
-         "priority, max_braking, parked, layers, avoids, behavior, time_step, method, "
-         "time_horizon, arrival_distance; "
-         "did you mean \"number\"?",
+         "are scen, number, " +
+             kGroupRobotKeys + "; did you mean \"number\"?",
          "{scen: a.scen, numbr: 2}"),
     {"no_map",
      "robots_from: {scen: a.scen, number: 1}\n",

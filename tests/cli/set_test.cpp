@@ -6,6 +6,7 @@
 
 #include "avo_io/scene.h"
 #include "run_avo.h"
+#include "support/bad_scenes.h"
 
 namespace avo_test {
 namespace {
@@ -100,11 +101,7 @@ TEST(Set, a_longer_way_takes_more_time_where_the_file_leaves_it_open) {
 }
 
 TEST(Set, is_refused_by_name) {
-  const std::string robot =
-      "allowed are position, velocity, goal, radius, max_speed, max_acceleration, "
-      "preferred_speed, model, heading, car, drive, airplane, footprint, priority, "
-      "max_braking, parked, layers, avoids, behavior, time_step, method, time_horizon, "
-      "arrival_distance";
+  const std::string robot = "allowed are " + kRobotKeys;
   EXPECT_EQ(refusal({"time_step=-1"}), "--set time_step=-1: time_step: found -1, must be > 0 s");
   EXPECT_EQ(refusal({"time_step=0.1 s"}),
             "--set time_step=0.1 s: time_step: found \"0.1 s\", must be a number (s)");

@@ -19,9 +19,10 @@ std::vector<float> by_all_pairs(const Scenario& scenario) {
   for (const RobotSetup& a : scenario.robots) {
     double least = std::numeric_limits<double>::infinity();
     for (const RobotSetup& b : scenario.robots) {
-      const bool both =
+      const bool by_layers =
           (a.avoids.bits & b.layers.bits) != 0 && (b.avoids.bits & a.layers.bits) != 0;
-      if (&a == &b || !both || (a.parked && b.parked) || std::isnan(b.position.x)) continue;
+      const bool both = a.parked != b.parked || (!a.parked && by_layers);
+      if (&a == &b || !both || std::isnan(b.position.x)) continue;
       least =
           std::min(least, norm(disc_center(a) - disc_center(b)) - disc_radius(a) - disc_radius(b));
     }

@@ -356,12 +356,8 @@ const std::vector<BadScene>& bad_scenes() {
        s("version: 1\ngroups:\n  - {number: 3, placement: circle, goals: antipodal, position: [0, "
          "0]}\n"),
        "3:54: groups.0: found the unknown key \"position\", allowed are number, placement, goals, "
-       "task, jitter, velocity, radius, max_speed, max_acceleration, preferred_speed, model, "
-       "heading, "
-       "car, "
-       "drive, "
-       "airplane, footprint, priority, max_braking, parked, layers, avoids, behavior, time_step, "
-       "method, time_horizon, arrival_distance"},
+       "task, jitter, " +
+           kGroupRobotKeys},
       {"placement_unknown",
        s("version: 1\ngroups:\n  - {number: 3, placement: cirle, goals: antipodal}\n"),
        "3:28: groups.0.placement: found \"cirle\", must be one of circle, grid, line, random, "

@@ -4,6 +4,9 @@
 #include <string>
 #include <vector>
 
+#include "fields/robot_fields.h"
+#include "fields/scene_fields.h"
+
 namespace avo_test {
 
 /// Returns text that includes its NUL bytes.
@@ -13,18 +16,19 @@ std::string s(const char (&text)[N]) {
 }
 
 inline const std::string kGood = "version: 1\nrobots:\n  - {position: [0, 0], goal: [1, 0]}\n";
-inline const std::string kSceneKeys =
-    "version, name, time_step, duration, control_time, response_time, "
-    "comfort_acceleration, comfort_jerk, margin, never_swerves, time_horizon, sensing_radius, "
-    "max_neighbors, method, external_method, certificate, motion, arrival_distance, seed, "
-    "robots, groups, robots_from, "
-    "moving_obstacles, obstacles, navigation, right_of_way, sensing, sensing_error, clock, "
-    "allow_broken_assumptions";
-inline const std::string kRobotKeys =
-    "position, velocity, goal, radius, max_speed, max_acceleration, preferred_speed, model, "
-    "heading, car, drive, airplane, footprint, "
-    "priority, max_braking, parked, layers, avoids, behavior, time_step, method, time_horizon, "
-    "arrival_distance";
+/// The keys of a table of fields, as messages list them.
+template <class Table>
+std::string listed(const Table& table, bool has_places = true) {
+  std::string keys;
+  for (const auto& field : table) {
+    if (!has_places && (field.key == "position" || field.key == "goal")) continue;
+    keys.append(keys.empty() ? "" : ", ").append(field.key);
+  }
+  return keys;
+}
+inline const std::string kSceneKeys = listed(avo::kScenarioFields);
+inline const std::string kRobotKeys = listed(avo::kRobotFields);
+inline const std::string kGroupRobotKeys = listed(avo::kRobotFields, false);
 
 struct BadScene {
   const char* name;

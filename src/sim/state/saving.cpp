@@ -274,7 +274,7 @@ void restore(const SavedState& state, World& world) {
   ObstacleColumns obstacles = obstacles_of(state);
   std::optional<StaticWorld> statics;
   std::vector<Ways> other_ways;
-  std::vector<Wall> parked = fleet.parked_discs();
+  std::vector<Wall> parked = fleet.parked_walls();
   if (state.static_ids != world.statics.id || state.scene.obstacles != world.statics.obstacles ||
       !are_same(parked, world.statics.parked) || !has_floors(world.statics, fleet))
     statics.emplace(state.scene.obstacles, state.static_ids, state.next_obstacle, std::move(parked),

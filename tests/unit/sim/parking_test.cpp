@@ -86,5 +86,35 @@ TEST(Parking, equals_a_robot_that_was_parked_before) {
   }
 }
 
+// A robot that parks has the wall of one that was parked there: of its new radius, and as long as
+// its footprint. Bodies of drives are ahead of their places.
+TEST(Parking, has_the_wall_of_its_body) {
+  const DifferentialDrive drive{.offset = 0.3};
+  DifferentialDrive covered;
+  covered.footprint = {.discs = 3, .radius = 0.5, .first = -0.6, .spacing = 0.6};
+  Car truck;
+  truck.footprint = {.discs = 4, .radius = 0.6, .first = 0.0, .spacing = 0.9};
+  for (const MotionModel& model :
+       {MotionModel{}, MotionModel{drive}, MotionModel{covered}, MotionModel{truck}}) {
+    Scenario scene;
+    scene.robots = {robot_at({0.1, 0.2}, {0.1, 0.2}), robot_at({-8, 0.1}, {8, 0}),
+                    robot_at({8, 2}, {-8, 0})};
+    scene.robots[0].model = model, scene.robots[0].heading = 1.1;
+    scene.sensing_radius = 20.0;  // else it was chosen with this robot in mind
+    Simulation changed(scene, 1);
+    RobotSetup wide = changed.setup(0);
+    wide.parked = true, wide.radius = 0.8;
+    changed.change_robot({0}, wide);
+    scene.robots[0].parked = true, scene.robots[0].radius = 0.8;
+    Simulation given(scene, 1);
+    Simulation continued(changed.save(), 1);
+    for (int step = 0; step < 60; ++step) {
+      changed.step(), given.step(), continued.step();
+      ASSERT_EQ(changed.state_hash(), given.state_hash()) << model.index() << " " << step;
+      ASSERT_EQ(changed.state_hash(), continued.state_hash()) << model.index() << " " << step;
+    }
+  }
+}
+
 }  // namespace
 }  // namespace avo

@@ -245,9 +245,7 @@ class Edited {
       }
       for (std::size_t j = 0; j < k && keeps_promise(); ++j) {
         const RobotSetup& other = fleet.setup[j];
-        const bool mutual =
-            own.parked || other.parked || (avoids(own, other) && avoids(other, own));
-        if (!mutual || (own.parked && other.parked)) continue;
+        if (!avoids(own, other) || !avoids(other, own)) continue;
         EXPECT_GT(norm(center(k) - center(j)) - disc_radius(own) - disc_radius(other), -1e-9)
             << "robots " << fleet.id[j].value << " and " << fleet.id[k].value << " after "
             << simulation_.steps();
