@@ -9,19 +9,19 @@ import sys
 ALLOWED = {
     "core": set(),
     "check": {"core"},
+    "spatial": {"core"},
     "walls": {"core"},
     "obstacles": {"core"},
     "lp": {"core"},
-    "neighbors": {"core"},
     "robots": {"core"},
     "navigation": {"core", "walls"},
     "certificate": {"core", "walls", "robots"},
     "planner": {"core", "walls", "obstacles", "lp", "certificate", "robots"},
     "guidance": {"core", "walls", "robots", "navigation", "certificate", "planner"},
     "navigator": {"core", "walls", "robots", "navigation", "certificate", "planner", "guidance"},
-    "sim": {"core", "walls", "neighbors", "robots", "navigation", "certificate", "planner", "guidance"},
-    "metrics": {"core", "walls", "neighbors"},
-    "space": {"core", "obstacles", "neighbors", "certificate", "planner", "guidance", "metrics"},
+    "sim": {"core", "spatial", "walls", "robots", "navigation", "certificate", "planner", "guidance"},
+    "metrics": {"core", "spatial", "walls"},
+    "space": {"core", "spatial", "obstacles", "certificate", "planner", "guidance", "metrics"},
 }
 # folder outside src/ -> folders and single headers of quoted includes that it may use
 OUTER = {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "avo/wall.h"
-#include "neighbors/uniform_grid.h"
+#include "spatial/point_grid.h"
 
 namespace avo::inline metrics {
 
@@ -29,7 +29,7 @@ class WallSearch {
   double total_length_ = 0.0;         // m
   double prepared_ = -1.0;            // m, negative: for none
   std::vector<std::size_t> wall_of_;  // by piece
-  UniformGrid grid_;
+  PointGrid grid_;
   SearchScratch scratch_;
   std::vector<std::size_t> near_;
 };
