@@ -20,7 +20,7 @@ ALLOWED = {
     "guidance": {"core", "walls", "robots", "navigation", "certificate", "planner"},
     "navigator": {"core", "walls", "robots", "navigation", "certificate", "planner", "guidance"},
     "sim": {"core", "spatial", "walls", "robots", "navigation", "certificate", "planner", "guidance"},
-    "metrics": {"core", "spatial", "walls"},
+    "metrics": {"core", "check", "spatial", "walls"},
     "space": {"core", "spatial", "obstacles", "certificate", "planner", "guidance", "metrics"},
 }
 # folder outside src/ -> folders and single headers of quoted includes that it may use

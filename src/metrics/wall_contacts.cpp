@@ -58,7 +58,7 @@ void WallContacts::observe(std::span<const Body> robots, const std::optional<Res
     if (robot.arc) return separation(robot.arc->path, segment, cutoff);
     if (!response || !robot.exact) return separation(robot.path, segment, cutoff);
     const ResponsePath path{robot.position, robot.velocity, robot.w, *response, time_step};
-    return separation(path, segment, cutoff);
+    return separation(path, segment);
   };
   for (const Body& robot : robots) {
     for (const std::uint32_t k : grid.list_at(robot.position)) {
