@@ -126,6 +126,9 @@ TEST(SegmentGrid, lists_each_number_once_in_ascending_order) {
           EXPECT_TRUE(std::binary_search(list.begin(), list.end(), i)) << i;
         }
       }
+      if (!grid.covers(p)) {
+        EXPECT_TRUE(list.empty());
+      }
       const SegmentGrid::Cell cell = grid.cell_of(p);
       const Vec2 low = grid.corner(cell), high = low + grid.side() * Vec2{1.0, 1.0};
       if (grid.covers(p) && !list.empty()) {
