@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "neighbors/uniform_grid.h"
+#include "spatial/point_grid.h"
 
 namespace avo {
 namespace {
@@ -28,7 +28,7 @@ std::vector<Vec2> random_positions(int n, double crowd) {
 }
 
 void in_order_of_cells(std::vector<Vec2>& positions) {
-  UniformGrid grid;
+  PointGrid grid;
   grid.build(positions, 1.0);
   std::vector<Vec2> ordered;
   for (const std::uint32_t i : grid.order()) ordered.push_back(positions[i]);
@@ -39,7 +39,7 @@ void index_and_gather(benchmark::State& state, double crowd, bool ordered) {
   const auto n = static_cast<int>(state.range(0));
   std::vector<Vec2> positions = random_positions(n, crowd);
   if (ordered) in_order_of_cells(positions);
-  UniformGrid grid;
+  PointGrid grid;
   SearchScratch scratch;
   for (auto _ : state) {
     grid.build(positions, 1.0);
@@ -59,7 +59,7 @@ void index_only(benchmark::State& state) {
   std::vector<Vec2> positions;
   positions.reserve(100000);
   for (int i = 0; i < 100000; ++i) positions.push_back({std::fmod(i * 0.618, 300.0), i * 0.003});
-  UniformGrid grid;
+  PointGrid grid;
   for (auto _ : state) {
     grid.build(positions, 1.0);
     benchmark::ClobberMemory();

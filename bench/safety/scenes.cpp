@@ -21,11 +21,6 @@ void add_group(Scenario& scenario, const std::vector<Vec2>& starts,
   }
 }
 
-std::vector<Vec2> moved(std::vector<Vec2> points, Vec2 by) {
-  for (Vec2& point : points) point = point + by;
-  return points;
-}
-
 }  // namespace
 
 double straight_time(const Scenario& scenario) {
@@ -83,23 +78,6 @@ Scene measured_by_straight_time(Scenario scenario) {
   return scene;
 }
 
-Scene circle(const CircleRow& row, std::uint64_t seed) {
-  Scene scene{usual_scenario()};
-  Random random(seed, 1);
-  const double radius = std::max(20.0, 2.25 * row.robots / (2.0 * kPi));
-  for (int k = 0; k < row.robots; ++k) {
-    const Vec2 place = radius * circle_point(k, row.robots);
-    const Vec2 start = place + random.in_square(2.0 * row.jitter);
-    const Vec2 goal = random.in_square(2.0 * row.jitter) - place;
-    scene.scenario.robots.push_back(usual_robot(start, goal, 2.0));
-  }
-  if (row.control_time) scene.scenario.control_time = *row.control_time;
-  if (row.time_horizon) scene.scenario.time_horizon = *row.time_horizon;
-  scene.unit = row.target;
-  scene.scenario.duration = 1.5 * row.target;
-  return scene;
-}
-
 Scene random_square(int n, std::uint64_t seed) {
   Scene scene{usual_scenario()};
   Random random(seed, 2);
@@ -109,36 +87,6 @@ Scene random_square(int n, std::uint64_t seed) {
   add_group(scene.scenario, starts, random_places(radii, side, 0.5, random));
   scene.unit = scene.scenario.duration = 60.0;
   return scene;
-}
-
-Scene swap_blocks(double jitter, std::uint64_t seed) {
-  Scenario scenario = usual_scenario();
-  Random random(seed, 3);
-  for (const double side : {-1.0, 1.0}) {
-    std::vector<Vec2> starts = block({15.0 * side, 0.0}, 10, 10, 2.0);
-    for (Vec2& start : starts) start = start + random.in_square(2.0 * jitter);
-    add_group(scenario, starts, moved(starts, {-30.0 * side, 0.0}));
-  }
-  return measured_by_straight_time(std::move(scenario));
-}
-
-Scene crossing_streams(double jitter, std::uint64_t seed) {
-  Scenario scenario = usual_scenario();
-  Random random(seed, 30);
-  for (const Vec2 from : {Vec2{-20.0, 0.0}, {20.0, 0.0}, {0.0, 20.0}, {0.0, -20.0}}) {
-    std::vector<Vec2> starts = block(from, 4, 4, 2.0);
-    for (Vec2& start : starts) start = start + random.in_square(2.0 * jitter);
-    add_group(scenario, starts, moved(starts, -2.0 * from));
-  }
-  return measured_by_straight_time(std::move(scenario));
-}
-
-Scene permutation(std::uint64_t seed) {
-  Scenario scenario = usual_scenario();
-  Random random(seed, 4);
-  const std::vector<Vec2> starts = block({}, 10, 10, 2.5);
-  add_group(scenario, starts, dealt_anew(starts, random));
-  return measured_by_straight_time(std::move(scenario));
 }
 
 Scene mixed(std::uint64_t seed) {

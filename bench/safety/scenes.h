@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Scenes over which safety and arrival are measured. All robots start at rest.
+// Scenes over which safety and arrival are measured, as far as no YAML says them (read_scene.h).
+// All robots start at rest.
 #pragma once
 #include <cstdint>
 #include <optional>
@@ -59,28 +60,8 @@ void see_far_enough(Scenario& scenario);
 /// often.
 Scene with_clocks(Scene scene, bool unequal, std::uint64_t seed);
 
-/// Circle-N of the paper's §VI-B.
-struct CircleRow {
-  int robots = 0;
-  double target = 0.0;  ///< s
-  std::optional<double> control_time = {}, time_horizon = {};
-  double jitter = 0.0;  ///< m, of starts and goals along each axis
-};
-Scene circle(const CircleRow& row, std::uint64_t seed);
-
 /// Returns n robots with random starts and goals in a square of 8 m or of 12 % density.
 Scene random_square(int n, std::uint64_t seed);
-
-/// Returns two blocks of 10 x 10, 2 m apart, that exchange places; there are 30 m between the
-/// blocks' centers. jitter: as in CircleRow, here for robots together with their goals.
-Scene swap_blocks(double jitter, std::uint64_t seed);
-
-/// Returns blocks of 4 x 4, 2 m apart, with centers 20 m from the crossing, each going to the
-/// opposite side.
-Scene crossing_streams(double jitter, std::uint64_t seed);
-
-/// Returns 10 x 10 robots, 2.5 m apart, that go to each other's places; no robot keeps its own.
-Scene permutation(std::uint64_t seed);
 
 /// Returns 60 unequal robots, 15 % of the square's area, with random starts and goals in it.
 Scene mixed(std::uint64_t seed);

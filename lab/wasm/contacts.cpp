@@ -75,8 +75,7 @@ void append_walls(const avo::Simulation& simulation, const std::vector<Disc>& di
     const std::vector<avo::Wall> walls = avo::walls_of(obstacles.setup.subspan(k, 1));
     std::vector<double> reach;
     for (const avo::Wall& wall : walls) reach.push_back(largest + wall.radius);
-    avo::WallGrid grid;
-    grid.build(walls, reach);
+    const avo::WallGrid grid(walls, reach);
     const std::string name = "obstacles." + std::to_string(obstacles.id[k].value);
     for (std::size_t i = 0; i < discs.size(); ++i) {
       if (simulation.fleet().setup[discs[i].row].parked) continue;

@@ -53,9 +53,7 @@ WallGrid grid_of(std::span<const Wall> walls, const WallNeeds& needs) {
     const double exact = needs.reach + wall.radius + wall_margin(wall, needs.rounding);
     within.push_back(exact * (1.0 + kRounding));
   }
-  WallGrid grid;
-  grid.build(walls, within);
-  return grid;
+  return {walls, within};
 }
 
 }  // namespace avo::inline guidance

@@ -21,7 +21,7 @@ double off_arc(const Body& body) {
   return body.arc ? body.arc->path.length * std::abs(body.arc->path.turn) : 0.0;
 }
 
-StepPath part_of(const Body& body, int part, double step) {
+StepPath path_in(const Body& body, int part, double step) {
   constexpr double kShare = 1.0 / kParts;
   const double from = part * kShare, to = (part + 1) * kShare;
   if (body.arc) return hermite_path(part_of(*body.arc, from, to), kShare * step);
@@ -30,15 +30,15 @@ StepPath part_of(const Body& body, int part, double step) {
 
 }  // namespace
 
-Separation separation_of(const Body& a, const Body& b, double step, double cutoff) {
+judge::Instant separation_of(const Body& a, const Body& b, double step, double cutoff) {
   const double off = off_arc(a) + off_arc(b);
-  const Separation roughly = separation(a.path, b.path, cutoff + off);
+  const judge::Instant roughly = separation(a.path, b.path, cutoff + off);
   if (off == 0.0 || roughly.distance > cutoff + off) return roughly;
-  Separation least{std::numeric_limits<double>::infinity(), 0.0};
+  judge::Instant least{0.0, std::numeric_limits<double>::infinity()};
   for (int part = 0; part < kParts; ++part) {
-    const Separation own = separation(part_of(a, part, step), part_of(b, part, step),
-                                      std::min(cutoff, least.distance));
-    if (own.distance < least.distance) least = {own.distance, (part + own.fraction) / kParts};
+    const judge::Instant own = separation(path_in(a, part, step), path_in(b, part, step),
+                                          std::min(cutoff, least.distance));
+    if (own.distance < least.distance) least = {(part + own.fraction) / kParts, own.distance};
   }
   return least;
 }

@@ -60,7 +60,7 @@ void collect_obstacles(const ObstacleView& now, const BodyStep& step, std::vecto
 /// Least distance of the centers over the step; exact for held accelerations and straight lines,
 /// and for arcs to 1e-8 m. If the distance is beyond the cutoff, any distance beyond the cutoff may
 /// be returned.
-Separation separation_of(const Body& a, const Body& b, double step, double cutoff);
+judge::Instant separation_of(const Body& a, const Body& b, double step, double cutoff);
 
 /// An upper bound of the displacement of the body in the step, m.
 inline double way_of(const StepPath& path) {

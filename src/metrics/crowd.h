@@ -6,7 +6,7 @@
 #include "avo/metrics.h"
 #include "metrics/trips.h"
 #include "metrics/voronoi.h"
-#include "neighbors/uniform_grid.h"
+#include "spatial/point_grid.h"
 
 namespace avo::inline metrics {
 
@@ -27,7 +27,7 @@ class Crowd {
 
   std::vector<Vec2> positions_;  // m, of the robots, followed by those of moving obstacles
   std::vector<double> radii_;    // m
-  UniformGrid grid_;
+  PointGrid grid_;
   SearchScratch scratch_;
   VoronoiCell cell_;
 };

@@ -94,10 +94,10 @@ void Encounters::meet(const Body& a, const Body& b, const StepSpan& step) {
     colliding_.push_back(name);
   }
   overlap_depth = std::max(overlap_depth, (contact - d) / contact);
-  const Separation closest = separation_of(a, b, step.duration, overlaps);
+  const judge::Instant closest = separation_of(a, b, step.duration, overlaps);
   const bool turns = a.arc || b.arc;  // any time at which they overlap suffices
   const double fraction =
-      turns ? closest.fraction : first_below(a.path, b.path, overlaps, closest.fraction);
+      turns ? closest.fraction : first_below(a.path, b.path, overlaps).value_or(closest.fraction);
   const double time = step.begin + fraction * step.duration;
   first_collision_time = std::min(first_collision_time.value_or(time), time);
 }

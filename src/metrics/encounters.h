@@ -11,7 +11,7 @@
 
 #include "avo/response.h"
 #include "metrics/body.h"
-#include "neighbors/uniform_grid.h"
+#include "spatial/point_grid.h"
 
 namespace avo::inline metrics {
 
@@ -70,7 +70,7 @@ struct Encounters {
   std::vector<std::uint32_t> places_;
   std::vector<std::pair<double, std::uint32_t>> near_;  // m², and row
   SearchScratch scratch_;
-  UniformGrid grid_;
+  PointGrid grid_;
 };
 
 }  // namespace avo::inline metrics

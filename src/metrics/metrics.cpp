@@ -164,7 +164,7 @@ void Metrics::State::observe_step(const Simulation& simulation, const FleetView&
   encounters.observe(sweeps, [&](std::size_t k) { return body_of(fleet, step, rows[k]); }, roster,
                      obstacles, {last_time, duration, started, response});
   robots.clear();
-  if (flow || !walls.search.walls().empty()) collect_robots(fleet, step, rows, robots);
+  if (flow || !walls.walls.empty()) collect_robots(fleet, step, rows, robots);
   walls.observe(robots, response, duration);
   trips.add_overlaps(encounters.overlapping);
   trips.add_touched(encounters.touched_by_movers);

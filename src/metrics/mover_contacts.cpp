@@ -35,16 +35,16 @@ void MoverContacts::take(const FleetView& fleet) {
   }
 }
 
-// Meets the movers with an x that is near enough.
-void MoverContacts::meet(const Simulation& simulation, Vec2 position, std::size_t row) {
+// Meets the movers with centers that are within that reach, m.
+void MoverContacts::meet(const Simulation& simulation, Vec2 position, std::size_t row,
+                         double reach) {
   const ObstacleView movers = simulation.obstacles();
   const Disc& disc = discs_[row];
-  const double reach = disc.radius + disc.offset + largest_;
   const auto first = static_cast<std::ptrdiff_t>(now_.size());
-  auto place =
-      std::lower_bound(by_x_.begin(), by_x_.end(), std::pair(position.x - reach, std::uint32_t{0}));
-  for (; place != by_x_.end() && place->first <= position.x + reach; ++place) {
-    const std::uint32_t k = place->second;
+  if (!is_finite(position)) return;
+  movers_.list_within(position, reach, near_);
+  for (const std::uint32_t place : near_) {
+    const std::uint32_t k = movers_.order()[place];
     const double contact = disc.radius + movers.setup[k].radius, near = contact + disc.offset;
     if (norm_squared(movers.position[k] - position) > near * near) continue;
     const Vec2 center = disc.offset > 0.0 ? disc_center(simulation.setup(row)) : position;
@@ -61,14 +61,12 @@ void MoverContacts::observe(const Simulation& simulation, std::span<const Vec2> 
   now_.clear(), begun_.clear();
   const ObstacleView movers = simulation.obstacles();
   if (movers.id.empty()) return;
-  by_x_.clear(), largest_ = 0.0;
-  for (std::size_t k = 0; k < movers.id.size(); ++k) {
-    by_x_.emplace_back(movers.position[k].x, static_cast<std::uint32_t>(k));
-    largest_ = std::max(largest_, movers.setup[k].radius);
-  }
-  std::sort(by_x_.begin(), by_x_.end());
+  double widest = 0.0, largest = 0.0;  // m
+  for (const Disc& disc : discs_) widest = std::max(widest, disc.radius + disc.offset);
+  for (const MovingObstacle& mover : movers.setup) largest = std::max(largest, mover.radius);
+  movers_.build(movers.position, widest + largest);
   for (std::size_t row = 0; row < discs_.size(); ++row) {
-    if (!discs_[row].parked) meet(simulation, positions[row], row);
+    if (!discs_[row].parked) meet(simulation, positions[row], row, widest + largest);
   }
   for (const MoverContact& contact : now_) {
     if (!std::binary_search(before_.begin(), before_.end(), contact, is_before))

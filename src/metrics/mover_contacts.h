@@ -5,10 +5,10 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
-#include <utility>
 #include <vector>
 
 #include "avo/simulation.h"
+#include "spatial/point_grid.h"
 
 namespace avo::inline metrics {
 
@@ -34,11 +34,11 @@ class MoverContacts {
     double offset = 0.0;      // m, from the robot's place to the disc's center
     bool is_covered = false;  // it has a footprint, which the disc covers at any heading
   };
-  void meet(const Simulation& simulation, Vec2 position, std::size_t row);
+  void meet(const Simulation& simulation, Vec2 position, std::size_t row, double reach);
 
   std::vector<Disc> discs_;
-  std::vector<std::pair<double, std::uint32_t>> by_x_;  // x of each mover, m, and its index
-  double largest_ = 0.0;                                // m, radius of a mover
+  PointGrid movers_;
+  std::vector<std::uint32_t> near_;  // places in the grid
   std::vector<MoverContact> now_, before_, begun_;
 };
 

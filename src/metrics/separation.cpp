@@ -1,48 +1,37 @@
 // SPDX-License-Identifier: Apache-2.0
-// Distances in continuous time over one step: paths are halved until the hulls of their parts
-// suffice.
 #include "metrics/separation.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 
+#include "avo/velocity_obstacle.h"
+#include "check/wall_path.h"
 #include "core/elementary.h"
 
 namespace avo::inline metrics {
 namespace {
 
-// A piece of a path, in the hull of these points from its start to its end, with its fractions of
-// the step.
-struct Piece {
-  std::array<Vec2, 4> b;
-  double from, to;
-};
-
-Vec2 middle(Vec2 a, Vec2 b) {
-  return 0.5 * (a + b);
+StepPath relative_path(const StepPath& a, const StepPath& b) {
+  StepPath path;
+  for (std::size_t k = 0; k < 4; ++k) path.control[k] = a.control[k] - b.control[k];
+  return path;
 }
 
-std::array<Piece, 2> halve_cubic(const Piece& piece) {
-  const auto& b = piece.b;
-  const Vec2 b01 = middle(b[0], b[1]), b12 = middle(b[1], b[2]), b23 = middle(b[2], b[3]);
-  const Vec2 b012 = middle(b01, b12), b123 = middle(b12, b23);
-  const Vec2 center = middle(b012, b123);
-  const double half = 0.5 * (piece.from + piece.to);
-  return {
-      {{{b[0], b01, b012, center}, piece.from, half}, {{center, b123, b23, b[3]}, half, piece.to}}};
+// Returns whether the hull of the path ends at the line through that end perpendicular to the
+// direction from the origin. Then no point of the path is nearer. This holds for most pairs, which
+// approach each other or part.
+bool is_nearest(const StepPath& path, Vec2 end) {
+  const double square = norm_squared(end);
+  return std::all_of(path.control.begin(), path.control.end(),
+                     [&](Vec2 point) { return dot(end, point) >= square; });
 }
 
-// g is convex: the path lies between its chord and its tangents.
-Piece piece_of(const ResponsePath& path, double from, double to) {
-  const double start = from * path.time_step, end = to * path.time_step;
-  const auto at = [&path](double t) {
-    return path.position + t * path.velocity + path.response.gain(t) * path.w;
-  };
-  const Vec2 first = at(start), last = at(end);
-  const Vec2 velocity = path.velocity + path.response.rate(start) * path.w;
-  return {{first, first + (end - start) * velocity, last, last}, from, to};
+Vec2 point_at(const StepPath& path, double u) {
+  const double q = 1.0 - u;
+  const auto& b = path.control;
+  return (q * q * q) * b[0] + (3.0 * q * q * u) * b[1] + (3.0 * q * u * u) * b[2] +
+         (u * u * u) * b[3];
 }
 
 // The chord of an arc that turns by twice that angle, divided by the arc's length: sin x/x.
@@ -56,119 +45,50 @@ Vec2 point_at(const ArcPath& path, double part) {
   return path.position + chord * elementary::direction(path.heading + half);
 }
 
-// An arc lies between its chord and its tangents; `from` and `to` are parts of its length.
-Piece piece_of(const ArcPath& path, double from, double to) {
-  const Vec2 first = point_at(path, from), last = point_at(path, to);
-  const double half = 0.5 * (to - from) * path.turn;
-  const double tangent =
-      0.5 * (to - from) * path.length * chord_of_arc(half) / elementary::direction(half).x;
-  const Vec2 apex = first + tangent * elementary::direction(path.heading + from * path.turn);
-  return {{first, apex, apex, last}, from, to};
-}
-
-// A curve lies in the hull of its control points. So in any direction no point of it is nearer to
-// the origin than they are. The direction of its middle makes the bound sharp to second order.
-double lower_bound(const Piece& piece) {
-  const Vec2 towards = piece.b[0] + piece.b[3];
-  const double length = norm(towards);
-  if (!(length > 0.0)) return 0.0;
-  double least = std::numeric_limits<double>::infinity();
-  for (const Vec2 point : piece.b) least = std::min(least, dot(towards, point));
-  return least / length;
-}
-
-// The better one of two bounds. The whole piece is as near to its chord as the points of its hull
-// are. In the direction from the segment to the chord, no point of the piece is nearer than theirs.
-// This is exact for a motion along the segment; but for two that nearly touch, rounding hides the
-// direction.
-double lower_bound(const Piece& piece, const Segment& segment) {
-  const Segment chord{piece.b[0], piece.b[3]};
-  const auto [on_chord, foot, apart] = nearest_points(chord, segment);
-  const double off = std::max(distance(piece.b[1], chord), distance(piece.b[2], chord));
-  if (!(apart > off)) return 0.0;
-  const Vec2 along = segment.b - segment.a, away = on_chord - foot;
-  Vec2 direction = away / apart;
-  if (foot != segment.a && foot != segment.b) {
-    direction = perpendicular(along) / norm(along);
-    if (dot(direction, away) < 0.0) direction = -1.0 * direction;
-  }
-  double least = std::numeric_limits<double>::infinity();
-  for (const Vec2 point : piece.b) least = std::min(least, dot(direction, point - foot));
-  const double most =
-      std::max({0.0, dot(direction, segment.a - foot), dot(direction, segment.b - foot)});
-  return std::max(least - most, apart - off);
-}
-
-// Returns whether its hull ends at the line through that end perpendicular to the direction from
-// the origin. Then no point of the piece is nearer. This holds for most pairs, which approach each
-// other or part.
-bool is_nearest(const Piece& piece, Vec2 end) {
-  const double square = norm_squared(end);
-  return dot(end, piece.b[0]) >= square && dot(end, piece.b[1]) >= square &&
-         dot(end, piece.b[2]) >= square && dot(end, piece.b[3]) >= square;
-}
-
-double size_of(const Piece& piece, Vec2 origin) {
-  double size = 0.0;
-  for (const Vec2 point : piece.b) size = std::max(size, norm(point - origin));
-  return size;
-}
-
-// Least distance(point) of the path, to `resolution`; bound(piece) must not exceed the distance of
-// any of its points.
-template <typename Halves, typename Distance, typename Bound>
-Separation least(const Piece& whole, const Halves& halve, const Distance& distance,
-                 const Bound& bound, double cutoff, double resolution) {
-  Separation best{distance(whole.b[0]), 0.0};
-  const double at_end = distance(whole.b[3]);
-  if (at_end < best.distance) best = {at_end, 1.0};
-  // depth first, the nearer half first; a halving leaves one piece behind, so 64 are enough
-  std::array<Piece, 64> stack;
-  std::size_t count = 0;
-  stack[count++] = whole;
-  while (count > 0) {
-    const Piece piece = stack[--count];
-    if (bound(piece) >= std::min(best.distance, cutoff) - resolution) continue;
-    if (count + 2 > stack.size()) continue;
-    const auto [left, right] = halve(piece);
-    const double at_half = distance(left.b[3]);
-    if (at_half < best.distance) best = {at_half, left.to};
-    const bool left_first = bound(left) < bound(right);
-    stack[count++] = left_first ? right : left;
-    stack[count++] = left_first ? left : right;
-  }
-  return best;
-}
-
-template <typename Halves>
-double from_segment(const Piece& whole, const Halves& halve, const Segment& segment,
-                    double cutoff) {
-  const double size = std::max(size_of(whole, segment.a), size_of(whole, segment.b));
-  return least(
-             whole, halve, [&](Vec2 point) { return distance(point, segment); },
-             [&](const Piece& piece) { return lower_bound(piece, segment); }, cutoff, 1e-13 * size)
-      .distance;
-}
-
-template <typename Path>
-auto halves_of(const Path& path) {
-  return [&path](const Piece& piece) {
-    const double half = 0.5 * (piece.from + piece.to);
-    return std::array<Piece, 2>{piece_of(path, piece.from, half), piece_of(path, half, piece.to)};
+// The cubic that touches the arc at both ends and in the middle. `from` and `to` are parts of its
+// length.
+StepPath cubic_along(const ArcPath& path, double from, double to) {
+  const double length = (to - from) * path.length, turn = (to - from) * path.turn;
+  const Vec2 quarter = elementary::direction(0.25 * turn);
+  const double lever =
+      std::abs(turn) < 1e-8 ? length / 3.0 : 4.0 / 3.0 * (quarter.y / quarter.x) * length / turn;
+  const auto tangent = [&](double part) {
+    return lever * elementary::direction(path.heading + part * path.turn);
   };
+  const Vec2 first = point_at(path, from), last = point_at(path, to);
+  return {{first, first + tangent(from), last - tangent(to), last}};
 }
 
-Piece relative_path(const StepPath& a, const StepPath& b) {
-  Piece piece{{}, 0.0, 1.0};
-  for (std::size_t k = 0; k < 4; ++k) piece.b[k] = a.control[k] - b.control[k];
-  return piece;
-}
+// The distance of a point from the segment's line, with a sign, over the step.
+struct Height {
+  const ResponsePath& path;
+  const Segment& segment;
+  Vec2 normal;  // unit
 
-Vec2 point_at(const Piece& piece, double u) {
-  const double q = 1.0 - u;
-  const auto& b = piece.b;
-  return (q * q * q) * b[0] + (3.0 * q * q * u) * b[1] + (3.0 * q * u * u) * b[2] +
-         (u * u * u) * b[3];
+  [[nodiscard]] Vec2 place(double t) const {
+    return path.position + t * path.velocity + path.response.gain(t) * path.w;
+  }
+  [[nodiscard]] double at(double t) const { return dot(normal, place(t) - segment.a); }
+  [[nodiscard]] double rate(double t) const {
+    return dot(normal, path.velocity) + path.response.rate(t) * dot(normal, path.w);
+  }
+  [[nodiscard]] bool is_beside(double t) const {
+    const Vec2 along = segment.b - segment.a;
+    const double part = dot(along, place(t) - segment.a);
+    return part >= 0.0 && part <= dot(along, along);
+  }
+};
+
+// s: where a value that rises or falls all the time changes its sign; `high` where it does not.
+template <typename Value>
+double sign_change(const Value& value, double low, double high) {
+  const bool starts_below = value(low) < 0.0;
+  if ((value(high) < 0.0) == starts_below) return high;
+  for (int i = 0; i < 60; ++i) {
+    const double half = 0.5 * (low + high);
+    ((value(half) < 0.0) == starts_below ? low : high) = half;
+  }
+  return high;
 }
 
 }  // namespace
@@ -198,8 +118,7 @@ StepPath hermite_path(const ArcMotion& arc, double time_step) {
 }
 
 StepPath part_of(const StepPath& path, double from, double to) {
-  const Vec2 first = point_at({path.control, 0.0, 1.0}, from),
-             last = point_at({path.control, 0.0, 1.0}, to);
+  const Vec2 first = point_at(path, from), last = point_at(path, to);
   const auto velocity_at = [&](double u) {
     const double q = 1.0 - u;
     const auto& b = path.control;
@@ -223,36 +142,60 @@ ArcMotion part_of(const ArcMotion& arc, double from, double to) {
           speed_at(to)};
 }
 
-Separation separation(const StepPath& a, const StepPath& b, double cutoff) {
-  const Piece whole = relative_path(a, b);
-  if (is_nearest(whole, whole.b[0])) return {norm(whole.b[0]), 0.0};
-  if (is_nearest(whole, whole.b[3])) return {norm(whole.b[3]), 1.0};
-  return least(
-      whole, halve_cubic, [](Vec2 point) { return norm(point); },
-      [](const Piece& piece) { return lower_bound(piece); }, cutoff, 1e-13 * size_of(whole, {}));
+judge::Instant separation(const StepPath& a, const StepPath& b, double cutoff) {
+  const StepPath path = relative_path(a, b);
+  const judge::Instant first{0.0, norm(path.control[0])}, last{1.0, norm(path.control[3])};
+  if (is_nearest(path, path.control[0])) return first;
+  if (is_nearest(path, path.control[3])) return last;
+  if (judge::lower_bound(path) > cutoff) return last.distance < first.distance ? last : first;
+  return judge::nearest_instant(path);
 }
 
 double separation(const StepPath& path, const Segment& segment, double cutoff) {
-  return from_segment({path.control, 0.0, 1.0}, halve_cubic, segment, cutoff);
+  const StepPath at_start{{segment.a, segment.a, segment.a, segment.a}};
+  const judge::WallPath wall{relative_path(path, at_start), segment.b - segment.a};
+  if (judge::lower_bound(wall) > cutoff)
+    return std::min(distance(path.control[0], segment), distance(path.control[3], segment));
+  return judge::nearest_instant(wall).distance;
 }
 
-double separation(const ResponsePath& path, const Segment& segment, double cutoff) {
-  return from_segment(piece_of(path, 0.0, 1.0), halves_of(path), segment, cutoff);
+// The nearest point of the segment is an end, or the path is beside the segment there. Then its
+// distance from the line is least: at an end of the step, where it turns, or where it is zero.
+double separation(const ResponsePath& path, const Segment& segment) {
+  const auto from = [&path](Vec2 end) {
+    const Obstacle obstacle{
+        {path.position - end, path.velocity, 0.0}, path.response, path.time_step};
+    return closest_approach(obstacle, path.velocity + path.w).distance;
+  };
+  double least = from(segment.a);
+  const Vec2 along = segment.b - segment.a;
+  const double length = norm(along);
+  if (!(length > 0.0)) return least;
+  least = std::min(least, from(segment.b));
+  const Height height{path, segment, perpendicular(along) / length};
+  const double end = path.time_step;
+  const double turn = sign_change([&](double t) { return height.rate(t); }, 0.0, end);
+  const auto is_zero = [&](double low, double high) {
+    return sign_change([&](double t) { return height.at(t); }, low, high);
+  };
+  for (const double t : {0.0, is_zero(0.0, turn), turn, is_zero(turn, end), end})
+    if (height.is_beside(t)) least = std::min(least, std::abs(height.at(t)));
+  return least;
 }
 
 double separation(const ArcPath& path, const Segment& segment, double cutoff) {
-  return from_segment(piece_of(path, 0.0, 1.0), halves_of(path), segment, cutoff);
+  constexpr double kMostTurn = 0.1;  // rad: the error grows with its sixth power
+  const double parts = std::max(1.0, std::ceil(std::abs(path.turn) / kMostTurn));
+  double least = std::numeric_limits<double>::infinity();
+  for (double k = 0.0; k < parts; k += 1.0) {
+    const StepPath part = cubic_along(path, k / parts, (k + 1.0) / parts);
+    least = std::min(least, separation(part, segment, std::min(cutoff, least)));
+  }
+  return least;
 }
 
-double first_below(const StepPath& a, const StepPath& b, double distance, double fraction) {
-  const Piece whole = relative_path(a, b);
-  if (norm(whole.b[0]) < distance) return 0.0;
-  double low = 0.0, high = fraction;
-  for (int i = 0; i < 60; ++i) {
-    const double half = 0.5 * (low + high);
-    (norm(point_at(whole, half)) < distance ? high : low) = half;
-  }
-  return high;
+std::optional<double> first_below(const StepPath& a, const StepPath& b, double distance) {
+  return judge::first_below(relative_path(a, b), distance);
 }
 
 }  // namespace avo::inline metrics

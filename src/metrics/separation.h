@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// Distance of two bodies, and of a body and a wall, in continuous time over one step.
+// Distance of two bodies, and of a body and a wall, in continuous time over one step: by the
+// judge's paths of bodies.
 #pragma once
-#include <array>
+#include <optional>
 
 #include "avo/response.h"
 #include "avo/vec.h"
+#include "check/relative_path.h"
 #include "walls/segment.h"
 
 namespace avo::inline metrics {
@@ -12,9 +14,7 @@ namespace avo::inline metrics {
 /// A path over one step as a cubic Bézier curve, m. It is exact for held accelerations and for
 /// straight lines. For anything else it is the Hermite interpolation of both ends' positions and
 /// velocities.
-struct StepPath {
-  std::array<Vec2, 4> control;
-};
+using StepPath = judge::RelativePath;
 
 StepPath hermite_path(Vec2 position, Vec2 velocity, Vec2 next_position, Vec2 next_velocity,
                       double time_step);
@@ -50,22 +50,18 @@ StepPath hermite_path(const ArcMotion& arc, double time_step);
 StepPath part_of(const StepPath& path, double from, double to);
 ArcMotion part_of(const ArcMotion& arc, double from, double to);
 
-struct Separation {
-  double distance = 0.0;  // m, smallest
-  double fraction = 0.0;  // of the step, where it is smallest
-};
+/// The smallest distance of the two bodies, and when: to 1e-13 of the largest one. If it is beyond
+/// `cutoff`, any distance beyond the cutoff may be returned.
+judge::Instant separation(const StepPath& a, const StepPath& b, double cutoff);
 
-/// Smallest distance between the two bodies, to 1e-12 of the paths' size. It stops early, with a
-/// distance that is still an upper bound, once it is known to exceed `cutoff`.
-Separation separation(const StepPath& a, const StepPath& b, double cutoff);
-
-/// Smallest distance from the segment, with the same precision and cutoff.
+/// m, the smallest distance from the segment, with the same precision and cutoff.
 double separation(const StepPath& path, const Segment& segment, double cutoff);
-double separation(const ResponsePath& path, const Segment& segment, double cutoff);
+double separation(const ResponsePath& path, const Segment& segment);
+/// To 1e-10 of the arc's radius.
 double separation(const ArcPath& path, const Segment& segment, double cutoff);
 
-/// First fraction of the step at which the distance falls below `distance`, given that it does at
-/// `fraction`.
-double first_below(const StepPath& a, const StepPath& b, double distance, double fraction);
+/// The first fraction of the step at which the distance is less than `distance`; none where it
+/// never is.
+std::optional<double> first_below(const StepPath& a, const StepPath& b, double distance);
 
 }  // namespace avo::inline metrics

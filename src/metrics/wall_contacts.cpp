@@ -16,16 +16,27 @@ bool concerns(LayerSet wall, const Body& robot) {
 }  // namespace
 
 void WallContacts::take(std::span<const StaticObstacle> obstacles) {
-  search = WallSearch(walls_of(obstacles));
+  walls = walls_of(obstacles);
+  found_within = -1.0;
   layers.clear();
   for (const StaticObstacle& obstacle : obstacles)
     layers.resize(layers.size() + walls_of(std::span(&obstacle, 1)).size(), obstacle.layers);
 }
 
+// Makes the grid anew where the distance has changed much.
+void WallContacts::find_within(double distance) {
+  constexpr double kCellsEach = 4.0, kMoreCells = 64.0;  // for each wall, and besides
+  constexpr double kRounding = 1e-9;                     // of the distance
+  if (distance <= found_within && found_within <= 2.0 * distance) return;
+  const std::vector<double> reach(walls.size(), distance * (1.0 + kRounding));
+  grid = SegmentGrid(walls, reach,
+                     {0.5 * distance, kCellsEach * static_cast<double>(walls.size()) + kMoreCells});
+  found_within = distance;
+}
+
 void WallContacts::observe(std::span<const Body> robots, const std::optional<Response>& response,
                            double time_step) {
   touching.clear();
-  const std::span<const Wall> walls = search.walls();
   if (walls.empty() || robots.empty()) return;
   double least = least_clearance.value_or(std::numeric_limits<double>::infinity());
   double reach = 0.0, thickest = 0.0;  // m
@@ -42,15 +53,15 @@ void WallContacts::observe(std::span<const Body> robots, const std::optional<Res
     least = std::min(least, apart - first->radius - wall.radius);
   }
   if (least == std::numeric_limits<double>::infinity()) return;  // no robot heeds a wall
-  search.prepare(reach + thickest + std::max(least, 0.0));
+  find_within(reach + thickest + std::max(least, 0.0));
   const auto separation_from = [&](const Body& robot, const Segment& segment, double cutoff) {
     if (robot.arc) return separation(robot.arc->path, segment, cutoff);
     if (!response || !robot.exact) return separation(robot.path, segment, cutoff);
     const ResponsePath path{robot.position, robot.velocity, robot.w, *response, time_step};
-    return separation(path, segment, cutoff);
+    return separation(path, segment);
   };
   for (const Body& robot : robots) {
-    for (const std::size_t k : search.near(robot.position)) {
+    for (const std::uint32_t k : grid.list_at(robot.position)) {
       if (!concerns(layers[k], robot)) continue;
       const Segment segment{walls[k].a, walls[k].b};
       const double contact = robot.radius + walls[k].radius;

@@ -9,7 +9,7 @@
 
 #include "avo/wall.h"
 #include "metrics/body.h"
-#include "metrics/wall_search.h"
+#include "spatial/segment_grid.h"
 
 namespace avo::inline metrics {
 
@@ -17,8 +17,10 @@ namespace avo::inline metrics {
 inline constexpr double kContact = 1e-9;
 
 struct WallContacts {
-  WallSearch search = WallSearch();
+  std::vector<Wall> walls = {};
   std::vector<LayerSet> layers = {};           // of each wall's obstacle
+  SegmentGrid grid = SegmentGrid();            // of the walls
+  double found_within = -1.0;                  // m, of a wall's middle line; negative: not made yet
   std::set<std::uint64_t> touched = {};        // ids of robots
   std::vector<std::uint64_t> touching = {};    // in this step
   std::optional<double> least_clearance = {};  // m
@@ -29,6 +31,9 @@ struct WallContacts {
   /// set.
   void observe(std::span<const Body> robots, const std::optional<Response>& response,
                double time_step);
+
+ private:
+  void find_within(double distance);
 };
 
 }  // namespace avo::inline metrics

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include "walls/segment.h"
 
@@ -102,13 +103,11 @@ Lattice make_lattice(const ClearanceGrid& grid, std::span<const Vec2> corners, d
   };
   lay(walls.low.x, walls.high.x, lattice.first_column, lattice.columns);
   lay(walls.low.y, walls.high.y, lattice.first_row, lattice.rows);
-  lattice.first.assign(lattice.cells() + 1, 0);
-  for (const Vec2 corner : corners) ++lattice.first[lattice.cell_of(corner) + 1];
-  for (std::size_t k = 1; k <= lattice.cells(); ++k) lattice.first[k] += lattice.first[k - 1];
-  lattice.corners.resize(corners.size());
-  std::vector<std::uint32_t> end(lattice.first.begin(), lattice.first.end() - 1);
-  for (std::uint32_t k = 0; k < corners.size(); ++k)
-    lattice.corners[end[lattice.cell_of(corners[k])]++] = k;
+  std::vector<std::uint32_t> cells;
+  for (const Vec2 corner : corners)
+    cells.push_back(static_cast<std::uint32_t>(lattice.cell_of(corner)));
+  lattice.corners.resize(lattice.cells(), corners.size());
+  sort_part(cells, 0, 1, lattice.corners);
   return lattice;
 }
 

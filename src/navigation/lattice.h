@@ -5,9 +5,9 @@
 #include <cstdint>
 #include <optional>
 #include <span>
-#include <vector>
 
 #include "navigation/clearance_grid.h"
+#include "spatial/cell_sort.h"
 
 namespace avo::inline navigation {
 
@@ -21,8 +21,7 @@ struct Lattice {
   double spacing = 0.0;                          // m
   std::int64_t first_column = 0, first_row = 0;  // spacings from the origin
   std::int64_t columns = 0, rows = 0;
-  std::vector<std::uint32_t> first;    // index of each cell's first corner; one more than cells
-  std::vector<std::uint32_t> corners;  // by cell
+  CellSort corners;  // by cell
 
   [[nodiscard]] bool empty() const { return columns == 0; }
   [[nodiscard]] bool covers(Vec2 p) const;
@@ -45,7 +44,8 @@ struct Lattice {
   template <typename Visit>
   void for_each_on_border(const Visit& visit) const;
   [[nodiscard]] std::span<const std::uint32_t> corners_in(std::size_t cell) const {
-    return std::span(corners).subspan(first[cell], first[cell + 1] - first[cell]);
+    const std::uint32_t first = corners.begin[cell], last = corners.begin[cell + 1];
+    return std::span(corners.order).subspan(first, last - first);
   }
 };
 

@@ -12,7 +12,6 @@ constexpr std::size_t kInQuadrant = Horizons::kSectors / 4;
 constexpr double kSlackOfSight = 1e-9;  // of a length, more than its rounding
 constexpr double kSureRoom = 0.99;      // of the room: a place nearer to a wall is certainly hidden
 constexpr double kItemsInCell = 16.0;
-constexpr double kMostCellsAcross = 4096.0;
 
 // From 0 along the first axis to 4, growing with the angle.
 double turn_of(Vec2 d) {
@@ -136,56 +135,14 @@ bool Horizons::hides(Vec2 low, Vec2 high) const {
   return true;
 }
 
-ViewIndex::ViewIndex(std::span<const Wall> walls, std::span<const Vec2> points) {
+ViewIndex::ViewIndex(std::span<const Wall> walls, std::span<const Vec2> points)
+    : walls_(walls.size()) {
   if (walls.empty()) return;
-  Vec2 low = walls[0].a, high = low;
-  const auto include = [&](Vec2 p) {
-    low = {std::min(low.x, p.x), std::min(low.y, p.y)};
-    high = {std::max(high.x, p.x), std::max(high.y, p.y)};
-  };
-  for (const Wall& wall : walls) include(wall.a), include(wall.b);
-  for (const Vec2 point : points) include(point);
-  const Vec2 size = high - low;
-  const double cells = static_cast<double>(walls.size() + points.size()) / kItemsInCell + 1.0;
-  const double longest = std::max(size.x, size.y);
-  side_ = std::max({std::sqrt(size.x * size.y / cells), longest / cells, longest / kMostCellsAcross,
-                    std::numeric_limits<double>::min()});
-  origin_ = low;
-  columns_ = static_cast<std::int64_t>(size.x / side_) + 1;
-  rows_ = static_cast<std::int64_t>(size.y / side_) + 1;
-  const auto lay = [&](std::vector<std::uint32_t>& first, std::vector<std::uint32_t>& items,
-                       const auto& for_each_item) {
-    first.assign(static_cast<std::size_t>(columns_ * rows_) + 1, 0);
-    for_each_item([&](std::uint32_t, std::size_t cell) { ++first[cell + 1]; });
-    for (std::size_t k = 1; k < first.size(); ++k) first[k] += first[k - 1];
-    items.resize(first.back());
-    std::vector<std::uint32_t> end(first.begin(), first.end() - 1);
-    for_each_item([&](std::uint32_t item, std::size_t cell) { items[end[cell]++] = item; });
-  };
-  std::vector<std::uint32_t> wall;
-  lay(first_wall_, wall, [&](const auto& visit) {
-    for (std::uint32_t k = 0; k < walls.size(); ++k)
-      for_each_along(walls[k], [&](std::size_t cell) { visit(k, cell); });
-  });
-  lay(first_point_, point_, [&](const auto& visit) {
-    for (std::uint32_t k = 0; k < points.size(); ++k) visit(k, number(cell_of(points[k])));
-  });
-  for (const std::uint32_t k : wall) walls_.push_back(walls[k]);
-  for (const std::uint32_t k : point_) points_.push_back(points[k]);
-}
-
-ViewIndex::Cell ViewIndex::cell_of(Vec2 place) const {
-  const auto along = [this](double length, std::int64_t count) {
-    return static_cast<std::int64_t>(
-        std::clamp(std::floor(length / side_), 0.0, static_cast<double>(count - 1)));
-  };
-  return {along(place.x - origin_.x, columns_), along(place.y - origin_.y, rows_)};
-}
-
-bool ViewIndex::covers(Vec2 place) const {
-  const Vec2 size = side_ * Vec2{static_cast<double>(columns_), static_cast<double>(rows_)};
-  const Vec2 in = place - origin_;
-  return in.x >= 0.0 && in.y >= 0.0 && in.x <= size.x && in.y <= size.y;
+  std::vector<Wall> items(walls.begin(), walls.end());
+  for (const Vec2 point : points) items.push_back({point, point});
+  const std::vector<double> none(items.size(), 0.0);  // m, of their reach
+  const double cells = static_cast<double>(items.size()) / kItemsInCell + 1.0;
+  grid_ = SegmentGrid(items, none, {0.0, cells});
 }
 
 void ViewIndex::next_ring(Cell middle, std::int64_t away, bool is_inside,
@@ -194,7 +151,7 @@ void ViewIndex::next_ring(Cell middle, std::int64_t away, bool is_inside,
   ring.clear();
   is_in_ring.assign(static_cast<std::size_t>(8 * away), 0);
   const auto add = [&](std::int64_t column, std::int64_t row) {
-    if (column < 0 || column >= columns_ || row < 0 || row >= rows_) return;
+    if (column < 0 || column >= grid_.columns() || row < 0 || row >= grid_.rows()) return;
     const std::int64_t right = column - middle.column, up = row - middle.row;
     std::int64_t place = right + away;  // around the ring: below, above, and else on both sides
     if (std::abs(up) == away)
@@ -219,26 +176,6 @@ void ViewIndex::next_ring(Cell middle, std::int64_t away, bool is_inside,
     for (std::int64_t column = middle.column - away; column <= middle.column + away;
          column += is_edge ? 1 : 2 * away)
       add(column, row);
-  }
-}
-
-// Visits cells that the wall leads through, and others; if a cell is left out, the wall hides less.
-template <typename Visit>
-void ViewIndex::for_each_along(const Wall& wall, const Visit& visit) const {
-  const Vec2 low = wall.a.y < wall.b.y ? wall.a : wall.b;
-  const Vec2 high = wall.a.y < wall.b.y ? wall.b : wall.a;
-  const Cell from = cell_of(low), to = cell_of(high);
-  const double height = high.y - low.y;
-  for (std::int64_t row = from.row; row <= to.row; ++row) {
-    const auto x_at = [&](std::int64_t line) {
-      const double part = (origin_.y + side_ * static_cast<double>(line) - low.y) / height;
-      return low.x + std::clamp(part, 0.0, 1.0) * (high.x - low.x);
-    };
-    const double one = row == from.row ? low.x : x_at(row);
-    const double other = row == to.row ? high.x : x_at(row + 1);
-    const std::int64_t first = cell_of({std::min(one, other), low.y}).column;
-    const std::int64_t last = cell_of({std::max(one, other), low.y}).column;
-    for (std::int64_t column = first; column <= last; ++column) visit(number({column, row}));
   }
 }
 

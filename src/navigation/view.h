@@ -4,14 +4,13 @@
 #pragma once
 #include <array>
 #include <bitset>
-#include <compare>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <span>
 #include <vector>
 
-#include "avo/wall.h"
+#include "spatial/segment_grid.h"
 
 namespace avo::inline navigation {
 
@@ -77,22 +76,12 @@ class ViewIndex {
   /// hide, which come nearer meanwhile.
   template <typename Visit>
   void look(Vec2 place, Horizons& horizons, const Visit& visit) const;
-  /// Calls visit(point) for the points in the cell of that place.
+  /// Calls visit(point) for the points near that place, and for others.
   template <typename Visit>
   void for_each_near(Vec2 place, const Visit& visit) const;
 
  private:
-  struct Cell {
-    std::int64_t column, row;
-    friend auto operator<=>(Cell, Cell) = default;
-  };
-  [[nodiscard]] Cell cell_of(Vec2 place) const;
-  [[nodiscard]] std::size_t number(Cell cell) const {
-    return static_cast<std::size_t>(cell.row * columns_ + cell.column);
-  }
-  template <typename Visit>
-  void for_each_along(const Wall& wall, const Visit& visit) const;
-  [[nodiscard]] bool covers(Vec2 place) const;
+  using Cell = SegmentGrid::Cell;
   // The cells of the ring around the middle through which one may see on: all cells around a place
   // outside, and otherwise those beside cells in view.
   void next_ring(Cell middle, std::int64_t away, bool is_inside, const std::vector<Cell>& in_view,
@@ -100,35 +89,30 @@ class ViewIndex {
   template <typename Visit>
   bool look_into(Cell cell, Vec2 place, Horizons& horizons, const Visit& visit) const;
 
-  Vec2 origin_;        // m
-  double side_ = 1.0;  // m, of a cell
-  std::int64_t columns_ = 0, rows_ = 0;
-  // of each cell, index into the next vectors
-  std::vector<std::uint32_t> first_wall_, first_point_;
-  std::vector<Wall> walls_;           // by cell; one may come more than once
-  std::vector<Vec2> points_;          // by cell
-  std::vector<std::uint32_t> point_;  // the number of each of them
+  SegmentGrid grid_;       // of the walls, and then of the points
+  std::size_t walls_ = 0;  // number
 };
 
 // Returns whether a part of the cell may be in view.
 template <typename Visit>
 bool ViewIndex::look_into(Cell cell, Vec2 place, Horizons& horizons, const Visit& visit) const {
-  const Vec2 low =
-      origin_ + side_ * Vec2{static_cast<double>(cell.column), static_cast<double>(cell.row)};
-  if (horizons.hides(low, low + side_ * Vec2{1.0, 1.0})) return false;
-  const std::size_t k = number(cell);
-  for (std::uint32_t w = first_wall_[k]; w < first_wall_[k + 1]; ++w)
-    horizons.block_if_seen(walls_[w]);
-  for (std::uint32_t p = first_point_[k]; p < first_point_[k + 1]; ++p)
-    if (!(points_[p] == place)) visit(point_[p], points_[p]);
+  const Vec2 low = grid_.corner(cell);
+  if (horizons.hides(low, low + grid_.side() * Vec2{1.0, 1.0})) return false;
+  for (const std::uint32_t k : grid_.list(cell)) {
+    const Wall& item = grid_.walls()[k];
+    if (k < walls_)
+      horizons.block_if_seen(item);
+    else if (!(item.a == place))
+      visit(static_cast<std::uint32_t>(k - walls_), item.a);
+  }
   return true;
 }
 
 template <typename Visit>
 void ViewIndex::look(Vec2 place, Horizons& horizons, const Visit& visit) const {
-  if (columns_ == 0) return;
-  const Cell middle = cell_of(place);
-  const bool is_inside = covers(place);
+  if (walls_ == 0) return;
+  const Cell middle = grid_.cell_of(place);
+  const bool is_inside = grid_.covers(place);
   std::vector<Cell> in_view, ring{middle};
   std::vector<char> is_in_ring;
   for (std::int64_t away = 1; !ring.empty(); ++away) {
@@ -141,9 +125,10 @@ void ViewIndex::look(Vec2 place, Horizons& horizons, const Visit& visit) const {
 
 template <typename Visit>
 void ViewIndex::for_each_near(Vec2 place, const Visit& visit) const {
-  if (columns_ == 0) return;
-  const std::size_t k = number(cell_of(place));
-  for (std::uint32_t p = first_point_[k]; p < first_point_[k + 1]; ++p) visit(point_[p]);
+  grid_.all_near(place, place, [&](std::size_t k) {
+    if (k >= walls_) visit(static_cast<std::uint32_t>(k - walls_));
+    return true;
+  });
 }
 
 }  // namespace avo::inline navigation

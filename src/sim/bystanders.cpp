@@ -4,8 +4,8 @@
 #include <algorithm>
 
 #include "core/plane.h"
-#include "neighbors/cells.h"
 #include "sim/fleet.h"
+#include "spatial/cells.h"
 
 namespace avo::inline sim {
 

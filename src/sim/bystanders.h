@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "avo/simulation.h"
-#include "neighbors/uniform_grid.h"
+#include "spatial/point_grid.h"
 
 namespace avo::inline sim {
 
@@ -26,7 +26,7 @@ struct Bystanders {
   bool is_wanted = false, is_made = false;
   MostOfOthers most;        // of the robots in the grid
   double side = 0.0;        // m, of its cells
-  UniformGrid grid;         // of all robots at the time when it was made
+  PointGrid grid;           // of all robots at the time when it was made
   std::vector<RobotId> id;  // by index in the grid
   struct Late {
     RobotId id;

@@ -156,7 +156,7 @@ std::vector<std::size_t> robots_within(const Nearby& nearby, Vec2 center, double
 
 std::vector<std::size_t> nearest_robots(const Nearby& nearby, Vec2 position, std::size_t count) {
   const std::size_t wanted = std::min(count, nearby.robots);
-  double radius = nearby.discs.cell();  // m
+  double radius = nearby.discs.side();  // m
   std::vector<Ranked> found;
   while (wanted > 0 && (found = within(nearby, position, radius)).size() < wanted) radius *= 2.0;
   return ranks_of(found, wanted);

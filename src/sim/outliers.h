@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "avo/vec.h"
-#include "neighbors/uniform_grid.h"
+#include "spatial/point_grid.h"
 
 namespace avo::inline sim {
 
@@ -34,7 +34,7 @@ struct Outliers {
   double reach = 0.0;  // m: beyond it they do not matter to others, except by standing apart
   // at the beginning of the step
   std::vector<Vec2> position, velocity;  // m, m/s
-  UniformGrid grid;                      // holds their indices
+  PointGrid grid;                        // holds their indices
   // by key of a cell: whether an outlier, or a moving obstacle, may be sensed there; empty: nowhere
   std::vector<std::uint8_t> in_sight;
 

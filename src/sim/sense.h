@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <span>
 
-#include "neighbors/search.h"
+#include "spatial/search.h"
 
 namespace avo::inline sim {
 

@@ -10,8 +10,8 @@
 
 #include "avo/scenario.h"
 #include "core/neighbor_columns.h"
-#include "neighbors/search.h"
 #include "sim/fleet.h"
+#include "spatial/search.h"
 
 namespace avo::inline sim {
 

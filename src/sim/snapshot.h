@@ -5,8 +5,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "neighbors/uniform_grid.h"
 #include "sim/fleet.h"
+#include "spatial/point_grid.h"
 
 namespace avo::inline sim {
 
@@ -22,7 +22,7 @@ struct Sensed {
 struct Snapshot {
   Cells cells;
   double side = 0.0;  // m, of a cell
-  UniformGrid grid;
+  PointGrid grid;
   std::vector<Sensed> sensed;
   std::vector<LoiterCircle> circle;  // with radius 0 for robots that brake; empty where all do
   std::uint64_t crowding = 0;        // see SortedPart

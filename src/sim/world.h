@@ -123,7 +123,7 @@ struct World {
   Snapshot snapshot;
   Outliers outliers;
   ExternalChoices external;
-  UniformGrid obstacle_grid;
+  PointGrid obstacle_grid;
   std::shared_ptr<Executor> executor;
   SerialExecutor serial;
   std::vector<Worker> workers;             // as many as the executor has

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "avo/space/robot.h"
-#include "neighbors/cell_sort.h"
+#include "spatial/cell_sort.h"
 
 namespace avo::space {
 

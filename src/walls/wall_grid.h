@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The walls near a place: cells of a uniform grid, each of which lists the walls that matter to
-// robots within it. One look-up, no search.
+// The walls near a place, for robots that decide: one look-up, no search.
 #pragma once
 #include <cstddef>
 #include <cstdint>
@@ -8,32 +7,27 @@
 #include <vector>
 
 #include "avo/wall.h"
+#include "spatial/segment_grid.h"
 
 namespace avo::inline walls {
 
 class WallGrid {
  public:
+  WallGrid() = default;
   /// reach: m, of each wall, from its segment.
-  void build(std::span<const Wall> walls, std::span<const double> reach);
-  /// All walls within their reach of the place, and more; by their index. Valid until the next
-  /// build().
-  [[nodiscard]] std::span<const Wall> near(Vec2 place) const;
+  WallGrid(std::span<const Wall> walls, std::span<const double> reach);
+  /// All walls within their reach of the place, and more; by their index. Valid as long as the
+  /// grid.
+  [[nodiscard]] std::span<const Wall> near(Vec2 place) const {
+    const std::span<const std::uint32_t> list = grid_.list_at(place);
+    return {entries_.data() + (list.data() - grid_.lists().data()), list.size()};
+  }
   /// The largest number of walls that near() returns.
   [[nodiscard]] std::size_t most() const { return most_; }
 
  private:
-  struct Run;  // of cells of one row
-  template <typename Visit>
-  void for_each_run(const Wall& wall, double reach, const Visit& visit) const;
-  [[nodiscard]] std::size_t count_entries(std::span<const Wall> walls,
-                                          std::span<const double> reach);
-  void choose_cells(std::span<const Wall> walls, std::span<const double> reach);
-
-  Vec2 corner_;        // m, the lower left one
-  double side_ = 1.0;  // m, of a cell
-  std::size_t columns_ = 0, rows_ = 0;
-  std::vector<std::uint32_t> first_;  // entry of each cell, by rows of cells; one more at the end
-  std::vector<Wall> entries_;
+  SegmentGrid grid_;
+  std::vector<Wall> entries_;  // of all lists: what one look-up returns lies together in memory
   std::size_t most_ = 0;
 };
 

@@ -12,6 +12,7 @@
 #include "alone_scenes.h"
 #include "options.h"
 #include "output.h"
+#include "read_scene.h"
 #include "table.h"
 #include "wall_scenes.h"
 
@@ -319,7 +320,7 @@ TEST(Options, leave_a_rows_own_times) {
   Scenario usual = usual_scenario();
   apply(options, usual);
   EXPECT_EQ(usual.control_time, 0.7);
-  Scenario own = circle({10, 24.0, 2.0, 6.0}, 1).scenario;
+  Scenario own = read_scene({"circle-10", {"control_time=2", "time_horizon=6"}}, 1);
   apply(options, own);
   EXPECT_EQ(own.control_time, 2.0);
   EXPECT_EQ(own.time_horizon, 6.0);

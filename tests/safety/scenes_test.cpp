@@ -6,15 +6,17 @@
 #include <cmath>
 #include <gtest/gtest.h>
 #include <set>
+#include <string>
+#include <string_view>
 #include <utility>
 
 #include "alone_scenes.h"
 #include "avo/assumptions.h"
+#include "avo/error.h"
 #include "avo/simulation.h"
 #include "density.h"
 #include "evadable.h"
 #include "families.h"
-#include "passage_scenes.h"
 #include "placement.h"
 #include "wall_scenes.h"
 
@@ -195,48 +197,59 @@ bool gets_through(const Scene& scene, double radius, Vec2 from, Vec2 to) {
   return Simulation(scenario, 1).unreachable().empty();
 }
 
+Scene scene_of(const std::string& name) {
+  for (const Family& family : families(1e4))
+    if (family.name == name) return family.make(2);
+  throw Error("found no row " + name);
+}
+
 TEST(Families, passages_are_as_wide_as_they_say) {
   const auto expect_width = [](const Scene& scene, double width, Vec2 from, Vec2 to) {
     EXPECT_TRUE(gets_through(scene, 0.5 * width - 1e-8, from, to)) << width;
     EXPECT_FALSE(gets_through(scene, 0.5 * width + 1e-8, from, to)) << width;
   };
-  expect_width(narrow_doorway(1.6, 1), 1.6, {-8.0, 3.0}, {8.0, -3.0});
-  expect_width(narrow_corridor(1.6, 1), 1.6, {-12.0, 3.0}, {12.0, -3.0});
-  expect_width(narrow_corridor(2.4, 1), 2.4, {-12.0, 3.0}, {12.0, -3.0});
-  expect_width(office(1.2, 1), 1.2, {3.0, 4.5}, {27.0, -4.5});
-  expect_width(office(3.5, 1), 3.0, {3.0, 4.5}, {27.0, -4.5});  // the corridor
-  for (std::uint64_t seed = 1; seed <= 5; ++seed) {
-    // a spanning tree leads from every cell to every other one
-    for (const Vec2 cell : {Vec2{1.5, 28.5}, {28.5, 1.5}, {28.5, 28.5}, {13.5, 16.5}}) {
-      expect_width(maze(seed), 3.0, {1.5, 1.5}, cell);
-    }
-  }
+  expect_width(scene_of("doorway-1.6"), 1.6, {-8.0, 3.0}, {8.0, -3.0});
+  expect_width(scene_of("corridor-1.6"), 1.6, {-12.0, 3.0}, {12.0, -3.0});
+  expect_width(scene_of("corridor-2.4"), 2.4, {-12.0, 3.0}, {12.0, -3.0});
+  expect_width(scene_of("office-1.6"), 1.6, {3.0, 4.5}, {27.0, -4.5});
+  expect_width(scene_of("office-1.2"), 1.2, {3.0, 4.5}, {27.0, -4.5});
+  for (const Vec2 cell : {Vec2{1.5, 28.5}, {28.5, 1.5}, {28.5, 28.5}, {13.5, 16.5}})
+    expect_width(scene_of("maze"), 3.0, {1.5, 1.5}, cell);
   // of gaps between walls, only robots that fit get through; the widest gap is for 0.5 m
   expect_width(wall_gaps(1e3, 1), 1.0 + 1e-6, {-5.0, 0.0}, {5.0, 0.0});
 }
 
 TEST(Families, passages_are_used_both_ways) {
-  for (const Scene& scene : {narrow_doorway(1.6, 2), narrow_corridor(1.6, 2)}) {
+  for (const char* name : {"doorway-1.6", "corridor-1.6", "corridor-2.4"}) {
     int to_the_right = 0, to_the_left = 0;
-    for (const RobotSetup& robot : scene.scenario.robots) {
+    for (const RobotSetup& robot : scene_of(name).scenario.robots) {
       EXPECT_LT(robot.position.x * robot.goal.x, 0.0);
       ++(robot.goal.x > 0.0 ? to_the_right : to_the_left);
     }
-    EXPECT_EQ(to_the_right, 25);
-    EXPECT_EQ(to_the_left, 25);
-  }
-  for (const RobotSetup& robot : office(1.6, 2).scenario.robots) {
-    EXPECT_GT(std::abs(robot.goal.y), 1.5 + 1.5);  // neither in the corridor nor before a door
+    EXPECT_EQ(to_the_right, 25) << name;
+    EXPECT_EQ(to_the_left, 25) << name;
   }
 }
 
-TEST(Families, a_maze_has_a_tenth_of_its_inner_walls_left_out) {
-  // 180 walls between cells, of which a tree opens 99 and chance a tenth of the other 81
-  double walls = 0.0;
-  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
-    walls += static_cast<double>(walls_of(maze(seed).scenario.obstacles).size() - 4) / 20.0;
+// So that rows that YAML says and the others can be compared.
+TEST(Families, that_are_read_have_the_usual_settings) {
+  const Scenario usual = usual_scenario();
+  for (const char* name : {"circle-100", "circle-100-jitter", "swap", "streams", "permutation",
+                           "doorway-1.6", "corridor-2.4", "office-1.2", "maze"}) {
+    const Scenario scenario = scene_of(name).scenario;
+    EXPECT_EQ(scenario.time_step, usual.time_step) << name;
+    EXPECT_EQ(scenario.sensing_radius, usual.sensing_radius) << name;
+    EXPECT_EQ(scenario.max_neighbors, usual.max_neighbors) << name;
+    EXPECT_EQ(scenario.arrival_distance, usual.arrival_distance) << name;
+    for (const RobotSetup& robot : scenario.robots) {
+      const RobotSetup like =
+          usual_robot({}, {}, std::string_view(name).starts_with("circle") ? 2.0 : kSpeed);
+      EXPECT_EQ(robot.radius, like.radius) << name;
+      EXPECT_EQ(robot.max_speed, like.max_speed) << name;
+      EXPECT_EQ(robot.max_acceleration, like.max_acceleration) << name;
+      EXPECT_EQ(robot.preferred_speed, like.preferred_speed) << name;
+    }
   }
-  EXPECT_NEAR(walls, 0.9 * 81.0, 2.5);
 }
 
 TEST(Families, among_walls_come_with_both_motions_and_with_cars) {

@@ -10,11 +10,11 @@
 #include <span>
 
 #include "certificate/fallback_areas.h"
-#include "neighbors/uniform_grid.h"
 #include "planner/disc_pairs.h"
 #include "robots/footprint.h"
 #include "robots/model.h"
 #include "sim/fleet.h"
+#include "spatial/point_grid.h"
 
 namespace avo::inline sim {
 namespace {
@@ -198,7 +198,7 @@ void examine_group(std::size_t first, std::size_t last, Starts& starts) {
     positions.push_back(starters[j].position);
     reach = std::max(reach, starters[j].reach);
   }
-  UniformGrid grid;
+  PointGrid grid;
   grid.build(positions, 2.0 * reach);
   SearchScratch scratch;
   for (std::size_t i = 0; i < last; ++i) {

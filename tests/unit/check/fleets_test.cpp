@@ -135,9 +135,10 @@ TEST(CheckFleets, the_numbers_of_the_robots_do_not_matter) {
   EXPECT_EQ(one.gaps, other.gaps);
 }
 
-// A crowd that collides, by the paper's method alone: two judges that share no formula. Many pairs
-// pass in exact contact: without the interpolation error of exponential motion six more overlap,
-// with it a contact by less than that error is none.
+// A crowd that collides, by the paper's method alone. The judge reads rows, and the metrics observe
+// the simulation; both share the distances within a step, and nothing else. Many pairs pass in
+// exact contact: without the interpolation error of exponential motion six more overlap, with it a
+// contact by less than that error is none.
 TEST(CheckFleets, agree_with_the_metrics_of_a_run) {
   for (const Motion motion : {Motion::held, Motion::exponential}) {
     Scenario scene = test::dense_scene(60, motion);

@@ -22,13 +22,13 @@ Vec2 point(const StepPath& path, double u) {
 }
 
 // By samples, then by golden section around each of their minima.
-Separation sampled(const StepPath& a, const StepPath& b) {
+judge::Instant sampled(const StepPath& a, const StepPath& b) {
   constexpr int kSamples = 400;
   const auto nearness = [&](double u) { return -norm(point(a, u) - point(b, u)); };
-  Separation best{std::numeric_limits<double>::infinity(), 0.0};
+  judge::Instant best{0.0, std::numeric_limits<double>::infinity()};
   for (int k = 0; k <= kSamples; ++k) {
     const double u = static_cast<double>(k) / kSamples;
-    if (-nearness(u) < best.distance) best = {-nearness(u), u};
+    if (-nearness(u) < best.distance) best = {u, -nearness(u)};
   }
   for (int k = 0; k <= kSamples; ++k) {
     const double u = static_cast<double>(k) / kSamples;
@@ -50,8 +50,8 @@ TEST(Separation, agrees_with_dense_sampling) {
   for (int k = 0; k < 3'000 && !HasFailure(); ++k) {
     const double size = random.log_uniform(1e-6, 1e6);
     const StepPath a = random_path(random, size), b = random_path(random, size);
-    const Separation found = separation(a, b, std::numeric_limits<double>::infinity());
-    const Separation expected = sampled(a, b);
+    const judge::Instant found = separation(a, b, std::numeric_limits<double>::infinity());
+    const judge::Instant expected = sampled(a, b);
     EXPECT_NEAR(found.distance, expected.distance, 1e-7 * size);
     const double there = norm(point(a, found.fraction) - point(b, found.fraction));
     EXPECT_NEAR(there, found.distance, 1e-12 * size);
@@ -63,11 +63,11 @@ TEST(Separation, sees_what_happens_between_the_ends) {
   const StepPath still = hermite_path({0, 0}, {0, 0}, {0, 0}, {0, 0}, 0.1);
   for (const double miss : {0.0, 1e-9, 0.3, 0.9}) {
     const StepPath fast = hermite_path({-10, miss}, {200, 0}, {10, miss}, {200, 0}, 0.1);
-    const Separation found = separation(still, fast, std::numeric_limits<double>::infinity());
+    const judge::Instant found = separation(still, fast, std::numeric_limits<double>::infinity());
     EXPECT_NEAR(found.distance, miss, 1e-11);
     EXPECT_NEAR(found.fraction, 0.5, 1e-4);
-    EXPECT_NEAR(first_below(still, fast, 1.0, found.fraction),
-                0.5 - std::sqrt(1.0 - miss * miss) / 20.0, 1e-12);
+    EXPECT_NEAR(first_below(still, fast, 1.0).value(), 0.5 - std::sqrt(1.0 - miss * miss) / 20.0,
+                1e-12);
   }
 }
 
@@ -104,8 +104,9 @@ TEST(Separation, a_cubic_is_exact_for_a_held_acceleration) {
 TEST(Separation, first_below_is_the_first) {
   const StepPath still = hermite_path({0, 0}, {0, 0}, {0, 0}, {0, 0}, 1.0);
   const StepPath path = hermite_path({3, 0}, {-2, 0}, {1, 0}, {-2, 0}, 1.0);
-  EXPECT_NEAR(first_below(still, path, 2.0, 1.0), 0.5, 1e-15);
-  EXPECT_EQ(first_below(still, path, 4.0, 1.0), 0.0);
+  EXPECT_NEAR(first_below(still, path, 2.0).value(), 0.5, 1e-15);
+  EXPECT_EQ(first_below(still, path, 4.0), 0.0);
+  EXPECT_EQ(first_below(still, path, 1.0), std::nullopt);
 }
 
 // Nearest to the segment, by samples, then by golden section around each of their minima.
@@ -171,7 +172,7 @@ TEST(Separation, from_a_segment_by_the_response) {
       const double t = u * step, g = static_cast<double>(test::slow_gain(t, delta));
       return path.position + t * path.velocity + g * path.w;
     };
-    EXPECT_NEAR(separation(path, segment, kNoCutoff), sampled_from(at, segment), 1e-7);
+    EXPECT_NEAR(separation(path, segment), sampled_from(at, segment), 1e-7);
   }
 }
 

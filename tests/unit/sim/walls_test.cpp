@@ -280,8 +280,7 @@ TEST(WallGrid, lists_all_walls_within_their_reach) {
       walls.push_back({a, random.below(4) == 0 ? Vec2{b.x, a.y} : a + bend * (b - a)});
       reach.push_back(random.log_uniform(1e-2, 0.3) * side);
     }
-    WallGrid grid;
-    grid.build(walls, reach);
+    const WallGrid grid(walls, reach);
     for (int k = 0; k < 300; ++k) {
       const Vec2 p = 1.6 * test::in_square(random, side) - Vec2{0.3 * side, 0.3 * side};
       const std::span<const Wall> near = grid.near(p);

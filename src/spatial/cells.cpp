@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "neighbors/cells.h"
+#include "spatial/cells.h"
 
 #include <algorithm>
 #include <bit>
 #include <limits>
 
-namespace avo::inline neighbors {
+namespace avo::inline spatial {
 namespace {
 
 constexpr double kLargest = std::numeric_limits<double>::max();
@@ -54,4 +54,4 @@ Cells make_cells(std::span<const Vec2> positions, double side) {
   return cells;
 }
 
-}  // namespace avo::inline neighbors
+}  // namespace avo::inline spatial

@@ -9,7 +9,7 @@
 
 #include "avo/vec.h"
 
-namespace avo::inline neighbors {
+namespace avo::inline spatial {
 
 /// A search reads at most so many cell sides around a place...
 inline constexpr double kMostSides = 4.0;
@@ -65,4 +65,4 @@ inline CellRange cells_within(Vec2 p, double radius, const Cells& cells) {
 /// scattered otherwise.
 Cells make_cells(std::span<const Vec2> positions, double side);
 
-}  // namespace avo::inline neighbors
+}  // namespace avo::inline spatial

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // P14: the grid finds what comparing all pairs finds, in canonical order, whatever the positions.
-#include "neighbors/uniform_grid.h"
+#include "spatial/point_grid.h"
 
 #include <algorithm>
 #include <cmath>
@@ -48,7 +48,7 @@ std::vector<NeighborHit> all_pairs(const std::vector<Vec2>& positions, double ra
   return hits;
 }
 
-std::vector<NeighborHit> gather(const UniformGrid& grid, Vec2 position, int self,
+std::vector<NeighborHit> gather(const PointGrid& grid, Vec2 position, int self,
                                 std::size_t most = kAll) {
   SearchScratch scratch;
   const std::span<const NeighborHit> hits = grid.gather(position, self, most, scratch);
@@ -57,7 +57,7 @@ std::vector<NeighborHit> gather(const UniformGrid& grid, Vec2 position, int self
 
 // Compares from every position and from places around; returns the number of hits.
 std::size_t compare(const std::vector<Vec2>& positions, double radius, std::uint64_t seed) {
-  UniformGrid grid;
+  PointGrid grid;
   grid.build(positions, radius);
   Random random(seed);
   std::size_t found = 0;
@@ -183,23 +183,23 @@ TEST_P(Worlds, P14_agrees_with_all_pairs) {
   }
 }
 
-TEST(UniformGrid, empty_world) {
-  UniformGrid grid;
+TEST(PointGrid, empty_world) {
+  PointGrid grid;
   EXPECT_TRUE(gather(grid, {0, 0}, -1).empty());
   grid.build({}, 15.0);
   EXPECT_TRUE(gather(grid, {0, 0}, -1).empty());
 }
 
-TEST(UniformGrid, the_radius_is_closed) {
-  UniformGrid grid;
+TEST(PointGrid, the_radius_is_closed) {
+  PointGrid grid;
   const std::vector<Vec2> positions{{0, 0}, {3, 4}, {-5, 0}, {0, std::nextafter(5.0, 6.0)}};
   grid.build(positions, 5.0);
   EXPECT_EQ(gather(grid, {0, 0}, 0), (std::vector<NeighborHit>{{25.0, 1}, {25.0, 2}}));
 }
 
 // 1 + 2^-53.5 is 1 as computed, but -2^-53.5 + 1 lies below 1, in the cell before.
-TEST(UniformGrid, a_distance_rounded_to_the_radius_is_within_it) {
-  UniformGrid grid;
+TEST(PointGrid, a_distance_rounded_to_the_radius_is_within_it) {
+  PointGrid grid;
   const std::vector<Vec2> positions{{-0x1.6ap-54, 0}, {1, 0}};
   ASSERT_EQ(positions[1].x - positions[0].x, 1.0);
   ASSERT_LT(positions[0].x + 1.0, 1.0);
@@ -208,7 +208,7 @@ TEST(UniformGrid, a_distance_rounded_to_the_radius_is_within_it) {
 }
 
 // Rounding doubles the reach of a search there: more rows and columns, none read twice.
-TEST(UniformGrid, positions_with_an_ulp_as_large_as_the_radius) {
+TEST(PointGrid, positions_with_an_ulp_as_large_as_the_radius) {
   Random random(6);
   std::vector<Vec2> positions;
   positions.reserve(100);
@@ -220,9 +220,9 @@ TEST(UniformGrid, positions_with_an_ulp_as_large_as_the_radius) {
   }
 }
 
-TEST(UniformGrid, squares_may_overflow_and_underflow) {
+TEST(PointGrid, squares_may_overflow_and_underflow) {
   const double edge = 0x1p-511;  // of two cells
-  UniformGrid grid;
+  PointGrid grid;
   const std::vector<Vec2> close{{edge, 0}, {edge - 1.5e-162, 0}};
   grid.build(close, 2e-163);
   EXPECT_EQ(gather(grid, close[1], 1), (std::vector<NeighborHit>{{0.0, 0}}));
@@ -231,16 +231,16 @@ TEST(UniformGrid, squares_may_overflow_and_underflow) {
   EXPECT_EQ(gather(grid, far[1], 1), (std::vector<NeighborHit>{{kInfinity, 0}}));
 }
 
-TEST(UniformGrid, ties_are_settled_by_index) {
-  UniformGrid grid;
+TEST(PointGrid, ties_are_settled_by_index) {
+  PointGrid grid;
   const std::vector<Vec2> positions{{1, 0}, {0, 1}, {-1, 0}, {0, -1}, {0, 0}};
   grid.build(positions, 1.5);
   EXPECT_EQ(gather(grid, {0, 0}, 4, 3), (std::vector<NeighborHit>{{1, 0}, {1, 1}, {1, 2}}));
 }
 
-TEST(UniformGrid, positions_that_are_not_finite_are_nowhere) {
+TEST(PointGrid, positions_that_are_not_finite_are_nowhere) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
-  UniformGrid grid;
+  PointGrid grid;
   const std::vector<Vec2> positions{{nan, 0}, {0, 0}, {0, kInfinity}, {-kInfinity, nan}, {1, 0}};
   for (const double radius : {2.0, 0.0, kInfinity}) {
     grid.build(positions, radius);
@@ -250,9 +250,9 @@ TEST(UniformGrid, positions_that_are_not_finite_are_nowhere) {
   }
 }
 
-TEST(UniformGrid, twenty_thousand_coincident_points) {
+TEST(PointGrid, twenty_thousand_coincident_points) {
   const std::vector<Vec2> positions(20000, Vec2{0.1, -7.3});
-  UniformGrid grid;
+  PointGrid grid;
   grid.build(positions, 1.0);
   const auto nearest = gather(grid, positions[0], 5, 10);
   ASSERT_EQ(nearest.size(), 10u);
@@ -262,13 +262,13 @@ TEST(UniformGrid, twenty_thousand_coincident_points) {
   EXPECT_EQ(gather(grid, positions[0], 5).size(), 19999u);
 }
 
-TEST(UniformGrid, an_outlier_changes_nothing_for_the_others) {
+TEST(PointGrid, an_outlier_changes_nothing_for_the_others) {
   Random random(3);
   std::vector<Vec2> positions;
   positions.reserve(2001);
   for (int i = 0; i < 2000; ++i)
     positions.push_back({random.uniform(0, 99), random.uniform(0, 99)});
-  UniformGrid without, with;
+  PointGrid without, with;
   without.build(positions, 5.0);
   positions.push_back({1e7, -1e7});
   with.build(positions, 5.0);
@@ -280,13 +280,13 @@ TEST(UniformGrid, an_outlier_changes_nothing_for_the_others) {
 }
 
 // P13, as far as it lies here: the same points are found whatever their order.
-TEST(UniformGrid, P13_insertion_order_renames_and_nothing_else) {
+TEST(PointGrid, P13_insertion_order_renames_and_nothing_else) {
   Random random(4);
   std::vector<Vec2> positions;
   positions.reserve(500);
   for (int i = 0; i < 500; ++i) positions.push_back({random.uniform(0, 40), random.uniform(0, 40)});
   std::vector<Vec2> reversed(positions.rbegin(), positions.rend());
-  UniformGrid grid, mirror;
+  PointGrid grid, mirror;
   grid.build(positions, 4.0);
   mirror.build(reversed, 4.0);
   for (int i = 0; i < 500; ++i) {
@@ -298,8 +298,8 @@ TEST(UniformGrid, P13_insertion_order_renames_and_nothing_else) {
   }
 }
 
-TEST(UniformGrid, building_again_forgets) {
-  UniformGrid grid;
+TEST(PointGrid, building_again_forgets) {
+  PointGrid grid;
   grid.build(std::vector<Vec2>(1000, Vec2{1, 1}), 3.0);
   grid.build(std::vector<Vec2>{{1, 1}, {2, 1}}, 0.5);
   EXPECT_EQ(gather(grid, {1, 1}, -1), (std::vector<NeighborHit>{{0.0, 0}}));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The sort by cell: stable, and the same in any number of parts.
-#include "neighbors/cell_sort.h"
+#include "spatial/cell_sort.h"
 
 #include <algorithm>
 #include <gtest/gtest.h>

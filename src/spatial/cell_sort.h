@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-namespace avo::inline neighbors {
+namespace avo::inline spatial {
 
 /// Points by slot of the table, then by index; points with key `table` come last.
 struct CellSort {
@@ -27,4 +27,4 @@ struct SortedPart {
 SortedPart sort_part(std::span<const std::uint32_t> keys, std::size_t part, std::size_t parts,
                      CellSort& sort);
 
-}  // namespace avo::inline neighbors
+}  // namespace avo::inline spatial

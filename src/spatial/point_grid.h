@@ -8,15 +8,15 @@
 #include <vector>
 
 #include "avo/vec.h"
-#include "neighbors/cell_sort.h"
-#include "neighbors/cells.h"
-#include "neighbors/search.h"
+#include "spatial/cell_sort.h"
+#include "spatial/cells.h"
+#include "spatial/search.h"
 
-namespace avo::inline neighbors {
+namespace avo::inline spatial {
 
 /// Finds exactly the points that comparing all pairs finds: |p_i - position|² <= radius² as
 /// computed in double, in canonical order. Positions that are not finite are never found.
-class UniformGrid {
+class PointGrid {
  public:
   /// Copies the positions. radius: m, of gather(), >= 0, may be infinite. Allocates only while the
   /// number of points grows.
@@ -67,4 +67,4 @@ class UniformGrid {
   std::vector<int> indices_;
 };
 
-}  // namespace avo::inline neighbors
+}  // namespace avo::inline spatial

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // The grid search: contiguous runs of cells, exact distances (paper §VI-A).
-#include "neighbors/uniform_grid.h"
+#include "spatial/point_grid.h"
 
 #include <algorithm>
 #include <numeric>
 
 #include "core/plane.h"
 
-namespace avo::inline neighbors {
+namespace avo::inline spatial {
 namespace {
 // Part of the far radius: no search begins with less.
 constexpr double kLeastGuess = 0.0625;
@@ -28,7 +28,7 @@ double side_without_radius(std::span<const Vec2> positions) {
 
 }  // namespace
 
-void UniformGrid::build(std::span<const Vec2> positions, double radius) {
+void PointGrid::build(std::span<const Vec2> positions, double radius) {
   radius_ = searchable(radius);
   prepare(make_cells(positions, radius > 0.0 ? radius_ : side_without_radius(positions)),
           positions.size());
@@ -39,15 +39,15 @@ void UniformGrid::build(std::span<const Vec2> positions, double radius) {
   build_part(keys_, positions, indices_, 0, 1);
 }
 
-void UniformGrid::prepare(const Cells& cells, std::size_t count) {
+void PointGrid::prepare(const Cells& cells, std::size_t count) {
   cells_ = cells;
   sort_.resize(cells.table(), count);
   for (std::vector<double>* column : {&x_, &y_, &index_}) column->resize(count + kSparePoints);
 }
 
-SortedPart UniformGrid::build_part(std::span<const std::uint32_t> keys,
-                                   std::span<const Vec2> positions, std::span<const int> indices,
-                                   std::size_t part, std::size_t parts) {
+SortedPart PointGrid::build_part(std::span<const std::uint32_t> keys,
+                                 std::span<const Vec2> positions, std::span<const int> indices,
+                                 std::size_t part, std::size_t parts) {
   const SortedPart sorted = sort_part(keys, part, parts, sort_);
   for (std::size_t place = sorted.first; place < sorted.last; ++place) {
     const std::uint32_t i = sort_.order[place];
@@ -58,8 +58,8 @@ SortedPart UniformGrid::build_part(std::span<const std::uint32_t> keys,
   return sorted;
 }
 
-void UniformGrid::take(std::span<const std::uint32_t> points, std::span<const Vec2> positions,
-                       std::span<const int> indices) {
+void PointGrid::take(std::span<const std::uint32_t> points, std::span<const Vec2> positions,
+                     std::span<const int> indices) {
   cells_ = {.per_meter = 0.0};
   sort_.begin.assign({0U, static_cast<std::uint32_t>(points.size())});
   sort_.order.assign(points.begin(), points.end());
@@ -72,8 +72,7 @@ void UniformGrid::take(std::span<const std::uint32_t> points, std::span<const Ve
   }
 }
 
-void UniformGrid::list_within(Vec2 center, double radius,
-                              std::vector<std::uint32_t>& places) const {
+void PointGrid::list_within(Vec2 center, double radius, std::vector<std::uint32_t>& places) const {
   std::size_t count = 0;
   const auto take = [&](std::size_t first, std::size_t last) {
     places.resize(count + last - first);
@@ -94,12 +93,12 @@ void UniformGrid::list_within(Vec2 center, double radius,
   places.resize(count);
 }
 
-void UniformGrid::forget_order() {
+void PointGrid::forget_order() {
   std::iota(sort_.order.begin(), sort_.order.end(), 0U);
 }
 
-std::size_t UniformGrid::find(std::span<const NeighborQuery> queries, std::size_t enough,
-                              SearchScratch& scratch) const {
+std::size_t PointGrid::find(std::span<const NeighborQuery> queries, std::size_t enough,
+                            SearchScratch& scratch) const {
   scratch.queries.assign(queries.begin(), queries.end());
   if (sort_.order.empty()) {
     scratch.results.assign(queries.size(), {});
@@ -115,14 +114,14 @@ std::size_t UniformGrid::find(std::span<const NeighborQuery> queries, std::size_
   return search_within(points, enough, scratch);
 }
 
-std::span<const NeighborHit> UniformGrid::gather(Vec2 position, int self, std::size_t most,
-                                                 SearchScratch& scratch) const {
+std::span<const NeighborHit> PointGrid::gather(Vec2 position, int self, std::size_t most,
+                                               SearchScratch& scratch) const {
   const NeighborQuery query{position, self, most, -1.0, radius_, radius_};
   find({&query, 1}, 1, scratch);
   return list(0, scratch);
 }
 
-std::span<const NeighborHit> UniformGrid::list(std::size_t query, SearchScratch& scratch) const {
+std::span<const NeighborHit> PointGrid::list(std::size_t query, SearchScratch& scratch) const {
   const Found& hits = scratch.results[query];
   scratch.hits.clear();
   for (std::size_t k = hits.first; k < hits.first + hits.count; ++k) {
@@ -133,4 +132,4 @@ std::span<const NeighborHit> UniformGrid::list(std::size_t query, SearchScratch&
   return scratch.hits;
 }
 
-}  // namespace avo::inline neighbors
+}  // namespace avo::inline spatial

@@ -10,9 +10,9 @@
 #include <span>
 
 #include "core/scalar.h"
-#include "neighbors/search.h"
+#include "spatial/search.h"
 
-namespace avo::inline neighbors {
+namespace avo::inline spatial {
 
 // Candidates that are not near are thinned out when so many more than twice `most` are left.
 inline constexpr std::size_t kManyHits = 64;
@@ -133,4 +133,4 @@ struct SearchKernels {
   std::size_t (*find_candidates)(const PlacedPoints&, std::size_t, SearchScratch&);
 };
 
-}  // namespace avo::inline neighbors
+}  // namespace avo::inline spatial

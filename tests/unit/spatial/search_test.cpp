@@ -8,7 +8,7 @@
 #include <span>
 #include <vector>
 
-#include "neighbors/uniform_grid.h"
+#include "spatial/point_grid.h"
 #include "support/generators.h"
 
 namespace avo {
@@ -20,7 +20,7 @@ using test::Random;
 struct Points {
   std::vector<Vec2> positions;
   std::vector<int> names;
-  UniformGrid grid;
+  PointGrid grid;
 };
 
 void build(Points& points, double side, Random& random) {

@@ -8,9 +8,9 @@
 #include <vector>
 
 #include "avo/vec.h"
-#include "neighbors/cells.h"
+#include "spatial/cells.h"
 
-namespace avo::inline neighbors {
+namespace avo::inline spatial {
 
 struct NeighborHit {
   double distance_squared = 0.0;  ///< m², between centers
@@ -65,7 +65,7 @@ struct SearchScratch {
   std::vector<std::uint32_t> place;     // in the order of the cells
   std::vector<std::uint32_t> order;     // the same places, finally in canonical order
   std::vector<NeighborHit> keys;        // of one search, while many are sorted
-  std::vector<NeighborHit> hits;        // of UniformGrid::list()
+  std::vector<NeighborHit> hits;        // of PointGrid::list()
 
   /// Reserves room for so many queries with so many candidates in all, and for the search.
   void reserve(std::size_t most_queries, std::size_t candidates) {
@@ -88,4 +88,4 @@ struct SearchScratch {
 /// candidates; returns the number answered. Positions must be finite, near and guess at most far.
 std::size_t search_within(const PlacedPoints& points, std::size_t enough, SearchScratch& scratch);
 
-}  // namespace avo::inline neighbors
+}  // namespace avo::inline spatial

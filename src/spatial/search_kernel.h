@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The lanes of a search (ARCHITECTURE.md, "One step").
-#ifndef AVO_NEIGHBORS_SEARCH_KERNEL_H
-#define AVO_NEIGHBORS_SEARCH_KERNEL_H
+#ifndef AVO_SPATIAL_SEARCH_KERNEL_H
+#define AVO_SPATIAL_SEARCH_KERNEL_H
 
 #include <algorithm>
 #include <bit>
@@ -10,7 +10,7 @@
 #include <limits>
 
 #include "core/scalar.h"
-#include "neighbors/search_steps.h"
+#include "spatial/search_steps.h"
 
 AVO_BEGIN_KERNELS
 

@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 // The grid search for every instruction set; the best one is chosen at run time.
-#include "neighbors/search.h"
+#include "spatial/search.h"
 
 #include <algorithm>
 
-#include "neighbors/search_steps.h"
+#include "spatial/search_steps.h"
 
-#define AVO_KERNEL_HEADER "neighbors/search_kernel.h"
+#define AVO_KERNEL_HEADER "spatial/search_kernel.h"
 #define AVO_KERNEL_STRUCT SearchKernels
 #define AVO_KERNEL_FUNCTIONS find_candidates<Pack<double>, Pack<float>>
 #include "core/kernel_passes.h"
 
-namespace avo::inline neighbors {
+namespace avo::inline spatial {
 void SearchScratch::grow(std::size_t size) {
   size = std::max(size, order.size() + order.size() / 2);
   distance_squared.resize(size);
@@ -26,4 +26,4 @@ std::size_t search_within(const PlacedPoints& points, std::size_t enough, Search
   return kKernels->find_candidates(points, enough, scratch);
 }
 
-}  // namespace avo::inline neighbors
+}  // namespace avo::inline spatial

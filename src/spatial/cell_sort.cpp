@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "neighbors/cell_sort.h"
+#include "spatial/cell_sort.h"
 
 #include <algorithm>
 
-namespace avo::inline neighbors {
+namespace avo::inline spatial {
 
 void CellSort::resize(std::size_t table, std::size_t count) {
   begin.resize(table + 2);
@@ -38,4 +38,4 @@ SortedPart sort_part(std::span<const std::uint32_t> keys, std::size_t part, std:
   return result;
 }
 
-}  // namespace avo::inline neighbors
+}  // namespace avo::inline spatial
