@@ -39,11 +39,17 @@ Vec3 push_of(const Robot& robot, const Neighbor& neighbor, Vec3 away, double dis
 
 }  // namespace
 
-Traffic look_around(const Robot& robot, std::span<const Neighbor> neighbors) {
+double traffic_range(const Robot& robot) {
+  return arrival_range(numbers_of(robot), 0.0);
+}
+
+Traffic traffic_of(const Robot& robot, const Bodies& bodies,
+                   std::span<const std::uint32_t> places) {
   const avo::Robot same = numbers_of(robot);
-  const double range = arrival_range(same, 0.0), pace = norm(robot.preferred_velocity);
+  const double range = traffic_range(robot), pace = norm(robot.preferred_velocity);
   Traffic traffic;
-  for (const Neighbor& neighbor : neighbors) {
+  for (const std::uint32_t place : places) {
+    const Neighbor neighbor = bodies.neighbor(place);
     const Vec3 towards = neighbor.position - robot.position;
     const double distance = norm(towards), contact = robot.radius + neighbor.radius;
     const double defers = 2.0 * room_share(1.0, 1.0, neighbor.priority, robot.priority);
@@ -83,10 +89,10 @@ Vec3 turned_right(Vec3 a, Vec3 axis, double angle) {
   return turn.x * a - turn.y * cross(axis, a) + ((1.0 - turn.x) * dot(axis, a)) * axis;
 }
 
-Vec3 wish_of(const Robot& robot, std::span<const Neighbor> neighbors, const PlannerOptions& options,
-             Vec3 axis, Detour& detour) {
+Vec3 wish_of(const Robot& robot, const Bodies& bodies, std::span<const std::uint32_t> places,
+             const PlannerOptions& options, Vec3 axis, Detour& detour) {
   const avo::Robot same = numbers_of(robot);
-  const Traffic traffic = look_around(robot, neighbors);
+  const Traffic traffic = traffic_of(robot, bodies, places);
   avo::Detour plane{
       .beside = detour.beside, .congestion = detour.congestion, .has_arrived = detour.has_arrived};
   const double time = time_to_speed(same);

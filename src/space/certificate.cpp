@@ -54,13 +54,6 @@ Deviation plain(const scalar::PackDeviation<Real>& deviation) {
           deviation.most_aside.value};
 }
 
-// The law with errors that are as large in every direction of a neighbor's own space.
-StepLaw law_against(const Neighbor& neighbor, const StepLaw& law) {
-  StepLaw result = law;
-  result.sensing_error.velocity *= std::max(neighbor.vertical, 1.0 / neighbor.vertical);
-  return result;
-}
-
 scalar::PackNeighbor<Real, 3> pack(const Neighbor& neighbor) {
   return {pack(neighbor.position),   pack(neighbor.velocity), neighbor.radius,
           neighbor.max_acceleration, braking_limit(neighbor), neighbor.priority,
@@ -81,8 +74,8 @@ void drop_undirected(std::size_t first, ConstraintColumns& columns) {
   }
 }
 
-void collect_pair(const BrakingPair& pair, const PairShape<3>& shape, int index, const StepLaw& law,
-                  Constraints& constraints) {
+void append_pair(const BrakingPair& pair, const PairShape<3>& shape, int index, const StepLaw& law,
+                 Constraints& constraints) {
   const double most = std::max(pair.a.intervals, pair.b.intervals);
   if (!(most <= kMostIntervals)) {
     constraints.invariant.unknown = true;
@@ -92,7 +85,7 @@ void collect_pair(const BrakingPair& pair, const PairShape<3>& shape, int index,
   if (intervals > constraints.own_columns.count) {
     constraints.own_columns.count = intervals;
     constraints.own_columns.reserve(intervals);
-    fill_own(constraints.own, constraints.deviation, law, constraints.own_columns);
+    kernels().fill_own(constraints.own, constraints.deviation, law, constraints.own_columns);
   }
   static constexpr avo::Neighbor kDecides;  // the pair has all its data that matter
   PairConstraints wanted{.pair = pair,
@@ -106,9 +99,10 @@ void collect_pair(const BrakingPair& pair, const PairShape<3>& shape, int index,
   ConstraintColumns& columns = constraints.columns;
   const std::size_t first = columns.count;
   columns.reserve(first + intervals);
-  const double nearest = append_constraints(wanted, law, constraints.own_columns, columns);
+  const double nearest =
+      kernels().append_constraints(wanted, law, constraints.own_columns, columns);
   wanted.held = held_distance(pair, nearest, index, constraints.invariant);
-  if (columns.count > first) hold(wanted, first, columns);
+  if (columns.count > first) kernels().hold(wanted, first, columns);
   if (nearest < pair.contact - pair.error && nearly_coincide(nearest, pair.contact))
     drop_undirected(first, columns);
   if (law.is_exact()) return;
@@ -119,21 +113,26 @@ void collect_pair(const BrakingPair& pair, const PairShape<3>& shape, int index,
   }
 }
 
-// Whether the pair cannot refuse any candidate: docs/space.md, "What can refuse nothing".
-bool refuses_nothing(const scalar::PackSelf<Real, 3>& self,
-                     const scalar::PackNeighbor<Real, 3>& other,
-                     const scalar::PackPair<Real, 3>& pair, const PairShape<3>& shape,
-                     const Deviation& deviation, const StepLaw& law) {
+// What the pair can refuse: the gap is infinite where it is nothing at all, and -infinity where it
+// is not known. docs/space.md, "What can refuse nothing".
+scalar::PackClearance<Real> clearance_of(const scalar::PackSelf<Real, 3>& self,
+                                         const scalar::PackNeighbor<Real, 3>& other,
+                                         const scalar::PackPair<Real, 3>& pair,
+                                         const PairShape<3>& shape, const StepLaw& law) {
   const double apart = scalar::distance_to(pair.p, shape).value;
   if (apart - (self.braking.reach.value + pair.b.reach.value) >
       pair.inflated.value + pair.error.value)
-    return true;
-  if (!law.is_exact() || shape.vertical != 1.0 || other.vertical.value != 1.0) return false;
-  const auto clearance = scalar::clearance_of<true>(self, pair, other, law);
-  const double gap = clearance.gap.value - pair.share.value * std::max(shape.up, shape.down);
+    return {std::numeric_limits<double>::infinity(), 1.0};
+  if (!law.is_exact() || shape.vertical != 1.0 || other.vertical.value != 1.0)
+    return {-std::numeric_limits<double>::infinity(), 1.0};
+  scalar::PackClearance<Real> clearance = scalar::clearance_of<true>(self, pair, other, law);
+  if (!shape.has_wash()) return clearance;
   // directions between a robot and the far end of a downwash are not those of `against`
-  const double against = shape.has_wash() ? 1.0 : clearance.against.value;
-  return gap > against * deviation.most_ahead + deviation.most_aside;
+  return {clearance.gap - pair.share * Real(std::max(shape.up, shape.down)), 1.0};
+}
+
+StepLaw law_of_pair(double vertical, const StepLaw& law) {
+  return law.is_exact() || vertical == 1.0 ? law : law_against(vertical, law);
 }
 
 }  // namespace
@@ -144,34 +143,52 @@ Braking braking_of(Vec3 velocity, double max_acceleration, double max_braking, d
                                   Real(vertical), law));
 }
 
-void begin_constraints(const Robot& robot, std::span<const Neighbor> neighbors,
-                       std::span<const Box> boxes, const StepLaw& law, Constraints& constraints) {
+void begin_constraints(const Robot& robot, const StepLaw& law, Constraints& constraints) {
   constraints.columns.count = constraints.columns.judged = 0;
   constraints.own_columns.count = constraints.own_columns.filled = 0;
+  constraints.waiting.clear();
   constraints.invariant = {.slack = std::numeric_limits<double>::infinity()};
   constraints.has_cones = false;
-  const scalar::PackBraking<Real, 3> braking = packed_braking(robot, law);
-  constraints.own = plain(braking);
+  constraints.own = plain(packed_braking(robot, law));
   constraints.deviation = plain(deviation_of(robot, law));
   const Vec3 own_velocity = to_own(robot.velocity, robot.vertical);
   const double own_speed = norm(own_velocity);
   constraints.own_direction = own_speed > 0.0 ? own_velocity / own_speed : Vec3{};
-  const scalar::PackSelf<Real, 3> self = pack(robot, braking);
-  for (std::size_t k = 0; k < neighbors.size(); ++k) {
-    const Neighbor& neighbor = neighbors[k];
-    const bool scales = !law.is_exact() && neighbor.vertical != 1.0;
-    const StepLaw pair_law = scales ? law_against(neighbor, law) : law;
-    const scalar::PackNeighbor<Real, 3> other = pack(neighbor);
-    const scalar::PackPair<Real, 3> packed = scalar::pair_of<true>(self, other, pair_law);
-    const PairShape<3> shape{robot.downwash, neighbor.downwash, robot.vertical,
+}
+
+void collect_constraints(const Robot& robot, const Bodies& bodies,
+                         std::span<const std::uint32_t> places, std::span<const Box> boxes,
+                         const StepLaw& law, Constraints& constraints) {
+  const Deviation& deviation = constraints.deviation;
+  const scalar::PackSelf<Real, 3> self = pack(robot, scalar::constant<Real, 3>(constraints.own));
+  for (const std::uint32_t place : places) {
+    const scalar::PackNeighbor<Real, 3> other = pack(bodies.neighbor(place));
+    const StepLaw pair_law = law_of_pair(other.vertical.value, law);
+    const Braking b = bodies.braking(place);
+    const scalar::PackPair<Real, 3> packed =
+        scalar::pair_of<true>(self, other, scalar::constant<Real, 3>(b), pair_law);
+    const PairShape<3> shape{robot.downwash, other.downwash.value, robot.vertical,
                              constraints.own_direction};
-    if (refuses_nothing(self, other, packed, shape, constraints.deviation, pair_law)) continue;
-    const BrakingPair pair{scalar::plain(packed.p), packed.contact.value, packed.inflated.value,
-                           packed.error.value,      packed.share.value,   true,
-                           constraints.own,         plain(packed.b)};
-    collect_pair(pair, shape, static_cast<int>(k), pair_law, constraints);
+    const auto [gap, against] = clearance_of(self, other, packed, shape, pair_law);
+    if (gap.value > against.value * deviation.most_ahead + deviation.most_aside) continue;
+    const BrakingPair pair{scalar::plain(packed.p), packed.contact.value,
+                           packed.inflated.value,   packed.error.value,
+                           packed.share.value,      true,
+                           constraints.own,         b};
+    const int number = static_cast<int>(bodies.number[place]);
+    const bool waits = gap.value > 0.0 && std::max(pair.a.intervals, b.intervals) <= kMostIntervals;
+    if (waits)
+      constraints.waiting.push_back({pair, shape, number, gap.value, against.value});
+    else
+      append_pair(pair, shape, number, pair_law, constraints);
   }
   begin_boxes(robot, boxes, law, constraints.boxes);
+}
+
+void append_waiting(const StepLaw& law, Constraints& constraints) {
+  for (const WaitingPair& waiting : constraints.waiting)
+    append_pair(waiting.pair, waiting.shape, waiting.number, law, constraints);
+  constraints.waiting.clear();
 }
 
 namespace {
@@ -233,12 +250,29 @@ HalfSpace tangent(const Robot& robot, const Worst& worst, const StepLaw& law,
 
 }  // namespace
 
+namespace {
+
+// Appends the constraints of the pairs that can refuse the candidate.
+void append_needed(Vec3 next_velocity, const StepLaw& law, Constraints& constraints) {
+  if (constraints.waiting.empty()) return;
+  const auto [ahead, aside] = scalar::candidate_deviation(
+      scalar::constant<Real, 3>(constraints.own), pack(next_velocity), law);
+  std::erase_if(constraints.waiting, [&](const WaitingPair& waiting) {
+    if (waiting.gap > waiting.against * ahead.value + aside.value) return false;
+    append_pair(waiting.pair, waiting.shape, waiting.number, law, constraints);
+    return true;
+  });
+}
+
+}  // namespace
+
 bool admits(const Robot& robot, Vec3 next_velocity, const StepLaw& law, Asked asked_for,
             Constraints& constraints) {
   if (constraints.invariant.unknown) return false;
+  append_needed(next_velocity, law, constraints);
   constraints.path = follow(robot, next_velocity, law);
-  const bool kept = keeps(constraints.own, constraints.path, law, constraints.has_cones, asked_for,
-                          constraints.columns);
+  const bool kept = kernels().keeps(constraints.own, constraints.path, law, constraints.has_cones,
+                                    asked_for, constraints.columns);
   if (!kept && asked_for == Asked::until_refused) return false;
   return keeps_boxes(robot, next_velocity, law, constraints.boxes) && kept;
 }
