@@ -2,12 +2,10 @@
 // The rules for arriving in space (docs/arrival.md, docs/space.md): those of the plane, turned
 // about an axis across the way. Safety never depends on them.
 #pragma once
-#include <cstdint>
-#include <span>
-
 #include "avo/space/planner.h"
 #include "planner/rules/arrival.h"
 #include "space/bodies.h"
+#include "space/look.h"
 
 namespace avo::space {
 
@@ -33,7 +31,7 @@ Vec3 turned_right(Vec3 a, Vec3 axis, double angle);
 
 /// [m/s] The velocity that the robot wishes: its preferred velocity, to the right in traffic, aside
 /// for others. Updates the detour.
-Vec3 wish_of(const Robot& robot, const Bodies& bodies, std::span<const std::uint32_t> places,
+Vec3 wish_of(const Robot& robot, const Bodies& bodies, const Looked& looked,
              const PlannerOptions& options, Vec3 axis, Detour& detour);
 
 }  // namespace avo::space

@@ -23,6 +23,7 @@ void set(std::array<Bodies::Column, 3>& columns, std::size_t k, Vec3 a) {
 void Bodies::clear() {
   count = 0;
   has_downwash = has_vertical = false;
+  is_uniform = true;
 }
 
 void Bodies::reserve(std::size_t bodies) {
@@ -48,6 +49,9 @@ void Bodies::add(const Neighbor& body, std::size_t body_number) {
   vertical[k] = body.vertical;
   downwash[k] = body.downwash;
   priority[k] = body.priority;
+  for (const Column* column :
+       {&radius, &max_acceleration, &max_braking, &vertical, &downwash, &priority})
+    is_uniform = is_uniform && (*column)[k] == (*column)[0];
   has_downwash = has_downwash || body.downwash > 0.0;
   has_vertical = has_vertical || body.vertical != 1.0;
 }
@@ -73,11 +77,20 @@ BrakingOf<3> Bodies::braking(std::size_t k) const {
 }
 
 void fill_braking(const StepLaw& law, Bodies& bodies) {
-  if (law.is_exact() || !bodies.has_vertical)
-    return kernels().fill_braking(law, 0, bodies.count, bodies);
-  for (std::size_t k = 0; k < bodies.count; ++k)
-    scalar::fill_braking<scalar::Pack<double>>(law_against(bodies.vertical[k], law), k, k + 1,
-                                               bodies);
+  if (law.is_exact() || !bodies.has_vertical) {
+    kernels().fill_braking(law, 0, bodies.count, bodies);
+  } else {
+    for (std::size_t k = 0; k < bodies.count; ++k)
+      scalar::fill_braking<scalar::Pack<double>>(law_against(bodies.vertical[k], law), k, k + 1,
+                                                 bodies);
+  }
+  const auto most = [&](const Bodies::Column& column) {
+    const auto end = column.begin() + static_cast<std::ptrdiff_t>(bodies.count);
+    return bodies.count > 0 ? *std::max_element(column.begin(), end) : 0.0;
+  };
+  bodies.most_reach = most(bodies.reach), bodies.most_full_steps = most(bodies.full_steps);
+  bodies.most_intervals = most(bodies.intervals), bodies.most_error = most(bodies.error);
+  bodies.most_downwash = most(bodies.downwash);
 }
 
 StepLaw law_against(double vertical, const StepLaw& law) {

@@ -25,8 +25,12 @@ struct Bodies {
   std::array<Column, 3> direction;
   Column speed, decrement, full_steps, increment, length, reach, intervals;
   Column error;  // m, of the path of a body that brakes, relative to the sensed one
-  // some: downwash; limits that differ along the vertical
+  // some have downwash; limits that differ along the vertical
   bool has_downwash = false, has_vertical = false;
+  bool is_uniform = true;  // all have the same radius, limits, downwash and priority
+  // the largest of all; set by fill_braking()
+  double most_reach = 0.0, most_full_steps = 0.0, most_intervals = 0.0, most_error = 0.0;
+  double most_downwash = 0.0;
 
   void clear();
   void reserve(std::size_t bodies);

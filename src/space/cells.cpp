@@ -21,17 +21,19 @@ constexpr double kRounding = 0x1p-10;
 SpaceCells::SpaceCells(double radius)
     : radius_(radius), side_(radius / kSides), per_meter_(kSides / radius) {}
 
+// Rounding moves a place by less than kRounding against the cells.
 std::int64_t SpaceCells::cell(double coordinate) const {
-  return static_cast<std::int64_t>(
-      std::floor(std::clamp(coordinate * per_meter_, -kFarthestCell, kFarthestCell)));
+  constexpr double kPositive = 2.0 * kFarthestCell;  // from here on, truncation is rounding down
+  const double sides = std::clamp(coordinate * per_meter_, -kFarthestCell, kFarthestCell);
+  return static_cast<std::int64_t>(sides + kPositive) - static_cast<std::int64_t>(kPositive);
 }
 
-std::size_t SpaceCells::slot(std::int64_t x, std::int64_t y, std::int64_t z) const {
-  const auto wrapped = [](std::int64_t a, std::size_t bits) {
-    return static_cast<std::size_t>(a) & ((std::size_t{1} << bits) - 1);
-  };
-  return (((wrapped(z, bits_[2]) << bits_[1]) | wrapped(y, bits_[1])) << bits_[0]) |
-         wrapped(x, bits_[0]);
+std::size_t SpaceCells::wrapped(std::int64_t its_cell, std::size_t axis) const {
+  return static_cast<std::size_t>(its_cell) & ((std::size_t{1} << bits_[axis]) - 1);
+}
+
+std::size_t SpaceCells::row(std::int64_t y, std::int64_t z) const {
+  return ((wrapped(z, 2) << bits_[1]) | wrapped(y, 1)) << bits_[0];
 }
 
 // m: how far a cell is at least from a coordinate.
@@ -66,7 +68,7 @@ void SpaceCells::sort(std::span<const Robot> robots) {
   keys_.resize(robots.size());
   for (std::size_t k = 0; k < robots.size(); ++k) {
     const Vec3 p = robots[k].position;
-    keys_[k] = static_cast<std::uint32_t>(slot(cell(p.x), cell(p.y), cell(p.z)));
+    keys_[k] = static_cast<std::uint32_t>(row(cell(p.y), cell(p.z)) + wrapped(cell(p.x), 0));
   }
   sorted_.resize(std::size_t{1} << (bits_[0] + bits_[1] + bits_[2]), robots.size());
   sort_part(keys_, 0, 1, sorted_);
@@ -75,24 +77,28 @@ void SpaceCells::sort(std::span<const Robot> robots) {
 std::size_t SpaceCells::around(Vec3 place, Runs& runs) const {
   std::size_t count = 0;
   const auto add = [&](std::size_t first_slot, std::size_t last_slot) {
-    const Run run{sorted_.begin[first_slot], sorted_.begin[last_slot + 1]};
-    if (run.first < run.last) runs[count++] = run;
+    runs[count] = {sorted_.begin[first_slot], sorted_.begin[last_slot + 1]};
+    count += runs[count].first < runs[count].last ? 1 : 0;
   };
   const double reach = radius_ + kRounding * side_, squared = reach * reach;
-  for (std::int64_t z = cell(place.z - reach), z_end = cell(place.z + reach); z <= z_end; ++z) {
+  const std::int64_t y_first = cell(place.y - reach), y_last = cell(place.y + reach);
+  std::array<double, kMostSpan> away_y_squared{};
+  for (std::int64_t y = y_first; y <= y_last; ++y) {
+    const double away_y = away(place.y, y);
+    away_y_squared[static_cast<std::size_t>(y - y_first)] = away_y * away_y;
+  }
+  const std::size_t end = wrapped(-1, 0);
+  for (std::int64_t z = cell(place.z - reach), z_last = cell(place.z + reach); z <= z_last; ++z) {
     const double away_z = away(place.z, z), left = squared - away_z * away_z;
-    for (std::int64_t y = cell(place.y - reach), y_end = cell(place.y + reach); y <= y_end; ++y) {
-      const double away_y = away(place.y, y), half_squared = left - away_y * away_y;
+    for (std::int64_t y = y_first; y <= y_last; ++y) {
+      const double half_squared = left - away_y_squared[static_cast<std::size_t>(y - y_first)];
       if (!(half_squared >= 0.0)) continue;
       const double half = std::sqrt(half_squared) + kRounding * side_;
-      const std::size_t first = slot(cell(place.x - half), y, z);
-      const std::size_t last = slot(cell(place.x + half), y, z);
-      if (first <= last) {
-        add(first, last);
-        continue;
-      }
-      add(slot(0, y, z), last);
-      add(first, slot(-1, y, z));
+      const std::size_t slots = row(y, z);
+      const std::size_t first = wrapped(cell(place.x - half), 0);
+      const std::size_t last = wrapped(cell(place.x + half), 0);
+      if (first > last) add(slots, slots + last);
+      add(slots + first, slots + (first > last ? end : last));
     }
   }
   return count;

@@ -20,8 +20,8 @@ class SpaceCells {
  public:
   /// The cells of a row along x are consecutive, except where the row begins anew. So many runs
   /// contain all cells that a search reads.
-  static constexpr std::size_t kMostRuns = 98;
-  using Runs = std::array<Run, kMostRuns>;
+  static constexpr std::size_t kMostSpan = 7;  // cells along an axis
+  using Runs = std::array<Run, 2 * kMostSpan * kMostSpan + 1>;
 
   /// radius: m, of all searches, > 0.
   explicit SpaceCells(double radius);
@@ -37,7 +37,8 @@ class SpaceCells {
 
  private:
   [[nodiscard]] std::int64_t cell(double coordinate) const;
-  [[nodiscard]] std::size_t slot(std::int64_t x, std::int64_t y, std::int64_t z) const;
+  [[nodiscard]] std::size_t wrapped(std::int64_t its_cell, std::size_t axis) const;
+  [[nodiscard]] std::size_t row(std::int64_t y, std::int64_t z) const;  // its first slot
   [[nodiscard]] double away(double coordinate, std::int64_t its_cell) const;
   void choose_sizes(std::span<const Robot> robots);
 

@@ -156,12 +156,11 @@ void begin_constraints(const Robot& robot, const StepLaw& law, Constraints& cons
   constraints.own_direction = own_speed > 0.0 ? own_velocity / own_speed : Vec3{};
 }
 
-void collect_constraints(const Robot& robot, const Bodies& bodies,
-                         std::span<const std::uint32_t> places, std::span<const Box> boxes,
-                         const StepLaw& law, Constraints& constraints) {
+void collect_constraints(const Robot& robot, const Bodies& bodies, std::span<const NearBody> near,
+                         std::span<const Box> boxes, const StepLaw& law, Constraints& constraints) {
   const Deviation& deviation = constraints.deviation;
   const scalar::PackSelf<Real, 3> self = pack(robot, scalar::constant<Real, 3>(constraints.own));
-  for (const std::uint32_t place : places) {
+  for (auto [place, gap, against] : near) {
     const scalar::PackNeighbor<Real, 3> other = pack(bodies.neighbor(place));
     const StepLaw pair_law = law_of_pair(other.vertical.value, law);
     const Braking b = bodies.braking(place);
@@ -169,16 +168,17 @@ void collect_constraints(const Robot& robot, const Bodies& bodies,
         scalar::pair_of<true>(self, other, scalar::constant<Real, 3>(b), pair_law);
     const PairShape<3> shape{robot.downwash, other.downwash.value, robot.vertical,
                              constraints.own_direction};
-    const auto [gap, against] = clearance_of(self, other, packed, shape, pair_law);
-    if (gap.value > against.value * deviation.most_ahead + deviation.most_aside) continue;
-    const BrakingPair pair{scalar::plain(packed.p), packed.contact.value,
-                           packed.inflated.value,   packed.error.value,
-                           packed.share.value,      true,
+    if (gap == kUnknownGap) {
+      const auto clearance = clearance_of(self, other, packed, shape, pair_law);
+      gap = clearance.gap.value, against = clearance.against.value;
+      if (gap > against * deviation.most_ahead + deviation.most_aside) continue;
+    }
+    const BrakingPair pair{scalar::plain(packed.p), packed.contact.value, packed.inflated.value,
+                           packed.error.value,      packed.share.value,   true,
                            constraints.own,         b};
     const int number = static_cast<int>(bodies.number[place]);
-    const bool waits = gap.value > 0.0 && std::max(pair.a.intervals, b.intervals) <= kMostIntervals;
-    if (waits)
-      constraints.waiting.push_back({pair, shape, number, gap.value, against.value});
+    if (gap > 0.0 && std::max(pair.a.intervals, b.intervals) <= kMostIntervals)
+      constraints.waiting.push_back({pair, shape, number, gap, against});
     else
       append_pair(pair, shape, number, pair_law, constraints);
   }

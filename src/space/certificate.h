@@ -2,7 +2,6 @@
 // One robot's certificate in space (docs/space.md, "The certificate"): the constraints of its
 // neighbors, and whether a next velocity keeps them.
 #pragma once
-#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -12,6 +11,7 @@
 #include "space/bodies.h"
 #include "space/boxes.h"
 #include "space/kernels.h"
+#include "space/look.h"
 #include "space/program.h"
 
 namespace avo::space {

@@ -230,7 +230,7 @@ void look_around(const PlannerOptions& options, const Horizon& horizon, const St
                  const Robot& robot, const Surroundings& around, PlanWorkspace::Scratch& scratch) {
   Constraints& constraints = scratch.choice.constraints;
   begin_constraints(robot, law, constraints);
-  Look look{.robot = robot,
+  const Look look{.robot = robot,
             .braking = constraints.own,
             .deviation = constraints.deviation,
             .law = law,
@@ -240,10 +240,7 @@ void look_around(const PlannerOptions& options, const Horizon& horizon, const St
             .range = around.range,
             .traffic_range = traffic_range(robot),
             .certified = options.certificate != Certificate::none};
-  if (options.max_neighbors)
-    limit_to_nearest(static_cast<std::size_t>(*options.max_neighbors), around.bodies, around.runs,
-                     look, scratch.looked);
-  look_at(look, around.bodies, around.runs, scratch.looked);
+  look_at(look, around.bodies, around.runs, options.max_neighbors, scratch.looked);
 }
 
 void collect_all_constraints(const PlannerOptions& options, const StepLaw& law, const Robot& robot,
@@ -274,7 +271,7 @@ Plan decide(const PlannerOptions& options, const Horizon& horizon, const Robot& 
   if (!execution.law.is_gentle()) decision.own_last_change = {};
   collect_half_spaces(decision, around.boxes, horizon);
   const Vec3 wish =
-      wish_of(robot, around.bodies, scratch.looked.traffic, options, decision.axis, detour);
+      wish_of(robot, around.bodies, scratch.looked, options, decision.axis, detour);
   const Vec3 own_aim = aim_of(decision, to_own(wish, robot.vertical), execution);
   const Target target = target_of(decision, scratch.half_spaces.columns, own_aim);
   collect_all_constraints(options, law, robot, around, scratch);

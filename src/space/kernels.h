@@ -23,6 +23,7 @@ struct Look;
 struct Looked;
 struct OwnLimits;
 struct Run;
+struct SeenColumns;
 struct SpacePairs;
 
 struct SpaceKernels {
@@ -36,8 +37,8 @@ struct SpaceKernels {
                 ConstraintColumns&);
   // look_kernel.h
   void (*fill_braking)(const StepLaw&, std::size_t first, std::size_t last, Bodies&);
-  void (*look_at)(const Look&, const Bodies&, std::span<const Run>, Looked&);
-  void (*measure)(const Look&, const Bodies&, std::span<const Run>, Looked&);
+  void (*find_seen)(const Look&, const Bodies&, std::span<const Run>, SeenColumns&);
+  void (*judge_seen)(const Look&, const Bodies&, Looked&);
   // half_space_kernel.h
   void (*find_frames)(const SpacePairs&, HalfSpaces&);
   void (*turn_back)(const SpacePairs&, const OwnLimits&, HalfSpaces&);

@@ -170,7 +170,7 @@ void check_starts(const Scenario& scenario, const StepLaw& law) {
   for (const RobotSetup& robot : scenario.robots)
     others.add(neighbor_of(robot_of(robot)), others.count);
   fill_braking(law, others);
-  std::vector<std::uint32_t> before;
+  std::vector<NearBody> before;
   Constraints constraints;
   for (std::size_t k = 0; k < scenario.robots.size(); ++k) {
     const Robot robot = robot_of(scenario.robots[k]);
@@ -185,7 +185,7 @@ void check_starts(const Scenario& scenario, const StepLaw& law) {
       throw Error(name + " and " + box_name(scenario, static_cast<std::size_t>(tight.index)) +
                   ": braking at the start leaves " + text(tight.depth) +
                   " m less than contact and the margin for rounding; move the robot away");
-    before.push_back(static_cast<std::uint32_t>(k));
+    before.push_back({static_cast<std::uint32_t>(k)});
   }
 }
 

@@ -117,9 +117,9 @@ TEST(SpaceNormals, leave_the_whole_distance_above_the_face_of_a_braking_pair) {
     bodies.reserve(1);
     bodies.add(neighbor_of(b), 0);
     fill_braking(law, bodies);
-    const std::uint32_t place = 0;
+    const NearBody near{0};
     begin_constraints(a, law, constraints);
-    collect_constraints(a, bodies, std::span(&place, 1), {}, law, constraints);
+    collect_constraints(a, bodies, std::span(&near, 1), {}, law, constraints);
     append_waiting(law, constraints);
     const Triangle moved{a.position, a.position + relative.middle, a.position + relative.end};
     ASSERT_NEAR(distance_of(moved, {}), height, 1e-6);
