@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "avo/half_plane.h"
-#include "core/elementary.h"
 #include "space/own_space.h"
 
 namespace avo::space {
@@ -45,7 +44,7 @@ double traffic_range(const Robot& robot) {
 
 Traffic traffic_of(const Robot& robot, const Bodies& bodies, const Looked& looked) {
   Traffic traffic;
-  for (const TrafficAhead& ahead : looked.ahead) traffic.ahead += ahead.weight;
+  traffic.ahead = looked.ahead;
   for (const std::uint32_t place : looked.beside) {
     const Neighbor neighbor = bodies.neighbor(place);
     const Vec3 away = away_from(robot, neighbor);
@@ -72,8 +71,8 @@ Vec3 axis_across(Vec3 way) {
 }
 
 Vec3 turned_right(Vec3 a, Vec3 axis, double angle) {
-  const Vec2 turn = elementary::direction(angle);
-  return turn.x * a - turn.y * cross(axis, a) + ((1.0 - turn.x) * dot(axis, a)) * axis;
+  const Vec2 turned = avo::turned_right({1.0, 0.0}, angle);
+  return turned.x * a + turned.y * cross(axis, a) + ((1.0 - turned.x) * dot(axis, a)) * axis;
 }
 
 Vec3 wish_of(const Robot& robot, const Bodies& bodies, const Looked& looked,

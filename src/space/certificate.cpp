@@ -29,14 +29,10 @@ Braking plain(const scalar::PackBraking<Real, 3>& braking) {
           .intervals = braking.intervals.value};
 }
 
-scalar::PackBraking<Real, 3> packed_braking(const Robot& robot, const StepLaw& law) {
-  return scalar::braking_of(pack(robot.velocity), Real(robot.max_acceleration),
-                            Real(braking_limit(robot)), Real(robot.vertical), law);
-}
-
 // What candidates can deviate from braking, in the robot's own space, where it brakes with u.
-scalar::PackDeviation<Real> deviation_of(const Robot& robot, const StepLaw& law) {
-  scalar::PackBraking<Real, 3> own = packed_braking(robot, law);
+scalar::PackDeviation<Real> deviation_of(const Robot& robot, const Braking& braking,
+                                         const StepLaw& law) {
+  scalar::PackBraking<Real, 3> own = scalar::constant<Real, 3>(braking);
   own.profile = scalar::profile(Real(own_length(robot.velocity, robot.vertical)),
                                 Real(braking_limit(robot) * law.braking_time));
   return scalar::deviation_of(own, Real(0.0), Real(0.0), law);
@@ -60,9 +56,15 @@ scalar::PackNeighbor<Real, 3> pack(const Neighbor& neighbor) {
           neighbor.vertical,         neighbor.downwash};
 }
 
-scalar::PackSelf<Real, 3> pack(const Robot& robot, const scalar::PackBraking<Real, 3>& braking) {
-  return {pack(robot.position), pack(robot.velocity), robot.radius, robot.max_acceleration,
-          braking_limit(robot), robot.priority,       braking,      robot.downwash};
+scalar::PackSelf<Real, 3> pack(const Robot& robot, const Braking& braking) {
+  return {pack(robot.position),
+          pack(robot.velocity),
+          robot.radius,
+          robot.max_acceleration,
+          braking_limit(robot),
+          robot.priority,
+          scalar::constant<Real, 3>(braking),
+          robot.downwash};
 }
 
 // For a pair that nearly coincides, drops the intervals on which it has no direction.
@@ -131,8 +133,41 @@ scalar::PackClearance<Real> clearance_of(const scalar::PackSelf<Real, 3>& self,
   return {clearance.gap - pair.share * Real(std::max(shape.up, shape.down)), 1.0};
 }
 
-StepLaw law_of_pair(double vertical, const StepLaw& law) {
-  return law.is_exact() || vertical == 1.0 ? law : law_against(vertical, law);
+/// A pair, and what else is asked of it.
+struct Pair {
+  scalar::PackSelf<Real, 3> self;
+  scalar::PackNeighbor<Real, 3> other;
+  StepLaw law;  // against this body
+  scalar::PackPair<Real, 3> packed;
+  PairShape<3> shape;
+
+  scalar::PackClearance<Real> clearance() const {
+    return clearance_of(self, other, packed, shape, law);
+  }
+};
+
+Pair pair_of(const Robot& robot, const Bodies& bodies, std::uint32_t place, const StepLaw& law,
+             const Constraints& constraints) {
+  Pair pair{pack(robot, constraints.own), pack(bodies.neighbor(place)), law, {}, {}};
+  const double vertical = pair.other.vertical.value;
+  if (!law.is_exact() && vertical != 1.0) pair.law = law_against(vertical, law);
+  pair.packed = scalar::pair_of<true>(pair.self, pair.other,
+                                      scalar::constant<Real, 3>(bodies.braking(place)), pair.law);
+  pair.shape = {robot.downwash, pair.other.downwash.value, robot.vertical,
+                constraints.own_direction};
+  return pair;
+}
+
+void append_body(const Robot& robot, const NearBody& body, const StepLaw& law,
+                 Constraints& constraints) {
+  const Bodies& bodies = *constraints.bodies;
+  const Pair pair = pair_of(robot, bodies, body.place, law, constraints);
+  const scalar::PackPair<Real, 3>& packed = pair.packed;
+  const BrakingPair braking{scalar::plain(packed.p), packed.contact.value,
+                            packed.inflated.value,   packed.error.value,
+                            packed.share.value,      true,
+                            constraints.own,         bodies.braking(body.place)};
+  append_pair(braking, pair.shape, static_cast<int>(body.number), pair.law, constraints);
 }
 
 }  // namespace
@@ -143,14 +178,20 @@ Braking braking_of(Vec3 velocity, double max_acceleration, double max_braking, d
                                   Real(vertical), law));
 }
 
-void begin_constraints(const Robot& robot, const StepLaw& law, Constraints& constraints) {
+Braking braking_of(const Robot& robot, const StepLaw& law) {
+  return braking_of(robot.velocity, robot.max_acceleration, braking_limit(robot), robot.vertical,
+                    law);
+}
+
+void begin_constraints(const Robot& robot, const Braking& own, const StepLaw& law,
+                       Constraints& constraints) {
   constraints.columns.count = constraints.columns.judged = 0;
   constraints.own_columns.count = constraints.own_columns.filled = 0;
   constraints.waiting.clear();
   constraints.invariant = {.slack = std::numeric_limits<double>::infinity()};
   constraints.has_cones = false;
-  constraints.own = plain(packed_braking(robot, law));
-  constraints.deviation = plain(deviation_of(robot, law));
+  constraints.own = own;
+  constraints.deviation = plain(deviation_of(robot, own, law));
   const Vec3 own_velocity = to_own(robot.velocity, robot.vertical);
   const double own_speed = norm(own_velocity);
   constraints.own_direction = own_speed > 0.0 ? own_velocity / own_speed : Vec3{};
@@ -159,35 +200,25 @@ void begin_constraints(const Robot& robot, const StepLaw& law, Constraints& cons
 void collect_constraints(const Robot& robot, const Bodies& bodies, std::span<const NearBody> near,
                          std::span<const Box> boxes, const StepLaw& law, Constraints& constraints) {
   const Deviation& deviation = constraints.deviation;
-  const scalar::PackSelf<Real, 3> self = pack(robot, scalar::constant<Real, 3>(constraints.own));
-  for (auto [place, gap, against] : near) {
-    const scalar::PackNeighbor<Real, 3> other = pack(bodies.neighbor(place));
-    const StepLaw pair_law = law_of_pair(other.vertical.value, law);
-    const Braking b = bodies.braking(place);
-    const scalar::PackPair<Real, 3> packed =
-        scalar::pair_of<true>(self, other, scalar::constant<Real, 3>(b), pair_law);
-    const PairShape<3> shape{robot.downwash, other.downwash.value, robot.vertical,
-                             constraints.own_direction};
-    if (gap == kUnknownGap) {
-      const auto clearance = clearance_of(self, other, packed, shape, pair_law);
-      gap = clearance.gap.value, against = clearance.against.value;
-      if (gap > against * deviation.most_ahead + deviation.most_aside) continue;
+  constraints.bodies = &bodies;
+  for (NearBody body : near) {
+    if (body.gap == kUnknownGap) {
+      const auto clearance = pair_of(robot, bodies, body.place, law, constraints).clearance();
+      body.gap = clearance.gap.value, body.against = clearance.against.value;
+      if (body.gap > body.against * deviation.most_ahead + deviation.most_aside) continue;
     }
-    const BrakingPair pair{scalar::plain(packed.p), packed.contact.value, packed.inflated.value,
-                           packed.error.value,      packed.share.value,   true,
-                           constraints.own,         b};
-    const int number = static_cast<int>(bodies.number[place]);
-    if (gap > 0.0 && std::max(pair.a.intervals, b.intervals) <= kMostIntervals)
-      constraints.waiting.push_back({pair, shape, number, gap, against});
+    const bool is_short =
+        std::max(constraints.own.intervals, bodies.intervals[body.place]) <= kMostIntervals;
+    if (body.gap > 0.0 && is_short)
+      constraints.waiting.push_back(body);
     else
-      append_pair(pair, shape, number, pair_law, constraints);
+      append_body(robot, body, law, constraints);
   }
   begin_boxes(robot, boxes, law, constraints.boxes);
 }
 
-void append_waiting(const StepLaw& law, Constraints& constraints) {
-  for (const WaitingPair& waiting : constraints.waiting)
-    append_pair(waiting.pair, waiting.shape, waiting.number, law, constraints);
+void append_waiting(const Robot& robot, const StepLaw& law, Constraints& constraints) {
+  for (const NearBody& body : constraints.waiting) append_body(robot, body, law, constraints);
   constraints.waiting.clear();
 }
 
@@ -253,13 +284,14 @@ HalfSpace tangent(const Robot& robot, const Worst& worst, const StepLaw& law,
 namespace {
 
 // Appends the constraints of the pairs that can refuse the candidate.
-void append_needed(Vec3 next_velocity, const StepLaw& law, Constraints& constraints) {
+void append_needed(const Robot& robot, Vec3 next_velocity, const StepLaw& law,
+                   Constraints& constraints) {
   if (constraints.waiting.empty()) return;
   const auto [ahead, aside] = scalar::candidate_deviation(
       scalar::constant<Real, 3>(constraints.own), pack(next_velocity), law);
-  std::erase_if(constraints.waiting, [&](const WaitingPair& waiting) {
-    if (waiting.gap > waiting.against * ahead.value + aside.value) return false;
-    append_pair(waiting.pair, waiting.shape, waiting.number, law, constraints);
+  std::erase_if(constraints.waiting, [&](const NearBody& body) {
+    if (body.gap > body.against * ahead.value + aside.value) return false;
+    append_body(robot, body, law, constraints);
     return true;
   });
 }
@@ -269,7 +301,11 @@ void append_needed(Vec3 next_velocity, const StepLaw& law, Constraints& constrai
 bool admits(const Robot& robot, Vec3 next_velocity, const StepLaw& law, Asked asked_for,
             Constraints& constraints) {
   if (constraints.invariant.unknown) return false;
-  append_needed(next_velocity, law, constraints);
+  append_needed(robot, next_velocity, law, constraints);
+  if (constraints.columns.count == 0) {
+    constraints.path.next_velocity = next_velocity;
+    return keeps_boxes(robot, next_velocity, law, constraints.boxes);
+  }
   constraints.path = follow(robot, next_velocity, law);
   const bool kept = kernels().keeps(constraints.own, constraints.path, law, constraints.has_cones,
                                     asked_for, constraints.columns);

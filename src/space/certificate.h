@@ -16,20 +16,14 @@
 
 namespace avo::space {
 
-/// A pair that can refuse a candidate. Braking leaves it a gap, so its constraints wait until a
-/// candidate comes that it can refuse.
-struct WaitingPair {
-  BrakingPair pair;
-  PairShape<3> shape;
-  int number = 0;                   ///< Bodies::number
-  double gap = 0.0, against = 0.0;  ///< see PackClearance
-};
-
 /// The demands of neighbors and boxes on a robot. Scratch memory; allocates only while it grows.
 struct Constraints {
   ConstraintColumns columns;  ///< the constraints of one neighbor are consecutive
   OwnColumns own_columns;
-  std::vector<WaitingPair> waiting;
+  const Bodies* bodies = nullptr;
+  /// Bodies that can refuse a candidate. Braking leaves the pair a gap, so its constraints wait
+  /// until a candidate comes that it can refuse.
+  std::vector<NearBody> waiting;
   Braking own;
   Vec3 own_direction;   ///< of the velocity in the robot's own space
   Deviation deviation;  ///< in the robot's own space
@@ -43,17 +37,20 @@ struct Constraints {
 Braking braking_of(Vec3 velocity, double max_acceleration, double max_braking, double vertical,
                    const StepLaw& law);
 
-/// Begins anew, without neighbors and boxes. Sets `own` and `deviation`.
-void begin_constraints(const Robot& robot, const StepLaw& law, Constraints& constraints);
+/// The braking of the robot.
+Braking braking_of(const Robot& robot, const StepLaw& law);
 
-/// Collects the constraints of the bodies at these places that can refuse a candidate, and of
-/// boxes.
-void collect_constraints(const Robot& robot, const Bodies& bodies,
-                         std::span<const std::uint32_t> places, std::span<const Box> boxes,
-                         const StepLaw& law, Constraints& constraints);
+/// Begins anew, without neighbors and boxes. Sets `own`, the braking of the robot, and `deviation`.
+void begin_constraints(const Robot& robot, const Braking& own, const StepLaw& law,
+                       Constraints& constraints);
+
+/// Collects the constraints of those of these bodies that can refuse a candidate, and of boxes. The
+/// bodies have to stay where they are as long as candidates are judged.
+void collect_constraints(const Robot& robot, const Bodies& bodies, std::span<const NearBody> near,
+                         std::span<const Box> boxes, const StepLaw& law, Constraints& constraints);
 
 /// Appends the constraints of all pairs that wait.
-void append_waiting(const StepLaw& law, Constraints& constraints);
+void append_waiting(const Robot& robot, const StepLaw& law, Constraints& constraints);
 
 /// Returns whether the robot may have the velocity v_1 after this step, m/s. It is true for
 /// backup_velocity() wherever the invariant holds.

@@ -13,7 +13,6 @@
 #include "space/choice.h"
 #include "space/half_spaces.h"
 #include "space/own_space.h"
-#include "space/step_law.h"
 #include "space/workspace.h"
 
 namespace avo::space {
@@ -229,17 +228,20 @@ Plan plan_to(Vec3 velocity, Vec3 next_velocity, const StepLaw& law) {
 void look_around(const PlannerOptions& options, const Horizon& horizon, const StepLaw& law,
                  const Robot& robot, const Surroundings& around, PlanWorkspace::Scratch& scratch) {
   Constraints& constraints = scratch.choice.constraints;
-  begin_constraints(robot, law, constraints);
+  const bool is_known = around.self >= 0.0;
+  const Braking own = is_known ? around.bodies.braking(static_cast<std::size_t>(around.self))
+                               : braking_of(robot, law);
+  begin_constraints(robot, own, law, constraints);
   const Look look{.robot = robot,
-            .braking = constraints.own,
-            .deviation = constraints.deviation,
-            .law = law,
-            .horizon = horizon,
-            .control_time = options.control_time,
-            .self = around.self,
-            .range = around.range,
-            .traffic_range = traffic_range(robot),
-            .certified = options.certificate != Certificate::none};
+                  .braking = constraints.own,
+                  .deviation = constraints.deviation,
+                  .law = law,
+                  .horizon = horizon,
+                  .control_time = options.control_time,
+                  .self = around.self,
+                  .range = around.range,
+                  .traffic_range = traffic_range(robot),
+                  .certified = options.certificate != Certificate::none};
   look_at(look, around.bodies, around.runs, options.max_neighbors, scratch.looked);
 }
 
@@ -253,10 +255,9 @@ void collect_all_constraints(const PlannerOptions& options, const StepLaw& law, 
 
 }  // namespace
 
-Plan decide(const PlannerOptions& options, const Horizon& horizon, const Robot& robot,
-            const Surroundings& around, bool remembers, PlanWorkspace::Scratch& scratch,
-            Detour& detour) {
-  const StepLaw law = step_law(options, horizon);
+Plan decide(const PlannerOptions& options, const Horizon& horizon, const StepLaw& law,
+            const Robot& robot, const Surroundings& around, bool remembers,
+            PlanWorkspace::Scratch& scratch, Detour& detour) {
   look_around(options, horizon, law, robot, around, scratch);
   if (!is_sound(detour)) detour = {};
   const Execution execution{response_law(options), law.braking_time, remembers};
@@ -270,8 +271,7 @@ Plan decide(const PlannerOptions& options, const Horizon& horizon, const Robot& 
                     scratch};
   if (!execution.law.is_gentle()) decision.own_last_change = {};
   collect_half_spaces(decision, around.boxes, horizon);
-  const Vec3 wish =
-      wish_of(robot, around.bodies, scratch.looked, options, decision.axis, detour);
+  const Vec3 wish = wish_of(robot, around.bodies, scratch.looked, options, decision.axis, detour);
   const Vec3 own_aim = aim_of(decision, to_own(wish, robot.vertical), execution);
   const Target target = target_of(decision, scratch.half_spaces.columns, own_aim);
   collect_all_constraints(options, law, robot, around, scratch);

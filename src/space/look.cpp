@@ -33,14 +33,10 @@ void limit_to_nearest(std::size_t most, const Bodies& bodies, const SeenColumns&
 }
 
 void put_in_order(const Bodies& bodies, Looked& looked) {
-  const auto number = [&](std::uint32_t place) { return bodies.number[place]; };
-  std::sort(looked.near.begin(), looked.near.end(), [&](const NearBody& a, const NearBody& b) {
-    return number(a.place) < number(b.place);
-  });
-  std::sort(looked.ahead.begin(), looked.ahead.end(),
-            [](const TrafficAhead& a, const TrafficAhead& b) { return a.number < b.number; });
+  std::sort(looked.near.begin(), looked.near.end(),
+            [](const NearBody& a, const NearBody& b) { return a.number < b.number; });
   std::sort(looked.beside.begin(), looked.beside.end(),
-            [&](std::uint32_t a, std::uint32_t b) { return number(a) < number(b); });
+            [&](std::uint32_t a, std::uint32_t b) { return bodies.number[a] < bodies.number[b]; });
 }
 
 }  // namespace
@@ -63,7 +59,7 @@ void look_at(Look look, const Bodies& bodies, std::span<const Run> runs,
   for (const Run& run : runs) most += run.last - run.first;
   looked.seen.reserve(most);
   looked.pairs.reserve(most);
-  looked.near.clear(), looked.ahead.clear(), looked.beside.clear();
+  looked.near.clear(), looked.beside.clear();
   looked.pairs.count = 0;
   kernels().find_seen(look, bodies, runs, looked.seen);
   if (max_neighbors)

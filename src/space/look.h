@@ -46,7 +46,7 @@ struct Look {
 struct SeenColumns {
   using Column = std::vector<double>;
   std::size_t count = 0;
-  Column place, squared;      // index into the bodies; squared distance, m²
+  Column place, squared;       // index into the bodies; squared distance, m²
   std::array<Column, 3> p, v;  // p_A - p_B, v_A - v_B: m, m/s
 
   void reserve(std::size_t bodies);
@@ -70,12 +70,8 @@ inline constexpr double kUnknownGap = -std::numeric_limits<double>::infinity();
 /// is unknown, it may be nothing at all.
 struct NearBody {
   std::uint32_t place;
+  double number;  ///< Bodies::number
   double gap = kUnknownGap, against = 1.0;
-};
-
-/// What a body ahead adds to the traffic.
-struct TrafficAhead {
-  double number, weight;
 };
 
 /// Scratch memory and result; allocates only while it grows.
@@ -83,7 +79,7 @@ struct Looked {
   SeenColumns seen;
   SpacePairs pairs;
   std::vector<NearBody> near;         ///< by ascending number
-  std::vector<TrafficAhead> ahead;    ///< by ascending number
+  double ahead = 0.0;                 ///< see Traffic::ahead
   std::vector<std::uint32_t> beside;  ///< places of bodies that may be nearly in contact, as well
   std::vector<std::uint32_t> places;  ///< scratch memory
 };

@@ -42,7 +42,7 @@ struct PackLook {
   Real reach, full_steps, intervals, lengths;  // lengths: see rounding_margin()
   Real most_ahead, most_aside;
   Real end_time, end_lag, gain, change, speed;  // of half-spaces
-  Real traffic_range, pace, max_speed;
+  Real traffic_range, per_range, per_front, per_closing, per_slow;
 
   AVO_KERNEL PackLook(const space::Look& look, const space::Bodies& bodies)
       : position(constant<Real>(look.robot.position)),
@@ -72,8 +72,10 @@ struct PackLook {
                look.robot.max_acceleration),
         speed(std::max(look.robot.vertical, 1.0) * look.robot.max_speed),
         traffic_range(look.traffic_range),
-        pace(norm(look.robot.preferred_velocity)),
-        max_speed(look.robot.max_speed) {}
+        per_range(1.0 / look.traffic_range),
+        per_front(1.0 / (kInFront * norm(look.robot.preferred_velocity))),
+        per_closing(1.0 / (kCloses * look.robot.max_speed)),
+        per_slow(1.0 / (kSlow * look.robot.max_speed)) {}
 };
 
 /// What matters of the bodies themselves.
@@ -116,9 +118,8 @@ AVO_KERNEL auto can_ignore(const PackLook<Real>& a, const PackSeen<Real>& seen,
                            const space::Bodies& bodies) {
   const Real zero(0.0), one(1.0), rounding(kFarther);
   const Real lengths = a.lengths + one_norm(seen.p) + body.contact;
-  const Real inflated =
-      body.contact +
-      rounding_margin<Real, 3>(lengths, a.intervals, min(body.share, one - body.share));
+  const Real inflated = body.contact + rounding_margin<Real, 3>(lengths, a.intervals,
+                                                                min(body.share, one - body.share));
   const auto far =
       seen.distance > rounding * (inflated + a.reach + body.wash + Real(bodies.most_error));
   const Real steps = one + a.full_steps;
@@ -139,8 +140,8 @@ AVO_KERNEL auto contains_all(const PackLook<Real>& a, const PackSeen<Real>& seen
   const Real rounding(kFarther), beyond(1e-9);  // m/s, more than what programs tolerate
   const Vec<Real, 3> x = seen.p + a.end_time * seen.v, y = seen.p + a.end_lag * seen.v;
   const Real length = norm(x), least = rounding * body.contact * length;
-  const auto touches_at_end = (seen.distance > rounding * body.contact) &
-                              (dot(seen.p, x) > least) & (dot(x, y) > least);
+  const auto touches_at_end =
+      (seen.distance > rounding * body.contact) & (dot(seen.p, x) > least) & (dot(x, y) > least);
   const Real lift = body.share * (body.contact - length);  // [α h g] m
   const auto keeps_change = lift < -(a.gain * (rounding * a.change + beyond));
   const auto keeps_speed = dot(x, a.velocity) * a.gain + lift * length <
@@ -148,26 +149,20 @@ AVO_KERNEL auto contains_all(const PackLook<Real>& a, const PackSeen<Real>& seen
   return touches_at_end & (keeps_change | keeps_speed);
 }
 
-/// Appends the bodies ahead that are traffic: see traffic_of().
+/// What bodies ahead add to the traffic, see Traffic::ahead. It is a multiple of 2^-40, so that the
+/// sum of many is exact, in any order.
 template <typename Real>
-AVO_KERNEL void add_traffic(const PackLook<Real>& a, const PackSeen<Real>& seen,
-                            const PackBody<Real>& body, Real speed, const space::Bodies& bodies,
-                            std::vector<space::TrafficAhead>& ahead) {
-  const Real zero(0.0), one(1.0), two(2.0);
-  const Vec<Real, 3> towards{-seen.p.x, -seen.p.y, -seen.p.z};
-  const Real in_front = dot(towards, a.way) / (seen.distance * Real(kInFront) * a.pace);
-  const Real closes = one + dot(towards, seen.v) / (seen.distance * Real(kCloses) * a.max_speed);
-  const Real rests = two - speed / (Real(kSlow) * a.max_speed);
-  const Real weight = body.defers * (one - seen.distance / a.traffic_range) *
+AVO_KERNEL Real traffic_of(const PackLook<Real>& a, const PackSeen<Real>& seen,
+                           const PackBody<Real>& body, Real speed) {
+  const Real zero(0.0), one(1.0), two(2.0), whole(0x1.8p12);
+  const Real per_distance = one / select(seen.distance > zero, seen.distance, one);
+  const Real in_front = -dot(seen.p, a.way) * per_distance * a.per_front;
+  const Real closes = one - dot(seen.p, seen.v) * per_distance * a.per_closing;
+  const Real rests = two - speed * a.per_slow;
+  const Real weight = body.defers * (one - seen.distance * a.per_range) *
                       min(max(max(closes, rests), zero), one) * min(in_front, one);
-  const auto counts =
-      seen.counted & (seen.distance < a.traffic_range) & (in_front > zero) & (weight > zero);
-  alignas(64) double weights[Real::kLanes], places[Real::kLanes];
-  weight.store(weights), seen.place.store(places);
-  for (std::uint32_t lanes = bits(counts); lanes != 0; lanes &= lanes - 1) {
-    const auto lane = static_cast<std::size_t>(std::countr_zero(lanes));
-    ahead.push_back({bodies.number[static_cast<std::size_t>(places[lane])], weights[lane]});
-  }
+  const auto counts = (seen.distance < a.traffic_range) & (in_front > zero);
+  return select(counts, (weight + whole) - whole, zero);
 }
 
 template <typename Real>
@@ -250,7 +245,8 @@ AVO_KERNEL void judge_near(const space::Look& look, const space::Bodies& bodies,
   for (std::size_t first = 0; first < places.size(); first += Real::kLanes) {
     const std::size_t count = std::min(Real::kLanes, places.size() - first);
     alignas(64) double numbers[Real::kLanes];
-    for (std::size_t k = 0; k < Real::kLanes; ++k) numbers[k] = places[first + std::min(k, count - 1)];
+    for (std::size_t k = 0; k < Real::kLanes; ++k)
+      numbers[k] = places[first + std::min(k, count - 1)];
     const Real place = Real::load(numbers);
     const auto field = [&](const std::vector<double>& column) {
       return lookup(column.data(), place);
@@ -258,14 +254,10 @@ AVO_KERNEL void judge_near(const space::Look& look, const space::Bodies& bodies,
     const auto vector = [&](const std::array<std::vector<double>, 3>& columns) {
       return Vec<Real, 3>{field(columns[0]), field(columns[1]), field(columns[2])};
     };
-    const PackNeighbor<Real, 3> other{vector(bodies.position),
-                                      vector(bodies.velocity),
-                                      field(bodies.radius),
-                                      field(bodies.max_acceleration),
-                                      field(bodies.max_braking),
-                                      field(bodies.priority),
-                                      field(bodies.vertical),
-                                      field(bodies.downwash)};
+    const PackNeighbor<Real, 3> other{vector(bodies.position),   vector(bodies.velocity),
+                                      field(bodies.radius),      field(bodies.max_acceleration),
+                                      field(bodies.max_braking), field(bodies.priority),
+                                      field(bodies.vertical),    field(bodies.downwash)};
     const PackBraking<Real, 3> b{
         .profile = {field(bodies.speed), field(bodies.decrement), field(bodies.full_steps)},
         .increment = field(bodies.increment),
@@ -283,54 +275,83 @@ AVO_KERNEL void judge_near(const space::Look& look, const space::Bodies& bodies,
     for (std::uint32_t lanes = bits(!(apart | clear)) & ((1U << count) - 1U); lanes != 0;
          lanes &= lanes - 1) {
       const auto lane = static_cast<std::size_t>(std::countr_zero(lanes));
-      near.push_back({places[first + lane], gaps[lane], against[lane]});
+      near.push_back(
+          {places[first + lane], bodies.number[places[first + lane]], gaps[lane], against[lane]});
     }
   }
 }
 
-template <typename Real, bool kUniform>
-AVO_KERNEL void judge_all(const space::Look& look, const space::Bodies& bodies,
-                          space::Looked& looked) {
-  const PackLook<Real> a(look, bodies);
-  const space::SeenColumns& all = looked.seen;
-  const Real zero(0.0), farthest(look.farthest_squared), last_number(look.farthest_number);
-  const bool has_wash = look.robot.downwash > 0.0 || bodies.has_downwash;
-  const bool has_way = !(look.robot.preferred_velocity == Vec3{});
+/// The bodies from k on.
+template <typename Real>
+AVO_KERNEL PackSeen<Real> seen_at(const space::SeenColumns& all, std::size_t k) {
+  PackSeen<Real> seen;
+  seen.counted = lane_numbers<Real>() < Real(static_cast<double>(all.count - k));
+  seen.p = load_vector<Real, 3>(all.p, k), seen.v = load_vector<Real, 3>(all.v, k);
+  seen.squared = Real::load(&all.squared[k]);
+  seen.distance = sqrt(seen.squared);
+  seen.place = select(seen.counted, Real::load(&all.place[k]), Real(0.0));
+  return seen;
+}
+
+/// Calls judge(seen, body, field) for all bodies that are seen, many at once. field: the values of
+/// a column. Where all bodies are alike, they are looked at once.
+template <typename Real, bool kUniform, typename Judge>
+AVO_KERNEL void for_all(const PackLook<Real>& a, const space::Look& look,
+                        const space::Bodies& bodies, const space::SeenColumns& all,
+                        const Judge& judge) {
   const auto same = [](const std::vector<double>& column) { return Real(column[0]); };
   PackBody<Real> body = body_of(a, look, bodies, same);
   for (std::size_t k = 0; k < all.count; k += Real::kLanes) {
-    PackSeen<Real> seen;
-    seen.counted = lane_numbers<Real>() < Real(static_cast<double>(all.count - k));
-    seen.p = load_vector<Real, 3>(all.p, k), seen.v = load_vector<Real, 3>(all.v, k);
-    seen.squared = Real::load(&all.squared[k]);
-    seen.place = select(seen.counted, Real::load(&all.place[k]), zero);
-    seen.distance = sqrt(seen.squared);
+    const PackSeen<Real> seen = seen_at<Real>(all, k);
     const auto field = [&](const std::vector<double>& column) {
       return lookup(column.data(), seen.place);
     };
     if constexpr (!kUniform) body = body_of(a, look, bodies, field);
-    const Real number = field(bodies.number);
-    if (look.certified)
+    judge(seen, body, field);
+  }
+}
+
+/// Few values are needed at once, so each question has a loop of its own.
+template <typename Real, bool kUniform>
+AVO_KERNEL void judge_all(const space::Look& look, const space::Bodies& bodies,
+                          space::Looked& looked) {
+  const PackLook<Real> a(look, bodies);
+  const auto all = [&](const auto& judge) {
+    for_all<Real, kUniform>(a, look, bodies, looked.seen, judge);
+  };
+  if (look.certified)
+    all([&](const auto& seen, const auto& body, const auto&) {
       push(seen.place, bits(seen.counted & !can_ignore(a, seen, body, look, bodies)),
            looked.places);
-    const auto in_range = seen.counted & (seen.distance < a.traffic_range) &
-                          (dot(seen.p, a.way) < zero);
-    if (has_way && any(in_range))
-      add_traffic(a, seen, body, field(bodies.speed), bodies, looked.ahead);
+    });
+  Real ahead(0.0);
+  const bool has_way = !(look.robot.preferred_velocity == Vec3{});
+  all([&](const auto& seen, const auto& body, const auto& field) {
     const auto beside =
         seen.distance < Real(kFarther) * (Real(1.0 + kRoom) * body.contact + body.wash);
     push(seen.place, bits(seen.counted & beside), looked.beside);
-    auto chosen = seen.counted & (seen.squared > zero) &
-                  ((seen.squared < farthest) |
-                   ((seen.squared <= farthest) & (number <= last_number)));
+    const auto may_count =
+        seen.counted & (seen.distance < a.traffic_range) & (dot(seen.p, a.way) < Real(0.0));
+    if (has_way && any(may_count))
+      ahead = ahead + select(may_count, traffic_of(a, seen, body, field(bodies.speed)), Real(0.0));
+  });
+  looked.ahead = sum_of(ahead);
+  const bool has_wash = look.robot.downwash > 0.0 || bodies.has_downwash;
+  const Real farthest(look.farthest_squared), last_number(look.farthest_number);
+  all([&](const auto& seen, const auto& body, const auto& field) {
+    const Real number = field(bodies.number);
+    const auto nearest =
+        (seen.squared < farthest) | ((seen.squared <= farthest) & (number <= last_number));
+    auto chosen = seen.counted & (seen.squared > Real(0.0)) & nearest;
     if (!has_wash) chosen = chosen & !contains_all(a, seen, body);
     if (any(chosen)) push(seen, body, number, chosen, look, bodies, looked.pairs);
-  }
+  });
 }
 
 /// Sorts out what the bodies that are seen mean for A.
 template <typename Real>
 void judge_seen(const space::Look& look, const space::Bodies& bodies, space::Looked& looked) {
+  looked.ahead = 0.0;
   if (looked.seen.count == 0) return;
   looked.places.clear();
   if (bodies.is_uniform)
@@ -339,7 +360,7 @@ void judge_seen(const space::Look& look, const space::Bodies& bodies, space::Loo
     judge_all<Real, false>(look, bodies, looked);
   if (look.is_plain(bodies)) return judge_near<Real>(look, bodies, looked.places, looked.near);
   for (const std::uint32_t place : looked.places)
-    looked.near.push_back({place});
+    looked.near.push_back({place, bodies.number[place]});
 }
 
 AVO_END_KERNELS

@@ -48,7 +48,7 @@ Plan Planner::plan(const Robot& robot, std::span<const Neighbor> neighbors,
   gather(neighbors, law, scratch.bodies);
   const Run all{0, neighbors.size()};
   Detour next = detour != nullptr ? *detour : Detour{};
-  const Plan plan = decide(options_, horizon_, robot,
+  const Plan plan = decide(options_, horizon_, law, robot,
                            {.bodies = scratch.bodies, .runs = std::span(&all, 1), .boxes = boxes},
                            detour != nullptr, scratch, next);
   if (detour != nullptr) *detour = next;

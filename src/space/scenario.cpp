@@ -174,7 +174,7 @@ void check_starts(const Scenario& scenario, const StepLaw& law) {
   Constraints constraints;
   for (std::size_t k = 0; k < scenario.robots.size(); ++k) {
     const Robot robot = robot_of(scenario.robots[k]);
-    begin_constraints(robot, law, constraints);
+    begin_constraints(robot, others.braking(k), law, constraints);
     collect_constraints(robot, others, before, scenario.boxes, law, constraints);
     const std::string name = "robots." + std::to_string(k);
     if (constraints.invariant.broken.any())
@@ -185,7 +185,7 @@ void check_starts(const Scenario& scenario, const StepLaw& law) {
       throw Error(name + " and " + box_name(scenario, static_cast<std::size_t>(tight.index)) +
                   ": braking at the start leaves " + text(tight.depth) +
                   " m less than contact and the margin for rounding; move the robot away");
-    before.push_back({static_cast<std::uint32_t>(k)});
+    before.push_back({static_cast<std::uint32_t>(k), others.number[k]});
   }
 }
 

@@ -33,6 +33,13 @@ struct AVO_LOCAL SpaceWorker {
   std::vector<Box> boxes;
 };
 
+/// What a robot's scene says of its way; near in memory, unlike the scene.
+struct AVO_LOCAL Way {
+  Vec3 goal;               // m
+  double preferred_speed;  // m/s
+  double box_range;        // m
+};
+
 struct Simulation::State {
   Scenario scenario;
   PlannerOptions options;
@@ -46,7 +53,7 @@ struct Simulation::State {
   std::vector<Robot> robots;
   std::vector<Detour> detours;
   std::vector<Plan> plans;
-  std::vector<double> box_range;  // m, of each robot
+  std::vector<Way> ways;
   std::vector<SpaceWorker> workers;
   std::int64_t steps = 0;
 
@@ -65,7 +72,7 @@ struct Simulation::State {
     validate_in_space(options);
     for (const RobotSetup& setup : scene.robots) {
       robots.push_back(robot_of(setup));
-      box_range.push_back(space::box_range(robots.back(), options));
+      ways.push_back({setup.goal, setup.preferred_speed, space::box_range(robots.back(), options)});
     }
     bodies.reserve(robots.size());
   }
@@ -81,7 +88,7 @@ struct Simulation::State {
     const Vec3 place = robots[k].position;
     worker.boxes.clear();
     for (const Box& box : scenario.boxes) {
-      if (nearest(place, place, box).distance - box.radius <= box_range[k])
+      if (nearest(place, place, box).distance - box.radius <= ways[k].box_range)
         worker.boxes.push_back(box);
     }
   }
@@ -90,10 +97,9 @@ struct Simulation::State {
   void decide(std::size_t at, SpaceWorker& worker) {
     const std::size_t k = cells.order()[at];
     Robot& robot = robots[k];
-    const RobotSetup& setup = scenario.robots[k];
-    robot.distance_to_goal = norm(setup.goal - robot.position);
-    robot.preferred_velocity =
-        preferred_velocity(robot, setup.goal, setup.preferred_speed, landing);
+    const Way& way = ways[k];
+    robot.distance_to_goal = norm(way.goal - robot.position);
+    robot.preferred_velocity = preferred_velocity(robot, way.goal, way.preferred_speed, landing);
     find_boxes(k, worker);
     const std::size_t runs = cells.around(robot.position, worker.runs);
     const Surroundings around{.bodies = bodies,
@@ -101,7 +107,8 @@ struct Simulation::State {
                               .self = static_cast<double>(at),
                               .range = sensing_radius,
                               .boxes = worker.boxes};
-    plans[k] = space::decide(options, horizon, robot, around, true, worker.scratch, detours[k]);
+    plans[k] =
+        space::decide(options, horizon, law, robot, around, true, worker.scratch, detours[k]);
   }
 
   void move() {
@@ -172,7 +179,7 @@ void Simulation::set_goal(std::size_t robot, Vec3 goal) {
   if (!is_finite(goal)) throw Error("goal: found a number that is not finite");
   Vec3& own = state_->scenario.robots[robot].goal;
   if (own == goal) return;
-  own = goal;
+  own = state_->ways[robot].goal = goal;
   Detour& detour = state_->detours[robot];
   detour = {.congestion = detour.congestion, .acceleration = detour.acceleration};
 }

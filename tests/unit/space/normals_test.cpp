@@ -117,10 +117,10 @@ TEST(SpaceNormals, leave_the_whole_distance_above_the_face_of_a_braking_pair) {
     bodies.reserve(1);
     bodies.add(neighbor_of(b), 0);
     fill_braking(law, bodies);
-    const NearBody near{0};
-    begin_constraints(a, law, constraints);
+    const NearBody near{0, 0.0};
+    begin_constraints(a, braking_of(a, law), law, constraints);
     collect_constraints(a, bodies, std::span(&near, 1), {}, law, constraints);
-    append_waiting(law, constraints);
+    append_waiting(a, law, constraints);
     const Triangle moved{a.position, a.position + relative.middle, a.position + relative.end};
     ASSERT_NEAR(distance_of(moved, {}), height, 1e-6);
     // later intervals may be nearer; none is farther
