@@ -9,11 +9,15 @@
 #include "core/executor.h"
 #include "core/hash.h"
 #include "core/response_law.h"
+#include "space/bodies.h"
 #include "space/cells.h"
 #include "space/certificate.h"
+#include "space/decide.h"
 #include "space/goals.h"
 #include "space/own_space.h"
 #include "space/step_law.h"
+#include "space/validity.h"
+#include "space/workspace.h"
 
 namespace avo::space {
 namespace {
@@ -24,73 +28,87 @@ constexpr std::size_t kTile = 16;  // robots that one task decides for
 
 /// The memory of a worker.
 struct AVO_LOCAL SpaceWorker {
-  PlanWorkspace workspace;
-  std::vector<std::uint32_t> found;
-  std::vector<Neighbor> neighbors;
+  PlanWorkspace::Scratch scratch;
+  SpaceCells::Runs runs{};
   std::vector<Box> boxes;
+};
+
+/// What a robot's scene says of its way; near in memory, unlike the scene.
+struct AVO_LOCAL Way {
+  Vec3 goal;               // m
+  double preferred_speed;  // m/s
+  double box_range;        // m
 };
 
 struct Simulation::State {
   Scenario scenario;
-  Planner planner;
+  PlannerOptions options;
+  Horizon horizon;
   StepLaw law;
   Landing landing;
   double sensing_radius;
   std::shared_ptr<Executor> executor;
   SpaceCells cells;
+  Bodies bodies;  // the robots in the order of the cells
   std::vector<Robot> robots;
   std::vector<Detour> detours;
   std::vector<Plan> plans;
-  std::vector<double> box_range;  // m, of each robot
+  std::vector<Way> ways;
   std::vector<SpaceWorker> workers;
   std::int64_t steps = 0;
 
   State(const Scenario& scene, int threads)
       : scenario(scene),
-        planner(planner_options(scene)),
-        law(step_law(planner.options(), Horizon(planner.options().control_time,
-                                                planner.options().time_horizon, scene.time_step))),
-        landing{response_law(planner.options()), law.lag, law.braking_time},
+        options(planner_options(scene)),
+        horizon(options.control_time, options.time_horizon, options.time_step),
+        law(step_law(options, horizon)),
+        landing{response_law(options), law.lag, law.braking_time},
         sensing_radius(sensing_radius_of(scene)),
         executor(make_executor(static_cast<std::size_t>(std::max(threads, 0)))),
         cells(sensing_radius),
         detours(scene.robots.size()),
         plans(scene.robots.size()),
         workers(executor->workers()) {
+    validate_in_space(options);
     for (const RobotSetup& setup : scene.robots) {
       robots.push_back(robot_of(setup));
-      box_range.push_back(space::box_range(robots.back(), planner.options()));
+      ways.push_back({setup.goal, setup.preferred_speed, space::box_range(robots.back(), options)});
     }
+    bodies.reserve(robots.size());
   }
 
-  /// A robot's neighbors in the order of their indices, and its boxes.
-  void sense(std::size_t k, SpaceWorker& worker) const {
+  void sort() {
+    cells.sort(robots);
+    bodies.clear();
+    for (const std::uint32_t k : cells.order()) bodies.add(neighbor_of(robots[k]), k);
+    fill_braking(law, bodies);
+  }
+
+  void find_boxes(std::size_t k, SpaceWorker& worker) const {
     const Vec3 place = robots[k].position;
-    worker.found.clear();
-    worker.neighbors.clear();
-    cells.collect(place, worker.found);
-    std::erase_if(worker.found, [&](std::uint32_t other) {
-      return other == k ||
-             !(norm_squared(robots[other].position - place) <= sensing_radius * sensing_radius);
-    });
-    std::sort(worker.found.begin(), worker.found.end());
-    for (const std::uint32_t other : worker.found)
-      worker.neighbors.push_back(neighbor_of(robots[other]));
     worker.boxes.clear();
     for (const Box& box : scenario.boxes) {
-      if (nearest(place, place, box).distance - box.radius <= box_range[k])
+      if (nearest(place, place, box).distance - box.radius <= ways[k].box_range)
         worker.boxes.push_back(box);
     }
   }
 
-  void decide(std::size_t k, SpaceWorker& worker) {
-    sense(k, worker);
+  /// Decides for the robot at that place in the order of the cells.
+  void decide(std::size_t at, SpaceWorker& worker) {
+    const std::size_t k = cells.order()[at];
     Robot& robot = robots[k];
-    const RobotSetup& setup = scenario.robots[k];
-    robot.distance_to_goal = norm(setup.goal - robot.position);
-    robot.preferred_velocity =
-        preferred_velocity(robot, setup.goal, setup.preferred_speed, landing);
-    plans[k] = planner.plan(robot, worker.neighbors, worker.workspace, &detours[k], worker.boxes);
+    const Way& way = ways[k];
+    robot.distance_to_goal = norm(way.goal - robot.position);
+    robot.preferred_velocity = preferred_velocity(robot, way.goal, way.preferred_speed, landing);
+    find_boxes(k, worker);
+    const std::size_t runs = cells.around(robot.position, worker.runs);
+    const Surroundings around{.bodies = bodies,
+                              .runs = std::span(worker.runs).first(runs),
+                              .self = static_cast<double>(at),
+                              .range = sensing_radius,
+                              .boxes = worker.boxes};
+    plans[k] =
+        space::decide(options, horizon, law, robot, around, true, worker.scratch, detours[k]);
   }
 
   void move() {
@@ -114,11 +132,11 @@ Simulation& Simulation::operator=(Simulation&&) noexcept = default;
 
 void Simulation::step() {
   State& state = *state_;
-  state.cells.sort(state.robots);
+  state.sort();
   const std::size_t count = state.robots.size();
   const auto decide = [&](std::size_t tile, std::size_t worker) {
     const std::size_t end = std::min((tile + 1) * kTile, count);
-    for (std::size_t k = tile * kTile; k < end; ++k) state.decide(k, state.workers[worker]);
+    for (std::size_t at = tile * kTile; at < end; ++at) state.decide(at, state.workers[worker]);
   };
   const std::size_t tiles = (count + kTile - 1) / kTile;
   if (count < kFewestParallel) {
@@ -161,7 +179,7 @@ void Simulation::set_goal(std::size_t robot, Vec3 goal) {
   if (!is_finite(goal)) throw Error("goal: found a number that is not finite");
   Vec3& own = state_->scenario.robots[robot].goal;
   if (own == goal) return;
-  own = goal;
+  own = state_->ways[robot].goal = goal;
   Detour& detour = state_->detours[robot];
   detour = {.congestion = detour.congestion, .acceleration = detour.acceleration};
 }
