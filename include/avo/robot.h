@@ -47,6 +47,10 @@ struct Robot {
   /// For an airplane, the circle that the others know; unset: the circle of position and velocity.
   /// Remember it while the airplane is on it: a circle made anew in each step drifts by rounding.
   std::optional<LoiterCircle> loiter = {};
+  /// m, > 0: to the point at which the preferred velocity aims, where that is nearer than its goal:
+  /// the next corner of its route, or a place in its lane. A car with a footprint maneuvers by it,
+  /// because its way turns there.
+  double lookahead = std::numeric_limits<double>::infinity();
 };
 
 /// What A counts on from a neighbor.

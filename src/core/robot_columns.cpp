@@ -3,6 +3,8 @@
 
 #include <utility>
 
+#include "core/plane.h"
+
 namespace avo::inline core {
 namespace {
 
@@ -42,6 +44,10 @@ void RobotColumns::add(const Robot& robot, const Neighbors& sensed) {
     loiter.resize(count, nullptr);
     loiter.push_back(&*robot.loiter);
   }
+  if (robot.lookahead != kInfinity) {
+    lookahead.resize(count, kInfinity);
+    lookahead.push_back(robot.lookahead);
+  }
   neighbors.push_back(sensed);
   ++count;
 }
@@ -58,6 +64,7 @@ Robot RobotColumns::robot(std::size_t i) const {
   if (max_braking[i] != max_acceleration[i]) robot.max_braking = max_braking[i];
   if (model[i] != nullptr) robot.model = *model[i], robot.heading = heading[i];
   if (i < loiter.size() && loiter[i] != nullptr) robot.loiter = *loiter[i];
+  if (i < lookahead.size()) robot.lookahead = lookahead[i];
   return robot;
 }
 
@@ -66,6 +73,7 @@ void RobotColumns::swap(std::size_t i, std::size_t k) {
   std::swap(model[i], model[k]);
   std::swap(neighbors[i], neighbors[k]);
   if (!loiter.empty()) std::swap(loiter[i], loiter[k]);
+  if (!lookahead.empty()) std::swap(lookahead[i], lookahead[k]);
 }
 
 }  // namespace avo::inline core

@@ -26,6 +26,7 @@ struct RobotColumns {
   bool has_models = false;                  // some are not holonomic
   std::vector<Neighbors> neighbors;         // that each robot senses, nearest first
   std::vector<const LoiterCircle*> loiter;  // of robots that fly; empty where there are none
+  std::vector<double> lookahead;            // m; empty where no robot has a footprint
 
   void reserve(std::size_t robots);
   void clear() {
@@ -34,6 +35,7 @@ struct RobotColumns {
     has_models = false;
     neighbors.clear();
     loiter.clear();
+    lookahead.clear();
   }
   /// robot.model and robot.loiter must stay at their addresses.
   void add(const Robot& robot, const Neighbors& sensed);

@@ -21,7 +21,7 @@ Vec2 beyond(Vec2 p, Vec2 target, double rest) {
 // The robot's own prospect; its route must be known.
 Prospect prospect_of(const Ways& ways, const Follower& robot, const Travel& travel) {
   return look_ahead(ways.passages, *travel.graph, *travel.map, robot.as_seen.position,
-                    travel.target);
+                    travel.target, reach_of(robot.traits));
 }
 
 Claimant claimant_of(const Follower& robot, const Claim& claim) {
@@ -83,7 +83,7 @@ Heading heed_passages(const Ways& ways, const Claims& claims, const Follower& ro
   Heading heeding = heading;
   const bool in_company = is_in_company(robot.traits.radius, robot.nearest);
   if (lane && in_company && robot.detour <= kLeavesLane)
-    heeding.goal = beyond(p, *lane, rest), heeding.guide = Guide::lane;
+    heeding.goal = beyond(p, *lane, rest), heeding.next = *lane, heeding.guide = Guide::lane;
   if (!claim) return heeding;
   const Course course =
       right_of_way(ways.passages[claim->passage], claimant_of(robot, *claim),
@@ -91,7 +91,9 @@ Heading heed_passages(const Ways& ways, const Claims& claims, const Follower& ro
   heeding.yields = course.target || course.max_speed < heeding.preferred_speed;
   if (heeding.yields) heeding.guide = Guide::passage;
   heeding.preferred_speed = std::min(heeding.preferred_speed, course.max_speed);
-  if (course.target) heeding.goal = course.stops ? *course.target : beyond(p, *course.target, rest);
+  if (!course.target) return heeding;
+  heeding.goal = course.stops ? *course.target : beyond(p, *course.target, rest);
+  heeding.next = *course.target;
   return heeding;
 }
 

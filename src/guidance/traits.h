@@ -32,6 +32,10 @@ inline RobotTraits traits_of(const Robot& robot, double preferred_speed) {
           .has_model = !is_holonomic(robot.model),
           .exceeds = model_traits(robot.model).reach > 1.0};
 }
+/// m, from its position to the farthest center of its footprint.
+inline double reach_of(const RobotTraits& traits) {
+  return traits.radius - traits.way_radius;
+}
 inline Ability ability_of(const RobotTraits& traits) {
   return {traits.max_acceleration, traits.max_braking};
 }

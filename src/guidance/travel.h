@@ -66,7 +66,8 @@ struct Travel {
 struct Heading {
   Vec2 goal = {};                // m
   double preferred_speed = 0.0;  // m/s
-  // m, next point of its route: the goal itself, or a corner before it
+  // m, next point of its route, the goal itself or a corner before it; or its place in a lane, or
+  // beside a passage
   Vec2 next = {};
   bool yields = false;  // to others at a passage
   Guide guide = Guide::route;

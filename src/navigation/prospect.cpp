@@ -10,6 +10,7 @@ namespace {
 constexpr double kFarthestPassage =
     24.0;                             // radii of the robot: passages farther off do not matter yet
 constexpr double kAhead = 3.0;        // radii, along the route, to where a lane is searched for
+constexpr double kReaches = 2.0;      // times its reach, more: its front swings less than it moves
 constexpr double kLeavesLane = 6.0;   // radii before the next passage of one lane
 constexpr double kAlong = 0.5;        // cosine: a route that leads more across keeps no lane
 constexpr double kSight = 1e-9;       // m: lines of sight do not pass where pieces of walls touch
@@ -73,13 +74,19 @@ std::optional<Claim> claim_outside(const Passages& passages, Vec2 p, const Walk&
   return claim;
 }
 
+// The place that the front of a robot reaches when the robot itself has come to the target.
+Vec2 beyond(Vec2 p, Vec2 target, double reach) {
+  const double distance = norm(target - p);
+  return reach > 0.0 && distance > 0.0 ? target + (reach / distance) * (target - p) : target;
+}
+
 // The place beside the point ahead on the route, in the right-hand lane, or half as far where
 // something is between.
 template <typename Walk>
 std::optional<Vec2> lane_ahead(const Passages& passages, const CornerGraph& graph, Vec2 p,
-                               const Walk& walk_on) {
+                               double reach, const Walk& walk_on) {
   std::optional<Vec2> lane;
-  const double ahead = kAhead * graph.radius;
+  const double ahead = kAhead * graph.radius + kReaches * reach;
   walk_on([&](const RoutePiece& piece) {
     if (piece.before + piece.length < ahead) return true;
     const Vec2 direction = (piece.to - piece.from) / piece.length;
@@ -94,7 +101,7 @@ std::optional<Vec2> lane_ahead(const Passages& passages, const CornerGraph& grap
     if (cosine < 0.0) axis.direction = -1.0 * axis.direction;
     for (const double part : {1.0, 0.5}) {
       const Vec2 target = axis.point - part * lane_offset(passage) * perpendicular(axis.direction);
-      if (!graph.grid.is_clear(p, target, kRoom * graph.radius)) continue;
+      if (!graph.grid.is_clear(p, beyond(p, target, reach), kRoom * graph.radius)) continue;
       lane = target;
       break;
     }
@@ -106,7 +113,7 @@ std::optional<Vec2> lane_ahead(const Passages& passages, const CornerGraph& grap
 }  // namespace
 
 Prospect look_ahead(const Passages& passages, const CornerGraph& graph, const PathMap& map, Vec2 p,
-                    std::uint32_t target) {
+                    std::uint32_t target, double reach) {
   const double farthest = kFarthestPassage * graph.radius;
   Prospect prospect;
   const auto number = passages.at(p);
@@ -122,7 +129,7 @@ Prospect look_ahead(const Passages& passages, const CornerGraph& graph, const Pa
   double way = 0.0;
   prospect.claim = claim_outside(passages, p, walk_on, way);
   if (!prospect.claim || way > kLeavesLane * graph.radius)
-    prospect.lane = lane_ahead(passages, graph, p, walk_on);
+    prospect.lane = lane_ahead(passages, graph, p, reach, walk_on);
   return prospect;
 }
 

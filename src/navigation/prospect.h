@@ -17,9 +17,10 @@ struct Prospect {
   std::optional<Vec2> lane;
 };
 
-/// Looks ahead from p on through the target, which is a corner of the graph or the goal.
+/// Looks ahead from p on through the target, which is a corner of the graph or the goal. reach: m,
+/// from p to the farthest center of a footprint.
 Prospect look_ahead(const Passages& passages, const CornerGraph& graph, const PathMap& map, Vec2 p,
-                    std::uint32_t target);
+                    std::uint32_t target, double reach = 0.0);
 
 /// The next gap on that route, of one lane or two.
 std::optional<Passages::Crossing> next_gap(const Passages& passages, const CornerGraph& graph,

@@ -209,6 +209,7 @@ Headings headings_of(NavigatorState& state, Memory& memory, const Robot& robot,
 SetOut set_out(NavigatorState& state, Memory& memory, const Robot& robot,
                std::span<const Neighbor> neighbors, double time_step) {
   SetOut out{robot, {}};
+  out.robot.lookahead = kInfinity;
   RobotTraits traits = traits_of(robot, state.options.preferred_speed.value_or(robot.max_speed));
   if (memory.decisions == 0) make_room(state, robot);
   go_around_resting(state, memory, robot, neighbors);
@@ -244,6 +245,8 @@ SetOut set_out(NavigatorState& state, Memory& memory, const Robot& robot,
   out.robot.preferred_velocity =
       preferred_velocity(robot.position, robot.velocity, traits, goal, state.response);
   out.robot.distance_to_goal = norm(goal - robot.position);
+  if (reach_of(traits) > 0.0 && !decided.heads_for)
+    out.robot.lookahead = norm(heading.next - follower.place);
   // a car steers on the circle to the point ahead at which it aims
   if (memory.on.is_given() && heading.guide == Guide::route && !decided.heads_for &&
       turning_radius(robot.model) > 0.0)

@@ -62,7 +62,8 @@ bool is_valid(const Robot& robot) {
   if (robot.loiter && (is_known(robot.loiter->center) & is_size(robot.loiter->radius)) == 0)
     return false;
   const int lengths = is_size(robot.radius) & is_size(robot.priority) &
-                      static_cast<int>(robot.distance_to_goal >= 0.0);
+                      static_cast<int>(robot.distance_to_goal >= 0.0) &
+                      static_cast<int>(robot.lookahead >= 0.0);
   return can_brake(robot) && (places & lengths) != 0 &&
          (is_holonomic(robot.model) || can_drive(robot));
 }

@@ -115,11 +115,13 @@ double Maneuvering::clear_length(const AxlePose& from, const Move& move, double 
   return most;
 }
 
-// Routes around walls touch them, and the part after the corner is not known here.
+// Routes around walls touch them, and the part after the corner is not known here. Neither is the
+// part behind the point at which a car with a footprint aims.
 bool Maneuvering::is_clear_leg(const AxlePose& from, const Move& move, const ArcLeg& leg,
                                Nearness nearness) const {
   const bool is_near = norm(goal - pose.axle) <= kNearGoal * turning;
-  const double straight = is_near ? leg.straight : std::min(leg.straight, kStraight * turning);
+  const double most = std::min(kStraight * turning, std::max(robot.lookahead - leg.arc, 0.0));
+  const double straight = is_near ? leg.straight : std::min(leg.straight, most);
   if (straight < leg.straight) nearness = Nearness::begun;
   const Move ahead{move.gear, 0.0, planned};
   const AxlePose turned = after(from, move, leg.arc, turns);

@@ -50,18 +50,22 @@ void list_walls(const World& world, std::span<const std::uint32_t> slots, Worker
 void follow_ways(const World& world, const Pace& pace, std::span<const Claims> claims,
                  std::span<const std::uint32_t> slots, Worker& worker) {
   const double time_step = pace.planner.options().time_step;
+  RobotColumns& robots = worker.tile.robots;
+  if (world.fleet.has_footprints) robots.lookahead.assign(slots.size(), kInfinity);
   worker.headings.clear();
   for (std::size_t k = 0; k < slots.size(); ++k) {
     const Vec2 lost = worker.lost.empty() ? Vec2{} : worker.lost[k];
     const double nearest =
         nearest_of(worker.tile.robots.neighbors[k], world.fleet.position[slots[k]]);
     const std::size_t floor = world.floor_of(slots[k]);
-    const Headings found =
-        guide(world.ways[floor], claims[floor], follower_of(world, slots[k], lost, nearest),
-              time_step, world.sensing_radius, *worker.travels[k], worker.legs);
+    const Follower follower = follower_of(world, slots[k], lost, nearest);
+    const Headings found = guide(world.ways[floor], claims[floor], follower, time_step,
+                                 world.sensing_radius, *worker.travels[k], worker.legs);
     if (!world.shares_goal.empty()) worker.headings.push_back(found.by_route);
     worker.moving.goal_x[k] = found.heading.goal.x, worker.moving.goal_y[k] = found.heading.goal.y;
     worker.moving.preferred_speed[k] = found.heading.preferred_speed;
+    if (!robots.lookahead.empty() && reach_of(follower.traits) > 0.0)
+      robots.lookahead[k] = norm(found.heading.next - follower.place);
     if (worker.told != nullptr) *worker.told = found.heading.guide;
   }
 }
@@ -94,6 +98,7 @@ void aim_discs(const World& world, std::span<const std::uint32_t> slots, Worker&
                                                   worker.tile.walls_of(k), *worker.tile.detour[k]);
       if (decided.heads_for) {
         goal = *decided.heads_for, moving.preferred_speed[k] = heading.preferred_speed;
+        if (!worker.tile.robots.lookahead.empty()) worker.tile.robots.lookahead[k] = kInfinity;
         if (worker.told != nullptr) *worker.told = Guide::place;
       }
       *worker.has_stood[k] = decided.has_stood ? 1 : 0;

@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: Apache-2.0
+// Trucks and forklifts, which are rows of discs, among walls and each other: they pass, and touch
+// nothing (docs/certificate/footprints.md, "Trucks in lanes").
+#include <gtest/gtest.h>
+#include <numbers>
+#include <string>
+#include <vector>
+
+#include "avo/metrics.h"
+#include "avo/simulation.h"
+
+namespace avo::test {
+namespace {
+
+constexpr double kLeft = std::numbers::pi;
+
+struct TruckSize {
+  double length, width;
+};
+
+RobotSetup truck(Vec2 position, double heading, Vec2 goal, TruckSize size = {6.0, 2.0},
+                 bool reverse = true) {
+  Car car{.wheelbase = 0.58 * size.length, .max_curvature = 0.2, .reverse = reverse};
+  car.footprint = cover_rectangle(size.length, size.width, 0.5 * size.length - 1.25, 0.5);
+  RobotSetup robot;
+  robot.position = position, robot.heading = heading, robot.goal = goal;
+  robot.model = car;
+  return robot;
+}
+
+double disc_radius_of(const RobotSetup& robot) {
+  return std::get<Car>(robot.model).footprint.radius;
+}
+
+StaticObstacle wall(std::vector<Vec2> points) {
+  return {.chains = {Chain{std::move(points), false}}};
+}
+
+struct Driven {
+  double time = 0.0;  // s, of the last arrival, or of the end
+  RunSummary summary;
+  bool all_arrived = false;
+};
+
+Driven drive(Scenario scene, double most) {
+  scene.duration = most;
+  Simulation simulation(scene, 1);
+  Metrics metrics(scene);
+  metrics.observe(simulation);
+  while (!metrics.all_arrived() && simulation.time() < most) {
+    simulation.step();
+    metrics.observe(simulation);
+  }
+  return {simulation.time(), metrics.summary(), metrics.all_arrived()};
+}
+
+void expect_passes(const Scenario& scene, double most) {
+  const Driven driven = drive(scene, most);
+  EXPECT_TRUE(driven.all_arrived) << driven.summary.arrived << " arrived";
+  EXPECT_EQ(driven.summary.collision_pairs, 0);
+  EXPECT_EQ(driven.summary.collision_obstacles, 0);
+}
+
+// Two trucks in a lane of that half-width, at -+aside.
+Scenario meeting(TruckSize size, double half, double aside, bool reverse = true) {
+  Scenario scene;
+  scene.obstacles = {wall({{-60.0, half}, {60.0, half}}), wall({{-60.0, -half}, {60.0, -half}})};
+  scene.robots = {truck({-18.0, -aside}, 0.0, {18.0, -aside}, size, reverse),
+                  truck({18.0, aside}, kLeft, {-18.0, aside}, size, reverse)};
+  return scene;
+}
+
+// The lane aims at a place 3 radii ahead, and a straight line from there on leads into the wall.
+TEST(Trucks, two_pass_in_a_lane) {
+  for (const TruckSize size : {TruckSize{4.0, 1.5}, {6.0, 2.0}, {9.0, 2.5}}) {
+    const double contact = 2.0 * disc_radius_of(truck({}, 0.0, {}, size));
+    for (const double part : {1.15, 1.5}) {
+      for (const bool reverse : {true, false}) {
+        SCOPED_TRACE(std::to_string(size.length) + " m, " + std::to_string(part) +
+                     (reverse ? ", with reverse" : ""));
+        const double half = part * contact;
+        expect_passes(meeting(size, half, 0.5 * half, reverse), 40.0);
+      }
+    }
+  }
+}
+
+TEST(Trucks, two_pass_that_meet_head_on) {
+  for (const double half : {3.5, 4.2, 5.0}) {
+    SCOPED_TRACE(half);
+    expect_passes(meeting({6.0, 2.0}, half, 0.0), 40.0);
+  }
+}
+
+// The scenes of the table of jams in the page.
+TEST(Trucks, two_pass_between_walls_that_leave_more_room) {
+  for (const double between : {3.2, 3.4, 3.6}) {
+    for (const double beside : {1.8, 2.2, 2.9}) {
+      SCOPED_TRACE(std::to_string(between) + ", " + std::to_string(beside));
+      expect_passes(meeting({6.0, 2.0}, 0.5 * between + beside, 0.5 * between), 40.0);
+    }
+  }
+}
+
+// Beyond the corner a straight line leads into the outer wall.
+TEST(Trucks, one_turns_a_corner) {
+  for (const double width : {7.0, 8.0, 10.0}) {
+    SCOPED_TRACE(width);
+    const double half = 0.5 * width;
+    Scenario scene;
+    scene.obstacles = {wall({{-40.0, -half}, {half, -half}, {half, 40.0}}),
+                       wall({{-40.0, half}, {-half, half}, {-half, 40.0}})};
+    scene.robots = {truck({-25.0, -0.5 * half}, 0.0, {0.5 * half, 25.0})};
+    expect_passes(scene, 40.0);
+  }
+}
+
+}  // namespace
+}  // namespace avo::test
