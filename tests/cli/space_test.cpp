@@ -148,8 +148,6 @@ TEST(SpaceScenes, recordings_with_missing_rows_are_not_called_safe) {
   write_file(scene, "version: 1\nspace: 3\nrobots:\n  - {position: [0, 0, 0], goal: [9, 0, 0]}\n");
   write_file(csv, "time,robot,x,y,z,vx,vy,vz\n0,0,0,0,0,0,0,0\n9,0,9,0,0,0,0,0\n");
   EXPECT_EQ(run_avo({"check", csv, "--scene", scene}).exit_code, 7);
-  const ProcessResult thinned = run_avo({"run", scene, "--record", csv, "--every", "5"});
-  EXPECT_THAT(thinned.err, HasSubstr("--every: found with a scene of space"));
 }
 
 TEST(SpaceScenes, a_scene_that_says_two_dimensions_is_one_of_the_plane) {

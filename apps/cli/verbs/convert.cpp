@@ -154,6 +154,10 @@ int convert(const ConvertArguments& arguments) {
                    {{"the output", arguments.output}});
   if (!arguments.name.empty() && format != ExportFormat::recording)
     throw UsageError("--name: found without --to recording, must be with it");
+  if (const auto in_space = convert_in_space(arguments, format)) {
+    report(arguments, *in_space);
+    return kDone;
+  }
   avo_io::ConvertOptions options{.format = format};
   options.scenario = scenario_of(arguments, options.source);
   if (format == ExportFormat::mcap && options.scenario && options.scenario->robots.empty())
