@@ -80,14 +80,14 @@ replay_in_space(const std::string& recording, int threads = 0,
 
 /// Options of convert_in_space().
 struct SpaceConvertOptions {
-  ExportFormat format = ExportFormat::csv;  ///< csv or recording
+  ExportFormat format = ExportFormat::csv;  ///< csv, recording, mcap or gltf
   /// The scene of the recording, and the inputs of the scene; unset: the scene that the recording
   /// contains, if any.
   std::optional<RecordedSpaceScene> scene = {};
 };
 
-/// Writes the rows of a recording of space as CSV, or as HDF5 with the scene; `output` is whole or
-/// not there. Throws RecordingError, FileError, and Error where HDF5 lacks a scene.
+/// Writes the rows of a recording of space in another format; `output` is whole or not there.
+/// Throws RecordingError, FileError, and Error where a format other than CSV lacks a scene.
 AVO_API Converted convert_in_space(const std::string& input, const std::string& output,
                                    const SpaceConvertOptions& options);
 

@@ -100,9 +100,9 @@ TEST(SpaceHdf5, becomes_the_csv_of_the_run_and_back) {
   EXPECT_EQ(column_of(again, 9, 2, 51), column_of(h5, 9, 2, 51));
   EXPECT_EQ(run_avo({"check", again}).exit_code, 0);
   EXPECT_THAT(run_avo({"convert", csv, again, "--to", "recording"}).err,
-              HasSubstr("--scene: found none, must be given with --to recording"));
+              HasSubstr("--scene: found none, must be given: the format has radii"));
   EXPECT_THAT(run_avo({"convert", h5, path_of("x.sqlite")}).err,
-              HasSubstr("must be csv, recording or set-points"));
+              HasSubstr("must be csv, recording, mcap, gltf or set-points"));
 }
 
 TEST(SpaceHdf5, has_rows_of_every_third_step_and_the_last_one) {

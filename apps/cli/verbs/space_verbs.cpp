@@ -13,6 +13,7 @@
 #include "avo/space/metrics.h"
 #include "avo_io/output_file.h"
 #include "avo_io/recording.h"
+#include "avo_io/space_decision.h"
 #include "exit_codes.h"
 #include "figures/space_views.h"
 #include "files.h"
@@ -157,6 +158,29 @@ int run_in_space(const RunArguments& arguments, const avo::space::Scenario& scen
   return signal_caught() == 0 ? kDone : kSignal + signal_caught();
 }
 
+int explain_in_space(const ExplainArguments& arguments, const avo::space::Scenario& scenario) {
+  if (!arguments.figure.empty() || !arguments.states.empty())
+    throw UsageError("--figure, --states: found with a scene of space, must be left out");
+  Progress progress(arguments.time);  // wiped before other output
+  const auto decision = [&] {
+    try {
+      return avo_io::explain_in_space(scenario, arguments.robot, arguments.time, 0,
+                                      [&progress](double time) {
+                                        progress.show(time);
+                                        return signal_caught() == 0;
+                                      });
+    } catch (const avo::Error& error) {
+      throw UsageError(std::string("--") + error.what());
+    }
+  }();
+  if (!decision) return kSignal + signal_caught();
+  if (arguments.json)
+    print(to_json(*decision));
+  else
+    print_results(readable(*decision));
+  return kDone;
+}
+
 std::optional<avo_io::Judgement> judge_in_space(const CheckArguments& arguments) {
   const auto scene = scene_of(arguments.recording, arguments.scene);
   if (!scene) return std::nullopt;
@@ -186,12 +210,16 @@ std::optional<avo_io::Converted> convert_in_space(const ConvertArguments& argume
   if (!scene && (arguments.recording == "-" || !arguments.scene.scene.empty() ||
                  !avo_io::is_space_recording(arguments.recording)))
     return std::nullopt;
-  if (format != avo_io::ExportFormat::csv && format != avo_io::ExportFormat::recording)
+  using avo_io::ExportFormat;
+  const bool is_of_space = format == ExportFormat::csv || format == ExportFormat::recording ||
+                           format == ExportFormat::mcap || format == ExportFormat::gltf;
+  if (!is_of_space)
     throw UsageError(
-        "the output: found a format of the plane, must be csv, recording or set-points for a "
-        "recording of space");
-  if (!scene && format == avo_io::ExportFormat::recording)
-    throw UsageError("--scene: found none, must be given with --to recording");
+        "the output: found a format of the plane, must be csv, recording, mcap, gltf or set-points "
+        "for a recording of space");
+  if (!scene && format != ExportFormat::csv)
+    throw UsageError(
+        "--scene: found none, must be given: the format has radii and boxes, and CSV has neither");
   return avo_io::convert_in_space(arguments.recording, arguments.output,
                                   {.format = format, .scene = scene});
 }

@@ -20,6 +20,7 @@ std::optional<avo::space::Scenario> load_in_space(const SceneArguments& argument
 
 int run_in_space(const RunArguments& arguments, const avo::space::Scenario& scenario,
                  const avo_io::SceneSource& source);
+int explain_in_space(const ExplainArguments& arguments, const avo::space::Scenario& scenario);
 /// Judges a recording of space; none where neither --scene nor the recording has a scene of space.
 std::optional<avo_io::Judgement> judge_in_space(const CheckArguments& arguments);
 /// Returns none if the recording is not one of space.
