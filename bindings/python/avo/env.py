@@ -89,7 +89,8 @@ class VectorEnv:
         self.metadata = {**type(self).metadata, "autoreset_mode": mode}
         self.max_steps = usual if max_steps is None else whole("max_steps", max_steps, 1, 2**53)
         self._scene, self._neighbors, self._walls = scene, neighbors, walls
-        self._worlds = space.Worlds(num_envs, first) if self.dimensions == 3 else Worlds(num_envs, first)
+        in_space = self.dimensions == 3
+        self._worlds: Worlds | space.Worlds = space.Worlds(num_envs, first) if in_space else Worlds(num_envs, first)
         self.num_envs, self.num_robots = num_envs, len(first.robots)
         self.time_step, self.arrival_distance = first.time_step, first.arrival_distance
         self._randoms = [generator(None)] * num_envs
