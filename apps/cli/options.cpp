@@ -182,11 +182,11 @@ void add_convert(CLI::App& app, Action& action) {
       ->type_name("FILE.csv|.h5|.h5.part|.sqlite|.txt")
       ->required();
   not_empty(verb->add_option("OUTPUT", arguments.output, "its ending says the format; - is stdout"))
-      ->type_name("FILE.csv|.sqlite|.mcap|.h5|.txt")
+      ->type_name("FILE.csv|.sqlite|.mcap|.glb|.h5|.txt")
       ->required();
   not_empty(
       verb->add_option("--to", arguments.to,
-                       "csv, sqlite, mcap, recording, pedestrian-hdf5, pedestrian-text, obsmat or "
+                       "csv, sqlite, mcap, gltf, recording, pedestrian-hdf5, pedestrian-text, obsmat or "
                        "set-points"))
       ->type_name("FORMAT");
   not_empty(verb->add_option("--name", arguments.name,

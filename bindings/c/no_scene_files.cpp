@@ -21,4 +21,8 @@ avo::Scenario parse_scene(std::string_view, const std::string&, const std::vecto
   fail_as_unsupported();
 }
 
+avo::space::Scenario load_space_scene(const std::string&, const std::vector<std::string>&) {
+  fail_as_unsupported();
+}
+
 }  // namespace avo_c

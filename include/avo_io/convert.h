@@ -25,16 +25,18 @@ enum class ExportFormat {
   pedestrian_text,  ///< of the archive, as PedPy reads it
   obsmat,           ///< of ETH and UCY
   recording,        ///< as `avo run --record FILE.h5` writes it, with the scene
+  gltf,             ///< glTF 2.0 in one file, of a recording of space
 };
 /// The names of the formats on the command line.
-inline constexpr std::array<std::pair<std::string_view, ExportFormat>, 7> kExportFormats{
+inline constexpr std::array<std::pair<std::string_view, ExportFormat>, 8> kExportFormats{
     {{"csv", ExportFormat::csv},
      {"sqlite", ExportFormat::sqlite},
      {"pedestrian-hdf5", ExportFormat::pedestrian_hdf5},
      {"mcap", ExportFormat::mcap},
      {"pedestrian-text", ExportFormat::pedestrian_text},
      {"obsmat", ExportFormat::obsmat},
-     {"recording", ExportFormat::recording}}};
+     {"recording", ExportFormat::recording},
+     {"gltf", ExportFormat::gltf}}};
 
 /// Options of convert().
 struct ConvertOptions {

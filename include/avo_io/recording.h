@@ -38,6 +38,7 @@ struct RecordingHeader {
   std::int64_t robots = 0;
   std::int64_t every = 1;      ///< only every n-th step has rows, and the last one
   bool headings = false;       ///< there are columns for headings
+  bool space = false;          ///< the scene is one of space, and so are the columns
   bool until_arrived = false;  ///< the run was to end once all robots had arrived
   SceneSource scene;
   std::optional<std::uint64_t> state_hash =

@@ -17,7 +17,7 @@ namespace {
 
 bool has_frames(ExportFormat format) {
   return format != ExportFormat::csv && format != ExportFormat::mcap &&
-         format != ExportFormat::recording;
+         format != ExportFormat::recording && format != ExportFormat::gltf;
 }
 
 /// Times as whole numbers of equal steps from the first one.
@@ -102,6 +102,7 @@ std::unique_ptr<ExportTarget> target_of(ExportFormat format, const ExportPlace& 
       return export_text(place, format == ExportFormat::obsmat);
     case ExportFormat::mcap:
     case ExportFormat::recording:
+    case ExportFormat::gltf:
       break;
   }
   return export_mcap(place, *scenario);
@@ -109,6 +110,8 @@ std::unique_ptr<ExportTarget> target_of(ExportFormat format, const ExportPlace& 
 
 void require_fitting_scene(const std::string& input, ExportFormat format,
                            const avo::Scenario* scenario) {
+  if (format == ExportFormat::gltf)
+    throw RecordingError(input + ": found a recording of the plane, must be one of space for glTF");
   if (format == ExportFormat::mcap && scenario == nullptr)
     throw avo::Error("the scene: found none, must be given: MCAP shows radii and walls");
   if (format == ExportFormat::mcap && scenario->robots.empty())

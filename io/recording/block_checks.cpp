@@ -53,12 +53,12 @@ void BlockChecks::check_robot(const BlockShape& shape, const RecordingBlock& blo
         "or {}, absent",
         path_, block.time[k], robot, status, static_cast<int>(avo::PlanStatus::detour), kAbsent));
   const auto value = [&](std::size_t column) { return block.row(shape, column, k)[robot]; };
-  const bool heading =
-      shape.columns == kHeadingColumns && !(std::isnan(value(4)) && std::isnan(value(5)));
-  const std::size_t columns = heading ? kHeadingColumns : kPlainColumns;
+  const bool heading = shape.has_headings() && !(std::isnan(value(4)) && std::isnan(value(5)));
+  const std::size_t columns =
+      shape.has_headings() && !heading ? kPlainColumns.count : shape.columns();
   for (std::size_t c = 0; c < columns; ++c)
     if (!avo::kAnyValue.contains(value(c)))
-      refuse(block.time[k], robot, kStateColumns[c], value(c));
+      refuse(block.time[k], robot, shape.state->names[c], value(c));
 }
 
 }  // namespace avo_io

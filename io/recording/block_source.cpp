@@ -25,6 +25,7 @@ class BlockRows final : public RowSource {
  public:
   BlockRows(const std::string& path, std::optional<std::int64_t> robots)
       : path_(path), source_(path) {
+    require_plane(path, source_.header());
     if (robots && source_.header().robots > *robots)
       throw RecordingError(
           fmt::format("{}: found {} robots, must be {} at most, those of the scene", path,
@@ -101,11 +102,16 @@ const avo::Scenario& BlockSource::scenario() {
   return *scenario_;
 }
 
+const avo::space::Scenario& BlockSource::scenario_of_space() {
+  if (!scenario_of_space_) scenario_of_space_ = own_scene_of_space(path_, header());
+  return *scenario_of_space_;
+}
+
 // Returns the end of the scene; a caller that judges by another scene or by limits does not need
 // the recording's own.
 double BlockSource::end_of_scene() {
   try {
-    return scenario().duration;
+    return header().space ? scenario_of_space().duration : scenario().duration;
   } catch (const OwnSceneError&) {
     return std::numeric_limits<double>::infinity();
   }

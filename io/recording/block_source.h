@@ -6,6 +6,7 @@
 #include <string>
 
 #include "avo/scenario.h"
+#include "avo/space/scenario.h"
 #include "io/recording/block_checks.h"
 #include "io/recording/hdf5_recording.h"
 #include "io/recording/recording_blocks.h"
@@ -22,6 +23,8 @@ class BlockSource {
   [[nodiscard]] const BlockShape& shape() const;
   /// Returns the scene that the recording contains, see own_scene().
   const avo::Scenario& scenario();
+  /// Returns that of a recording of space, see own_scene_of_space().
+  const avo::space::Scenario& scenario_of_space();
   /// Reads the next block; returns false at the end. Throws RecordingError, also for rows that no
   /// run records (block_checks.h).
   bool next();
@@ -40,6 +43,7 @@ class BlockSource {
   CompressedBlock compressed_;
   bool begun_ = false;  // whether the first block of the spool has been used
   std::optional<avo::Scenario> scenario_;
+  std::optional<avo::space::Scenario> scenario_of_space_;
   std::optional<BlockChecks> checks_;
   std::optional<RecordingBlock> block_;
 };

@@ -71,7 +71,7 @@ Hdf5Reader::Hdf5Reader(const std::string& path) : path_(path) {
       H5Sget_simple_extent_dims(space.id(), &times_, nullptr) < 0 || times_ == 0)
     refuse("time: found no list, must be one of all times");
   require_layout(time_, "time", {times_});
-  state_ = open_table("state", {times_, shape_.robots, shape_.columns});
+  state_ = open_table("state", {times_, shape_.robots, shape_.columns()});
   require_columns();
   status_ = open_table("status", {times_, shape_.robots});
   clearance_ = open_table("clearance", {times_, shape_.robots});
@@ -88,8 +88,7 @@ void Hdf5Reader::read_attributes() {
   } catch (const avo::Error& error) {
     refuse(error.what());
   }
-  shape_ = {static_cast<std::size_t>(header_.robots),
-            header_.headings ? kHeadingColumns : kPlainColumns};
+  shape_ = shape_of(header_);
 }
 
 void Hdf5Reader::refuse(const std::string& what) const {
@@ -106,7 +105,7 @@ void Hdf5Reader::require_columns() const {
   });
   const auto* found =
       done < 0 || columns == fields.end() ? nullptr : std::get_if<std::string>(&columns->value);
-  const char* allowed = columns_of(shape_.columns);
+  const char* allowed = shape_.state->list;
   if (found == nullptr || *found != allowed)
     refuse(fmt::format("state: columns: found {}, must be {}",
                        found == nullptr ? "none" : in_quotes(*found), allowed));
@@ -186,7 +185,7 @@ bool Hdf5Reader::next(RecordingBlock& block) {
   const hsize_t robots = shape_.robots;
   block.times = count;
   read_rows(time_, H5T_NATIVE_DOUBLE, {first_}, {count}, block.time.data());
-  for (hsize_t column = 0; column < shape_.columns; ++column)
+  for (hsize_t column = 0; column < shape_.columns(); ++column)
     read_rows(state_, H5T_NATIVE_DOUBLE, {first_, 0, column}, {count, robots, 1},
               block.row(shape_, column, 0));
   const Hdf5Handle stored(H5Dget_type(status_.id()), H5Tclose);

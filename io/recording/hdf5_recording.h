@@ -15,10 +15,6 @@ namespace avo_io {
 
 /// The value of its attribute "format".
 inline constexpr const char* kRecordingFormat = "avo recording 1";
-/// Returns the attribute "columns" of its table of states.
-inline const char* columns_of(std::size_t columns) {
-  return columns == kHeadingColumns ? "x,y,vx,vy,heading,speed" : "x,y,vx,vy";
-}
 
 /// Returns whether a file that begins with these bytes is an HDF5 file.
 bool is_hdf5(std::string_view begin);

@@ -62,12 +62,10 @@ struct Tables {
 
   Tables(const Hdf5Output& target, hid_t file, const BlockShape& shape, hsize_t times) {
     const hsize_t robots = shape.robots, width = shape.robots_of_chunk();
-    state = create_table(target, file, "state", H5T_IEEE_F64LE, {times, robots, shape.columns},
+    state = create_table(target, file, "state", H5T_IEEE_F64LE, {times, robots, shape.columns()},
                          {kBlockTimes, width, 1});
-    target.write_attribute(state.id(), "columns", columns_of(shape.columns));
-    target.write_attribute(
-        state.id(), "units",
-        shape.columns == kHeadingColumns ? "m,m,m/s,m/s,rad,m/s" : "m,m,m/s,m/s");
+    target.write_attribute(state.id(), "columns", shape.state->list);
+    target.write_attribute(state.id(), "units", shape.state->units);
     const Hdf5Handle words = status_type(target);
     status =
         create_table(target, file, "status", words.id(), {times, robots}, {kBlockTimes, width});
@@ -85,7 +83,7 @@ struct Tables {
           H5Dwrite_chunk(table.id(), H5P_DEFAULT, 0, offset, chunk->size(), chunk->data()));
       ++chunk;
     };
-    for (hsize_t column = 0; column < shape.columns; ++column)
+    for (hsize_t column = 0; column < shape.columns(); ++column)
       for (hsize_t part = 0; part < shape.parts(); ++part) write_part(state, part, column);
     for (const Hdf5Handle* table : {&status, &clearance})
       for (hsize_t part = 0; part < shape.parts(); ++part) write_part(*table, part, 0);

@@ -11,9 +11,13 @@
 
 namespace avo_io {
 
-avo::Scenario own_scene(const std::string& path, const RecordingHeader& header) {
+namespace {
+
+// Returns what `parse` makes of the scene; its errors get the path in front.
+template <typename Parse>
+auto scene_in(const std::string& path, Parse parse) {
   try {
-    return parse_scenario_of(header.scene, header.robots);
+    return parse();
   } catch (const RecordingError& error) {
     throw RecordingError(fmt::format("{}: {}", path, error.what()));
   } catch (const avo::Error& error) {
@@ -21,17 +25,57 @@ avo::Scenario own_scene(const std::string& path, const RecordingHeader& header) 
   }
 }
 
+bool may_have_scene(const std::string& path) {
+  const RecordingFormat format = format_of(path);
+  return format == RecordingFormat::hdf5 || format == RecordingFormat::spool;
+}
+
+void add_overrides(const std::vector<std::string>& overrides, SceneSource& source) {
+  refuse_removed(overrides);
+  source.overrides.insert(source.overrides.end(), overrides.begin(), overrides.end());
+}
+
+}  // namespace
+
+void require_plane(const std::string& path, const RecordingHeader& header) {
+  if (header.space)
+    throw RecordingError(path + ": found a recording of space, must be one of the plane here");
+}
+
+avo::Scenario own_scene(const std::string& path, const RecordingHeader& header) {
+  require_plane(path, header);
+  return scene_in(path, [&] { return parse_scenario_of(header.scene, header.robots); });
+}
+
+avo::space::Scenario own_scene_of_space(const std::string& path, const RecordingHeader& header) {
+  avo::space::Scenario scene =
+      scene_in(path, [&] { return parse_space_scenario_of(header.scene, header.robots); });
+  if (static_cast<std::int64_t>(scene.robots.size()) != header.robots)
+    throw RecordingError(fmt::format("{}: found {} robots, must be {}, those of its scene", path,
+                                     header.robots, scene.robots.size()));
+  return scene;
+}
+
 std::optional<RecordedScene> read_recorded_scene(const std::string& path,
                                                  const std::vector<std::string>& overrides) {
-  const RecordingFormat format = format_of(path);
-  if (format != RecordingFormat::hdf5 && format != RecordingFormat::spool) return std::nullopt;
+  if (!may_have_scene(path)) return std::nullopt;
   BlockSource source(path);
   RecordedScene found{source.header(), source.scenario()};
   if (overrides.empty()) return found;
-  refuse_removed(overrides);
-  found.header.scene.overrides.insert(found.header.scene.overrides.end(), overrides.begin(),
-                                      overrides.end());
+  add_overrides(overrides, found.header.scene);
   found.scenario = parse_scenario(found.header.scene);
+  return found;
+}
+
+std::optional<RecordedSpaceScene> read_recorded_space_scene(
+    const std::string& path, const std::vector<std::string>& overrides) {
+  if (!may_have_scene(path)) return std::nullopt;
+  BlockSource source(path);
+  if (!source.header().space) return std::nullopt;
+  RecordedSpaceScene found{source.header(), source.scenario_of_space()};
+  if (overrides.empty()) return found;
+  add_overrides(overrides, found.header.scene);
+  found.scenario = parse_space_scenario(found.header.scene);
   return found;
 }
 

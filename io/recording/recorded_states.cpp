@@ -20,19 +20,19 @@ constexpr double kNoNumber = std::numeric_limits<double>::quiet_NaN();
 
 void add_states(const avo::Simulation& simulation, const BlockShape& shape, RecordingBlock& block) {
   using avo::Columns;
-  const bool turns = shape.columns == kHeadingColumns;
+  const bool turns = shape.has_headings();
   const avo::FleetView fleet =
       simulation.fleet(Columns::id | Columns::position | Columns::velocity | Columns::plan |
                        (turns ? Columns::heading | Columns::setup : Columns{}));
   const std::size_t k = block.times++;
   block.time[k] = simulation.time();
-  std::array<double*, kHeadingColumns> row{};
-  for (std::size_t c = 0; c < shape.columns; ++c) row[c] = block.row(shape, c, k);
+  std::array<double*, kHeadingColumns.count> row{};
+  for (std::size_t c = 0; c < shape.columns(); ++c) row[c] = block.row(shape, c, k);
   std::uint8_t* status = block.status.data() + k * shape.robots;
   std::size_t next = 0;  // robot without a row yet
   const auto leave_out_before = [&](std::size_t robot) {
     for (; next < robot; ++next) {
-      for (std::size_t c = 0; c < shape.columns; ++c) row[c][next] = kNoNumber;
+      for (std::size_t c = 0; c < shape.columns(); ++c) row[c][next] = kNoNumber;
       status[next] = kAbsent;
     }
   };
@@ -58,7 +58,7 @@ void add_rows(const RecordedTime& moment, const BlockShape& shape, RecordingBloc
   block.time[k] = moment.time;
   std::uint8_t* status = block.status.data() + k * shape.robots;
   std::fill_n(status, shape.robots, kAbsent);
-  for (std::size_t c = 0; c < shape.columns; ++c)
+  for (std::size_t c = 0; c < shape.columns(); ++c)
     std::fill_n(block.row(shape, c, k), shape.robots, kNoNumber);
   for (const avo::CheckedState& row : moment.rows) {
     const auto i = static_cast<std::size_t>(row.robot);
@@ -69,7 +69,7 @@ void add_rows(const RecordedTime& moment, const BlockShape& shape, RecordingBloc
                              row.velocity.y,
                              row.heading ? row.heading->angle : kNoNumber,
                              row.heading ? row.heading->speed : kNoNumber};
-    for (std::size_t c = 0; c < shape.columns; ++c) block.row(shape, c, k)[i] = values[c];
+    for (std::size_t c = 0; c < shape.columns(); ++c) block.row(shape, c, k)[i] = values[c];
   }
 }
 
@@ -83,8 +83,7 @@ std::vector<avo::CheckedState> rows_of(const BlockShape& shape, const RecordingB
     if (block.status[time * shape.robots + i] == kAbsent) continue;
     avo::CheckedState& row = rows.emplace_back();
     row = {static_cast<std::int64_t>(i), {value(0, i), value(1, i)}, {value(2, i), value(3, i)}};
-    if (shape.columns == kHeadingColumns && !std::isnan(value(4, i)))
-      row.heading = {value(4, i), value(5, i)};
+    if (shape.has_headings() && !std::isnan(value(4, i))) row.heading = {value(4, i), value(5, i)};
   }
   return rows;
 }
@@ -94,7 +93,7 @@ void find_clearances(const BlockShape& shape, std::size_t time, avo::ClearanceFi
   const auto row = [&](std::size_t column) {
     return std::span<const double>(block.row(shape, column, time), shape.robots);
   };
-  const bool headings = shape.columns == kHeadingColumns;
+  const bool headings = shape.has_headings();
   clearances.find({row(0), row(1), headings ? row(4) : std::span<const double>()},
                   {block.clearance.data() + time * shape.robots, shape.robots});
 }

@@ -41,7 +41,7 @@ std::size_t BlockShape::robots_of_chunk() const {
 
 RecordingBlock::RecordingBlock(const BlockShape& shape)
     : time(kBlockTimes),
-      values(shape.columns * kBlockTimes * shape.robots),
+      values(shape.columns() * kBlockTimes * shape.robots),
       status(kBlockTimes * shape.robots),
       clearance(kBlockTimes * shape.robots) {}
 
@@ -58,7 +58,7 @@ bool CompressedBlock::can_be(const BlockShape& shape) const {
   constexpr std::size_t kMostPerByte = 1032;  // the limit of deflate
   std::size_t bytes = 0;
   for (const std::string& chunk : chunks) bytes += chunk.size();
-  const std::size_t row = shape.robots * (shape.columns * sizeof(double) + 1 + sizeof(float));
+  const std::size_t row = shape.robots * (shape.columns() * sizeof(double) + 1 + sizeof(float));
   return chunks.size() == shape.chunks() && !time.empty() && time.size() <= kBlockTimes &&
          kBlockTimes * row / kMostPerByte <= bytes;
 }
@@ -103,7 +103,7 @@ void BlockCodec::compress(const RecordingBlock& block, CompressedBlock& compress
   compressed.chunks.resize(shape_.chunks());
   std::string* chunks = compressed.chunks.data();
   const std::size_t table = kBlockTimes * shape_.robots;
-  for (std::size_t c = 0; c < shape_.columns; ++c, chunks += shape_.parts())
+  for (std::size_t c = 0; c < shape_.columns(); ++c, chunks += shape_.parts())
     compress_table<double>({block.values.data() + c * table, table}, block.times, chunks);
   compress_table<std::uint8_t>(block.status, block.times, chunks);
   compress_table<float>(block.clearance, block.times, chunks + shape_.parts());
@@ -132,7 +132,7 @@ bool BlockCodec::uncompress(const CompressedBlock& compressed, RecordingBlock& b
   std::copy(compressed.time.begin(), compressed.time.end(), block.time.begin());
   const std::string* chunks = compressed.chunks.data();
   const std::size_t table = kBlockTimes * shape_.robots;
-  for (std::size_t c = 0; c < shape_.columns; ++c, chunks += shape_.parts())
+  for (std::size_t c = 0; c < shape_.columns(); ++c, chunks += shape_.parts())
     if (!uncompress_table<double>(chunks, {block.values.data() + c * table, table})) return false;
   return uncompress_table<std::uint8_t>(chunks, block.status) &&
          uncompress_table<float>(chunks + shape_.parts(), block.clearance);

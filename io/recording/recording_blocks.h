@@ -20,20 +20,32 @@ namespace avo_io {
 inline constexpr std::size_t kBlockTimes = 64;
 inline constexpr std::uint8_t kAbsent = 255;  ///< stands in place of an absent robot's status
 
-/// The columns x, y, vx, vy; recordings with headings also have heading and speed.
-inline constexpr std::size_t kPlainColumns = 4, kHeadingColumns = 6;
-inline constexpr std::array<const char*, kHeadingColumns> kStateColumns{"x",  "y",       "vx",
-                                                                        "vy", "heading", "speed"};
+/// The numbers of a robot's state.
+struct StateColumns {
+  std::size_t count = 0;
+  std::array<const char*, 6> names{};
+  const char *list = "", *units = "";  // as attributes of the table
+};
+inline constexpr StateColumns kPlainColumns{4, {"x", "y", "vx", "vy"}, "x,y,vx,vy", "m,m,m/s,m/s"};
+inline constexpr StateColumns kHeadingColumns{6,
+                                              {"x", "y", "vx", "vy", "heading", "speed"},
+                                              "x,y,vx,vy,heading,speed",
+                                              "m,m,m/s,m/s,rad,m/s"};
+inline constexpr StateColumns kSpaceColumns{
+    6, {"x", "y", "z", "vx", "vy", "vz"}, "x,y,z,vx,vy,vz", "m,m,m,m/s,m/s,m/s"};
 
 struct BlockShape {
   std::size_t robots = 0;
-  std::size_t columns = kPlainColumns;
+  const StateColumns* state = &kPlainColumns;
+
+  [[nodiscard]] std::size_t columns() const { return state->count; }
+  [[nodiscard]] bool has_headings() const { return state == &kHeadingColumns; }
 
   /// Robots are split into parts of this number, each a chunk of its own; about 1000.
   [[nodiscard]] std::size_t robots_of_chunk() const;
   [[nodiscard]] std::size_t parts() const;
   /// Returns the number of chunks of all columns, of the status, and of the clearance.
-  [[nodiscard]] std::size_t chunks() const { return (columns + 2) * parts(); }
+  [[nodiscard]] std::size_t chunks() const { return (columns() + 2) * parts(); }
 };
 
 /// The rows of up to 64 times: a table [time, robot] for each quantity.

@@ -18,7 +18,7 @@ void copy_time(const BlockShape& shape, const RecordingBlock& from, std::size_t 
                RecordingBlock& to) {
   const std::size_t n = shape.robots, last = to.times++;
   to.time[last] = from.time[k];
-  for (std::size_t c = 0; c < shape.columns; ++c)
+  for (std::size_t c = 0; c < shape.columns(); ++c)
     std::copy_n(from.row(shape, c, k), n, to.row(shape, c, last));
   std::copy_n(&from.status[k * n], n, &to.status[last * n]);
   std::copy_n(&from.clearance[k * n], n, &to.clearance[last * n]);

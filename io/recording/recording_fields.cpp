@@ -114,6 +114,7 @@ std::vector<RecordingField> fields_of(const RecordingHeader& header) {
       {"headings", std::uint64_t{header.headings}},
       {"until_arrived", std::uint64_t{header.until_arrived}},
   };
+  if (header.space) fields.push_back({"space", std::uint64_t{3}});
   if (header.state_hash) fields.push_back({"state_hash", *header.state_hash});
   add_scene(header.scene, fields);
   return fields;
@@ -133,9 +134,16 @@ RecordingHeader header_from(const std::vector<RecordingField>& fields) {
   };
   if (has("until_arrived"))  // older recordings lack it
     header.until_arrived = number_within(fields, "until_arrived", 0, 1) == 1;
+  if (has("space")) header.space = number_within(fields, "space", 2, 3) == 3;
   if (has("state_hash")) header.state_hash = value_of<std::uint64_t>(fields, "state_hash");
   header.scene = scene_from(fields);
   return header;
+}
+
+BlockShape shape_of(const RecordingHeader& header) {
+  return {static_cast<std::size_t>(header.robots), header.space      ? &kSpaceColumns
+                                                   : header.headings ? &kHeadingColumns
+                                                                     : &kPlainColumns};
 }
 
 std::vector<RecordingField> in_parts(std::vector<RecordingField> fields) {

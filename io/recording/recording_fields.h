@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "avo_io/recording.h"
+#include "io/recording/recording_blocks.h"
 
 namespace avo_io {
 
@@ -21,6 +22,8 @@ struct RecordingField {
 std::vector<RecordingField> fields_of(const RecordingHeader& header);
 /// Throws avo::Error, which names the missing or wrong field.
 RecordingHeader header_from(const std::vector<RecordingField>& fields);
+/// Returns the shape of the blocks that have these facts.
+BlockShape shape_of(const RecordingHeader& header);
 
 /// Splits texts that are too long for an attribute in the header of an HDF5 file: "scene" becomes
 /// "part.0.scene", "part.1.scene" and so on.

@@ -15,7 +15,9 @@
 #include "avo_io/printable.h"
 #include "avo_io/scene.h"
 #include "io/recording/block_source.h"
+#include "io/recording/recorded_scene.h"
 #include "io/recording/recorded_states.h"
+#include "io/recording/replayed_run.h"
 #include "io/text/json.h"
 
 namespace avo_io {
@@ -53,9 +55,9 @@ std::optional<ReplayDifference> Moment::difference() const {
       found.simulated = fmt::format("{}", b);
       return found;
     };
-    for (std::size_t c = 0; c < shape.columns; ++c) {
+    for (std::size_t c = 0; c < shape.columns(); ++c) {
       const double a = recorded.row(shape, c, k)[i], b = simulated.row(shape, c, 0)[i];
-      if (!same_bits(a, b)) return differ(kStateColumns[c], a, b);
+      if (!same_bits(a, b)) return differ(shape.state->names[c], a, b);
     }
     const std::size_t at = k * shape.robots + i;
     if (recorded.status[at] != simulated.status[i])
@@ -64,14 +66,6 @@ std::optional<ReplayDifference> Moment::difference() const {
       return differ("clearance", recorded.clearance[at], simulated.clearance[i]);
   }
   return std::nullopt;
-}
-
-void require_this_version(const std::string& recording, const RecordingHeader& header) {
-  if (header.version != avo::kVersion)
-    throw RecordingError(
-        fmt::format("{}: version: found {}, must be {}: another version of avo "
-                    "need not simulate the same bits",
-                    recording, printable(header.version, 40), avo::kVersion));
 }
 
 void require_same_motion(const std::string& recording, const RecordingHeader& header) {
@@ -85,84 +79,123 @@ void require_same_motion(const std::string& recording, const RecordingHeader& he
 /// The steps that have rows: every n-th step from the start on, and the last step.
 struct RecordedSteps {
   std::int64_t every = 1;
-  double duration = 0.0;  // s, of the scene
-  const std::function<void(const avo::Simulation&)>& observe;
+  double duration = 0.0;     // s, of the scene
   std::int64_t next = 0;     // step of the next row, unless it is the last
   bool was_between = false;  // the row before was off the grid, so it must be the last
 
   /// Simulates until the next row's time; returns a difference if a row is missing before it.
-  std::optional<ReplayDifference> go_to(double time, avo::Simulation& simulation);
+  std::optional<ReplayDifference> go_to(double time, ReplayedRun& run);
 };
 
-std::optional<ReplayDifference> RecordedSteps::go_to(double time, avo::Simulation& simulation) {
+std::optional<ReplayDifference> RecordedSteps::go_to(double time, ReplayedRun& run) {
   const auto step_until = [&](std::int64_t last, double until) {
-    while (simulation.steps() < last && simulation.time() < until &&
-           simulation.can_step_by(until)) {
-      simulation.step();
-      if (observe) observe(simulation);
-    }
+    while (run.steps() < last && run.time() < until && run.can_step_by(until)) run.step();
   };
   const auto missing = [&]() -> ReplayDifference {
-    return {simulation.time(), {}, "time", "no row", fmt::format("{}", simulation.time())};
+    return {run.time(), {}, "time", "no row", fmt::format("{}", run.time())};
   };
   if (was_between) {
     step_until(next - every, duration);
     return missing();
   }
   step_until(next, time);
-  if (simulation.steps() == next && simulation.time() < time && simulation.can_step_by(time))
-    return missing();
-  was_between = simulation.steps() < next;
+  if (run.steps() == next && run.time() < time && run.can_step_by(time)) return missing();
+  was_between = run.steps() < next;
   next += every;
   return std::nullopt;
 }
 
-void compare_hashes(const RecordingHeader& header, const avo::Simulation& simulation,
-                    Replay& result) {
-  result.state_hash = simulation.state_hash();
+void compare_hashes(const RecordingHeader& header, const ReplayedRun& run, Replay& result) {
+  result.state_hash = run.state_hash();
   result.ended = header.state_hash.has_value();
   if (result.difference || !result.ended || *header.state_hash == result.state_hash) return;
-  result.difference = {simulation.time(),
+  result.difference = {run.time(),
                        {},
                        "state_hash",
                        fmt::format("{:#018x}", *header.state_hash),
                        fmt::format("{:#018x}", result.state_hash)};
 }
 
+/// A run of the plane.
+class PlaneRun final : public ReplayedRun {
+ public:
+  using Observe = std::function<void(const avo::Simulation&)>;
+  PlaneRun(BlockSource& source, int threads, const Observe& observe,
+           const avo::ExternalMethod& external)
+      : shape_(source.shape()),
+        simulation_(recorded(source.scenario(), external), threads),
+        clearances_(source.scenario()),
+        observe_(observe) {
+    if (observe_) observe_(simulation_);
+  }
+  [[nodiscard]] std::int64_t steps() const override { return simulation_.steps(); }
+  [[nodiscard]] double time() const override { return simulation_.time(); }
+  [[nodiscard]] bool can_step_by(double time) const override {
+    return simulation_.can_step_by(time);
+  }
+  void step() override {
+    simulation_.step();
+    if (observe_) observe_(simulation_);
+  }
+  void take(RecordingBlock& block) override {
+    add_states(simulation_, shape_, block);
+    find_clearances(shape_, block.times - 1, clearances_, block);
+  }
+  [[nodiscard]] std::uint64_t state_hash() const override { return simulation_.state_hash(); }
+
+ private:
+  static avo::Scenario recorded(avo::Scenario scenario, const avo::ExternalMethod& external) {
+    scenario.allow_broken_assumptions = true;  // because the recorded run allowed them
+    scenario.external = external;
+    return scenario;
+  }
+
+  BlockShape shape_;
+  avo::Simulation simulation_;
+  avo::ClearanceFinder clearances_;
+  const Observe& observe_;
+};
+
 }  // namespace
+
+void require_this_version(const std::string& recording, const RecordingHeader& header) {
+  if (header.version != avo::kVersion)
+    throw RecordingError(
+        fmt::format("{}: version: found {}, must be {}: another version of avo "
+                    "need not simulate the same bits",
+                    recording, printable(header.version, 40), avo::kVersion));
+}
+
+Replay compare(BlockSource& source, ReplayedRun& run, const std::string& scene, double duration) {
+  const BlockShape shape = source.shape();
+  RecordingBlock now(shape);
+  RecordedSteps steps{source.header().every, duration};
+  Replay result{.scene = scene, .robots = static_cast<std::int64_t>(shape.robots)};
+  while (!result.difference && source.next()) {
+    for (std::size_t k = 0; k < source.block().times && !result.difference; ++k) {
+      const double time = source.block().time[k];
+      result.difference = steps.go_to(time, run);
+      if (result.difference) break;
+      now.times = 0;
+      run.take(now);
+      result.difference = Moment{shape, source.block(), k, now}.difference();
+      if (!result.difference) ++result.times;
+    }
+  }
+  result.whole = !result.difference && !run.can_step_by(duration);
+  compare_hashes(source.header(), run, result);
+  return result;
+}
 
 Replay replay(const std::string& recording, int threads,
               const std::function<void(const avo::Simulation&)>& observe,
               const avo::ExternalMethod& external) {
   BlockSource source(recording);
+  require_plane(recording, source.header());
   require_this_version(recording, source.header());
   require_same_motion(recording, source.header());
-  const avo::Scenario& scenario = source.scenario();
-  const BlockShape shape = source.shape();
-  avo::Scenario recorded = scenario;
-  recorded.allow_broken_assumptions = true;  // because the recorded run allowed them
-  recorded.external = external;
-  avo::Simulation simulation(recorded, threads);
-  avo::ClearanceFinder clearances(scenario);
-  RecordingBlock now(shape);
-  RecordedSteps steps{source.header().every, scenario.duration, observe};
-  if (observe) observe(simulation);
-  Replay result{.scene = scenario.name, .robots = static_cast<std::int64_t>(shape.robots)};
-  while (!result.difference && source.next()) {
-    for (std::size_t k = 0; k < source.block().times && !result.difference; ++k) {
-      const double time = source.block().time[k];
-      result.difference = steps.go_to(time, simulation);
-      if (result.difference) break;
-      now.times = 0;
-      add_states(simulation, shape, now);
-      find_clearances(shape, 0, clearances, now);
-      result.difference = Moment{shape, source.block(), k, now}.difference();
-      if (!result.difference) ++result.times;
-    }
-  }
-  result.whole = !result.difference && !simulation.can_step_by(scenario.duration);
-  compare_hashes(source.header(), simulation, result);
-  return result;
+  PlaneRun run(source, threads, observe, external);
+  return compare(source, run, source.scenario().name, source.scenario().duration);
 }
 
 std::string readable(const Replay& replay) {

@@ -70,11 +70,6 @@ bool read_bytes(int descriptor, std::uint64_t offset, std::string& bytes, const 
   return true;
 }
 
-BlockShape shape_of(const RecordingHeader& header) {
-  return {static_cast<std::size_t>(header.robots),
-          header.headings ? kHeadingColumns : kPlainColumns};
-}
-
 }  // namespace
 
 std::string spool_path(const std::string& recording) {

@@ -8,10 +8,10 @@
 
 #include "avo/error.h"
 #include "avo_io/space.h"
-#include "core/elementary.h"
 #include "core/retell.h"
 #include "io/files/file_names.h"
 #include "io/files/regular_file.h"
+#include "io/recording/recorded_scene.h"
 #include "io/scene/overrides.h"
 #include "io/scene/random.h"
 #include "io/scene/read_obstacles.h"
@@ -19,6 +19,7 @@
 #include "io/scene/scene_files.h"
 #include "io/space/placement.h"
 #include "io/space/read_robot.h"
+#include "io/space/space_boxes.h"
 #include "io/text/yaml_tree.h"
 
 namespace avo_io {
@@ -35,35 +36,13 @@ bool is_text(const YamlNode& node, std::string_view text) {
   return node.kind == YamlNode::Kind::text && !node.quoted && node.text == text;
 }
 
-// The box of the bounds, turned about its middle.
-Box box_of(const SpaceBox& bounds) {
-  const Vec3 center = 0.5 * (bounds.min + bounds.max), half = bounds.max - center;
-  const avo::Vec2 axis = avo::elementary::direction(bounds.heading);
-  const Vec3 in{axis.x * center.x + axis.y * center.y, axis.x * center.y - axis.y * center.x,
-                center.z};
-  return {in - half, in + half, bounds.heading, 0.0};
-}
-
-// A wall of the plane, from one height to another.
-Box box_of(const avo::Wall& wall, double low, double high) {
-  const avo::Vec2 way = wall.b - wall.a;
-  Box box;
-  box.heading = way == avo::Vec2{} ? 0.0 : avo::elementary::atan2(way.y, way.x);
-  const avo::Vec2 axis = avo::elementary::direction(box.heading);
-  const auto along = [&](avo::Vec2 a) { return axis.x * a.x + axis.y * a.y; };
-  const auto across = [&](avo::Vec2 a) { return axis.x * a.y - axis.y * a.x; };
-  box.min = {std::min(along(wall.a), along(wall.b)), std::min(across(wall.a), across(wall.b)), low};
-  box.max = {std::max(along(wall.a), along(wall.b)), std::max(across(wall.a), across(wall.b)),
-             high};
-  box.radius = wall.radius;
-  return box;
-}
-
 /// Makes a scenario of a tree.
 class SpaceBuilder {
  public:
-  SpaceBuilder(const Document& document, SceneFiles& files)
-      : document_(document), reader_(document), files_(files) {}
+  /// most_robots: the scene may have no more.
+  SpaceBuilder(const Document& document, SceneFiles& files,
+               std::int64_t most_robots = avo::kMostRobots)
+      : document_(document), reader_(document), files_(files), most_robots_(most_robots) {}
 
   Scenario build(const std::vector<RobotPatch>& patches, const std::string& default_name) {
     const YamlNode& root = document_.root;
@@ -116,9 +95,9 @@ class SpaceBuilder {
       const YamlNode& node = list->children[i];
       const SpaceGroup group = read_group(node, path);
       const std::int64_t total = static_cast<std::int64_t>(scenario_.robots.size()) + group.count;
-      if (total > avo::kMostRobots)
+      if (total > most_robots_)
         reader_.fail(node, path, fmt::format("{} robots in all", total),
-                     fmt::format("must be at most {}", avo::kMostRobots));
+                     fmt::format("must be at most {}", most_robots_));
       const std::string trouble = append_group(group, i, scenario_);
       if (!trouble.empty()) document_.fail(node, path_to(path, trouble));
     }
@@ -246,6 +225,7 @@ class SpaceBuilder {
   const Document& document_;
   Reader reader_;
   SceneFiles& files_;
+  std::int64_t most_robots_;
   std::vector<NamedMap> maps_;
   Scenario scenario_;
 };
@@ -265,6 +245,16 @@ bool is_in_space(const Document& document) {
   if (!is_text(*space, "3"))
     Reader(document).fail(*space, std::string(kSpaceKey), shown(*space), "must be 2 or 3");
   return true;
+}
+
+Scenario scenario_of_space(std::string_view yaml, const std::string& file,
+                           const std::vector<std::string>& overrides, SceneFiles& files,
+                           std::int64_t most_robots) {
+  Document document;
+  const std::vector<RobotPatch> patches = parse(yaml, file, overrides, document);
+  if (!is_in_space(document))
+    throw SceneError(file + ": found no space: 3, which scenes of space have");
+  return SpaceBuilder(document, files, most_robots).build(patches, stem_of(file));
 }
 
 }  // namespace
@@ -298,12 +288,18 @@ std::optional<Scenario> load_space_scenario(const std::string& name_or_path,
 
 Scenario parse_space_scenario(std::string_view yaml, const std::string& file,
                               const std::vector<std::string>& overrides) {
-  Document document;
-  const std::vector<RobotPatch> patches = parse(yaml, file, overrides, document);
-  if (!is_in_space(document))
-    throw SceneError(file + ": found no space: 3, which scenes of space have");
   SceneFiles files{folder_of(file)};
-  return SpaceBuilder(document, files).build(patches, stem_of(file));
+  return scenario_of_space(yaml, file, overrides, files, avo::kMostRobots);
+}
+
+Scenario parse_space_scenario(const SceneSource& source) {
+  return parse_space_scenario_of(source, avo::kMostRobots);
+}
+
+Scenario parse_space_scenario_of(const SceneSource& source, std::int64_t most_robots) {
+  SceneFiles files{folder_of(source.name)};
+  files.given = &source.files;
+  return scenario_of_space(source.yaml, source.name, source.overrides, files, most_robots);
 }
 
 }  // namespace avo_io

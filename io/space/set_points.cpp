@@ -25,7 +25,6 @@ using avo::space::SetPoint;
 
 constexpr const char* kHeader = "time,robot,x,y,z,vx,vy,vz,ax,ay,az\n";
 constexpr double kMostRate = 1e4;  // Hz
-constexpr double kOfStep = 1e-6;   // because the digits of times may be rounded
 constexpr double kOff = 1e-6;      // m, because those of positions may be
 
 std::vector<Filter> filters_of(const Scenario& scene) {

@@ -1,50 +1,60 @@
 // SPDX-License-Identifier: Apache-2.0
 // The rows of recordings of space, one time after the other.
 #pragma once
-#include <optional>
+#include <cstdint>
+#include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "avo/space/check.h"
-#include "io/text/line_reader.h"
+#include "io/recording/recording_blocks.h"
 
 namespace avo_io {
 
-inline constexpr std::string_view kSpaceColumns = "time,robot,x,y,z,vx,vy,vz";
-
-/// Appends the shortest digits that read back to the same bits.
-void append_number(double value, std::string& line);
+inline constexpr std::string_view kSpaceCsvHeader = "time,robot,x,y,z,vx,vy,vz";
+/// What follows the header if only every n-th step has rows.
+inline constexpr std::string_view kEveryColumn = ",every";
+/// Of a step, by which times may be off because their digits are rounded.
+inline constexpr double kOfStep = 1e-6;
 
 /// All rows of one time.
 struct SpaceMoment {
   double time = 0.0;  // s
   std::vector<avo::space::CheckedState> rows;
+  std::int64_t every = 1;  // only every n-th step has rows
 };
 
-/// Reads a recording as CSV.
+/// Appends the shortest digits that read back to the same bits.
+void append_number(double value, std::string& line);
+/// Appends the lines of one time as CSV; the last column is "every" if that is more than 1.
+void append_csv_lines(const SpaceMoment& moment, std::string& lines);
+/// Appends one time to a block, which must have room for it; its robots are those of the shape.
+void append_moment(const SpaceMoment& moment, const BlockShape& shape, RecordingBlock& block);
+
+/// Where rows come from.
+class SpaceRowSource {
+ public:
+  virtual ~SpaceRowSource() = default;
+  /// See SpaceRows.
+  virtual const SpaceMoment* next() = 0;
+  [[nodiscard]] virtual std::string place() const = 0;
+};
+
+/// Reads a recording: CSV, HDF5 or a spool.
 class SpaceRows {
  public:
-  /// Throws FileError, and RecordingError if the first line has other columns.
+  /// Throws FileError, and RecordingError if it is no recording of space.
   explicit SpaceRows(const std::string& path);
 
   /// Returns the rows of the next time, valid until the next call; null at the end. Throws
   /// RecordingError.
-  const SpaceMoment* next();
-  /// Throws RecordingError that names the last line that was read.
+  const SpaceMoment* next() { return source_->next(); }
+  /// Throws RecordingError that names the place of the last row that was read.
   [[noreturn]] void fail(const std::string& what) const;
 
  private:
-  struct Row {
-    double time = 0.0;
-    avo::space::CheckedState state;
-  };
-  std::optional<Row> read();
-  double number_of(std::string_view field) const;
-
-  LineReader lines_;
-  std::optional<Row> ahead_;  // the first row of the next time
-  SpaceMoment moment_;
+  std::unique_ptr<SpaceRowSource> source_;
 };
 
 }  // namespace avo_io

@@ -174,6 +174,12 @@ std::string field_of(const Value& value) {
   return value && std::isfinite(*value) ? avo::text(*value) : "";
 }
 
+// Space has method avo alone.
+std::string name_of_method(const SweepScenario& scenario) {
+  const auto* plane = std::get_if<avo::Scenario>(&scenario);
+  return plane != nullptr ? std::string(method_name(*plane)) : avo::to_string(avo::Method::avo);
+}
+
 }  // namespace
 
 bool is_sweep_timing(std::string_view column) {
@@ -191,12 +197,12 @@ std::vector<std::string> sweep_columns(const SweepSpec& spec) {
 }
 
 std::vector<std::string> sweep_row(const SweepSpec& spec, const std::string& sweep,
-                                   const SweepRun& run, const avo::Scenario& scenario,
+                                   const SweepRun& run, const SweepScenario& scenario,
                                    const RunOutcome& outcome) {
   std::vector<std::string> row{sweep, fmt::format("{}", run.number), run.scene,
-                               std::string(method_name(scenario))};
+                               name_of_method(scenario)};
   row.insert(row.end(), run.values.begin(), run.values.end());
-  row.push_back(fmt::format("{}", scenario.seed));
+  row.push_back(fmt::format("{}", std::visit([](const auto& own) { return own.seed; }, scenario)));
   row.push_back(fmt::format("{:#018x}", outcome.state_hash));
   for (const SweepColumn& column : results_of(spec)) row.push_back(field_of(column.of(outcome)));
   return row;

@@ -10,8 +10,11 @@
 
 #include "avo/assumptions.h"
 #include "avo/simulation.h"
+#include "avo/space/metrics.h"
+#include "avo/space/simulation.h"
 #include "avo/version.h"
 #include "avo_io/scene.h"
+#include "avo_io/space.h"
 #include "core/ranges.h"
 #include "io/sweep/hash.h"
 #include "io/sweep/parallel_work.h"
@@ -31,15 +34,23 @@ std::vector<avo::RobotId> judged_of(const SweepSpec& spec) {
   return robots;
 }
 
+bool is_parked(const avo::Simulation& simulation, std::size_t i) {
+  return simulation.setup(i).parked;
+}
+bool is_parked(const avo::space::Simulation& /*simulation*/, std::size_t /*i*/) {
+  return false;
+}
+
 /// The time when each robot first arrives, as avo::Metrics counts it.
 class ArrivalTimes {
  public:
-  void observe(const avo::Simulation& simulation) {
+  template <class Simulation>
+  void observe(const Simulation& simulation) {
     has_arrived_.resize(simulation.size());
     for (std::size_t i = 0; i < has_arrived_.size(); ++i) {
       if (has_arrived_[i] || !simulation.is_at_goal(i)) continue;
       has_arrived_[i] = true;
-      if (simulation.setup(i).parked) continue;
+      if (is_parked(simulation, i)) continue;
       times_.push_back(simulation.time());
     }
   }
@@ -59,8 +70,27 @@ std::uint64_t hash_of(const SceneSource& source) {
   return hash.value();
 }
 
-avo::Scenario scenario_of(const SweepSpec& spec, const SweepRun& run, SceneSource& source) {
+namespace {
+
+// Returns the scene if it is one of space, which has method avo alone.
+std::optional<avo::space::Scenario> scenario_of_space(const SweepSpec& spec, const SweepRun& run,
+                                                      SceneSource& source) {
+  std::vector<std::string> overrides = overrides_of(spec, run);
+  std::erase(overrides, "method=avo");
+  std::optional<avo::space::Scenario> scenario =
+      load_space_scenario(scene_of(spec, run), overrides, &source);
+  if (scenario && spec.line)
+    throw SceneError("line: found with a scene of space, must be left out");
+  if (scenario && !spec.judged.empty())
+    throw SceneError("judged: found with a scene of space, must be left out");
+  return scenario;
+}
+
+}  // namespace
+
+SweepScenario scenario_of(const SweepSpec& spec, const SweepRun& run, SceneSource& source) {
   try {
+    if (auto in_space = scenario_of_space(spec, run, source)) return std::move(*in_space);
     avo::Scenario scenario = load_scenario(scene_of(spec, run), overrides_of(spec, run), &source);
     if (const OwnMethod* own = own_method_of(spec, run)) scenario.external = own->function;
     if (!scenario.allow_broken_assumptions && !avo::broken_assumptions(scenario).none())
@@ -80,15 +110,24 @@ avo::Scenario scenario_of(const SweepSpec& spec, const SweepRun& run, SceneSourc
   }
 }
 
-RunOutcome simulate_run(const SweepSpec& spec, const avo::Scenario& scenario) {
+namespace {
+
+bool can_step(const avo::Simulation& simulation, double duration) {
+  return simulation.can_step_by(duration);
+}
+bool can_step(const avo::space::Simulation& simulation, double duration) {
+  return simulation.time() < duration - 0.5 * simulation.scenario().time_step;
+}
+
+template <class Simulation, class Metrics>
+RunOutcome outcome_of(const SweepSpec& spec, double duration, Simulation simulation,
+                      Metrics metrics) {
   const SweepClock::time_point begin = SweepClock::now();
-  avo::Simulation simulation(scenario, spec.threads);
-  avo::Metrics metrics(scenario, {.crowd = true, .line = spec.line, .judged = judged_of(spec)});
   ArrivalTimes arrivals;
   metrics.observe(simulation);
   arrivals.observe(simulation);
   bool ends = false;
-  while (!ends && simulation.can_step_by(scenario.duration)) {
+  while (!ends && can_step(simulation, duration)) {
     const SweepClock::time_point start = SweepClock::now();
     simulation.step();
     metrics.add_step_time(1e3 * seconds_since(start));
@@ -100,12 +139,27 @@ RunOutcome simulate_run(const SweepSpec& spec, const avo::Scenario& scenario) {
           seconds_since(begin)};
 }
 
+}  // namespace
+
+RunOutcome simulate_run(const SweepSpec& spec, const SweepScenario& scenario) {
+  if (const auto* space = std::get_if<avo::space::Scenario>(&scenario))
+    return outcome_of(spec, space->duration, avo::space::Simulation(*space, spec.threads),
+                      avo::space::Metrics(*space));
+  const auto& plane = std::get<avo::Scenario>(scenario);
+  return outcome_of(
+      spec, plane.duration, avo::Simulation(plane, spec.threads),
+      avo::Metrics(plane, {.crowd = true, .line = spec.line, .judged = judged_of(spec)}));
+}
+
 SweepRunScene scene_of_run(const SweepSpec& spec, std::int64_t number) {
   const SweepRun run = run_of(spec, number);
   SceneSource source;
-  avo::Scenario scenario = scenario_of(spec, run, source);
-  return {std::move(scenario), scene_of(spec, run), overrides_of(spec, run),
-          std::move(source.yaml)};
+  SweepScenario scenario = scenario_of(spec, run, source);
+  auto* plane = std::get_if<avo::Scenario>(&scenario);
+  if (plane == nullptr)
+    throw SceneError(fmt::format("{}: {}: found a scene of space, must be one of the plane here",
+                                 spec.name, run_name(spec, number)));
+  return {std::move(*plane), scene_of(spec, run), overrides_of(spec, run), std::move(source.yaml)};
 }
 
 std::uint64_t simulate_again(const SweepSpec& spec, const avo::Scenario& scenario,

@@ -5,10 +5,12 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <variant>
 #include <vector>
 
 #include "avo/metrics.h"
 #include "avo/scenario.h"
+#include "avo/space/scenario.h"
 #include "avo_io/scene.h"
 #include "avo_io/sweep.h"
 
@@ -29,9 +31,12 @@ std::vector<std::string> overrides_of(const SweepSpec& spec, const SweepRun& run
 /// Returns a name or path for load_scenario().
 std::string scene_of(const SweepSpec& spec, const SweepRun& run);
 
+/// A scene of the plane or of space.
+using SweepScenario = std::variant<avo::Scenario, avo::space::Scenario>;
+
 /// Returns the run's scene, checked as `avo run` checks it. Throws SceneError with the run's name.
 /// `source` receives the texts that it was made of.
-avo::Scenario scenario_of(const SweepSpec& spec, const SweepRun& run, SceneSource& source);
+SweepScenario scenario_of(const SweepSpec& spec, const SweepRun& run, SceneSource& source);
 /// Returns the hash of a scene's texts.
 std::uint64_t hash_of(const SceneSource& source);
 
@@ -42,13 +47,13 @@ struct RunOutcome {
   std::uint64_t state_hash = 0;  ///< at the end
   double seconds = 0.0;          ///< s, the time that the run took
 };
-RunOutcome simulate_run(const SweepSpec& spec, const avo::Scenario& scenario);
+RunOutcome simulate_run(const SweepSpec& spec, const SweepScenario& scenario);
 
 /// Returns the columns of a sweep's table.
 std::vector<std::string> sweep_columns(const SweepSpec& spec);
 /// Returns a row of the table. `sweep`: fingerprint().
 std::vector<std::string> sweep_row(const SweepSpec& spec, const std::string& sweep,
-                                   const SweepRun& run, const avo::Scenario& scenario,
+                                   const SweepRun& run, const SweepScenario& scenario,
                                    const RunOutcome& outcome);
 
 /// Returns a hash of the source texts for each scene x method x parameters, by ascending number of

@@ -27,9 +27,9 @@ struct SweepPlan {
 
   /// Throws also if a file has changed since the sweep began: otherwise one sweep would have rows
   /// of two scenes.
-  [[nodiscard]] avo::Scenario scenario(const SweepRun& run) const {
+  [[nodiscard]] SweepScenario scenario(const SweepRun& run) const {
     SceneSource source;
-    avo::Scenario scenario = scenario_of(spec, run, source);
+    SweepScenario scenario = scenario_of(spec, run, source);
     if (hash_of(source) != sources[static_cast<std::size_t>(run.number / runs_of_one_kind(spec))])
       throw SceneError(fmt::format("{}: {}: found another scene than when the sweep began",
                                    spec.name, run_name(spec, run.number)));
@@ -37,8 +37,12 @@ struct SweepPlan {
   }
 };
 
-double cost_of(const avo::Scenario& scenario) {
-  return static_cast<double>(scenario.robots.size()) * (scenario.duration / scenario.time_step);
+double cost_of(const SweepScenario& scenario) {
+  return std::visit(
+      [](const auto& own) {
+        return static_cast<double>(own.robots.size()) * (own.duration / own.time_step);
+      },
+      scenario);
 }
 
 /// Checks every remaining run, and sorts the runs that may take longest to the front. Otherwise the
@@ -106,7 +110,7 @@ SweepResult run_sweep(const SweepSpec& spec, const SweepOptions& options) {
   std::mutex guard;  // protects rows and journal
   const auto simulate = [&](std::size_t i) {
     const SweepRun run = run_of(spec, plan.runs[i]);
-    const avo::Scenario scenario = plan.scenario(run);
+    const SweepScenario scenario = plan.scenario(run);
     const RunOutcome outcome = simulate_run(spec, scenario);
     std::vector<std::string> row = sweep_row(spec, plan.sweep, run, scenario, outcome);
     const std::lock_guard lock(guard);

@@ -74,6 +74,10 @@ bool Planner::is_admitted(const Robot& robot, std::span<const Neighbor> neighbor
   return admits(robot, next_velocity, law, Asked::until_refused, constraints);
 }
 
+double Planner::step_lag() const {
+  return step_law(options_, horizon_).lag;
+}
+
 namespace {
 
 StepLaw checked_law(const PlannerOptions& options) {

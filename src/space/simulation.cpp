@@ -157,6 +157,9 @@ std::int64_t Simulation::steps() const {
 std::size_t Simulation::size() const {
   return state_->robots.size();
 }
+int Simulation::threads() const {
+  return static_cast<int>(state_->executor->workers());
+}
 const Scenario& Simulation::scenario() const {
   return state_->scenario;
 }

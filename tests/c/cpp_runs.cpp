@@ -2,6 +2,7 @@
 #include "cpp_runs.h"
 
 #include "avo/simulation.h"
+#include "avo/space/simulation.h"
 #include "avo_io/scene.h"
 
 namespace {
@@ -102,4 +103,28 @@ void cpp_yard_hashes(uint64_t hashes[3]) {
   hashes[1] = simulation.state_hash();
   step(simulation, 40);
   hashes[2] = simulation.state_hash();
+}
+
+std::uint64_t cpp_space_hash(int steps) {
+  avo::space::Scenario scenario;
+  for (int k = 0; k < 6; ++k) {
+    avo::space::RobotSetup& robot = scenario.robots.emplace_back();
+    robot.position = {-9.0 + 0.1 * k, 2.5 * k - 6.0, 0.3 * k};
+    robot.goal = {9.0, 6.0 - 2.5 * k, 1.0};
+  }
+  scenario.robots[1].downwash = 1.0;
+  scenario.robots[2].vertical = 0.5;
+  scenario.robots[2].climb = 0.7;
+  scenario.robots[3].max_braking = 0.8;
+  scenario.robots[3].priority = 2.0;
+  scenario.robots[4].radius = 0.8;
+  scenario.robots[4].preferred_speed = 1.5;
+  scenario.robots[5].quadrotor = {
+      .mass = 1.2, .max_thrust = 26.0, .max_tilt = 0.6, .attitude_time = 0.12};
+  avo::space::Box floor;
+  floor.max.z = -4.0;
+  scenario.boxes.push_back(floor);
+  avo::space::Simulation simulation(scenario);
+  for (int k = 0; k < steps; ++k) simulation.step();
+  return simulation.state_hash();
 }

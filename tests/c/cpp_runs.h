@@ -18,6 +18,9 @@ uint64_t cpp_sky_hash(int steps);
  * steps; after it was edited and stepped 40 times more; and after 40 steps more. */
 void cpp_yard_hashes(uint64_t hashes[3]);
 
+/* Of six robots of space above a floor, one of them with a quadrotor behind it. */
+uint64_t cpp_space_hash(int steps);
+
 #ifdef __cplusplus
 }
 #endif

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Compiles and runs the C example of docs/c.md, and runs the one in LuaJIT.
+"""Compiles and runs the C examples of docs/c.md, and runs the one in LuaJIT.
 
 usage: documents.py COMPILER LIBRARY FOLDER LUAJIT
 
@@ -15,10 +15,10 @@ import sys
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 
 
-def example(language):
+def examples(language, count):
     found = re.findall(rf"```{language}\n(.*?)```", (ROOT / "docs" / "c.md").read_text(), re.S)
-    assert len(found) == 1, f"docs/c.md has {len(found)} examples in {language}"
-    return found[0]
+    assert len(found) == count, f"docs/c.md has {len(found)} examples in {language}"
+    return found
 
 
 def output(command, **options):
@@ -31,12 +31,13 @@ def main():
     compiler, library, folder, luajit = sys.argv[1:]
     folder, library = pathlib.Path(folder), pathlib.Path(library)
     source = folder / "document.c"
-    source.write_text(example("c"))
-    output([compiler, "-std=c99", "-Wall", "-Wextra", "-Wpedantic", "-Werror", f"-I{ROOT}/bindings/c/include", source,
-            f"-L{library.parent}", "-lavo_c", "-o", folder / "document"])
     where = dict(os.environ, LD_LIBRARY_PATH=str(library.parent))
-    assert "arrived after" in output([folder / "document"], env=where)
-    (folder / "document.lua").write_text(example("lua"))
+    for example in examples("c", 2):
+        source.write_text(example)
+        output([compiler, "-std=c99", "-Wall", "-Wextra", "-Wpedantic", "-Werror", f"-I{ROOT}/bindings/c/include",
+                source, f"-L{library.parent}", "-lavo_c", "-o", folder / "document"])
+        assert "arrived after" in output([folder / "document"], env=where)
+    (folder / "document.lua").write_text(examples("lua", 1)[0])
     assert output([luajit, "document.lua"], cwd=folder, env=where)
 
 

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /* The header stands alone, in C++. */
 #include <avo_c/avo.h>
+#include <avo_c/space.h>
 
 int avo_header_in_cpp() {
   const avo_robot_id null_robot = {};

@@ -88,7 +88,7 @@ TEST(Convert, wrong_command_lines_take_one_line) {
     words.insert(words.begin(), csv);
     expect_refused(words, 2, "avo: " + message);
   };
-  const std::string must = ", must be .csv, .sqlite or .mcap, or with --to FORMAT";
+  const std::string must = ", must be .csv, .sqlite, .mcap or .glb, or with --to FORMAT";
   refused({"out.parquet"}, "the output out.parquet: found the ending \".parquet\"" + must);
   refused({"out"}, "the output out: found the ending \"\"" + must);
   refused({"-"}, "the output -: found the ending \"\"" + must);
@@ -100,7 +100,7 @@ TEST(Convert, wrong_command_lines_take_one_line) {
           "pedestrian-text or obsmat");
   refused({"out.csv", "--to", "mcab"},
           "--to: found mcab, must be one of csv, sqlite, pedestrian-hdf5, mcap, pedestrian-text, "
-          "obsmat, recording, set-points; did you mean mcap?");
+          "obsmat, recording, gltf, set-points; did you mean mcap?");
   refused({"out.csv", "--to", "sqlite"},
           "the output out.csv: found the ending .csv, must be .sqlite or none");
   refused({"out.mcap"},

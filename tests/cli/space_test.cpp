@@ -2,8 +2,10 @@
 // Scenes of space on the command line: run, its outputs, check, and what is refused.
 #include "avo_io/space.h"
 
+#include <algorithm>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sstream>
 #include <string>
 
 #include "avo/space/simulation.h"
@@ -133,7 +135,13 @@ TEST(SpaceScenes, bad_scenes_are_refused_by_place_and_allowed_values) {
   EXPECT_THAT(refused(scene_with("vertical: 0.5,", "velocity: [19, 0, 0],")),
               HasSubstr("found 19 m/s at the start, must be <= its max_speed, 2 m/s"));
   EXPECT_THAT(refused(scene_with("duration: 30", "duration: 0.01")), HasSubstr("duration"));
-  EXPECT_THAT(refused(kScene, "bench"), HasSubstr("space: found 3, must be 2 here"));
+  write_file(path_of("bad.yaml"), kScene);
+  try {
+    avo_io::load_scenario(path_of("bad.yaml"));
+    ADD_FAILURE();
+  } catch (const avo_io::SceneError& error) {
+    EXPECT_THAT(error.what(), HasSubstr("bad.yaml:2:8: space: found 3, must be 2 here"));
+  }
 }
 
 TEST(SpaceScenes, obstacles_are_named_by_their_numbers_in_the_file) {
@@ -148,8 +156,126 @@ TEST(SpaceScenes, recordings_with_missing_rows_are_not_called_safe) {
   write_file(scene, "version: 1\nspace: 3\nrobots:\n  - {position: [0, 0, 0], goal: [9, 0, 0]}\n");
   write_file(csv, "time,robot,x,y,z,vx,vy,vz\n0,0,0,0,0,0,0,0\n9,0,9,0,0,0,0,0\n");
   EXPECT_EQ(run_avo({"check", csv, "--scene", scene}).exit_code, 7);
-  const ProcessResult thinned = run_avo({"run", scene, "--record", csv, "--every", "5"});
-  EXPECT_THAT(thinned.err, HasSubstr("--every: found with a scene of space"));
+}
+
+TEST(SpaceScenes, sweeps_have_the_results_of_single_runs) {
+  write_file(path_of("drones.yaml"), kScene);
+  write_file(path_of("sweep.yaml"),
+             "version: 1\nscenes: [drones.yaml]\nmethods: [avo]\nuntil_arrived: true\n"
+             "parameters: {groups.0.radius: [0.3, 0.5]}\nseeds: {count: 2}\n");
+  const std::string table = path_of("table.csv");
+  const ProcessResult sweep = run_avo({"sweep", path_of("sweep.yaml"), "--out", table});
+  ASSERT_EQ(sweep.exit_code, 0) << sweep.err;
+  const std::vector<std::string> lines = lines_of(read_file(table));
+  ASSERT_EQ(lines.size(), 5U);
+  EXPECT_THAT(lines[4], HasSubstr(",3,drones.yaml,avo,0.5,2,0x"));
+  ASSERT_EQ(run_avo({"run", path_of("drones.yaml"), "--until-arrived", "--set",
+                     "groups.0.radius=0.5", "--set", "seed=2", "--summary", path_of("s.json")})
+                .exit_code,
+            0);
+  const Json run = Json::parse(read_file(path_of("s.json")));
+  const auto value_of = [&](const std::string& column) {
+    const auto fields = [](const std::string& line) {
+      std::vector<std::string> all;
+      std::stringstream stream(line);
+      for (std::string field; std::getline(stream, field, ',');) all.push_back(field);
+      return all;
+    };
+    const std::vector<std::string> names = fields(lines[0]);
+    const auto at = std::find(names.begin(), names.end(), column) - names.begin();
+    return fields(lines[4])[static_cast<std::size_t>(at)];
+  };
+  EXPECT_EQ(value_of("arrived"), "13");
+  EXPECT_EQ(std::stod(value_of("last_arrival")), run["last_arrival"].get<double>());
+  EXPECT_EQ(std::stod(value_of("arrival_100")), run["last_arrival"].get<double>());
+  EXPECT_EQ(std::stod(value_of("jerk")), run["metrics"]["jerk"].get<double>());
+  const ProcessResult compared = run_avo({"compare", table, "--arrival", path_of("a.svg")});
+  EXPECT_EQ(compared.exit_code, 0) << compared.err;
+  write_file(path_of("sweep.yaml"), "version: 1\nscenes: [drones.yaml]\nmethods: [orca]\n");
+  EXPECT_THAT(run_avo({"sweep", path_of("sweep.yaml"), "--out", table}).err,
+              HasSubstr("drones.yaml orca: "));
+}
+
+Json explained(const std::string& scene, const std::vector<std::string>& more) {
+  write_file(path_of("scene.yaml"), scene);
+  std::vector<std::string> words{"explain", path_of("scene.yaml"), "--json"};
+  words.insert(words.end(), more.begin(), more.end());
+  const ProcessResult result = run_avo(words);
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  return Json::parse(result.out, nullptr, false);
+}
+
+avo::Vec3 point(const Json& json) {
+  return {json.at(0), json.at(1), json.at(2)};
+}
+
+TEST(SpaceScenes, explain_tells_the_decision_that_the_next_step_takes) {
+  const Json json = explained(kScene, {"--robot", "3", "--time", "2.05"});
+  avo::space::Simulation simulation(avo_io::parse_space_scenario(kScene, "drones.yaml"), 1);
+  for (int k = 0; k < 20; ++k) simulation.step();
+  EXPECT_EQ(json["time"], simulation.time()) << "the last step until then";
+  EXPECT_EQ(point(json["position"]), simulation.robots()[3].position);
+  EXPECT_EQ(point(json["goal"]), simulation.goal(3));
+  simulation.step();
+  const avo::space::Plan& plan = simulation.plans()[3];
+  EXPECT_EQ(point(json["new_velocity"]), plan.new_velocity);
+  EXPECT_EQ(point(json["next_velocity"]), plan.next_velocity);
+  EXPECT_EQ(json["status"], avo::to_string(plan.status));
+  EXPECT_EQ(json["violation"], plan.violation);
+  EXPECT_EQ(json["obstacles"].size(), 12U);
+}
+
+// Two drones that meet: the change of velocity is along the normal of the half-space.
+TEST(SpaceScenes, explained_half_spaces_are_those_that_bind) {
+  const std::string scene =
+      "version: 1\nspace: 3\nresponse_time: 0\nrobots:\n"
+      "  - {position: [0, 0, 0], velocity: [1.5, 0, 0], goal: [20, 0, 0], preferred_speed: 1.5}\n"
+      "  - {position: [7, 0.3, 0.4], velocity: [-1.5, 0, 0], goal: [-20, 0.3, 0.4]}\n";
+  const Json json = explained(scene, {"--robot", "0"});
+  ASSERT_EQ(json["half_spaces"].size(), 1U);
+  const Json& plane = json["half_spaces"][0];
+  const avo::Vec3 normal = point(plane["normal"]);
+  EXPECT_NEAR(norm(normal), 1.0, 1e-12);
+  ASSERT_EQ(json["status"], "optimal");
+  const avo::Vec3 change = point(json["next_velocity"]) - point(json["velocity"]);
+  EXPECT_NEAR(dot(normal, change), norm(change), 1e-9);
+  EXPECT_LT(dot(normal, point(json["preferred_velocity"])), plane["offset"].get<double>() - 1e-3);
+  EXPECT_EQ(json["binding"], Json::array({1}));
+  EXPECT_THAT(json["sentence"], HasSubstr("the half-space of robot 1 binds"));
+}
+
+TEST(SpaceScenes, explain_names_the_obstacle_for_which_a_robot_brakes) {
+  const std::string scene =
+      "version: 1\nspace: 3\nduration: 20\nrobots:\n"
+      "  - {position: [0, 0, 5], goal: [0, 0, -5]}\n"
+      "obstacles:\n  - {ceiling: 30}\n  - {floor: 0}\n";
+  const Json json = explained(scene, {"--robot", "0", "--time", "2.8"});
+  const std::string text = json.dump();
+  EXPECT_THAT(text, HasSubstr("obstacles.1"));
+  EXPECT_EQ(json["state"], "safe");
+  write_file(path_of("scene.yaml"), scene);
+  const ProcessResult read = run_avo({"explain", path_of("scene.yaml"), "--robot", "0"});
+  EXPECT_THAT(read.out, HasSubstr("in words            Robot 0 starts: "));
+  const ProcessResult missing = run_avo({"explain", path_of("scene.yaml"), "--robot", "1"});
+  EXPECT_THAT(missing.err, HasSubstr("--robot: found 1, must be 0 to 0"));
+  const ProcessResult figure =
+      run_avo({"explain", path_of("scene.yaml"), "--robot", "0", "--figure", path_of("f.svg")});
+  EXPECT_THAT(figure.err, HasSubstr("--figure, --states: found with a scene of space"));
+}
+
+TEST(SpaceScenes, bench_measures_their_steps) {
+  write_file(path_of("drones.yaml"), kScene);
+  const ProcessResult bench =
+      run_avo({"bench", path_of("drones.yaml"), "--steps", "5", "--threads", "1", "--json"});
+  ASSERT_EQ(bench.exit_code, 0) << bench.err;
+  const Json json = Json::parse(bench.out);
+  EXPECT_EQ(json["robots"], 13);
+  EXPECT_EQ(json["threads"], 1);
+  EXPECT_EQ(json["method"], "avo");
+  EXPECT_EQ(json["certificate"], "braking_trajectories");
+  EXPECT_GT(json["step_milliseconds_median"].get<double>(), 0.0);
+  EXPECT_EQ(json["pairs_per_robot"], nullptr);
+  EXPECT_GE(json["infeasible_share"].get<double>(), 0.0);
 }
 
 TEST(SpaceScenes, a_scene_that_says_two_dimensions_is_one_of_the_plane) {

@@ -286,4 +286,5 @@ class Mcap(Exported):
         self.assertEqual(len(fields), 18)
 
 
-unittest.main(argv=sys.argv[:1])
+if __name__ == "__main__":
+    unittest.main(argv=sys.argv[:1])

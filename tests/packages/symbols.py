@@ -48,8 +48,8 @@ def check_headers():
 
 
 def check_c(library):
-    """The functions of the C header, and nothing else."""
-    header = (ROOT / "bindings/c/include/avo_c/avo.h").read_text()
+    """The functions of the C headers, and nothing else."""
+    header = "\n".join(path.read_text() for path in (ROOT / "bindings/c/include/avo_c").glob("*.h"))
     declared = set(re.findall(r"^AVO_C_API [^;(]*?(\w+)\(", header, re.M))
     symbols = {symbol.split("(")[0] for symbol in exported(library)}
     if symbols != declared:

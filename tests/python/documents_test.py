@@ -40,8 +40,8 @@ def test_everything_public_has_a_docstring():
     assert bare == []
 
 
-def test_there_are_four_examples():
-    assert [path.stem for path in EXAMPLES] == ["compare_methods", "fleet", "one_robot", "own_method"]
+def test_there_are_five_examples():
+    assert [path.stem for path in EXAMPLES] == ["compare_methods", "drones", "fleet", "one_robot", "own_method"]
 
 
 @pytest.mark.parametrize("path", EXAMPLES, ids=lambda path: path.stem)
@@ -52,6 +52,9 @@ def test_examples_run(path, tmp_path):
     elif path.stem == "fleet":
         assert "20 of 20 robots arrived" in said
         assert (tmp_path / "fleet.svg").read_text().count("<circle") == 20
+    elif path.stem == "drones":
+        assert "30 of 30 drones arrived" in said
+        assert 1.0 <= float(re.search(r"nearest: (\d\.\d\d) m", said).group(1)) < 2.0, said
     elif path.stem == "own_method":
         touching = {line[:14].strip(): int(line.split()[-7]) for line in said.splitlines()}
         assert list(touching) == ["avo", "orca_clamped", "field", "field behind"]

@@ -33,12 +33,12 @@ PerRobotStep per_robot_step(const avo::StepProfile& profile) {
   return result;
 }
 
-double nanoseconds_per_robot(double milliseconds, const avo::Scenario& scenario) {
-  return 1e6 * milliseconds / static_cast<double>(scenario.robots.size());
+double nanoseconds_per_robot(double milliseconds, const BenchScene& scene) {
+  return 1e6 * milliseconds / static_cast<double>(scene.robots);
 }
 
-std::size_t steps_in_a_second(const avo::Scenario& scenario) {
-  return static_cast<std::size_t>(std::clamp(std::round(1.0 / scenario.time_step), 1.0, 1e6));
+std::size_t steps_in_a_second(const BenchScene& scene) {
+  return static_cast<std::size_t>(std::clamp(std::round(1.0 / scene.time_step), 1.0, 1e6));
 }
 
 std::string joined(const std::vector<avo::StageTime>& stages) {
@@ -70,39 +70,37 @@ double densest(const std::vector<double>& milliseconds, std::size_t in_a_row) {
   return largest;
 }
 
-std::string to_json(const avo::Scenario& scenario, const BenchResults& results) {
-  const avo::PlannerOptions options = planner_options(scenario);
+std::string to_json(const BenchScene& scene, const BenchResults& results) {
   const PerRobotStep one = per_robot_step(results.profile);
   const double step = median(results.milliseconds);
-  nlohmann::ordered_json json{{"scene", scenario.name},
-                              {"robots", scenario.robots.size()},
-                              {"threads", results.threads},
-                              {"simd", avo::simd_target()},
-                              {"precision", "double"},
-                              {"method", to_string(options.method)},
-                              {"certificate", to_string(options.certificate)},
-                              {"step_milliseconds_median", step},
-                              {"step_milliseconds_mean", mean(results.milliseconds)},
-                              {"step_milliseconds_densest_second",
-                               densest(results.milliseconds, steps_in_a_second(scenario))},
-                              {"nanoseconds_per_robot_step", nanoseconds_per_robot(step, scenario)},
-                              {"pairs_per_robot", one.pairs},
-                              {"infeasible_share", one.infeasible},
-                              {"stages", nlohmann::ordered_json::object()}};
+  nlohmann::ordered_json json{
+      {"scene", scene.name},
+      {"robots", scene.robots},
+      {"threads", results.threads},
+      {"simd", avo::simd_target()},
+      {"precision", "double"},
+      {"method", scene.method},
+      {"certificate", scene.certificate},
+      {"step_milliseconds_median", step},
+      {"step_milliseconds_mean", mean(results.milliseconds)},
+      {"step_milliseconds_densest_second", densest(results.milliseconds, steps_in_a_second(scene))},
+      {"nanoseconds_per_robot_step", nanoseconds_per_robot(step, scene)},
+      {"pairs_per_robot", one.pairs},
+      {"infeasible_share", one.infeasible},
+      {"stages", nlohmann::ordered_json::object()}};
+  if (one.stages.empty()) json["pairs_per_robot"] = nullptr;
   for (const avo::StageTime& stage : one.stages) json["stages"][stage.name] = stage.nanoseconds;
   return json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
 }
 
-std::string readable(const avo::Scenario& scenario, const BenchResults& results) {
-  const avo::PlannerOptions options = planner_options(scenario);
+std::string readable(const BenchScene& scene, const BenchResults& results) {
   const PerRobotStep one = per_robot_step(results.profile);
   const double step = median(results.milliseconds);
   const double least = *std::min_element(results.milliseconds.begin(), results.milliseconds.end());
   std::string text = fmt::format(
       "{}: {} robots, {} thread{}, simd {}, precision double, method {}, certificate {}\n",
-      avo_io::printable(scenario.name), scenario.robots.size(), results.threads,
-      results.threads == 1 ? "" : "s", avo::simd_target(), to_string(options.method),
-      to_string(options.certificate));
+      avo_io::printable(scene.name), scene.robots, results.threads, results.threads == 1 ? "" : "s",
+      avo::simd_target(), scene.method, scene.certificate);
   const auto line = [&](const char* name, const std::string& value) {
     text += fmt::format("  {:<18} {}\n", name, value);
   };
@@ -110,16 +108,17 @@ std::string readable(const avo::Scenario& scenario, const BenchResults& results)
                                      step, results.milliseconds.size(), results.runs));
   line("mean of a step", fmt::format("{:.4g} ms", mean(results.milliseconds)));
   line("quickest step", fmt::format("{:.4g} ms", least));
-  line("densest second", fmt::format("{:.4g} ms (median)",
-                                     densest(results.milliseconds, steps_in_a_second(scenario))));
-  line("a robot's share", fmt::format("{:.4g} ns", nanoseconds_per_robot(step, scenario)));
-  line("stages", joined(one.stages) + " ns of all threads, a robot-step on average");
-  line("pairs", fmt::format("{:.3g} a robot", one.pairs));
+  line("densest second",
+       fmt::format("{:.4g} ms (median)", densest(results.milliseconds, steps_in_a_second(scene))));
+  line("a robot's share", fmt::format("{:.4g} ns", nanoseconds_per_robot(step, scene)));
+  if (!one.stages.empty()) {
+    line("stages", joined(one.stages) + " ns of all threads, a robot-step on average");
+    line("pairs", fmt::format("{:.3g} a robot", one.pairs));
+  }
   line("no safe choice", fmt::format("{:.3g} % of the decisions", 100.0 * one.infeasible));
   if (results.bytes > 0)
-    line("memory",
-         fmt::format("{:.4g} bytes a robot", static_cast<double>(results.bytes) /
-                                                 static_cast<double>(scenario.robots.size())));
+    line("memory", fmt::format("{:.4g} bytes a robot", static_cast<double>(results.bytes) /
+                                                           static_cast<double>(scene.robots)));
   return text;
 }
 

@@ -117,8 +117,7 @@ int tell(const avo_io::Judgement& judgement, bool json) {
 }  // namespace
 
 int check(const CheckArguments& arguments) {
-  if (const auto in_space = load_in_space(arguments.scene, {}))
-    return tell(judge_in_space(arguments, *in_space), arguments.json);
+  if (const auto in_space = judge_in_space(arguments)) return tell(*in_space, arguments.json);
   const std::optional<avo_io::RecordedScene> own = own_scene(arguments);
   if (arguments.recording == "-" && arguments.scene.scene == "-")
     throw UsageError("the recording and --scene: found - twice, must be one standard input only");

@@ -39,6 +39,7 @@ constexpr Ending kEndings[] = {{".csv", ExportFormat::csv},
                                {".h5", ExportFormat::pedestrian_hdf5},
                                {".h5", ExportFormat::recording},
                                {".mcap", ExportFormat::mcap},
+                               {".glb", ExportFormat::gltf},
                                {".txt", ExportFormat::pedestrian_text},
                                {".txt", ExportFormat::obsmat}};
 
@@ -69,9 +70,10 @@ ExportFormat format_of(const ConvertArguments& arguments) {
         ending, ending == ".h5" ? "recording or pedestrian-hdf5" : "pedestrian-text or obsmat"));
   for (const Ending& known : kEndings)
     if (ending == known.ending) return known.format;
-  throw UsageError(fmt::format(
-      "the output {}: found the ending \"{}\", must be .csv, .sqlite or .mcap, or with --to FORMAT",
-      arguments.output, avo_io::printable(ending, kLongestWord)));
+  throw UsageError(
+      fmt::format("the output {}: found the ending \"{}\", must be .csv, .sqlite, .mcap or .glb, "
+                  "or with --to FORMAT",
+                  arguments.output, avo_io::printable(ending, kLongestWord)));
 }
 
 /// The scene of --scene for a recording of another program: its robots have a method of their own,
@@ -154,6 +156,10 @@ int convert(const ConvertArguments& arguments) {
                    {{"the output", arguments.output}});
   if (!arguments.name.empty() && format != ExportFormat::recording)
     throw UsageError("--name: found without --to recording, must be with it");
+  if (const auto in_space = convert_in_space(arguments, format)) {
+    report(arguments, *in_space);
+    return kDone;
+  }
   avo_io::ConvertOptions options{.format = format};
   options.scenario = scenario_of(arguments, options.source);
   if (format == ExportFormat::mcap && options.scenario && options.scenario->robots.empty())

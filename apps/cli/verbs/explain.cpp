@@ -13,6 +13,7 @@
 #include "reports/settings_report.h"
 #include "signals.h"
 #include "terminal.h"
+#include "verbs/space_verbs.h"
 #include "verbs/verbs.h"
 
 namespace avo_cli {
@@ -54,6 +55,8 @@ int explain(const ExplainArguments& arguments) {
   require_figure(velocities);
   require_figure(places);
   catch_signals();
+  if (const auto in_space = load_in_space(arguments.scene, {velocities, places}))
+    return explain_in_space(arguments, *in_space);
   const avo::Scenario scenario = load(arguments.scene, {velocities, places});
   by_option([&] { avo_io::require_explainable(scenario, arguments.robot, arguments.time); });
   std::optional<avo_io::OutputFile> figure, states;

@@ -11,6 +11,7 @@
 #include "own_methods.h"
 #include "signals.h"
 #include "terminal.h"
+#include "verbs/space_verbs.h"
 #include "verbs/verbs.h"
 
 namespace avo_cli {
@@ -28,7 +29,20 @@ std::string recovered_path(const RecoverArguments& arguments) {
 
 }  // namespace
 
+namespace {
+
+int tell(const ReplayArguments& arguments, const avo_io::Replay& result) {
+  if (arguments.json)
+    print(avo_io::to_json(result));
+  else
+    print_results(avo_io::readable(result));
+  return result.difference ? kUnsafe : kDone;
+}
+
+}  // namespace
+
 int replay(const ReplayArguments& arguments) {
+  if (const auto in_space = replay_in_space(arguments)) return tell(arguments, *in_space);
   const auto recorded = avo_io::read_recorded_scene(arguments.recording);
   if (!recorded)
     throw avo_io::RecordingError(arguments.recording +
@@ -38,11 +52,7 @@ int replay(const ReplayArguments& arguments) {
   const avo_io::Replay result = avo_io::replay(
       arguments.recording, arguments.threads,
       [&progress](const avo::Simulation& simulation) { progress.show(simulation.time()); }, method);
-  if (arguments.json)
-    print(avo_io::to_json(result));
-  else
-    print_results(avo_io::readable(result));
-  return result.difference ? kUnsafe : kDone;
+  return tell(arguments, result);
 }
 
 int recover(const RecoverArguments& arguments) {

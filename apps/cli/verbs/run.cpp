@@ -152,9 +152,9 @@ void check_figure(const RunArguments& arguments, const avo::Scenario& scenario) 
 int run(const RunArguments& arguments) {
   check_arguments(arguments);
   catch_signals();
-  if (const auto in_space = load_in_space(arguments.scene, files_of(arguments)))
-    return run_in_space(arguments, *in_space);
   avo_io::SceneSource source;
+  if (const auto in_space = load_in_space(arguments.scene, files_of(arguments), &source))
+    return run_in_space(arguments, *in_space, source);
   const avo::Scenario scenario = load(arguments.scene, files_of(arguments), &source);
   check_figure(arguments, scenario);
   Outputs outputs(arguments, scenario, source);

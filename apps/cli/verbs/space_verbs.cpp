@@ -1,15 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
-// avo run, avo check and avo convert for scenes of space.
+// avo run, check, replay and convert for scenes of space.
 #include "verbs/space_verbs.h"
 
 #include <chrono>
+#include <filesystem>
 #include <fmt/format.h>
+#include <memory>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "avo/space/metrics.h"
 #include "avo_io/output_file.h"
 #include "avo_io/recording.h"
+#include "avo_io/space_decision.h"
 #include "exit_codes.h"
 #include "figures/space_views.h"
 #include "files.h"
@@ -22,18 +26,30 @@ namespace {
 
 /// All outputs of a run. They are opened before the simulation, and get their names after it.
 struct SpaceOutputs {
-  std::optional<avo_io::SpaceCsvRecording> record;
+  std::unique_ptr<avo_io::SpaceRecording> record;
+  std::int64_t every;  ///< steps between rows of the recording
   std::optional<avo_io::OutputFile> summary, figure;
   avo::figures::SpaceRecorder frames;
 
-  explicit SpaceOutputs(const RunArguments& arguments) {
-    if (!arguments.record.empty()) record.emplace(arguments.record);
+  SpaceOutputs(const RunArguments& arguments, const avo::space::Scenario& scenario,
+               const avo_io::SceneSource& source)
+      : every(arguments.every.value_or(1)) {
+    if (!arguments.record.empty())
+      record =
+          avo_io::open_space_recording(arguments.record, scenario, source,
+                                       {.every = every, .until_arrived = arguments.until_arrived});
     if (!arguments.summary.empty()) summary.emplace(arguments.summary);
     if (!arguments.figure.empty()) figure.emplace(arguments.figure);
   }
   void observe(const avo::space::Simulation& simulation) {
-    if (record) record->add(simulation);
+    if (record && simulation.steps() % every == 0) record->add(simulation);
     if (figure) frames.observe(simulation);
+  }
+  /// Call it after the last step.
+  void observe_last(const avo::space::Simulation& simulation) {
+    if (!record) return;
+    if (simulation.steps() % every != 0) record->add(simulation);
+    record->finish(simulation);
   }
   void draw(const RunArguments& arguments, const avo::space::Scenario& scenario) {
     const FigureSize size = arguments.figure_size.value_or(FigureSize{});
@@ -84,16 +100,37 @@ avo::RunSummary simulate(const RunArguments& arguments, const avo::space::Scenar
     progress.show(simulation.time());
     if (arguments.until_arrived && metrics.all_arrived()) break;
   }
+  outputs.observe_last(simulation);
   return metrics.summary();
+}
+
+/// Returns the scene of space that the recording contains, if it contains one.
+std::optional<avo_io::RecordedSpaceScene> own_scene(const std::string& recording,
+                                                    const SceneArguments& arguments) {
+  if (recording == "-" || !std::filesystem::is_regular_file(recording)) return std::nullopt;
+  return avo_io::read_recorded_space_scene(recording, arguments.overrides);
+}
+
+/// Returns the scene of --scene if it is one of space, or else that of the recording.
+std::optional<avo_io::RecordedSpaceScene> scene_of(const std::string& recording,
+                                                   const SceneArguments& arguments) {
+  avo_io::RecordedSpaceScene found;
+  if (auto given = load_in_space(arguments, {}, &found.header.scene)) {
+    found.scenario = std::move(*given);
+    return found;
+  }
+  if (!arguments.scene.empty()) return std::nullopt;
+  return own_scene(recording, arguments);
 }
 
 }  // namespace
 
 std::optional<avo::space::Scenario> load_in_space(const SceneArguments& arguments,
-                                                  const std::vector<NamedFile>& outputs) {
+                                                  const std::vector<NamedFile>& outputs,
+                                                  avo_io::SceneSource* source) {
   if (arguments.scene.empty()) return std::nullopt;
   std::optional<avo::space::Scenario> scenario =
-      avo_io::load_space_scenario(arguments.scene, arguments.overrides);
+      avo_io::load_space_scenario(arguments.scene, arguments.overrides, source);
   if (!scenario) return std::nullopt;
   require_distinct({file_of(arguments)}, outputs);
   if (!arguments.own_method.empty())
@@ -104,13 +141,9 @@ std::optional<avo::space::Scenario> load_in_space(const SceneArguments& argument
   return scenario;
 }
 
-int run_in_space(const RunArguments& arguments, const avo::space::Scenario& scenario) {
-  if (arguments.every)
-    throw UsageError("--every: found with a scene of space, which records every step");
-  if (arguments.record.ends_with(".h5"))
-    throw UsageError(
-        fmt::format("--record: found {}, must end in .csv for a scene of space", arguments.record));
-  SpaceOutputs outputs(arguments);
+int run_in_space(const RunArguments& arguments, const avo::space::Scenario& scenario,
+                 const avo_io::SceneSource& source) {
+  SpaceOutputs outputs(arguments, scenario, source);
   const avo::RunSummary results = simulate(arguments, scenario, outputs);
   outputs.finish(arguments, scenario, results);
   avo::Scenario named;  // what the text says of the scene
@@ -125,15 +158,70 @@ int run_in_space(const RunArguments& arguments, const avo::space::Scenario& scen
   return signal_caught() == 0 ? kDone : kSignal + signal_caught();
 }
 
-avo_io::Judgement judge_in_space(const CheckArguments& arguments,
-                                 const avo::space::Scenario& scenario) {
+int explain_in_space(const ExplainArguments& arguments, const avo::space::Scenario& scenario) {
+  if (!arguments.figure.empty() || !arguments.states.empty())
+    throw UsageError("--figure, --states: found with a scene of space, must be left out");
+  Progress progress(arguments.time);  // wiped before other output
+  const auto decision = [&] {
+    try {
+      return avo_io::explain_in_space(scenario, arguments.robot, arguments.time, 0,
+                                      [&progress](double time) {
+                                        progress.show(time);
+                                        return signal_caught() == 0;
+                                      });
+    } catch (const avo::Error& error) {
+      throw UsageError(std::string("--") + error.what());
+    }
+  }();
+  if (!decision) return kSignal + signal_caught();
+  if (arguments.json)
+    print(to_json(*decision));
+  else
+    print_results(readable(*decision));
+  return kDone;
+}
+
+std::optional<avo_io::Judgement> judge_in_space(const CheckArguments& arguments) {
+  const auto scene = scene_of(arguments.recording, arguments.scene);
+  if (!scene) return std::nullopt;
   if (arguments.radius || arguments.max_acceleration || arguments.max_speed ||
       arguments.max_braking)
     throw UsageError(
         "--radius, --max-acceleration, --max-speed, --max-braking: found besides the robots of "
         "--scene, must be one or the other");
-  return avo_io::judge_in_space(arguments.recording, scenario, arguments.tolerance,
+  return avo_io::judge_in_space(arguments.recording, scene->scenario, arguments.tolerance,
                                 arguments.require_arrival);
+}
+
+std::optional<avo_io::Replay> replay_in_space(const ReplayArguments& arguments) {
+  const auto own = own_scene(arguments.recording, {});
+  if (!own) return std::nullopt;
+  if (!arguments.own_method.empty())
+    throw UsageError("--method: found with a recording of space, which has method avo alone");
+  Progress progress(own->scenario.duration, true);
+  return avo_io::replay_in_space(
+      arguments.recording, arguments.threads,
+      [&progress](const avo::space::Simulation& run) { progress.show(run.time()); });
+}
+
+std::optional<avo_io::Converted> convert_in_space(const ConvertArguments& arguments,
+                                                  avo_io::ExportFormat format) {
+  const auto scene = scene_of(arguments.recording, arguments.scene);
+  if (!scene && (arguments.recording == "-" || !arguments.scene.scene.empty() ||
+                 !avo_io::is_space_recording(arguments.recording)))
+    return std::nullopt;
+  using avo_io::ExportFormat;
+  const bool is_of_space = format == ExportFormat::csv || format == ExportFormat::recording ||
+                           format == ExportFormat::mcap || format == ExportFormat::gltf;
+  if (!is_of_space)
+    throw UsageError(
+        "the output: found a format of the plane, must be csv, recording, mcap, gltf or set-points "
+        "for a recording of space");
+  if (!scene && format != ExportFormat::csv)
+    throw UsageError(
+        "--scene: found none, must be given: the format has radii and boxes, and CSV has neither");
+  return avo_io::convert_in_space(arguments.recording, arguments.output,
+                                  {.format = format, .scene = scene});
 }
 
 int convert_to_set_points(const ConvertArguments& arguments) {
@@ -143,11 +231,11 @@ int convert_to_set_points(const ConvertArguments& arguments) {
                    {{"the output", arguments.output}});
   if (!arguments.name.empty())
     throw UsageError("--name: found without --to recording, must be with it");
-  const std::optional<avo::space::Scenario> scenario = load_in_space(arguments.scene, {});
-  if (!scenario)
+  const auto scene = scene_of(arguments.recording, arguments.scene);
+  if (!scene)
     throw UsageError("--scene: found no scene with space: 3, must be given with --to set-points");
   const std::int64_t rows = avo_io::write_set_points(
-      arguments.recording, arguments.output, *scenario, arguments.rate.value_or(kUsualRate));
+      arguments.recording, arguments.output, scene->scenario, arguments.rate.value_or(kUsualRate));
   if (arguments.output != "-") print_results(fmt::format("{}: {} rows\n", arguments.output, rows));
   return kDone;
 }

@@ -4,20 +4,30 @@
 #include <optional>
 #include <vector>
 
+#include "avo_io/convert.h"
 #include "avo_io/judgement.h"
+#include "avo_io/replay.h"
 #include "avo_io/space.h"
 #include "verbs/verbs.h"
 
 namespace avo_cli {
 
-/// Returns the scene if it is one of space. Throws UsageError where an output is the scene's file.
+/// Returns the scene if it is one of space; `source`, where it is given, is set to its inputs.
+/// Throws UsageError where an output is the scene's file.
 std::optional<avo::space::Scenario> load_in_space(const SceneArguments& arguments,
-                                                  const std::vector<NamedFile>& outputs);
+                                                  const std::vector<NamedFile>& outputs,
+                                                  avo_io::SceneSource* source = nullptr);
 
-int run_in_space(const RunArguments& arguments, const avo::space::Scenario& scenario);
-/// Judges a recording of the scene's robots.
-avo_io::Judgement judge_in_space(const CheckArguments& arguments,
-                                 const avo::space::Scenario& scenario);
+int run_in_space(const RunArguments& arguments, const avo::space::Scenario& scenario,
+                 const avo_io::SceneSource& source);
+int explain_in_space(const ExplainArguments& arguments, const avo::space::Scenario& scenario);
+/// Judges a recording of space; none where neither --scene nor the recording has a scene of space.
+std::optional<avo_io::Judgement> judge_in_space(const CheckArguments& arguments);
+/// Returns none if the recording is not one of space.
+std::optional<avo_io::Replay> replay_in_space(const ReplayArguments& arguments);
+/// Writes the rows of a recording of space in another format; none if it is not one of space.
+std::optional<avo_io::Converted> convert_in_space(const ConvertArguments& arguments,
+                                                  avo_io::ExportFormat format);
 /// Writes the set points of a recording's quadrotors.
 int convert_to_set_points(const ConvertArguments& arguments);
 

@@ -18,6 +18,9 @@ Reward of a robot: by how much nearer its goal has come in the step, m, and 1 mo
 within the scene's arrival_distance; or what a function of a Step returns. From then on it is terminated: it gets no reward, its actions do not
 count, and it goes to its goal by itself, avoided by the others. All robots of a world that have not
 arrived are truncated after max_steps.
+
+Scenes of space (space: 3) have three numbers in place of two in each vector, and boxes in place of
+walls: actions (x, y, z), observations of 8 + 8 k + 4 w numbers.
 """
 from __future__ import annotations
 
@@ -26,6 +29,7 @@ from typing import Any, Callable, Mapping, Sequence, Union
 import numpy as np
 import numpy.typing as npt
 
+from . import space
 from ._avo import Error, Scenario, Worlds, _numbers
 from ._raster import draw
 from ._rewards import Flags, Floats, Reward, Step, progress
@@ -35,7 +39,6 @@ from ._spaces import box, generator, whole
 Observations = npt.NDArray[np.float32]
 Source = Any  # what Scenario() takes
 Seeds = Union[int, Sequence[Union[int, None]], None]
-_OWN, _OTHER, _WALL = 6, 6, 3  # numbers
 _HUGE = 1e100  # m/s
 _MOST_NEIGHBORS = 1000  # as Worlds.nearest()
 
@@ -69,21 +72,25 @@ class VectorEnv:
         1000. max_steps: >= 1, None: those of the scene's duration. reward: of a Step, (E, N); None:
         progress and arrival. render_mode: "rgb_array", or None. autoreset_mode: "NextStep", "SameStep",
         "Disabled", or gymnasium's own member."""
-        if isinstance(scene, Scenario):
+        if isinstance(scene, (Scenario, space.Scenario)):
             raise Error("scene: found a Scenario, must be what one is made from: worlds differ by their seeds")
-        first = Scenario(scene)
+        self.dimensions = 3 if space._is_in_space(scene) else 2
+        first = self._made(scene)
         usual = max(1, round(first.duration / first.time_step))
         num_envs = whole("num_envs", num_envs, 1, 1_000_000)
         neighbors = whole("neighbors", neighbors, 0, _MOST_NEIGHBORS)
         walls = whole("walls", walls, 0, _MOST_NEIGHBORS)
         if render_mode not in (None, "rgb_array"):
             raise Error(f"render_mode: found {render_mode!r}, must be 'rgb_array' or None")
+        if render_mode is not None and self.dimensions == 3:
+            raise Error(f"render_mode: found {render_mode!r} with a scene of space, must be None")
         self.render_mode, self._reward = render_mode, reward or progress
         self._autoreset, mode = mode_called(autoreset_mode)
         self.metadata = {**type(self).metadata, "autoreset_mode": mode}
         self.max_steps = usual if max_steps is None else whole("max_steps", max_steps, 1, 2**53)
         self._scene, self._neighbors, self._walls = scene, neighbors, walls
-        self._worlds = Worlds(num_envs, first)
+        in_space = self.dimensions == 3
+        self._worlds: Worlds | space.Worlds = space.Worlds(num_envs, first) if in_space else Worlds(num_envs, first)
         self.num_envs, self.num_robots = num_envs, len(first.robots)
         self.time_step, self.arrival_distance = first.time_step, first.arrival_distance
         self._randoms = [generator(None)] * num_envs
@@ -93,11 +100,13 @@ class VectorEnv:
         self._begins_anew = np.zeros(num_envs, dtype=bool)
         fastest = max(robot.max_speed for robot in first.robots)
         robots = self.num_robots
-        self._observed, self._fastest = _OWN + _OTHER * neighbors + _WALL * walls, fastest
+        self._per_other, self._per_wall = 2 * self.dimensions + 2, self.dimensions + 1  # numbers
+        self._observed = self._per_other * (1 + neighbors) + self._per_wall * walls
+        self._fastest = fastest
         self.single_observation_space = box(-np.inf, np.inf, (robots, self._observed))
         self.observation_space = box(-np.inf, np.inf, (num_envs, robots, self._observed))
-        self.single_action_space = box(-fastest, fastest, (robots, 2))
-        self.action_space = box(-fastest, fastest, (num_envs, robots, 2))
+        self.single_action_space = box(-fastest, fastest, (robots, self.dimensions))
+        self.action_space = box(-fastest, fastest, (num_envs, robots, self.dimensions))
 
     def reset(
         self, *, seed: Seeds = None, options: Mapping[str, Any] | None = None
@@ -162,7 +171,11 @@ class VectorEnv:
         """(E, N), m."""
         return self._worlds.radius()
 
+    def _made(self, scene: Source, overrides: Any = None) -> Any:
+        return (space.Scenario if self.dimensions == 3 else Scenario)(scene, overrides=overrides)
+
     def _image(self, world: int) -> npt.NDArray[np.uint8]:
+        assert isinstance(self._worlds, Worlds)  # render_mode is None in space
         return draw(self._placed[world], self.position()[world], self._worlds.movers(world))
 
     def _rewards(self, step: Step) -> Floats:
@@ -175,8 +188,8 @@ class VectorEnv:
 
     def _clearance(self) -> Floats:
         near = self._worlds.nearest(1)[:, :, 0].astype(np.float64)
-        away = np.linalg.norm(near[:, :, :2], axis=2) - near[:, :, 4]
-        clearance: Floats = np.where(near[:, :, 5] != 0.0, away, np.inf)
+        away = np.linalg.norm(near[:, :, : self.dimensions], axis=2) - near[:, :, -2]
+        clearance: Floats = np.where(near[:, :, -1] != 0.0, away, np.inf)
         return clearance
 
     def _seed(self, seed: Seeds) -> None:
@@ -212,7 +225,7 @@ class VectorEnv:
 
     def _begin(self, world: int) -> None:
         seed = int(self._randoms[world].integers(2**31))
-        self._placed[world] = Scenario(self._scene, overrides={"seed": seed})
+        self._placed[world] = self._made(self._scene, {"seed": seed})
         self._worlds.place(world, self._placed[world])
         self._steps[world] = 0
         self._arrived[world] = False
@@ -225,7 +238,7 @@ class VectorEnv:
     def _preferred(self, actions: npt.ArrayLike) -> Floats:
         """Actions within max_speed; those who have arrived come to rest at their goals."""
         wanted = _numbers("actions", actions)
-        shape = (self.num_envs, self.num_robots, 2)
+        shape = (self.num_envs, self.num_robots, self.dimensions)
         if wanted.shape != shape:
             raise Error(f"actions: found shape {wanted.shape}, must be {shape}")
         preferred = np.where(self._arrived[:, :, None], self._home(), wanted)
@@ -254,9 +267,9 @@ class VectorEnv:
             worlds.radius()[:, :, None],
             worlds.max_speed()[:, :, None],
         ]
-        shape = (self.num_envs, self.num_robots, _OTHER * self._neighbors)
+        shape = (self.num_envs, self.num_robots, self._per_other * self._neighbors)
         nearest = worlds.nearest(self._neighbors).reshape(shape)
-        walls = worlds.nearest_walls(self._walls).reshape((*shape[:2], _WALL * self._walls))
+        walls = worlds.nearest_walls(self._walls).reshape((*shape[:2], self._per_wall * self._walls))
         return np.concatenate([np.concatenate(own, axis=2).astype(np.float32), nearest, walls], axis=2)
 
 
@@ -287,7 +300,7 @@ class ParallelEnv:
         self._actions = np.zeros(self._env.action_space.shape)
         observed, fastest = self._env._observed, self._env._fastest
         self.observation_spaces = {a: box(-np.inf, np.inf, (observed,)) for a in self.possible_agents}
-        self.action_spaces = {a: box(-fastest, fastest, (2,)) for a in self.possible_agents}
+        self.action_spaces = {a: box(-fastest, fastest, (self._env.dimensions,)) for a in self.possible_agents}
 
     @property
     def num_agents(self) -> int:
@@ -322,8 +335,8 @@ class ParallelEnv:
             if agent not in actions:
                 raise Error(f"actions: found none of {agent}, must have one of each agent")
             action = _numbers(f"actions of {agent}", actions[agent])
-            if action.shape != (2,):
-                raise Error(f"actions of {agent}: found shape {action.shape}, must be (2,)")
+            if action.shape != (self._env.dimensions,):
+                raise Error(f"actions of {agent}: found shape {action.shape}, must be ({self._env.dimensions},)")
             self._actions[0, self._number(agent)] = action
         observations, rewards, terminated, truncated, _ = self._env.step(self._actions)
         result = (

@@ -26,6 +26,18 @@ Numbers numbers(const char* name, const py::object& given);
 py::array_t<double> target(const Out& out, const std::vector<py::ssize_t>& shape);
 
 void fill(py::array_t<double>& array, std::span<const avo::Vec2> values);
+/// Returns a new array of n rows of three numbers; vector(k) is a Vec3.
+template <typename Vector>
+py::array_t<double> rows_of_space(std::size_t n, Vector vector) {
+  py::array_t<double> array({static_cast<py::ssize_t>(n), py::ssize_t{3}});
+  auto rows = array.mutable_unchecked<2>();
+  for (std::size_t k = 0; k < n; ++k) {
+    const avo::Vec3 own = vector(k);
+    const auto row = static_cast<py::ssize_t>(k);
+    rows(row, 0) = own.x, rows(row, 1) = own.y, rows(row, 2) = own.z;
+  }
+  return array;
+}
 void fill(py::array_t<double>& array, std::span<const double> values);
 
 /// Returns rows (n, 2), or (..., 2) with a leading shape of n in all. Throws Error for other

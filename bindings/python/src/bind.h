@@ -3,6 +3,7 @@
 #pragma once
 #include <limits>
 #include <string>
+#include <vector>
 
 #include "avo/scenario.h"
 #include "casters.h"
@@ -26,6 +27,13 @@ void bind_teams(py::module_& module);
 void bind_reports(py::module_& module);
 void bind_sweeps(py::module_& module);
 void bind_worlds(py::module_& module);
+void bind_space(py::module_& module);
+namespace space {  // the parts of it
+void bind_robots(py::module_& module);
+void bind_planner(py::module_& module);
+void bind_runs(py::module_& module);
+void bind_worlds(py::module_& module);
+}  // namespace space
 
 /// Returns the scenario of the name of a built-in scene, a path, a dict, or a Scenario itself.
 /// `overrides` is a dict by dotted keys, a list of "key=value", or None.
@@ -38,6 +46,11 @@ avo::MotionModel with_offset(avo::MotionModel model, double radius);
 void set_fields(avo::RobotSetup& setup, const py::kwargs& given);
 /// Throws Error if a planner's robot has a differential drive without an offset.
 avo::MotionModel checked_offset(avo::MotionModel model);
+
+/// Returns the value as JSON, which is YAML; numbers and arrays of numpy become plain ones.
+std::string json_of(const py::handle& value);
+/// Returns overrides as "key=value", of what scenario_of() takes.
+std::vector<std::string> overrides_of(const py::object& overrides);
 
 /// Returns the path of a str, bytes or os.PathLike in the bytes of the system, which may be no
 /// UTF-8.

@@ -2,12 +2,14 @@
 // Conversion of points and words to and from Python: a Vec2 is a pair of floats, an enumerator its
 // word in scene files.
 #pragma once
+#include <initializer_list>
 #include <pybind11/numpy.h>
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
 #include <string>
 
 #include "avo/avo.h"
+#include "avo/vec3.h"
 #include "core/removed.h"
 
 namespace avo_python {
@@ -58,30 +60,45 @@ std::vector<std::string_view> words() {
 
 namespace pybind11::detail {
 
+/// Reads a sequence of that many numbers; returns false if it is none of numbers. Throws Error with
+/// the allowed `form` if there are more or fewer.
+inline bool load_point(handle source, const char* form, std::initializer_list<double*> numbers) {
+  if (!PySequence_Check(source.ptr()) || PyUnicode_Check(source.ptr())) return false;
+  if (isinstance<array>(source) && reinterpret_borrow<array>(source).dtype().kind() == 'c')
+    return false;  // numpy would drop the imaginary parts
+  const auto given = reinterpret_borrow<sequence>(source);
+  if (given.size() != numbers.size())
+    throw avo::Error("point: found " + std::to_string(given.size()) + " numbers, must be " +
+                     std::to_string(numbers.size()) + ": " + form);
+  for (std::size_t k = 0; k < numbers.size(); ++k) {
+    const object number = given[k];
+    if (PyComplex_Check(number.ptr())) return false;
+    *numbers.begin()[k] = PyFloat_AsDouble(number.ptr());
+    if (PyErr_Occurred() != nullptr) {
+      PyErr_Clear();
+      return false;
+    }
+  }
+  return true;
+}
+
+template <>
+struct type_caster<avo::Vec3> {
+  PYBIND11_TYPE_CASTER(avo::Vec3, const_name("tuple[float, float, float]"));
+
+  bool load(handle source, bool) {
+    return load_point(source, "(x, y, z)", {&value.x, &value.y, &value.z});
+  }
+  static handle cast(avo::Vec3 v, return_value_policy, handle) {
+    return make_tuple(v.x, v.y, v.z).release();
+  }
+};
+
 template <>
 struct type_caster<avo::Vec2> {
   PYBIND11_TYPE_CASTER(avo::Vec2, const_name("tuple[float, float]"));
 
-  bool load(handle source, bool) {
-    if (!PySequence_Check(source.ptr()) || PyUnicode_Check(source.ptr())) return false;
-    if (isinstance<array>(source) && reinterpret_borrow<array>(source).dtype().kind() == 'c')
-      return false;  // numpy would drop the imaginary parts
-    const auto pair = reinterpret_borrow<sequence>(source);
-    if (pair.size() != 2)
-      throw avo::Error("point: found " + std::to_string(pair.size()) +
-                       " numbers, must be 2: (x, y)");
-    double* const numbers[] = {&value.x, &value.y};
-    for (std::size_t k = 0; k < 2; ++k) {
-      const object number = pair[k];
-      if (PyComplex_Check(number.ptr())) return false;
-      *numbers[k] = PyFloat_AsDouble(number.ptr());
-      if (PyErr_Occurred() != nullptr) {
-        PyErr_Clear();
-        return false;
-      }
-    }
-    return true;
-  }
+  bool load(handle source, bool) { return load_point(source, "(x, y)", {&value.x, &value.y}); }
   static handle cast(avo::Vec2 v, return_value_policy, handle) {
     return make_tuple(v.x, v.y).release();
   }

@@ -63,4 +63,5 @@ PYBIND11_MODULE(_avo, module) {
   bind_reports(module);
   bind_sweeps(module);
   bind_worlds(module);
+  bind_space(module);
 }

@@ -10,12 +10,7 @@
 #include "pickles.h"
 
 namespace avo_python {
-namespace {
 
-using avo::Scenario;
-using py::arg;
-
-/// Returns the value as JSON, which is YAML; numbers and arrays of numpy become plain ones.
 std::string json_of(const py::handle& value) {
   constexpr const char* kPlain = "lambda value: value.tolist()";
   try {
@@ -30,11 +25,15 @@ std::string json_of(const py::handle& value) {
   }
 }
 
+namespace {
+
 std::string override_of(const py::handle& entry) {
   if (!py::isinstance<py::str>(entry))
     throw py::type_error("overrides: found an entry that is no \"key=value\"");
   return entry.cast<std::string>();
 }
+
+}  // namespace
 
 std::vector<std::string> overrides_of(const py::object& overrides) {
   std::vector<std::string> all;
@@ -50,6 +49,11 @@ std::vector<std::string> overrides_of(const py::object& overrides) {
                   (py::isinstance<py::str>(value) ? value.cast<std::string>() : json_of(value)));
   return all;
 }
+
+namespace {
+
+using avo::Scenario;
+using py::arg;
 
 Scenario parse(const std::string& yaml, const std::string& file, const py::object& overrides) {
   const auto all = overrides_of(overrides);

@@ -82,6 +82,10 @@ class AVO_API Planner {
 
   [[nodiscard]] const PlannerOptions& options() const { return options_; }
 
+  /// s: within a step of time_step, a robot moves as if it had its old velocity for so long, and
+  /// next_velocity for the rest.
+  [[nodiscard]] double step_lag() const;
+
  private:
   PlannerOptions options_;
   Horizon horizon_;

@@ -29,6 +29,7 @@ class AVO_API Simulation {
   [[nodiscard]] double time() const;         ///< s
   [[nodiscard]] std::int64_t steps() const;  ///< taken so far
   [[nodiscard]] std::size_t size() const;    ///< number of robots
+  [[nodiscard]] int threads() const;         ///< that a step may use
   [[nodiscard]] const Scenario& scenario() const;
   /// The states of all robots, in the order of the scene; valid until the next step.
   [[nodiscard]] std::span<const Robot> robots() const;

@@ -1,15 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// Recordings of space as CSV, and their judge.
+// Feeds a recording of space to its judge.
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
 #include <optional>
-#include <string_view>
 
 #include "avo/space/check.h"
 #include "avo/space/metrics.h"
 #include "avo_io/space.h"
-#include "io/recording/csv_lines.h"
 #include "io/space/space_rows.h"
 
 namespace avo_io {
@@ -26,35 +24,6 @@ double deviation_of(const avo::space::Scenario& scene) {
 
 }  // namespace
 
-SpaceCsvRecording::SpaceCsvRecording(const std::string& path) : file_(path) {
-  file_.write(std::string(kSpaceColumns) + "\n");
-}
-
-void SpaceCsvRecording::add(const avo::space::Simulation& simulation) {
-  rows_.clear();
-  const std::string time = csv_time(simulation.time());
-  for (std::size_t k = 0; k < simulation.size(); ++k) {
-    const avo::space::Robot& robot = simulation.robots()[k];
-    rows_ += time;
-    rows_ += ',';
-    rows_ += std::to_string(k);
-    for (const double x : {robot.position.x, robot.position.y, robot.position.z, robot.velocity.x,
-                           robot.velocity.y, robot.velocity.z}) {
-      rows_ += ',';
-      append_number(x, rows_);
-    }
-    rows_ += '\n';
-  }
-  file_.write(rows_);
-}
-
-bool is_space_csv(const std::string& path) {
-  if (!path.ends_with(".csv")) return false;
-  LineReader lines(path);
-  const auto first = lines.next();
-  return first && *first == kSpaceColumns;
-}
-
 Judgement judge_in_space(const std::string& recording, const avo::space::Scenario& scene,
                          double tolerance, bool require_arrival) {
   SpaceRows rows(recording);
@@ -64,10 +33,12 @@ Judgement judge_in_space(const std::string& recording, const avo::space::Scenari
   Judgement judgement;
   std::optional<double> last;  // s
   while (const SpaceMoment* moment = rows.next()) {
+    const bool is_later = last.has_value();
     const double step = last ? moment->time - *last : scene.time_step;
     last = moment->time;
+    judgement.every = std::max(judgement.every, moment->every);
     if (std::abs(step - scene.time_step) > 1e-6 * scene.time_step) ++judgement.uneven_steps;
-    if (step > 1.5 * scene.time_step) check.skip();
+    if (is_later && (moment->every > 1 || step > 1.5 * scene.time_step)) check.skip();
     try {
       check.add(moment->time, moment->rows);
     } catch (const avo::Error& error) {

@@ -1,0 +1,251 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+/*
+ * Robots in three dimensions (docs/space.md): decisions, simulations, and set points of quadrotors.
+ * The rules of avo.h apply. z points upwards.
+ */
+#ifndef AVO_C_SPACE_H
+#define AVO_C_SPACE_H
+
+#include "avo.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* ---------------------------------------------------------------------------------- values */
+
+typedef struct avo_vec3 {
+  double x;
+  double y;
+  double z;
+} avo_vec3;
+
+/// All points within `radius` of a box that is turned about the vertical. Infinite bounds make a
+/// floor, a ceiling, or a wall at all heights.
+typedef struct avo_space_box {
+  avo_vec3 min;    ///< m, in the frame of the box
+  avo_vec3 max;    ///< m, >= min
+  double heading;  ///< rad, counter-clockwise from above, about the origin
+  double radius;   ///< m, >= 0
+} avo_space_box;
+
+/// What a robot remembers from one decision to the next; zeroed before the first one.
+typedef struct avo_space_detour {
+  float angle;
+  float beside;
+  float congestion;
+  bool has_arrived;
+  bool goal_taken;        ///< others are at rest on its goal
+  avo_vec3 acceleration;  ///< m/s^2, of its last step
+} avo_space_detour;
+
+/// A decision.
+typedef struct avo_space_plan {
+  avo_vec3 new_velocity;   ///< m/s, the velocity that is chosen
+  avo_vec3 next_velocity;  ///< m/s, at the end of the step
+  avo_vec3 acceleration;   ///< m/s^2, at the start of the step
+  avo_plan_status status;
+  avo_safety_state state;  ///< of the state before the decision
+  int32_t neighbor;        ///< if overlapping, index of the neighbor, or -1
+  int32_t box;             ///< or index of the box, or -1
+  float depth;             ///< m: the overlap, if overlapping
+  double violation;        ///< m/s, the distance from the half-spaces; 0 if optimal
+} avo_space_plan;
+
+/* ---------------------------------------------------------------------------------- planner */
+
+/// The robot that decides. Its limits along the vertical are `vertical` times the horizontal ones.
+typedef struct avo_space_robot {
+  size_t size;
+  avo_vec3 position;            ///< m, the center of its ball
+  avo_vec3 velocity;            ///< m/s
+  avo_vec3 preferred_velocity;  ///< m/s
+  double radius;                ///< m, > 0
+  double max_acceleration;      ///< m/s^2, > 0
+  double max_speed;             ///< m/s, > 0
+  double vertical;              ///< > 0
+  double climb;                 ///< m/s, > 0: the largest upward speed; may be infinite
+  double sink;                  ///< m/s, > 0: the largest downward speed; may be infinite
+  double downwash;              ///< m, >= 0: nobody may be so far below the robot
+  double priority;              ///< > 0
+  double max_braking;           ///< m/s^2, > 0; 0: max_acceleration
+  double distance_to_goal;      ///< m, to where it comes to rest; infinite: there is no such goal
+} avo_space_robot;
+AVO_C_API avo_space_robot avo_default_space_robot(void);
+
+/// Another robot, as it is sensed. It decides as well.
+typedef struct avo_space_neighbor {
+  size_t size;
+  avo_vec3 position;        ///< m
+  avo_vec3 velocity;        ///< m/s
+  double radius;            ///< m, > 0
+  double max_acceleration;  ///< m/s^2, > 0
+  double vertical;          ///< > 0
+  double downwash;          ///< m, >= 0
+  double priority;          ///< > 0
+  double max_braking;       ///< m/s^2, > 0; 0: max_acceleration
+} avo_space_neighbor;
+AVO_C_API avo_space_neighbor avo_default_space_neighbor(void);
+
+typedef struct avo_space_planner_id {
+  uint32_t index;
+  uint32_t generation;
+} avo_space_planner_id;
+
+/// def: of method AVO_METHOD_AVO, and of what space has.
+AVO_C_API avo_result avo_create_space_planner(const avo_planner_def* def,
+                                              avo_space_planner_id* planner);
+AVO_C_API avo_result avo_destroy_space_planner(avo_space_planner_id planner);
+AVO_C_API bool avo_space_planner_is_valid(avo_space_planner_id planner);
+/// One decision. boxes: those within avo_space_planner_get_box_range(). detour: updated; null: the
+/// robot decides as for the first time. Numbers out of range are the status AVO_PLAN_INVALID_INPUT.
+AVO_C_API avo_result avo_space_planner_plan(avo_space_planner_id planner,
+                                            const avo_space_robot* robot,
+                                            const avo_space_neighbor* neighbors,
+                                            size_t neighbor_count, const avo_space_box* boxes,
+                                            size_t box_count, avo_space_detour* detour,
+                                            avo_space_plan* plan);
+/// m, from the robot's ball: boxes at a larger distance change nothing.
+AVO_C_API avo_result avo_space_planner_get_box_range(avo_space_planner_id planner,
+                                                     const avo_space_robot* robot, double* range);
+/// m, between centers: within it a robot has to sense another one of these limits.
+AVO_C_API avo_result avo_space_planner_get_sensing_range(avo_space_planner_id planner,
+                                                         const avo_space_robot* robot,
+                                                         const avo_space_robot* other,
+                                                         double* range);
+
+/* ---------------------------------------------------------------------------------- quadrotors */
+
+/// What flies behind a robot, its reference.
+typedef struct avo_quadrotor {
+  double mass;            ///< kg, > 0; 0: there is no quadrotor
+  double max_thrust;      ///< N, of all rotors, > its weight
+  double min_thrust;      ///< N, >= 0, < its weight; -1: a tenth of its weight
+  double max_tilt;        ///< rad, > 0, < pi/2
+  double attitude_time;   ///< s, > 0: the mean delay of its acceleration behind a command
+  double tracking_error;  ///< m, >= 0, as measured; -1: max_acceleration attitude_time^2
+} avo_quadrotor;
+
+/// What the reference of a quadrotor keeps to.
+typedef struct avo_quadrotor_limits {
+  double max_acceleration;  ///< m/s^2
+  double deviation;         ///< m, of the vehicle from the reference of `delay` ago
+  double delay;             ///< s
+} avo_quadrotor_limits;
+AVO_C_API avo_result avo_get_quadrotor_limits(const avo_quadrotor* quadrotor,
+                                              avo_quadrotor_limits* limits);
+
+/// What an autopilot is told for one instant. It has no yaw, which the autopilot is free to choose.
+typedef struct avo_set_point {
+  avo_vec3 position;      ///< m
+  avo_vec3 velocity;      ///< m/s
+  avo_vec3 acceleration;  ///< m/s^2, without gravity, to feed forward
+} avo_set_point;
+
+typedef struct avo_filter_id {
+  uint32_t index;
+  uint32_t generation;
+} avo_filter_id;
+
+/// Makes set points of the reference of one quadrotor. fleet_delay: s, the largest attitude_time of
+/// the fleet; time_step: s, of the reference.
+AVO_C_API avo_result avo_create_filter(const avo_quadrotor* quadrotor, double fleet_delay,
+                                       double time_step, avo_filter_id* filter);
+AVO_C_API avo_result avo_destroy_filter(avo_filter_id filter);
+AVO_C_API bool avo_filter_is_valid(avo_filter_id filter);
+/// Adds the next step of the reference: the state at its start, and its acceleration.
+AVO_C_API avo_result avo_filter_add(avo_filter_id filter, avo_vec3 position, avo_vec3 velocity,
+                                    avo_vec3 acceleration);
+/// s: set points are known from `begin` to `end`.
+AVO_C_API avo_result avo_filter_get_times(avo_filter_id filter, double* begin, double* end);
+AVO_C_API avo_result avo_filter_get_set_point(avo_filter_id filter, double time,
+                                              avo_set_point* set_point);
+
+/* ---------------------------------------------------------------------------------- simulation */
+
+/// A robot of a simulation.
+typedef struct avo_space_robot_def {
+  size_t size;
+  avo_vec3 position;        ///< m
+  avo_vec3 velocity;        ///< m/s
+  avo_vec3 goal;            ///< m
+  double radius;            ///< m, > 0
+  double max_speed;         ///< m/s, > 0
+  double max_acceleration;  ///< m/s^2, > 0; of a quadrotor that of its limits instead
+  double preferred_speed;   ///< m/s, >= 0
+  double vertical;          ///< > 0, see avo_space_robot
+  double climb;             ///< m/s, > 0; may be infinite
+  double sink;              ///< m/s, > 0; may be infinite
+  double downwash;          ///< m, >= 0
+  double priority;          ///< > 0
+  double max_braking;       ///< m/s^2, > 0; 0: max_acceleration
+  avo_quadrotor quadrotor;  ///< of mass 0: there is none
+} avo_space_robot_def;
+AVO_C_API avo_space_robot_def avo_default_space_robot_def(void);
+
+typedef struct avo_space_simulation_def {
+  size_t size;
+  double time_step;             ///< s, > 0
+  double control_time;          ///< s, > 0; 0: usual
+  double time_horizon;          ///< s, > 0; 0: usual
+  double response_time;         ///< >= 0, of max_speed/max_acceleration; AVO_UNSET: usual
+  double comfort_acceleration;  ///< m/s^2, > 0; 0: none
+  double comfort_jerk;          ///< m/s^3, > 0; 0: none
+  double sensing_radius;        ///< m, > 0, between centers; 0: what the robots need
+  double arrival_distance;      ///< m, > 0
+  avo_motion motion;            ///< of all robots
+  avo_certificate certificate;  ///< AVO_UNSET: usual
+  int32_t max_neighbors;        ///< >= 1, nearest neighbors that get a half-space; 0: all
+  int32_t threads;              ///< 0 to 1024; 0: as many as the machine has
+  const avo_space_robot_def* robots;
+  size_t robot_count;  ///< >= 1
+  const avo_space_box* boxes;
+  size_t box_count;
+} avo_space_simulation_def;
+AVO_C_API avo_space_simulation_def avo_default_space_simulation_def(void);
+
+typedef struct avo_space_simulation_id {
+  uint32_t index;
+  uint32_t generation;
+} avo_space_simulation_id;
+
+AVO_C_API avo_result avo_create_space_simulation(const avo_space_simulation_def* def,
+                                                 avo_space_simulation_id* simulation);
+/// Makes the simulation of a scene file with `space: 3`, with overrides "key=value".
+AVO_C_API avo_result avo_load_space_simulation(const char* path, const char* const* overrides,
+                                               size_t override_count, int32_t threads,
+                                               avo_space_simulation_id* simulation);
+AVO_C_API avo_result avo_destroy_space_simulation(avo_space_simulation_id simulation);
+AVO_C_API bool avo_space_simulation_is_valid(avo_space_simulation_id simulation);
+/// All robots decide, and move.
+AVO_C_API avo_result avo_space_simulation_step(avo_space_simulation_id simulation);
+AVO_C_API avo_result avo_space_simulation_get_time(avo_space_simulation_id simulation,
+                                                   double* time);
+AVO_C_API avo_result avo_space_simulation_get_robot_count(avo_space_simulation_id simulation,
+                                                          size_t* count);
+/// Writes the states of all robots in the order of the definition. Either array may be null.
+/// capacity: elements of the arrays; where it is less than the number of robots, the result is
+/// AVO_ERROR_BUFFER_TOO_SMALL.
+AVO_C_API avo_result avo_space_simulation_get_states(avo_space_simulation_id simulation,
+                                                     avo_vec3* positions, avo_vec3* velocities,
+                                                     size_t capacity);
+/// The last decision of the robot of that index.
+AVO_C_API avo_result avo_space_simulation_get_plan(avo_space_simulation_id simulation, size_t robot,
+                                                   avo_space_plan* plan);
+/// Whether the robot of that index is within the arrival distance of its goal.
+AVO_C_API avo_result avo_space_simulation_is_at_goal(avo_space_simulation_id simulation,
+                                                     size_t robot, bool* is_at_goal);
+AVO_C_API avo_result avo_space_simulation_set_goal(avo_space_simulation_id simulation, size_t robot,
+                                                   avo_vec3 goal);
+/// Replaces all boxes; refused where a robot is in one, or cannot brake before it.
+AVO_C_API avo_result avo_space_simulation_set_boxes(avo_space_simulation_id simulation,
+                                                    const avo_space_box* boxes, size_t box_count);
+/// Equal for equal states, bit by bit, whatever the number of threads.
+AVO_C_API avo_result avo_space_simulation_get_state_hash(avo_space_simulation_id simulation,
+                                                         uint64_t* hash);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

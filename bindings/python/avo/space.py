@@ -1,0 +1,43 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Robots in three dimensions: drones, submarines, satellites (docs/space.md).
+
+Points are triples (x, y, z), z upwards; arrays of n of them are (n, 3), float64, and copies.
+"""
+from . import _avo
+
+Box = _avo._space.Box
+Detour = _avo._space.Detour
+Filter = _avo._space.Filter
+Neighbor = _avo._space.Neighbor
+Plan = _avo._space.Plan
+Planner = _avo._space.Planner
+Quadrotor = _avo._space.Quadrotor
+Robot = _avo._space.Robot
+RobotSetup = _avo._space.RobotSetup
+Scenario = _avo._space.Scenario
+SetPoint = _avo._space.SetPoint
+Simulation = _avo._space.Simulation
+Worlds = _avo._space.Worlds
+check = _avo._space.check
+explain = _avo._space.explain
+run = _avo._space.run
+_is_in_space = _avo._space._is_in_space
+
+__all__ = [
+    "Box",
+    "Detour",
+    "Filter",
+    "Neighbor",
+    "Plan",
+    "Planner",
+    "Quadrotor",
+    "Robot",
+    "RobotSetup",
+    "Scenario",
+    "SetPoint",
+    "Simulation",
+    "Worlds",
+    "check",
+    "explain",
+    "run",
+]

@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: Apache-2.0
+// The decision of one robot in space.
+#include <fmt/format.h>
+
+#include "avo/space/planner.h"
+#include "bind.h"
+
+namespace avo_python::space {
+namespace {
+
+using avo::space::Planner;
+using py::arg;
+
+avo::space::PlanWorkspace& space_workspace() {
+  thread_local avo::space::PlanWorkspace one;
+  return one;
+}
+
+Planner make_planner(avo::Motion motion, std::optional<double> control_time,
+                     std::optional<double> time_horizon, double time_step,
+                     std::optional<avo::Certificate> certificate, std::optional<int> max_neighbors,
+                     std::pair<double, double> sensing_error, double arrival_distance,
+                     std::optional<double> response_time,
+                     std::optional<double> comfort_acceleration,
+                     std::optional<double> comfort_jerk) {
+  avo::PlannerOptions options = avo::default_options(avo::Method::avo);
+  options.motion = motion;
+  options.control_time = control_time.value_or(options.control_time);
+  options.time_horizon = time_horizon.value_or(options.time_horizon);
+  options.time_step = time_step;
+  options.certificate = certificate.value_or(options.certificate);
+  options.max_neighbors = max_neighbors;
+  options.sensing_error = {sensing_error.first, sensing_error.second};
+  options.arrival_distance = arrival_distance;
+  options.response_time = response_time.value_or(options.response_time);
+  options.comfort_acceleration = comfort_acceleration;
+  options.comfort_jerk = comfort_jerk;
+  return Planner(options);
+}
+
+// Robots are taken by value: another thread may change the caller's robot while Python's lock is
+// released.
+avo::space::Plan plan(const Planner& planner, const avo::space::Robot robot,
+                      const std::vector<avo::space::Neighbor>& neighbors,
+                      const std::vector<avo::space::Box>& boxes, avo::space::Detour* detour) {
+  return planner.plan(robot, neighbors, space_workspace(), detour, boxes);
+}
+
+bool is_admitted(const Planner& planner, const avo::space::Robot robot,
+                 const std::vector<avo::space::Neighbor>& neighbors, avo::Vec3 next_velocity,
+                 const std::vector<avo::space::Box>& boxes) {
+  const py::gil_scoped_release release;
+  return planner.is_admitted(robot, neighbors, space_workspace(), next_velocity, boxes);
+}
+
+void bind_results(py::module_& space) {
+  using avo::space::Detour;
+  using avo::space::Plan;
+  py::class_<Plan>(space, "Plan", "A decision.")
+      .def_readonly("new_velocity", &Plan::new_velocity, "v', (x, y, z), m/s, Eqs. (14), (23)")
+      .def_readonly("next_velocity", &Plan::next_velocity, "(x, y, z), m/s, at the end of the step")
+      .def_readonly("acceleration", &Plan::acceleration, "m/s^2, at the start of the step")
+      .def_readonly("status", &Plan::status, "how it was made, one of PLAN_STATUS")
+      .def_readonly("state", &Plan::state, "in which it was made, one of SAFETY_STATE")
+      .def_readonly("neighbor", &Plan::neighbor,
+                    "if overlapping, index of whom it touches most deeply, or -1")
+      .def_readonly("box", &Plan::box, "if overlapping, index of the box, or -1")
+      .def_readonly("depth", &Plan::depth, "m: if overlapping, by how much")
+      .def_readonly("violation", &Plan::violation, "m/s, 0 if optimal")
+      .def("__repr__", [](const Plan& plan) {
+        return fmt::format("<avo.space.Plan {}: acceleration ({:.6g}, {:.6g}, {:.6g}) m/s^2>",
+                           avo::to_string(plan.status), plan.acceleration.x, plan.acceleration.y,
+                           plan.acceleration.z);
+      });
+  py::class_<Detour>(space, "Detour", "What a robot remembers; plan() updates it.")
+      .def(py::init<>())
+      .def_readwrite("angle", &Detour::angle, "rad, how far it has turned off its way, right.")
+      .def_readwrite("beside", &Detour::beside, "v_max/a_max, 0 to 200.")
+      .def_readwrite("congestion", &Detour::congestion, "robots ahead, 0 to 2.8.")
+      .def_readwrite("has_arrived", &Detour::has_arrived,
+                     "whether it was within arrival_distance of its goal, beside others")
+      .def_readwrite("goal_taken", &Detour::goal_taken, "whether others are at rest on its goal")
+      .def_readwrite("acceleration", &Detour::acceleration, "(x, y, z), m/s^2, of its last step");
+}
+
+}  // namespace
+
+void bind_planner(py::module_& space) {
+  bind_results(space);
+  py::class_<Planner>(space, "Planner",
+                      "Decides for one robot of space. Cannot be changed; threads may share it.")
+      .def(py::init(&make_planner), py::kw_only(), arg("motion") = "held",
+           arg("control_time") = py::none(), arg("time_horizon") = py::none(),
+           arg("time_step") = 0.1, arg("certificate") = py::none(),
+           arg("max_neighbors") = py::none(), arg("sensing_error") = std::pair(0.0, 0.0),
+           arg("arrival_distance") = 0.5, arg("response_time") = py::none(),
+           arg("comfort_acceleration") = py::none(), arg("comfort_jerk") = py::none(),
+           "The options of avo.Planner that space has, of method \"avo\". Raises Error on options "
+           "out of range.")
+      .def("plan", &plan, arg("robot"), arg("neighbors") = py::tuple(), arg("boxes") = py::tuple(),
+           arg("detour") = py::none(),
+           "One decision of a Robot. neighbors: Neighbors, in any order; boxes: those within "
+           "box_range(); detour: what it remembers, updated, None: nothing. Bad numbers are the "
+           "status \"invalid_input\".")
+      .def(
+          "is_admitted", &is_admitted, arg("robot"), arg("neighbors"), arg("next_velocity"),
+          arg("boxes") = py::tuple(),
+          "Whether the certificate lets the robot have that velocity, m/s, at the end of the step.")
+      .def(
+          "box_range",
+          [](const Planner& self, const avo::space::Robot& robot) {
+            return avo::space::box_range(robot, self.options());
+          },
+          arg("robot"), "m, from its ball: boxes at a larger distance change nothing.")
+      .def(
+          "sensing_range",
+          [](const Planner& self, const avo::space::Robot& robot, const avo::space::Robot& other) {
+            return avo::space::sensing_range(robot, other, self.options());
+          },
+          arg("robot"), arg("other"),
+          "m, between centers: within it the robot has to sense another one of these limits.");
+}
+
+}  // namespace avo_python::space

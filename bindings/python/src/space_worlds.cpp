@@ -1,0 +1,291 @@
+// SPDX-License-Identifier: Apache-2.0
+// Many worlds of space at once for learning, as worlds.cpp has those of the plane. The caller gives
+// the robots their preferred velocities; each robot decides by a planner.
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+#include <memory>
+#include <utility>
+
+#include "arrays.h"
+#include "avo/space/planner.h"
+#include "space.h"
+#include "worlds.h"
+
+namespace avo_python::space {
+namespace {
+
+using avo::Vec3;
+using py::arg;
+
+struct SpaceWorld {
+  std::vector<avo::space::Robot> robots;
+  std::vector<Vec3> goals;
+  std::vector<avo::space::Box> boxes;
+};
+
+/// E worlds of N robots each, with the settings of one scene.
+class SpaceWorlds {
+ public:
+  SpaceWorlds(std::size_t worlds, const avo::space::Scenario& scenario)
+      : planner_(planner_options(scenario)),
+        sensing_radius_(sensing_radius_of(scenario)),
+        robots_(scenario.robots.size()),
+        all_(worlds) {
+    for (std::size_t e = 0; e < worlds; ++e) place(e, scenario);
+  }
+
+  void place(std::size_t world, const avo::space::Scenario& scenario);
+  /// preferred: for all robots of all worlds, m/s. moving: the worlds that take part.
+  void step(std::span<const Vec3> preferred, const std::vector<char>& moving) {
+    for (std::size_t e = 0; e < all_.size(); ++e)
+      if (moving[e] != 0) step(all_[e], preferred.subspan(e * robots_, robots_));
+  }
+  /// Finds the robots that robot i of the world senses: squared distances, m^2, and numbers,
+  /// nearest first.
+  void find_near(const SpaceWorld& world, std::size_t i,
+                 std::vector<std::pair<double, std::size_t>>& near) const;
+
+  [[nodiscard]] std::size_t worlds() const { return all_.size(); }
+  [[nodiscard]] std::size_t robots() const { return robots_; }
+  [[nodiscard]] const SpaceWorld& world(std::size_t e) const { return all_[e]; }
+  [[nodiscard]] double sensing_radius() const { return sensing_radius_; }
+  [[nodiscard]] std::atomic<bool>& used() const { return used_; }
+
+ private:
+  /// First all robots decide from the same states, and then all robots move.
+  void step(SpaceWorld& world, std::span<const Vec3> preferred);
+
+  avo::space::Planner planner_;
+  double sensing_radius_;
+  std::size_t robots_;
+  std::vector<SpaceWorld> all_;
+  mutable std::atomic<bool> used_ = false;
+  avo::space::PlanWorkspace workspace_;
+  std::vector<Vec3> next_;
+  std::vector<std::pair<double, std::size_t>> near_;
+  std::vector<avo::space::Neighbor> neighbors_;
+};
+
+avo::space::Neighbor seen(const avo::space::Robot& robot) {
+  return {robot.position, robot.velocity, robot.radius,   robot.max_acceleration,
+          robot.vertical, robot.downwash, robot.priority, robot.max_braking};
+}
+
+void SpaceWorlds::place(std::size_t world, const avo::space::Scenario& scenario) {
+  if (world >= all_.size())
+    throw avo::Error(fmt::format("world: found {}, must be 0 to {}", world, all_.size() - 1));
+  if (scenario.robots.size() != robots_)
+    throw avo::Error(fmt::format("robots: found {} of them, must be {} as in the other worlds",
+                                 scenario.robots.size(), robots_));
+  SpaceWorld placed;
+  for (const avo::space::RobotSetup& setup : scenario.robots) {
+    placed.robots.push_back(avo::space::robot_of(setup));
+    placed.goals.push_back(setup.goal);
+  }
+  placed.boxes = scenario.boxes;
+  all_[world] = std::move(placed);
+}
+
+void SpaceWorlds::find_near(const SpaceWorld& world, std::size_t i,
+                            std::vector<std::pair<double, std::size_t>>& near) const {
+  near.clear();
+  for (std::size_t j = 0; j < robots_; ++j) {
+    const double squared = norm_squared(world.robots[j].position - world.robots[i].position);
+    if (j != i && squared <= sensing_radius_ * sensing_radius_) near.emplace_back(squared, j);
+  }
+  std::sort(near.begin(), near.end());
+}
+
+void SpaceWorlds::step(SpaceWorld& world, std::span<const Vec3> preferred) {
+  const double h = planner_.options().time_step, lag = planner_.step_lag();
+  next_.clear();
+  for (std::size_t i = 0; i < robots_; ++i) {
+    avo::space::Robot& self = world.robots[i];
+    self.preferred_velocity = preferred[i];
+    find_near(world, i, near_);
+    neighbors_.clear();
+    for (const auto& [squared, j] : near_) neighbors_.push_back(seen(world.robots[j]));
+    next_.push_back(
+        planner_.plan(self, neighbors_, workspace_, nullptr, world.boxes).next_velocity);
+  }
+  for (std::size_t i = 0; i < robots_; ++i) {
+    avo::space::Robot& robot = world.robots[i];
+    robot.position = robot.position + lag * robot.velocity + (h - lag) * next_[i];
+    robot.velocity = next_[i];
+  }
+}
+
+/// Returns the way from a point to the surface of a box; 0 from a point within it.
+Vec3 way_to(const avo::space::Box& box, Vec3 from) {
+  const double c = std::cos(box.heading), s = std::sin(box.heading);
+  const Vec3 in{c * from.x + s * from.y, c * from.y - s * from.x, from.z};
+  const Vec3 off{std::clamp(in.x, box.min.x, box.max.x) - in.x,
+                 std::clamp(in.y, box.min.y, box.max.y) - in.y,
+                 std::clamp(in.z, box.min.z, box.max.z) - in.z};
+  const double distance = norm(off);
+  if (distance <= box.radius) return {};
+  return (1.0 - box.radius / distance) * Vec3{c * off.x - s * off.y, s * off.x + c * off.y, off.z};
+}
+
+// For each robot k rows of so many numbers, all 0.
+py::array_t<float> zeros(const SpaceWorlds& self, std::size_t k, std::size_t numbers) {
+  constexpr std::size_t kMost = 1000;
+  if (k > kMost) throw avo::Error(fmt::format("k: found {}, must be 0 to {}", k, kMost));
+  py::array_t<float> array({self.worlds(), self.robots(), k, numbers});
+  std::fill_n(array.mutable_data(), array.size(), 0.0F);
+  return array;
+}
+
+void put(float* row, Vec3 v) {
+  row[0] = static_cast<float>(v.x), row[1] = static_cast<float>(v.y);
+  row[2] = static_cast<float>(v.z);
+}
+
+py::array_t<float> nearest(const SpaceWorlds& self, std::size_t k) {
+  constexpr std::size_t kNumbers = 8;
+  py::array_t<float> array = zeros(self, k, kNumbers);
+  float* out = array.mutable_data();
+  const InUse use(self.used());
+  const py::gil_scoped_release release;
+  std::vector<std::pair<double, std::size_t>> near;
+  for (std::size_t e = 0; e < self.worlds(); ++e) {
+    const SpaceWorld& world = self.world(e);
+    for (std::size_t i = 0; i < self.robots(); ++i, out += k * kNumbers) {
+      self.find_near(world, i, near);
+      for (std::size_t n = 0; n < std::min(k, near.size()); ++n) {
+        const avo::space::Robot &own = world.robots[i], &other = world.robots[near[n].second];
+        float* const row = out + n * kNumbers;
+        put(row, other.position - own.position);
+        put(row + 3, other.velocity - own.velocity);
+        row[6] = static_cast<float>(own.radius + other.radius);
+        row[7] = 1.0F;
+      }
+    }
+  }
+  return array;
+}
+
+py::array_t<float> nearest_boxes(const SpaceWorlds& self, std::size_t k) {
+  constexpr std::size_t kNumbers = 4;
+  py::array_t<float> array = zeros(self, k, kNumbers);
+  float* out = array.mutable_data();
+  const InUse use(self.used());
+  const py::gil_scoped_release release;
+  std::vector<std::pair<double, std::size_t>> near;  // m^2, and numbers
+  for (std::size_t e = 0; e < self.worlds(); ++e) {
+    const SpaceWorld& world = self.world(e);
+    for (std::size_t i = 0; i < self.robots(); ++i, out += k * kNumbers) {
+      near.clear();
+      for (std::size_t b = 0; b < world.boxes.size(); ++b) {
+        const double squared = norm_squared(way_to(world.boxes[b], world.robots[i].position));
+        if (squared <= self.sensing_radius() * self.sensing_radius()) near.emplace_back(squared, b);
+      }
+      std::sort(near.begin(), near.end());
+      for (std::size_t n = 0; n < std::min(k, near.size()); ++n) {
+        float* const row = out + n * kNumbers;
+        put(row, way_to(world.boxes[near[n].second], world.robots[i].position));
+        row[3] = 1.0F;
+      }
+    }
+  }
+  return array;
+}
+
+template <typename Of>  // Vec3 of(world, robot)
+auto points(Of of) {
+  return [of](const SpaceWorlds& self) {
+    const InUse use(self.used());
+    py::array_t<double> array({self.worlds(), self.robots(), std::size_t{3}});
+    auto rows = array.mutable_unchecked<3>();
+    for (py::ssize_t i = 0; i < rows.shape(0); ++i)
+      for (py::ssize_t k = 0; k < rows.shape(1); ++k) {
+        const Vec3 v = of(self.world(static_cast<std::size_t>(i)), static_cast<std::size_t>(k));
+        rows(i, k, 0) = v.x, rows(i, k, 1) = v.y, rows(i, k, 2) = v.z;
+      }
+    return array;
+  };
+}
+
+template <typename Of>  // double of(world, robot)
+auto per_robot(Of of) {
+  return [of](const SpaceWorlds& self) {
+    const InUse use(self.used());
+    py::array_t<double> array({self.worlds(), self.robots()});
+    auto rows = array.mutable_unchecked<2>();
+    for (py::ssize_t i = 0; i < rows.shape(0); ++i)
+      for (py::ssize_t k = 0; k < rows.shape(1); ++k)
+        rows(i, k) = of(self.world(static_cast<std::size_t>(i)), static_cast<std::size_t>(k));
+    return array;
+  };
+}
+
+void step_worlds(SpaceWorlds& self, const py::object& actions, const std::vector<bool>& moving) {
+  const Numbers preferred = numbers("actions", actions);
+  if (preferred.ndim() != 3 || preferred.shape(0) != static_cast<py::ssize_t>(self.worlds()) ||
+      preferred.shape(1) != static_cast<py::ssize_t>(self.robots()) || preferred.shape(2) != 3)
+    throw avo::Error(fmt::format("actions: found shape {}, must be ({}, {}, 3)",
+                                 shape_of(preferred), self.worlds(), self.robots()));
+  if (moving.size() != self.worlds())
+    throw avo::Error(
+        fmt::format("moving: found {} of them, must be {}", moving.size(), self.worlds()));
+  const std::span<const Vec3> all{reinterpret_cast<const Vec3*>(preferred.data()),
+                                  self.worlds() * self.robots()};
+  if (!std::all_of(all.begin(), all.end(), [](Vec3 v) { return is_finite(v); }))
+    throw avo::Error("actions: found a number that is not finite, must be finite");
+  const std::vector<char> which(moving.begin(), moving.end());
+  const InUse use(self.used());
+  const py::gil_scoped_release release;
+  self.step(all, which);
+}
+
+}  // namespace
+
+void bind_worlds(py::module_& space) {
+  static_assert(sizeof(Vec3) == 3 * sizeof(double));
+  py::class_<SpaceWorlds>(space, "Worlds",
+                          "E worlds of N robots of space; avo.env is made of them.")
+      .def(py::init([](std::int64_t worlds, const avo::space::Scenario& scenario) {
+             if (worlds < 1)
+               throw avo::Error(fmt::format("num_envs: found {}, must be >= 1", worlds));
+             return std::make_unique<SpaceWorlds>(static_cast<std::size_t>(worlds), scenario);
+           }),
+           arg("worlds"), arg("scenario"))
+      .def(
+          "place",
+          [](SpaceWorlds& self, std::size_t world, const avo::space::Scenario& scenario) {
+            const InUse use(self.used());
+            self.place(world, scenario);
+          },
+          arg("world"), arg("scenario"),
+          "Puts the robots, goals and boxes of the scenario into that world.")
+      .def("step", &step_worlds, arg("preferred"), arg("moving"),
+           "preferred: (E, N, 3), m/s; moving: (E,) bool, the worlds that take part.")
+      .def("nearest", &nearest, arg("k"),
+           "(E, N, k, 8) float32: relative position, m, and velocity, m/s, sum of radii, m, and 1 "
+           "of the k nearest robots within the sensing radius, nearest first; 0 where there are "
+           "fewer.")
+      .def("nearest_walls", &nearest_boxes, arg("k"),
+           "(E, N, k, 4) float32: the way to the nearest point, m, and 1 of the k nearest boxes "
+           "within the sensing radius, nearest first; 0 where there are fewer.")
+      .def("position",
+           points([](const SpaceWorld& w, std::size_t k) { return w.robots[k].position; }),
+           "(E, N, 3) float64, m.")
+      .def("velocity",
+           points([](const SpaceWorld& w, std::size_t k) { return w.robots[k].velocity; }),
+           "(E, N, 3) float64, m/s.")
+      .def("goal", points([](const SpaceWorld& w, std::size_t k) { return w.goals[k]; }),
+           "(E, N, 3) float64, m.")
+      .def("radius",
+           per_robot([](const SpaceWorld& w, std::size_t k) { return w.robots[k].radius; }),
+           "(E, N) float64, m.")
+      .def("max_speed",
+           per_robot([](const SpaceWorld& w, std::size_t k) { return w.robots[k].max_speed; }),
+           "(E, N) float64, m/s.")
+      .def("max_acceleration", per_robot([](const SpaceWorld& w, std::size_t k) {
+             return w.robots[k].max_acceleration;
+           }),
+           "(E, N) float64, m/s^2.");
+}
+
+}  // namespace avo_python::space

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: Apache-2.0
+// Recordings of space as HDF5: what a run, a replay and rows of another program share.
+#pragma once
+#include <string>
+
+#include "avo_io/space.h"
+#include "io/recording/block_recorder.h"
+#include "io/space/space_clearances.h"
+#include "io/space/space_rows.h"
+
+namespace avo_io {
+
+/// Appends the present state to the block as one more time; the block must have room for it.
+void add_states(const avo::space::Simulation& simulation, const BlockShape& shape,
+                RecordingBlock& block);
+
+/// HDF5 by way of a spool, see Hdf5Recording.
+class SpaceHdf5Recording final : public SpaceRecording {
+ public:
+  SpaceHdf5Recording(const std::string& path, const avo::space::Scenario& scenario,
+                     const SceneSource& source, const RecordingOptions& options);
+  ~SpaceHdf5Recording() override;
+  SpaceHdf5Recording(const SpaceHdf5Recording&) = delete;
+  SpaceHdf5Recording& operator=(const SpaceHdf5Recording&) = delete;
+  void add(const avo::space::Simulation& simulation) override;
+  void finish(const avo::space::Simulation& simulation) override;
+  /// Adds rows of another program, by ascending robot; their status is `optimal`.
+  void add(const SpaceMoment& moment);
+  /// Call it after the last of such rows.
+  void finish();
+
+ private:
+  SpaceClearances clearances_;
+  BlockRecorder recorder_;  // its thread uses the clearances
+};
+
+}  // namespace avo_io

@@ -1,0 +1,165 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+/* Robots of space in C: a fleet with the hash of C++, a decision, refusals, set points. */
+#include <avo_c/space.h>
+#include <math.h>
+
+#include "check.h"
+#include "cpp_runs.h"
+
+static avo_vec3 at(double x, double y, double z) {
+  const avo_vec3 v = {x, y, z};
+  return v;
+}
+
+static const double kFar = HUGE_VAL;
+
+static avo_space_box floor_at(double z) {
+  const avo_space_box box = {{-kFar, -kFar, -kFar}, {kFar, kFar, z}, 0.0, 0.0};
+  return box;
+}
+
+/* Five drones of different kinds above a floor, and a quadrotor. */
+static avo_space_simulation_id make_fleet(void) {
+  avo_space_robot_def robots[6];
+  avo_space_simulation_def def = avo_default_space_simulation_def();
+  avo_space_simulation_id fleet = {0, 0};
+  const avo_space_box floor = floor_at(-4.0);
+  for (int k = 0; k < 6; ++k) {
+    robots[k] = avo_default_space_robot_def();
+    robots[k].position = at(-9.0 + 0.1 * k, 2.5 * k - 6.0, 0.3 * k);
+    robots[k].goal = at(9.0, 6.0 - 2.5 * k, 1.0);
+  }
+  robots[1].downwash = 1.0;
+  robots[2].vertical = 0.5;
+  robots[2].climb = 0.7;
+  robots[3].max_braking = 0.8;
+  robots[3].priority = 2.0;
+  robots[4].radius = 0.8;
+  robots[4].preferred_speed = 1.5;
+  robots[5].quadrotor.mass = 1.2;
+  robots[5].quadrotor.max_thrust = 26.0;
+  robots[5].quadrotor.max_tilt = 0.6;
+  robots[5].quadrotor.attitude_time = 0.12;
+  def.robots = robots;
+  def.robot_count = 6;
+  def.boxes = &floor;
+  def.box_count = 1;
+  def.threads = 1;
+  REQUIRE(avo_create_space_simulation(&def, &fleet));
+  return fleet;
+}
+
+static void a_fleet_moves_as_in_cpp(void) {
+  avo_space_simulation_id fleet = make_fleet();
+  avo_vec3 positions[6], velocities[6];
+  avo_space_plan plan;
+  uint64_t hash = 0;
+  double time = 0.0;
+  bool is_at_goal = false;
+  for (int k = 0; k < 50; ++k) REQUIRE(avo_space_simulation_step(fleet));
+  REQUIRE(avo_space_simulation_get_state_hash(fleet, &hash));
+  CHECK(hash == cpp_space_hash(50));
+  REQUIRE(avo_space_simulation_get_time(fleet, &time));
+  CHECK(fabs(time - 5.0) < 1e-9);
+  REQUIRE(avo_space_simulation_get_states(fleet, positions, velocities, 6));
+  CHECK(positions[0].x > -7.0 && velocities[0].x > 0.5);
+  REQUIRE(avo_space_simulation_get_plan(fleet, 3, &plan));
+  CHECK(plan.status != AVO_PLAN_INVALID_INPUT && plan.state == AVO_SAFETY_SAFE);
+  REQUIRE(avo_space_simulation_set_goal(fleet, 0, positions[0]));
+  REQUIRE(avo_space_simulation_is_at_goal(fleet, 0, &is_at_goal));
+  CHECK(is_at_goal);
+  REFUSES(avo_space_simulation_get_states(fleet, positions, NULL, 5), AVO_ERROR_BUFFER_TOO_SMALL,
+          "capacity: found 5, must be >= 6");
+  REFUSES(avo_space_simulation_set_goal(fleet, 6, at(0, 0, 0)), AVO_ERROR_INVALID_ARGUMENT,
+          "robot: found 6, must be < 6");
+  const avo_space_box around = floor_at(50.0);
+  REFUSES(avo_space_simulation_set_boxes(fleet, &around, 1), AVO_ERROR_INVALID_VALUE,
+          "is in it, or cannot brake before it");
+  REQUIRE(avo_space_simulation_set_boxes(fleet, NULL, 0));
+  REQUIRE(avo_destroy_space_simulation(fleet));
+  CHECK(!avo_space_simulation_is_valid(fleet));
+  REFUSES(avo_space_simulation_step(fleet), AVO_ERROR_INVALID_ID, "space simulation: found an id");
+}
+
+static void one_robot_gives_way(void) {
+  avo_planner_def def = avo_default_planner_def(AVO_METHOD_AVO);
+  avo_space_planner_id planner;
+  avo_space_robot robot = avo_default_space_robot();
+  avo_space_neighbor other = avo_default_space_neighbor();
+  avo_space_detour memory = {0};
+  avo_space_plan plan;
+  const avo_space_box floor = floor_at(-1.0);
+  double range = 0.0;
+  REQUIRE(avo_create_space_planner(&def, &planner));
+  robot.velocity = robot.preferred_velocity = at(1.5, 0.0, 0.0);
+  other.position = at(6.0, 0.1, 0.0);
+  other.velocity = at(-1.5, 0.0, 0.0);
+  REQUIRE(avo_space_planner_plan(planner, &robot, &other, 1, &floor, 1, &memory, &plan));
+  CHECK(plan.state == AVO_SAFETY_SAFE && plan.acceleration.y < -0.2 && plan.box == -1);
+  CHECK(memory.acceleration.y == plan.acceleration.y || memory.acceleration.y < 0.0);
+  REQUIRE(avo_space_planner_get_sensing_range(planner, &robot, &robot, &range));
+  CHECK(range > 4.0 && range < 40.0);
+  REQUIRE(avo_space_planner_get_box_range(planner, &robot, &range));
+  CHECK(range > 1.0 && range < 20.0);
+  robot.position = at(0.0, 0.0, -2.0);
+  REQUIRE(avo_space_planner_plan(planner, &robot, NULL, 0, &floor, 1, NULL, &plan));
+  CHECK(plan.status == AVO_PLAN_OVERLAPPING && plan.box == 0 && plan.depth > 0.4f);
+  robot.size = 3;
+  REFUSES(avo_space_planner_plan(planner, &robot, NULL, 0, NULL, 0, NULL, &plan),
+          AVO_ERROR_INVALID_DEFINITION, "robot.size: found 3");
+  def.method = AVO_METHOD_ORCA;
+  REFUSES(avo_create_space_planner(&def, &planner), AVO_ERROR_INVALID_VALUE, "method");
+  REQUIRE(avo_destroy_space_planner(planner));
+}
+
+static void set_points_are_one_delay_late(void) {
+  const avo_quadrotor quadrotor = {1.2, 26.0, AVO_UNSET, 0.6, 0.12, AVO_UNSET};
+  avo_quadrotor bad = quadrotor;
+  avo_quadrotor_limits limits;
+  avo_filter_id filter;
+  avo_set_point point;
+  double begin = 0.0, end = 0.0;
+  REQUIRE(avo_get_quadrotor_limits(&quadrotor, &limits));
+  CHECK(limits.delay == 0.12 && limits.max_acceleration > 4.0 && limits.max_acceleration < 7.0);
+  CHECK(fabs(limits.deviation - limits.max_acceleration * 0.12 * 0.12) < 1e-12);
+  bad.max_tilt = 2.0;
+  REFUSES(avo_get_quadrotor_limits(&bad, &limits), AVO_ERROR_INVALID_VALUE, "quadrotor.max_tilt");
+  REQUIRE(avo_create_filter(&quadrotor, 0.12, 0.1, &filter));
+  for (int k = 0; k < 30; ++k) {
+    const double t = 0.1 * k;
+    REQUIRE(avo_filter_add(filter, at(t * t, 0.0, 1.0), at(2.0 * t, 0.0, 0.0), at(2.0, 0.0, 0.0)));
+  }
+  REQUIRE(avo_filter_get_times(filter, &begin, &end));
+  CHECK(fabs(end - 3.0) < 1e-9 && begin < end);
+  REQUIRE(avo_filter_get_set_point(filter, end, &point));
+  CHECK(fabs(point.position.x - 2.88 * 2.88) <= limits.deviation / 4.0 && point.position.z == 1.0);
+  CHECK(fabs(point.acceleration.x - 2.0) < 1e-6);
+  REFUSES(avo_filter_get_set_point(filter, end + 1.0, &point), AVO_ERROR_INVALID_VALUE, "time");
+  REQUIRE(avo_destroy_filter(filter));
+  CHECK(!avo_filter_is_valid(filter));
+}
+
+static void scene_files_are_read(void) {
+  const char* const overrides[] = {"robots.0.radius=0.25"};
+  avo_space_simulation_id fleet;
+  size_t count = 0;
+  FILE* file = fopen("c_space.yaml", "w");
+  CHECK(file != NULL);
+  fputs("version: 1\nspace: 3\nrobots:\n  - {position: [0, 0, 0], goal: [5, 0, 1]}\n", file);
+  fclose(file);
+  REQUIRE(avo_load_space_simulation("c_space.yaml", overrides, 1, 1, &fleet));
+  REQUIRE(avo_space_simulation_get_robot_count(fleet, &count));
+  CHECK(count == 1);
+  REQUIRE(avo_destroy_space_simulation(fleet));
+  remove("c_space.yaml");
+  REFUSES(avo_load_space_simulation("circle-10", NULL, 0, 1, &fleet), AVO_ERROR_INVALID_SCENE,
+          "circle-10: found no scene with space: 3");
+}
+
+int main(void) {
+  a_fleet_moves_as_in_cpp();
+  one_robot_gives_way();
+  set_points_are_one_delay_late();
+  scene_files_are_read();
+  return 0;
+}

@@ -1,0 +1,203 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Robots in space: the same bits as C++ and the command line, one decision, set points, types of the stub."""
+import inspect
+import json
+import re
+import pathlib
+
+import avo
+import avo.env
+import avo.space
+import numpy as np
+import pytest
+
+SCENE = """version: 1
+space: 3
+duration: 8
+groups:
+  - {count: 20, sphere: {radius: 6}, goal: antipodal, jitter: 0.1, downwash: 0.4}
+obstacles:
+  - {floor: -9}
+"""
+
+
+@pytest.fixture
+def scene(tmp_path):
+    path = tmp_path / "drones.yaml"
+    path.write_text(SCENE)
+    return path
+
+
+def test_a_fleet_moves_as_the_command_line_moves_it(scene, tmp_path, command_line):
+    csv, summary = tmp_path / "c.csv", tmp_path / "c.json"
+    assert command_line("run", scene, "--record", csv, "--summary", summary).returncode == 0
+    mine = tmp_path / "mine.csv"
+    found = avo.space.run(scene, record=mine, threads=2)
+    told = json.loads(summary.read_text())
+    for timed in ("step_milliseconds_median", "metrics"):
+        found.pop(timed), told.pop(timed)
+    assert found == told
+    assert mine.read_text() == csv.read_text()
+    simulation = avo.space.Simulation(scene)
+    simulation.step(80)
+    rows = np.loadtxt(csv, delimiter=",", skiprows=1)
+    assert np.array_equal(simulation.position(), rows[-20:, 2:5])
+    assert np.array_equal(simulation.velocity(), rows[-20:, 5:8])
+    assert avo.space.check(mine, scene)["safe"] and simulation.time == pytest.approx(8.0)
+
+
+def test_hdf5_contains_its_scene(scene, tmp_path, command_line):
+    h5 = tmp_path / "run.h5"
+    avo.space.run(scene, record=h5, until_arrived=True)
+    assert avo.space.check(h5)["robots"] == 20
+    assert command_line("replay", h5).returncode == 0
+    with pytest.raises(avo.Error, match="record: found HDF5 without a scene file"):
+        avo.space.run(avo.space.Scenario(scene), record=h5)
+    with pytest.raises(avo.Error, match="scene: found none"):
+        avo.space.check(scene)
+
+
+def test_scenes_come_from_text_and_dicts_and_have_overrides(scene):
+    one = {"version": 1, "space": 3, "robots": [{"position": np.zeros(3), "goal": [9, 0, 2], "climb": 0.5}]}
+    made = avo.space.Scenario(one, overrides={"robots.0.radius": 0.25})
+    assert made.robots[0].radius == 0.25 and made.robots[0].climb == 0.5 and made.robots[0].sink is None
+    text = avo.space.Scenario.from_yaml(SCENE)
+    assert len(text.robots) == 20 and text.boxes[0].max[2] == -9.0
+    assert avo.space.Simulation(text).state_hash() == avo.space.Simulation(scene).state_hash()
+    with pytest.raises(avo.Error, match="must be one; see avo.Scenario"):
+        avo.space.Scenario("circle-10")
+    with pytest.raises(avo.Error, match=r"position: found a list of 2, must be \[x, y, z\]"):
+        avo.space.Scenario({"version": 1, "space": 3, "robots": [{"position": [0, 0], "goal": [9, 0, 2]}]})
+
+
+def test_one_robot_decides_as_in_a_fleet():
+    scene = avo.space.Scenario(
+        {"version": 1, "space": 3, "robots": [{"position": [0, 0, 0], "goal": [9, 0, 0]},
+                                              {"position": [9, 0, 0.2], "goal": [0, 0, 0.2]}],
+         "obstacles": [{"floor": -2}]})
+    simulation = avo.space.Simulation(scene, threads=1)
+    planner, memory = avo.space.Planner(), [avo.space.Detour(), avo.space.Detour()]
+    for _ in range(60):
+        position, velocity = simulation.position(), simulation.velocity()
+        plans = []
+        simulation.step()
+        for k in range(2):
+            robot = avo.space.Robot(position=position[k], velocity=velocity[k])
+            other = avo.space.Neighbor(position=position[1 - k], velocity=velocity[1 - k])
+            robot.preferred_velocity = simulation_wish(robot, simulation.goal()[k])
+            robot.distance_to_goal = float(np.linalg.norm(simulation.goal()[k] - position[k]))
+            plans.append(planner.plan(robot, [other], scene.boxes, memory[k]))
+            assert planner.is_admitted(robot, [other], plans[-1].next_velocity, scene.boxes)
+        assert all(plan.state == "safe" for plan in plans)
+    away = np.linalg.norm(simulation.position()[0] - simulation.position()[1])
+    assert away > 1.0
+
+
+def simulation_wish(robot, goal):
+    way = goal - np.array(robot.position)
+    return 2.0 * way / max(np.linalg.norm(way), 2.0)
+
+
+def test_a_decision_is_explained(scene, command_line):
+    told = avo.space.explain(scene, 3, 2.5)
+    assert told["time"] == pytest.approx(2.5) and told["robot"] == 3 and len(told["obstacles"]) == 19
+    assert told == json.loads(command_line("explain", scene, "--robot", 3, "--time", 2.5, "--json").stdout)
+    simulation = avo.space.Simulation(scene)
+    simulation.step(25)
+    assert told["position"] == simulation.position()[3].tolist()
+    simulation.step()
+    assert told["next_velocity"] == simulation.velocity()[3].tolist()
+    assert told["status"] == avo.PLAN_STATUS[simulation.status()[3]]
+    assert told["sentence"].startswith("Robot 3 ")
+    with pytest.raises(avo.Error, match="robot: found 20, must be 0 to 19"):
+        avo.space.explain(scene, 20)
+
+
+def test_bad_numbers_are_a_status_and_other_points_are_refused():
+    planner = avo.space.Planner()
+    assert planner.plan(avo.space.Robot(position=(0, 0, float("nan")))).status == "invalid_input"
+    with pytest.raises(avo.Error, match=r"point: found 2 numbers, must be 3: \(x, y, z\)"):
+        avo.space.Robot(position=(0, 0))
+    with pytest.raises(avo.Error, match="time_step"):
+        avo.space.Planner(time_step=0.0)
+    simulation = avo.space.Simulation({"version": 1, "space": 3, "robots": [{"position": [0, 0, 0], "goal": [9, 0, 0]}]})
+    simulation.set_goal(0, (0, 5, 0))
+    assert simulation.goal().tolist() == [[0, 5, 0]]
+    for robot in (-1, 1):
+        with pytest.raises(avo.Error, match="robot: found"):
+            simulation.set_goal(robot, (0, 0, 0))
+    with pytest.raises(avo.Error, match="robot 0 is in it"):
+        simulation.set_boxes([avo.space.Box(max=(1, 1, 1))])
+
+
+def test_set_points_follow_the_reference_one_delay_late():
+    quadrotor = avo.space.Quadrotor(mass=1.2, max_thrust=26.0, attitude_time=0.12)
+    assert 4.0 < quadrotor.max_acceleration < 7.0
+    assert quadrotor.deviation == pytest.approx(quadrotor.max_acceleration * 0.12**2)
+    points = avo.space.Filter(quadrotor, fleet_delay=0.12, time_step=0.1)
+    for k in range(30):  # along x with 2 m/s²
+        t = 0.1 * k
+        points.add((t * t, 0, 1), (2 * t, 0, 0), (2, 0, 0))
+    late = points.at(points.end)
+    then = points.end - 0.12
+    assert late.position == pytest.approx((then**2, 0, 1), abs=quadrotor.deviation / 4)
+    assert late.acceleration == pytest.approx((2, 0, 0), abs=1e-6)
+    with pytest.raises(avo.Error):
+        avo.space.Quadrotor(max_tilt=2.0)
+
+
+def test_worlds_for_learning_keep_drones_apart_whatever_the_actions_are(scene):
+    env = avo.env.VectorEnv(scene, 2, neighbors=3, walls=1, max_steps=60)
+    seen, _ = env.reset(seed=4)
+    assert seen.shape == env.observation_space.shape == (2, 20, 8 + 8 * 3 + 4) and env.dimensions == 3
+    assert env.action_space.shape == (2, 20, 3)
+    position, goal = env.position(), env.goal()
+    assert not np.array_equal(position[0], position[1])
+    assert np.allclose(seen[..., :3], goal - position, atol=1e-5)
+    away = np.linalg.norm(position[0] - position[0, 7], axis=1)
+    near = np.argsort(away)[1]
+    assert np.allclose(seen[0, 7, 8:11], position[0, near] - position[0, 7], atol=1e-5)
+    assert seen[0, 7, 14] == 1.0 and seen[0, 7, 15] == 1.0  # sum of radii, a robot
+    assert np.allclose(seen[0, 7, 32:35], [0, 0, -9 - position[0, 7, 2]], atol=1e-5)
+    random = np.random.default_rng(3)
+    for _ in range(60):
+        to_goal = env.goal() - env.position()
+        actions = np.where(random.random((2, 20, 1)) < 0.7, to_goal, random.uniform(-2, 2, (2, 20, 3)))
+        seen, rewards, terminated, truncated, _ = env.step(actions)
+        for e in range(2):
+            apart = np.linalg.norm(env.position()[e][:, None] - env.position()[e], axis=2)
+            assert apart[apart > 0].min() >= 1.0
+    assert truncated.any() and np.isfinite(rewards).all()
+    with pytest.raises(avo.Error, match=r"actions: found shape \(2, 20, 2\), must be \(2, 20, 3\)"):
+        env.step(np.zeros((2, 20, 2)))
+    with pytest.raises(avo.Error, match="with a scene of space, must be None"):
+        avo.env.VectorEnv(scene, render_mode="rgb_array")
+    one = avo.env.ParallelEnv(scene)
+    seen, _ = one.reset(seed=1)
+    assert seen["robot_0"].shape == (8 + 8 * 8,)
+    seen, *_ = one.step({agent: np.zeros(3) for agent in one.agents})
+    assert len(seen) == 20
+
+
+def members(tree):
+    found, name = {"": set()}, ""
+    for line in tree.splitlines():
+        if at := re.match(r"class (\w+)", line):
+            name = at.group(1)
+            found[name] = set()
+        elif re.match(r"\w", line):
+            name = None
+        elif name and (at := re.match(r"    def (\w+)|    (\w+): ", line)):
+            found[name].add(at.group(1) or at.group(2))
+    return found
+
+
+def test_the_stub_has_all_that_there_is_and_everything_is_told():
+    stub = members(pathlib.Path(avo.space.__file__).with_suffix(".pyi").read_text())
+    assert set(avo.space.__all__) == {n for n in vars(avo._avo._space) if not n.startswith("_")}
+    for name in avo.space.__all__:
+        found = getattr(avo.space, name)
+        assert found.__doc__, name
+        if inspect.isclass(found):
+            assert found.__module__ == "avo.space"
+            assert {n for n in stub[name] if not n.startswith("__")} == {n for n in vars(found) if n[0] != "_"}, name

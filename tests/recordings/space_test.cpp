@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: Apache-2.0
+// Recordings of space as HDF5: the columns, the judge, the replay, CSV there and back, refusals.
+#include "avo_io/space.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <hdf5.h>
+#include <string>
+#include <vector>
+
+#include "edit_hdf5.h"
+#include "recorded.h"
+#include "support/json.h"
+
+namespace avo_test {
+namespace {
+
+using Json = nlohmann::ordered_json;
+using testing::HasSubstr;
+
+// 5 s of nine drones under a ceiling, one of them with downwash and unequal limits.
+const std::string kScene = R"(version: 1
+space: 3
+duration: 5
+groups:
+  - {count: 8, sphere: {radius: 5}, goal: antipodal, jitter: 0.1}
+robots:
+  - {position: [0, -9, 1], goal: [2, 9, 1], vertical: 0.5, downwash: 1}
+obstacles:
+  - {ceiling: 8}
+)";
+
+std::string scene_file() {
+  write_file(path_of("drones.yaml"), kScene);
+  return path_of("drones.yaml");
+}
+
+std::vector<double> column_of(const std::string& path, hsize_t robots, hsize_t column,
+                              hsize_t times) {
+  const hid_t file = H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT);
+  const hid_t table = H5Dopen2(file, "state", H5P_DEFAULT);
+  std::vector<double> all(times * robots * 6), values;
+  EXPECT_GE(H5Dread(table, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, all.data()), 0);
+  for (std::size_t k = column; k < all.size(); k += 6) values.push_back(all[k]);
+  H5Dclose(table);
+  H5Fclose(file);
+  return values;
+}
+
+TEST(SpaceHdf5, has_the_states_of_the_run_and_explains_itself) {
+  const std::string h5 = recorded({scene_file()}, "space.h5");
+  avo::space::Simulation simulation(avo_io::parse_space_scenario(kScene, "drones.yaml"));
+  const std::vector<double> z = column_of(h5, 9, 2, 51), vy = column_of(h5, 9, 4, 51);
+  for (std::size_t k = 0; k < z.size(); ++k) {
+    if (k > 0 && k % 9 == 0) simulation.step();
+    ASSERT_EQ(z[k], simulation.robots()[k % 9].position.z) << k;
+    ASSERT_EQ(vy[k], simulation.robots()[k % 9].velocity.y) << k;
+  }
+  const auto own = avo_io::read_recorded_space_scene(h5);
+  ASSERT_TRUE(own);
+  EXPECT_EQ(own->header.state_hash, simulation.state_hash());
+  EXPECT_EQ(own->scenario.robots, simulation.scenario().robots);
+  const ProcessResult check = run_avo({"check", h5, "--json"});
+  ASSERT_EQ(check.exit_code, 0) << check.err;
+  EXPECT_EQ(Json::parse(check.out)["robots"], 9);
+  const ProcessResult slower = run_avo({"check", h5, "--set", "groups.0.max_speed=0.5", "--set",
+                                        "groups.0.preferred_speed=0.5", "--json"});
+  EXPECT_EQ(slower.exit_code, 1) << slower.err;
+  EXPECT_GT(Json::parse(slower.out)["speeds"]["count"], 0);
+}
+
+TEST(SpaceHdf5, has_the_clearance_of_the_nearest_pair_and_of_downwash) {
+  write_file(path_of("three.yaml"),
+             "version: 1\nspace: 3\nduration: 0.1\nrobots:\n"
+             "  - {position: [0, 0, 5], goal: [0, 0, 5], downwash: 2}\n"
+             "  - {position: [1.5, 0, 3.5], goal: [1.5, 0, 3.5]}\n"
+             "  - {position: [0, 3, 5], goal: [0, 3, 5], radius: 0.25}\n");
+  const std::string h5 = recorded({path_of("three.yaml")}, "space.h5");
+  const hid_t file = H5Fopen(h5.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT);
+  const hid_t table = H5Dopen2(file, "clearance", H5P_DEFAULT);
+  std::vector<float> found(6);
+  EXPECT_GE(H5Dread(table, H5T_NATIVE_FLOAT, H5S_ALL, H5S_ALL, H5P_DEFAULT, found.data()), 0);
+  H5Dclose(table);
+  H5Fclose(file);
+  EXPECT_FLOAT_EQ(found[0], 0.5F);  // the robot below is beside the air that is pushed down
+  EXPECT_FLOAT_EQ(found[1], 0.5F);
+  EXPECT_FLOAT_EQ(found[2], 2.25F);
+}
+
+TEST(SpaceHdf5, becomes_the_csv_of_the_run_and_back) {
+  const std::string scene = scene_file(), h5 = recorded({scene}, "space.h5");
+  const std::string csv = recorded({scene}, "space.csv"), other = path_of("other.csv");
+  ASSERT_EQ(run_avo({"convert", h5, other}).exit_code, 0);
+  EXPECT_EQ(read_file(other), read_file(csv));
+  const std::string again = path_of("again.h5");
+  const ProcessResult back =
+      run_avo({"convert", csv, again, "--to", "recording", "--scene", scene});
+  ASSERT_EQ(back.exit_code, 0) << back.err;
+  EXPECT_THAT(back.out, HasSubstr("51 times, 459 rows"));
+  EXPECT_EQ(column_of(again, 9, 2, 51), column_of(h5, 9, 2, 51));
+  EXPECT_EQ(run_avo({"check", again}).exit_code, 0);
+  EXPECT_THAT(run_avo({"convert", csv, again, "--to", "recording"}).err,
+              HasSubstr("--scene: found none, must be given: the format has radii"));
+  EXPECT_THAT(run_avo({"convert", h5, path_of("x.sqlite")}).err,
+              HasSubstr("must be csv, recording, mcap, gltf or set-points"));
+}
+
+TEST(SpaceHdf5, has_rows_of_every_third_step_and_the_last_one) {
+  const std::string scene = scene_file();
+  const std::string h5 = recorded({scene, "--every", "3"}, "space.h5");
+  const std::string csv = recorded({scene, "--every", "3"}, "space.csv");
+  EXPECT_EQ(run_avo({"replay", h5}).exit_code, 0);
+  ASSERT_EQ(run_avo({"convert", h5, path_of("other.csv")}).exit_code, 0);
+  EXPECT_EQ(read_file(path_of("other.csv")), read_file(csv));
+  const std::vector<std::string> lines = lines_of(read_file(csv));
+  EXPECT_EQ(lines.size(), 1U + 9U * 18U);  // steps 0, 3 ... 48, 50
+  EXPECT_EQ(lines[0], "time,robot,x,y,z,vx,vy,vz,every");
+  const ProcessResult check = run_avo({"check", csv, "--scene", scene, "--json"});
+  EXPECT_EQ(check.exit_code, 7) << check.err;
+  EXPECT_EQ(Json::parse(check.out)["every"], 3);
+}
+
+TEST(SpaceHdf5, is_replayed_bit_by_bit) {
+  const std::string h5 = recorded({scene_file()}, "space.h5");
+  const ProcessResult same = run_avo({"replay", h5, "--threads", "2"});
+  EXPECT_EQ(same.exit_code, 0) << same.err;
+  EXPECT_THAT(same.out, HasSubstr("51 times of 9 robots are equal, and the state hash"));
+  for (const auto& [table, offset, column] :
+       {std::tuple{"state", std::vector<hsize_t>{20, 8, 2}, "z"},
+        std::tuple{"state", std::vector<hsize_t>{20, 8, 5}, "vz"},
+        std::tuple{"clearance", std::vector<hsize_t>{20, 8}, "clearance"}}) {
+    recorded({scene_file()}, "space.h5");
+    change(h5, table, offset, H5T_NATIVE_DOUBLE, 0.123);
+    const ProcessResult changed = run_avo({"replay", h5});
+    EXPECT_EQ(changed.exit_code, 1) << column;
+    EXPECT_THAT(changed.out, HasSubstr(std::string("at 2 s, robot 8, ") + column + ": recorded"));
+  }
+}
+
+TEST(SpaceHdf5, readers_of_the_plane_refuse_it_in_one_line) {
+  const std::string h5 = recorded({scene_file()}, "space.h5");
+  for (const std::string verb : {"report", "video"}) {
+    const ProcessResult result = run_avo({verb, h5, path_of(verb == "video" ? "x.gif" : "x.html")});
+    EXPECT_EQ(result.exit_code, 3) << verb;
+    EXPECT_EQ(lines_of(result.err).size(), 1U) << result.err;
+    EXPECT_THAT(result.err, HasSubstr("found a recording of space, must be one of the plane here"));
+  }
+}
+
+}  // namespace
+}  // namespace avo_test
