@@ -90,7 +90,7 @@ bool are_apart(const Starter& a, const Starter& b, Behavior behavior, double con
 }
 
 // What a robot counts on from another one by its certificate; none where no certificate asks. Every
-// robot with a certificate avoids obstacles, and parked robots, which keep any certificate.
+// robot with a certificate avoids moving obstacles and parked robots. Parked ones do not overlap.
 std::optional<Expectation> counted_on(const Starter& b, const Starter& a, const Starts& starts) {
   const Scenario& scenario = starts.scenario;
   const auto robot = [&](const Starter& starter) -> const RobotSetup& {
@@ -101,7 +101,8 @@ std::optional<Expectation> counted_on(const Starter& b, const Starter& a, const 
   if (b.source < 0) return Expectation::moves_on;
   const RobotSetup& other = robot(b);
   if (own.parked || other.parked) {
-    const bool some = keeps(scenario, own.parked ? other : own, starts.law);
+    const bool some = own.parked == other.parked || keeps(scenario, own, starts.law) ||
+                      keeps(scenario, other, starts.law);
     return some ? std::optional(Expectation::decides) : std::nullopt;
   }
   const UsualMethod usual = usual_method(scenario);

@@ -13,8 +13,10 @@ namespace avo::inline sim {
 
 /// The constants that the scene's robots with a certificate share.
 CertificateLaw certificate_law(const Scenario& scenario);
-/// Returns whether the robot keeps the certificate; where no robot does, whether it would.
+/// Returns whether the robot keeps the certificate; where no robot does, whether it would. A parked
+/// robot decides nothing, so it keeps none.
 inline bool keeps(const Scenario& scenario, const RobotSetup& robot, const CertificateLaw& law) {
+  if (robot.parked) return false;
   return law.kind == Certificate::none || certificate_of(scenario, robot) != Certificate::none;
 }
 

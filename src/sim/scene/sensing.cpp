@@ -192,7 +192,7 @@ double limited_speed(const RobotSetup& robot, double limit) {
 double scene_top_speed(const Scenario& scenario, const CertificateLaw& law) {
   double top = 0.0;
   for (const RobotSetup& robot : scenario.robots) {
-    if (!robot.parked && keeps(scenario, robot, law)) top = std::max(top, robot.max_speed);
+    if (keeps(scenario, robot, law)) top = std::max(top, robot.max_speed);
   }
   return top;
 }
@@ -257,7 +257,7 @@ LimitedSpeeds limit_speed(Scenario& scenario) {
   const CertificateLaw law = certificate_law(scenario);
   if (law.kind == Certificate::none) return result;
   for (RobotSetup& robot : scenario.robots) {
-    if (robot.parked || !keeps(scenario, robot, law)) continue;
+    if (!keeps(scenario, robot, law)) continue;
     const double limited = limited_speed(robot, result.limit);
     if (result.limit > 0.0 && robot.max_speed > limited) {
       robot.max_speed = limited;

@@ -255,7 +255,7 @@ void check_start(const World& world, const RobotSetup& setup, RobotId robot) {
     if (worst.other == 0) std::swap(worst.robot, worst.other);
     refuse_start(complaint(worst, company.scene, wording));
   }
-  if (setup.parked || !keeps_any(world, setup)) return;
+  if (!keeps_any(world, setup)) return;
   if (const auto wall = find_wall(world, law, company, obstacle))
     refuse_start(complaint(*wall, company.scene, wording));
   for (std::size_t k = 0; k < world.statics.obstacles.size(); ++k) {

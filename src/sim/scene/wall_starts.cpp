@@ -184,7 +184,7 @@ void find_wall_starts(const Scenario& scenario, std::span<const MotionState> sta
   std::vector<WallStart> beside;
   for (std::size_t i = 0; i < scenario.robots.size(); ++i) {
     const RobotSetup& robot = scenario.robots[i];
-    if (robot.parked || !keeps(scenario, robot, law)) continue;
+    if (!keeps(scenario, robot, law)) continue;
     const int number = static_cast<int>(i);
     const MotionState& state = states[i];
     const ListedWalls& listed = walls.of(robot);
