@@ -25,7 +25,8 @@ constexpr double kNearlyAtRest = 0.1;  // of its radius: the stopping distance o
 using Obstacle = SteerMemory::Obstacle;
 
 // m, beyond contact: the distance to the added obstacle, where it may block the robot. room: m, for
-// the nearest disc.
+// the nearest disc. A drive in contact cannot turn, because its discs swell while it may turn:
+// later places are never that near.
 std::optional<double> add_obstacle(const Discs& discs, double room, const Segment& segment,
                                    double radius, std::vector<Obstacle>& obstacles) {
   double away = kInfinity;
@@ -37,6 +38,8 @@ std::optional<double> add_obstacle(const Discs& discs, double room, const Segmen
   obstacle.segment = segment;
   for (std::size_t k = 0; k < kKeeps.size(); ++k)
     obstacle.keep[k] = std::min(contact + kKeeps[k] * own, nearest);
+  if (!moves_along_heading(discs.discs[0].model))
+    obstacle.keep.back() = contact + kKeeps.back() * own;
   return away - contact;
 }
 

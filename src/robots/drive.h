@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Differential drives (docs/certificate/wheels.md, "Differential drives").
 #pragma once
+#include <optional>
 #include <span>
 
 #include "robots/model.h"
@@ -38,5 +39,9 @@ double most_speed(const DifferentialDrive& drive, double most_braking, double al
 Vec2 within_own_limits(const DifferentialDrive& drive, const Robot& robot, double time, Vec2 v);
 Vec2 steered(const DifferentialDrive& drive, const Robot& robot, const Approach& approach);
 Vec2 within_steering(const DifferentialDrive& drive, const Robot& robot, Vec2 v);
+/// src/robots/drive_maneuver.cpp
+std::optional<Vec2> maneuver(const DifferentialDrive& drive, const Robot& robot,
+                             const Approach& approach, const ClearPlaces& is_clear);
+double room_for_maneuvers(const DifferentialDrive& drive);
 
 }  // namespace avo::inline robots

@@ -70,8 +70,8 @@ ModelTraits traits_of(const Car& car) {
           .maneuver_room = room_for_maneuvers(car)};
 }
 
-ModelTraits traits_of(const DifferentialDrive&) {
-  return {.has_limits_within_steps = true};
+ModelTraits traits_of(const DifferentialDrive& drive) {
+  return {.has_limits_within_steps = true, .maneuver_room = room_for_maneuvers(drive)};
 }
 
 ModelTraits traits_of(const Airplane& airplane) {
@@ -207,9 +207,10 @@ Vec2 turning_first(const Robot& robot, Vec2 v) {
 
 std::optional<Vec2> maneuver(const Robot& robot, const Approach& approach, bool is_beside,
                              const ClearPlaces& is_clear, ManeuverMemory& memory) {
-  const Car* car = std::get_if<Car>(&robot.model);
-  return car != nullptr ? maneuver(*car, robot, approach, is_beside, is_clear, memory)
-                        : std::nullopt;
+  if (const Car* car = std::get_if<Car>(&robot.model))
+    return maneuver(*car, robot, approach, is_beside, is_clear, memory);
+  const auto* drive = std::get_if<DifferentialDrive>(&robot.model);
+  return drive != nullptr ? maneuver(*drive, robot, approach, is_clear) : std::nullopt;
 }
 
 double pass(const MotionModel& model, const MotionLimits& limits, const MotionState& state,

@@ -89,7 +89,8 @@ class Sharing {
   }
   Vec2 goal(std::size_t place) const { return goals_[slots_[place]]; }
   const Conduct& conduct(std::size_t place) const { return fleet_.conduct[slots_[place]]; }
-  double radius(std::size_t place) const { return fleet_.traits[slots_[place]].radius; }
+  // Robots with footprints may both be at goals that are nearer than the discs that cover them.
+  double radius(std::size_t place) const { return fleet_.traits[slots_[place]].way_radius; }
   std::size_t rank(std::size_t place) const {
     return static_cast<std::size_t>(fleet_.rank[slots_[place]]);
   }

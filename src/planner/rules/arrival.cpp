@@ -110,6 +110,10 @@ double motion_of(const Robot& robot, const Neighbor& neighbor) {
   return std::clamp((part - kAtRest) / (kInMotion - kAtRest), 0.0, 1.0);
 }
 
+double deference(double own, double other) {
+  return scalar::deference(Real(own), Real(other)).value;
+}
+
 Vec2 push_of(const Robot& robot, const Neighbor& neighbor) {
   const Vec2 away = robot.position - neighbor.position;
   const double contact = robot.radius + neighbor.radius, room = kRoom * contact;

@@ -45,6 +45,9 @@ double arrival_range(const Robot& robot, double largest_radius);
 /// larger neighbor, and for all neighbors on the rest of the route.
 double motion_of(const Robot& robot, const Neighbor& neighbor);
 
+/// The weight of the push of a neighbor of another priority; 1 where both are equal.
+double deference(double own, double other);
+
 /// The push away from a neighbor that is nearly in contact. It is less from a smaller neighbor, and
 /// greater near the goal. On the rest of the route it is less from a neighbor that passes by.
 Vec2 push_of(const Robot& robot, const Neighbor& neighbor);

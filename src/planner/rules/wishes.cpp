@@ -7,6 +7,7 @@
 #include "planner/behind_walls.h"
 #include "planner/certify.h"
 #include "planner/decision.h"
+#include "planner/disc_pairs.h"
 #include "planner/execution.h"
 #include "planner/rules/arrival.h"
 #include "planner/steer.h"
@@ -16,6 +17,27 @@ namespace avo::inline planner {
 namespace {
 
 constexpr double kInSight = 4.0;  // τ: a neighbor farther off does not make a robot hurry
+
+// Footprints push with the two discs of a pair that are nearest to each other. The discs that cover
+// them overlap where trucks pass, and would push all of the way.
+void push_by_discs(const RobotColumns& robots, std::size_t i, const StepLaw& law,
+                   Traffic& traffic) {
+  const Discs discs = discs_of(robots.robot(i), law);
+  const Neighbors& neighbors = robots.neighbors[i];
+  traffic.is_beside = false, traffic.push = traffic.push_at_rest = {};
+  for (std::size_t k = 0; k < neighbors.size(); ++k) {
+    const auto [robot, neighbor, gap] = nearest_discs(discs, neighbors[k]);
+    const double contact = robot.radius + neighbor.radius;
+    if (!(gap < kRoom * contact) || !(gap > -contact)) continue;
+    traffic.is_beside = true;
+    const double defers =
+        is_predicted(neighbor) ? 1.0 : deference(robot.priority, neighbor.priority);
+    const Vec2 push = defers * push_of(robot, neighbor);
+    const double motion = motion_of(robot, neighbor);
+    traffic.push = traffic.push + motion * push;
+    traffic.push_at_rest = traffic.push_at_rest + (1.0 - motion) * push;
+  }
+}
 
 // Beside walls a robot on its route does not yield: pushed back by walls and by others at rest, it
 // would stand still for ever.
@@ -138,6 +160,7 @@ void make_wishes(const Planner& planner, const Tile& tile, DecisionColumns& deci
       continue;
     }
     if (!traffic.is_beside && detour.beside == 0.0F) continue;
+    if (traffic.is_beside && has_discs(robots, i)) push_by_discs(robots, i, law, traffic);
     traffic.push = push_among_walls(tile, i, law, traffic.push);
     const Vec2 wish = wish_of(robots.robot(i), decisions.wish(i), traffic, options, detour);
     decisions.wish_x[i] = wish.x, decisions.wish_y[i] = wish.y;

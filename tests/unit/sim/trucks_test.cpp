@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // Trucks and forklifts, which are rows of discs, among walls and each other: they pass, and touch
 // nothing (docs/certificate/footprints.md, "Trucks in lanes").
+#include <algorithm>
 #include <gtest/gtest.h>
 #include <numbers>
 #include <string>
 #include <vector>
 
+#include "avo/discs.h"
 #include "avo/metrics.h"
 #include "avo/simulation.h"
 
@@ -34,6 +36,12 @@ double disc_radius_of(const RobotSetup& robot) {
 
 StaticObstacle wall(std::vector<Vec2> points) {
   return {.chains = {Chain{std::move(points), false}}};
+}
+
+StaticObstacle block(double left, double bottom, double right, double top) {
+  return {{Chain{{{left, bottom}, {right, bottom}, {right, top}, {left, top}}, true}},
+          0.0,
+          Fill::solid};
 }
 
 struct Driven {
@@ -102,16 +110,77 @@ TEST(Trucks, two_pass_between_walls_that_leave_more_room) {
   }
 }
 
+// The goals of the trucks of one lane are 8 m apart: nearer than two discs that cover a truck.
+TEST(Trucks, rows_of_two_pass_and_stop_one_behind_the_other) {
+  for (const double half : {3.6, 4.2, 5.0}) {
+    SCOPED_TRACE(half);
+    Scenario scene = meeting({6.0, 2.0}, half, 0.5 * half);
+    scene.robots[0].goal.x = 26.0, scene.robots[1].goal.x = -26.0;
+    scene.robots.push_back(truck({-26.0, -0.5 * half}, 0.0, {18.0, -0.5 * half}));
+    scene.robots.push_back(truck({26.0, 0.5 * half}, kLeft, {-18.0, 0.5 * half}));
+    expect_passes(scene, 50.0);
+  }
+}
+
 // Beyond the corner a straight line leads into the outer wall.
+Scenario corner(double half) {
+  Scenario scene;
+  scene.obstacles = {wall({{-40.0, -half}, {half, -half}, {half, 40.0}}),
+                     wall({{-40.0, half}, {-half, half}, {-half, 40.0}})};
+  scene.robots = {truck({-25.0, -0.5 * half}, 0.0, {0.5 * half, 25.0})};
+  return scene;
+}
+
 TEST(Trucks, one_turns_a_corner) {
   for (const double width : {7.0, 8.0, 10.0}) {
     SCOPED_TRACE(width);
-    const double half = 0.5 * width;
+    expect_passes(corner(0.5 * width), 40.0);
+  }
+}
+
+// The discs that cover them overlap, and would push them back.
+TEST(Trucks, two_meet_at_a_corner) {
+  Scenario scene = corner(5.0);
+  scene.robots.push_back(truck({-2.5, 25.0}, -0.5 * kLeft, {-25.0, 2.5}));
+  expect_passes(scene, 60.0);
+}
+
+RobotSetup forklift(Vec2 position, double heading, Vec2 goal) {
+  DifferentialDrive drive{.track = 1.0, .offset = 0.5, .wheel_speed = 1.5};
+  drive.footprint = cover_rectangle(2.4, 1.1, 0.3, 0.3);
+  RobotSetup robot;
+  robot.position = position, robot.heading = heading, robot.goal = goal;
+  robot.model = drive;
+  robot.max_speed = robot.preferred_speed = 1.5;
+  robot.max_acceleration = 0.5 * most_acceleration(drive);
+  return robot;
+}
+
+// Its rear swings into the wall where it turns on the spot, so it first drives straight.
+TEST(Forklifts, one_turns_beside_a_wall) {
+  for (const double heading : {0.0, 0.1, -0.1, 1.6, -1.6, 3.0}) {
+    for (const double beside : {0.9, 1.0, 1.3}) {
+      SCOPED_TRACE(std::to_string(heading) + ", " + std::to_string(beside));
+      Scenario scene;
+      const RobotSetup robot = forklift({}, heading, {});
+      double low = 0.0;  // m, of the lowest disc
+      for (const Disc& disc : discs_at(robot, {}, heading)) low = std::min(low, disc.center.y);
+      scene.obstacles = {wall({{-30.0, 0.0}, {30.0, 0.0}})};
+      scene.robots = {forklift({0.0, beside - low}, heading, {-9.0, 4.0})};
+      expect_passes(scene, 40.0);
+    }
+  }
+}
+
+TEST(Forklifts, two_pass_a_door) {
+  for (const double door : {2.2, 2.8, 3.5, 4.5}) {
+    SCOPED_TRACE(door);
     Scenario scene;
-    scene.obstacles = {wall({{-40.0, -half}, {half, -half}, {half, 40.0}}),
-                       wall({{-40.0, half}, {-half, half}, {-half, 40.0}})};
-    scene.robots = {truck({-25.0, -0.5 * half}, 0.0, {0.5 * half, 25.0})};
-    expect_passes(scene, 40.0);
+    const double half = 0.5 * door;
+    scene.obstacles = {block(-0.2, half, 0.2, 12.0), block(-0.2, -12.0, 0.2, -half)};
+    scene.robots = {forklift({-8.0, 0.0}, 0.0, {8.0, 0.0}),
+                    forklift({8.0, 0.0}, kLeft, {-8.0, 0.0})};
+    expect_passes(scene, 90.0);
   }
 }
 
