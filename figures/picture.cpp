@@ -23,8 +23,10 @@ struct MomentPainter::State {
   void draw_ways(std::span<const TrajectoryFrame> frames, const std::vector<bool>& there);
 };
 
-MomentPainter::MomentPainter(const Scenario& scenario, const Box& world, int width, int height)
-    : state_(new State{scenario, world, 0.5 * width, 0.5 * height, robot_colors(scenario), {}}) {}
+MomentPainter::MomentPainter(const Scenario& scenario, const Box& world, int width, int height,
+                             std::size_t views)
+    : state_(new State{
+          scenario, world, 0.5 * width, 0.5 * height, robot_colors(scenario, views), {}}) {}
 MomentPainter::~MomentPainter() = default;
 
 void MomentPainter::State::draw_ways(std::span<const TrajectoryFrame> frames,

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Moments of a run as pictures of pixels: the frames of a video.
 #pragma once
+#include <cstddef>
 #include <memory>
 #include <span>
 #include <string_view>
@@ -16,8 +17,9 @@ namespace avo::figures {
 class MomentPainter {
  public:
   /// The sizes are in pixels, even numbers; `world` is the visible part. The scenario must outlive
-  /// this object.
-  MomentPainter(const Scenario& scenario, const Box& world, int width, int height);
+  /// this object. views: see robot_colors().
+  MomentPainter(const Scenario& scenario, const Box& world, int width, int height,
+                std::size_t views = 1);
   ~MomentPainter();
   MomentPainter(const MomentPainter&) = delete;
   MomentPainter& operator=(const MomentPainter&) = delete;

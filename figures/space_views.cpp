@@ -160,11 +160,47 @@ std::string draw_views(const space::Scenario& scenario,
                        const std::vector<SpaceRecorder::Frame>& frames, const std::string& path,
                        FigureOptions options) {
   const Extent extent = extent_of(scenario, frames);
-  const std::array<TracedRun, 2> views{
+  std::array<TracedRun, 2> views{
       traced(scenario, frames, extent, "plan: x, y", from_above),
       traced(scenario, frames, extent, "elevation: x, z", from_the_side)};
+  views[1].like_first = true;
   options.y_label = "y, z (m)";
   return draw_side_by_side(views, path, options);
+}
+
+std::vector<Vec2> ViewsInPlane::places(const std::vector<Vec3>& positions) const {
+  std::vector<Vec2> all;
+  for (const Vec3& place : positions) all.push_back(from_above(place));
+  for (const Vec3& place : positions) all.push_back(from_the_side(place) + shift);
+  return all;
+}
+
+std::vector<bool> ViewsInPlane::twice(const std::vector<bool>& flags) {
+  std::vector<bool> all = flags;
+  all.insert(all.end(), flags.begin(), flags.end());
+  return all;
+}
+
+ViewsInPlane views_in_plane(const space::Scenario& scenario,
+                            const std::vector<SpaceRecorder::Frame>& frames) {
+  constexpr double kGap = 0.1;  // of the width of a view
+  const Extent extent = extent_of(scenario, frames);
+  ViewsInPlane views;
+  views.scenario = traced(scenario, {}, extent, "", from_above).scenario;
+  Scenario side = traced(scenario, {}, extent, "", from_the_side).scenario;
+  const Vec3 sum = extent.low + extent.high;
+  views.shift = {(1.0 + kGap) * (extent.high.x - extent.low.x), 0.5 * (sum.y - sum.z)};
+  for (RobotSetup& robot : side.robots) {
+    robot.position = robot.position + views.shift;
+    robot.goal = robot.goal + views.shift;
+    views.scenario.robots.push_back(robot);
+  }
+  for (StaticObstacle& obstacle : side.obstacles) {
+    for (Chain& chain : obstacle.chains)
+      for (Vec2& point : chain.points) point = point + views.shift;
+    views.scenario.obstacles.push_back(obstacle);
+  }
+  return views;
 }
 
 }  // namespace avo::figures

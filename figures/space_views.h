@@ -38,4 +38,19 @@ class SpaceRecorder {
                                      const std::vector<SpaceRecorder::Frame>& frames,
                                      const std::string& path, FigureOptions options = {});
 
+/// A scene of space as one of the plane, with the elevation to the right of the plan. Robot k of n
+/// is disc k of the plan, and disc n + k of the elevation.
+struct ViewsInPlane {
+  Scenario scenario;
+  Vec2 shift;  ///< m, of the elevation
+
+  /// Returns the places of all discs.
+  [[nodiscard]] std::vector<Vec2> places(const std::vector<Vec3>& positions) const;
+  /// Returns the flags of all robots for all discs.
+  [[nodiscard]] static std::vector<bool> twice(const std::vector<bool>& flags);
+};
+/// frames: all places that a picture has to contain.
+[[nodiscard]] ViewsInPlane views_in_plane(const space::Scenario& scenario,
+                                          const std::vector<SpaceRecorder::Frame>& frames);
+
 }  // namespace avo::figures

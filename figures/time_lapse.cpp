@@ -115,18 +115,22 @@ std::vector<std::size_t> select_frames(const Scenario& scenario,
   return selected;
 }
 
-std::vector<Color> robot_colors(const Scenario& scenario) {
-  const std::size_t count = scenario.robots.size();
-  if (count <= kFew.size())
-    return {kFew.begin(), kFew.begin() + static_cast<std::ptrdiff_t>(count)};
+std::vector<Color> robot_colors(const Scenario& scenario, std::size_t views) {
+  const std::size_t count = scenario.robots.size() / views;
+  const std::span<const RobotSetup> robots(scenario.robots.data(), count);
   std::vector<Color> colors;
-  Vec2 middle;
-  for (const RobotSetup& robot : scenario.robots) middle = middle + robot.position;
-  middle = middle / static_cast<double>(scenario.robots.size());
-  for (const RobotSetup& robot : scenario.robots) {
-    const Vec2 from = robot.position - middle;
-    colors.push_back(direction_color(std::atan2(from.y, from.x) * 180.0 / std::numbers::pi));
+  if (count <= kFew.size()) {
+    colors.assign(kFew.begin(), kFew.begin() + static_cast<std::ptrdiff_t>(count));
+  } else {
+    Vec2 middle;
+    for (const RobotSetup& robot : robots) middle = middle + robot.position;
+    middle = middle / static_cast<double>(count);
+    for (const RobotSetup& robot : robots) {
+      const Vec2 from = robot.position - middle;
+      colors.push_back(direction_color(std::atan2(from.y, from.x) * 180.0 / std::numbers::pi));
+    }
   }
+  for (std::size_t k = count; k < scenario.robots.size(); ++k) colors.push_back(colors[k - count]);
   return colors;
 }
 

@@ -31,8 +31,9 @@ std::vector<std::size_t> select_frames(const Scenario& scenario,
 
 /// Returns one color for each robot: a fixed set for a few robots. For more robots, the color
 /// follows from the angle of the robot's start, seen from the middle of all. Robots with similar
-/// motion then have similar colors.
-std::vector<Color> robot_colors(const Scenario& scenario);
+/// motion then have similar colors. views: the robots are there so many times, one view after the
+/// other, with the colors of the first one.
+std::vector<Color> robot_colors(const Scenario& scenario, std::size_t views = 1);
 
 /// Returns the box that all robots cover from frame `first` to frame `last`, goals and static
 /// obstacles included.

@@ -197,9 +197,9 @@ std::string draw_side_by_side(std::span<const TracedRun> runs, const std::string
   for (const TracedRun& run : runs) {
     check_frames(run.scenario, run.frames);
     const std::size_t last = last_motion(run.scenario, run.frames);
-    panels.push_back({run.scenario, run.frames,
-                      select_frames(run.scenario, run.frames, last, kMostDiscs),
-                      robot_colors(run.scenario)});
+    panels.push_back(
+        {run.scenario, run.frames, select_frames(run.scenario, run.frames, last, kMostDiscs),
+         run.like_first && !panels.empty() ? panels.front().colors : robot_colors(run.scenario)});
     titles.push_back(run.title);
     const Box all = covered(run.scenario, run.frames, 0, last);
     world = world ? enclosing(*world, all) : all;

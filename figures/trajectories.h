@@ -69,6 +69,7 @@ struct TracedRun {
   std::string title;
   Scenario scenario;
   std::vector<TrajectoryFrame> frames;
+  bool like_first = false;  ///< its robots are those of the first run, and have their colors
 };
 /// Draws one panel for each run, side by side on one scale, like draw_trajectories().
 [[nodiscard]] std::string draw_side_by_side(std::span<const TracedRun> runs,

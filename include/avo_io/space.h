@@ -91,7 +91,8 @@ struct SpaceConvertOptions {
 AVO_API Converted convert_in_space(const std::string& input, const std::string& output,
                                    const SpaceConvertOptions& options);
 
-/// Returns whether the file is a recording of space: HDF5, a spool, or CSV with such columns.
+/// Returns whether it is a regular file with a recording of space: HDF5, a spool, or CSV with such
+/// columns.
 AVO_API bool is_space_recording(const std::string& path);
 
 /// Writes the set points of a recording's quadrotors as CSV with header

@@ -10,10 +10,10 @@ namespace avo_io {
 namespace {
 
 /// A run in space.
-class SpaceRun final : public ReplayedRun {
+class SimulatedAgain final : public ReplayedRun {
  public:
   using Observe = std::function<void(const avo::space::Simulation&)>;
-  SpaceRun(BlockSource& source, int threads, const Observe& observe)
+  SimulatedAgain(BlockSource& source, int threads, const Observe& observe)
       : shape_(source.shape()),
         simulation_(source.scenario_of_space(), threads),
         clearances_(source.scenario_of_space()),
@@ -50,7 +50,7 @@ Replay replay_in_space(const std::string& recording, int threads,
   if (!source.header().space)
     throw RecordingError(recording + ": found a recording of the plane, must be one of space here");
   require_this_version(recording, source.header());
-  SpaceRun run(source, threads, observe);
+  SimulatedAgain run(source, threads, observe);
   const avo::space::Scenario& scenario = source.scenario_of_space();
   return compare(source, run, scenario.name, scenario.duration);
 }

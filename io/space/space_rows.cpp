@@ -6,6 +6,7 @@
 #include <charconv>
 #include <cmath>
 #include <cstddef>
+#include <filesystem>
 #include <fmt/format.h>
 #include <limits>
 #include <optional>
@@ -211,7 +212,9 @@ void SpaceRows::fail(const std::string& what) const {
 }
 
 bool is_space_recording(const std::string& path) {
-  if (path == "-") return false;
+  // the bytes of a pipe cannot be read again
+  std::error_code error;
+  if (!std::filesystem::is_regular_file(path, error)) return false;
   if (is_hdf5_or_spool(path)) return BlockSource(path).header().space;
   if (format_of(path) != RecordingFormat::csv) return false;
   LineReader lines(path);

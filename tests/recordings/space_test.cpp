@@ -2,12 +2,14 @@
 // Recordings of space as HDF5: the columns, the judge, the replay, CSV there and back, refusals.
 #include "avo_io/space.h"
 
+#include <algorithm>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <hdf5.h>
 #include <string>
 #include <vector>
 
+#include "avo_io/space_frames.h"
 #include "edit_hdf5.h"
 #include "recorded.h"
 #include "support/json.h"
@@ -17,6 +19,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 using testing::HasSubstr;
+using testing::Not;
 
 // 5 s of nine drones under a ceiling, one of them with downwash and unequal limits.
 const std::string kScene = R"(version: 1
@@ -139,12 +142,74 @@ TEST(SpaceHdf5, is_replayed_bit_by_bit) {
 
 TEST(SpaceHdf5, readers_of_the_plane_refuse_it_in_one_line) {
   const std::string h5 = recorded({scene_file()}, "space.h5");
-  for (const std::string verb : {"report", "video"}) {
-    const ProcessResult result = run_avo({verb, h5, path_of(verb == "video" ? "x.gif" : "x.html")});
-    EXPECT_EQ(result.exit_code, 3) << verb;
-    EXPECT_EQ(lines_of(result.err).size(), 1U) << result.err;
-    EXPECT_THAT(result.err, HasSubstr("found a recording of space, must be one of the plane here"));
+  const ProcessResult result = run_avo({"compare", h5});
+  EXPECT_EQ(result.exit_code, 3);
+  EXPECT_EQ(lines_of(result.err).size(), 1U) << result.err;
+  EXPECT_THAT(result.err, HasSubstr("found a recording of space, must be one of the plane here"));
+}
+
+TEST(SpaceHdf5, frames_are_on_the_path_between_the_rows) {
+  const std::string h5 = recorded({scene_file(), "--every", "5"}, "space.h5");
+  const avo::space::Scenario scene = avo_io::read_recorded_space_scene(h5)->scenario;
+  avo::space::Simulation simulation(scene);
+  avo_io::SpaceFrameReader reader(h5, scene);
+  EXPECT_EQ(reader.first_time(), 0.0);
+  for (int k = 0; k < 10; ++k) simulation.step();
+  const std::vector<avo::space::Robot> from(simulation.robots().begin(), simulation.robots().end());
+  for (int k = 0; k < 5; ++k) simulation.step();
+  const auto frame = reader.at(1.25);
+  ASSERT_TRUE(frame);
+  for (std::size_t k = 0; k < 9; ++k) {  // half of the way of a cubic
+    const avo::space::Robot &a = from[k], &b = simulation.robots()[k];
+    const avo::Vec3 middle =
+        0.5 * (a.position + b.position) + (0.5 / 8.0) * (a.velocity - b.velocity);
+    EXPECT_LT(norm(frame->position[k] - middle), 1e-9) << k;
+    EXPECT_TRUE(frame->there[k]);
   }
+  EXPECT_FALSE(reader.at(5.1));
+}
+
+TEST(SpaceHdf5, curves_are_those_of_the_metrics) {
+  const std::string h5 =
+      recorded({scene_file(), "--duration", "12", "--summary", path_of("s.json")}, "space.h5");
+  const Json summary = Json::parse(read_file(path_of("s.json")));
+  const auto own = avo_io::read_recorded_space_scene(h5);
+  const avo_io::SpaceRun run = avo_io::read_space_run(h5, own->scenario, 8);
+  ASSERT_EQ(run.moments.size(), 121U);
+  EXPECT_LE(run.frames.size(), 9U);
+  EXPECT_EQ(run.frames.back().time, run.moments.back().time);
+  EXPECT_EQ(run.moments.back().arrived, summary["arrived"].get<std::int64_t>());
+  double fastest = 0.0, least = 1e9;
+  for (const avo_io::RecordedMoment& moment : run.moments) {
+    fastest = std::max(fastest, moment.fastest);
+    least = std::min(least, *moment.clearance);
+  }
+  EXPECT_NEAR(least, summary["min_clearance"].get<double>(), 0.05);  // between rows it is less
+  EXPECT_GE(least, summary["min_clearance"].get<double>() - 1e-6);
+  EXPECT_GT(fastest, 1.5);
+}
+
+TEST(SpaceHdf5, is_shown_from_above_and_from_the_side) {
+  const std::string h5 = recorded({scene_file()}, "space.h5"), html = path_of("out.html");
+  const ProcessResult report = run_avo({"report", h5, html});
+  ASSERT_EQ(report.exit_code, 0) << report.err;
+  const std::string page = read_file(html);
+  for (const char* part :
+       {"class=\"verdict safe\"", "Replay: from above, and from the side", "plan and elevation",
+        "9 robots in space", "min_clearance", "avo run ", "count: 8, sphere"})
+    EXPECT_THAT(page, HasSubstr(part));
+  EXPECT_THAT(page, Not(HasSubstr("Simulated again, the run is another one")));
+  const auto body_of = [&page](std::size_t from) {
+    const std::size_t end = page.find("<title>robot 8</title>", from);
+    return page.substr(page.rfind("<circle", end), end - page.rfind("<circle", end));
+  };
+  const std::size_t first = page.find("<title>robot 8</title>");
+  EXPECT_EQ(body_of(0), body_of(first + 1)) << "the same color and radius in both views";
+  const std::string gif = path_of("out.gif");
+  const ProcessResult video = run_avo({"video", h5, gif, "--fps", "4", "--size", "160"});
+  ASSERT_EQ(video.exit_code, 0) << video.err;
+  EXPECT_THAT(video.out, HasSubstr("out.gif: 21 frames of 160 x "));
+  EXPECT_THAT(read_file(gif).substr(0, 6), "GIF89a");
 }
 
 }  // namespace

@@ -44,9 +44,10 @@ std::string page_figures(const std::string& heading, const std::string& images) 
   return page_section(heading, "<div class=\"figures\">" + images + "</div>");
 }
 
-std::string page_replay(const std::string& heading, const avo_io::RecordedRun& run) {
-  return page_section(
-      heading, filled(kReportReplay, {{"drawing", drawing_of(run)}, {"data", data_of(run)}}));
+std::string page_replay(const std::string& heading, const avo_io::RecordedRun& run,
+                        std::size_t views) {
+  return page_section(heading, filled(kReportReplay, {{"drawing", drawing_of(run, views)},
+                                                      {"data", data_of(run)}}));
 }
 
 // Only a quote ends an attribute, so the page can be inside it verbatim, except for two characters.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Parts that pages of recordings and of sweeps share.
 #pragma once
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -19,8 +20,10 @@ std::string page_section(const std::string& heading, const std::string& html);
 std::string page_text(const std::string& heading, const std::string& text);
 /// Returns figures side by side.
 std::string page_figures(const std::string& heading, const std::string& images);
-/// Returns the run in motion, as a drawing; it is for builds without the lab.
-std::string page_replay(const std::string& heading, const avo_io::RecordedRun& run);
+/// Returns the run in motion, as a drawing; it is for builds without the lab. views: see
+/// drawing_of().
+std::string page_replay(const std::string& heading, const avo_io::RecordedRun& run,
+                        std::size_t views = 1);
 /// Returns the lab, which opens that input (lab_page.h); the build must have the lab.
 std::string page_lab(const std::string& heading, const std::string& input);
 /// Returns the whole page with its sections in order.

@@ -62,7 +62,7 @@ std::size_t most_frames(std::int64_t robots) {
   return std::clamp(kMostPositions / static_cast<std::size_t>(robots), std::size_t{2}, kMostFrames);
 }
 
-std::string drawing_of(const avo_io::RecordedRun& run) {
+std::string drawing_of(const avo_io::RecordedRun& run, std::size_t views) {
   const avo::Scenario& scenario = run.scenario;
   const figures::Box world = world_of(run);
   const avo::Vec2 low = world.lower, size = world.upper - world.lower;
@@ -77,7 +77,7 @@ std::string drawing_of(const avo_io::RecordedRun& run) {
         "<line x1=\"{:.6g}\" y1=\"{:.6g}\" x2=\"{:.6g}\" y2=\"{:.6g}\" stroke-width=\"{:.4g}\"/>\n",
         wall.a.x, wall.a.y, wall.b.x, wall.b.y, std::max(2.0 * wall.radius, hair));
   svg += "</g>\n<g>\n";
-  const std::vector<figures::Color> colors = figures::robot_colors(scenario);
+  const std::vector<figures::Color> colors = figures::robot_colors(scenario, views);
   for (std::size_t i = 0; i < scenario.robots.size(); ++i)
     if (!scenario.robots[i].parked)
       svg += fmt::format("<circle cx=\"{:.6g}\" cy=\"{:.6g}\" r=\"{:.4g}\" fill=\"{}\"/>\n",
@@ -87,7 +87,7 @@ std::string drawing_of(const avo_io::RecordedRun& run) {
   for (std::size_t i = 0; i < scenario.robots.size(); ++i)
     for (const avo::Disc& disc : discs_at(scenario.robots[i], {}, 0.0))
       svg += fmt::format("<circle r=\"{:.6g}\" fill=\"{}\"><title>robot {}</title></circle>\n",
-                         disc.radius, word_of(colors[i]), i);
+                         disc.radius, word_of(colors[i]), i % (scenario.robots.size() / views));
   for (std::size_t i = 0; i < scenario.moving_obstacles.size(); ++i)
     svg += fmt::format(
         "<circle r=\"{:.6g}\" fill=\"#555\"><title>moving obstacle {}</title></circle>\n",

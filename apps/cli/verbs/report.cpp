@@ -14,8 +14,6 @@
 #include "avo_io/recording.h"
 #include "avo_io/replay.h"
 #include "exit_codes.h"
-#include "figures/chart.h"
-#include "figures/colors.h"
 #include "figures/trajectories.h"
 #include "files.h"
 #include "lab_page.h"
@@ -23,29 +21,17 @@
 #include "own_methods.h"
 #include "reports/curves.h"
 #include "reports/html.h"
+#include "reports/recording_parts.h"
 #include "reports/report_parts.h"
 #include "reports/report_replay.h"
 #include "reports/sweep_report.h"
 #include "signals.h"
 #include "terminal.h"
+#include "verbs/space_verbs.h"
 #include "verbs/verbs.h"
 
 namespace avo_cli {
 namespace {
-
-namespace figures = avo::figures;
-using Rows = std::vector<std::pair<std::string, std::string>>;
-
-/// Returns the results. For a measuring line, it gives the number of crossings instead of their
-/// times.
-std::string results_of(const avo::RunSummary& summary) {
-  auto told = nlohmann::ordered_json::parse(avo_io::to_json(summary));
-  if (summary.metrics.crossing_times) {
-    told["metrics"]["crossings"] = summary.metrics.crossing_times->size();
-    told["metrics"].erase("crossing_times");
-  }
-  return table_of(told);
-}
 
 /// The facts about the run that simulating the recording again gives, or the reason why it fails.
 struct Again {
@@ -97,38 +83,9 @@ Again simulated_again(const ReportArguments& arguments, const avo_io::RecordingH
   return {results_of(metrics.summary()), replay.whole, metrics.all_arrived()};
 }
 
-/// Returns the command that makes the recording again.
-std::string command_of(const avo_io::RecordingHeader& header, const ReportArguments& arguments,
-                       const Again& again, double end) {
-  std::string command = "avo run " + shell_word(header.scene.name);
-  command += set_options(header.scene.overrides);
-  for (const std::string& own : arguments.own_methods) command += " --method " + shell_word(own);
-  if (header.scene.start_at_rest) command += " --start-at-rest";
-  if (header.scene.limit_speed) command += " --limit-speed";
-  if (header.every > 1) command += fmt::format(" --every {}", header.every);
-  if (header.until_arrived) command += " --until-arrived";
-  const bool as_asked = again.to_the_end || (header.until_arrived && again.all_arrived);
-  if (!as_asked) command += fmt::format(" --duration {}", end);  // e.g. ended by a signal
-  return command + " --record " + shell_word(arguments.input);
-}
-
-std::string chart_of(const std::string& y_label, const std::vector<avo::Vec2>& points,
-                     figures::Color color, const std::string& words,
-                     std::optional<double> y_most = {}) {
-  if (points.empty()) return "";
-  const figures::Chart chart{"t (s)", y_label, {{words, points, color, false}}, y_most};
-  return image_of(draw_chart(chart, "chart.svg"), words);
-}
-
 std::string figures_of(const avo_io::RecordedRun& run) {
   return image_of(draw_trajectories(run.scenario, frames_of(run), "run.svg"), "trajectories") +
-         "\n" +
-         chart_of("clearance (m)", clearances_of(run), figures::kPurple,
-                  "least clearance of all robots") +
-         "\n" +
-         chart_of("arrived (%)", arrivals_of(run), figures::kGreen, "robots that have arrived",
-                  100.0) +
-         "\n" + chart_of("speed (m/s)", top_speeds_of(run), figures::kVermilion, "fastest robot");
+         "\n" + charts_of(run);
 }
 
 /// Returns the replay in the lab, if a page of some megabytes can hold it; otherwise a drawing.
@@ -153,28 +110,19 @@ std::string recording_page(const ReportArguments& arguments) {
   const avo_io::RecordedRun run = avo_io::read_run(arguments.input, most_frames(header.robots));
   const avo::Scenario& scenario = run.scenario;
   const avo_io::Judgement judgement = avo_io::judge(arguments.input, {.scenario = scenario});
-  const std::string verdict =
-      judgement.incomplete() ? "incomplete" : (judgement.safe() ? "safe" : "unsafe");
-  std::string scene = header.scene.yaml;
-  for (const avo_io::SceneFile& file : header.scene.files)
-    scene += fmt::format("\n# {}: {} bytes, in the recording\n", file.path, file.text.size());
   const Again again = simulated_again(arguments, header, run, line);
-  Rows provenance{{"avo", header.version},
-                  {"build", header.build},
-                  {"seed", std::to_string(header.seed)},
-                  {"recording", arguments.input}};
-  if (header.state_hash)
-    provenance.emplace_back("state hash", fmt::format("{:#018x}", *header.state_hash));
-  return page_of(
-      scenario.name,
-      fmt::format("{} robots, method {}, {:.6g} s", scenario.robots.size(), method_name(scenario),
-                  judgement.report.to),
-      {fmt::format("<p><span class=\"verdict {0}\">{0}</span></p>\n", verdict),
-       replay_of(arguments.input, run), page_figures("Figures", figures_of(run)),
-       page_section("Results", again.results),
-       page_text("What was judged", avo_io::readable(judgement)),
-       page_text("Command", command_of(header, arguments, again, run.moments.back().time)),
-       page_text("Scene", scene), page_section("Made by", table_of(provenance))});
+  const double end = run.moments.back().time;
+  const bool as_asked = again.to_the_end || (header.until_arrived && again.all_arrived);
+  return page_of(scenario.name,
+                 fmt::format("{} robots, method {}, {:.6g} s", scenario.robots.size(),
+                             method_name(scenario), judgement.report.to),
+                 {verdict_of(judgement), replay_of(arguments.input, run),
+                  page_figures("Figures", figures_of(run)), page_section("Results", again.results),
+                  page_text("What was judged", avo_io::readable(judgement)),
+                  page_text("Command", command_of(header, arguments,
+                                                  as_asked ? std::nullopt : std::optional(end))),
+                  page_text("Scene", scene_text_of(header.scene)),
+                  page_section("Made by", provenance_of(header, arguments.input))});
 }
 
 }  // namespace
@@ -189,7 +137,12 @@ int report(const ReportArguments& arguments) {
         "--line: found with a table of avo sweep, must be with a recording; the flow of a sweep is "
         "measured where its file has the key \"line\"");
   avo_io::OutputFile file(arguments.output);
-  file.write(is_sweep_table(arguments.input) ? sweep_page(arguments) : recording_page(arguments));
+  if (is_sweep_table(arguments.input))
+    file.write(sweep_page(arguments));
+  else if (const auto in_space = report_in_space(arguments))
+    file.write(*in_space);
+  else
+    file.write(recording_page(arguments));
   file.commit();
   if (arguments.output != "-") print_results(arguments.output + "\n");
   return kDone;

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 #include <memory>
 #include <optional>
+#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -107,7 +108,8 @@ avo::RunSummary simulate(const RunArguments& arguments, const avo::space::Scenar
 /// Returns the scene of space that the recording contains, if it contains one.
 std::optional<avo_io::RecordedSpaceScene> own_scene(const std::string& recording,
                                                     const SceneArguments& arguments) {
-  if (recording == "-" || !std::filesystem::is_regular_file(recording)) return std::nullopt;
+  std::error_code error;  // what cannot be read is refused where it is read
+  if (!std::filesystem::is_regular_file(recording, error)) return std::nullopt;
   return avo_io::read_recorded_space_scene(recording, arguments.overrides);
 }
 
@@ -191,6 +193,18 @@ std::optional<avo_io::Judgement> judge_in_space(const CheckArguments& arguments)
         "--scene, must be one or the other");
   return avo_io::judge_in_space(arguments.recording, scene->scenario, arguments.tolerance,
                                 arguments.require_arrival);
+}
+
+std::optional<SpaceRecordingShown> space_run_of(const std::string& recording,
+                                                const SceneArguments& scene,
+                                                std::size_t most_frames) {
+  auto found = scene_of(recording, scene);
+  if (!found) return std::nullopt;
+  SpaceRecordingShown shown{std::move(found->header), std::move(found->scenario), {}, {}};
+  shown.run = avo_io::read_space_run(recording, shown.scenario, most_frames);
+  for (const avo_io::SpaceFrame& frame : shown.run.frames)
+    shown.frames.push_back({frame.time, frame.position});
+  return shown;
 }
 
 std::optional<avo_io::Replay> replay_in_space(const ReplayArguments& arguments) {

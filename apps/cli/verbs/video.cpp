@@ -4,19 +4,25 @@
 #include <cmath>
 #include <filesystem>
 #include <fmt/format.h>
+#include <functional>
+#include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "avo_io/frames.h"
 #include "avo_io/output_file.h"
 #include "avo_io/recording.h"
+#include "avo_io/space_frames.h"
 #include "child_process.h"
 #include "exit_codes.h"
 #include "figures/picture.h"
+#include "figures/space_views.h"
 #include "files.h"
 #include "signals.h"
 #include "terminal.h"
+#include "verbs/space_verbs.h"
 #include "verbs/verbs.h"
 
 namespace avo_cli {
@@ -137,23 +143,66 @@ std::vector<std::string> ffmpeg(const VideoArguments& arguments, const Pixels& p
   return command;
 }
 
+/// What a video shows: a run of the plane, or two views of one in space.
+struct Film {
+  avo::Scenario scenario;
+  Extent extent;
+  /// Returns the moment of that time, s, and who is there; none after the last time.
+  std::function<std::optional<figures::TrajectoryFrame>(double time)> at;
+  std::size_t views = 1;
+};
+
+Film film_of(const VideoArguments& arguments) {
+  if (auto in_space = space_run_of(arguments.recording, arguments.scene)) {
+    const figures::ViewsInPlane views = views_in_plane(in_space->scenario, in_space->frames);
+    const std::vector<avo_io::RecordedMoment>& moments = in_space->run.moments;
+    Film film{views.scenario,
+              {figures::world_of(views.scenario), moments.front().time, moments.back().time},
+              {}};
+    for (const figures::SpaceRecorder::Frame& frame : in_space->frames)
+      for (const avo::Vec2 place : views.places(frame.position))
+        film.extent.world = enclosing(film.extent.world, figures::enclosing(avo::Disc{place, 0.0}));
+    const auto reader =
+        std::make_shared<avo_io::SpaceFrameReader>(arguments.recording, in_space->scenario);
+    film.views = 2;
+    film.at = [reader, views](double time) -> std::optional<figures::TrajectoryFrame> {
+      const auto frame = reader->at(time);
+      if (!frame) return std::nullopt;
+      return figures::TrajectoryFrame{.time = frame->time,
+                                      .position = views.places(frame->position),
+                                      .there = views.twice(frame->there)};
+    };
+    return film;
+  }
+  Film film{scenario_of(arguments), {}, {}};
+  film.extent = extent_of(arguments, film.scenario);
+  const auto reader = std::make_shared<avo_io::FrameReader>(arguments.recording, film.scenario);
+  film.at = [reader](double time) -> std::optional<figures::TrajectoryFrame> {
+    const auto frame = reader->at(time);
+    if (!frame) return std::nullopt;
+    return figures::TrajectoryFrame{frame->time, frame->position, frame->heading,
+                                    frame->obstacle_position, frame->there};
+  };
+  return film;
+}
+
 /// Draws frame after frame until the recording ends; returns the number of frames.
-std::int64_t draw_frames(const VideoArguments& arguments, const avo::Scenario& scenario,
+std::int64_t draw_frames(const VideoArguments& arguments, const Film& film,
                          figures::MomentPainter& painter, ChildProcess& child) {
-  avo_io::FrameReader reader(arguments.recording, scenario);
-  Progress progress(scenario.duration, true);
+  Progress progress(film.scenario.duration, true);
   std::vector<figures::TrajectoryFrame> frames;
   const double step = arguments.speed / arguments.fps;
   const auto kept = static_cast<std::size_t>(std::ceil(kWays / step)) + 1;
   std::int64_t count = 0;
   while (signal_caught() == 0) {
-    const double time = reader.first_time() + step * static_cast<double>(count);
-    const std::optional<avo_io::RecordedFrame> frame = reader.at(time);
+    const double time = film.extent.first + step * static_cast<double>(count);
+    std::optional<figures::TrajectoryFrame> frame = film.at(time);
     if (!frame) break;
+    const std::vector<bool> there = std::exchange(frame->there, {});
     if (frames.size() == kept) frames.erase(frames.begin());
-    frames.push_back({frame->time, frame->position, frame->heading, frame->obstacle_position});
+    frames.push_back(std::move(*frame));
     ++count;
-    if (!child.write(painter.paint(frames, frame->there))) break;
+    if (!child.write(painter.paint(frames, there))) break;
     progress.show(time);
   }
   return count;
@@ -166,17 +215,16 @@ int video(const VideoArguments& arguments) {
   require_distinct({{"the recording", arguments.recording}, file_of(arguments.scene)},
                    {{"the video", arguments.output}});
   catch_signals();
-  const avo::Scenario scenario = scenario_of(arguments);
-  const Extent extent = extent_of(arguments, scenario);
-  check_frames(arguments, extent);
-  const figures::Box& world = extent.world;
+  const Film film = film_of(arguments);
+  check_frames(arguments, film.extent);
+  const figures::Box& world = film.extent.world;
   const Pixels pixels = pixels_of(world, arguments.size);
-  figures::MomentPainter painter(scenario, world, pixels.width, pixels.height);
+  figures::MomentPainter painter(film.scenario, world, pixels.width, pixels.height, film.views);
   avo_io::OutputFile file(arguments.output);
   if (file.temporary().empty())
     throw avo_io::FileError(arguments.output + ": found no regular file, a video must be one");
   ChildProcess child(ffmpeg(arguments, pixels, file.temporary()));
-  const std::int64_t count = draw_frames(arguments, scenario, painter, child);
+  const std::int64_t count = draw_frames(arguments, film, painter, child);
   if (const int caught = signal_caught(); caught != 0) {
     say("stopped by a signal; there is no video");
     return kSignal + caught;
