@@ -15,6 +15,7 @@
 #include "io/scene/overrides.h"
 #include "io/scene/random.h"
 #include "io/scene/read_obstacles.h"
+#include "io/scene/read_parts.h"
 #include "io/scene/reader.h"
 #include "io/scene/scene_files.h"
 #include "io/space/placement.h"
@@ -73,6 +74,7 @@ class SpaceBuilder {
     if (!is_text(*version, "1")) reader_.fail(*version, "version", shown(*version), "must be 1");
     scenario_.name = default_name;
     reader_.read(root, "", fields<Scenario>(), scenario_);
+    read_sensing(reader_, root, scenario_.sensing, scenario_.sensing_error);
     read_obstacles();
     read_robots();
     read_groups();

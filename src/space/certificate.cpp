@@ -54,10 +54,15 @@ Deviation plain(const scalar::PackDeviation<Real>& deviation) {
           deviation.most_aside.value};
 }
 
-// The law with errors that are as large in every direction of a neighbor's own space.
+// The law with the errors of that neighbor (docs/certificate/errors.md, "Age"), as large in every
+// direction of its own space.
 StepLaw law_against(const Neighbor& neighbor, const StepLaw& law) {
   StepLaw result = law;
-  result.sensing_error.velocity *= std::max(neighbor.vertical, 1.0 / neighbor.vertical);
+  if (law.is_exact() && neighbor.age == 0) return result;
+  auto& [position, velocity] = result.sensing_error;
+  const double time = neighbor.age * law.time_step, change = top_acceleration(neighbor);
+  position += time * velocity + 0.5 * change * time * time;
+  velocity = (velocity + change * time) * std::max(neighbor.vertical, 1.0 / neighbor.vertical);
   return result;
 }
 
@@ -159,8 +164,7 @@ void begin_constraints(const Robot& robot, std::span<const Neighbor> neighbors,
   const scalar::PackSelf<Real, 3> self = pack(robot, braking);
   for (std::size_t k = 0; k < neighbors.size(); ++k) {
     const Neighbor& neighbor = neighbors[k];
-    const bool scales = !law.is_exact() && neighbor.vertical != 1.0;
-    const StepLaw pair_law = scales ? law_against(neighbor, law) : law;
+    const StepLaw pair_law = law_against(neighbor, law);
     const scalar::PackNeighbor<Real, 3> other = pack(neighbor);
     const scalar::PackPair<Real, 3> packed = scalar::pair_of<true>(self, other, pair_law);
     const PairShape<3> shape{robot.downwash, neighbor.downwash, robot.vertical,

@@ -13,6 +13,7 @@
 #include "space/certificate.h"
 #include "space/goals.h"
 #include "space/own_space.h"
+#include "space/senses.h"
 #include "space/step_law.h"
 
 namespace avo::space {
@@ -38,6 +39,7 @@ struct Simulation::State {
   double sensing_radius;
   std::shared_ptr<Executor> executor;
   SpaceCells cells;
+  Senses senses;
   std::vector<Robot> robots;
   std::vector<Detour> detours;
   std::vector<Plan> plans;
@@ -54,6 +56,7 @@ struct Simulation::State {
         sensing_radius(sensing_radius_of(scene)),
         executor(make_executor(static_cast<std::size_t>(std::max(threads, 0)))),
         cells(sensing_radius),
+        senses(senses_of(scene)),
         detours(scene.robots.size()),
         plans(scene.robots.size()),
         workers(executor->workers()) {
@@ -74,12 +77,25 @@ struct Simulation::State {
              !(norm_squared(robots[other].position - place) <= sensing_radius * sensing_radius);
     });
     std::sort(worker.found.begin(), worker.found.end());
-    for (const std::uint32_t other : worker.found)
-      worker.neighbors.push_back(neighbor_of(robots[other]));
+    append_sensed(k, worker);
     worker.boxes.clear();
     for (const Box& box : scenario.boxes) {
       if (nearest(place, place, box).distance - box.radius <= box_range[k])
         worker.boxes.push_back(box);
+    }
+  }
+
+  /// Of the robots within the sensing radius, those that the robot senses.
+  void append_sensed(std::size_t k, SpaceWorker& worker) const {
+    if (senses.are_exact()) {
+      for (const std::uint32_t other : worker.found)
+        worker.neighbors.push_back(neighbor_of(robots[other]));
+      return;
+    }
+    const Observer observer(senses, k, scenario.boxes);
+    for (const std::uint32_t other : worker.found) {
+      if (const auto seen = observer.look_at(other, robots[other]))
+        worker.neighbors.push_back(*seen);
     }
   }
 
@@ -115,6 +131,7 @@ Simulation& Simulation::operator=(Simulation&&) noexcept = default;
 void Simulation::step() {
   State& state = *state_;
   state.cells.sort(state.robots);
+  state.senses.note(state.robots, state.steps);
   const std::size_t count = state.robots.size();
   const auto decide = [&](std::size_t tile, std::size_t worker) {
     const std::size_t end = std::min((tile + 1) * kTile, count);

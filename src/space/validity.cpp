@@ -66,15 +66,23 @@ bool has_downwash(const Robot& robot, std::span<const Neighbor> neighbors) {
                      [](const Neighbor& neighbor) { return neighbor.downwash > 0.0; });
 }
 
+bool has_ages(std::span<const Neighbor> neighbors) {
+  return std::any_of(neighbors.begin(), neighbors.end(),
+                     [](const Neighbor& neighbor) { return neighbor.age > 0; });
+}
+
 }  // namespace
 
 bool are_valid(const PlannerOptions& options, const Robot& robot,
                std::span<const Neighbor> neighbors, std::span<const Box> boxes) {
-  const bool is_derived =
-      options.sensing_error == SensingError{} || !has_downwash(robot, neighbors);
+  const bool is_derived = (options.sensing_error == SensingError{} && !has_ages(neighbors)) ||
+                          !has_downwash(robot, neighbors);
   return is_derived && is_valid(robot) &&
          std::all_of(neighbors.begin(), neighbors.end(),
-                     [](const Neighbor& neighbor) { return is_valid_body(neighbor); }) &&
+                     [](const Neighbor& neighbor) {
+                       return is_valid_body(neighbor) && neighbor.age >= 0 &&
+                              neighbor.age <= kMostAge;
+                     }) &&
          std::all_of(boxes.begin(), boxes.end(), [](const Box& box) { return is_valid(box); });
 }
 

@@ -10,6 +10,7 @@
 
 #include "avo/response.h"
 #include "core/ranges.h"
+#include "core/sensing_checks.h"
 #include "planner/options.h"
 #include "robots/model.h"
 #include "sim/clocks.h"
@@ -212,25 +213,6 @@ void check_braking(const Scenario& scenario, const PlannerOptions& options) {
            "<= " + text(most) + " m/s, " + std::to_string(kMostBrakingSteps) +
                " steps of braking, with a certificate");
   }
-}
-
-template <typename Noise>
-void check_truncation(const std::string& key, const Noise& noise) {
-  if (!noise.truncated) return;
-  require(key + ".truncated", *noise.truncated, kTruncation, "");
-  if (noise.distribution == NoiseDistribution::uniform)
-    refuse(key + ".truncated", text(*noise.truncated),
-           "left out with distribution uniform, which stays within what is given");
-}
-
-void check_sensing(const SensingModel& sensing) {
-  require("sensing.noise.position", sensing.noise.position, kNoise, "m");
-  require("sensing.noise.velocity", sensing.noise.velocity, kNoise, "m/s");
-  check_truncation("sensing.noise", sensing.noise);
-  require("sensing.localization.position", sensing.localization.position, kNoise, "m");
-  check_truncation("sensing.localization", sensing.localization);
-  require("sensing.delay", sensing.delay, Range{0.0, kMostDelay, false}, "steps");
-  require("sensing.dropped", sensing.dropped, kShareMissed, "");
 }
 
 // A measurement of the past is extrapolated from the past state, which is not stored for an
