@@ -43,9 +43,11 @@ class AVO_API SpaceCsvRecording {
   std::string rows_;
 };
 
-/// Judges a CSV recording of space by the limits of the scene. Throws RecordingError, FileError.
+/// Judges a CSV recording of space by the limits of the scene. movers_at_rest: see
+/// avo::CheckOptions. Throws RecordingError, FileError.
 AVO_API Judgement judge_in_space(const std::string& recording, const avo::space::Scenario& scene,
-                                 double tolerance, bool require_arrival);
+                                 double tolerance, bool require_arrival,
+                                 bool movers_at_rest = false);
 
 /// Returns whether the first line of the file has the columns of space.
 AVO_API bool is_space_csv(const std::string& path);

@@ -19,6 +19,7 @@
 #include "io/scene/reader.h"
 #include "io/scene/scene_files.h"
 #include "io/space/placement.h"
+#include "io/space/read_mover.h"
 #include "io/space/read_robot.h"
 #include "io/text/yaml_tree.h"
 
@@ -76,6 +77,7 @@ class SpaceBuilder {
     reader_.read(root, "", fields<Scenario>(), scenario_);
     read_sensing(reader_, root, scenario_.sensing, scenario_.sensing_error);
     read_obstacles();
+    read_moving_obstacles();
     read_robots();
     read_groups();
     for (const RobotPatch& patch : patches) apply(patch);
@@ -91,6 +93,14 @@ class SpaceBuilder {
     const YamlNode* list = document_.root.find(key);
     if (list != nullptr) reader_.require_list(*list, key);
     return list;
+  }
+
+  void read_moving_obstacles() {
+    const YamlNode* list = list_of("moving_obstacles");
+    if (list == nullptr) return;
+    for (std::size_t k = 0; k < list->children.size(); ++k)
+      scenario_.moving_obstacles.push_back(read_moving_obstacle_in_space(
+          reader_, list->children[k], fmt::format("moving_obstacles.{}", k)));
   }
 
   void read_robots() {

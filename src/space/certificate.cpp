@@ -155,6 +155,9 @@ void begin_constraints(const Robot& robot, std::span<const Neighbor> neighbors,
   constraints.own_columns.count = constraints.own_columns.filled = 0;
   constraints.invariant = {.slack = std::numeric_limits<double>::infinity()};
   constraints.has_cones = false;
+  constraints.movers.columns.count = 0;
+  constraints.movers.stays_at_rest = false;
+  constraints.movers.invariant = {};
   const scalar::PackBraking<Real, 3> braking = packed_braking(robot, law);
   constraints.own = plain(braking);
   constraints.deviation = plain(deviation_of(robot, law));
@@ -202,25 +205,22 @@ struct Worst {
   int point = 0;
 };
 
-Worst worst_of(const Constraints& constraints, const StepLaw& law, std::size_t first,
-               std::size_t last) {
-  const ConstraintColumns& columns = constraints.columns;
+Worst worst_of(const Constraints& constraints, const ConstraintColumns& columns, bool has_cones,
+               const StepLaw& law, std::size_t first, std::size_t last) {
   const double* coefficient = columns.coefficient.data();
   Worst worst;
   worst.k = static_cast<std::size_t>(std::min_element(coefficient + first, coefficient + last) -
                                      coefficient);
   worst.coefficient = coefficient[worst.k];
   if (!(worst.coefficient < 0.0)) return worst;
-  const auto [start, middle, end] = scalar::coefficients<Real>(
-      columns, worst.k, constraints.own, constraints.path, law, constraints.has_cones);
+  const auto [start, middle, end] = scalar::coefficients<Real>(columns, worst.k, constraints.own,
+                                                               constraints.path, law, has_cones);
   worst.point = start.value <= worst.coefficient ? 0 : middle.value <= worst.coefficient ? 1 : 2;
   return worst;
 }
 
 HalfSpace tangent(const Robot& robot, const Worst& worst, const StepLaw& law,
-                  const Constraints& constraints) {
-  const ConstraintColumns& columns = constraints.columns;
-  const CandidatePath& path = constraints.path;
+                  const ConstraintColumns& columns, const CandidatePath& path) {
   const auto [across, along] = point_growth(
       path.braking, path.speed, static_cast<int>(columns.interval[worst.k]), worst.point, law);
   const Vec3 normal =
@@ -235,14 +235,39 @@ HalfSpace tangent(const Robot& robot, const Worst& worst, const StepLaw& law,
   return {gradient / length, (dot(gradient, v) - worst.coefficient) / length};
 }
 
+// The cuts of neighbors or of moving obstacles.
+void append_cuts_of(const Robot& robot, const StepLaw& law, const Constraints& constraints,
+                    const ConstraintColumns& columns, bool has_cones,
+                    std::vector<HalfSpace>& cuts) {
+  for (std::size_t first = 0; first < columns.judged;) {
+    std::size_t last = first;
+    while (last < columns.judged && columns.neighbor[last] == columns.neighbor[first]) ++last;
+    const Worst worst = worst_of(constraints, columns, has_cones, law, first, last);
+    if (worst.coefficient < 0.0 && std::isfinite(worst.coefficient))
+      cuts.push_back(tangent(robot, worst, law, columns, constraints.path));
+    first = last;
+  }
+}
+
+bool keeps_movers(const StepLaw& law, Asked asked_for, Constraints& constraints) {
+  MoverConstraints& movers = constraints.movers;
+  movers.columns.judged = 0;
+  if (!movers.counts) return true;
+  const bool kept =
+      keeps(constraints.own, constraints.path, law, movers.has_cones, asked_for, movers.columns);
+  return kept && !movers.must_rest(constraints.path.moving);
+}
+
 }  // namespace
 
 bool admits(const Robot& robot, Vec3 next_velocity, const StepLaw& law, Asked asked_for,
             Constraints& constraints) {
   if (constraints.invariant.unknown) return false;
   constraints.path = follow(robot, next_velocity, law);
-  const bool kept = keeps(constraints.own, constraints.path, law, constraints.has_cones, asked_for,
-                          constraints.columns);
+  bool kept = keeps(constraints.own, constraints.path, law, constraints.has_cones, asked_for,
+                    constraints.columns);
+  if (!kept && asked_for == Asked::until_refused) return false;
+  kept = keeps_movers(law, asked_for, constraints) && kept;
   if (!kept && asked_for == Asked::until_refused) return false;
   return keeps_boxes(robot, next_velocity, law, constraints.boxes) && kept;
 }
@@ -255,15 +280,9 @@ Vec3 backup_velocity(const Robot& robot, const StepLaw& law) {
 
 void append_cuts(const Robot& robot, const StepLaw& law, const Constraints& constraints,
                  std::vector<HalfSpace>& cuts) {
-  const ConstraintColumns& columns = constraints.columns;
-  for (std::size_t first = 0; first < columns.judged;) {
-    std::size_t last = first;
-    while (last < columns.judged && columns.neighbor[last] == columns.neighbor[first]) ++last;
-    const Worst worst = worst_of(constraints, law, first, last);
-    if (worst.coefficient < 0.0 && std::isfinite(worst.coefficient))
-      cuts.push_back(tangent(robot, worst, law, constraints));
-    first = last;
-  }
+  append_cuts_of(robot, law, constraints, constraints.columns, constraints.has_cones, cuts);
+  const MoverConstraints& movers = constraints.movers;
+  append_cuts_of(robot, law, constraints, movers.columns, movers.has_cones, cuts);
   append_box_cuts(robot, constraints.path.next_velocity, law, constraints.boxes, cuts);
 }
 

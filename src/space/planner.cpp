@@ -11,7 +11,9 @@
 #include "planner/execution_kernel.h"
 #include "space/arrival.h"
 #include "space/choice.h"
+#include "space/evasion.h"
 #include "space/half_spaces.h"
+#include "space/mover_planes.h"
 #include "space/own_space.h"
 #include "space/step_law.h"
 #include "space/validity.h"
@@ -88,10 +90,12 @@ Target target_of(const Decision& decision, std::span<const HalfSpace> planes, st
 
 // The hard half-spaces and then the soft ones, in the robot's own space.
 void collect_planes(const Decision& decision, std::span<const Neighbor> neighbors,
-                    std::span<const Box> boxes, const Horizon& horizon) {
+                    std::span<const Mover> movers, std::span<const Box> boxes,
+                    const Horizon& horizon) {
   const Robot& robot = decision.robot;
   PlanWorkspace::Scratch& scratch = decision.scratch;
   collect_half_spaces(robot, neighbors, decision.options, horizon, scratch.half_spaces);
+  append_mover_planes(robot, movers, decision.options, horizon, scratch.half_spaces.soft);
   scratch.speeds.clear();
   append_speed_planes(robot, boxes, decision.law, scratch.speeds);
   scratch.planes.clear();
@@ -185,19 +189,28 @@ PlanStatus status_of(Chosen chosen, double violation) {
 }
 
 // Names the deepest contact, where rounding cannot have caused it.
-void tell_contact(const Decision& decision, std::span<const Neighbor> neighbors, Plan& plan) {
+void tell_contact(const Decision& decision, std::span<const Neighbor> neighbors,
+                  std::span<const Mover> movers, Plan& plan) {
   const Constraints& constraints = decision.scratch.choice.constraints;
+  double deepest = 0.0;
+  const auto tell = [&](const Deepest& found, double radius, int& index) {
+    if (!found.any() || !(found.depth > deepest)) return;
+    const double feigned = feigned_depth(decision.robot.radius + radius, constraints.own.reach);
+    if (!(found.depth > feigned)) return;
+    deepest = found.depth;
+    plan.status = PlanStatus::overlapping;
+    plan.depth = static_cast<float>(found.depth);
+    plan.neighbor = plan.box = plan.mover = -1;
+    index = found.index;
+  };
+  const auto radius_in = [](const auto& bodies, const Deepest& found) {
+    return found.any() ? bodies[static_cast<std::size_t>(found.index)].radius : 0.0;
+  };
   const Deepest& neighbor = constraints.invariant.broken;
-  const Deepest& box = constraints.boxes.broken;
-  if (!neighbor.any() && !box.any()) return;
-  double radii = decision.robot.radius;
-  if (neighbor.any()) radii += neighbors[static_cast<std::size_t>(neighbor.index)].radius;
-  const bool deeper = neighbor.any() && neighbor.depth >= box.depth;
-  const double depth = deeper ? neighbor.depth : box.depth;
-  if (!(depth > feigned_depth(radii, constraints.own.reach))) return;
-  plan.status = PlanStatus::overlapping;
-  plan.depth = static_cast<float>(depth);
-  (deeper ? plan.neighbor : plan.box) = deeper ? neighbor.index : box.index;
+  const Deepest& mover = constraints.movers.invariant.broken;
+  tell(neighbor, radius_in(neighbors, neighbor), plan.neighbor);
+  tell(constraints.boxes.broken, 0.0, plan.box);
+  tell(mover, radius_in(movers, mover), plan.mover);
 }
 
 // Eq. (7)
@@ -211,10 +224,15 @@ Plan plan_to(Vec3 velocity, Vec3 next_velocity, const StepLaw& law) {
 }
 
 void begin(const PlannerOptions& options, const Robot& robot, std::span<const Neighbor> neighbors,
-           std::span<const Box> boxes, const StepLaw& law, PlanWorkspace::Scratch& scratch) {
+           std::span<const Mover> movers, std::span<const Box> boxes, const StepLaw& law,
+           PlanWorkspace::Scratch& scratch) {
   const bool certified = options.certificate != Certificate::none;
+  Constraints& constraints = scratch.choice.constraints;
   begin_constraints(robot, certified ? neighbors : std::span<const Neighbor>{},
-                    certified ? boxes : std::span<const Box>{}, law, scratch.choice.constraints);
+                    certified ? boxes : std::span<const Box>{}, law, constraints);
+  if (certified && !movers.empty())
+    begin_movers(robot, movers, constraints.own, constraints.own_direction, constraints.deviation,
+                 law, constraints.movers);
 }
 
 }  // namespace
@@ -225,10 +243,11 @@ Planner::Planner(const PlannerOptions& options)
 }
 
 Plan Planner::plan(const Robot& robot, std::span<const Neighbor> neighbors,
-                   PlanWorkspace& workspace, Detour* detour, std::span<const Box> boxes) const {
+                   PlanWorkspace& workspace, Detour* detour, std::span<const Box> boxes,
+                   std::span<const Mover> movers) const {
   const StepLaw law = step_law(options_, horizon_);
   Detour next = detour != nullptr && is_sound(*detour) ? *detour : Detour{};
-  if (!are_valid(options_, robot, neighbors, boxes)) {
+  if (!are_valid(options_, robot, neighbors, boxes, movers)) {
     const bool is_known = is_valid(robot);
     Plan plan = is_known ? plan_to(robot.velocity, backup_velocity(robot, law), law) : Plan{};
     plan.status = PlanStatus::invalid_input;
@@ -245,20 +264,27 @@ Plan Planner::plan(const Robot& robot, std::span<const Neighbor> neighbors,
                     law.braking_time * to_own(next.acceleration, robot.vertical),
                     scratch};
   if (!execution.law.is_gentle()) decision.own_last_change = {};
-  collect_planes(decision, neighbors, boxes, horizon_);
+  collect_planes(decision, neighbors, movers, boxes, horizon_);
   const Vec3 wish = wish_of(robot, neighbors, options_, decision.axis, next);
   const Vec3 own_aim = aim_of(decision, to_own(wish, robot.vertical), execution);
   const Target target = target_of(decision, scratch.planes, scratch.hard, own_aim);
-  begin(options_, robot, neighbors, boxes, law, scratch);
-  const Choice choice = choose_and_arrive(decision, wish, own_aim, target, next);
+  begin(options_, robot, neighbors, movers, boxes, law, scratch);
+  Choice choice = choose_and_arrive(decision, wish, own_aim, target, next);
+  const bool is_certified = options_.certificate != Certificate::none;
+  const bool evades =
+      is_certified && keep_a_way_out(options_, law, robot,
+                                     {movers, boxes, neighbors.empty() && !options_.never_swerves},
+                                     scratch.ways, scratch.choice, choice.next_velocity);
+  if (evades) choice.chosen = Chosen::candidate;
   Plan plan = plan_to(robot.velocity, choice.next_velocity, law);
   plan.violation = target.violation;
+  plan.evading = evades;
   plan.status = status_of(choice.chosen, target.violation);
-  tell_contact(decision, neighbors, plan);
+  tell_contact(decision, neighbors, movers, plan);
   const Constraints& constraints = scratch.choice.constraints;
   const bool keeps_clear = !constraints.invariant.doubtful && !constraints.invariant.unknown &&
                            !constraints.boxes.broken.any();
-  if (options_.certificate != Certificate::none && keeps_clear) plan.state = SafetyState::safe;
+  if (is_certified && keeps_clear) plan.state = SafetyState::safe;
   next.acceleration = plan.acceleration;
   if (detour != nullptr) *detour = next;
   return plan;
@@ -275,7 +301,7 @@ bool Planner::is_admitted(const Robot& robot, std::span<const Neighbor> neighbor
   if (change > robot.max_acceleration * law.braking_time || norm(own) > robot.max_speed ||
       next_velocity.z > robot.climb || -next_velocity.z > robot.sink)
     return false;
-  begin(options_, robot, neighbors, boxes, law, scratch);
+  begin(options_, robot, neighbors, {}, boxes, law, scratch);
   return admits(robot, next_velocity, law, Asked::until_refused, scratch.choice.constraints);
 }
 
@@ -298,6 +324,16 @@ double reach_of(const Robot& robot, const StepLaw& law) {
 
 double box_range(const Robot& robot, const PlannerOptions& options) {
   return (1.0 + 1e-9) * box_reach(robot, checked_law(options));
+}
+
+double sensing_range(const Robot& robot, const Mover& mover, const PlannerOptions& options) {
+  const StepLaw law = checked_law(options);
+  const double steps = 3.0 + robot.max_speed / (braking_limit(robot) * law.braking_time);
+  const double t = law.time_step * steps;
+  const double way =
+      t * norm(mover.velocity) + 0.5 * t * t * (norm(mover.acceleration) + mover.max_deviation);
+  return (1.0 + 1e-9) * (reach_of(robot, law) + mover.radius + std::min(way, t * mover.max_speed)) +
+         options.sensing_error.position + t * options.sensing_error.velocity;
 }
 
 double sensing_range(const Robot& robot, const Robot& other, const PlannerOptions& options) {

@@ -7,12 +7,13 @@
 
 #include "avo/error.h"
 #include "avo/space/planner.h"
-#include "core/ranges.h"
 #include "core/sensing_checks.h"
 #include "planner/options.h"
 #include "planner/rules/arrival.h"
 #include "space/certificate.h"
+#include "space/mover_checks.h"
 #include "space/own_space.h"
+#include "space/ranges.h"
 #include "space/senses.h"
 #include "space/step_law.h"
 
@@ -33,6 +34,11 @@ PlannerOptions planner_options(const Scenario& scenario) {
         scenario.sensing_error ? *scenario.sensing_error : declared_error(scenario);
   options.max_neighbors = scenario.max_neighbors;
   options.arrival_distance = scenario.arrival_distance;
+  options.never_swerves = scenario.never_swerves;
+  if (!scenario.moving_obstacles.empty()) {
+    for (const RobotSetup& robot : scenario.robots)
+      options.wall_range = std::max(options.wall_range, way_range(robot_of(robot)));
+  }
   return options;
 }
 
@@ -99,8 +105,10 @@ double certified_range(const Scenario& scenario, const Robot& largest,
 
 double needed_radius(const Scenario& scenario, const PlannerOptions& options) {
   const Robot largest = largest_of(scenario);
-  double radius =
-      options.certificate == Certificate::none ? 0.0 : certified_range(scenario, largest, options);
+  double radius = 0.0;
+  if (options.certificate != Certificate::none)
+    radius = std::max(certified_range(scenario, largest, options),
+                      mover_range(scenario, largest, options));
   avo::Robot plane;
   plane.radius = largest.radius, plane.max_speed = largest.max_speed;
   plane.max_acceleration = std::min(largest.max_acceleration, *largest.max_braking);
@@ -129,12 +137,6 @@ void check_sensing_in_space(const Scenario& scenario, const PlannerOptions& opti
     if (downwash > 0.0 && (options.sensing_error != SensingError{} || sensing.misses()))
       refuse(numbered("robots", k, "downwash"), text(downwash) + " m", "0 with errors of sensing");
   }
-}
-
-void require_vector(const std::string& key, Vec3 value, std::string_view unit) {
-  require(key + ".0", value.x, kAnyValue, unit);
-  require(key + ".1", value.y, kAnyValue, unit);
-  require(key + ".2", value.z, kAnyValue, unit);
 }
 
 void check_robot(const RobotSetup& robot, std::size_t k) {
@@ -236,6 +238,7 @@ void validate(const Scenario& scenario) {
     if (scenario.robots[k].quadrotor) check_quadrotor(scenario.robots[k], k, scenario.motion);
   }
   for (std::size_t k = 0; k < scenario.boxes.size(); ++k) check_box(scenario, k);
+  check_moving_obstacles(scenario);
   check_sensing_in_space(scenario, options);
   const Planner planner(options);
   if (options.certificate == Certificate::none || scenario.robots.empty()) return;
@@ -244,6 +247,10 @@ void validate(const Scenario& scenario) {
   if (scenario.sensing_radius && scenario.robots.size() > 1 && *scenario.sensing_radius < needed)
     throw Error("sensing_radius: found " + text(*scenario.sensing_radius) + ", must be >= " +
                 text(needed) + ", in which two robots can stop before each other");
+  const double of_movers = mover_range(scenario, largest, options);
+  if (scenario.sensing_radius && *scenario.sensing_radius < of_movers)
+    throw Error("sensing_radius: found " + text(*scenario.sensing_radius) + ", must be >= " +
+                text(of_movers) + ", in which a robot can stop before moving obstacles");
   StepLaw law =
       step_law(options, Horizon(options.control_time, options.time_horizon, options.time_step));
   law.sensing_error = {};  // starts are true states

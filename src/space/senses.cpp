@@ -27,6 +27,8 @@ SensingError declared_error(const Scenario& scenario) {
   double change = 0.0;  // m/s^2
   for (const RobotSetup& robot : scenario.robots)
     change = std::max(change, top_acceleration(robot_of(robot)));
+  for (const MovingObstacle& obstacle : scenario.moving_obstacles)
+    change = std::max(change, obstacle.max_deviation);
   const double time = scenario.sensing.delay * scenario.time_step;
   error.position += time * error.velocity + 0.5 * change * time * time;
   error.velocity += change * time;
@@ -78,31 +80,62 @@ bool Observer::succeeds(Vec3 from, Vec3 to, std::int64_t moment, std::uint64_t o
   return !model.occlusion || is_in_sight(from, to, boxes_);
 }
 
-std::optional<Neighbor> Observer::look_at(std::size_t other, const Robot& traits) const {
-  const SensingModel& model = senses_.model;
+template <typename Place>
+std::optional<std::int64_t> Observer::last_measured(std::uint64_t other, const Place& place) const {
   const std::int64_t oldest =
-      std::max(latest_ - (model.misses() ? kMostCarried : 0), std::int64_t{0});
+      std::max(latest_ - (senses_.model.misses() ? kMostCarried : 0), std::int64_t{0});
   for (std::int64_t moment = latest_; moment >= oldest; --moment) {
-    const PastState& seen = senses_.at(other, moment);
-    if (!succeeds(senses_.at(robot_, moment).position, seen.position, moment, other)) continue;
-    Neighbor neighbor = neighbor_of(traits);
-    const double time = static_cast<double>(senses_.step - moment) * senses_.time_step;
-    neighbor.position = seen.position + time * seen.velocity;
-    neighbor.velocity = seen.velocity;
-    neighbor.age = static_cast<int>(latest_ - moment);
-    const MeasurementNoise& off = model.noise;
-    if (off.position > 0.0 || off.velocity > 0.0) {
-      Draws numbers = draws(moment, other);
-      numbers.uniform();  // the draw that decided whether it is missed
-      const auto drawn = noise<6>(off, numbers);
-      const Vec3 of_velocity = off.velocity * Vec3{drawn[3], drawn[4], drawn[5]};
-      neighbor.position = neighbor.position + off.position * Vec3{drawn[0], drawn[1], drawn[2]} +
-                          time * of_velocity;
-      neighbor.velocity = neighbor.velocity + of_velocity;
-    }
-    return neighbor;
+    if (succeeds(senses_.at(robot_, moment).position, place(moment), moment, other)) return moment;
   }
   return std::nullopt;
+}
+
+double Observer::seconds_since(std::int64_t moment) const {
+  return static_cast<double>(senses_.step - moment) * senses_.time_step;
+}
+
+void Observer::disturb(std::int64_t moment, std::uint64_t other, Vec3& position,
+                       Vec3& velocity) const {
+  const MeasurementNoise& off = senses_.model.noise;
+  if (!(off.position > 0.0 || off.velocity > 0.0)) return;
+  Draws numbers = draws(moment, other);
+  numbers.uniform();  // the draw that decided whether it is missed
+  const auto drawn = noise<6>(off, numbers);
+  const Vec3 of_velocity = off.velocity * Vec3{drawn[3], drawn[4], drawn[5]};
+  position = position + off.position * Vec3{drawn[0], drawn[1], drawn[2]} +
+             seconds_since(moment) * of_velocity;
+  velocity = velocity + of_velocity;
+}
+
+std::optional<Neighbor> Observer::look_at(std::size_t other, const Robot& traits) const {
+  const auto moment =
+      last_measured(other, [&](std::int64_t m) { return senses_.at(other, m).position; });
+  if (!moment) return std::nullopt;
+  const PastState& seen = senses_.at(other, *moment);
+  Neighbor neighbor = neighbor_of(traits);
+  neighbor.position = seen.position + seconds_since(*moment) * seen.velocity;
+  neighbor.velocity = seen.velocity;
+  neighbor.age = static_cast<int>(latest_ - *moment);
+  disturb(*moment, other, neighbor.position, neighbor.velocity);
+  return neighbor;
+}
+
+std::optional<Mover> Observer::look_at(std::size_t m, const MovingObstacle& obstacle) const {
+  constexpr std::uint64_t kMoverBit = std::uint64_t{1} << 63;  // no robot has such a number
+  const auto at = [&](std::int64_t step) {
+    return mover_at(obstacle, static_cast<double>(step) * senses_.time_step);
+  };
+  const std::uint64_t number = kMoverBit | m;
+  const auto moment = last_measured(number, [&](std::int64_t step) { return at(step).position; });
+  if (!moment) return std::nullopt;
+  Mover mover = at(*moment);
+  const double time = seconds_since(*moment);
+  const Vec3 velocity = mover.velocity + time * mover.acceleration;
+  mover.position = mover.position + (0.5 * time) * (mover.velocity + velocity);
+  mover.velocity = velocity;
+  mover.age = static_cast<int>(latest_ - *moment);
+  disturb(*moment, number, mover.position, mover.velocity);
+  return mover;
 }
 
 }  // namespace avo::space

@@ -52,8 +52,17 @@ class Observer {
 
   /// The state of robot `other` as it is sensed; none where it is not.
   [[nodiscard]] std::optional<Neighbor> look_at(std::size_t other, const Robot& traits) const;
+  /// The same for moving obstacle m, which is extrapolated at its acceleration.
+  [[nodiscard]] std::optional<Mover> look_at(std::size_t m, const MovingObstacle& obstacle) const;
 
  private:
+  /// The step of the last measurement that the robot has; place(step): the place of the other then.
+  template <typename Place>
+  [[nodiscard]] std::optional<std::int64_t> last_measured(std::uint64_t other,
+                                                          const Place& place) const;
+  /// Adds the noise of a measurement so many seconds ago, and extrapolates it.
+  void disturb(std::int64_t moment, std::uint64_t other, Vec3& position, Vec3& velocity) const;
+  [[nodiscard]] double seconds_since(std::int64_t moment) const;
   [[nodiscard]] Draws draws(std::int64_t moment, std::uint64_t other) const;
   [[nodiscard]] bool succeeds(Vec3 from, Vec3 to, std::int64_t moment, std::uint64_t other) const;
 

@@ -28,6 +28,7 @@ struct AVO_LOCAL SpaceWorker {
   PlanWorkspace workspace;
   std::vector<std::uint32_t> found;
   std::vector<Neighbor> neighbors;
+  std::vector<Mover> movers;
   std::vector<Box> boxes;
 };
 
@@ -40,6 +41,7 @@ struct Simulation::State {
   std::shared_ptr<Executor> executor;
   SpaceCells cells;
   Senses senses;
+  std::vector<Mover> movers;  // as they are now
   std::vector<Robot> robots;
   std::vector<Detour> detours;
   std::vector<Plan> plans;
@@ -62,8 +64,11 @@ struct Simulation::State {
         workers(executor->workers()) {
     for (const RobotSetup& setup : scene.robots) {
       robots.push_back(robot_of(setup));
-      box_range.push_back(space::box_range(robots.back(), planner.options()));
+      const double range = space::box_range(robots.back(), planner.options());
+      box_range.push_back(
+          scene.moving_obstacles.empty() ? range : std::max(range, planner.options().wall_range));
     }
+    move_obstacles();
   }
 
   /// A robot's neighbors in the order of their indices, and its boxes.
@@ -85,6 +90,28 @@ struct Simulation::State {
     }
   }
 
+  void move_obstacles() {
+    movers.clear();
+    const double now = static_cast<double>(steps) * scenario.time_step;
+    for (const MovingObstacle& obstacle : scenario.moving_obstacles)
+      movers.push_back(mover_at(obstacle, now));
+  }
+
+  /// The moving obstacles within the sensing radius.
+  void sense_movers(std::size_t k, SpaceWorker& worker) const {
+    worker.movers.clear();
+    if (movers.empty()) return;
+    const Observer observer(senses, k, scenario.boxes);
+    for (std::size_t m = 0; m < movers.size(); ++m) {
+      if (!(norm(movers[m].position - robots[k].position) <= sensing_radius)) continue;
+      if (senses.are_exact()) {
+        worker.movers.push_back(movers[m]);
+      } else if (const auto seen = observer.look_at(m, scenario.moving_obstacles[m])) {
+        worker.movers.push_back(*seen);
+      }
+    }
+  }
+
   /// Of the robots within the sensing radius, those that the robot senses.
   void append_sensed(std::size_t k, SpaceWorker& worker) const {
     if (senses.are_exact()) {
@@ -101,12 +128,14 @@ struct Simulation::State {
 
   void decide(std::size_t k, SpaceWorker& worker) {
     sense(k, worker);
+    sense_movers(k, worker);
     Robot& robot = robots[k];
     const RobotSetup& setup = scenario.robots[k];
     robot.distance_to_goal = norm(setup.goal - robot.position);
     robot.preferred_velocity =
         preferred_velocity(robot, setup.goal, setup.preferred_speed, landing);
-    plans[k] = planner.plan(robot, worker.neighbors, worker.workspace, &detours[k], worker.boxes);
+    plans[k] = planner.plan(robot, worker.neighbors, worker.workspace, &detours[k], worker.boxes,
+                            worker.movers);
   }
 
   void move() {
@@ -145,6 +174,7 @@ void Simulation::step() {
   }
   state.move();
   ++state.steps;
+  state.move_obstacles();
 }
 
 double Simulation::time() const {
@@ -164,6 +194,9 @@ std::span<const Robot> Simulation::robots() const {
 }
 std::span<const Plan> Simulation::plans() const {
   return state_->plans;
+}
+std::span<const Mover> Simulation::movers() const {
+  return state_->movers;
 }
 Vec3 Simulation::goal(std::size_t robot) const {
   return state_->scenario.robots[robot].goal;

@@ -6,6 +6,7 @@
 #include "avo/space/planner.h"
 #include "space/choice.h"
 #include "space/half_spaces.h"
+#include "space/ways.h"
 
 namespace avo::space {
 
@@ -15,6 +16,7 @@ struct PlanWorkspace::Scratch {
   std::vector<HalfSpace> planes;  ///< in v', in the robot's own space: the hard ones first
   std::size_t hard = 0;           ///< the number of hard ones
   ChoiceWorkspace choice;
+  WaySearch ways;  ///< out, beside moving obstacles
 };
 
 }  // namespace avo::space

@@ -133,7 +133,7 @@ avo_io::Judgement judge_in_space(const CheckArguments& arguments,
         "--radius, --max-acceleration, --max-speed, --max-braking: found besides the robots of "
         "--scene, must be one or the other");
   return avo_io::judge_in_space(arguments.recording, scenario, arguments.tolerance,
-                                arguments.require_arrival);
+                                arguments.require_arrival, arguments.movers_at_rest == "ok");
 }
 
 int convert_to_set_points(const ConvertArguments& arguments) {

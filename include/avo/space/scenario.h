@@ -11,6 +11,7 @@
 #include "avo/planner.h"
 #include "avo/scenario.h"
 #include "avo/space/box.h"
+#include "avo/space/mover.h"
 #include "avo/space/quadrotor.h"
 #include "avo/space/robot.h"
 #include "avo/vec3.h"
@@ -61,7 +62,9 @@ struct Scenario {
   SensingModel sensing = {};
   /// The error that the robots declare to their certificate; unset: declared_error().
   std::optional<SensingError> sensing_error = {};
+  bool never_swerves = false;  ///< see PlannerOptions
   std::vector<RobotSetup> robots = {};
+  std::vector<MovingObstacle> moving_obstacles = {};
   std::vector<Box> boxes = {};  ///< static obstacles
   /// The number of the obstacle of the scene file that each box comes from, for messages; empty:
   /// the boxes come from no file.

@@ -11,15 +11,10 @@
 namespace avo::inline planner {
 namespace {
 
-constexpr double kLongestWay = 2.0;   // T, until a way out brakes,
-constexpr double kWideWay = 3.0;      // or so many for wide neighbors,
-constexpr double kLongFlight = 8.0;   // or so many until a robot circles,
-constexpr double kMostSteps = 400.0;  // and steps at most
-// steps of braking; a robot that takes more has no ways out
-constexpr double kMostBraking = 1024.0;
-constexpr double kLikelyFor = 1.5;      // T, for which likely deviations count
-constexpr int kMostWork = 200000;       // movers and intervals that a level may test,
-constexpr int kMostLikelyWork = 25000;  // or that a level with likely deviations may test
+constexpr double kLongFlight = 8.0;  // T, until a robot circles
+constexpr double kLikelyFor = 1.5;   // T, for which likely deviations count
+constexpr int kMostLikelyWork =
+    25000;  // movers and intervals that a level with likely deviations may test
 
 // [T] s: a robot that flies also needs time to turn.
 double time_to_evade(const Robot& robot) {
