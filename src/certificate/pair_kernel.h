@@ -263,15 +263,17 @@ AVO_KERNEL Real error_of(const PackBraking<Real, D>& b, const StepLaw& law) {
          drift_of(b.profile.speed, b.increment, b.profile.decrement, law).most;
 }
 
+/// The pair, where B's braking is known.
 /// kUnlike: with priorities and limits of braking, which matter only where some differ.
 template <bool kUnlike = true, typename Real, int D>
 AVO_KERNEL PackPair<Real, D> pair_of(const PackSelf<Real, D>& self,
-                                     const PackNeighbor<Real, D>& other, const StepLaw& law) {
+                                     const PackNeighbor<Real, D>& other,
+                                     const PackBraking<Real, D>& b, const StepLaw& law) {
   const Real one(1.0);
   const Vec<Real, D> p_A = self.position;
   const PackBraking<Real, D>& a = self.braking;
   PackPair<Real, D> pair;
-  pair.b = braking_of<kUnlike>(other, law);
+  pair.b = b;
   pair.p = p_A - other.position;
   pair.distance = norm(pair.p);
   pair.contact = self.radius + other.radius;
@@ -289,6 +291,11 @@ AVO_KERNEL PackPair<Real, D> pair_of(const PackSelf<Real, D>& self,
                                law.has_free_clocks() ? one : min(pair.share, one - pair.share));
   pair.error = error_of(pair.b, law);
   return pair;
+}
+template <bool kUnlike = true, typename Real, int D>
+AVO_KERNEL PackPair<Real, D> pair_of(const PackSelf<Real, D>& self,
+                                     const PackNeighbor<Real, D>& other, const StepLaw& law) {
+  return pair_of<kUnlike>(self, other, braking_of<kUnlike>(other, law), law);
 }
 
 /// What B can refuse: B refuses no path that deviates from A's braking path by less than the gap

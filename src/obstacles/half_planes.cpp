@@ -59,6 +59,7 @@ void PairColumns::reserve(std::size_t pairs) {
 
 void reserve(std::size_t pairs, HalfPlaneWorkspace& workspace, PlaneColumns& planes) {
   const std::size_t size = pairs + kSparePairs;
+  if (planes.state.size() >= size) return;  // this column grows last
   for (auto* column : {&planes.n_x, &planes.n_y, &planes.h, &planes.excess, &workspace.rest}) {
     grow(*column, size);
   }

@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "avo/half_plane.h"
-#include "core/elementary.h"
 #include "space/own_space.h"
 
 namespace avo::space {
@@ -39,29 +38,22 @@ Vec3 push_of(const Robot& robot, const Neighbor& neighbor, Vec3 away, double dis
 
 }  // namespace
 
-Traffic look_around(const Robot& robot, std::span<const Neighbor> neighbors) {
-  const avo::Robot same = numbers_of(robot);
-  const double range = arrival_range(same, 0.0), pace = norm(robot.preferred_velocity);
+double traffic_range(const Robot& robot) {
+  return arrival_range(numbers_of(robot), 0.0);
+}
+
+Traffic traffic_of(const Robot& robot, const Bodies& bodies, const Looked& looked) {
   Traffic traffic;
-  for (const Neighbor& neighbor : neighbors) {
-    const Vec3 towards = neighbor.position - robot.position;
-    const double distance = norm(towards), contact = robot.radius + neighbor.radius;
-    const double defers = 2.0 * room_share(1.0, 1.0, neighbor.priority, robot.priority);
-    if (distance > 0.0 && distance < range && pace > 0.0) {
-      const double in_front = dot(towards, robot.preferred_velocity) / (distance * kInFront * pace);
-      const double closes = 1.0 + dot(towards, robot.velocity - neighbor.velocity) /
-                                      (distance * kCloses * robot.max_speed);
-      const double rests = 2.0 - norm(neighbor.velocity) / (kSlow * robot.max_speed);
-      if (in_front > 0.0)
-        traffic.ahead += defers * (1.0 - distance / range) *
-                         std::clamp(std::max(closes, rests), 0.0, 1.0) * std::min(in_front, 1.0);
-    }
+  traffic.ahead = looked.ahead;
+  for (const std::uint32_t place : looked.beside) {
+    const Neighbor neighbor = bodies.neighbor(place);
     const Vec3 away = away_from(robot, neighbor);
-    const double gap = norm(away);
+    const double gap = norm(away), contact = robot.radius + neighbor.radius;
     if (!(gap > 0.0 && gap < (1.0 + kRoom) * contact)) continue;
     traffic.is_beside = true;
+    const double defers = 2.0 * room_share(1.0, 1.0, neighbor.priority, robot.priority);
     const Vec3 push = defers * push_of(robot, neighbor, away, gap);
-    const double motion = motion_of(same, in_plane(neighbor));
+    const double motion = motion_of(numbers_of(robot), in_plane(neighbor));
     traffic.push = traffic.push + motion * push;
     traffic.push_at_rest = traffic.push_at_rest + (1.0 - motion) * push;
   }
@@ -79,14 +71,14 @@ Vec3 axis_across(Vec3 way) {
 }
 
 Vec3 turned_right(Vec3 a, Vec3 axis, double angle) {
-  const Vec2 turn = elementary::direction(angle);
-  return turn.x * a - turn.y * cross(axis, a) + ((1.0 - turn.x) * dot(axis, a)) * axis;
+  const Vec2 turned = avo::turned_right({1.0, 0.0}, angle);
+  return turned.x * a + turned.y * cross(axis, a) + ((1.0 - turned.x) * dot(axis, a)) * axis;
 }
 
-Vec3 wish_of(const Robot& robot, std::span<const Neighbor> neighbors, const PlannerOptions& options,
-             Vec3 axis, Detour& detour) {
+Vec3 wish_of(const Robot& robot, const Bodies& bodies, const Looked& looked,
+             const PlannerOptions& options, Vec3 axis, Detour& detour) {
   const avo::Robot same = numbers_of(robot);
-  const Traffic traffic = look_around(robot, neighbors);
+  const Traffic traffic = traffic_of(robot, bodies, looked);
   avo::Detour plane{
       .beside = detour.beside, .congestion = detour.congestion, .has_arrived = detour.has_arrived};
   const double time = time_to_speed(same);

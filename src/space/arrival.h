@@ -2,10 +2,10 @@
 // The rules for arriving in space (docs/arrival.md, docs/space.md): those of the plane, turned
 // about an axis across the way. Safety never depends on them.
 #pragma once
-#include <span>
-
 #include "avo/space/planner.h"
 #include "planner/rules/arrival.h"
+#include "space/bodies.h"
+#include "space/look.h"
 
 namespace avo::space {
 
@@ -15,7 +15,12 @@ struct Traffic {
   bool is_beside = false;
   Vec3 push, push_at_rest;
 };
-Traffic look_around(const Robot& robot, std::span<const Neighbor> neighbors);
+/// Of the bodies at these places.
+Traffic traffic_of(const Robot& robot, const Bodies& bodies, std::span<const std::uint32_t> places);
+
+/// m: the range in which others ahead are traffic. Beyond it only those that are nearly in contact
+/// count.
+double traffic_range(const Robot& robot);
 
 /// A unit axis across the way, about which a robot turns to its right: up as the way sees it, and
 /// where the way is steep, ahead along x.
@@ -26,7 +31,7 @@ Vec3 turned_right(Vec3 a, Vec3 axis, double angle);
 
 /// [m/s] The velocity that the robot wishes: its preferred velocity, to the right in traffic, aside
 /// for others. Updates the detour.
-Vec3 wish_of(const Robot& robot, std::span<const Neighbor> neighbors, const PlannerOptions& options,
-             Vec3 axis, Detour& detour);
+Vec3 wish_of(const Robot& robot, const Bodies& bodies, const Looked& looked,
+             const PlannerOptions& options, Vec3 axis, Detour& detour);
 
 }  // namespace avo::space

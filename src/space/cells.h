@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Cubic cells of space, in a table of bounded size: who may be within the sensing radius.
 #pragma once
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -8,27 +9,41 @@
 
 #include "avo/space/robot.h"
 #include "neighbors/cell_sort.h"
+#include "space/bodies.h"
 
 namespace avo::space {
 
+/// The table has as many cells along each axis as a power of two, and begins anew behind the last
+/// one. Cells that share a slot are farther apart than a search reaches: their robots fail the test
+/// of distance, and no robot is found twice. So a distant outlier costs nothing.
 class SpaceCells {
  public:
-  /// side: m, of a cell, at least the radius of all searches.
-  explicit SpaceCells(double side) : per_meter_(1.0 / side) {}
+  /// The cells of a row along x are consecutive, except where the row begins anew. So many runs
+  /// contain all cells that a search reads.
+  static constexpr std::size_t kMostSpan = 7;  // cells along an axis
+  using Runs = std::array<Run, 2 * kMostSpan * kMostSpan + 1>;
+
+  /// radius: m, of all searches, > 0.
+  explicit SpaceCells(double radius);
 
   /// Sorts the robots by cell. Allocates only while their number grows.
   void sort(std::span<const Robot> robots);
+  /// The indices of the robots in the order of their cells: the places that runs count.
+  [[nodiscard]] std::span<const std::uint32_t> order() const { return sorted_.order; }
 
-  /// Appends the indices of all robots in the cells around a place, in no particular order; some
-  /// may be farther than the side.
-  void collect(Vec3 place, std::vector<std::uint32_t>& found) const;
+  /// The places of all robots within the radius, and of some others; none is in two runs. Returns
+  /// the number of runs, which are not empty.
+  std::size_t around(Vec3 place, Runs& runs) const;
 
  private:
   [[nodiscard]] std::int64_t cell(double coordinate) const;
-  [[nodiscard]] std::uint32_t slot(std::int64_t x, std::int64_t y, std::int64_t z) const;
+  [[nodiscard]] std::size_t wrapped(std::int64_t its_cell, std::size_t axis) const;
+  [[nodiscard]] std::size_t row(std::int64_t y, std::int64_t z) const;  // its first slot
+  [[nodiscard]] double away(double coordinate, std::int64_t its_cell) const;
+  void choose_sizes(std::span<const Robot> robots);
 
-  double per_meter_;
-  std::uint32_t mask_ = 0;
+  double radius_, side_, per_meter_;
+  std::array<std::size_t, 3> bits_{};  // of the number of cells along each axis
   std::vector<std::uint32_t> keys_;
   CellSort sorted_;
 };

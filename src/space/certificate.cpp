@@ -29,14 +29,10 @@ Braking plain(const scalar::PackBraking<Real, 3>& braking) {
           .intervals = braking.intervals.value};
 }
 
-scalar::PackBraking<Real, 3> packed_braking(const Robot& robot, const StepLaw& law) {
-  return scalar::braking_of(pack(robot.velocity), Real(robot.max_acceleration),
-                            Real(braking_limit(robot)), Real(robot.vertical), law);
-}
-
 // What candidates can deviate from braking, in the robot's own space, where it brakes with u.
-scalar::PackDeviation<Real> deviation_of(const Robot& robot, const StepLaw& law) {
-  scalar::PackBraking<Real, 3> own = packed_braking(robot, law);
+scalar::PackDeviation<Real> deviation_of(const Robot& robot, const Braking& braking,
+                                         const StepLaw& law) {
+  scalar::PackBraking<Real, 3> own = scalar::constant<Real, 3>(braking);
   own.profile = scalar::profile(Real(own_length(robot.velocity, robot.vertical)),
                                 Real(braking_limit(robot) * law.braking_time));
   return scalar::deviation_of(own, Real(0.0), Real(0.0), law);
@@ -54,27 +50,21 @@ Deviation plain(const scalar::PackDeviation<Real>& deviation) {
           deviation.most_aside.value};
 }
 
-// The law with the errors of that neighbor (docs/certificate/errors.md, "Age"), as large in every
-// direction of its own space.
-StepLaw law_against(const Neighbor& neighbor, const StepLaw& law) {
-  StepLaw result = law;
-  if (law.is_exact() && neighbor.age == 0) return result;
-  auto& [position, velocity] = result.sensing_error;
-  const double time = neighbor.age * law.time_step, change = top_acceleration(neighbor);
-  position += time * velocity + 0.5 * change * time * time;
-  velocity = (velocity + change * time) * std::max(neighbor.vertical, 1.0 / neighbor.vertical);
-  return result;
-}
-
 scalar::PackNeighbor<Real, 3> pack(const Neighbor& neighbor) {
   return {pack(neighbor.position),   pack(neighbor.velocity), neighbor.radius,
           neighbor.max_acceleration, braking_limit(neighbor), neighbor.priority,
           neighbor.vertical,         neighbor.downwash};
 }
 
-scalar::PackSelf<Real, 3> pack(const Robot& robot, const scalar::PackBraking<Real, 3>& braking) {
-  return {pack(robot.position), pack(robot.velocity), robot.radius, robot.max_acceleration,
-          braking_limit(robot), robot.priority,       braking,      robot.downwash};
+scalar::PackSelf<Real, 3> pack(const Robot& robot, const Braking& braking) {
+  return {pack(robot.position),
+          pack(robot.velocity),
+          robot.radius,
+          robot.max_acceleration,
+          braking_limit(robot),
+          robot.priority,
+          scalar::constant<Real, 3>(braking),
+          robot.downwash};
 }
 
 // For a pair that nearly coincides, drops the intervals on which it has no direction.
@@ -86,8 +76,8 @@ void drop_undirected(std::size_t first, ConstraintColumns& columns) {
   }
 }
 
-void collect_pair(const BrakingPair& pair, const PairShape<3>& shape, int index, const StepLaw& law,
-                  Constraints& constraints) {
+void append_pair(const BrakingPair& pair, const PairShape<3>& shape, int index, const StepLaw& law,
+                 Constraints& constraints) {
   const double most = std::max(pair.a.intervals, pair.b.intervals);
   if (!(most <= kMostIntervals)) {
     constraints.invariant.unknown = true;
@@ -97,7 +87,7 @@ void collect_pair(const BrakingPair& pair, const PairShape<3>& shape, int index,
   if (intervals > constraints.own_columns.count) {
     constraints.own_columns.count = intervals;
     constraints.own_columns.reserve(intervals);
-    fill_own(constraints.own, constraints.deviation, law, constraints.own_columns);
+    kernels().fill_own(constraints.own, constraints.deviation, law, constraints.own_columns);
   }
   static constexpr avo::Neighbor kDecides;  // the pair has all its data that matter
   PairConstraints wanted{.pair = pair,
@@ -111,9 +101,10 @@ void collect_pair(const BrakingPair& pair, const PairShape<3>& shape, int index,
   ConstraintColumns& columns = constraints.columns;
   const std::size_t first = columns.count;
   columns.reserve(first + intervals);
-  const double nearest = append_constraints(wanted, law, constraints.own_columns, columns);
+  const double nearest =
+      kernels().append_constraints(wanted, law, constraints.own_columns, columns);
   wanted.held = held_distance(pair, nearest, index, constraints.invariant);
-  if (columns.count > first) hold(wanted, first, columns);
+  if (columns.count > first) kernels().hold(wanted, first, columns);
   if (nearest < pair.contact - pair.error && nearly_coincide(nearest, pair.contact))
     drop_undirected(first, columns);
   if (law.is_exact()) return;
@@ -124,21 +115,59 @@ void collect_pair(const BrakingPair& pair, const PairShape<3>& shape, int index,
   }
 }
 
-// Whether the pair cannot refuse any candidate: docs/space.md, "What can refuse nothing".
-bool refuses_nothing(const scalar::PackSelf<Real, 3>& self,
-                     const scalar::PackNeighbor<Real, 3>& other,
-                     const scalar::PackPair<Real, 3>& pair, const PairShape<3>& shape,
-                     const Deviation& deviation, const StepLaw& law) {
+// What the pair can refuse: the gap is infinite where it is nothing at all, and -infinity where it
+// is not known. docs/space.md, "What can refuse nothing".
+scalar::PackClearance<Real> clearance_of(const scalar::PackSelf<Real, 3>& self,
+                                         const scalar::PackNeighbor<Real, 3>& other,
+                                         const scalar::PackPair<Real, 3>& pair,
+                                         const PairShape<3>& shape, const StepLaw& law) {
   const double apart = scalar::distance_to(pair.p, shape).value;
   if (apart - (self.braking.reach.value + pair.b.reach.value) >
       pair.inflated.value + pair.error.value)
-    return true;
-  if (!law.is_exact() || shape.vertical != 1.0 || other.vertical.value != 1.0) return false;
-  const auto clearance = scalar::clearance_of<true>(self, pair, other, law);
-  const double gap = clearance.gap.value - pair.share.value * std::max(shape.up, shape.down);
+    return {std::numeric_limits<double>::infinity(), 1.0};
+  if (!law.is_exact() || shape.vertical != 1.0 || other.vertical.value != 1.0)
+    return {-std::numeric_limits<double>::infinity(), 1.0};
+  scalar::PackClearance<Real> clearance = scalar::clearance_of<true>(self, pair, other, law);
+  if (!shape.has_wash()) return clearance;
   // directions between a robot and the far end of a downwash are not those of `against`
-  const double against = shape.has_wash() ? 1.0 : clearance.against.value;
-  return gap > against * deviation.most_ahead + deviation.most_aside;
+  return {clearance.gap - pair.share * Real(std::max(shape.up, shape.down)), 1.0};
+}
+
+/// A pair, and what else is asked of it.
+struct Pair {
+  scalar::PackSelf<Real, 3> self;
+  scalar::PackNeighbor<Real, 3> other;
+  StepLaw law;  // against this body
+  scalar::PackPair<Real, 3> packed;
+  PairShape<3> shape;
+
+  scalar::PackClearance<Real> clearance() const {
+    return clearance_of(self, other, packed, shape, law);
+  }
+};
+
+Pair pair_of(const Robot& robot, const Bodies& bodies, std::uint32_t place, const StepLaw& law,
+             const Constraints& constraints) {
+  Pair pair{pack(robot, constraints.own), pack(bodies.neighbor(place)), law, {}, {}};
+  if (bodies.has_ages || (!law.is_exact() && bodies.has_vertical))
+    pair.law = law_against(bodies.neighbor(place), law);
+  pair.packed = scalar::pair_of<true>(pair.self, pair.other,
+                                      scalar::constant<Real, 3>(bodies.braking(place)), pair.law);
+  pair.shape = {robot.downwash, pair.other.downwash.value, robot.vertical,
+                constraints.own_direction};
+  return pair;
+}
+
+void append_body(const Robot& robot, const NearBody& body, const StepLaw& law,
+                 Constraints& constraints) {
+  const Bodies& bodies = *constraints.bodies;
+  const Pair pair = pair_of(robot, bodies, body.place, law, constraints);
+  const scalar::PackPair<Real, 3>& packed = pair.packed;
+  const BrakingPair braking{scalar::plain(packed.p), packed.contact.value,
+                            packed.inflated.value,   packed.error.value,
+                            packed.share.value,      true,
+                            constraints.own,         bodies.braking(body.place)};
+  append_pair(braking, pair.shape, static_cast<int>(body.number), pair.law, constraints);
 }
 
 }  // namespace
@@ -149,36 +178,49 @@ Braking braking_of(Vec3 velocity, double max_acceleration, double max_braking, d
                                   Real(vertical), law));
 }
 
-void begin_constraints(const Robot& robot, std::span<const Neighbor> neighbors,
-                       std::span<const Box> boxes, const StepLaw& law, Constraints& constraints) {
+Braking braking_of(const Robot& robot, const StepLaw& law) {
+  return braking_of(robot.velocity, robot.max_acceleration, braking_limit(robot), robot.vertical,
+                    law);
+}
+
+void begin_constraints(const Robot& robot, const Braking& own, const StepLaw& law,
+                       Constraints& constraints) {
   constraints.columns.count = constraints.columns.judged = 0;
   constraints.own_columns.count = constraints.own_columns.filled = 0;
+  constraints.waiting.clear();
   constraints.invariant = {.slack = std::numeric_limits<double>::infinity()};
   constraints.has_cones = false;
-  constraints.movers.columns.count = 0;
-  constraints.movers.stays_at_rest = false;
-  constraints.movers.invariant = {};
-  const scalar::PackBraking<Real, 3> braking = packed_braking(robot, law);
-  constraints.own = plain(braking);
-  constraints.deviation = plain(deviation_of(robot, law));
+  constraints.movers.clear();
+  constraints.own = own;
+  constraints.deviation = plain(deviation_of(robot, own, law));
   const Vec3 own_velocity = to_own(robot.velocity, robot.vertical);
   const double own_speed = norm(own_velocity);
   constraints.own_direction = own_speed > 0.0 ? own_velocity / own_speed : Vec3{};
-  const scalar::PackSelf<Real, 3> self = pack(robot, braking);
-  for (std::size_t k = 0; k < neighbors.size(); ++k) {
-    const Neighbor& neighbor = neighbors[k];
-    const StepLaw pair_law = law_against(neighbor, law);
-    const scalar::PackNeighbor<Real, 3> other = pack(neighbor);
-    const scalar::PackPair<Real, 3> packed = scalar::pair_of<true>(self, other, pair_law);
-    const PairShape<3> shape{robot.downwash, neighbor.downwash, robot.vertical,
-                             constraints.own_direction};
-    if (refuses_nothing(self, other, packed, shape, constraints.deviation, pair_law)) continue;
-    const BrakingPair pair{scalar::plain(packed.p), packed.contact.value, packed.inflated.value,
-                           packed.error.value,      packed.share.value,   true,
-                           constraints.own,         plain(packed.b)};
-    collect_pair(pair, shape, static_cast<int>(k), pair_law, constraints);
+}
+
+void collect_constraints(const Robot& robot, const Bodies& bodies, std::span<const NearBody> near,
+                         std::span<const Box> boxes, const StepLaw& law, Constraints& constraints) {
+  const Deviation& deviation = constraints.deviation;
+  constraints.bodies = &bodies;
+  for (NearBody body : near) {
+    if (body.gap == kUnknownGap) {
+      const auto clearance = pair_of(robot, bodies, body.place, law, constraints).clearance();
+      body.gap = clearance.gap.value, body.against = clearance.against.value;
+      if (body.gap > body.against * deviation.most_ahead + deviation.most_aside) continue;
+    }
+    const bool is_short =
+        std::max(constraints.own.intervals, bodies.intervals[body.place]) <= kMostIntervals;
+    if (body.gap > 0.0 && is_short)
+      constraints.waiting.push_back(body);
+    else
+      append_body(robot, body, law, constraints);
   }
   begin_boxes(robot, boxes, law, constraints.boxes);
+}
+
+void append_waiting(const Robot& robot, const StepLaw& law, Constraints& constraints) {
+  for (const NearBody& body : constraints.waiting) append_body(robot, body, law, constraints);
+  constraints.waiting.clear();
 }
 
 namespace {
@@ -253,9 +295,26 @@ bool keeps_movers(const StepLaw& law, Asked asked_for, Constraints& constraints)
   MoverConstraints& movers = constraints.movers;
   movers.columns.judged = 0;
   if (!movers.counts) return true;
-  const bool kept =
-      keeps(constraints.own, constraints.path, law, movers.has_cones, asked_for, movers.columns);
+  const bool kept = kernels().keeps(constraints.own, constraints.path, law, movers.has_cones,
+                                    asked_for, movers.columns);
   return kept && !movers.must_rest(constraints.path.moving);
+}
+
+}  // namespace
+
+namespace {
+
+// Appends the constraints of the pairs that can refuse the candidate.
+void append_needed(const Robot& robot, Vec3 next_velocity, const StepLaw& law,
+                   Constraints& constraints) {
+  if (constraints.waiting.empty()) return;
+  const auto [ahead, aside] = scalar::candidate_deviation(
+      scalar::constant<Real, 3>(constraints.own), pack(next_velocity), law);
+  std::erase_if(constraints.waiting, [&](const NearBody& body) {
+    if (body.gap > body.against * ahead.value + aside.value) return false;
+    append_body(robot, body, law, constraints);
+    return true;
+  });
 }
 
 }  // namespace
@@ -263,9 +322,14 @@ bool keeps_movers(const StepLaw& law, Asked asked_for, Constraints& constraints)
 bool admits(const Robot& robot, Vec3 next_velocity, const StepLaw& law, Asked asked_for,
             Constraints& constraints) {
   if (constraints.invariant.unknown) return false;
+  append_needed(robot, next_velocity, law, constraints);
+  if (constraints.columns.count == 0 && !constraints.movers.counts) {
+    constraints.path.next_velocity = next_velocity;
+    return keeps_boxes(robot, next_velocity, law, constraints.boxes);
+  }
   constraints.path = follow(robot, next_velocity, law);
-  bool kept = keeps(constraints.own, constraints.path, law, constraints.has_cones, asked_for,
-                    constraints.columns);
+  bool kept = kernels().keeps(constraints.own, constraints.path, law, constraints.has_cones,
+                              asked_for, constraints.columns);
   if (!kept && asked_for == Asked::until_refused) return false;
   kept = keeps_movers(law, asked_for, constraints) && kept;
   if (!kept && asked_for == Asked::until_refused) return false;

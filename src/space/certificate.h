@@ -2,15 +2,16 @@
 // One robot's certificate in space (docs/space.md, "The certificate"): the constraints of its
 // neighbors, and whether a next velocity keeps them.
 #pragma once
-#include <cstddef>
 #include <span>
 #include <vector>
 
 #include "avo/space/robot.h"
 #include "certificate/deepest.h"
 #include "certificate/pair.h"
+#include "space/bodies.h"
 #include "space/boxes.h"
 #include "space/kernels.h"
+#include "space/look.h"
 #include "space/mover_constraints.h"
 #include "space/program.h"
 
@@ -20,11 +21,15 @@ namespace avo::space {
 struct Constraints {
   ConstraintColumns columns;  ///< the constraints of one neighbor are consecutive
   OwnColumns own_columns;
+  const Bodies* bodies = nullptr;
+  /// Bodies that can refuse a candidate. Braking leaves the pair a gap, so its constraints wait
+  /// until a candidate comes that it can refuse.
+  std::vector<NearBody> waiting;
   Braking own;
   Vec3 own_direction;   ///< of the velocity in the robot's own space
   Deviation deviation;  ///< in the robot's own space
   Invariant invariant;
-  MoverConstraints movers;  ///< by begin_movers(), which follows begin_constraints()
+  MoverConstraints movers;  ///< by begin_movers(), after begin_constraints()
   BoxConstraints boxes;
   CandidatePath path;  ///< of the last judged candidate
   bool has_cones = false;
@@ -34,9 +39,20 @@ struct Constraints {
 Braking braking_of(Vec3 velocity, double max_acceleration, double max_braking, double vertical,
                    const StepLaw& law);
 
-/// Collects the constraints of all neighbors and boxes that can refuse a candidate.
-void begin_constraints(const Robot& robot, std::span<const Neighbor> neighbors,
-                       std::span<const Box> boxes, const StepLaw& law, Constraints& constraints);
+/// The braking of the robot.
+Braking braking_of(const Robot& robot, const StepLaw& law);
+
+/// Begins anew, without neighbors and boxes. Sets `own`, the braking of the robot, and `deviation`.
+void begin_constraints(const Robot& robot, const Braking& own, const StepLaw& law,
+                       Constraints& constraints);
+
+/// Collects the constraints of those of these bodies that can refuse a candidate, and of boxes. The
+/// bodies have to stay where they are as long as candidates are judged.
+void collect_constraints(const Robot& robot, const Bodies& bodies, std::span<const NearBody> near,
+                         std::span<const Box> boxes, const StepLaw& law, Constraints& constraints);
+
+/// Appends the constraints of all pairs that wait.
+void append_waiting(const Robot& robot, const StepLaw& law, Constraints& constraints);
 
 /// Returns whether the robot may have the velocity v_1 after this step, m/s. It is true for
 /// backup_velocity() wherever the invariant holds.

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// The certificate's kernels in space, for the best instruction set: the text of the plane with D
-// = 3.
+// The kernels of space, for the best instruction set. Those of the certificate are the text of the
+// plane with D = 3.
 #pragma once
+#include <cstddef>
+#include <span>
+
 #include "certificate/admission_kernel.h"
 
 namespace avo::space {
@@ -13,23 +16,34 @@ using ConstraintColumns = ConstraintColumnsOf<3>;
 using OwnColumns = OwnColumnsOf<3>;
 using PairConstraints = PairConstraintsOf<3>;
 
+struct Bodies;
+struct HalfSpaceColumns;
+struct HalfSpaces;
+struct Look;
+struct Looked;
+struct OwnLimits;
+struct Run;
+struct SeenColumns;
+struct SpacePairs;
+
 struct SpaceKernels {
+  // constraints_kernel.h: own.count must be set, and the columns must have room for all intervals
   void (*fill_own)(const Braking&, const Deviation&, const StepLaw&, OwnColumns&);
-  double (*append_in_space)(const PairConstraints&, const StepLaw&, const OwnColumns&,
-                            ConstraintColumns&);
+  double (*append_constraints)(const PairConstraints&, const StepLaw&, const OwnColumns&,
+                               ConstraintColumns&);
   void (*hold)(const PairConstraints&, std::size_t, ConstraintColumns&);
+  // admission_kernel.h
   bool (*keeps)(const Braking&, const CandidatePath&, const StepLaw&, bool, Asked,
                 ConstraintColumns&);
+  // look_kernel.h
+  void (*fill_braking)(const StepLaw&, std::size_t first, std::size_t last, Bodies&);
+  void (*find_seen)(const Look&, const Bodies&, std::span<const Run>, SeenColumns&);
+  void (*judge_seen)(const Look&, const Bodies&, Looked&);
+  // half_space_kernel.h
+  void (*find_frames)(const SpacePairs&, HalfSpaces&);
+  void (*turn_back)(const SpacePairs&, const OwnLimits&, HalfSpaces&);
+  double (*find_violations)(Vec3, HalfSpaceColumns&);
 };
-
-/// own.count must be set, and the columns must have room for it.
-void fill_own(const Braking& a, const Deviation& deviation, const StepLaw& law, OwnColumns& own);
-/// See constraints_kernel.h; the columns must have room for all intervals.
-double append_constraints(const PairConstraints& wanted, const StepLaw& law, const OwnColumns& own,
-                          ConstraintColumns& constraints);
-void hold(const PairConstraints& wanted, std::size_t first, ConstraintColumns& constraints);
-/// See admission_kernel.h.
-bool keeps(const Braking& own, const CandidatePath& path, const StepLaw& law, bool has_cones,
-           Asked asked_for, ConstraintColumns& constraints);
+const SpaceKernels& kernels();
 
 }  // namespace avo::space

@@ -77,6 +77,13 @@ void collect(const BrakingPair& pair, const Mover& mover, int index, const PairS
 
 }  // namespace
 
+void MoverConstraints::clear() {
+  columns.count = columns.judged = 0;
+  own_columns.count = own_columns.filled = 0;
+  invariant = {.slack = std::numeric_limits<double>::infinity()};
+  stays_at_rest = has_cones = counts = false;
+}
+
 SensingError error_against(const Mover& mover, const StepLaw& law) {
   const auto& [position, velocity] = law.sensing_error;
   const double time = mover.age * law.time_step;
@@ -92,12 +99,9 @@ double parabola_error(const Mover& mover, const StepLaw& law) {
 void begin_movers(const Robot& robot, std::span<const Mover> movers, const Braking& own,
                   Vec3 own_direction, const Deviation& deviation, const StepLaw& law,
                   MoverConstraints& constraints) {
-  constraints.columns.count = constraints.columns.judged = 0;
-  constraints.own_columns.count = constraints.own_columns.filled = 0;
-  constraints.invariant = {.slack = std::numeric_limits<double>::infinity()};
-  constraints.stays_at_rest = constraints.has_cones = false;
-  constraints.counts = true;
+  constraints.clear();
   if (movers.empty()) return;
+  constraints.counts = true;
   if (!(own.intervals <= kMostIntervals)) {
     constraints.invariant.unknown = true;
     return;

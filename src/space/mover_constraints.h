@@ -18,7 +18,9 @@ struct MoverConstraints {
   Invariant invariant;
   bool stays_at_rest = false;  ///< so near a moving obstacle that it may not begin to move
   bool has_cones = false;
-  bool counts = true;  ///< false: candidates are judged without moving obstacles
+  bool counts = false;  ///< whether candidates are judged beside moving obstacles
+
+  void clear();
 
   /// Returns whether a path that moves in so many intervals is refused whatever it is.
   [[nodiscard]] bool must_rest(int moving) const {

@@ -38,6 +38,26 @@ struct SpaceProgramResult {
   SpaceProgramState state = SpaceProgramState::optimal;
 };
 
+/// Half-spaces in columns. Allocates only while it grows.
+struct HalfSpaceColumns {
+  using Column = std::vector<double>;
+  /// The columns have room for so many extra entries, which are read but do not count.
+  static constexpr std::size_t kSpare = 8;
+
+  std::size_t count = 0;
+  std::array<Column, 3> normal;
+  Column offset;
+  Column number;     ///< of two that are violated equally, the one with the lower number is chosen
+  Column violation;  ///< by the last point; scratch memory
+
+  void reserve(std::size_t half_spaces);
+  /// Requires room for one more.
+  void add(const HalfSpace& half_space, double its_number);
+  [[nodiscard]] HalfSpace at(std::size_t k) const {
+    return {{normal[0][k], normal[1][k], normal[2][k]}, offset[k]};
+  }
+};
+
 /// Scratch memory of the program in K dimensions and of those below; allocates only while it grows.
 template <std::size_t K>
 struct ProgramLevel {
@@ -56,12 +76,27 @@ struct ProgramLevel<1> {
   };
   std::vector<Plane> planes, taken;
 };
+template <>
+struct ProgramLevel<3> {
+  struct Plane {
+    std::array<double, 3> normal;
+    double offset;
+  };
+  HalfSpaceColumns planes;
+  std::vector<Plane> taken;
+  ProgramLevel<2> below;
+};
 struct SpaceProgramWorkspace {
   ProgramLevel<3> level;
-  std::vector<ProgramLevel<3>::Plane> all, unsafe;  ///< unsafe: those that bound the violation
+  std::vector<ProgramLevel<3>::Plane> unsafe;  ///< those that bound the violation
+  HalfSpaceColumns columns;                    ///< of half-spaces that are given one by one
 };
 
-/// The order of the half-spaces changes the result by rounding only.
+/// The order of the half-spaces changes no bit, as long as their numbers differ. It sets their
+/// violations.
+SpaceProgramResult nearest_point(HalfSpaceColumns& half_spaces, const std::array<Ball, 2>& balls,
+                                 Vec3 wish, SpaceProgramWorkspace& workspace);
+/// The same for half-spaces with the numbers 0, 1, 2, ...
 SpaceProgramResult nearest_point(std::span<const HalfSpace> half_spaces,
                                  const std::array<Ball, 2>& balls, Vec3 wish,
                                  SpaceProgramWorkspace& workspace);

@@ -196,11 +196,17 @@ void check_box(const Scenario& scenario, std::size_t k) {
 
 // Whether braking from the start keeps the robots apart, and from boxes.
 void check_starts(const Scenario& scenario, const StepLaw& law) {
-  std::vector<Neighbor> others;
+  Bodies others;
+  others.reserve(scenario.robots.size());
+  for (const RobotSetup& robot : scenario.robots)
+    others.add(neighbor_of(robot_of(robot)), others.count);
+  fill_braking(law, others);
+  std::vector<NearBody> before;
   Constraints constraints;
   for (std::size_t k = 0; k < scenario.robots.size(); ++k) {
     const Robot robot = robot_of(scenario.robots[k]);
-    begin_constraints(robot, others, scenario.boxes, law, constraints);
+    begin_constraints(robot, others.braking(k), law, constraints);
+    collect_constraints(robot, others, before, scenario.boxes, law, constraints);
     const std::string name = "robots." + std::to_string(k);
     if (constraints.invariant.broken.any())
       throw Error(name + " and robots." + std::to_string(constraints.invariant.broken.index) +
@@ -210,7 +216,7 @@ void check_starts(const Scenario& scenario, const StepLaw& law) {
       throw Error(name + " and " + box_name(scenario, static_cast<std::size_t>(tight.index)) +
                   ": braking at the start leaves " + text(tight.depth) +
                   " m less than contact and the margin for rounding; move the robot away");
-    others.push_back(neighbor_of(robot));
+    before.push_back({static_cast<std::uint32_t>(k), others.number[k]});
   }
 }
 

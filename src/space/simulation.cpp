@@ -9,12 +9,16 @@
 #include "core/executor.h"
 #include "core/hash.h"
 #include "core/response_law.h"
+#include "space/bodies.h"
 #include "space/cells.h"
 #include "space/certificate.h"
+#include "space/decide.h"
 #include "space/goals.h"
 #include "space/own_space.h"
 #include "space/senses.h"
 #include "space/step_law.h"
+#include "space/validity.h"
+#include "space/workspace.h"
 
 namespace avo::space {
 namespace {
@@ -25,36 +29,44 @@ constexpr std::size_t kTile = 16;  // robots that one task decides for
 
 /// The memory of a worker.
 struct AVO_LOCAL SpaceWorker {
-  PlanWorkspace workspace;
-  std::vector<std::uint32_t> found;
-  std::vector<Neighbor> neighbors;
-  std::vector<Mover> movers;
+  PlanWorkspace::Scratch scratch;
+  SpaceCells::Runs runs{};
   std::vector<Box> boxes;
+  std::vector<Mover> movers;
+};
+
+/// What a robot's scene says of its way; near in memory, unlike the scene.
+struct AVO_LOCAL Way {
+  Vec3 goal;               // m
+  double preferred_speed;  // m/s
+  double box_range;        // m
 };
 
 struct Simulation::State {
   Scenario scenario;
-  Planner planner;
+  PlannerOptions options;
+  Horizon horizon;
   StepLaw law;
   Landing landing;
   double sensing_radius;
   std::shared_ptr<Executor> executor;
   SpaceCells cells;
+  Bodies bodies;  // the robots in the order of the cells
   Senses senses;
   std::vector<Mover> movers;  // as they are now
   std::vector<Robot> robots;
   std::vector<Detour> detours;
   std::vector<Plan> plans;
-  std::vector<double> box_range;  // m, of each robot
+  std::vector<Way> ways;
   std::vector<SpaceWorker> workers;
   std::int64_t steps = 0;
 
   State(const Scenario& scene, int threads)
       : scenario(scene),
-        planner(planner_options(scene)),
-        law(step_law(planner.options(), Horizon(planner.options().control_time,
-                                                planner.options().time_horizon, scene.time_step))),
-        landing{response_law(planner.options()), law.lag, law.braking_time},
+        options(planner_options(scene)),
+        horizon(options.control_time, options.time_horizon, options.time_step),
+        law(step_law(options, horizon)),
+        landing{response_law(options), law.lag, law.braking_time},
         sensing_radius(sensing_radius_of(scene)),
         executor(make_executor(static_cast<std::size_t>(std::max(threads, 0)))),
         cells(sensing_radius),
@@ -62,32 +74,23 @@ struct Simulation::State {
         detours(scene.robots.size()),
         plans(scene.robots.size()),
         workers(executor->workers()) {
+    validate_in_space(options);
     for (const RobotSetup& setup : scene.robots) {
       robots.push_back(robot_of(setup));
-      const double range = space::box_range(robots.back(), planner.options());
-      box_range.push_back(
-          scene.moving_obstacles.empty() ? range : std::max(range, planner.options().wall_range));
+      const double range = space::box_range(robots.back(), options);
+      ways.push_back(
+          {setup.goal, setup.preferred_speed,
+           scene.moving_obstacles.empty() ? range : std::max(range, options.wall_range)});
     }
     move_obstacles();
+    bodies.reserve(robots.size());
   }
 
-  /// A robot's neighbors in the order of their indices, and its boxes.
-  void sense(std::size_t k, SpaceWorker& worker) const {
-    const Vec3 place = robots[k].position;
-    worker.found.clear();
-    worker.neighbors.clear();
-    cells.collect(place, worker.found);
-    std::erase_if(worker.found, [&](std::uint32_t other) {
-      return other == k ||
-             !(norm_squared(robots[other].position - place) <= sensing_radius * sensing_radius);
-    });
-    std::sort(worker.found.begin(), worker.found.end());
-    append_sensed(k, worker);
-    worker.boxes.clear();
-    for (const Box& box : scenario.boxes) {
-      if (nearest(place, place, box).distance - box.radius <= box_range[k])
-        worker.boxes.push_back(box);
-    }
+  void sort() {
+    cells.sort(robots);
+    bodies.clear();
+    for (const std::uint32_t k : cells.order()) bodies.add(neighbor_of(robots[k]), k);
+    fill_braking(law, bodies);
   }
 
   void move_obstacles() {
@@ -97,13 +100,17 @@ struct Simulation::State {
       movers.push_back(mover_at(obstacle, now));
   }
 
-  /// The moving obstacles within the sensing radius.
+  [[nodiscard]] bool is_in_range(Vec3 place, std::size_t k) const {
+    return norm_squared(place - robots[k].position) <= sensing_radius * sensing_radius;
+  }
+
+  /// The moving obstacles that a robot senses.
   void sense_movers(std::size_t k, SpaceWorker& worker) const {
     worker.movers.clear();
     if (movers.empty()) return;
     const Observer observer(senses, k, scenario.boxes);
     for (std::size_t m = 0; m < movers.size(); ++m) {
-      if (!(norm(movers[m].position - robots[k].position) <= sensing_radius)) continue;
+      if (!is_in_range(movers[m].position, k)) continue;
       if (senses.are_exact()) {
         worker.movers.push_back(movers[m]);
       } else if (const auto seen = observer.look_at(m, scenario.moving_obstacles[m])) {
@@ -112,30 +119,59 @@ struct Simulation::State {
     }
   }
 
-  /// Of the robots within the sensing radius, those that the robot senses.
-  void append_sensed(std::size_t k, SpaceWorker& worker) const {
-    if (senses.are_exact()) {
-      for (const std::uint32_t other : worker.found)
-        worker.neighbors.push_back(neighbor_of(robots[other]));
-      return;
-    }
+  /// The robots that a robot senses by measurements, in the memory of the worker.
+  void sense_robots(std::size_t k, std::size_t runs, SpaceWorker& worker) const {
+    Bodies& seen = worker.scratch.bodies;
+    seen.clear();
     const Observer observer(senses, k, scenario.boxes);
-    for (const std::uint32_t other : worker.found) {
-      if (const auto seen = observer.look_at(other, robots[other]))
-        worker.neighbors.push_back(*seen);
+    for (const Run& run : std::span(worker.runs).first(runs)) {
+      seen.reserve(seen.count + (run.last - run.first));
+      for (std::size_t place = run.first; place < run.last; ++place) {
+        const std::size_t other = cells.order()[place];
+        if (other == k || !is_in_range(robots[other].position, k)) continue;
+        if (const auto neighbor = observer.look_at(other, robots[other]))
+          seen.add(*neighbor, other);
+      }
+    }
+    fill_braking(law, seen);
+  }
+
+  void find_boxes(std::size_t k, SpaceWorker& worker) const {
+    const Vec3 place = robots[k].position;
+    worker.boxes.clear();
+    for (const Box& box : scenario.boxes) {
+      if (nearest(place, place, box).distance - box.radius <= ways[k].box_range)
+        worker.boxes.push_back(box);
     }
   }
 
-  void decide(std::size_t k, SpaceWorker& worker) {
-    sense(k, worker);
-    sense_movers(k, worker);
+  /// Decides for the robot at that place in the order of the cells.
+  void decide(std::size_t at, SpaceWorker& worker) {
+    const std::size_t k = cells.order()[at];
     Robot& robot = robots[k];
-    const RobotSetup& setup = scenario.robots[k];
-    robot.distance_to_goal = norm(setup.goal - robot.position);
-    robot.preferred_velocity =
-        preferred_velocity(robot, setup.goal, setup.preferred_speed, landing);
-    plans[k] = planner.plan(robot, worker.neighbors, worker.workspace, &detours[k], worker.boxes,
-                            worker.movers);
+    const Way& way = ways[k];
+    robot.distance_to_goal = norm(way.goal - robot.position);
+    robot.preferred_velocity = preferred_velocity(robot, way.goal, way.preferred_speed, landing);
+    find_boxes(k, worker);
+    const std::size_t runs = cells.around(robot.position, worker.runs);
+    sense_movers(k, worker);
+    const auto decide = [&](const Surroundings& around) {
+      plans[k] =
+          space::decide(options, horizon, law, robot, around, true, worker.scratch, detours[k]);
+    };
+    if (senses.are_exact())
+      return decide({.bodies = bodies,
+                     .runs = std::span(worker.runs).first(runs),
+                     .self = static_cast<double>(at),
+                     .range = sensing_radius,
+                     .boxes = worker.boxes,
+                     .movers = worker.movers});
+    sense_robots(k, runs, worker);
+    const Run all{0, worker.scratch.bodies.count};
+    decide({.bodies = worker.scratch.bodies,
+            .runs = std::span(&all, 1),
+            .boxes = worker.boxes,
+            .movers = worker.movers});
   }
 
   void move() {
@@ -159,12 +195,12 @@ Simulation& Simulation::operator=(Simulation&&) noexcept = default;
 
 void Simulation::step() {
   State& state = *state_;
-  state.cells.sort(state.robots);
+  state.sort();
   state.senses.note(state.robots, state.steps);
   const std::size_t count = state.robots.size();
   const auto decide = [&](std::size_t tile, std::size_t worker) {
     const std::size_t end = std::min((tile + 1) * kTile, count);
-    for (std::size_t k = tile * kTile; k < end; ++k) state.decide(k, state.workers[worker]);
+    for (std::size_t at = tile * kTile; at < end; ++at) state.decide(at, state.workers[worker]);
   };
   const std::size_t tiles = (count + kTile - 1) / kTile;
   if (count < kFewestParallel) {
@@ -211,7 +247,7 @@ void Simulation::set_goal(std::size_t robot, Vec3 goal) {
   if (!is_finite(goal)) throw Error("goal: found a number that is not finite");
   Vec3& own = state_->scenario.robots[robot].goal;
   if (own == goal) return;
-  own = goal;
+  own = state_->ways[robot].goal = goal;
   Detour& detour = state_->detours[robot];
   detour = {.congestion = detour.congestion, .acceleration = detour.acceleration};
 }

@@ -4,19 +4,23 @@
 #include <vector>
 
 #include "avo/space/planner.h"
+#include "space/bodies.h"
 #include "space/choice.h"
 #include "space/half_spaces.h"
+#include "space/look.h"
 #include "space/ways.h"
 
 namespace avo::space {
 
 struct PlanWorkspace::Scratch {
-  HalfSpaces half_spaces;
-  std::vector<HalfSpace> speeds;  ///< of boxes, in space
-  std::vector<HalfSpace> planes;  ///< in v', in the robot's own space: the hard ones first
-  std::size_t hard = 0;           ///< the number of hard ones
+  Bodies bodies;  ///< of neighbors that are given one by one
+  Looked looked;
+  HalfSpaceColumns hard;                      ///< in v', in the robot's own space
+  HalfSpaces half_spaces;                     ///< the hard ones first
+  std::vector<HalfSpace> speeds, own_speeds;  ///< of boxes; and all hard ones, in its own space
   ChoiceWorkspace choice;
-  WaySearch ways;  ///< out, beside moving obstacles
+  WaySearch ways;                    ///< out, beside moving obstacles
+  std::vector<HalfSpace> of_movers;  ///< in space
 };
 
 }  // namespace avo::space

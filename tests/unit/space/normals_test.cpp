@@ -113,8 +113,14 @@ TEST(SpaceNormals, leave_the_whole_distance_above_the_face_of_a_braking_pair) {
     const Vec3 center = (relative.middle + relative.end) / 3.0;
     const double height = 0.45;
     a.position = (height / norm(face)) * face - center;
-    const Neighbor other = neighbor_of(b);
-    begin_constraints(a, std::span(&other, 1), {}, law, constraints);
+    Bodies bodies;
+    bodies.reserve(1);
+    bodies.add(neighbor_of(b), 0);
+    fill_braking(law, bodies);
+    const NearBody near{0, 0.0};
+    begin_constraints(a, braking_of(a, law), law, constraints);
+    collect_constraints(a, bodies, std::span(&near, 1), {}, law, constraints);
+    append_waiting(a, law, constraints);
     const Triangle moved{a.position, a.position + relative.middle, a.position + relative.end};
     ASSERT_NEAR(distance_of(moved, {}), height, 1e-6);
     // later intervals may be nearer; none is farther

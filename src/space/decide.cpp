@@ -1,0 +1,329 @@
+// SPDX-License-Identifier: Apache-2.0
+// One decision in space: wish, target (soft), certificate (hard), detour. The stages are those of
+// the plane (ARCHITECTURE.md, "One step").
+#include "space/decide.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/response_law.h"
+#include "planner/execution.h"
+#include "planner/execution_kernel.h"
+#include "space/arrival.h"
+#include "space/choice.h"
+#include "space/evasion.h"
+#include "space/half_spaces.h"
+#include "space/mover_planes.h"
+#include "space/own_space.h"
+#include "space/workspace.h"
+
+namespace avo::space {
+namespace {
+
+bool is_sound(const Detour& detour) {
+  avo::Detour plane{detour.angle, detour.beside, detour.congestion};
+  return avo::is_sound(plane) && is_finite(detour.acceleration);
+}
+
+// The inputs of a decision. Velocities with `own` in their names are in the robot's own space.
+struct Decision {
+  const Robot& robot;
+  const PlannerOptions& options;
+  StepLaw law;
+  Haste haste;
+  Vec3 axis;  ///< about which it turns to its right
+  Vec3 own_velocity, own_last_change;
+  PlanWorkspace::Scratch& scratch;
+
+  Vec3 own(Vec3 a) const { return to_own(a, robot.vertical); }
+  Vec3 in_space(Vec3 a) const { return from_own(a, robot.vertical); }
+};
+
+using Lane = scalar::Pack<double>;
+
+scalar::Vec<Lane, 3> in_lane(Vec3 a) {
+  return scalar::constant<Lane>(a);
+}
+
+Vec3 executed(const Decision& decision, Vec3 own_target, double gain) {
+  const scalar::PackHaste<Lane> haste{gain, decision.haste.most, decision.haste.jerk};
+  return scalar::plain(scalar::executed(in_lane(decision.own_velocity),
+                                        in_lane(decision.own_last_change), in_lane(own_target),
+                                        haste));
+}
+// The velocity after one step towards v, without haste, in the robot's own space.
+Vec3 reached(const Decision& decision, Vec3 own_target) {
+  return scalar::plain(scalar::approach(in_lane(decision.own_velocity), in_lane(own_target),
+                                        Lane(decision.haste.most)));
+}
+
+/// A target, and by how much it violates the half-spaces.
+struct Target {
+  Vec3 own;  ///< [v'] m/s
+  double violation = 0.0;
+};
+
+// Eq. (23) among the half-spaces. Where nothing keeps all of them, the hard ones are kept, near the
+// least unsafe point.
+Target target_of(const Decision& decision, HalfSpaceColumns& half_spaces, Vec3 own_wish) {
+  const Robot& robot = decision.robot;
+  const std::array<Ball, 2> balls{
+      Ball{decision.own_velocity, decision.options.control_time * robot.max_acceleration},
+      Ball{{}, robot.max_speed}};
+  HalfSpaceColumns& hard = decision.scratch.hard;
+  SpaceProgramWorkspace& program = decision.scratch.choice.program;
+  const SpaceProgramResult result = nearest_point(half_spaces, balls, own_wish, program);
+  Target target{result.point, result.violation};
+  if (result.state == SpaceProgramState::balls_disjoint) target.own = decision.own_velocity;
+  if (result.state == SpaceProgramState::least_unsafe && hard.count > 0)
+    target.own = nearest_point(hard, balls, result.point, program).point;
+  return target;
+}
+
+// The hard half-spaces, in the robot's own space.
+void collect_hard(const Decision& decision, std::span<const Box> boxes) {
+  const Robot& robot = decision.robot;
+  PlanWorkspace::Scratch& scratch = decision.scratch;
+  std::vector<HalfSpace>& speeds = scratch.speeds;
+  speeds.clear();
+  append_speed_planes(robot, boxes, decision.law, speeds);
+  std::vector<HalfSpace>& all = scratch.own_speeds;
+  all.clear();
+  append_climb(robot, all);
+  for (const HalfSpace& plane : speeds) all.push_back(to_own(plane, robot.vertical));
+  HalfSpaceColumns& hard = scratch.hard;
+  hard.count = 0;
+  hard.reserve(all.size());
+  // they come before all neighbors
+  for (const HalfSpace& plane : all)
+    hard.add(plane, static_cast<double>(hard.count) - static_cast<double>(all.size()));
+}
+
+// The hard half-spaces and then the soft ones, in the robot's own space.
+void collect_half_spaces(const Decision& decision, const Surroundings& around,
+                         const Horizon& horizon) {
+  collect_hard(decision, around.boxes);
+  const Robot& robot = decision.robot;
+  PlanWorkspace::Scratch& scratch = decision.scratch;
+  HalfSpaceColumns& columns = scratch.half_spaces.columns;
+  columns.count = 0;
+  columns.reserve(scratch.hard.count);
+  for (std::size_t k = 0; k < scratch.hard.count; ++k)
+    columns.add(scratch.hard.at(k), scratch.hard.number[k]);
+  const OwnLimits own{robot.velocity, robot.vertical,
+                      decision.options.control_time * robot.max_acceleration, robot.max_speed};
+  append_half_spaces(scratch.looked.pairs, own, horizon, scratch.half_spaces);
+  if (around.movers.empty()) return;
+  scratch.of_movers.clear();
+  append_mover_planes(robot, around.movers, decision.options, horizon, scratch.of_movers);
+  columns.reserve(columns.count + scratch.of_movers.size());
+  double number = static_cast<double>(kMostRobots);  // they come after all neighbors
+  for (const HalfSpace& plane : scratch.of_movers)
+    columns.add(to_own(plane, robot.vertical), number++);
+}
+
+// The velocity that Eq. (23) is given for a wish, m/s (docs/smoothness.md).
+Vec3 aim_of(Decision& decision, Vec3 own_wish, const Execution& execution) {
+  if (decision.haste.gain >= 1.0) return own_wish;
+  const avo::Robot same = numbers_of(decision.robot);
+  const Vec3 change = own_wish - decision.own_velocity;
+  if (!is_landing(same, decision.haste, execution))
+    return decision.own_velocity + std::min(unhurried_part(same, execution), 1.0) * change;
+  const Vec3 aim = decision.own_velocity + change / decision.haste.gain;
+  // an acceleration against the aim has to end at once
+  if (dot(decision.own_last_change, aim - decision.own_velocity) < 0.0)
+    decision.own_last_change = {};
+  return aim;
+}
+
+// The part of the velocity along the wish that is left, where `next` is chosen.
+double part_left(const Decision& decision, const Choice& choice, Vec3 own_target, Vec3 own_aim,
+                 Vec3 own_wish) {
+  const auto part = [&](Vec3 own_next, Vec3 own_free) {
+    const double unhindered = dot(own_free, own_wish);
+    return unhindered > 0.0 ? dot(own_next, own_wish) / unhindered : 1.0;
+  };
+  const Vec3 unhindered = reached(decision, own_aim);
+  if (choice.chosen != Chosen::wanted) return part(decision.own(choice.next_velocity), unhindered);
+  return part(reached(decision, own_target), unhindered);
+}
+
+void turn(Detour& detour, const Decision& decision, double rate, bool among_boxes) {
+  avo::Detour plane{.angle = detour.angle};
+  const avo::Robot same = numbers_of(decision.robot);
+  if (rate > 0.0)
+    turn_off(plane, same, decision.options.time_step, among_boxes);
+  else
+    turn_back(plane, same, decision.options.time_step);
+  detour.angle = plane.angle;
+}
+
+// The choice of a robot whose target is known, and its detour, docs/arrival.md, rule 3.
+Choice choose_and_arrive(const Decision& decision, Vec3 wish, Vec3 own_aim, const Target& target,
+                         Detour& detour) {
+  PlanWorkspace::Scratch& scratch = decision.scratch;
+  const Robot& robot = decision.robot;
+  const auto choose_near = [&](Vec3 own_next) {
+    return choose(robot, decision.in_space(own_next), decision.law, scratch.choice);
+  };
+  const Choice choice = choose_near(executed(decision, target.own, decision.haste.gain));
+  if (!may_detour(numbers_of(robot)) || detour.goal_taken) {
+    detour.angle = 0.0F;
+    return choice;
+  }
+  const Vec3 own_wish = decision.own(wish);
+  const double left = part_left(decision, choice, target.own, own_aim, own_wish);
+  if (left >= kBlocked) turn(detour, decision, -1.0, false);
+  const bool turns = left > kStuck && detour.angle > 0.0F;
+  Choice next = choice;
+  if (turns) {
+    const Vec3 turned = decision.own(turned_right(wish, decision.axis, detour.angle));
+    const Target off = target_of(decision, scratch.half_spaces.columns, turned);
+    next = choose_near(executed(decision, off.own, decision.haste.gain));
+  }
+  if (left < kFree) {
+    const Vec3 turned = decision.own(turned_right(wish, decision.axis, detour.angle));
+    const Target off = target_of(decision, scratch.hard, turned);
+    const double kept = std::clamp((left - kStuck) / (kFree - kStuck), 0.0, 1.0);
+    const Vec3 smooth = executed(decision, off.own, 1.0);
+    const Vec3 before = decision.own(next.next_velocity);
+    next = choose_near(smooth + kept * (before - smooth));
+    if (left < kBlocked && part_left(decision, next, off.own, turned, turned) < kBlocked)
+      turn(detour, decision, 1.0, scratch.hard.count > 0);
+  }
+  if ((turns || left < kFree) && next.chosen == Chosen::wanted) next.chosen = Chosen::detour;
+  return next;
+}
+
+PlanStatus status_of(Chosen chosen, double violation) {
+  if (chosen == Chosen::backup) return PlanStatus::braking;
+  if (chosen == Chosen::detour) return PlanStatus::detour;
+  if (chosen == Chosen::candidate) return PlanStatus::refused;
+  return violation > 0.0 ? PlanStatus::least_unsafe : PlanStatus::optimal;
+}
+
+double radius_of(const Bodies& bodies, int number) {
+  const auto at = std::find(bodies.number.begin(), bodies.number.end(), number);
+  return bodies.radius[static_cast<std::size_t>(at - bodies.number.begin())];
+}
+
+// Names the deepest contact, where rounding cannot have caused it.
+void tell_contact(const Decision& decision, const Surroundings& around, Plan& plan) {
+  const Constraints& constraints = decision.scratch.choice.constraints;
+  double deepest = 0.0;
+  const auto tell = [&](const Deepest& found, double radius, int& index) {
+    const double feigned = feigned_depth(decision.robot.radius + radius, constraints.own.reach);
+    if (!(found.depth > deepest) || !(found.depth > feigned)) return;
+    deepest = found.depth;
+    plan.status = PlanStatus::overlapping;
+    plan.depth = static_cast<float>(found.depth);
+    plan.neighbor = plan.box = plan.mover = -1;
+    index = found.index;
+  };
+  const Deepest& neighbor = constraints.invariant.broken;
+  if (neighbor.any()) tell(neighbor, radius_of(around.bodies, neighbor.index), plan.neighbor);
+  const Deepest& box = constraints.boxes.broken;
+  if (box.any()) tell(box, 0.0, plan.box);
+  const Deepest& mover = constraints.movers.invariant.broken;
+  if (mover.any())
+    tell(mover, around.movers[static_cast<std::size_t>(mover.index)].radius, plan.mover);
+}
+
+// Eq. (7)
+Plan plan_to(Vec3 velocity, Vec3 next_velocity, const StepLaw& law) {
+  const double rate = law.braking_time / law.control_time;
+  Plan plan;
+  plan.next_velocity = next_velocity;
+  plan.new_velocity = velocity + (next_velocity - velocity) / rate;
+  plan.acceleration = (plan.new_velocity - velocity) / law.control_time;
+  return plan;
+}
+
+// What one look at the bodies finds.
+void look_around(const PlannerOptions& options, const Horizon& horizon, const StepLaw& law,
+                 const Robot& robot, const Surroundings& around, PlanWorkspace::Scratch& scratch) {
+  Constraints& constraints = scratch.choice.constraints;
+  const bool is_known = around.self >= 0.0;
+  const Braking own = is_known ? around.bodies.braking(static_cast<std::size_t>(around.self))
+                               : braking_of(robot, law);
+  begin_constraints(robot, own, law, constraints);
+  const Look look{.robot = robot,
+                  .braking = constraints.own,
+                  .deviation = constraints.deviation,
+                  .law = law,
+                  .horizon = horizon,
+                  .control_time = options.control_time,
+                  .self = around.self,
+                  .range = around.range,
+                  .traffic_range = traffic_range(robot),
+                  .certified = options.certificate != Certificate::none};
+  look_at(look, around.bodies, around.runs, options.max_neighbors, scratch.looked);
+}
+
+void collect_all_constraints(const PlannerOptions& options, const StepLaw& law, const Robot& robot,
+                             const Surroundings& around, PlanWorkspace::Scratch& scratch) {
+  const bool certified = options.certificate != Certificate::none;
+  collect_constraints(robot, around.bodies, scratch.looked.near,
+                      certified ? around.boxes : std::span<const Box>{}, law,
+                      scratch.choice.constraints);
+  Constraints& constraints = scratch.choice.constraints;
+  if (certified && !around.movers.empty())
+    begin_movers(robot, around.movers, constraints.own, constraints.own_direction,
+                 constraints.deviation, law, constraints.movers);
+}
+
+}  // namespace
+
+Plan decide(const PlannerOptions& options, const Horizon& horizon, const StepLaw& law,
+            const Robot& robot, const Surroundings& around, bool remembers,
+            PlanWorkspace::Scratch& scratch, Detour& detour) {
+  look_around(options, horizon, law, robot, around, scratch);
+  if (!is_sound(detour)) detour = {};
+  const Execution execution{response_law(options), law.braking_time, remembers};
+  Decision decision{robot,
+                    options,
+                    law,
+                    haste_of(numbers_of(robot), execution),
+                    axis_across(robot.preferred_velocity),
+                    to_own(robot.velocity, robot.vertical),
+                    law.braking_time * to_own(detour.acceleration, robot.vertical),
+                    scratch};
+  if (!execution.law.is_gentle()) decision.own_last_change = {};
+  collect_half_spaces(decision, around, horizon);
+  const Vec3 wish = wish_of(robot, around.bodies, scratch.looked, options, decision.axis, detour);
+  const Vec3 own_aim = aim_of(decision, to_own(wish, robot.vertical), execution);
+  const Target target = target_of(decision, scratch.half_spaces.columns, own_aim);
+  collect_all_constraints(options, law, robot, around, scratch);
+  Choice choice = choose_and_arrive(decision, wish, own_aim, target, detour);
+  const bool is_certified = options.certificate != Certificate::none;
+  const bool is_alone = scratch.looked.seen.count == 0;
+  const Sight sight{around.movers, around.boxes, is_alone && !options.never_swerves};
+  const bool evades = is_certified && keep_a_way_out(options, law, robot, sight, scratch.ways,
+                                                     scratch.choice, choice.next_velocity);
+  if (evades) choice.chosen = Chosen::candidate;
+  Plan plan = plan_to(robot.velocity, choice.next_velocity, law);
+  plan.violation = target.violation;
+  plan.evading = evades;
+  plan.status = status_of(choice.chosen, target.violation);
+  tell_contact(decision, around, plan);
+  const Constraints& constraints = scratch.choice.constraints;
+  const bool keeps_clear = !constraints.invariant.doubtful && !constraints.invariant.unknown &&
+                           !constraints.boxes.broken.any();
+  if (is_certified && keeps_clear) plan.state = SafetyState::safe;
+  detour.acceleration = plan.acceleration;
+  return plan;
+}
+
+Constraints& admission_of(const PlannerOptions& options, const Horizon& horizon, const StepLaw& law,
+                          const Robot& robot, const Surroundings& around,
+                          PlanWorkspace::Scratch& scratch) {
+  look_around(options, horizon, law, robot, around, scratch);
+  collect_all_constraints(options, law, robot, around, scratch);
+  return scratch.choice.constraints;
+}
+
+Plan braking_plan(const Robot& robot, const StepLaw& law) {
+  return plan_to(robot.velocity, backup_velocity(robot, law), law);
+}
+
+}  // namespace avo::space

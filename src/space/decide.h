@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+#include <limits>
+#include <span>
+
+#include "avo/horizon.h"
+#include "avo/planner.h"
+#include "avo/space/planner.h"
+#include "certificate/braking_path.h"
+#include "space/bodies.h"
+#include "space/certificate.h"
+
+namespace avo::space {
+
+/// The bodies around a robot; fill_braking() has been called for them.
+struct Surroundings {
+  const Bodies& bodies;
+  std::span<const Run> runs;                               ///< share no place
+  double self = -1.0;                                      ///< the robot's own place; -1: none
+  double range = std::numeric_limits<double>::infinity();  ///< m: others are not sensed
+  std::span<const Box> boxes = {};
+  std::span<const Mover> movers = {};
+};
+
+/// The decision of a robot whose inputs are valid. Updates the detour. `remembers`: whether the
+/// detour has the acceleration of the last step.
+Plan decide(const PlannerOptions& options, const Horizon& horizon, const StepLaw& law,
+            const Robot& robot, const Surroundings& around, bool remembers,
+            PlanWorkspace::Scratch& scratch, Detour& detour);
+
+/// The constraints of a robot whose inputs are valid.
+Constraints& admission_of(const PlannerOptions& options, const Horizon& horizon, const StepLaw& law,
+                          const Robot& robot, const Surroundings& around,
+                          PlanWorkspace::Scratch& scratch);
+
+/// Full braking.
+Plan braking_plan(const Robot& robot, const StepLaw& law);
+
+}  // namespace avo::space

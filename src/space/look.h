@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: Apache-2.0
+// One look at all bodies around a robot: for which of them it may have to brake, whose half-spaces
+// can cut, and who is traffic. What is left out changes no bit of a decision.
+#pragma once
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "avo/horizon.h"
+#include "avo/planner.h"
+#include "certificate/pair.h"
+#include "space/bodies.h"
+
+namespace avo::space {
+
+/// A robot, and what it looks for. Distances in m, speeds in m/s.
+struct Look {
+  const Robot& robot;
+  const BrakingOf<3>& braking;  ///< its own
+  const Deviation& deviation;   ///< of its candidates, in its own space
+  const StepLaw& law;
+  const Horizon& horizon;
+  double control_time = 0.0;                               ///< [δ] s
+  double self = -1.0;                                      ///< its place; -1: none
+  double range = std::numeric_limits<double>::infinity();  ///< others are not sensed
+  double traffic_range = 0.0;                              ///< of traffic ahead
+  bool certified = true;  ///< whether it looks for those for which it may have to brake
+  /// Bodies beyond get no half-space: a squared distance, m², and of bodies at that distance a
+  /// number.
+  double farthest_squared = std::numeric_limits<double>::infinity();
+  double farthest_number = std::numeric_limits<double>::infinity();
+
+  /// Whether neither errors nor shapes nor limits along the vertical tell the pairs apart from
+  /// those of the plane.
+  [[nodiscard]] bool is_plain(const Bodies& bodies) const {
+    return law.is_exact() && robot.downwash == 0.0 && robot.vertical == 1.0 &&
+           !bodies.has_downwash && !bodies.has_vertical && !bodies.has_ages;
+  }
+};
+
+/// Bodies within the range, in columns, in no order.
+struct SeenColumns {
+  using Column = std::vector<double>;
+  std::size_t count = 0;
+  Column place, squared;       // index into the bodies; squared distance, m²
+  std::array<Column, 3> p, v;  // p_A - p_B, v_A - v_B: m, m/s
+
+  void reserve(std::size_t bodies);
+};
+
+/// Pairs that may get a half-space, in columns, in no order.
+struct SpacePairs {
+  using Column = std::vector<double>;
+  std::size_t count = 0;
+  std::array<Column, 3> p, v;  // of the ball of the pair's shape that matters: m, m/s
+  Column radius, reach;        // [r_A + r_B], m; [δ (a_A + a_B)], m/s
+  Column share, number;        // see reciprocal_share(); Bodies::number
+
+  void reserve(std::size_t pairs);
+};
+
+/// See NearBody.
+inline constexpr double kUnknownGap = -std::numeric_limits<double>::infinity();
+
+/// A body for which A may have to brake, and what it can refuse, see PackClearance. Where the gap
+/// is unknown, it may be nothing at all.
+struct NearBody {
+  std::uint32_t place;
+  double number;  ///< Bodies::number
+  double gap = kUnknownGap, against = 1.0;
+};
+
+/// Scratch memory and result; allocates only while it grows.
+struct Looked {
+  SeenColumns seen;
+  SpacePairs pairs;
+  std::vector<NearBody> near;         ///< by ascending number
+  double ahead = 0.0;                 ///< see Traffic::ahead
+  std::vector<std::uint32_t> beside;  ///< places of bodies that may be nearly in contact, as well
+  std::vector<std::uint32_t> places;  ///< scratch memory
+};
+
+/// Looks at the bodies of these runs, which share no place. Of those within the range, the
+/// `max_neighbors` nearest may get half-spaces.
+void look_at(Look look, const Bodies& bodies, std::span<const Run> runs,
+             std::optional<int> max_neighbors, Looked& looked);
+
+}  // namespace avo::space

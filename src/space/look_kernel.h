@@ -1,0 +1,368 @@
+// SPDX-License-Identifier: Apache-2.0
+// The lanes of look_at(), and the braking of bodies (docs/space.md, "Leaving out early").
+#ifndef AVO_SPACE_LOOK_KERNEL_H
+#define AVO_SPACE_LOOK_KERNEL_H
+
+#include <algorithm>
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+#include "certificate/admission_kernel.h"
+#include "core/share_kernel.h"
+#include "planner/rules/arrival.h"
+#include "space/look.h"
+
+AVO_BEGIN_KERNELS
+
+/// See space::fill_braking().
+template <typename Real>
+void fill_braking(const StepLaw& law, std::size_t first, std::size_t last, space::Bodies& bodies) {
+  for (std::size_t k = first; k < last; k += Real::kLanes) {
+    const auto load = [k](const std::vector<double>& column) { return Real::load(&column[k]); };
+    const auto store = [k](Real value, std::vector<double>& column) { value.store(&column[k]); };
+    const PackBraking<Real, 3> b =
+        braking_of(load_vector<Real, 3>(bodies.velocity, k), load(bodies.max_acceleration),
+                   load(bodies.max_braking), load(bodies.vertical), law);
+    store_vector(b.direction, bodies.direction, k);
+    store(b.profile.speed, bodies.speed), store(b.profile.decrement, bodies.decrement);
+    store(b.profile.full_steps, bodies.full_steps), store(b.increment, bodies.increment);
+    store(b.length, bodies.length), store(b.reach, bodies.reach);
+    store(b.intervals, bodies.intervals), store(error_of(b, law), bodies.error);
+  }
+}
+
+/// The values of a look in all lanes.
+template <typename Real>
+struct PackLook {
+  Vec<Real, 3> position, velocity, direction, way;
+  Real radius, acceleration, braking, priority, downwash;
+  Real reach, full_steps, intervals, lengths;  // lengths: see rounding_margin()
+  Real most_ahead, most_aside;
+  Real end_time, end_lag, gain, change, speed;  // of half-spaces
+  Real traffic_range, per_range, per_front, per_closing, per_slow;
+
+  AVO_KERNEL PackLook(const space::Look& look, const space::Bodies& bodies)
+      : position(constant<Real>(look.robot.position)),
+        velocity(constant<Real>(look.robot.velocity)),
+        direction(constant<Real>(look.braking.direction)),
+        way(constant<Real>(look.robot.preferred_velocity)),
+        radius(look.robot.radius),
+        acceleration(look.robot.max_acceleration),
+        braking(look.robot.max_braking.value_or(look.robot.max_acceleration)),
+        priority(look.robot.priority),
+        downwash(look.robot.downwash),
+        reach(look.braking.reach + bodies.most_reach),
+        full_steps(std::max(look.braking.profile.full_steps, bodies.most_full_steps)),
+        intervals(std::max(look.braking.intervals, bodies.most_intervals)),
+        lengths(Real(2.0) * one_norm(position) + reach + radius + downwash +
+                Real(bodies.most_downwash)),
+        most_ahead(look.deviation.most_ahead),
+        // gaps are not known to bound anything else
+        most_aside(look.law.is_exact() && !bodies.has_ages && look.robot.vertical == 1.0
+                       ? look.deviation.most_aside
+                       : std::numeric_limits<double>::infinity()),
+        end_time(look.horizon.end().time),
+        end_lag(look.horizon.end().lag),
+        gain(look.horizon.end().gain),
+        // a normal is no longer than this in the robot's own space
+        change(std::max(look.robot.vertical, 1.0) * look.control_time *
+               look.robot.max_acceleration),
+        speed(std::max(look.robot.vertical, 1.0) * look.robot.max_speed),
+        traffic_range(look.traffic_range),
+        per_range(1.0 / look.traffic_range),
+        per_front(1.0 / (kInFront * norm(look.robot.preferred_velocity))),
+        per_closing(1.0 / (kCloses * look.robot.max_speed)),
+        per_slow(1.0 / (kSlow * look.robot.max_speed)) {}
+};
+
+/// What matters of the bodies themselves.
+template <typename Real>
+struct PackBody {
+  Real contact, wash, share, defers, reach;  // [δ (a_A + a_B)] m/s: reach
+  // equal priorities, with which the share is that of the room as well; and equal braking
+  decltype(Real() < Real()) are_equal, brake_alike;
+};
+
+/// field: maps a column to its values.
+template <typename Real, typename Field>
+AVO_KERNEL PackBody<Real> body_of(const PackLook<Real>& a, const space::Look& look,
+                                  const space::Bodies& bodies, const Field& field) {
+  const auto equal = [](Real x, Real y) { return (x <= y) & (x >= y); };
+  const Real acceleration = field(bodies.max_acceleration), priority = field(bodies.priority);
+  return {a.radius + field(bodies.radius),
+          max(a.downwash, field(bodies.downwash)),
+          room_share(a.acceleration, acceleration, priority, a.priority),
+          Real(2.0) * room_share(Real(1.0), Real(1.0), priority, a.priority),
+          Real(look.control_time) * (a.acceleration + acceleration),
+          equal(a.priority, priority),
+          equal(a.braking, field(bodies.max_braking)) & equal(field(bodies.vertical), Real(1.0))};
+}
+
+/// A body as A sees it.
+template <typename Real>
+struct PackSeen {
+  Vec<Real, 3> p, v;
+  Real squared, distance, place;
+  decltype(Real() < Real()) counted;
+};
+
+/// Returns whether A surely needs no constraint for a body: see collect_constraints(). The tests
+/// are those of are_far() and are_clear(), for the largest reach and the longest braking of all
+/// bodies.
+template <typename Real>
+AVO_KERNEL auto can_ignore(const PackLook<Real>& a, const PackSeen<Real>& seen,
+                           const PackBody<Real>& body, const space::Look& look,
+                           const space::Bodies& bodies) {
+  const Real zero(0.0), one(1.0), rounding(kFarther);
+  const Real lengths = a.lengths + one_norm(seen.p) + body.contact;
+  const Real inflated = body.contact + rounding_margin<Real, 3>(lengths, a.intervals,
+                                                                min(body.share, one - body.share));
+  const auto far =
+      seen.distance > rounding * (inflated + a.reach + body.wash + Real(bodies.most_error));
+  const Real steps = one + a.full_steps;
+  const Real drift = Real(kFarther * look.law.time_step) * steps * norm(seen.v);
+  const Real left = seen.distance - drift;
+  const Real towards = min(max(zero, drift - dot(seen.p, a.direction)), left);
+  const Real against = select(body.wash > zero, left, towards);
+  const Real gap = body.share * (left - (inflated + body.wash) - Real(0x1p-27) * seen.distance);
+  const auto clear = (left > zero) & ((gap - a.most_aside) * left > against * a.most_ahead);
+  return body.are_equal & (far | (body.brake_alike & clear));
+}
+
+/// Returns whether the half-space of a pair surely contains all that A can choose. It is decided
+/// for half-spaces that touch the obstacle at the end of the horizon (docs/half_plane.md, lemma 2).
+template <typename Real>
+AVO_KERNEL auto contains_all(const PackLook<Real>& a, const PackSeen<Real>& seen,
+                             const PackBody<Real>& body) {
+  const Real rounding(kFarther), beyond(1e-9);  // m/s, more than what programs tolerate
+  const Vec<Real, 3> x = seen.p + a.end_time * seen.v, y = seen.p + a.end_lag * seen.v;
+  const Real length = norm(x), least = rounding * body.contact * length;
+  const auto touches_at_end =
+      (seen.distance > rounding * body.contact) & (dot(seen.p, x) > least) & (dot(x, y) > least);
+  const Real lift = body.share * (body.contact - length);  // [α h g] m
+  const auto keeps_change = lift < -(a.gain * (rounding * a.change + beyond));
+  const auto keeps_speed = dot(x, a.velocity) * a.gain + lift * length <
+                           -(length * a.gain * (rounding * a.speed + beyond));
+  return touches_at_end & (keeps_change | keeps_speed);
+}
+
+/// What bodies ahead add to the traffic, see Traffic::ahead. It is a multiple of 2^-40, so that the
+/// sum of many is exact, in any order.
+template <typename Real>
+AVO_KERNEL Real traffic_of(const PackLook<Real>& a, const PackSeen<Real>& seen,
+                           const PackBody<Real>& body, Real speed) {
+  const Real zero(0.0), one(1.0), two(2.0), whole(0x1.8p12);
+  const Real per_distance = one / select(seen.distance > zero, seen.distance, one);
+  const Real in_front = -dot(seen.p, a.way) * per_distance * a.per_front;
+  const Real closes = one - dot(seen.p, seen.v) * per_distance * a.per_closing;
+  const Real rests = two - speed * a.per_slow;
+  const Real weight = body.defers * (one - seen.distance * a.per_range) *
+                      min(max(max(closes, rests), zero), one) * min(in_front, one);
+  const auto counts = (seen.distance < a.traffic_range) & (in_front > zero);
+  return select(counts, (weight + whole) - whole, zero);
+}
+
+template <typename Real>
+AVO_KERNEL void push(const PackSeen<Real>& seen, const PackBody<Real>& body, Real number,
+                     decltype(Real() < Real()) chosen, const space::Look& look,
+                     const space::Bodies& bodies, space::SpacePairs& pairs) {
+  const std::size_t at = pairs.count;
+  Vec<Real, 3> p = seen.p;
+  if (look.robot.downwash > 0.0 || bodies.has_downwash) {
+    // p from the ball of the pair's capsule that the relative course comes nearest to
+    const Real zero(0.0), squared = dot(seen.v, seen.v);
+    const auto moves = squared > zero;
+    const Real nearest =
+        select(moves, max(-dot(p, seen.v), zero) / select(moves, squared, Real(1.0)), zero);
+    const Real height = p.z + min(nearest, Real(look.horizon.end().time)) * seen.v.z;
+    const Real below = lookup(bodies.downwash.data(), seen.place);
+    p.z = p.z - min(max(height, -below), Real(look.robot.downwash));
+    chosen = chosen & (dot(p, p) > zero);
+  }
+  const auto put = [&](Real value, std::vector<double>& column) {
+    return store_chosen(chosen, value, &column[at]);
+  };
+  put(p.x, pairs.p[0]), put(p.y, pairs.p[1]), put(p.z, pairs.p[2]);
+  put(seen.v.x, pairs.v[0]), put(seen.v.y, pairs.v[1]), put(seen.v.z, pairs.v[2]);
+  put(body.contact, pairs.radius), put(body.reach, pairs.reach), put(body.share, pairs.share);
+  pairs.count += put(number, pairs.number);
+}
+
+template <typename Real>
+AVO_KERNEL void push(Real place, std::uint32_t lanes, std::vector<std::uint32_t>& places) {
+  if (lanes == 0) return;
+  alignas(64) double numbers[Real::kLanes];
+  place.store(numbers);
+  for (; lanes != 0; lanes &= lanes - 1)
+    places.push_back(static_cast<std::uint32_t>(numbers[std::countr_zero(lanes)]));
+}
+
+/// Finds the bodies within the range.
+template <typename Real>
+void find_seen(const space::Look& look, const space::Bodies& bodies,
+               std::span<const space::Run> runs, space::SeenColumns& seen) {
+  const Vec<Real, 3> position = constant<Real>(look.robot.position);
+  const Vec<Real, 3> velocity = constant<Real>(look.robot.velocity);
+  const Real self(look.self), range_squared(look.range * look.range);
+  seen.count = 0;
+  for (const space::Run& run : runs) {
+    for (std::size_t k = run.first; k < run.last; k += Real::kLanes) {
+      const Vec<Real, 3> p = position - load_vector<Real, 3>(bodies.position, k);
+      const Real squared = dot(p, p), place = Real::numbers_from(k);
+      const auto sensed = (place < Real(static_cast<double>(run.last))) & (place != self) &
+                          (squared <= range_squared);
+      if (!any(sensed)) continue;
+      const Vec<Real, 3> v = velocity - load_vector<Real, 3>(bodies.velocity, k);
+      const auto put = [&, at = seen.count](Real value, std::vector<double>& column) {
+        return store_chosen(sensed, value, &column[at]);
+      };
+      put(p.x, seen.p[0]), put(p.y, seen.p[1]), put(p.z, seen.p[2]);
+      put(v.x, seen.v[0]), put(v.y, seen.v[1]), put(v.z, seen.v[2]);
+      put(squared, seen.squared);
+      seen.count += put(place, seen.place);
+    }
+  }
+}
+
+/// The pairs of these bodies that can refuse a candidate, where they are as in the plane: see
+/// collect_constraints().
+template <typename Real>
+AVO_KERNEL void judge_near(const space::Look& look, const space::Bodies& bodies,
+                           std::span<const std::uint32_t> places,
+                           std::vector<space::NearBody>& near) {
+  const space::Robot& robot = look.robot;
+  const PackSelf<Real, 3> self{constant<Real>(robot.position),
+                               constant<Real>(robot.velocity),
+                               robot.radius,
+                               robot.max_acceleration,
+                               robot.max_braking.value_or(robot.max_acceleration),
+                               robot.priority,
+                               constant<Real, 3>(look.braking),
+                               robot.downwash};
+  for (std::size_t first = 0; first < places.size(); first += Real::kLanes) {
+    const std::size_t count = std::min(Real::kLanes, places.size() - first);
+    alignas(64) double numbers[Real::kLanes];
+    for (std::size_t k = 0; k < Real::kLanes; ++k)
+      numbers[k] = places[first + std::min(k, count - 1)];
+    const Real place = Real::load(numbers);
+    const auto field = [&](const std::vector<double>& column) {
+      return lookup(column.data(), place);
+    };
+    const auto vector = [&](const std::array<std::vector<double>, 3>& columns) {
+      return Vec<Real, 3>{field(columns[0]), field(columns[1]), field(columns[2])};
+    };
+    const PackNeighbor<Real, 3> other{vector(bodies.position),   vector(bodies.velocity),
+                                      field(bodies.radius),      field(bodies.max_acceleration),
+                                      field(bodies.max_braking), field(bodies.priority),
+                                      field(bodies.vertical),    field(bodies.downwash)};
+    const PackBraking<Real, 3> b{
+        .profile = {field(bodies.speed), field(bodies.decrement), field(bodies.full_steps)},
+        .increment = field(bodies.increment),
+        .direction = vector(bodies.direction),
+        .length = field(bodies.length),
+        .reach = field(bodies.reach),
+        .intervals = field(bodies.intervals)};
+    const PackPair<Real, 3> pair = pair_of<true>(self, other, b, look.law);
+    const PackClearance<Real> clearance = clearance_of<true>(self, pair, other, look.law);
+    const auto apart = pair.distance - (self.braking.reach + b.reach) > pair.inflated + pair.error;
+    const auto clear = clearance.gap > clearance.against * Real(look.deviation.most_ahead) +
+                                           Real(look.deviation.most_aside);
+    alignas(64) double gaps[Real::kLanes], against[Real::kLanes];
+    clearance.gap.store(gaps), clearance.against.store(against);
+    for (std::uint32_t lanes = bits(!(apart | clear)) & ((1U << count) - 1U); lanes != 0;
+         lanes &= lanes - 1) {
+      const auto lane = static_cast<std::size_t>(std::countr_zero(lanes));
+      near.push_back(
+          {places[first + lane], bodies.number[places[first + lane]], gaps[lane], against[lane]});
+    }
+  }
+}
+
+/// The bodies from k on.
+template <typename Real>
+AVO_KERNEL PackSeen<Real> seen_at(const space::SeenColumns& all, std::size_t k) {
+  PackSeen<Real> seen;
+  seen.counted = lane_numbers<Real>() < Real(static_cast<double>(all.count - k));
+  seen.p = load_vector<Real, 3>(all.p, k), seen.v = load_vector<Real, 3>(all.v, k);
+  seen.squared = Real::load(&all.squared[k]);
+  seen.distance = sqrt(seen.squared);
+  seen.place = select(seen.counted, Real::load(&all.place[k]), Real(0.0));
+  return seen;
+}
+
+/// Calls judge(seen, body, field) for all bodies that are seen, many at once. field: the values of
+/// a column. Where all bodies are alike, they are looked at once.
+template <typename Real, bool kUniform, typename Judge>
+AVO_KERNEL void for_all(const PackLook<Real>& a, const space::Look& look,
+                        const space::Bodies& bodies, const space::SeenColumns& all,
+                        const Judge& judge) {
+  const auto same = [](const std::vector<double>& column) { return Real(column[0]); };
+  PackBody<Real> body = body_of(a, look, bodies, same);
+  for (std::size_t k = 0; k < all.count; k += Real::kLanes) {
+    const PackSeen<Real> seen = seen_at<Real>(all, k);
+    const auto field = [&](const std::vector<double>& column) {
+      return lookup(column.data(), seen.place);
+    };
+    if constexpr (!kUniform) body = body_of(a, look, bodies, field);
+    judge(seen, body, field);
+  }
+}
+
+/// Few values are needed at once, so each question has a loop of its own.
+template <typename Real, bool kUniform>
+AVO_KERNEL void judge_all(const space::Look& look, const space::Bodies& bodies,
+                          space::Looked& looked) {
+  const PackLook<Real> a(look, bodies);
+  const auto all = [&](const auto& judge) {
+    for_all<Real, kUniform>(a, look, bodies, looked.seen, judge);
+  };
+  if (look.certified)
+    all([&](const auto& seen, const auto& body, const auto&) {
+      push(seen.place, bits(seen.counted & !can_ignore(a, seen, body, look, bodies)),
+           looked.places);
+    });
+  Real ahead(0.0);
+  const bool has_way = !(look.robot.preferred_velocity == Vec3{});
+  all([&](const auto& seen, const auto& body, const auto& field) {
+    const auto beside =
+        seen.distance < Real(kFarther) * (Real(1.0 + kRoom) * body.contact + body.wash);
+    push(seen.place, bits(seen.counted & beside), looked.beside);
+    const auto may_count =
+        seen.counted & (seen.distance < a.traffic_range) & (dot(seen.p, a.way) < Real(0.0));
+    if (has_way && any(may_count))
+      ahead = ahead + select(may_count, traffic_of(a, seen, body, field(bodies.speed)), Real(0.0));
+  });
+  looked.ahead = sum_of(ahead);
+  const bool has_wash = look.robot.downwash > 0.0 || bodies.has_downwash;
+  const Real farthest(look.farthest_squared), last_number(look.farthest_number);
+  all([&](const auto& seen, const auto& body, const auto& field) {
+    const Real number = field(bodies.number);
+    const auto nearest =
+        (seen.squared < farthest) | ((seen.squared <= farthest) & (number <= last_number));
+    auto chosen = seen.counted & (seen.squared > Real(0.0)) & nearest;
+    if (!has_wash) chosen = chosen & !contains_all(a, seen, body);
+    if (any(chosen)) push(seen, body, number, chosen, look, bodies, looked.pairs);
+  });
+}
+
+/// Sorts out what the bodies that are seen mean for A.
+template <typename Real>
+void judge_seen(const space::Look& look, const space::Bodies& bodies, space::Looked& looked) {
+  looked.ahead = 0.0;
+  if (looked.seen.count == 0) return;
+  looked.places.clear();
+  if (bodies.is_uniform)
+    judge_all<Real, true>(look, bodies, looked);
+  else
+    judge_all<Real, false>(look, bodies, looked);
+  if (look.is_plain(bodies)) return judge_near<Real>(look, bodies, looked.places, looked.near);
+  for (const std::uint32_t place : looked.places)
+    looked.near.push_back({place, bodies.number[place]});
+}
+
+AVO_END_KERNELS
+
+#endif  // once per pass
