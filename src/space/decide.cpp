@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/ranges.h"
 #include "core/response_law.h"
 #include "planner/execution.h"
 #include "planner/execution_kernel.h"

@@ -113,7 +113,7 @@ double longest_way(const Robot& robot, std::span<const Mover> movers, const Step
   for (const Mover& mover : movers) contact = std::max(contact, robot.radius + mover.radius);
   const double wide = time + 2.0 * contact / robot.max_speed;
   return std::min(std::clamp(wide, kLongestWay * time, kWideWay * time),
-                  kMostSteps * law.time_step);
+                  kMostWaySteps * law.time_step);
 }
 
 std::optional<Evading> begin_evading(const PlannerOptions& options, const StepLaw& law,
@@ -161,10 +161,10 @@ bool is_clear(Evading& evading, const FirstStep& step) {
 
 bool is_within_limits(const Evading& evading, Vec3 next) {
   const Robot& robot = evading.robot;
-  constexpr double kRounding = 1.0 + 1e-12;
+  constexpr double kSpeedRounding = 1.0 + 1e-12;
   if (next == backup_velocity(robot, evading.law)) return true;
   const double change = own_length(next - robot.velocity, robot.vertical);
-  return own_length(next, robot.vertical) <= kRounding * robot.max_speed &&
+  return own_length(next, robot.vertical) <= kSpeedRounding * robot.max_speed &&
          change <= robot.max_acceleration * evading.law.braking_time &&
          next.z <= std::max(robot.climb, robot.velocity.z) &&
          -next.z <= std::max(robot.sink, -robot.velocity.z);

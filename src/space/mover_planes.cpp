@@ -17,9 +17,9 @@ void append_mover_planes(const Robot& robot, std::span<const Mover> movers,
     if (p == Vec3{}) continue;
     const PairFrame frame = frame_of(p, robot.velocity - mover.velocity);
     const double contact = robot.radius + mover.radius;
-    const Pair pair{{frame.distance, 0.0},
-                    frame.velocity,
-                    contact + margin_in_gap(margin, frame.distance - contact)};
+    const avo::Pair pair{{frame.distance, 0.0},
+                         frame.velocity,
+                         contact + margin_in_gap(margin, frame.distance - contact)};
     const double reach = options.control_time * (robot.max_acceleration + norm(mover.acceleration));
     const RelativeHalfPlane relative = half_plane(pair, reach, horizon);
     if (relative.state == PairState::free || relative.state == PairState::coincident) continue;

@@ -123,7 +123,7 @@ double way_range(const Robot& robot) {
 }
 
 double longest_way_out(const Robot& robot, const StepLaw& law) {
-  const double longest = std::min(longest_of_all(robot), kMostSteps * law.time_step);
+  const double longest = std::min(longest_of_all(robot), kMostWaySteps * law.time_step);
   const double braking = braking_time_of(robot, fastest_of(robot, robot.max_speed), law);
   return longest + law.time_step + std::min(braking, kMostBraking * law.time_step);
 }
@@ -136,7 +136,7 @@ std::optional<Evading> begin_evading(const CertificateLaw& law, const Robot& rob
       .law = law.step,
       .decrement = decrement_of(robot, law.step),
       .max_speed = fastest_of(robot, std::max(robot.max_speed, norm(robot.velocity))),
-      .longest = std::min(longest_way(robot, sight.neighbors), kMostSteps * law.step.time_step),
+      .longest = std::min(longest_way(robot, sight.neighbors), kMostWaySteps * law.step.time_step),
       .wheels = is_holonomic(robot.model) ? nullptr : &robot};
   const bool brakes = can_rest(robot.model);
   if (brakes && !(evading.options.max_speed <= kMostBraking * evading.options.decrement))
