@@ -149,8 +149,9 @@ struct PackMargin {
 
 /// distance: of the constraint; moved: how far B moves relative to A on the interval, m.
 template <typename Real, int D>
-AVO_RARE_KERNEL PackMargin<Real> error_margin(const BrakingPairOf<D>& pair, const StepLaw& law,
-                                              Real m, Real distance, Real moved) {
+AVO_RARE_KERNEL PackMargin<Real> error_margin(const BrakingPairOf<D>& pair,
+                                              const PairShape<D>& shape, const StepLaw& law, Real m,
+                                              Real distance, Real moved) {
   const auto& [position, velocity] = law.sensing_error;
   const Real seen = m + Real(1.0), two(2.0);
   const Real error = pair.decides ? braking_error(constant<Real>(pair.b.profile), law, seen)
@@ -160,7 +161,7 @@ AVO_RARE_KERNEL PackMargin<Real> error_margin(const BrakingPairOf<D>& pair, cons
   // if not, any value beyond it, which is not used
   const Real d = select(beyond, distance, two * error);
   const Real by_angle = two * sqrt(error / (d + error));
-  const Real by_length = (moved + error) / sqrt(d * (d - error));
+  const Real by_length = (with_shape(moved, shape) + error) / sqrt(d * (d - error));
   const Real cone = select(beyond, min(by_angle, by_length), two);
   return {error + cone * (moved + one_step), cone};
 }
@@ -260,7 +261,8 @@ double append(const PairConstraintsOf<D>& wanted, const Other& other, const Step
     if constexpr (is_free)
       return drift_margin(pair, law, m, distance, moved);
     else
-      return is_exact ? PackMargin<Real>{zero, zero} : error_margin(pair, law, m, distance, moved);
+      return is_exact ? PackMargin<Real>{zero, zero}
+                      : error_margin(pair, shape, law, m, distance, moved);
   };
   Real nearest = infinity;
   for (std::size_t k = 0; k < wanted.intervals; k += Real::kLanes) {
@@ -316,17 +318,19 @@ double append(const PairConstraintsOf<D>& wanted, const Other& other, const Step
     }
     const Vec<Real, D> n = normal_of(q, shape);
     const Real distance = min(min(dot(n, q.start), dot(n, q.middle)), dot(n, q.end));
+    Real apart = distance;  // from the shape
     if constexpr (D == 3) {
       const Real wash = support(n, shape);
       spread = spread + wash;
       inflated = inflated + wash;
+      apart = distance - wash;
     }
     const auto holds = m < Real(wanted.moving);  // the invariant covers the interval
     const Real left = kSpreads ? distance - spread : distance;
     nearest = select(close & holds & (left < nearest), left, nearest);
     const Real moved =
         is_exact ? zero : norm(q.middle - q.start) + norm(q.end - q.middle);  // only errors need it
-    PackMargin<Real> margin = margin_at(m, distance, moved);
+    PackMargin<Real> margin = margin_at(m, apart, moved);
     const Vec<Real, D> own_n = in_own_space(n, shape);
     const Real loss = max(-dot(own_n, d), zero) * Real::load(&own.ahead[k]) +
                       across(own_n, d) * Real::load(&own.across[k]) +

@@ -40,7 +40,7 @@ Plan Planner::plan(const Robot& robot, std::span<const Neighbor> neighbors,
                    PlanWorkspace& workspace, Detour* detour, std::span<const Box> boxes,
                    std::span<const Mover> movers) const {
   const StepLaw law = step_law(options_, horizon_);
-  if (!are_valid(options_, robot, neighbors, boxes, movers)) {
+  if (!are_valid(robot, neighbors, boxes, movers)) {
     Plan plan = is_valid(robot) ? braking_plan(robot, law) : Plan{};
     plan.status = PlanStatus::invalid_input;
     return plan;
@@ -60,7 +60,7 @@ Plan Planner::plan(const Robot& robot, std::span<const Neighbor> neighbors,
 bool Planner::is_admitted(const Robot& robot, std::span<const Neighbor> neighbors,
                           PlanWorkspace& workspace, Vec3 next_velocity,
                           std::span<const Box> boxes) const {
-  if (!are_valid(options_, robot, neighbors, boxes) || !is_finite(next_velocity)) return false;
+  if (!are_valid(robot, neighbors, boxes) || !is_finite(next_velocity)) return false;
   const StepLaw law = step_law(options_, horizon_);
   PlanWorkspace::Scratch& scratch = *workspace.scratch_;
   const Vec3 own = to_own(next_velocity, robot.vertical);

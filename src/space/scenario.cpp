@@ -123,7 +123,7 @@ std::string numbered(const char* what, std::size_t k, const char* key) {
   return std::string(what) + "." + std::to_string(k) + "." + key;
 }
 
-// The errors of sensing are not derived for capsules, and robots of space know their own place.
+// Robots of space know their own place.
 void check_sensing_in_space(const Scenario& scenario, const PlannerOptions& options) {
   const SensingModel& sensing = scenario.sensing;
   check_sensing(sensing);
@@ -132,11 +132,6 @@ void check_sensing_in_space(const Scenario& scenario, const PlannerOptions& opti
            "left out in a scene of space");
   if (scenario.sensing_error && options.certificate == Certificate::none)
     refuse("sensing_error", "one", "none with certificate none");
-  for (std::size_t k = 0; k < scenario.robots.size(); ++k) {
-    const double downwash = scenario.robots[k].downwash;
-    if (downwash > 0.0 && (options.sensing_error != SensingError{} || sensing.misses()))
-      refuse(numbered("robots", k, "downwash"), text(downwash) + " m", "0 with errors of sensing");
-  }
 }
 
 void check_robot(const RobotSetup& robot, std::size_t k) {

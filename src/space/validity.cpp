@@ -66,26 +66,11 @@ bool is_valid(const Mover& mover) {
          mover.age <= kMostAge;
 }
 
-// The errors of sensing are not derived for capsules (docs/space.md, "Downwash").
-bool has_downwash(const Robot& robot, std::span<const Neighbor> neighbors) {
-  return robot.downwash > 0.0 ||
-         std::any_of(neighbors.begin(), neighbors.end(),
-                     [](const Neighbor& neighbor) { return neighbor.downwash > 0.0; });
-}
-
-bool has_ages(std::span<const Neighbor> neighbors) {
-  return std::any_of(neighbors.begin(), neighbors.end(),
-                     [](const Neighbor& neighbor) { return neighbor.age > 0; });
-}
-
 }  // namespace
 
-bool are_valid(const PlannerOptions& options, const Robot& robot,
-               std::span<const Neighbor> neighbors, std::span<const Box> boxes,
+bool are_valid(const Robot& robot, std::span<const Neighbor> neighbors, std::span<const Box> boxes,
                std::span<const Mover> movers) {
-  const bool is_derived = (options.sensing_error == SensingError{} && !has_ages(neighbors)) ||
-                          !has_downwash(robot, neighbors);
-  return is_derived && is_valid(robot) &&
+  return is_valid(robot) &&
          std::all_of(neighbors.begin(), neighbors.end(),
                      [](const Neighbor& neighbor) {
                        return is_valid_body(neighbor) && neighbor.age >= 0 &&

@@ -146,6 +146,15 @@ TEST(SpaceCrush, sensing_errors_cost_no_contact) {
   expect_no_contact({.least_vertical = 0.6, .most_vertical = 1.4, .error = {0.04, 0.08}}, 6);
 }
 
+TEST(SpaceCrush, sensing_errors_bring_nobody_into_a_downwash) {
+  expect_no_contact({.least_radius = 0.1,
+                     .most_radius = 0.5,
+                     .most_downwash = 1.5,
+                     .error = {0.02, 0.04},
+                     .most_age = 1},
+                    8, 0.3);
+}
+
 TEST(SpaceCrush, neighbors_that_were_sensed_steps_ago_are_not_touched) {
   expect_no_contact({.least_vertical = 0.6,
                      .most_vertical = 1.4,

@@ -280,8 +280,9 @@ TEST(SpaceMovers, out_of_range_are_refused) {
   MovingObstacle obstacle;
   obstacle.position = {0.25, 0, 0};
   scene.moving_obstacles = {obstacle};
-  EXPECT_EQ(refusal([&] { validate(scene); }),
-            "robots.0 and moving_obstacles.0: they overlap by 0.65 m at the start; move them apart");
+  EXPECT_EQ(
+      refusal([&] { validate(scene); }),
+      "robots.0 and moving_obstacles.0: they overlap by 0.65 m at the start; move them apart");
   scene.moving_obstacles[0].position = {5, 0, 0};
   scene.moving_obstacles[0].max_speed = 2.0;
   EXPECT_EQ(refusal([&] { validate(scene); }),
