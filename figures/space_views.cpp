@@ -117,6 +117,9 @@ TracedRun traced(const space::Scenario& scenario, const std::vector<SpaceRecorde
     disc.preferred_speed = robot.preferred_speed;
     run.scenario.robots.push_back(disc);
   }
+  for (const space::MovingObstacle& mover : scenario.moving_obstacles)
+    run.scenario.moving_obstacles.push_back(
+        {.position = view(state_at(mover, 0.0).position), .radius = mover.radius});
   for (const space::Box& box : scenario.boxes) {
     std::vector<Vec2> points;
     for (const Vec3& corner : corners_of(box, extent)) points.push_back(view(corner));
@@ -131,6 +134,7 @@ TracedRun traced(const space::Scenario& scenario, const std::vector<SpaceRecorde
     TrajectoryFrame& shown = run.frames.emplace_back();
     shown.time = frame.time;
     for (const Vec3& place : frame.position) shown.position.push_back(view(place));
+    for (const Vec3& place : frame.mover) shown.obstacle_position.push_back(view(place));
   }
   return run;
 }
@@ -140,7 +144,9 @@ TracedRun traced(const space::Scenario& scenario, const std::vector<SpaceRecorde
 void SpaceRecorder::observe(const space::Simulation& simulation) {
   latest_.time = simulation.time();
   latest_.position.clear();
+  latest_.mover.clear();
   for (const space::Robot& robot : simulation.robots()) latest_.position.push_back(robot.position);
+  for (const space::Mover& mover : simulation.movers()) latest_.mover.push_back(mover.position);
   if (observed_++ % stride_ != 0) return;
   kept_.push_back(latest_);
   if (kept_.size() < most_frames_) return;

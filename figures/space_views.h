@@ -18,10 +18,10 @@ class SpaceRecorder {
   /// Call once before the first step and once after every step.
   void observe(const space::Simulation& simulation);
 
-  /// One time: the places of all robots, m.
+  /// One time: the places of all robots and moving obstacles, m.
   struct Frame {
     double time = 0.0;  ///< s
-    std::vector<Vec3> position;
+    std::vector<Vec3> position, mover;
   };
   /// The kept frames by time, including the last observed one.
   [[nodiscard]] std::vector<Frame> frames() const;

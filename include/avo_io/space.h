@@ -69,9 +69,11 @@ struct RecordedSpaceScene {
 AVO_API std::optional<RecordedSpaceScene> read_recorded_space_scene(
     const std::string& path, const std::vector<std::string>& overrides = {});
 
-/// Judges a recording of space by the limits of the scene. Throws RecordingError, FileError.
+/// Judges a recording of space by the limits of the scene. movers_at_rest: see avo::CheckOptions.
+/// Throws RecordingError, FileError.
 AVO_API Judgement judge_in_space(const std::string& recording, const avo::space::Scenario& scene,
-                                 double tolerance, bool require_arrival);
+                                 double tolerance, bool require_arrival,
+                                 bool movers_at_rest = false);
 
 /// Simulates a recording of space again, and compares it bit by bit, see replay().
 AVO_API Replay

@@ -117,13 +117,18 @@ struct MembersOf<avo::space::RobotSetup> {
   using type = MemberOf<avo::space::RobotSetup, double, std::optional<double>, avo::Vec3>;
 };
 template <>
+struct MembersOf<avo::space::MovingObstacle> {
+  using type = MemberOf<avo::space::MovingObstacle, double, std::optional<double>, avo::Vec3>;
+};
+template <>
 struct MembersOf<avo::space::Quadrotor> {
   using type = MemberOf<avo::space::Quadrotor, double, std::optional<double>>;
 };
 template <>
 struct MembersOf<avo::space::Scenario> {
-  using type = MemberOf<avo::space::Scenario, double, std::optional<double>, std::optional<int>,
-                        std::uint64_t, std::string, std::optional<avo::Certificate>, avo::Motion>;
+  using type =
+      MemberOf<avo::space::Scenario, double, std::optional<double>, std::optional<int>,
+               std::uint64_t, std::string, bool, std::optional<avo::Certificate>, avo::Motion>;
 };
 template <>
 struct MembersOf<SpaceGroup> {

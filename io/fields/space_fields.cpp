@@ -106,9 +106,34 @@ const std::vector<Field<SpaceScene>>& fields() {
        {0.0, 9007199254740992.0, false},
        "",
        "of random placements"},
+      {"sensing", kNested, kOptional, kNoNumber, "", "how robots sense others", "exactly"},
+      {"sensing_error", kNested, kOptional, kNoNumber, "",
+       "that the robots declare to their certificate", "what covers noise and delay"},
       {"robots", kNested, kOptional, kNoNumber, "", "one by one"},
       {"groups", kNested, kOptional, kNoNumber, "", "many of a kind"},
+      {"moving_obstacles", kNested, kOptional, kNoNumber, "", "that decide nothing"},
+      {"never_swerves", &SpaceScene::never_swerves, kOptional, kNoNumber, "",
+       "whether robots are at rest whenever a moving obstacle touches them"},
       {"obstacles", kNested, kOptional, kNoNumber, "", "that do not move"},
+  };
+  return table;
+}
+
+template <>
+const std::vector<Field<avo::space::MovingObstacle>>& fields() {
+  using avo::space::MovingObstacle;
+  static const std::vector<Field<MovingObstacle>> table{
+      {"position", &MovingObstacle::position, kOptional, kAnyValue, "m", "where it starts",
+       "where its trajectory has it at 0 s; without one it has to be given"},
+      {"velocity", &MovingObstacle::velocity, kOptional, kAnyValue, "m/s", "at the start"},
+      {"acceleration", &MovingObstacle::acceleration, kOptional, kAnyValue, "m/s^2", "constant"},
+      {"radius", &MovingObstacle::radius, kOptional, kPositive, "m", "of its ball"},
+      {"max_deviation", &MovingObstacle::max_deviation, kOptional, kNotNegative, "m/s^2",
+       "by which its acceleration may differ from `acceleration`, as robots assume"},
+      {"max_speed", &MovingObstacle::max_speed, kOptional, kPositive, "m/s",
+       "that robots assume, with max_deviation", "unlimited"},
+      {"trajectory", kNested, kOptional, kNoNumber, "",
+       "[[time, x, y, z], ...]: it moves straight from each place to the next", "none"},
   };
   return table;
 }

@@ -163,17 +163,18 @@ void read_moving_obstacle(const Reader& reader, const YamlNode& node, const std:
     reader.fail(*points, path_to(path, "path"), shown(*points), "must have at least one point");
 }
 
-void read_sensing(const Reader& reader, const YamlNode& scene, avo::Scenario& scenario) {
+void read_sensing(const Reader& reader, const YamlNode& scene, avo::SensingModel& sensing,
+                  std::optional<avo::SensingError>& error) {
   if (const YamlNode* node = scene.find("sensing")) {
     const std::string path = "sensing";
-    read_map(reader, *node, path, scenario.sensing);
+    read_map(reader, *node, path, sensing);
     if (const YamlNode* noise = node->find("noise"))
-      read_map(reader, *noise, path_to(path, "noise"), scenario.sensing.noise);
+      read_map(reader, *noise, path_to(path, "noise"), sensing.noise);
     if (const YamlNode* own = node->find("localization"))
-      read_map(reader, *own, path_to(path, "localization"), scenario.sensing.localization);
+      read_map(reader, *own, path_to(path, "localization"), sensing.localization);
   }
   if (const YamlNode* node = scene.find("sensing_error"))
-    read_map(reader, *node, "sensing_error", scenario.sensing_error.emplace());
+    read_map(reader, *node, "sensing_error", error.emplace());
 }
 
 }  // namespace avo_io

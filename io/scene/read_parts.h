@@ -21,6 +21,7 @@ Group read_group(const Reader& reader, const YamlNode& node, const std::string& 
 RobotsFrom read_robots_from(const Reader& reader, const YamlNode& node, const std::string& path);
 
 /// Reads `sensing` and `sensing_error` of the scene.
-void read_sensing(const Reader& reader, const YamlNode& scene, avo::Scenario& scenario);
+void read_sensing(const Reader& reader, const YamlNode& scene, avo::SensingModel& sensing,
+                  std::optional<avo::SensingError>& error);
 
 }  // namespace avo_io

@@ -57,7 +57,7 @@ class SceneBuilder {
     read_version(reader_, root);
     scenario_.name = default_name;
     reader_.read(root, "", fields<Scenario>(), scenario_);
-    read_sensing(reader_, root, scenario_);
+    read_sensing(reader_, root, scenario_.sensing, scenario_.sensing_error);
     if (robots) require_robots(*robots);
     add_moving_obstacles();
     add_obstacles();

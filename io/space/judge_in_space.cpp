@@ -25,11 +25,13 @@ double deviation_of(const avo::space::Scenario& scene) {
 }  // namespace
 
 Judgement judge_in_space(const std::string& recording, const avo::space::Scenario& scene,
-                         double tolerance, bool require_arrival) {
+                         double tolerance, bool require_arrival, bool movers_at_rest) {
   SpaceRows rows(recording);
-  avo::space::Check check(
-      avo::space::checked_robots(scene), scene.boxes,
-      {.relative_tolerance = tolerance, .arrival_distance = scene.arrival_distance});
+  avo::space::Check check(avo::space::checked_robots(scene), scene.boxes,
+                          {.relative_tolerance = tolerance,
+                           .arrival_distance = scene.arrival_distance,
+                           .movers_at_rest = movers_at_rest},
+                          avo::space::checked_movers(scene));
   Judgement judgement;
   std::optional<double> last;  // s
   while (const SpaceMoment* moment = rows.next()) {
@@ -40,7 +42,7 @@ Judgement judge_in_space(const std::string& recording, const avo::space::Scenari
     if (std::abs(step - scene.time_step) > 1e-6 * scene.time_step) ++judgement.uneven_steps;
     if (is_later && (moment->every > 1 || step > 1.5 * scene.time_step)) check.skip();
     try {
-      check.add(moment->time, moment->rows);
+      check.add(moment->time, moment->rows, avo::space::mover_states(scene, moment->time));
     } catch (const avo::Error& error) {
       rows.fail(error.what());
     }

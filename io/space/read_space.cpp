@@ -15,9 +15,11 @@
 #include "io/scene/overrides.h"
 #include "io/scene/random.h"
 #include "io/scene/read_obstacles.h"
+#include "io/scene/read_parts.h"
 #include "io/scene/reader.h"
 #include "io/scene/scene_files.h"
 #include "io/space/placement.h"
+#include "io/space/read_mover.h"
 #include "io/space/read_robot.h"
 #include "io/space/space_boxes.h"
 #include "io/text/yaml_tree.h"
@@ -52,7 +54,9 @@ class SpaceBuilder {
     if (!is_text(*version, "1")) reader_.fail(*version, "version", shown(*version), "must be 1");
     scenario_.name = default_name;
     reader_.read(root, "", fields<Scenario>(), scenario_);
+    read_sensing(reader_, root, scenario_.sensing, scenario_.sensing_error);
     read_obstacles();
+    read_moving_obstacles();
     read_robots();
     read_groups();
     for (const RobotPatch& patch : patches) apply(patch);
@@ -68,6 +72,14 @@ class SpaceBuilder {
     const YamlNode* list = document_.root.find(key);
     if (list != nullptr) reader_.require_list(*list, key);
     return list;
+  }
+
+  void read_moving_obstacles() {
+    const YamlNode* list = list_of("moving_obstacles");
+    if (list == nullptr) return;
+    for (std::size_t k = 0; k < list->children.size(); ++k)
+      scenario_.moving_obstacles.push_back(read_moving_obstacle_in_space(
+          reader_, list->children[k], fmt::format("moving_obstacles.{}", k)));
   }
 
   void read_robots() {

@@ -7,9 +7,9 @@
 #include <cstddef>
 #include <limits>
 
-#include "certificate/allow_braking.h"
 #include "certificate/discs.h"
 #include "certificate/kernels.h"
+#include "certificate/take_off.h"
 
 namespace avo::inline certificate {
 namespace {
@@ -18,37 +18,6 @@ using Real = scalar::Pack<double>;
 
 // The radius of a disc that covers a footprint may have been rounded to a float.
 constexpr double kCoverRounding = 1.0 + 1e-5;
-
-// The error of the path of a robot that is sensed in motion for `time`, m.
-double error_at(const StepLaw& law, double time) {
-  return law.sensing_error.position + law.sensing_error.velocity * time;
-}
-
-// Subtracts the errors and the effects of movers from the pair's constraints.
-void take_off(const PairConstraints& wanted, std::size_t first, const StepLaw& law,
-              TrajectoryConstraints& constraints) {
-  ConstraintColumns& columns = constraints.columns;
-  const std::array<double, 3> times{0.0, law.lag, law.time_step};
-  for (std::size_t k = first; k < columns.count; ++k) {
-    if (!columns.is_constraint(k)) continue;
-    const double m = columns.interval[k];
-    const bool holds = m < wanted.moving;
-    for (std::size_t i = 0; i < 3; ++i) {
-      if (!holds) columns.offset[i][k] -= error_at(law, m * law.time_step + times[i]);
-    }
-    if (columns.cone[k] > 0.0) {
-      constraints.has_cones = true;
-      if (!wanted.is_free) allow_braking(constraints.own, law, columns, k);
-    }
-    if (holds || m > 0.0) continue;
-    // The start of A cannot be inflated: A could then never leave a place at rest beside a mover.
-    for (std::size_t i = 0; i < 2; ++i) {
-      columns.offset[i][k] +=
-          wanted.held - (wanted.inflated - wanted.pair.inflated) - wanted.pair.contact;
-      if (!(columns.offset[i][k] >= 0.0)) constraints.stays_at_rest = true;
-    }
-  }
-}
 
 // For a pair that nearly coincides, drops the intervals on which the direction between the two is
 // unknown. There they are not apart, or errors hide it. In a crowd these intervals would refuse all

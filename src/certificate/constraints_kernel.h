@@ -76,24 +76,24 @@ struct HoldingOther {
   }
 };
 
-/// B's path from p_B, where it keeps its sensed acceleration.
-template <typename Real>
+/// B's path from p_B, where it keeps its sensed acceleration. In space B is a space::Mover.
+template <typename Real, int D = 2, typename Body = Neighbor>
 struct MovingOther {
-  const Neighbor& neighbor;
+  const Body& body;
   const StepLaw& law;
 
-  AVO_KERNEL PackPoints<Real> operator()(Real m) const {
+  AVO_KERNEL PackPoints<Real, D> operator()(Real m) const {
     const Real h(law.time_step), lag(law.lag), half(0.5), t = m * h;
-    const Vec<Real> a = constant<Real>(neighbor.acceleration);
-    const Vec<Real> v_0 = constant<Real>(neighbor.velocity), v = v_0 + t * a;
-    const Vec<Real> x = t * v_0 + (half * t * t) * a;
+    const Vec<Real, D> a = constant<Real>(body.acceleration);
+    const Vec<Real, D> v_0 = constant<Real>(body.velocity), v = v_0 + t * a;
+    const Vec<Real, D> x = t * v_0 + (half * t * t) * a;
     return {x, x + lag * v, x + h * v + (half * h * h) * a};
   }
 };
 
 /// B's path from p_B, where its acceleration may differ from the sensed one.
-template <typename Real>
-struct DeviatingOther : MovingOther<Real> {};
+template <typename Real, int D = 2, typename Body = Neighbor>
+struct DeviatingOther : MovingOther<Real, D, Body> {};
 
 /// B's path from p_B, where its trajectory is known.
 template <typename Real>
@@ -110,9 +110,9 @@ struct FollowingOther {
 };
 
 /// q_i - radius keeps A clear of all places of B in the interval.
-template <typename Real>
+template <typename Real, int D>
 struct PackReach {
-  PackPoints<Real> q;
+  PackPoints<Real, D> q;
   Real radius;  // m
 };
 
@@ -121,11 +121,11 @@ struct PackReach {
 /// The other is about the present place, with the radius of the distance at its speed. Each
 /// contains the disc of the next decision, so that A may always brake (docs/certificate/movers.md,
 /// "Movers that do as they like").
-template <typename Real>
-AVO_KERNEL PackReach<Real> reach_of(const Neighbor& mover, const PackPoints<Real>& q,
-                                    const PackPoints<Real>& from_start, Real time) {
-  const auto left = [](const PackPoints<Real>& points, Real radius) {
-    const Vec<Real> n = normal_of(points, PairShape<2>{});
+template <typename Real, int D, typename Body>
+AVO_KERNEL PackReach<Real, D> reach_of(const Body& mover, const PackPoints<Real, D>& q,
+                                       const PackPoints<Real, D>& from_start, Real time) {
+  const auto left = [](const PackPoints<Real, D>& points, Real radius) {
+    const Vec<Real, D> n = normal_of(points, PairShape<D>{});
     return min(min(dot(n, points.start), dot(n, points.middle)), dot(n, points.end)) - radius;
   };
   const Real by_deviation = Real(0.5 * mover.max_deviation) * time * time;
@@ -133,9 +133,7 @@ AVO_KERNEL PackReach<Real> reach_of(const Neighbor& mover, const PackPoints<Real
   const Real by_speed =
       Real(has_speed ? mover.max_speed : std::numeric_limits<double>::infinity()) * time;
   const auto slow = left(from_start, by_speed) > left(q, by_deviation);
-  const auto pick = [&slow](Vec<Real> a, Vec<Real> b) {
-    return Vec<Real>{select(slow, a.x, b.x), select(slow, a.y, b.y)};
-  };
+  const auto pick = [&slow](Vec<Real, D> a, Vec<Real, D> b) { return select(slow, a, b); };
   return {{pick(from_start.start, q.start), pick(from_start.middle, q.middle),
            pick(from_start.end, q.end)},
           select(slow, by_speed, by_deviation)};
@@ -151,8 +149,9 @@ struct PackMargin {
 
 /// distance: of the constraint; moved: how far B moves relative to A on the interval, m.
 template <typename Real, int D>
-AVO_RARE_KERNEL PackMargin<Real> error_margin(const BrakingPairOf<D>& pair, const StepLaw& law,
-                                              Real m, Real distance, Real moved) {
+AVO_RARE_KERNEL PackMargin<Real> error_margin(const BrakingPairOf<D>& pair,
+                                              const PairShape<D>& shape, const StepLaw& law, Real m,
+                                              Real distance, Real moved) {
   const auto& [position, velocity] = law.sensing_error;
   const Real seen = m + Real(1.0), two(2.0);
   const Real error = pair.decides ? braking_error(constant<Real>(pair.b.profile), law, seen)
@@ -162,7 +161,7 @@ AVO_RARE_KERNEL PackMargin<Real> error_margin(const BrakingPairOf<D>& pair, cons
   // if not, any value beyond it, which is not used
   const Real d = select(beyond, distance, two * error);
   const Real by_angle = two * sqrt(error / (d + error));
-  const Real by_length = (moved + error) / sqrt(d * (d - error));
+  const Real by_length = (with_shape(moved, shape) + error) / sqrt(d * (d - error));
   const Real cone = select(beyond, min(by_angle, by_length), two);
   return {error + cone * (moved + one_step), cone};
 }
@@ -187,6 +186,14 @@ AVO_KERNEL PackMargin<Real> drift_margin(const BrakingPairOf<D>& pair, const Ste
   const Real cone = select(is_known, min(turned, two), two);
   return {error, select(is_clear, zero, cone)};
 }
+
+/// Whether the other body may be anywhere within a radius that grows with the time.
+template <typename Other>
+inline constexpr bool kDeviating = false;
+template <typename Real, int D, typename Body>
+inline constexpr bool kDeviating<DeviatingOther<Real, D, Body>> = true;
+template <typename Real>
+inline constexpr bool kDeviating<FollowingOther<Real>> = true;
 
 /// The constraints of a pair.
 template <typename Real, int D>
@@ -244,7 +251,7 @@ double append(const PairConstraintsOf<D>& wanted, const Other& other, const Step
   const Real infinity(std::numeric_limits<double>::infinity()), zero(0.0), one(1.0);
   const Real share(pair.share), contact(pair.contact);
   constexpr bool kFollows = std::is_same_v<Other, FollowingOther<Real>>;
-  constexpr bool kDeviates = kFollows || std::is_same_v<Other, DeviatingOther<Real>>;
+  constexpr bool kDeviates = kDeviating<Other>;
   constexpr bool kSpreads = kDeviates || D == 3;
   const PairShape<D>& shape = wanted.shape;
   const Vec<Real, D> p = constant<Real>(pair.p),
@@ -254,7 +261,8 @@ double append(const PairConstraintsOf<D>& wanted, const Other& other, const Step
     if constexpr (is_free)
       return drift_margin(pair, law, m, distance, moved);
     else
-      return is_exact ? PackMargin<Real>{zero, zero} : error_margin(pair, law, m, distance, moved);
+      return is_exact ? PackMargin<Real>{zero, zero}
+                      : error_margin(pair, shape, law, m, distance, moved);
   };
   Real nearest = infinity;
   for (std::size_t k = 0; k < wanted.intervals; k += Real::kLanes) {
@@ -273,9 +281,14 @@ double append(const PairConstraintsOf<D>& wanted, const Other& other, const Step
     const Real most = longest(Real::load(&own.most[k]), shape);
     Real spread = zero, inflated(wanted.inflated);
     if constexpr (kDeviates) {
-      const PackReach<Real> reach =
-          reach_of(wanted.other, q, {p + x_A.start, p + x_A.middle, p + x_A.end},
-                   (m + one) * Real(law.time_step));
+      const PackPoints<Real, D> from_start{p + x_A.start, p + x_A.middle, p + x_A.end};
+      const Real time = (m + one) * Real(law.time_step);
+      const PackReach<Real, D> reach = [&] {
+        if constexpr (kFollows)
+          return reach_of(wanted.other, q, from_start, time);
+        else
+          return reach_of(other.body, q, from_start, time);
+      }();
       q = reach.q, spread = reach.radius;
       if constexpr (kFollows)
         spread = spread + Real::load(&other.steps.bend[k]) + Real(other.steps.trajectory().error());
@@ -305,16 +318,19 @@ double append(const PairConstraintsOf<D>& wanted, const Other& other, const Step
     }
     const Vec<Real, D> n = normal_of(q, shape);
     const Real distance = min(min(dot(n, q.start), dot(n, q.middle)), dot(n, q.end));
+    Real apart = distance;  // from the shape
     if constexpr (D == 3) {
-      spread = support(n, shape);
-      inflated = inflated + spread;
+      const Real wash = support(n, shape);
+      spread = spread + wash;
+      inflated = inflated + wash;
+      apart = distance - wash;
     }
     const auto holds = m < Real(wanted.moving);  // the invariant covers the interval
     const Real left = kSpreads ? distance - spread : distance;
     nearest = select(close & holds & (left < nearest), left, nearest);
     const Real moved =
         is_exact ? zero : norm(q.middle - q.start) + norm(q.end - q.middle);  // only errors need it
-    PackMargin<Real> margin = margin_at(m, distance, moved);
+    PackMargin<Real> margin = margin_at(m, apart, moved);
     const Vec<Real, D> own_n = in_own_space(n, shape);
     const Real loss = max(-dot(own_n, d), zero) * Real::load(&own.ahead[k]) +
                       across(own_n, d) * Real::load(&own.across[k]) +

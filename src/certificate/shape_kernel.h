@@ -50,6 +50,11 @@ template <typename Real>
 AVO_KERNEL Real distance_to(Vec<Real> q, const PairShape<2>&) {
   return norm(q);
 }
+/// The length of a path and of the shape that it keeps off, m.
+template <typename Real>
+AVO_KERNEL Real with_shape(Real length, const PairShape<2>&) {
+  return length;
+}
 template <typename Real>
 AVO_KERNEL Real longest(Real own_length, const PairShape<2>&) {
   return own_length;
@@ -79,6 +84,11 @@ AVO_KERNEL Real support(Vec<Real, 3> n, const PairShape<3>& shape) {
 template <typename Real>
 AVO_KERNEL Real distance_to(Vec<Real, 3> q, const PairShape<3>& shape) {
   return norm(Vec<Real, 3>{q.x, q.y, q.z - min(max(q.z, Real(-shape.down)), Real(shape.up))});
+}
+
+template <typename Real>
+AVO_KERNEL Real with_shape(Real length, const PairShape<3>& shape) {
+  return length + Real(shape.up + shape.down);
 }
 
 /// The largest length in space of what is that long in A's own space.

@@ -7,6 +7,7 @@
 #include "avo/error.h"
 #include "avo/space/check.h"
 #include "check/counts.h"
+#include "check/space_hits.h"
 #include "check/space_path.h"
 #include "core/elementary.h"
 
@@ -17,6 +18,8 @@ using judge::Block;
 using judge::Cubic;
 using judge::Stick;
 
+constexpr double kAtRest = 1e-9;  // of max_speed
+
 // A robot's path over one step.
 struct StepPath {
   std::size_t robot;
@@ -24,13 +27,8 @@ struct StepPath {
   Vec3 low, high;  // m, of the hull of its points
 };
 
-StepPath step_of(std::size_t robot, const CheckedState& before, const CheckedState& now,
-                 double duration) {
-  StepPath step{
-      robot,
-      judge::cubic_of(before.position, before.velocity, now.position, now.velocity, duration),
-      {},
-      {}};
+StepPath step_of(std::size_t robot, const Cubic& path) {
+  StepPath step{robot, path, {}, {}};
   step.low = step.high = step.path[0];
   for (const Vec3& point : step.path) {
     step.low = {std::min(step.low.x, point.x), std::min(step.low.y, point.y),
@@ -39,6 +37,15 @@ StepPath step_of(std::size_t robot, const CheckedState& before, const CheckedSta
                  std::max(step.high.z, point.z)};
   }
   return step;
+}
+
+Cubic path_of(const CheckedState& before, const CheckedState& now, double duration) {
+  return judge::cubic_of(before.position, before.velocity, now.position, now.velocity, duration);
+}
+
+Cubic straight_path(const CheckedState& before, const CheckedState& now) {
+  const Vec3 third = (now.position - before.position) / 3.0;
+  return {before.position, before.position + third, now.position - third, now.position};
 }
 
 // m: the gap of two hulls along the axis in which it is widest; negative where they overlap.
@@ -78,6 +85,10 @@ void check_body(const CheckedRobot& robot, std::size_t k) {
   require_that(!robot.goal || is_finite(*robot.goal), "robot", k, "goal must be finite");
 }
 
+void check_body(const CheckedMover& mover, std::size_t k) {
+  require_that(mover.radius > 0.0, "moving obstacle", k, "radius must be > 0");
+}
+
 void check_body(const Box& box, std::size_t k) {
   require_that(box.min.x <= box.max.x && box.min.y <= box.max.y && box.min.z <= box.max.z, "box", k,
                "min must not exceed max");
@@ -90,9 +101,11 @@ void check_body(const Box& box, std::size_t k) {
 struct Check::State {
   std::vector<CheckedRobot> robots;
   std::vector<Box> boxes;
+  std::vector<CheckedMover> movers;
   CheckOptions options;
   CheckReport report;
-  std::vector<CheckedState> before;
+  judge::SpaceHits hits;
+  std::vector<CheckedState> before, movers_before;
   std::vector<std::uint8_t> seen, arrived, touched_box;
   std::vector<CheckedState> last;                              // of each robot
   std::vector<std::pair<std::int64_t, std::int64_t>> touched;  // pairs, ascending
@@ -105,6 +118,8 @@ struct Check::State {
   void judge_pairs(const std::vector<StepPath>& steps, double start);
   void judge_pair(const StepPath& a, const StepPath& b, double start);
   void judge_boxes(const StepPath& step, double start);
+  void judge_movers(const std::vector<StepPath>& steps, std::span<const CheckedState> now,
+                    double start, double duration);
 };
 
 void Check::State::judge_row(const CheckedState& row, double now) {
@@ -214,17 +229,44 @@ void Check::State::judge_boxes(const StepPath& step, double start) {
   }
 }
 
-Check::Check(std::vector<CheckedRobot> robots, std::vector<Box> boxes, const CheckOptions& options)
+void Check::State::judge_movers(const std::vector<StepPath>& steps,
+                                std::span<const CheckedState> now, double start, double duration) {
+  for (std::size_t k = 0; k < movers.size(); ++k) {
+    const CheckedState& from = movers_before[k];
+    const StepPath other = step_of(
+        k, movers[k].straight ? straight_path(from, now[k]) : path_of(from, now[k], duration));
+    for (const StepPath& step : steps) {
+      const CheckedRobot& robot = robots[step.robot];
+      const double radii = robot.radius + movers[k].radius;
+      if (gap(step, other) > radii) continue;
+      Cubic relative;
+      for (std::size_t i = 0; i < 4; ++i) relative[i] = step.path[i] - other.path[i];
+      const bool has_limit = std::isfinite(robot.max_speed);
+      hits.meet({.robot = static_cast<std::int64_t>(step.robot),
+                 .other = static_cast<std::int64_t>(k),
+                 .start = start,
+                 .duration = duration,
+                 .contact = radii * (1.0 - options.relative_tolerance),
+                 .at_rest = kAtRest * (has_limit ? robot.max_speed : 1.0)},
+                step.path, relative);
+    }
+  }
+}
+
+Check::Check(std::vector<CheckedRobot> robots, std::vector<Box> boxes, const CheckOptions& options,
+             std::vector<CheckedMover> movers)
     : state_(std::make_unique<State>()) {
   for (std::size_t k = 0; k < robots.size(); ++k) {
     check_body(robots[k], k);
     if (robots[k].goal) ++state_->report.with_goal;
   }
   for (std::size_t k = 0; k < boxes.size(); ++k) check_body(boxes[k], k);
+  for (std::size_t k = 0; k < movers.size(); ++k) check_body(movers[k], k);
   if (!(options.relative_tolerance >= 0.0 && options.relative_tolerance < 1.0))
     throw Error("relative_tolerance: must be >= 0 and < 1");
   state_->robots = std::move(robots);
   state_->boxes = std::move(boxes);
+  state_->movers = std::move(movers);
   state_->options = options;
   const std::size_t count = state_->robots.size();
   state_->seen.resize(count);
@@ -236,11 +278,15 @@ Check::~Check() = default;
 Check::Check(Check&&) noexcept = default;
 Check& Check::operator=(Check&&) noexcept = default;
 
-void Check::add(double time, std::span<const CheckedState> rows) {
+void Check::add(double time, std::span<const CheckedState> rows,
+                std::span<const CheckedState> movers) {
   State& state = *state_;
   CheckReport& report = state.report;
   if (state.has_time && !(time >= state.time + 1e-12))
     throw Error("time " + std::to_string(time) + " s: must be later than the one before");
+  if (movers.size() != state.movers.size())
+    throw Error("found " + std::to_string(movers.size()) + " moving obstacles, must be " +
+                std::to_string(state.movers.size()));
   std::int64_t previous = -1;
   for (const CheckedState& row : rows) {
     const bool is_known =
@@ -259,19 +305,21 @@ void Check::add(double time, std::span<const CheckedState> rows) {
     while (from != state.before.cend() && from->robot < row.robot) ++from;
     if (!state.has_time || from == state.before.cend() || from->robot != row.robot) continue;
     state.judge_limits(*from, row, state.time, duration);
-    steps.push_back(step_of(static_cast<std::size_t>(row.robot), *from, row, duration));
+    steps.push_back(step_of(static_cast<std::size_t>(row.robot), path_of(*from, row, duration)));
   }
   report.robot_steps += static_cast<std::int64_t>(steps.size());
   if (state.has_time) {
     ++report.steps;
     state.judge_pairs(steps, state.time);
     for (const StepPath& step : steps) state.judge_boxes(step, state.time);
+    state.judge_movers(steps, movers, state.time, duration);
   } else {
     report.from = time;
   }
   report.to = state.time = time;
   state.has_time = true;
   state.before.assign(rows.begin(), rows.end());
+  state.movers_before.assign(movers.begin(), movers.end());
 }
 
 void Check::skip() {
@@ -282,6 +330,8 @@ void Check::skip() {
 
 CheckReport Check::report() const {
   CheckReport report = state_->report;
+  state_->hits.write(report);
+  report.movers_at_rest = state_->options.movers_at_rest;
   for (std::size_t k = 0; k < state_->robots.size(); ++k) {
     const CheckedRobot& robot = state_->robots[k];
     if (!robot.goal || state_->seen[k] == 0) continue;

@@ -6,9 +6,9 @@
 #include <array>
 #include <optional>
 
+#include "core/draws.h"
 #include "robots/model.h"
 #include "sim/clocks.h"
-#include "sim/draws.h"
 #include "sim/world.h"
 
 namespace avo::inline sim {

@@ -2,7 +2,7 @@
 // Bounds of what measurements err by, and what robots err by in their own places.
 #include <numbers>
 
-#include "sim/draws.h"
+#include "core/draws.h"
 #include "sim/senses.h"
 #include "sim/world.h"
 

@@ -22,7 +22,7 @@ void set(std::array<Bodies::Column, 3>& columns, std::size_t k, Vec3 a) {
 
 void Bodies::clear() {
   count = 0;
-  has_downwash = has_vertical = false;
+  has_downwash = has_vertical = has_ages = false;
   is_uniform = true;
 }
 
@@ -36,6 +36,7 @@ void Bodies::reserve(std::size_t bodies) {
         &decrement, &full_steps, &increment, &length, &reach, &intervals, &error}) {
     column->resize(bodies + kSpare, 1.0);
   }
+  age.resize(bodies + kSpare);
 }
 
 void Bodies::add(const Neighbor& body, std::size_t body_number) {
@@ -49,11 +50,13 @@ void Bodies::add(const Neighbor& body, std::size_t body_number) {
   vertical[k] = body.vertical;
   downwash[k] = body.downwash;
   priority[k] = body.priority;
+  age[k] = body.age;
   for (const Column* column :
        {&radius, &max_acceleration, &max_braking, &vertical, &downwash, &priority})
     is_uniform = is_uniform && (*column)[k] == (*column)[0];
   has_downwash = has_downwash || body.downwash > 0.0;
   has_vertical = has_vertical || body.vertical != 1.0;
+  has_ages = has_ages || body.age > 0;
 }
 
 Neighbor Bodies::neighbor(std::size_t k) const {
@@ -64,7 +67,8 @@ Neighbor Bodies::neighbor(std::size_t k) const {
           vertical[k],
           downwash[k],
           priority[k],
-          max_braking[k]};
+          max_braking[k],
+          age[k]};
 }
 
 BrakingOf<3> Bodies::braking(std::size_t k) const {
@@ -77,11 +81,11 @@ BrakingOf<3> Bodies::braking(std::size_t k) const {
 }
 
 void fill_braking(const StepLaw& law, Bodies& bodies) {
-  if (law.is_exact() || !bodies.has_vertical) {
+  if (!bodies.has_ages && (law.is_exact() || !bodies.has_vertical)) {
     kernels().fill_braking(law, 0, bodies.count, bodies);
   } else {
     for (std::size_t k = 0; k < bodies.count; ++k)
-      scalar::fill_braking<scalar::Pack<double>>(law_against(bodies.vertical[k], law), k, k + 1,
+      scalar::fill_braking<scalar::Pack<double>>(law_against(bodies.neighbor(k), law), k, k + 1,
                                                  bodies);
   }
   const auto most = [&](const Bodies::Column& column) {
@@ -93,9 +97,13 @@ void fill_braking(const StepLaw& law, Bodies& bodies) {
   bodies.most_downwash = most(bodies.downwash);
 }
 
-StepLaw law_against(double vertical, const StepLaw& law) {
+StepLaw law_against(const Neighbor& neighbor, const StepLaw& law) {
   StepLaw result = law;
-  result.sensing_error.velocity *= std::max(vertical, 1.0 / vertical);
+  if (law.is_exact() && neighbor.age == 0) return result;
+  auto& [position, velocity] = result.sensing_error;
+  const double time = neighbor.age * law.time_step, change = top_acceleration(neighbor);
+  position += time * velocity + 0.5 * change * time * time;
+  velocity = (velocity + change * time) * std::max(neighbor.vertical, 1.0 / neighbor.vertical);
   return result;
 }
 

@@ -21,12 +21,14 @@ struct Bodies {
   std::array<Column, 3> position, velocity;  // m, m/s, by axis
   Column number;                             // by which the robot that decides knows the body
   Column radius, max_acceleration, max_braking, vertical, downwash, priority;  // see Neighbor
+  std::vector<int> age;
   // see BrakingOf; set by fill_braking()
   std::array<Column, 3> direction;
   Column speed, decrement, full_steps, increment, length, reach, intervals;
   Column error;  // m, of the path of a body that brakes, relative to the sensed one
   // some have downwash; limits that differ along the vertical
   bool has_downwash = false, has_vertical = false;
+  bool has_ages = false;   // some were sensed steps ago
   bool is_uniform = true;  // all have the same radius, limits, downwash and priority
   // the largest of all; set by fill_braking()
   double most_reach = 0.0, most_full_steps = 0.0, most_intervals = 0.0, most_error = 0.0;
@@ -43,8 +45,9 @@ struct Bodies {
 /// Sets the braking of all bodies.
 void fill_braking(const StepLaw& law, Bodies& bodies);
 
-/// The law with errors that are as large in every direction of the own space of a body.
-StepLaw law_against(double vertical, const StepLaw& law);
+/// The law with the errors of that neighbor (docs/certificate/errors.md, "Age"), as large in every
+/// direction of its own space.
+StepLaw law_against(const Neighbor& neighbor, const StepLaw& law);
 
 /// Bodies at consecutive places [first, last).
 struct Run {

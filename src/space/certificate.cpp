@@ -149,8 +149,8 @@ struct Pair {
 Pair pair_of(const Robot& robot, const Bodies& bodies, std::uint32_t place, const StepLaw& law,
              const Constraints& constraints) {
   Pair pair{pack(robot, constraints.own), pack(bodies.neighbor(place)), law, {}, {}};
-  const double vertical = pair.other.vertical.value;
-  if (!law.is_exact() && vertical != 1.0) pair.law = law_against(vertical, law);
+  if (bodies.has_ages || (!law.is_exact() && bodies.has_vertical))
+    pair.law = law_against(bodies.neighbor(place), law);
   pair.packed = scalar::pair_of<true>(pair.self, pair.other,
                                       scalar::constant<Real, 3>(bodies.braking(place)), pair.law);
   pair.shape = {robot.downwash, pair.other.downwash.value, robot.vertical,
@@ -190,6 +190,7 @@ void begin_constraints(const Robot& robot, const Braking& own, const StepLaw& la
   constraints.waiting.clear();
   constraints.invariant = {.slack = std::numeric_limits<double>::infinity()};
   constraints.has_cones = false;
+  constraints.movers.clear();
   constraints.own = own;
   constraints.deviation = plain(deviation_of(robot, own, law));
   const Vec3 own_velocity = to_own(robot.velocity, robot.vertical);
@@ -246,25 +247,22 @@ struct Worst {
   int point = 0;
 };
 
-Worst worst_of(const Constraints& constraints, const StepLaw& law, std::size_t first,
-               std::size_t last) {
-  const ConstraintColumns& columns = constraints.columns;
+Worst worst_of(const Constraints& constraints, const ConstraintColumns& columns, bool has_cones,
+               const StepLaw& law, std::size_t first, std::size_t last) {
   const double* coefficient = columns.coefficient.data();
   Worst worst;
   worst.k = static_cast<std::size_t>(std::min_element(coefficient + first, coefficient + last) -
                                      coefficient);
   worst.coefficient = coefficient[worst.k];
   if (!(worst.coefficient < 0.0)) return worst;
-  const auto [start, middle, end] = scalar::coefficients<Real>(
-      columns, worst.k, constraints.own, constraints.path, law, constraints.has_cones);
+  const auto [start, middle, end] = scalar::coefficients<Real>(columns, worst.k, constraints.own,
+                                                               constraints.path, law, has_cones);
   worst.point = start.value <= worst.coefficient ? 0 : middle.value <= worst.coefficient ? 1 : 2;
   return worst;
 }
 
 HalfSpace tangent(const Robot& robot, const Worst& worst, const StepLaw& law,
-                  const Constraints& constraints) {
-  const ConstraintColumns& columns = constraints.columns;
-  const CandidatePath& path = constraints.path;
+                  const ConstraintColumns& columns, const CandidatePath& path) {
   const auto [across, along] = point_growth(
       path.braking, path.speed, static_cast<int>(columns.interval[worst.k]), worst.point, law);
   const Vec3 normal =
@@ -277,6 +275,29 @@ HalfSpace tangent(const Robot& robot, const Worst& worst, const StepLaw& law,
   const double length = norm(gradient);
   if (!(length > 0.0)) return {normal / norm(normal), dot(normal, v) / norm(normal)};
   return {gradient / length, (dot(gradient, v) - worst.coefficient) / length};
+}
+
+// The cuts of neighbors or of moving obstacles.
+void append_cuts_of(const Robot& robot, const StepLaw& law, const Constraints& constraints,
+                    const ConstraintColumns& columns, bool has_cones,
+                    std::vector<HalfSpace>& cuts) {
+  for (std::size_t first = 0; first < columns.judged;) {
+    std::size_t last = first;
+    while (last < columns.judged && columns.neighbor[last] == columns.neighbor[first]) ++last;
+    const Worst worst = worst_of(constraints, columns, has_cones, law, first, last);
+    if (worst.coefficient < 0.0 && std::isfinite(worst.coefficient))
+      cuts.push_back(tangent(robot, worst, law, columns, constraints.path));
+    first = last;
+  }
+}
+
+bool keeps_movers(const StepLaw& law, Asked asked_for, Constraints& constraints) {
+  MoverConstraints& movers = constraints.movers;
+  movers.columns.judged = 0;
+  if (!movers.counts) return true;
+  const bool kept = kernels().keeps(constraints.own, constraints.path, law, movers.has_cones,
+                                    asked_for, movers.columns);
+  return kept && !movers.must_rest(constraints.path.moving);
 }
 
 }  // namespace
@@ -302,13 +323,15 @@ bool admits(const Robot& robot, Vec3 next_velocity, const StepLaw& law, Asked as
             Constraints& constraints) {
   if (constraints.invariant.unknown) return false;
   append_needed(robot, next_velocity, law, constraints);
-  if (constraints.columns.count == 0) {
+  if (constraints.columns.count == 0 && !constraints.movers.counts) {
     constraints.path.next_velocity = next_velocity;
     return keeps_boxes(robot, next_velocity, law, constraints.boxes);
   }
   constraints.path = follow(robot, next_velocity, law);
-  const bool kept = kernels().keeps(constraints.own, constraints.path, law, constraints.has_cones,
-                                    asked_for, constraints.columns);
+  bool kept = kernels().keeps(constraints.own, constraints.path, law, constraints.has_cones,
+                              asked_for, constraints.columns);
+  if (!kept && asked_for == Asked::until_refused) return false;
+  kept = keeps_movers(law, asked_for, constraints) && kept;
   if (!kept && asked_for == Asked::until_refused) return false;
   return keeps_boxes(robot, next_velocity, law, constraints.boxes) && kept;
 }
@@ -321,15 +344,9 @@ Vec3 backup_velocity(const Robot& robot, const StepLaw& law) {
 
 void append_cuts(const Robot& robot, const StepLaw& law, const Constraints& constraints,
                  std::vector<HalfSpace>& cuts) {
-  const ConstraintColumns& columns = constraints.columns;
-  for (std::size_t first = 0; first < columns.judged;) {
-    std::size_t last = first;
-    while (last < columns.judged && columns.neighbor[last] == columns.neighbor[first]) ++last;
-    const Worst worst = worst_of(constraints, law, first, last);
-    if (worst.coefficient < 0.0 && std::isfinite(worst.coefficient))
-      cuts.push_back(tangent(robot, worst, law, constraints));
-    first = last;
-  }
+  append_cuts_of(robot, law, constraints, constraints.columns, constraints.has_cones, cuts);
+  const MoverConstraints& movers = constraints.movers;
+  append_cuts_of(robot, law, constraints, movers.columns, movers.has_cones, cuts);
   append_box_cuts(robot, constraints.path.next_velocity, law, constraints.boxes, cuts);
 }
 

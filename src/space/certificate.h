@@ -12,6 +12,7 @@
 #include "space/boxes.h"
 #include "space/kernels.h"
 #include "space/look.h"
+#include "space/mover_constraints.h"
 #include "space/program.h"
 
 namespace avo::space {
@@ -28,6 +29,7 @@ struct Constraints {
   Vec3 own_direction;   ///< of the velocity in the robot's own space
   Deviation deviation;  ///< in the robot's own space
   Invariant invariant;
+  MoverConstraints movers;  ///< by begin_movers(), after begin_constraints()
   BoxConstraints boxes;
   CandidatePath path;  ///< of the last judged candidate
   bool has_cones = false;
@@ -60,8 +62,8 @@ bool admits(const Robot& robot, Vec3 next_velocity, const StepLaw& law, Asked as
 /// [v_1] m/s: full braking.
 Vec3 backup_velocity(const Robot& robot, const StepLaw& law);
 
-/// Appends for each neighbor and each box that refuses the last judged candidate the tangent of its
-/// worst constraint, a half-space in v_1 in the robot's own space.
+/// Appends for each neighbor, moving obstacle and box that refuses the last judged candidate the
+/// tangent of its worst constraint, a half-space in v_1 in the robot's own space.
 void append_cuts(const Robot& robot, const StepLaw& law, const Constraints& constraints,
                  std::vector<HalfSpace>& cuts);
 

@@ -6,12 +6,15 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/ranges.h"
 #include "core/response_law.h"
 #include "planner/execution.h"
 #include "planner/execution_kernel.h"
 #include "space/arrival.h"
 #include "space/choice.h"
+#include "space/evasion.h"
 #include "space/half_spaces.h"
+#include "space/mover_planes.h"
 #include "space/own_space.h"
 #include "space/workspace.h"
 
@@ -98,9 +101,9 @@ void collect_hard(const Decision& decision, std::span<const Box> boxes) {
 }
 
 // The hard half-spaces and then the soft ones, in the robot's own space.
-void collect_half_spaces(const Decision& decision, std::span<const Box> boxes,
+void collect_half_spaces(const Decision& decision, const Surroundings& around,
                          const Horizon& horizon) {
-  collect_hard(decision, boxes);
+  collect_hard(decision, around.boxes);
   const Robot& robot = decision.robot;
   PlanWorkspace::Scratch& scratch = decision.scratch;
   HalfSpaceColumns& columns = scratch.half_spaces.columns;
@@ -111,6 +114,13 @@ void collect_half_spaces(const Decision& decision, std::span<const Box> boxes,
   const OwnLimits own{robot.velocity, robot.vertical,
                       decision.options.control_time * robot.max_acceleration, robot.max_speed};
   append_half_spaces(scratch.looked.pairs, own, horizon, scratch.half_spaces);
+  if (around.movers.empty()) return;
+  scratch.of_movers.clear();
+  append_mover_planes(robot, around.movers, decision.options, horizon, scratch.of_movers);
+  columns.reserve(columns.count + scratch.of_movers.size());
+  double number = static_cast<double>(kMostRobots);  // they come after all neighbors
+  for (const HalfSpace& plane : scratch.of_movers)
+    columns.add(to_own(plane, robot.vertical), number++);
 }
 
 // The velocity that Eq. (23) is given for a wish, m/s (docs/smoothness.md).
@@ -199,19 +209,25 @@ double radius_of(const Bodies& bodies, int number) {
 }
 
 // Names the deepest contact, where rounding cannot have caused it.
-void tell_contact(const Decision& decision, const Bodies& bodies, Plan& plan) {
+void tell_contact(const Decision& decision, const Surroundings& around, Plan& plan) {
   const Constraints& constraints = decision.scratch.choice.constraints;
+  double deepest = 0.0;
+  const auto tell = [&](const Deepest& found, double radius, int& index) {
+    const double feigned = feigned_depth(decision.robot.radius + radius, constraints.own.reach);
+    if (!(found.depth > deepest) || !(found.depth > feigned)) return;
+    deepest = found.depth;
+    plan.status = PlanStatus::overlapping;
+    plan.depth = static_cast<float>(found.depth);
+    plan.neighbor = plan.box = plan.mover = -1;
+    index = found.index;
+  };
   const Deepest& neighbor = constraints.invariant.broken;
+  if (neighbor.any()) tell(neighbor, radius_of(around.bodies, neighbor.index), plan.neighbor);
   const Deepest& box = constraints.boxes.broken;
-  if (!neighbor.any() && !box.any()) return;
-  double radii = decision.robot.radius;
-  if (neighbor.any()) radii += radius_of(bodies, neighbor.index);
-  const bool deeper = neighbor.any() && neighbor.depth >= box.depth;
-  const double depth = deeper ? neighbor.depth : box.depth;
-  if (!(depth > feigned_depth(radii, constraints.own.reach))) return;
-  plan.status = PlanStatus::overlapping;
-  plan.depth = static_cast<float>(depth);
-  (deeper ? plan.neighbor : plan.box) = deeper ? neighbor.index : box.index;
+  if (box.any()) tell(box, 0.0, plan.box);
+  const Deepest& mover = constraints.movers.invariant.broken;
+  if (mover.any())
+    tell(mover, around.movers[static_cast<std::size_t>(mover.index)].radius, plan.mover);
 }
 
 // Eq. (7)
@@ -251,6 +267,10 @@ void collect_all_constraints(const PlannerOptions& options, const StepLaw& law, 
   collect_constraints(robot, around.bodies, scratch.looked.near,
                       certified ? around.boxes : std::span<const Box>{}, law,
                       scratch.choice.constraints);
+  Constraints& constraints = scratch.choice.constraints;
+  if (certified && !around.movers.empty())
+    begin_movers(robot, around.movers, constraints.own, constraints.own_direction,
+                 constraints.deviation, law, constraints.movers);
 }
 
 }  // namespace
@@ -270,20 +290,27 @@ Plan decide(const PlannerOptions& options, const Horizon& horizon, const StepLaw
                     law.braking_time * to_own(detour.acceleration, robot.vertical),
                     scratch};
   if (!execution.law.is_gentle()) decision.own_last_change = {};
-  collect_half_spaces(decision, around.boxes, horizon);
+  collect_half_spaces(decision, around, horizon);
   const Vec3 wish = wish_of(robot, around.bodies, scratch.looked, options, decision.axis, detour);
   const Vec3 own_aim = aim_of(decision, to_own(wish, robot.vertical), execution);
   const Target target = target_of(decision, scratch.half_spaces.columns, own_aim);
   collect_all_constraints(options, law, robot, around, scratch);
-  const Choice choice = choose_and_arrive(decision, wish, own_aim, target, detour);
+  Choice choice = choose_and_arrive(decision, wish, own_aim, target, detour);
+  const bool is_certified = options.certificate != Certificate::none;
+  const bool is_alone = scratch.looked.seen.count == 0;
+  const Sight sight{around.movers, around.boxes, is_alone && !options.never_swerves};
+  const bool evades = is_certified && keep_a_way_out(options, law, robot, sight, scratch.ways,
+                                                     scratch.choice, choice.next_velocity);
+  if (evades) choice.chosen = Chosen::candidate;
   Plan plan = plan_to(robot.velocity, choice.next_velocity, law);
   plan.violation = target.violation;
+  plan.evading = evades;
   plan.status = status_of(choice.chosen, target.violation);
-  tell_contact(decision, around.bodies, plan);
+  tell_contact(decision, around, plan);
   const Constraints& constraints = scratch.choice.constraints;
   const bool keeps_clear = !constraints.invariant.doubtful && !constraints.invariant.unknown &&
                            !constraints.boxes.broken.any();
-  if (options.certificate != Certificate::none && keeps_clear) plan.state = SafetyState::safe;
+  if (is_certified && keeps_clear) plan.state = SafetyState::safe;
   detour.acceleration = plan.acceleration;
   return plan;
 }

@@ -19,6 +19,7 @@ struct Surroundings {
   double self = -1.0;                                      ///< the robot's own place; -1: none
   double range = std::numeric_limits<double>::infinity();  ///< m: others are not sensed
   std::span<const Box> boxes = {};
+  std::span<const Mover> movers = {};
 };
 
 /// The decision of a robot whose inputs are valid. Updates the detour. `remembers`: whether the

@@ -38,7 +38,7 @@ struct Look {
   /// those of the plane.
   [[nodiscard]] bool is_plain(const Bodies& bodies) const {
     return law.is_exact() && robot.downwash == 0.0 && robot.vertical == 1.0 &&
-           !bodies.has_downwash && !bodies.has_vertical;
+           !bodies.has_downwash && !bodies.has_vertical && !bodies.has_ages;
   }
 };
 

@@ -61,7 +61,7 @@ struct PackLook {
                 Real(bodies.most_downwash)),
         most_ahead(look.deviation.most_ahead),
         // gaps are not known to bound anything else
-        most_aside(look.law.is_exact() && look.robot.vertical == 1.0
+        most_aside(look.law.is_exact() && !bodies.has_ages && look.robot.vertical == 1.0
                        ? look.deviation.most_aside
                        : std::numeric_limits<double>::infinity()),
         end_time(look.horizon.end().time),

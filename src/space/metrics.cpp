@@ -28,6 +28,22 @@ std::vector<CheckedRobot> checked_robots(const Scenario& scenario) {
   return robots;
 }
 
+std::vector<CheckedMover> checked_movers(const Scenario& scenario) {
+  std::vector<CheckedMover> movers;
+  for (const MovingObstacle& obstacle : scenario.moving_obstacles)
+    movers.push_back({obstacle.radius, !obstacle.trajectory.empty()});
+  return movers;
+}
+
+std::vector<CheckedState> mover_states(const Scenario& scenario, double time) {
+  std::vector<CheckedState> states;
+  for (const MovingObstacle& obstacle : scenario.moving_obstacles) {
+    const auto [position, velocity] = state_at(obstacle, time);
+    states.push_back({static_cast<std::int64_t>(states.size()), position, velocity});
+  }
+  return states;
+}
+
 struct Metrics::State {
   Scenario scenario;
   Check check;
@@ -41,7 +57,8 @@ struct Metrics::State {
 
   explicit State(const Scenario& scene)
       : scenario(scene),
-        check(checked_robots(scene), scene.boxes, {.arrival_distance = scene.arrival_distance}) {}
+        check(checked_robots(scene), scene.boxes, {.arrival_distance = scene.arrival_distance},
+              checked_movers(scene)) {}
 
   void begin(const Simulation& simulation, std::size_t k);
   void count(const Plan& plan);
@@ -135,7 +152,7 @@ void Metrics::observe(const Simulation& simulation) {
       ++state.arrived;
     }
   }
-  state.check.add(simulation.time(), rows);
+  state.check.add(simulation.time(), rows, mover_states(state.scenario, simulation.time()));
   state.robots.assign(simulation.robots().begin(), simulation.robots().end());
   state.last.assign(simulation.plans().begin(), simulation.plans().end());
   state.summary.steps = simulation.steps();
@@ -152,6 +169,9 @@ RunSummary Metrics::summary() const {
   summary.arrived = static_cast<std::int64_t>(state.arrived);
   summary.collision_pairs = report.overlaps.count;
   if (report.overlaps.first) summary.first_collision_time = report.overlaps.first->time;
+  summary.obstacle_collisions_in_motion = report.obstacle_contacts_moving.count;
+  summary.obstacle_collisions =
+      report.obstacle_contacts_moving.count + report.obstacle_contacts_at_rest;
   summary.collision_obstacles = report.static_contacts.count;
   summary.min_clearance = report.least_clearance;
   summary.min_obstacle_clearance = report.least_static_clearance;

@@ -35,6 +35,11 @@ inline double braking_limit(const Robot& robot) {
 inline double braking_limit(const Neighbor& neighbor) {
   return neighbor.max_braking.value_or(neighbor.max_acceleration);
 }
+/// m/s²: how much a body can change its velocity in a second, in any direction.
+template <typename Body>
+double top_acceleration(const Body& body) {
+  return std::max(body.max_acceleration, braking_limit(body)) * std::max(body.vertical, 1.0);
+}
 /// min(a_max, b), m/s²: the deceleration for what a robot foresees.
 inline double planned_braking(const Robot& robot) {
   return std::min(robot.max_acceleration, braking_limit(robot));

@@ -37,9 +37,10 @@ Planner::Planner(const PlannerOptions& options)
 }
 
 Plan Planner::plan(const Robot& robot, std::span<const Neighbor> neighbors,
-                   PlanWorkspace& workspace, Detour* detour, std::span<const Box> boxes) const {
+                   PlanWorkspace& workspace, Detour* detour, std::span<const Box> boxes,
+                   std::span<const Mover> movers) const {
   const StepLaw law = step_law(options_, horizon_);
-  if (!are_valid(options_, robot, neighbors, boxes)) {
+  if (!are_valid(robot, neighbors, boxes, movers)) {
     Plan plan = is_valid(robot) ? braking_plan(robot, law) : Plan{};
     plan.status = PlanStatus::invalid_input;
     return plan;
@@ -48,9 +49,10 @@ Plan Planner::plan(const Robot& robot, std::span<const Neighbor> neighbors,
   gather(neighbors, law, scratch.bodies);
   const Run all{0, neighbors.size()};
   Detour next = detour != nullptr ? *detour : Detour{};
-  const Plan plan = decide(options_, horizon_, law, robot,
-                           {.bodies = scratch.bodies, .runs = std::span(&all, 1), .boxes = boxes},
-                           detour != nullptr, scratch, next);
+  const Plan plan = decide(
+      options_, horizon_, law, robot,
+      {.bodies = scratch.bodies, .runs = std::span(&all, 1), .boxes = boxes, .movers = movers},
+      detour != nullptr, scratch, next);
   if (detour != nullptr) *detour = next;
   return plan;
 }
@@ -58,7 +60,7 @@ Plan Planner::plan(const Robot& robot, std::span<const Neighbor> neighbors,
 bool Planner::is_admitted(const Robot& robot, std::span<const Neighbor> neighbors,
                           PlanWorkspace& workspace, Vec3 next_velocity,
                           std::span<const Box> boxes) const {
-  if (!are_valid(options_, robot, neighbors, boxes) || !is_finite(next_velocity)) return false;
+  if (!are_valid(robot, neighbors, boxes) || !is_finite(next_velocity)) return false;
   const StepLaw law = step_law(options_, horizon_);
   PlanWorkspace::Scratch& scratch = *workspace.scratch_;
   const Vec3 own = to_own(next_velocity, robot.vertical);
@@ -97,6 +99,16 @@ double reach_of(const Robot& robot, const StepLaw& law) {
 
 double box_range(const Robot& robot, const PlannerOptions& options) {
   return (1.0 + 1e-9) * box_reach(robot, checked_law(options));
+}
+
+double sensing_range(const Robot& robot, const Mover& mover, const PlannerOptions& options) {
+  const StepLaw law = checked_law(options);
+  const double steps = 3.0 + robot.max_speed / (braking_limit(robot) * law.braking_time);
+  const double t = law.time_step * steps;
+  const double way =
+      t * norm(mover.velocity) + 0.5 * t * t * (norm(mover.acceleration) + mover.max_deviation);
+  return (1.0 + 1e-9) * (reach_of(robot, law) + mover.radius + std::min(way, t * mover.max_speed)) +
+         options.sensing_error.position + t * options.sensing_error.velocity;
 }
 
 double sensing_range(const Robot& robot, const Robot& other, const PlannerOptions& options) {

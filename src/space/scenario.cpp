@@ -7,11 +7,14 @@
 
 #include "avo/error.h"
 #include "avo/space/planner.h"
-#include "core/ranges.h"
+#include "fields/sensing_checks.h"
 #include "planner/options.h"
 #include "planner/rules/arrival.h"
 #include "space/certificate.h"
+#include "space/mover_checks.h"
 #include "space/own_space.h"
+#include "space/ranges.h"
+#include "space/senses.h"
 #include "space/step_law.h"
 
 namespace avo::space {
@@ -26,8 +29,16 @@ PlannerOptions planner_options(const Scenario& scenario) {
   options.comfort_jerk = scenario.comfort_jerk;
   options.time_horizon = scenario.time_horizon.value_or(options.time_horizon);
   options.certificate = scenario.certificate.value_or(Certificate::braking_trajectories);
+  if (options.certificate == Certificate::braking_trajectories)
+    options.sensing_error =
+        scenario.sensing_error ? *scenario.sensing_error : declared_error(scenario);
   options.max_neighbors = scenario.max_neighbors;
   options.arrival_distance = scenario.arrival_distance;
+  options.never_swerves = scenario.never_swerves;
+  if (!scenario.moving_obstacles.empty()) {
+    for (const RobotSetup& robot : scenario.robots)
+      options.wall_range = std::max(options.wall_range, way_range(robot_of(robot)));
+  }
   return options;
 }
 
@@ -84,10 +95,20 @@ Robot largest_of(const Scenario& scenario) {
   return largest;
 }
 
+// m: the distance within which two robots have to sense each other, with the way that both cover
+// before they do.
+double certified_range(const Scenario& scenario, const Robot& largest,
+                       const PlannerOptions& options) {
+  const double fastest = largest.max_speed * std::max(largest.vertical, 1.0);
+  return sensing_range(largest, largest, options) + 2.0 * fastest * time_unseen(scenario);
+}
+
 double needed_radius(const Scenario& scenario, const PlannerOptions& options) {
   const Robot largest = largest_of(scenario);
-  double radius =
-      options.certificate == Certificate::none ? 0.0 : sensing_range(largest, largest, options);
+  double radius = 0.0;
+  if (options.certificate != Certificate::none)
+    radius = std::max(certified_range(scenario, largest, options),
+                      mover_range(scenario, largest, options));
   avo::Robot plane;
   plane.radius = largest.radius, plane.max_speed = largest.max_speed;
   plane.max_acceleration = std::min(largest.max_acceleration, *largest.max_braking);
@@ -102,10 +123,15 @@ std::string numbered(const char* what, std::size_t k, const char* key) {
   return std::string(what) + "." + std::to_string(k) + "." + key;
 }
 
-void require_vector(const std::string& key, Vec3 value, std::string_view unit) {
-  require(key + ".0", value.x, kAnyValue, unit);
-  require(key + ".1", value.y, kAnyValue, unit);
-  require(key + ".2", value.z, kAnyValue, unit);
+// Robots of space know their own place.
+void check_sensing_in_space(const Scenario& scenario, const PlannerOptions& options) {
+  const SensingModel& sensing = scenario.sensing;
+  check_sensing(sensing);
+  if (sensing.localization.position > 0.0)
+    refuse("sensing.localization", text(sensing.localization.position) + " m",
+           "left out in a scene of space");
+  if (scenario.sensing_error && options.certificate == Certificate::none)
+    refuse("sensing_error", "one", "none with certificate none");
 }
 
 void check_robot(const RobotSetup& robot, std::size_t k) {
@@ -213,15 +239,23 @@ void validate(const Scenario& scenario) {
     if (scenario.robots[k].quadrotor) check_quadrotor(scenario.robots[k], k, scenario.motion);
   }
   for (std::size_t k = 0; k < scenario.boxes.size(); ++k) check_box(scenario, k);
+  check_moving_obstacles(scenario);
+  check_sensing_in_space(scenario, options);
   const Planner planner(options);
   if (options.certificate == Certificate::none || scenario.robots.empty()) return;
   const Robot largest = largest_of(scenario);
-  const double needed = sensing_range(largest, largest, options);
+  const double needed = certified_range(scenario, largest, options);
   if (scenario.sensing_radius && scenario.robots.size() > 1 && *scenario.sensing_radius < needed)
     throw Error("sensing_radius: found " + text(*scenario.sensing_radius) + ", must be >= " +
                 text(needed) + ", in which two robots can stop before each other");
-  check_starts(scenario, step_law(options, Horizon(options.control_time, options.time_horizon,
-                                                   options.time_step)));
+  const double of_movers = mover_range(scenario, largest, options);
+  if (scenario.sensing_radius && *scenario.sensing_radius < of_movers)
+    throw Error("sensing_radius: found " + text(*scenario.sensing_radius) + ", must be >= " +
+                text(of_movers) + ", in which a robot can stop before moving obstacles");
+  StepLaw law =
+      step_law(options, Horizon(options.control_time, options.time_horizon, options.time_step));
+  law.sensing_error = {};  // starts are true states
+  check_starts(scenario, law);
 }
 
 }  // namespace avo::space

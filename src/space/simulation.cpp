@@ -15,6 +15,7 @@
 #include "space/decide.h"
 #include "space/goals.h"
 #include "space/own_space.h"
+#include "space/senses.h"
 #include "space/step_law.h"
 #include "space/validity.h"
 #include "space/workspace.h"
@@ -31,6 +32,7 @@ struct AVO_LOCAL SpaceWorker {
   PlanWorkspace::Scratch scratch;
   SpaceCells::Runs runs{};
   std::vector<Box> boxes;
+  std::vector<Mover> movers;
 };
 
 /// What a robot's scene says of its way; near in memory, unlike the scene.
@@ -50,6 +52,8 @@ struct Simulation::State {
   std::shared_ptr<Executor> executor;
   SpaceCells cells;
   Bodies bodies;  // the robots in the order of the cells
+  Senses senses;
+  std::vector<Mover> movers;  // as they are now
   std::vector<Robot> robots;
   std::vector<Detour> detours;
   std::vector<Plan> plans;
@@ -66,14 +70,19 @@ struct Simulation::State {
         sensing_radius(sensing_radius_of(scene)),
         executor(make_executor(static_cast<std::size_t>(std::max(threads, 0)))),
         cells(sensing_radius),
+        senses(senses_of(scene)),
         detours(scene.robots.size()),
         plans(scene.robots.size()),
         workers(executor->workers()) {
     validate_in_space(options);
     for (const RobotSetup& setup : scene.robots) {
       robots.push_back(robot_of(setup));
-      ways.push_back({setup.goal, setup.preferred_speed, space::box_range(robots.back(), options)});
+      const double range = space::box_range(robots.back(), options);
+      ways.push_back(
+          {setup.goal, setup.preferred_speed,
+           scene.moving_obstacles.empty() ? range : std::max(range, options.wall_range)});
     }
+    move_obstacles();
     bodies.reserve(robots.size());
   }
 
@@ -82,6 +91,49 @@ struct Simulation::State {
     bodies.clear();
     for (const std::uint32_t k : cells.order()) bodies.add(neighbor_of(robots[k]), k);
     fill_braking(law, bodies);
+  }
+
+  void move_obstacles() {
+    movers.clear();
+    const double now = static_cast<double>(steps) * scenario.time_step;
+    for (const MovingObstacle& obstacle : scenario.moving_obstacles)
+      movers.push_back(mover_at(obstacle, now));
+  }
+
+  [[nodiscard]] bool is_in_range(Vec3 place, std::size_t k) const {
+    return norm_squared(place - robots[k].position) <= sensing_radius * sensing_radius;
+  }
+
+  /// The moving obstacles that a robot senses.
+  void sense_movers(std::size_t k, SpaceWorker& worker) const {
+    worker.movers.clear();
+    if (movers.empty()) return;
+    const Observer observer(senses, k, scenario.boxes);
+    for (std::size_t m = 0; m < movers.size(); ++m) {
+      if (!is_in_range(movers[m].position, k)) continue;
+      if (senses.are_exact()) {
+        worker.movers.push_back(movers[m]);
+      } else if (const auto seen = observer.look_at(m, scenario.moving_obstacles[m])) {
+        worker.movers.push_back(*seen);
+      }
+    }
+  }
+
+  /// The robots that a robot senses by measurements, in the memory of the worker.
+  void sense_robots(std::size_t k, std::size_t runs, SpaceWorker& worker) const {
+    Bodies& seen = worker.scratch.bodies;
+    seen.clear();
+    const Observer observer(senses, k, scenario.boxes);
+    for (const Run& run : std::span(worker.runs).first(runs)) {
+      seen.reserve(seen.count + (run.last - run.first));
+      for (std::size_t place = run.first; place < run.last; ++place) {
+        const std::size_t other = cells.order()[place];
+        if (other == k || !is_in_range(robots[other].position, k)) continue;
+        if (const auto neighbor = observer.look_at(other, robots[other]))
+          seen.add(*neighbor, other);
+      }
+    }
+    fill_braking(law, seen);
   }
 
   void find_boxes(std::size_t k, SpaceWorker& worker) const {
@@ -102,13 +154,24 @@ struct Simulation::State {
     robot.preferred_velocity = preferred_velocity(robot, way.goal, way.preferred_speed, landing);
     find_boxes(k, worker);
     const std::size_t runs = cells.around(robot.position, worker.runs);
-    const Surroundings around{.bodies = bodies,
-                              .runs = std::span(worker.runs).first(runs),
-                              .self = static_cast<double>(at),
-                              .range = sensing_radius,
-                              .boxes = worker.boxes};
-    plans[k] =
-        space::decide(options, horizon, law, robot, around, true, worker.scratch, detours[k]);
+    sense_movers(k, worker);
+    const auto decide = [&](const Surroundings& around) {
+      plans[k] =
+          space::decide(options, horizon, law, robot, around, true, worker.scratch, detours[k]);
+    };
+    if (senses.are_exact())
+      return decide({.bodies = bodies,
+                     .runs = std::span(worker.runs).first(runs),
+                     .self = static_cast<double>(at),
+                     .range = sensing_radius,
+                     .boxes = worker.boxes,
+                     .movers = worker.movers});
+    sense_robots(k, runs, worker);
+    const Run all{0, worker.scratch.bodies.count};
+    decide({.bodies = worker.scratch.bodies,
+            .runs = std::span(&all, 1),
+            .boxes = worker.boxes,
+            .movers = worker.movers});
   }
 
   void move() {
@@ -133,6 +196,7 @@ Simulation& Simulation::operator=(Simulation&&) noexcept = default;
 void Simulation::step() {
   State& state = *state_;
   state.sort();
+  state.senses.note(state.robots, state.steps);
   const std::size_t count = state.robots.size();
   const auto decide = [&](std::size_t tile, std::size_t worker) {
     const std::size_t end = std::min((tile + 1) * kTile, count);
@@ -146,6 +210,7 @@ void Simulation::step() {
   }
   state.move();
   ++state.steps;
+  state.move_obstacles();
 }
 
 double Simulation::time() const {
@@ -168,6 +233,9 @@ std::span<const Robot> Simulation::robots() const {
 }
 std::span<const Plan> Simulation::plans() const {
   return state_->plans;
+}
+std::span<const Mover> Simulation::movers() const {
+  return state_->movers;
 }
 Vec3 Simulation::goal(std::size_t robot) const {
   return state_->scenario.robots[robot].goal;

@@ -59,23 +59,26 @@ bool is_valid(const Box& box) {
          std::isfinite(box.heading) && std::isfinite(box.radius) && box.radius >= 0.0;
 }
 
-// The errors of sensing are not derived for capsules (docs/space.md, "Downwash").
-bool has_downwash(const Robot& robot, std::span<const Neighbor> neighbors) {
-  return robot.downwash > 0.0 ||
-         std::any_of(neighbors.begin(), neighbors.end(),
-                     [](const Neighbor& neighbor) { return neighbor.downwash > 0.0; });
+bool is_valid(const Mover& mover) {
+  return is_finite(mover.position) && is_finite(mover.velocity) && is_finite(mover.acceleration) &&
+         is_positive(mover.radius) && std::isfinite(mover.max_deviation) &&
+         mover.max_deviation >= 0.0 && mover.max_speed > 0.0 && mover.age >= 0 &&
+         mover.age <= kMostAge;
 }
 
 }  // namespace
 
-bool are_valid(const PlannerOptions& options, const Robot& robot,
-               std::span<const Neighbor> neighbors, std::span<const Box> boxes) {
-  const bool is_derived =
-      options.sensing_error == SensingError{} || !has_downwash(robot, neighbors);
-  return is_derived && is_valid(robot) &&
+bool are_valid(const Robot& robot, std::span<const Neighbor> neighbors, std::span<const Box> boxes,
+               std::span<const Mover> movers) {
+  return is_valid(robot) &&
          std::all_of(neighbors.begin(), neighbors.end(),
-                     [](const Neighbor& neighbor) { return is_valid_body(neighbor); }) &&
-         std::all_of(boxes.begin(), boxes.end(), [](const Box& box) { return is_valid(box); });
+                     [](const Neighbor& neighbor) {
+                       return is_valid_body(neighbor) && neighbor.age >= 0 &&
+                              neighbor.age <= kMostAge;
+                     }) &&
+         std::all_of(boxes.begin(), boxes.end(), [](const Box& box) { return is_valid(box); }) &&
+         std::all_of(movers.begin(), movers.end(),
+                     [](const Mover& mover) { return is_valid(mover); });
 }
 
 }  // namespace avo::space

@@ -11,8 +11,8 @@ namespace avo::space {
 void validate_in_space(const PlannerOptions& options);
 
 bool is_valid(const Robot& robot);
-/// Returns whether all numbers are in range. A downwash beside declared errors is not.
-bool are_valid(const PlannerOptions& options, const Robot& robot,
-               std::span<const Neighbor> neighbors, std::span<const Box> boxes);
+/// Returns whether all numbers are in range.
+bool are_valid(const Robot& robot, std::span<const Neighbor> neighbors, std::span<const Box> boxes,
+               std::span<const Mover> movers = {});
 
 }  // namespace avo::space

@@ -8,6 +8,7 @@
 #include "space/choice.h"
 #include "space/half_spaces.h"
 #include "space/look.h"
+#include "space/ways.h"
 
 namespace avo::space {
 
@@ -18,6 +19,8 @@ struct PlanWorkspace::Scratch {
   HalfSpaces half_spaces;                     ///< the hard ones first
   std::vector<HalfSpace> speeds, own_speeds;  ///< of boxes; and all hard ones, in its own space
   ChoiceWorkspace choice;
+  WaySearch ways;                    ///< out, beside moving obstacles
+  std::vector<HalfSpace> of_movers;  ///< in space
 };
 
 }  // namespace avo::space

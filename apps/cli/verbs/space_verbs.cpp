@@ -192,7 +192,7 @@ std::optional<avo_io::Judgement> judge_in_space(const CheckArguments& arguments)
         "--radius, --max-acceleration, --max-speed, --max-braking: found besides the robots of "
         "--scene, must be one or the other");
   return avo_io::judge_in_space(arguments.recording, scene->scenario, arguments.tolerance,
-                                arguments.require_arrival);
+                                arguments.require_arrival, arguments.movers_at_rest == "ok");
 }
 
 std::optional<SpaceRecordingShown> space_run_of(const std::string& recording,

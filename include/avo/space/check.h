@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // A judge of recorded motion in space that shares no formula with the planner. It judges the
-// separation of every pair in continuous time, downwash, boxes, limits and arrival.
+// separation of every pair in continuous time, downwash, boxes, moving obstacles, limits and
+// arrival.
 #pragma once
 #include <cstdint>
 #include <limits>
@@ -31,9 +32,15 @@ struct CheckedRobot {
   std::optional<Vec3> goal = {};  ///< m
 };
 
-/// One row of a recording.
+/// A moving obstacle. Between two times it is on the cubic with its positions and velocities.
+struct CheckedMover {
+  double radius = 0.5;    ///< m, > 0
+  bool straight = false;  ///< it moves straight and evenly instead
+};
+
+/// One row of a recording, or the state of a moving obstacle.
 struct CheckedState {
-  std::int64_t robot = 0;  ///< index into the robots given
+  std::int64_t robot = 0;  ///< index into the robots given, or of the moving obstacle
   Vec3 position, velocity;
 };
 
@@ -43,15 +50,16 @@ class AVO_API Check {
  public:
   /// Throws Error on values out of range.
   explicit Check(std::vector<CheckedRobot> robots, std::vector<Box> boxes = {},
-                 const CheckOptions& options = {});
+                 const CheckOptions& options = {}, std::vector<CheckedMover> movers = {});
   ~Check();
   Check(Check&&) noexcept;
   Check& operator=(Check&&) noexcept;
 
   /// Adds all rows of one time, by ascending robot; times ascend, by 1e-12 s or more. Throws Error
   /// on anything else. A robot may be missing: it is judged over the steps that have it at both
-  /// ends.
-  void add(double time, std::span<const CheckedState> rows);
+  /// ends. movers: the states of all moving obstacles, in their order.
+  void add(double time, std::span<const CheckedState> rows,
+           std::span<const CheckedState> movers = {});
   /// Declares that rows are missing between the last add() and the next one: the step is one of
   /// CheckReport::unjudged_steps.
   void skip();

@@ -13,6 +13,12 @@ namespace avo::space {
 /// The bodies and limits of the robots as a judge takes them, with their goals.
 AVO_API std::vector<CheckedRobot> checked_robots(const Scenario& scenario);
 
+/// The moving obstacles as a judge takes them.
+AVO_API std::vector<CheckedMover> checked_movers(const Scenario& scenario);
+
+/// Their states at that time, s.
+AVO_API std::vector<CheckedState> mover_states(const Scenario& scenario, double time);
+
 /// Observes a run. A result that space does not have is unset.
 class AVO_API Metrics {
  public:

@@ -8,6 +8,7 @@
 #include "avo/horizon.h"
 #include "avo/planner.h"
 #include "avo/space/box.h"
+#include "avo/space/mover.h"
 #include "avo/space/robot.h"
 
 namespace avo::space {
@@ -24,8 +25,10 @@ struct Plan {
   SafetyState state = SafetyState::unknown;
   int neighbor = -1;   ///< if overlapping: index of the neighbor with the deepest overlap; -1: none
   int box = -1;        ///< or index of the box; -1: none
+  int mover = -1;      ///< or index of the moving obstacle; -1: none
   float depth = 0.0F;  ///< m: the overlap, if overlapping
   double violation = 0.0;  ///< m/s: the distance of v' from CA_A; 0 if optimal
+  bool evading = false;    ///< a way out from moving obstacles has replaced the robot's own choice
 };
 
 /// What a robot remembers from one decision to the next, see avo::Detour. If the robot gets another
@@ -69,10 +72,15 @@ class AVO_API Planner {
   /// robot decides as for the first time.
   ///
   /// boxes: those within box_range() of the robot, which it does not touch. Farther boxes change no
-  /// bit.
+  /// bit. Beside moving obstacles: those within PlannerOptions::wall_range as well, if that is
+  /// more.
+  ///
+  /// movers: the moving obstacles. While they move as assumed, they touch the robot at rest only,
+  /// and not at all where it has had a way out (docs/space.md, "Moving obstacles").
   [[nodiscard]] Plan plan(const Robot& robot, std::span<const Neighbor> neighbors,
                           PlanWorkspace& workspace, Detour* detour = nullptr,
-                          std::span<const Box> boxes = {}) const;
+                          std::span<const Box> boxes = {},
+                          std::span<const Mover> movers = {}) const;
 
   /// Returns whether the certificate lets the robot have that velocity (m/s) at the end of the
   /// step, within its own limits.
@@ -93,6 +101,13 @@ class AVO_API Planner {
 
 /// m, from the robot's ball: boxes at a larger distance change nothing.
 AVO_API double box_range(const Robot& robot, const PlannerOptions& options);
+
+/// m: how far from its place a robot's ways out from moving obstacles may lead.
+AVO_API double way_range(const Robot& robot);
+
+/// m, between centers: the distance within which the robot has to sense a moving obstacle, so that
+/// it can be at rest when the obstacle comes.
+AVO_API double sensing_range(const Robot& robot, const Mover& mover, const PlannerOptions& options);
 
 /// m, between centers: the distance within which the robot has to sense a neighbor of these limits,
 /// whatever their velocities.

@@ -44,6 +44,9 @@ struct Neighbor {
   double downwash = 0.0;                   ///< [w_B] m, >= 0, see Robot::downwash
   double priority = 1.0;                   ///< > 0, see Robot::priority
   std::optional<double> max_braking = {};  ///< [b_B] m/s^2, > 0; unset: max_acceleration
+  /// [d] whole steps, 0 to kMostAge: the time since it was last sensed. Its state has been
+  /// extrapolated since then at constant velocity, see avo::Neighbor::age.
+  int age = 0;
 };
 
 }  // namespace avo::space

@@ -9,7 +9,9 @@
 
 #include "avo/export.h"
 #include "avo/planner.h"
+#include "avo/scenario.h"
 #include "avo/space/box.h"
+#include "avo/space/mover.h"
 #include "avo/space/quadrotor.h"
 #include "avo/space/robot.h"
 #include "avo/vec3.h"
@@ -56,7 +58,13 @@ struct Scenario {
   Motion motion = Motion::held;
   double arrival_distance = 0.5;  ///< m, > 0
   std::uint64_t seed = 1;         ///< of random placements
+  /// How robots sense others, as in the plane; `localization` has to be left out.
+  SensingModel sensing = {};
+  /// The error that the robots declare to their certificate; unset: declared_error().
+  std::optional<SensingError> sensing_error = {};
+  bool never_swerves = false;  ///< see PlannerOptions
   std::vector<RobotSetup> robots = {};
+  std::vector<MovingObstacle> moving_obstacles = {};
   std::vector<Box> boxes = {};  ///< static obstacles
   /// The number of the obstacle of the scene file that each box comes from, for messages; empty:
   /// the boxes come from no file.
@@ -64,6 +72,9 @@ struct Scenario {
 };
 
 AVO_API PlannerOptions planner_options(const Scenario& scenario);
+
+/// Bounds of what noise and delay of the scene's sensing make of the true states.
+AVO_API SensingError declared_error(const Scenario& scenario);
 
 /// Returns the robot of that setup, at its start. That of a quadrotor has the quadrotor's limit of
 /// acceleration, and a radius that contains its deviation.

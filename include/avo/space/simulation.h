@@ -35,6 +35,8 @@ class AVO_API Simulation {
   [[nodiscard]] std::span<const Robot> robots() const;
   /// The last decisions; those before the first step are empty.
   [[nodiscard]] std::span<const Plan> plans() const;
+  /// The moving obstacles of the scene as they are now, exactly; valid until the next step.
+  [[nodiscard]] std::span<const Mover> movers() const;
   [[nodiscard]] Vec3 goal(std::size_t robot) const;  ///< m
   /// Returns whether the robot is within the arrival distance of its goal.
   [[nodiscard]] bool is_at_goal(std::size_t robot) const;

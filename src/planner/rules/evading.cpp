@@ -11,15 +11,10 @@
 namespace avo::inline planner {
 namespace {
 
-constexpr double kLongestWay = 2.0;   // T, until a way out brakes,
-constexpr double kWideWay = 3.0;      // or so many for wide neighbors,
-constexpr double kLongFlight = 8.0;   // or so many until a robot circles,
-constexpr double kMostSteps = 400.0;  // and steps at most
-// steps of braking; a robot that takes more has no ways out
-constexpr double kMostBraking = 1024.0;
-constexpr double kLikelyFor = 1.5;      // T, for which likely deviations count
-constexpr int kMostWork = 200000;       // movers and intervals that a level may test,
-constexpr int kMostLikelyWork = 25000;  // or that a level with likely deviations may test
+constexpr double kLongFlight = 8.0;  // T, until a robot circles
+constexpr double kLikelyFor = 1.5;   // T, for which likely deviations count
+constexpr int kMostLikelyWork =
+    25000;  // movers and intervals that a level with likely deviations may test
 
 // [T] s: a robot that flies also needs time to turn.
 double time_to_evade(const Robot& robot) {
@@ -128,7 +123,7 @@ double way_range(const Robot& robot) {
 }
 
 double longest_way_out(const Robot& robot, const StepLaw& law) {
-  const double longest = std::min(longest_of_all(robot), kMostSteps * law.time_step);
+  const double longest = std::min(longest_of_all(robot), kMostWaySteps * law.time_step);
   const double braking = braking_time_of(robot, fastest_of(robot, robot.max_speed), law);
   return longest + law.time_step + std::min(braking, kMostBraking * law.time_step);
 }
@@ -141,7 +136,7 @@ std::optional<Evading> begin_evading(const CertificateLaw& law, const Robot& rob
       .law = law.step,
       .decrement = decrement_of(robot, law.step),
       .max_speed = fastest_of(robot, std::max(robot.max_speed, norm(robot.velocity))),
-      .longest = std::min(longest_way(robot, sight.neighbors), kMostSteps * law.step.time_step),
+      .longest = std::min(longest_way(robot, sight.neighbors), kMostWaySteps * law.step.time_step),
       .wheels = is_holonomic(robot.model) ? nullptr : &robot};
   const bool brakes = can_rest(robot.model);
   if (brakes && !(evading.options.max_speed <= kMostBraking * evading.options.decrement))

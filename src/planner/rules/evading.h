@@ -2,7 +2,6 @@
 // The inputs of a robot that keeps a way out (docs/movers.md): the predicted movers, the walls that
 // it knows, and its own ways out.
 #pragma once
-#include <limits>
 #include <optional>
 #include <span>
 #include <vector>
@@ -11,6 +10,7 @@
 #include "certificate/ways.h"
 #include "planner/certified.h"
 #include "planner/decision.h"
+#include "planner/rules/levels.h"
 
 namespace avo::inline planner {
 
@@ -34,17 +34,6 @@ struct Sight {
   const FlightConstraints* flight = nullptr;
 };
 
-/// The margins of a way out.
-struct Level {
-  double part;        ///< of a_max that the way out uses
-  double margin;      ///< part of the contact distance
-  double reaction;    ///< in T
-  bool stops = true;  ///< whether (C2) is required
-  /// The time for which rest must be clear, in longest ways out.
-  double until = std::numeric_limits<double>::infinity();
-  double likely = 0.0;  ///< part of likely deviations
-};
-
 /// The state of one decision.
 struct Evading {
   const CertificateLaw& law;
@@ -57,12 +46,6 @@ struct Evading {
 
   WayState now() const { return {{}, robot.velocity, 0.0, robot.heading}; }
 };
-
-/// Bisections that bring a replacement nearer to the choice that it replaces.
-inline constexpr int kNearer = 4;
-
-/// What a search of ways out has found after a step of the robot's own choice, or of another one.
-enum class Way : unsigned char { none, as_wanted, another };
 
 /// The replacement of a choice, and the way out that begins with it.
 struct Taken {

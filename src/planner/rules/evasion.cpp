@@ -15,27 +15,13 @@
 namespace avo::inline planner {
 namespace {
 
-// The first levels are early, gentle and far off. Each level is tried where the one before has
-// none, and keeps less than that by more than rounding may cost.
-constexpr std::array<Level, 6> kLevels{{{0.6, 0.05, 0.5},
-                                        {0.6, 0.035, 0.5},
-                                        {1.0, 0.025, 0.25},
-                                        {1.0, 0.015, 0.125},
-                                        {1.0, 0.005, 0.0},
-                                        {1.0, 0.0, 0.0}}};
-// Where braking is too late, the way out itself is proof that A is not touched.
-constexpr std::array<Level, 2> kLastLevels{{{1.0, 0.025, 0.0, false},  //
-                                            {1.0, 0.0025, 0.0, false}}};
-
 // Where some neighbors are likely to deviate: this part of their likely_deviation counts.
 constexpr Level likely_level(double part) {
   return {.part = 1.0, .margin = 0.0, .reaction = 0.5 * part, .likely = part};
 }
 constexpr int kLargerParts = 4;  // bisections
 
-// Where no place is clear for ever: rest must be clear for so long,
-constexpr std::array<Level, 1> kForAWhile{{{1.0, 0.0, 0.0, true, 2.0}}};
-// and the disc of a circle, which can be left at once.
+// Where no place is clear for ever, the disc of a circle, which can be left at once.
 constexpr std::array<Level, 3> kCirclesForAWhile{{{1.0, 0.0, 0.0, true, 1.0},  //
                                                   {1.0, 0.0, 0.0, true, 0.5},
                                                   {1.0, 0.0, 0.0, true, 0.25}}};

@@ -11,6 +11,7 @@
 #include "avo/response.h"
 #include "core/ranges.h"
 #include "fields/scene_fields.h"
+#include "fields/sensing_checks.h"
 #include "planner/options.h"
 #include "robots/model.h"
 #include "sim/clocks.h"
@@ -198,21 +199,6 @@ void check_braking(const Scenario& scenario, const PlannerOptions& options) {
            "<= " + text(most) + " m/s, " + std::to_string(kMostBrakingSteps) +
                " steps of braking, with a certificate");
   }
-}
-
-template <typename Noise, typename Table>
-void check_noise(const std::string& part, const Noise& noise, const Table& table) {
-  require_ranges(noise, table, [&](std::string_view key) { return part + std::string(key); });
-  if (noise.truncated && noise.distribution == NoiseDistribution::uniform)
-    refuse(part + "truncated", text(*noise.truncated),
-           "left out with distribution uniform, which stays within what is given");
-}
-
-void check_sensing(const SensingModel& sensing) {
-  check_noise("sensing.noise.", sensing.noise, kMeasurementNoiseFields);
-  check_noise("sensing.localization.", sensing.localization, kLocalizationNoiseFields);
-  require_ranges(sensing, kSensingFields,
-                 [](std::string_view key) { return "sensing." + std::string(key); });
 }
 
 // A measurement of the past is extrapolated from the past state, which is not stored for an

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "unit/space/crush.h"
 
+#include <algorithm>
+
 #include "space/certificate.h"
 #include "space/own_space.h"
 #include "space/step_law.h"
@@ -23,8 +25,9 @@ std::vector<CheckedRobot> bodies_of(const std::vector<Robot>& robots) {
 }  // namespace
 
 Crush::Crush(std::vector<Robot> robots, std::vector<Box> boxes, const PlannerOptions& options,
-             Draws draws)
+             Draws draws, int most_age)
     : robots_(std::move(robots)),
+      most_age_(most_age),
       boxes_(std::move(boxes)),
       draws_(draws),
       planner_(options),
@@ -33,11 +36,16 @@ Crush::Crush(std::vector<Robot> robots, std::vector<Box> boxes, const PlannerOpt
   observe();
 }
 
-Neighbor Crush::sensed(const Robot& robot) {
+Neighbor Crush::sensed(std::size_t k) {
   const SensingError& error = planner_.options().sensing_error;
-  Neighbor neighbor = neighbor_of(robot);
+  const int age =
+      most_age_ > 0 ? std::min(draws_.below(most_age_ + 1), static_cast<int>(past_.size())) : 0;
+  const Robot& seen = age > 0 ? past_[past_.size() - static_cast<std::size_t>(age)][k] : robots_[k];
+  Neighbor neighbor = neighbor_of(seen);
+  neighbor.age = age;
   neighbor.position = neighbor.position + draws_.within(error.position);
   neighbor.velocity = neighbor.velocity + draws_.within(error.velocity);
+  neighbor.position = neighbor.position + (age * planner_.options().time_step) * neighbor.velocity;
   return neighbor;
 }
 
@@ -56,7 +64,7 @@ Vec3 Crush::choose(std::size_t k) {
   const Robot& robot = robots_[k];
   std::vector<Neighbor> others;
   for (std::size_t j = 0; j < robots_.size(); ++j) {
-    if (j != k) others.push_back(sensed(robots_[j]));
+    if (j != k) others.push_back(sensed(j));
   }
   const Vec3 backup = backup_velocity(robot, step_law(planner_.options(), horizon_));
   for (int attempt = 0; attempt < 6; ++attempt) {
@@ -83,6 +91,7 @@ Vec3 Crush::choose(std::size_t k) {
 void Crush::step() {
   std::vector<Vec3> next;
   for (std::size_t k = 0; k < robots_.size(); ++k) next.push_back(choose(k));
+  past_.push_back(robots_);
   const double h = planner_.options().time_step;
   for (std::size_t k = 0; k < robots_.size(); ++k) {
     Robot& robot = robots_[k];

@@ -12,20 +12,23 @@ namespace avo::space::tests {
 
 class Crush {
  public:
+  /// most_age: steps, of what robots sense of others.
   Crush(std::vector<Robot> robots, std::vector<Box> boxes, const PlannerOptions& options,
-        Draws draws);
+        Draws draws, int most_age = 0);
 
   void step();
   const std::vector<Robot>& robots() const { return robots_; }
   CheckReport report() const { return check_.report(); }
 
  private:
-  Neighbor sensed(const Robot& robot);
+  Neighbor sensed(std::size_t k);
   Vec3 towards(const Robot& robot, Vec3 direction) const;
   Vec3 choose(std::size_t k);
   void observe();
 
   std::vector<Robot> robots_;
+  std::vector<std::vector<Robot>> past_;  // the robots before each step, the last step last
+  int most_age_;
   std::vector<Box> boxes_;
   Draws draws_;
   Planner planner_;

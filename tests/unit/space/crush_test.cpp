@@ -20,6 +20,7 @@ struct Kind {
   double most_priority = 1.0;
   bool brakes_differ = false;
   SensingError error = {};
+  int most_age = 0;  // steps
   int boxes = 0;
   int most_robots = 24;
   double most_speed = 3.0;  // m/s
@@ -39,7 +40,7 @@ class Scatter {
     options.control_time = std::max(2.0, time_step);
     options.time_horizon = std::max(3.0, time_step);
     options.sensing_error = kind_.error;
-    return {robots_, boxes_, options, draws_};
+    return {robots_, boxes_, options, draws_, kind_.most_age};
   }
 
  private:
@@ -143,6 +144,24 @@ TEST(SpaceCrush, thin_boxes_are_not_passed_through) {
 
 TEST(SpaceCrush, sensing_errors_cost_no_contact) {
   expect_no_contact({.least_vertical = 0.6, .most_vertical = 1.4, .error = {0.04, 0.08}}, 6);
+}
+
+TEST(SpaceCrush, sensing_errors_bring_nobody_into_a_downwash) {
+  expect_no_contact({.least_radius = 0.1,
+                     .most_radius = 0.5,
+                     .most_downwash = 1.5,
+                     .error = {0.02, 0.04},
+                     .most_age = 1},
+                    8, 0.3);
+}
+
+TEST(SpaceCrush, neighbors_that_were_sensed_steps_ago_are_not_touched) {
+  expect_no_contact({.least_vertical = 0.6,
+                     .most_vertical = 1.4,
+                     .brakes_differ = true,
+                     .error = {0.01, 0.02},
+                     .most_age = 3},
+                    6, 0.5);
 }
 
 }  // namespace

@@ -155,17 +155,6 @@ TEST(SpaceFleets, boxes_that_come_between_two_steps_are_heeded_or_refused) {
   }
 }
 
-TEST(SpaceFleets, a_downwash_beside_declared_errors_is_invalid_input) {
-  PlannerOptions options;
-  options.sensing_error = {0.01, 0.01};
-  const Planner planner(options);
-  PlanWorkspace workspace;
-  Robot robot;
-  EXPECT_NE(planner.plan(robot, {}, workspace).status, PlanStatus::invalid_input);
-  robot.downwash = 1.0;
-  EXPECT_EQ(planner.plan(robot, {}, workspace).status, PlanStatus::invalid_input);
-}
-
 TEST(SpaceFleets, threads_change_no_bit) {
   const Scenario scene = sphere(300, 20.0);
   Simulation one(scene, 1), two(scene, 3);

@@ -8,7 +8,7 @@
 
 #include "core/hash.h"
 
-namespace avo::inline sim {
+namespace avo::inline core {
 
 /// In [0, 1), number k of a key: a multiple of 2^-53.
 constexpr double uniform_number(std::uint64_t key, std::uint64_t k) {
@@ -26,4 +26,4 @@ struct GaussianDraws {
 /// From number `first` of the key on.
 void draw_gaussian(std::uint64_t key, std::uint64_t first, double most, GaussianDraws& draws);
 
-}  // namespace avo::inline sim
+}  // namespace avo::inline core

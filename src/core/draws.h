@@ -7,9 +7,9 @@
 
 #include "avo/scenario.h"
 #include "core/hash.h"
-#include "sim/noise.h"
+#include "core/noise.h"
 
-namespace avo::inline sim {
+namespace avo::inline core {
 
 /// The random numbers of one measurement, the same for any caller and at any time.
 class Draws {
@@ -63,4 +63,4 @@ std::array<double, kCount + GaussianDraws::kTogether> noise(const MeasurementNoi
   return drawn;
 }
 
-}  // namespace avo::inline sim
+}  // namespace avo::inline core

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Draws side by side, in loops that compilers vectorize: no iteration has a branch, or waits for
 // the one before. The numbers are the same for every instruction set.
-#ifndef AVO_SIM_NOISE_KERNEL_H
-#define AVO_SIM_NOISE_KERNEL_H
+#ifndef AVO_CORE_NOISE_KERNEL_H
+#define AVO_CORE_NOISE_KERNEL_H
 
 #include <algorithm>
 #include <bit>
@@ -10,7 +10,7 @@
 #include <cstdint>
 
 #include "core/scalar.h"
-#include "sim/noise.h"
+#include "core/noise.h"
 
 AVO_BEGIN_KERNELS
 

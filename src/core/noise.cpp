@@ -1,21 +1,21 @@
 // SPDX-License-Identifier: Apache-2.0
 // Noise for every instruction set; the best one is chosen at run time.
-#include "sim/noise.h"
+#include "core/noise.h"
 
 #include "core/elementary.h"
 
-namespace avo::inline sim {
+namespace avo::inline core {
 struct NoiseKernels {
   bool (*draw_gaussian)(std::uint64_t, std::uint64_t, double, GaussianDraws&);
 };
-}  // namespace avo::inline sim
+}  // namespace avo::inline core
 
-#define AVO_KERNEL_HEADER "sim/noise_kernel.h"
+#define AVO_KERNEL_HEADER "core/noise_kernel.h"
 #define AVO_KERNEL_STRUCT NoiseKernels
 #define AVO_KERNEL_FUNCTIONS draw_gaussian<Pack<double>>
 #include "core/kernel_passes.h"
 
-namespace avo::inline sim {
+namespace avo::inline core {
 
 // The library's own exponential function decides, and is called only where necessary.
 void draw_gaussian(std::uint64_t key, std::uint64_t first, double most, GaussianDraws& draws) {
@@ -27,4 +27,4 @@ void draw_gaussian(std::uint64_t key, std::uint64_t first, double most, Gaussian
   }
 }
 
-}  // namespace avo::inline sim
+}  // namespace avo::inline core
