@@ -21,7 +21,7 @@ ALLOWED = {
     "navigator": {"core", "walls", "robots", "navigation", "certificate", "planner", "guidance"},
     "sim": {"core", "walls", "neighbors", "robots", "navigation", "certificate", "planner", "guidance"},
     "metrics": {"core", "walls", "neighbors"},
-    "space": {"core", "obstacles", "neighbors", "certificate", "planner", "guidance", "metrics"},
+    "space": {"core", "obstacles", "neighbors", "navigation", "certificate", "planner", "guidance", "metrics"},
 }
 # folder outside src/ -> folders and single headers of quoted includes that it may use
 OUTER = {

@@ -159,8 +159,9 @@ struct MembersOf<avo::space::Quadrotor> {
 };
 template <>
 struct MembersOf<avo::space::Scenario> {
-  using type = MemberOf<avo::space::Scenario, double, std::optional<double>, std::optional<int>,
-                        std::uint64_t, std::string, std::optional<avo::Certificate>, avo::Motion>;
+  using type =
+      MemberOf<avo::space::Scenario, double, std::optional<double>, std::optional<int>,
+               std::uint64_t, std::string, bool, std::optional<avo::Certificate>, avo::Motion>;
 };
 template <>
 struct MembersOf<SpaceGroup> {

@@ -2,6 +2,7 @@
 #include "avo/space/simulation.h"
 
 #include <algorithm>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -13,6 +14,8 @@
 #include "space/certificate.h"
 #include "space/goals.h"
 #include "space/own_space.h"
+#include "space/routes/tighten.h"
+#include "space/routes/ways.h"
 #include "space/step_law.h"
 
 namespace avo::space {
@@ -25,6 +28,7 @@ constexpr std::size_t kTile = 16;  // robots that one task decides for
 /// The memory of a worker.
 struct AVO_LOCAL SpaceWorker {
   PlanWorkspace workspace;
+  WayScratch ways;
   std::vector<std::uint32_t> found;
   std::vector<Neighbor> neighbors;
   std::vector<Box> boxes;
@@ -42,6 +46,7 @@ struct Simulation::State {
   std::vector<Detour> detours;
   std::vector<Plan> plans;
   std::vector<double> box_range;  // m, of each robot
+  SpaceWays ways;
   std::vector<SpaceWorker> workers;
   std::int64_t steps = 0;
 
@@ -61,6 +66,13 @@ struct Simulation::State {
       robots.push_back(robot_of(setup));
       box_range.push_back(space::box_range(robots.back(), planner.options()));
     }
+    ways = SpaceWays(scene.boxes, robots, goals(), scene.navigation);
+  }
+
+  [[nodiscard]] std::vector<Vec3> goals() const {
+    std::vector<Vec3> all;
+    for (const RobotSetup& setup : scenario.robots) all.push_back(setup.goal);
+    return all;
   }
 
   /// A robot's neighbors in the order of their indices, and its boxes.
@@ -87,10 +99,31 @@ struct Simulation::State {
     sense(k, worker);
     Robot& robot = robots[k];
     const RobotSetup& setup = scenario.robots[k];
-    robot.distance_to_goal = norm(setup.goal - robot.position);
-    robot.preferred_velocity =
-        preferred_velocity(robot, setup.goal, setup.preferred_speed, landing);
+    const Company company{worker.neighbors, detours[k].angle, sensing_radius, law.time_step};
+    const SpaceHeading heading =
+        ways.heading(k, robot, setup.goal, setup.preferred_speed, company, worker.ways);
+    robot.distance_to_goal = heading.left;
+    robot.preferred_velocity = preferred_velocity(robot, heading.goal, heading.speed, landing);
     plans[k] = planner.plan(robot, worker.neighbors, worker.workspace, &detours[k], worker.boxes);
+  }
+
+  /// Calls visit(robot, worker) for all robots, in parallel where they are many.
+  template <typename Visit>
+  void for_all(const Visit& visit) {
+    const std::size_t count = robots.size(), tiles = (count + kTile - 1) / kTile;
+    const auto visit_tile = [&](std::size_t tile, std::size_t worker) {
+      const std::size_t end = std::min((tile + 1) * kTile, count);
+      for (std::size_t k = tile * kTile; k < end; ++k) visit(k, workers[worker]);
+    };
+    if (count >= kFewestParallel) return parallel_for(*executor, tiles, visit_tile);
+    for (std::size_t tile = 0; tile < tiles; ++tile) visit_tile(tile, 0);
+  }
+
+  void find_routes() {
+    if (!ways.has_boxes()) return;
+    for_all([&](std::size_t k, SpaceWorker& worker) {
+      ways.look(k, robots[k], scenario.robots[k].goal, worker.ways);
+    });
   }
 
   void move() {
@@ -107,6 +140,7 @@ struct Simulation::State {
 Simulation::Simulation(const Scenario& scenario, int threads) {
   validate(scenario);
   state_ = std::make_unique<State>(scenario, threads);
+  state_->find_routes();
 }
 Simulation::~Simulation() = default;
 Simulation::Simulation(Simulation&&) noexcept = default;
@@ -115,17 +149,8 @@ Simulation& Simulation::operator=(Simulation&&) noexcept = default;
 void Simulation::step() {
   State& state = *state_;
   state.cells.sort(state.robots);
-  const std::size_t count = state.robots.size();
-  const auto decide = [&](std::size_t tile, std::size_t worker) {
-    const std::size_t end = std::min((tile + 1) * kTile, count);
-    for (std::size_t k = tile * kTile; k < end; ++k) state.decide(k, state.workers[worker]);
-  };
-  const std::size_t tiles = (count + kTile - 1) / kTile;
-  if (count < kFewestParallel) {
-    for (std::size_t tile = 0; tile < tiles; ++tile) decide(tile, 0);
-  } else {
-    parallel_for(*state.executor, tiles, decide);
-  }
+  state.ways.begin_step(state.robots);
+  state.for_all([&](std::size_t k, SpaceWorker& worker) { state.decide(k, worker); });
   state.move();
   ++state.steps;
 }
@@ -155,6 +180,24 @@ bool Simulation::is_at_goal(std::size_t robot) const {
   return norm(goal(robot) - state_->robots[robot].position) <= state_->scenario.arrival_distance;
 }
 
+Simulation::Way Simulation::way(std::size_t robot) const {
+  const Vec3 position = state_->robots[robot].position, to = goal(robot);
+  const Route* route = state_->ways.route(robot);
+  if (route == nullptr || route->points.empty()) return {norm(to - position), to, 0.0};
+  Way way{route_length(position, route->points), route->points.front().place, route->left};
+  if (!route->reaches) way.length = std::numeric_limits<double>::infinity();
+  return way;
+}
+
+std::vector<std::size_t> Simulation::unreachable() const {
+  std::vector<std::size_t> found;
+  for (std::size_t k = 0; k < size(); ++k) {
+    const Route* route = state_->ways.route(k);
+    if (route != nullptr && !route->reaches) found.push_back(k);
+  }
+  return found;
+}
+
 void Simulation::set_goal(std::size_t robot, Vec3 goal) {
   if (robot >= size())
     throw Error("robot " + std::to_string(robot) + ": there are " + std::to_string(size()));
@@ -162,6 +205,8 @@ void Simulation::set_goal(std::size_t robot, Vec3 goal) {
   Vec3& own = state_->scenario.robots[robot].goal;
   if (own == goal) return;
   own = goal;
+  state_->ways.include(goal);
+  state_->ways.look(robot, state_->robots[robot], goal, state_->workers.front().ways);
   Detour& detour = state_->detours[robot];
   detour = {.congestion = detour.congestion, .acceleration = detour.acceleration};
 }
@@ -176,6 +221,8 @@ void Simulation::set_boxes(std::span<const Box> boxes) {
   }
   state_->scenario.boxes.assign(boxes.begin(), boxes.end());
   state_->scenario.obstacle_of_box.clear();
+  state_->ways.set_boxes(boxes, state_->robots, state_->goals());
+  state_->find_routes();
 }
 
 std::uint64_t Simulation::state_hash() const {
