@@ -23,7 +23,8 @@ ALLOWED = {
     "sim": {"core", "spatial", "walls", "robots", "navigation", "certificate", "planner", "guidance",
             "fields"},
     "metrics": {"core", "check", "spatial", "walls"},
-    "space": {"core", "fields", "spatial", "obstacles", "certificate", "planner", "guidance", "metrics"},
+    "space": {"core", "fields", "spatial", "obstacles", "navigation", "certificate", "planner", "guidance",
+              "metrics"},
 }
 # folder outside src/ -> folders and single headers of quoted includes that it may use
 OUTER = {

@@ -98,6 +98,8 @@ const std::vector<Field<SpaceScene>>& fields() {
        "what no decision may break", "braking_trajectories"},
       {"motion", &SpaceScene::motion, kOptional, kNoNumber, "",
        "how the velocity changes between two decisions"},
+      {"navigation", &SpaceScene::navigation, kOptional, kNoNumber, "",
+       "robots follow routes around boxes"},
       {"arrival_distance", &SpaceScene::arrival_distance, kOptional, kPositive, "m",
        "a robot has arrived once it is that near to its goal"},
       {"seed",

@@ -53,6 +53,7 @@ struct Metrics::State {
   RunSummary summary;
   std::vector<Plan> last;
   std::vector<Robot> robots;
+  std::vector<std::size_t> unreachable;
   double time = 0.0;
 
   explicit State(const Scenario& scene)
@@ -69,8 +70,10 @@ void Metrics::State::begin(const Simulation& simulation, std::size_t k) {
   const Robot& robot = simulation.robots()[k];
   TripOf<3>& trip = trips.emplace_back();
   const Vec3 ahead = simulation.goal(k) - robot.position;
-  const double distance = norm(ahead);
-  const double per = distance > 0.0 ? 1.0 / own_length(ahead / distance, robot.vertical) : 1.0;
+  const double straight = norm(ahead);
+  const Simulation::Way route = simulation.way(k);
+  const double distance = std::isfinite(route.length) ? route.length : straight;
+  const double per = straight > 0.0 ? 1.0 / own_length(ahead / straight, robot.vertical) : 1.0;
   trip.robot = k;
   trip.goal = simulation.goal(k);
   trip.begin = trip.end = simulation.time();
@@ -81,7 +84,7 @@ void Metrics::State::begin(const Simulation& simulation, std::size_t k) {
   trip.ideal_time =
       ideal_time({.way = distance,
                   .margin = scenario.arrival_distance,
-                  .speed = distance > 0.0 ? dot(robot.velocity, ahead) / distance : 0.0,
+                  .speed = straight > 0.0 ? dot(robot.velocity, ahead) / straight : 0.0,
                   .top_speed = std::min(setup.preferred_speed, per * setup.max_speed),
                   .acceleration = per * robot.max_acceleration});
   trip.position = robot.position;
@@ -157,6 +160,7 @@ void Metrics::observe(const Simulation& simulation) {
   state.last.assign(simulation.plans().begin(), simulation.plans().end());
   state.summary.steps = simulation.steps();
   state.time = simulation.time();
+  state.unreachable = simulation.unreachable();
 }
 
 RunSummary Metrics::summary() const {
@@ -165,6 +169,7 @@ RunSummary Metrics::summary() const {
   const CheckReport report = state.check.report();
   summary.scene = state.scenario.name;
   summary.seed = state.scenario.seed;
+  summary.unreachable.assign(state.unreachable.begin(), state.unreachable.end());
   summary.robots = static_cast<std::int64_t>(state.scenario.robots.size());
   summary.arrived = static_cast<std::int64_t>(state.arrived);
   summary.collision_pairs = report.overlaps.count;

@@ -2,6 +2,7 @@
 #include "avo/space/simulation.h"
 
 #include <algorithm>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -33,10 +34,12 @@ struct AVO_LOCAL SpaceWorker {
   SpaceCells::Runs runs{};
   std::vector<Box> boxes;
   std::vector<Mover> movers;
+  WayScratch ways;
+  std::vector<Neighbor> neighbors;
 };
 
-/// What a robot's scene says of its way; near in memory, unlike the scene.
-struct AVO_LOCAL Way {
+/// What a robot's scene says of its trip; near in memory, unlike the scene.
+struct AVO_LOCAL Trip {
   Vec3 goal;               // m
   double preferred_speed;  // m/s
   double box_range;        // m
@@ -57,7 +60,8 @@ struct Simulation::State {
   std::vector<Robot> robots;
   std::vector<Detour> detours;
   std::vector<Plan> plans;
-  std::vector<Way> ways;
+  std::vector<Trip> trips;
+  SpaceWays ways;
   std::vector<SpaceWorker> workers;
   std::int64_t steps = 0;
 
@@ -78,12 +82,19 @@ struct Simulation::State {
     for (const RobotSetup& setup : scene.robots) {
       robots.push_back(robot_of(setup));
       const double range = space::box_range(robots.back(), options);
-      ways.push_back(
+      trips.push_back(
           {setup.goal, setup.preferred_speed,
            scene.moving_obstacles.empty() ? range : std::max(range, options.wall_range)});
     }
     move_obstacles();
     bodies.reserve(robots.size());
+    ways = SpaceWays(scene.boxes, robots, goals(), scene.navigation);
+  }
+
+  [[nodiscard]] std::vector<Vec3> goals() const {
+    std::vector<Vec3> all;
+    for (const Trip& trip : trips) all.push_back(trip.goal);
+    return all;
   }
 
   void sort() {
@@ -140,24 +151,39 @@ struct Simulation::State {
     const Vec3 place = robots[k].position;
     worker.boxes.clear();
     for (const Box& box : scenario.boxes) {
-      if (nearest(place, place, box).distance - box.radius <= ways[k].box_range)
+      if (nearest(place, place, box).distance - box.radius <= trips[k].box_range)
         worker.boxes.push_back(box);
     }
+  }
+
+  /// Sets the preferred velocity of robot k: along its route, where boxes are in the way.
+  void head_for_goal(std::size_t k, const Surroundings& around, SpaceWorker& worker) {
+    Robot& robot = robots[k];
+    worker.neighbors.clear();
+    for (const Run& run : ways.has_boxes() ? around.runs : std::span<const Run>()) {
+      for (std::size_t place = run.first; place < run.last; ++place) {
+        const Neighbor other = around.bodies.neighbor(place);
+        if (static_cast<double>(place) != around.self && is_in_range(other.position, k))
+          worker.neighbors.push_back(other);
+      }
+    }
+    const Company company{worker.neighbors, detours[k].angle, sensing_radius, law.time_step};
+    const SpaceHeading heading =
+        ways.heading(k, robot, trips[k].goal, trips[k].preferred_speed, company, worker.ways);
+    robot.distance_to_goal = heading.left;
+    robot.preferred_velocity = preferred_velocity(robot, heading.goal, heading.speed, landing);
   }
 
   /// Decides for the robot at that place in the order of the cells.
   void decide(std::size_t at, SpaceWorker& worker) {
     const std::size_t k = cells.order()[at];
-    Robot& robot = robots[k];
-    const Way& way = ways[k];
-    robot.distance_to_goal = norm(way.goal - robot.position);
-    robot.preferred_velocity = preferred_velocity(robot, way.goal, way.preferred_speed, landing);
     find_boxes(k, worker);
-    const std::size_t runs = cells.around(robot.position, worker.runs);
+    const std::size_t runs = cells.around(robots[k].position, worker.runs);
     sense_movers(k, worker);
     const auto decide = [&](const Surroundings& around) {
+      head_for_goal(k, around, worker);
       plans[k] =
-          space::decide(options, horizon, law, robot, around, true, worker.scratch, detours[k]);
+          space::decide(options, horizon, law, robots[k], around, true, worker.scratch, detours[k]);
     };
     if (senses.are_exact())
       return decide({.bodies = bodies,
@@ -174,6 +200,25 @@ struct Simulation::State {
             .movers = worker.movers});
   }
 
+  /// Calls visit(k, worker) for all k below the number of robots, in parallel where they are many.
+  template <typename Visit>
+  void for_all(const Visit& visit) {
+    const std::size_t count = robots.size(), tiles = (count + kTile - 1) / kTile;
+    const auto visit_tile = [&](std::size_t tile, std::size_t worker) {
+      const std::size_t end = std::min((tile + 1) * kTile, count);
+      for (std::size_t k = tile * kTile; k < end; ++k) visit(k, workers[worker]);
+    };
+    if (count >= kFewestParallel) return parallel_for(*executor, tiles, visit_tile);
+    for (std::size_t tile = 0; tile < tiles; ++tile) visit_tile(tile, 0);
+  }
+
+  void find_routes() {
+    if (!ways.has_boxes()) return;
+    for_all([&](std::size_t k, SpaceWorker& worker) {
+      ways.look(k, robots[k], trips[k].goal, worker.ways);
+    });
+  }
+
   void move() {
     for (std::size_t k = 0; k < robots.size(); ++k) {
       Robot& robot = robots[k];
@@ -188,6 +233,7 @@ struct Simulation::State {
 Simulation::Simulation(const Scenario& scenario, int threads) {
   validate(scenario);
   state_ = std::make_unique<State>(scenario, threads);
+  state_->find_routes();
 }
 Simulation::~Simulation() = default;
 Simulation::Simulation(Simulation&&) noexcept = default;
@@ -197,17 +243,8 @@ void Simulation::step() {
   State& state = *state_;
   state.sort();
   state.senses.note(state.robots, state.steps);
-  const std::size_t count = state.robots.size();
-  const auto decide = [&](std::size_t tile, std::size_t worker) {
-    const std::size_t end = std::min((tile + 1) * kTile, count);
-    for (std::size_t at = tile * kTile; at < end; ++at) state.decide(at, state.workers[worker]);
-  };
-  const std::size_t tiles = (count + kTile - 1) / kTile;
-  if (count < kFewestParallel) {
-    for (std::size_t tile = 0; tile < tiles; ++tile) decide(tile, 0);
-  } else {
-    parallel_for(*state.executor, tiles, decide);
-  }
+  state.ways.begin_step(state.robots);
+  state.for_all([&](std::size_t at, SpaceWorker& worker) { state.decide(at, worker); });
   state.move();
   ++state.steps;
   state.move_obstacles();
@@ -244,13 +281,33 @@ bool Simulation::is_at_goal(std::size_t robot) const {
   return norm(goal(robot) - state_->robots[robot].position) <= state_->scenario.arrival_distance;
 }
 
+Simulation::Way Simulation::way(std::size_t robot) const {
+  const Vec3 position = state_->robots[robot].position, to = goal(robot);
+  const Route* route = state_->ways.route(robot);
+  if (route == nullptr || route->points.empty()) return {norm(to - position), to, 0.0};
+  Way way{route_length(position, route->points), route->points.front().place, route->left};
+  if (!route->reaches) way.length = std::numeric_limits<double>::infinity();
+  return way;
+}
+
+std::vector<std::size_t> Simulation::unreachable() const {
+  std::vector<std::size_t> found;
+  for (std::size_t k = 0; k < size(); ++k) {
+    const Route* route = state_->ways.route(k);
+    if (route != nullptr && !route->reaches) found.push_back(k);
+  }
+  return found;
+}
+
 void Simulation::set_goal(std::size_t robot, Vec3 goal) {
   if (robot >= size())
     throw Error("robot " + std::to_string(robot) + ": there are " + std::to_string(size()));
   if (!is_finite(goal)) throw Error("goal: found a number that is not finite");
   Vec3& own = state_->scenario.robots[robot].goal;
   if (own == goal) return;
-  own = state_->ways[robot].goal = goal;
+  own = state_->trips[robot].goal = goal;
+  state_->ways.include(goal);
+  state_->ways.look(robot, state_->robots[robot], goal, state_->workers.front().ways);
   Detour& detour = state_->detours[robot];
   detour = {.congestion = detour.congestion, .acceleration = detour.acceleration};
 }
@@ -265,6 +322,8 @@ void Simulation::set_boxes(std::span<const Box> boxes) {
   }
   state_->scenario.boxes.assign(boxes.begin(), boxes.end());
   state_->scenario.obstacle_of_box.clear();
+  state_->ways.set_boxes(boxes, state_->robots, state_->goals());
+  state_->find_routes();
 }
 
 std::uint64_t Simulation::state_hash() const {

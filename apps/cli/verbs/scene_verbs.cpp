@@ -132,6 +132,7 @@ std::vector<std::string> told_out_of_reach(const avo::Scenario& scenario) {
 
 int validate_scene(const SceneArguments& arguments) {
   if (const auto in_space = load_in_space(arguments, {})) {
+    warn(told_out_of_reach(*in_space));
     print_results(fmt::format("{}: valid: {} robots in space, {} boxes, {} s in steps of {} s\n",
                               avo_io::printable(name_of(arguments)), in_space->robots.size(),
                               in_space->boxes.size(), in_space->duration, in_space->time_step));

@@ -2,16 +2,20 @@
 // avo run, check, replay and convert for scenes of space.
 #include "verbs/space_verbs.h"
 
+#include <algorithm>
 #include <chrono>
 #include <filesystem>
 #include <fmt/format.h>
 #include <memory>
 #include <optional>
+#include <span>
+#include <string>
 #include <system_error>
 #include <utility>
 #include <vector>
 
 #include "avo/space/metrics.h"
+#include "avo/space/reachability.h"
 #include "avo_io/output_file.h"
 #include "avo_io/recording.h"
 #include "avo_io/space_decision.h"
@@ -127,6 +131,27 @@ std::optional<avo_io::RecordedSpaceScene> scene_of(const std::string& recording,
 
 }  // namespace
 
+std::vector<std::string> told_out_of_reach(const avo::space::Scenario& scenario) {
+  constexpr std::size_t kNamed = 10;
+  const std::vector<avo::space::OutOfReach> all = out_of_reach(scenario);
+  std::vector<std::string> lines;
+  for (const avo::space::OutOfReach& one : std::span(all).first(std::min(kNamed, all.size()))) {
+    const avo::space::RobotSetup& robot = scenario.robots[one.robot];
+    lines.push_back(fmt::format(
+        "robot {}: its goal [{:.9g}, {:.9g}, {:.9g}] {}: it goes to [{:.9g}, {:.9g}, {:.9g}], "
+        "{:.3g} m from there",
+        one.robot, robot.goal.x, robot.goal.y, robot.goal.z,
+        one.is_in_box ? fmt::format("is nearer to an obstacle than its radius = {:.9g} m",
+                                    robot_of(robot).radius)
+                      : std::string("cannot be reached by any way as wide as the robot"),
+        one.nearest.x, one.nearest.y, one.nearest.z, one.distance_left));
+  }
+  if (all.size() > kNamed)
+    lines.push_back(
+        fmt::format("{} further robots cannot reach their goals either", all.size() - kNamed));
+  return lines;
+}
+
 std::optional<avo::space::Scenario> load_in_space(const SceneArguments& arguments,
                                                   const std::vector<NamedFile>& outputs,
                                                   avo_io::SceneSource* source) {
@@ -148,6 +173,7 @@ int run_in_space(const RunArguments& arguments, const avo::space::Scenario& scen
   SpaceOutputs outputs(arguments, scenario, source);
   const avo::RunSummary results = simulate(arguments, scenario, outputs);
   outputs.finish(arguments, scenario, results);
+  tell_unreachable(results);
   avo::Scenario named;  // what the text says of the scene
   named.name = scenario.name;
   named.time_step = scenario.time_step;

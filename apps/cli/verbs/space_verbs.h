@@ -47,6 +47,10 @@ std::optional<SpaceRecordingShown> space_run_of(const std::string& recording,
 /// Returns the page of a recording as HDF5; none if it is not one of space.
 std::optional<std::string> report_in_space(const ReportArguments& arguments);
 
+/// Returns a line for each robot that boxes keep from its goal, with the place where its route
+/// ends.
+std::vector<std::string> told_out_of_reach(const avo::space::Scenario& scenario);
+
 /// Writes the set points of a recording's quadrotors.
 int convert_to_set_points(const ConvertArguments& arguments);
 

@@ -56,6 +56,7 @@ struct Scenario {
       {};  ///< so many nearest neighbors get a half-space; unset: all
   std::optional<Certificate> certificate = {};  ///< unset: braking_trajectories
   Motion motion = Motion::held;
+  bool navigation = true;         ///< robots follow routes around boxes
   double arrival_distance = 0.5;  ///< m, > 0
   std::uint64_t seed = 1;         ///< of random placements
   /// How robots sense others, as in the plane; `localization` has to be left out.

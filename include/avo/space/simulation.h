@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <memory>
 #include <span>
+#include <vector>
 
 #include "avo/export.h"
 #include "avo/space/planner.h"
@@ -40,6 +41,19 @@ class AVO_API Simulation {
   [[nodiscard]] Vec3 goal(std::size_t robot) const;  ///< m
   /// Returns whether the robot is within the arrival distance of its goal.
   [[nodiscard]] bool is_at_goal(std::size_t robot) const;
+
+  /// The rest of a robot's route.
+  struct Way {
+    double length = 0.0;  ///< m; infinite for robots that unreachable() names
+    Vec3 next = {};       ///< m: the next point of the route, a bend or its end
+    /// m, from its end to the goal: 0, unless boxes keep the robot from its goal
+    double distance_left = 0.0;
+  };
+  /// The route that the robot knows: around boxes with `navigation`, else straight.
+  [[nodiscard]] Way way(std::size_t robot) const;
+  /// Robots for which there is no route to their goals, whatever the others do: by number. They go
+  /// as near as they get.
+  [[nodiscard]] std::vector<std::size_t> unreachable() const;
 
   /// Gives the robot another goal, m; the same goal again changes nothing. Throws Error for a robot
   /// that does not exist, and for a goal that is not finite.

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: Apache-2.0
+// The routes of a fleet among boxes, and the passages there. They only say where a robot heads for:
+// safety never depends on them.
+#pragma once
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "core/memo.h"
+#include "space/routes/free_cells.h"
+#include "space/routes/right_of_way.h"
+#include "space/routes/route.h"
+
+namespace avo::space {
+
+/// Memory of a worker; allocates only while it grows.
+struct WayScratch {
+  SearchScratch search;
+  std::vector<Claimant> others;
+};
+
+/// What others do beside a robot, for the rules at passages.
+struct Company {
+  std::span<const Neighbor> neighbors;
+  double detour = 0.0;          ///< rad, see Detour::angle
+  double sensing_radius = 0.0;  ///< m
+  double time_step = 0.0;       ///< s
+};
+
+class SpaceWays {
+ public:
+  SpaceWays() = default;
+  /// places: m, of robots and goals, between which routes lead. routes: whether there are any.
+  SpaceWays(std::span<const Box> boxes, std::span<const Robot> robots, std::span<const Vec3> goals,
+            bool routes);
+
+  /// Other boxes, from the next step on. Routes that are still clear and as short as others stay.
+  void set_boxes(std::span<const Box> boxes, std::span<const Robot> robots,
+                 std::span<const Vec3> goals);
+  /// A goal that a robot has from now on.
+  void include(Vec3 goal);
+
+  /// Before the robots of a step decide: what each seems to claim.
+  void begin_step(std::span<const Robot> robots);
+
+  /// Finds the route of robot k before it decides, where it knows none for this goal and these
+  /// boxes. Several threads may ask for different robots at once.
+  void look(std::size_t k, const Robot& robot, Vec3 goal, WayScratch& scratch);
+  /// Where robot k heads for. Several threads may ask for different robots at once.
+  SpaceHeading heading(std::size_t k, const Robot& robot, Vec3 goal, double preferred_speed,
+                       const Company& company, WayScratch& scratch);
+
+  /// What robot k remembers of its route; none where it knows no route, nor needs any.
+  [[nodiscard]] const Route* route(std::size_t k) const {
+    return routes_[k].is_searched ? &routes_[k] : nullptr;
+  }
+  [[nodiscard]] const SpacePassages& passages() const { return passages_; }
+  [[nodiscard]] bool has_boxes() const { return solids_.size() > 0; }
+
+  /// The route of a robot that has not moved.
+  FoundRoute find(Vec3 from, Vec3 goal, double radius, WayScratch& scratch) const;
+
+ private:
+  void follow(const Robot& robot, Vec3 goal, Route& route, WayScratch& scratch) const;
+  const FreeCells& cells(double radius) const;
+
+  bool has_routes_ = false;
+  Solids solids_;
+  SpacePassages passages_;
+  SpaceClaims claims_;
+  Bounds within_;              // where routes may lead
+  std::vector<double> radii_;  // of robots, and their classes, ascending
+  Memo<FreeCells> cells_;      // of each radius
+  std::vector<Route> routes_;
+};
+
+}  // namespace avo::space
