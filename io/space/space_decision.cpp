@@ -9,6 +9,7 @@
 
 #include "avo/error.h"
 #include "avo/half_plane.h"
+#include "core/ranges.h"
 #include "io/space/space_words.h"
 
 namespace avo_io {

@@ -16,6 +16,8 @@
 #include "space/decide.h"
 #include "space/goals.h"
 #include "space/own_space.h"
+#include "space/routes/tighten.h"
+#include "space/routes/ways.h"
 #include "space/senses.h"
 #include "space/step_law.h"
 #include "space/validity.h"
