@@ -69,7 +69,7 @@ Moved fly_on(const Robot& robot, const FlightStep& step, double next_speed) {
   const double speed = norm(robot.velocity), h = law_of_run.time_step;
   for (int k = 0; k <= kParts; ++k) {
     const double t = h * k / kParts;
-    Arc part = step.way;
+    FlightArc part = step.way;
     part.length = speed * t + 0.5 * (next_speed - speed) * t * t / h;
     const double half = 0.5 * part.curvature * part.length;
     const double chord = part.length * (std::abs(half) < 1e-9 ? 1.0 : std::sin(half) / half);

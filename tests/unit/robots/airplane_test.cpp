@@ -25,7 +25,7 @@ Vec2 any_direction(Random& random) {
 }
 
 // By the parameter form of a circle, or a straight line.
-Vec2 point_of(const Arc& arc, double length) {
+Vec2 point_of(const FlightArc& arc, double length) {
   const Vec2 left{-arc.heading.y, arc.heading.x};
   if (arc.curvature == 0.0) return arc.start + length * arc.heading;
   const double turn = arc.curvature * length;
@@ -33,7 +33,7 @@ Vec2 point_of(const Arc& arc, double length) {
          ((1.0 - std::cos(turn)) / arc.curvature) * left;
 }
 
-Arc any_arc(Random& random) {
+FlightArc any_arc(Random& random) {
   const double length = random.log_uniform(0.01, 10.0);
   const double turn = random.below(20) == 0 ? 0.0 : random.uniform(-3.0, 3.0);
   return {test::in_disc(random, 5.0), any_direction(random), turn / length, length};
@@ -43,7 +43,7 @@ TEST(Airplane, the_lowest_point_of_an_arc_is_that_of_all_its_points) {
   Random random(31);
   int inside = 0;
   for (int k = 0; k < 2'000; ++k) {
-    const Arc arc = any_arc(random);
+    const FlightArc arc = any_arc(random);
     const Vec2 n = any_direction(random);
     double least = 0.0;
     constexpr int kPoints = 4'000;
@@ -60,7 +60,7 @@ TEST(Airplane, the_lowest_point_of_an_arc_is_that_of_all_its_points) {
 TEST(Airplane, the_distance_of_an_arc_is_that_of_all_its_points) {
   Random random(32);
   for (int k = 0; k < 2'000; ++k) {
-    const Arc arc = any_arc(random);
+    const FlightArc arc = any_arc(random);
     const Vec2 p = test::in_disc(random, 10.0);
     double least = 1e9, off = 0.0;
     const Vec2 end = point_of(arc, arc.length), chord = (end - arc.start) / norm(end - arc.start);
