@@ -68,6 +68,8 @@ avo::RobotSetup setup_of(const avo_robot_def& def, const Where& where);
 avo_robot_def def_of(const avo::RobotSetup& setup);
 
 avo::MovingObstacle obstacle_of(const avo_moving_obstacle_def& def, const Where& where);
+/// A definition that points to lists of the obstacle.
+avo_moving_obstacle_def def_of(const avo::MovingObstacle& obstacle);
 avo::StaticObstacle obstacle_of(const avo_obstacle_def& def, const Where& where);
 
 avo::Team team_of(const avo_team_def& def, const Where& where);

@@ -93,7 +93,7 @@ avo::Neighbor neighbor_of(const avo_neighbor& neighbor, const Where& where) {
 }  // namespace avo_c
 
 avo_robot_def avo_default_robot_def(void) {
-  return avo_c::def_of({});
+  return avo_c::def_of(avo::RobotSetup{});
 }
 
 avo_robot avo_default_robot(void) {

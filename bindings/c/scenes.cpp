@@ -30,20 +30,6 @@ const avo_vec2* lent(const std::vector<avo::Vec2>& points) {
   return reinterpret_cast<const avo_vec2*>(points.data());
 }
 
-avo_moving_obstacle_def def_of(const avo::MovingObstacle& obstacle) {
-  return {sizeof(avo_moving_obstacle_def),
-          to_c(obstacle.position),
-          to_c(obstacle.velocity),
-          to_c(obstacle.acceleration),
-          obstacle.radius,
-          obstacle.max_deviation,
-          obstacle.max_speed.value_or(0.0),
-          lent(obstacle.path),
-          obstacle.path.size(),
-          reinterpret_cast<const avo_timed_place*>(obstacle.trajectory.data()),
-          obstacle.trajectory.size()};
-}
-
 std::vector<avo_chain> chains_of(const avo::StaticObstacle& obstacle) {
   std::vector<avo_chain> chains;
   for (const avo::Chain& chain : obstacle.chains)
@@ -54,7 +40,7 @@ std::vector<avo_chain> chains_of(const avo::StaticObstacle& obstacle) {
 Scene::Scene(avo::Scenario read) : scenario(std::move(read)), def(settings_of(scenario)) {
   for (const avo::RobotSetup& robot : scenario.robots) robots.push_back(avo_c::def_of(robot));
   for (const avo::MovingObstacle& obstacle : scenario.moving_obstacles)
-    moving_obstacles.push_back(def_of(obstacle));
+    moving_obstacles.push_back(avo_c::def_of(obstacle));
   for (const avo::StaticObstacle& obstacle : scenario.obstacles) {
     chains.push_back(chains_of(obstacle));
     obstacles.push_back({sizeof(avo_obstacle_def), chains.back().data(), chains.back().size(),

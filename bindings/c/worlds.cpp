@@ -80,6 +80,18 @@ constexpr auto for_each_setting = [](const auto& visit) {
         &Scene::allow_broken_assumptions);
 };
 
+// The members of a definition and of a moving obstacle, except for lists.
+constexpr auto for_each_of_mover = [](const auto& visit) {
+  using Def = avo_moving_obstacle_def;
+  using Mover = avo::MovingObstacle;
+  visit("position", &Def::position, &Mover::position);
+  visit("velocity", &Def::velocity, &Mover::velocity);
+  visit("acceleration", &Def::acceleration, &Mover::acceleration);
+  visit("radius", &Def::radius, &Mover::radius);
+  visit("max_deviation", &Def::max_deviation, &Mover::max_deviation);
+  visit("max_speed", &Def::max_speed, &Mover::max_speed);
+};
+
 void read_settings(const avo_simulation_def& def, avo::Scenario& scenario) {
   const Where here;
   require_unused(def.unused, here, "samples");
@@ -98,17 +110,23 @@ void read_settings(const avo_simulation_def& def, avo::Scenario& scenario) {
 }  // namespace
 
 avo::MovingObstacle obstacle_of(const avo_moving_obstacle_def& def, const Where& where) {
-  avo::MovingObstacle obstacle{
-      .position = from_c(def.position),
-      .velocity = from_c(def.velocity),
-      .acceleration = from_c(def.acceleration),
-      .radius = def.radius,
-      .max_deviation = def.max_deviation,
-      .max_speed = unless_zero(def.max_speed),
-      .path = points_of(def.path, def.path_count, where / "path"),
-      .trajectory = places_of(def.trajectory, def.trajectory_count, where / "trajectory")};
+  avo::MovingObstacle obstacle;
+  take_members(def, obstacle, where, for_each_of_mover);
+  obstacle.path = points_of(def.path, def.path_count, where / "path");
+  obstacle.trajectory = places_of(def.trajectory, def.trajectory_count, where / "trajectory");
   start_on_trajectory(obstacle);
   return obstacle;
+}
+
+avo_moving_obstacle_def def_of(const avo::MovingObstacle& obstacle) {
+  avo_moving_obstacle_def def = {};
+  def.size = sizeof def;
+  give_members(obstacle, def, for_each_of_mover);
+  def.path = reinterpret_cast<const avo_vec2*>(obstacle.path.data());
+  def.path_count = obstacle.path.size();
+  def.trajectory = reinterpret_cast<const avo_timed_place*>(obstacle.trajectory.data());
+  def.trajectory_count = obstacle.trajectory.size();
+  return def;
 }
 
 avo::StaticObstacle obstacle_of(const avo_obstacle_def& def, const Where& where) {
@@ -180,10 +198,7 @@ avo_simulation_def avo_default_simulation_def(void) {
 }
 
 avo_moving_obstacle_def avo_default_moving_obstacle_def(void) {
-  avo_moving_obstacle_def def = {};
-  def.size = sizeof def;
-  def.radius = avo::MovingObstacle{}.radius;
-  return def;
+  return avo_c::def_of(avo::MovingObstacle{});
 }
 
 avo_obstacle_def avo_default_obstacle_def(void) {

@@ -23,10 +23,10 @@ void set_preferred_velocities(World& world, std::span<const RobotId> robots,
 std::vector<RobotId> add_robots(World& world, std::span<const RobotSetup> setups);
 void remove_robots(World& world, std::span<const RobotId> robots);
 void change_robot(World& world, RobotId robot, const RobotSetup& setup);
-/// Adds a robot to all data that have an entry for each one, except the routes; nothing has changed
-/// where it throws.
+/// Adds a robot to all data that have an entry for each one, except the routes. If the function
+/// throws, nothing has changed.
 void join(World& world, const RobotSetup& setup, RobotId robot);
-/// Adds a parked robot, and a wall where it is. Its values were checked.
+/// Adds a parked robot with checked values, and its wall.
 void add_parked(World& world, const RobotSetup& setup, RobotId robot);
 /// Removes the wall of a parked robot.
 void take_away_parked(World& world, std::size_t slot);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Parked robots between two steps: they come and go, a robot parks where it stands, or is set free.
+// Parked robots between two steps: a host adds or removes one, parks a robot where the robot
+// stands, or sets it free.
 #include <algorithm>
 #include <cstddef>
 #include <optional>
@@ -23,14 +24,15 @@ StaticWorld beside(const World& world, std::vector<Wall> parked, std::span<const
   return {statics.obstacles, statics.id, statics.next_id, std::move(parked), layers};
 }
 
-// Refuses a new wall of a parked robot, of its own id, where a robot could not stop before it.
+// Refuses the wall of a robot that parks, if another robot could not stop before the wall. own: the
+// robot, if it is there already.
 void check_wall(World& world, const Wall& wall, RobotId robot, std::optional<RobotId> own) {
   const std::vector<Vec2> ends =
       wall.a == wall.b ? std::vector{wall.a} : std::vector{wall.a, wall.b};
   check_newly_static(world, {{{ends, false}}, wall.radius, Fill::none}, name_of(robot), own);
 }
 
-// Its wall where it stands; none where it is set free.
+// The robot's wall at its present place; none if the robot is set free.
 std::optional<Wall> wall_of(const Fleet& fleet, std::size_t slot, const RobotSetup& changed) {
   if (!changed.parked) return std::nullopt;
   return parked_wall(changed.model, fleet.position[slot], disc_radius(changed),

@@ -151,10 +151,15 @@ TEST(WrittenFields, c_takes_them_both_ways) {
   });
   const Part settings("bindings/c/worlds.cpp", "constexpr auto for_each_setting", "}");
   for_each_member(avo::kScenarioFields, [&](const auto& field, auto) {
-    const bool is_own =
+    const bool is_own =  // a text, or a number of which 0 is a value
         field.key == "name" || field.key == "external_method" || field.key == "response_time";
     if (!is_own)
       settings.expect_text(fmt::format("visit(\"{0}\", &Def::{0}, &Scene::{0});", field.key));
+  });
+  const Part movers("bindings/c/worlds.cpp", "constexpr auto for_each_of_mover", "}");
+  for_each_member(avo::kMoverFields, [&](const auto& field, auto) {
+    if (field.key != "path" && field.key != "trajectory")
+      movers.expect_text(fmt::format("visit(\"{0}\", &Def::{0}, &Mover::{0});", field.key));
   });
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Fields of robots that are younger than the format of saved states. A robot whose value is not the
-// default has the field's bit in the word of its kinds, and the value after the older ones. So a
-// state without such values has the bytes that it had before the field was there.
+// Fields of robots that are younger than the format of saved states. If a robot's value is not the
+// default, the word of the robot's kinds has the field's bit, and the value follows the older ones.
+// So a state without such values keeps the bytes that earlier builds wrote.
 #pragma once
 #include <cstddef>
 #include <cstdint>
@@ -44,9 +44,8 @@ void describe_late(Archive<kReads>& archive, RobotSetup& setup, std::uint64_t ki
                    std::span<const RobotField> late) {
   for (std::size_t k = 0; k < late.size(); ++k) {
     if ((kinds & late_bit(k)) == 0) continue;
-    for_each_member(late.subspan(k, 1), [&](const RobotField&, auto member) {
-      describe(archive, setup.*member);
-    });
+    for_each_member(late.subspan(k, 1),
+                    [&](const RobotField&, auto member) { describe(archive, setup.*member); });
     kinds &= ~late_bit(k);
   }
   if (kinds != 0) refuse_saved("the kinds of a robot " + std::to_string(kinds), "known ones");

@@ -3,8 +3,10 @@
 #include "sim/state/late_fields.h"
 
 #include <gtest/gtest.h>
+#include <optional>
 #include <set>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 #include "avo/error.h"
@@ -21,24 +23,28 @@ std::vector<RobotField> all_late() {
   return late;
 }
 
+// Other values than the defaults in all fields, and different ones.
 RobotSetup unusual() {
-  return {.position = {1, 2},
-          .velocity = {3, 4},
-          .goal = {5, 6},
-          .radius = 0.7,
-          .max_speed = 8.0,
-          .max_acceleration = 9.0,
-          .preferred_speed = 10.0,
-          .priority = 11.0,
-          .parked = true,
-          .layers = {12},
-          .avoids = {13},
-          .time_step = 0.14,
-          .max_braking = 15.0,
-          .behavior = Behavior::moves_on,
-          .method = Method::orca,
-          .time_horizon = 17.0,
-          .arrival_distance = 0.18};
+  RobotSetup setup;
+  double number = 3.25;
+  for_each_member(kRobotFields, [&](const RobotField&, auto member) {
+    auto& value = setup.*member;
+    using Value = std::decay_t<decltype(value)>;
+    number += 1.0;
+    if constexpr (std::is_same_v<Value, double> || std::is_same_v<Value, std::optional<double>>)
+      value = number;
+    else if constexpr (std::is_same_v<Value, Vec2>)
+      value = {number, -number};
+    else if constexpr (std::is_same_v<Value, LayerSet>)
+      value = {static_cast<std::uint32_t>(number)};
+    else if constexpr (std::is_same_v<Value, bool>)
+      value = !value;
+    else if constexpr (std::is_same_v<Value, Behavior>)
+      value = Behavior::moves_on;
+    else
+      value = Method::orca;
+  });
+  return setup;
 }
 
 std::vector<std::byte> written(RobotSetup setup, std::span<const RobotField> late) {
