@@ -18,6 +18,11 @@ struct CellSize {
   double most_cells = 1.0;  ///< over all segments and what they reach, about
 };
 
+/// For reaches and queries of about that length, m: with memory in proportion to the segments.
+inline CellSize usual_cells(std::size_t segments, double length) {
+  return {length, 4.0 * static_cast<double>(segments) + 64.0};
+}
+
 /// Each segment has a reach of its own around it. Queries tell the numbers of all segments that
 /// reach a place, and of some others.
 class SegmentGrid {
@@ -111,7 +116,7 @@ inline SegmentGrid::Stretch SegmentGrid::stretch(double low, double high,
 // x of the part of the segment with y in [low, high].
 inline SegmentGrid::Interval SegmentGrid::part_between(const Wall& segment, double low,
                                                        double high) {
-  const auto& [a, b, radius] = segment;
+  const Vec2 a = segment.a, b = segment.b;
   const double least = std::min(a.x, b.x), most = std::max(a.x, b.x), rise = b.y - a.y;
   if (rise == 0.0) return {least, most};
   const auto x_at = [&](double y) {
