@@ -12,19 +12,20 @@
 
 namespace avo::inline spatial {
 
-/// What the side of a grid's cells must be at least.
+/// The size of a grid's cells, as small as both members allow.
 struct CellSize {
-  double least = 0.0;       ///< m
-  double most_cells = 1.0;  ///< over all segments and what they reach, about
+  double least = 0.0;       ///< m, of a side
+  double most_cells = 1.0;  ///< the approximate number over all segments and their reach
 };
 
-/// For reaches and queries of about that length, m: with memory in proportion to the segments.
+/// Cells for reaches and queries of about that length, m. Their number is in proportion to that of
+/// the segments.
 inline CellSize usual_cells(std::size_t segments, double length) {
   return {length, 4.0 * static_cast<double>(segments) + 64.0};
 }
 
-/// Each segment has a reach of its own around it. Queries tell the numbers of all segments that
-/// reach a place, and of some others.
+/// Segments by place. Each segment has a reach of its own around it. Queries tell the numbers of
+/// all segments that reach a place, and of some others.
 class SegmentGrid {
  public:
   struct Cell {
