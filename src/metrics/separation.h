@@ -57,7 +57,7 @@ judge::Instant separation(const StepPath& a, const StepPath& b, double cutoff);
 /// m, the smallest distance from the segment, with the same precision and cutoff.
 double separation(const StepPath& path, const Segment& segment, double cutoff);
 double separation(const ResponsePath& path, const Segment& segment);
-/// To 1e-10 of the arc's radius.
+/// Its error is at most 1e-10 of the arc's radius.
 double separation(const ArcPath& path, const Segment& segment, double cutoff);
 
 /// The first fraction of the step at which the distance is less than `distance`; none where it

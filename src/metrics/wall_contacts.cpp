@@ -25,12 +25,10 @@ void WallContacts::take(std::span<const StaticObstacle> obstacles) {
 
 // Makes the grid anew where the distance has changed much.
 void WallContacts::find_within(double distance) {
-  constexpr double kCellsEach = 4.0, kMoreCells = 64.0;  // for each wall, and besides
-  constexpr double kRounding = 1e-9;                     // of the distance
+  constexpr double kRounding = 1e-9;  // of the distance
   if (distance <= found_within && found_within <= 2.0 * distance) return;
   const std::vector<double> reach(walls.size(), distance * (1.0 + kRounding));
-  grid = SegmentGrid(walls, reach,
-                     {0.5 * distance, kCellsEach * static_cast<double>(walls.size()) + kMoreCells});
+  grid = SegmentGrid(walls, reach, usual_cells(walls.size(), distance));
   found_within = distance;
 }
 

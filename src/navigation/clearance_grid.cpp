@@ -8,8 +8,6 @@
 namespace avo::inline navigation {
 namespace {
 
-constexpr double kCellsEach = 4.0, kMoreCells = 64.0;  // for each wall, and besides
-
 // m, of each wall, from its middle line.
 std::vector<double> reach_of(std::span<const Wall> walls, double beyond) {
   std::vector<double> reach;
@@ -57,9 +55,7 @@ bool is_in_the_way(const Wall& wall, Vec2 p, Vec2 q, double room) {
 }
 
 ClearanceGrid::ClearanceGrid(std::span<const Wall> walls, double reach)
-    : SegmentGrid(walls, reach_of(walls, reach),
-                  {reach, kCellsEach * static_cast<double>(walls.size()) + kMoreCells}),
-      reach_(reach) {}
+    : SegmentGrid(walls, reach_of(walls, reach), usual_cells(walls.size(), reach)), reach_(reach) {}
 
 double ClearanceGrid::clearance(Vec2 p) const {
   double least = reach_;

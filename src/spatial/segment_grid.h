@@ -12,14 +12,20 @@
 
 namespace avo::inline spatial {
 
-/// What the side of a grid's cells must be at least.
+/// The size of a grid's cells, as small as both members allow.
 struct CellSize {
-  double least = 0.0;       ///< m
-  double most_cells = 1.0;  ///< over all segments and what they reach, about
+  double least = 0.0;       ///< m, of a side
+  double most_cells = 1.0;  ///< the approximate number over all segments and their reach
 };
 
-/// Each segment has a reach of its own around it. Queries tell the numbers of all segments that
-/// reach a place, and of some others.
+/// Cells for reaches and queries of about that length, m. Their number is in proportion to that of
+/// the segments.
+inline CellSize usual_cells(std::size_t segments, double length) {
+  return {length, 4.0 * static_cast<double>(segments) + 64.0};
+}
+
+/// Segments by place. Each segment has a reach of its own around it. Queries tell the numbers of
+/// all segments that reach a place, and of some others.
 class SegmentGrid {
  public:
   struct Cell {
@@ -111,7 +117,7 @@ inline SegmentGrid::Stretch SegmentGrid::stretch(double low, double high,
 // x of the part of the segment with y in [low, high].
 inline SegmentGrid::Interval SegmentGrid::part_between(const Wall& segment, double low,
                                                        double high) {
-  const auto& [a, b, radius] = segment;
+  const Vec2 a = segment.a, b = segment.b;
   const double least = std::min(a.x, b.x), most = std::max(a.x, b.x), rise = b.y - a.y;
   if (rise == 0.0) return {least, most};
   const auto x_at = [&](double y) {
