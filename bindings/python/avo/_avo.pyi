@@ -245,6 +245,7 @@ class Robot:
     priority: _Number
     max_braking: _NumberOrNone
     loiter: LoiterCircle | None
+    lookahead: _Number
     def __init__(
         self,
         *,
@@ -260,6 +261,7 @@ class Robot:
         priority: _Float = 1.0,
         max_braking: _Float | None = None,
         loiter: LoiterCircle | None = None,
+        lookahead: _Float = ...,
     ) -> None: ...
 
 class Trajectory:
