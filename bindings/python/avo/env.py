@@ -5,10 +5,12 @@ VectorEnv has the interface of gymnasium's vector environments, with one more di
 and ParallelEnv that of PettingZoo's parallel environments; neither package is needed.
 
 Action of a robot: its preferred velocity (x, y), m/s; a longer one than max_speed is shortened to it.
-The planner of the scene decides from it, without the memory of detours (avo.Detour).
+The planner of the scene decides from it, without the memory of detours (avo.Detour). Cars and drives steer
+to it, as far as they can turn: one action space is for all models. With them a Simulation moves the world.
 
 Observation of a robot, 6 + 6 k + 3 w numbers, float32: where its goal is from it (2, m), its velocity
-(2, m/s), its radius (m) and max_speed (m/s); of each of the k nearest robots and moving obstacles within
+(2, m/s), its radius (m) and max_speed (m/s); where the scene has cars or drives, its heading as a unit
+vector (2: 8 + 6 k + 3 w numbers); of each of the k nearest robots and moving obstacles within
 the scene's sensing_radius, nearest first: where it is from this one (2, m), its velocity less this one's
 (2, m/s), the sum of both radii (m) and 1, or -1 of a moving obstacle; six zeros where there are fewer;
 and of each of the w nearest walls: the way to its nearest point (2, m) and 1; three zeros where there are
@@ -35,13 +37,13 @@ from ._spaces import box, generator, whole
 Observations = npt.NDArray[np.float32]
 Source = Any  # what Scenario() takes
 Seeds = Union[int, Sequence[Union[int, None]], None]
-_OWN, _OTHER, _WALL = 6, 6, 3  # numbers
+_OWN, _HEADING, _OTHER, _WALL = 6, 2, 6, 3  # numbers
 _HUGE = 1e100  # m/s
 _MOST_NEIGHBORS = 1000  # as Worlds.nearest()
 
 
 class VectorEnv:
-    """E worlds of N holonomic robots each, all of one scene with seeds of their own.
+    """E worlds of N robots each, all of one scene with seeds of their own.
 
     A world is over when all its robots are terminated or truncated. What then happens says
     autoreset_mode, by the names of gymnasium. "NextStep": it begins anew in the step after that, in which
@@ -93,7 +95,8 @@ class VectorEnv:
         self._begins_anew = np.zeros(num_envs, dtype=bool)
         fastest = max(robot.max_speed for robot in first.robots)
         robots = self.num_robots
-        self._observed, self._fastest = _OWN + _OTHER * neighbors + _WALL * walls, fastest
+        own = _OWN + (_HEADING if self._worlds.has_wheels else 0)
+        self._observed, self._fastest = own + _OTHER * neighbors + _WALL * walls, fastest
         self.single_observation_space = box(-np.inf, np.inf, (robots, self._observed))
         self.observation_space = box(-np.inf, np.inf, (num_envs, robots, self._observed))
         self.single_action_space = box(-fastest, fastest, (robots, 2))
@@ -116,7 +119,7 @@ class VectorEnv:
         rewards, terminated and truncated, and the info, {} but with "SameStep"."""
         anew = self._begins_anew.copy()
         before, taken = self._distances(), self._preferred(actions)
-        self._worlds.step(taken, [not begins for begins in anew])
+        self._worlds.step(taken, [not begins for begins in anew], self._arrived)
         after = self._distances()
         came = (after <= self.arrival_distance) & ~self._arrived
         had_arrived = self._arrived.copy()
@@ -150,6 +153,10 @@ class VectorEnv:
         """(E, N, 2), m."""
         return self._worlds.position()
 
+    def heading(self) -> Floats:
+        """(E, N), rad; 0 of robots without wheels."""
+        return self._worlds.heading()
+
     def velocity(self) -> Floats:
         """(E, N, 2), m/s."""
         return self._worlds.velocity()
@@ -163,7 +170,7 @@ class VectorEnv:
         return self._worlds.radius()
 
     def _image(self, world: int) -> npt.NDArray[np.uint8]:
-        return draw(self._placed[world], self.position()[world], self._worlds.movers(world))
+        return draw(self._placed[world], self._worlds.center()[world], self._worlds.movers(world))
 
     def _rewards(self, step: Step) -> Floats:
         rewards = _numbers("reward", self._reward(step))
@@ -254,6 +261,9 @@ class VectorEnv:
             worlds.radius()[:, :, None],
             worlds.max_speed()[:, :, None],
         ]
+        if worlds.has_wheels:
+            heading = worlds.heading()
+            own.append(np.stack([np.cos(heading), np.sin(heading)], axis=2))
         shape = (self.num_envs, self.num_robots, _OTHER * self._neighbors)
         nearest = worlds.nearest(self._neighbors).reshape(shape)
         walls = worlds.nearest_walls(self._walls).reshape((*shape[:2], _WALL * self._walls))
