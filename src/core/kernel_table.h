@@ -11,7 +11,16 @@
 // also has a plain one, which hwy/foreach_target.h visits last and which is not used.
 #ifdef AVO_HIGHWAY
 #include <hwy/detect_targets.h>
-#define AVO_TARGETS (HWY_TARGETS & (HWY_AVX3 | HWY_AVX2 | HWY_SSE4 | HWY_NEON))
+// g++ does not give a lambda the instruction set of its function. Where nothing is inlined, a
+// lambda and what it calls then pass wide vectors differently, and the program crashes. So a build
+// by g++ without optimization has only the wide vectors that the whole build has.
+#if defined(__GNUC__) && !defined(__clang__) && !defined(__OPTIMIZE__)
+#define AVO_WIDE_TARGETS HWY_BASELINE_TARGETS
+#else
+#define AVO_WIDE_TARGETS HWY_TARGETS
+#endif
+#define AVO_TARGETS \
+  ((HWY_TARGETS & (HWY_SSE4 | HWY_NEON)) | (AVO_WIDE_TARGETS & HWY_TARGETS & (HWY_AVX3 | HWY_AVX2)))
 #else
 #define AVO_TARGETS 0
 #endif

@@ -206,6 +206,64 @@ def test_rewards_may_be_ones_own():
     assert np.allclose(with_reward(avo.env.progress), with_reward(None))
 
 
+CAR = {"model": "car", "car": {"wheelbase": 1.0, "max_curvature": 0.5, "body": {"offset": 0.4, "radius": 0.7}}}
+TRUCK = {"car": {"wheelbase": 2.0, "max_curvature": 0.4, "reverse": True}, "footprint": {"length": 3.5, "width": 1.2, "offset": 1.0}}
+DRIVE = {"model": "differential_drive", "drive": {"track": 0.4, "offset": 0.2}, "radius": 0.3}
+WHEELS = {"version": 1, "duration": 60, "sensing_radius": 40, "robots": [
+    {"position": [-8, 0], "goal": [8, 0], "heading": 0.5, **CAR},
+    {"position": [8, 0.5], "goal": [-8, 0.5], "heading": 3.1, **TRUCK},
+    {"position": [0, -8], "goal": [0, 8], **DRIVE},
+    {"position": [0, 8], "goal": [0, -8]}]}
+
+
+def test_robots_with_wheels_tell_their_headings():
+    env = avo.env.VectorEnv(WHEELS, neighbors=2)
+    seen, _ = env.reset(seed=1)
+    assert seen.shape == (1, 4, 8 + 6 * 2) == (1, *env.single_observation_space.shape)
+    np.testing.assert_allclose(seen[0, :, 6:8], [[np.cos(a), np.sin(a)] for a in (0.5, 3.1, 0.0, 0.0)], atol=1e-6)
+    np.testing.assert_allclose(seen[0, 0, :2], [16.0, 0.0])
+    np.testing.assert_allclose(seen[0, 0, 4], 0.7)
+    # others see the disc of the car, 0.4 m ahead of its axle, and those of the truck as one that covers them
+    disc = np.array([-8 + 0.4 * np.cos(0.5), 0.4 * np.sin(0.5)])
+    first = min(range(2), key=lambda k: np.linalg.norm(seen[0, 3, 8 + 6 * k : 10 + 6 * k]
+                                                      - (disc - [0, 8])))
+    np.testing.assert_allclose(seen[0, 3, 8 + 6 * first : 10 + 6 * first], disc - [0, 8], rtol=1e-5)
+
+
+def test_robots_with_wheels_move_as_their_models_do():
+    env = avo.env.VectorEnv(WHEELS, neighbors=0)
+    env.reset(seed=1)
+    for _ in range(30):
+        before, heading = env.position()[0], env.heading()[0]
+        env.step([[[0.0, 2.0]] * 4])
+        moved, turned = env.position()[0] - before, np.abs(env.heading()[0] - heading)
+        middle = 0.5 * (env.heading()[0] + heading)
+        across = moved[:, 1] * np.cos(middle) - moved[:, 0] * np.sin(middle)
+        assert np.all(np.abs(across[:2]) < 0.02 * np.linalg.norm(moved[:2], axis=1) + 1e-9), "cars slide"
+        assert turned[0] <= 0.5 * np.linalg.norm(moved[0]) * 1.001 + 1e-9, "the car turns too sharply"
+    assert env.velocity()[0, 3, 1] > 1.5, "a holonomic robot obeys at once"
+
+
+def test_robots_with_wheels_arrive_and_touch_nobody():
+    env = avo.env.VectorEnv(WHEELS, neighbors=3)
+    seen, _ = env.reset(seed=1)
+    arrived, least = np.zeros(4, dtype=bool), np.inf
+    rng = np.random.default_rng(1)
+    for step in range(600):
+        way = seen[:, :, :2] if step > 60 else rng.uniform(-2, 2, (1, 4, 2))
+        seen, _, terminated, truncated, _ = env.step(2.0 * way / np.maximum(1.0, np.linalg.norm(way, axis=2))[:, :, None])
+        near = seen[0, [0, 2, 3], 8:].reshape(3, 3, 6)  # the covering disc of the truck is left out
+        for k in range(3):
+            for other in near[k]:
+                if other[4] < 2.0:
+                    least = min(least, np.hypot(other[0], other[1]) - other[4])
+        arrived |= terminated[0]
+        if np.all(terminated | truncated):
+            break
+    assert least > 0.0
+    assert arrived.all()
+
+
 def test_images_show_robots_walls_and_moving_obstacles():
     env = avo.env.VectorEnv(YARD, 2, render_mode="rgb_array")
     env.reset(seed=1)
@@ -357,7 +415,7 @@ def test_worlds_leave_the_way_around_walls_to_the_learner():
 
 
 @pytest.mark.parametrize("make, message", [
-    (lambda: avo.env.VectorEnv("cars-100"), "robots.0.model: found another one, must be holonomic"),
+    (lambda: avo.env.VectorEnv("planes-12"), "robots.0.model: found airplane, must be holonomic, car or differential"),
     (lambda: avo.env.VectorEnv(SCENE, walls=-1), "walls: found -1, must be a whole number from 0 to 1000"),
     (lambda: avo.env.VectorEnv(SCENE, render_mode="human"), "render_mode: found 'human', must be 'rgb_array' or None"),
     (lambda: with_reward(lambda step: step.distance[0]), f"reward: found shape ({N},), must be ({E}, {N})"),

@@ -134,14 +134,15 @@ class Poison {
          position_error, motion, has_loiterers, loiter, has_footprints, parting);
     static_cast<void>(covers);
   }
-  // model, neighbors and loiter are lists
+  // model, neighbors, loiter and lookahead are lists
   void spoil(RobotColumns& robots) const {
     auto& [count, x, y, v_x, v_y, preferred_x, preferred_y, distance_to_goal, radius,
            max_acceleration, max_speed, max_braking, heading, priority, model, has_models,
-           neighbors, loiter] = robots;
+           neighbors, loiter, lookahead] = robots;
     each(count, x, y, v_x, v_y, preferred_x, preferred_y, distance_to_goal, radius,
          max_acceleration, max_speed, max_braking, heading, priority, has_models);
     static_cast<void>(model), static_cast<void>(neighbors), static_cast<void>(loiter);
+    static_cast<void>(lookahead);
   }
   void spoil(Tile& tile) const {
     auto& [robots, neighbors, detour, plan, walls, slot, maneuvers, remembers, trusted] = tile;

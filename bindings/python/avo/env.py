@@ -5,10 +5,12 @@ VectorEnv has the interface of gymnasium's vector environments, with one more di
 and ParallelEnv that of PettingZoo's parallel environments; neither package is needed.
 
 Action of a robot: its preferred velocity (x, y), m/s; a longer one than max_speed is shortened to it.
-The planner of the scene decides from it, without the memory of detours (avo.Detour).
+The planner of the scene decides from it, without the memory of detours (avo.Detour). Cars and drives steer
+to it, as far as they can turn: one action space is for all models. With them a Simulation moves the world.
 
 Observation of a robot, 6 + 6 k + 3 w numbers, float32: where its goal is from it (2, m), its velocity
-(2, m/s), its radius (m) and max_speed (m/s); of each of the k nearest robots and moving obstacles within
+(2, m/s), its radius (m) and max_speed (m/s); where the scene has cars or drives, its heading as a unit
+vector (2: 8 + 6 k + 3 w numbers); of each of the k nearest robots and moving obstacles within
 the scene's sensing_radius, nearest first: where it is from this one (2, m), its velocity less this one's
 (2, m/s), the sum of both radii (m) and 1, or -1 of a moving obstacle; six zeros where there are fewer;
 and of each of the w nearest walls: the way to its nearest point (2, m) and 1; three zeros where there are
@@ -39,12 +41,13 @@ from ._spaces import box, generator, whole
 Observations = npt.NDArray[np.float32]
 Source = Any  # what Scenario() takes
 Seeds = Union[int, Sequence[Union[int, None]], None]
+_HEADING = 2  # numbers
 _HUGE = 1e100  # m/s
 _MOST_NEIGHBORS = 1000  # as Worlds.nearest()
 
 
 class VectorEnv:
-    """E worlds of N holonomic robots each, all of one scene with seeds of their own.
+    """E worlds of N robots each, all of one scene with seeds of their own.
 
     A world is over when all its robots are terminated or truncated. What then happens says
     autoreset_mode, by the names of gymnasium. "NextStep": it begins anew in the step after that, in which
@@ -101,7 +104,9 @@ class VectorEnv:
         fastest = max(robot.max_speed for robot in first.robots)
         robots = self.num_robots
         self._per_other, self._per_wall = 2 * self.dimensions + 2, self.dimensions + 1  # numbers
-        self._observed = self._per_other * (1 + neighbors) + self._per_wall * walls
+        self._has_wheels = isinstance(self._worlds, Worlds) and self._worlds.has_wheels
+        own = self._per_other + (_HEADING if self._has_wheels else 0)
+        self._observed = own + self._per_other * neighbors + self._per_wall * walls
         self._fastest = fastest
         self.single_observation_space = box(-np.inf, np.inf, (robots, self._observed))
         self.observation_space = box(-np.inf, np.inf, (num_envs, robots, self._observed))
@@ -125,7 +130,7 @@ class VectorEnv:
         rewards, terminated and truncated, and the info, {} but with "SameStep"."""
         anew = self._begins_anew.copy()
         before, taken = self._distances(), self._preferred(actions)
-        self._worlds.step(taken, [not begins for begins in anew])
+        self._worlds.step(taken, [not begins for begins in anew], self._arrived)
         after = self._distances()
         came = (after <= self.arrival_distance) & ~self._arrived
         had_arrived = self._arrived.copy()
@@ -159,6 +164,10 @@ class VectorEnv:
         """(E, N, 2), m."""
         return self._worlds.position()
 
+    def heading(self) -> Floats:
+        """(E, N), rad; 0 of robots without wheels."""
+        return self._worlds.heading()
+
     def velocity(self) -> Floats:
         """(E, N, 2), m/s."""
         return self._worlds.velocity()
@@ -176,7 +185,7 @@ class VectorEnv:
 
     def _image(self, world: int) -> npt.NDArray[np.uint8]:
         assert isinstance(self._worlds, Worlds)  # render_mode is None in space
-        return draw(self._placed[world], self.position()[world], self._worlds.movers(world))
+        return draw(self._placed[world], self._worlds.center()[world], self._worlds.movers(world))
 
     def _rewards(self, step: Step) -> Floats:
         rewards = _numbers("reward", self._reward(step))
@@ -267,6 +276,10 @@ class VectorEnv:
             worlds.radius()[:, :, None],
             worlds.max_speed()[:, :, None],
         ]
+        if self._has_wheels:
+            assert isinstance(worlds, Worlds)
+            heading = worlds.heading()
+            own.append(np.stack([np.cos(heading), np.sin(heading)], axis=2))
         shape = (self.num_envs, self.num_robots, self._per_other * self._neighbors)
         nearest = worlds.nearest(self._neighbors).reshape(shape)
         walls = worlds.nearest_walls(self._walls).reshape((*shape[:2], self._per_wall * self._walls))

@@ -40,7 +40,7 @@ inline constexpr int kFields<avo::MovingObstacle> = 8;
 template <>
 inline constexpr int kFields<avo::TimedPlace> = 2;
 template <>
-inline constexpr int kFields<avo::Robot> = 12;
+inline constexpr int kFields<avo::Robot> = 13;
 template <>
 inline constexpr int kFields<avo::Detour> = 7;
 template <>
@@ -92,9 +92,9 @@ auto fields(T& x) {
   } else if constexpr (n == 10) {
     auto& [a, b, c, d, e, f, g, h, i, j] = x;
     return std::tie(a, b, c, d, e, f, g, h, i, j);
-  } else if constexpr (n == 12) {
-    auto& [a, b, c, d, e, f, g, h, i, j, k, l] = x;
-    return std::tie(a, b, c, d, e, f, g, h, i, j, k, l);
+  } else if constexpr (n == 13) {
+    auto& [a, b, c, d, e, f, g, h, i, j, k, l, m] = x;
+    return std::tie(a, b, c, d, e, f, g, h, i, j, k, l, m);
   } else {
     auto& [a, b, c, d, e, f, g, h, i, j, k, l, m, o, p, q, r, s, t, u, v, w, z, aa, bb, cc, dd, ee,
            ff, function] = x;

@@ -21,21 +21,22 @@ void bind_robot(py::module_& module) {
                       double radius, double max_acceleration, double max_speed,
                       double distance_to_goal, avo::MotionModel model, double heading,
                       double priority, std::optional<double> max_braking,
-                      std::optional<avo::LoiterCircle> loiter) {
+                      std::optional<avo::LoiterCircle> loiter, double lookahead) {
             return Robot{position,         velocity,  preferred_velocity, radius,
                          max_acceleration, max_speed, distance_to_goal,   checked_offset(model),
-                         heading,          priority,  max_braking,        loiter};
+                         heading,          priority,  max_braking,        loiter,
+                         lookahead};
           }),
           py::kw_only(), arg("position"), arg("velocity") = py::make_tuple(0.0, 0.0),
           arg("preferred_velocity") = py::make_tuple(0.0, 0.0), arg("radius") = 0.5,
           arg("max_acceleration") = 1.0, arg("max_speed") = 2.0,
           arg("distance_to_goal") = kInfinity, arg("model") = avo::Holonomic{},
           arg("heading") = 0.0, arg("priority") = 1.0, arg("max_braking") = py::none(),
-          arg("loiter") = py::none(),
+          arg("loiter") = py::none(), arg("lookahead") = kInfinity,
           "position: (x, y), m, of its disc; velocity, preferred_velocity: m/s; radius: m, > 0; "
           "max_acceleration: m/s^2, > 0; max_speed: m/s, > 0; distance_to_goal: m; model: how it "
           "moves; heading: rad, counter-clockwise from +x; priority: > 0; max_braking: m/s^2, > 0, "
-          "None: max_acceleration; loiter: of an airplane.")
+          "None: max_acceleration; loiter: of an airplane; lookahead: m, to where its way turns.")
       .def_readwrite("position", &Robot::position, "[p_A] (x, y), m, the center of its disc")
       .def_readwrite("velocity", &Robot::velocity, "[v_A] (x, y), m/s, of this center")
       .def_readwrite("preferred_velocity", &Robot::preferred_velocity, "[v_A^pref] (x, y), m/s")
@@ -56,7 +57,10 @@ void bind_robot(py::module_& module) {
                      "[b_A] m/s^2, > 0, with which it surely brakes; None: max_acceleration")
       .def_readwrite(
           "loiter", &Robot::loiter,
-          "LoiterCircle that the others know of an airplane; None: that of position and velocity");
+          "LoiterCircle that the others know of an airplane; None: that of position and velocity")
+      .def_readwrite("lookahead", &Robot::lookahead,
+                     "m to the point at which preferred_velocity aims, where its way turns; inf: "
+                     "there is none nearer than its goal");
 }
 
 using TimedTuple = std::tuple<double, double, double>;  // s, m, m

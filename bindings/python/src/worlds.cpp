@@ -7,6 +7,8 @@
 #include <atomic>
 #include <fmt/format.h>
 #include <memory>
+#include <optional>
+#include <variant>
 #include <vector>
 
 #include "arrays.h"
@@ -29,7 +31,8 @@ void require_plain(const avo::Scenario& scenario) {
   for (std::size_t k = 0; k < scenario.robots.size(); ++k) {
     const avo::RobotSetup& robot = scenario.robots[k];
     const std::string name = fmt::format("robots.{}", k);
-    if (!is_holonomic(robot.model)) refuse((name + ".model").c_str(), "another one", "holonomic");
+    if (std::holds_alternative<avo::Airplane>(robot.model))
+      refuse((name + ".model").c_str(), "airplane", "holonomic, car or differential_drive");
     if (robot.parked) refuse((name + ".parked").c_str(), "true", "false");
     if (robot.method) refuse((name + ".method").c_str(), to_string(*robot.method), "left out");
     if (robot.arrival_distance) refuse((name + ".arrival_distance").c_str(), "one", "left out");
@@ -42,9 +45,9 @@ void require_plain(const avo::Scenario& scenario) {
 }
 
 avo::Robot robot_of(const avo::RobotSetup& setup) {
-  return {.position = setup.position,
+  return {.position = disc_center(setup),
           .velocity = setup.velocity,
-          .radius = setup.radius,
+          .radius = disc_radius(setup),
           .max_acceleration = setup.max_acceleration,
           .max_speed = setup.max_speed,
           .priority = setup.priority,
@@ -86,6 +89,30 @@ void move(avo::MovingObstacle& mover, std::uint32_t& target, double time_step, d
   mover.position = next.position, mover.velocity = next.velocity, target = next.target;
 }
 
+bool has_wheels(const avo::Scenario& scenario) {
+  return std::any_of(scenario.robots.begin(), scenario.robots.end(),
+                     [](const avo::RobotSetup& robot) { return !is_holonomic(robot.model); });
+}
+
+/// A simulation whose robots keep no routes.
+std::unique_ptr<avo::Simulation> simulation_of(avo::Scenario scenario) {
+  scenario.navigation = false;
+  return std::make_unique<avo::Simulation>(scenario, 1);
+}
+
+/// Takes what others sense from the simulation.
+void follow(World& world) {
+  const avo::FleetView fleet = world.wheels->fleet();
+  for (std::size_t k = 0; k < world.robots.size(); ++k) {
+    avo::Robot& robot = world.robots[k];
+    robot.position = avo::disc_center(robot.model, fleet.position[k], fleet.heading[k]);
+    robot.velocity = fleet.velocity[k];
+  }
+  const avo::ObstacleView movers = world.wheels->obstacles();
+  for (std::size_t k = 0; k < world.movers.size(); ++k)
+    world.movers[k].position = movers.position[k], world.movers[k].velocity = movers.velocity[k];
+}
+
 }  // namespace
 
 Worlds::Worlds(std::size_t worlds, const avo::Scenario& scenario)
@@ -112,6 +139,11 @@ void Worlds::place(std::size_t world, const avo::Scenario& scenario) {
   placed.walls = avo::walls_of(heeded(scenario.obstacles, avo::RobotSetup{}.layers));
   placed.movers = scenario.moving_obstacles;
   placed.targets.assign(placed.movers.size(), 0);
+  if (has_wheels(scenario)) {
+    placed.wheels = simulation_of(scenario);
+    for (std::size_t k = 0; k < robots_; ++k) placed.robots[k].model = scenario.robots[k].model;
+    follow(placed);
+  }
   all_[world] = std::move(placed);
 }
 
@@ -154,6 +186,17 @@ void Worlds::step(World& world, std::span<const avo::Vec2> preferred) {
     move(world.movers[k], world.targets[k], h, static_cast<double>(world.steps) * h);
 }
 
+void Worlds::drive(World& world, std::span<const avo::Vec2> preferred, std::span<const bool> home) {
+  const std::span<const avo::RobotId> all = world.wheels->fleet().id;
+  const std::vector<avo::RobotId> ids(all.begin(), all.end());
+  for (std::size_t k = 0; k < ids.size(); ++k)
+    world.wheels->set_preferred_velocity(
+        ids[k], !home.empty() && home[k] ? std::nullopt : std::optional<avo::Vec2>(preferred[k]));
+  world.wheels->step();
+  ++world.steps;
+  follow(world);
+}
+
 namespace {
 
 template <typename Of>  // Vec2 of(world, robot)
@@ -188,7 +231,8 @@ auto per_robot(Of of) {
   };
 }
 
-void step(Worlds& self, const py::object& actions, const std::vector<bool>& moving) {
+void step(Worlds& self, const py::object& actions, const std::vector<bool>& moving,
+          const py::array_t<bool, py::array::c_style | py::array::forcecast>& home) {
   const Numbers preferred = numbers("actions", actions);
   if (preferred.ndim() != 3 || preferred.shape(0) != static_cast<py::ssize_t>(self.worlds()) ||
       preferred.shape(1) != static_cast<py::ssize_t>(self.robots()) || preferred.shape(2) != 2)
@@ -200,10 +244,14 @@ void step(Worlds& self, const py::object& actions, const std::vector<bool>& movi
   const auto all = rows("actions", preferred);
   if (!std::all_of(all.begin(), all.end(), [](avo::Vec2 v) { return is_finite(v); }))
     throw avo::Error("actions: found a number that is not finite, must be finite");
+  const auto all_robots = static_cast<py::ssize_t>(self.worlds() * self.robots());
+  if (home.size() != 0 && home.size() != all_robots)
+    throw avo::Error(
+        fmt::format("home: found {} of them, must be {} or none", home.size(), all_robots));
   const std::vector<char> which(moving.begin(), moving.end());
   const InUse use(self.used());
   const py::gil_scoped_release release;
-  self.step(all, which);
+  self.step(all, which, {home.data(), static_cast<std::size_t>(home.size())});
 }
 
 }  // namespace
@@ -211,7 +259,7 @@ void step(Worlds& self, const py::object& actions, const std::vector<bool>& movi
 void bind_worlds(py::module_& module) {
   module.def("_numbers", &numbers, arg("name"), arg("given"),
              "float64 of real numbers; raises Error on all else.");
-  py::class_<Worlds>(module, "Worlds", "E worlds of N holonomic robots; avo.env is made of them.")
+  py::class_<Worlds>(module, "Worlds", "E worlds of N robots; avo.env is made of them.")
       .def(py::init([](std::int64_t worlds, const avo::Scenario& scenario) {
              if (worlds < 1)
                throw avo::Error(fmt::format("num_envs: found {}, must be >= 1", worlds));
@@ -226,8 +274,9 @@ void bind_worlds(py::module_& module) {
           },
           arg("world"), arg("scenario"),
           "Puts the robots, goals and walls of the scenario into that world.")
-      .def("step", &step, arg("preferred"), arg("moving"),
-           "preferred: (E, N, 2), m/s; moving: (E,) bool, the worlds that take part.")
+      .def("step", &step, arg("preferred"), arg("moving"), arg("home") = py::array_t<bool>(0),
+           "preferred: (E, N, 2), m/s; moving: (E,) bool, the worlds that take part; home: (E, N) "
+           "bool, the robots that go to their goals by themselves where they have wheels.")
       .def("nearest", &nearest, arg("k"),
            "(E, N, k, 6) float32: relative position, m, and velocity, m/s, sum of radii, m, and 1 "
            "of a robot or -1 of a moving obstacle, of the k nearest within the sensing radius, "
@@ -237,8 +286,15 @@ void bind_worlds(py::module_& module) {
            "within the sensing radius, nearest first; 0 where there are fewer.")
       .def("movers", &movers_of, arg("world"),
            "(m, 3) float64: places and radii of its moving obstacles, m.")
-      .def("position", points([](const World& w, std::size_t k) { return w.robots[k].position; }),
-           "(E, N, 2) float64, m.")
+      .def("position", points([](const World& w, std::size_t k) { return w.position(k); }),
+           "(E, N, 2) float64, m; of a robot with wheels the middle of its axle.")
+      .def("center", points([](const World& w, std::size_t k) { return w.robots[k].position; }),
+           "(E, N, 2) float64, m, of the discs.")
+      .def("heading", per_robot([](const World& w, std::size_t k) { return w.heading(k); }),
+           "(E, N) float64, rad; 0 of robots without wheels.")
+      .def_property_readonly(
+          "has_wheels", [](const Worlds& self) { return self.world(0).wheels != nullptr; },
+          "Whether some of the robots are cars or differential drives.")
       .def("velocity", points([](const World& w, std::size_t k) { return w.robots[k].velocity; }),
            "(E, N, 2) float64, m/s.")
       .def("goal", points([](const World& w, std::size_t k) { return w.goals[k]; }),

@@ -4,23 +4,36 @@
 #include <atomic>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <utility>
 #include <vector>
 
 #include "avo/planner.h"
 #include "avo/scenario.h"
+#include "avo/simulation.h"
 #include "bind.h"
 
 namespace avo_python {
 
 struct World {
-  std::vector<avo::Robot> robots;
+  std::vector<avo::Robot> robots;  // their discs, as others sense them
   std::vector<avo::Vec2> goals;
   std::vector<avo::Wall> walls;
   std::vector<avo::MovingObstacle> movers;  // as they are now
   std::vector<std::uint32_t> targets;       // of their paths
   std::int64_t steps = 0;
+  // moves all of a world in which some robots have wheels; `robots` and `movers` follow it
+  std::unique_ptr<avo::Simulation> wheels;
+
+  /// m; of a robot with wheels the middle of its axle.
+  [[nodiscard]] avo::Vec2 position(std::size_t robot) const {
+    return wheels ? wheels->fleet().position[robot] : robots[robot].position;
+  }
+  /// rad; 0 of robots without wheels
+  [[nodiscard]] double heading(std::size_t robot) const {
+    return wheels ? wheels->fleet().heading[robot] : 0.0;
+  }
 };
 
 /// Keeps two threads from using the same worlds. Throws Error if a thread uses them already.
@@ -46,10 +59,16 @@ class Worlds {
   /// Puts the robots, goals, walls and moving obstacles of the scenario into that world.
   void place(std::size_t world, const avo::Scenario& scenario);
 
-  /// preferred: for all robots of all worlds, m/s. moving: the worlds that take part.
-  void step(std::span<const avo::Vec2> preferred, const std::vector<char>& moving) {
-    for (std::size_t e = 0; e < all_.size(); ++e)
-      if (moving[e] != 0) step(all_[e], preferred.subspan(e * robots_, robots_));
+  /// preferred: for all robots of all worlds, m/s. moving: the worlds that take part. home: the
+  /// robots that go to their goals by themselves where there are wheels, or empty.
+  void step(std::span<const avo::Vec2> preferred, const std::vector<char>& moving,
+            std::span<const bool> home) {
+    for (std::size_t e = 0; e < all_.size(); ++e) {
+      if (moving[e] == 0) continue;
+      const auto own = preferred.subspan(e * robots_, robots_);
+      const auto at_home = home.empty() ? home : home.subspan(e * robots_, robots_);
+      all_[e].wheels ? drive(all_[e], own, at_home) : step(all_[e], own);
+    }
   }
 
   [[nodiscard]] std::size_t worlds() const { return all_.size(); }
@@ -68,6 +87,8 @@ class Worlds {
  private:
   /// First all robots decide from the same states, and then all robots move.
   void step(World& world, std::span<const avo::Vec2> preferred);
+  /// The same by a simulation, where some robots have wheels.
+  static void drive(World& world, std::span<const avo::Vec2> preferred, std::span<const bool> home);
 
   avo::Planner planner_;
   double sensing_radius_;
