@@ -3,6 +3,7 @@
 #include "avo_io/space.h"
 
 #include <algorithm>
+#include <cstdint>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <hdf5.h>
@@ -51,15 +52,29 @@ std::vector<double> column_of(const std::string& path, hsize_t robots, hsize_t c
   return values;
 }
 
+std::vector<std::uint8_t> statuses_of(const std::string& path, std::size_t count) {
+  const hid_t file = H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT);
+  const hid_t table = H5Dopen2(file, "status", H5P_DEFAULT), type = H5Dget_type(table);
+  std::vector<std::uint8_t> all(count, 99);
+  EXPECT_GE(H5Dread(table, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, all.data()), 0);
+  H5Tclose(type);
+  H5Dclose(table);
+  H5Fclose(file);
+  return all;
+}
+
 TEST(SpaceHdf5, has_the_states_of_the_run_and_explains_itself) {
   const std::string h5 = recorded({scene_file()}, "space.h5");
   avo::space::Simulation simulation(avo_io::parse_space_scenario(kScene, "drones.yaml"));
   const std::vector<double> z = column_of(h5, 9, 2, 51), vy = column_of(h5, 9, 4, 51);
+  const std::vector<std::uint8_t> status = statuses_of(h5, z.size());
   for (std::size_t k = 0; k < z.size(); ++k) {
     if (k > 0 && k % 9 == 0) simulation.step();
     ASSERT_EQ(z[k], simulation.robots()[k % 9].position.z) << k;
     ASSERT_EQ(vy[k], simulation.robots()[k % 9].velocity.y) << k;
+    ASSERT_EQ(status[k], static_cast<std::uint8_t>(simulation.plans()[k % 9].status)) << k;
   }
+  EXPECT_GT(std::count_if(status.begin(), status.end(), [](std::uint8_t s) { return s != 0; }), 0);
   const auto own = avo_io::read_recorded_space_scene(h5);
   ASSERT_TRUE(own);
   EXPECT_EQ(own->header.state_hash, simulation.state_hash());
