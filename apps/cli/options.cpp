@@ -184,10 +184,10 @@ void add_convert(CLI::App& app, Action& action) {
   not_empty(verb->add_option("OUTPUT", arguments.output, "its ending says the format; - is stdout"))
       ->type_name("FILE.csv|.sqlite|.mcap|.glb|.h5|.txt")
       ->required();
-  not_empty(
-      verb->add_option("--to", arguments.to,
-                       "csv, sqlite, mcap, gltf, recording, pedestrian-hdf5, pedestrian-text, obsmat or "
-                       "set-points"))
+  not_empty(verb->add_option(
+                "--to", arguments.to,
+                "csv, sqlite, mcap, gltf, recording, pedestrian-hdf5, pedestrian-text, obsmat or "
+                "set-points"))
       ->type_name("FORMAT");
   not_empty(verb->add_option("--name", arguments.name,
                              "with --to recording: of the method that made the motion; without it "

@@ -90,6 +90,8 @@ AVO_EXPORT(std::size_t, recording_header)() {
     throw avo_io::RecordingError(
         "found no whole header, cut off or damaged, must be that of a recording of avo");
   const avo_io::RecordingHeader header = avo_io::header_from(avo_io::from_parts(*fields));
+  if (header.space)
+    throw avo_io::RecordingError("found a recording of space, must be one of the plane here");
   Json files = Json::array();
   std::string texts;
   for (const avo_io::SceneFile& file : header.scene.files) {

@@ -93,6 +93,36 @@ def test_one_robot_decides_as_in_a_fleet():
     assert away > 1.0
 
 
+def test_batches_have_the_bits_of_single_decisions():
+    random, n = np.random.default_rng(5), 40
+    robots = avo.space.Robots(
+        position=random.uniform(-6, 6, (n, 3)), velocity=random.uniform(-0.5, 0.5, (n, 3)),
+        preferred_velocity=random.uniform(-1.5, 1.5, (n, 3)), radius=random.uniform(0.2, 0.4, n), downwash=0.1,
+        vertical=0.8, max_braking=random.uniform(0.8, 1.0, n))
+    sensed, planner = avo.space.Neighbors.among(robots, 9.0), avo.space.Planner()
+    offsets, memories, alone = sensed.offsets, avo.space.Detours(n), [avo.space.Detour() for _ in range(n)]
+    floor = [avo.space.Box(max=(9e9, 9e9, -8.0))]
+    plans = planner.plan(robots, sensed, floor, memories)
+    position = np.array([robots[k].position for k in range(n)])
+    for k in range(n):
+        near = [j for j in range(n) if j != k and np.linalg.norm(position[j] - position[k]) <= 9.0]
+        assert offsets[k + 1] - offsets[k] == len(near)
+        others = [avo.space.Neighbor(
+            position=robots[j].position, velocity=robots[j].velocity, radius=robots[j].radius, downwash=0.1,
+            vertical=0.8, max_braking=robots[j].max_braking) for j in near]
+        plan = planner.plan(robots[k], others, floor, alone[k])
+        assert tuple(plans.next_velocity()[k]) == plan.next_velocity == plans[k].next_velocity
+        assert avo.PLAN_STATUS[plans.status()[k]] == plan.status
+        assert avo.SAFETY_STATE[plans.state()[k]] == plan.state
+        assert memories[k].acceleration == alone[k].acceleration
+    with pytest.raises(avo.Error, match=r"velocity: found 1 rows, must be 2 as of position"):
+        avo.space.Robots(position=np.zeros((2, 3)), velocity=np.zeros((1, 3)), preferred_velocity=np.zeros((2, 3)))
+    with pytest.raises(avo.Error, match=r"position: found shape \(2, 2\), must be \(n, 3\)"):
+        avo.space.Robots(position=np.zeros((2, 2)), velocity=np.zeros((2, 3)), preferred_velocity=np.zeros((2, 3)))
+    with pytest.raises(avo.Error, match="neighbors: found those of 0 robots, must be those of 40"):
+        planner.plan(robots, avo.space.Neighbors(position=np.zeros((0, 3)), velocity=np.zeros((0, 3)), offsets=[0]))
+
+
 def simulation_wish(robot, goal):
     way = goal - np.array(robot.position)
     return 2.0 * way / max(np.linalg.norm(way), 2.0)

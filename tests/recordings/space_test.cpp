@@ -3,9 +3,11 @@
 #include "avo_io/space.h"
 
 #include <algorithm>
+#include <cstdint>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <hdf5.h>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -50,15 +52,29 @@ std::vector<double> column_of(const std::string& path, hsize_t robots, hsize_t c
   return values;
 }
 
+std::vector<std::uint8_t> statuses_of(const std::string& path, std::size_t count) {
+  const hid_t file = H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT);
+  const hid_t table = H5Dopen2(file, "status", H5P_DEFAULT), type = H5Dget_type(table);
+  std::vector<std::uint8_t> all(count, 99);
+  EXPECT_GE(H5Dread(table, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, all.data()), 0);
+  H5Tclose(type);
+  H5Dclose(table);
+  H5Fclose(file);
+  return all;
+}
+
 TEST(SpaceHdf5, has_the_states_of_the_run_and_explains_itself) {
   const std::string h5 = recorded({scene_file()}, "space.h5");
   avo::space::Simulation simulation(avo_io::parse_space_scenario(kScene, "drones.yaml"));
   const std::vector<double> z = column_of(h5, 9, 2, 51), vy = column_of(h5, 9, 4, 51);
+  const std::vector<std::uint8_t> status = statuses_of(h5, z.size());
   for (std::size_t k = 0; k < z.size(); ++k) {
     if (k > 0 && k % 9 == 0) simulation.step();
     ASSERT_EQ(z[k], simulation.robots()[k % 9].position.z) << k;
     ASSERT_EQ(vy[k], simulation.robots()[k % 9].velocity.y) << k;
+    ASSERT_EQ(status[k], static_cast<std::uint8_t>(simulation.plans()[k % 9].status)) << k;
   }
+  EXPECT_GT(std::count_if(status.begin(), status.end(), [](std::uint8_t s) { return s != 0; }), 0);
   const auto own = avo_io::read_recorded_space_scene(h5);
   ASSERT_TRUE(own);
   EXPECT_EQ(own->header.state_hash, simulation.state_hash());
@@ -146,6 +162,44 @@ TEST(SpaceHdf5, readers_of_the_plane_refuse_it_in_one_line) {
   EXPECT_EQ(result.exit_code, 3);
   EXPECT_EQ(lines_of(result.err).size(), 1U) << result.err;
   EXPECT_THAT(result.err, HasSubstr("found a recording of space, must be one of the plane here"));
+}
+
+TEST(SpaceHdf5, forged_files_are_refused_in_one_line) {
+  constexpr double kNoNumber = std::numeric_limits<double>::quiet_NaN();
+  const std::string h5 = path_of("space.h5");
+  const auto expect_refused = [&](const std::string& message) {
+    for (const Strings& verb : {Strings{"check", h5},
+                                {"replay", h5},
+                                {"convert", h5, path_of("x.csv")},
+                                {"convert", h5, path_of("x.glb")},
+                                {"report", h5, path_of("x.html")}}) {
+      const ProcessResult result = run_avo(verb);
+      EXPECT_EQ(result.exit_code, 3) << verb[0] << result.out;
+      EXPECT_THAT(result.err, HasSubstr(message)) << verb[0];
+      EXPECT_EQ(lines_of(result.err).size(), 1U) << result.err;
+    }
+    EXPECT_FALSE(exists(path_of("x.csv")) || exists(path_of("x.glb")) || exists(path_of("x.html")));
+  };
+  const auto record = [&] { recorded({scene_file()}, "space.h5"); };
+  record();
+  change(h5, "state", {20, 8, 2}, H5T_NATIVE_DOUBLE, kNoNumber);
+  expect_refused("time 2 s, robot 8: z: found nan, must be a finite number");
+  record();
+  change(h5, "time", {50}, H5T_NATIVE_DOUBLE, 77.0);
+  expect_refused("time: found 77 s, must be <= 5 s, the duration of its scene");
+  record();
+  set_attribute(h5, "columns", "x,y,vx,vy,heading,speed", "state");
+  expect_refused("must be x,y,z,vx,vy,vz");
+  record();
+  set_attribute(h5, "space", 4);
+  expect_refused("space: found 4, must be 2 to 3");
+  record();
+  std::string many = kScene;
+  set_attribute(h5, "scene", many.replace(many.find("count: 8"), 8, "count: 900000"));
+  expect_refused("900001 robots in all, must be at most 9");
+  record();
+  set_attribute(h5, "scene", many.replace(many.find("count: 900000"), 13, "count: 7"));
+  expect_refused("found 9 robots, must be 8, those of its scene");
 }
 
 TEST(SpaceHdf5, frames_are_on_the_path_between_the_rows) {

@@ -7,12 +7,16 @@ from . import _avo
 
 Box = _avo._space.Box
 Detour = _avo._space.Detour
+Detours = _avo._space.Detours
 Filter = _avo._space.Filter
 Neighbor = _avo._space.Neighbor
+Neighbors = _avo._space.Neighbors
 Plan = _avo._space.Plan
 Planner = _avo._space.Planner
+Plans = _avo._space.Plans
 Quadrotor = _avo._space.Quadrotor
 Robot = _avo._space.Robot
+Robots = _avo._space.Robots
 RobotSetup = _avo._space.RobotSetup
 Scenario = _avo._space.Scenario
 SetPoint = _avo._space.SetPoint
@@ -26,12 +30,16 @@ _is_in_space = _avo._space._is_in_space
 __all__ = [
     "Box",
     "Detour",
+    "Detours",
     "Filter",
     "Neighbor",
+    "Neighbors",
     "Plan",
     "Planner",
+    "Plans",
     "Quadrotor",
     "Robot",
+    "Robots",
     "RobotSetup",
     "Scenario",
     "SetPoint",

@@ -4,7 +4,7 @@
 Points are triples (x, y, z), z upwards; arrays of n of them are (n, 3), float64, and copies.
 """
 from collections.abc import Sequence
-from typing import Any, Union, final
+from typing import Any, Union, final, overload
 
 import numpy as np
 import numpy.typing as npt
@@ -200,6 +200,63 @@ class Detour:
     acceleration: _Triple
     def __init__(self) -> None: ...
 
+class Robots:
+    def __init__(
+        self,
+        *,
+        position: npt.ArrayLike,
+        velocity: npt.ArrayLike,
+        preferred_velocity: npt.ArrayLike,
+        radius: npt.ArrayLike = 0.5,
+        max_acceleration: npt.ArrayLike = 1.0,
+        max_speed: npt.ArrayLike = 2.0,
+        vertical: npt.ArrayLike = 1.0,
+        climb: npt.ArrayLike = ...,
+        sink: npt.ArrayLike = ...,
+        downwash: npt.ArrayLike = 0.0,
+        priority: npt.ArrayLike = 1.0,
+        max_braking: npt.ArrayLike | None = None,
+        distance_to_goal: npt.ArrayLike = ...,
+    ) -> None: ...
+    def __len__(self) -> int: ...
+    def __getitem__(self, k: _Int) -> Robot: ...
+
+class Neighbors:
+    def __init__(
+        self,
+        *,
+        position: npt.ArrayLike,
+        velocity: npt.ArrayLike,
+        offsets: npt.ArrayLike,
+        radius: npt.ArrayLike = 0.5,
+        max_acceleration: npt.ArrayLike = 1.0,
+        vertical: npt.ArrayLike = 1.0,
+        downwash: npt.ArrayLike = 0.0,
+        priority: npt.ArrayLike = 1.0,
+        max_braking: npt.ArrayLike | None = None,
+    ) -> None: ...
+    @staticmethod
+    def among(robots: Robots, sensing_radius: _Float) -> Neighbors: ...
+    @property
+    def offsets(self) -> npt.NDArray[np.int64]: ...
+
+class Detours:
+    def __init__(self, n: _Int) -> None: ...
+    def __len__(self) -> int: ...
+    def __getitem__(self, k: _Int) -> Detour: ...
+    def __setitem__(self, k: _Int, detour: Detour) -> None: ...
+
+@final
+class Plans:
+    def __len__(self) -> int: ...
+    def __getitem__(self, k: _Int) -> Plan: ...
+    def new_velocity(self) -> _Floats: ...
+    def next_velocity(self) -> _Floats: ...
+    def acceleration(self) -> _Floats: ...
+    def violation(self) -> _Floats: ...
+    def status(self) -> npt.NDArray[np.uint8]: ...
+    def state(self) -> npt.NDArray[np.uint8]: ...
+
 class Planner:
     def __init__(
         self,
@@ -216,6 +273,7 @@ class Planner:
         comfort_acceleration: _Float | None = None,
         comfort_jerk: _Float | None = None,
     ) -> None: ...
+    @overload
     def plan(
         self,
         robot: Robot,
@@ -223,6 +281,14 @@ class Planner:
         boxes: Sequence[Box] = (),
         detour: Detour | None = None,
     ) -> Plan: ...
+    @overload
+    def plan(
+        self,
+        robots: Robots,
+        neighbors: Neighbors,
+        boxes: Sequence[Box] = (),
+        detour: Detours | None = None,
+    ) -> Plans: ...
     def is_admitted(
         self, robot: Robot, neighbors: Sequence[Neighbor], next_velocity: _Numbers, boxes: Sequence[Box] = ()
     ) -> bool: ...

@@ -9,10 +9,28 @@
 #include "batches.h"
 
 namespace avo_python {
+
+std::vector<std::size_t> checked_offsets(const py::object& object, std::size_t m) {
+  const py::array any = py::array::ensure(object);
+  const char kind = any ? any.dtype().kind() : '?';
+  if (kind != 'i' && kind != 'u')
+    throw avo::Error("offsets: found " + std::string(py::repr(object)) + ", must be whole numbers");
+  const py::array_t<std::int64_t, py::array::c_style | py::array::forcecast> offsets(any);
+  const std::span<const std::int64_t> given(offsets.data(),
+                                            static_cast<std::size_t>(offsets.size()));
+  const bool good = offsets.ndim() == 1 && !given.empty() && given.front() == 0 &&
+                    given.back() == static_cast<std::int64_t>(m) &&
+                    std::is_sorted(given.begin(), given.end());
+  if (!good)
+    throw avo::Error(fmt::format(
+        "offsets: found {}, must ascend from 0 to the {} rows of position, one more than robots",
+        std::string(py::str(py::object(offsets))), m));
+  return {given.begin(), given.end()};
+}
+
 namespace {
 
 using py::arg;
-using Whole = py::array_t<std::int64_t, py::array::c_style | py::array::forcecast>;
 
 /// Throws Error for any other field: one that only a single robot has, or one that does not exist.
 void refuse_fields(const py::kwargs& others, const std::vector<std::string_view>& known) {
@@ -85,25 +103,6 @@ Robots make_robots(const py::object& position, const py::object& velocity,
                           .priority = weight[k],
                           .max_braking = at(braking, k)});
   return robots;
-}
-
-/// Reads offsets of CSR form. Throws Error unless they ascend from 0 to m.
-std::vector<std::size_t> checked_offsets(const py::object& object, std::size_t m) {
-  const py::array any = py::array::ensure(object);
-  const char kind = any ? any.dtype().kind() : '?';
-  if (kind != 'i' && kind != 'u')
-    throw avo::Error("offsets: found " + std::string(py::repr(object)) + ", must be whole numbers");
-  const Whole offsets(any);
-  const std::span<const std::int64_t> given(offsets.data(),
-                                            static_cast<std::size_t>(offsets.size()));
-  const bool good = offsets.ndim() == 1 && !given.empty() && given.front() == 0 &&
-                    given.back() == static_cast<std::int64_t>(m) &&
-                    std::is_sorted(given.begin(), given.end());
-  if (!good)
-    throw avo::Error(fmt::format(
-        "offsets: found {}, must ascend from 0 to the {} rows of position, one more than robots",
-        std::string(py::str(py::object(offsets))), m));
-  return {given.begin(), given.end()};
 }
 
 int checked_age(double age) {

@@ -26,6 +26,9 @@ struct Detours : Shared<std::vector<avo::Detour>> {
   const std::size_t size;
 };
 
+/// Reads offsets of CSR form. Throws Error unless they ascend from 0 to m.
+std::vector<std::size_t> checked_offsets(const py::object& object, std::size_t m);
+
 void bind_batch_inputs(py::module_& module);
 
 }  // namespace avo_python

@@ -33,6 +33,7 @@ void bind_robots(py::module_& module);
 void bind_planner(py::module_& module);
 void bind_runs(py::module_& module);
 void bind_worlds(py::module_& module);
+void bind_batches(py::module_& module);
 }  // namespace space
 
 /// Returns the scenario of the name of a built-in scene, a path, a dict, or a Scenario itself.

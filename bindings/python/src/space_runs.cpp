@@ -307,6 +307,7 @@ void bind_space(py::module_& module) {
   space::bind_planner(own);
   space::bind_runs(own);
   space::bind_worlds(own);
+  space::bind_batches(own);
 }
 
 }  // namespace avo_python
