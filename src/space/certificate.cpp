@@ -324,6 +324,7 @@ bool admits(const Robot& robot, Vec3 next_velocity, const StepLaw& law, Asked as
   if (constraints.invariant.unknown) return false;
   append_needed(robot, next_velocity, law, constraints);
   if (constraints.columns.count == 0 && !constraints.movers.counts) {
+    constraints.movers.columns.judged = 0;
     constraints.path.next_velocity = next_velocity;
     return keeps_boxes(robot, next_velocity, law, constraints.boxes);
   }
