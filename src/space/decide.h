@@ -19,6 +19,8 @@ struct Surroundings {
   double self = -1.0;                                      ///< the robot's own place; -1: none
   double range = std::numeric_limits<double>::infinity();  ///< m: others are not sensed
   std::span<const Box> boxes = {};
+  /// Whether nobody is expected to be in the robot's way. It changes the time of a decision alone.
+  bool is_free = false;
 };
 
 /// The decision of a robot whose inputs are valid. Updates the detour. `remembers`: whether the

@@ -106,7 +106,8 @@ struct Simulation::State {
                               .runs = std::span(worker.runs).first(runs),
                               .self = static_cast<double>(at),
                               .range = sensing_radius,
-                              .boxes = worker.boxes};
+                              .boxes = worker.boxes,
+                              .is_free = plans[k].status == PlanStatus::optimal};
     plans[k] =
         space::decide(options, horizon, law, robot, around, true, worker.scratch, detours[k]);
   }
