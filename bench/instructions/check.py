@@ -38,6 +38,7 @@ CASES = {
     "crush avo": (HERE / "crush.yaml", 30, 4),
     "one-fast avo": (HERE / "one-fast.yaml", 10, 5),
     "drives-100 avo": ("drives-100", 60, 10),
+    "sphere-200 in space": (HERE / "sphere-200.yaml", 50, 5),
     "uniform-1000 noise": ("uniform-1000", 20, 10, "sensing.noise.position=0.01"),
 }
 
@@ -51,6 +52,7 @@ def count(driver, case, target):
     with tempfile.NamedTemporaryFile() as out:
         run = subprocess.run(
             ["valgrind", "--tool=callgrind", "--toggle-collect=measured_steps",
+             "--toggle-collect=measured_steps_in_space",
              f"--callgrind-out-file={out.name}", driver, *map(str, CASES[case])],
             env={**os.environ, "AVO_SIMD": target}, capture_output=True, text=True)
         if run.returncode == 2 and "AVO_SIMD" in run.stderr:

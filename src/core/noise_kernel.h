@@ -9,8 +9,8 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "core/scalar.h"
 #include "core/noise.h"
+#include "core/scalar.h"
 
 AVO_BEGIN_KERNELS
 

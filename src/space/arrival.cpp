@@ -10,6 +10,10 @@
 namespace avo::space {
 namespace {
 
+// Robots ahead on collision courses that make a way fully congested. In the plane all robots ahead
+// count, and it takes more of them.
+constexpr double kFullCongestion = 2.0;
+
 // The neighbor of the plane with the same distance and the same speeds, along one axis.
 avo::Neighbor in_plane(const Neighbor& neighbor) {
   avo::Neighbor same;
@@ -93,7 +97,7 @@ Vec3 wish_of(const Robot& robot, const Bodies& bodies, const Looked& looked,
   const double left = (robot.distance_to_goal - stopping) / stopping;
   Vec3 wish = robot.preferred_velocity;
   if (left > 0.0 && ahead > 0.0) {
-    const double part = std::min(left, 1.0) * (std::min(ahead, kCongestion) / kCongestion);
+    const double part = std::min(left, 1.0) * (std::min(ahead, kFullCongestion) / kFullCongestion);
     wish = turned_right(wish, axis, part * kMostKeepRight);
   }
   if (!traffic.is_beside && detour.beside == 0.0F) return wish;

@@ -39,6 +39,9 @@ struct Bodies {
   /// Requires room for one more. The braking is not set.
   void add(const Neighbor& body, std::size_t body_number);
   [[nodiscard]] Neighbor neighbor(std::size_t k) const;
+  [[nodiscard]] Vec3 place_of(std::size_t k) const {
+    return {position[0][k], position[1][k], position[2][k]};
+  }
   [[nodiscard]] BrakingOf<3> braking(std::size_t k) const;
 };
 

@@ -38,6 +38,7 @@ std::size_t SpaceCells::row(std::int64_t y, std::int64_t z) const {
 
 // m: how far a cell is at least from a coordinate.
 double SpaceCells::away(double coordinate, std::int64_t its_cell) const {
+  if (!(std::abs(coordinate) * per_meter_ < kFarthestCell)) return 0.0;
   const double low = static_cast<double>(its_cell) * side_, high = low + side_;
   return std::max(std::max(low - coordinate, coordinate - high) - kRounding * side_, 0.0);
 }

@@ -161,13 +161,27 @@ Pair pair_of(const Robot& robot, const Bodies& bodies, std::uint32_t place, cons
 void append_body(const Robot& robot, const NearBody& body, const StepLaw& law,
                  Constraints& constraints) {
   const Bodies& bodies = *constraints.bodies;
+  const int number = static_cast<int>(body.number);
+  const Braking b = bodies.braking(body.place);
+  if (body.share > 0.0) {  // the look has computed the pair
+    const BrakingPair pair{robot.position - bodies.place_of(body.place),
+                           robot.radius + bodies.radius[body.place],
+                           body.inflated,
+                           0.0,
+                           body.share,
+                           true,
+                           constraints.own,
+                           b};
+    const PairShape<3> ball{0.0, 0.0, 1.0, constraints.own_direction};
+    return append_pair(pair, ball, number, law, constraints);
+  }
   const Pair pair = pair_of(robot, bodies, body.place, law, constraints);
   const scalar::PackPair<Real, 3>& packed = pair.packed;
   const BrakingPair braking{scalar::plain(packed.p), packed.contact.value,
                             packed.inflated.value,   packed.error.value,
                             packed.share.value,      true,
-                            constraints.own,         bodies.braking(body.place)};
-  append_pair(braking, pair.shape, static_cast<int>(body.number), pair.law, constraints);
+                            constraints.own,         b};
+  append_pair(braking, pair.shape, number, pair.law, constraints);
 }
 
 }  // namespace
@@ -324,6 +338,7 @@ bool admits(const Robot& robot, Vec3 next_velocity, const StepLaw& law, Asked as
   if (constraints.invariant.unknown) return false;
   append_needed(robot, next_velocity, law, constraints);
   if (constraints.columns.count == 0 && !constraints.movers.counts) {
+    constraints.movers.columns.judged = 0;
     constraints.path.next_velocity = next_velocity;
     return keeps_boxes(robot, next_velocity, law, constraints.boxes);
   }

@@ -34,6 +34,8 @@ struct Decision {
   Haste haste;
   Vec3 axis;  ///< about which it turns to its right
   Vec3 own_velocity, own_last_change;
+  const Look& look;
+  const Surroundings& around;
   PlanWorkspace::Scratch& scratch;
 
   Vec3 own(Vec3 a) const { return to_own(a, robot.vertical); }
@@ -64,23 +66,6 @@ struct Target {
   double violation = 0.0;
 };
 
-// Eq. (23) among the half-spaces. Where nothing keeps all of them, the hard ones are kept, near the
-// least unsafe point.
-Target target_of(const Decision& decision, HalfSpaceColumns& half_spaces, Vec3 own_wish) {
-  const Robot& robot = decision.robot;
-  const std::array<Ball, 2> balls{
-      Ball{decision.own_velocity, decision.options.control_time * robot.max_acceleration},
-      Ball{{}, robot.max_speed}};
-  HalfSpaceColumns& hard = decision.scratch.hard;
-  SpaceProgramWorkspace& program = decision.scratch.choice.program;
-  const SpaceProgramResult result = nearest_point(half_spaces, balls, own_wish, program);
-  Target target{result.point, result.violation};
-  if (result.state == SpaceProgramState::balls_disjoint) target.own = decision.own_velocity;
-  if (result.state == SpaceProgramState::least_unsafe && hard.count > 0)
-    target.own = nearest_point(hard, balls, result.point, program).point;
-  return target;
-}
-
 // The hard half-spaces, in the robot's own space.
 void collect_hard(const Decision& decision, std::span<const Box> boxes) {
   const Robot& robot = decision.robot;
@@ -100,10 +85,9 @@ void collect_hard(const Decision& decision, std::span<const Box> boxes) {
     hard.add(plane, static_cast<double>(hard.count) - static_cast<double>(all.size()));
 }
 
-// The hard half-spaces and then the soft ones, in the robot's own space.
-void collect_half_spaces(const Decision& decision, const Surroundings& around,
-                         const Horizon& horizon) {
-  collect_hard(decision, around.boxes);
+// The hard half-spaces, and the soft ones of the pairs that the look has chosen last and of moving
+// obstacles, in the robot's own space.
+HalfSpaceColumns& collect_half_spaces(const Decision& decision) {
   const Robot& robot = decision.robot;
   PlanWorkspace::Scratch& scratch = decision.scratch;
   HalfSpaceColumns& columns = scratch.half_spaces.columns;
@@ -113,14 +97,58 @@ void collect_half_spaces(const Decision& decision, const Surroundings& around,
     columns.add(scratch.hard.at(k), scratch.hard.number[k]);
   const OwnLimits own{robot.velocity, robot.vertical,
                       decision.options.control_time * robot.max_acceleration, robot.max_speed};
-  append_half_spaces(scratch.looked.pairs, own, horizon, scratch.half_spaces);
-  if (around.movers.empty()) return;
+  append_half_spaces(scratch.looked.pairs, own, decision.look.horizon, scratch.half_spaces);
+  if (decision.around.movers.empty()) return columns;
   scratch.of_movers.clear();
-  append_mover_planes(robot, around.movers, decision.options, horizon, scratch.of_movers);
+  append_mover_planes(robot, decision.around.movers, decision.options, decision.look.horizon,
+                      scratch.of_movers);
   columns.reserve(columns.count + scratch.of_movers.size());
   double number = static_cast<double>(kMostRobots);  // they come after all neighbors
   for (const HalfSpace& plane : scratch.of_movers)
     columns.add(to_own(plane, robot.vertical), number++);
+  return columns;
+}
+
+// All half-spaces that can cut.
+HalfSpaceColumns& all_half_spaces(const Decision& decision) {
+  PlanWorkspace::Scratch& scratch = decision.scratch;
+  if (scratch.has_all) return scratch.half_spaces.columns;
+  scratch.has_all = true;
+  pairs_that_cut(decision.look, decision.around.bodies, scratch.looked);
+  return collect_half_spaces(decision);
+}
+
+// Eq. (23) among the half-spaces. Where nothing keeps all of them, the hard ones are kept, near the
+// least unsafe point.
+Target target_of(const Decision& decision, HalfSpaceColumns& half_spaces, Vec3 own_wish) {
+  const Robot& robot = decision.robot;
+  const std::array<Ball, 2> balls{
+      Ball{decision.own_velocity, decision.options.control_time * robot.max_acceleration},
+      Ball{{}, robot.max_speed}};
+  HalfSpaceColumns& hard = decision.scratch.hard;
+  SpaceProgramWorkspace& program = decision.scratch.choice.program;
+  const SpaceProgramResult result = nearest_point(half_spaces, balls, own_wish, program);
+  Target target{result.point, result.violation};
+  if (result.state == SpaceProgramState::balls_disjoint) target.own = decision.own_velocity;
+  if (result.state == SpaceProgramState::least_unsafe && hard.count > 0)
+    target.own = nearest_point(hard, balls, result.point, program).point;
+  return target;
+}
+
+// Eq. (23) for the aim. A robot that is free mostly gets what its limits alone allow. So only those
+// half-spaces are computed first that may not contain it; where one does not, all of them are.
+Target target_of_aim(const Decision& decision, Vec3 own_aim) {
+  PlanWorkspace::Scratch& scratch = decision.scratch;
+  scratch.has_all = false;
+  const Bodies& bodies = decision.around.bodies;
+  const bool has_wash = bodies.has_downwash || decision.robot.downwash > 0.0;
+  if (decision.around.is_free && scratch.hard.count == 0 && !has_wash) {
+    const Vec3 alone = target_of(decision, scratch.hard, own_aim).own;
+    pairs_without(decision.look, decision.in_space(alone), bodies, scratch.looked);
+    const Target target = target_of(decision, collect_half_spaces(decision), own_aim);
+    if (target.own == alone && target.violation == 0.0) return target;
+  }
+  return target_of(decision, all_half_spaces(decision), own_aim);
 }
 
 // The velocity that Eq. (23) is given for a wish, m/s (docs/smoothness.md).
@@ -179,7 +207,7 @@ Choice choose_and_arrive(const Decision& decision, Vec3 wish, Vec3 own_aim, cons
   Choice next = choice;
   if (turns) {
     const Vec3 turned = decision.own(turned_right(wish, decision.axis, detour.angle));
-    const Target off = target_of(decision, scratch.half_spaces.columns, turned);
+    const Target off = target_of(decision, all_half_spaces(decision), turned);
     next = choose_near(executed(decision, off.own, decision.haste.gain));
   }
   if (left < kFree) {
@@ -241,24 +269,25 @@ Plan plan_to(Vec3 velocity, Vec3 next_velocity, const StepLaw& law) {
 }
 
 // What one look at the bodies finds.
-void look_around(const PlannerOptions& options, const Horizon& horizon, const StepLaw& law,
+Look look_around(const PlannerOptions& options, const Horizon& horizon, const StepLaw& law,
                  const Robot& robot, const Surroundings& around, PlanWorkspace::Scratch& scratch) {
   Constraints& constraints = scratch.choice.constraints;
   const bool is_known = around.self >= 0.0;
   const Braking own = is_known ? around.bodies.braking(static_cast<std::size_t>(around.self))
                                : braking_of(robot, law);
   begin_constraints(robot, own, law, constraints);
-  const Look look{.robot = robot,
-                  .braking = constraints.own,
-                  .deviation = constraints.deviation,
-                  .law = law,
-                  .horizon = horizon,
-                  .control_time = options.control_time,
-                  .self = around.self,
-                  .range = around.range,
-                  .traffic_range = traffic_range(robot),
-                  .certified = options.certificate != Certificate::none};
+  Look look{.robot = robot,
+            .braking = constraints.own,
+            .deviation = constraints.deviation,
+            .law = law,
+            .horizon = horizon,
+            .control_time = options.control_time,
+            .self = around.self,
+            .range = around.range,
+            .traffic_range = traffic_range(robot),
+            .certified = options.certificate != Certificate::none};
   look_at(look, around.bodies, around.runs, options.max_neighbors, scratch.looked);
+  return look;
 }
 
 void collect_all_constraints(const PlannerOptions& options, const StepLaw& law, const Robot& robot,
@@ -278,7 +307,7 @@ void collect_all_constraints(const PlannerOptions& options, const StepLaw& law, 
 Plan decide(const PlannerOptions& options, const Horizon& horizon, const StepLaw& law,
             const Robot& robot, const Surroundings& around, bool remembers,
             PlanWorkspace::Scratch& scratch, Detour& detour) {
-  look_around(options, horizon, law, robot, around, scratch);
+  const Look look = look_around(options, horizon, law, robot, around, scratch);
   if (!is_sound(detour)) detour = {};
   const Execution execution{response_law(options), law.braking_time, remembers};
   Decision decision{robot,
@@ -288,12 +317,14 @@ Plan decide(const PlannerOptions& options, const Horizon& horizon, const StepLaw
                     axis_across(robot.preferred_velocity),
                     to_own(robot.velocity, robot.vertical),
                     law.braking_time * to_own(detour.acceleration, robot.vertical),
+                    look,
+                    around,
                     scratch};
   if (!execution.law.is_gentle()) decision.own_last_change = {};
-  collect_half_spaces(decision, around, horizon);
+  collect_hard(decision, around.boxes);
   const Vec3 wish = wish_of(robot, around.bodies, scratch.looked, options, decision.axis, detour);
   const Vec3 own_aim = aim_of(decision, to_own(wish, robot.vertical), execution);
-  const Target target = target_of(decision, scratch.half_spaces.columns, own_aim);
+  const Target target = target_of_aim(decision, own_aim);
   collect_all_constraints(options, law, robot, around, scratch);
   Choice choice = choose_and_arrive(decision, wish, own_aim, target, detour);
   const bool is_certified = options.certificate != Certificate::none;

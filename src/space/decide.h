@@ -20,6 +20,8 @@ struct Surroundings {
   double range = std::numeric_limits<double>::infinity();  ///< m: others are not sensed
   std::span<const Box> boxes = {};
   std::span<const Mover> movers = {};
+  /// Whether nobody is expected to be in the robot's way. It changes the time of a decision alone.
+  bool is_free = false;
 };
 
 /// The decision of a robot whose inputs are valid. Updates the detour. `remembers`: whether the

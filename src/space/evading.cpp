@@ -43,8 +43,8 @@ Predicted predicted(const Evading& evading, const Mover& mover, const Level& lev
   other.asks_to_stop = level.stops;
   other.until = level.until * evading.search.longest;
   other.max_speed = mover.max_speed;
-  other.fastest = norm(mover.velocity) + time * norm(mover.acceleration) + error.velocity +
-                  other.deviation * (other.reaction + evading.braking);
+  other.fastest =
+      norm(mover.velocity) + error.velocity + other.deviation * (other.reaction + evading.braking);
   return other;
 }
 

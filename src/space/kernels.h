@@ -39,6 +39,7 @@ struct SpaceKernels {
   void (*fill_braking)(const StepLaw&, std::size_t first, std::size_t last, Bodies&);
   void (*find_seen)(const Look&, const Bodies&, std::span<const Run>, SeenColumns&);
   void (*judge_seen)(const Look&, const Bodies&, Looked&);
+  void (*find_pairs)(const Look&, const Vec3* velocity, const Bodies&, Looked&);
   // half_space_kernel.h
   void (*find_frames)(const SpacePairs&, HalfSpaces&);
   void (*turn_back)(const SpacePairs&, const OwnLimits&, HalfSpaces&);

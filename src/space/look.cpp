@@ -2,7 +2,7 @@
 #include "space/look.h"
 
 #include <algorithm>
-#include <numeric>
+#include <utility>
 
 #include "space/kernels.h"
 
@@ -15,21 +15,16 @@ void grow(std::size_t size, std::initializer_list<std::vector<double>*> columns)
 
 // Limits the half-spaces to those of the nearest `most` bodies that are seen.
 void limit_to_nearest(std::size_t most, const Bodies& bodies, const SeenColumns& seen,
-                      std::vector<std::uint32_t>& order, Look& look) {
+                      std::vector<std::pair<double, double>>& nearest, Look& look) {
   if (seen.count <= most) return;
   look.farthest_squared = -1.0;
   if (most == 0) return;
-  order.resize(seen.count);
-  std::iota(order.begin(), order.end(), 0U);
-  const auto number = [&](std::uint32_t k) {
-    return bodies.number[static_cast<std::size_t>(seen.place[k])];
-  };
-  const auto last = order.begin() + static_cast<std::ptrdiff_t>(most - 1);
-  std::nth_element(order.begin(), last, order.end(), [&](std::uint32_t a, std::uint32_t b) {
-    return seen.squared[a] != seen.squared[b] ? seen.squared[a] < seen.squared[b]
-                                              : number(a) < number(b);
-  });
-  look.farthest_squared = seen.squared[*last], look.farthest_number = number(*last);
+  nearest.clear();
+  for (std::size_t k = 0; k < seen.count; ++k)
+    nearest.emplace_back(seen.squared[k], bodies.number[static_cast<std::size_t>(seen.place[k])]);
+  const auto last = nearest.begin() + static_cast<std::ptrdiff_t>(most - 1);
+  std::nth_element(nearest.begin(), last, nearest.end());
+  look.farthest_squared = last->first, look.farthest_number = last->second;
 }
 
 void put_in_order(const Bodies& bodies, Looked& looked) {
@@ -53,20 +48,28 @@ void SpacePairs::reserve(std::size_t pairs) {
   grow(size, {&p[0], &p[1], &p[2], &v[0], &v[1], &v[2], &radius, &reach, &share, &number});
 }
 
-void look_at(Look look, const Bodies& bodies, std::span<const Run> runs,
+void look_at(Look& look, const Bodies& bodies, std::span<const Run> runs,
              std::optional<int> max_neighbors, Looked& looked) {
   std::size_t most = 0;
   for (const Run& run : runs) most += run.last - run.first;
   looked.seen.reserve(most);
-  looked.pairs.reserve(most);
   looked.near.clear(), looked.beside.clear();
-  looked.pairs.count = 0;
   kernels().find_seen(look, bodies, runs, looked.seen);
   if (max_neighbors)
-    limit_to_nearest(static_cast<std::size_t>(*max_neighbors), bodies, looked.seen, looked.places,
+    limit_to_nearest(static_cast<std::size_t>(*max_neighbors), bodies, looked.seen, looked.nearest,
                      look);
   kernels().judge_seen(look, bodies, looked);
   put_in_order(bodies, looked);
+}
+
+void pairs_that_cut(const Look& look, const Bodies& bodies, Looked& looked) {
+  looked.pairs.reserve(looked.seen.count);
+  kernels().find_pairs(look, nullptr, bodies, looked);
+}
+
+void pairs_without(const Look& look, Vec3 velocity, const Bodies& bodies, Looked& looked) {
+  looked.pairs.reserve(looked.seen.count);
+  kernels().find_pairs(look, &velocity, bodies, looked);
 }
 
 }  // namespace avo::space

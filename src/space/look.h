@@ -8,6 +8,7 @@
 #include <limits>
 #include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "avo/horizon.h"
@@ -72,6 +73,7 @@ struct NearBody {
   std::uint32_t place;
   double number;  ///< Bodies::number
   double gap = kUnknownGap, against = 1.0;
+  double inflated = 0.0, share = 0.0;  ///< of the pair; set where the gap is known
 };
 
 /// Scratch memory and result; allocates only while it grows.
@@ -81,12 +83,19 @@ struct Looked {
   std::vector<NearBody> near;         ///< by ascending number
   double ahead = 0.0;                 ///< see Traffic::ahead
   std::vector<std::uint32_t> beside;  ///< places of bodies that may be nearly in contact, as well
-  std::vector<std::uint32_t> places;  ///< scratch memory
+  // scratch memory
+  std::vector<std::uint32_t> places;
+  std::vector<std::pair<double, double>> nearest;  // squared distances and numbers
 };
 
 /// Looks at the bodies of these runs, which share no place. Of those within the range, the
-/// `max_neighbors` nearest may get half-spaces.
-void look_at(Look look, const Bodies& bodies, std::span<const Run> runs,
+/// `max_neighbors` nearest may get half-spaces. Sets all of the result but the pairs.
+void look_at(Look& look, const Bodies& bodies, std::span<const Run> runs,
              std::optional<int> max_neighbors, Looked& looked);
+
+/// Sets the pairs of a look whose half-spaces may cut into what the robot can choose.
+void pairs_that_cut(const Look& look, const Bodies& bodies, Looked& looked);
+/// Sets the pairs whose half-spaces may not contain one velocity in space, m/s.
+void pairs_without(const Look& look, Vec3 velocity, const Bodies& bodies, Looked& looked);
 
 }  // namespace avo::space

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The lanes of look_at(), and the braking of bodies (docs/space.md, "Leaving out early").
+// The lanes of look_at(), and the braking of bodies (docs/space.md, "Cost").
 #ifndef AVO_SPACE_LOOK_KERNEL_H
 #define AVO_SPACE_LOOK_KERNEL_H
 
@@ -132,11 +132,16 @@ AVO_KERNEL auto can_ignore(const PackLook<Real>& a, const PackSeen<Real>& seen,
   return body.are_equal & (far | (body.brake_alike & clear));
 }
 
-/// Returns whether the half-space of a pair surely contains all that A can choose. It is decided
-/// for half-spaces that touch the obstacle at the end of the horizon (docs/half_plane.md, lemma 2).
+/// What a half-space surely contains. It is known where the half-space touches the obstacle at the
+/// end of the horizon (docs/half_plane.md, lemma 2).
 template <typename Real>
-AVO_KERNEL auto contains_all(const PackLook<Real>& a, const PackSeen<Real>& seen,
-                             const PackBody<Real>& body) {
+struct PackContained {
+  decltype(Real() < Real()) everything;  // that A can choose
+  decltype(Real() < Real()) velocity;    // v_A + change
+};
+template <typename Real>
+AVO_KERNEL PackContained<Real> contained(const PackLook<Real>& a, const PackSeen<Real>& seen,
+                                         const PackBody<Real>& body, const Vec<Real, 3>& change) {
   const Real rounding(kFarther), beyond(1e-9);  // m/s, more than what programs tolerate
   const Vec<Real, 3> x = seen.p + a.end_time * seen.v, y = seen.p + a.end_lag * seen.v;
   const Real length = norm(x), least = rounding * body.contact * length;
@@ -146,7 +151,8 @@ AVO_KERNEL auto contains_all(const PackLook<Real>& a, const PackSeen<Real>& seen
   const auto keeps_change = lift < -(a.gain * (rounding * a.change + beyond));
   const auto keeps_speed = dot(x, a.velocity) * a.gain + lift * length <
                            -(length * a.gain * (rounding * a.speed + beyond));
-  return touches_at_end & (keeps_change | keeps_speed);
+  const auto keeps = lift * length < a.gain * (dot(x, change) - beyond * length);
+  return {touches_at_end & (keeps_change | keeps_speed), touches_at_end & keeps};
 }
 
 /// What bodies ahead add to the traffic, see Traffic::ahead. It is a multiple of 2^-40, so that the
@@ -159,7 +165,12 @@ AVO_KERNEL Real traffic_of(const PackLook<Real>& a, const PackSeen<Real>& seen,
   const Real in_front = -dot(seen.p, a.way) * per_distance * a.per_front;
   const Real closes = one - dot(seen.p, seen.v) * per_distance * a.per_closing;
   const Real rests = two - speed * a.per_slow;
-  const Real weight = body.defers * (one - seen.distance * a.per_range) *
+  // the miss distance, in contact distances, where both keep their velocities
+  const Real squared = dot(seen.v, seen.v);
+  const Real time = max(-dot(seen.p, seen.v), zero) / select(squared > zero, squared, one);
+  const Real miss = norm(seen.p + time * seen.v);
+  const Real meets = min(max(two - miss / body.contact, zero), one);
+  const Real weight = meets * body.defers * (one - seen.distance * a.per_range) *
                       min(max(max(closes, rests), zero), one) * min(in_front, one);
   const auto counts = (seen.distance < a.traffic_range) & (in_front > zero);
   return select(counts, (weight + whole) - whole, zero);
@@ -271,12 +282,15 @@ AVO_KERNEL void judge_near(const space::Look& look, const space::Bodies& bodies,
     const auto clear = clearance.gap > clearance.against * Real(look.deviation.most_ahead) +
                                            Real(look.deviation.most_aside);
     alignas(64) double gaps[Real::kLanes], against[Real::kLanes];
+    alignas(64) double inflated[Real::kLanes], share[Real::kLanes];
     clearance.gap.store(gaps), clearance.against.store(against);
+    pair.inflated.store(inflated), pair.share.store(share);
     for (std::uint32_t lanes = bits(!(apart | clear)) & ((1U << count) - 1U); lanes != 0;
          lanes &= lanes - 1) {
       const auto lane = static_cast<std::size_t>(std::countr_zero(lanes));
+      const std::uint32_t at = places[first + lane];
       near.push_back(
-          {places[first + lane], bodies.number[places[first + lane]], gaps[lane], against[lane]});
+          {at, bodies.number[at], gaps[lane], against[lane], inflated[lane], share[lane]});
     }
   }
 }
@@ -336,16 +350,40 @@ AVO_KERNEL void judge_all(const space::Look& look, const space::Bodies& bodies,
       ahead = ahead + select(may_count, traffic_of(a, seen, body, field(bodies.speed)), Real(0.0));
   });
   looked.ahead = sum_of(ahead);
+}
+
+/// See pairs_that_cut() and, with a velocity, pairs_without().
+template <typename Real, bool kUniform>
+AVO_KERNEL void find_pairs(const space::Look& look, const Vec3* velocity,
+                           const space::Bodies& bodies, space::Looked& looked) {
+  const PackLook<Real> a(look, bodies);
   const bool has_wash = look.robot.downwash > 0.0 || bodies.has_downwash;
   const Real farthest(look.farthest_squared), last_number(look.farthest_number);
-  all([&](const auto& seen, const auto& body, const auto& field) {
-    const Real number = field(bodies.number);
-    const auto nearest =
-        (seen.squared < farthest) | ((seen.squared <= farthest) & (number <= last_number));
-    auto chosen = seen.counted & (seen.squared > Real(0.0)) & nearest;
-    if (!has_wash) chosen = chosen & !contains_all(a, seen, body);
-    if (any(chosen)) push(seen, body, number, chosen, look, bodies, looked.pairs);
-  });
+  const Vec<Real, 3> change =
+      constant<Real>(velocity != nullptr ? *velocity - look.robot.velocity : Vec3{});
+  for_all<Real, kUniform>(
+      a, look, bodies, looked.seen, [&](const auto& seen, const auto& body, const auto& field) {
+        const Real number = field(bodies.number);
+        const auto nearest =
+            (seen.squared < farthest) | ((seen.squared <= farthest) & (number <= last_number));
+        auto chosen = seen.counted & (seen.squared > Real(0.0)) & nearest;
+        if (!has_wash) {
+          const PackContained<Real> inside = contained(a, seen, body, change);
+          chosen = chosen & !inside.everything;
+          if (velocity != nullptr) chosen = chosen & !inside.velocity;
+        }
+        if (any(chosen)) push(seen, body, number, chosen, look, bodies, looked.pairs);
+      });
+}
+template <typename Real>
+void find_pairs(const space::Look& look, const Vec3* velocity, const space::Bodies& bodies,
+                space::Looked& looked) {
+  looked.pairs.count = 0;
+  if (looked.seen.count == 0) return;
+  if (bodies.is_uniform)
+    find_pairs<Real, true>(look, velocity, bodies, looked);
+  else
+    find_pairs<Real, false>(look, velocity, bodies, looked);
 }
 
 /// Sorts out what the bodies that are seen mean for A.

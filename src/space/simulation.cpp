@@ -193,7 +193,8 @@ struct Simulation::State {
                      .self = static_cast<double>(at),
                      .range = sensing_radius,
                      .boxes = worker.boxes,
-                     .movers = worker.movers});
+                     .movers = worker.movers,
+                     .is_free = plans[k].status == PlanStatus::optimal});
     sense_robots(k, runs, worker);
     const Run all{0, worker.scratch.bodies.count};
     decide({.bodies = worker.scratch.bodies,

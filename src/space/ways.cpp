@@ -14,13 +14,21 @@ WayState now_of(const WaySearch& search) {
   return {{}, search.robot.velocity, 0.0};
 }
 
+// s: how long the room (m, > 0) lasts from that time on. After s seconds the two come nearer by c +
+// |a| s in a second, with c of that time.
+double lasts(const WaySearch& search, const Predicted& other, double room, double time) {
+  const double pull = norm(other.acceleration);
+  const double closing = search.max_speed + other.fastest + time * pull;
+  return 2.0 * room / (closing + std::sqrt(closing * closing + 2.0 * pull * room));
+}
+
 // Stores how long the moving obstacle of that number cannot touch A.
 void look_at(WaySearch& search, std::size_t k, const WayState& state) {
   const Predicted& other = search.others[k];
   const double room = room_to(other, state.position, state.time);
-  if (room > 0.0)
-    search.clear_until[k] =
-        std::max(search.clear_until[k], state.time + room / (search.max_speed + other.fastest));
+  if (!(room > 0.0)) return;
+  const double until = state.time + lasts(search, other, room, state.time);
+  search.clear_until[k] = std::max(search.clear_until[k], until);
 }
 
 bool is_known(const WaySearch& search, Vec3 place) {
@@ -109,7 +117,7 @@ Stop stop_before(WaySearch& search, std::size_t k, const WayState& state,
                  const FullBraking& braking, bool may_be_clear) {
   const Predicted& other = search.others[k];
   const StepLaw& law = search.law;
-  const double h = law.time_step, closing = search.max_speed + other.fastest;
+  const double h = law.time_step;
   bool clear = may_be_clear;
   double clear_until = search.clear_until[k];
   for (int m = 0; m < braking.steps; ++m) {
@@ -128,7 +136,8 @@ Stop stop_before(WaySearch& search, std::size_t k, const WayState& state,
       clear = clear && keeps_off(relative, kept);
     }
     if (!clear && !other.asks_to_stop) break;
-    clear_until = time + room_before_rest(other, own.start, state.time, h * m) / closing;
+    const double room = room_before_rest(other, own.start, state.time, h * m);
+    clear_until = room > 0.0 ? time + lasts(search, other, room, time) : time;
   }
   // the slowest test comes last
   clear = clear && rests_clear(other, braking.end, state.time + h * braking.steps);

@@ -40,7 +40,7 @@ struct WaySearch {
   double longest = 0.0;    ///< s, until it brakes
   /// m: it stays within this distance of p_A, where it knows the boxes
   double known = std::numeric_limits<double>::infinity();
-  std::vector<Predicted> others;
+  std::vector<Predicted> others;  ///< `fastest` without the effect of the acceleration
   std::vector<Box> boxes;
   BoxConstraints of_boxes;
   // s, until these times no motion of A matters to each of the others. They are counted from now

@@ -17,6 +17,7 @@ struct PlanWorkspace::Scratch {
   Looked looked;
   HalfSpaceColumns hard;                      ///< in v', in the robot's own space
   HalfSpaces half_spaces;                     ///< the hard ones first
+  bool has_all = false;                       ///< whether these are all that can cut
   std::vector<HalfSpace> speeds, own_speeds;  ///< of boxes; and all hard ones, in its own space
   ChoiceWorkspace choice;
   WaySearch ways;                    ///< out, beside moving obstacles

@@ -36,7 +36,7 @@ WaySearch search_of(Draws& draws) {
     other.stop_contact = other.contact;
     other.asks_to_stop = draws.below(4) != 0;
     if (draws.below(2) == 0) other.deviation = draws.between(0.0, 0.3), other.reaction = 1.0;
-    other.fastest = norm(other.velocity) + 20.0 * norm(other.acceleration) + 20.0 * other.deviation;
+    other.fastest = norm(other.velocity) + 20.0 * other.deviation;
     search.others.push_back(other);
   }
   return search;
