@@ -54,6 +54,7 @@ struct Metrics::State {
   std::vector<Plan> last;
   std::vector<Robot> robots;
   std::vector<std::size_t> unreachable;
+  std::vector<double> left;  // m, from the end of each robot's route to its goal
   double time = 0.0;
 
   explicit State(const Scenario& scene)
@@ -161,6 +162,8 @@ void Metrics::observe(const Simulation& simulation) {
   state.summary.steps = simulation.steps();
   state.time = simulation.time();
   state.unreachable = simulation.unreachable();
+  state.left.assign(simulation.size(), 0.0);
+  for (const std::size_t k : state.unreachable) state.left[k] = simulation.way(k).distance_left;
 }
 
 RunSummary Metrics::summary() const {
@@ -202,6 +205,7 @@ RunSummary Metrics::summary() const {
     if (state.trips[k].arrival) continue;
     NotArrived& entry = summary.not_arrived.emplace_back();
     entry.robot = k;
+    entry.distance_left = state.left[k];
     entry.distance = norm(state.trips[k].goal - state.robots[k].position);
     entry.speed = norm(state.robots[k].velocity);
     entry.status = state.last[k].status;

@@ -281,7 +281,9 @@ Vec3 Simulation::goal(std::size_t robot) const {
   return state_->scenario.robots[robot].goal;
 }
 bool Simulation::is_at_goal(std::size_t robot) const {
-  return norm(goal(robot) - state_->robots[robot].position) <= state_->scenario.arrival_distance;
+  const Vec3 position = state_->robots[robot].position, to = goal(robot);
+  return norm(to - position) <= state_->scenario.arrival_distance &&
+         !state_->ways.is_behind_box(robot, position, to);
 }
 
 Simulation::Way Simulation::way(std::size_t robot) const {

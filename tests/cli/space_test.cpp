@@ -74,6 +74,29 @@ TEST(SpaceScenes, run_records_what_the_library_simulates_and_check_judges_it) {
   EXPECT_THAT(check.out, HasSubstr("safe"));
 }
 
+TEST(SpaceScenes, goals_out_of_reach_are_named_in_one_line_each) {
+  const std::string scene = path_of("closed.yaml");
+  write_file(scene, R"(version: 1
+space: 3
+duration: 5
+robots:
+  - {position: [-4, 0, 0], goal: [4, 0, 0]}
+  - {position: [-4, 2, 0], goal: [-0.5, 2, 0]}
+obstacles:
+  - {box: {min: [-0.1, -40, -40], max: [0.1, 40, 40]}}
+  - {polyline: [[-30, -30], [30, -30], [30, 30], [-30, 30], [-30, -30]], height: [-30, 30]}
+  - {floor: -30}
+  - {ceiling: 30}
+)");
+  const ProcessResult told = run_avo({"validate", scene});
+  EXPECT_EQ(told.exit_code, 0) << told.err;
+  EXPECT_THAT(told.err, HasSubstr("robot 0: its goal [4, 0, 0] cannot be reached by any way"));
+  EXPECT_THAT(told.err, HasSubstr("robot 1: its goal [-0.5, 2, 0] is nearer to an obstacle than"));
+  const ProcessResult run = run_avo({"run", scene});
+  EXPECT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_THAT(run.err, HasSubstr("0 (to 4.6"));
+}
+
 TEST(SpaceScenes, check_finds_what_is_wrong) {
   const std::string scene = path_of("two.yaml"), csv = path_of("two.csv");
   write_file(scene,

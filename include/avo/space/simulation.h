@@ -39,7 +39,8 @@ class AVO_API Simulation {
   /// The moving obstacles of the scene as they are now, exactly; valid until the next step.
   [[nodiscard]] std::span<const Mover> movers() const;
   [[nodiscard]] Vec3 goal(std::size_t robot) const;  ///< m
-  /// Returns whether the robot is within the arrival distance of its goal.
+  /// Returns whether the robot is within the arrival distance of its goal. With `navigation`, no
+  /// box may be between it and a goal that it can reach.
   [[nodiscard]] bool is_at_goal(std::size_t robot) const;
 
   /// The rest of a robot's route.

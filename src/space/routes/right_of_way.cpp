@@ -16,7 +16,7 @@ constexpr double kGate = 1.3;         // radii of the passage, from the mouth to
 constexpr double kEntrance = 2.5;  // radii of the passage, from there: who stands in the entrance
 constexpr double kBeside = 1.1;    // of contact
 constexpr double kPatience = 8.0;  // s
-constexpr double kBack = 2.5, kBackAside = 2.0;  // radii: where the second robot goes meanwhile
+constexpr double kBack = 1.0, kBackAside = 1.5;  // radii: where the second robot goes meanwhile
 constexpr double kBesideFaces = 1.1;  // radii, that a robot in a lane keeps from the faces
 
 // Calls visit(from, to, before) for the pieces of the route until it returns false, or the route
@@ -95,7 +95,7 @@ void append_claims(const SpacePassages& passages, const Solids& solids, Vec3 pos
     const auto claim = seen_claim(passage.plane, k, place, folded);
     if (!claim) continue;
     const Vec3 mouth = passage.point(claim->forward ? 0.0 : passage.length(), {}, 0.0);
-    if (!claim->inside && !solids.is_clear(position, mouth, 0.0)) continue;
+    if (!claim->inside && !solids.sees(position, mouth)) continue;
     claims.of[k].push_back({{.claim = *claim, .position = place}, position, robot});
   }
 }
@@ -116,7 +116,9 @@ SpaceCourse right_of_way(const SpacePassages& passages, const SpaceClaims& claim
   const Course course =
       right_of_way(passage.plane, own, robot.braking, others, robot.sensing_radius);
   SpaceCourse result{.stops = course.stops, .max_speed = course.max_speed};
-  if (!course.target && !claim->inside && is_second(passage, robot, claim->forward)) {
+  const double entered = claim->forward ? in.along : passage.length() - in.along;
+  if (!course.target && entered < kGate * passage.plane.radius &&
+      is_second(passage, robot, claim->forward)) {
     result.is_after_others = true;
     const double out = kBack * passage.plane.radius;
     result.target = passage.point(claim->forward ? -out : passage.length() + out, across,

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "space/own_space.h"
 #include "space/routes/tighten.h"
@@ -13,10 +14,12 @@ namespace {
 constexpr double kCarried = 0.3;      // radii that others may carry a robot off its route at a bend
 constexpr double kBraking = 1.6;      // twice the part of its braking that it plans with
 constexpr double kCutsCorners = 0.5;  // of the room of routes, that a robot keeps on its way
+constexpr double kScrapes = 0.9;      // radii: a robot that touches a box sees past it like this
 constexpr double kSlidesWithin = 6.0;  // radii: nearer to a bend it looks round the bend
 constexpr double kAtBend = 0.5;        // radii: there it has to see past the bend
 constexpr int kBisections = 5;
-constexpr int kGoesBack = 3;  // bends
+constexpr int kGoesBack = 3;      // bends
+constexpr double kReturns = 8.0;  // radii: to a bend that is farther it does not go back
 
 // The robot's place, and what it keeps from boxes on its way.
 RoutePoint start_of(const Solids& solids, Vec3 position, double radius) {
@@ -30,20 +33,24 @@ double turn_of(Vec3 a, Vec3 b) {
   return dot(a, b) <= 0.0 ? 1.0 : norm(cross(a, b)) / lengths;
 }
 
-// The farthest place of the leg behind the next bend that the robot sees.
-RoutePoint past_bend(const Solids& solids, const RoutePoint& start, const RoutePoint& bend,
-                     const RoutePoint& next) {
-  const auto between = [&](double part) {
-    return RoutePoint{bend.place + part * (next.place - bend.place),
-                      std::min(bend.room, next.room)};
-  };
-  if (!is_way(solids, start, bend)) return bend;
-  double seen = 0.0, hidden = 1.0;
+// A straight piece of a route.
+struct RouteLeg {
+  RoutePoint from, to;
+  [[nodiscard]] RoutePoint at(double part) const {
+    return {from.place + part * (to.place - from.place), std::min(from.room, to.room)};
+  }
+};
+
+// The farthest place of the leg that the robot sees, if it sees the place at that part.
+std::optional<RoutePoint> farthest_seen(const Solids& solids, const RoutePoint& start,
+                                        const RouteLeg& leg, double seen) {
+  if (!is_way(solids, start, leg.at(seen))) return std::nullopt;
+  double hidden = 1.0;
   for (int k = 0; k < kBisections; ++k) {
     const double part = 0.5 * (seen + hidden);
-    (is_way(solids, start, between(part)) ? seen : hidden) = part;
+    (is_way(solids, start, leg.at(part)) ? seen : hidden) = part;
   }
-  return between(seen);
+  return leg.at(seen);
 }
 
 // m/s: from which the robot can make all turns ahead (docs/navigation.md, "Speed").
@@ -71,20 +78,55 @@ std::size_t seen_from(const Solids& solids, const RoutePoint& start,
   return seen;
 }
 
-void move_on(Route& route, const RoutePoint& next) {
-  if (!route.is_moved) route.passed.push_back(route.points.front());
-  route.points.front() = next;
+// Moves the next point on along the leg behind it.
+bool moves_on(const Solids& solids, const RoutePoint& start, Route& route) {
+  const RouteLeg leg{route.points[0], route.points[1]};
+  const auto next = farthest_seen(solids, start, leg, 0.0);
+  if (!next || next->place == leg.from.place) return false;
+  if (!route.is_moved) route.passed.push_back(leg.from);
+  route.points.front() = *next, route.is_moved = true;
+  return true;
+}
+
+// Puts a point before the others, in place of one that has moved on from the last bend.
+void put_first(Route& route, const RoutePoint& point) {
+  if (route.is_moved)
+    route.points.front() = point;
+  else
+    route.points.insert(route.points.begin(), point);
+}
+
+// Heads for the leg that the robot is beside, behind the last bend, where it sees that leg.
+bool returns_to_leg(const Solids& solids, const RoutePoint& start, Route& route) {
+  const RouteLeg leg{route.passed.back(), route.points[route.is_moved ? 1 : 0]};
+  const Vec3 way = leg.to.place - leg.from.place;
+  const double squared = norm_squared(way);
+  if (!(squared > 0.0)) return false;
+  const double beside = std::clamp(dot(start.place - leg.from.place, way) / squared, 0.0, 1.0);
+  const auto next = farthest_seen(solids, start, leg, beside);
+  if (!next) return false;
+  put_first(route, *next);
   route.is_moved = true;
+  return true;
 }
 
 void go_back(Route& route) {
   const RoutePoint last = route.passed.back();
-  if (route.is_moved)
-    route.points.front() = last;
-  else
-    route.points.insert(route.points.begin(), last);
+  put_first(route, last);
   route.passed.pop_back();
   route.is_moved = false;
+}
+
+// Returns whether the robot sees its route again, by a few bends at most.
+bool returns(const Solids& solids, const RoutePoint& start, double radius, Route& route) {
+  for (int k = 0; k < kGoesBack && !route.passed.empty(); ++k) {
+    if (returns_to_leg(solids, start, route)) return true;
+    go_back(route);
+    const RoutePoint& bend = route.points.front();
+    if (norm(bend.place - start.place) < kReturns * radius && is_way(solids, start, bend))
+      return true;
+  }
+  return false;
 }
 
 }  // namespace
@@ -101,23 +143,13 @@ bool advance(const Solids& solids, Vec3 position, double radius, Route& route) {
   if (route.points.empty()) return false;
   const RoutePoint start = start_of(solids, position, radius);
   pass(route, seen_from(solids, start, route.points));
-  const RoutePoint nearer{position, std::min(start.room, radius)};
+  const RoutePoint nearer{position, std::min(start.room, kScrapes * radius)};
   const auto is_within = [&](double radii) {
     return route.points.size() > 1 && norm(route.points[0].place - position) < radii * radius;
   };
-  const auto moves_on = [&](const RoutePoint& from) {
-    const RoutePoint next = past_bend(solids, from, route.points[0], route.points[1]);
-    if (next.place == route.points[0].place) return false;
-    move_on(route, next);
-    return true;
-  };
-  const bool moves = is_within(kSlidesWithin) && moves_on(start);
-  if (!moves && is_within(kAtBend) && !moves_on(nearer)) return false;
-  for (int k = 0; k < kGoesBack && !is_way(solids, nearer, route.points.front()); ++k) {
-    if (route.passed.empty()) return false;
-    go_back(route);
-  }
-  return is_way(solids, nearer, route.points.front());
+  const bool moves = is_within(kSlidesWithin) && moves_on(solids, start, route);
+  if (!moves && is_within(kAtBend) && !moves_on(solids, nearer, route)) return false;
+  return is_way(solids, nearer, route.points.front()) || returns(solids, nearer, radius, route);
 }
 
 SpaceHeading heading_on(const Robot& robot, double preferred_speed, const Route& route) {

@@ -133,12 +133,13 @@ std::uint32_t Solids::build(std::uint32_t first, std::uint32_t count) {
   nodes_.push_back(node);
   if (count <= kLeaf) return number;
   const int axis = widest_axis(middles);
-  const auto begin = order_.begin() + first;
-  std::sort(begin, begin + count, [&](std::uint32_t a, std::uint32_t b) {
-    const double x = part_of(middle_of(bounds_[a]), axis);
-    const double y = part_of(middle_of(bounds_[b]), axis);
-    return x < y || (x == y && a < b);
-  });
+  const auto begin = order_.begin() + static_cast<std::ptrdiff_t>(first);
+  std::sort(begin, begin + static_cast<std::ptrdiff_t>(count),
+            [&](std::uint32_t a, std::uint32_t b) {
+              const double x = part_of(middle_of(bounds_[a]), axis);
+              const double y = part_of(middle_of(bounds_[b]), axis);
+              return x < y || (x == y && a < b);
+            });
   build(first, count / 2);
   const std::uint32_t right = build(first + count / 2, count - count / 2);
   nodes_[number].right = right;

@@ -46,12 +46,15 @@ class Solids {
   [[nodiscard]] Away away(Vec3 place, double most) const;
   /// Returns whether the segment keeps more than that distance, m, from all boxes.
   [[nodiscard]] bool is_clear(Vec3 a, Vec3 b, double room) const;
+  /// Returns whether no box is between two places. Two boxes that touch leave nothing to see.
+  [[nodiscard]] bool sees(Vec3 a, Vec3 b) const { return is_clear(a, b, kSight); }
   /// m: how far a ray gets, `most` at most. direction: unit.
   [[nodiscard]] double free_way(Vec3 from, Vec3 direction, double most) const;
   /// Appends the numbers of all boxes that come near the bounds, in ascending order.
   void collect(const Bounds& bounds, std::vector<std::uint32_t>& found) const;
 
  private:
+  static constexpr double kSight = 1e-9;  // m
   // A node of the tree. Its left child follows it; a leaf has no right child.
   struct Node {
     Bounds bounds;

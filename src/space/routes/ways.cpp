@@ -130,10 +130,14 @@ void SpaceWays::follow(const Robot& robot, Vec3 goal, Route& route, WayScratch& 
       route_length(position, route.points) <= kAsShort * route_length(position, found.points);
   if (stays || (found.points.empty() && !route.points.empty())) return;
   if (found.points.empty()) found.points.push_back(start);  // it is enclosed, and rests
-  route.passed.clear(), route.is_moved = false;
+  route.passed.assign(1, start), route.is_moved = false;
   route.points = std::move(found.points), route.reaches = found.reaches;
   route.is_in_box = found.is_in_box;
   route.left = found.reaches ? 0.0 : norm(goal - route.points.back().place);
+}
+
+bool SpaceWays::is_behind_box(std::size_t k, Vec3 position, Vec3 goal) const {
+  return solids_.size() > 0 && routes_[k].reaches && !solids_.sees(position, goal);
 }
 
 void SpaceWays::look(std::size_t k, const Robot& robot, Vec3 goal, WayScratch& scratch) {

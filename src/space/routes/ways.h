@@ -56,6 +56,8 @@ class SpaceWays {
   [[nodiscard]] const Route* route(std::size_t k) const {
     return routes_[k].is_searched ? &routes_[k] : nullptr;
   }
+  /// Returns whether a box is between robot k and a goal that it can reach.
+  [[nodiscard]] bool is_behind_box(std::size_t k, Vec3 position, Vec3 goal) const;
   [[nodiscard]] const SpacePassages& passages() const { return passages_; }
   [[nodiscard]] bool has_boxes() const { return solids_.size() > 0; }
 
