@@ -206,7 +206,18 @@ ViewsInPlane views_in_plane(const space::Scenario& scenario,
       for (Vec2& point : chain.points) point = point + views.shift;
     views.scenario.obstacles.push_back(obstacle);
   }
+  for (MovingObstacle& mover : side.moving_obstacles) {
+    mover.position = mover.position + views.shift;
+    views.scenario.moving_obstacles.push_back(mover);
+  }
   return views;
+}
+
+std::vector<Vec3> movers_at(const space::Scenario& scenario, double time) {
+  std::vector<Vec3> places;
+  for (const space::MovingObstacle& mover : scenario.moving_obstacles)
+    places.push_back(state_at(mover, time).position);
+  return places;
 }
 
 }  // namespace avo::figures

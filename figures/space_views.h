@@ -39,7 +39,7 @@ class SpaceRecorder {
                                      const std::string& path, FigureOptions options = {});
 
 /// A scene of space as one of the plane, with the elevation to the right of the plan. Robot k of n
-/// is disc k of the plan, and disc n + k of the elevation.
+/// is disc k of the plan, and disc n + k of the elevation. So it is with moving obstacles.
 struct ViewsInPlane {
   Scenario scenario;
   Vec2 shift;  ///< m, of the elevation
@@ -52,5 +52,7 @@ struct ViewsInPlane {
 /// frames: all places that a picture has to contain.
 [[nodiscard]] ViewsInPlane views_in_plane(const space::Scenario& scenario,
                                           const std::vector<SpaceRecorder::Frame>& frames);
+/// The places of the moving obstacles at that time, s; m.
+[[nodiscard]] std::vector<Vec3> movers_at(const space::Scenario& scenario, double time);
 
 }  // namespace avo::figures

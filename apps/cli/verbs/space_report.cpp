@@ -28,11 +28,10 @@ avo_io::RecordedRun in_plane(const SpaceRecordingShown& shown) {
   run.travelers = static_cast<std::int64_t>(shown.scenario.robots.size());
   run.moments = shown.run.moments;
   for (const avo_io::SpaceFrame& frame : shown.run.frames)
-    run.frames.push_back({frame.time,
-                          views.places(frame.position),
+    run.frames.push_back({frame.time, views.places(frame.position),
                           std::vector<double>(2 * frame.position.size(), 0.0),
                           views.twice(frame.there),
-                          {}});
+                          views.places(figures::movers_at(shown.scenario, frame.time))});
   return run;
 }
 

@@ -229,7 +229,8 @@ std::optional<SpaceRecordingShown> space_run_of(const std::string& recording,
   SpaceRecordingShown shown{std::move(found->header), std::move(found->scenario), {}, {}};
   shown.run = avo_io::read_space_run(recording, shown.scenario, most_frames);
   for (const avo_io::SpaceFrame& frame : shown.run.frames)
-    shown.frames.push_back({frame.time, frame.position});
+    shown.frames.push_back(
+        {frame.time, frame.position, avo::figures::movers_at(shown.scenario, frame.time)});
   return shown;
 }
 

@@ -165,12 +165,15 @@ Film film_of(const VideoArguments& arguments) {
     const auto reader =
         std::make_shared<avo_io::SpaceFrameReader>(arguments.recording, in_space->scenario);
     film.views = 2;
-    film.at = [reader, views](double time) -> std::optional<figures::TrajectoryFrame> {
+    film.at = [reader, views,
+               scene = in_space->scenario](double time) -> std::optional<figures::TrajectoryFrame> {
       const auto frame = reader->at(time);
       if (!frame) return std::nullopt;
-      return figures::TrajectoryFrame{.time = frame->time,
-                                      .position = views.places(frame->position),
-                                      .there = views.twice(frame->there)};
+      return figures::TrajectoryFrame{
+          .time = frame->time,
+          .position = views.places(frame->position),
+          .obstacle_position = views.places(figures::movers_at(scene, frame->time)),
+          .there = views.twice(frame->there)};
     };
     return film;
   }
