@@ -65,6 +65,7 @@ void MoverContacts::observe(const Simulation& simulation, std::span<const Vec2> 
   for (const Disc& disc : discs_) widest = std::max(widest, disc.radius + disc.offset);
   for (const MovingObstacle& mover : movers.setup) largest = std::max(largest, mover.radius);
   movers_.build(movers.position, widest + largest);
+  near_.reserve(movers.id.size());  // later steps allocate nothing
   for (std::size_t row = 0; row < discs_.size(); ++row) {
     if (!discs_[row].parked) meet(simulation, positions[row], row, widest + largest);
   }

@@ -3,6 +3,7 @@
 #include "spatial/point_grid.h"
 
 #include <algorithm>
+#include <bit>
 #include <numeric>
 
 #include "core/plane.h"
@@ -29,6 +30,9 @@ double side_without_radius(std::span<const Vec2> positions) {
 }  // namespace
 
 void PointGrid::build(std::span<const Vec2> positions, double radius) {
+  // as many slots as make_cells() may ever choose: points that spread out allocate nothing
+  constexpr std::size_t kMostSlotsOfFew = 1024;
+  sort_.begin.reserve(std::bit_ceil(std::max(2 * positions.size(), kMostSlotsOfFew)) + 2);
   radius_ = searchable(radius);
   prepare(make_cells(positions, radius > 0.0 ? radius_ : side_without_radius(positions)),
           positions.size());
