@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Trucks and forklifts, which are rows of discs, among walls and each other: they pass, and touch
-// nothing (docs/certificate/footprints.md, "Trucks in lanes").
+// nothing (docs/certificate/footprints.md, "Lanes, corners and yards").
 #include <algorithm>
 #include <gtest/gtest.h>
 #include <numbers>
