@@ -107,9 +107,9 @@ Vec3 relative_place(const Robot& robot, const Neighbor& other, Vec3 v, double ti
 void collect_half_spaces(const avo::PlannerOptions& options, SpaceDecision& decision) {
   const avo::Horizon horizon(options.control_time, options.time_horizon, options.time_step);
   const Robot& self = decision.self;
-  const std::size_t most =
-      std::min(decision.neighbors.size(),
-               static_cast<std::size_t>(options.max_neighbors.value_or(avo::kMostRobots)));
+  std::size_t most = decision.neighbors.size();
+  if (options.max_neighbors)
+    most = std::min(most, static_cast<std::size_t>(*options.max_neighbors));
   for (std::size_t k = 0; k < most; ++k) {
     const Neighbor& other = decision.neighbors[k];
     const Vec3 v = self.velocity - other.velocity;

@@ -164,6 +164,24 @@ TEST(SpaceHdf5, readers_of_the_plane_refuse_it_in_one_line) {
   EXPECT_THAT(result.err, HasSubstr("found a recording of space, must be one of the plane here"));
 }
 
+TEST(SpaceHdf5, whole_blocks_of_a_run_that_was_cut_off_are_recovered) {
+  avo_io::SceneSource source;
+  const auto scene = avo_io::load_space_scenario(scene_file(), {"duration=20"}, &source);
+  const std::string h5 = path_of("cut.h5"), spool = h5 + ".part";
+  {
+    const auto recording = avo_io::open_space_recording(h5, *scene, source);
+    avo::space::Simulation simulation(*scene);
+    for (int k = 0; k < 150; ++k, simulation.step()) recording->add(simulation);
+  }
+  EXPECT_FALSE(exists(h5));
+  EXPECT_EQ(run_avo({"replay", spool}).exit_code, 0);
+  const ProcessResult recovered = run_avo({"recover", spool});
+  EXPECT_EQ(recovered.exit_code, 7) << recovered.err;
+  EXPECT_THAT(recovered.out, HasSubstr("128 times, until 12.7"));
+  EXPECT_EQ(run_avo({"check", h5}).exit_code, 0);
+  EXPECT_THAT(run_avo({"replay", h5}).out, HasSubstr("128 times of 9 robots are equal"));
+}
+
 TEST(SpaceHdf5, forged_files_are_refused_in_one_line) {
   constexpr double kNoNumber = std::numeric_limits<double>::quiet_NaN();
   const std::string h5 = path_of("space.h5");
