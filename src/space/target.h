@@ -3,6 +3,7 @@
 #pragma once
 #include <span>
 
+#include "avo/export.h"
 #include "planner/execution.h"
 #include "space/decide.h"
 #include "space/look.h"
@@ -12,7 +13,7 @@
 namespace avo::space {
 
 /// The inputs of a decision. Velocities with `own` in their names are in the robot's own space.
-struct Decision {
+struct AVO_LOCAL Decision {
   const Robot& robot;
   const PlannerOptions& options;
   StepLaw law;
