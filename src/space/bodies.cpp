@@ -4,8 +4,8 @@
 #include <algorithm>
 
 #include "space/kernels.h"
-#include "space/look_kernel.h"
 #include "space/own_space.h"
+#include "space/seen_kernel.h"
 
 namespace avo::space {
 namespace {

@@ -54,6 +54,10 @@ void collect_constraints(const Robot& robot, const Bodies& bodies, std::span<con
 /// Appends the constraints of all pairs that wait.
 void append_waiting(const Robot& robot, const StepLaw& law, Constraints& constraints);
 
+/// Appends the constraints of the pairs that wait and can refuse the candidate v_1, m/s.
+void append_needed(const Robot& robot, Vec3 next_velocity, const StepLaw& law,
+                   Constraints& constraints);
+
 /// Returns whether the robot may have the velocity v_1 after this step, m/s. It is true for
 /// backup_velocity() wherever the invariant holds.
 bool admits(const Robot& robot, Vec3 next_velocity, const StepLaw& law, Asked asked_for,

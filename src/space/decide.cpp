@@ -13,9 +13,8 @@
 #include "space/arrival.h"
 #include "space/choice.h"
 #include "space/evasion.h"
-#include "space/half_spaces.h"
-#include "space/mover_planes.h"
 #include "space/own_space.h"
+#include "space/target.h"
 #include "space/workspace.h"
 
 namespace avo::space {
@@ -25,22 +24,6 @@ bool is_sound(const Detour& detour) {
   avo::Detour plane{detour.angle, detour.beside, detour.congestion};
   return avo::is_sound(plane) && is_finite(detour.acceleration);
 }
-
-// The inputs of a decision. Velocities with `own` in their names are in the robot's own space.
-struct Decision {
-  const Robot& robot;
-  const PlannerOptions& options;
-  StepLaw law;
-  Haste haste;
-  Vec3 axis;  ///< about which it turns to its right
-  Vec3 own_velocity, own_last_change;
-  const Look& look;
-  const Surroundings& around;
-  PlanWorkspace::Scratch& scratch;
-
-  Vec3 own(Vec3 a) const { return to_own(a, robot.vertical); }
-  Vec3 in_space(Vec3 a) const { return from_own(a, robot.vertical); }
-};
 
 using Lane = scalar::Pack<double>;
 
@@ -58,97 +41,6 @@ Vec3 executed(const Decision& decision, Vec3 own_target, double gain) {
 Vec3 reached(const Decision& decision, Vec3 own_target) {
   return scalar::plain(scalar::approach(in_lane(decision.own_velocity), in_lane(own_target),
                                         Lane(decision.haste.most)));
-}
-
-/// A target, and by how much it violates the half-spaces.
-struct Target {
-  Vec3 own;  ///< [v'] m/s
-  double violation = 0.0;
-};
-
-// The hard half-spaces, in the robot's own space.
-void collect_hard(const Decision& decision, std::span<const Box> boxes) {
-  const Robot& robot = decision.robot;
-  PlanWorkspace::Scratch& scratch = decision.scratch;
-  std::vector<HalfSpace>& speeds = scratch.speeds;
-  speeds.clear();
-  append_speed_planes(robot, boxes, decision.law, speeds);
-  std::vector<HalfSpace>& all = scratch.own_speeds;
-  all.clear();
-  append_climb(robot, all);
-  for (const HalfSpace& plane : speeds) all.push_back(to_own(plane, robot.vertical));
-  HalfSpaceColumns& hard = scratch.hard;
-  hard.count = 0;
-  hard.reserve(all.size());
-  // they come before all neighbors
-  for (const HalfSpace& plane : all)
-    hard.add(plane, static_cast<double>(hard.count) - static_cast<double>(all.size()));
-}
-
-// The hard half-spaces, and the soft ones of the pairs that the look has chosen last and of moving
-// obstacles, in the robot's own space.
-HalfSpaceColumns& collect_half_spaces(const Decision& decision) {
-  const Robot& robot = decision.robot;
-  PlanWorkspace::Scratch& scratch = decision.scratch;
-  HalfSpaceColumns& columns = scratch.half_spaces.columns;
-  columns.count = 0;
-  columns.reserve(scratch.hard.count);
-  for (std::size_t k = 0; k < scratch.hard.count; ++k)
-    columns.add(scratch.hard.at(k), scratch.hard.number[k]);
-  const OwnLimits own{robot.velocity, robot.vertical,
-                      decision.options.control_time * robot.max_acceleration, robot.max_speed};
-  append_half_spaces(scratch.looked.pairs, own, decision.look.horizon, scratch.half_spaces);
-  if (decision.around.movers.empty()) return columns;
-  scratch.of_movers.clear();
-  append_mover_planes(robot, decision.around.movers, decision.options, decision.look.horizon,
-                      scratch.of_movers);
-  columns.reserve(columns.count + scratch.of_movers.size());
-  double number = static_cast<double>(kMostRobots);  // they come after all neighbors
-  for (const HalfSpace& plane : scratch.of_movers)
-    columns.add(to_own(plane, robot.vertical), number++);
-  return columns;
-}
-
-// All half-spaces that can cut.
-HalfSpaceColumns& all_half_spaces(const Decision& decision) {
-  PlanWorkspace::Scratch& scratch = decision.scratch;
-  if (scratch.has_all) return scratch.half_spaces.columns;
-  scratch.has_all = true;
-  pairs_that_cut(decision.look, decision.around.bodies, scratch.looked);
-  return collect_half_spaces(decision);
-}
-
-// Eq. (23) among the half-spaces. Where nothing keeps all of them, the hard ones are kept, near the
-// least unsafe point.
-Target target_of(const Decision& decision, HalfSpaceColumns& half_spaces, Vec3 own_wish) {
-  const Robot& robot = decision.robot;
-  const std::array<Ball, 2> balls{
-      Ball{decision.own_velocity, decision.options.control_time * robot.max_acceleration},
-      Ball{{}, robot.max_speed}};
-  HalfSpaceColumns& hard = decision.scratch.hard;
-  SpaceProgramWorkspace& program = decision.scratch.choice.program;
-  const SpaceProgramResult result = nearest_point(half_spaces, balls, own_wish, program);
-  Target target{result.point, result.violation};
-  if (result.state == SpaceProgramState::balls_disjoint) target.own = decision.own_velocity;
-  if (result.state == SpaceProgramState::least_unsafe && hard.count > 0)
-    target.own = nearest_point(hard, balls, result.point, program).point;
-  return target;
-}
-
-// Eq. (23) for the aim. A robot that is free mostly gets what its limits alone allow. So only those
-// half-spaces are computed first that may not contain it; where one does not, all of them are.
-Target target_of_aim(const Decision& decision, Vec3 own_aim) {
-  PlanWorkspace::Scratch& scratch = decision.scratch;
-  scratch.has_all = false;
-  const Bodies& bodies = decision.around.bodies;
-  const bool has_wash = bodies.has_downwash || decision.robot.downwash > 0.0;
-  if (decision.around.is_free && scratch.hard.count == 0 && !has_wash) {
-    const Vec3 alone = target_of(decision, scratch.hard, own_aim).own;
-    pairs_without(decision.look, decision.in_space(alone), bodies, scratch.looked);
-    const Target target = target_of(decision, collect_half_spaces(decision), own_aim);
-    if (target.own == alone && target.violation == 0.0) return target;
-  }
-  return target_of(decision, all_half_spaces(decision), own_aim);
 }
 
 // The velocity that Eq. (23) is given for a wish, m/s (docs/smoothness.md).

@@ -6,9 +6,9 @@
 namespace avo::space {
 
 PairFrame frame_of(Vec3 p, Vec3 v) {
-  using One = scalar::Pack<double>;
-  const scalar::PackFrame<One> frame =
-      scalar::frame_of(scalar::constant<One>(p), scalar::constant<One>(v));
+  using Single = scalar::Pack<double>;
+  const scalar::PackFrame<Single> frame =
+      scalar::frame_of(scalar::constant<Single>(p), scalar::constant<Single>(v));
   return {frame.distance.value, scalar::plain(frame.along), scalar::plain(frame.across),
           scalar::plain(frame.velocity)};
 }

@@ -35,9 +35,10 @@ struct SpaceKernels {
   // admission_kernel.h
   bool (*keeps)(const Braking&, const CandidatePath&, const StepLaw&, bool, Asked,
                 ConstraintColumns&);
-  // look_kernel.h
+  // seen_kernel.h
   void (*fill_braking)(const StepLaw&, std::size_t first, std::size_t last, Bodies&);
   void (*find_seen)(const Look&, const Bodies&, std::span<const Run>, SeenColumns&);
+  // look_kernel.h
   void (*judge_seen)(const Look&, const Bodies&, Looked&);
   void (*find_pairs)(const Look&, const Vec3* velocity, const Bodies&, Looked&);
   // half_space_kernel.h
