@@ -83,10 +83,10 @@ robots:
   - {position: [-4, 0, 0], goal: [4, 0, 0]}
   - {position: [-4, 2, 0], goal: [-0.5, 2, 0]}
 obstacles:
-  - {box: {min: [-0.1, -40, -40], max: [0.1, 40, 40]}}
-  - {polyline: [[-30, -30], [30, -30], [30, 30], [-30, 30], [-30, -30]], height: [-30, 30]}
-  - {floor: -30}
-  - {ceiling: 30}
+  - {box: {min: [-0.1, -7, -7], max: [0.1, 7, 7]}}
+  - {polyline: [[-6, -6], [6, -6], [6, 6], [-6, 6], [-6, -6]], height: [-6, 6]}
+  - {floor: -6}
+  - {ceiling: 6}
 )");
   const ProcessResult told = run_avo({"validate", scene});
   EXPECT_EQ(told.exit_code, 0) << told.err;

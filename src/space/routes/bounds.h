@@ -28,10 +28,6 @@ struct Bounds {
     return low.x <= a.x && a.x <= high.x && low.y <= a.y && a.y <= high.y && low.z <= a.z &&
            a.z <= high.z;
   }
-  [[nodiscard]] bool meet(const Bounds& other) const {
-    return low.x <= other.high.x && other.low.x <= high.x && low.y <= other.high.y &&
-           other.low.y <= high.y && low.z <= other.high.z && other.low.z <= high.z;
-  }
   [[nodiscard]] Bounds grown(double by) const {
     const Vec3 all{by, by, by};
     return {low - all, high + all};

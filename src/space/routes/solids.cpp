@@ -86,25 +86,29 @@ Away away_from(Vec3 place, const Solid& solid) {
   return {distance - box.radius, solid.out((in - nearest) / distance)};
 }
 
-// The part of a + t d, t in [0, most], in which the place is between the bounds; empty where it
-// ends before it begins.
-struct Within {
-  double begin = 0.0, end = 0.0;
+/// A way a + t d, with what divides by d: a component 0 counts as a very small one.
+struct Line {
+  std::array<double, 3> from, per_way;
+
+  Line(Vec3 a, Vec3 d) : from{a.x, a.y, a.z}, per_way{inverse(d.x), inverse(d.y), inverse(d.z)} {}
+
+ private:
+  static double inverse(double x) { return x == 0.0 ? 1e300 : 1.0 / x; }
 };
-Within within(Vec3 a, Vec3 d, double most, const Bounds& bounds) {
-  Within part{0.0, most};
-  for (int axis = 0; axis < 3; ++axis) {
-    const double from = part_of(a, axis), way = part_of(d, axis);
-    const double low = part_of(bounds.low, axis), high = part_of(bounds.high, axis);
-    if (way == 0.0) {
-      if (from < low || from > high) return {1.0, 0.0};
-      continue;
-    }
-    const double first = (low - from) / way, second = (high - from) / way;
-    part.begin = std::max(part.begin, std::min(first, second));
-    part.end = std::min(part.end, std::max(first, second));
+
+// Where the line gets between the bounds, grown by `room`, for t in [0, most]; infinite where it
+// does not.
+double entry_of(const Line& line, double most, const Bounds& bounds, double room) {
+  const std::array<double, 3> low{bounds.low.x, bounds.low.y, bounds.low.z};
+  const std::array<double, 3> high{bounds.high.x, bounds.high.y, bounds.high.z};
+  double begin = 0.0, end = most;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const double first = (low[k] - room - line.from[k]) * line.per_way[k];
+    const double second = (high[k] + room - line.from[k]) * line.per_way[k];
+    begin = std::max(begin, std::min(first, second));
+    end = std::min(end, std::max(first, second));
   }
-  return part;
+  return begin <= end ? begin : Bounds::kFar;
 }
 
 double distance_to(Vec3 place, const Bounds& bounds) {
@@ -181,42 +185,27 @@ Away Solids::away(Vec3 place, double most) const {
 }
 
 bool Solids::is_clear(Vec3 a, Vec3 b, double room) const {
-  const Vec3 way = b - a;
-  return all_of(
-      [&](const Bounds& bounds) {
-        const Within part = within(a, way, 1.0, bounds.grown(room));
-        return part.begin <= part.end;
-      },
-      [&](std::uint32_t k) {
-        const Solid& solid = all_[k];
-        return nearest(solid.in(a), solid.in(b), solid.box).distance > room + solid.box.radius;
-      });
+  const Line line(a, b - a);
+  return all_of([&](const Bounds& bounds) { return entry_of(line, 1.0, bounds, room) <= 1.0; },
+                [&](std::uint32_t k) {
+                  const Solid& solid = all_[k];
+                  return nearest(solid.in(a), solid.in(b), solid.box).distance >
+                         room + solid.box.radius;
+                });
 }
 
 double Solids::free_way(Vec3 from, Vec3 direction, double most) const {
   double free = most;
-  const auto entry = [&](Vec3 a, Vec3 d, const Bounds& bounds) {
-    const Within part = within(a, d, free, bounds);
-    return part.begin <= part.end ? part.begin : Bounds::kFar;
-  };
-  all_of([&](const Bounds& bounds) { return entry(from, direction, bounds) < free; },
+  const Line line(from, direction);
+  all_of([&](const Bounds& bounds) { return entry_of(line, free, bounds, 0.0) < free; },
          [&](std::uint32_t k) {
            const Solid& solid = all_[k];
-           const Bounds own = Bounds{solid.box.min, solid.box.max}.grown(solid.box.radius);
-           free = std::min(free, entry(solid.in(from), solid.in(direction), own));
+           const Line own(solid.in(from), solid.in(direction));
+           free = std::min(free,
+                           entry_of(own, free, {solid.box.min, solid.box.max}, solid.box.radius));
            return true;
          });
   return free;
-}
-
-void Solids::collect(const Bounds& bounds, std::vector<std::uint32_t>& found) const {
-  found.clear();
-  all_of([&](const Bounds& other) { return bounds.meet(other); },
-         [&](std::uint32_t k) {
-           found.push_back(k);
-           return true;
-         });
-  std::sort(found.begin(), found.end());
 }
 
 }  // namespace avo::space

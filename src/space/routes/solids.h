@@ -50,8 +50,6 @@ class Solids {
   [[nodiscard]] bool sees(Vec3 a, Vec3 b) const { return is_clear(a, b, kSight); }
   /// m: how far a ray gets, `most` at most. direction: unit.
   [[nodiscard]] double free_way(Vec3 from, Vec3 direction, double most) const;
-  /// Appends the numbers of all boxes that come near the bounds, in ascending order.
-  void collect(const Bounds& bounds, std::vector<std::uint32_t>& found) const;
 
  private:
   static constexpr double kSight = 1e-9;  // m
