@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "core/ranges.h"
+#include "sim/floors.h"
 #include "sim/state/saved_state.h"
 #include "sim/travels.h"
 #include "sim/world.h"
