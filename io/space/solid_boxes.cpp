@@ -50,8 +50,8 @@ void make_finite(double& min, double& max, double low, double high) {
 SolidBox solid(const Box& box, const Extent& extent) {
   Vec3 min = box.min, max = box.max, low = extent.low, high = extent.high;
   if (box.heading != 0.0) {  // in the frame of the box
-    const double reach = std::hypot(std::max(std::abs(low.x), std::abs(high.x)),
-                                    std::max(std::abs(low.y), std::abs(high.y)));
+    const double reach = norm(avo::Vec2{std::max(std::abs(low.x), std::abs(high.x)),
+                                        std::max(std::abs(low.y), std::abs(high.y))});
     low.x = low.y = -reach, high.x = high.y = reach;
   }
   make_finite(min.x, max.x, low.x, high.x);

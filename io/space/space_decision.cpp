@@ -9,6 +9,7 @@
 
 #include "avo/error.h"
 #include "avo/half_plane.h"
+#include "core/elementary.h"
 #include "core/ranges.h"
 #include "io/space/space_words.h"
 
@@ -40,8 +41,8 @@ Neighbor seen(const Robot& robot) {
 
 // m: from the surface of the box to a point; 0 within it.
 double distance(const Box& box, Vec3 place) {
-  const double c = std::cos(box.heading), s = std::sin(box.heading);
-  const Vec3 in{c * place.x + s * place.y, c * place.y - s * place.x, place.z};
+  const avo::Vec2 axis = avo::elementary::direction(box.heading);
+  const Vec3 in{axis.x * place.x + axis.y * place.y, axis.x * place.y - axis.y * place.x, place.z};
   const Vec3 off{std::clamp(in.x, box.min.x, box.max.x) - in.x,
                  std::clamp(in.y, box.min.y, box.max.y) - in.y,
                  std::clamp(in.z, box.min.z, box.max.z) - in.z};
@@ -87,7 +88,7 @@ PairAxes axes_of(Vec3 p, Vec3 v) {
   if (norm(rest) > kParallel * norm(v)) {
     axes.across = rest / norm(rest);
   } else {
-    const double horizontal = std::hypot(p.x, p.y);
+    const double horizontal = norm(avo::Vec2{p.x, p.y});
     axes.across = horizontal > 1e-6 * std::abs(p.z) ? Vec3{-p.y / horizontal, p.x / horizontal, 0.0}
                                                     : Vec3{0.0, p.z < 0.0 ? 1.0 : -1.0, 0.0};
   }

@@ -5,6 +5,8 @@
 #include <fmt/format.h>
 #include <vector>
 
+#include "avo/vec.h"
+
 namespace avo_io {
 namespace {
 
@@ -28,7 +30,7 @@ std::string action_of(const SpaceDecision& decision) {
   if (next == Vec3{}) return "comes to rest";
   std::vector<std::string> words;
   const double turned = v.x * next.y - v.y * next.x;
-  const double horizontal = std::hypot(v.x, v.y) * std::hypot(next.x, next.y);
+  const double horizontal = norm(avo::Vec2{v.x, v.y}) * norm(avo::Vec2{next.x, next.y});
   if (std::abs(turned) >= kLittleTurn * horizontal && horizontal > 0.0)
     words.emplace_back(turned > 0.0 ? "turns left" : "turns right");
   const double rise = next.z / norm(next) - v.z / norm(v);

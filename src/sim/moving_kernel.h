@@ -32,7 +32,7 @@ void choose_ways(const StepResponse& step, const MovingColumns& moving, RobotCol
                                 load(robots.max_speed),
                                 load(robots.max_acceleration),
                                 Real::load(holonomic)};
-    const Way<Real> way = way_of(robot, step);
+    const GoalLine<Real> way = way_of(robot, step);
     way.distance.store(&robots.distance_to_goal[k]);
     const Vec<Real> v = preferred_velocity(robot, way, step);
     v.x.store(&robots.preferred_x[k]), v.y.store(&robots.preferred_y[k]);
