@@ -41,7 +41,7 @@ class Flown {
     const double next_speed = std::clamp(target_, speed - most_, speed + most_);
     const double top = std::max(speed, next_speed), curvature = across_ / (top * top);
     const FlightArc arc{state.position, state.velocity / speed, curvature,
-                  0.5 * (speed + next_speed) * h};
+                        0.5 * (speed + next_speed) * h};
     turn_by(0.5 * curvature * arc.length);
     const Vec2 middle = turned(arc.heading, half_);
     const Vec2 end = state.position + (arc.length * straightness_) * middle;
