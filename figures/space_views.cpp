@@ -36,8 +36,12 @@ Extent extent_of(const space::Scenario& scenario, const std::vector<SpaceRecorde
     take(robot.goal);
     radius = std::max(radius, robot.radius);
   }
-  for (const SpaceRecorder::Frame& frame : frames)
+  for (const space::MovingObstacle& mover : scenario.moving_obstacles)
+    radius = std::max(radius, mover.radius);
+  for (const SpaceRecorder::Frame& frame : frames) {
     std::for_each(frame.position.begin(), frame.position.end(), take);
+    std::for_each(frame.mover.begin(), frame.mover.end(), take);
+  }
   const auto finite = [](double bound, double otherwise) {
     return std::isfinite(bound) ? bound : otherwise;
   };

@@ -36,7 +36,7 @@ inline constexpr ExitCode kExitCodes[] = {
     {"6", "a fault of the program itself"},
     {"7", "of check: rows are missing, and those that are there break no rule; of sweep: runs are"},
     {"130, 143, ...", "ended by a signal: 128 and its number"},
-    {"141", "whoever read the output went away"}};
+    {"141", "the reader of the output went away"}};
 
 /// A scene that breaks the assumptions of its certificate, with one line for each that is broken.
 class BrokenScene : public avo::Error {

@@ -107,7 +107,7 @@ void add_explain(CLI::App& app, Action& action) {
 }
 
 void add_check(CLI::App& app, Action& action) {
-  CLI::App* verb = app.add_subcommand("check", "judge recorded motion, whoever made it");
+  CLI::App* verb = app.add_subcommand("check", "judge recorded motion of any program");
   static CheckArguments arguments;
   not_empty(verb->add_option("RECORDING", arguments.recording,
                              "as avo run --record writes it, or trajectories of pedestrians; - is "
@@ -120,13 +120,13 @@ void add_check(CLI::App& app, Action& action) {
                    "of all robots, where there is no scene, or none of its own robots")
       ->type_name("M");
   verb->add_option("--max-acceleration", arguments.max_acceleration,
-                   "likewise; without it accelerations are unknown; inf: no limit")
+                   "of all robots; without it accelerations are unknown; inf: no limit")
       ->type_name("M/S^2");
   verb->add_option("--max-speed", arguments.max_speed,
-                   "likewise; without it speeds are unknown; inf: no limit")
+                   "of all robots; without it speeds are unknown; inf: no limit")
       ->type_name("M/S");
   verb->add_option("--max-braking", arguments.max_braking,
-                   "likewise, where it is more than --max-acceleration")
+                   "of all robots, where it is more than --max-acceleration")
       ->type_name("M/S^2");
   verb->add_option("--tolerance", arguments.tolerance, "of distances and limits, 1e-9 of them")
       ->type_name("FRACTION");

@@ -24,6 +24,12 @@ using avo::space::Scenario;
 using avo::space::Simulation;
 
 void require_explainable(const Scenario& scenario, std::int64_t robot, double time) {
+  // what is listed are the states of robots and boxes, not what a robot measured
+  if (!scenario.sensing.is_exact())
+    throw avo::Error("sensing: found errors, must be exact where a decision in space is explained");
+  if (!scenario.moving_obstacles.empty())
+    throw avo::Error(
+        "moving_obstacles: found some, must be none where a decision in space is explained");
   const auto robots = static_cast<std::int64_t>(scenario.robots.size());
   if (robot < 0 || robot >= robots)
     throw avo::Error(fmt::format("robot: found {}, must be 0 to {}", robot, robots - 1));
@@ -203,6 +209,7 @@ std::optional<SpaceDecision> explain_in_space(const Scenario& scenario, std::int
   collect_half_spaces(planner.options(), decision);
   avo::PlannerOptions options = planner.options();
   options.certificate = avo::Certificate::none;
+  options.sensing_error = {};
   const avo::space::Planner uncertified(options);
   decision.proposal = proposed(uncertified, memory, decision, decision.neighbors);
   find_shaping(uncertified, memory, decision);

@@ -118,9 +118,22 @@ struct Check::State {
   void judge_pairs(const std::vector<StepPath>& steps, double start);
   void judge_pair(const StepPath& a, const StepPath& b, double start);
   void judge_boxes(const StepPath& step, double start);
+  [[nodiscard]] bool is_at_goal(Vec3 position, Vec3 goal) const;
   void judge_movers(const std::vector<StepPath>& steps, std::span<const CheckedState> now,
                     double start, double duration);
 };
+
+// Whether the straight piece from a place to a goal touches the box, and the goal is not in it.
+bool hides(const Box& box, Vec3 position, Vec3 goal) {
+  const auto [c, s] = elementary::direction(box.heading);
+  const Vec3 from = turned(position, c, s), to = turned(goal, c, s);
+  const Vec3 third = (to - from) / 3.0;
+  const Block block{box.min, box.max};
+  const auto touches = [&](const Cubic& path) {
+    return judge::least_distance(path, block, box.radius) <= box.radius;
+  };
+  return touches({from, from + third, to - third, to}) && !touches({to, to, to, to});
+}
 
 void Check::State::judge_row(const CheckedState& row, double now) {
   const auto k = static_cast<std::size_t>(row.robot);
@@ -136,10 +149,16 @@ void Check::State::judge_row(const CheckedState& row, double now) {
   seen[k] = 1;
   last[k] = row;
   if (!robot.goal || arrived[k] != 0) return;
-  if (norm(row.position - *robot.goal) > options.arrival_distance) return;
+  if (!is_at_goal(row.position, *robot.goal)) return;
   arrived[k] = 1;
   ++report.arrived;
   report.last_arrival = now;
+}
+
+bool Check::State::is_at_goal(Vec3 position, Vec3 goal) const {
+  return norm(position - goal) <= options.arrival_distance &&
+         std::none_of(boxes.begin(), boxes.end(),
+                      [&](const Box& box) { return hides(box, position, goal); });
 }
 
 // The velocity of a step may change by a_max Δt, or be cut short straight by b Δt.
@@ -336,8 +355,7 @@ CheckReport Check::report() const {
     const CheckedRobot& robot = state_->robots[k];
     if (!robot.goal || state_->seen[k] == 0) continue;
     if (state_->arrived[k] == 0) report.not_arrived.push_back(static_cast<std::int64_t>(k));
-    if (norm(state_->last[k].position - *robot.goal) <= state_->options.arrival_distance)
-      ++report.at_goal_at_end;
+    if (state_->is_at_goal(state_->last[k].position, *robot.goal)) ++report.at_goal_at_end;
   }
   if (report.arrived < report.with_goal) report.last_arrival.reset();
   return report;

@@ -6,6 +6,7 @@
 #include <limits>
 #include <span>
 
+#include "core/plane.h"
 #include "guidance/ties.h"
 #include "robots/ahead.h"
 #include "robots/model.h"

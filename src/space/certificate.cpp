@@ -239,10 +239,10 @@ void append_waiting(const Robot& robot, const StepLaw& law, Constraints& constra
 void append_needed(const Robot& robot, Vec3 next_velocity, const StepLaw& law,
                    Constraints& constraints) {
   if (constraints.waiting.empty()) return;
-  const auto [ahead, aside] = scalar::candidate_deviation(
-      scalar::constant<Real, 3>(constraints.own), pack(next_velocity), law);
+  const auto deviation = scalar::candidate_deviation(scalar::constant<Real, 3>(constraints.own),
+                                                     pack(next_velocity), law);
   std::erase_if(constraints.waiting, [&](const NearBody& body) {
-    if (body.gap > body.against * ahead.value + aside.value) return false;
+    if (body.gap > body.against * deviation.ahead.value + deviation.aside.value) return false;
     append_body(robot, body, law, constraints);
     return true;
   });

@@ -180,9 +180,8 @@ std::string box_name(const Scenario& scenario, std::size_t k) {
                   : "boxes." + std::to_string(k);
 }
 
-void check_box(const Scenario& scenario, std::size_t k) {
-  const Box& box = scenario.boxes[k];
-  const auto key = [&](const char* name) { return box_name(scenario, k) + "." + name; };
+void check_box(const Box& box, const std::string& box_name) {
+  const auto key = [&](const char* name) { return box_name + "." + name; };
   require(key("radius"), box.radius, kNotNegative, "m");
   require(key("heading"), box.heading, kAngle, "rad");
   const bool is_sound = box.min.x <= box.max.x && box.min.y <= box.max.y && box.min.z <= box.max.z;
@@ -228,6 +227,10 @@ double sensing_radius_of(const Scenario& scenario) {
   return needed_radius(scenario, planner_options(scenario));
 }
 
+void check_boxes(std::span<const Box> boxes) {
+  for (std::size_t k = 0; k < boxes.size(); ++k) check_box(boxes[k], "boxes." + std::to_string(k));
+}
+
 void validate(const Scenario& scenario) {
   const PlannerOptions options = planner_options(scenario);
   validate(options, "");
@@ -238,7 +241,8 @@ void validate(const Scenario& scenario) {
   for (std::size_t k = 0; k < scenario.robots.size(); ++k) {
     if (scenario.robots[k].quadrotor) check_quadrotor(scenario.robots[k], k, scenario.motion);
   }
-  for (std::size_t k = 0; k < scenario.boxes.size(); ++k) check_box(scenario, k);
+  for (std::size_t k = 0; k < scenario.boxes.size(); ++k)
+    check_box(scenario.boxes[k], box_name(scenario, k));
   check_moving_obstacles(scenario);
   check_sensing_in_space(scenario, options);
   const Planner planner(options);

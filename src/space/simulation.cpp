@@ -3,7 +3,9 @@
 
 #include <algorithm>
 #include <limits>
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "avo/error.h"
@@ -16,6 +18,7 @@
 #include "space/decide.h"
 #include "space/goals.h"
 #include "space/own_space.h"
+#include "space/ranges.h"
 #include "space/routes/tighten.h"
 #include "space/routes/ways.h"
 #include "space/senses.h"
@@ -36,6 +39,7 @@ struct AVO_LOCAL SpaceWorker {
   SpaceCells::Runs runs{};
   std::vector<Box> boxes;
   std::vector<Mover> movers;
+  std::vector<std::int32_t> box_number, mover_number;  // in the scene
   WayScratch ways;
   std::vector<Neighbor> neighbors;
 };
@@ -120,15 +124,16 @@ struct Simulation::State {
   /// The moving obstacles that a robot senses.
   void sense_movers(std::size_t k, SpaceWorker& worker) const {
     worker.movers.clear();
+    worker.mover_number.clear();
     if (movers.empty()) return;
     const Observer observer(senses, k, scenario.boxes);
     for (std::size_t m = 0; m < movers.size(); ++m) {
       if (!is_in_range(movers[m].position, k)) continue;
-      if (senses.are_exact()) {
-        worker.movers.push_back(movers[m]);
-      } else if (const auto seen = observer.look_at(m, scenario.moving_obstacles[m])) {
-        worker.movers.push_back(*seen);
-      }
+      const std::optional<Mover> seen =
+          senses.are_exact() ? movers[m] : observer.look_at(m, scenario.moving_obstacles[m]);
+      if (!seen) continue;
+      worker.movers.push_back(*seen);
+      worker.mover_number.push_back(static_cast<std::int32_t>(m));
     }
   }
 
@@ -152,9 +157,12 @@ struct Simulation::State {
   void find_boxes(std::size_t k, SpaceWorker& worker) const {
     const Vec3 place = robots[k].position;
     worker.boxes.clear();
-    for (const Box& box : scenario.boxes) {
-      if (nearest(place, place, box).distance - box.radius <= trips[k].box_range)
-        worker.boxes.push_back(box);
+    worker.box_number.clear();
+    for (std::size_t b = 0; b < scenario.boxes.size(); ++b) {
+      const Box& box = scenario.boxes[b];
+      if (nearest(place, place, box).distance - box.radius > trips[k].box_range) continue;
+      worker.boxes.push_back(box);
+      worker.box_number.push_back(static_cast<std::int32_t>(b));
     }
   }
 
@@ -162,7 +170,7 @@ struct Simulation::State {
   void head_for_goal(std::size_t k, const Surroundings& around, SpaceWorker& worker) {
     Robot& robot = robots[k];
     worker.neighbors.clear();
-    for (const Run& run : ways.has_boxes() ? around.runs : std::span<const Run>()) {
+    for (const Run& run : !ways.passages().empty() ? around.runs : std::span<const Run>()) {
       for (std::size_t place = run.first; place < run.last; ++place) {
         const Neighbor other = around.bodies.neighbor(place);
         if (static_cast<double>(place) != around.self && is_in_range(other.position, k))
@@ -186,6 +194,9 @@ struct Simulation::State {
       head_for_goal(k, around, worker);
       plans[k] =
           space::decide(options, horizon, law, robots[k], around, true, worker.scratch, detours[k]);
+      Plan& plan = plans[k];
+      if (plan.box >= 0) plan.box = worker.box_number[static_cast<std::size_t>(plan.box)];
+      if (plan.mover >= 0) plan.mover = worker.mover_number[static_cast<std::size_t>(plan.mover)];
     };
     if (senses.are_exact())
       return decide({.bodies = bodies,
@@ -307,7 +318,7 @@ std::vector<std::size_t> Simulation::unreachable() const {
 void Simulation::set_goal(std::size_t robot, Vec3 goal) {
   if (robot >= size())
     throw Error("robot " + std::to_string(robot) + ": there are " + std::to_string(size()));
-  if (!is_finite(goal)) throw Error("goal: found a number that is not finite");
+  require_vector("goal", goal, "m");
   Vec3& own = state_->scenario.robots[robot].goal;
   if (own == goal) return;
   own = state_->trips[robot].goal = goal;
@@ -317,7 +328,9 @@ void Simulation::set_goal(std::size_t robot, Vec3 goal) {
   detour = {.congestion = detour.congestion, .acceleration = detour.acceleration};
 }
 
-void Simulation::set_boxes(std::span<const Box> boxes) {
+void Simulation::set_boxes(std::span<const Box> given) {
+  std::vector<Box> boxes(given.begin(), given.end());  // they may be a part of the scene's own
+  check_boxes(boxes);
   BoxConstraints constraints;
   for (std::size_t k = 0; k < size(); ++k) {
     begin_boxes(state_->robots[k], boxes, state_->law, constraints);
@@ -325,9 +338,9 @@ void Simulation::set_boxes(std::span<const Box> boxes) {
       throw Error("box " + std::to_string(constraints.tight.index) + ": robot " +
                   std::to_string(k) + " is in it, or cannot brake before it");
   }
-  state_->scenario.boxes.assign(boxes.begin(), boxes.end());
+  state_->scenario.boxes = std::move(boxes);
   state_->scenario.obstacle_of_box.clear();
-  state_->ways.set_boxes(boxes, state_->robots, state_->goals());
+  state_->ways.set_boxes(state_->scenario.boxes, state_->robots, state_->goals());
   state_->find_routes();
 }
 

@@ -7,6 +7,9 @@
 
 namespace avo::space {
 
+/// Throws Error that names the first number out of range.
+void check_boxes(std::span<const Box> boxes);
+
 /// Throws Error on options out of range, and on those that space does not have.
 void validate_in_space(const PlannerOptions& options);
 

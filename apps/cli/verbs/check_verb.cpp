@@ -63,12 +63,19 @@ void check_arguments(const CheckArguments& arguments, bool scene) {
   if (!scene && arguments.require_arrival)
     throw UsageError(
         "--require-arrival: found without robots of --scene, must be with them: they have goals");
+}
+
+/// What is checked of recordings of the plane and of space.
+void check_common_arguments(const CheckArguments& arguments) {
   if (!(arguments.tolerance >= 0.0 && arguments.tolerance < 1.0))
     throw UsageError(
         fmt::format("--tolerance: found {}, must be >= 0 and < 1", arguments.tolerance));
   if (arguments.movers_at_rest != "ok" && arguments.movers_at_rest != "collision")
     throw UsageError(fmt::format("--movers-at-rest: found {}, must be ok or collision",
                                  avo_io::printable(arguments.movers_at_rest)));
+  if (arguments.recording == "-" && arguments.scene.scene == "-")
+    throw UsageError("the recording and --scene: found - twice, must be one standard input only");
+  require_distinct({{"the recording", arguments.recording}, file_of(arguments.scene)}, {});
 }
 
 /// Returns the given scene, or the recording's own.
@@ -117,11 +124,9 @@ int tell(const avo_io::Judgement& judgement, bool json) {
 }  // namespace
 
 int check(const CheckArguments& arguments) {
+  check_common_arguments(arguments);
   if (const auto in_space = judge_in_space(arguments)) return tell(*in_space, arguments.json);
   const std::optional<avo_io::RecordedScene> own = own_scene(arguments);
-  if (arguments.recording == "-" && arguments.scene.scene == "-")
-    throw UsageError("the recording and --scene: found - twice, must be one standard input only");
-  require_distinct({{"the recording", arguments.recording}, file_of(arguments.scene)}, {});
   std::optional<avo::Scenario> scenario = scenario_of(arguments, own);
   check_arguments(arguments, scenario && !scenario->robots.empty());
   const avo_io::Judgement judgement =

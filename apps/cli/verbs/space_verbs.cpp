@@ -198,7 +198,9 @@ int explain_in_space(const ExplainArguments& arguments, const avo::space::Scenar
                                         return signal_caught() == 0;
                                       });
     } catch (const avo::Error& error) {
-      throw UsageError(std::string("--") + error.what());
+      const std::string what = error.what();
+      const bool is_option = what.starts_with("robot:") || what.starts_with("time:");
+      throw UsageError((is_option ? "--" : "") + what);
     }
   }();
   if (!decision) return kSignal + signal_caught();

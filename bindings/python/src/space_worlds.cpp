@@ -78,6 +78,12 @@ void SpaceWorlds::place(std::size_t world, const avo::space::Scenario& scenario)
   if (scenario.robots.size() != robots_)
     throw avo::Error(fmt::format("robots: found {} of them, must be {} as in the other worlds",
                                  scenario.robots.size(), robots_));
+  const auto refuse = [](const char* name, const char* found, const char* allowed) {
+    throw avo::Error(
+        fmt::format("{}: found {}, must be {} in worlds for learning", name, found, allowed));
+  };
+  if (!scenario.sensing.is_exact()) refuse("sensing", "errors", "exact");
+  if (!scenario.moving_obstacles.empty()) refuse("moving_obstacles", "some", "none");
   SpaceWorld placed;
   for (const avo::space::RobotSetup& setup : scenario.robots) {
     placed.robots.push_back(avo::space::robot_of(setup));

@@ -232,7 +232,7 @@ AVO_C_API avo_result avo_space_simulation_get_states(avo_space_simulation_id sim
 /// The last decision of the robot of that index.
 AVO_C_API avo_result avo_space_simulation_get_plan(avo_space_simulation_id simulation, size_t robot,
                                                    avo_space_plan* plan);
-/// Whether the robot of that index is within the arrival distance of its goal.
+/// Whether the robot of that index is within the arrival distance of its goal, with no box between.
 AVO_C_API avo_result avo_space_simulation_is_at_goal(avo_space_simulation_id simulation,
                                                      size_t robot, bool* is_at_goal);
 AVO_C_API avo_result avo_space_simulation_set_goal(avo_space_simulation_id simulation, size_t robot,
