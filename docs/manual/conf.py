@@ -19,6 +19,7 @@ include_patterns = ["*.md", "bench/*.md", "docs/**"]
 exclude_patterns = [".*", "build*", "apps", "figures", "io", "scenarios", "scripts", "src", "tests"]
 nitpicky = True
 nitpick_ignore_regex = [("(c|cpp):identifier", r"avo(_io|::space)?|std|u?int\d+_t|size_t|byte"), ("py:.*", ".*")]
+suppress_warnings = ["ref.python"]  # names that avo and avo.space both have
 toc_object_entries = False  # they would make contents long, and slow
 
 myst_heading_anchors = 4  # as GitHub names them

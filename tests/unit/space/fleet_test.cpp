@@ -3,8 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <gtest/gtest.h>
+#include <limits>
 #include <span>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "avo/error.h"
 #include "avo/space/check.h"
@@ -153,6 +156,44 @@ TEST(SpaceFleets, boxes_that_come_between_two_steps_are_heeded_or_refused) {
       ASSERT_GE(norm(off), robot.radius - 1e-9);
     }
   }
+}
+
+TEST(SpaceFleets, boxes_may_be_a_part_of_the_present_ones_and_have_to_be_sound) {
+  Scenario scene = sphere(2, 8.0);
+  for (const double x : {-3.0, 0.0, 3.0})
+    scene.boxes.push_back({{x, 20, -1}, {x + 1, 21, 1}, 0.0, 0.0});
+  Simulation simulation(scene);
+  simulation.set_boxes(std::span(simulation.scenario().boxes).subspan(1));
+  ASSERT_EQ(simulation.scenario().boxes.size(), 2);
+  EXPECT_EQ(simulation.scenario().boxes[0].min, scene.boxes[1].min);
+  EXPECT_EQ(simulation.scenario().boxes[1].min, scene.boxes[2].min);
+  Box broken = scene.boxes[0];
+  broken.heading = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_THROW(simulation.set_boxes(std::span(&broken, 1)), Error);
+  broken = scene.boxes[0];
+  std::swap(broken.min, broken.max);
+  EXPECT_THROW(simulation.set_boxes(std::span(&broken, 1)), Error);
+  EXPECT_THROW(simulation.set_goal(0, {1e20, 0, 0}), Error);
+}
+
+// The first obstacle is out of sight, and the second one runs into the robot.
+TEST(SpaceFleets, plans_name_moving_obstacles_by_their_numbers_in_the_scene) {
+  Scenario scene;
+  scene.duration = 5.0;
+  scene.sensing_radius = 12.0;
+  scene.robots.push_back({});
+  scene.moving_obstacles.push_back({.position = {100, 0, 0}, .radius = 0.5});
+  scene.moving_obstacles.push_back({.position = {4, 0, 0}, .velocity = {-4, 0, 0}, .radius = 3.0});
+  scene.never_swerves = true;
+  Simulation simulation(scene);
+  bool touched = false;
+  for (int k = 0; k < 20; ++k) {
+    simulation.step();
+    const Plan& plan = simulation.plans()[0];
+    EXPECT_NE(plan.mover, 0);
+    touched = touched || plan.mover == 1;
+  }
+  EXPECT_TRUE(touched);
 }
 
 TEST(SpaceFleets, threads_change_no_bit) {

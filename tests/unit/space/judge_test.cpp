@@ -64,6 +64,20 @@ TEST(SpaceJudge, finds_boxes_that_are_touched_within_a_step) {
   EXPECT_EQ(report.static_contacts.first->other, 0);
 }
 
+TEST(SpaceJudge, counts_no_arrival_behind_a_box) {
+  const auto arrived = [](double heading, Vec3 goal) {
+    const Box plate{{0.2, -3, -3}, {0.4, 3, 3}, 0.0, heading};
+    CheckedRobot robot;
+    robot.radius = 0.1;
+    robot.goal = goal;
+    return judged({robot}, {plate}, {{{0, {}, {}}}}).arrived;
+  };
+  EXPECT_EQ(arrived(0.0, {0.45, 0, 0}), 0);
+  EXPECT_EQ(arrived(0.0, {-0.45, 0, 0}), 1);
+  EXPECT_EQ(arrived(3.141592653589793, {-0.45, 0, 0}), 0);
+  EXPECT_EQ(arrived(0.0, {0.3, 0, 0}), 1) << "a goal in a box is out of reach, and near is enough";
+}
+
 TEST(SpaceJudge, counts_every_overlap_beside_a_deeper_one) {
   const std::vector<CheckedState> rows{
       {0, {0, 0, 0}, {}}, {1, {0.1, 0, 0}, {}}, {2, {9, 0, 0}, {}}, {3, {9.9, 0, 0}, {}}};
