@@ -269,7 +269,7 @@ TEST(SpaceScenes, explained_half_spaces_are_those_that_bind) {
 
 TEST(SpaceScenes, explain_names_the_obstacle_for_which_a_robot_brakes) {
   const std::string scene =
-      "version: 1\nspace: 3\nduration: 20\nrobots:\n"
+      "version: 1\nspace: 3\nduration: 20\nnavigation: false\nrobots:\n"
       "  - {position: [0, 0, 5], goal: [0, 0, -5]}\n"
       "obstacles:\n  - {ceiling: 30}\n  - {floor: 0}\n";
   const Json json = explained(scene, {"--robot", "0", "--time", "2.8"});

@@ -130,7 +130,11 @@ class VectorEnv:
         rewards, terminated and truncated, and the info, {} but with "SameStep"."""
         anew = self._begins_anew.copy()
         before, taken = self._distances(), self._preferred(actions)
-        self._worlds.step(taken, [not begins for begins in anew], self._arrived)
+        moving = [not begins for begins in anew]
+        if isinstance(self._worlds, Worlds):
+            self._worlds.step(taken, moving, self._arrived)
+        else:
+            self._worlds.step(taken, moving)
         after = self._distances()
         came = (after <= self.arrival_distance) & ~self._arrived
         had_arrived = self._arrived.copy()
@@ -166,7 +170,9 @@ class VectorEnv:
 
     def heading(self) -> Floats:
         """(E, N), rad; 0 of robots without wheels."""
-        return self._worlds.heading()
+        if isinstance(self._worlds, Worlds):
+            return self._worlds.heading()
+        return np.zeros((self.num_envs, self.num_robots))
 
     def velocity(self) -> Floats:
         """(E, N, 2), m/s."""
