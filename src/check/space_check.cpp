@@ -130,7 +130,7 @@ bool hides(const Box& box, Vec3 position, Vec3 goal) {
   const Vec3 third = (to - from) / 3.0;
   const Block block{box.min, box.max};
   const auto touches = [&](const Cubic& path) {
-    return judge::least_distance(path, block, box.radius) <= box.radius;
+    return judge::least_distance(path, block, box.radius + 1e-9) <= box.radius + 1e-11;
   };
   return touches({from, from + third, to - third, to}) && !touches({to, to, to, to});
 }

@@ -180,7 +180,6 @@ TEST(SpaceFleets, boxes_may_be_a_part_of_the_present_ones_and_have_to_be_sound) 
 TEST(SpaceFleets, plans_name_moving_obstacles_by_their_numbers_in_the_scene) {
   Scenario scene;
   scene.duration = 5.0;
-  scene.sensing_radius = 12.0;
   scene.robots.push_back({});
   scene.moving_obstacles.push_back({.position = {100, 0, 0}, .radius = 0.5});
   scene.moving_obstacles.push_back({.position = {4, 0, 0}, .velocity = {-4, 0, 0}, .radius = 3.0});
