@@ -176,25 +176,6 @@ TEST(SpaceFleets, boxes_may_be_a_part_of_the_present_ones_and_have_to_be_sound) 
   EXPECT_THROW(simulation.set_goal(0, {1e20, 0, 0}), Error);
 }
 
-// The first obstacle is out of sight, and the second one runs into the robot.
-TEST(SpaceFleets, plans_name_moving_obstacles_by_their_numbers_in_the_scene) {
-  Scenario scene;
-  scene.duration = 5.0;
-  scene.robots.push_back({});
-  scene.moving_obstacles.push_back({.position = {100, 0, 0}, .radius = 0.5});
-  scene.moving_obstacles.push_back({.position = {4, 0, 0}, .velocity = {-4, 0, 0}, .radius = 3.0});
-  scene.never_swerves = true;
-  Simulation simulation(scene);
-  bool touched = false;
-  for (int k = 0; k < 20; ++k) {
-    simulation.step();
-    const Plan& plan = simulation.plans()[0];
-    EXPECT_NE(plan.mover, 0);
-    touched = touched || plan.mover == 1;
-  }
-  EXPECT_TRUE(touched);
-}
-
 TEST(SpaceFleets, threads_change_no_bit) {
   const Scenario scene = sphere(300, 20.0);
   Simulation one(scene, 1), two(scene, 3);

@@ -66,7 +66,7 @@ TEST(SpaceJudge, finds_boxes_that_are_touched_within_a_step) {
 
 TEST(SpaceJudge, counts_no_arrival_behind_a_box) {
   const auto arrived = [](double heading, Vec3 goal) {
-    const Box plate{{0.2, -3, -3}, {0.4, 3, 3}, 0.0, heading};
+    const Box plate{{0.2, -3, -3}, {0.4, 3, 3}, heading, 0.0};
     CheckedRobot robot;
     robot.radius = 0.1;
     robot.goal = goal;
