@@ -40,21 +40,6 @@ void require_explainable(const Scenario& scenario, std::int64_t robot, double ti
         fmt::format("time: found {} s, must be <= duration = {} s", time, scenario.duration));
 }
 
-Neighbor seen(const Robot& robot) {
-  return {robot.position, robot.velocity, robot.radius,   robot.max_acceleration,
-          robot.vertical, robot.downwash, robot.priority, robot.max_braking};
-}
-
-// m: from the surface of the box to a point; 0 within it.
-double distance(const Box& box, Vec3 place) {
-  const avo::Vec2 axis = avo::elementary::direction(box.heading);
-  const Vec3 in{axis.x * place.x + axis.y * place.y, axis.x * place.y - axis.y * place.x, place.z};
-  const Vec3 off{std::clamp(in.x, box.min.x, box.max.x) - in.x,
-                 std::clamp(in.y, box.min.y, box.max.y) - in.y,
-                 std::clamp(in.z, box.min.z, box.max.z) - in.z};
-  return std::max(norm(off) - box.radius, 0.0);
-}
-
 // Takes the neighbors and boxes that robot k senses among robots as they were.
 void look_around(const Scenario& scenario, const std::vector<Robot>& robots, std::size_t k,
                  const avo::PlannerOptions& options, SpaceDecision& decision) {
@@ -70,12 +55,12 @@ void look_around(const Scenario& scenario, const std::vector<Robot>& robots, std
   std::stable_sort(order.begin(), order.end(),
                    [&](std::size_t a, std::size_t b) { return squared_to(a) < squared_to(b); });
   for (const std::size_t other : order) {
-    decision.neighbors.push_back(seen(robots[other]));
+    decision.neighbors.push_back(neighbor_of(robots[other]));
     decision.numbers.push_back(static_cast<std::int64_t>(other));
   }
   const double range = box_range(robots[k], options);
   for (std::size_t b = 0; b < scenario.boxes.size(); ++b) {
-    if (distance(scenario.boxes[b], robots[k].position) > range) continue;
+    if (norm(displacement_to(scenario.boxes[b], robots[k].position)) > range) continue;
     decision.boxes.push_back(scenario.boxes[b]);
     decision.obstacles.push_back(b < scenario.obstacle_of_box.size()
                                      ? scenario.obstacle_of_box[b]

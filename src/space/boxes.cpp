@@ -268,4 +268,10 @@ void append_speed_planes(const Robot& robot, std::span<const Box> boxes, const S
   }
 }
 
+Vec3 displacement_to(const Box& box, Vec3 place) {
+  const NearestToBox found = nearest(place, place, box);
+  if (found.distance <= box.radius) return {};
+  return (1.0 - box.radius / found.distance) * (found.on_box - place);
+}
+
 }  // namespace avo::space

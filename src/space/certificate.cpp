@@ -231,11 +231,6 @@ void collect_constraints(const Robot& robot, const Bodies& bodies, std::span<con
   begin_boxes(robot, boxes, law, constraints.boxes);
 }
 
-void append_waiting(const Robot& robot, const StepLaw& law, Constraints& constraints) {
-  for (const NearBody& body : constraints.waiting) append_body(robot, body, law, constraints);
-  constraints.waiting.clear();
-}
-
 void append_needed(const Robot& robot, Vec3 next_velocity, const StepLaw& law,
                    Constraints& constraints) {
   if (constraints.waiting.empty()) return;

@@ -51,9 +51,6 @@ void begin_constraints(const Robot& robot, const Braking& own, const StepLaw& la
 void collect_constraints(const Robot& robot, const Bodies& bodies, std::span<const NearBody> near,
                          std::span<const Box> boxes, const StepLaw& law, Constraints& constraints);
 
-/// Appends the constraints of all pairs that wait.
-void append_waiting(const Robot& robot, const StepLaw& law, Constraints& constraints);
-
 /// Appends the constraints of the pairs that wait and can refuse the candidate v_1, m/s.
 void append_needed(const Robot& robot, Vec3 next_velocity, const StepLaw& law,
                    Constraints& constraints);

@@ -9,7 +9,7 @@
 #include "avo/space/mover.h"
 #include "planner/rules/levels.h"
 #include "space/choice.h"
-#include "space/ways.h"
+#include "space/ways_out.h"
 
 namespace avo::space {
 

@@ -56,7 +56,4 @@ inline avo::Robot numbers_of(const Robot& robot) {
   return same;
 }
 
-/// A robot as others sense it exactly.
-Neighbor neighbor_of(const Robot& robot);
-
 }  // namespace avo::space

@@ -8,7 +8,7 @@
 #include "space/choice.h"
 #include "space/half_spaces.h"
 #include "space/look.h"
-#include "space/ways.h"
+#include "space/ways_out.h"
 
 namespace avo::space {
 

@@ -115,8 +115,7 @@ SpaceNeighbors among(const SpaceRobots& robots, double sensing_radius) {
       if (&other == &own ||
           !(norm_squared(other.position - own.position) <= sensing_radius * sensing_radius))
         continue;
-      neighbors.all.push_back({other.position, other.velocity, other.radius, other.max_acceleration,
-                               other.vertical, other.downwash, other.priority, other.max_braking});
+      neighbors.all.push_back(neighbor_of(other));
     }
     neighbors.first.push_back(neighbors.all.size());
   }

@@ -3,6 +3,7 @@
 #pragma once
 #include <limits>
 
+#include "avo/export.h"
 #include "avo/vec3.h"
 
 namespace avo::space {
@@ -16,5 +17,8 @@ struct Box {
   double heading = 0.0;              ///< rad, counter-clockwise from above, about the origin
   double radius = 0.0;               ///< m, >= 0
 };
+
+/// m, from a place to the nearest point of the box; 0 from a place in it.
+AVO_API Vec3 displacement_to(const Box& box, Vec3 place);
 
 }  // namespace avo::space

@@ -4,6 +4,7 @@
 #include <limits>
 #include <optional>
 
+#include "avo/export.h"
 #include "avo/vec3.h"
 
 namespace avo::space {
@@ -48,5 +49,8 @@ struct Neighbor {
   /// extrapolated since then at constant velocity, see avo::Neighbor::age.
   int age = 0;
 };
+
+/// The robot as others sense it without errors.
+AVO_API Neighbor neighbor_of(const Robot& robot);
 
 }  // namespace avo::space

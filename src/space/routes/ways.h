@@ -61,10 +61,8 @@ class SpaceWays {
   [[nodiscard]] const SpacePassages& passages() const { return passages_; }
   [[nodiscard]] bool has_boxes() const { return solids_.size() > 0; }
 
-  /// The route of a robot that has not moved.
-  FoundRoute find(Vec3 from, Vec3 goal, double radius, WayScratch& scratch) const;
-
  private:
+  FoundRoute find(Vec3 from, Vec3 goal, double radius, WayScratch& scratch) const;
   void follow(const Robot& robot, Vec3 goal, Route& route, WayScratch& scratch) const;
   const FreeCells& cells(double radius) const;
 

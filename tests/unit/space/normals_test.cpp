@@ -120,7 +120,8 @@ TEST(SpaceNormals, leave_the_whole_distance_above_the_face_of_a_braking_pair) {
     const NearBody near{0, 0.0};
     begin_constraints(a, braking_of(a, law), law, constraints);
     collect_constraints(a, bodies, std::span(&near, 1), {}, law, constraints);
-    append_waiting(a, law, constraints);
+    append_needed(a, {1e6, 0, 0}, law, constraints);
+    ASSERT_TRUE(constraints.waiting.empty());
     const Triangle moved{a.position, a.position + relative.middle, a.position + relative.end};
     ASSERT_NEAR(distance_of(moved, {}), height, 1e-6);
     // later intervals may be nearer; none is farther

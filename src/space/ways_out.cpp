@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "space/ways.h"
+#include "space/ways_out.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Ways out in space: what is clear touches nobody, and what is left of it is a way out.
-#include "space/ways.h"
+#include "space/ways_out.h"
 
 #include <algorithm>
 #include <gtest/gtest.h>
