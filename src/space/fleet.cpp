@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "space/fleet.h"
+
+#include <optional>
+
+#include "core/response_law.h"
+#include "space/boxes.h"
+#include "space/certificate.h"
+#include "space/own_space.h"
+#include "space/step_law.h"
+#include "space/validity.h"
+
+namespace avo::space {
+
+SpaceFleet::SpaceFleet(const Scenario& scene, int threads)
+    : scenario(scene),
+      options(planner_options(scene)),
+      horizon(options.control_time, options.time_horizon, options.time_step),
+      law(step_law(options, horizon)),
+      landing{response_law(options), law.lag, law.braking_time},
+      sensing_radius(sensing_radius_of(scene)),
+      executor(make_executor(static_cast<std::size_t>(std::max(threads, 0)))),
+      cells(sensing_radius),
+      senses(senses_of(scene)),
+      detours(scene.robots.size()),
+      plans(scene.robots.size()),
+      workers(executor->workers()) {
+  validate_in_space(options);
+  for (const RobotSetup& setup : scene.robots) {
+    robots.push_back(robot_of(setup));
+    const double range = space::box_range(robots.back(), options);
+    trips.push_back({setup.goal, setup.preferred_speed,
+                     scene.moving_obstacles.empty() ? range : std::max(range, options.wall_range)});
+  }
+  move_obstacles();
+  bodies.reserve(robots.size());
+  ways = SpaceWays(scene.boxes, robots, goals(), scene.navigation);
+}
+
+std::vector<Vec3> SpaceFleet::goals() const {
+  std::vector<Vec3> all;
+  for (const Trip& trip : trips) all.push_back(trip.goal);
+  return all;
+}
+
+void SpaceFleet::sort() {
+  cells.sort(robots);
+  bodies.clear();
+  for (const std::uint32_t k : cells.order()) bodies.add(neighbor_of(robots[k]), k);
+  fill_braking(law, bodies);
+}
+
+void SpaceFleet::move_obstacles() {
+  movers.clear();
+  const double now = static_cast<double>(steps) * scenario.time_step;
+  for (const MovingObstacle& obstacle : scenario.moving_obstacles)
+    movers.push_back(mover_at(obstacle, now));
+}
+
+bool SpaceFleet::is_in_range(Vec3 place, std::size_t k) const {
+  return norm_squared(place - robots[k].position) <= sensing_radius * sensing_radius;
+}
+
+void SpaceFleet::sense_movers(std::size_t k, SpaceWorker& worker) const {
+  worker.movers.clear();
+  worker.mover_number.clear();
+  if (movers.empty()) return;
+  const Observer observer(senses, k, scenario.boxes);
+  for (std::size_t m = 0; m < movers.size(); ++m) {
+    if (!is_in_range(movers[m].position, k)) continue;
+    const std::optional<Mover> seen =
+        senses.are_exact() ? movers[m] : observer.look_at(m, scenario.moving_obstacles[m]);
+    if (!seen) continue;
+    worker.movers.push_back(*seen);
+    worker.mover_number.push_back(static_cast<std::int32_t>(m));
+  }
+}
+
+void SpaceFleet::sense_robots(std::size_t k, std::size_t runs, SpaceWorker& worker) const {
+  Bodies& seen = worker.scratch.bodies;
+  seen.clear();
+  const Observer observer(senses, k, scenario.boxes);
+  for (const Run& run : std::span(worker.runs).first(runs)) {
+    seen.reserve(seen.count + (run.last - run.first));
+    for (std::size_t place = run.first; place < run.last; ++place) {
+      const std::size_t other = cells.order()[place];
+      if (other == k || !is_in_range(robots[other].position, k)) continue;
+      if (const auto neighbor = observer.look_at(other, robots[other])) seen.add(*neighbor, other);
+    }
+  }
+  fill_braking(law, seen);
+}
+
+void SpaceFleet::find_boxes(std::size_t k, SpaceWorker& worker) const {
+  const Vec3 place = robots[k].position;
+  worker.boxes.clear();
+  worker.box_number.clear();
+  for (std::size_t b = 0; b < scenario.boxes.size(); ++b) {
+    const Box& box = scenario.boxes[b];
+    if (nearest(place, place, box).distance - box.radius > trips[k].box_range) continue;
+    worker.boxes.push_back(box);
+    worker.box_number.push_back(static_cast<std::int32_t>(b));
+  }
+}
+
+void SpaceFleet::head_for_goal(std::size_t k, const Surroundings& around, SpaceWorker& worker) {
+  Robot& robot = robots[k];
+  worker.neighbors.clear();
+  for (const Run& run : !ways.passages().empty() ? around.runs : std::span<const Run>()) {
+    for (std::size_t place = run.first; place < run.last; ++place) {
+      const Neighbor other = around.bodies.neighbor(place);
+      if (static_cast<double>(place) != around.self && is_in_range(other.position, k))
+        worker.neighbors.push_back(other);
+    }
+  }
+  const Company company{worker.neighbors, detours[k].angle, sensing_radius, law.time_step};
+  const SpaceHeading heading =
+      ways.heading(k, robot, trips[k].goal, trips[k].preferred_speed, company, worker.ways);
+  robot.distance_to_goal = heading.left;
+  robot.preferred_velocity = preferred_velocity(robot, heading.goal, heading.speed, landing);
+}
+
+void SpaceFleet::decide(std::size_t at, SpaceWorker& worker) {
+  const std::size_t k = cells.order()[at];
+  find_boxes(k, worker);
+  const std::size_t runs = cells.around(robots[k].position, worker.runs);
+  sense_movers(k, worker);
+  const auto decide = [&](const Surroundings& around) {
+    head_for_goal(k, around, worker);
+    plans[k] =
+        space::decide(options, horizon, law, robots[k], around, true, worker.scratch, detours[k]);
+    Plan& plan = plans[k];
+    if (plan.box >= 0) plan.box = worker.box_number[static_cast<std::size_t>(plan.box)];
+    if (plan.mover >= 0) plan.mover = worker.mover_number[static_cast<std::size_t>(plan.mover)];
+  };
+  if (senses.are_exact())
+    return decide({.bodies = bodies,
+                   .runs = std::span(worker.runs).first(runs),
+                   .self = static_cast<double>(at),
+                   .range = sensing_radius,
+                   .boxes = worker.boxes,
+                   .movers = worker.movers,
+                   .is_free = plans[k].status == PlanStatus::optimal});
+  sense_robots(k, runs, worker);
+  const Run all{0, worker.scratch.bodies.count};
+  decide({.bodies = worker.scratch.bodies,
+          .runs = std::span(&all, 1),
+          .boxes = worker.boxes,
+          .movers = worker.movers});
+}
+
+void SpaceFleet::find_routes() {
+  if (!ways.has_boxes()) return;
+  for_all([&](std::size_t k, SpaceWorker& worker) {
+    ways.look(k, robots[k], trips[k].goal, worker.ways);
+  });
+}
+
+void SpaceFleet::move() {
+  for (std::size_t k = 0; k < robots.size(); ++k) {
+    Robot& robot = robots[k];
+    const Vec3 next = plans[k].next_velocity;
+    robot.position = robot.position + (law.lag * robot.velocity + (law.time_step - law.lag) * next);
+    robot.velocity = next;
+  }
+}
+
+void SpaceFleet::step() {
+  sort();
+  senses.note(robots, steps);
+  ways.begin_step(robots);
+  for_all([&](std::size_t at, SpaceWorker& worker) { decide(at, worker); });
+  move();
+  ++steps;
+  move_obstacles();
+}
+
+}  // namespace avo::space

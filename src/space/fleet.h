@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: Apache-2.0
+// A fleet in space, and its step: what each robot senses, where it heads for, and its decision.
+#pragma once
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "avo/horizon.h"
+#include "avo/space/mover.h"
+#include "avo/space/planner.h"
+#include "avo/space/scenario.h"
+#include "core/executor.h"
+#include "space/bodies.h"
+#include "space/cells.h"
+#include "space/decide.h"
+#include "space/goals.h"
+#include "space/routes/ways.h"
+#include "space/senses.h"
+#include "space/workspace.h"
+
+namespace avo::space {
+
+/// The memory of a worker.
+struct AVO_LOCAL SpaceWorker {
+  PlanWorkspace::Scratch scratch;
+  SpaceCells::Runs runs{};
+  std::vector<Box> boxes;
+  std::vector<Mover> movers;
+  std::vector<std::int32_t> box_number, mover_number;  // in the scene
+  WayScratch ways;
+  std::vector<Neighbor> neighbors;
+};
+
+/// What a robot's scene says of its trip; near in memory, unlike the scene.
+struct Trip {
+  Vec3 goal;               // m
+  double preferred_speed;  // m/s
+  double box_range;        // m
+};
+
+/// The robots of a scene and what they know. Columns by the number of the robot in the scene.
+struct AVO_LOCAL SpaceFleet {
+  static constexpr std::size_t kTile = 16;  // robots that one task decides for
+
+  Scenario scenario;
+  PlannerOptions options;
+  Horizon horizon;
+  StepLaw law;
+  Landing landing;
+  double sensing_radius;
+  std::shared_ptr<Executor> executor;
+  SpaceCells cells;
+  Bodies bodies;  // the robots in the order of the cells
+  Senses senses;
+  std::vector<Mover> movers;  // as they are now
+  std::vector<Robot> robots;
+  std::vector<Detour> detours;
+  std::vector<Plan> plans;
+  std::vector<Trip> trips;
+  SpaceWays ways;
+  std::vector<SpaceWorker> workers;
+  std::int64_t steps = 0;
+
+  SpaceFleet(const Scenario& scene, int threads);
+  void step();
+  void find_routes();
+  [[nodiscard]] std::vector<Vec3> goals() const;
+
+ private:
+  /// Puts the bodies into the order of the cells.
+  void sort();
+  void move_obstacles();
+  void move();
+  [[nodiscard]] bool is_in_range(Vec3 place, std::size_t k) const;
+  /// The moving obstacles that a robot senses.
+  void sense_movers(std::size_t k, SpaceWorker& worker) const;
+  /// The robots that a robot senses by measurements, in the memory of the worker.
+  void sense_robots(std::size_t k, std::size_t runs, SpaceWorker& worker) const;
+  /// The boxes that matter to a robot.
+  void find_boxes(std::size_t k, SpaceWorker& worker) const;
+  /// Sets the preferred velocity of robot k: along its route, where boxes are in the way.
+  void head_for_goal(std::size_t k, const Surroundings& around, SpaceWorker& worker);
+  /// Decides for the robot at that place in the order of the cells.
+  void decide(std::size_t at, SpaceWorker& worker);
+  /// Calls visit(k, worker) for all k below the number of robots, in parallel where they are many.
+  template <typename Visit>
+  void for_all(const Visit& visit) {
+    const std::size_t count = robots.size(), tiles = (count + kTile - 1) / kTile;
+    const auto visit_tile = [&](std::size_t tile, std::size_t worker) {
+      const std::size_t end = std::min((tile + 1) * kTile, count);
+      for (std::size_t k = tile * kTile; k < end; ++k) visit(k, workers[worker]);
+    };
+    if (count >= kFewestParallel) return parallel_for(*executor, tiles, visit_tile);
+    for (std::size_t tile = 0; tile < tiles; ++tile) visit_tile(tile, 0);
+  }
+};
+
+}  // namespace avo::space
