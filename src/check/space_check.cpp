@@ -9,54 +9,19 @@
 #include "check/counts.h"
 #include "check/space_hits.h"
 #include "check/space_path.h"
-#include "core/elementary.h"
+#include "check/space_step.h"
 
 namespace avo::space {
 namespace {
 
 using judge::Block;
 using judge::Cubic;
+using judge::path_of;
+using judge::SpaceStep;
+using judge::step_of;
 using judge::Stick;
 
 constexpr double kAtRest = 1e-9;  // of max_speed
-
-// A robot's path over one step.
-struct StepPath {
-  std::size_t robot;
-  Cubic path;
-  Vec3 low, high;  // m, of the hull of its points
-};
-
-StepPath step_of(std::size_t robot, const Cubic& path) {
-  StepPath step{robot, path, {}, {}};
-  step.low = step.high = step.path[0];
-  for (const Vec3& point : step.path) {
-    step.low = {std::min(step.low.x, point.x), std::min(step.low.y, point.y),
-                std::min(step.low.z, point.z)};
-    step.high = {std::max(step.high.x, point.x), std::max(step.high.y, point.y),
-                 std::max(step.high.z, point.z)};
-  }
-  return step;
-}
-
-Cubic path_of(const CheckedState& before, const CheckedState& now, double duration) {
-  return judge::cubic_of(before.position, before.velocity, now.position, now.velocity, duration);
-}
-
-Cubic straight_path(const CheckedState& before, const CheckedState& now) {
-  const Vec3 third = (now.position - before.position) / 3.0;
-  return {before.position, before.position + third, now.position - third, now.position};
-}
-
-// m: the gap of two hulls along the axis in which it is widest; negative where they overlap.
-double gap(const StepPath& a, const StepPath& b) {
-  return std::max({a.low.x - b.high.x, b.low.x - a.high.x, a.low.y - b.high.y, b.low.y - a.high.y,
-                   a.low.z - b.high.z, b.low.z - a.high.z});
-}
-
-Vec3 turned(Vec3 a, double c, double s) {
-  return {c * a.x + s * a.y, c * a.y - s * a.x, a.z};
-}
 
 // The length of a velocity or an acceleration, where limits along the vertical are so much of those
 // along the horizontal.
@@ -115,25 +80,13 @@ struct Check::State {
   void judge_limits(const CheckedState& from, const CheckedState& to, double start,
                     double duration);
   void judge_row(const CheckedState& row, double now);
-  void judge_pairs(const std::vector<StepPath>& steps, double start);
-  void judge_pair(const StepPath& a, const StepPath& b, double start);
-  void judge_boxes(const StepPath& step, double start);
+  void judge_pairs(const std::vector<SpaceStep>& steps, double start);
+  void judge_pair(const SpaceStep& a, const SpaceStep& b, double start);
+  void judge_boxes(const SpaceStep& step, double start);
   [[nodiscard]] bool is_at_goal(Vec3 position, Vec3 goal) const;
-  void judge_movers(const std::vector<StepPath>& steps, std::span<const CheckedState> now,
+  void judge_movers(const std::vector<SpaceStep>& steps, std::span<const CheckedState> now,
                     double start, double duration);
 };
-
-// Whether the straight piece from a place to a goal touches the box, and the goal is not in it.
-bool hides(const Box& box, Vec3 position, Vec3 goal) {
-  const auto [c, s] = elementary::direction(box.heading);
-  const Vec3 from = turned(position, c, s), to = turned(goal, c, s);
-  const Vec3 third = (to - from) / 3.0;
-  const Block block{box.min, box.max};
-  const auto touches = [&](const Cubic& path) {
-    return judge::least_distance(path, block, box.radius + 1e-9) <= box.radius + 1e-11;
-  };
-  return touches({from, from + third, to - third, to}) && !touches({to, to, to, to});
-}
 
 void Check::State::judge_row(const CheckedState& row, double now) {
   const auto k = static_cast<std::size_t>(row.robot);
@@ -158,7 +111,7 @@ void Check::State::judge_row(const CheckedState& row, double now) {
 bool Check::State::is_at_goal(Vec3 position, Vec3 goal) const {
   return norm(position - goal) <= options.arrival_distance &&
          std::none_of(boxes.begin(), boxes.end(),
-                      [&](const Box& box) { return hides(box, position, goal); });
+                      [&](const Box& box) { return judge::hides(box, position, goal); });
 }
 
 // The velocity of a step may change by a_max Δt, or be cut short straight by b Δt.
@@ -183,7 +136,7 @@ void Check::State::judge_limits(const CheckedState& from, const CheckedState& to
     judge::count(report.jumps, {start, from.robot, {}, norm(off) - most});
 }
 
-void Check::State::judge_pair(const StepPath& a, const StepPath& b, double start) {
+void Check::State::judge_pair(const SpaceStep& a, const SpaceStep& b, double start) {
   const CheckedRobot &first = robots[a.robot], &second = robots[b.robot];
   const double contact = first.radius + second.radius;
   const double room = report.least_clearance.value_or(std::numeric_limits<double>::infinity());
@@ -208,11 +161,11 @@ void Check::State::judge_pair(const StepPath& a, const StepPath& b, double start
 }
 
 // Steps that overlap along x, in order of their low ends.
-void Check::State::judge_pairs(const std::vector<StepPath>& steps, double start) {
-  std::vector<const StepPath*> order;
+void Check::State::judge_pairs(const std::vector<SpaceStep>& steps, double start) {
+  std::vector<const SpaceStep*> order;
   order.reserve(steps.size());
-  for (const StepPath& step : steps) order.push_back(&step);
-  std::sort(order.begin(), order.end(), [](const StepPath* a, const StepPath* b) {
+  for (const SpaceStep& step : steps) order.push_back(&step);
+  std::sort(order.begin(), order.end(), [](const SpaceStep* a, const SpaceStep* b) {
     return a->low.x != b->low.x ? a->low.x < b->low.x : a->robot < b->robot;
   });
   double largest = 0.0;
@@ -226,13 +179,11 @@ void Check::State::judge_pairs(const std::vector<StepPath>& steps, double start)
   }
 }
 
-void Check::State::judge_boxes(const StepPath& step, double start) {
+void Check::State::judge_boxes(const SpaceStep& step, double start) {
   const double radius = robots[step.robot].radius;
   for (std::size_t k = 0; k < boxes.size(); ++k) {
     const Box& box = boxes[k];
-    const auto [c, s] = elementary::direction(box.heading);
-    Cubic path;
-    for (std::size_t i = 0; i < 4; ++i) path[i] = turned(step.path[i], c, s);
+    const Cubic path = judge::in_frame_of(box, step.path);
     const double contact = radius + box.radius;
     const double room =
         report.least_static_clearance.value_or(std::numeric_limits<double>::infinity());
@@ -248,13 +199,14 @@ void Check::State::judge_boxes(const StepPath& step, double start) {
   }
 }
 
-void Check::State::judge_movers(const std::vector<StepPath>& steps,
+void Check::State::judge_movers(const std::vector<SpaceStep>& steps,
                                 std::span<const CheckedState> now, double start, double duration) {
   for (std::size_t k = 0; k < movers.size(); ++k) {
     const CheckedState& from = movers_before[k];
-    const StepPath other = step_of(
-        k, movers[k].straight ? straight_path(from, now[k]) : path_of(from, now[k], duration));
-    for (const StepPath& step : steps) {
+    const SpaceStep other =
+        step_of(k, movers[k].straight ? judge::straight_path(from.position, now[k].position)
+                                      : path_of(from, now[k], duration));
+    for (const SpaceStep& step : steps) {
       const CheckedRobot& robot = robots[step.robot];
       const double radii = robot.radius + movers[k].radius;
       if (gap(step, other) > radii) continue;
@@ -315,7 +267,7 @@ void Check::add(double time, std::span<const CheckedState> rows,
       throw RowError(row.robot, "a number that is not finite");
     previous = row.robot;
   }
-  std::vector<StepPath> steps;
+  std::vector<SpaceStep> steps;
   const double duration = time - state.time;
   auto from = state.before.cbegin();
   for (const CheckedState& row : rows) {
@@ -330,7 +282,7 @@ void Check::add(double time, std::span<const CheckedState> rows,
   if (state.has_time) {
     ++report.steps;
     state.judge_pairs(steps, state.time);
-    for (const StepPath& step : steps) state.judge_boxes(step, state.time);
+    for (const SpaceStep& step : steps) state.judge_boxes(step, state.time);
     state.judge_movers(steps, movers, state.time, duration);
   } else {
     report.from = time;
