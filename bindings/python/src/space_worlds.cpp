@@ -2,15 +2,15 @@
 // Many worlds of space at once for learning, as worlds.cpp has those of the plane. The caller gives
 // the robots their preferred velocities; each robot decides by a planner.
 #include <algorithm>
-#include <cmath>
 #include <fmt/format.h>
 #include <memory>
 #include <utility>
 
 #include "arrays.h"
+#include "avo/space/box.h"
 #include "avo/space/planner.h"
 #include "space.h"
-#include "worlds.h"
+#include "worlds_arrays.h"
 
 namespace avo_python::space {
 namespace {
@@ -67,11 +67,6 @@ class SpaceWorlds {
   std::vector<avo::space::Neighbor> neighbors_;
 };
 
-avo::space::Neighbor seen(const avo::space::Robot& robot) {
-  return {robot.position, robot.velocity, robot.radius,   robot.max_acceleration,
-          robot.vertical, robot.downwash, robot.priority, robot.max_braking};
-}
-
 void SpaceWorlds::place(std::size_t world, const avo::space::Scenario& scenario) {
   if (world >= all_.size())
     throw avo::Error(fmt::format("world: found {}, must be 0 to {}", world, all_.size() - 1));
@@ -111,7 +106,7 @@ void SpaceWorlds::step(SpaceWorld& world, std::span<const Vec3> preferred) {
     self.preferred_velocity = preferred[i];
     find_near(world, i, near_);
     neighbors_.clear();
-    for (const auto& [squared, j] : near_) neighbors_.push_back(seen(world.robots[j]));
+    for (const auto& [squared, j] : near_) neighbors_.push_back(neighbor_of(world.robots[j]));
     next_.push_back(
         planner_.plan(self, neighbors_, workspace_, nullptr, world.boxes).next_velocity);
   }
@@ -122,80 +117,38 @@ void SpaceWorlds::step(SpaceWorld& world, std::span<const Vec3> preferred) {
   }
 }
 
-/// Returns the way from a point to the surface of a box; 0 from a point within it.
-Vec3 way_to(const avo::space::Box& box, Vec3 from) {
-  const double c = std::cos(box.heading), s = std::sin(box.heading);
-  const Vec3 in{c * from.x + s * from.y, c * from.y - s * from.x, from.z};
-  const Vec3 off{std::clamp(in.x, box.min.x, box.max.x) - in.x,
-                 std::clamp(in.y, box.min.y, box.max.y) - in.y,
-                 std::clamp(in.z, box.min.z, box.max.z) - in.z};
-  const double distance = norm(off);
-  if (distance <= box.radius) return {};
-  return (1.0 - box.radius / distance) * Vec3{c * off.x - s * off.y, s * off.x + c * off.y, off.z};
-}
-
-// For each robot k rows of so many numbers, all 0.
-py::array_t<float> zeros(const SpaceWorlds& self, std::size_t k, std::size_t numbers) {
-  constexpr std::size_t kMost = 1000;
-  if (k > kMost) throw avo::Error(fmt::format("k: found {}, must be 0 to {}", k, kMost));
-  py::array_t<float> array({self.worlds(), self.robots(), k, numbers});
-  std::fill_n(array.mutable_data(), array.size(), 0.0F);
-  return array;
-}
-
 void put(float* row, Vec3 v) {
   row[0] = static_cast<float>(v.x), row[1] = static_cast<float>(v.y);
   row[2] = static_cast<float>(v.z);
 }
 
 py::array_t<float> nearest(const SpaceWorlds& self, std::size_t k) {
-  constexpr std::size_t kNumbers = 8;
-  py::array_t<float> array = zeros(self, k, kNumbers);
-  float* out = array.mutable_data();
-  const InUse use(self.used());
-  const py::gil_scoped_release release;
-  std::vector<std::pair<double, std::size_t>> near;
-  for (std::size_t e = 0; e < self.worlds(); ++e) {
-    const SpaceWorld& world = self.world(e);
-    for (std::size_t i = 0; i < self.robots(); ++i, out += k * kNumbers) {
-      self.find_near(world, i, near);
-      for (std::size_t n = 0; n < std::min(k, near.size()); ++n) {
-        const avo::space::Robot &own = world.robots[i], &other = world.robots[near[n].second];
-        float* const row = out + n * kNumbers;
+  return rows_of_nearest(
+      self, k, 8,
+      [&self](const SpaceWorld& world, std::size_t i, auto& near) {
+        self.find_near(world, i, near);
+      },
+      [](const SpaceWorld& world, std::size_t i, std::size_t number, float* row) {
+        const avo::space::Robot &own = world.robots[i], &other = world.robots[number];
         put(row, other.position - own.position);
         put(row + 3, other.velocity - own.velocity);
         row[6] = static_cast<float>(own.radius + other.radius);
         row[7] = 1.0F;
-      }
-    }
-  }
-  return array;
+      });
 }
 
 py::array_t<float> nearest_boxes(const SpaceWorlds& self, std::size_t k) {
-  constexpr std::size_t kNumbers = 4;
-  py::array_t<float> array = zeros(self, k, kNumbers);
-  float* out = array.mutable_data();
-  const InUse use(self.used());
-  const py::gil_scoped_release release;
-  std::vector<std::pair<double, std::size_t>> near;  // m^2, and numbers
-  for (std::size_t e = 0; e < self.worlds(); ++e) {
-    const SpaceWorld& world = self.world(e);
-    for (std::size_t i = 0; i < self.robots(); ++i, out += k * kNumbers) {
-      near.clear();
-      for (std::size_t b = 0; b < world.boxes.size(); ++b) {
-        const double squared = norm_squared(way_to(world.boxes[b], world.robots[i].position));
-        if (squared <= self.sensing_radius() * self.sensing_radius()) near.emplace_back(squared, b);
-      }
-      std::sort(near.begin(), near.end());
-      for (std::size_t n = 0; n < std::min(k, near.size()); ++n) {
-        float* const row = out + n * kNumbers;
-        put(row, way_to(world.boxes[near[n].second], world.robots[i].position));
+  const double radius = self.sensing_radius();
+  return rows_of_nearest(
+      self, k, 4,
+      [radius](const SpaceWorld& world, std::size_t i, auto& near) {
+        find_within(world.boxes, world.robots[i].position, radius, avo::space::displacement_to,
+                    near);
+      },
+      [](const SpaceWorld& world, std::size_t i, std::size_t box, float* row) {
+        put(row, displacement_to(world.boxes[box], world.robots[i].position));
         row[3] = 1.0F;
-      }
-    }
-  }
-  return array;
+      });
 }
 
 template <typename Of>  // Vec3 of(world, robot)
@@ -209,19 +162,6 @@ auto points(Of of) {
         const Vec3 v = of(self.world(static_cast<std::size_t>(i)), static_cast<std::size_t>(k));
         rows(i, k, 0) = v.x, rows(i, k, 1) = v.y, rows(i, k, 2) = v.z;
       }
-    return array;
-  };
-}
-
-template <typename Of>  // double of(world, robot)
-auto per_robot(Of of) {
-  return [of](const SpaceWorlds& self) {
-    const InUse use(self.used());
-    py::array_t<double> array({self.worlds(), self.robots()});
-    auto rows = array.mutable_unchecked<2>();
-    for (py::ssize_t i = 0; i < rows.shape(0); ++i)
-      for (py::ssize_t k = 0; k < rows.shape(1); ++k)
-        rows(i, k) = of(self.world(static_cast<std::size_t>(i)), static_cast<std::size_t>(k));
     return array;
   };
 }
@@ -282,13 +222,15 @@ void bind_worlds(py::module_& space) {
            "(E, N, 3) float64, m/s.")
       .def("goal", points([](const SpaceWorld& w, std::size_t k) { return w.goals[k]; }),
            "(E, N, 3) float64, m.")
-      .def("radius",
-           per_robot([](const SpaceWorld& w, std::size_t k) { return w.robots[k].radius; }),
+      .def("radius", per_robot<SpaceWorlds>([](const SpaceWorld& w, std::size_t k) {
+             return w.robots[k].radius;
+           }),
            "(E, N) float64, m.")
-      .def("max_speed",
-           per_robot([](const SpaceWorld& w, std::size_t k) { return w.robots[k].max_speed; }),
+      .def("max_speed", per_robot<SpaceWorlds>([](const SpaceWorld& w, std::size_t k) {
+             return w.robots[k].max_speed;
+           }),
            "(E, N) float64, m/s.")
-      .def("max_acceleration", per_robot([](const SpaceWorld& w, std::size_t k) {
+      .def("max_acceleration", per_robot<SpaceWorlds>([](const SpaceWorld& w, std::size_t k) {
              return w.robots[k].max_acceleration;
            }),
            "(E, N) float64, m/s^2.");

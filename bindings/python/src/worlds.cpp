@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Many worlds at once for learning. The caller gives the robots their preferred velocities; each
 // robot decides by a planner, as in a simulation.
-#include "worlds.h"
-
 #include <algorithm>
 #include <atomic>
 #include <fmt/format.h>
@@ -13,6 +11,7 @@
 
 #include "arrays.h"
 #include "workspace.h"
+#include "worlds_arrays.h"
 
 namespace avo_python {
 namespace {
@@ -218,19 +217,6 @@ auto points(Of of) {
   };
 }
 
-template <typename Of>  // double of(world, robot)
-auto per_robot(Of of) {
-  return [of](const Worlds& self) {
-    const InUse use(self.used());
-    py::array_t<double> array({self.worlds(), self.robots()});
-    auto rows = array.mutable_unchecked<2>();
-    for (py::ssize_t i = 0; i < rows.shape(0); ++i)
-      for (py::ssize_t k = 0; k < rows.shape(1); ++k)
-        rows(i, k) = of(self.world(static_cast<std::size_t>(i)), static_cast<std::size_t>(k));
-    return array;
-  };
-}
-
 void step(Worlds& self, const py::object& actions, const std::vector<bool>& moving,
           const py::array_t<bool, py::array::c_style | py::array::forcecast>& home) {
   const Numbers preferred = numbers("actions", actions);
@@ -290,7 +276,7 @@ void bind_worlds(py::module_& module) {
            "(E, N, 2) float64, m; of a robot with wheels the middle of its axle.")
       .def("center", points([](const World& w, std::size_t k) { return w.robots[k].position; }),
            "(E, N, 2) float64, m, of the discs.")
-      .def("heading", per_robot([](const World& w, std::size_t k) { return w.heading(k); }),
+      .def("heading", per_robot<Worlds>([](const World& w, std::size_t k) { return w.heading(k); }),
            "(E, N) float64, rad; 0 of robots without wheels.")
       .def_property_readonly(
           "has_wheels", [](const Worlds& self) { return self.world(0).wheels != nullptr; },
@@ -299,13 +285,15 @@ void bind_worlds(py::module_& module) {
            "(E, N, 2) float64, m/s.")
       .def("goal", points([](const World& w, std::size_t k) { return w.goals[k]; }),
            "(E, N, 2) float64, m.")
-      .def("radius", per_robot([](const World& w, std::size_t k) { return w.robots[k].radius; }),
+      .def("radius",
+           per_robot<Worlds>([](const World& w, std::size_t k) { return w.robots[k].radius; }),
            "(E, N) float64, m.")
       .def("max_speed",
-           per_robot([](const World& w, std::size_t k) { return w.robots[k].max_speed; }),
+           per_robot<Worlds>([](const World& w, std::size_t k) { return w.robots[k].max_speed; }),
            "(E, N) float64, m/s.")
-      .def("max_acceleration",
-           per_robot([](const World& w, std::size_t k) { return w.robots[k].max_acceleration; }),
+      .def("max_acceleration", per_robot<Worlds>([](const World& w, std::size_t k) {
+             return w.robots[k].max_acceleration;
+           }),
            "(E, N) float64, m/s^2.");
 }
 
