@@ -7,8 +7,8 @@
 #include <numbers>
 #include <vector>
 
-#include "planner/certified.h"
-#include "planner/certify.h"
+#include "planner/stages/certified.h"
+#include "planner/stages/certify.h"
 
 namespace avo {
 namespace {

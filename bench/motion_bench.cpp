@@ -9,7 +9,7 @@
 
 #include "planner/decision_columns.h"
 #include "planner/rules/arrival.h"
-#include "sim/moving_columns.h"
+#include "sim/columns/moving_columns.h"
 
 namespace avo {
 namespace {

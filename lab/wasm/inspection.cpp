@@ -14,7 +14,7 @@
 #include "figures/velocity_space.h"
 #include "host.h"
 #include "io/text/json.h"
-#include "planner/certify.h"
+#include "planner/stages/certify.h"
 
 namespace avo_lab {
 namespace {

@@ -2,7 +2,7 @@
 #include "guidance/at_goal.h"
 
 #include "certificate/braking_path.h"
-#include "planner/certify.h"
+#include "planner/stages/certify.h"
 #include "robots/model.h"
 
 namespace avo::inline guidance {

@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <vector>
 
-#include "planner/certify.h"
-#include "planner/demands.h"
 #include "planner/rules/evading.h"
+#include "planner/stages/certify.h"
+#include "planner/stages/demands.h"
 #include "robots/model.h"
 
 namespace avo::inline guidance {

@@ -11,8 +11,8 @@
 #include "core/ranges.h"
 #include "navigator/plan_routes.h"
 #include "navigator/state.h"
-#include "planner/certify.h"
 #include "planner/decision.h"
+#include "planner/stages/certify.h"
 #include "planner/validity.h"
 #include "robots/model.h"
 

@@ -5,7 +5,7 @@
 #include "avo/error.h"
 #include "avo/navigator.h"
 #include "guidance/wall_needs.h"
-#include "planner/certify.h"
+#include "planner/stages/certify.h"
 #include "planner/validity.h"
 #include "robots/model.h"
 

@@ -10,9 +10,9 @@
 #include "guidance/ties.h"
 #include "navigator/plan_routes.h"
 #include "navigator/state.h"
-#include "planner/certify.h"
 #include "planner/rules/arrival.h"
 #include "planner/scratch.h"
+#include "planner/stages/certify.h"
 #include "robots/model.h"
 
 namespace avo::inline navigator {

@@ -5,8 +5,8 @@
 #include <cstddef>
 #include <optional>
 
-#include "planner/neighbor_order.h"
 #include "planner/scratch.h"
+#include "planner/stages/neighbor_order.h"
 #include "planner/validity.h"
 
 namespace avo::inline planner {

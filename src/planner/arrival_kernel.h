@@ -11,10 +11,10 @@
 
 #include "certificate/plan_kernel.h"
 #include "core/share_kernel.h"
-#include "planner/certified.h"
 #include "planner/decision_columns.h"
 #include "planner/execution_kernel.h"
 #include "planner/rules/arrival.h"
+#include "planner/stages/certified.h"
 
 AVO_BEGIN_KERNELS
 

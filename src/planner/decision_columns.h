@@ -8,8 +8,8 @@
 #include "certificate/braking_path.h"
 #include "core/robot_columns.h"
 #include "lp/linear_program.h"
-#include "planner/execution.h"
 #include "planner/rules/arrival.h"
+#include "planner/stages/execution.h"
 
 namespace avo::inline planner {
 

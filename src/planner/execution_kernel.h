@@ -5,7 +5,7 @@
 
 #include "core/response_law_kernel.h"
 #include "core/scalar.h"
-#include "planner/execution.h"
+#include "planner/stages/execution.h"
 
 AVO_BEGIN_KERNELS
 

@@ -5,7 +5,7 @@
 #include "avo/planner.h"
 #include "core/elementary.h"
 #include "planner/decision.h"
-#include "planner/pair_planes.h"
+#include "planner/stages/pair_planes.h"
 #include "planner/validity.h"
 
 namespace avo {

@@ -10,12 +10,12 @@
 #include "core/neighbor_columns.h"
 #include "lp/linear_program.h"
 #include "lp/programs.h"
-#include "planner/certified.h"
 #include "planner/decision_columns.h"
-#include "planner/demands.h"
 #include "planner/methods/passive_obstacles.h"
 #include "planner/rules/evading.h"
-#include "planner/steer.h"
+#include "planner/stages/certified.h"
+#include "planner/stages/demands.h"
+#include "planner/stages/steer.h"
 #include "planner/together.h"
 
 namespace avo {

@@ -6,7 +6,7 @@
 
 #include "avo/planner.h"
 #include "core/stage_clock.h"
-#include "planner/soft_planes.h"
+#include "planner/stages/soft_planes.h"
 #include "planner/tile.h"
 
 namespace avo::inline planner {

@@ -11,12 +11,12 @@
 
 #include "avo/decision_trace.h"
 #include "avo/planner.h"
-#include "planner/certify.h"
-#include "planner/contact.h"
 #include "planner/options.h"
 #include "planner/rules/arrival.h"
 #include "planner/rules/evasion.h"
 #include "planner/scratch.h"
+#include "planner/stages/certify.h"
+#include "planner/stages/contact.h"
 #include "robots/footprint.h"
 #include "robots/model.h"
 

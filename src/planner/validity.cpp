@@ -9,8 +9,8 @@
 
 #include "core/plane.h"
 #include "core/ranges.h"
-#include "planner/certify.h"
 #include "planner/methods/flight.h"
+#include "planner/stages/certify.h"
 #include "robots/ahead.h"
 #include "robots/footprint.h"
 #include "robots/model.h"

@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "core/plane.h"
-#include "sim/fleet.h"
+#include "sim/columns/fleet.h"
 #include "spatial/cells.h"
 
 namespace avo::inline sim {

@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "sim/fleet.h"
+#include "sim/columns/fleet.h"
 
 namespace avo::inline sim {
 

@@ -8,9 +8,9 @@
 #include <cstdint>
 
 #include "guidance/goals_kernel.h"
-#include "planner/relevance.h"
+#include "planner/stages/relevance.h"
 #include "robots/holonomic_kernel.h"
-#include "sim/moving_columns.h"
+#include "sim/columns/moving_columns.h"
 
 AVO_BEGIN_KERNELS
 

@@ -8,8 +8,8 @@
 #include <utility>
 
 #include "planner/decision.h"
-#include "planner/execution.h"
 #include "planner/scratch.h"
+#include "planner/stages/execution.h"
 #include "robots/model.h"
 #include "sim/clocks.h"
 #include "sim/world.h"

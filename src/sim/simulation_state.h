@@ -11,8 +11,8 @@
 #include "avo/error.h"
 #include "core/mutex.h"
 #include "sim/clocks.h"
-#include "sim/fleet_mirror.h"
-#include "sim/nearby.h"
+#include "sim/columns/fleet_mirror.h"
+#include "sim/host/nearby.h"
 #include "sim/world.h"
 
 namespace avo {

@@ -9,9 +9,9 @@
 
 #include "robots/model.h"
 #include "sim/clocks.h"
-#include "sim/edits.h"
-#include "sim/external.h"
-#include "sim/sense.h"
+#include "sim/host/edits.h"
+#include "sim/host/external.h"
+#include "sim/sensing/sense.h"
 #include "sim/world.h"
 
 namespace avo::inline sim {

@@ -7,8 +7,8 @@
 
 #include "avo/scenario.h"
 #include "guidance/ways.h"
-#include "sim/fleet.h"
-#include "sim/static_world.h"
+#include "sim/columns/fleet.h"
+#include "sim/columns/static_world.h"
 
 namespace avo::inline sim {
 

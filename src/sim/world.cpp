@@ -10,13 +10,13 @@
 
 #include "core/hash.h"
 #include "core/plane.h"
-#include "planner/certify.h"
 #include "planner/scratch.h"
+#include "planner/stages/certify.h"
 #include "planner/validity.h"
 #include "sim/clocks.h"
 #include "sim/floors.h"
 #include "sim/scene/scene_checks.h"
-#include "sim/sense.h"
+#include "sim/sensing/sense.h"
 #include "sim/travels.h"
 
 namespace avo::inline sim {

@@ -7,7 +7,7 @@
 #include <optional>
 
 #include "core/elementary.h"
-#include "planner/demands.h"
+#include "planner/stages/demands.h"
 #include "space/certificate.h"
 #include "space/own_space.h"
 

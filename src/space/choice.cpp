@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "planner/cuts.h"
+#include "planner/stages/cuts.h"
 #include "space/own_space.h"
 
 namespace avo::space {

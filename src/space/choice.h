@@ -4,7 +4,7 @@
 #pragma once
 #include <vector>
 
-#include "planner/certified.h"
+#include "planner/stages/certified.h"
 #include "space/certificate.h"
 #include "space/program.h"
 

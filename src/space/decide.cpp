@@ -8,8 +8,8 @@
 
 #include "core/ranges.h"
 #include "core/response_law.h"
-#include "planner/execution.h"
 #include "planner/execution_kernel.h"
+#include "planner/stages/execution.h"
 #include "space/arrival.h"
 #include "space/choice.h"
 #include "space/evasion.h"

@@ -4,7 +4,7 @@
 #include <span>
 
 #include "avo/export.h"
-#include "planner/execution.h"
+#include "planner/stages/execution.h"
 #include "space/decide.h"
 #include "space/look.h"
 #include "space/own_space.h"

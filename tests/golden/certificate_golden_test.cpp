@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "certificate/certificate.h"
-#include "planner/certify.h"
+#include "planner/stages/certify.h"
 #include "rows.h"
 #include "support/certificates.h"
 

@@ -10,7 +10,7 @@
 
 #include "avo/checked.h"
 #include "certificate/discs.h"
-#include "planner/disc_pairs.h"
+#include "planner/stages/disc_pairs.h"
 #include "robots/model.h"
 #include "support/certificates.h"
 

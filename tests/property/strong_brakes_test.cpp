@@ -11,7 +11,7 @@
 
 #include "property/crushes.h"
 #include "robots/drive.h"
-#include "sim/fleet.h"
+#include "sim/columns/fleet.h"
 
 namespace avo::test {
 namespace {

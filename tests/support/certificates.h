@@ -10,7 +10,7 @@
 #include "avo/planner.h"
 #include "avo/response.h"
 #include "certificate/certificate.h"
-#include "planner/certify.h"
+#include "planner/stages/certify.h"
 #include "support/generators.h"
 
 namespace avo::test {

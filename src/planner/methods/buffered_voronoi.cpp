@@ -9,9 +9,9 @@
 
 #include "lp/linear_program.h"
 #include "planner/decision.h"
-#include "planner/demands.h"
-#include "planner/pair_planes.h"
 #include "planner/scratch.h"
+#include "planner/stages/demands.h"
+#include "planner/stages/pair_planes.h"
 
 namespace avo::inline planner {
 namespace {

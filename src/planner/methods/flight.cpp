@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "planner/certify.h"
+#include "planner/stages/certify.h"
 #include "robots/ahead.h"
 
 namespace avo::inline planner {

@@ -8,9 +8,9 @@
 
 #include "certificate/fallback_areas.h"
 #include "certificate/ways.h"
-#include "planner/certified.h"
 #include "planner/decision.h"
 #include "planner/rules/levels.h"
+#include "planner/stages/certified.h"
 
 namespace avo::inline planner {
 

@@ -7,9 +7,9 @@
 #include <optional>
 
 #include "core/plane.h"
-#include "planner/certify.h"
 #include "planner/rules/braking_evasion.h"
 #include "planner/rules/flight_evasion.h"
+#include "planner/stages/certify.h"
 #include "robots/model.h"
 
 namespace avo::inline planner {

@@ -5,7 +5,7 @@
 #include <numbers>
 
 #include "core/elementary.h"
-#include "planner/demands.h"
+#include "planner/stages/demands.h"
 #include "walls/segment.h"
 
 namespace avo::inline planner {

@@ -4,13 +4,13 @@
 #include <algorithm>
 
 #include "core/response_law_kernel.h"
-#include "planner/behind_walls.h"
-#include "planner/certify.h"
 #include "planner/decision.h"
-#include "planner/disc_pairs.h"
-#include "planner/execution.h"
 #include "planner/rules/arrival.h"
-#include "planner/steer.h"
+#include "planner/rules/behind_walls.h"
+#include "planner/stages/certify.h"
+#include "planner/stages/disc_pairs.h"
+#include "planner/stages/execution.h"
+#include "planner/stages/steer.h"
 #include "robots/model.h"
 
 namespace avo::inline planner {

@@ -2,7 +2,7 @@
 // The wishes of the robots of a tile, and what the program is given for them.
 #pragma once
 #include "planner/decision_columns.h"
-#include "planner/execution.h"
+#include "planner/stages/execution.h"
 #include "planner/tile.h"
 
 namespace avo::inline planner {

@@ -10,10 +10,10 @@
 #include <span>
 
 #include "certificate/fallback_areas.h"
-#include "planner/disc_pairs.h"
+#include "planner/stages/disc_pairs.h"
 #include "robots/footprint.h"
 #include "robots/model.h"
-#include "sim/fleet.h"
+#include "sim/columns/fleet.h"
 #include "spatial/point_grid.h"
 
 namespace avo::inline sim {

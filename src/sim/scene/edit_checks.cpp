@@ -8,7 +8,7 @@
 #include "avo/error.h"
 #include "core/ranges.h"
 #include "core/retell.h"
-#include "planner/certify.h"
+#include "planner/stages/certify.h"
 #include "sim/scene/assumptions.h"
 #include "sim/scene/one_sided.h"
 #include "sim/scene/scene_checks.h"

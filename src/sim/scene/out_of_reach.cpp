@@ -3,7 +3,7 @@
 #include "avo/reachability.h"
 #include "guidance/ways.h"
 #include "robots/model.h"
-#include "sim/static_world.h"
+#include "sim/columns/static_world.h"
 
 namespace avo {
 

@@ -17,7 +17,7 @@
 #include "sim/clocks.h"
 #include "sim/scene/one_sided.h"
 #include "sim/scene/scene_checks.h"
-#include "sim/senses.h"
+#include "sim/sensing/senses.h"
 
 namespace avo {
 namespace {

@@ -6,9 +6,9 @@
 #include "avo/scenario.h"
 #include "planner/options.h"
 #include "robots/model.h"
-#include "sim/fleet.h"
+#include "sim/columns/fleet.h"
 #include "sim/scene/scene_checks.h"
-#include "sim/senses.h"
+#include "sim/sensing/senses.h"
 
 namespace avo::inline sim {
 namespace {

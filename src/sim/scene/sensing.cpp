@@ -17,12 +17,12 @@
 #include "core/elementary.h"
 #include "core/plane.h"
 #include "core/timed_places.h"
-#include "planner/certify.h"
+#include "planner/stages/certify.h"
 #include "robots/model.h"
-#include "sim/fleet.h"
+#include "sim/columns/fleet.h"
 #include "sim/scene/assumptions.h"
 #include "sim/scene/scene_checks.h"
-#include "sim/senses.h"
+#include "sim/sensing/senses.h"
 
 namespace avo::inline sim {
 namespace {

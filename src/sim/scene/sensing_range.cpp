@@ -9,8 +9,8 @@
 
 #include "avo/assumptions.h"
 #include "core/ranges.h"
-#include "planner/certify.h"
 #include "planner/rules/arrival.h"
+#include "planner/stages/certify.h"
 #include "robots/model.h"
 #include "sim/scene/assumptions.h"
 

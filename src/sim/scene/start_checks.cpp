@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "core/plane.h"
-#include "planner/certify.h"
+#include "planner/stages/certify.h"
 #include "sim/clocks.h"
 #include "sim/scene/assumptions.h"
 #include "sim/scene/complaints.h"

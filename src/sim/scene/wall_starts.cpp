@@ -10,9 +10,9 @@
 #include "certificate/discs.h"
 #include "certificate/fallback_areas.h"
 #include "robots/model.h"
-#include "sim/fleet.h"
+#include "sim/columns/fleet.h"
+#include "sim/columns/static_world.h"
 #include "sim/scene/assumptions.h"
-#include "sim/static_world.h"
 #include "walls/segment.h"
 
 namespace avo::inline sim {

@@ -12,7 +12,7 @@
 #include "avo/simulation.h"
 #include "guidance/ways.h"
 #include "robots/motion.h"
-#include "sim/senses.h"
+#include "sim/sensing/senses.h"
 
 namespace avo::inline sim {
 

@@ -7,7 +7,7 @@
 #include <limits>
 #include <numbers>
 
-#include "planner/certified.h"
+#include "planner/stages/certified.h"
 #include "robots/model.h"
 
 namespace avo::test {

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 #include <vector>
 
-#include "planner/certified.h"
+#include "planner/stages/certified.h"
 #include "support/certificates.h"
 
 namespace avo::test {

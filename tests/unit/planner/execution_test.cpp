@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Gentle execution of method avo's choices (docs/smoothness.md): gain, ease, use, and need.
-#include "planner/execution.h"
+#include "planner/stages/execution.h"
 
 #include <cmath>
 #include <gtest/gtest.h>

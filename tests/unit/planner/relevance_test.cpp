@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Who is beyond the relevant range, and not among the nearest, changes no bit of a decision.
-#include "planner/relevance.h"
+#include "planner/stages/relevance.h"
 
 #include <algorithm>
 #include <bit>
@@ -10,9 +10,9 @@
 
 #include "certificate/pair.h"
 #include "core/stage_clock.h"
-#include "planner/certify.h"
 #include "planner/rules/arrival.h"
 #include "planner/scratch.h"
+#include "planner/stages/certify.h"
 #include "support/half_plane_batches.h"
 #include "unit/planner/crowds.h"
 

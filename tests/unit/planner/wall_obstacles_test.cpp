@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 #include <vector>
 
-#include "planner/demands.h"
+#include "planner/stages/demands.h"
 #include "support/walls.h"
 
 namespace avo {

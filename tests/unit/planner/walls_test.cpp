@@ -6,7 +6,7 @@
 #include <cmath>
 #include <gtest/gtest.h>
 
-#include "planner/demands.h"
+#include "planner/stages/demands.h"
 
 namespace avo {
 namespace {

@@ -9,7 +9,7 @@
 
 #include "certificate/certificate.h"
 #include "certified_scenes.h"
-#include "planner/certify.h"
+#include "planner/stages/certify.h"
 #include "support/generators.h"
 
 namespace avo {

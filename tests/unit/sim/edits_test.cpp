@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Doors open and close: static obstacles come and go while robots move.
-#include "sim/edits.h"
+#include "sim/host/edits.h"
 
 #include <algorithm>
 #include <cmath>

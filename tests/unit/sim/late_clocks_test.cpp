@@ -17,7 +17,7 @@
 #include "avo/simulation.h"
 #include "certificate/pair.h"
 #include "robots/model.h"
-#include "sim/senses.h"
+#include "sim/sensing/senses.h"
 #include "support/refusal.h"
 #include "unit/sim/scenes.h"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Robots in columns do, bit for bit, what each does alone, on every instruction set.
-#include "sim/moving_columns.h"
+#include "sim/columns/moving_columns.h"
 
 #include <algorithm>
 #include <bit>

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "core/executor.h"
-#include "sim/sense.h"
+#include "sim/sensing/sense.h"
 #include "sim/travels.h"
 #include "sim/world.h"
 #include "unit/sim/scenes.h"

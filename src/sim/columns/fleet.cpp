@@ -1,0 +1,350 @@
+// SPDX-License-Identifier: Apache-2.0
+// Columns of robots and obstacles: adding, removing, hashing.
+#include "sim/columns/fleet.h"
+
+#include <algorithm>
+#include <bit>
+#include <cstring>
+#include <limits>
+#include <string>
+#include <type_traits>
+
+#include "avo/error.h"
+#include "core/elementary.h"
+#include "core/hash.h"
+#include "robots/ahead.h"
+#include "robots/footprint.h"
+#include "robots/model.h"
+
+namespace avo::inline sim {
+namespace {
+
+std::uint64_t hashed(std::uint64_t hash, double value) {
+  return mixed(hash, std::bit_cast<std::uint64_t>(value));
+}
+
+std::uint64_t hashed(std::uint64_t hash, Vec2 value) {
+  return hashed(hashed(hash, value.x), value.y);
+}
+
+}  // namespace
+
+RobotTraits traits_of(const RobotSetup& setup) {
+  return {.radius = disc_radius(setup),
+          .way_radius = way_radius(setup.model, disc_radius(setup)),
+          .max_speed = setup.max_speed,
+          .max_acceleration = setup.max_acceleration,
+          .max_braking = braking_limit(setup),
+          .preferred_speed = setup.preferred_speed,
+          .has_model = !is_holonomic(setup.model),
+          .exceeds = model_traits(setup.model).reach > 1.0};
+}
+
+UsualMethod usual_method(const Scenario& scenario) {
+  return {scenario.method,
+          scenario.certificate.value_or(usual_certificate(scenario.method)) != Certificate::none};
+}
+
+Conduct conduct_of(const RobotSetup& setup, const UsualMethod& usual) {
+  const Method method = setup.method.value_or(usual.method);
+  const bool certified =
+      method == usual.method ? usual.certified : usual_certificate(method) != Certificate::none;
+  return {setup.priority, setup.parked, method,        certified,
+          setup.layers,   setup.avoids, setup.behavior};
+}
+
+Vec2 start_velocity(const RobotSetup& setup) {
+  if (is_holonomic(setup.model)) return setup.velocity;
+  const Vec2 heading = elementary::direction(setup.heading);
+  const double least = model_traits(setup.model).least_speed;
+  if (setup.velocity == Vec2{} && least > 0.0)
+    return std::clamp(setup.preferred_speed, least, setup.max_speed) * heading;
+  const bool backwards =
+      model_traits(setup.model).can_reverse && dot(setup.velocity, heading) < 0.0;
+  return norm(setup.velocity) * (backwards ? -heading : heading);
+}
+
+template <typename Action>
+void Fleet::for_each_column(const Action& action) {
+  action(id), action(rank), action(traits), action(conduct), action(range), action(nearest);
+  action(goal), action(position), action(velocity), action(heading), action(detour), action(plan),
+      action(applied_acceleration);
+  action(has_stood), action(cell);
+}
+
+void Fleet::reserve(std::size_t count) {
+  for_each_column([&](auto& column) { column.reserve(count); });
+  slot_of.reserve(count);
+}
+
+void Fleet::add(RobotId robot, const RobotSetup& setup, const OwnPace& own_pace) {
+  const std::size_t slot = size();
+  // everything that may throw comes before any change
+  bool full = slot_of.capacity() == slot;
+  for_each_column([&](auto& column) { full = full || column.capacity() == slot; });
+  if (full) reserve(2 * slot + 8);
+  if (has_clocks) clock.resize(slot + 1);
+  if (!models.empty() || !is_holonomic(setup.model)) {
+    for (std::size_t k = own_radius.size(); k < slot; ++k)
+      own_radius.push_back(traits[slot_of[k]].radius);  // of the holonomic robots
+    own_radius.resize(slot + 1);
+    models.resize(slot + 1);
+  }
+  if (!flights.empty() || !can_rest(setup.model)) flights.resize(slot + 1);
+  if (!pace.empty() || !(own_pace == OwnPace{})) pace.resize(slot + 1);
+  if (!told.empty()) told.resize(slot + 1);
+  for_each_column([&](auto& column) { column.resize(slot + 1); });
+  id[slot] = robot;
+  rank[slot] = static_cast<int>(slot);
+  traits[slot] = traits_of(setup);
+  conduct[slot] = conduct_of(setup, usual);
+  if (!pace.empty()) pace[slot] = own_pace;
+  goal[slot] = setup.goal;
+  position[slot] = disc_center(setup);
+  velocity[slot] = start_velocity(setup);
+  nearest[slot] = std::numeric_limits<float>::infinity();
+  heading[slot] = traits[slot].has_model ? setup.heading : 0.0;
+  if (!models.empty()) models[slot] = setup.model, own_radius[slot] = setup.radius;
+  has_footprints = has_footprints || has_footprint(setup.model);
+  if (Flight* own = flight(slot)) *own = {*circle_of(setup.model, position[slot], velocity[slot])};
+  slot_of.push_back(static_cast<std::uint32_t>(slot));
+}
+
+void Fleet::change(std::size_t slot, const RobotSetup& setup, const OwnPace& own_pace) {
+  const auto own = static_cast<std::size_t>(rank[slot]);
+  if (pace.empty() && !(own_pace == OwnPace{})) pace.resize(size());
+  if (!pace.empty()) pace[own] = own_pace;
+  traits[slot] = traits_of(setup);
+  conduct[slot] = conduct_of(setup, usual);
+  nearest[slot] = std::numeric_limits<float>::infinity();
+  if (!models.empty()) own_radius[own] = setup.radius;
+}
+
+void Fleet::remove(std::size_t slot) {
+  slot_of.erase(slot_of.begin() + rank[slot]);
+  if (!models.empty()) {
+    models.erase(models.begin() + rank[slot]);
+    own_radius.erase(own_radius.begin() + rank[slot]);
+  }
+  if (!flights.empty()) flights.erase(flights.begin() + rank[slot]);
+  if (has_clocks) clock.erase(clock.begin() + rank[slot]);
+  if (!pace.empty()) pace.erase(pace.begin() + rank[slot]);
+  if (!told.empty()) told.erase(told.begin() + rank[slot]);
+  const std::size_t last = size() - 1;  // it takes over the slot
+  for (auto k = static_cast<std::size_t>(rank[slot]); k < slot_of.size(); ++k) --rank[slot_of[k]];
+  if (slot != last)
+    slot_of[static_cast<std::size_t>(rank[last])] = static_cast<std::uint32_t>(slot);
+  for_each_column([&](auto& column) {
+    column[slot] = column[last];
+    column.pop_back();
+  });
+}
+
+std::vector<Wall> Fleet::parked_walls(std::optional<std::size_t> changed,
+                                      const std::optional<Wall>& own) const {
+  std::vector<Wall> walls;
+  for (const std::uint32_t slot : slot_of) {
+    if (changed == slot) {
+      walls.insert(walls.end(), own ? 1 : 0, own.value_or(Wall{}));
+    } else if (conduct[slot].parked) {
+      walls.push_back(parked_wall(model(slot), position[slot], traits[slot].radius, heading[slot]));
+    }
+  }
+  return walls;
+}
+
+// A robot's rank is its number, less the number of removed robots before it.
+std::optional<std::size_t> Fleet::slot(RobotId robot) const {
+  if (slot_of.empty()) return std::nullopt;
+  const std::size_t most = slot_of.size() - 1;
+  const std::uint64_t number = robot.value, last = id[slot_of[most]].value;
+  if (number > last) return std::nullopt;
+  const std::uint64_t gone = last - most;
+  const auto begin =
+      slot_of.begin() + static_cast<std::ptrdiff_t>(number > gone ? number - gone : 0);
+  const auto end =
+      slot_of.begin() + static_cast<std::ptrdiff_t>(std::min<std::uint64_t>(number, most));
+  const auto place = std::lower_bound(
+      begin, end, number, [&](std::uint32_t own, std::uint64_t b) { return id[own].value < b; });
+  if (!(id[*place] == robot)) return std::nullopt;
+  return *place;
+}
+
+std::size_t Fleet::find(RobotId robot) const {
+  if (const auto own = slot(robot)) return *own;
+  throw Error("robot " + std::to_string(robot.value) + ": found none of that id");
+}
+
+RobotSetup Fleet::setup(std::size_t slot, const MotionState& state) const {
+  const RobotTraits& robot_traits = traits[slot];
+  RobotSetup setup{.position = place(slot, state),
+                   .velocity = state.velocity,
+                   .goal = goal[slot],
+                   .radius = models.empty() ? robot_traits.radius
+                                            : own_radius[static_cast<std::size_t>(rank[slot])],
+                   .max_speed = robot_traits.max_speed,
+                   .max_acceleration = robot_traits.max_acceleration,
+                   .preferred_speed = robot_traits.preferred_speed,
+                   .model = model(slot),
+                   .heading = state.heading,
+                   .priority = conduct[slot].priority,
+                   .parked = conduct[slot].parked,
+                   .layers = conduct[slot].layers,
+                   .avoids = conduct[slot].avoids,
+                   .max_braking = max_braking_of(robot_traits),
+                   .behavior = conduct[slot].behavior};
+  if (has_clocks && !conduct[slot].parked) setup.time_step = clock_of(slot).time_step;
+  if (conduct[slot].method != usual.method) setup.method = conduct[slot].method;
+  if (!pace.empty()) {
+    const OwnPace& own = pace[static_cast<std::size_t>(rank[slot])];
+    setup.time_horizon = own.time_horizon, setup.arrival_distance = own.arrival_distance;
+  }
+  return setup;
+}
+
+Vec2 Fleet::offset(std::size_t slot, double heading_of_it) const {
+  const MotionModel* own = own_model(slot);
+  return own != nullptr ? disc_center(*own, {}, heading_of_it) : Vec2{};
+}
+
+namespace {
+
+// Part of its max_acceleration: the likely deviation of a robot that promises nothing.
+constexpr double kLikely = 0.6;
+
+Behavior behavior_of(Expectation expected) {
+  if (expected == Expectation::decides) return Behavior::decides;
+  return expected == Expectation::cooperates ? Behavior::cooperates : Behavior::moves_on;
+}
+
+}  // namespace
+
+Neighbor sensed(const RobotTraits& traits, const Conduct& conduct, Expectation expected,
+                Vec2 position, Vec2 velocity) {
+  const bool decides = expected == Expectation::decides;
+  Neighbor neighbor{.position = position,
+                    .velocity = velocity,
+                    .radius = traits.radius,
+                    .max_acceleration = traits.max_acceleration,
+                    .behavior = behavior_of(expected),
+                    .priority = conduct.priority,
+                    .max_braking = max_braking_of(traits)};
+  if (expected == Expectation::cooperates || expected == Expectation::moves_on) {
+    neighbor.likely_deviation = kLikely * traits.max_acceleration;
+    return neighbor;
+  }
+  if (decides && !traits.exceeds) return neighbor;
+  neighbor.max_deviation = top_acceleration(traits);
+  if (decides) return neighbor;
+  neighbor.max_speed = std::max(traits.max_speed, norm(velocity));
+  return neighbor;
+}
+
+Wall parked_wall(const MotionModel& model, Vec2 center, double radius, double heading) {
+  const Footprint footprint = footprint_of(model);
+  if (!footprint) return {center, center, radius};
+  const Vec2 ahead = ahead_of(heading);
+  return {center + footprint.first * ahead, center + footprint.ahead(footprint.discs - 1) * ahead,
+          footprint.radius};
+}
+
+void cover(const MotionModel& model, const BrakingPose& pose, Neighbor& neighbor) {
+  neighbor.footprint = footprint_of(model);
+  neighbor.ahead = pose.ahead, neighbor.spread = pose.spread;
+}
+
+Neighbor Fleet::sensed(std::size_t slot, Expectation expected) const {
+  Neighbor neighbor =
+      avo::sensed(traits[slot], conduct[slot], expected, position[slot], velocity[slot]);
+  neighbor.loiter = circle(slot);
+  return neighbor;
+}
+
+Robot limits_of(const Fleet& fleet, std::size_t slot) {
+  const RobotTraits& traits = fleet.traits[slot];
+  Robot robot;
+  robot.radius = traits.radius;
+  robot.max_acceleration = traits.max_acceleration;
+  robot.max_speed = traits.max_speed;
+  robot.priority = fleet.conduct[slot].priority;
+  robot.max_braking = max_braking_of(traits);
+  if (traits.has_model) robot.model = *fleet.own_model(slot);
+  return robot;
+}
+
+void Fleet::reorder(std::span<const std::uint32_t> order, Executor& executor, bool& torn) {
+  constexpr std::size_t kChunk = 4096;
+  const std::size_t count = size();
+  const auto for_each_chunk = [&](const auto& body) {
+    parallel_for(executor, (count + kChunk - 1) / kChunk, [&](std::size_t chunk, std::size_t) {
+      body(chunk * kChunk, std::min((chunk + 1) * kChunk, count));
+    });
+  };
+  // bytes of an entry that are moved at once, which bounds the memory: a wider entry takes two
+  // parts
+  constexpr std::size_t kMost = 48;
+  if (scratch_.size() < count * kMost) scratch_.resize(count * kMost);  // before any change
+  torn = true;
+  const auto move_part = [&]<std::size_t kBegin, std::size_t kWidth>(std::byte* column,
+                                                                     std::size_t entry) {
+    std::byte* const copy = scratch_.data();
+    for_each_chunk([&](std::size_t first, std::size_t last) {
+      for (std::size_t k = first; k < last; ++k)
+        std::memcpy(copy + k * kWidth, column + order[k] * entry + kBegin, kWidth);
+    });
+    for_each_chunk([&](std::size_t first, std::size_t last) {
+      for (std::size_t k = first; k < last; ++k)
+        std::memcpy(column + k * entry + kBegin, copy + k * kWidth, kWidth);
+    });
+  };
+  for_each_column([&](auto& column) {
+    using T = typename std::decay_t<decltype(column)>::value_type;
+    static_assert(std::is_trivially_copyable_v<T> && sizeof(T) <= 2 * kMost);
+    constexpr std::size_t kFirst = std::min(sizeof(T), kMost), kRest = sizeof(T) - kFirst;
+    std::byte* const bytes = reinterpret_cast<std::byte*>(column.data());
+    move_part.template operator()<0, kFirst>(bytes, sizeof(T));
+    if constexpr (kRest > 0) move_part.template operator()<kFirst, kRest>(bytes, sizeof(T));
+  });
+  for (std::size_t slot = 0; slot < count; ++slot) {
+    slot_of[static_cast<std::size_t>(rank[slot])] = static_cast<std::uint32_t>(slot);
+  }
+  torn = false;
+}
+
+namespace {
+
+// Hashes when the robot decides again, and all data that give its place until then.
+std::uint64_t hashed(std::uint64_t hash, const OwnClock& clock) {
+  hash = mixed(hash, static_cast<std::uint64_t>(clock.begin));
+  hash = mixed(hash, static_cast<std::uint64_t>(clock.end));
+  for (const MotionState* state : {&clock.from, &clock.to})
+    hash = hashed(hashed(hashed(hash, state->position), state->velocity), state->heading);
+  return hashed(hash, clock.time_step);
+}
+
+}  // namespace
+
+std::uint64_t hash_of(const Fleet& fleet, const ObstacleColumns& obstacles, std::int64_t steps) {
+  std::uint64_t hash = mixed(0, static_cast<std::uint64_t>(steps));
+  for (const std::uint32_t i : fleet.slot_of) {
+    hash = mixed(hash, fleet.id[i].value);
+    hash = hashed(hashed(hash, fleet.position[i]), fleet.velocity[i]);
+    hash = hashed(hash, fleet.heading[i]);
+    const Detour& detour = fleet.detour[i];
+    hash = hashed(hashed(hash, detour.angle), detour.beside);
+    hash = hashed(hashed(hash, detour.congestion), detour.has_arrived ? 1.0 : 0.0);
+    if (fleet.has_stood[i] != 0) hash = hashed(hash, 1.0);
+    if (fleet.has_clocks) hash = hashed(hash, fleet.clock_of(i));
+    if (const Flight* own = fleet.flight(i)) {
+      hash = hashed(hashed(hash, own->circle.center), own->circle.radius);
+      hash = hashed(hash, own->has_arrived ? 1.0 : 0.0);
+    }
+  }
+  for (std::size_t k = 0; k < obstacles.setup.size(); ++k) {
+    hash = hashed(hashed(hash, obstacles.position[k]), obstacles.velocity[k]);
+    if (!obstacles.setup[k].path.empty()) hash = mixed(hash, std::uint64_t{obstacles.target[k]});
+  }
+  return hash;
+}
+
+}  // namespace avo::inline sim

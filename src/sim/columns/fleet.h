@@ -1,0 +1,236 @@
+// SPDX-License-Identifier: Apache-2.0
+// The state of a simulation in columns, one entry for each robot.
+#pragma once
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "avo/simulation.h"
+#include "core/executor.h"
+#include "guidance/traits.h"
+#include "planner/stages/relevance.h"
+#include "robots/model.h"
+#include "robots/motion.h"
+#include "sim/columns/obstacle_columns.h"
+
+namespace avo::inline sim {
+
+/// The constant part of a RobotSetup.
+RobotTraits traits_of(const RobotSetup& setup);
+
+/// How a robot and the others avoid each other. Nearly all robots have the same.
+struct Conduct {
+  double priority = 1.0;
+  bool parked = false;
+  Method method = Method::avo;
+  bool certified = true;  // it keeps the certificate
+  LayerSet layers = RobotSetup{}.layers, avoids = RobotSetup{}.avoids;
+  Behavior behavior = RobotSetup{}.behavior;  // towards robots that it avoids
+  friend bool operator==(const Conduct&, const Conduct&) = default;
+};
+/// The method of robots that have none of their own, and whether these keep a certificate.
+struct UsualMethod {
+  Method method = Method::avo;
+  bool certified = true;
+};
+UsualMethod usual_method(const Scenario& scenario);
+Conduct conduct_of(const RobotSetup& setup, const UsualMethod& usual);
+/// What A counts on from another robot that it avoids.
+enum class Expectation : std::uint8_t {
+  decides,           ///< it does its share, and keeps the certificate of A, if A has one
+  cooperates,        ///< it should do its share, and promises nothing
+  moves_on,          ///< A knows its velocity alone: it has failed, or only A keeps a certificate
+  does_as_it_likes,  ///< it does not avoid A, and keeps its limits
+};
+/// None where A does not avoid B.
+inline std::optional<Expectation> expected_of(const Conduct& b, const Conduct& a) {
+  if ((a.avoids.bits & b.layers.bits) == 0) return std::nullopt;
+  const bool is_like =
+      b.method == a.method || (a.certified ? b.certified : !method_traits(a.method).has_rules);
+  if ((b.avoids.bits & a.layers.bits) == 0)
+    return is_like ? Expectation::does_as_it_likes : Expectation::moves_on;
+  if (b.behavior == Behavior::moves_on) return Expectation::moves_on;
+  if (b.behavior == Behavior::cooperates) return Expectation::cooperates;
+  return is_like ? Expectation::decides : Expectation::moves_on;
+}
+/// A robot in the view of others with that expectation.
+Neighbor sensed(const RobotTraits& traits, const Conduct& conduct, Expectation expected,
+                Vec2 position, Vec2 velocity);
+/// Adds the footprint of a robot of that model to what others sense of it.
+void cover(const MotionModel& model, const BrakingPose& pose, Neighbor& neighbor);
+/// A parked robot as others know it, by the center of its disc: all discs of its footprint, and
+/// what is between them.
+Wall parked_wall(const MotionModel& model, Vec2 center, double radius, double heading);
+inline Wall parked_wall(const RobotSetup& setup) {
+  return parked_wall(setup.model, disc_center(setup), disc_radius(setup), setup.heading);
+}
+/// m/s; for a robot with a heading it points along the heading, or against it.
+Vec2 start_velocity(const RobotSetup& setup);
+
+/// The memory of a robot that flies.
+struct Flight {
+  LoiterCircle circle;       // the circle that it falls back on
+  bool has_arrived = false;  // it has passed its goal
+};
+
+/// Nanoseconds since the start of a run. Whole numbers decide exactly whether two robots decide at
+/// the same time.
+using Instant = std::int64_t;
+
+/// The clock of one robot, and its present step.
+struct OwnClock {
+  double time_step = 0.0;      // s, from decision to decision
+  Instant begin = 0, end = 0;  // of the step
+  MotionState from, to;        // states at both times
+  bool has_decided = false;    // false: it brakes until its first decision
+
+  // m/s², on average.
+  Vec2 acceleration() const {
+    if (!(end > begin)) return {};
+    return (to.velocity - from.velocity) / (static_cast<double>(end - begin) / 1e9);
+  }
+};
+
+/// The planner by which a robot decides.
+struct OwnPace {
+  std::uint32_t index = 0;                      // see World::paces
+  std::optional<double> time_horizon = {};      // s, from its setup
+  std::optional<double> arrival_distance = {};  // m, from its setup
+  friend bool operator==(const OwnPace&, const OwnPace&) = default;
+};
+
+/// Columns by slot. Robots that are near each other are near in memory once the fleet has been put
+/// in order. Ids ascend by rank.
+struct Fleet {
+  std::vector<RobotId> id;
+  std::vector<int> rank;
+  std::vector<RobotTraits> traits;
+  std::vector<Conduct> conduct;
+  std::vector<RelevantRange> range;
+  std::vector<float> nearest;  // m, the radius with its nearest neighbors in the last step
+  std::vector<Vec2> goal;
+  std::vector<Vec2> position;  // of its disc
+  std::vector<Vec2> velocity;
+  std::vector<double> heading;  // rad; read where there is a model
+  std::vector<Detour> detour;
+  std::vector<Plan> plan;
+  std::vector<double> applied_acceleration;
+  std::vector<std::uint8_t> has_stood;  // whether it has stood near its goal, which others share
+  std::vector<std::uint32_t> cell;      // key of its cell, see Cells
+
+  std::vector<std::uint32_t> slot_of;  // by rank
+  std::vector<OwnClock> clock;         // by rank; empty where the clock is common
+  bool has_clocks = false;
+  bool has_footprints = false;
+  UsualMethod usual;                // of robots that have none of their own
+  std::vector<OwnPace> pace;        // by rank; empty where all use the first one
+  std::vector<MotionModel> models;  // by rank; empty where all are holonomic
+  std::vector<double> own_radius;   // m, from their setups, by rank; empty where all are holonomic
+  std::vector<Flight> flights;      // by rank; empty where no robot flies
+  // m/s, preferred velocities that the host gave, by rank; empty where it gave none
+  std::vector<std::optional<Vec2>> told;
+
+  std::size_t size() const { return id.size(); }
+  void reserve(std::size_t count);
+  void add(RobotId robot, const RobotSetup& setup, const OwnPace& own_pace = {});
+  void remove(std::size_t slot);
+  /// Takes all of the setup but its state, goal, model and clock. It may throw bad_alloc before any
+  /// change.
+  void change(std::size_t slot, const RobotSetup& setup, const OwnPace& own_pace);
+  /// The walls of parked robots, in the order of their ids, as if one robot had this wall, or none.
+  std::vector<Wall> parked_walls(std::optional<std::size_t> changed = {},
+                                 const std::optional<Wall>& own = {}) const;
+  /// Slot of the robot.
+  std::optional<std::size_t> slot(RobotId robot) const;
+  /// Throws Error if there is no such robot.
+  std::size_t find(RobotId robot) const;
+  OwnClock& clock_of(std::size_t slot) { return clock[static_cast<std::size_t>(rank[slot])]; }
+  const OwnClock& clock_of(std::size_t slot) const {
+    return clock[static_cast<std::size_t>(rank[slot])];
+  }
+  std::uint32_t pace_of(std::size_t slot) const {
+    return pace.empty() ? 0 : pace[static_cast<std::size_t>(rank[slot])].index;
+  }
+  /// m; none: the scene's.
+  std::optional<double> own_arrival_distance(std::size_t slot) const {
+    if (pace.empty()) return std::nullopt;
+    return pace[static_cast<std::size_t>(rank[slot])].arrival_distance;
+  }
+  MotionModel model(std::size_t slot) const {
+    return models.empty() ? MotionModel{} : models[static_cast<std::size_t>(rank[slot])];
+  }
+  /// None for a holonomic robot.
+  const MotionModel* own_model(std::size_t slot) const {
+    return traits[slot].has_model ? &models[static_cast<std::size_t>(rank[slot])] : nullptr;
+  }
+  /// m: the offset of its disc from the reported place of the robot, and that place.
+  Vec2 offset(std::size_t slot) const { return offset(slot, heading[slot]); }
+  Vec2 offset(std::size_t slot, double heading_of_it) const;
+  Vec2 place(std::size_t slot) const {
+    return traits[slot].has_model ? position[slot] - offset(slot) : position[slot];
+  }
+  Vec2 place(std::size_t slot, const MotionState& state) const {
+    return state.position - offset(slot, state.heading);
+  }
+  /// The setup with its goal, position, velocity and heading.
+  RobotSetup setup(std::size_t slot) const { return setup(slot, state(slot)); }
+  RobotSetup setup(std::size_t slot, const MotionState& state) const;
+  /// None for a robot that can rest.
+  const Flight* flight(std::size_t slot) const {
+    if (flights.empty() || !traits[slot].has_model || can_rest(*own_model(slot))) return nullptr;
+    return &flights[static_cast<std::size_t>(rank[slot])];
+  }
+  Flight* flight(std::size_t slot) {
+    return const_cast<Flight*>(static_cast<const Fleet*>(this)->flight(slot));
+  }
+  std::optional<LoiterCircle> circle(std::size_t slot) const {
+    const Flight* own = flight(slot);
+    return own != nullptr ? std::optional(own->circle) : std::nullopt;
+  }
+  MotionState state(std::size_t slot) const {
+    return {position[slot], velocity[slot], heading[slot], circle(slot).value_or(LoiterCircle{})};
+  }
+  /// What robot a counts on from robot b; none where it does not avoid b as a neighbor.
+  std::optional<Expectation> expected(std::size_t b, std::size_t a) const {
+    if (conduct[a].parked || conduct[b].parked) return std::nullopt;
+    return expected_of(conduct[b], conduct[a]);
+  }
+  /// m/s, the preferred velocity that the host gave to the robot.
+  std::optional<Vec2> told_velocity(std::size_t slot) const {
+    return told.empty() ? std::nullopt : told[static_cast<std::size_t>(rank[slot])];
+  }
+  /// The robot in the view of others with that expectation.
+  Neighbor sensed(std::size_t slot, Expectation expected = Expectation::decides) const;
+  /// Moves the robot in slot order[k] to slot k. If the executor fails during that, the fleet is
+  /// unusable, and torn stays true.
+  void reorder(std::span<const std::uint32_t> order, Executor& executor, bool& torn);
+
+ private:
+  template <typename Action>
+  void for_each_column(const Action& action);
+  std::vector<std::byte> scratch_;  // for reorder()
+};
+
+/// The robot with its limits and its model, in no particular state.
+Robot limits_of(const Fleet& fleet, std::size_t slot);
+
+/// m: the target of its disc that brings its place to the end of its route; other aims are for the
+/// disc.
+inline Vec2 disc_goal(const Fleet& fleet, std::size_t slot, Vec2 aim, Vec2 end) {
+  return aim == end ? aim + fleet.offset(slot) : aim;
+}
+
+/// m/s: the preferred velocity of a robot that flies.
+inline Vec2 course_of(const Flight& flight, Vec2 position, Vec2 goal, double preferred_speed) {
+  const Vec2 way = goal - position;
+  const double distance = norm(way);
+  if (flight.has_arrived || !(distance > 0.0)) return {};
+  return (preferred_speed / distance) * way;
+}
+
+/// Order-dependent 64-bit hash of the bits of all positions, velocities and headings.
+std::uint64_t hash_of(const Fleet& fleet, const ObstacleColumns& obstacles, std::int64_t steps);
+
+}  // namespace avo::inline sim

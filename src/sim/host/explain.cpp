@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: Apache-2.0
+// The next decision of one robot with its reasons: a step of that robot alone. No robot moves.
+#include <string>
+
+#include "avo/error.h"
+#include "avo/explanation.h"
+#include "guidance/words.h"
+#include "sim/host/external.h"
+#include "sim/simulation_state.h"
+
+namespace avo {
+
+Explanation Simulation::explain(std::size_t robot) const {
+  const RobotState present = this->robot(robot);
+  if (state_->fleet.conduct[state_->fleet.slot_of[robot]].parked)
+    throw Error("robot " + std::to_string(present.id.value) +
+                ": found a parked one, must be one that decides");
+  const Planner& own = planner(robot);
+  Explanation explanation{.robot = present.id,
+                          .time = time(),
+                          .goal = present.goal,
+                          .is_at_goal = is_at_goal(robot),
+                          .distance_left = way(robot).distance_left,
+                          .seen = perceive(robot),
+                          .decision = {},
+                          .state = {},
+                          .sentence = {}};
+  choose_externally(*state_, explanation.robot, explanation.goal, explanation.seen);
+  explain_decision(own, explanation);
+  return explanation;
+}
+
+}  // namespace avo
