@@ -3,6 +3,8 @@
 import { roundLength, zoomAt } from "./camera.ts";
 import { shareColor, cssOf, directionColor } from "./colors.ts";
 import type { Tool } from "./dragging.ts";
+import { showNext } from "./orbit.ts";
+import { whyChangeless } from "../run/recorded_run.ts";
 import { digits, element } from "../elements.ts";
 import { icon } from "../icons.ts";
 import type { PageLab } from "../run/make_lab.ts";
@@ -22,6 +24,7 @@ export const COLORINGS: { coloring: Coloring; label: string }[] = [
   { coloring: "status", label: "status of the decision" },
   { coloring: "speed", label: "speed" },
 ];
+const WHY_SPACE_IS_WRITTEN = "robots of space are added, moved and removed in the text of the scene";
 const SCALE_BAR = 70;  // pixels at least, on a map with room for 9 of them
 
 /** Returns a function that selects a tool. */
@@ -31,15 +34,19 @@ export function mountMapControls(lab: PageLab, view: WorldView, hand: Hand,
     element("button", { type: "button", class: "icon-button", title: says, "aria-label": says, onclick: action }, icon(picture));
   const tools = TOOLS.map(({ tool, picture, says }) => button(picture, says, () => choose(tool)));
   const choose = (tool: Tool): void => {
-    if (!lab.live && tool !== "move") lab.edit(() => undefined);  // shows the reason
-    hand.tool = lab.live ? tool : "move";
+    const edits = lab.live !== null && lab.info.dimensions === 2;
+    if (!edits && tool !== "move") lab.refuse(lab.live ? WHY_SPACE_IS_WRITTEN : whyChangeless(lab.text));
+    hand.tool = edits ? tool : "move";
     tools.forEach((shown, k) => shown.setAttribute("aria-pressed", String(TOOLS[k]!.tool === hand.tool)));
   };
   palette.replaceChildren(...tools);
   lab.on("scene", () => {
-    palette.hidden = lab.live === null;
+    palette.hidden = lab.live === null || lab.info.dimensions === 3;
+    turn.hidden = lab.info.dimensions === 2;
     if (palette.hidden) choose("move");
   });
+  const turn = button("orbit", "from aside, plan, elevation (v)", () => view.turn(showNext));
+  turn.hidden = lab.info.dimensions === 2;
   choose("move");
 
   const zoomBy = (factor: number) => (): void => {
@@ -47,7 +54,7 @@ export function mountMapControls(lab: PageLab, view: WorldView, hand: Hand,
     view.touch();
   };
   zoom.replaceChildren(button("plus", "zoom in (+)", zoomBy(1.5)), button("minus", "zoom out (−)", zoomBy(1 / 1.5)),
-    button("fit", "show all (f)", () => view.fit()));
+    button("fit", "show all (f)", () => view.fit()), turn);
   mountLegend(lab, view, legend);
   return choose;
 }
