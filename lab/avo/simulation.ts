@@ -4,7 +4,7 @@ import { addText, addWhole, emptyBytes, taken } from "./bytes.ts";
 import { AvoError, fromImage, get, getText, imageOf, put } from "./instance.ts";
 import type { Instance } from "./instance.ts";
 import { momentOf } from "./moment.ts";
-import type { Box, BrakingPath, Contact, Dimensions, Moment, Outline, RobotSetup, SceneInfo, SceneOptions } from "./types.ts";
+import type { Box, BrakingPath, Contact, Dimensions, Moment, Outline, RobotSetup, SceneInfo, SceneOptions, VelocityCut } from "./types.ts";
 
 /** The most steps that are repeated if one fails. */
 const STEPS_BETWEEN_IMAGES = 256;
@@ -114,6 +114,14 @@ export class Simulation {
     return this.#read(() => {
       const size = this.#instance.functions["admitted"]!(robot, left, bottom, right, top, columns, rows);
       return get(this.#instance, size);
+    });
+  }
+
+  /** Does the same for a scene of space, on a plane through the velocities; the box is on its two axes. */
+  admittedInCut(robot: number, { place, along, across }: VelocityCut, box: Box, columns: number, rows: number): Uint8Array {
+    return this.#read(() => {
+      put(this.#instance, new Uint8Array(Float64Array.of(...place, ...along, ...across, ...box).buffer));
+      return get(this.#instance, this.#instance.functions["admitted_in_cut"]!(robot, columns, rows));
     });
   }
 

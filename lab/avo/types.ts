@@ -203,6 +203,13 @@ export interface Contact {
 /** left, bottom, right, top */
 export type Box = readonly [number, number, number, number];
 
+/** A plane through the velocities of space: v = place + x along + y across, m/s. */
+export interface VelocityCut {
+  place: readonly [number, number, number];
+  along: readonly [number, number, number];
+  across: readonly [number, number, number];
+}
+
 /** Closed polygons around the velocities that the obstacle of `of` forbids. */
 export interface Outline {
   of: string;

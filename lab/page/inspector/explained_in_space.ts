@@ -7,14 +7,17 @@ import { besidePlane, cutBall, cutHalfSpace, cutOfNobody, cutOfPair, inPlane, ty
 import { violation, type Disc, type HalfPlane } from "./decision.ts";
 import type { Explained } from "./explained.ts";
 import type { SpaceSource } from "./space_canvas.ts";
-import { dot3, norm3, type Cause, type SpaceDecision } from "./space_decision.ts";
+import { dot3, norm3, times3, type Cause, type SpaceDecision } from "./space_decision.ts";
 import { neighborTableInSpace, numbersTableInSpace } from "./space_tables.ts";
+import type { Admitted } from "./velocity_space.ts";
+import type { Box } from "./velocity_view.ts";
 import { lawOf, type Cut } from "./why.ts";
 
+const FINE = 64, COARSE = 24;  // nodes per side, for what the certificate admits
 const APART = 0.005;  // m/s: a velocity that is nearer to the plane lies in it
 
 /** Throws an error of the library, e.g. for a scene whose robots sense with errors. */
-export function explainedInSpace(simulation: Simulation, info: SceneInfo, robot: number): Explained {
+export function explainedInSpace(simulation: Simulation, info: SceneInfo, robot: number, quick: boolean): Explained {
   const text = simulation.explain(robot);
   const decision = JSON.parse(text) as SpaceDecision;
   return {
@@ -24,7 +27,8 @@ export function explainedInSpace(simulation: Simulation, info: SceneInfo, robot:
     drawnFor(pointed) {
       const neighbor = neighborToCut(decision, pointed);
       const plane = (neighbor === null ? null : cutOfPair(decision, neighbor)) ?? cutOfNobody(decision);
-      return { source: sourceOf(decision, info, plane, neighbor), note: noteOf(decision, plane, neighbor) };
+      const admitted = (box: Box): Admitted | null => admittedIn(simulation, info, decision, plane, box, quick ? COARSE : FINE);
+      return { source: { ...sourceOf(decision, info, plane, neighbor), admitted }, note: noteOf(decision, plane, neighbor) };
     },
     numbers: () => numbersTableInSpace(decision),
     neighbors: (lab) => neighborTableInSpace(lab, decision),
@@ -40,7 +44,7 @@ function neighborToCut({ obstacles, binding, refusing, heeded }: SpaceDecision, 
   return typeof first === "number" ? first : obstacles[0]?.neighbor ?? null;
 }
 
-function sourceOf(decision: SpaceDecision, info: SceneInfo, plane: CutPlane, neighbor: number | null): SpaceSource {
+function sourceOf(decision: SpaceDecision, info: SceneInfo, plane: CutPlane, neighbor: number | null): Omit<SpaceSource, "admitted"> {
   const vertical = info.robots.find(({ robot }) => robot === decision.robot)?.vertical ?? 1;
   const { velocity, preferred_velocity, new_velocity, next_velocity, max_acceleration, max_speed } = decision;
   const acceleration_disc = cutBall(plane, velocity, info.options.control_time * max_acceleration, vertical);
@@ -66,8 +70,15 @@ function sourceOf(decision: SpaceDecision, info: SceneInfo, plane: CutPlane, nei
       axes: neighbor === null ? ["forwards, in m/s", "upwards, in m/s"] : [`away from ${neighbor}, in m/s`, "across, in m/s"],
     },
     outlines: () => [],
-    admitted: () => null,
   };
+}
+
+function admittedIn(simulation: Simulation, info: SceneInfo, { robot }: SpaceDecision, plane: CutPlane, box: Box, columns: number): Admitted | null {
+  if (info.options.certificate === "none") return null;
+  const rows = Math.max(2, Math.round(columns * (box[3] - box[1]) / (box[2] - box[0])));
+  const { along, across } = plane;
+  const cells = simulation.admittedInCut(robot, { place: times3(plane.offset, plane.normal), along, across }, box, columns, rows);
+  return { box, columns, rows, cells };
 }
 
 /** Returns whether a part of the disc is on the forbidden side. */

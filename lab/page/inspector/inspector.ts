@@ -90,7 +90,7 @@ function show(lab: Lab, panel: Panel, robot: number): void {
   panel.note.textContent = lab.live ? "" : ROW_NOTE;
   try {
     const simulation = simulationFor(lab);
-    fill(lab, panel, lab.info.dimensions === 3 ? explainedInSpace(simulation, lab.info, robot) : explained(simulation, lab.info, robot, lab.playing));
+    fill(lab, panel, lab.info.dimensions === 3 ? explainedInSpace(simulation, lab.info, robot, lab.playing) : explained(simulation, lab.info, robot, lab.playing));
   } catch (error) {
     silence(lab, panel, robot, error);
   }
@@ -156,7 +156,7 @@ function tools(space: SpaceCanvas): HTMLElement {
   const button = (label: string, title: string, act: () => void): HTMLElement =>
     element("button", { type: "button", title, onclick: act }, label);
   const layer = (key: "obstacles" | "certificate", label: string, title: string): HTMLElement => {
-    const toggle = element("button", { type: "button", class: "of-the-plane", title, "aria-pressed": "true" }, label);
+    const toggle = element("button", { type: "button", class: key === "obstacles" ? "of-the-plane" : "", title, "aria-pressed": "true" }, label);
     toggle.addEventListener("click", () => {
       space.layers[key] = !space.layers[key];
       toggle.setAttribute("aria-pressed", String(space.layers[key]));
@@ -176,7 +176,7 @@ function legend(): HTMLElement {
   const entry = (kind: string, label: string, of = ""): HTMLElement =>
     element("span", { class: `insp-key ${of}` }, element("i", { class: `insp-swatch insp-${kind}` }), label);
   return element("div", { class: "insp-legend" }, entry("chosen", "may be chosen"), entry("forbidden", "forbidden"),
-    entry("admitted", "certificate admits", "of-the-plane"),
+    entry("admitted", "certificate admits"),
     entry("binding", "binding half-plane", "of-the-plane"), entry("binding", "binding half-space", "of-space"), entry("outline", "obstacle, Eq. (29)", "of-the-plane"));
 }
 

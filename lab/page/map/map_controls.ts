@@ -4,7 +4,6 @@ import { roundLength, zoomAt } from "./camera.ts";
 import { shareColor, cssOf, directionColor } from "./colors.ts";
 import type { Tool } from "./dragging.ts";
 import { showNext } from "./orbit.ts";
-import { whyChangeless } from "../run/recorded_run.ts";
 import { digits, element } from "../elements.ts";
 import { icon } from "../icons.ts";
 import type { PageLab } from "../run/make_lab.ts";
@@ -24,7 +23,6 @@ export const COLORINGS: { coloring: Coloring; label: string }[] = [
   { coloring: "status", label: "status of the decision" },
   { coloring: "speed", label: "speed" },
 ];
-const WHY_SPACE_IS_WRITTEN = "robots of space are added, moved and removed in the text of the scene";
 const SCALE_BAR = 70;  // pixels at least, on a map with room for 9 of them
 
 /** Returns a function that selects a tool. */
@@ -35,7 +33,7 @@ export function mountMapControls(lab: PageLab, view: WorldView, hand: Hand,
   const tools = TOOLS.map(({ tool, picture, says }) => button(picture, says, () => choose(tool)));
   const choose = (tool: Tool): void => {
     const edits = lab.live !== null && lab.info.dimensions === 2;
-    if (!edits && tool !== "move") lab.refuse(lab.live ? WHY_SPACE_IS_WRITTEN : whyChangeless(lab.text));
+    if (!edits && tool !== "move") lab.edit(() => undefined);  // shows the reason
     hand.tool = edits ? tool : "move";
     tools.forEach((shown, k) => shown.setAttribute("aria-pressed", String(TOOLS[k]!.tool === hand.tool)));
   };

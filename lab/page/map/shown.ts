@@ -13,12 +13,13 @@ export interface Shown {
   world: Float64Array;     // m, x, y and z of the disc's center; z is 0 in the plane
   x: Float64Array;         // m, of the disc's center in the picture
   y: Float64Array;
+  near: Float64Array;      // m, towards the viewer; 0 in the plane
   order: number[] | null;  // of the rows, from the farthest to the nearest; null in the plane: as they are
   goal: Float64Array;      // m, in the picture
   velocity: Float64Array;  // m/s, in the picture
   radius: Float64Array;    // m
   heading: Float64Array;   // rad
-  movers: { x: number; y: number; vx: number; vy: number; radius: number }[];
+  movers: { x: number; y: number; near: number; vx: number; vy: number; radius: number }[];
 }
 
 /** `share`, 0 to 1: the position between the run's `before` and its `moment`. */
@@ -60,14 +61,14 @@ function placesOf(moment: Moment, from: Moment | null, share: number, robots: Sh
 }
 
 /** Returns places in the picture and their order; `project` is null in the plane. */
-function pictured(world: Float64Array, project: Projection | null): Pick<Shown, "x" | "y" | "order"> {
+function pictured(world: Float64Array, project: Projection | null): Pick<Shown, "x" | "y" | "near" | "order"> {
   const count = world.length / 3;
   const [x, y, near] = [new Float64Array(count), new Float64Array(count), new Float64Array(count)];
   for (let i = 0; i < count; ++i) {
     const place = vectorOf(world, 3, i);
     [x[i], y[i], near[i]] = project ? project(...place) : place;
   }
-  return { x, y, order: project && Array.from(near.keys()).sort((a, b) => near[a]! - near[b]!) };
+  return { x, y, near, order: project && Array.from(near.keys()).sort((a, b) => near[a]! - near[b]!) };
 }
 
 /** Returns places of space in the picture. */
@@ -93,9 +94,9 @@ function moversOf(moment: Moment, before: Moment | null, share: number, info: Sc
   const [ox, oy] = project(0, 0, 0);
   return info.moving_obstacles.slice(0, now.length / (2 * dimensions)).map(({ radius }, k) => {
     const [begin, end] = [vectorOf(was, dimensions, 2 * k), vectorOf(now, dimensions, 2 * k)];
-    const [x, y] = project(mix(begin[0], end[0], share), mix(begin[1], end[1], share), mix(begin[2], end[2], share));
+    const [x, y, near] = project(mix(begin[0], end[0], share), mix(begin[1], end[1], share), mix(begin[2], end[2], share));
     const [vx, vy] = project(...vectorOf(now, dimensions, 2 * k + 1));
-    return { x, y, vx: vx - ox, vy: vy - oy, radius };
+    return { x, y, near, vx: vx - ox, vy: vy - oy, radius };
   });
 }
 

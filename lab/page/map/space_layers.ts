@@ -10,7 +10,7 @@ import { isHidden, type Face, type Stage } from "./stage.ts";
 import { FORM, line, type BodyOf, type Layers, type Paint } from "./world_layers.ts";
 
 const GRID_LINES = 14;    // along the longer side, at most
-const BEHIND = 0.3;       // the opacity of a ball behind a box
+const BEHIND = 0.3;       // the opacity of a ball behind something
 const NEAR_GLASS = 0.07, FAR_GLASS = 0.035;  // the opacity of faces
 const DOWNWASH = 0.16;    // the opacity of the air below a robot
 
@@ -71,8 +71,14 @@ export function drawDownwash(layers: Layers, shown: Shown, colors: Rgb[]): void 
   });
 }
 
-/** Returns how robots are drawn: those behind a box are pale. */
-export function bodiesOf({ boxes }: Stage, { world }: Shown, orbit: Orbit): BodyOf {
+/** Returns whether a moving obstacle is between the robot and the viewer. */
+function isBehindMover({ x, y, near, movers }: Shown, row: number): boolean {
+  return movers.some((mover) => mover.near > near[row]! && Math.hypot(mover.x - x[row]!, mover.y - y[row]!) < mover.radius);
+}
+
+/** Returns how robots are drawn: those behind a box or a moving obstacle are pale. */
+export function bodiesOf({ boxes }: Stage, shown: Shown, orbit: Orbit): BodyOf {
   const towards = axesOf(orbit)[2];
-  return (row) => ({ form: FORM.ball, alpha: isHidden(boxes, vectorOf(world, 3, row), towards) ? BEHIND : 1 });
+  const hidden = (row: number) => isHidden(boxes, vectorOf(shown.world, 3, row), towards) || isBehindMover(shown, row);
+  return (row) => ({ form: FORM.ball, alpha: hidden(row) ? BEHIND : 1 });
 }

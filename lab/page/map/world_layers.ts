@@ -161,7 +161,7 @@ export function drawGoals(layers: Layers, lab: Lab, shown: Shown, colors: Rgb[],
 export function drawMovers(layers: Layers, lab: Lab, shown: Shown, paint: Paint): void {
   shown.movers.forEach(({ x, y, vx, vy, radius }, k) => {
     line(layers.links, x, y, x + vx, y + vy, paint.mover, 1, 0, 1.2);
-    disc(layers.below, x, y, radius, paint.mover, 0.85, { least: LEAST_RADIUS });
+    disc(layers.below, x, y, radius, paint.mover, 0.85, { form: shown.order ? FORM.ball : FORM.disc, least: LEAST_RADIUS });
     if (lab.highlighted === `moving_obstacles.${k}`) ring(layers, x, y, radius, paint.ink, 1.5);
   });
 }

@@ -56,6 +56,8 @@ export interface Core {
   shown(...events: LabEvent[]): void;
 }
 
+const SPACE_IS_WRITTEN = "robots of space are added, moved and removed in the text of the scene";
+
 /** Informs a new listener of earlier events. */
 const TELLING_ORDER = ["text", "scene", "moment"] as const;
 
@@ -164,6 +166,7 @@ function editing(core: Core): Partial<PageLab> {
     edit(change) {
       const live = core.run;
       if (!(live instanceof LiveRun)) return lab.carryOn(lab.text);  // which says why it is refused
+      if (live.info.dimensions === 3) return core.fail(SPACE_IS_WRITTEN);
       return core.attempt(() => {
         live.edit((simulation) => { change(simulation); return simulation; });
         core.shown("scene", "moment");

@@ -99,6 +99,8 @@ test("back and forth leads to the bits of the command line; a change begins anew
   assert.notDeepEqual(await places(), told);
   await inPage(() => window.avoLab.seek(3));
   assert.deepEqual(await places(), told);
+  await lab.page.keyboard.press("2");  // to add a robot
+  assert.match(await inPage(() => window.avoLab.error.message), /in the text of the scene/);
   await inPage(() => window.avoLab.set("time_horizon", 2));
   assert.deepEqual(await inPage(() => [window.avoLab.moment.steps, window.avoLab.info.options.time_horizon, window.avoLab.error]), [0, 2, null]);
 });

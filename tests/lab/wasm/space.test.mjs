@@ -83,6 +83,24 @@ moving_obstacles: [{position: [30, 0, 1], velocity: [-1, 0, 0], radius: 0.7}]
   assert.equal(simulation.allAtGoal(), false);
 });
 
+test("the certificate admits what the decision takes, and nothing beyond one step", () => {
+  const simulation = steps(library.simulate(DRONES), 30);
+  const { velocity } = simulation.moment();
+  const reach = 0.1;  // m/s: a_max and the time step
+  let refusedNodes = 0;
+  for (let robot = 0; robot < 30; ++robot) {
+    const { next_velocity } = JSON.parse(simulation.explain(robot));
+    const around = (place, size) => simulation.admittedInCut(robot, { place, along: [1, 0, 0], across: [0, 0, 1] }, [-size, -size, size, size], 9, 9);
+    assert.equal(around(next_velocity, 1e-12)[40], 1, `robot ${robot}`);
+    const own = [...velocity.slice(3 * robot, 3 * robot + 3)], nodes = around(own, 2 * reach);
+    assert.equal(nodes.length, 81);
+    for (const corner of [0, 8, 72, 80]) assert.equal(nodes[corner], 0);
+    const near = around(own, 0.3 * reach);
+    refusedNodes += near.length - near.reduce((sum, node) => sum + node, 0);
+  }
+  assert.ok(refusedNodes > 20, `${refusedNodes} velocities within limits are refused`);
+});
+
 test("contacts: two balls, the air below a ball, a box", () => {
   const none = "certificate: none\nnavigation: false\n";
   const drive = (robots, more = "") => {
