@@ -105,6 +105,39 @@ test("back and forth leads to the bits of the command line; a change begins anew
   assert.deepEqual(await inPage(() => [window.avoLab.moment.steps, window.avoLab.info.options.time_horizon, window.avoLab.error]), [0, 2, null]);
 });
 
+test("the list of scenes has those of space", async () => {
+  await lab.page.keyboard.press("s");
+  await lab.page.keyboard.type("window space");
+  await lab.page.keyboard.press("Enter");
+  const told = await inPage(() => [window.avoLab.name, window.avoLab.error?.message, window.avoLab.info.dimensions, window.avoLab.moment.robot.length]);
+  assert.deepEqual(told, ["window", undefined, 3, 50]);
+});
+
+test("on a phone one finger turns the view, and two zoom", async () => {
+  const phone = await open(browser, { width: 390, height: 844, hasTouch: true, isMobile: true });
+  await openText(phone.page, DRONES, "drones.yaml");
+  await frames(phone.page, 2);
+  const fingers = await phone.page.context().newCDPSession(phone.page);
+  const touch = (type, ...points) => fingers.send("Input.dispatchTouchEvent", { type, touchPoints: points.map(([x, y], id) => ({ x, y, id })) });
+  const swipe = async (...paths) => {
+    const at = (share) => paths.map(([from, to]) => from.map((x, k) => x + share * (to[k] - x)));
+    await touch("touchStart", ...at(0));
+    for (const share of [0.25, 0.5, 0.75, 1]) await touch("touchMove", ...at(share));
+    await touch("touchEnd");
+    await frames(phone.page, 2);
+  };
+  const height = async () => apart(await pixelsOf(phone.page, [0, 0, 0]), await pixelsOf(phone.page, [0, 0, 1]));
+  const [middle, before] = [await pixelsOf(phone.page, [0, 0, -1]), await height()];
+  const beside = (x, y = 0) => [middle[0] + x, middle[1] + y];
+  await swipe([beside(-30), beside(-60)], [beside(30), beside(60)]);
+  assert.ok(Math.abs((await height()) / before - 2) < 0.1, "twice as large");
+  const side = await pixelsOf(phone.page, [3, 0, -1]);
+  await swipe([beside(60, 60), beside(-30, 60)]);
+  assert.ok(apart(await pixelsOf(phone.page, [3, 0, -1]), side) > 10, "it turned");
+  assert.ok(Math.abs((await height()) / before - 2) < 0.1, "about the vertical");
+  await close(phone);
+});
+
 const openFile = (name) => inPage(([called, base64]) =>
   window.avoLab.openFile(called, Uint8Array.from(atob(base64), (c) => c.charCodeAt(0))), [name, readFileSync(inFolder(name)).toString("base64")]);
 

@@ -8,6 +8,7 @@ import { inFront } from "../../../lab/page/map/picking.ts";
 import { shownOf } from "../../../lab/page/map/shown.ts";
 import { isHidden, solidOf, stageOf } from "../../../lab/page/map/stage.ts";
 import { besidePlane, cutBall, cutHalfSpace, cutOfNobody, cutOfPair, inPlane } from "../../../lab/page/inspector/cut.ts";
+import { SPACE_SCENES } from "../../../lab/page/text/space_scenes.ts";
 import { randomNumbers } from "../data/native.mjs";
 import { library, steps } from "../wasm/module.mjs";
 
@@ -114,6 +115,13 @@ test("clearances and contacts of recorded balls count the air below a ball", () 
   moment.position.set([0.6, 0, 0], 3);
   fillClearance(moment, info);
   near([moment.clearance[0]], [Math.hypot(0.6, 1) - 1], 1e-6);
+});
+
+test("scenes of space that the page has are described, and begin", () => {
+  for (const { name, yaml, description } of SPACE_SCENES) {
+    assert.match(description, /^\S.{10,120}; in space$/, name);
+    assert.equal(steps(library.simulate(yaml, { name }), 1).dimensions, 3, name);
+  }
 });
 
 const DRONES = "version: 1\nspace: 3\ngroups:\n  - {count: 30, sphere: {radius: 5}, goal: antipodal, jitter: 0.2, downwash: 1}\n";
