@@ -100,15 +100,16 @@ Vec3 relative_place(const Robot& robot, const Neighbor& other, Vec3 v, double ti
 }
 
 void collect_half_spaces(const avo::PlannerOptions& options, SpaceDecision& decision) {
-  const avo::Horizon horizon(options.control_time, options.time_horizon, options.time_step);
   const Robot& self = decision.self;
+  const double time_horizon = own_time_horizon(self, options);
+  const avo::Horizon horizon(options.control_time, time_horizon, options.time_step);
   std::size_t most = decision.neighbors.size();
   if (options.max_neighbors)
     most = std::min(most, static_cast<std::size_t>(*options.max_neighbors));
   for (std::size_t k = 0; k < most; ++k) {
     const Neighbor& other = decision.neighbors[k];
     const Vec3 v = self.velocity - other.velocity;
-    const Vec3 p = relative_place(self, other, v, options.time_horizon);
+    const Vec3 p = relative_place(self, other, v, time_horizon);
     if (p == Vec3{}) continue;
     const PairAxes axes = axes_of(p, v);
     const avo::Pair pair{

@@ -13,6 +13,7 @@
 #include "space/arrival.h"
 #include "space/choice.h"
 #include "space/evasion.h"
+#include "space/horizons.h"
 #include "space/own_space.h"
 #include "space/target.h"
 #include "space/workspace.h"
@@ -161,8 +162,9 @@ Plan plan_to(Vec3 velocity, Vec3 next_velocity, const StepLaw& law) {
 }
 
 // What one look at the bodies finds.
-Look look_around(const PlannerOptions& options, const Horizon& horizon, const StepLaw& law,
-                 const Robot& robot, const Surroundings& around, PlanWorkspace::Scratch& scratch) {
+Look look_around(const PlannerOptions& options, std::span<const Horizon> horizons,
+                 const StepLaw& law, const Robot& robot, const Surroundings& around,
+                 PlanWorkspace::Scratch& scratch) {
   Constraints& constraints = scratch.choice.constraints;
   const bool is_known = around.self >= 0.0;
   const Braking own = is_known ? around.bodies.braking(static_cast<std::size_t>(around.self))
@@ -172,7 +174,7 @@ Look look_around(const PlannerOptions& options, const Horizon& horizon, const St
             .braking = constraints.own,
             .deviation = constraints.deviation,
             .law = law,
-            .horizon = horizon,
+            .horizon = horizon_of(robot, horizons),
             .control_time = options.control_time,
             .self = around.self,
             .range = around.range,
@@ -196,16 +198,17 @@ void collect_all_constraints(const PlannerOptions& options, const StepLaw& law, 
 
 }  // namespace
 
-Plan decide(const PlannerOptions& options, const Horizon& horizon, const StepLaw& law,
+Plan decide(const PlannerOptions& options, std::span<const Horizon> horizons, const StepLaw& law,
             const Robot& robot, const Surroundings& around, bool remembers,
             PlanWorkspace::Scratch& scratch, Detour& detour) {
-  const Look look = look_around(options, horizon, law, robot, around, scratch);
+  const Look look = look_around(options, horizons, law, robot, around, scratch);
   if (!is_sound(detour)) detour = {};
   const Execution execution{response_law(options), law.braking_time, remembers};
   Decision decision{robot,
                     options,
                     law,
                     haste_of(numbers_of(robot), execution),
+                    horizons.front(),
                     axis_across(robot.preferred_velocity),
                     to_own(robot.velocity, robot.vertical),
                     law.braking_time * to_own(detour.acceleration, robot.vertical),
@@ -238,10 +241,10 @@ Plan decide(const PlannerOptions& options, const Horizon& horizon, const StepLaw
   return plan;
 }
 
-Constraints& admission_of(const PlannerOptions& options, const Horizon& horizon, const StepLaw& law,
-                          const Robot& robot, const Surroundings& around,
+Constraints& admission_of(const PlannerOptions& options, std::span<const Horizon> horizons,
+                          const StepLaw& law, const Robot& robot, const Surroundings& around,
                           PlanWorkspace::Scratch& scratch) {
-  look_around(options, horizon, law, robot, around, scratch);
+  look_around(options, horizons, law, robot, around, scratch);
   collect_all_constraints(options, law, robot, around, scratch);
   return scratch.choice.constraints;
 }

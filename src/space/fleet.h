@@ -47,7 +47,7 @@ struct AVO_LOCAL SpaceFleet {
 
   Scenario scenario;
   PlannerOptions options;
-  Horizon horizon;
+  std::vector<Horizon> horizons;
   StepLaw law;
   Landing landing;
   double sensing_radius;

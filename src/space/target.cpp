@@ -48,7 +48,7 @@ HalfSpaceColumns& collect_half_spaces(const Decision& decision) {
   append_half_spaces(scratch.looked.pairs, own, decision.look.horizon, scratch.half_spaces);
   if (decision.around.movers.empty()) return columns;
   scratch.of_movers.clear();
-  append_mover_planes(robot, decision.around.movers, decision.options, decision.look.horizon,
+  append_mover_planes(robot, decision.around.movers, decision.options, decision.full_horizon,
                       scratch.of_movers);
   columns.reserve(columns.count + scratch.of_movers.size());
   double number = static_cast<double>(kMostRobots);  // they come after all neighbors

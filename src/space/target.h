@@ -4,6 +4,7 @@
 #include <span>
 
 #include "avo/export.h"
+#include "avo/horizon.h"
 #include "planner/stages/execution.h"
 #include "space/decide.h"
 #include "space/look.h"
@@ -18,7 +19,8 @@ struct AVO_LOCAL Decision {
   const PlannerOptions& options;
   StepLaw law;
   Haste haste;
-  Vec3 axis;  ///< about which it turns to its right
+  const Horizon& full_horizon;  ///< of moving obstacles, which do not see that it arrives
+  Vec3 axis;                    ///< about which it turns to its right
   Vec3 own_velocity, own_last_change;
   const Look& look;
   const Surroundings& around;
