@@ -129,7 +129,7 @@ double radius_of(const Bodies& bodies, int number) {
 }
 
 // Names the deepest contact, where rounding cannot have caused it.
-void tell_contact(const Decision& decision, const Surroundings& around, Plan& plan) {
+void tell_contact(const Decision& decision, const BodiesAround& around, Plan& plan) {
   const Constraints& constraints = decision.scratch.choice.constraints;
   double deepest = 0.0;
   const auto tell = [&](const Deepest& found, double radius, int& index) {
@@ -161,29 +161,30 @@ Plan plan_to(Vec3 velocity, Vec3 next_velocity, const StepLaw& law) {
 }
 
 // What one look at the bodies finds.
-Look look_around(const PlannerOptions& options, const Horizon& horizon, const StepLaw& law,
-                 const Robot& robot, const Surroundings& around, PlanWorkspace::Scratch& scratch) {
+Viewer look_around(const PlannerOptions& options, const Horizon& horizon, const StepLaw& law,
+                   const Robot& robot, const BodiesAround& around,
+                   PlanWorkspace::Scratch& scratch) {
   Constraints& constraints = scratch.choice.constraints;
   const bool is_known = around.self >= 0.0;
   const Braking own = is_known ? around.bodies.braking(static_cast<std::size_t>(around.self))
                                : braking_of(robot, law);
   begin_constraints(robot, own, law, constraints);
-  Look look{.robot = robot,
-            .braking = constraints.own,
-            .deviation = constraints.deviation,
-            .law = law,
-            .horizon = horizon,
-            .control_time = options.control_time,
-            .self = around.self,
-            .range = around.range,
-            .traffic_range = traffic_range(robot),
-            .certified = options.certificate != Certificate::none};
+  Viewer look{.robot = robot,
+              .braking = constraints.own,
+              .deviation = constraints.deviation,
+              .law = law,
+              .horizon = horizon,
+              .control_time = options.control_time,
+              .self = around.self,
+              .range = around.range,
+              .traffic_range = traffic_range(robot),
+              .certified = options.certificate != Certificate::none};
   look_at(look, around.bodies, around.runs, options.max_neighbors, scratch.looked);
   return look;
 }
 
 void collect_all_constraints(const PlannerOptions& options, const StepLaw& law, const Robot& robot,
-                             const Surroundings& around, PlanWorkspace::Scratch& scratch) {
+                             const BodiesAround& around, PlanWorkspace::Scratch& scratch) {
   const bool certified = options.certificate != Certificate::none;
   collect_constraints(robot, around.bodies, scratch.looked.near,
                       certified ? around.boxes : std::span<const Box>{}, law,
@@ -197,9 +198,9 @@ void collect_all_constraints(const PlannerOptions& options, const StepLaw& law, 
 }  // namespace
 
 Plan decide(const PlannerOptions& options, const Horizon& horizon, const StepLaw& law,
-            const Robot& robot, const Surroundings& around, bool remembers,
+            const Robot& robot, const BodiesAround& around, bool remembers,
             PlanWorkspace::Scratch& scratch, Detour& detour) {
-  const Look look = look_around(options, horizon, law, robot, around, scratch);
+  const Viewer look = look_around(options, horizon, law, robot, around, scratch);
   if (!is_sound(detour)) detour = {};
   const Execution execution{response_law(options), law.braking_time, remembers};
   Decision decision{robot,
@@ -239,7 +240,7 @@ Plan decide(const PlannerOptions& options, const Horizon& horizon, const StepLaw
 }
 
 Constraints& admission_of(const PlannerOptions& options, const Horizon& horizon, const StepLaw& law,
-                          const Robot& robot, const Surroundings& around,
+                          const Robot& robot, const BodiesAround& around,
                           PlanWorkspace::Scratch& scratch) {
   look_around(options, horizon, law, robot, around, scratch);
   collect_all_constraints(options, law, robot, around, scratch);

@@ -20,8 +20,8 @@ struct AVO_LOCAL Decision {
   Haste haste;
   Vec3 axis;  ///< about which it turns to its right
   Vec3 own_velocity, own_last_change;
-  const Look& look;
-  const Surroundings& around;
+  const Viewer& look;
+  const BodiesAround& around;
   PlanWorkspace::Scratch& scratch;
 
   Vec3 own(Vec3 a) const { return to_own(a, robot.vertical); }

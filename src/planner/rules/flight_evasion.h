@@ -11,7 +11,7 @@ bool may_circle_after_choice(Evading& evading, Vec2 acceleration);
 
 /// Finds the choice nearest to the wanted one that the certificate admits and that leaves a way
 /// out, (M).
-Way find_flight(Evading& evading, Vec2 wanted, Taken& found);
+WayFound find_flight(Evading& evading, Vec2 wanted, Taken& found);
 
 /// Returns whether some way out is clear, (M).
 bool has_clear_flight(Evading& evading);

@@ -11,15 +11,15 @@ namespace avo::inline sim {
 namespace {
 
 // All robots of the same kind avoid the same others.
-struct Kind {
+struct AvoidanceKind {
   std::uint32_t layers, avoids;
   bool flies, swings;
 
-  friend bool operator==(const Kind&, const Kind&) = default;
+  friend bool operator==(const AvoidanceKind&, const AvoidanceKind&) = default;
 };
 
 struct Example {
-  Kind kind;
+  AvoidanceKind kind;
   std::size_t robot;
 };
 
@@ -28,8 +28,8 @@ std::vector<Example> examples_of(std::span<const RobotSetup> robots) {
   std::vector<Example> examples;
   for (std::size_t i = 0; i < robots.size(); ++i) {
     if (robots[i].parked) continue;
-    const Kind own{robots[i].layers.bits, robots[i].avoids.bits, !can_rest(robots[i].model),
-                   model_traits(robots[i].model).swings};
+    const AvoidanceKind own{robots[i].layers.bits, robots[i].avoids.bits,
+                            !can_rest(robots[i].model), model_traits(robots[i].model).swings};
     const bool known = std::any_of(examples.begin(), examples.end(),
                                    [&](const Example& example) { return example.kind == own; });
     if (!known) examples.push_back({own, i});

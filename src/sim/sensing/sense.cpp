@@ -242,13 +242,13 @@ std::span<const NeighborHit> find_everyone(const World& world, std::size_t query
 }
 
 // How a robot has examined others, and whether it senses robots alone, and these as they truly are.
-struct Looked {
+struct Examined {
   Scrutiny scrutiny;
   bool at_robots;
 };
 
 // Appends the neighbors that the robot senses, except those of far reach.
-Looked append_sensed(const World& world, std::size_t slot, std::size_t query, Worker& worker) {
+Examined append_sensed(const World& world, std::size_t slot, std::size_t query, Worker& worker) {
   if (!world.senses.are_exact())
     return {Scrutiny::everyone, append_sighted(world, slot, query, worker)};
   Scrutiny scrutiny = world.outliers.usual;
