@@ -161,9 +161,9 @@ void Check::State::judge_arrival(double time, const CheckedState& row, const Mov
   Seen& mine = seen[index];
   mine.at_goal = norm(*goal - row.position) <= within &&
                  !walls.hides(row.position, *goal, robots[index].layers);
-  const bool flies = std::holds_alternative<CheckedAirplane>(robots[index].kinematics);
-  const bool arrives =
-      flies ? passes(mover, *goal, within) || (skipped && mine.at_goal) : mine.at_goal;
+  const bool arrives = judge::can_rest(robots[index])
+                           ? mine.at_goal
+                           : passes(mover, *goal, within) || (skipped && mine.at_goal);
   if (mine.arrived || !arrives) return;
   mine.arrived = true;
   last_arrival = time;

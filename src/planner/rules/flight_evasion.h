@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Beside movers, a robot that flies keeps a way out: docs/movers.md, "Airplanes". A choice is an
+// Beside movers, a robot that flies keeps a way out: certificate/flight_ways.h. A choice is an
 // acceleration, m/s², that the robot holds through the step.
 #pragma once
 #include "planner/rules/evading.h"

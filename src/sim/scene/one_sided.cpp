@@ -44,7 +44,7 @@ std::optional<OneSided> find_impossible(std::span<const RobotSetup> robots) {
   for (const auto& [a, i] : examples) {
     for (const auto& [b, j] : examples) {
       if ((a.avoids & b.layers) == 0 || (b.avoids & a.layers) != 0) continue;
-      if (a.flies || b.flies) return OneSided{i, j, "one of them is an airplane"};
+      if (a.flies || b.flies) return OneSided{i, j, "one of them cannot stop"};
       if (b.swings) return OneSided{i, j, "its body is not over its axle"};
     }
   }

@@ -175,12 +175,11 @@ TEST(Airplanes, what_they_cannot_do_is_refused_in_one_line) {
   EXPECT_EQ(with([](Scenario& s) { s.sensing.dropped = 0.1; }),
             "sensing: found one that is not exact, must be left out in a scene with airplanes");
   EXPECT_EQ(with([](Scenario& s) { s.robots[0].parked = true, s.robots[0].goal = {}; }),
-            "robots.0.parked: found true, must be false: it is an airplane");
+            "robots.0.parked: found true, must be false: it cannot stop");
   EXPECT_EQ(with([](Scenario& s) { s.clock = Clock::free; }),
             "clock: found free, must be common in a scene with airplanes");
   EXPECT_EQ(with([](Scenario& s) { s.robots[0].max_braking = 0.5; }),
-            "robots.0.max_braking: found 0.5, must be left out: it is an airplane, which cannot "
-            "brake");
+            "robots.0.max_braking: found 0.5, must be left out: it cannot brake");
   EXPECT_EQ(with([](Scenario& s) {
               s.robots[0].velocity = {0.5, 0.0};
             }),
@@ -196,7 +195,7 @@ TEST(Airplanes, what_they_cannot_do_is_refused_in_one_line) {
         s.robots[1].avoids = {};
       }),
       "robots.0.avoids: found robot 1, which does not avoid it, must be both or neither: one of "
-      "them is an airplane");
+      "them cannot stop");
 }
 
 }  // namespace
