@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Takes a tile of robots from their sensed neighbors to their next states.
+// What the robots of a tile remember, and their motion.
 #include <algorithm>
 #include <array>
 #include <cstddef>
@@ -16,20 +16,6 @@
 
 namespace avo::inline sim {
 namespace {
-
-// The robots remember in the fleet.
-void recall(World& world, std::span<const std::uint32_t> slots, Worker& worker) {
-  Fleet& fleet = world.fleet;
-  worker.travels.clear(), worker.has_stood.clear();
-  for (const std::uint32_t slot : slots) {
-    worker.tile.detour.push_back(&fleet.detour[slot]);
-    worker.tile.plan.push_back(&fleet.plan[slot]);
-  }
-  for (std::size_t k = 0; k < slots.size() && !world.travels.empty(); ++k)
-    worker.travels.push_back(&world.travels[static_cast<std::size_t>(fleet.rank[slots[k]])]);
-  for (std::size_t k = 0; k < slots.size() && !world.shares_goal.empty(); ++k)
-    worker.has_stood.push_back(&fleet.has_stood[slots[k]]);
-}
 
 // A robot that stays near a goal that others share brakes until it stands, and does not yield.
 void stop(World& world, Worker& worker) {
@@ -95,7 +81,24 @@ void move_by_models(World& world, const Pace& pace, const Tile& tile) {
   }
 }
 
+}  // namespace
+
+void recall(World& world, std::span<const std::uint32_t> slots, Worker& worker) {
+  Fleet& fleet = world.fleet;
+  worker.travels.clear(), worker.has_stood.clear();
+  for (const std::uint32_t slot : slots) {
+    worker.tile.detour.push_back(&fleet.detour[slot]);
+    worker.tile.plan.push_back(&fleet.plan[slot]);
+  }
+  for (std::size_t k = 0; k < slots.size() && !world.travels.empty(); ++k)
+    worker.travels.push_back(&world.travels[static_cast<std::size_t>(fleet.rank[slots[k]])]);
+  for (std::size_t k = 0; k < slots.size() && !world.shares_goal.empty(); ++k)
+    worker.has_stood.push_back(&fleet.has_stood[slots[k]]);
+}
+
 void move(World& world, const Pace& pace, Worker& worker) {
+  stop(world, worker);
+  count(world, worker);
   Fleet& fleet = world.fleet;
   MovingColumns& moving = worker.moving;
   Tile& tile = worker.tile;
@@ -123,23 +126,6 @@ void move(World& world, const Pace& pace, Worker& worker) {
   worker.fast = worker.fast || fast != 0;
   if (!fleet.has_clocks) return;
   for (const std::uint32_t slot : tile.slot) begin_step(world, slot);
-}
-
-}  // namespace
-
-void plan_and_move(World& world, const Pace& pace, std::span<const std::uint32_t> slots,
-                   Worker& worker) {
-  recall(world, slots, worker);
-  set_out(world, pace, world.claims, slots, worker);
-  if (!world.external.chosen.empty()) take_chosen(world, slots, worker);
-  worker.clock.lap(Stage::motion);
-  plan_together(pace.planner, worker.tile, PlanWorkspace::Scratch::of(worker.workspace),
-                worker.clock);
-  stop(world, worker);
-  count(world, worker);
-  move(world, pace, worker);
-  worker.tile.clear();
-  worker.clock.lap(Stage::motion);
 }
 
 }  // namespace avo::inline sim
