@@ -31,20 +31,20 @@ scalar::Vec<Lane, 3> in_lane(Vec3 a) {
   return scalar::constant<Lane>(a);
 }
 
-Vec3 executed(const Decision& decision, Vec3 own_target, double gain) {
+Vec3 executed(const Deciding& decision, Vec3 own_target, double gain) {
   const scalar::PackHaste<Lane> haste{gain, decision.haste.most, decision.haste.jerk};
   return scalar::plain(scalar::executed(in_lane(decision.own_velocity),
                                         in_lane(decision.own_last_change), in_lane(own_target),
                                         haste));
 }
 // The velocity after one step towards v, without haste, in the robot's own space.
-Vec3 reached(const Decision& decision, Vec3 own_target) {
+Vec3 reached(const Deciding& decision, Vec3 own_target) {
   return scalar::plain(scalar::approach(in_lane(decision.own_velocity), in_lane(own_target),
                                         Lane(decision.haste.most)));
 }
 
 // The velocity that Eq. (23) is given for a wish, m/s (docs/smoothness.md).
-Vec3 aim_of(Decision& decision, Vec3 own_wish, const Execution& execution) {
+Vec3 aim_of(Deciding& decision, Vec3 own_wish, const Execution& execution) {
   if (decision.haste.gain >= 1.0) return own_wish;
   const avo::Robot same = numbers_of(decision.robot);
   const Vec3 change = own_wish - decision.own_velocity;
@@ -58,7 +58,7 @@ Vec3 aim_of(Decision& decision, Vec3 own_wish, const Execution& execution) {
 }
 
 // The part of the velocity along the wish that is left, where `next` is chosen.
-double part_left(const Decision& decision, const Choice& choice, Vec3 own_target, Vec3 own_aim,
+double part_left(const Deciding& decision, const Choice& choice, Vec3 own_target, Vec3 own_aim,
                  Vec3 own_wish) {
   const auto part = [&](Vec3 own_next, Vec3 own_free) {
     const double unhindered = dot(own_free, own_wish);
@@ -69,7 +69,7 @@ double part_left(const Decision& decision, const Choice& choice, Vec3 own_target
   return part(reached(decision, own_target), unhindered);
 }
 
-void turn(Detour& detour, const Decision& decision, double rate, bool among_boxes) {
+void turn(Detour& detour, const Deciding& decision, double rate, bool among_boxes) {
   avo::Detour plane{.angle = detour.angle};
   const avo::Robot same = numbers_of(decision.robot);
   if (rate > 0.0)
@@ -80,7 +80,7 @@ void turn(Detour& detour, const Decision& decision, double rate, bool among_boxe
 }
 
 // The choice of a robot whose target is known, and its detour, docs/arrival.md, rule 3.
-Choice choose_and_arrive(const Decision& decision, Vec3 wish, Vec3 own_aim, const Target& target,
+Choice choose_and_arrive(const Deciding& decision, Vec3 wish, Vec3 own_aim, const Target& target,
                          Detour& detour) {
   PlanWorkspace::Scratch& scratch = decision.scratch;
   const Robot& robot = decision.robot;
@@ -129,7 +129,7 @@ double radius_of(const Bodies& bodies, int number) {
 }
 
 // Names the deepest contact, where rounding cannot have caused it.
-void tell_contact(const Decision& decision, const BodiesAround& around, Plan& plan) {
+void tell_contact(const Deciding& decision, const BodiesAround& around, Plan& plan) {
   const Constraints& constraints = decision.scratch.choice.constraints;
   double deepest = 0.0;
   const auto tell = [&](const Deepest& found, double radius, int& index) {
@@ -203,7 +203,7 @@ Plan decide(const PlannerOptions& options, const Horizon& horizon, const StepLaw
   const Viewer look = look_around(options, horizon, law, robot, around, scratch);
   if (!is_sound(detour)) detour = {};
   const Execution execution{response_law(options), law.braking_time, remembers};
-  Decision decision{robot,
+  Deciding decision{robot,
                     options,
                     law,
                     haste_of(numbers_of(robot), execution),
