@@ -11,9 +11,9 @@
 #include "certificate/pair.h"
 #include "core/elementary.h"
 #include "core/hash.h"
-#include "judged.h"
 #include "robots/model.h"
-#include "scenes.h"
+#include "unit/sim/judged.h"
+#include "unit/sim/scenes.h"
 
 namespace avo {
 namespace {

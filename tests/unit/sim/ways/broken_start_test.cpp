@@ -8,9 +8,9 @@
 #include <utility>
 
 #include "certificate/certificate.h"
-#include "certified_scenes.h"
 #include "planner/stages/certify.h"
 #include "support/generators.h"
+#include "unit/sim/certified_scenes.h"
 
 namespace avo {
 namespace {

@@ -12,8 +12,8 @@
 #include "avo/error.h"
 #include "avo/metrics.h"
 #include "avo/simulation.h"
-#include "mover_scenes.h"
 #include "support/generators.h"
+#include "unit/sim/mover_scenes.h"
 
 namespace avo {
 namespace {

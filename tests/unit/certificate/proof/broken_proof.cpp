@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The search for overlaps.
-#include "broken_proof.h"
+#include "unit/certificate/broken_proof.h"
 
 #include <limits>
 

@@ -8,7 +8,7 @@
 #include <span>
 
 #include "avo/simulation.h"
-#include "scenes.h"
+#include "unit/sim/scenes.h"
 
 namespace avo {
 namespace {

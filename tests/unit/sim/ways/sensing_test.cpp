@@ -7,8 +7,8 @@
 #include <limits>
 
 #include "avo/assumptions.h"
-#include "certified_scenes.h"
 #include "support/generators.h"
+#include "unit/sim/certified_scenes.h"
 
 namespace avo {
 namespace {

@@ -7,7 +7,7 @@
 #include <string>
 
 #include "certificate/kernels.h"
-#include "certificate_fleets.h"
+#include "property/certificate_fleets.h"
 #include "robots/model.h"
 
 namespace avo::test {

@@ -11,7 +11,7 @@
 
 #include "avo/check.h"
 #include "certificate/kernels.h"
-#include "certificate_fleets.h"
+#include "property/certificate_fleets.h"
 
 namespace avo::test {
 namespace {

@@ -10,9 +10,9 @@
 #include <vector>
 
 #include "certificate/certificate.h"
-#include "certified_scenes.h"
 #include "sim/scene/assumptions.h"
 #include "support/generators.h"
+#include "unit/sim/certified_scenes.h"
 
 namespace avo {
 namespace {

@@ -2,7 +2,7 @@
 // Every step of the proofs in docs/certificate.md is needed: without it a directed search finds
 // robots that overlap, and with it the same search finds none. Robots of 0.3 to 0.6 m; the depths
 // found are up to twice those demanded.
-#include "broken_proof.h"
+#include "unit/certificate/broken_proof.h"
 
 #include <gtest/gtest.h>
 

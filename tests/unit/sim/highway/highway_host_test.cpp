@@ -4,7 +4,7 @@
 #include <cstdint>
 
 #undef HWY_TARGET_INCLUDE
-#define HWY_TARGET_INCLUDE "unit/sim/highway_host_test.cpp"
+#define HWY_TARGET_INCLUDE "unit/sim/highway/highway_host_test.cpp"
 // clang-format off
 #include <hwy/foreach_target.h>  // first: it sets the instruction set of what follows
 #include <hwy/highway.h>

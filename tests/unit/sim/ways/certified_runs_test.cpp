@@ -4,8 +4,8 @@
 #include <gtest/gtest.h>
 
 #include "avo/assumptions.h"
-#include "certified_scenes.h"
 #include "support/generators.h"
+#include "unit/sim/certified_scenes.h"
 
 namespace avo {
 namespace {

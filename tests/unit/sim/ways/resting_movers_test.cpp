@@ -7,7 +7,7 @@
 
 #include "avo/metrics.h"
 #include "avo/simulation.h"
-#include "scenes.h"
+#include "unit/sim/scenes.h"
 
 namespace avo {
 namespace {

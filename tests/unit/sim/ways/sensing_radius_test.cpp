@@ -10,9 +10,9 @@
 #include "avo/assumptions.h"
 #include "avo/error.h"
 #include "avo/simulation.h"
-#include "certified_scenes.h"
-#include "scenes.h"
 #include "support/generators.h"
+#include "unit/sim/certified_scenes.h"
+#include "unit/sim/scenes.h"
 
 namespace avo {
 namespace {

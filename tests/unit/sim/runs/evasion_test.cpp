@@ -11,8 +11,8 @@
 #include <vector>
 
 #include "avo/simulation.h"
-#include "mover_scenes.h"
 #include "support/generators.h"
+#include "unit/sim/mover_scenes.h"
 
 namespace avo {
 namespace {

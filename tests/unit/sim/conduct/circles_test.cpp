@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "avo/simulation.h"
-#include "scenes.h"
+#include "unit/sim/scenes.h"
 
 namespace avo {
 namespace {

@@ -9,10 +9,10 @@
 
 #include "avo/assumptions.h"
 #include "avo/error.h"
-#include "judged.h"
 #include "robots/model.h"
 #include "support/refusal.h"
 #include "support/walls.h"
+#include "unit/sim/judged.h"
 #include "unit/sim/scenes.h"
 
 namespace avo {

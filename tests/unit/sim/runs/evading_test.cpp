@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "avo/simulation.h"
-#include "scenes.h"
 #include "support/generators.h"
 #include "support/refusal.h"
+#include "unit/sim/scenes.h"
 
 namespace avo {
 namespace {
