@@ -300,7 +300,7 @@ TEST(BoxTree, visits_all_boxes_that_are_near) {
       return box;
     };
     for (std::size_t i = 0; i < number; ++i) boxes.push_back(any(i));
-    const judge::BoundingBoxTree tree(boxes);
+    const judge::BoxTree tree(boxes);
     for (int k = 0; k < 50; ++k) {
       const judge::BoundingBox box = any(0);
       const double reach = random.uniform(0.0, 3.0);

@@ -9,6 +9,7 @@
 #include <string>
 
 #include "avo/simulation.h"
+#include "sim/columns/fleet.h"
 #include "unit/sim/walled_scenes.h"
 
 namespace avo {
