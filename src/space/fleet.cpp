@@ -104,7 +104,7 @@ void SpaceFleet::find_boxes(std::size_t k, SpaceWorker& worker) const {
   }
 }
 
-void SpaceFleet::head_for_goal(std::size_t k, const Surroundings& around, SpaceWorker& worker) {
+void SpaceFleet::head_for_goal(std::size_t k, const BodiesAround& around, SpaceWorker& worker) {
   Robot& robot = robots[k];
   worker.neighbors.clear();
   for (const Run& run : !ways.passages().empty() ? around.runs : std::span<const Run>()) {
@@ -114,7 +114,7 @@ void SpaceFleet::head_for_goal(std::size_t k, const Surroundings& around, SpaceW
         worker.neighbors.push_back(other);
     }
   }
-  const Company company{worker.neighbors, detours[k].angle, sensing_radius, law.time_step};
+  const PassageView company{worker.neighbors, detours[k].angle, sensing_radius, law.time_step};
   const SpaceHeading heading =
       ways.heading(k, robot, trips[k].goal, trips[k].preferred_speed, company, worker.ways);
   robot.distance_to_goal = heading.left;
@@ -126,7 +126,7 @@ void SpaceFleet::decide(std::size_t at, SpaceWorker& worker) {
   find_boxes(k, worker);
   const std::size_t runs = cells.around(robots[k].position, worker.runs);
   sense_movers(k, worker);
-  const auto decide = [&](const Surroundings& around) {
+  const auto decide = [&](const BodiesAround& around) {
     head_for_goal(k, around, worker);
     plans[k] =
         space::decide(options, horizons, law, robots[k], around, true, worker.scratch, detours[k]);

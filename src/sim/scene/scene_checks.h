@@ -28,6 +28,9 @@ struct Place {
   }
 };
 
+/// Where a scene with a robot that cannot stop is refused.
+inline constexpr const char* kAmongFlights = " in a scene with airplanes";
+
 /// The places of an entry's fields, for require_ranges().
 struct PlaceOf {
   std::string_view list;
