@@ -3,9 +3,7 @@
 #include "io/space/read_space.h"
 
 #include <algorithm>
-#include <cmath>
 #include <fmt/format.h>
-#include <numeric>
 #include <utility>
 
 #include "avo/error.h"
@@ -13,22 +11,19 @@
 #include "core/retell.h"
 #include "io/files/file_names.h"
 #include "io/scene/overrides.h"
-#include "io/scene/random.h"
-#include "io/scene/read_obstacles.h"
 #include "io/scene/read_parts.h"
 #include "io/scene/reader.h"
 #include "io/scene/scene_files.h"
 #include "io/space/placement.h"
+#include "io/space/read_boxes.h"
+#include "io/space/read_group.h"
 #include "io/space/read_mover.h"
 #include "io/space/read_robot.h"
-#include "io/space/space_boxes.h"
 #include "io/text/yaml_tree.h"
 
 namespace avo_io {
 namespace {
 
-using avo::Vec3;
-using avo::space::Box;
 using avo::space::RobotSetup;
 using avo::space::Scenario;
 
@@ -104,7 +99,7 @@ class SpaceBuilder {
     for (std::size_t i = 0; i < list->children.size(); ++i) {
       const std::string path = fmt::format("groups.{}", i);
       const YamlNode& node = list->children[i];
-      const SpaceGroup group = read_group(node, path);
+      const SpaceGroup group = read_group_in_space(reader_, node, path);
       const std::int64_t total = static_cast<std::int64_t>(scenario_.robots.size()) + group.count;
       if (total > most_robots_)
         reader_.fail(node, path, fmt::format("{} robots in all", total),
@@ -114,105 +109,14 @@ class SpaceBuilder {
     }
   }
 
-  template <class T>
-  T read_map(const YamlNode& node, const std::string& path) const {
-    T result;
-    reader_.check_keys(node, path, keys_of(fields<T>()));
-    reader_.read(node, path, fields<T>(), result);
-    return result;
-  }
-
-  SpaceGroup read_group(const YamlNode& node, const std::string& path) const {
-    SpaceGroup group;
-    read_robot_of_group(reader_, node, path, keys_of(fields<SpaceGroup>()), group.robot);
-    reader_.read(node, path, fields<SpaceGroup>(), group);
-    const YamlNode *sphere = node.find("sphere"), *box = node.find("box"),
-                   *grid = node.find("grid");
-    const int kinds = (sphere != nullptr) + (box != nullptr) + (grid != nullptr);
-    if (kinds != 1)
-      reader_.fail(node, path, fmt::format("{} placements", kinds),
-                   "must have one of sphere, box, grid");
-    if (sphere != nullptr)
-      group.placement = read_map<SpherePlacement>(*sphere, path_to(path, "sphere"));
-    if (box != nullptr) group.placement = read_map<BoxPlacement>(*box, path_to(path, "box"));
-    if (grid != nullptr)
-      group.placement = read_map<SpaceGridPlacement>(*grid, path_to(path, "grid"));
-    read_goal(*node.find("goal"), path_to(path, "goal"), group);
-    return group;
-  }
-
-  void read_goal(const YamlNode& node, const std::string& path, SpaceGroup& group) const {
-    if (node.kind == YamlNode::Kind::map) {
-      reader_.check_keys(node, path, {"offset"});
-      const YamlNode* offset = node.find("offset");
-      if (offset == nullptr) reader_.fail_missing(node, path, "offset", "{by: [x, y, z]}");
-      group.goals = SpaceGoals::offset;
-      group.offset = read_map<SpaceOffset>(*offset, path_to(path, "offset"));
-      return;
-    }
-    constexpr std::array<std::pair<std::string_view, SpaceGoals>, 2> kGoals{
-        {{"antipodal", SpaceGoals::antipodal}, {"permuted", SpaceGoals::permuted}}};
-    group.goals = reader_.choice(node, path, kGoals);
-  }
-
   void read_obstacles() {
     const YamlNode* list = list_of("obstacles");
     if (list == nullptr) return;
     for (std::size_t i = 0; i < list->children.size(); ++i) {
-      read_obstacle(list->children[i], fmt::format("obstacles.{}", i));
+      read_boxes(reader_, list->children[i], fmt::format("obstacles.{}", i), files_, maps_,
+                 scenario_.boxes);
       scenario_.obstacle_of_box.resize(scenario_.boxes.size(), static_cast<std::int64_t>(i));
     }
-  }
-
-  void read_obstacle(const YamlNode& node, const std::string& path) {
-    const auto alone = [&](const char* key) {
-      const YamlNode* value = node.kind == YamlNode::Kind::map ? node.find(key) : nullptr;
-      if (value != nullptr) reader_.check_keys(node, path, {key});
-      return value;
-    };
-    if (const YamlNode* floor = alone("floor")) {
-      Box box;
-      box.max.z = reader_.number(*floor, path_to(path, "floor"), avo::kAnyValue, "m");
-      scenario_.boxes.push_back(box);
-    } else if (const YamlNode* ceiling = alone("ceiling")) {
-      Box box;
-      box.min.z = reader_.number(*ceiling, path_to(path, "ceiling"), avo::kAnyValue, "m");
-      scenario_.boxes.push_back(box);
-    } else if (const YamlNode* bounds = alone("box")) {
-      const std::string inside = path_to(path, "box");
-      const SpaceBox box = read_map<SpaceBox>(*bounds, inside);
-      if (!(box.min.x <= box.max.x && box.min.y <= box.max.y && box.min.z <= box.max.z))
-        reader_.fail(*bounds, inside,
-                     fmt::format("min [{}, {}, {}] and max [{}, {}, {}]", box.min.x, box.min.y,
-                                 box.min.z, box.max.x, box.max.y, box.max.z),
-                     "min must not exceed max");
-      scenario_.boxes.push_back(box_of(box));
-    } else {
-      read_walls(node, path);
-    }
-  }
-
-  // An obstacle of the plane, with `height: [low, high]`; without it, at all heights.
-  void read_walls(const YamlNode& node, const std::string& path) {
-    YamlNode plane = node;
-    double low = -Box::kFar, high = Box::kFar;
-    if (node.kind == YamlNode::Kind::map) {
-      for (std::size_t k = 0; k + 1 < plane.children.size(); k += 2) {
-        if (plane.children[k].text != "height") continue;
-        const avo::Vec2 heights =
-            reader_.point(plane.children[k + 1], path_to(path, "height"), avo::kAnyValue, "m");
-        if (heights.x > heights.y)
-          reader_.fail(plane.children[k + 1], path_to(path, "height"), shown(plane.children[k + 1]),
-                       "must be [low, high]");
-        low = heights.x, high = heights.y;
-        const auto first = plane.children.begin() + static_cast<std::ptrdiff_t>(k);
-        plane.children.erase(first, first + 2);
-        break;
-      }
-    }
-    const avo::StaticObstacle obstacle = read_static_obstacle(reader_, plane, path, files_, maps_);
-    for (const avo::Wall& wall : walls_of(std::span(&obstacle, 1)))
-      scenario_.boxes.push_back(box_of(wall, low, high));
   }
 
   // 60 s and twice the longest straight way, as in the plane.

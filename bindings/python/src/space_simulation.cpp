@@ -6,6 +6,7 @@
 
 #include "arrays.h"
 #include "avo_io/space.h"
+#include "fields.h"
 #include "space.h"
 
 namespace avo_python::space {
@@ -20,8 +21,10 @@ Scenario parse(const std::string& text, const std::string& file, const py::objec
 }
 
 void bind_scenario(py::module_& space) {
-  py::class_<Scenario>(space, "Scenario",
-                       "A scene of space: robots, boxes, and how they are simulated. Read only.")
+  py::class_<Scenario> scene(
+      space, "Scenario", "A scene of space: robots, boxes, and how they are simulated. Read only.");
+  bind_fields(scene, avo_io::space_scene_fields(), "sensing_radius");
+  scene
       .def(py::init(&scenario_of_space), arg("source"), arg("overrides") = py::none(),
            "source: path of a scene file with space: 3, or a dict with its keys. overrides: "
            "{\"robots.0.radius\": 0.4}, or [\"robots.0.radius=0.4\"]. Raises Error with the "
@@ -29,11 +32,6 @@ void bind_scenario(py::module_& space) {
       .def_static("from_yaml", &parse, arg("text"), arg("file") = "text",
                   arg("overrides") = py::none(),
                   "From the text of a scene file. file: stands in front of messages.")
-      .def_readonly("name", &Scenario::name, "of the scene")
-      .def_readonly("time_step", &Scenario::time_step, "s")
-      .def_readonly("duration", &Scenario::duration, "s")
-      .def_readonly("arrival_distance", &Scenario::arrival_distance, "m")
-      .def_readonly("seed", &Scenario::seed, "of all that is random")
       .def_property_readonly("sensing_radius", &avo::space::sensing_radius_of,
                              "m, between centers; what the robots need where the scene names none")
       .def_property_readonly("fleet_delay", &avo::space::fleet_delay,

@@ -46,7 +46,7 @@ void check_parked(std::size_t i, const RobotSetup& robot) {
     refuse(std::string(Place{"robots", i, "velocity"}), text(robot.velocity),
            "[0, 0]: it is parked");
   const RobotSetup usual;
-  for_each_member(kRobotFields, [&](const RobotField& field, auto member) {
+  for_each_member(kFields<RobotSetup>, [&](const RobotField& field, auto member) {
     if (field.whose == Whose::deciding && !(robot.*member == usual.*member))
       refuse(std::string(Place{"robots", i, field.key}), found(robot.*member),
              "left out: it is parked");
@@ -57,14 +57,14 @@ void check_model(std::size_t /*i*/, const RobotSetup& /*robot*/, double /*time_s
                  const Holonomic& /*any*/) {}
 
 void check_model(std::size_t i, const RobotSetup& /*robot*/, double /*time_step*/, const Car& car) {
-  require_ranges(car, kCarFields, PlaceOf{"robots", i, "car."});
-  if (car.body) require_ranges(*car.body, kCarBodyFields, PlaceOf{"robots", i, "car.body."});
+  require_ranges(car, PlaceOf{"robots", i, "car."});
+  if (car.body) require_ranges(*car.body, PlaceOf{"robots", i, "car.body."});
 }
 
 void check_model(std::size_t i, const RobotSetup& robot, double /*time_step*/,
                  const DifferentialDrive& drive) {
   const std::string_view list = "robots";
-  require_ranges(drive, kDriveFields, PlaceOf{list, i, "drive."});
+  require_ranges(drive, PlaceOf{list, i, "drive."});
   if (robot.max_speed > drive.wheel_speed)
     refuse(std::string(Place{list, i, "max_speed"}), text(robot.max_speed),
            "<= " + text(drive.wheel_speed) + " m/s, its drive.wheel_speed");
@@ -87,7 +87,7 @@ void check_model(std::size_t i, const RobotSetup& robot, double time_step, const
   const std::string_view list = "robots";
   const auto at = [&](std::string_view field) { return std::string(Place{list, i, field}); };
   const PlaceOf own{list, i, "airplane."};
-  require_ranges(model, kAirplaneFields, own);
+  require_ranges(model, own);
   if (model.min_speed > robot.max_speed)
     refuse(std::string(own("min_speed")), text(model.min_speed),
            "<= max_speed = " + text(robot.max_speed) + " m/s");
@@ -109,7 +109,7 @@ void check_model(std::size_t i, const RobotSetup& robot, double time_step, const
 }  // namespace
 
 void check_robot(std::size_t i, const RobotSetup& robot, double time_step) {
-  require_ranges(robot, kRobotFields, PlaceOf{"robots", i});
+  require_ranges(robot, PlaceOf{"robots", i});
   if (robot.parked) check_parked(i, robot);
   require(Place{"robots", i, "heading"}, robot.heading, kAngle, "rad");
   check_footprint(i, robot);

@@ -73,7 +73,7 @@ void check_trajectory(std::size_t k, const MovingObstacle& obstacle) {
 }
 
 void check_obstacle(std::size_t k, const MovingObstacle& obstacle) {
-  require_ranges(obstacle, kMoverFields, PlaceOf{"moving_obstacles", k});
+  require_ranges(obstacle, PlaceOf{"moving_obstacles", k});
   if (obstacle.max_speed) check_max_speed(k, obstacle);
   if (!obstacle.trajectory.empty()) check_trajectory(k, obstacle);
   if (obstacle.path.empty()) return;
