@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Makes a scenario of a scene file with `space: 3`: explicit robots first, then the groups.
+#include "io/space/read_space.h"
+
 #include <algorithm>
 #include <fmt/format.h>
 #include <utility>
@@ -8,8 +10,6 @@
 #include "avo_io/space.h"
 #include "core/retell.h"
 #include "io/files/file_names.h"
-#include "io/files/regular_file.h"
-#include "io/recording/recorded_scene.h"
 #include "io/scene/overrides.h"
 #include "io/scene/read_parts.h"
 #include "io/scene/reader.h"
@@ -37,8 +37,7 @@ bool is_text(const YamlNode& node, std::string_view text) {
 class SpaceBuilder {
  public:
   /// most_robots: the scene may have no more.
-  SpaceBuilder(const Document& document, SceneFiles& files,
-               std::int64_t most_robots = avo::kMostRobots)
+  SpaceBuilder(const Document& document, SceneFiles& files, std::int64_t most_robots)
       : document_(document), reader_(document), files_(files), most_robots_(most_robots) {}
 
   Scenario build(const std::vector<RobotPatch>& patches, const std::string& default_name) {
@@ -146,13 +145,6 @@ class SpaceBuilder {
   Scenario scenario_;
 };
 
-// Returns the document with its overrides, and those of robots that groups make.
-std::vector<RobotPatch> parse(std::string_view yaml, const std::string& file,
-                              const std::vector<std::string>& overrides, Document& document) {
-  document.root = parse_yaml(yaml, file, document);
-  return apply_overrides(overrides, document);
-}
-
 // Returns whether it is a scene of space. Throws if it has another number of dimensions.
 bool is_in_space(const Document& document) {
   if (document.root.kind != YamlNode::Kind::map) return false;
@@ -163,59 +155,28 @@ bool is_in_space(const Document& document) {
   return true;
 }
 
-Scenario scenario_of_space(std::string_view yaml, const std::string& file,
-                           const std::vector<std::string>& overrides, SceneFiles& files,
-                           std::int64_t most_robots) {
-  Document document;
-  const std::vector<RobotPatch> patches = parse(yaml, file, overrides, document);
-  if (!is_in_space(document))
-    throw SceneError(file + ": found no space: 3, which scenes of space have");
-  return SpaceBuilder(document, files, most_robots).build(patches, stem_of(file));
+bool speaks_of_space(const std::string& text) {
+  return text.find(kSpaceKey) != std::string::npos;
 }
 
 }  // namespace
 
-std::optional<Scenario> load_space_scenario(const std::string& name_or_path,
-                                            const std::vector<std::string>& overrides,
-                                            SceneSource* source) {
-  const std::optional<std::string> builtin = builtin_text(name_or_path);
-  const bool is_input = name_or_path == "-";
-  if (!builtin && !is_input && is_missing(name_or_path)) return std::nullopt;
-  const std::string yaml = builtin    ? *builtin
-                           : is_input ? read_standard_input()
-                                      : read_regular_file(name_or_path);
-  const auto speaks_of_space = [](const std::string& text) {
-    return text.find(kSpaceKey) != std::string::npos;
-  };
+std::optional<Scenario> scenario_if_in_space(const std::string& yaml, const std::string& file,
+                                             const std::vector<std::string>& overrides,
+                                             SceneFiles& files, std::int64_t most_robots) {
   if (!speaks_of_space(yaml) && std::none_of(overrides.begin(), overrides.end(), speaks_of_space))
     return std::nullopt;
   Document document;
-  const std::string file = is_input ? kStandardInput : name_or_path;
-  const std::vector<RobotPatch> patches = parse(yaml, file, overrides, document);
+  document.root = parse_yaml(yaml, file, document);
+  const std::vector<RobotPatch> patches = apply_overrides(overrides, document);
   if (!is_in_space(document)) return std::nullopt;
-  SceneFiles files{folder_of(name_or_path)};
-  files.builtin = builtin    ? BuiltinFiles::first
-                  : is_input ? BuiltinFiles::last
-                             : BuiltinFiles::none;
-  Scenario scenario = SpaceBuilder(document, files).build(patches, stem_of(file));
-  if (source != nullptr) *source = {file, yaml, overrides, std::move(files.read)};
-  return scenario;
+  return SpaceBuilder(document, files, most_robots).build(patches, stem_of(file));
 }
 
-Scenario parse_space_scenario(std::string_view yaml, const std::string& file,
-                              const std::vector<std::string>& overrides) {
-  SceneFiles files{folder_of(file)};
-  return scenario_of_space(yaml, file, overrides, files, avo::kMostRobots);
-}
-
-Scenario parse_space_scenario(const SceneSource& source) {
-  return parse_space_scenario_of(source, avo::kMostRobots);
-}
-
-Scenario parse_space_scenario_of(const SceneSource& source, std::int64_t most_robots) {
+std::optional<Scenario> space_scenario_in(const SceneSource& source) {
   SceneFiles files{folder_of(source.name)};
   files.given = &source.files;
-  return scenario_of_space(source.yaml, source.name, source.overrides, files, most_robots);
+  return scenario_if_in_space(source.yaml, source.name, source.overrides, files, avo::kMostRobots);
 }
 
 }  // namespace avo_io

@@ -31,6 +31,7 @@ void bind_space(py::module_& module);
 namespace space {  // the parts of it
 void bind_robots(py::module_& module);
 void bind_planner(py::module_& module);
+void bind_scenes(py::module_& module);
 void bind_runs(py::module_& module);
 void bind_worlds(py::module_& module);
 void bind_batches(py::module_& module);

@@ -239,7 +239,7 @@ void check_flights(const Scenario& scenario, const PlannerOptions& options) {
   const auto first = std::find_if(robots.begin(), robots.end(),
                                   [](const RobotSetup& r) { return !can_rest(r.model); });
   if (first == robots.end()) return;
-  const std::string among = " in a scene with airplanes";
+  const std::string among = kAmongFlights;
   for (std::size_t i = 0; i < robots.size(); ++i) {
     if (robots[i].behavior != Behavior::decides)
       refuse(std::string(Place{"robots", i, "behavior"}), to_string(robots[i].behavior),

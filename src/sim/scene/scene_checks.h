@@ -16,6 +16,9 @@ namespace avo::inline sim {
 
 using core::text;
 
+/// Where a scene with a robot that cannot stop is refused.
+inline constexpr const char* kAmongFlights = " in a scene with airplanes";
+
 inline std::string text(Vec2 p) {
   return std::string("[").append(text(p.x)).append(", ").append(text(p.y)).append("]");
 }
