@@ -216,7 +216,7 @@ class SpaceBuilder {
       scenario_.boxes.push_back(box_of(wall, low, high));
   }
 
-  // 60 s and twice the longest straight way, as in the plane.
+  // 60 s and twice the longest straight line, as in the plane.
   void set_usual_duration() {
     double longest = 0.0;
     for (const RobotSetup& robot : scenario_.robots) {
