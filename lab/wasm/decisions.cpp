@@ -11,7 +11,7 @@ namespace avo_lab {
 /// Returns the same JSON as `avo explain --json`.
 AVO_EXPORT(std::size_t, explain)(std::uint32_t robot) {
   const avo::Simulation& simulation = *lab().simulation;
-  return into_room(to_json(avo_io::explain(simulation, lab().scenario.name, index_of(robot))));
+  return into_room(to_json(avo_io::explain(simulation, lab().scenario.name, {robot})));
 }
 
 }  // namespace avo_lab

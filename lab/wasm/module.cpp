@@ -50,12 +50,6 @@ Lab& lab() {
   return lab;
 }
 
-std::size_t index_of(std::uint64_t robot) {
-  const auto index = lab().simulation->index_of({robot});
-  if (!index) throw avo::Error("robot " + std::to_string(robot) + ": found none of that id");
-  return *index;
-}
-
 std::string name_of(std::int64_t source) {
   return source >= 0 ? "robots." + std::to_string(source)
                      : "moving_obstacles." + std::to_string(-1 - source);

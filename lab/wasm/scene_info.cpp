@@ -100,13 +100,13 @@ Json walls_of(const avo::StaticObstacleView& obstacles) {
 AVO_EXPORT(std::size_t, info)() {
   const auto& [scenario, start, simulation, metrics] = lab();
   Json moving_obstacles = Json::array();
-  for (const avo::MovingObstacle& obstacle : simulation->obstacles().setup)
+  for (const avo::MovingObstacle& obstacle : simulation->moving_obstacles().setup)
     moving_obstacles.push_back({{"radius", obstacle.radius}});
   const Json json{{"name", scenario.name},
                   {"duration", scenario.duration},
                   {"options", options_of(scenario, *simulation)},
                   {"robots", robots_of(simulation->fleet())},
-                  {"walls", walls_of(simulation->static_obstacles())},
+                  {"walls", walls_of(simulation->obstacles())},
                   {"moving_obstacles", moving_obstacles},
                   {"advice", avo::advice(start)},
                   {"broken_assumptions", avo_io::complaints(start)}};

@@ -121,7 +121,7 @@ Mover newcomer(const CheckedRobot& robot, std::size_t disc, const CheckedState& 
   return mover;
 }
 
-Place place_of(const CheckedObstacle& obstacle, double time) {
+Place place_of(const CheckedMover& obstacle, double time) {
   const double t = time;
   return {obstacle.position + t * (obstacle.velocity + (0.5 * t) * obstacle.acceleration),
           obstacle.velocity + t * obstacle.acceleration};

@@ -44,7 +44,7 @@ Mover newcomer(const CheckedRobot& robot, std::size_t disc, const CheckedState& 
 struct Place {
   Vec2 position, velocity;  // m, m/s
 };
-Place place_of(const CheckedObstacle& obstacle, double time);
+Place place_of(const CheckedMover& obstacle, double time);
 Mover obstacle_mover(const Place& from, const Place& to, double radius, std::int64_t index);
 
 /// Returns whether one of the two is present only at the end of the step.
