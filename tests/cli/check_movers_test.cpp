@@ -56,7 +56,7 @@ TEST(CheckMovers, who_is_run_over_at_rest_is_not_safe) {
   ASSERT_EQ(json["mover_hits"].size(), 1U);
   const Json& hit = json["mover_hits"][0];
   EXPECT_EQ(hit["robot"], 0);
-  EXPECT_EQ(hit["obstacle"], 0);
+  EXPECT_EQ(hit["moving_obstacle"], 0);
   EXPECT_EQ(hit["moved"], false);
   EXPECT_NEAR(hit["time"], 2.2, 1e-6);
   EXPECT_NEAR(hit["depth"], 0.8, 1e-6);
@@ -82,7 +82,7 @@ TEST(CheckMovers, at_rest_ok_is_not_ok_in_motion) {
   const Json hits = Json::parse(result.out)["mover_hits"];
   ASSERT_EQ(hits.size(), 2U);
   EXPECT_EQ(hits[0]["robot"], 1);
-  EXPECT_EQ(hits[0]["obstacle"], 1);
+  EXPECT_EQ(hits[0]["moving_obstacle"], 1);
   EXPECT_EQ(hits[0]["moved"], true);
   EXPECT_EQ(hits[1]["moved"], false);
 }

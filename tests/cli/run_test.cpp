@@ -234,7 +234,8 @@ TEST(Run, tells_who_has_not_arrived_and_who_is_in_the_way) {
   EXPECT_EQ(json["not_arrived_count"], 1);
   ASSERT_EQ(json["not_arrived"].size(), 1U);
   const Json& robot = json["not_arrived"][0];
-  EXPECT_EQ(keys_of(robot), (Strings{"robot", "distance", "speed", "status", "detour", "held_by"}));
+  EXPECT_EQ(keys_of(robot),
+            (Strings{"robot", "distance", "speed", "status", "detour_angle", "held_by"}));
   EXPECT_EQ(robot["robot"], 0);
   EXPECT_GE(robot["distance"], 1.0) << "both radii";
   EXPECT_LE(robot["distance"], 1.2) << "it keeps some clearance";
