@@ -89,4 +89,9 @@ struct Simulation::State : World {
                                    std::shared_ptr<Executor> executor);
 };
 
+void lead_teams(Simulation& simulation, std::vector<Team>& teams);
+
+/// Throws Error after a step that did not end. call: the function that needs a whole step.
+void require_whole(const World& world, const char* call);
+
 }  // namespace avo

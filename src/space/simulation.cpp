@@ -8,9 +8,9 @@
 
 #include "avo/error.h"
 #include "core/hash.h"
+#include "core/ranges.h"
 #include "space/boxes.h"
 #include "space/fleet.h"
-#include "space/ranges.h"
 #include "space/routes/tighten.h"
 #include "space/validity.h"
 
@@ -95,7 +95,7 @@ std::vector<RobotId> Simulation::unreachable() const {
 
 void Simulation::set_goal(RobotId robot, Vec3 goal) {
   const std::size_t k = state_->find(robot);
-  require_vector("goal", goal, "m");
+  require("goal", goal, "m");
   Vec3& own = state_->scenario.robots[k].goal;
   if (own == goal) return;
   own = state_->trips[k].goal = goal;

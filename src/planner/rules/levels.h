@@ -44,6 +44,6 @@ inline constexpr int kNearer = 4;
 
 /// What a search of evasive maneuvers has found after a step of the robot's own choice, or of
 /// another one.
-enum class Way : unsigned char { none, as_wanted, another };
+enum class WayFound : unsigned char { none, as_wanted, another };
 
 }  // namespace avo::inline planner

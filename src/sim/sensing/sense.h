@@ -5,8 +5,6 @@
 #include <cstdint>
 #include <span>
 
-#include "spatial/search.h"
-
 namespace avo::inline sim {
 
 struct World;
@@ -15,9 +13,6 @@ struct Worker;
 /// m, m/s: a robot no farther from the origin, with neighbors no farther from it, keeps the limits
 /// of all numbers.
 inline constexpr double kFarthestTrusted = 1e11;
-
-/// The search query of the robot in that slot.
-NeighborQuery sought_by(const World& world, std::size_t slot);
 
 /// Fills the tile's neighbors: all that can matter within the sensing radius. Returns the number of
 /// robots for which there was room.
