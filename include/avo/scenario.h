@@ -105,18 +105,18 @@ struct MovingObstacle {
 
 /// Where a moving obstacle is on its path at the beginning of a step.
 struct PathWalk {
-  Vec2 position, velocity;   ///< m, m/s
-  std::uint32_t target = 0;  ///< index of the point that it moves to
+  Vec2 position, velocity;       ///< m, m/s
+  std::uint32_t next_point = 0;  ///< position in its path of the point that it moves to
 };
 /// Returns the walk one step later. The acceleration is held over the step and is within
-/// max_deviation. It moves straight to the target, as fast as max_speed and stopping there allow.
+/// max_deviation. It moves straight to that point, as fast as max_speed and stopping there allow.
 /// It has reached a point when its disc covers the point.
 AVO_API PathWalk next_on_path(const MovingObstacle& obstacle, const PathWalk& walk,
                               double time_step);
 
 /// Returns its place on its trajectory at a time, and the velocity with which it goes on. The time
-/// is the end of a step: within a step it moves straight from one place to the other. target: index
-/// of the place that it moves to.
+/// is the end of a step: within a step it moves straight from one place to the other. next_point:
+/// the position of the place that it moves to.
 AVO_API PathWalk on_trajectory(const MovingObstacle& obstacle, double time);
 /// Sets its state to that of its trajectory at 0 s, if it has one.
 AVO_API void start_on_trajectory(MovingObstacle& obstacle);

@@ -83,7 +83,7 @@ avo::Check check_of(const JudgeOptions& options_of_judge) {
       robot.time_step = time_step_of(*scenario, setup);
     robots.push_back(robot);
   }
-  std::vector<avo::CheckedObstacle> obstacles;
+  std::vector<avo::CheckedMover> obstacles;
   for (const avo::MovingObstacle& obstacle : scenario->moving_obstacles)
     obstacles.push_back({obstacle.position, obstacle.velocity, obstacle.acceleration,
                          obstacle.radius, !obstacle.trajectory.empty()});
@@ -167,7 +167,7 @@ void Judge::place_obstacles(double time) {
   for (std::size_t k = 0; k < scenario->moving_obstacles.size(); ++k)
     if (!scenario->moving_obstacles[k].path.empty() ||
         !scenario->moving_obstacles[k].trajectory.empty())
-      check.place_obstacle(static_cast<std::int64_t>(k), movers->position(k), movers->velocity(k));
+      check.place_mover(static_cast<std::int64_t>(k), movers->position(k), movers->velocity(k));
 }
 
 void Judge::add(RecordedTime& moment) {

@@ -10,7 +10,7 @@
 
 namespace avo::inline certificate {
 
-/// A mover that a way out must keep clear of. It keeps its acceleration for ever, or its
+/// A mover that an evasive maneuver must keep clear of. It keeps its acceleration for ever, or its
 /// trajectory.
 template <int D>
 struct PredictedOf {

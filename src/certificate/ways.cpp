@@ -25,7 +25,7 @@ bool is_known(const WayOptions& options, Vec2 place) {
   return norm_squared(place) <= options.known * options.known;
 }
 
-// One step of a way out.
+// One step of an evasive maneuver.
 struct WayStep {
   Hull path;
   WayState next;

@@ -28,7 +28,9 @@ AVO_LOCAL inline constexpr auto kFields<Scenario> = std::to_array<Field<Scenario
      "what is used of max_acceleration but where the certificate asks for more; method avo only",
      "no limit"},
     {"comfort_jerk", &Scenario::comfort_jerk, kOptional, kPositive, "m/s^3",
-     "by how much the acceleration changes in a second, likewise; method avo only",
+     "what is used of any change of the acceleration in a second but where the certificate asks "
+     "for "
+     "more; method avo only",
      "max_acceleration in 0.8 of the response time"},
     {"margin", &Scenario::margin, kOptional, kNotNegative, "m",
      "clearance from others that is wished for; fades in narrow places; method avo only"},
@@ -38,7 +40,8 @@ AVO_LOCAL inline constexpr auto kFields<Scenario> = std::to_array<Field<Scenario
     {"time_horizon", &Scenario::time_horizon, kOptional, kPositive, "s",
      "tau: how far collisions are looked for", "3 s for method avo, else 10 s"},
     {"sensing_radius", &Scenario::sensing_radius, kOptional, kPositive, "m",
-     "between centers; who is farther is not seen", "what the robots need, see docs/scenes.md"},
+     "between centers: a robot farther away is not sensed",
+     "what the robots need, see docs/scenes.md"},
     {"max_neighbors", &Scenario::max_neighbors, kOptional, kAtLeastOne, "",
      "nearest neighbors that get a half-plane", "no limit"},
     {"method", &Scenario::method, kOptional, kNoNumber, "", "how new velocities are chosen"},
@@ -57,13 +60,13 @@ AVO_LOCAL inline constexpr auto kFields<Scenario> = std::to_array<Field<Scenario
     {"groups", kNested, kOptional, kNoNumber, "", "many like robots each, numbered after `robots`"},
     {"robots_from", kNested, kOptional, kNoNumber, "",
      "robots of a MovingAI scenario, numbered after `robots` and before `groups`"},
-    {"moving_obstacles", kNested, kOptional, kNoNumber, "", "discs that react to nobody"},
-    {"obstacles", kNested, kOptional, kNoNumber, "", "what does not move, and nobody may touch"},
+    {"moving_obstacles", kNested, kOptional, kNoNumber, "", "discs that react to no robot"},
+    {"obstacles", kNested, kOptional, kNoNumber, "", "what does not move, and no robot may touch"},
     {"navigation", &Scenario::navigation, kOptional, kNoNumber, "",
-     "the preferred velocity follows a path around the obstacles",
+     "the preferred velocity follows a route around the obstacles",
      "true where there are obstacles, or moving ones at rest"},
     {"right_of_way", &Scenario::right_of_way, kOptional, kNoNumber, "",
-     "with navigation, how robots know who else is about to go through a narrow passage"},
+     "with navigation, how robots know which others are about to go through a narrow passage"},
     {"sensing",
      kNested,
      kOptional,
@@ -98,7 +101,7 @@ AVO_LOCAL inline constexpr auto kFields<SensingModel> = std::to_array<Field<Sens
      kOptional,
      {},
      "",
-     "nobody is sensed whose center is behind an obstacle"},
+     "a robot is not sensed if its center is behind an obstacle"},
     {"localization",
      kNested,
      kOptional,
@@ -111,7 +114,8 @@ template <>
 AVO_LOCAL inline constexpr auto kFields<MeasurementNoise> = std::to_array<Field<MeasurementNoise>>({
     {"position", &MeasurementNoise::position, kOptional, kNoise, "m",
      "of each coordinate: standard deviation, or bound of uniform noise"},
-    {"velocity", &MeasurementNoise::velocity, kOptional, kNoise, "m/s", "likewise"},
+    {"velocity", &MeasurementNoise::velocity, kOptional, kNoise, "m/s",
+     "of each coordinate: standard deviation, or bound of uniform noise"},
     {"distribution", &MeasurementNoise::distribution, kOptional, {}, "", "of each coordinate"},
     {"truncated", &MeasurementNoise::truncated, kOptional, kTruncation, "",
      "gaussian noise stays within so many standard deviations", "3"},
@@ -131,7 +135,8 @@ template <>
 AVO_LOCAL inline constexpr auto kFields<SensingError> = std::to_array<Field<SensingError>>({
     {"position", &SensingError::position, kOptional, kNotNegative, "m",
      "at most so far from where it is sensed"},
-    {"velocity", &SensingError::velocity, kOptional, kNotNegative, "m/s", "likewise"},
+    {"velocity", &SensingError::velocity, kOptional, kNotNegative, "m/s",
+     "at most so far from what is sensed"},
 });
 
 template <>

@@ -242,7 +242,7 @@ void trace_certificate(const Decided& decided, DecisionTrace& trace) {
 void trace_flight(const Decided& decided, DecisionTrace& trace) {
   const PlanStatus status = trace.plan.status;
   if (status == PlanStatus::optimal || status == PlanStatus::least_unsafe) return;
-  if (trace.plan.evading) return;  // nobody has refused its choice
+  if (trace.plan.evading) return;  // no neighbor has refused its choice
   const FlightConstraints& flight = decided.scratch.flight;
   const auto room = [](const SeparatingLine& line) { return line.part; };
   const auto nearest = std::min_element(

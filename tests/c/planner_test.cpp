@@ -140,8 +140,8 @@ void check_decision(avo_planner_id planner, const avo::Planner& own,
   CHECK(remembered.acceleration_y == detour.acceleration_y);
 
   REQUIRE(
-      avo_planner_plan_among_obstacles(planner, &robot, neighbors.data(), neighbors.size(), &plan));
-  CHECK(is_same(plan, own.plan_among_obstacles(seen.robot, seen.neighbors, workspace)));
+      avo_planner_plan_among_movers(planner, &robot, neighbors.data(), neighbors.size(), &plan));
+  CHECK(is_same(plan, own.plan_among_movers(seen.robot, seen.neighbors, workspace)));
 
   avo_safety_report report;
   REQUIRE(avo_planner_state(planner, &robot, neighbors.data(), neighbors.size(), walls.data(),
@@ -166,7 +166,7 @@ void check_scene(const char* name, const std::vector<std::string>& overrides) {
     simulation.step();
     if (step % 12 != 0) continue;
     for (std::size_t i = 0; i < simulation.fleet().id.size(); ++i)
-      seen.push_back(simulation.perceive(i));
+      seen.push_back(simulation.perceive({i}));
   }
   const auto check_all = [&] {
     for (const auto& one : seen) check_decision(planner, simulation.planner(), one);
@@ -223,12 +223,14 @@ void check_evasion() {
   CHECK(evasion.neighbor == 1);
   CHECK(evasion.velocity.x != 0.0 || evasion.velocity.y != 0.0);
   CHECK(evasion.duration > 0.0);
-  bool has_way_out = false;
-  REQUIRE(avo_planner_has_way_out(planner, &robot, others, 2, nullptr, 0, &has_way_out));
-  CHECK(has_way_out);
+  bool has_evasive_maneuver = false;
+  REQUIRE(avo_planner_has_evasive_maneuver(planner, &robot, others, 2, nullptr, 0,
+                                           &has_evasive_maneuver));
+  CHECK(has_evasive_maneuver);
   others[1].position.x = 0.5, others[1].velocity.y = -30.0;
-  REQUIRE(avo_planner_has_way_out(planner, &robot, others, 2, nullptr, 0, &has_way_out));
-  CHECK(!has_way_out);
+  REQUIRE(avo_planner_has_evasive_maneuver(planner, &robot, others, 2, nullptr, 0,
+                                           &has_evasive_maneuver));
+  CHECK(!has_evasive_maneuver);
   REQUIRE(avo_planner_evasion(planner, &robot, others, 1, nullptr, 0, nullptr, &evasion));
   CHECK(evasion.neighbor == -1);
   REFUSES(avo_planner_evasion(planner, &robot, others, 1, nullptr, 0, nullptr, nullptr),

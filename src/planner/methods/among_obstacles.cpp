@@ -107,8 +107,8 @@ Plan decide_among_obstacles(const Planner& planner, const Robot& robot,
 
 namespace avo {
 
-Plan Planner::plan_among_obstacles(const Robot& robot, std::span<const Neighbor> obstacles,
-                                   PlanWorkspace& workspace) const {
+Plan Planner::plan_among_movers(const Robot& robot, std::span<const Neighbor> obstacles,
+                                PlanWorkspace& workspace) const {
   Robot steering = robot;
   if (is_rest(robot.velocity)) steering.velocity = {};
   if (is_valid(robot)) steering.preferred_velocity = steered(robot, approach_of(options_));

@@ -93,13 +93,13 @@ void follow_trajectories(Evading& evading) {
   }
 }
 
-// s, until a way out brakes or circles, for any neighbors.
+// s, until an evasive maneuver brakes or circles, for any neighbors.
 double longest_of_all(const Robot& robot) {
   return (can_rest(robot.model) ? kWideWay : kLongFlight) * time_to_evade(robot);
 }
 
-// s, until a way out brakes: long enough to leave the strip of the widest neighbor. Until a
-// robot circles: long enough to pass by, since all of its circle must be clear then.
+// s, until an evasive maneuver brakes: long enough to leave the strip of the widest neighbor. Until
+// a robot circles: long enough to pass by, since all of its circle must be clear then.
 double longest_way(const Robot& robot, std::span<const Neighbor> neighbors) {
   if (!can_rest(robot.model)) return longest_of_all(robot);
   const double time = time_to_evade(robot);
@@ -117,7 +117,7 @@ double braking_time_of(const Robot& robot, double speed, const StepLaw& law) {
 
 }  // namespace
 
-double way_range(const Robot& robot) {
+double evasion_range(const Robot& robot) {
   return (longest_of_all(robot) + 0.5 * time_to_evade(robot)) * robot.max_speed +
          room_to_turn(robot.model, robot.max_speed);
 }

@@ -84,7 +84,7 @@ struct Deciding {
   }
 };
 
-// Keeps a way out from movers.
+// Keeps an evasive maneuver from movers.
 void evade(const Deciding& deciding, std::size_t i, const FlightConstraints* flight) {
   const auto& [planner, execution, tile, scratch, law] = deciding;
   if (!tile.neighbors.has_movers) return;

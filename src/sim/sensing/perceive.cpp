@@ -57,9 +57,13 @@ void append_all(const World& world, std::size_t slot, std::vector<Perceived>& ro
     add(world.obstacles.sensed(k), -1 - static_cast<int>(k), movers);
 }
 
-// The value of the id at that index into fleet().
-std::int64_t number_at(const Fleet& fleet, int index) {
-  return static_cast<std::int64_t>(fleet.id[fleet.slot_of[static_cast<std::size_t>(index)]].value);
+// A sighting's source as Perception::source says it: by ids.
+std::int64_t named(const World& world, int source) {
+  if (source < 0)
+    return -1 - static_cast<std::int64_t>(
+                    world.obstacles.id[static_cast<std::size_t>(-1 - source)].value);
+  const Fleet& fleet = world.fleet;
+  return static_cast<std::int64_t>(fleet.id[fleet.slot_of[static_cast<std::size_t>(source)]].value);
 }
 
 // The same as the robot senses them, where senses are not exact.
@@ -128,14 +132,14 @@ void set_out_alone(const World& world, std::span<const Claims> claims, std::uint
 
 }  // namespace
 
-std::optional<Simulation::Wait> Simulation::wait(std::size_t robot) const {
+std::optional<Simulation::Wait> Simulation::wait(RobotId robot) const {
   State& state = *state_;
   state.catch_up();
   const std::span<const Claims> claims = state.claims_now();
-  return wait_of(state, claims, state.fleet.slot_of[robot]);
+  return wait_of(state, claims, state.fleet.find(robot));
 }
 
-Simulation::Perception Simulation::perceive(std::size_t robot) const {
+Simulation::Perception Simulation::perceive(RobotId robot) const {
   State& state = *state_;
   state.catch_up();
   if (state.changed || state.has_new_goals || state.obstacles.has_paths) {
@@ -144,7 +148,7 @@ Simulation::Perception Simulation::perceive(std::size_t robot) const {
     find_shared_goals(state);
     foresee(state);
   }
-  const std::uint32_t slot = state.fleet.slot_of[robot];
+  const auto slot = static_cast<std::uint32_t>(state.fleet.find(robot));
   Perception seen;
   seen.detour = state.fleet.detour[slot];
   for (const Perceived& one : all_sensed(state, slot)) {
@@ -152,8 +156,7 @@ Simulation::Perception Simulation::perceive(std::size_t robot) const {
     if (neighbor.trajectory != nullptr)  // a copy that outlives the step
       neighbor.trajectory =
           seen.trajectories.emplace_back(std::make_shared<Trajectory>(*neighbor.trajectory)).get();
-    const int source = one.source;
-    seen.source.push_back(source < 0 ? source : number_at(state.fleet, source));
+    seen.source.push_back(named(state, one.source));
   }
   seen.among_movers = state.fleet.flight(slot) == nullptr &&
                       is_among_movers(state.pace(slot).planner.options(), seen.neighbors);

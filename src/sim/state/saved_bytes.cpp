@@ -78,7 +78,7 @@ template <bool kReads>
 void describe(Archive<kReads>& archive, MovingObstacle& setup, PathWalk& state) {
   for_each_obstacle_value([&](const char*, auto member) { describe(archive, setup.*member); });
   describe(archive, state.position), describe(archive, state.velocity);
-  describe(archive, state.target);
+  describe(archive, state.next_point);
 }
 
 template <bool kReads>

@@ -62,7 +62,7 @@ struct SavedState {
   std::int64_t steps = 0;
   std::uint64_t next_id = 0;
   std::vector<SavedRobot> robots;  // by ascending id, as many as the scene has
-  // in the order of the scene, as many as it has; without a path the target is 0
+  // in the order of the scene, as many as it has; without a path next_point is 0
   std::vector<PathWalk> obstacles;
   std::vector<SavedWay> ways;  // of the robots; none without walls and movers at rest
   std::uint64_t next_obstacle = 0;

@@ -134,7 +134,7 @@ ObstacleColumns obstacles_of(const SavedState& state) {
   for (std::size_t k = 0; k < state.obstacles.size(); ++k) {
     obstacles.position[k] = state.obstacles[k].position;
     obstacles.velocity[k] = state.obstacles[k].velocity;
-    obstacles.target[k] = state.obstacles[k].target;
+    obstacles.next_point[k] = state.obstacles[k].next_point;
   }
   obstacles.steps = state.steps;
   return obstacles;
@@ -245,7 +245,7 @@ SavedState saved_state(const World& world) {
   state.mover_ids = world.obstacles.id, state.next_mover = world.obstacles.next_id;
   for (std::size_t k = 0; k < world.obstacles.setup.size(); ++k) {
     state.obstacles.push_back(
-        {world.obstacles.position[k], world.obstacles.velocity[k], world.obstacles.target[k]});
+        {world.obstacles.position[k], world.obstacles.velocity[k], world.obstacles.next_point[k]});
   }
   state.scene.robots.reserve(fleet.size());
   state.robots.reserve(fleet.size());

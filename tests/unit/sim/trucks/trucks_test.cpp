@@ -66,7 +66,7 @@ void expect_passes(const Scenario& scene, double most) {
   const Driven driven = drive(scene, most);
   EXPECT_TRUE(driven.all_arrived) << driven.summary.arrived << " arrived";
   EXPECT_EQ(driven.summary.collision_pairs, 0);
-  EXPECT_EQ(driven.summary.collision_obstacles, 0);
+  EXPECT_EQ(driven.summary.static_collisions, 0);
 }
 
 // Two trucks in a lane of that half-width, at -+aside.
