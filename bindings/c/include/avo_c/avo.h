@@ -383,6 +383,9 @@ typedef struct avo_robot {
   avo_airplane airplane;
   avo_model model;
   avo_footprint footprint;  ///< of a car or a drive; radius then covers it at any heading
+  /// m, > 0: to where its way turns, such as the next corner, if that is nearer than its goal; cars
+  /// and drives with a footprint maneuver by it. Infinite: its way does not turn
+  double lookahead;
 } avo_robot;
 
 /// Another robot, or an obstacle, as it is sensed.
