@@ -79,6 +79,12 @@ const std::vector<Field<avo::SensingError>>& fields() {
 }
 
 template <>
+const std::vector<Field<avo::ExecutionModel>>& fields() {
+  static const auto table = listed(avo::kExecutionFields);
+  return table;
+}
+
+template <>
 const std::vector<Field<avo::MovingObstacle>>& fields() {
   static const auto table = listed(avo::kMoverFields);
   return table;

@@ -177,4 +177,10 @@ void read_sensing(const Reader& reader, const YamlNode& scene, avo::SensingModel
     read_map(reader, *node, "sensing_error", error.emplace());
 }
 
+void read_execution(const Reader& reader, const YamlNode& scene,
+                    std::optional<avo::ExecutionModel>& execution) {
+  if (const YamlNode* node = scene.find("execution"))
+    read_map(reader, *node, "execution", execution.emplace());
+}
+
 }  // namespace avo_io

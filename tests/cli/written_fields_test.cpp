@@ -141,6 +141,7 @@ TEST(WrittenFields, definitions_of_c_have_them) {
   expect_in_c(avo::kSensingFields, "avo_sensing_model");
   expect_in_c(avo::kMeasurementNoiseFields, "avo_measurement_noise");
   expect_in_c(avo::kLocalizationNoiseFields, "avo_localization_noise");
+  expect_in_c(avo::kExecutionFields, "avo_execution_model");
 }
 
 // A member that is not in the list is neither read nor written.
@@ -152,7 +153,8 @@ TEST(WrittenFields, c_takes_them_both_ways) {
   const Part settings("bindings/c/worlds.cpp", "constexpr auto for_each_setting", "}");
   for_each_member(avo::kScenarioFields, [&](const auto& field, auto) {
     const bool is_own =  // a text, or a number of which 0 is a value
-        field.key == "name" || field.key == "external_method" || field.key == "response_time";
+        field.key == "name" || field.key == "external_method" || field.key == "response_time" ||
+        field.key == "execution_error";
     if (!is_own)
       settings.expect_text(fmt::format("visit(\"{0}\", &Def::{0}, &Scene::{0});", field.key));
   });

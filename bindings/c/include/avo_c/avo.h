@@ -728,6 +728,10 @@ typedef struct avo_simulation_def {
   const char* external_method;
   avo_external_method* external;  ///< its function; null: avo_simulation_set_external() gives it
   void* external_context;         ///< for the function
+  /// how the bases of all robots execute commands; null: exactly
+  const struct avo_execution_model* execution;
+  double
+      execution_error;  ///< m, >= 0, with execution: what robots add to their radii; NAN: its bound
 } avo_simulation_def;
 
 AVO_C_API avo_robot_def avo_default_robot_def(void);
