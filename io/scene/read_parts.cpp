@@ -168,4 +168,10 @@ void read_sensing(const Reader& reader, const YamlNode& scene, avo::SensingModel
     reader.read_map(*node, "sensing_error", error.emplace());
 }
 
+void read_execution(const Reader& reader, const YamlNode& scene,
+                    std::optional<avo::ExecutionModel>& execution) {
+  if (const YamlNode* node = scene.find("execution"))
+    read_map(reader, *node, "execution", execution.emplace());
+}
+
 }  // namespace avo_io
