@@ -217,7 +217,7 @@ TEST(Trucks, alone_among_movers_are_not_touched) {
     }
     const Driven driven = drive(scene, 90.0);
     EXPECT_TRUE(driven.all_arrived);
-    EXPECT_EQ(driven.summary.obstacle_collisions, 0);
+    EXPECT_EQ(driven.summary.mover_collisions, 0);
   }
 }
 
