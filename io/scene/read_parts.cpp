@@ -171,7 +171,7 @@ void read_sensing(const Reader& reader, const YamlNode& scene, avo::SensingModel
 void read_execution(const Reader& reader, const YamlNode& scene,
                     std::optional<avo::ExecutionModel>& execution) {
   if (const YamlNode* node = scene.find("execution"))
-    read_map(reader, *node, "execution", execution.emplace());
+    reader.read_map(*node, "execution", execution.emplace());
 }
 
 }  // namespace avo_io
