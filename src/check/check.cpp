@@ -250,7 +250,7 @@ void Check::place_mover(std::int64_t mover, Vec2 position, Vec2 velocity) {
   const std::string place = "movers." + std::to_string(mover);
   require(place + ".position", position, "m");
   require(place + ".velocity", velocity, "m/s");
-  state_->placed[static_cast<std::size_t>(obstacle)] = judge::PlacedObstacle{position, velocity};
+  state_->placed[static_cast<std::size_t>(mover)] = judge::PlacedObstacle{position, velocity};
 }
 
 void Check::skip() {
