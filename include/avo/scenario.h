@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "avo/execution.h"
 #include "avo/export.h"
 #include "avo/external_method.h"
 #include "avo/planner.h"
@@ -216,6 +217,12 @@ struct Scenario {
   /// The error that the robots declare to braking_trajectories; unset: declared_error() of
   /// `sensing`.
   std::optional<SensingError> sensing_error = {};
+  /// How the bases of all robots execute commands; unset: exactly. Each body then follows a
+  /// reference, for which its robot decides, and the robots tell each other their references.
+  /// Views, metrics and recordings are of the bodies. For holonomic robots that start at rest.
+  std::optional<ExecutionModel> execution = {};
+  /// m, >= 0, with `execution`: what each robot adds to its radius; unset: execution_error().
+  std::optional<double> execution_error = {};
   /// free: each robot decides at its own times, one time_step of its own apart, from a phase that
   /// the seed gives it (docs/scenes.md, "Clocks").
   Clock clock = Clock::common;

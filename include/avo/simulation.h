@@ -44,6 +44,8 @@ constexpr bool includes(Columns all, Columns some) {
 /// call that changes the simulation.
 struct FleetView {
   std::span<const RobotId> id;
+  // Where Scenario::execution is set, both are of the bodies. Detours, plans and accelerations are
+  // of the references, and so are places in queries.
   std::span<const Vec2> position;     ///< m
   std::span<const Vec2> velocity;     ///< m/s
   std::span<const double> heading;    ///< rad; for cars, 0 for others

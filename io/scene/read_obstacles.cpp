@@ -89,8 +89,7 @@ StaticObstacle build(const Place& place, PolygonObstacle& entry) {
 StaticObstacle build(const Place& place, DiscObstacle& entry) {
   const YamlNode& node = place.value("disc");
   const std::string path = path_to(place.path, "disc");
-  place.reader.check_keys(node, path, keys_of(fields<avo::Disc>()));
-  place.reader.read(node, path, fields<avo::Disc>(), entry.disc);
+  place.reader.read_map(node, path, entry.disc);
   return {{avo::Chain{{entry.disc.center}}}, entry.disc.radius};
 }
 

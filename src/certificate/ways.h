@@ -5,11 +5,13 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <span>
 #include <vector>
 
 #include "avo/robot.h"
 #include "certificate/braking_path.h"
 #include "certificate/predicted.h"
+#include "certificate/way_discs.h"
 #include "walls/segment.h"
 
 namespace avo::inline certificate {
@@ -17,7 +19,7 @@ namespace avo::inline certificate {
 /// A wall for the test of evasive maneuvers.
 struct KeptWall {
   Segment segment;
-  double kept = 0.0;         ///< m, by A's center
+  double kept = 0.0;         ///< m, by the center of A's disc, or of each disc of its footprint
   double clear_until = 0.0;  ///< s, until then no motion of A can touch it; 0: not known
 };
 
@@ -38,6 +40,8 @@ struct WayOptions {
   /// m: the center stays within this distance of p_A, where A knows the walls.
   double known = std::numeric_limits<double>::infinity();
   const Robot* wheels = nullptr;  ///< A, unless it is holonomic
+  Footprint footprint = {};       ///< of A; none: one disc about its position
+  double lever = 0.0;             ///< m, from A's position to the farthest center of its footprint
 };
 
 /// An interval of braking, once it has been computed.
@@ -60,6 +64,7 @@ struct Surroundings {
   double brakes_at = 0.0;  // s: the time at which the last clear evasive maneuver begins to brake
   std::vector<KnownInterval> intervals;  // of the last braking path
   std::uint64_t brakings = 0;            // number of braking paths until now
+  WayDiscs discs;                        // of a robot with a footprint
   // index of the mover that touched A in the last evasive maneuver that was not clear
   std::size_t in_the_way = 0;
   /// The work that is left for this decision; no evasive maneuver counts as clear once it is used
@@ -72,9 +77,9 @@ struct Surroundings {
 /// Begins the search of evasive maneuvers among the others and walls in `around`.
 void begin_ways(const WayOptions& options, Surroundings& around);
 
-/// Tests (C1) of one step.
+/// Tests (C1) of one step, of each of A's discs.
 bool keeps_off_movers(const WayOptions& options, Surroundings& around, const WayState& from,
-                      const Hull& step);
+                      std::span<const Hull> discs);
 
 /// [v_1] m/s, the next velocity of an evasive maneuver towards the velocity w.
 Vec2 next_towards(const WayOptions& options, const WayState& from, Vec2 w);
@@ -90,7 +95,7 @@ bool may_brake(const WayOptions& options, Surroundings& around);
 bool may_approach(const WayOptions& options, Surroundings& around, Vec2 w);
 
 /// Tests (C2) of a step and of braking after it: the certificate's demand on A towards movers.
-bool stops_in_time(const WayOptions& options, const Surroundings& around, const WayState& now,
+bool stops_in_time(const WayOptions& options, Surroundings& around, const WayState& now,
                    Vec2 next_velocity);
 
 }  // namespace avo::inline certificate

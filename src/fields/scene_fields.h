@@ -79,6 +79,10 @@ AVO_LOCAL inline constexpr auto kFields<Scenario> = std::to_array<Field<Scenario
      {},
      "",
      "what robots declare to braking_trajectories; omitted: what covers noise and delay"},
+    {"execution", kNested, kOptional, kNoNumber, "",
+     "how bases execute commands; omitted: exactly, as decided"},
+    {"execution_error", &Scenario::execution_error, kOptional, kNotNegative, "m",
+     "with execution: what each robot adds to its radius", "what covers the execution"},
     {"clock", &Scenario::clock, kOptional, kNoNumber, "",
      "free: each robot decides at times of its own, from a phase that the seed gives it"},
     {"allow_broken_assumptions",
@@ -137,6 +141,28 @@ AVO_LOCAL inline constexpr auto kFields<SensingError> = std::to_array<Field<Sens
      "at most so far from where it is sensed"},
     {"velocity", &SensingError::velocity, kOptional, kNotNegative, "m/s",
      "at most so far from what is sensed"},
+});
+
+template <>
+AVO_LOCAL inline constexpr auto kFields<ExecutionModel> = std::to_array<Field<ExecutionModel>>({
+    {"time_constant", &ExecutionModel::time_constant, kOptional, kNotNegative, "s",
+     "T: of the velocity's first-order lag"},
+    {"time_constant_error", &ExecutionModel::time_constant_error, kOptional, kNotNegative, "s",
+     "at most so far from it, 0 to T; drawn for each base"},
+    {"dead_time", &ExecutionModel::dead_time, kOptional, kNotNegative, "s",
+     "d: from a command until it acts"},
+    {"dead_time_error", &ExecutionModel::dead_time_error, kOptional, kNotNegative, "s",
+     "at most so far from it, 0 to d; drawn for each base"},
+    {"deadband", &ExecutionModel::deadband, kOptional, kNotNegative, "m/s",
+     "a slower coordinate of a command does not move the base"},
+    {"quantum", &ExecutionModel::quantum, kOptional, kNotNegative, "m/s",
+     "coordinates of commands are whole multiples of it; 0: any"},
+    {"velocity_error", &ExecutionModel::velocity_error, kOptional, kNotNegative, "m/s",
+     "at most so far is the executed velocity off; drawn for each step"},
+    {"measured_position_error", &ExecutionModel::measured_position_error, kOptional, kNotNegative,
+     "m", "at most so far off is where the base measures itself; drawn for each step"},
+    {"measured_velocity_error", &ExecutionModel::measured_velocity_error, kOptional, kNotNegative,
+     "m/s", "at most so far off is the velocity that it measures; drawn for each step"},
 });
 
 template <>

@@ -41,13 +41,14 @@ std::shared_ptr<Executor> checked(std::shared_ptr<Executor> executor) {
 
 // m, the robot's reported place.
 Vec2 place_at_present(const World& world, std::size_t slot) {
-  if (world.is_current) return world.fleet.place(slot);
+  if (world.is_current) return world.fleet.body_place(slot);
   return world.fleet.place(slot, present_state(world, slot));
 }
 
 // m, the robot's reported place: of nearly all robots, that of the disc.
 inline Vec2 place_now(const World& world, std::size_t slot) {
-  const bool is_known = world.is_current && !world.fleet.traits[slot].has_model;
+  const bool is_known =
+      world.is_current && !world.fleet.traits[slot].has_model && world.fleet.bases.are_exact();
   return is_known ? world.fleet.position[slot] : place_at_present(world, slot);
 }
 
@@ -68,7 +69,10 @@ std::unique_ptr<Simulation::State> Simulation::State::of(const Scenario& scenari
                                                          std::shared_ptr<Executor> executor) {
   validate(scenario);
   require_assumptions(scenario);
-  auto state = std::make_unique<State>(scenario, std::move(executor));
+  std::optional<Scenario> references;
+  if (scenario.execution) references = with_references(scenario);
+  auto state = std::make_unique<State>(references ? *references : scenario, std::move(executor));
+  state->fleet.bases = bases_of(scenario);
   if (state->has_ways())
     state->travels =
         plan_travels(state->ways, state->fleet, state->floor, scenario.arrival_distance);
@@ -79,6 +83,7 @@ std::unique_ptr<Simulation::State> Simulation::State::of(std::span<const std::by
                                                          std::shared_ptr<Executor> executor) {
   const SavedState read = from_bytes(saved);
   auto state = std::make_unique<State>(read.scene, std::move(executor));
+  state->fleet.bases = read.bases;
   avo::restore(read, *state);
   return state;
 }
@@ -199,7 +204,8 @@ std::vector<RobotId> Simulation::unreachable() const {
 std::uint64_t Simulation::state_hash() const {
   state_->catch_up();
   const std::uint64_t present = hash_of(state_->fleet, state_->obstacles, state_->steps);
-  const std::uint64_t hash = state_->senses.remember() ? hash_of(state_->senses, present) : present;
+  const std::uint64_t bodies = hash_of(state_->fleet.bases, present);
+  const std::uint64_t hash = state_->senses.remember() ? hash_of(state_->senses, bodies) : bodies;
   return state_->statics.id.empty() ? hash : mixed(hash, state_->statics.hash);
 }
 

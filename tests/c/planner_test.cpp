@@ -24,6 +24,10 @@ avo_loiter_circle to_c(const std::optional<avo::LoiterCircle>& circle) {
   return {to_c(circle->center), circle->radius};
 }
 
+avo_footprint to_c(const avo::Footprint& footprint) {
+  return {footprint.radius, footprint.first, footprint.spacing, footprint.discs};
+}
+
 avo_robot to_c(const avo::Robot& robot) {
   avo_robot c = avo_default_robot();
   c.position = to_c(robot.position);
@@ -37,6 +41,8 @@ avo_robot to_c(const avo::Robot& robot) {
   c.priority = robot.priority;
   c.max_braking = robot.max_braking.value_or(0.0);
   c.loiter = to_c(robot.loiter);
+  c.footprint = to_c(avo::footprint_of(robot.model));
+  c.lookahead = robot.lookahead;
   c.model = static_cast<avo_model>(robot.model.index());
   if (const auto* car = std::get_if<avo::Car>(&robot.model)) {
     c.car.wheelbase = car->wheelbase;
@@ -70,6 +76,8 @@ avo_neighbor to_c(const avo::Neighbor& neighbor) {
   c.behavior = static_cast<avo_behavior>(neighbor.behavior);
   c.age = neighbor.age;
   c.parting = to_c(neighbor.parting);
+  c.footprint = to_c(neighbor.footprint);
+  c.pose = {to_c(neighbor.ahead), neighbor.spread};
   if (neighbor.trajectory == nullptr) return c;
   std::vector<avo_timed_place> places;
   for (const auto& [time, position] : neighbor.trajectory->places())
@@ -156,8 +164,8 @@ void check_decision(avo_planner_id planner, const avo::Planner& own,
   }
 }
 
-void check_scene(const char* name, const std::vector<std::string>& overrides) {
-  avo::Simulation simulation(avo_io::load_scenario(name, overrides), 1);
+void check_decisions(const char* name, const avo::Scenario& scene) {
+  avo::Simulation simulation(scene, 1);
   const avo_planner_def def = to_c(simulation.planner().options());
   avo_planner_id planner;
   REQUIRE(avo_create_planner(&def, &planner));
@@ -176,6 +184,24 @@ void check_scene(const char* name, const std::vector<std::string>& overrides) {
   other.join();
   std::printf("%s: %zu decisions\n", name, seen.size());
   REQUIRE(avo_destroy_planner(planner));
+}
+
+void check_scene(const char* name, const std::vector<std::string>& overrides) {
+  check_decisions(name, avo_io::load_scenario(name, overrides));
+}
+
+// Trucks at a corner maneuver by `lookahead`, and know each other's footprints.
+void check_trucks() {
+  avo::Scenario scene;
+  scene.obstacles = {{.chains = {avo::Chain{{{-30, -4}, {4, -4}, {4, 30}}, false}}},
+                     {.chains = {avo::Chain{{{-30, 4}, {-4, 4}, {-4, 30}}, false}}}};
+  for (const double back : {0.0, 9.0}) {
+    avo::Car car{.wheelbase = 3.5, .max_curvature = 0.2, .reverse = true};
+    car.footprint = avo::cover_rectangle(6.0, 2.0, 1.75, 0.5);
+    scene.robots.push_back({.position = {-8.0 - back, 0.0}, .goal = {0.0, 24.0 - back}});
+    scene.robots.back().model = car;
+  }
+  check_decisions("trucks at a corner", scene);
 }
 
 void check_invalid_input() {
@@ -300,6 +326,7 @@ int main() {
   check_scene("circle-10", {"method=avo_paper"});
   check_scene("mixed-yard", {});
   check_scene("planes-12", {});
+  check_trucks();
   check_scene("person", {});
   check_scene("person", {"never_swerves=true"});
   check_scene("mixed-fleet", {});

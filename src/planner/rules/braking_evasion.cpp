@@ -47,8 +47,8 @@ CertifiedWorkspace& without_movers(Evading& evading) {
 bool is_allowed(Evading& evading, Vec2 next_velocity) {
   const Robot& robot = evading.robot;
   if (norm(next_velocity) > robot.max_speed * (1.0 + 1e-12)) return false;
-  const Surroundings& around = evading.workspace.around;
-  if (!stops_in_time(evading.options, around, evading.now(), next_velocity)) return false;
+  if (!stops_in_time(evading.options, evading.workspace.around, evading.now(), next_velocity))
+    return false;
   return admits(robot, next_velocity, evading.law, without_movers(evading).constraints);
 }
 

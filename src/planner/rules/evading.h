@@ -41,6 +41,7 @@ struct Evading {
   Sight sight;
   EvasionWorkspace& workspace;
   WayOptions options;
+  double radius = 0.0;           // m, of the robot's disc, or of each disc of its footprint
   double braking = 0.0;          // s, the longest time of braking
   bool has_constraints = false;  // whether the workspace has constraints
 

@@ -79,6 +79,7 @@ void Fleet::remove(std::size_t slot) {
   if (has_clocks) clock.erase(clock.begin() + rank[slot]);
   if (!pace.empty()) pace.erase(pace.begin() + rank[slot]);
   if (!told.empty()) told.erase(told.begin() + rank[slot]);
+  bases.remove(static_cast<std::size_t>(rank[slot]));
   const std::size_t last = size() - 1;  // it takes over the slot
   for (auto k = static_cast<std::size_t>(rank[slot]); k < slot_of.size(); ++k) --rank[slot_of[k]];
   if (slot != last)

@@ -50,9 +50,10 @@ RobotState Simulation::robot(RobotId robot) const {
   const Fleet& fleet = state_->fleet;
   const std::size_t slot = fleet.find(robot);
   const MotionState present = present_state(*state_, slot);
+  const bool exact = fleet.bases.are_exact();
   return {.id = fleet.id[slot],
-          .position = fleet.place(slot, present),
-          .velocity = present.velocity,
+          .position = exact ? fleet.place(slot, present) : fleet.base(slot).position,
+          .velocity = exact ? present.velocity : fleet.base(slot).velocity,
           .heading = present.heading,
           .goal = fleet.goal[slot],
           .detour = fleet.detour[slot],
@@ -62,7 +63,11 @@ RobotState Simulation::robot(RobotId robot) const {
 
 RobotSetup Simulation::setup(RobotId robot) const {
   const std::size_t slot = state_->fleet.find(robot);
-  return state_->fleet.setup(slot, present_state(*state_, slot));
+  RobotSetup setup = state_->fleet.setup(slot, present_state(*state_, slot));
+  if (state_->fleet.bases.are_exact()) return setup;
+  const Base& base = state_->fleet.base(slot);
+  setup.position = base.position, setup.velocity = base.velocity, setup.radius = base.radius;
+  return setup;
 }
 
 std::optional<std::size_t> Simulation::index_of(RobotId robot) const {

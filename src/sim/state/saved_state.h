@@ -12,6 +12,7 @@
 #include "avo/simulation.h"
 #include "guidance/ways.h"
 #include "robots/motion.h"
+#include "sim/bases/bases.h"
 #include "sim/sensing/senses.h"
 
 namespace avo::inline sim {
@@ -77,6 +78,7 @@ struct SavedState {
   std::uint64_t next_mover = 0;
   std::vector<SavedTold> told;            // by ascending id
   std::vector<std::vector<Knot>> tracks;  // of the robots, where senses are by time, oldest first
+  Bases bases;  // where bases do not execute exactly; the scene is that of the references then
 };
 
 /// visit(key, member) for all values of a scene that affect its motion, except robots and

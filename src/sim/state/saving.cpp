@@ -74,6 +74,12 @@ void require_same_external(const Scenario& saved, const World& world) {
          shown(world.settings.external_method) + " as in this simulation");
 }
 
+void require_same_execution(const Bases& saved, const World& world) {
+  const Bases& ours = world.fleet.bases;
+  if (saved.model == ours.model && saved.declared == ours.declared) return;
+  refuse("saved state: execution", "another one", "the one of this simulation");
+}
+
 bool are_same(const std::vector<Wall>& theirs, const std::vector<Wall>& ours) {
   return std::equal(theirs.begin(), theirs.end(), ours.begin(), ours.end(),
                     [](const Wall& a, const Wall& b) {
@@ -220,6 +226,7 @@ SavedState saved_state(const World& world) {
   const Fleet& fleet = world.fleet;
   SavedState state;
   state.scene = world.settings;
+  state.bases = world.fleet.bases;
   state.sensing_radius = world.sensing_radius;
   state.steps = world.steps, state.now = world.now;
   state.next_id = world.next_id;
@@ -268,8 +275,10 @@ SavedState saved_state(const World& world) {
 void restore(const SavedState& state, World& world) {
   require_same_scene(state.scene, world);
   require_same_external(state.scene, world);
+  require_same_execution(state.bases, world);
   Fleet fleet = fleet_of(state, world);
   take_told(state, fleet);
+  fleet.bases = state.bases;
   add_clocks(state, fleet);
   Senses senses = senses_of(state, fleet, world.planner().options().longest_step);
   ObstacleColumns obstacles = obstacles_of(state);

@@ -384,6 +384,9 @@ typedef struct avo_robot {
   avo_airplane airplane;
   avo_model model;
   avo_footprint footprint;  ///< of a car or a drive; radius then covers it at any heading
+  /// m, > 0: to where its way turns, such as the next corner, if that is nearer than its goal; cars
+  /// and drives with a footprint maneuver by it. Infinite: its way does not turn
+  double lookahead;
 } avo_robot;
 
 /// Another robot, or a moving obstacle, as a robot senses it.
@@ -726,6 +729,10 @@ typedef struct avo_simulation_def {
   const char* external_method;
   avo_external_method* external;  ///< its function; null: avo_simulation_set_external() gives it
   void* external_context;         ///< for the function
+  /// how the bases of all robots execute commands; null: exactly
+  const struct avo_execution_model* execution;
+  double
+      execution_error;  ///< m, >= 0, with execution: what robots add to their radii; NAN: its bound
 } avo_simulation_def;
 
 AVO_C_API avo_robot_def avo_default_robot_def(void);
