@@ -175,7 +175,7 @@ AVO_EXPORT(bool, all_at_goal)() {
   const auto* space = std::get_if<SpaceRun>(&run());
   if (space == nullptr) return plane().simulation->all_at_goal();
   for (std::size_t k = 0; k < space->simulation->size(); ++k)
-    if (!space->simulation->is_at_goal(k)) return false;
+    if (!space->simulation->is_at_goal({k})) return false;
   return true;
 }
 

@@ -163,22 +163,22 @@ TEST(ExecutionRuns, refuse_what_has_no_bound) {
   EXPECT_EQ(refusal(scene),
             "execution_error: found one, must be left out where there is no execution");
   Simulation simulation(sound, 1);
-  RobotSetup stronger = simulation.setup(1);
+  RobotSetup stronger = simulation.setup({1});
   stronger.max_acceleration = 2.0;
   EXPECT_THROW(simulation.change_robot({1}, stronger), Error);
-  RobotSetup hasty = simulation.setup(1);
+  RobotSetup hasty = simulation.setup({1});
   hasty.method = Method::orca;
   EXPECT_THROW(simulation.change_robot({1}, hasty), Error);
   hasty.position = {0.0, 20.0};
   EXPECT_THROW(simulation.add_robot(hasty), Error);
-  RobotSetup parked = simulation.setup(1);
+  RobotSetup parked = simulation.setup({1});
   parked.parked = true;
   EXPECT_THROW(simulation.change_robot({1}, parked), Error);
-  RobotSetup faster = simulation.setup(1);
+  RobotSetup faster = simulation.setup({1});
   faster.max_speed += 0.5;
   simulation.change_robot({1}, faster);
-  EXPECT_EQ(simulation.setup(1).max_speed, faster.max_speed);
-  EXPECT_EQ(simulation.setup(1).radius, faster.radius);
+  EXPECT_EQ(simulation.setup({1}).max_speed, faster.max_speed);
+  EXPECT_EQ(simulation.setup({1}).radius, faster.radius);
 }
 
 }  // namespace
