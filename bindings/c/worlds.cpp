@@ -64,6 +64,7 @@ constexpr auto for_each_setting = [](const auto& visit) {
   visit("duration", &Def::duration, &Scene::duration);
   visit("control_time", &Def::control_time, &Scene::control_time);
   visit("response_time", &Def::response_time, &Scene::response_time, kNotANumber);
+  visit("execution_error", &Def::execution_error, &Scene::execution_error, kNotANumber);
   visit("comfort_acceleration", &Def::comfort_acceleration, &Scene::comfort_acceleration);
   visit("comfort_jerk", &Def::comfort_jerk, &Scene::comfort_jerk);
   visit("margin", &Def::margin, &Scene::margin);
@@ -108,7 +109,6 @@ void read_settings(const avo_simulation_def& def, avo::Scenario& scenario) {
     scenario.sensing_error = avo::SensingError{error.position, error.velocity};
   if (def.execution != nullptr)
     scenario.execution = std::bit_cast<avo::ExecutionModel>(*def.execution);
-  if (!std::isnan(def.execution_error)) scenario.execution_error = def.execution_error;
   scenario.external_method = def.external_method == nullptr ? "" : def.external_method;
   scenario.external = external_of(def.external, def.external_context);
 }
@@ -191,7 +191,6 @@ avo_simulation_def settings_of(const avo::Scenario& scenario) {
   def.sensing_error = {error.position, error.velocity};
   if (scenario.execution)
     def.execution = reinterpret_cast<const avo_execution_model*>(&*scenario.execution);
-  def.execution_error = scenario.execution_error.value_or(kNone);
   def.external_method = scenario.external_method.c_str();
   def.workers = 1;
   return def;

@@ -731,8 +731,7 @@ typedef struct avo_simulation_def {
   void* external_context;         ///< for the function
   /// how the bases of all robots execute commands; null: exactly
   const struct avo_execution_model* execution;
-  double
-      execution_error;  ///< m, >= 0, with execution: what robots add to their radii; NAN: its bound
+  double execution_error;  ///< m, >= 0, added to radii where execution is set; NAN: its bound
 } avo_simulation_def;
 
 AVO_C_API avo_robot_def avo_default_robot_def(void);
