@@ -105,9 +105,9 @@ TEST(ExecutionRuns, bodies_are_elsewhere_than_what_was_decided) {
     }
   }
   EXPECT_GT(most, 0.01);
-  EXPECT_EQ(bodies.setup(3).radius, scene.robots[3].radius);
+  EXPECT_EQ(bodies.setup({3}).radius, scene.robots[3].radius);
   EXPECT_EQ(bodies.fleet().setup[3].radius, scene.robots[3].radius);
-  EXPECT_EQ(bodies.robot(3).position, bodies.fleet().position[3]);
+  EXPECT_EQ(bodies.robot({3}).position, bodies.fleet().position[3]);
 }
 
 TEST(ExecutionRuns, go_on_from_what_was_saved) {
@@ -123,7 +123,7 @@ TEST(ExecutionRuns, go_on_from_what_was_saved) {
   for (int k = 0; k < 30; ++k) simulation.step(), other.step(), restored.step();
   EXPECT_EQ(simulation.state_hash(), other.state_hash());
   EXPECT_EQ(simulation.state_hash(), restored.state_hash());
-  EXPECT_GT(norm(simulation.robot(*simulation.index_of(late)).velocity), 0.1);
+  EXPECT_GT(norm(simulation.robot(late).velocity), 0.1);
   Scenario exact = crush(kSluggish, 2);
   exact.execution.reset();
   Simulation without(exact, 1);
