@@ -8,6 +8,7 @@
 #include <span>
 #include <vector>
 
+#include "avo/decision_trace.h"
 #include "avo/planner.h"
 #include "lp/lens.h"
 #include "planner/alone.h"
@@ -199,12 +200,7 @@ std::optional<Evasion> Planner::evasion(const Robot& robot, std::span<const Neig
                                         PlanWorkspace& workspace, const Detour* detour,
                                         std::span<const Wall> walls) const {
   Detour next = detour != nullptr ? *detour : Detour{};
-  if (!plan(robot, neighbors, workspace, detour != nullptr ? &next : nullptr, walls).evading)
-    return std::nullopt;
-  EvasionWorkspace& own = PlanWorkspace::Scratch::of(workspace).evasion;
-  Evasion evasion = own.chosen;
-  evasion.neighbor = find_evaded(certificate_law(*this), robot, neighbors, own.put_aside, own);
-  return evasion;
+  return explain(robot, neighbors, workspace, detour != nullptr ? &next : nullptr, walls).evasion;
 }
 
 bool Planner::has_way_out(const Robot& robot, std::span<const Neighbor> neighbors,

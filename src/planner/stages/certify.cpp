@@ -68,19 +68,24 @@ bool turns_at_rest(const Robot& robot) {
 }
 
 // The choice of a robot that turns before it drives: what would be admitted once it has turned.
-CertifiedChoice choose_as_turned(const Certifying& decision, Vec2 wanted) {
+template <typename Trace>
+CertifiedChoice choose_as_turned(const Certifying& decision, Vec2 wanted, Trace trace) {
   Robot turned = decision.robot;
   turned.model = Holonomic{};
-  return choose_certified(turned, wanted, decision.law, decision.certified);
+  return choose_certified(turned, wanted, decision.law, decision.certified, Follows::perhaps,
+                          trace);
 }
 
 // The admitted velocity nearest to `wanted`, one step towards the choice of Eq. (23). A car that
 // turns in place does not move, so anything is admitted. It would turn in vain towards a direction
 // in which it may not drive then, and back again, for ever.
-CertifiedChoice choose_admitted(const Certifying& decision, Vec2 wanted, Follows follows) {
+template <typename Trace>
+CertifiedChoice choose_admitted(const Certifying& decision, Vec2 wanted, Follows follows,
+                                Trace trace) {
   if (!turns_at_rest(decision.robot) || wanted == Vec2{})
-    return choose_certified(decision.robot, wanted, decision.law, decision.certified, follows);
-  const Vec2 later = choose_as_turned(decision, wanted).next_velocity;
+    return choose_certified(decision.robot, wanted, decision.law, decision.certified, follows,
+                            trace);
+  const Vec2 later = choose_as_turned(decision, wanted, trace).next_velocity;
   CertifiedChoice choice =
       choose_certified(decision.robot, later, decision.law, decision.certified);
   if (choice.chosen == Chosen::backup && later != Vec2{})
@@ -106,26 +111,29 @@ double part_left(const Certifying& decision, const CertifiedChoice& choice, Vec2
     return 1.0;  // part_of_wish() of the velocity that an unhindered robot would reach
   const Vec2 unhindered = decision.reached(aim);
   if (turns_at_rest(decision.robot))
-    return part_of_wish(choose_as_turned(decision, unhindered).next_velocity, unhindered, wish);
+    return part_of_wish(choose_as_turned(decision, unhindered, NoTrace{}).next_velocity, unhindered,
+                        wish);
   if (choice.chosen != Chosen::wanted) return part_of_wish(choice.next_velocity, unhindered, wish);
   const Vec2 next = v_new == aim ? unhindered : decision.reached(v_new);
   return part_of_wish(next, unhindered, wish);
 }
 
 // The choice as far off the route as the detour has led, within the half-planes.
-CertifiedChoice choose_as_far_off(const Certifying& decision, const Detour& detour) {
+template <typename Trace>
+CertifiedChoice choose_as_far_off(const Certifying& decision, const Detour& detour, Trace trace) {
   const Robot& robot = decision.robot;
   const Vec2 turned = within_steering(robot, turned_right(decision.wished.wish, detour.angle));
   const Vec2 v_new = solved(decision, decision.wished.half_planes, turned);
   const Vec2 off = decision.gently(v_new);
-  decision.certified.detour = off;
-  return choose_admitted(decision, off, Follows::surely);
+  trace.asks_off(off);
+  return choose_admitted(decision, off, Follows::surely, trace);
 }
 
 // The choice on the detour that the certificate alone admits. It gradually replaces `choice` as
 // less of the route is left.
+template <typename Trace>
 CertifiedChoice choose_detour(const Certifying& decision, const CertifiedChoice& choice,
-                              double left, Detour& detour) {
+                              double left, Detour& detour, Trace trace) {
   const Robot& robot = decision.robot;
   const std::span<const HalfPlane> walls = decision.wished.walls;
   const Vec2 turned = within_steering(robot, turned_right(decision.wished.wish, detour.angle));
@@ -133,18 +141,19 @@ CertifiedChoice choose_detour(const Certifying& decision, const CertifiedChoice&
   const double kept = std::clamp((left - kStuck) / (kFree - kStuck), 0.0, 1.0);
   const Vec2 off = decision.smoothly(v_new);
   const Vec2 wanted = off + kept * (choice.next_velocity - off);
-  decision.certified.detour = wanted;
-  const CertifiedChoice next = choose_admitted(decision, wanted, Follows::perhaps);
+  trace.asks_off(wanted);
+  const CertifiedChoice next = choose_admitted(decision, wanted, Follows::perhaps, trace);
   if (left < kBlocked && part_left(decision, next, v_new, turned, turned) < kBlocked)
     turn_off(detour, robot, decision.law.step.time_step, !walls.empty());
   return next;
 }
 
-CertifiedChoice choose_and_arrive(const Certifying& decision, Detour& detour) {
+template <typename Trace>
+CertifiedChoice choose_and_arrive(const Certifying& decision, Detour& detour, Trace trace) {
   const Robot& robot = decision.robot;
   const Wished& wished = decision.wished;
-  decision.certified.proposal = wished.next;
-  const CertifiedChoice choice = choose_admitted(decision, wished.next, Follows::surely);
+  trace.asks(wished.next);
+  const CertifiedChoice choice = choose_admitted(decision, wished.next, Follows::surely, trace);
   // robots that coincide part by their half-planes, where that is possible at all: on detours from
   // one place to one goal they would stay together
   const bool parts = wished.coinciding && choice.next_velocity != Vec2{};
@@ -155,8 +164,8 @@ CertifiedChoice choose_and_arrive(const Certifying& decision, Detour& detour) {
   const double left = part_left(decision, choice, wished.target, wished.aim, wished.wish);
   if (left >= kBlocked) turn_back(detour, robot, decision.law.step.time_step);
   const bool turns = left > kStuck && detour.angle > 0.0F;
-  CertifiedChoice next = turns ? choose_as_far_off(decision, detour) : choice;
-  if (left < kFree) next = choose_detour(decision, next, left, detour);
+  CertifiedChoice next = turns ? choose_as_far_off(decision, detour, trace) : choice;
+  if (left < kFree) next = choose_detour(decision, next, left, detour, trace);
   if ((turns || left < kFree) && next.chosen == Chosen::wanted) next.chosen = Chosen::detour;
   return next;
 }
@@ -177,21 +186,28 @@ Plan plan_under(const CertificateLaw& law, const Robot& robot, Vec2 next_velocit
   return plan;
 }
 
+template <typename Trace>
 Plan certify(const Planner& planner, const CertificateLaw& law, const RobotColumns& robots,
              std::size_t i, const Haste& haste, const Wished& wished, CertifiedWorkspace& certified,
-             Detour& detour) {
+             Detour& detour, Trace trace) {
   const Robot robot = robots.robot(i);
   const Certifying decision{robot, law, haste, planner.acceleration_disc(robot), wished, certified};
   begin_constraints(robot, robots.neighbors[i], i, law, certified.constraints);
-  const CertifiedChoice choice = choose_and_arrive(decision, detour);
+  const CertifiedChoice choice = choose_and_arrive(decision, detour, trace);
   return plan_under(law, robot, choice.next_velocity,
                     certified_status(choice.chosen, wished.violation), wished.violation);
 }
 
+template Plan certify(const Planner&, const CertificateLaw&, const RobotColumns&, std::size_t,
+                      const Haste&, const Wished&, CertifiedWorkspace&, Detour&, NoTrace);
+template Plan certify(const Planner&, const CertificateLaw&, const RobotColumns&, std::size_t,
+                      const Haste&, const Wished&, CertifiedWorkspace&, Detour&, Recorder);
+
+template <typename Trace>
 Plan certify_among_movers(const Planner& planner, const Robot& robot,
                           std::span<const Neighbor> neighbors, std::span<const Wall> walls,
                           const PassiveChoice& target, bool overlapping,
-                          PlanWorkspace::Scratch& scratch) {
+                          PlanWorkspace::Scratch& scratch, Trace trace) {
   CertifiedWorkspace& certified = scratch.certified;
   const CertificateLaw law = certificate_law(planner);
   std::vector<Neighbor>& movers = scratch.movers;
@@ -207,8 +223,9 @@ Plan certify_among_movers(const Planner& planner, const Robot& robot,
   Haste haste = with_robots ? haste_of(robot, execution) : haste_at_once(robot, execution);
   haste.most *= model_traits(robot.model).reach;
   const Vec2 wanted = executed(robot.velocity, {}, target.velocity, haste);
-  certified.proposal = wanted;
-  const CertifiedChoice choice = choose_certified(robot, wanted, law, certified);
+  trace.asks(wanted);
+  const CertifiedChoice choice =
+      choose_certified(robot, wanted, law, certified, Follows::perhaps, trace);
   Plan plan = plan_under(law, robot, choice.next_velocity,
                          certified_status(choice.chosen, target.violation), target.violation);
   const CertificateConstraints& constraints = certified.constraints;
@@ -221,7 +238,15 @@ Plan certify_among_movers(const Planner& planner, const Robot& robot,
   const bool may_swerve = !with_robots && !planner.options().never_swerves;
   keep_a_way_out(law, robot, {movers, walls, planner.options().wall_range}, may_swerve,
                  scratch.evasion, plan);
+  trace.evades(law, robot, movers, scratch.evasion, plan);
   return plan;
 }
+
+template Plan certify_among_movers(const Planner&, const Robot&, std::span<const Neighbor>,
+                                   std::span<const Wall>, const PassiveChoice&, bool,
+                                   PlanWorkspace::Scratch&, NoTrace);
+template Plan certify_among_movers(const Planner&, const Robot&, std::span<const Neighbor>,
+                                   std::span<const Wall>, const PassiveChoice&, bool,
+                                   PlanWorkspace::Scratch&, Recorder);
 
 }  // namespace avo::inline planner

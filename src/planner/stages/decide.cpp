@@ -85,7 +85,8 @@ struct Deciding {
 };
 
 // Keeps a way out from movers.
-void evade(const Deciding& deciding, std::size_t i, const FlightConstraints* flight) {
+template <typename Trace>
+void evade(const Deciding& deciding, std::size_t i, const FlightConstraints* flight, Trace trace) {
   const auto& [planner, execution, tile, scratch, law] = deciding;
   if (!tile.neighbors.has_movers) return;
   list(tile.robots.neighbors[i], scratch.listed);
@@ -93,24 +94,26 @@ void evade(const Deciding& deciding, std::size_t i, const FlightConstraints* fli
   const Robot robot = tile.robots.robot(i);
   Plan& plan = *tile.plan[i];
   keep_a_way_out(law, robot, sight, false, scratch.evasion, plan);
+  trace.evades(law, robot, scratch.listed, scratch.evasion, plan);
   if (flight != nullptr && plan.state == SafetyState::safe &&
       !may_go_on(law, robot, sight, scratch.evasion))
     plan.state = SafetyState::unknown;
 }
 
 // Plans for a robot that flies, which can only turn.
-void fly(const Deciding& deciding, std::size_t i) {
+template <typename Trace>
+void fly(const Deciding& deciding, std::size_t i, Trace trace) {
   const auto& [planner, execution, tile, scratch, law] = deciding;
   FlightConstraints& flight = scratch.flight;
   Plan& plan = *tile.plan[i];
   plan = fly_towards(planner, tile.robots.robot(i), tile.robots.neighbors[i], tile.walls_of(i),
-                     {scratch.decisions.target(i), deciding.violation(i)}, flight);
+                     {scratch.decisions.target(i), deciding.violation(i)}, flight, trace);
   plan.state = flight.are_broken() ? SafetyState::unknown : deciding.state_if_free();
   const bool certified = deciding.is_certified();
   if (scratch.soft.overlapping[i] != 0 || (certified && flight.are_broken()))
     deciding.tell_contact(i, certified ? flight.broken : Deepest{},
                           certified ? flight.broken_wall : Deepest{});
-  evade(deciding, i, &flight);
+  evade(deciding, i, &flight, trace);
 }
 
 // Plans for a robot that no neighbor and no wall hinders: by decide_freely().
@@ -127,7 +130,8 @@ void go_freely(const Deciding& deciding, std::size_t i) {
 }
 
 // Plans for a robot that must ask the certificate, one by one.
-void go_certified(const Deciding& deciding, std::size_t i) {
+template <typename Trace>
+void go_certified(const Deciding& deciding, std::size_t i, Trace trace) {
   const auto& [planner, execution, tile, scratch, law] = deciding;
   const RobotColumns& robots = tile.robots;
   const DecisionColumns& decisions = scratch.decisions;
@@ -153,7 +157,7 @@ void go_certified(const Deciding& deciding, std::size_t i) {
         within_own_limits(robot, law.step.braking_time,
                           executed(robot.velocity, wished.last_change, wished.target, haste));
   Plan& plan = *tile.plan[i];
-  plan = certify(planner, law, robots, i, haste, wished, scratch.certified, *tile.detour[i]);
+  plan = certify(planner, law, robots, i, haste, wished, scratch.certified, *tile.detour[i], trace);
   const CertificateConstraints& constraints = scratch.certified.constraints;
   if (scratch.soft.overlapping[i] != 0 || collides(constraints))
     deciding.tell_contact(i, constraints.invariant.broken, constraints.walls.broken);
@@ -164,8 +168,9 @@ void go_certified(const Deciding& deciding, std::size_t i) {
 
 }  // namespace
 
+template <typename Trace>
 void decide(const Planner& planner, const Execution& execution, Tile& tile,
-            PlanWorkspace::Scratch& scratch) {
+            PlanWorkspace::Scratch& scratch, Trace trace) {
   const Deciding deciding{planner, execution, tile, scratch, certificate_law(planner)};
   const CertificateLaw& law = deciding.law;
   const RobotColumns& robots = tile.robots;
@@ -176,17 +181,22 @@ void decide(const Planner& planner, const Execution& execution, Tile& tile,
   if (law.kind == Certificate::braking_trajectories)
     admit_next(robots, decisions.next_x, decisions.next_y, law.step, constraints.near);
   for (std::size_t i = 0; i < robots.count; ++i) {
+    trace.proposes(Vec2{decisions.next_x[i], decisions.next_y[i]});
     if (flies(robots, i)) {
-      fly(deciding, i);
+      fly(deciding, i, trace);
     } else {
       begin_walls(robots, tile, i, law, constraints);
       const bool is_free =
           decisions.is_free[i] != 0.0 && is_unhindered(law, tile, constraints.near, i);
-      is_free&& constraints.walls.near.empty() ? go_freely(deciding, i) : go_certified(deciding, i);
-      evade(deciding, i, nullptr);
+      is_free&& constraints.walls.near.empty() ? go_freely(deciding, i)
+                                               : go_certified(deciding, i, trace);
+      evade(deciding, i, nullptr, trace);
     }
     remember(*tile.plan[i], *tile.detour[i]);
   }
 }
+
+template void decide(const Planner&, const Execution&, Tile&, PlanWorkspace::Scratch&, NoTrace);
+template void decide(const Planner&, const Execution&, Tile&, PlanWorkspace::Scratch&, Recorder);
 
 }  // namespace avo::inline planner

@@ -14,6 +14,7 @@
 #include "avo/robot.h"
 #include "avo/wall.h"
 #include "certificate/braking_path.h"
+#include "planner/trace.h"
 
 namespace avo::inline planner {
 
@@ -29,8 +30,9 @@ double speed_before(double gap, double max_braking, const StepLaw& law);
 /// points away from the wall, V depends on its gap. For a wall that the robot is in, it is n . v'
 /// >= n . out, at least 0; out is velocity_out(). A wall that is touched only within rounding is
 /// left within the step. 0 satisfies all others. Returns whether the robot is in any wall.
+template <typename Trace = NoTrace>
 bool append_speed_planes(const Robot& robot, std::span<const Wall> walls, const StepLaw& law,
-                         Vec2 out, std::vector<HalfPlane>& half_planes);
+                         Vec2 out, std::vector<HalfPlane>& half_planes, Trace trace = {});
 
 /// m, from the wall's surface: a robot that is now so fast can touch no farther wall before τ.
 inline double obstacle_reach(double speed, double max_speed, const PlannerOptions& options) {
@@ -59,8 +61,9 @@ struct Demands {
 
 /// Replaces the demands by those of all walls in reach, or by their speed planes, and those of the
 /// robot's own motion.
+template <typename Trace>
 void collect_demands(const Planner& planner, const Robot& robot, std::span<const Wall> walls,
-                     const StepLaw& law, Demands& demands);
+                     const StepLaw& law, Demands& demands, Trace trace);
 
 /// Returns whether v' keeps them, as far as that is possible at all.
 bool is_kept(const Demands& demands, Vec2 v_new);
