@@ -208,10 +208,6 @@ void step_together(World& world, Executor& executor) {
   world.obstacles.advance(time_step, static_cast<double>(world.steps + 1) * time_step);
 }
 
-}  // namespace
-
-namespace {
-
 // Removes the robots that have passed their goals, and do not stay.
 void leave(World& world) {
   const Fleet& fleet = world.fleet;
@@ -224,6 +220,15 @@ void leave(World& world) {
 }
 
 }  // namespace
+
+void look_at_present(World& world) {
+  if (world.changed) find_walls(world);
+  find_shared_goals(world);
+  foresee(world);
+  lay_out(world, world.serial);
+  world.obstacle_grid.build(world.obstacles.position, world.sensing_radius);
+  take_snapshot(world, world.serial);
+}
 
 void step(World& world) {
   leave(world);
