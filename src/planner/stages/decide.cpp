@@ -17,18 +17,6 @@
 namespace avo::inline planner {
 namespace {
 
-// Returns whether no neighbor can refuse the robot's choice, neither now nor on a detour that it
-// still follows.
-bool is_unhindered(const CertificateLaw& law, const Tile& tile, const NearPairs& near,
-                   std::size_t i) {
-  if (law.kind == Certificate::braking_trajectories) {
-    if (near.admits[i] == 0) return false;
-  } else if (law.kind != Certificate::none) {
-    return false;
-  }
-  return tile.robots.model[i] == nullptr && tile.detour[i]->angle == 0.0;
-}
-
 // m/s: the program's violation, or the larger excess of a neighbor with which everything within
 // reach collides.
 double most_violation(const SoftPlanes& soft, std::size_t i, double violation) {
@@ -37,37 +25,15 @@ double most_violation(const SoftPlanes& soft, std::size_t i, double violation) {
   return violation;
 }
 
-// Without a certificate walls demand nothing.
-void begin_walls(const RobotColumns& robots, const Tile& tile, std::size_t i,
-                 const CertificateLaw& law, CertificateConstraints& constraints) {
-  const std::span<const Wall> near = tile.walls_of(i);
-  if ((near.empty() && robots.model[i] == nullptr) || law.kind == Certificate::none) {
-    constraints.walls.clear();
-    constraints.footprint.count = 0;
-  } else {
-    begin_walls_of(robots.robot(i), near, law, constraints);
-  }
-}
-
-// The haste of a robot of any model. A robot that maneuvers must not leave its clear arc, and
-// robots with wheels come to rest by their own rule.
-Haste haste_of_any(const Robot& robot, bool maneuvers, const Execution& execution) {
-  Haste haste = haste_of(robot, execution);
-  if (is_holonomic(robot.model)) return haste;
-  if (maneuvers || is_landing(robot, haste, execution)) haste = haste_at_once(robot, execution);
-  const double reach = model_traits(robot.model).reach;
-  haste.most *= reach;
-  haste.jerk = std::min(haste.jerk * reach, kUnlimited);
-  return haste;
-}
-
 // The inputs of the plans of method avo.
+template <typename Trace>
 struct Deciding {
   const Planner& planner;
   const Execution& execution;
   Tile& tile;
   PlanWorkspace::Scratch& scratch;
   CertificateLaw law;
+  Trace trace;
 
   bool is_certified() const { return law.kind != Certificate::none; }
   SafetyState state_if_free() const {
@@ -84,10 +50,52 @@ struct Deciding {
   }
 };
 
+// Returns whether no neighbor can refuse the robot's choice, neither now nor on a detour that it
+// still follows.
+template <typename Trace>
+bool is_unhindered(const Deciding<Trace>& deciding, std::size_t i) {
+  const Tile& tile = deciding.tile;
+  if (deciding.law.kind == Certificate::braking_trajectories) {
+    if (deciding.scratch.certified.constraints.near.admits[i] == 0) return false;
+  } else if (deciding.is_certified()) {
+    return false;
+  }
+  return tile.robots.model[i] == nullptr && tile.detour[i]->angle == 0.0;
+}
+
+// Without a certificate walls demand nothing.
+template <typename Trace>
+void begin_walls(const Deciding<Trace>& deciding, std::size_t i) {
+  const RobotColumns& robots = deciding.tile.robots;
+  CertificateConstraints& constraints = deciding.scratch.certified.constraints;
+  const std::span<const Wall> near = deciding.tile.walls_of(i);
+  if ((near.empty() && robots.model[i] == nullptr) || !deciding.is_certified()) {
+    constraints.walls.clear();
+    constraints.footprint.count = 0;
+  } else {
+    begin_walls_of(robots.robot(i), near, deciding.law, constraints);
+  }
+}
+
+// The haste of a robot of any model. A robot that maneuvers must not leave its clear arc, and
+// robots with wheels come to rest by their own rule.
+template <typename Trace>
+Haste haste_of_any(const Deciding<Trace>& deciding, std::size_t i, const Robot& robot) {
+  const Execution& execution = deciding.execution;
+  Haste haste = haste_of(robot, execution);
+  if (is_holonomic(robot.model)) return haste;
+  if (deciding.tile.maneuvers[i] != 0 || is_landing(robot, haste, execution))
+    haste = haste_at_once(robot, execution);
+  const double reach = model_traits(robot.model).reach;
+  haste.most *= reach;
+  haste.jerk = std::min(haste.jerk * reach, kUnlimited);
+  return haste;
+}
+
 // Keeps a way out from movers.
 template <typename Trace>
-void evade(const Deciding& deciding, std::size_t i, const FlightConstraints* flight, Trace trace) {
-  const auto& [planner, execution, tile, scratch, law] = deciding;
+void evade(const Deciding<Trace>& deciding, std::size_t i, const FlightConstraints* flight) {
+  const auto& [planner, execution, tile, scratch, law, trace] = deciding;
   if (!tile.neighbors.has_movers) return;
   list(tile.robots.neighbors[i], scratch.listed);
   const Sight sight{scratch.listed, tile.walls_of(i), planner.options().wall_range, flight};
@@ -102,8 +110,8 @@ void evade(const Deciding& deciding, std::size_t i, const FlightConstraints* fli
 
 // Plans for a robot that flies, which can only turn.
 template <typename Trace>
-void fly(const Deciding& deciding, std::size_t i, Trace trace) {
-  const auto& [planner, execution, tile, scratch, law] = deciding;
+void fly(const Deciding<Trace>& deciding, std::size_t i) {
+  const auto& [planner, execution, tile, scratch, law, trace] = deciding;
   FlightConstraints& flight = scratch.flight;
   Plan& plan = *tile.plan[i];
   plan = fly_towards(planner, tile.robots.robot(i), tile.robots.neighbors[i], tile.walls_of(i),
@@ -113,11 +121,12 @@ void fly(const Deciding& deciding, std::size_t i, Trace trace) {
   if (scratch.soft.overlapping[i] != 0 || (certified && flight.are_broken()))
     deciding.tell_contact(i, certified ? flight.broken : Deepest{},
                           certified ? flight.broken_wall : Deepest{});
-  evade(deciding, i, &flight, trace);
+  evade(deciding, i, &flight);
 }
 
 // Plans for a robot that no neighbor and no wall hinders: by decide_freely().
-void go_freely(const Deciding& deciding, std::size_t i) {
+template <typename Trace>
+void go_freely(const Deciding<Trace>& deciding, std::size_t i) {
   const DecisionColumns& decisions = deciding.scratch.decisions;
   Plan& plan = *deciding.tile.plan[i];
   plan.new_velocity = {decisions.new_x[i], decisions.new_y[i]};
@@ -131,8 +140,8 @@ void go_freely(const Deciding& deciding, std::size_t i) {
 
 // Plans for a robot that must ask the certificate, one by one.
 template <typename Trace>
-void go_certified(const Deciding& deciding, std::size_t i, Trace trace) {
-  const auto& [planner, execution, tile, scratch, law] = deciding;
+void go_certified(const Deciding<Trace>& deciding, std::size_t i) {
+  const auto& [planner, execution, tile, scratch, law, trace] = deciding;
   const RobotColumns& robots = tile.robots;
   const DecisionColumns& decisions = scratch.decisions;
   const Robot robot = robots.robot(i);
@@ -141,8 +150,7 @@ void go_certified(const Deciding& deciding, std::size_t i, Trace trace) {
     planes = collect_hard_and_soft(planner, robot, tile, i, law.step, scratch);
     hard = scratch.demands.planes;
   }
-  const bool maneuvers = robots.has_models && tile.maneuvers[i] != 0;
-  const Haste haste = haste_of_any(robot, maneuvers, execution);
+  const Haste haste = haste_of_any(deciding, i, robot);
   Wished wished{planes,
                 hard,
                 decisions.wish(i),
@@ -171,7 +179,8 @@ void go_certified(const Deciding& deciding, std::size_t i, Trace trace) {
 template <typename Trace>
 void decide(const Planner& planner, const Execution& execution, Tile& tile,
             PlanWorkspace::Scratch& scratch, Trace trace) {
-  const Deciding deciding{planner, execution, tile, scratch, certificate_law(planner)};
+  const Deciding<Trace> deciding{planner, execution, tile, scratch, certificate_law(planner),
+                                 trace};
   const CertificateLaw& law = deciding.law;
   const RobotColumns& robots = tile.robots;
   DecisionColumns& decisions = scratch.decisions;
@@ -183,14 +192,12 @@ void decide(const Planner& planner, const Execution& execution, Tile& tile,
   for (std::size_t i = 0; i < robots.count; ++i) {
     trace.proposes(Vec2{decisions.next_x[i], decisions.next_y[i]});
     if (flies(robots, i)) {
-      fly(deciding, i, trace);
+      fly(deciding, i);
     } else {
-      begin_walls(robots, tile, i, law, constraints);
-      const bool is_free =
-          decisions.is_free[i] != 0.0 && is_unhindered(law, tile, constraints.near, i);
-      is_free&& constraints.walls.near.empty() ? go_freely(deciding, i)
-                                               : go_certified(deciding, i, trace);
-      evade(deciding, i, nullptr, trace);
+      begin_walls(deciding, i);
+      const bool is_free = decisions.is_free[i] != 0.0 && is_unhindered(deciding, i);
+      is_free&& constraints.walls.near.empty() ? go_freely(deciding, i) : go_certified(deciding, i);
+      evade(deciding, i, nullptr);
     }
     remember(*tile.plan[i], *tile.detour[i]);
   }
