@@ -22,7 +22,6 @@
 #include "planner/stages/demands.h"
 #include "planner/stages/disc_pairs.h"
 #include "planner/stages/soft_planes.h"
-#include "planner/trace.h"
 #include "planner/validity.h"
 #include "walls/segment.h"
 
@@ -128,15 +127,14 @@ void Planner::collect_half_planes(const Robot& robot, std::span<const Wall> wall
   const StepLaw law = certificate_law(*this).step;
   const Cuts cuts = cuts_of(*this, robot);
   Demands demands;
-  TraceRecord record;
-  collect_demands(*this, robot, walls, law, demands, Recorder{&record});
+  collect_demands(*this, robot, walls, law, demands);
   half_planes.overlapping = demands.overlapping;
   const bool by_speed = slows_before_walls(options_.method);
-  for (std::size_t k = 0; k < demands.planes.size(); ++k) {
+  for (std::size_t k = 0; k < demands.wall.size(); ++k) {
     const double excess = k < demands.excess.size() ? demands.excess[k] : 0.0;
-    if (record.demanding[k] >= 0 && cuts(demands.planes[k], excess))
+    if (cuts(demands.planes[k], excess))
       (by_speed ? half_planes.speeds : half_planes.obstacles)
-          .push_back({record.demanding[k], demands.planes[k], excess});
+          .push_back({demands.wall[k], demands.planes[k], excess});
   }
   if (!method_traits(options_.method).has_rules) return;
   for (const Robot& disc : discs_of(robot, law).all()) {

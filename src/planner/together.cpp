@@ -125,7 +125,7 @@ void plan_together(const Planner& planner, Tile& tile, PlanWorkspace::Scratch& s
   clock.lap(Stage::certificate);
   solve_programs(planner, tile.robots, scratch);
   if ((tile.robots.has_models || !tile.walls.empty()) && !is_external(options.method))
-    keep_to_demands(planner, tile, scratch, trace);
+    keep_to_demands(planner, tile, scratch);
   trace.chooses(tile, scratch);
   clock.lap(Stage::program);
   if (goes_through_certificate(options)) {

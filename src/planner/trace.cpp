@@ -62,10 +62,11 @@ int strongest_push(const Robot& robot, const Neighbors& neighbors, const StepLaw
   });
 }
 
-void add_binding(const TraceRecord& record, const Demands& demands, std::vector<Cause>& binding) {
-  for (std::size_t k = 0; k < record.demanding.size(); ++k)
-    if (misses_by(demands.planes[k], record.decision.target, 0.0))
-      add(binding, {-1, record.demanding[k]});
+// The demands of walls come first, and then those of the robot's own motion.
+void add_binding(const Demands& demands, Vec2 target, std::vector<Cause>& binding) {
+  for (std::size_t k = 0; k < demands.planes.size(); ++k)
+    if (misses_by(demands.planes[k], target, 0.0))
+      add(binding, {-1, k < demands.wall.size() ? demands.wall[k] : -1});
 }
 
 void add_refusing(const TrajectoryConstraints& constraints, const CandidatePath& path,
@@ -125,22 +126,11 @@ void Recorder::stays_in_cell(const Tile& tile, const DecisionColumns& columns) c
   if (tile.robots.count > 0) wishes(WishRule::in_cell, columns.wish(0));
 }
 
-void Recorder::keeps_demands(std::size_t count) const {
-  record->demanding.resize(count);
-}
-
-void Recorder::demands(int wall) const {
-  record->demanding.push_back(wall);
-}
-
-void Recorder::demands_itself(std::size_t count) const {
-  record->demanding.resize(count, -1);
-}
-
 void Recorder::chooses(const Tile& tile, const PlanWorkspace::Scratch& scratch) const {
   if (tile.robots.count == 0) return;
   DecisionTrace& decision = record->decision;
   record->has_target = true;
+  if (scratch.demands.out != Vec2{}) wishes(WishRule::leaves_wall, scratch.decisions.wish(0));
   decision.aim = scratch.decisions.aim(0);
   decision.target = decision.proposal = scratch.decisions.target(0);
   if (decision.target == decision.aim) return;
@@ -150,7 +140,7 @@ void Recorder::chooses(const Tile& tile, const PlanWorkspace::Scratch& scratch) 
   for (std::size_t k = 0; k < planes.size(); ++k)
     if (misses_by(planes[k], decision.target, off))
       add_neighbor(decision.binding, static_cast<int>(scratch.soft.neighbor_of(k)));
-  add_binding(*record, scratch.demands, decision.binding);
+  add_binding(scratch.demands, decision.target, decision.binding);
 }
 
 void Recorder::goes_around(Vec2 target, const PlanWorkspace::Scratch& scratch) const {
@@ -163,7 +153,7 @@ void Recorder::goes_around(Vec2 target, const PlanWorkspace::Scratch& scratch) c
     if (contains(obstacle.obstacle, decision.aim - obstacle.v_new_B))
       add_neighbor(decision.binding, static_cast<int>(k));
   }
-  add_binding(*record, scratch.demands, decision.binding);
+  add_binding(scratch.demands, decision.target, decision.binding);
 }
 
 void Recorder::proposes(Vec2 proposal) const {
@@ -247,6 +237,7 @@ DecisionTrace Planner::explain(const Robot& robot, std::span<const Neighbor> nei
   DecisionTrace& trace = record.decision;
   trace.preferred_velocity = trace.wish = trace.aim = robot.preferred_velocity;
   const DecisionTrace undecided = trace;
+  PlanWorkspace::Scratch::of(workspace).demands.clear();
   const Plan plan =
       plan_alone(*this, robot, neighbors, workspace, detour, walls, Recorder{&record});
   if (plan.status == PlanStatus::invalid_input) trace = undecided;

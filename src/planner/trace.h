@@ -26,9 +26,6 @@ struct NoTrace {
   void yields(const auto&...) const {}
   void wishes(const auto&...) const {}
   void stays_in_cell(const auto&...) const {}
-  void keeps_demands(const auto&...) const {}
-  void demands(const auto&...) const {}
-  void demands_itself(const auto&...) const {}
   void chooses(const auto&...) const {}
   void goes_around(const auto&...) const {}
   void proposes(const auto&...) const {}
@@ -41,9 +38,8 @@ struct NoTrace {
 /// The reasons of one robot's decision. Neighbors are numbered in the order of planning.
 struct TraceRecord {
   DecisionTrace decision;
-  Vec2 steered;                ///< m/s: the preferred velocity that wheels and wings leave
-  bool has_target = false;     ///< whether the decision has come to its target
-  std::vector<int> demanding;  ///< of each of scratch.demands.planes: its wall; -1: own motion
+  Vec2 steered;                         ///< m/s: the preferred velocity that wheels and wings leave
+  bool has_target = false;              ///< whether the decision has come to its target
   std::vector<Cause>* asked = nullptr;  ///< receives who refuses what was asked for last
 };
 
@@ -62,12 +58,6 @@ struct Recorder {
   void wishes(WishRule rule, Vec2 wish, int heeded = -1) const;
   /// wish_within_cells() has made the wish.
   void stays_in_cell(const Tile& tile, const DecisionColumns& columns) const;
-  /// Only so many demands are kept.
-  void keeps_demands(std::size_t count) const;
-  /// A half-plane of that wall is one more of the demands.
-  void demands(int wall) const;
-  /// All further demands, of so many, are of the robot's own motion.
-  void demands_itself(std::size_t count) const;
   /// Eq. (23) has chosen a target for an aim.
   void chooses(const Tile& tile, const PlanWorkspace::Scratch& scratch) const;
   /// Eq. (14) has chosen a target for the preferred velocity.

@@ -113,8 +113,8 @@ class Poison {
          new_y, a_x, a_y, is_free);
   }
   void spoil(Demands& demands) const {
-    auto& [planes, excess, overlapping, out] = demands;
-    each(planes, excess, overlapping, out);
+    auto& [planes, excess, wall, overlapping, out] = demands;
+    each(planes, excess, wall, overlapping, out);
   }
   void spoil(FlightConstraints& flight) const {
     auto& [lines, walls, slack, broken, broken_wall] = flight;

@@ -72,7 +72,7 @@ Plan decide_among_obstacles(const Planner& planner, const Robot& robot,
   demands.clear();
   // in method avo the certificate itself finds a path around what it refuses
   if (!method_traits(options.method).has_rules)
-    collect_demands(planner, robot, walls, certificate_law(planner).step, demands, trace);
+    collect_demands(planner, robot, walls, certificate_law(planner).step, demands);
   overlapping = overlapping || demands.overlapping;
   // Eq. (14)
   PassiveChoice choice = choose_among_obstacles(scratch.obstacles, planner.acceleration_disc(robot),

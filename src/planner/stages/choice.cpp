@@ -64,12 +64,11 @@ bool has_demands(const Tile& tile, std::size_t i, const DecisionColumns& decisio
   return !rests;  // every robot can rest
 }
 
-template <typename Trace>
 std::span<const HalfPlane> collect_hard_and_soft(const Planner& planner, const Robot& robot,
                                                  const Tile& tile, std::size_t i,
                                                  const StepLaw& law,
-                                                 PlanWorkspace::Scratch& scratch, Trace trace) {
-  collect_demands(planner, robot, tile.walls_of(i), law, scratch.demands, trace);
+                                                 PlanWorkspace::Scratch& scratch) {
+  collect_demands(planner, robot, tile.walls_of(i), law, scratch.demands);
   const std::vector<HalfPlane>& hard = scratch.demands.planes;
   const std::span<const HalfPlane> soft = scratch.soft.of(i);
   std::vector<HalfPlane>& planes = scratch.hard_and_soft;
@@ -78,13 +77,7 @@ std::span<const HalfPlane> collect_hard_and_soft(const Planner& planner, const R
   return planes;
 }
 
-template std::span<const HalfPlane> collect_hard_and_soft(const Planner&, const Robot&, const Tile&,
-                                                          std::size_t, const StepLaw&,
-                                                          PlanWorkspace::Scratch&, NoTrace);
-
-template <typename Trace>
-void keep_to_demands(const Planner& planner, const Tile& tile, PlanWorkspace::Scratch& scratch,
-                     Trace trace) {
+void keep_to_demands(const Planner& planner, const Tile& tile, PlanWorkspace::Scratch& scratch) {
   const StepLaw law = certificate_law(planner).step;
   DecisionColumns& decisions = scratch.decisions;
   for (std::size_t i = 0; i < tile.robots.count; ++i) {
@@ -92,10 +85,9 @@ void keep_to_demands(const Planner& planner, const Tile& tile, PlanWorkspace::Sc
       continue;
     const Robot robot = tile.robots.robot(i);
     const Vec2 target{decisions.target_x[i], decisions.target_y[i]};
-    const auto planes = collect_hard_and_soft(planner, robot, tile, i, law, scratch, trace);
+    const auto planes = collect_hard_and_soft(planner, robot, tile, i, law, scratch);
     const Demands& demands = scratch.demands;
     if (demands.overlapping) scratch.soft.overlapping[i] = 1;
-    if (demands.out != Vec2{}) trace.wishes(WishRule::leaves_wall, demands.out);
     if (demands.out != Vec2{})  // first out of walls
       decisions.aim_x[i] = decisions.wish_x[i] = demands.out.x,
       decisions.aim_y[i] = decisions.wish_y[i] = demands.out.y;
@@ -111,8 +103,5 @@ void keep_to_demands(const Planner& planner, const Tile& tile, PlanWorkspace::Sc
     decisions.take(i, result);
   }
 }
-
-template void keep_to_demands(const Planner&, const Tile&, PlanWorkspace::Scratch&, NoTrace);
-template void keep_to_demands(const Planner&, const Tile&, PlanWorkspace::Scratch&, Recorder);
 
 }  // namespace avo::inline planner

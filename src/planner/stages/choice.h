@@ -22,17 +22,14 @@ bool has_demands(const Tile& tile, std::size_t i, const DecisionColumns& decisio
 
 /// The half-planes of robot i: those of its walls and of its own motion, which are scratch.demands,
 /// and those of neighbors.
-template <typename Trace = NoTrace>
 std::span<const HalfPlane> collect_hard_and_soft(const Planner& planner, const Robot& robot,
                                                  const Tile& tile, std::size_t i,
                                                  const StepLaw& law,
-                                                 PlanWorkspace::Scratch& scratch, Trace trace = {});
+                                                 PlanWorkspace::Scratch& scratch);
 
 /// Walls are hard, and so are the limits of a robot's motion. Where a target does not keep these
 /// half-planes, Eq. (23) is solved again with them. Where that has no solution, the half-planes of
 /// neighbors yield.
-template <typename Trace>
-void keep_to_demands(const Planner& planner, const Tile& tile, PlanWorkspace::Scratch& scratch,
-                     Trace trace);
+void keep_to_demands(const Planner& planner, const Tile& tile, PlanWorkspace::Scratch& scratch);
 
 }  // namespace avo::inline planner

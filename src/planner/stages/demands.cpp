@@ -41,26 +41,24 @@ double leaving_speed(double depth, const Robot& robot, const Wall& wall, const S
   return depth > wall_margin(wall, rounding) ? depth / law.time_step : 0.0;
 }
 
-}  // namespace
-
-template <typename Trace>
+// Appends a half-plane n . v' >= -V for each wall that the robot can reach with this decision. n
+// points away from the wall, V depends on its gap. For a wall that the robot is in, it is n . v'
+// >= n . out, at least 0; out is velocity_out(). A wall that is touched only within rounding is
+// left within the step. 0 satisfies all others. Returns whether the robot is in any wall.
 bool append_speed_planes(const Robot& robot, std::span<const Wall> walls, const StepLaw& law,
-                         Vec2 out, std::vector<HalfPlane>& half_planes, Trace trace) {
-  const auto append = [&](const HalfPlane& plane, const Wall& wall) {
-    half_planes.push_back(plane);
-    trace.demands(static_cast<int>(&wall - walls.data()));
-  };
+                         Vec2 out, Demands& demands) {
   bool is_in_any = false;
   const Ability ability = planned_ability_of(robot);
   const double reach = wall_reach(norm(robot.velocity), robot.max_speed, ability, law);
-  for (const Wall& wall : walls) {
+  for (std::size_t k = 0; k < walls.size(); ++k) {
+    const Wall& wall = walls[k];
     const Vec2 away = robot.position - nearest_on({wall.a, wall.b}, robot.position);
     const double distance = norm(away), depth = robot.radius + wall.radius - distance;
     const double gap = -depth - law.localization_error;
     if (!(gap < reach)) continue;
     if (!(distance > 0.0)) {  // the wall itself gives no direction
       is_in_any = true;
-      if (out != Vec2{}) append({out / norm(out), norm(out)}, wall);
+      if (out != Vec2{}) demands.add({out / norm(out), norm(out)}, k);
       continue;
     }
     const Vec2 normal = away / distance;
@@ -69,13 +67,12 @@ bool append_speed_planes(const Robot& robot, std::span<const Wall> walls, const 
     const double leaving = is_in         ? std::max(dot(normal, out), 0.0)
                            : depth > 0.0 ? leaving_speed(depth, robot, wall, law)
                                          : -speed_before(gap, ability.braking, law);
-    append({normal, std::max(leaving, -robot.max_speed)}, wall);
+    demands.add({normal, std::max(leaving, -robot.max_speed)}, k);
   }
   return is_in_any;
 }
 
-template bool append_speed_planes(const Robot&, std::span<const Wall>, const StepLaw&, Vec2,
-                                  std::vector<HalfPlane>&, NoTrace);
+}  // namespace
 
 std::optional<WallPlane> obstacle_plane(const PlannerOptions& options, const Horizon& horizon,
                                         const Robot& robot, const Wall& wall, int index,
@@ -98,58 +95,45 @@ std::optional<WallPlane> obstacle_plane(const PlannerOptions& options, const Hor
 
 namespace {
 
-template <typename Trace>
 void append_slowing(const Robot& robot, std::span<const Wall> walls, const StepLaw& law,
-                    Demands& demands, Trace trace) {
+                    Demands& demands) {
   const std::size_t before = demands.planes.size();
-  if (!append_speed_planes(robot, walls, law, {}, demands.planes, trace)) return;
+  if (!append_speed_planes(robot, walls, law, {}, demands)) return;
   demands.out = velocity_out(robot, walls, law);
   const bool is_out_of_all = is_kept(demands, demands.out);
-  demands.planes.resize(before);
-  trace.keeps_demands(before);
-  append_speed_planes(robot, walls, law, is_out_of_all ? demands.out : Vec2{}, demands.planes,
-                      trace);
+  demands.planes.resize(before), demands.wall.resize(before);
+  append_speed_planes(robot, walls, law, is_out_of_all ? demands.out : Vec2{}, demands);
 }
 
 // Appends the demands of walls on a robot, or on one disc of it.
-template <typename Trace>
 void append_demands(const Planner& planner, const Robot& robot, std::span<const Wall> walls,
-                    const StepLaw& law, Demands& demands, Trace trace) {
+                    const StepLaw& law, Demands& demands) {
   const PlannerOptions& options = planner.options();
-  if (slows_before_walls(options.method)) return append_slowing(robot, walls, law, demands, trace);
-  for (const Wall& wall : walls) {
+  if (slows_before_walls(options.method)) return append_slowing(robot, walls, law, demands);
+  for (std::size_t k = 0; k < walls.size(); ++k) {
     const auto own =
-        obstacle_plane(options, planner.horizon(), robot, wall, 0, demands.overlapping);
+        obstacle_plane(options, planner.horizon(), robot, walls[k], 0, demands.overlapping);
     if (!own) continue;
-    demands.planes.push_back(own->plane);
+    demands.add(own->plane, k);
     demands.excess.push_back(own->excess);
-    trace.demands(static_cast<int>(&wall - walls.data()));
   }
 }
 
 }  // namespace
 
-template <typename Trace>
 void collect_demands(const Planner& planner, const Robot& robot, std::span<const Wall> walls,
-                     const StepLaw& law, Demands& demands, Trace trace) {
+                     const StepLaw& law, Demands& demands) {
   demands.clear();
-  trace.keeps_demands(0);
   const PlannerOptions& options = planner.options();
   const bool at_once = adopts_at_once(options.method);
   if (!has_footprint(robot.model)) {
-    append_demands(planner, robot, walls, law, demands, trace);
+    append_demands(planner, robot, walls, law, demands);
   } else {
     for (const Robot& disc : discs_of(robot, law).all())
-      append_demands(planner, disc, walls, law, demands, trace);
+      append_demands(planner, disc, walls, law, demands);
   }
   append_own_half_planes(robot, at_once ? options.time_step : options.control_time, demands.planes);
-  trace.demands_itself(demands.planes.size());
 }
-
-template void collect_demands(const Planner&, const Robot&, std::span<const Wall>, const StepLaw&,
-                              Demands&, NoTrace);
-template void collect_demands(const Planner&, const Robot&, std::span<const Wall>, const StepLaw&,
-                              Demands&, Recorder);
 
 bool is_kept(const Demands& demands, Vec2 v_new) {
   const auto exceeds = [](double excess) { return excess > 0.0; };
