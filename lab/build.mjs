@@ -27,6 +27,7 @@ async function bundle(entry) {
     format: "iife",
     target: ["chrome110", "firefox115", "safari16.4"],
     charset: "utf8",
+    loader: { ".yaml": "text" },
     legalComments: "none",
     logLevel: "warning",
   });

@@ -17,7 +17,7 @@ ALLOWED = {
     "robots": {"core"},
     "navigation": {"core", "spatial", "walls"},
     "certificate": {"core", "walls", "robots"},
-    "planner": {"core", "walls", "obstacles", "lp", "certificate", "robots"},
+    "planner": {"core", "fields", "walls", "obstacles", "lp", "certificate", "robots"},
     "guidance": {"core", "walls", "robots", "navigation", "certificate", "planner"},
     "navigator": {"core", "walls", "robots", "navigation", "certificate", "planner", "guidance"},
     "sim": {"core", "spatial", "walls", "robots", "navigation", "certificate", "planner", "guidance",

@@ -10,6 +10,7 @@
 #include "avo/space/simulation.h"
 #include "convert.h"
 #include "handles.h"
+#include "members.h"
 #include "scene_files.h"
 #include "space_convert.h"
 
@@ -31,33 +32,52 @@ Scratch& scratch() {
   return own;
 }
 
+constexpr auto for_each_of_space_robot_state = [](const auto& visit) {
+  using Def = avo_space_robot;
+  using avo::space::Robot;
+  visit("position", &Def::position, &Robot::position);
+  visit("velocity", &Def::velocity, &Robot::velocity);
+  visit("preferred_velocity", &Def::preferred_velocity, &Robot::preferred_velocity);
+  visit("radius", &Def::radius, &Robot::radius);
+  visit("max_acceleration", &Def::max_acceleration, &Robot::max_acceleration);
+  visit("max_speed", &Def::max_speed, &Robot::max_speed);
+  visit("vertical", &Def::vertical, &Robot::vertical);
+  visit("climb", &Def::climb, &Robot::climb);
+  visit("sink", &Def::sink, &Robot::sink);
+  visit("downwash", &Def::downwash, &Robot::downwash);
+  visit("priority", &Def::priority, &Robot::priority);
+  visit("max_braking", &Def::max_braking, &Robot::max_braking);
+  visit("distance_to_goal", &Def::distance_to_goal, &Robot::distance_to_goal);
+};
+
+constexpr auto for_each_of_space_neighbor = [](const auto& visit) {
+  using Def = avo_space_neighbor;
+  using avo::space::Neighbor;
+  visit("position", &Def::position, &Neighbor::position);
+  visit("velocity", &Def::velocity, &Neighbor::velocity);
+  visit("radius", &Def::radius, &Neighbor::radius);
+  visit("max_acceleration", &Def::max_acceleration, &Neighbor::max_acceleration);
+  visit("vertical", &Def::vertical, &Neighbor::vertical);
+  visit("downwash", &Def::downwash, &Neighbor::downwash);
+  visit("priority", &Def::priority, &Neighbor::priority);
+  visit("max_braking", &Def::max_braking, &Neighbor::max_braking);
+};
+
 avo::space::Robot read_space_robot(const avo_space_robot* robot, const char* name) {
-  const avo_space_robot own = read(robot, {name}, avo_default_space_robot());
-  return {from_c(own.position),
-          from_c(own.velocity),
-          from_c(own.preferred_velocity),
-          own.radius,
-          own.max_acceleration,
-          own.max_speed,
-          own.vertical,
-          own.climb,
-          own.sink,
-          own.downwash,
-          own.priority,
-          unless_zero(own.max_braking),
-          own.distance_to_goal};
+  avo::space::Robot own;
+  take_members(read(robot, {name}, avo_default_space_robot()), own, {name},
+               for_each_of_space_robot_state);
+  return own;
 }
 
 const std::vector<avo::space::Neighbor>& read_neighbors(const avo_space_neighbor* neighbors,
                                                         std::size_t count) {
   std::vector<avo::space::Neighbor>& to = scratch().neighbors;
   to.clear();
-  for_each(
-      neighbors, count, "neighbors", avo_default_space_neighbor(),
-      [&](const avo_space_neighbor& own, const Where&) {
-        to.push_back({from_c(own.position), from_c(own.velocity), own.radius, own.max_acceleration,
-                      own.vertical, own.downwash, own.priority, unless_zero(own.max_braking)});
-      });
+  for_each(neighbors, count, "neighbors", avo_default_space_neighbor(),
+           [&](const avo_space_neighbor& neighbor, const Where& where) {
+             take_members(neighbor, to.emplace_back(), where, for_each_of_space_neighbor);
+           });
   return to;
 }
 
@@ -101,34 +121,17 @@ int checked_threads(std::int32_t threads) {
 using namespace avo_c;  // NOLINT(google-build-using-namespace): what follows is C
 
 avo_space_robot avo_default_space_robot(void) {
-  const avo::space::Robot robot;
-  return {sizeof(avo_space_robot),
-          {},
-          {},
-          {},
-          robot.radius,
-          robot.max_acceleration,
-          robot.max_speed,
-          robot.vertical,
-          robot.climb,
-          robot.sink,
-          robot.downwash,
-          robot.priority,
-          0.0,
-          robot.distance_to_goal};
+  avo_space_robot def = {};
+  def.size = sizeof def;
+  give_members(avo::space::Robot{}, def, for_each_of_space_robot_state);
+  return def;
 }
 
 avo_space_neighbor avo_default_space_neighbor(void) {
-  const avo::space::Neighbor other;
-  return {sizeof(avo_space_neighbor),
-          {},
-          {},
-          other.radius,
-          other.max_acceleration,
-          other.vertical,
-          other.downwash,
-          other.priority,
-          0.0};
+  avo_space_neighbor def = {};
+  def.size = sizeof def;
+  give_members(avo::space::Neighbor{}, def, for_each_of_space_neighbor);
+  return def;
 }
 
 avo_result avo_create_space_planner(const avo_planner_def* def, avo_space_planner_id* planner) {

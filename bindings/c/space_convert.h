@@ -16,7 +16,6 @@ inline avo::space::Box from_c(const avo_space_box& box) {
   return {from_c(box.min), from_c(box.max), box.heading, box.radius};
 }
 
-avo::space::Quadrotor from_c(const avo_quadrotor& quadrotor);
 /// Settings, robots and boxes; without the threads.
 avo::space::Scenario scenario_of(const avo_space_simulation_def& def);
 

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // Definitions of simulations of space, and set points of quadrotors.
-#include <cmath>
+#include <algorithm>
 #include <limits>
 #include <memory>
 
 #include "avo/space/quadrotor.h"
 #include "convert.h"
 #include "handles.h"
+#include "members.h"
 #include "space_convert.h"
 
 namespace avo_c {
@@ -14,65 +15,84 @@ namespace {
 
 AVO_C_CONSTINIT Handles<avo_filter_id, avo::space::Filter> filters("filter");
 
-std::optional<double> unless_unset(double value) {
-  return value == static_cast<double>(AVO_UNSET) ? std::nullopt : std::optional(value);
-}
-// A speed along the vertical that is not limited is infinite in C.
-std::optional<double> unless_infinite(double value) {
-  return value == std::numeric_limits<double>::infinity() ? std::nullopt : std::optional(value);
+constexpr double kUnlimited = std::numeric_limits<double>::infinity();
+
+constexpr auto for_each_of_quadrotor = [](const auto& visit) {
+  using Def = avo_quadrotor;
+  using avo::space::Quadrotor;
+  visit("mass", &Def::mass, &Quadrotor::mass);
+  visit("max_thrust", &Def::max_thrust, &Quadrotor::max_thrust);
+  visit("min_thrust", &Def::min_thrust, &Quadrotor::min_thrust, AVO_UNSET);
+  visit("max_tilt", &Def::max_tilt, &Quadrotor::max_tilt);
+  visit("attitude_time", &Def::attitude_time, &Quadrotor::attitude_time);
+  visit("tracking_error", &Def::tracking_error, &Quadrotor::tracking_error, AVO_UNSET);
+};
+
+// The members of a definition and of a setup, except for the quadrotor.
+constexpr auto for_each_of_space_robot = [](const auto& visit) {
+  using Def = avo_space_robot_def;
+  using Setup = avo::space::RobotSetup;
+  visit("position", &Def::position, &Setup::position);
+  visit("velocity", &Def::velocity, &Setup::velocity);
+  visit("goal", &Def::goal, &Setup::goal);
+  visit("radius", &Def::radius, &Setup::radius);
+  visit("max_speed", &Def::max_speed, &Setup::max_speed);
+  visit("max_acceleration", &Def::max_acceleration, &Setup::max_acceleration);
+  visit("preferred_speed", &Def::preferred_speed, &Setup::preferred_speed);
+  visit("vertical", &Def::vertical, &Setup::vertical);
+  visit("climb", &Def::climb, &Setup::climb, kUnlimited);
+  visit("sink", &Def::sink, &Setup::sink, kUnlimited);
+  visit("downwash", &Def::downwash, &Setup::downwash);
+  visit("priority", &Def::priority, &Setup::priority);
+  visit("max_braking", &Def::max_braking, &Setup::max_braking);
+};
+
+// The members of a definition and of a scene, except for parts.
+constexpr auto for_each_space_setting = [](const auto& visit) {
+  using Def = avo_space_simulation_def;
+  using Scene = avo::space::Scenario;
+  visit("time_step", &Def::time_step, &Scene::time_step);
+  visit("control_time", &Def::control_time, &Scene::control_time);
+  visit("time_horizon", &Def::time_horizon, &Scene::time_horizon);
+  visit("response_time", &Def::response_time, &Scene::response_time, AVO_UNSET);
+  visit("comfort_acceleration", &Def::comfort_acceleration, &Scene::comfort_acceleration);
+  visit("comfort_jerk", &Def::comfort_jerk, &Scene::comfort_jerk);
+  visit("sensing_radius", &Def::sensing_radius, &Scene::sensing_radius);
+  visit("arrival_distance", &Def::arrival_distance, &Scene::arrival_distance);
+  visit("motion", &Def::motion, &Scene::motion);
+  visit("certificate", &Def::certificate, &Scene::certificate);
+  visit("max_neighbors", &Def::max_neighbors, &Scene::max_neighbors);
+  visit("navigation", &Def::navigation, &Scene::navigation);
+};
+
+avo::space::Quadrotor quadrotor_of(const avo_quadrotor& def, const Where& where) {
+  avo::space::Quadrotor quadrotor;
+  take_members(def, quadrotor, where, for_each_of_quadrotor);
+  return quadrotor;
 }
 
-avo::space::RobotSetup setup_of(const avo_space_robot_def& def) {
+avo::space::RobotSetup setup_of(const avo_space_robot_def& def, const Where& where) {
   avo::space::RobotSetup setup;
-  setup.position = from_c(def.position);
-  setup.velocity = from_c(def.velocity);
-  setup.goal = from_c(def.goal);
-  setup.radius = def.radius;
-  setup.max_speed = def.max_speed;
-  setup.max_acceleration = def.max_acceleration;
-  setup.preferred_speed = def.preferred_speed;
-  setup.vertical = def.vertical;
-  setup.climb = unless_infinite(def.climb);
-  setup.sink = unless_infinite(def.sink);
-  setup.downwash = def.downwash;
-  setup.priority = def.priority;
-  setup.max_braking = unless_zero(def.max_braking);
-  if (def.quadrotor.mass != 0.0) setup.quadrotor = from_c(def.quadrotor);
+  take_members(def, setup, where, for_each_of_space_robot);
+  if (def.quadrotor.mass != 0.0) setup.quadrotor = quadrotor_of(def.quadrotor, where);
   return setup;
 }
 
 avo::space::Quadrotor checked(const avo_quadrotor* quadrotor) {
-  const avo::space::Quadrotor own = from_c(at(quadrotor, "quadrotor"));
+  const avo::space::Quadrotor own = quadrotor_of(at(quadrotor, "quadrotor"), {"quadrotor"});
   validate(own, "quadrotor");
   return own;
 }
 
 }  // namespace
 
-avo::space::Quadrotor from_c(const avo_quadrotor& quadrotor) {
-  return {quadrotor.mass,     quadrotor.max_thrust,    unless_unset(quadrotor.min_thrust),
-          quadrotor.max_tilt, quadrotor.attitude_time, unless_unset(quadrotor.tracking_error)};
-}
-
 avo::space::Scenario scenario_of(const avo_space_simulation_def& def) {
-  const Where here;
   avo::space::Scenario scenario;
-  scenario.time_step = def.time_step;
+  take_members(def, scenario, {}, for_each_space_setting);
   scenario.duration = std::max(scenario.duration, def.time_step);
-  scenario.control_time = unless_zero(def.control_time);
-  scenario.time_horizon = unless_zero(def.time_horizon);
-  scenario.response_time = unless_unset(def.response_time);
-  scenario.comfort_acceleration = unless_zero(def.comfort_acceleration);
-  scenario.comfort_jerk = unless_zero(def.comfort_jerk);
-  scenario.sensing_radius = unless_zero(def.sensing_radius);
-  scenario.arrival_distance = def.arrival_distance;
-  scenario.motion = word<avo::Motion>(def.motion, 2, here, "motion");
-  if (def.certificate != AVO_UNSET)
-    scenario.certificate = word<avo::Certificate>(def.certificate, 3, here, "certificate");
-  scenario.max_neighbors = unless_zero(def.max_neighbors);
   for_each(def.robots, def.robot_count, "robots", avo_default_space_robot_def(),
-           [&](const avo_space_robot_def& robot, const Where&) {
-             scenario.robots.push_back(setup_of(robot));
+           [&](const avo_space_robot_def& robot, const Where& where) {
+             scenario.robots.push_back(setup_of(robot, where));
            });
   require_array(def.boxes, def.box_count, "boxes");
   for (std::size_t k = 0; k < def.box_count; ++k) scenario.boxes.push_back(from_c(def.boxes[k]));
@@ -84,30 +104,17 @@ avo::space::Scenario scenario_of(const avo_space_simulation_def& def) {
 using namespace avo_c;  // NOLINT(google-build-using-namespace): what follows is C
 
 avo_space_robot_def avo_default_space_robot_def(void) {
-  const avo::space::RobotSetup setup;
   avo_space_robot_def def = {};
   def.size = sizeof def;
-  def.radius = setup.radius;
-  def.max_speed = setup.max_speed;
-  def.max_acceleration = setup.max_acceleration;
-  def.preferred_speed = setup.preferred_speed;
-  def.vertical = setup.vertical;
-  def.climb = def.sink = std::numeric_limits<double>::infinity();
-  def.downwash = setup.downwash;
-  def.priority = setup.priority;
+  give_members(avo::space::RobotSetup{}, def, for_each_of_space_robot);
   def.quadrotor.min_thrust = def.quadrotor.tracking_error = AVO_UNSET;
   return def;
 }
 
 avo_space_simulation_def avo_default_space_simulation_def(void) {
-  const avo::space::Scenario scenario;
   avo_space_simulation_def def = {};
   def.size = sizeof def;
-  def.time_step = scenario.time_step;
-  def.response_time = AVO_UNSET;
-  def.arrival_distance = scenario.arrival_distance;
-  def.motion = static_cast<avo_motion>(scenario.motion);
-  def.certificate = AVO_UNSET;
+  give_members(avo::space::Scenario{}, def, for_each_space_setting);
   return def;
 }
 

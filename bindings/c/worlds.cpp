@@ -53,13 +53,16 @@ avo_localization_noise to_c(const avo::LocalizationNoise& noise) {
           static_cast<avo_noise_distribution>(noise.distribution)};
 }
 
-// The members of a definition and of a scene, except for texts and for what 0 is a value of.
+constexpr double kNotANumber = std::numeric_limits<double>::quiet_NaN();
+
+// The members of a definition and of a scene, except for texts and parts.
 constexpr auto for_each_setting = [](const auto& visit) {
   using Def = avo_simulation_def;
   using Scene = avo::Scenario;
   visit("time_step", &Def::time_step, &Scene::time_step);
   visit("duration", &Def::duration, &Scene::duration);
   visit("control_time", &Def::control_time, &Scene::control_time);
+  visit("response_time", &Def::response_time, &Scene::response_time, kNotANumber);
   visit("comfort_acceleration", &Def::comfort_acceleration, &Scene::comfort_acceleration);
   visit("comfort_jerk", &Def::comfort_jerk, &Scene::comfort_jerk);
   visit("margin", &Def::margin, &Scene::margin);
@@ -97,7 +100,6 @@ void read_settings(const avo_simulation_def& def, avo::Scenario& scenario) {
   require_unused(def.unused, here, "samples");
   take_members(def, scenario, here, for_each_setting);
   scenario.name = def.name == nullptr ? "" : def.name;
-  if (!std::isnan(def.response_time)) scenario.response_time = def.response_time;
   scenario.sensing = sensing_of(def.sensing);
   scenario.sensing.localization = localization_of(def.localization);
   const auto& error = def.sensing_error;
@@ -174,13 +176,12 @@ avo::Scenario scenario_of(const avo_simulation_def& def) {
 }
 
 avo_simulation_def settings_of(const avo::Scenario& scenario) {
-  constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
-  const avo::SensingError error = scenario.sensing_error.value_or(avo::SensingError{kNone, kNone});
+  const avo::SensingError error =
+      scenario.sensing_error.value_or(avo::SensingError{kNotANumber, kNotANumber});
   avo_simulation_def def = {};
   def.size = sizeof def;
   give_members(scenario, def, for_each_setting);
   def.name = scenario.name.c_str();
-  def.response_time = scenario.response_time.value_or(kNone);
   def.sensing = to_c(scenario.sensing);
   def.localization = to_c(scenario.sensing.localization);
   def.sensing_error = {error.position, error.velocity};

@@ -84,16 +84,16 @@ def table(part):
 class SceneKeys(Generated):
     def text(self):
         schema = json.loads(self.avo("schema"))
-        parts = schema["$defs"]
+        parts, plane = schema["$defs"], schema["else"]
         robot = parts["robot"]["properties"]
         # a group has all keys of a robot, and few that differ
         parts["group"]["properties"] = {name: key for name, key in parts["group"]["properties"].items()
                                         if key != robot.get(name)}
         shared = parts["robot"]["properties"]
-        robots_from = schema["properties"]["robots_from"]
+        robots_from = plane["properties"]["robots_from"]
         robots_from["properties"] = {name: key for name, key in robots_from["properties"].items()
                                      if key != shared.get(name)}
-        said = heading("The scene", "-") + table(schema)
+        said = heading("The scene", "-") + table(plane)
         for name, part in parts.items():
             said += heading(f"{name.replace('_', ' ').capitalize()}", "-") + table(part)
         return said

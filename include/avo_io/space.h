@@ -36,6 +36,9 @@ AVO_API avo::space::Scenario parse_space_scenario(std::string_view yaml, const s
 /// Makes the same scenario again; reads no file.
 AVO_API avo::space::Scenario parse_space_scenario(const SceneSource& source);
 
+/// Does the same for a source with `space: 3`; returns none if it is a scene of the plane.
+AVO_API std::optional<avo::space::Scenario> space_scenario_in(const SceneSource& source);
+
 /// A file for the states of a run in space.
 class AVO_API SpaceRecording {
  public:

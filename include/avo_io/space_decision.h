@@ -56,6 +56,9 @@ AVO_API std::optional<SpaceDecision> explain_in_space(
     const avo::space::Scenario& scenario, std::int64_t robot, double time, int threads = 0,
     const std::function<bool(double time)>& go_on = {});
 
+/// Takes the next step, and explains the robot's decision in it. Throws as explain_in_space().
+AVO_API SpaceDecision explain_step(avo::space::Simulation& simulation, std::int64_t robot);
+
 /// Returns one line for each fact.
 AVO_API std::string readable(const SpaceDecision& decision);
 /// Returns one JSON object (docs/space.md).

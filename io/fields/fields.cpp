@@ -2,86 +2,33 @@
 // The fields of public structs, as src/fields has them.
 #include "io/fields/fields.h"
 
-#include <algorithm>
-
 #include "fields/model_fields.h"
 #include "fields/robot_fields.h"
 #include "fields/scene_fields.h"
+#include "fields/space_fields.h"
 
 namespace avo_io {
-namespace {
 
-template <class Rows>
-auto listed(const Rows& rows) {
-  return std::vector(rows.begin(), rows.end());
-}
-
-}  // namespace
-
-template <>
-const std::vector<Field<avo::RobotSetup>>& fields() {
-  static const auto table = listed(avo::kRobotFields);
+template <class T>
+const std::vector<Field<T>>& fields() {
+  static const std::vector<Field<T>> table(avo::kFields<T>.begin(), avo::kFields<T>.end());
   return table;
 }
 
-template <>
-const std::vector<Field<avo::Car>>& fields() {
-  static const auto table = listed(avo::kCarFields);
-  return table;
-}
-
-template <>
-const std::vector<Field<avo::CarBody>>& fields() {
-  static const auto table = listed(avo::kCarBodyFields);
-  return table;
-}
-
-template <>
-const std::vector<Field<avo::DifferentialDrive>>& fields() {
-  static const auto table = listed(avo::kDriveFields);
-  return table;
-}
-
-template <>
-const std::vector<Field<avo::Airplane>>& fields() {
-  static const auto table = listed(avo::kAirplaneFields);
-  return table;
-}
-
-template <>
-const std::vector<Field<avo::Scenario>>& fields() {
-  static const auto table = listed(avo::kScenarioFields);
-  return table;
-}
-
-template <>
-const std::vector<Field<avo::SensingModel>>& fields() {
-  static const auto table = listed(avo::kSensingFields);
-  return table;
-}
-
-template <>
-const std::vector<Field<avo::MeasurementNoise>>& fields() {
-  static const auto table = listed(avo::kMeasurementNoiseFields);
-  return table;
-}
-
-template <>
-const std::vector<Field<avo::LocalizationNoise>>& fields() {
-  static const auto table = listed(avo::kLocalizationNoiseFields);
-  return table;
-}
-
-template <>
-const std::vector<Field<avo::SensingError>>& fields() {
-  static const auto table = listed(avo::kSensingErrorFields);
-  return table;
-}
-
-template <>
-const std::vector<Field<avo::MovingObstacle>>& fields() {
-  static const auto table = listed(avo::kMoverFields);
-  return table;
-}
+template const std::vector<Field<avo::RobotSetup>>& fields();
+template const std::vector<Field<avo::Car>>& fields();
+template const std::vector<Field<avo::CarBody>>& fields();
+template const std::vector<Field<avo::DifferentialDrive>>& fields();
+template const std::vector<Field<avo::Airplane>>& fields();
+template const std::vector<Field<avo::Scenario>>& fields();
+template const std::vector<Field<avo::SensingModel>>& fields();
+template const std::vector<Field<avo::MeasurementNoise>>& fields();
+template const std::vector<Field<avo::LocalizationNoise>>& fields();
+template const std::vector<Field<avo::SensingError>>& fields();
+template const std::vector<Field<avo::MovingObstacle>>& fields();
+template const std::vector<Field<avo::space::RobotSetup>>& fields();
+template const std::vector<Field<avo::space::Quadrotor>>& fields();
+template const std::vector<Field<avo::space::Scenario>>& fields();
+template const std::vector<Field<avo::space::MovingObstacle>>& fields();
 
 }  // namespace avo_io

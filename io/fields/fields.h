@@ -16,6 +16,7 @@
 #include "core/ranges.h"
 #include "fields/field.h"
 #include "fields/robot_fields.h"
+#include "fields/space_fields.h"
 #include "io/scene/scene_parts.h"
 #include "io/space/space_parts.h"
 
@@ -29,130 +30,15 @@ using avo::kRequired;
 using avo::MemberOf;
 using avo::Need;
 
-/// The kinds of values that T may have.
 template <class T>
 struct MembersOf : avo::MembersOf<T> {};
-template <>
-struct MembersOf<FootprintShape> {
-  using type = MemberOf<FootprintShape, double, std::optional<double>, std::vector<avo::Vec2>>;
-};
-template <>
-struct MembersOf<AntipodalGoals> {
-  using type = MemberOf<AntipodalGoals>;
-};
-template <>
-struct MembersOf<PermutationGoals> {
-  using type = MemberOf<PermutationGoals>;
-};
-template <>
-struct MembersOf<GridPlacement> {
-  using type = MemberOf<GridPlacement, double, avo::Vec2, int>;
-};
 template <>
 struct MembersOf<FormationGoals> {
   using type = MemberOf<FormationGoals, double, avo::Vec2, avo::Formation>;
 };
 template <>
-struct MembersOf<avo::Queue> {
-  using type = MemberOf<avo::Queue, double, std::optional<double>, std::vector<avo::Vec2>>;
-};
-template <>
-struct MembersOf<avo::Follow> {
-  using type = MemberOf<avo::Follow, double, std::vector<avo::Vec2>>;
-};
-template <>
-struct MembersOf<avo::Patrol> {
-  using type = MemberOf<avo::Patrol, double, std::vector<avo::Vec2>>;
-};
-template <>
-struct MembersOf<avo::Flow> {
-  using type = MemberOf<avo::Flow, double, std::vector<avo::Vec2>>;
-};
-template <>
-struct MembersOf<Group> {
-  using type = MemberOf<Group, int, double>;
-};
-template <>
-struct MembersOf<RobotsFrom> {
-  using type = MemberOf<RobotsFrom, std::string, int>;
-};
-template <>
-struct MembersOf<PolylineObstacle> {
-  using type = MemberOf<PolylineObstacle, std::vector<avo::Vec2>, avo::LayerSet>;
-};
-template <>
-struct MembersOf<PolygonObstacle> {
-  using type = MemberOf<PolygonObstacle, std::vector<avo::Vec2>, bool, avo::LayerSet>;
-};
-template <>
-struct MembersOf<DiscObstacle> {
-  using type = MemberOf<DiscObstacle, avo::LayerSet>;
-};
-template <>
-struct MembersOf<WktObstacle> {
-  using type = MemberOf<WktObstacle, avo::Fill, avo::LayerSet>;
-};
-template <>
-struct MembersOf<WktFileObstacle> {
-  using type = MemberOf<WktFileObstacle, std::string, avo::Fill, avo::LayerSet>;
-};
-template <>
-struct MembersOf<GeojsonObstacle> {
-  using type = MemberOf<GeojsonObstacle, std::string, avo::Fill, avo::LayerSet>;
-};
-template <>
-struct MembersOf<MapObstacle> {
-  using type = MemberOf<MapObstacle, std::string, double, avo::Vec2, avo::LayerSet>;
-};
-template <>
-struct MembersOf<RosMapObstacle> {
-  using type = MemberOf<RosMapObstacle, std::string, avo::LayerSet>;
-};
-template <>
 struct MembersOf<RosMap> {
   using type = MemberOf<RosMap, std::string, double, RosMode>;
-};
-template <>
-struct MembersOf<avo::space::RobotSetup> {
-  using type = MemberOf<avo::space::RobotSetup, double, std::optional<double>, avo::Vec3>;
-};
-template <>
-struct MembersOf<avo::space::MovingObstacle> {
-  using type = MemberOf<avo::space::MovingObstacle, double, std::optional<double>, avo::Vec3>;
-};
-template <>
-struct MembersOf<avo::space::Quadrotor> {
-  using type = MemberOf<avo::space::Quadrotor, double, std::optional<double>>;
-};
-template <>
-struct MembersOf<avo::space::Scenario> {
-  using type =
-      MemberOf<avo::space::Scenario, double, std::optional<double>, std::optional<int>,
-               std::uint64_t, std::string, bool, std::optional<avo::Certificate>, avo::Motion>;
-};
-template <>
-struct MembersOf<SpaceGroup> {
-  using type = MemberOf<SpaceGroup, int, double>;
-};
-template <>
-struct MembersOf<SpherePlacement> {
-  using type = MemberOf<SpherePlacement, double, avo::Vec3>;
-};
-template <>
-struct MembersOf<BoxPlacement> {
-  using type = MemberOf<BoxPlacement, double, avo::Vec3>;
-};
-template <>
-struct MembersOf<SpaceGridPlacement> {
-  using type = MemberOf<SpaceGridPlacement, double, int, avo::Vec3>;
-};
-template <>
-struct MembersOf<SpaceBox> {
-  using type = MemberOf<SpaceBox, double, avo::Vec3>;
-};
-template <>
-struct MembersOf<SpaceOffset> {
-  using type = MemberOf<SpaceOffset, avo::Vec3>;
 };
 template <class T>
 using Member = typename MembersOf<T>::type;
@@ -178,26 +64,39 @@ auto by_name(Choice first, Others... others) {
   };
   return std::array{named(first), named(others)...};
 }
-inline const auto kMethods =
+/// The words of an enum in scene files, in the order of the documentation.
+template <class Choice>
+inline constexpr std::array<std::pair<std::string_view, Choice>, 0> kWords{};
+template <>
+inline const auto kWords<avo::Method> =
     by_name(avo::Method::avo, avo::Method::avo_paper, avo::Method::velocity_obstacle,
             avo::Method::orca, avo::Method::orca_clamped, avo::Method::reciprocal_velocity_obstacle,
             avo::Method::buffered_voronoi, avo::Method::external, avo::Method::external_clamped);
-inline const auto kCertificates =
-    by_name(avo::Certificate::none, avo::Certificate::braking_trajectories);
-inline const auto kMotions = by_name(avo::Motion::held, avo::Motion::exponential);
-inline const auto kClocks = by_name(avo::Clock::common, avo::Clock::free);
-inline const auto kRightsOfWay = by_name(avo::RightOfWay::none, avo::RightOfWay::seen);
-inline constexpr std::array<std::pair<std::string_view, avo::NoiseDistribution>, 2> kDistributions{
-    {{"gaussian", avo::NoiseDistribution::gaussian}, {"uniform", avo::NoiseDistribution::uniform}}};
-inline const auto kAccelerationSets =
-    by_name(avo::AccelerationSet::incircle, avo::AccelerationSet::exact);
+template <>
+inline const auto kWords<avo::Certificate> = by_name(avo::Certificate::none,
+                                                     avo::Certificate::braking_trajectories);
+template <>
+inline const auto kWords<avo::Motion> = by_name(avo::Motion::held, avo::Motion::exponential);
+template <>
+inline const auto kWords<avo::Clock> = by_name(avo::Clock::common, avo::Clock::free);
+template <>
+inline const auto kWords<avo::RightOfWay> = by_name(avo::RightOfWay::none, avo::RightOfWay::seen);
+template <>
+inline const auto kWords<avo::NoiseDistribution> = by_name(avo::NoiseDistribution::gaussian,
+                                                           avo::NoiseDistribution::uniform);
+template <>
+inline const auto kWords<avo::AccelerationSet> = by_name(avo::AccelerationSet::incircle,
+                                                         avo::AccelerationSet::exact);
 
-inline const auto kBehaviors =
-    by_name(avo::Behavior::decides, avo::Behavior::cooperates, avo::Behavior::moves_on);
-inline const auto kFormations =
-    by_name(avo::Formation::line, avo::Formation::column, avo::Formation::wedge,
-            avo::Formation::block, avo::Formation::ring);
-inline const auto kAfterGoals = by_name(avo::AfterGoal::loiter, avo::AfterGoal::leave);
+template <>
+inline const auto kWords<avo::Behavior> = by_name(avo::Behavior::decides, avo::Behavior::cooperates,
+                                                  avo::Behavior::moves_on);
+template <>
+inline const auto kWords<avo::Formation> = by_name(avo::Formation::line, avo::Formation::column,
+                                                   avo::Formation::wedge, avo::Formation::block,
+                                                   avo::Formation::ring);
+template <>
+inline const auto kWords<avo::AfterGoal> = by_name(avo::AfterGoal::loiter, avo::AfterGoal::leave);
 
 /// The alternatives of avo::MotionModel, in their order.
 enum class ModelKind : std::uint8_t { holonomic, car, differential_drive, airplane };
@@ -212,9 +111,11 @@ constexpr std::string_view model_name(ModelKind kind) {
 inline constexpr std::array<std::pair<std::string_view, GroupHeading>, 2> kHeadings{
     {{"goal", GroupHeading::goal}, {"random", GroupHeading::random}}};
 
-inline constexpr std::array<std::pair<std::string_view, avo::Fill>, 2> kFills{
+template <>
+inline constexpr std::array<std::pair<std::string_view, avo::Fill>, 2> kWords<avo::Fill>{
     {{"solid", avo::Fill::solid}, {"bounds", avo::Fill::bounds}}};
-inline constexpr std::array<std::pair<std::string_view, RosMode>, 3> kRosModes{
+template <>
+inline constexpr std::array<std::pair<std::string_view, RosMode>, 3> kWords<RosMode>{
     {{"trinary", RosMode::trinary}, {"scale", RosMode::scale}, {"raw", RosMode::raw}}};
 
 template <class T>

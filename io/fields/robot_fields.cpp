@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The fields of robots for other programs and for groups, and those of footprints.
-#include "avo_io/robot_fields.h"
-
+// The fields of robots and scenes for other programs, of robots for groups, and of footprints.
+#include "avo_io/fields.h"
+#include "fields/planner_fields.h"
 #include "io/fields/fields.h"
 
 namespace avo_io {
@@ -11,13 +11,34 @@ using avo::kNotNegative;
 using avo::kPositive;
 using avo::RobotSetup;
 
-std::vector<RobotField> robot_fields() {
-  std::vector<RobotField> result;
-  avo::for_each_member(avo::kRobotFields, [&](const auto& field, auto member) {
-    result.push_back(
+namespace {
+
+template <class Listed>
+std::vector<Listed> listed() {
+  std::vector<Listed> all;
+  avo::for_each_member(avo::kFields<typename Listed::Struct>, [&](const auto& field, auto member) {
+    all.push_back(
         {field.key, member, field.need == kRequired, field.unit, field.doc, field.default_text});
   });
-  return result;
+  return all;
+}
+
+}  // namespace
+
+std::vector<RobotField> robot_fields() {
+  return listed<RobotField>();
+}
+std::vector<PlannerField> planner_fields() {
+  return listed<PlannerField>();
+}
+std::vector<SceneField> scene_fields() {
+  return listed<SceneField>();
+}
+std::vector<SpaceRobotField> space_robot_fields() {
+  return listed<SpaceRobotField>();
+}
+std::vector<SpaceSceneField> space_scene_fields() {
+  return listed<SpaceSceneField>();
 }
 
 const std::vector<Field<RobotSetup>>& group_robot_fields() {

@@ -211,15 +211,7 @@ std::string Reader::name(const YamlNode& node, const std::string& path,
 void Reader::set(double& value, const YamlNode& node, const Path& path, const Rule& rule) const {
   value = number(node, path, rule.range, rule.unit);
 }
-void Reader::set(std::optional<double>& value, const YamlNode& node, const Path& path,
-                 const Rule& rule) const {
-  value = number(node, path, rule.range, rule.unit);
-}
 void Reader::set(int& value, const YamlNode& node, const Path& path, const Rule& rule) const {
-  value = static_cast<int>(whole_number(node, path, rule.range));
-}
-void Reader::set(std::optional<int>& value, const YamlNode& node, const Path& path,
-                 const Rule& rule) const {
   value = static_cast<int>(whole_number(node, path, rule.range));
 }
 void Reader::set(std::uint64_t& value, const YamlNode& node, const Path& path,
@@ -236,63 +228,11 @@ void Reader::set(avo::Vec2& value, const YamlNode& node, const Path& path, const
 void Reader::set(avo::Vec3& value, const YamlNode& node, const Path& path, const Rule& rule) const {
   value = place(node, path, rule.range, rule.unit);
 }
-void Reader::set(avo::Method& value, const YamlNode& node, const Path& path, const Rule&) const {
-  value = choice(node, path, kMethods);
-}
-void Reader::set(std::optional<avo::Method>& value, const YamlNode& node, const Path& path,
-                 const Rule&) const {
-  value = choice(node, path, kMethods);
-}
-void Reader::set(std::optional<avo::Certificate>& value, const YamlNode& node, const Path& path,
-                 const Rule&) const {
-  value = choice(node, path, kCertificates);
-}
-void Reader::set(avo::Motion& value, const YamlNode& node, const Path& path, const Rule&) const {
-  value = choice(node, path, kMotions);
-}
-void Reader::set(avo::Clock& value, const YamlNode& node, const Path& path, const Rule&) const {
-  value = choice(node, path, kClocks);
-}
-void Reader::set(avo::RightOfWay& value, const YamlNode& node, const Path& path,
-                 const Rule&) const {
-  value = choice(node, path, kRightsOfWay);
-}
-void Reader::set(avo::NoiseDistribution& value, const YamlNode& node, const Path& path,
-                 const Rule&) const {
-  value = choice(node, path, kDistributions);
-}
-
-void Reader::set(avo::AccelerationSet& value, const YamlNode& node, const Path& path,
-                 const Rule&) const {
-  value = choice(node, path, kAccelerationSets);
-}
-
-void Reader::set(avo::Behavior& value, const YamlNode& node, const Path& path, const Rule&) const {
-  value = choice(node, path, kBehaviors);
-}
-
-void Reader::set(avo::AfterGoal& value, const YamlNode& node, const Path& path, const Rule&) const {
-  value = choice(node, path, kAfterGoals);
-}
-void Reader::set(avo::Formation& value, const YamlNode& node, const Path& path, const Rule&) const {
-  value = choice(node, path, kFormations);
-}
-
-void Reader::set(avo::Fill& value, const YamlNode& node, const Path& path, const Rule&) const {
-  value = choice(node, path, kFills);
-}
-void Reader::set(RosMode& value, const YamlNode& node, const Path& path, const Rule&) const {
-  value = choice(node, path, kRosModes);
-}
 void Reader::set(avo::LayerSet& value, const YamlNode& node, const Path& path,
                  const Rule& rule) const {
   value = layers(node, path, rule.range);
 }
 void Reader::set(bool& value, const YamlNode& node, const Path& path, const Rule&) const {
-  value = truth(node, path);
-}
-void Reader::set(std::optional<bool>& value, const YamlNode& node, const Path& path,
-                 const Rule&) const {
   value = truth(node, path);
 }
 void Reader::set(std::vector<avo::Vec2>& value, const YamlNode& node, const Path& path,

@@ -3,6 +3,7 @@
 #pragma once
 #include <cstddef>
 #include <fmt/format.h>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <type_traits>
@@ -97,36 +98,23 @@ class Reader {
   };
   using Path = std::string;
   void set(double& value, const YamlNode& node, const Path& path, const Rule& rule) const;
-  void set(std::optional<double>& value, const YamlNode& node, const Path& path,
-           const Rule& rule) const;
   void set(int& value, const YamlNode& node, const Path& path, const Rule& rule) const;
-  void set(std::optional<int>& value, const YamlNode& node, const Path& path,
-           const Rule& rule) const;
   void set(std::uint64_t& value, const YamlNode& node, const Path& path, const Rule& rule) const;
   void set(std::string& value, const YamlNode& node, const Path& path, const Rule& rule) const;
   void set(avo::Vec2& value, const YamlNode& node, const Path& path, const Rule& rule) const;
   void set(avo::Vec3& value, const YamlNode& node, const Path& path, const Rule& rule) const;
-  void set(avo::Method& value, const YamlNode& node, const Path& path, const Rule& rule) const;
-  void set(std::optional<avo::Method>& value, const YamlNode& node, const Path& path,
-           const Rule& rule) const;
-  void set(std::optional<avo::Certificate>& value, const YamlNode& node, const Path& path,
-           const Rule& rule) const;
-  void set(avo::Motion& value, const YamlNode& node, const Path& path, const Rule& rule) const;
-  void set(avo::Clock& value, const YamlNode& node, const Path& path, const Rule& rule) const;
-  void set(avo::RightOfWay& value, const YamlNode& node, const Path& path, const Rule& rule) const;
-  void set(avo::Fill& value, const YamlNode& node, const Path& path, const Rule& rule) const;
-  void set(RosMode& value, const YamlNode& node, const Path& path, const Rule& rule) const;
-  void set(avo::NoiseDistribution& value, const YamlNode& node, const Path& path,
-           const Rule& rule) const;
-  void set(avo::Behavior& value, const YamlNode& node, const Path& path, const Rule& rule) const;
-  void set(avo::Formation& value, const YamlNode& node, const Path& path, const Rule& rule) const;
-  void set(avo::AfterGoal& value, const YamlNode& node, const Path& path, const Rule& rule) const;
-  void set(avo::AccelerationSet& value, const YamlNode& node, const Path& path,
-           const Rule& rule) const;
+  template <class Choice>
+  requires std::is_enum_v<Choice>
+  void set(Choice& value, const YamlNode& node, const Path& path, const Rule&) const {
+    value = choice(node, path, kWords<Choice>);
+  }
+  template <class Value>
+  void set(std::optional<Value>& value, const YamlNode& node, const Path& path,
+           const Rule& rule) const {
+    set(value.emplace(), node, path, rule);
+  }
   void set(avo::LayerSet& value, const YamlNode& node, const Path& path, const Rule& rule) const;
   void set(bool& value, const YamlNode& node, const Path& path, const Rule& rule) const;
-  void set(std::optional<bool>& value, const YamlNode& node, const Path& path,
-           const Rule& rule) const;
   void set(std::vector<avo::Vec2>& value, const YamlNode& node, const Path& path,
            const Rule& rule) const;
   void set(std::vector<avo::TimedPlace>& value, const YamlNode& node, const Path& path,

@@ -305,9 +305,8 @@ void require_plane(Document& document) {
       document.root.kind == YamlNode::Kind::map ? document.root.find(kSpace) : nullptr;
   if (space == nullptr) return;
   if (space->kind != YamlNode::Kind::text || space->text != "2")
-    Reader(document).fail(
-        *space, std::string(kSpace), shown(*space),
-        "must be 2 here; generate, lab and reports of sweeps have the plane alone");
+    Reader(document).fail(*space, std::string(kSpace), shown(*space),
+                          "must be 2 here; generate and reports of sweeps have the plane alone");
   for (std::size_t k = 0; k + 1 < children.size(); k += 2) {
     if (children[k].text != kSpace) continue;
     children.erase(children.begin() + static_cast<std::ptrdiff_t>(k),

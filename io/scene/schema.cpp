@@ -1,184 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
-// The table of fields as JSON Schema (draft 2020-12), for editors and other programs.
-#include <fmt/format.h>
+// The JSON Schema of scene files, for editors and other programs.
 #include <string>
-#include <type_traits>
 #include <utility>
 #include <variant>
 #include <vector>
 
 #include "avo_io/scene.h"
-#include "io/fields/fields.h"
 #include "io/fields/kinds.h"
-#include "io/text/json.h"
+#include "io/scene/schema_parts.h"
 
 namespace avo_io {
 namespace {
-
-Json number_schema(const avo::Range& range) {
-  Json json{{"type", "number"}};
-  json[range.open_min ? "exclusiveMinimum" : "minimum"] = range.min;
-  json["maximum"] = range.max;
-  return json;
-}
-
-Json whole_number_schema(const avo::Range& range) {
-  Json json{{"type", "integer"}};
-  json["minimum"] = static_cast<std::int64_t>(range.min);
-  if (range.max < 9e18)
-    json["maximum"] = static_cast<std::int64_t>(range.max);
-  else
-    json["maximum"] = UINT64_MAX;
-  return json;
-}
-
-Json point_schema(const avo::Range& range) {
-  return {{"type", "array"},
-          {"prefixItems", {number_schema(range), number_schema(range)}},
-          {"items", false},
-          {"minItems", 2}};
-}
-
-template <class Names>
-Json names_schema(const Names& names) {
-  Json json = Json::array();
-  for (const auto& [name, value] : names) json.push_back(name);
-  return {{"enum", json}};
-}
-
-template <class Names, class Value>
-std::string value_name(const Names& names, Value value) {
-  for (const auto& [name, candidate] : names)
-    if (candidate == value) return std::string(name);
-  return "";
-}
-
-/// The schema of one value, and its default.
-struct ValueSchema {
-  Json schema, default_value;
-};
-ValueSchema describe(double value, const avo::Range& range) {
-  return {number_schema(range), value};
-}
-ValueSchema describe(const std::optional<double>&, const avo::Range& range) {
-  return {number_schema(range), nullptr};
-}
-ValueSchema describe(int value, const avo::Range& range) {
-  return {whole_number_schema(range), value};
-}
-ValueSchema describe(const std::optional<int>&, const avo::Range& range) {
-  return {whole_number_schema(range), nullptr};
-}
-ValueSchema describe(std::uint64_t value, const avo::Range& range) {
-  return {whole_number_schema(range), value};
-}
-ValueSchema describe(const std::string& value, const avo::Range& range) {
-  return {{{"type", "string"},
-           {"minLength", static_cast<std::int64_t>(range.min)},
-           {"maxLength", static_cast<std::int64_t>(range.max)}},
-          value};
-}
-ValueSchema describe(avo::Vec2 value, const avo::Range& range) {
-  return {point_schema(range), Json::array({value.x, value.y})};
-}
-ValueSchema describe(avo::Method value, const avo::Range&) {
-  return {names_schema(kMethods), value_name(kMethods, value)};
-}
-ValueSchema describe(const std::optional<avo::Method>&, const avo::Range&) {
-  return {names_schema(kMethods), nullptr};
-}
-ValueSchema describe(avo::Motion value, const avo::Range&) {
-  return {names_schema(kMotions), value_name(kMotions, value)};
-}
-ValueSchema describe(avo::Clock value, const avo::Range&) {
-  return {names_schema(kClocks), value_name(kClocks, value)};
-}
-ValueSchema describe(avo::RightOfWay value, const avo::Range&) {
-  return {names_schema(kRightsOfWay), value_name(kRightsOfWay, value)};
-}
-ValueSchema describe(avo::NoiseDistribution value, const avo::Range&) {
-  return {names_schema(kDistributions), value_name(kDistributions, value)};
-}
-ValueSchema describe(avo::AccelerationSet value, const avo::Range&) {
-  return {names_schema(kAccelerationSets), value_name(kAccelerationSets, value)};
-}
-ValueSchema describe(avo::Behavior value, const avo::Range&) {
-  return {names_schema(kBehaviors), value_name(kBehaviors, value)};
-}
-ValueSchema describe(avo::AfterGoal value, const avo::Range&) {
-  return {names_schema(kAfterGoals), value_name(kAfterGoals, value)};
-}
-ValueSchema describe(avo::Formation value, const avo::Range&) {
-  return {names_schema(kFormations), value_name(kFormations, value)};
-}
-ValueSchema describe(const std::optional<avo::Certificate>&, const avo::Range&) {
-  return {names_schema(kCertificates), nullptr};
-}
-
-ValueSchema describe(bool value, const avo::Range&) {
-  return {{{"type", "boolean"}}, value};
-}
-ValueSchema describe(avo::LayerSet value, const avo::Range& range) {
-  Json layers = Json::array();
-  for (int k = 0; k < 32; ++k)
-    if ((value.bits >> k & 1U) != 0) layers.push_back(k);
-  return {{{"type", "array"}, {"items", whole_number_schema(range)}, {"uniqueItems", true}},
-          layers};
-}
-ValueSchema describe(const std::optional<bool>&, const avo::Range&) {
-  return {{{"type", "boolean"}}, nullptr};
-}
-ValueSchema describe(avo::Fill value, const avo::Range&) {
-  return {names_schema(kFills), value_name(kFills, value)};
-}
-ValueSchema describe(const std::vector<avo::TimedPlace>&, const avo::Range& range) {
-  const Json number = number_schema(range);
-  const Json place{{"type", "array"},
-                   {"prefixItems", {number, number, number}},
-                   {"items", false},
-                   {"minItems", 3}};
-  return {{{"type", "array"}, {"items", place}, {"minItems", 1}}, nullptr};
-}
-ValueSchema describe(const std::vector<avo::Vec2>&, const avo::Range& range) {
-  return {{{"type", "array"}, {"items", point_schema(range)}, {"minItems", 2}}, nullptr};
-}
-
-template <class T>
-Json value_schema(const Field<T>& field) {
-  static const T defaults{};
-  const auto visitor = [&](auto member) -> Json {
-    if constexpr (std::is_same_v<decltype(member), std::monostate>) {
-      return Json::object();
-    } else {
-      auto [schema, default_value] = describe(defaults.*member, field.range);
-      if (field.need == Need::optional && field.default_text.empty())
-        schema["default"] = default_value;
-      return schema;
-    }
-  };
-  return std::visit(visitor, field.member);
-}
-
-/// Returns the schema of a map with the fields of the table and no others; `nested` has the schemas
-/// of values that have keys of their own.
-template <class T>
-Json map_schema(const std::vector<Field<T>>& table, const Json& nested = Json::object()) {
-  Json properties = Json::object();
-  Json required = Json::array();
-  for (const Field<T>& field : table) {
-    const std::string key(field.key);
-    std::string doc(field.doc);
-    if (!field.unit.empty()) doc += fmt::format(" ({})", field.unit);
-    if (!field.default_text.empty()) doc += fmt::format("; omitted: {}", field.default_text);
-    Json json{{"description", doc}};
-    json.update(nested.contains(key) ? nested[key] : value_schema(field));
-    properties[key] = json;
-    if (field.need == Need::required) required.push_back(key);
-  }
-  Json json{{"type", "object"}, {"properties", properties}, {"additionalProperties", false}};
-  if (!required.empty()) json["required"] = required;
-  return json;
-}
 
 template <class Kind>
 bool name_suffices() {
@@ -208,10 +40,6 @@ Json kinds_schema(const std::variant<Kinds...>*) {
            {"maxProperties", 1}};
   if (names.empty()) return map;
   return {{"oneOf", Json::array({Json{{"enum", names}}, map})}};
-}
-
-Json list_schema(const char* definition) {
-  return {{"type", "array"}, {"items", {{"$ref", std::string("#/$defs/") + definition}}}};
 }
 
 /// Returns the schema of a body that is no disc: a rectangle or a polygon.
@@ -274,19 +102,13 @@ Json entry_schema(const std::variant<Kinds...>*) {
 Json moving_obstacle_schema() {
   Json json = map_schema(fields<avo::MovingObstacle>(),
                          {{"trajectory_file", {{"type", "string"}, {"minLength", 1}}}});
-  Json ways = Json::array();
-  for (const char* key : {"position", "trajectory", "trajectory_file"})
-    ways.push_back({{"required", Json::array({key})}});
-  json["oneOf"] = ways;
+  json["oneOf"] = maps_with({"position", "trajectory", "trajectory_file"});
   return json;
 }
 
-Json schema() {
-  const Json alike = alike_schema();
-  Json json{{"$schema", "https://json-schema.org/draft/2020-12/schema"},
-            {"title", "avo scene"},
-            {"description", "Robots, obstacles, and how they are simulated. SI units."}};
-  json.update(map_schema(
+/// Returns the schema of a scene of the plane, without definitions.
+Json plane_schema(const Json& alike) {
+  Json json = map_schema(
       fields<avo::Scenario>(),
       {{"version", {{"const", 1}}},
        {"robots", list_schema("robot")},
@@ -297,17 +119,30 @@ Json schema() {
                                {"localization", map_schema(fields<avo::LocalizationNoise>())}})},
        {"sensing_error", map_schema(fields<avo::SensingError>())},
        {"moving_obstacles", list_schema("moving_obstacle")},
-       {"obstacles", list_schema("obstacle")}}));
+       {"obstacles", list_schema("obstacle")}});
   json["anyOf"] = {
       {{"required", {"robots"}}, {"properties", {{"robots", {{"minItems", 1}}}}}},
       {{"required", {"groups"}}, {"properties", {{"groups", {{"minItems", 1}}}}}},
       {{"required", {"robots_from"}}},
   };
-  const Json heading = number_schema(kHeadingField.range);
+  return json;
+}
+
+Json schema() {
+  const Json alike = alike_schema(), heading = number_schema(kHeadingField.range);
+  const Json obstacle = entry_schema(static_cast<const ObstacleEntry*>(nullptr));
+  Json json{{"$schema", "https://json-schema.org/draft/2020-12/schema"},
+            {"title", "avo scene"},
+            {"description", "Robots, obstacles, and how they are simulated. SI units."},
+            {"type", "object"},
+            {"if", {{"properties", {{"space", {{"const", 3}}}}}, {"required", {"space"}}}},
+            {"then", {{"$ref", "#/$defs/space"}}},
+            {"else", plane_schema(alike)}};
   json["$defs"] = {{"robot", map_schema(fields<avo::RobotSetup>(), nested_of_robots(heading))},
                    {"group", group_schema(alike)},
                    {"moving_obstacle", moving_obstacle_schema()},
-                   {"obstacle", entry_schema(static_cast<const ObstacleEntry*>(nullptr))}};
+                   {"obstacle", obstacle}};
+  json["$defs"].update(space_definitions(obstacle));
   return json;
 }
 
@@ -319,8 +154,8 @@ std::string scenario_schema() {
 
 std::vector<SceneSetting> scene_settings() {
   std::vector<SceneSetting> settings;
-  const Json all = schema();
-  for (const auto& [key, value] : all["properties"].items()) {
+  const Json plane = plane_schema(alike_schema());
+  for (const auto& [key, value] : plane["properties"].items()) {
     const std::string type = value.value("type", "");
     if (type == "array" || type == "object" || key == "version") continue;
     SceneSetting setting{key, {}};

@@ -100,7 +100,8 @@ Vec3 offset(double jitter, Random& random) {
 std::vector<std::size_t> permuted(std::size_t count, Random& random) {
   std::vector<std::size_t> order(count);
   std::iota(order.begin(), order.end(), std::size_t{0});
-  for (std::size_t k = count; k-- > 1;) std::swap(order[k], order[random.below(k)]);
+  for (std::size_t k = count; k-- > 1;)
+    std::swap(order[k], order[static_cast<std::size_t>(random.below(k))]);
   return order;
 }
 

@@ -24,6 +24,22 @@ void SpaceClearances::find(const BlockShape& shape, std::size_t time, RecordingB
   order_.clear();
   for (std::size_t i = 0; i < shape.robots; ++i)
     if (block.status[time * shape.robots + i] != kAbsent) order_.push_back(i);
+  find_among(x, y, z, clearance);
+}
+
+void SpaceClearances::find(std::span<const avo::space::Robot> robots, std::span<float> clearance) {
+  x_.clear(), y_.clear(), z_.clear(), order_.clear();
+  for (const avo::space::Robot& robot : robots) {
+    order_.push_back(x_.size());
+    x_.push_back(robot.position.x);
+    y_.push_back(robot.position.y);
+    z_.push_back(robot.position.z);
+  }
+  find_among(x_.data(), y_.data(), z_.data(), clearance.data());
+}
+
+void SpaceClearances::find_among(const double* x, const double* y, const double* z,
+                                 float* clearance) {
   std::sort(order_.begin(), order_.end(),
             [x](std::size_t a, std::size_t b) { return x[a] < x[b] || (x[a] == x[b] && a < b); });
   for (std::size_t k = 0; k < order_.size(); ++k) {

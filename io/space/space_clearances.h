@@ -2,8 +2,10 @@
 // How far each robot of a fleet in space is from the nearest other one.
 #pragma once
 #include <cstddef>
+#include <span>
 #include <vector>
 
+#include "avo/space/robot.h"
 #include "avo/space/scenario.h"
 #include "io/recording/recording_blocks.h"
 
@@ -17,14 +19,20 @@ class SpaceClearances {
   /// robot, downwash included; less than 0: they overlap; infinite: there is no other robot;
   /// not a number: it is not there.
   void find(const BlockShape& shape, std::size_t time, RecordingBlock& block);
+  /// Fills the clearances of all robots of the scene at their present places, m.
+  void find(std::span<const avo::space::Robot> robots, std::span<float> clearance);
 
  private:
+  // of those in order_
+  void find_among(const double* x, const double* y, const double* z, float* clearance);
+
   struct Body {
     double radius = 0.0, downwash = 0.0;  // m
   };
   std::vector<Body> bodies_;
   double largest_ = 0.0;            // m: the largest radius
   std::vector<std::size_t> order_;  // of the robots that are there, by x
+  std::vector<double> x_, y_, z_;   // m, of robots
 };
 
 }  // namespace avo_io

@@ -25,9 +25,7 @@ Converted write_csv(SpaceRows& rows, const std::string& output) {
   std::string lines;
   while (const SpaceMoment* moment = rows.next()) {
     lines.clear();
-    if (result.times == 0)
-      lines =
-          std::string(kSpaceCsvHeader) + std::string(moment->every > 1 ? kEveryColumn : "") + "\n";
+    if (result.times == 0) lines = space_csv_header(moment->every);
     append_csv_lines(*moment, lines);
     file.write(lines);
     count(*moment, result);

@@ -23,7 +23,7 @@ using avo::space::Robot;
 using avo::space::Scenario;
 using avo::space::Simulation;
 
-void require_explainable(const Scenario& scenario, std::int64_t robot, double time) {
+void require_explainable(const Scenario& scenario, std::int64_t robot) {
   // what is listed are the states of robots and boxes, not what a robot measured
   if (!scenario.sensing.is_exact())
     throw avo::Error("sensing: found errors, must be exact where a decision in space is explained");
@@ -33,6 +33,9 @@ void require_explainable(const Scenario& scenario, std::int64_t robot, double ti
   const auto robots = static_cast<std::int64_t>(scenario.robots.size());
   if (robot < 0 || robot >= robots)
     throw avo::Error(fmt::format("robot: found {}, must be 0 to {}", robot, robots - 1));
+}
+
+void require_time(const Scenario& scenario, double time) {
   if (!std::isfinite(time) || time < 0.0)
     throw avo::Error(fmt::format("time: found {}, must be finite and >= 0 s", time));
   if (time > scenario.duration * (1.0 + 1e-12))
@@ -97,15 +100,16 @@ Vec3 relative_place(const Robot& robot, const Neighbor& other, Vec3 v, double ti
 }
 
 void collect_half_spaces(const avo::PlannerOptions& options, SpaceDecision& decision) {
-  const avo::Horizon horizon(options.control_time, options.time_horizon, options.time_step);
   const Robot& self = decision.self;
+  const double time_horizon = own_time_horizon(self, options);
+  const avo::Horizon horizon(options.control_time, time_horizon, options.time_step);
   std::size_t most = decision.neighbors.size();
   if (options.max_neighbors)
     most = std::min(most, static_cast<std::size_t>(*options.max_neighbors));
   for (std::size_t k = 0; k < most; ++k) {
     const Neighbor& other = decision.neighbors[k];
     const Vec3 v = self.velocity - other.velocity;
-    const Vec3 p = relative_place(self, other, v, options.time_horizon);
+    const Vec3 p = relative_place(self, other, v, time_horizon);
     if (p == Vec3{}) continue;
     const PairAxes axes = axes_of(p, v);
     const avo::Pair pair{
@@ -164,19 +168,12 @@ void find_shaping(const avo::space::Planner& uncertified, const avo::space::Deto
 
 }  // namespace
 
-std::optional<SpaceDecision> explain_in_space(const Scenario& scenario, std::int64_t robot,
-                                              double time, int threads,
-                                              const std::function<bool(double time)>& go_on) {
-  require_explainable(scenario, robot, time);
+SpaceDecision explain_step(Simulation& simulation, std::int64_t robot) {
+  const Scenario& scenario = simulation.scenario();
+  require_explainable(scenario, robot);
   const auto k = static_cast<std::size_t>(robot);
-  Simulation simulation(scenario, threads);
   const avo::space::Planner planner(planner_options(scenario));
   avo::space::Detour memory;
-  const double step = scenario.time_step;
-  while (simulation.time() + step <= time * (1.0 + 1e-12)) {
-    if (go_on && !go_on(simulation.time())) return std::nullopt;
-    simulation.step();
-  }
   if (simulation.steps() > 0) memory.acceleration = simulation.plans()[k].acceleration;
   const std::vector<Robot> before(simulation.robots().begin(), simulation.robots().end());
   SpaceDecision decision;
@@ -201,6 +198,19 @@ std::optional<SpaceDecision> explain_in_space(const Scenario& scenario, std::int
   if (planner.options().certificate != avo::Certificate::none) find_refusing(planner, decision);
   decision.sentence = sentence_of(decision);
   return decision;
+}
+
+std::optional<SpaceDecision> explain_in_space(const Scenario& scenario, std::int64_t robot,
+                                              double time, int threads,
+                                              const std::function<bool(double time)>& go_on) {
+  require_explainable(scenario, robot);
+  require_time(scenario, time);
+  Simulation simulation(scenario, threads);
+  while (simulation.time() + scenario.time_step <= time * (1.0 + 1e-12)) {
+    if (go_on && !go_on(simulation.time())) return std::nullopt;
+    simulation.step();
+  }
+  return explain_step(simulation, robot);
 }
 
 }  // namespace avo_io

@@ -14,7 +14,7 @@ class SpaceCsvRecording final : public SpaceRecording {
  public:
   SpaceCsvRecording(const std::string& path, std::int64_t every) : SpaceRecording(path) {
     moment_.every = every;
-    file_.write(std::string(kSpaceCsvHeader) + std::string(every > 1 ? kEveryColumn : "") + "\n");
+    file_.write(space_csv_header(every));
   }
   void add(const avo::space::Simulation& simulation) override {
     moment_.time = simulation.time();

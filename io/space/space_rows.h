@@ -27,6 +27,8 @@ struct SpaceMoment {
 
 /// Appends the shortest digits that read back to the same bits.
 void append_number(double value, std::string& line);
+/// Returns the first line of CSV, whose last column is "every" if that is more than 1.
+std::string space_csv_header(std::int64_t every);
 /// Appends the lines of one time as CSV; the last column is "every" if that is more than 1.
 void append_csv_lines(const SpaceMoment& moment, std::string& lines);
 /// Appends one time to a block, which must have room for it; its robots are those of the shape.
@@ -40,6 +42,9 @@ class SpaceRowSource {
   virtual const SpaceMoment* next() = 0;
   [[nodiscard]] virtual std::string place() const = 0;
 };
+
+/// Reads CSV. Throws FileError, and RecordingError if it is no recording of space.
+std::unique_ptr<SpaceRowSource> space_csv_rows(const std::string& path);
 
 /// Reads a recording: CSV, HDF5 or a spool.
 class SpaceRows {

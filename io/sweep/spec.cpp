@@ -110,8 +110,8 @@ class SweepReader {
     const auto is_named = [&](const OwnMethod& method) { return method.name == node.text; };
     if (std::any_of(own.begin(), own.end(), is_named)) return node.text;
     constexpr std::size_t kExternal = 2;  // the last ones
-    return avo::to_string(
-        reader_.choice(node, path, std::span(kMethods).first(kMethods.size() - kExternal)));
+    const std::span words(kWords<avo::Method>);
+    return avo::to_string(reader_.choice(node, path, words.first(words.size() - kExternal)));
   }
 
   void read_parameters() {

@@ -5,7 +5,7 @@ import { addText, emptyBytes, taken } from "./bytes.ts";
 import { getText, instantiate, put } from "./instance.ts";
 import { readHeader, readTable, writeTable, type TableForm } from "./recordings.ts";
 import { readScene, Simulation } from "./simulation.ts";
-import type { BuiltinScene, RecordingHeader, SceneOptions, Setting } from "./types.ts";
+import type { BuiltinScene, Dimensions, RecordingHeader, SceneOptions, Setting } from "./types.ts";
 
 export { AvoError } from "./instance.ts";
 export { TABLE_ROW, TABLE_TIME, type TableForm } from "./recordings.ts";
@@ -26,7 +26,7 @@ export interface Library {
   readHeader(fields: Uint8Array): RecordingHeader;
   /** Reads a recording as CSV, part by part: whole times, see TABLE_TIME. Robots have numbers below `mostRobots`. Throws
    * AvoError in the words of `avo check`. */
-  readTable(name: string, file: Uint8Array, mostRobots: number): Iterable<Float64Array>;
+  readTable(name: string, file: Uint8Array, dimensions: Dimensions, mostRobots: number): Iterable<Float64Array>;
   /** Returns the lines of such times, as `avo run --record FILE.csv` writes them. */
   writeTable(times: Float64Array, form: TableForm): string;
   /** Throws AvoError, and then affects no other object. A text as bytes must be UTF-8. */
@@ -55,7 +55,7 @@ export async function load(source: BufferSource | WebAssembly.Module): Promise<L
       return getText(asked, asked.functions["builtin_text"]!()) || undefined;
     },
     readHeader: (fields) => readHeader(instantiate(module), fields), // which may be refused
-    readTable: (name, file, mostRobots) => readTable(instantiate(module, file), name, mostRobots),
+    readTable: (name, file, dimensions, mostRobots) => readTable(instantiate(module, file), name, dimensions, mostRobots),
     writeTable: (times, form) => writeTable(instance, times, form),
     simulate: (yaml, options = {}) => {
       const instance = instantiate(module);

@@ -3,17 +3,18 @@
 // of a time, and then TABLE_ROW of each of its rows.
 import { addText, emptyBytes, taken } from "./bytes.ts";
 import { get, getText, put, type Instance } from "./instance.ts";
-import type { RecordingHeader } from "./types.ts";
+import type { Dimensions, RecordingHeader } from "./types.ts";
 
 /** s, the steps from row to row, the number of rows. */
 export const TABLE_TIME = 3;
 /** The robot's number, x, y (m), vx, vy (m/s), heading (rad), speed along it (m/s). A heading that is NaN is none; where
- * a table is written, a speed that is NaN is that of the velocity. */
+ * a table is written, a speed that is NaN is that of the velocity. In space: the robot's number, x, y, z, vx, vy, vz. */
 export const TABLE_ROW = 7;
 
 /** `headings`: there are columns of headings and speeds. `every`: steps from row to row. `begins`: with the first line,
  * which names the columns. */
 export interface TableForm {
+  dimensions: Dimensions;
   headings: boolean;
   every: number;
   begins: boolean;
@@ -30,15 +31,16 @@ export function readHeader(instance: Instance, fields: Uint8Array): RecordingHea
   return header;
 }
 
-export function* readTable(instance: Instance, name: string, mostRobots: number): Generator<Float64Array> {
+export function* readTable(instance: Instance, name: string, dimensions: Dimensions, mostRobots: number): Generator<Float64Array> {
   const bytes = emptyBytes();
   addText(bytes, name);
   put(instance, taken(bytes));
-  instance.functions["open_table"]!(mostRobots);
+  instance.functions["open_table"]!(dimensions, mostRobots);
   for (let size; (size = instance.functions["read_table"]!()) > 0; ) yield new Float64Array(get(instance, size).buffer);
 }
 
-export function writeTable(instance: Instance, times: Float64Array, { headings, every, begins }: TableForm): string {
+export function writeTable(instance: Instance, times: Float64Array, form: TableForm): string {
+  const { dimensions, headings, every, begins } = form;
   put(instance, new Uint8Array(times.buffer, times.byteOffset, times.byteLength));
-  return getText(instance, instance.functions["write_table"]!(Number(headings), every, Number(begins)));
+  return getText(instance, instance.functions["write_table"]!(dimensions, Number(headings), every, Number(begins)));
 }

@@ -4,14 +4,17 @@ import { addText, addWhole, emptyBytes, taken } from "./bytes.ts";
 import { AvoError, fromImage, get, getText, imageOf, put } from "./instance.ts";
 import type { Instance } from "./instance.ts";
 import { momentOf } from "./moment.ts";
-import type { Box, BrakingPath, Contact, Moment, Outline, RobotSetup, SceneInfo, SceneOptions } from "./types.ts";
+import type { Box, BrakingPath, Contact, Dimensions, Moment, Outline, RobotSetup, SceneInfo, SceneOptions, VelocityCut } from "./types.ts";
 
 /** The most steps that are repeated if one fails. */
 const STEPS_BETWEEN_IMAGES = 256;
 /** m: beyond all obstacles; the scene of a single obstacle needs a robot. */
 const FAR = "[1e6, 1e6]";
 
+/** What a scene of space does not have throws AvoError there: edits, outlines(), admitted(), brakingPaths(),
+ * carriedInto(). */
 export class Simulation {
+  readonly dimensions: Dimensions;
   #module: WebAssembly.Module;
   #instance: Instance;
   // The state to return to if a call throws: the module cannot unwind.
@@ -22,6 +25,7 @@ export class Simulation {
   constructor(module: WebAssembly.Module, instance: Instance) {
     this.#module = module;
     this.#instance = instance;
+    this.dimensions = instance.functions["dimensions"]!() as Dimensions;
   }
 
   /** Does one step of all robots. Throws AvoError; the simulation is unchanged then. */
@@ -54,20 +58,27 @@ export class Simulation {
   }
 
   moment(): Moment {
-    return momentOf(get(this.#instance, this.#instance.functions["moment"]!()));
+    return momentOf(get(this.#instance, this.#instance.functions["moment"]!()), this.dimensions);
   }
 
   info(): SceneInfo {
     return JSON.parse(this.#text("info")) as SceneInfo;
   }
 
-  /** Returns everything that the future depends on, as Simulation::save() of the native library writes it. */
+  /** Returns everything that the future depends on, as Simulation::save() of the native library writes it. In space it
+   * is the memory of the module, for simulations of the same scene by the same module alone. */
   save(): Uint8Array {
+    if (this.dimensions === 3) return imageOf(this.#instance);
     return get(this.#instance, this.#instance.functions["save"]!());
   }
 
-  /** Continues from a state that a simulation of this scene has saved on any machine. */
+  /** Continues from a state that a simulation of this scene has saved; in the plane, on any machine. */
   restore(saved: Uint8Array): void {
+    if (this.dimensions === 3) {
+      this.#instance = fromImage(this.#module, saved);
+      this.#image = null;
+      return;
+    }
     this.#change(() => {
       put(this.#instance, saved);
       this.#instance.functions["restore"]!();
@@ -76,7 +87,9 @@ export class Simulation {
 
   /** Returns the text of `avo explain --json`. Throws AvoError for a robot that does not decide. */
   explain(robot: number): string {
-    return this.#read(() => this.#text("explain", robot));
+    if (this.dimensions === 2) return this.#read(() => this.#text("explain", robot));
+    const copy = fromImage(this.#module, new Uint8Array(this.#instance.memory.buffer));  // which takes the step
+    return getText(copy, copy.functions["explain"]!(robot));
   }
 
   /** Returns the text of `avo run --json` so far; "null" without `metrics`, and once a state was restored. */
@@ -84,7 +97,7 @@ export class Simulation {
     return this.#text("summary") || "null";
   }
 
-  /** Returns the discs that overlap now, each pair once. */
+  /** Returns the bodies that overlap now, each pair once. */
   contacts(): Contact[] {
     return this.#read(() => JSON.parse(this.#text("contacts")) as Contact[]);
   }
@@ -101,6 +114,14 @@ export class Simulation {
     return this.#read(() => {
       const size = this.#instance.functions["admitted"]!(robot, left, bottom, right, top, columns, rows);
       return get(this.#instance, size);
+    });
+  }
+
+  /** Does the same for a scene of space, on a plane through the velocities; the box is on its two axes. */
+  admittedInCut(robot: number, { place, along, across }: VelocityCut, box: Box, columns: number, rows: number): Uint8Array {
+    return this.#read(() => {
+      put(this.#instance, new Uint8Array(Float64Array.of(...place, ...along, ...across, ...box).buffer));
+      return get(this.#instance, this.#instance.functions["admitted_in_cut"]!(robot, columns, rows));
     });
   }
 

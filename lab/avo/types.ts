@@ -8,6 +8,9 @@ export interface SceneFile {
   builtin: boolean;
 }
 
+/** Of the plane, or of space: vectors have so many numbers. */
+export type Dimensions = 2 | 3;
+
 export interface SceneOptions {
   /** The name stands in front of messages; a scene without a name takes it. */
   name?: string;
@@ -34,6 +37,7 @@ export interface RecordedScene {
 
 /** The facts that a recording stores about itself. */
 export interface RecordingHeader {
+  dimensions: Dimensions;
   robots: number; // upper bound of their numbers
   every: number; // steps of the run from row to row
   headings: boolean; // whether any robot may have a heading
@@ -52,9 +56,10 @@ export interface Setting {
   values: string[];
 }
 
-/** One state: an entry, or x and y in turn, for each present robot, by ascending number. The arrays are copies, which
- * the caller may keep. */
+/** One state: an entry, or x and y (and z in space) in turn, for each present robot, by ascending number. The arrays are
+ * copies, which the caller may keep. */
 export interface Moment {
+  dimensions: Dimensions;
   time: number; // s
   steps: number;
   robot: Int32Array; // numbers as in the scene
@@ -66,8 +71,8 @@ export interface Moment {
   status: Uint8Array; // of the last decision, see STATUSES
   decided: Uint8Array; // in the last step
   arrived: Uint8Array; // whether it is at its goal
-  clearance: Float32Array; // m, to the nearest other disc; infinite if there is none
-  moving_obstacles: Float64Array; // x, y, vx, vy of each
+  clearance: Float32Array; // m, to the nearest other disc, or ball and its downwash; infinite if there is none
+  moving_obstacles: Float64Array; // position and velocity of each
 }
 
 /** Discs of one radius along the heading, at these distances ahead of the position. */
@@ -88,6 +93,8 @@ export interface RobotInfo {
   priority: number;
   parked: boolean;
   model: "holonomic" | "car" | "differential_drive" | "airplane";
+  vertical?: number; // of robots of space: their limits along z, as a part of the horizontal ones
+  downwash?: number; // m, of robots of space
 }
 
 export interface WallInfo {
@@ -97,8 +104,18 @@ export interface WallInfo {
   obstacle: number; // number of the static obstacle
 }
 
+/** A static obstacle of space, turned about the vertical through the origin. A bound that is null is infinite. */
+export interface BoxInfo {
+  min: (number | null)[]; // m, in the frame of the box
+  max: (number | null)[];
+  heading: number; // rad
+  radius: number; // m: everything so near to the box belongs to it
+  obstacle: number; // number of the static obstacle
+}
+
 /** The facts that do not change from step to step. */
 export interface SceneInfo {
+  dimensions: Dimensions;
   name: string;
   duration: number;
   options: {
@@ -114,6 +131,7 @@ export interface SceneInfo {
   };
   robots: RobotInfo[];
   walls: WallInfo[];
+  boxes: BoxInfo[]; // of a scene of space
   moving_obstacles: { radius: number }[];
   advice: string[]; // settings that do not fit the robots
   broken_assumptions: string[]; // of the certificate; empty: its promise is valid
@@ -172,17 +190,25 @@ export interface Airplane {
   after_goal?: "loiter" | "leave";
 }
 
-/** Two discs that overlap now, or a disc and a wall: "robots.3", "moving_obstacles.0", "obstacles.2". */
+/** Two bodies that overlap now, or a body and a static obstacle: "robots.3", "moving_obstacles.0", "obstacles.2". */
 export interface Contact {
   a: string;
   b: string;
   x: number; // m, in the middle of the overlap
   y: number;
+  z?: number; // in space
   depth: number; // m
 }
 
 /** left, bottom, right, top */
 export type Box = readonly [number, number, number, number];
+
+/** A plane through the velocities of space: v = place + x along + y across, m/s. */
+export interface VelocityCut {
+  place: readonly [number, number, number];
+  along: readonly [number, number, number];
+  across: readonly [number, number, number];
+}
 
 /** Closed polygons around the velocities that the obstacle of `of` forbids. */
 export interface Outline {

@@ -12,6 +12,7 @@ const KEYS: [string, [string, string][]][] = [
   ]],
   ["The map", [
     ["f", "fit all"], ["+  −", "zoom"], ["h  j  k  l", "pan"], ["c", "color by goal, status, speed"],
+    ["v", "in space: from aside, plan, elevation"], ["H  J  K  L", "in space: turn"],
   ]],
   ["What a press does", [
     ["1", "look and move: click selects, drag moves"], ["2", "add a robot: drag from its start to its goal"],
@@ -20,7 +21,8 @@ const KEYS: [string, [string, string][]][] = [
   ["The page", [["s", "choose a scene"], ["o", "open a file"], ["?", "this card"]]],
 ];
 
-const GESTURES = "Drag the ground to pan, turn the wheel or pinch to zoom, press twice to fit all. Drop files anywhere: scenes " +
+const GESTURES = "Drag the ground to pan, turn the wheel or pinch to zoom, press twice to fit all. In space a drag turns the view, and with Shift, the " +
+  "right button or two fingers it pans. Drop files anywhere: scenes " +
   "(YAML) with their maps, recordings of avo run --record (HDF5), tables of states (CSV).";
 
 const SHAPES: [string, string][] = [

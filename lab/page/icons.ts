@@ -13,9 +13,10 @@ const PATHS: Record<string, string> = {
   erase: "M5 5l10 10 M15 5 5 15",
   plus: "M10 4v12 M4 10h12",
   minus: "M4 10h12",
+  orbit: "M10 3a7 7 0 1 0 .01 0Z M3 10c3 3.4 11 3.4 14 0 M10 3c-3.4 3-3.4 11 0 14",
   fit: "M3 8V3h5 M12 3h5v5 M17 12v5h-5 M8 17H3v-5",
 };
-const OUTLINES = new Set(["restart", "robot", "wall", "erase", "plus", "minus", "fit"]);
+const OUTLINES = new Set(["restart", "robot", "wall", "erase", "plus", "minus", "orbit", "fit"]);
 
 export function icon(name: string): SVGSVGElement {
   const space = "http://www.w3.org/2000/svg";

@@ -5,6 +5,7 @@ import { removeRobot } from "./map/changes.ts";
 import type { Tool } from "./map/dragging.ts";
 import type { PageLab } from "./run/make_lab.ts";
 import { SPEEDS } from "./run/transport.ts";
+import { showNext, turnBy } from "./map/orbit.ts";
 import { COLORINGS } from "./map/map_controls.ts";
 import type { WorldView } from "./map/world_view.ts";
 
@@ -15,7 +16,8 @@ export interface Openers {
   tool(tool: Tool): void;
 }
 
-const PAN = 60;  // pixels
+const PAN = 60;   // pixels
+const TURN = 25;  // pixels of a drag
 
 export function mountKeys(lab: PageLab, view: WorldView, openers: Openers): void {
   const keys = { ...runKeys(lab), ...mapKeys(lab, view), ...robotKeys(lab), ...openerKeys(openers) };
@@ -70,6 +72,7 @@ function mapKeys(lab: PageLab, view: WorldView): Keys {
     zoomAt(camera, camera.width / 2, camera.height / 2, factor);
     view.touch();
   };
+  const turn = (x: number, y: number) => (): void => view.turn((orbit) => turnBy(orbit, -x * TURN, y * TURN));
   const recolor = (): void => {
     const k = COLORINGS.findIndex(({ coloring }) => coloring === lab.coloring);
     lab.coloring = COLORINGS[(k + 1) % COLORINGS.length]!.coloring;
@@ -77,6 +80,8 @@ function mapKeys(lab: PageLab, view: WorldView): Keys {
   };
   return {
     f: () => view.fit(), "+": zoom(1.25), "=": zoom(1.25), "-": zoom(0.8),
+    v: () => view.turn(showNext),
+    H: turn(-1, 0), J: turn(0, -1), K: turn(0, 1), L: turn(1, 0),
     h: pan(-1, 0), j: pan(0, -1), k: pan(0, 1), l: pan(1, 0), c: recolor,
   };
 }

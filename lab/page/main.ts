@@ -30,7 +30,7 @@ const MOST_MODULE_BYTES = 64e6;
 /** The Lab at window.avoLab, for tests and for curious users. */
 interface OpenLab extends Lab {
   ready: Promise<void>;                                // resolved when the first picture is drawn
-  toScreen(place: [number, number]): [number, number]; // from m to CSS pixels of the page
+  toScreen(place: [number, number, number?]): [number, number]; // from m to CSS pixels of the page
   resetView(): void;                                   // shows everything
 }
 
@@ -81,7 +81,8 @@ function publish(lab: PageLab, view: WorldView, ready: Promise<void>): void {
     ready,
     toScreen(place) {
       const box = view.canvas.getBoundingClientRect();
-      const [x, y] = toPixels(view.camera, ...place);
+      const [px, py] = view.shown.project(place[0], place[1], place[2] ?? 0);
+      const [x, y] = toPixels(view.camera, px, py);
       return [box.left + x, box.top + y];
     },
     resetView: () => view.fit(),

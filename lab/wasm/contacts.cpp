@@ -88,9 +88,8 @@ void append_walls(const avo::Simulation& simulation, const std::vector<Disc>& di
 
 }  // namespace
 
-/// Returns JSON.
-AVO_EXPORT(std::size_t, contacts)() {
-  const avo::Simulation& simulation = *lab().simulation;
+std::string contacts_of(const PlaneRun& run) {
+  const avo::Simulation& simulation = *run.simulation;
   const avo::FleetView fleet = simulation.fleet();
   const std::vector<Disc> discs = discs_of(fleet);
   Json contacts = Json::array();
@@ -101,7 +100,7 @@ AVO_EXPORT(std::size_t, contacts)() {
       append_overlap(disc, name_of(-1 - static_cast<std::int64_t>(m)), movers.position[m],
                      movers.setup[m].radius, contacts);
   append_walls(simulation, discs, contacts);
-  return into_room(contacts.dump());
+  return contacts.dump();
 }
 
 }  // namespace avo_lab

@@ -2,16 +2,20 @@
 // The decision that one robot would take now.
 #include <cstddef>
 #include <cstdint>
+#include <variant>
 
 #include "avo_io/decision.h"
+#include "avo_io/space_decision.h"
 #include "host.h"
 
 namespace avo_lab {
 
-/// Returns the same JSON as `avo explain --json`.
+/// Returns the same JSON as `avo explain --json`. In space this takes a step, so call it on a copy.
 AVO_EXPORT(std::size_t, explain)(std::uint32_t robot) {
-  const avo::Simulation& simulation = *lab().simulation;
-  return into_room(to_json(avo_io::explain(simulation, lab().scenario.name, index_of(robot))));
+  if (const auto* space = std::get_if<SpaceRun>(&run()))
+    return into_room(to_json(avo_io::explain_step(*space->simulation, robot)));
+  const avo::Simulation& simulation = *plane().simulation;
+  return into_room(to_json(avo_io::explain(simulation, plane().scenario.name, index_of(robot))));
 }
 
 }  // namespace avo_lab

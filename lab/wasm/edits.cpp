@@ -18,7 +18,7 @@ AVO_EXPORT(double, add_robots_of)() {
   const std::string name = input.text();
   const avo::Scenario scene = avo_io::parse_scenario(input.text(), name);
   avo::RobotId added;
-  for (const avo::RobotSetup& robot : scene.robots) added = lab().simulation->add_robot(robot);
+  for (const avo::RobotSetup& robot : scene.robots) added = plane().simulation->add_robot(robot);
   return static_cast<double>(added.value);
 }
 
@@ -30,26 +30,26 @@ AVO_EXPORT(double, add_obstacle_of)() {
   const avo::Scenario scene = avo_io::parse_scenario(input.text(), name);
   avo::ObstacleId added;
   for (const avo::StaticObstacle& obstacle : scene.obstacles)
-    added = lab().simulation->add_obstacle(obstacle);
+    added = plane().simulation->add_obstacle(obstacle);
   return static_cast<double>(added.value);
 }
 
 AVO_EXPORT(void, remove_robot)(std::uint32_t robot) {
-  lab().simulation->remove_robot({robot});
+  plane().simulation->remove_robot({robot});
 }
 
 AVO_EXPORT(void, remove_obstacle)(std::uint32_t obstacle) {
-  lab().simulation->remove_obstacle({obstacle});
+  plane().simulation->remove_obstacle({obstacle});
 }
 
 /// x, y: m.
 AVO_EXPORT(void, set_goal)(std::uint32_t robot, double x, double y) {
-  lab().simulation->set_goal({robot}, {x, y});
+  plane().simulation->set_goal({robot}, {x, y});
 }
 
 /// x, y: m.
 AVO_EXPORT(void, move_robot)(std::uint32_t robot, double x, double y) {
-  lab().simulation->move_robot({robot}, {x, y});
+  plane().simulation->move_robot({robot}, {x, y});
 }
 
 }  // namespace avo_lab

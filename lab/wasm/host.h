@@ -8,11 +8,16 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
+#include <variant>
 #include <vector>
 
 #include "avo/metrics.h"
 #include "avo/scenario.h"
 #include "avo/simulation.h"
+#include "avo/space/metrics.h"
+#include "avo/space/scenario.h"
+#include "avo/space/simulation.h"
 
 /// A function that the host calls by that name. In C++ its name begins with avo_, because the C
 /// library has its own time(). Texts and tables are passed in the room, see room().
@@ -20,8 +25,8 @@
 
 namespace avo_lab {
 
-/// One scene and its simulation for each instance.
-struct Lab {
+/// A scene of the plane and its simulation.
+struct PlaneRun {
   avo::Scenario scenario;  ///< as it was read
   /// the scenario at the start of the simulation: that, or one that was taken over
   avo::Scenario start;
@@ -29,13 +34,53 @@ struct Lab {
   std::unique_ptr<avo::Metrics>
       metrics;  ///< since the start, if they were asked for; none once a state was restored
 };
-Lab& lab();
+
+/// A scene of space and its simulation.
+struct SpaceRun {
+  avo::space::Scenario scenario;
+  std::unique_ptr<avo::space::Simulation> simulation;
+  std::unique_ptr<avo::space::Metrics> metrics;  ///< if they were asked for
+};
+
+/// The one run of the instance.
+std::variant<PlaneRun, SpaceRun>& run();
+
+/// The run of a scene of the plane. Throws Error if the scene is one of space.
+PlaneRun& plane();
+
+/// Calls `action` with the run, of the plane or of space.
+template <class Action>
+auto with_run(const Action& action) {
+  if (auto* space = std::get_if<SpaceRun>(&run())) return action(*space);
+  return action(*std::get_if<PlaneRun>(&run()));
+}
+
+/// Columns of numbers, one behind the other.
+class Columns {
+ public:
+  template <class Value>
+  void add(Value value) {
+    const auto* bytes = reinterpret_cast<const std::byte*>(&value);
+    bytes_.insert(bytes_.end(), bytes, bytes + sizeof value);
+  }
+  template <class Column>
+  void add_all(const Column& column) {
+    for (const auto& value : column) add(value);
+  }
+  [[nodiscard]] const std::vector<std::byte>& bytes() const { return bytes_; }
+
+ private:
+  std::vector<std::byte> bytes_;
+};
 
 /// Returns the index into the fleet of the robot with that number. Throws Error if there is none.
 std::size_t index_of(std::uint64_t robot);
 
 /// Returns "robots.3", or "moving_obstacles.0" for source -1.
 std::string name_of(std::int64_t source);
+
+/// Returns the number in the scene of the obstacle that the box is a part of.
+std::int64_t obstacle_of(const avo::space::Scenario& scenario, std::size_t box);
 
 /// Bytes that the host has put into the room, in order: whole numbers, and texts with their lengths
 /// in front.
@@ -76,6 +121,14 @@ struct Takeover {
 Takeover taken_over_by(const avo::Scenario& text);
 /// Copies the rest of the present simulation's memory into the one that takes over, see Takeover.
 void remember(avo::Simulation& simulation, const std::vector<bool>& goes_on);
+
+// What the host asks of a run of either kind. Texts are JSON.
+Columns moment_of(const PlaneRun& run);  ///< see moment()
+Columns moment_of(const SpaceRun& run);
+std::string info_of(const PlaneRun& run);
+std::string info_of(const SpaceRun& run);
+std::string contacts_of(const PlaneRun& run);
+std::string contacts_of(const SpaceRun& run);
 
 /// Returns m, for each robot of the present fleet, see avo/clearance.h; valid until the next call.
 std::span<const float> clearances_of(const avo::FleetView& fleet);

@@ -67,7 +67,7 @@ std::vector<Vec2> way_of(const avo::Neighbor& mover, std::size_t steps, double t
 /// obstacle, Eq. (29), inside the box, m/s.
 AVO_EXPORT(std::size_t, outlines)
 (std::uint32_t robot, double left, double bottom, double right, double top) {
-  const avo::Simulation& simulation = *lab().simulation;
+  const avo::Simulation& simulation = *plane().simulation;
   const std::size_t index = index_of(robot);
   const avo::Simulation::Perception seen = simulation.perceive(index);
   const avo::Planner& planner = simulation.planner(index);
@@ -101,7 +101,7 @@ AVO_EXPORT(std::size_t, outlines)
 AVO_EXPORT(std::size_t, admitted)
 (std::uint32_t robot, double left, double bottom, double right, double top, std::uint32_t columns,
  std::uint32_t rows) {
-  const avo::Simulation& simulation = *lab().simulation;
+  const avo::Simulation& simulation = *plane().simulation;
   const std::size_t index = index_of(robot);
   const avo::Simulation::Perception seen = simulation.perceive(index);
   const auto between = [](double from, double to, std::uint32_t k, std::uint32_t count) {
@@ -122,7 +122,7 @@ AVO_EXPORT(std::size_t, admitted)
 /// Returns JSON: the paths of the robot and of the neighbors that it sees if they brake now, from
 /// step to step. Airplanes circle, and moving obstacles move on for as long as the robot brakes.
 AVO_EXPORT(std::size_t, braking_paths)(std::uint32_t robot) {
-  const avo::Simulation& simulation = *lab().simulation;
+  const avo::Simulation& simulation = *plane().simulation;
   const std::size_t index = index_of(robot);
   const avo::Simulation::Perception seen = simulation.perceive(index);
   const avo::StepLaw law = avo::certificate_law(simulation.planner(index)).step;

@@ -85,7 +85,7 @@ void take_time(const SavedState& now, SavedState& next) {
 }  // namespace
 
 void remember(avo::Simulation& simulation, const std::vector<bool>& goes_on) {
-  const SavedState now = avo::from_bytes(lab().simulation->save());
+  const SavedState now = avo::from_bytes(plane().simulation->save());
   SavedState next = avo::from_bytes(simulation.save());
   take_states(now, next);
   for (std::size_t k = 0; k < std::min(goes_on.size(), next.obstacles.size()); ++k) {

@@ -4,13 +4,18 @@
 #include <bit>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
+#include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
+#include <variant>
 #include <vector>
 
 #include "avo/error.h"
 #include "avo_io/recording.h"
 #include "avo_io/scene.h"
+#include "avo_io/space.h"
 #include "host.h"
 #include "io/files/file_names.h"
 #include "io/scene/builtin.h"
@@ -43,15 +48,48 @@ avo_io::SceneSource source_of(Input& input) {
   return source;
 }
 
+void begin(avo::space::Scenario scenario, bool observed) {
+  SpaceRun next{std::move(scenario), nullptr, nullptr};
+  next.simulation = std::make_unique<avo::space::Simulation>(next.scenario);
+  if (observed) {
+    next.metrics = std::make_unique<avo::space::Metrics>(next.scenario);
+    next.metrics->observe(*next.simulation);
+  }
+  run() = std::move(next);
+}
+
+void begin(avo::Scenario scenario, bool observed, bool takes_over) {
+  Takeover next = takes_over ? taken_over_by(scenario) : Takeover{.start = scenario};
+  // moving obstacles begin as the text says, and then continue from their present places
+  avo::Scenario start = next.start;
+  start.moving_obstacles = scenario.moving_obstacles;
+  // the lab shows the consequences, and info() reports them
+  start.allow_broken_assumptions = true;
+  auto simulation = std::make_unique<avo::Simulation>(start);
+  for (const avo::RobotId robot : next.gone) simulation->remove_robot(robot);
+  if (takes_over) remember(*simulation, next.goes_on);
+  PlaneRun began{std::move(scenario), std::move(next.start), std::move(simulation), nullptr};
+  if (observed) {
+    began.metrics = std::make_unique<avo::Metrics>(began.start);
+    began.metrics->observe(*began.simulation);
+  }
+  run() = std::move(began);
+}
+
 }  // namespace
 
-Lab& lab() {
-  static Lab lab;
-  return lab;
+std::variant<PlaneRun, SpaceRun>& run() {
+  static std::variant<PlaneRun, SpaceRun> run;
+  return run;
+}
+
+PlaneRun& plane() {
+  if (auto* found = std::get_if<PlaneRun>(&run())) return *found;
+  throw avo::Error("space: found 3, must be 2 for this");
 }
 
 std::size_t index_of(std::uint64_t robot) {
-  const auto index = lab().simulation->index_of({robot});
+  const auto index = plane().simulation->index_of({robot});
   if (!index) throw avo::Error("robot " + std::to_string(robot) + ": found none of that id");
   return *index;
 }
@@ -85,75 +123,99 @@ AVO_EXPORT(const std::byte*, room_begin)() {
 /// steps are observed, and whether it takes over from the present simulation.
 AVO_EXPORT(void, read_scene)() {
   Input input(taken_from_room());
-  avo::Scenario scenario = avo_io::parse_scenario(source_of(input));
+  const avo_io::SceneSource source = source_of(input);
   const bool observed = input.whole() != 0, takes_over = input.whole() != 0;
-  Takeover next = takes_over ? taken_over_by(scenario) : Takeover{.start = scenario};
-  // moving obstacles begin as the text says, and then continue from their present places
-  avo::Scenario start = next.start;
-  start.moving_obstacles = scenario.moving_obstacles;
-  // the lab shows the consequences, and info() reports them
-  start.allow_broken_assumptions = true;
-  auto simulation = std::make_unique<avo::Simulation>(start);
-  for (const avo::RobotId robot : next.gone) simulation->remove_robot(robot);
-  if (takes_over) remember(*simulation, next.goes_on);
-  lab().simulation = std::move(simulation);
-  lab().scenario = std::move(scenario);
-  lab().start = std::move(next.start);
-  lab().metrics.reset();
-  if (!observed) return;
-  lab().metrics = std::make_unique<avo::Metrics>(lab().start);
-  lab().metrics->observe(*lab().simulation);
+  std::optional<avo::space::Scenario> of_space = avo_io::space_scenario_in(source);
+  if (!of_space) return begin(avo_io::parse_scenario(source), observed, takes_over);
+  if (takes_over) throw avo::Error("space: found 3, must be 2 for a text that takes over");
+  begin(*std::move(of_space), observed);
+}
+
+/// Returns 2 for a scene of the plane, 3 for one of space.
+AVO_EXPORT(std::uint32_t, dimensions)() {
+  return std::holds_alternative<SpaceRun>(run()) ? 3 : 2;
 }
 
 /// Continues from the state in the room, as Simulation::save() wrote it on any machine; if there is
 /// a scene already, the state must belong to it.
 AVO_EXPORT(void, restore)() {
   const std::vector<std::byte> saved = taken_from_room();
-  lab().metrics.reset();
-  if (lab().simulation)
-    lab().simulation->restore(saved);
+  plane().metrics.reset();
+  if (plane().simulation)
+    plane().simulation->restore(saved);
   else
-    lab().simulation = std::make_unique<avo::Simulation>(std::span(saved));
+    plane().simulation = std::make_unique<avo::Simulation>(std::span(saved));
 }
 
 /// Saves the state into the room.
 AVO_EXPORT(std::size_t, save)() {
-  return into_room(lab().simulation->save());
+  return into_room(plane().simulation->save());
 }
 
 AVO_EXPORT(void, step)() {
-  lab().simulation->step();
-  if (lab().metrics) lab().metrics->observe(*lab().simulation);
+  with_run([](auto& run) {
+    run.simulation->step();
+    if (run.metrics) run.metrics->observe(*run.simulation);
+  });
 }
 
 /// Returns whether the next step ends within the scene's duration.
 AVO_EXPORT(bool, can_step)() {
-  return lab().simulation->can_step_by(lab().scenario.duration);
+  if (const auto* space = std::get_if<SpaceRun>(&run())) {
+    const avo::space::Scenario& scenario = space->scenario;
+    return space->simulation->time() < scenario.duration - 0.5 * scenario.time_step;
+  }
+  return plane().simulation->can_step_by(plane().scenario.duration);
 }
 
 /// Returns s.
 AVO_EXPORT(double, time)() {
-  return lab().simulation->time();
+  return with_run([](const auto& run) { return run.simulation->time(); });
 }
 
 AVO_EXPORT(double, steps)() {
-  return static_cast<double>(lab().simulation->steps());
+  return with_run([](const auto& run) { return static_cast<double>(run.simulation->steps()); });
 }
 
 AVO_EXPORT(bool, all_at_goal)() {
-  return lab().simulation->all_at_goal();
+  const auto* space = std::get_if<SpaceRun>(&run());
+  if (space == nullptr) return plane().simulation->all_at_goal();
+  for (std::size_t k = 0; k < space->simulation->size(); ++k)
+    if (!space->simulation->is_at_goal(k)) return false;
+  return true;
 }
 
 AVO_EXPORT(std::uint64_t, state_hash)() {
-  return lab().simulation->state_hash();
+  return with_run([](const auto& run) { return run.simulation->state_hash(); });
+}
+
+/// Returns JSON.
+AVO_EXPORT(std::size_t, info)() {
+  return into_room(with_run([](const auto& run) { return info_of(run); }));
+}
+
+/// Returns JSON: the pairs that overlap now.
+AVO_EXPORT(std::size_t, contacts)() {
+  return into_room(with_run([](const auto& run) { return contacts_of(run); }));
+}
+
+/// Writes the state into the room, with longer numbers first, so that each column is aligned: time,
+/// steps; numbers of robots n and of moving obstacles m. The robots' position, velocity, goal,
+/// heading and acceleration follow; then the obstacles' position and velocity. At the end are the
+/// robots' clearance, number, status, and whether each has decided and is at its goal. Vectors have
+/// as many numbers as dimensions() says, and robots of space have no heading.
+AVO_EXPORT(std::size_t, moment)() {
+  return into_room(with_run([](const auto& run) { return moment_of(run); }).bytes());
 }
 
 /// Returns the same JSON as `avo run --json` for the run so far; nothing if steps were not
 /// observed, or if a state was restored.
 AVO_EXPORT(std::size_t, summary)() {
-  if (!lab().metrics) return into_room(std::string_view());
-  avo::RunSummary summary = lab().metrics->summary();
-  return into_room(avo_io::to_json(summary));
+  return with_run([](const auto& run) {
+    if (!run.metrics) return into_room(std::string_view());
+    avo::RunSummary summary = run.metrics->summary();
+    return into_room(avo_io::to_json(summary));
+  });
 }
 
 }  // namespace avo_lab

@@ -37,23 +37,6 @@ class Clearances {
   std::vector<float> clearance_;
 };
 
-class Columns {
- public:
-  template <class Value>
-  void add(Value value) {
-    const auto* bytes = reinterpret_cast<const std::byte*>(&value);
-    bytes_.insert(bytes_.end(), bytes, bytes + sizeof value);
-  }
-  template <class Column>
-  void add_all(const Column& column) {
-    for (const auto& value : column) add(value);
-  }
-  [[nodiscard]] const std::vector<std::byte>& bytes() const { return bytes_; }
-
- private:
-  std::vector<std::byte> bytes_;
-};
-
 }  // namespace
 
 std::span<const float> clearances_of(const avo::FleetView& fleet) {
@@ -61,12 +44,8 @@ std::span<const float> clearances_of(const avo::FleetView& fleet) {
   return clearances.of(fleet);
 }
 
-/// Writes the state into the room, with longer numbers first, so that each column is aligned: time,
-/// steps; numbers of robots n and of moving obstacles m. The robots' position, velocity, goal,
-/// heading and acceleration follow; then the obstacles' position and velocity. At the end are the
-/// robots' clearance, number, status, and whether each has decided and is at its goal.
-AVO_EXPORT(std::size_t, moment)() {
-  const avo::Simulation& simulation = *lab().simulation;
+Columns moment_of(const PlaneRun& run) {
+  const avo::Simulation& simulation = *run.simulation;
   const avo::FleetView fleet = simulation.fleet();
   const avo::ObstacleView obstacles = simulation.obstacles();
   Columns columns;
@@ -86,7 +65,7 @@ AVO_EXPORT(std::size_t, moment)() {
   for (const avo::Plan& plan : fleet.plan) columns.add(plan.status);
   for (std::size_t k = 0; k < fleet.id.size(); ++k) columns.add(simulation.decided(k));
   for (std::size_t k = 0; k < fleet.id.size(); ++k) columns.add(simulation.is_at_goal(k));
-  return into_room(columns.bytes());
+  return columns;
 }
 
 }  // namespace avo_lab

@@ -17,6 +17,7 @@
 #include "io/recording/csv_lines.h"
 #include "io/recording/recording_fields.h"
 #include "io/recording/row_source.h"
+#include "io/space/space_rows.h"
 #include "io/text/json.h"
 
 /// Puts the next bytes of the host's file at `to`, at most `size`; returns their number, which is 0
@@ -49,25 +50,50 @@ using avo_io::Json;
 constexpr std::size_t kPart = std::size_t{1} << 17U;  // numbers
 constexpr std::size_t kRow = 7;                       // numbers of a robot
 
-/// The table that is read.
+/// The table that is read, of the plane or of space.
 struct Table {
   std::unique_ptr<avo_io::RowSource> rows;
+  std::unique_ptr<avo_io::SpaceRowSource> rows_of_space;
   std::int64_t most_robots = 0;  // their numbers are lower
 };
 Table table;
 
-void append_time(const avo_io::RecordedTime& moment, std::vector<double>& numbers) {
-  numbers.insert(numbers.end(), {moment.time, static_cast<double>(moment.every),
-                                 static_cast<double>(moment.rows.size())});
+void require_few(std::int64_t robot, const std::string& place) {
+  if (robot >= table.most_robots)
+    throw avo_io::RecordingError(place + ": robot: found " + std::to_string(robot) +
+                                 ", must be less than " + std::to_string(table.most_robots) +
+                                 " to be shown here");
+}
+
+void append_time(double time, std::int64_t every, std::size_t rows, std::vector<double>& numbers) {
+  numbers.insert(numbers.end(), {time, static_cast<double>(every), static_cast<double>(rows)});
+}
+
+/// Appends the next time, and returns whether there is one.
+bool append_next_of_space(std::vector<double>& numbers) {
+  const avo_io::SpaceMoment* moment = table.rows_of_space->next();
+  if (moment == nullptr) return false;
+  append_time(moment->time, moment->every, moment->rows.size(), numbers);
+  for (const avo::space::CheckedState& row : moment->rows) {
+    require_few(row.robot, table.rows_of_space->place());
+    numbers.insert(numbers.end(), {static_cast<double>(row.robot), row.position.x, row.position.y,
+                                   row.position.z, row.velocity.x, row.velocity.y, row.velocity.z});
+  }
+  return true;
+}
+
+bool append_next(std::vector<double>& numbers) {
+  if (table.rows_of_space) return append_next_of_space(numbers);
+  avo_io::RecordedTime moment;
+  if (!table.rows->next(moment)) return false;
+  append_time(moment.time, moment.every, moment.rows.size(), numbers);
   for (const avo::CheckedState& row : moment.rows) {
-    if (row.robot >= table.most_robots)
-      throw avo_io::RecordingError(table.rows->place(row.robot) + ": robot: found " +
-                                   std::to_string(row.robot) + ", must be less than " +
-                                   std::to_string(table.most_robots) + " to be shown here");
+    require_few(row.robot, table.rows->place(row.robot));
     const auto heading = row.heading.value_or(avo::CheckedHeading{NAN, NAN});
     numbers.insert(numbers.end(), {static_cast<double>(row.robot), row.position.x, row.position.y,
                                    row.velocity.x, row.velocity.y, heading.angle, heading.speed});
   }
+  return true;
 }
 
 avo::CheckedState state_from(std::span<const double> row) {
@@ -77,6 +103,22 @@ avo::CheckedState state_from(std::span<const double> row) {
   const double along = dot(avo::elementary::direction(angle), state.velocity) + 0.0;  // no -0
   state.heading = {angle, std::isnan(row[6]) ? along : row[6]};
   return state;
+}
+
+void append_lines(double time, std::span<const double> states, const avo_io::CsvForm& form,
+                  std::string& lines) {
+  const std::string first = avo_io::csv_time(time);
+  for (; !states.empty(); states = states.subspan(kRow))
+    append_csv_line(first, state_from(states), form, lines);
+}
+
+avo_io::SpaceMoment moment_from(double time, std::span<const double> states, std::int64_t every) {
+  avo_io::SpaceMoment moment{time, {}, every};
+  for (; !states.empty(); states = states.subspan(kRow))
+    moment.rows.push_back({static_cast<std::int64_t>(states[0]),
+                           {states[1], states[2], states[3]},
+                           {states[4], states[5], states[6]}});
+  return moment;
 }
 
 }  // namespace
@@ -90,8 +132,6 @@ AVO_EXPORT(std::size_t, recording_header)() {
     throw avo_io::RecordingError(
         "found no whole header, cut off or damaged, must be that of a recording of avo");
   const avo_io::RecordingHeader header = avo_io::header_from(avo_io::from_parts(*fields));
-  if (header.space)
-    throw avo_io::RecordingError("found a recording of space, must be one of the plane here");
   Json files = Json::array();
   std::string texts;
   for (const avo_io::SceneFile& file : header.scene.files) {
@@ -107,39 +147,50 @@ AVO_EXPORT(std::size_t, recording_header)() {
   const Json json{{"robots", header.robots},
                   {"every", header.every},
                   {"headings", header.headings},
+                  {"dimensions", header.space ? 3 : 2},
                   {"scene", scene}};
   return into_room(json.dump(-1, ' ', false, Json::error_handler_t::replace) + '\n' + texts);
 }
 
-/// Begins to read the host's file, whose name is in the room, as a table with so many robots at
-/// most.
-AVO_EXPORT(void, open_table)(std::uint32_t most_robots) {
-  table = {avo_io::csv_rows(Input(taken_from_room()).text(), {}), most_robots};
+/// Begins to read the host's file, whose name is in the room, as a table of that many dimensions
+/// with so many robots at most.
+AVO_EXPORT(void, open_table)(std::uint32_t dimensions, std::uint32_t most_robots) {
+  const std::string name = Input(taken_from_room()).text();
+  table = {nullptr, nullptr, most_robots};
+  if (dimensions == 3)
+    table.rows_of_space = avo_io::space_csv_rows(name);
+  else
+    table.rows = avo_io::csv_rows(name, {});
 }
 
 /// Reads the next times, and none at the end. Each time has the numbers s, steps from row to row
-/// and rows, and each row has a robot's number, x, y, vx, vy, heading and speed.
+/// and rows, and each row has a robot's number, x, y, vx, vy, heading and speed; in space a robot's
+/// number, x, y, z, vx, vy, vz.
 AVO_EXPORT(std::size_t, read_table)() {
   std::vector<double> numbers;
-  avo_io::RecordedTime moment;
-  while (numbers.size() < kPart && table.rows->next(moment)) append_time(moment, numbers);
+  while (numbers.size() < kPart && append_next(numbers)) {
+  }
   return into_room(std::as_bytes(std::span(numbers)));
 }
 
 /// Writes the times in the room, which have the same numbers. A heading that is NaN is none, and a
 /// speed that is NaN is that of the velocity. `begins`: the first line names the columns.
-AVO_EXPORT(std::size_t, write_table)(bool headings, double every, bool begins) {
+AVO_EXPORT(std::size_t, write_table)
+(std::uint32_t dimensions, bool headings, double every, bool begins) {
   const std::vector<std::byte> room = taken_from_room();
   std::vector<double> numbers(room.size() / sizeof(double));
   std::memcpy(numbers.data(), room.data(), numbers.size() * sizeof(double));
   const avo_io::CsvForm form{headings, static_cast<std::int64_t>(every)};
-  std::string lines = begins ? avo_io::csv_header(form) : "";
+  std::string lines;
+  if (begins) lines = dimensions == 3 ? avo_io::space_csv_header(form.every) : csv_header(form);
   for (std::span<const double> rest(numbers); !rest.empty();) {
-    const std::string time = avo_io::csv_time(rest[0]);
-    const auto rows = static_cast<std::size_t>(rest[2]);
-    rest = rest.subspan(3);
-    for (std::size_t k = 0; k < rows; ++k, rest = rest.subspan(kRow))
-      append_csv_line(time, state_from(rest), form, lines);
+    const auto rows = static_cast<std::size_t>(rest[2]) * kRow;
+    const std::span<const double> time = rest.first(3), states = rest.subspan(3, rows);
+    if (dimensions == 3)
+      append_csv_lines(moment_from(time[0], states, form.every), lines);
+    else
+      append_lines(time[0], states, form, lines);
+    rest = rest.subspan(3 + rows);
   }
   return into_room(lines);
 }

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The facts about a scene that do not change from step to step.
+#include <cmath>
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <type_traits>
@@ -29,9 +31,10 @@ Json shown(const std::optional<Value>& value) {
 }
 
 /// Returns all keys of scenes that take plain values, with their values in this scene.
-Json options_of(const avo::Scenario& scenario, const avo::Simulation& simulation) {
+template <class Scenario>
+Json options_of(const Scenario& scenario) {
   Json json;
-  for (const auto& field : avo_io::fields<avo::Scenario>()) {
+  for (const auto& field : avo_io::fields<Scenario>()) {
     std::visit(
         [&](const auto member) {
           if constexpr (!std::is_same_v<decltype(member), const std::monostate>)
@@ -39,8 +42,6 @@ Json options_of(const avo::Scenario& scenario, const avo::Simulation& simulation
         },
         field.member);
   }
-  json["certificate"] = to_string(simulation.planner().options().certificate);
-  json["sensing_radius"] = simulation.sensing_radius();
   return json;
 }
 
@@ -94,23 +95,94 @@ Json walls_of(const avo::StaticObstacleView& obstacles) {
   return walls;
 }
 
+Json bound(double value) {
+  return std::isfinite(value) ? Json(value) : Json();
+}
+
+Json corner(avo::Vec3 v) {
+  return {bound(v.x), bound(v.y), bound(v.z)};
+}
+
+Json robots_of(const avo::space::Scenario& scenario) {
+  Json robots = Json::array();
+  for (std::size_t k = 0; k < scenario.robots.size(); ++k) {
+    const avo::space::Robot robot = robot_of(scenario.robots[k]);
+    robots.push_back({{"robot", k},
+                      {"radius", robot.radius},
+                      {"disc_radius", robot.radius},
+                      {"disc_ahead", 0.0},
+                      {"footprint", Json()},
+                      {"max_speed", robot.max_speed},
+                      {"max_acceleration", robot.max_acceleration},
+                      {"preferred_speed", scenario.robots[k].preferred_speed},
+                      {"priority", robot.priority},
+                      {"parked", false},
+                      {"model", "holonomic"},
+                      {"vertical", robot.vertical},
+                      {"downwash", robot.downwash}});
+  }
+  return robots;
+}
+
+Json boxes_of(const avo::space::Scenario& scenario) {
+  Json boxes = Json::array();
+  for (std::size_t k = 0; k < scenario.boxes.size(); ++k) {
+    const avo::space::Box& box = scenario.boxes[k];
+    boxes.push_back({{"min", corner(box.min)},
+                     {"max", corner(box.max)},
+                     {"heading", box.heading},
+                     {"radius", box.radius},
+                     {"obstacle", obstacle_of(scenario, k)}});
+  }
+  return boxes;
+}
+
 }  // namespace
 
-/// Returns JSON.
-AVO_EXPORT(std::size_t, info)() {
-  const auto& [scenario, start, simulation, metrics] = lab();
+std::string info_of(const PlaneRun& run) {
+  const auto& [scenario, start, simulation, metrics] = run;
+  Json options = options_of(scenario);
+  options["certificate"] = to_string(simulation->planner().options().certificate);
+  options["sensing_radius"] = simulation->sensing_radius();
   Json moving_obstacles = Json::array();
   for (const avo::MovingObstacle& obstacle : simulation->obstacles().setup)
     moving_obstacles.push_back({{"radius", obstacle.radius}});
-  const Json json{{"name", scenario.name},
+  const Json json{{"dimensions", 2},
+                  {"name", scenario.name},
                   {"duration", scenario.duration},
-                  {"options", options_of(scenario, *simulation)},
+                  {"options", options},
                   {"robots", robots_of(simulation->fleet())},
                   {"walls", walls_of(simulation->static_obstacles())},
+                  {"boxes", Json::array()},
                   {"moving_obstacles", moving_obstacles},
                   {"advice", avo::advice(start)},
                   {"broken_assumptions", avo_io::complaints(start)}};
-  return into_room(json.dump(-1, ' ', false, Json::error_handler_t::replace));
+  return json.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
+std::string info_of(const SpaceRun& run) {
+  const avo::space::Scenario& scenario = run.scenario;
+  Json options = options_of(scenario);
+  options["method"] = to_string(avo::Method::avo);
+  const avo::PlannerOptions planner = planner_options(scenario);
+  options["certificate"] = to_string(planner.certificate);
+  options["control_time"] = planner.control_time;
+  options["time_horizon"] = planner.time_horizon;
+  options["sensing_radius"] = sensing_radius_of(scenario);
+  Json moving_obstacles = Json::array();
+  for (const avo::space::MovingObstacle& obstacle : scenario.moving_obstacles)
+    moving_obstacles.push_back({{"radius", obstacle.radius}});
+  const Json json{{"dimensions", 3},
+                  {"name", scenario.name},
+                  {"duration", scenario.duration},
+                  {"options", options},
+                  {"robots", robots_of(scenario)},
+                  {"walls", Json::array()},
+                  {"boxes", boxes_of(scenario)},
+                  {"moving_obstacles", moving_obstacles},
+                  {"advice", Json::array()},
+                  {"broken_assumptions", Json::array()}};
+  return json.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
 }  // namespace avo_lab

@@ -11,7 +11,7 @@ namespace {
 /// Sets the robot of the text to its place in the running scene. `was`: the robot in the previous
 /// text; null if it was not there.
 void go_on(avo::RobotSetup& robot, const avo::RobotSetup* was, std::size_t index) {
-  const avo::Simulation& now = *lab().simulation;
+  const avo::Simulation& now = *plane().simulation;
   const avo::FleetView fleet = now.fleet();
   if (!was || was->goal == robot.goal) robot.goal = fleet.goal[index];
   const bool same_start =
@@ -27,7 +27,7 @@ void go_on(avo::RobotSetup& robot, const avo::RobotSetup* was, std::size_t index
 
 /// Returns whether the obstacle continues from its present place.
 bool goes_on(const avo::MovingObstacle& text, const avo::MovingObstacle* was) {
-  return lab().simulation->steps() > 0 || !was ||
+  return plane().simulation->steps() > 0 || !was ||
          (was->position == text.position && was->velocity == text.velocity);
 }
 
@@ -43,8 +43,8 @@ const Setup* at(const std::vector<Setup>& setups, std::size_t index) {
 }  // namespace
 
 Takeover taken_over_by(const avo::Scenario& text) {
-  const avo::Scenario& was = lab().scenario;
-  const avo::FleetView fleet = lab().simulation->fleet();
+  const avo::Scenario& was = plane().scenario;
+  const avo::FleetView fleet = plane().simulation->fleet();
   Takeover next{.start = text};
   std::vector<avo::RobotSetup>& robots = next.start.robots;
   const std::size_t listed = robots.size();
@@ -63,7 +63,7 @@ Takeover taken_over_by(const avo::Scenario& text) {
   }
   for (std::size_t number = 0; number < robots.size(); ++number)
     if (is_gone[number]) next.gone.push_back({number});
-  const avo::ObstacleView movers = lab().simulation->obstacles();
+  const avo::ObstacleView movers = plane().simulation->obstacles();
   std::vector<avo::MovingObstacle>& obstacles = next.start.moving_obstacles;
   for (std::size_t k = 0; k < std::min(movers.setup.size(), obstacles.size()); ++k) {
     next.goes_on.push_back(goes_on(obstacles[k], at(was.moving_obstacles, k)));

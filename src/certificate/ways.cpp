@@ -106,15 +106,15 @@ const Hull& known_interval(const FullBraking& braking, const StepLaw& law, std::
 }
 
 // The result of braking from a state.
-enum class Stop : unsigned char {
+enum class BrakingVerdict : unsigned char {
   too_late,  // (C2) or (C3) does not hold
   in_time,   // (C2) and (C3) hold
   clear,     // and A is never touched, (C1)
 };
 
 // Judges braking towards one of the others. may_be_clear: no other body is known to touch A.
-Stop stop_before(const WayOptions& options, Surroundings& around, std::size_t k,
-                 const WayState& state, const FullBraking& braking, bool may_be_clear) {
+BrakingVerdict stop_before(const WayOptions& options, Surroundings& around, std::size_t k,
+                           const WayState& state, const FullBraking& braking, bool may_be_clear) {
   const Predicted& other = around.others[k];
   const double h = options.law.time_step, closing = options.max_speed + other.fastest;
   bool clear = may_be_clear;
@@ -131,7 +131,7 @@ Stop stop_before(const WayOptions& options, Surroundings& around, std::size_t k,
     // in most cases A keeps both distances at once
     if (!keeps_off(relative, std::max(kept, before_rest))) {
       if (other.asks_to_stop && !is_reached_at_rest(other, own, state.time, h * m, options.law))
-        return Stop::too_late;
+        return BrakingVerdict::too_late;
       clear = clear && keeps_off(relative, kept);
     }
     if (!clear && !other.asks_to_stop) break;
@@ -139,27 +139,29 @@ Stop stop_before(const WayOptions& options, Surroundings& around, std::size_t k,
   }
   // the slowest test comes last
   clear = clear && rests_clear(other, braking.end, state.time + h * braking.steps);
-  return clear ? Stop::clear : Stop::in_time;
+  return clear ? BrakingVerdict::clear : BrakingVerdict::in_time;
 }
 
-Stop stop_from(const WayOptions& options, Surroundings& around, const WayState& state) {
+BrakingVerdict stop_from(const WayOptions& options, Surroundings& around, const WayState& state) {
   const FullBraking braking = braking_from(options, state);
   around.work -= static_cast<int>(around.others.size());
-  if (around.work < 0 || !is_known(options, braking.end)) return Stop::too_late;
+  if (around.work < 0 || !is_known(options, braking.end)) return BrakingVerdict::too_late;
   const double end = state.time + options.law.time_step * braking.steps;
   for (const KeptWall& wall : around.walls) {
     if (wall.clear_until >= end) continue;
-    if (distance({state.position, braking.end}, wall.segment) < wall.kept) return Stop::too_late;
+    if (distance({state.position, braking.end}, wall.segment) < wall.kept)
+      return BrakingVerdict::too_late;
   }
   ++around.brakings;
   if (const auto most = static_cast<std::size_t>(braking.steps); around.intervals.size() < most)
     around.intervals.resize(most);
-  Stop worst = Stop::clear;
+  BrakingVerdict worst = BrakingVerdict::clear;
   const auto look_at_one = [&](std::size_t k) {
-    const Stop stop = stop_before(options, around, k, state, braking, worst == Stop::clear);
-    if (stop != Stop::clear && worst == Stop::clear) around.in_the_way = k;
+    const BrakingVerdict stop =
+        stop_before(options, around, k, state, braking, worst == BrakingVerdict::clear);
+    if (stop != BrakingVerdict::clear && worst == BrakingVerdict::clear) around.in_the_way = k;
     worst = std::min(worst, stop);
-    return worst != Stop::too_late;
+    return worst != BrakingVerdict::too_late;
   };
   // the mover that touched A in the last braking often does so again: the tests of the others then
   // matter less
@@ -223,15 +225,15 @@ bool take_first_step(const WayOptions& options, Surroundings& around, const WayS
 bool may_brake(const WayOptions& options, Surroundings& around) {
   around.clear_until = around.clear_after;
   around.brakes_at = around.after.time;
-  return stop_from(options, around, around.after) == Stop::clear;
+  return stop_from(options, around, around.after) == BrakingVerdict::clear;
 }
 
 bool may_approach(const WayOptions& options, Surroundings& around, Vec2 w) {
   around.clear_until = around.clear_after;
   for (WayState state = around.after;;) {
-    const Stop stop = stop_from(options, around, state);
+    const BrakingVerdict stop = stop_from(options, around, state);
     around.brakes_at = state.time;
-    if (stop != Stop::in_time) return stop == Stop::clear;
+    if (stop != BrakingVerdict::in_time) return stop == BrakingVerdict::clear;
     if (!(state.time < options.longest)) return false;
     const WayStep step = step_of(options, state, next_towards(options, state, w));
     if (!is_clear(options, around, state, step.path)) return false;

@@ -57,7 +57,7 @@ double lateral_acceleration(const Arc& arc) {
   return top > 0.0 ? top * std::abs(arc.turn) * (top / way_of(arc)) : 0.0;
 }
 
-Knot knot_on(const Arc& arc, double ahead, double fraction) {
+CourseKnot knot_on(const Arc& arc, double ahead, double fraction) {
   const TurnedPart turned = turned_by(arc, fraction);
   const double length = length_by(arc, fraction), half = 0.5 * turned.part * arc.turn;
   const double chord =

@@ -7,7 +7,7 @@
 namespace avo::judge {
 
 /// The place of a body, and its velocity there.
-struct Knot {
+struct CourseKnot {
   Vec2 position, velocity;  // m, m/s
 };
 
@@ -35,7 +35,7 @@ double lateral_acceleration(const Arc& arc);
 
 /// The point `ahead` m ahead of the arc, at a fraction of the step. At rest the angle grows with
 /// the square of the time.
-Knot knot_on(const Arc& arc, double ahead, double fraction);
+CourseKnot knot_on(const Arc& arc, double ahead, double fraction);
 /// m/s^4, an upper bound of the fourth derivative of that place.
 double fourth_derivative(const Arc& arc, double ahead);
 

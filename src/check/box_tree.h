@@ -12,7 +12,7 @@
 namespace avo::judge {
 
 /// The wider of the gaps along x and y, m; negative where the boxes overlap.
-inline double gap(const Box& a, const Box& b) {
+inline double gap(const BoundingBox& a, const BoundingBox& b) {
   double widest = -std::numeric_limits<double>::infinity();
   for (std::size_t k = 0; k < 2; ++k)
     widest = std::max({widest, a.low[k] - b.high[k], b.low[k] - a.high[k]});
@@ -23,18 +23,18 @@ inline double gap(const Box& a, const Box& b) {
 class BoxTree {
  public:
   BoxTree() = default;
-  explicit BoxTree(std::vector<Box> boxes);
+  explicit BoxTree(std::vector<BoundingBox> boxes);
 
   /// Calls meet(owner) for every box with a gap to `box` less than reach(), boxes in nearer halves
   /// first; reach may shrink between the calls.
   template <typename Reach, typename Meet>
-  void visit(const Box& box, const Reach& reach, const Meet& meet) const {
+  void visit(const BoundingBox& box, const Reach& reach, const Meet& meet) const {
     if (!nodes_.empty()) visit(0, box, reach, meet);
   }
 
  private:
   struct Node {
-    Box box;
+    BoundingBox box;
     std::size_t first = 0, last = 0;  // of boxes_
     std::size_t second_child = 0;     // the first child is the next node; 0: a leaf
   };
@@ -42,7 +42,8 @@ class BoxTree {
   void build(std::size_t first, std::size_t last);
 
   template <typename Reach, typename Meet>
-  void visit(std::size_t index, const Box& box, const Reach& reach, const Meet& meet) const {
+  void visit(std::size_t index, const BoundingBox& box, const Reach& reach,
+             const Meet& meet) const {
     const Node& node = nodes_[index];
     if (!(gap(node.box, box) < reach())) return;
     if (node.second_child == 0) {
@@ -56,7 +57,7 @@ class BoxTree {
     visit(farther, box, reach, meet);
   }
 
-  std::vector<Box> boxes_;
+  std::vector<BoundingBox> boxes_;
   std::vector<Node> nodes_;
 };
 

@@ -27,7 +27,7 @@
 namespace avo {
 namespace {
 
-using judge::Mover;
+using judge::MovingDisc;
 using judge::note;
 
 constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
@@ -37,7 +37,7 @@ struct Seen {
   CheckedState row;
   std::int64_t at = -1;  // number of the time, -1: never
   bool arrived = false, at_goal = false;
-  judge::OwnClock clock;
+  judge::JudgedClock clock;
 };
 
 }  // namespace
@@ -46,7 +46,7 @@ struct Check::State {
   std::vector<CheckedRobot> robots;
   std::vector<CheckedObstacle> obstacles;
   // of each obstacle: its place at the last time, and at the next one, if it is placed there
-  std::vector<std::optional<judge::Place>> placed_before, placed;
+  std::vector<std::optional<judge::PlacedObstacle>> placed_before, placed;
   CheckOptions options;
   CheckReport report;  // the part that is not derived from other data
   std::vector<Seen> seen;
@@ -58,8 +58,8 @@ struct Check::State {
   // of the present step
   bool skipped = false;  // its rows in between are missing
   double duration = 0.0;
-  std::vector<Mover> movers;
-  std::vector<judge::Box> boxes;
+  std::vector<MovingDisc> movers;
+  std::vector<judge::BoundingBox> boxes;
 
   void require_sound(double time, std::span<const CheckedState> rows) const;
   void add_newcomer(const CheckedRobot& robot, const CheckedState& row);
@@ -69,8 +69,8 @@ struct Check::State {
   void judge_limits(const CheckedRobot& robot, const CheckedState& before, const CheckedState& now,
                     double time);
   void judge_changes(const CheckedRobot& robot, const CheckedState& now, double time);
-  [[nodiscard]] bool passes(const Mover& mover, Vec2 goal, double within) const;
-  void judge_arrival(double time, const CheckedState& row, const Mover& mover);
+  [[nodiscard]] bool passes(const MovingDisc& mover, Vec2 goal, double within) const;
+  void judge_arrival(double time, const CheckedState& row, const MovingDisc& mover);
   [[nodiscard]] std::vector<std::optional<Vec2>> places_at_rest() const;
 };
 
@@ -146,14 +146,14 @@ void Check::State::judge_changes(const CheckedRobot& robot, const CheckedState& 
 }
 
 // Returns whether it passes the goal within the step; it may begin and end elsewhere.
-bool Check::State::passes(const Mover& mover, Vec2 goal, double within) const {
+bool Check::State::passes(const MovingDisc& mover, Vec2 goal, double within) const {
   if (mover.newcomer) return false;
   const double limit = within * (1.0 + options.relative_tolerance) + mover.error;
   const auto path = judge::pieces_of(mover, duration, goal);
   return lower_bound(path) <= limit && nearest_instant(path).distance <= limit;
 }
 
-void Check::State::judge_arrival(double time, const CheckedState& row, const Mover& mover) {
+void Check::State::judge_arrival(double time, const CheckedState& row, const MovingDisc& mover) {
   const auto index = static_cast<std::size_t>(row.robot);
   const std::optional<Vec2>& goal = robots[index].goal;
   if (!goal) return;
@@ -161,9 +161,9 @@ void Check::State::judge_arrival(double time, const CheckedState& row, const Mov
   Seen& mine = seen[index];
   mine.at_goal = norm(*goal - row.position) <= within &&
                  !walls.hides(row.position, *goal, robots[index].layers);
-  const bool flies = std::holds_alternative<CheckedAirplane>(robots[index].kinematics);
-  const bool arrives =
-      flies ? passes(mover, *goal, within) || (skipped && mine.at_goal) : mine.at_goal;
+  const bool arrives = judge::can_rest(robots[index])
+                           ? mine.at_goal
+                           : passes(mover, *goal, within) || (skipped && mine.at_goal);
   if (mine.arrived || !arrives) return;
   mine.arrived = true;
   last_arrival = time;
@@ -250,7 +250,7 @@ void Check::place_obstacle(std::int64_t obstacle, Vec2 position, Vec2 velocity) 
   const std::string place = "obstacles." + std::to_string(obstacle);
   require(place + ".position", position, "m");
   require(place + ".velocity", velocity, "m/s");
-  state_->placed[static_cast<std::size_t>(obstacle)] = judge::Place{position, velocity};
+  state_->placed[static_cast<std::size_t>(obstacle)] = judge::PlacedObstacle{position, velocity};
 }
 
 void Check::skip() {
@@ -265,14 +265,14 @@ void Check::add(double time, std::span<const CheckedState> rows) {
   if (begins) state.last_time = state.report.from = time;
   state.movers.clear();
   for (const CheckedState& row : rows) state.judge_row(time, row);
-  const judge::Step step{state.last_time, state.duration, state.options.relative_tolerance,
-                         state.robots};
-  for (const Mover& robot : state.movers) state.walls.judge(robot, step);
+  const judge::JudgedStep step{state.last_time, state.duration, state.options.relative_tolerance,
+                               state.robots};
+  for (const MovingDisc& robot : state.movers) state.walls.judge(robot, step);
   for (std::size_t k = 0; k < state.obstacles.size(); ++k) {
     const CheckedObstacle& obstacle = state.obstacles[k];
     const auto told = [&](double t) { return judge::place_of(obstacle, t); };
-    const judge::Place to = state.placed[k].value_or(told(time));
-    const judge::Place from =
+    const judge::PlacedObstacle to = state.placed[k].value_or(told(time));
+    const judge::PlacedObstacle from =
         begins && state.placed[k] ? to : state.placed_before[k].value_or(told(state.last_time));
     state.movers.push_back(
         judge::obstacle_mover(from, to, obstacle.radius, static_cast<std::int64_t>(k)));

@@ -29,13 +29,14 @@ Division division_of(double fourth, double duration) {
 
 // Its end is the place in the row: the difference is added as a drift.
 template <typename KnotAt>
-Course course_through(const Division& division, Vec2 end, double duration, const KnotAt& knot_at) {
+DiscCourse course_through(const Division& division, Vec2 end, double duration,
+                          const KnotAt& knot_at) {
   const Vec2 missing = end - knot_at(division.parts).position;
-  Course course{{}, division.error};
+  DiscCourse course{{}, division.error};
   course.knots.reserve(division.parts + 1);
   for (std::size_t k = 0; k <= division.parts; ++k) {
     const double fraction = static_cast<double>(k) / static_cast<double>(division.parts);
-    const Knot knot = knot_at(k);
+    const CourseKnot knot = knot_at(k);
     course.knots.push_back(
         {knot.position + fraction * missing, knot.velocity + missing / duration});
   }
@@ -62,9 +63,9 @@ Vec2 center_of(const CheckedRobot& robot, const CheckedState& row, std::size_t d
   return row.position + ahead * elementary::direction(row.heading->angle);
 }
 
-std::optional<Course> course_of(const CheckedRobot& robot, std::size_t disc,
-                                const CheckedState& before, const CheckedState& now,
-                                double duration) {
+std::optional<DiscCourse> course_of(const CheckedRobot& robot, std::size_t disc,
+                                    const CheckedState& before, const CheckedState& now,
+                                    double duration) {
   if (!has_heading(robot, before, now)) return std::nullopt;
   const Vec2 end = center_of(robot, now, disc);
   const double ahead = ahead_of(robot, disc);

@@ -10,9 +10,9 @@
 
 namespace avo::judge {
 
-struct Course {
-  std::vector<Knot> knots;  // at equal distances in time, 2^k + 1 of them
-  double error = 0.0;       // m, of the cubics between them
+struct DiscCourse {
+  std::vector<CourseKnot> knots;  // at equal distances in time, 2^k + 1 of them
+  double error = 0.0;             // m, of the cubics between them
 };
 
 /// m, from its position forward to the center of a disc, see CheckedRobot::discs.
@@ -32,8 +32,8 @@ inline bool has_heading(const CheckedRobot& robot, const CheckedState& before,
 }
 
 /// None where it has no heading, or no possible motion from row to row: the cubic is used then.
-std::optional<Course> course_of(const CheckedRobot& robot, std::size_t disc,
-                                const CheckedState& before, const CheckedState& now,
-                                double duration);
+std::optional<DiscCourse> course_of(const CheckedRobot& robot, std::size_t disc,
+                                    const CheckedState& before, const CheckedState& now,
+                                    double duration);
 
 }  // namespace avo::judge

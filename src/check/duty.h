@@ -23,7 +23,7 @@ inline Duty duty(const CheckedRobot& a, const CheckedRobot& b) {
 
 /// One robot of each kind; robots of one kind are equal for duty(). With too many kinds, some are
 /// assumed to avoid each other.
-struct Kinds {
+struct DutyKinds {
   static constexpr std::size_t kMost = 256;
   std::vector<CheckedRobot> robots;
   bool mutual = false;  // there may be a pair in which both avoid the other

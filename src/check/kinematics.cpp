@@ -172,10 +172,21 @@ void judge(const RowStep& step, const CheckedDrive& drive, CheckReport& report) 
 
 void judge(const RowStep& /*step*/, const CheckedHolonomic& /*any*/, CheckReport& /*report*/) {}
 
+// m/s, of a robot that cannot rest.
+template <typename Kinematics>
+double least_speed(const Kinematics& own) {
+  if constexpr (requires { own.min_speed; }) return own.min_speed;
+  return 0.0;
+}
+
 }  // namespace
 
 double speed_scale(const CheckedRobot& robot) {
   return std::isinf(robot.max_speed) ? 1.0 : robot.max_speed;
+}
+
+bool can_rest(const CheckedRobot& robot) {
+  return !std::holds_alternative<CheckedAirplane>(robot.kinematics);
 }
 
 double reach_of(const CheckedRobot& robot) {
@@ -195,9 +206,10 @@ void judge_heading(const CheckedRobot& robot, const CheckedState& row, double ti
   const double off =
       swings ? std::abs(dot(h, row.velocity) - speed) : norm(row.velocity - speed * h);
   if (off > granted + rounding) count(report.headings, {time, row.robot, {}, off});
-  const auto* flown = std::get_if<CheckedAirplane>(&robot.kinematics);
-  if (flown != nullptr && flown->min_speed - speed > granted + rounding)
-    count(report.slow_flights, {time, row.robot, {}, flown->min_speed - speed});
+  const double least =
+      std::visit([](const auto& own) { return least_speed(own); }, robot.kinematics);
+  if (!can_rest(robot) && least - speed > granted + rounding)
+    count(report.slow_flights, {time, row.robot, {}, least - speed});
 }
 
 void judge_kinematics(const RowStep& step, CheckReport& report) {

@@ -17,6 +17,9 @@ struct RowStep {
 /// m/s, the reference of the relative tolerance of speeds where there is no limit.
 double speed_scale(const CheckedRobot& robot);
 
+/// Returns whether the robot can brake to rest; a robot that cannot arrives by passing its goal.
+bool can_rest(const CheckedRobot& robot);
+
 /// m/s^2, for the velocities alone.
 double reach_of(const CheckedRobot& robot);
 

@@ -72,8 +72,8 @@ double off_time(double time, double phase, double time_step) {
 
 }  // namespace
 
-std::optional<double> early_change(const CheckedRobot& robot, const Passage& passage,
-                                   OwnClock& clock) {
+std::optional<double> early_change(const CheckedRobot& robot, const RowPair& passage,
+                                   JudgedClock& clock) {
   const std::optional<TimedState> before = clock.before;
   clock.before = passage.from;
   if (!before) return {};

@@ -13,19 +13,19 @@ struct TimedState {
 };
 
 /// Two consecutive rows.
-struct Passage {
+struct RowPair {
   TimedState from, to;
   double tolerance = 0.0;  // relative
 };
 
 /// What is known of one robot's clock.
-struct OwnClock {
+struct JudgedClock {
   std::optional<double> phase = {};       // s, of its first change
   std::optional<TimedState> before = {};  // the row before the last one
 };
 
 /// m/s²: the change of its acceleration at the start of the passage, if that is none of its times.
-std::optional<double> early_change(const CheckedRobot& robot, const Passage& passage,
-                                   OwnClock& clock);
+std::optional<double> early_change(const CheckedRobot& robot, const RowPair& passage,
+                                   JudgedClock& clock);
 
 }  // namespace avo::judge

@@ -24,12 +24,12 @@ std::uint64_t key(std::int64_t a, std::int64_t b) {
   return static_cast<std::uint64_t>(a) << 32U | static_cast<std::uint64_t>(b);
 }
 
-double overlap_distance(const Mover& a, const Mover& b, const Step& step) {
+double overlap_distance(const MovingDisc& a, const MovingDisc& b, const JudgedStep& step) {
   return (a.radius + b.radius) * (1.0 - step.relative_tolerance) - a.error - b.error;
 }
 
 // s: the time of a fraction of the step, for this pair.
-double instant(const Mover& a, const Mover& b, const Step& step, double fraction) {
+double instant(const MovingDisc& a, const MovingDisc& b, const JudgedStep& step, double fraction) {
   return step.from + (end_only(a, b) ? 1.0 : fraction) * step.duration;
 }
 
@@ -54,7 +54,7 @@ std::vector<CheckedHit> listed(const Hits& hits) {
 
 }  // namespace
 
-void PairJudge::meet_robots(const Mover& a, const Mover& b, const Step& step) {
+void PairJudge::meet_robots(const MovingDisc& a, const MovingDisc& b, const JudgedStep& step) {
   const auto path = relative_pieces(a, b, step.duration);
   const double contact = a.radius + b.radius, limit = overlap_distance(a, b, step);
   const std::uint64_t pair = key(a.index, b.index);
@@ -83,7 +83,7 @@ void PairJudge::meet_robots(const Mover& a, const Mover& b, const Step& step) {
 
 // A robot that moves at all in a step rests only at single instants of it: the first and the last
 // instant of the contact suffice.
-void PairJudge::meet_mover(const Mover& robot, const Mover& other, const Step& step,
+void PairJudge::meet_mover(const MovingDisc& robot, const MovingDisc& other, const JudgedStep& step,
                            Contacts& contacts) {
   const auto path = relative_pieces(robot, other, step.duration);
   const double limit = overlap_distance(robot, other, step);
@@ -105,7 +105,7 @@ void PairJudge::meet_mover(const Mover& robot, const Mover& other, const Step& s
   note(contacts.in_motion, {time, robot.index, other.index, limit - nearest});
 }
 
-void PairJudge::meet(const Mover& a, const Mover& b, const Step& step) {
+void PairJudge::meet(const MovingDisc& a, const MovingDisc& b, const JudgedStep& step) {
   if (a.obstacle) return;                         // then both are
   if (!b.obstacle && a.index == b.index) return;  // two discs of one robot
   if (b.obstacle) return meet_mover(a, b, step, with_obstacles_);

@@ -17,7 +17,7 @@ class PairJudge {
  public:
   void add_robot(const CheckedRobot& robot) { kinds_.add(robot); }
   /// Two bodies over the step; robots come first, by number.
-  void meet(const Mover& a, const Mover& b, const Step& step);
+  void meet(const MovingDisc& a, const MovingDisc& b, const JudgedStep& step);
   /// m: no pair farther apart than this changes the result.
   [[nodiscard]] double reach() const;
   /// Writes all results.
@@ -32,10 +32,11 @@ class PairJudge {
     CheckCount in_motion;  // of those robots among them that moved
   };
 
-  void meet_robots(const Mover& a, const Mover& b, const Step& step);
-  void meet_mover(const Mover& robot, const Mover& other, const Step& step, Contacts& contacts);
+  void meet_robots(const MovingDisc& a, const MovingDisc& b, const JudgedStep& step);
+  void meet_mover(const MovingDisc& robot, const MovingDisc& other, const JudgedStep& step,
+                  Contacts& contacts);
 
-  Kinds kinds_;
+  DutyKinds kinds_;
   Pairs overlapping_;
   CheckCount overlaps_;
   Contacts with_obstacles_, one_sided_;

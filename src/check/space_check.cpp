@@ -9,6 +9,7 @@
 #include "check/counts.h"
 #include "check/space_hits.h"
 #include "check/space_path.h"
+#include "check/space_refuse.h"
 #include "check/space_step.h"
 
 namespace avo::space {
@@ -32,33 +33,6 @@ double weighed(Vec3 a, double vertical) {
 bool slows_straight(Vec3 from, Vec3 to) {
   const double speed = norm(from);
   return norm(to) <= speed && dot(from, to) >= 0.0 && norm(cross(from, to)) <= 1e-9 * speed * speed;
-}
-
-void require_that(bool holds, const char* body, std::size_t number, const char* rule) {
-  if (!holds) throw Error(std::string(body) + " " + std::to_string(number) + ": " + rule);
-}
-
-void check_body(const CheckedRobot& robot, std::size_t k) {
-  require_that(robot.radius > 0.0, "robot", k, "radius must be > 0");
-  require_that(robot.downwash >= 0.0, "robot", k, "downwash must be >= 0");
-  require_that(robot.max_acceleration > 0.0, "robot", k, "max_acceleration must be > 0");
-  require_that(robot.max_speed > 0.0, "robot", k, "max_speed must be > 0");
-  require_that(robot.vertical > 0.0, "robot", k, "vertical must be > 0");
-  require_that(robot.climb > 0.0, "robot", k, "climb must be > 0");
-  require_that(robot.sink > 0.0, "robot", k, "sink must be > 0");
-  require_that(robot.max_braking.value_or(1.0) > 0.0, "robot", k, "max_braking must be > 0");
-  require_that(!robot.goal || is_finite(*robot.goal), "robot", k, "goal must be finite");
-}
-
-void check_body(const CheckedMover& mover, std::size_t k) {
-  require_that(mover.radius > 0.0, "moving obstacle", k, "radius must be > 0");
-}
-
-void check_body(const Box& box, std::size_t k) {
-  require_that(box.min.x <= box.max.x && box.min.y <= box.max.y && box.min.z <= box.max.z, "box", k,
-               "min must not exceed max");
-  require_that(box.radius >= 0.0 && std::isfinite(box.heading), "box", k,
-               "radius must be >= 0, and heading finite");
 }
 
 }  // namespace
@@ -228,11 +202,11 @@ Check::Check(std::vector<CheckedRobot> robots, std::vector<Box> boxes, const Che
              std::vector<CheckedMover> movers)
     : state_(std::make_unique<State>()) {
   for (std::size_t k = 0; k < robots.size(); ++k) {
-    check_body(robots[k], k);
+    judge::require_sound(robots[k], k);
     if (robots[k].goal) ++state_->report.with_goal;
   }
-  for (std::size_t k = 0; k < boxes.size(); ++k) check_body(boxes[k], k);
-  for (std::size_t k = 0; k < movers.size(); ++k) check_body(movers[k], k);
+  for (std::size_t k = 0; k < boxes.size(); ++k) judge::require_sound(boxes[k], k);
+  for (std::size_t k = 0; k < movers.size(); ++k) judge::require_sound(movers[k], k);
   if (!(options.relative_tolerance >= 0.0 && options.relative_tolerance < 1.0))
     throw Error("relative_tolerance: must be >= 0 and < 1");
   state_->robots = std::move(robots);

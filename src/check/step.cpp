@@ -16,7 +16,7 @@ namespace {
 
 // A mover from one knot to the next.
 struct Span {
-  Knot from, to;
+  CourseKnot from, to;
 };
 
 // Differences are formed first: far from the origin the rows are coarse, their differences are
@@ -27,11 +27,11 @@ RelativePath cubic(const Span& span, double duration) {
            span.to.position - third * span.to.velocity, span.to.position}};
 }
 
-Knot difference(const Knot& a, const Knot& b) {
+CourseKnot difference(const CourseKnot& a, const CourseKnot& b) {
   return {a.position - b.position, a.velocity - b.velocity};
 }
 
-Knot knot_within(const Span& span, double duration, double u) {
+CourseKnot knot_within(const Span& span, double duration, double u) {
   const auto& [b0, b1, b2, b3] = cubic(span, duration).control;
   const auto between = [u](Vec2 from, Vec2 to) { return (1.0 - u) * from + u * to; };
   const Vec2 b01 = between(b0, b1), b12 = between(b1, b2), b23 = between(b2, b3);
@@ -40,14 +40,14 @@ Knot knot_within(const Span& span, double duration, double u) {
 }
 
 // Part k of the mover's own parts.
-Span own_span(const Mover& mover, std::size_t k) {
+Span own_span(const MovingDisc& mover, std::size_t k) {
   if (mover.knots.empty())
     return {{mover.from, mover.from_velocity}, {mover.to, mover.to_velocity}};
   return {mover.knots[k], mover.knots[k + 1]};
 }
 
 // Part k of as many parts as its own, or a multiple of them.
-Span span_of(const Mover& mover, double duration, std::size_t k, std::size_t parts) {
+Span span_of(const MovingDisc& mover, double duration, std::size_t k, std::size_t parts) {
   const std::size_t finer = parts / mover.parts(), i = k % finer;
   const Span span = own_span(mover, k / finer);
   const auto at = [&](std::size_t end) {
@@ -93,16 +93,16 @@ double speed_within(const Span& span, double from, double to, double duration) {
 
 }  // namespace
 
-Mover robot_mover(const CheckedRobot& robot, std::size_t disc, const CheckedState& before,
-                  const CheckedState& now, double duration) {
-  Mover mover{center_of(robot, before, disc),
-              before.velocity,
-              center_of(robot, now, disc),
-              now.velocity,
-              robot.radius,
-              robot.interpolation_error,
-              now.robot};
-  if (std::optional<Course> course = course_of(robot, disc, before, now, duration)) {
+MovingDisc robot_mover(const CheckedRobot& robot, std::size_t disc, const CheckedState& before,
+                       const CheckedState& now, double duration) {
+  MovingDisc mover{center_of(robot, before, disc),
+                   before.velocity,
+                   center_of(robot, now, disc),
+                   now.velocity,
+                   robot.radius,
+                   robot.interpolation_error,
+                   now.robot};
+  if (std::optional<DiscCourse> course = course_of(robot, disc, before, now, duration)) {
     mover.error += course->error;
     mover.knots = std::move(course->knots);
   } else if (!is_holonomic(robot.kinematics)) {
@@ -113,27 +113,29 @@ Mover robot_mover(const CheckedRobot& robot, std::size_t disc, const CheckedStat
   return mover;
 }
 
-Mover newcomer(const CheckedRobot& robot, std::size_t disc, const CheckedState& now) {
+MovingDisc newcomer(const CheckedRobot& robot, std::size_t disc, const CheckedState& now) {
   const Vec2 center = center_of(robot, now, disc);
-  Mover mover{center,   now.velocity, center, now.velocity, robot.radius, robot.interpolation_error,
-              now.robot};
+  MovingDisc mover{center,       now.velocity, center,
+                   now.velocity, robot.radius, robot.interpolation_error,
+                   now.robot};
   mover.newcomer = true;
   return mover;
 }
 
-Place place_of(const CheckedObstacle& obstacle, double time) {
+PlacedObstacle place_of(const CheckedObstacle& obstacle, double time) {
   const double t = time;
   return {obstacle.position + t * (obstacle.velocity + (0.5 * t) * obstacle.acceleration),
           obstacle.velocity + t * obstacle.acceleration};
 }
 
-Mover obstacle_mover(const Place& from, const Place& to, double radius, std::int64_t index) {
-  Mover mover{from.position, from.velocity, to.position, to.velocity, radius, 0.0, index};
+MovingDisc obstacle_mover(const PlacedObstacle& from, const PlacedObstacle& to, double radius,
+                          std::int64_t index) {
+  MovingDisc mover{from.position, from.velocity, to.position, to.velocity, radius, 0.0, index};
   mover.obstacle = true;
   return mover;
 }
 
-RelativePath path_of(const Mover& mover, double duration, Vec2 origin, std::size_t k,
+RelativePath path_of(const MovingDisc& mover, double duration, Vec2 origin, std::size_t k,
                      std::size_t parts) {
   const Vec2 to = mover.to - origin;
   if (mover.newcomer) return {{to, to, to, to}};
@@ -143,7 +145,7 @@ RelativePath path_of(const Mover& mover, double duration, Vec2 origin, std::size
   return cubic(span, duration / static_cast<double>(parts));
 }
 
-RelativePath relative_path(const Mover& a, const Mover& b, double duration, std::size_t k,
+RelativePath relative_path(const MovingDisc& a, const MovingDisc& b, double duration, std::size_t k,
                            std::size_t parts) {
   const Vec2 to = a.to - b.to;
   if (end_only(a, b)) return {{to, to, to, to}};
@@ -152,17 +154,18 @@ RelativePath relative_path(const Mover& a, const Mover& b, double duration, std:
                duration / static_cast<double>(parts));
 }
 
-Box box_of(const Mover& mover, std::size_t owner, double duration) {
+BoundingBox box_of(const MovingDisc& mover, std::size_t owner, double duration) {
   const std::size_t parts = mover.parts();
   const auto box_of_part = [&](std::size_t k) {
     return box_around(path_of(mover, duration, {}, k, parts).control, mover.radius, owner);
   };
-  Box box = box_of_part(0);
+  BoundingBox box = box_of_part(0);
   for (std::size_t k = 1; k < parts; ++k) box = hull(box, box_of_part(k));
   return box;
 }
 
-double speed_bound(const Mover& mover, double from_fraction, double to_fraction, double duration) {
+double speed_bound(const MovingDisc& mover, double from_fraction, double to_fraction,
+                   double duration) {
   if (mover.newcomer) return norm(mover.to_velocity);
   const auto parts = static_cast<double>(mover.parts());
   const auto last = mover.parts() - 1;

@@ -16,48 +16,49 @@
 namespace avo::judge {
 
 /// The judged step.
-struct Step {
+struct JudgedStep {
   double from = 0.0, duration = 0.0;  // s
   double relative_tolerance = 0.0;
   std::span<const CheckedRobot> robots;  // by number
 };
 
 /// A robot's disc or an obstacle over one step.
-struct Mover {
+struct MovingDisc {
   Vec2 from, from_velocity, to, to_velocity;  // m, m/s
   double radius = 0.0, error = 0.0;           // m
   std::int64_t index = 0;
   bool obstacle = false;
-  bool newcomer = false;         // present only at the end of the step
-  std::vector<Knot> knots = {};  // see Course; empty: one cubic from end to end
+  bool newcomer = false;               // present only at the end of the step
+  std::vector<CourseKnot> knots = {};  // see DiscCourse; empty: one cubic from end to end
 
   /// The number of cubics.
   std::size_t parts() const { return knots.empty() ? 1 : knots.size() - 1; }
 };
 
 /// A disc of the robot from row `before` to row `now`, `duration` s later.
-Mover robot_mover(const CheckedRobot& robot, std::size_t disc, const CheckedState& before,
-                  const CheckedState& now, double duration);
+MovingDisc robot_mover(const CheckedRobot& robot, std::size_t disc, const CheckedState& before,
+                       const CheckedState& now, double duration);
 /// A disc of a robot without a row at the start of the step.
-Mover newcomer(const CheckedRobot& robot, std::size_t disc, const CheckedState& now);
+MovingDisc newcomer(const CheckedRobot& robot, std::size_t disc, const CheckedState& now);
 /// The place and the velocity of a body.
-struct Place {
+struct PlacedObstacle {
   Vec2 position, velocity;  // m, m/s
 };
-Place place_of(const CheckedObstacle& obstacle, double time);
-Mover obstacle_mover(const Place& from, const Place& to, double radius, std::int64_t index);
+PlacedObstacle place_of(const CheckedObstacle& obstacle, double time);
+MovingDisc obstacle_mover(const PlacedObstacle& from, const PlacedObstacle& to, double radius,
+                          std::int64_t index);
 
 /// Returns whether one of the two is present only at the end of the step.
-inline bool end_only(const Mover& a, const Mover& b) {
+inline bool end_only(const MovingDisc& a, const MovingDisc& b) {
   return a.newcomer || b.newcomer;
 }
 
 /// Part k of `parts`, a multiple of its own number, of the path of one mover, relative to a point
 /// at rest, m.
-RelativePath path_of(const Mover& mover, double duration, Vec2 origin = {}, std::size_t k = 0,
+RelativePath path_of(const MovingDisc& mover, double duration, Vec2 origin = {}, std::size_t k = 0,
                      std::size_t parts = 1);
 /// The whole path.
-inline auto pieces_of(const Mover& mover, double duration, Vec2 origin) {
+inline auto pieces_of(const MovingDisc& mover, double duration, Vec2 origin) {
   const std::size_t parts = mover.newcomer ? 1 : mover.parts();
   const auto piece = [&mover, duration, origin, parts](std::size_t k) {
     return path_of(mover, duration, origin, k, parts);
@@ -65,11 +66,11 @@ inline auto pieces_of(const Mover& mover, double duration, Vec2 origin) {
   return Pieces<decltype(piece)>{parts, piece};
 }
 /// The path of two movers relative to each other. Where it is end_only, there is one part.
-RelativePath relative_path(const Mover& a, const Mover& b, double duration, std::size_t k,
+RelativePath relative_path(const MovingDisc& a, const MovingDisc& b, double duration, std::size_t k,
                            std::size_t parts);
 
 /// The whole path.
-inline auto relative_pieces(const Mover& a, const Mover& b, double duration) {
+inline auto relative_pieces(const MovingDisc& a, const MovingDisc& b, double duration) {
   const std::size_t parts = end_only(a, b) ? 1 : std::max(a.parts(), b.parts());
   const auto piece = [&a, &b, duration, parts](std::size_t k) {
     return relative_path(a, b, duration, k, parts);
@@ -78,9 +79,10 @@ inline auto relative_pieces(const Mover& a, const Mover& b, double duration) {
 }
 
 /// Contains the mover's disc at all times of the step.
-Box box_of(const Mover& mover, std::size_t owner, double duration);
+BoundingBox box_of(const MovingDisc& mover, std::size_t owner, double duration);
 
 /// Upper bound of the speed on a part of the path, m/s; at most twice the largest speed.
-double speed_bound(const Mover& mover, double from_fraction, double to_fraction, double duration);
+double speed_bound(const MovingDisc& mover, double from_fraction, double to_fraction,
+                   double duration);
 
 }  // namespace avo::judge

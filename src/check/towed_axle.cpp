@@ -101,11 +101,11 @@ TowedAxle towed_axle(const CheckedState& before, const CheckedState& now, double
   return axle;
 }
 
-Knot knot_on(const TowedAxle& axle, double ahead, std::size_t part) {
+CourseKnot knot_on(const TowedAxle& axle, double ahead, std::size_t part) {
   const double time = time_of(axle, part);
   const Vec2 h = axle.heading[part], velocity = velocity_at(axle, time);
   const Vec2 point = axle.from + time * (axle.velocity + (0.5 * time) * axle.acceleration);
-  const Knot knot{point - axle.offset * h, dot(h, velocity) * h};
+  const CourseKnot knot{point - axle.offset * h, dot(h, velocity) * h};
   if (ahead == 0.0) return knot;
   const Vec2 n = left_of(h);
   return {knot.position + ahead * h, knot.velocity + (ahead * dot(n, velocity) / axle.offset) * n};

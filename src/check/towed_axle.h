@@ -23,7 +23,7 @@ TowedAxle towed_axle(const CheckedState& before, const CheckedState& now, double
                      double duration);
 
 /// The point `ahead` m ahead of the axle at the end of a part.
-Knot knot_on(const TowedAxle& axle, double ahead, std::size_t part);
+CourseKnot knot_on(const TowedAxle& axle, double ahead, std::size_t part);
 /// m/s^4, an upper bound of the fourth derivative of that place.
 double fourth_derivative(const TowedAxle& axle, double ahead);
 

@@ -14,7 +14,7 @@
 namespace avo::judge {
 namespace {
 
-Box box_of(const CheckedWall& wall, std::size_t owner) {
+BoundingBox box_of(const CheckedWall& wall, std::size_t owner) {
   return box_around(std::array{wall.a, wall.b}, wall.radius, owner);
 }
 
@@ -27,13 +27,13 @@ bool concerns(const CheckedWall& wall, std::uint32_t layers) {
 }  // namespace
 
 void WallJudge::set_walls(std::vector<CheckedWall> walls) {
-  std::vector<Box> boxes;
+  std::vector<BoundingBox> boxes;
   for (std::size_t k = 0; k < walls.size(); ++k) boxes.push_back(box_of(walls[k], k));
   tree_ = BoxTree(std::move(boxes));
   walls_ = std::move(walls);
 }
 
-void WallJudge::judge(const Mover& robot, const Step& step) {
+void WallJudge::judge(const MovingDisc& robot, const JudgedStep& step) {
   if (walls_.empty()) return;
   const std::uint32_t layers = step.robots[static_cast<std::size_t>(robot.index)].layers;
   // no wall farther away than the least clearance changes the result
@@ -45,7 +45,7 @@ void WallJudge::judge(const Mover& robot, const Step& step) {
       });
 }
 
-void WallJudge::meet(const Mover& robot, std::size_t wall, const Step& step) {
+void WallJudge::meet(const MovingDisc& robot, std::size_t wall, const JudgedStep& step) {
   const Vec2 a = walls_[wall].a, along = walls_[wall].b - a;
   const std::size_t parts = robot.parts();
   const auto piece = [&](std::size_t k) {

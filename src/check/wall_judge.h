@@ -15,14 +15,14 @@ class WallJudge {
  public:
   void set_walls(std::vector<CheckedWall> walls);
   /// Judges one robot over the step. A robot keeps clear of the walls of its layers.
-  void judge(const Mover& robot, const Step& step);
+  void judge(const MovingDisc& robot, const JudgedStep& step);
   /// Returns whether a wall of a robot in those layers touches the segment between the two places.
   [[nodiscard]] bool hides(Vec2 from, Vec2 to, std::uint32_t layers) const;
   /// Writes all results.
   void write(CheckReport& report) const;
 
  private:
-  void meet(const Mover& robot, std::size_t wall, const Step& step);
+  void meet(const MovingDisc& robot, std::size_t wall, const JudgedStep& step);
 
   std::vector<CheckedWall> walls_;
   BoxTree tree_;

@@ -10,6 +10,7 @@
 
 #include "avo/error.h"
 #include "avo/vec.h"
+#include "avo/vec3.h"
 
 namespace avo::inline core {
 
@@ -91,6 +92,11 @@ void require(const Name& name, Vec2 value, std::string_view unit) {
   if (kAnyValue.contains(value.x) && kAnyValue.contains(value.y)) return;
   require(std::string(name) + ".0", value.x, kAnyValue, unit);
   require(std::string(name) + ".1", value.y, kAnyValue, unit);
+}
+template <typename Name>
+void require(const Name& name, Vec3 value, std::string_view unit) {
+  require(name, Vec2{value.x, value.y}, unit);
+  if (!kAnyValue.contains(value.z)) require(std::string(name) + ".2", value.z, kAnyValue, unit);
 }
 
 }  // namespace avo::inline core

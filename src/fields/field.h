@@ -3,6 +3,7 @@
 // files, checks of ranges, saved states and the bindings read it. Default values are those of the
 // structs themselves.
 #pragma once
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <optional>
@@ -12,18 +13,22 @@
 #include <variant>
 #include <vector>
 
+#include "avo/export.h"
 #include "avo/scenario.h"
+#include "avo/vec3.h"
 #include "core/ranges.h"
+#include "fields/place.h"
 
 namespace avo::inline fields {
 
-/// The kinds of values that T may have. std::monostate stands for a value with keys of its own,
-/// which code reads.
+/// The kinds of values that the fields of T may have, by default those that many structs have.
+/// std::monostate stands for a value with keys of its own, which code reads.
 template <class T, class... Kinds>
 using MemberOf = std::variant<std::monostate, Kinds T::*...>;
 template <class T>
 struct MembersOf {
-  using type = MemberOf<T, double, Vec2>;
+  using type = MemberOf<T, double, std::optional<double>, int, bool, std::string, Vec2, Vec3,
+                        std::vector<Vec2>, LayerSet, Fill>;
 };
 template <>
 struct MembersOf<RobotSetup> {
@@ -40,10 +45,6 @@ struct MembersOf<Car> {
   using type = MemberOf<Car, double, std::optional<double>, bool, AccelerationSet>;
 };
 template <>
-struct MembersOf<DifferentialDrive> {
-  using type = MemberOf<DifferentialDrive, double>;
-};
-template <>
 struct MembersOf<Airplane> {
   using type = MemberOf<Airplane, double, AfterGoal>;
 };
@@ -52,10 +53,6 @@ struct MembersOf<Scenario> {
   using type = MemberOf<Scenario, double, std::optional<double>, int, std::optional<int>,
                         std::uint64_t, std::string, Method, std::optional<Certificate>, Motion,
                         bool, std::optional<bool>, RightOfWay, Clock>;
-};
-template <>
-struct MembersOf<SensingModel> {
-  using type = MemberOf<SensingModel, double, int, bool>;
 };
 template <>
 struct MembersOf<MeasurementNoise> {
@@ -86,6 +83,29 @@ struct Field {
   Whose whose = Whose::all;
 };
 
+/// The fields of T, in the order of the documentation. The template is hidden explicitly: the
+/// instances of public structs would be exported.
+template <class T>
+AVO_LOCAL inline constexpr std::monostate kFields{};
+
+/// The row of a field that another struct has as well, with the same meaning. Only its default may
+/// be another one. A key that the other struct does not have does not compile.
+template <class Other, class T, class Value>
+consteval Field<T> as_in(std::string_view key, Value T::*member,
+                         std::optional<std::string_view> default_text = {}) {
+  const auto& table = kFields<Other>;
+  const auto row =
+      std::find_if(table.begin(), table.end(), [&](const auto& field) { return field.key == key; });
+  return {row->key,
+          member,
+          row->need,
+          row->range,
+          row->unit,
+          row->doc,
+          default_text.value_or(row->default_text),
+          row->whose};
+}
+
 /// Fields with keys of their own; ranges of layers, and of values that are not numbers.
 inline constexpr std::monostate kNested;
 inline constexpr Range kLayer{0.0, 31.0, false};
@@ -105,16 +125,17 @@ void for_each_member(const Table& table, const Visit& visit) {
 
 /// Throws Error for the first number of the value that is outside of its field's range. name(key):
 /// the number's name, of any type that converts to a string.
-template <class T, class Table, class Name>
-void require_ranges(const T& value, const Table& table, const Name& name) {
-  for_each_member(table, [&](const auto& field, const auto member) {
+template <class T, class Name>
+void require_ranges(const T& value, const Name& name) {
+  for_each_member(kFields<T>, [&](const auto& field, const auto member) {
     const auto& own = value.*member;
     using Value = std::decay_t<decltype(own)>;
     if constexpr (std::is_same_v<Value, double> || std::is_same_v<Value, int>)
       require(name(field.key), own, field.range, field.unit);
-    else if constexpr (std::is_same_v<Value, Vec2>)
+    else if constexpr (std::is_same_v<Value, Vec2> || std::is_same_v<Value, Vec3>)
       require(name(field.key), own, field.unit);
-    else if constexpr (std::is_same_v<Value, std::optional<double>>)
+    else if constexpr (std::is_same_v<Value, std::optional<double>> ||
+                       std::is_same_v<Value, std::optional<int>>)
       if (own) require(name(field.key), *own, field.range, field.unit);
   });
 }

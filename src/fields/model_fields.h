@@ -5,7 +5,8 @@
 
 namespace avo::inline fields {
 
-inline constexpr auto kCarFields = std::to_array<Field<Car>>({
+template <>
+AVO_LOCAL inline constexpr auto kFields<Car> = std::to_array<Field<Car>>({
     {"wheelbase", &Car::wheelbase, kOptional, kPositive, "m", "between the axles"},
     {"max_curvature", &Car::max_curvature, kOptional, kPositive, "1/m",
      "of its way; it turns in place only without", "unlimited"},
@@ -16,25 +17,29 @@ inline constexpr auto kCarFields = std::to_array<Field<Car>>({
      "exact: |a_lin| and |a_lat| <= max_acceleration; incircle: |a| is"},
 });
 
-inline constexpr auto kCarBodyFields = std::to_array<Field<CarBody>>({
+template <>
+AVO_LOCAL inline constexpr auto kFields<CarBody> = std::to_array<Field<CarBody>>({
     {"offset", &CarBody::offset, kOptional, kAnyValue, "m",
      "of its center, ahead of the rear axle"},
     {"radius", &CarBody::radius, kRequired, kPositive, "m", "of the disc, instead of radius"},
 });
 
-inline constexpr auto kDriveFields = std::to_array<Field<DifferentialDrive>>({
-    {"track", &DifferentialDrive::track, kOptional, kPositive, "m", "between the wheels"},
-    {"offset", &DifferentialDrive::offset, kOptional, kPositive, "m",
-     "ahead of the axle, of the point that is planned for; the disc that others sense is about "
-     "it, with radius + offset",
-     "half of the smaller one of radius and track"},
-    {"wheel_speed", &DifferentialDrive::wheel_speed, kOptional, kPositive, "m/s",
-     "of each wheel, never exceeded"},
-    {"wheel_acceleration", &DifferentialDrive::wheel_acceleration, kOptional, kPositive, "m/s^2",
-     "of each wheel, never exceeded"},
-});
+template <>
+AVO_LOCAL inline constexpr auto kFields<DifferentialDrive> =
+    std::to_array<Field<DifferentialDrive>>({
+        {"track", &DifferentialDrive::track, kOptional, kPositive, "m", "between the wheels"},
+        {"offset", &DifferentialDrive::offset, kOptional, kPositive, "m",
+         "ahead of the axle, of the point that is planned for; the disc that others sense is about "
+         "it, with radius + offset",
+         "half of the smaller one of radius and track"},
+        {"wheel_speed", &DifferentialDrive::wheel_speed, kOptional, kPositive, "m/s",
+         "of each wheel, never exceeded"},
+        {"wheel_acceleration", &DifferentialDrive::wheel_acceleration, kOptional, kPositive,
+         "m/s^2", "of each wheel, never exceeded"},
+    });
 
-inline constexpr auto kAirplaneFields = std::to_array<Field<Airplane>>({
+template <>
+AVO_LOCAL inline constexpr auto kFields<Airplane> = std::to_array<Field<Airplane>>({
     {"min_speed", &Airplane::min_speed, kOptional, kPositive, "m/s", "never less"},
     {"lateral_acceleration", &Airplane::lateral_acceleration, kOptional, kPositive, "m/s^2",
      "across its way, never exceeded; max_acceleration is along it"},

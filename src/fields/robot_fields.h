@@ -14,7 +14,8 @@ struct HeadingField {
 inline constexpr HeadingField kHeadingField{"heading", "rad", "counter-clockwise from +x", kAngle};
 
 using RobotField = Field<RobotSetup>;
-inline constexpr auto kRobotFields = std::to_array<RobotField>({
+template <>
+AVO_LOCAL inline constexpr auto kFields<RobotSetup> = std::to_array<Field<RobotSetup>>({
     {"position", &RobotSetup::position, kRequired, kAnyValue, "m", "where it starts"},
     {"velocity", &RobotSetup::velocity, kOptional, kAnyValue, "m/s",
      "at the start; of one with a heading its length counts, along it"},

@@ -10,7 +10,8 @@ inline constexpr Range kDelay{0.0, kMostDelay, false};  // steps
 inline constexpr Range kSceneName{1.0, 200.0, false};   // bytes
 inline constexpr Range kMethodName{1.0, 64.0, false};   // bytes
 
-inline constexpr auto kScenarioFields = std::to_array<Field<Scenario>>({
+template <>
+AVO_LOCAL inline constexpr auto kFields<Scenario> = std::to_array<Field<Scenario>>({
     {"version", kNested, kRequired, {1.0, 1.0, false}, "", "version of this format"},
     {"name", &Scenario::name, kOptional, kSceneName, "", "of the scene", "the file's name"},
     {"time_step", &Scenario::time_step, kOptional, kPositive, "s", "between decisions"},
@@ -85,7 +86,8 @@ inline constexpr auto kScenarioFields = std::to_array<Field<Scenario>>({
      "it is simulated though robots start where the certificate cannot keep them apart"},
 });
 
-inline constexpr auto kSensingFields = std::to_array<Field<SensingModel>>({
+template <>
+AVO_LOCAL inline constexpr auto kFields<SensingModel> = std::to_array<Field<SensingModel>>({
     {"noise", kNested, kOptional, {}, "", "by which a measurement is off"},
     {"delay", &SensingModel::delay, kOptional, kDelay, "steps",
      "from a measurement to the decision; carried on meanwhile"},
@@ -105,7 +107,8 @@ inline constexpr auto kSensingFields = std::to_array<Field<SensingModel>>({
      "by which the robot's own place on the map of the obstacles is off"},
 });
 
-inline constexpr auto kMeasurementNoiseFields = std::to_array<Field<MeasurementNoise>>({
+template <>
+AVO_LOCAL inline constexpr auto kFields<MeasurementNoise> = std::to_array<Field<MeasurementNoise>>({
     {"position", &MeasurementNoise::position, kOptional, kNoise, "m",
      "of each coordinate: standard deviation, or bound of uniform noise"},
     {"velocity", &MeasurementNoise::velocity, kOptional, kNoise, "m/s", "likewise"},
@@ -114,21 +117,25 @@ inline constexpr auto kMeasurementNoiseFields = std::to_array<Field<MeasurementN
      "gaussian noise stays within so many standard deviations", "3"},
 });
 
-inline constexpr auto kLocalizationNoiseFields = std::to_array<Field<LocalizationNoise>>({
-    {"position", &LocalizationNoise::position, kOptional, kNoise, "m",
-     "of each coordinate: standard deviation, or bound of uniform noise"},
-    {"distribution", &LocalizationNoise::distribution, kOptional, {}, "", "of each coordinate"},
-    {"truncated", &LocalizationNoise::truncated, kOptional, kTruncation, "",
-     "gaussian noise stays within so many standard deviations", "3"},
-});
+template <>
+AVO_LOCAL inline constexpr auto kFields<LocalizationNoise> =
+    std::to_array<Field<LocalizationNoise>>({
+        {"position", &LocalizationNoise::position, kOptional, kNoise, "m",
+         "of each coordinate: standard deviation, or bound of uniform noise"},
+        {"distribution", &LocalizationNoise::distribution, kOptional, {}, "", "of each coordinate"},
+        {"truncated", &LocalizationNoise::truncated, kOptional, kTruncation, "",
+         "gaussian noise stays within so many standard deviations", "3"},
+    });
 
-inline constexpr auto kSensingErrorFields = std::to_array<Field<SensingError>>({
+template <>
+AVO_LOCAL inline constexpr auto kFields<SensingError> = std::to_array<Field<SensingError>>({
     {"position", &SensingError::position, kOptional, kNotNegative, "m",
      "at most so far from where it is sensed"},
     {"velocity", &SensingError::velocity, kOptional, kNotNegative, "m/s", "likewise"},
 });
 
-inline constexpr auto kMoverFields = std::to_array<Field<MovingObstacle>>({
+template <>
+AVO_LOCAL inline constexpr auto kFields<MovingObstacle> = std::to_array<Field<MovingObstacle>>({
     {"position", &MovingObstacle::position, kOptional, kAnyValue, "m", "where it starts",
      "where its trajectory has it at 0 s; without one it has to be given"},
     {"velocity", &MovingObstacle::velocity, kOptional, kAnyValue, "m/s", "at the start"},

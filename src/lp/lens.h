@@ -9,11 +9,11 @@ namespace avo::inline lp {
 
 struct Lens {
   using Real = scalar::Pack<double>;
-  scalar::planar::Lens<Real> scaled;  ///< in this, all lengths are multiplied by `scale`
-  double scale = 1.0;                 ///< power of two; 1 unless squares would over- or underflow
-  Disc smaller;                       ///< of the two discs, as given
-  double gap = 0.0;                   ///< m/s, between the discs, > 0 if they do not meet
-  bool empty = false;                 ///< they do not meet
+  scalar::planar::LensOf<Real> scaled;  ///< in this, all lengths are multiplied by `scale`
+  double scale = 1.0;                   ///< power of two; 1 unless squares would over- or underflow
+  Disc smaller;                         ///< of the two discs, as given
+  double gap = 0.0;                     ///< m/s, between the discs, > 0 if they do not meet
+  bool empty = false;                   ///< they do not meet
 };
 
 /// The scale of these discs.

@@ -31,7 +31,7 @@ struct LimitDiscs {
 /// Discs count as touching where the gap between them is within rounding, 2 ulp of |c| + r of the
 /// larger one.
 template <typename Real>
-struct Lens {
+struct LensOf {
   Vec<Real> origin;  // center of the smaller disc
   Real radius;       // of the smaller disc
   // The effect of rounding on a plane's violation near the set: 8 ulp of the largest number
@@ -68,10 +68,10 @@ AVO_KERNEL Mask<Real> is_ordinary(const LimitDiscs<Real>& discs) {
 }
 
 template <typename Real>
-AVO_KERNEL Lens<Real> make_lens(const LimitDiscs<Real>& discs) {
+AVO_KERNEL LensOf<Real> make_lens(const LimitDiscs<Real>& discs) {
   const Vec<Real> zero{0.0, 0.0};
   const Real ulps = kToleranceUlps * kUlp;
-  Lens<Real> lens;
+  LensOf<Real> lens;
   lens.speed_is_larger = discs.radius <= discs.top_speed;
   const Vec<Real> larger_center = select(lens.speed_is_larger, zero, discs.center);
   lens.origin = select(lens.speed_is_larger, discs.center, zero);
@@ -89,18 +89,18 @@ AVO_KERNEL Lens<Real> make_lens(const LimitDiscs<Real>& discs) {
 }
 
 template <typename Real>
-AVO_KERNEL Mask<Real> in_smaller(const Lens<Real>& lens, Vec<Real> u, double rounding) {
+AVO_KERNEL Mask<Real> in_smaller(const LensOf<Real>& lens, Vec<Real> u, double rounding) {
   return dot(u, u) <= lens.radius * lens.radius * Real(rounding);
 }
 
 template <typename Real>
-AVO_KERNEL Mask<Real> in_larger(const Lens<Real>& lens, Vec<Real> u, double rounding) {
+AVO_KERNEL Mask<Real> in_larger(const LensOf<Real>& lens, Vec<Real> u, double rounding) {
   const Vec<Real> q = u - lens.larger_center;
   return (!lens.two_arcs) | (dot(q, q) <= lens.larger_radius * lens.larger_radius * Real(rounding));
 }
 
 template <typename Real>
-AVO_KERNEL Vec<Real> corner_towards(const Lens<Real>& lens, Vec<Real> p) {
+AVO_KERNEL Vec<Real> corner_towards(const LensOf<Real>& lens, Vec<Real> p) {
   const Real r = lens.radius, R = lens.larger_radius, D = lens.distance;
   const Real raw = ((r - R) * (r + R) + D * D) / (Real(2.0) * D);
   const Real along = clamp(raw, -r, r);
@@ -117,7 +117,7 @@ struct LensPoint {
 };
 
 template <typename Real>
-AVO_KERNEL LensPoint<Real> nearest(const Lens<Real>& lens, Vec<Real> p) {
+AVO_KERNEL LensPoint<Real> nearest(const LensOf<Real>& lens, Vec<Real> p) {
   constexpr double rounding = kRoundingOfSquares;
   const Mask<Real> inside_smaller = in_smaller(lens, p, 1.0);
   const Mask<Real> inside_larger = in_larger(lens, p, 1.0);
@@ -144,7 +144,7 @@ AVO_KERNEL LensPoint<Real> nearest(const Lens<Real>& lens, Vec<Real> p) {
 }
 
 template <typename Real>
-AVO_KERNEL Vec<Real> farthest_along(const Lens<Real>& lens, Vec<Real> direction) {
+AVO_KERNEL Vec<Real> farthest_along(const LensOf<Real>& lens, Vec<Real> direction) {
   constexpr double rounding = kRoundingOfSquares;
   const Vec<Real> n = direction / norm(direction);
   const Vec<Real> on_smaller = lens.radius * n;
@@ -157,7 +157,7 @@ AVO_KERNEL Vec<Real> farthest_along(const Lens<Real>& lens, Vec<Real> direction)
 
 /// Moves the point back into the discs, the smaller one last.
 template <typename Real>
-AVO_KERNEL Vec<Real> absolute_point(const Lens<Real>& lens, const LimitDiscs<Real>& discs,
+AVO_KERNEL Vec<Real> absolute_point(const LensOf<Real>& lens, const LimitDiscs<Real>& discs,
                                     Vec<Real> relative) {
   const Vec<Real> larger_center = select(lens.speed_is_larger, Vec<Real>{0.0, 0.0}, discs.center);
   Vec<Real> u = lens.origin + relative;

@@ -30,7 +30,7 @@ AVO_KERNEL Real violation(const Plane<Real>& plane, Vec<Real> u) {
   return plane.offset - dot(plane.normal, u);
 }
 
-/// Half-planes relative to Lens::origin, of lanes first .. first + Real::kLanes. Normals may have
+/// Half-planes relative to LensOf::origin, of lanes first .. first + Real::kLanes. Normals may have
 /// any length if Goal::direction is not zero: a violation is in the unit of the offset.
 template <typename Real, typename Row>
 struct Planes {
@@ -59,7 +59,7 @@ struct Goal {
 };
 
 template <typename Real>
-struct Line {
+struct PlaneEdge {
   Vec<Real> normal, along;
   Real offset;
 };
@@ -73,7 +73,7 @@ struct LineRange {
 
 /// Both ends in factors (r - o)(r + o): r² - o² would lose half the digits of a short chord.
 template <bool kRelaxed, typename Real>
-AVO_KERNEL LineRange<Real> clip_to_discs(const Lens<Real>& lens, const Line<Real>& line) {
+AVO_KERNEL LineRange<Real> clip_to_discs(const LensOf<Real>& lens, const PlaneEdge<Real>& line) {
   const Real zero = 0.0;
   const Real slack = kRelaxed ? Real(0.5) * lens.tolerance : zero;
   const Real gap = lens.radius - abs(line.offset);
@@ -97,7 +97,7 @@ AVO_KERNEL LineRange<Real> clip_to_discs(const Lens<Real>& lens, const Line<Real
 /// Along the line, a plane is t * slope >= excess. Where the whole lens cannot change t * slope by
 /// more than rounding, the two lines are parallel and only the excess counts.
 template <bool kRelaxed, typename Real, typename Row>
-AVO_KERNEL LineRange<Real> clip(const Lens<Real>& lens, const Line<Real>& line,
+AVO_KERNEL LineRange<Real> clip(const LensOf<Real>& lens, const PlaneEdge<Real>& line,
                                 const Planes<Real, Row>& planes) {
   const Real zero = 0.0;
   const Real slack = kRelaxed ? Real(0.5) * lens.tolerance : zero;
@@ -121,10 +121,10 @@ AVO_KERNEL LineRange<Real> clip(const Lens<Real>& lens, const Line<Real>& line,
 /// nothing (planes through one point, touching discs), all bounds are relaxed by half the
 /// tolerance. Half of it, so that the point counts as inside for all later planes.
 template <bool kLinear, typename Real, typename Row>
-AVO_KERNEL Mask<Real> move_to_boundary(const Lens<Real>& lens, const Planes<Real, Row>& before,
+AVO_KERNEL Mask<Real> move_to_boundary(const LensOf<Real>& lens, const Planes<Real, Row>& before,
                                        const Plane<Real>& plane, const Goal<Real>& goal,
                                        Mask<Real> active, Vec<Real>& point) {
-  Line<Real> line{plane.normal, perpendicular(plane.normal), plane.offset};
+  PlaneEdge<Real> line{plane.normal, perpendicular(plane.normal), plane.offset};
   Mask<Real> moved = active;
   if constexpr (kLinear) {
     const Real length = norm(plane.normal);
@@ -212,7 +212,7 @@ struct Outcome {
 /// `taken` the half-plane that is taken next for the least unsafe point; adding it twice does no
 /// harm.
 template <bool kLinear, typename Real, typename Row>
-AVO_KERNEL Outcome<Real> solve_planar(const Lens<Real>& lens, const Planes<Real, Row>& planes,
+AVO_KERNEL Outcome<Real> solve_planar(const LensOf<Real>& lens, const Planes<Real, Row>& planes,
                                       const Goal<Real>& goal, Mask<Real> active,
                                       Planes<Real, Row>& taken, Vec<Real>& point) {
   const Mask<Real> nobody = active & !active;

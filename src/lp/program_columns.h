@@ -25,7 +25,7 @@ template <std::size_t kWidth>
 struct ProgramRow {
   using Lanes = double[kWidth];
   Lanes n_x, n_y, offset;
-  Lanes relative;  // the offset, from Lens::origin
+  Lanes relative;  // the offset, from LensOf::origin
 };
 
 /// The largest number of half-planes, out of `count`, that all lanes of a pack take, in the plane

@@ -20,7 +20,7 @@ namespace planar {
 /// differences of theirs, so it is not normalized. The distance to `preferred` settles ties in each
 /// program, hence in the whole. It applies to the lanes in which `next` cannot be added.
 template <typename Real, typename Row>
-AVO_KERNEL void least_unsafe(const Lens<Real>& lens, const Planes<Real, Row>& give,
+AVO_KERNEL void least_unsafe(const LensOf<Real>& lens, const Planes<Real, Row>& give,
                              Plane<Real> next, Vec<Real> preferred, Mask<Real> active,
                              Planes<Real, Row>& taken, Row* scratch, Vec<Real>& point) {
   while (any(active)) {
@@ -52,7 +52,7 @@ AVO_KERNEL Real largest_violation(const Planes<Real, Row>& planes, Vec<Real> u) 
 
 /// How far the returned point lies outside the half-planes as given.
 template <typename Real, typename Row>
-AVO_KERNEL Real reported_violation(const Lens<Real>& lens, const Planes<Real, Row>& planes,
+AVO_KERNEL Real reported_violation(const LensOf<Real>& lens, const Planes<Real, Row>& planes,
                                    Vec<Real> relative, Vec<Real> point) {
   const Real zero = 0.0;
   const Real worst = largest_violation(planes, relative);
@@ -74,7 +74,7 @@ AVO_KERNEL void solve_pack(Group& group, Row* rows, Row* scratch, std::size_t fi
                                Real::load(group.radius + first),
                                Real::load(group.top_speed + first)};
   const Vec<Real> wish{Real::load(group.p_x + first), Real::load(group.p_y + first)};
-  const Lens<Real> lens = make_lens(discs);
+  const LensOf<Real> lens = make_lens(discs);
   const Planes<Real, Row> planes{rows, first, group.count};
   const Real count = Real::load(group.planes + first);
   for (std::size_t i = 0; i < planes.count; ++i) {

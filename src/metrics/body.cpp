@@ -69,7 +69,7 @@ Vec2 swing_of(const MotionModel& model, Vec2 velocity, double heading, double ah
 
 Body body_of(const FleetView& fleet, const BodyStep& step, BodyRow row) {
   const auto [i, j, disc] = row;
-  const LastSeen::Robot& last = step.last.robots[j];
+  const LastSeen::LastRobot& last = step.last.robots[j];
   Body body;
   body.name = fleet.id[i].value;
   body.setup = &fleet.setup[i];
@@ -113,7 +113,7 @@ Sweep sweep_of(const FleetView& fleet, const BodyStep& step, BodyRow row) {
     const Body body = body_of(fleet, step, row);
     return {body.path, body.radius, body.arc.has_value()};
   }
-  const LastSeen::Robot& last = step.last.robots[row.before];
+  const LastSeen::LastRobot& last = step.last.robots[row.before];
   const Vec2 position = last.position;
   if (!step.moves) return {{{position, position, position, position}}, setup.radius, false};
   const bool at_once = adopts_at_once(setup.method.value_or(step.method));

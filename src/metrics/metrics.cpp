@@ -231,7 +231,7 @@ RunSummary Metrics::summary() const {
   summary.min_obstacle_clearance = state_->walls.least_clearance;
   summary.first_seen_too_late = state_->first_sights.too_late();
   summary.obstacle_collisions_evadable = state_->mover_sights.evadable();
-  const std::vector<LastSeen::Robot>& robots = state_->last.robots;
+  const std::vector<LastSeen::LastRobot>& robots = state_->last.robots;
   for (std::size_t i = 0; i < robots.size(); ++i) {
     if (summary.not_arrived.size() == kMostListed) break;
     if (state_->trips.arrival(robots[i].id.value)) continue;

@@ -39,7 +39,7 @@ void MoverContacts::take(const FleetView& fleet) {
 void MoverContacts::meet(const Simulation& simulation, Vec2 position, std::size_t row,
                          double reach) {
   const ObstacleView movers = simulation.obstacles();
-  const Disc& disc = discs_[row];
+  const RowDisc& disc = discs_[row];
   const auto first = static_cast<std::ptrdiff_t>(now_.size());
   if (!is_finite(position)) return;
   movers_.list_within(position, reach, near_);
@@ -62,7 +62,7 @@ void MoverContacts::observe(const Simulation& simulation, std::span<const Vec2> 
   const ObstacleView movers = simulation.obstacles();
   if (movers.id.empty()) return;
   double widest = 0.0, largest = 0.0;  // m
-  for (const Disc& disc : discs_) widest = std::max(widest, disc.radius + disc.offset);
+  for (const RowDisc& disc : discs_) widest = std::max(widest, disc.radius + disc.offset);
   for (const MovingObstacle& mover : movers.setup) largest = std::max(largest, mover.radius);
   movers_.build(movers.position, widest + largest);
   near_.reserve(movers.id.size());  // later steps allocate nothing

@@ -27,7 +27,7 @@ class MoverContacts {
   [[nodiscard]] std::span<const MoverContact> begun() const { return begun_; }
 
  private:
-  struct Disc {
+  struct RowDisc {
     std::uint64_t robot = 0;
     bool parked = false;
     double radius = 0.0;      // m
@@ -36,7 +36,7 @@ class MoverContacts {
   };
   void meet(const Simulation& simulation, Vec2 position, std::size_t row, double reach);
 
-  std::vector<Disc> discs_;
+  std::vector<RowDisc> discs_;
   PointGrid movers_;
   std::vector<std::uint32_t> near_;  // places in the grid
   std::vector<MoverContact> now_, before_, begun_;

@@ -35,7 +35,7 @@ void LastSeen::look_at(const Simulation& simulation, const FleetView& fleet) {
 
 NotArrived LastSeen::describe(std::size_t robot, std::span<const RobotSetup> setups) const {
   const RobotSetup& self = setups[robot];
-  const Robot& own = robots[robot];
+  const LastRobot& own = robots[robot];
   NotArrived result{.robot = own.id.value,
                     .distance = norm(own.goal - own.position),
                     .speed = norm(own.velocity),

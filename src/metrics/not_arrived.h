@@ -11,22 +11,22 @@ namespace avo::inline metrics {
 
 /// A fleet as last seen, by ascending id, and the moving obstacles then.
 struct LastSeen {
-  struct Robot {
+  struct LastRobot {
     RobotId id;
     Vec2 position, velocity, goal;
     double heading = 0.0;  // rad, of a robot that has one
     double detour = 0.0;   // rad
     PlanStatus status = PlanStatus::optimal;
   };
-  std::vector<Robot> robots;
+  std::vector<LastRobot> robots;
   std::vector<Simulation::Wait> wait;  // of robots at rest that wait
   std::vector<std::size_t> waiting;    // indices of these robots, ascending
-  struct Obstacle {
+  struct LastObstacle {
     std::uint64_t id;
     Vec2 position, velocity;
     double radius;
   };
-  std::vector<Obstacle> obstacles;
+  std::vector<LastObstacle> obstacles;
 
   void look_at(const Simulation& simulation, const FleetView& fleet);
   /// setups: of the robots last seen.

@@ -24,7 +24,7 @@ class Wave {
         unseen_(graph.points.size(), PathMap::kNothing) {}
 
   void spread() {
-    const Lattice::Place goal = graph_.lattice.place_of(map_.goal);
+    const Lattice::LatticeCell goal = graph_.lattice.place_of(map_.goal);
     for (std::int64_t away = 0; away <= kGoalRings; ++away) {
       for_each_point(goal, away, [&](std::uint32_t k) { offer(k, PathMap::kGoal); });
     }
@@ -33,7 +33,7 @@ class Wave {
       const std::uint32_t point = open_.top().second;
       open_.pop();
       if (length > length_[point]) continue;
-      const Lattice::Place place = graph_.lattice.place_of(graph_.points[point]);
+      const Lattice::LatticeCell place = graph_.lattice.place_of(graph_.points[point]);
       for (std::int64_t away = 0; away <= 1; ++away) {
         for_each_point(place, away, [&](std::uint32_t k) { hand_on(point, k); });
       }
@@ -44,7 +44,7 @@ class Wave {
 
  private:
   template <typename Visit>
-  void for_each_point(Lattice::Place place, std::int64_t away, const Visit& visit) const {
+  void for_each_point(Lattice::LatticeCell place, std::int64_t away, const Visit& visit) const {
     graph_.lattice.for_each_around(place, away, [&](std::size_t cell) {
       const auto sample = static_cast<std::uint32_t>(graph_.corners() + cell);
       if (graph_.room[sample] > 0.0) visit(sample);

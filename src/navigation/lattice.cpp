@@ -36,12 +36,12 @@ NearestWall nearest_wall(const ClearanceGrid& grid, Vec2 p) {
   return nearest;
 }
 
-struct Box {
+struct WallExtent {
   Vec2 low, high;
 };
 
-Box box_of(std::span<const Wall> walls, double around) {
-  Box box{walls[0].a, walls[0].a};
+WallExtent box_of(std::span<const Wall> walls, double around) {
+  WallExtent box{walls[0].a, walls[0].a};
   for (const Wall& wall : walls) {
     const double margin = wall.radius + around;
     box.low.x = std::min({box.low.x, wall.a.x - margin, wall.b.x - margin});
@@ -62,7 +62,7 @@ bool Lattice::covers(Vec2 p) const {
   return is_within(p.x, first_column, columns) && is_within(p.y, first_row, rows);
 }
 
-Lattice::Place Lattice::place_of(Vec2 p) const {
+Lattice::LatticeCell Lattice::place_of(Vec2 p) const {
   const auto cell = [this](double x, std::int64_t begin, std::int64_t count) {
     const double number = std::floor(x / spacing) - static_cast<double>(begin);
     return static_cast<std::int64_t>(std::clamp(number, 0.0, static_cast<double>(count - 1)));
@@ -86,14 +86,14 @@ double spacing_over(Vec2 extent, double radius) {
 }  // namespace
 
 double lattice_cells(const ClearanceGrid& grid, double radius) {
-  const Box walls = box_of(grid.walls(), radius + 2.0 * kSpareRoom);
+  const WallExtent walls = box_of(grid.walls(), radius + 2.0 * kSpareRoom);
   const Vec2 extent = walls.high - walls.low;
   const double spacing = spacing_over(extent, radius);
   return extent.x / spacing * (extent.y / spacing);
 }
 
 Lattice make_lattice(const ClearanceGrid& grid, std::span<const Vec2> corners, double radius) {
-  const Box walls = box_of(grid.walls(), radius + 2.0 * kSpareRoom);
+  const WallExtent walls = box_of(grid.walls(), radius + 2.0 * kSpareRoom);
   const Vec2 extent = walls.high - walls.low;
   Lattice lattice;
   lattice.spacing = spacing_over(extent, radius);

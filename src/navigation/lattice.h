@@ -28,18 +28,18 @@ struct Lattice {
   [[nodiscard]] Vec2 middle_of(std::size_t cell) const;
   [[nodiscard]] std::size_t cells() const { return static_cast<std::size_t>(columns * rows); }
 
-  struct Place {
+  struct LatticeCell {
     std::int64_t column, row;
   };
   /// The nearest cell to p.
-  [[nodiscard]] Place place_of(Vec2 p) const;
+  [[nodiscard]] LatticeCell place_of(Vec2 p) const;
   [[nodiscard]] std::size_t cell_of(Vec2 p) const {
-    const Place place = place_of(p);
+    const LatticeCell place = place_of(p);
     return static_cast<std::size_t>(place.row * columns + place.column);
   }
   /// Calls visit(cell) for the cells that are exactly so many columns or rows away.
   template <typename Visit>
-  void for_each_around(Place place, std::int64_t away, const Visit& visit) const;
+  void for_each_around(LatticeCell place, std::int64_t away, const Visit& visit) const;
   /// Calls visit(cell) for the outermost cells.
   template <typename Visit>
   void for_each_on_border(const Visit& visit) const;
@@ -68,7 +68,7 @@ std::optional<Sample> sample_in(const Lattice& lattice, std::size_t cell, const 
                                 double radius);
 
 template <typename Visit>
-void Lattice::for_each_around(Place place, std::int64_t away, const Visit& visit) const {
+void Lattice::for_each_around(LatticeCell place, std::int64_t away, const Visit& visit) const {
   for (std::int64_t row = place.row - away; row <= place.row + away; ++row) {
     if (row < 0 || row >= rows) continue;
     const bool is_edge = row == place.row - away || row == place.row + away;

@@ -47,7 +47,7 @@ std::uint32_t ReachablePlaces::region_of(Vec2 p) {
     for (std::int64_t y = row - 1; y <= row + 1; ++y) {
       const auto cell = known_.find(cell_key(x, y));
       if (cell == known_.end()) continue;
-      for (const Place& place : cell->second)
+      for (const FreePlace& place : cell->second)
         if (space_.grid().is_clear(p, place.point, radius)) return place.region;
     }
   }
@@ -55,13 +55,13 @@ std::uint32_t ReachablePlaces::region_of(Vec2 p) {
   const auto known = std::find(regions_.begin(), regions_.end(), windings);
   const auto region = static_cast<std::uint32_t>(known - regions_.begin());
   if (known == regions_.end()) regions_.push_back(std::move(windings));
-  std::vector<Place>& own = known_[cell_key(column, row)];
+  std::vector<FreePlace>& own = known_[cell_key(column, row)];
   if (own.size() < kMostKnown) own.push_back({p, region});
   return region;
 }
 
-const ReachablePlaces::Boundary& ReachablePlaces::boundary_of(std::uint32_t wall) {
-  Boundary& boundary = boundaries_[wall];
+const ReachablePlaces::FreeBoundary& ReachablePlaces::boundary_of(std::uint32_t wall) {
+  FreeBoundary& boundary = boundaries_[wall];
   if (boundary.is_known) return boundary;
   boundary.is_known = true;
   const double radius = (1.0 + kOff) * space_.radius();
@@ -87,7 +87,7 @@ const ReachablePlaces::Boundary& ReachablePlaces::boundary_of(std::uint32_t wall
         add(point);
     });
   }
-  for (const Place& place : boundary.places) boundary.regions.push_back(place.region);
+  for (const FreePlace& place : boundary.places) boundary.regions.push_back(place.region);
   std::sort(boundary.regions.begin(), boundary.regions.end());
   boundary.regions.erase(std::unique(boundary.regions.begin(), boundary.regions.end()),
                          boundary.regions.end());
@@ -122,10 +122,10 @@ std::optional<Vec2> ReachablePlaces::nearest_accepted(Vec2 from, Vec2 goal,
     const std::uint32_t wall = open.front().second;
     std::pop_heap(open.begin(), open.end(), std::greater<>());
     open.pop_back();
-    const Boundary& boundary = boundary_of(wall);
+    const FreeBoundary& boundary = boundary_of(wall);
     const std::vector<std::uint32_t>& regions = boundary.regions;
     if (region && !std::binary_search(regions.begin(), regions.end(), *region)) continue;
-    for (const Place& place : boundary.places) {
+    for (const FreePlace& place : boundary.places) {
       const bool is_there = !region || place.region == *region;
       consider(place.point, [&] { return is_there && accepts(place.point); });
     }

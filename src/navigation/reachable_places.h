@@ -27,27 +27,28 @@ class ReachablePlaces {
   [[nodiscard]] Vec2 nearest_reached(Vec2 from, Vec2 goal);
 
  private:
-  struct Place {
+  struct FreePlace {
     Vec2 point;
     std::uint32_t region;
   };
   // The known facts about the boundary of the places that one wall leaves free.
-  struct Boundary {
+  struct FreeBoundary {
     bool is_known = false;
-    std::vector<Place> places;  // where it bends, and where the boundary of another wall crosses it
+    std::vector<FreePlace>
+        places;  // where it bends, and where the boundary of another wall crosses it
     std::vector<std::uint32_t> regions;  // regions that contain a part of it, ascending
   };
   std::uint32_t region_of(Vec2 p);  // of a free place; equal for connected places
-  const Boundary& boundary_of(std::uint32_t wall);
+  const FreeBoundary& boundary_of(std::uint32_t wall);
   std::optional<Vec2> way_out(Vec2 from);
   template <typename Accepts>
   std::optional<Vec2> nearest_accepted(Vec2 from, Vec2 goal, std::optional<std::uint32_t> region,
                                        const Accepts& accepts);
 
   FreeSpace space_;
-  std::vector<Boundary> boundaries_;  // by wall
+  std::vector<FreeBoundary> boundaries_;  // by wall
   std::vector<std::vector<FreeSpace::Winding>> regions_;
-  std::unordered_map<std::uint64_t, std::vector<Place>> known_;  // by cell
+  std::unordered_map<std::uint64_t, std::vector<FreePlace>> known_;  // by cell
 };
 
 }  // namespace avo::inline navigation

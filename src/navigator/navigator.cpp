@@ -104,9 +104,9 @@ NavigatorDecision invalid(NavigatorState& state, const Robot& body, double time)
   return decision;
 }
 
-void require_no_airplane(const Robot& robot) {
+void require_rest(const Robot& robot) {
   if (!can_rest(robot.model))
-    throw Error("Navigator: robot: found an airplane, must be a robot that can stop");
+    throw Error("Navigator: robot: found one that cannot stop, must be one that can");
 }
 
 }  // namespace
@@ -221,7 +221,7 @@ void Navigator::set_obstacles(std::vector<StaticObstacle> obstacles,
 
 NavigatorDecision Navigator::step(const Robot& body, std::span<const Neighbor> neighbors,
                                   double time) {
-  require_no_airplane(body);
+  require_rest(body);
   NavigatorState& state = *state_;
   Memory& memory = state.memory;
   const bool is_later = std::isfinite(time) && (!memory.time || time >= *memory.time);
@@ -278,7 +278,7 @@ const NavigatorOptions& Navigator::options() const {
 }
 
 Explanation Navigator::explain(const Robot& robot, std::span<const Neighbor> neighbors) const {
-  require_no_airplane(robot);
+  require_rest(robot);
   const bool is_led = state_->tracker && all_valid(robot, neighbors);
   return explanation_of(*state_, is_led ? deciding(*state_, robot) : robot, neighbors);
 }

@@ -33,9 +33,8 @@ Rounding rounding_of(const NavigatorState& state, const Robot& robot) {
 }
 
 double run_in_of(const Robot& robot) {
-  const DifferentialDrive* drive = std::get_if<DifferentialDrive>(&robot.model);
   return std::max({kRunInRadii * robot.radius, kRunInCircles * turning_radius(robot.model),
-                   drive != nullptr ? kRunInOffsets * drive->offset : 0.0});
+                   kRunInOffsets * towed_length(robot.model)});
 }
 
 // Appends the corners of the route by the map from one place to another.
@@ -82,7 +81,7 @@ std::vector<Waypoint> corners_of(NavigatorState& state, Memory& memory, const Ro
     const bool is_last = k + 1 == mission.stages.size();
     if (is_last && mission.heading) {
       const Vec2 direction = elementary::direction(*mission.heading);
-      if (!std::holds_alternative<Car>(robot.model))
+      if (!moves_along_heading(robot.model))
         to = to + disc_center(robot.model, {}, *mission.heading);
       const Vec2 from = run_in(state, robot, to, direction);
       if (by_map && !(from == to)) append_way(state, robot, from, memory, points);
@@ -151,11 +150,6 @@ double same_place(const OnRoute& before, const RoundedRoute& route) {
 }
 
 }  // namespace
-
-double turning_radius(const MotionModel& model) {
-  const Car* car = std::get_if<Car>(&model);
-  return car != nullptr && car->max_curvature ? 1.0 / *car->max_curvature : 0.0;
-}
 
 WayRules way_rules_of(const NavigatorOptions& options) {
   return {.routes = options.navigation, .passages = options.right_of_way != RightOfWay::none};

@@ -11,7 +11,6 @@ WayRules way_rules_of(const NavigatorOptions& options);
 void plan_routes(NavigatorState& state, Memory& memory, const Robot& robot);
 
 /// m: the smallest circle that the robot can drive on; 0: it turns on the spot.
-double turning_radius(const MotionModel& model);
 
 /// m: where the route ends.
 Vec2 end_of(const Mission& mission, const Memory& memory);

@@ -147,7 +147,7 @@ Follower follower_of(const NavigatorState& state, const Memory& memory, const Ro
 // m: the target of the disc at the end of the route.
 Vec2 disc_goal(const NavigatorState& state, const Memory& memory, const Robot& robot, Vec2 end) {
   const bool is_of_disc =
-      memory.on.is_given() && state.mission.heading && !std::holds_alternative<Car>(robot.model);
+      memory.on.is_given() && state.mission.heading && !moves_along_heading(robot.model);
   if (is_of_disc) return end;
   return end + disc_center(robot.model, {}, robot.heading);
 }

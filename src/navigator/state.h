@@ -106,10 +106,10 @@ inline Vec2 place_of(const Robot& robot) {
   return robot.position - disc_center(robot.model, {}, robot.heading);
 }
 
-/// m, the point of a robot that follows a given route: the middle of the rear axle of a car, and
-/// the center of the disc of any other robot.
+/// m, the point of a robot that follows a given route: its position where it moves along its
+/// heading, and the center of its disc otherwise.
 inline Vec2 led_point(const Robot& robot) {
-  return std::holds_alternative<Car>(robot.model) ? place_of(robot) : robot.position;
+  return moves_along_heading(robot.model) ? place_of(robot) : robot.position;
 }
 
 }  // namespace avo::inline navigator

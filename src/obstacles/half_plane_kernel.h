@@ -25,7 +25,7 @@ struct Local {
 };
 
 template <typename Real>
-struct Plane {
+struct SupportLine {
   Vec<Real> n;
   Real h;
 };
@@ -34,7 +34,7 @@ struct Plane {
 
 template <typename Real>
 struct Tip {
-  Plane<Real> plane;
+  SupportLine<Real> plane;
   decltype(Real() < Real()) nearest;  // the line with n = x(τ)/|x(τ)| is highest at τ
 };
 
@@ -128,7 +128,7 @@ AVO_KERNEL Real solve_approach(const Local<Real>& pair, const PairApproach<Real>
 }
 
 template <typename Real>
-AVO_KERNEL Plane<Real> convex(const Local<Real>& pair, const ResponseTable& table) {
+AVO_KERNEL SupportLine<Real> convex(const Local<Real>& pair, const ResponseTable& table) {
   const PairApproach<Real> course = approach(pair);
   const Real tau = table.end;
   const At<Real> latest = at(table, min(course.t_m, tau));

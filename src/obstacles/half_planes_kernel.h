@@ -167,8 +167,8 @@ void classify(const PairColumns& pairs, const Horizon& horizon, HalfPlaneWorkspa
 }
 
 template <typename Real>
-AVO_KERNEL void put(const LocalFrame<Real>& frame, const Plane<Real>& plane, const double* index,
-                    std::size_t lanes, PlaneColumns& planes) {
+AVO_KERNEL void put(const LocalFrame<Real>& frame, const SupportLine<Real>& plane,
+                    const double* index, std::size_t lanes, PlaneColumns& planes) {
   const Vec<Real> n = frame.turned_back(plane.n);
   const auto beyond_reach = plane.h > frame.local.R;
   alignas(64) std::array<double, Real::kLanes> n_x{}, n_y{}, h{}, excess{};

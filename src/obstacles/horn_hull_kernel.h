@@ -30,7 +30,7 @@ AVO_KERNEL Vec<Real> tangent_normal(Vec<Real> a, Vec<Real> center, Real radius) 
 template <typename Real>
 struct HornPlane {
   using Mask = decltype(Real() < Real());
-  Plane<Real> plane;
+  SupportLine<Real> plane;
   Mask settled;  // if false, examine more closely, and then use the general search (horn.cpp)
   Mask free;     // the obstacle is out of reach
 };
@@ -58,14 +58,14 @@ struct Hull {
     const Real corners = max(dot(n, near), dot(n, far));
     return max(h, select(is_cut, corners, none));
   }
-  AVO_KERNEL void offer(Vec<Real> n, Mask valid, Plane<Real>& best) const {
+  AVO_KERNEL void offer(Vec<Real> n, Mask valid, SupportLine<Real>& best) const {
     const Real h = support(n);
     const auto better = valid & (h < best.h);
     best.n.x = select(better, n.x, best.n.x);
     best.n.y = select(better, n.y, best.n.y);
     best.h = select(better, h, best.h);
   }
-  AVO_KERNEL void offer_edges_from(std::size_t k, Plane<Real>& best) const {
+  AVO_KERNEL void offer_edges_from(std::size_t k, SupportLine<Real>& best) const {
     const Vec<Real> q = crossing[k], to_disc = q - center;
     const auto outside = dot(to_disc, to_disc) > radius * radius;
     offer(tangent_normal(q, center, radius), disc_in_reach & has_crossing[k] & outside, best);
@@ -82,9 +82,9 @@ struct Hull {
 };
 
 template <typename Real, std::size_t kCrossings>
-AVO_KERNEL Plane<Real> least_support(const Hull<Real, kCrossings>& hull) {
+AVO_KERNEL SupportLine<Real> least_support(const Hull<Real, kCrossings>& hull) {
   const Real infinity = Real(std::numeric_limits<double>::infinity());
-  Plane<Real> best{{Real(0.0), Real(0.0)}, infinity};
+  SupportLine<Real> best{{Real(0.0), Real(0.0)}, infinity};
   const Real length = norm(hull.center);
   hull.offer(-inverse(length) * hull.center, hull.disc_in_reach, best);
   for (std::size_t k = 0; k < kCrossings; ++k) {

@@ -3,10 +3,12 @@
 #include "planner/options.h"
 
 #include <algorithm>
+#include <limits>
 #include <string>
 
 #include "core/ranges.h"
 #include "core/response_law_kernel.h"
+#include "fields/planner_fields.h"
 
 namespace avo {
 namespace {
@@ -16,6 +18,14 @@ static_assert(kNames<Method>.size() == kMethodTraits.size() &&
               std::all_of(kMethodTraits.begin(), kMethodTraits.end(), [](const MethodTraits& row) {
                 return &row == &method_traits(row.method);
               }));
+
+void validate_ranges(const PlannerOptions& options, const std::string& prefix) {
+  require_ranges(options, Behind{prefix});
+  require_ranges(options.sensing_error, Behind{prefix + "sensing_error."});
+  require_ranges(options.sensing_noise, Behind{prefix + "sensing_noise."});
+  if (options.wall_range != std::numeric_limits<double>::infinity())
+    require(prefix + "wall_range", options.wall_range, kNotNegative, "m");
+}
 
 // Checks that motion can follow the response within a step.
 void validate_control(const PlannerOptions& options, const std::string& prefix) {
@@ -34,12 +44,6 @@ void validate_control(const PlannerOptions& options, const std::string& prefix) 
 }
 
 void validate_comfort(const PlannerOptions& options, const std::string& prefix) {
-  require(prefix + "response_time", options.response_time, kNotNegative, "");
-  if (options.comfort_acceleration)
-    require(prefix + "comfort_acceleration", *options.comfort_acceleration, kPositive, "m/s^2");
-  if (options.comfort_jerk)
-    require(prefix + "comfort_jerk", *options.comfort_jerk, kPositive, "m/s^3");
-  require(prefix + "margin", options.margin, kNotNegative, "m");
   if (method_traits(options.method).has_rules) return;
   const std::string others = std::string(" with method ") + to_string(options.method);
   if (options.response_time > 0.0)
@@ -56,16 +60,10 @@ void validate_certificate(const PlannerOptions& options, const std::string& pref
   if (options.certificate != Certificate::none && !may_be_certified(options.method))
     refuse(prefix + "certificate", to_string(options.certificate),
            std::string("none with method ") + to_string(options.method));
-  const SensingError& error = options.sensing_error;
-  require(prefix + "sensing_error.position", error.position, kNotNegative, "m");
-  require(prefix + "sensing_error.velocity", error.velocity, kNotNegative, "m/s");
-  if (error != SensingError{} && options.certificate != Certificate::braking_trajectories)
+  if (options.sensing_error != SensingError{} &&
+      options.certificate != Certificate::braking_trajectories)
     refuse(prefix + "sensing_error", "one",
            std::string("none with certificate ") + to_string(options.certificate));
-  require(prefix + "localization_error", options.localization_error, kNotNegative, "m");
-  if (options.wall_range != std::numeric_limits<double>::infinity())
-    require(prefix + "wall_range", options.wall_range, kNotNegative, "m");
-  require(prefix + "longest_step", options.longest_step, kNotNegative, "s");
   if (options.clock == Clock::common) {
     if (options.longest_step > 0.0)
       refuse(prefix + "longest_step", text(options.longest_step), "0 s where clock is common");
@@ -128,9 +126,7 @@ double response_time_of(const PlannerOptions& options, double max_speed, double 
 namespace avo::inline planner {
 
 void validate(const PlannerOptions& options, const std::string& prefix) {
-  require(prefix + "time_step", options.time_step, kPositive, "s");
-  require(prefix + "control_time", options.control_time, kPositive, "s");
-  require(prefix + "time_horizon", options.time_horizon, kPositive, "s");
+  validate_ranges(options, prefix);
   if (options.time_step > options.time_horizon)
     refuse(prefix + "time_step", text(options.time_step),
            "<= time_horizon = " + text(options.time_horizon) + " s");
@@ -142,14 +138,7 @@ void validate(const PlannerOptions& options, const std::string& prefix) {
     validate_control(options, prefix);
   }
   validate_comfort(options, prefix);
-  if (options.max_neighbors)
-    require(prefix + "max_neighbors", *options.max_neighbors, kAtLeastOne, "");
-  require(prefix + "arrival_distance", options.arrival_distance, kPositive, "m");
   validate_certificate(options, prefix);
-  const auto& [position, velocity, quantile] = options.sensing_noise;
-  require(prefix + "sensing_noise.position", position, kNotNegative, "m");
-  require(prefix + "sensing_noise.velocity", velocity, kNotNegative, "m/s");
-  require(prefix + "sensing_noise.quantile", quantile, kNotNegative, "");
 }
 
 }  // namespace avo::inline planner

@@ -270,11 +270,11 @@ namespace {
 
 // Limits of a_lin and of v² κ, m/s²; infinite where |a| <= a_max suffices. A car at rest must drive
 // before it turns.
-struct OwnLimits {
+struct CarLimits {
   double along, across;
 };
 
-OwnLimits own_limits(const Car& car, const Robot& robot) {
+CarLimits own_limits(const Car& car, const Robot& robot) {
   const double infinity = std::numeric_limits<double>::infinity(), a_max = robot.max_acceleration;
   const bool exact = car.acceleration_set == AccelerationSet::exact;
   const double turning =

@@ -35,13 +35,13 @@ double ratio(const DifferentialDrive& drive) {  // [k]
 using One = scalar::Pack<double>;  // one drive, not lanes of several
 
 // A step in the frame of its first heading, which is (1, 0).
-struct Turning {
+struct AxleTurn {
   scalar::Turning<One> packed;
   Vec2 velocity, acceleration;  // of q, at the start
   double length;                // [h] s, of a substep
   int substeps;
 
-  explicit Turning(const scalar::Turning<One>& of)
+  explicit AxleTurn(const scalar::Turning<One>& of)
       : packed(of),
         velocity(plain(of.velocity)),
         acceleration(plain(of.acceleration)),
@@ -52,11 +52,11 @@ struct Turning {
 };
 
 // h: the first heading, a unit vector
-Turning turning_of(const DifferentialDrive& drive, Vec2 h, Vec2 velocity, Vec2 next_velocity,
-                   double time_step) {
+AxleTurn turning_of(const DifferentialDrive& drive, Vec2 h, Vec2 velocity, Vec2 next_velocity,
+                    double time_step) {
   const auto packed = [](Vec2 a) { return scalar::constant<One>(a); };
-  return Turning(scalar::turning_of(One(drive.offset), packed(h), packed(velocity),
-                                    packed(next_velocity), One(time_step)));
+  return AxleTurn(scalar::turning_of(One(drive.offset), packed(h), packed(velocity),
+                                     packed(next_velocity), One(time_step)));
 }
 
 Vec2 heading_of(Vec2 half) {
@@ -80,7 +80,7 @@ Wheels wheels_of(const DifferentialDrive& drive, Vec2 heading, Vec2 velocity, Ve
 //   |V''| <= 2 ω a + (ω' + ω²) V,
 //   |V'''| <= 3 a (ω' + ω²) + V (3 ω ω' + ω'' + ω³),
 // with bounds of |ω|, |ω'|, |ω''|: σ' = a·n - v ω is bounded, and thus σ within the substep.
-Wheels between_samples(const DifferentialDrive& drive, const Turning& turning, double across,
+Wheels between_samples(const DifferentialDrive& drive, const AxleTurn& turning, double across,
                        double top) {
   const double a = norm(turning.acceleration), h = turning.length;
   const double sigma = (across + a * h) / (1.0 - std::min(0.5, h * top / drive.offset));
@@ -124,7 +124,7 @@ double turned_twice(double heading, Vec2 half) {
 // rad, after that time, in which the velocity changes to next_velocity.
 double next_heading(const DifferentialDrive& drive, const MotionState& state, Vec2 next_velocity,
                     double time) {
-  const Turning turning =
+  const AxleTurn turning =
       turning_of(drive, ahead_of(state.heading), state.velocity, next_velocity, time);
   return turned_twice(state.heading, plain(scalar::half_turned(turning.packed, One(drive.offset))));
 }
@@ -178,7 +178,7 @@ namespace {
 // and V > Σ. The speed at the end is within S by G <= s (s + k), where s = Σ/V is below 1/2, and by
 // W <= 1 + k s, which the bound of the speed of wheels implies. Twice the reserve ensures that the
 // samples of follows_along() agree.
-bool surely_follows(const DifferentialDrive& drive, double most_braking, const Turning& turning,
+bool surely_follows(const DifferentialDrive& drive, double most_braking, const AxleTurn& turning,
                     double top, double next_speed) {
   const double a = norm(turning.acceleration), k = ratio(drive);
   const double gained = a * turning.length * turning.substeps;
@@ -199,7 +199,7 @@ bool surely_follows(const DifferentialDrive& drive, double most_braking, const T
 // h: the heading, a unit vector
 bool follows_along(const DifferentialDrive& drive, double most_braking, Vec2 h, Vec2 velocity,
                    Vec2 next_velocity, double time_step) {
-  const Turning turning = turning_of(drive, h, velocity, next_velocity, time_step);
+  const AxleTurn turning = turning_of(drive, h, velocity, next_velocity, time_step);
   const double top = std::max(norm(velocity), norm(next_velocity));
   if (turning.length * top > drive.offset * (kSubturn + kReserve)) return false;
   if (surely_follows(drive, most_braking, turning, top, norm(next_velocity))) return true;

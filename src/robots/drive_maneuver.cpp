@@ -38,7 +38,7 @@ StraightMove better(const StraightMove& ahead, const StraightMove& back) {
 }
 
 // One drive that looks for room to turn.
-struct Turning {
+struct TurningRoom {
   const DifferentialDrive& drive;
   const Robot& robot;
   const ClearPlaces& is_clear;
@@ -124,7 +124,7 @@ std::optional<Vec2> maneuver(const DifferentialDrive& drive, const Robot& robot,
   const Vec2 h = ahead_of(robot.heading);
   const double angle = angle_between(h, robot.preferred_velocity);
   if (std::abs(angle) < kSmallTurn) return std::nullopt;
-  const Turning turning{
+  const TurningRoom turning{
       drive,
       robot,
       is_clear,

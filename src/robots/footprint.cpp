@@ -21,14 +21,14 @@ namespace avo {
 namespace {
 
 // A body from the rearmost to the foremost x, and the largest |y| of it, m.
-struct Extent {
+struct BodyExtent {
   double rear, front, side;
 };
 
 // m: the radius that covers the part of the body that is within `half` of the center along x.
 // radius_of(from, to, center) covers the part between two values of x.
 template <typename RadiusOf>
-std::optional<Footprint> cover_by(int discs, const Extent& body, double excess,
+std::optional<Footprint> cover_by(int discs, const BodyExtent& body, double excess,
                                   const RadiusOf& radius_of) {
   const double spacing = (body.front - body.rear) / discs, first = body.rear + 0.5 * spacing;
   double radius = body.side;
@@ -41,7 +41,7 @@ std::optional<Footprint> cover_by(int discs, const Extent& body, double excess,
 }
 
 template <typename RadiusOf>
-Footprint fewest(const Extent& body, double excess, const RadiusOf& radius_of) {
+Footprint fewest(const BodyExtent& body, double excess, const RadiusOf& radius_of) {
   for (int discs = 1; discs <= Footprint::kMostDiscs; ++discs)
     if (const auto cover = cover_by(discs, body, excess, radius_of)) return *cover;
   const double infinity = std::numeric_limits<double>::infinity();
@@ -82,7 +82,7 @@ Footprint cover_polygon(std::span<const Vec2> corners, double excess) {
   if (corners.size() < 3)
     refuse("corners", std::to_string(corners.size()) + " corners", "3 or more");
   require("excess", excess, kNotNegative, "m");
-  Extent body{kLargest, -kLargest, 0.0};
+  BodyExtent body{kLargest, -kLargest, 0.0};
   for (std::size_t k = 0; k < corners.size(); ++k) {
     require("corners." + std::to_string(k), corners[k], "m");
     body.rear = std::min(body.rear, corners[k].x), body.front = std::max(body.front, corners[k].x);

@@ -39,7 +39,7 @@ struct ManeuverMemory {
   // of a search; more nodes find hardly any other path
   static constexpr std::size_t kMostNodes = 2048;
   static constexpr std::uint32_t kNone = 0xffffffff;
-  struct Node {
+  struct ManeuverNode {
     AxlePose pose;
     double angle = 0.0;            // rad, of the heading
     double cost = 0.0;             // m of path, up to this node
@@ -55,14 +55,14 @@ struct ManeuverMemory {
     double cost;  // m, with a lower bound of the rest
     std::uint32_t node;
   };
-  struct Cell {
+  struct NodeCell {
     std::uint64_t key;
     std::uint32_t node;
   };
   KnownTurns turns;
-  std::vector<Node> nodes;
-  std::vector<Open> open;   // a heap, the cheapest first
-  std::vector<Cell> cells;  // a hash table: the cheapest node of each
+  std::vector<ManeuverNode> nodes;
+  std::vector<Open> open;       // a heap, the cheapest first
+  std::vector<NodeCell> cells;  // a hash table: the cheapest node of each
 
   void begin();
   static bool is_later(const Open& a, const Open& b);

@@ -29,7 +29,7 @@ constexpr double kSideChange = 1.0 / 16.0;  // cost of a change of side, in m of
 constexpr double kDetour = 1.5;
 constexpr double kRoomAround = 4.0;  // range of the search for a path
 
-using Node = ManeuverMemory::Node;
+using ManeuverNode = ManeuverMemory::ManeuverNode;
 constexpr std::uint32_t kNoNode = ManeuverMemory::kNone;
 
 // In pieces: to the next mark, (0, 1].
@@ -37,7 +37,7 @@ double to_mark(double pieces) {
   return std::floor(pieces) + 1.0 - pieces;
 }
 
-struct WaySearch {
+struct ManeuverSearch {
   const Maneuvering& car;
   ManeuverMemory& memory;
   double best = kInfinity;              // m, the cost of the best path so far
@@ -65,7 +65,7 @@ struct WaySearch {
   Move straight_on(double gear) const { return {gear, 0.0, car.planned}; }
 
   // The key of cell and heading, relative to the goal, and gear.
-  std::uint64_t key(const Node& node) const {
+  std::uint64_t key(const ManeuverNode& node) const {
     const Vec2 place = (1.0 / (kCell * car.turning)) * (node.pose.axle - car.goal);
     const auto whole = [](double x) {
       return static_cast<std::uint64_t>(static_cast<std::int64_t>(std::floor(x)));
@@ -76,18 +76,18 @@ struct WaySearch {
   }
 
   // Returns whether no path of at most this length has reached the cell.
-  bool is_new(const Node& node) {
+  bool is_new(const ManeuverNode& node) {
     const std::uint64_t own = key(node);
     const std::size_t mask = memory.cells.size() - 1;
     std::size_t k = static_cast<std::size_t>((own * 0x9e3779b97f4a7c15U) >> 40) & mask;
     while (memory.cells[k].node != kNoNode && memory.cells[k].key != own) k = (k + 1) & mask;
-    ManeuverMemory::Cell& cell = memory.cells[k];
+    ManeuverMemory::NodeCell& cell = memory.cells[k];
     if (cell.node != kNoNode && memory.nodes[cell.node].cost <= node.cost) return false;
     cell = {own, static_cast<std::uint32_t>(memory.nodes.size())};
     return true;
   }
 
-  void push(const Node& node) {
+  void push(const ManeuverNode& node) {
     const auto number = static_cast<std::uint32_t>(memory.nodes.size());
     if (number == ManeuverMemory::kMostNodes || !is_new(node)) return;
     memory.open.push_back({node.cost + left(node.pose), number});
@@ -97,7 +97,7 @@ struct WaySearch {
 
   // None where the car could not stop comfortably before it changes gear, or would have to brake at
   // once.
-  std::optional<Next> next_of(const Node& from, std::uint32_t number, double gear,
+  std::optional<Next> next_of(const ManeuverNode& from, std::uint32_t number, double gear,
                               double side) const {
     Next next{.move = {gear, side, car.planned}, .is_first = number == kNoNode};
     if (next.is_first) {
@@ -123,10 +123,10 @@ struct WaySearch {
   }
 
   // Adds a piece of a move, where it is clear.
-  void go(const Node& from, std::uint32_t number, const Next& next, double length,
+  void go(const ManeuverNode& from, std::uint32_t number, const Next& next, double length,
           bool stops = false) {
     const double lead = next.move.side == 0.0 ? 0.0 : next.lead;
-    Node node{.pose = from.pose, .angle = from.angle, .move = next.move, .parent = number};
+    ManeuverNode node{.pose = from.pose, .angle = from.angle, .move = next.move, .parent = number};
     node.moves = from.moves + (next.same ? 0 : 1);
     node.nearness = next.nearness, node.stops = stops;
     node.cost = from.cost + lead + length + extra_cost(next);
@@ -149,20 +149,20 @@ struct WaySearch {
   double piece() const { return kPiece * car.planned; }
 
   // m, to the next place or heading where pieces end
-  double length_to_mark(const Node& from, const Move& move) const {
+  double length_to_mark(const ManeuverNode& from, const Move& move) const {
     if (move.side != 0.0) return to_mark(move.side * from.angle / kPiece) * piece();
     const double along = move.gear * dot(from.pose.axle - car.goal, from.pose.heading);
     return to_mark(along / piece()) * piece();
   }
 
   // A car on its path may stop as soon as it can, or continue to the planned end.
-  void go_on(const Node& from, std::uint32_t number, const Next& next, double length) {
+  void go_on(const ManeuverNode& from, std::uint32_t number, const Next& next, double length) {
     const double stop = car.stopping_way() - next.lead;
     if (stop > 0.0) go(from, number, next, stop, true);
     go(from, number, next, length);
   }
 
-  void expand(const Node& from, std::uint32_t number) {
+  void expand(const ManeuverNode& from, std::uint32_t number) {
     for (int k = 0; k < car.gears(); ++k) {
       for (const double side : {-1.0, 0.0, 1.0}) {
         const auto next = next_of(from, number, k == 0 ? 1.0 : -1.0, side);
@@ -178,7 +178,7 @@ struct WaySearch {
   }
 
   // The shortest clear leg, if it makes the best path so far; of equal ones the first.
-  void try_last_leg(const Node& from, std::uint32_t number) {
+  void try_last_leg(const ManeuverNode& from, std::uint32_t number) {
     std::array<LastLeg, 4> legs;
     std::size_t count = 0;
     for (int k = 0; k < car.gears(); ++k) {
@@ -203,7 +203,7 @@ struct WaySearch {
     }
   }
 
-  bool is_clear_last(const Node& from, const LastLeg& end) const {
+  bool is_clear_last(const ManeuverNode& from, const LastLeg& end) const {
     return is_clear(from.pose, end.next, end.next.lead) &&
            car.is_clear_leg(end.pose, end.next.move, end.leg, end.next.nearness);
   }
@@ -216,7 +216,7 @@ struct WaySearch {
       if (gear_end == kNoNode && memory.nodes[k].is_first_gear) gear_end = k;
       if (move_end == kNoNode && memory.nodes[k].moves == 1) move_end = k;
     }
-    const Node& end = memory.nodes[move_end];
+    const ManeuverNode& end = memory.nodes[move_end];
     const bool stays = gear_end == before_last && last_move.gear == end.move.gear;
     double arc = end.move.side == 0.0 ? 0.0 : end.since;
     if (move_end == before_last && stays && last_move.side == end.move.side) arc += last_leg.arc;
@@ -237,8 +237,8 @@ bool ManeuverMemory::is_later(const Open& a, const Open& b) {
 }
 
 std::optional<Beginning> begin_way(const Maneuvering& car, ManeuverMemory& memory) {
-  WaySearch search{car, memory};
-  Node start;
+  ManeuverSearch search{car, memory};
+  ManeuverNode start;
   start.pose = car.pose;
   start.angle = car.robot.heading;
   search.try_last_leg(start, kNoNode);
@@ -250,7 +250,7 @@ std::optional<Beginning> begin_way(const Maneuvering& car, ManeuverMemory& memor
     const ManeuverMemory::Open next = memory.open.back();
     memory.open.pop_back();
     if (next.cost >= search.best) break;
-    const Node from = memory.nodes[next.node];
+    const ManeuverNode from = memory.nodes[next.node];
     search.try_last_leg(from, next.node);
     search.expand(from, next.node);
   }

@@ -230,6 +230,16 @@ double room_to_turn(const MotionModel& model, double max_speed) {
   return 2.0 * max_speed * max_speed / usable_acceleration(*airplane);
 }
 
+double turning_radius(const MotionModel& model) {
+  const Car* car = std::get_if<Car>(&model);
+  return car != nullptr && car->max_curvature ? 1.0 / *car->max_curvature : 0.0;
+}
+
+double towed_length(const MotionModel& model) {
+  const auto* drive = std::get_if<DifferentialDrive>(&model);
+  return drive != nullptr ? drive->offset : 0.0;
+}
+
 double way_radius(const MotionModel& model, double radius) {
   const Footprint footprint = footprint_of(model);
   return footprint ? footprint.radius : radius;

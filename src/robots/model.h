@@ -155,6 +155,10 @@ std::optional<LoiterCircle> circle_of(const MotionModel& model, Vec2 position, V
 /// m: the additional distance from its center, beyond its disc and braking, that its fallback may
 /// need.
 double room_to_turn(const MotionModel& model, double max_speed);
+/// m: the radius of the tightest curve that it drives; 0: it may turn on the spot, or nearly so.
+double turning_radius(const MotionModel& model);
+/// m: how far the point that is planned for is ahead of the axle that it tows; 0: it tows none.
+double towed_length(const MotionModel& model);
 /// m: the radius with which its routes are found, for a disc of the other radius: that of each disc
 /// of its footprint.
 double way_radius(const MotionModel& model, double radius);

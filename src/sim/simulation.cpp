@@ -51,6 +51,8 @@ inline Vec2 place_now(const World& world, std::size_t slot) {
   return is_known ? world.fleet.position[slot] : place_at_present(world, slot);
 }
 
+}  // namespace
+
 void lead_teams(Simulation& simulation, std::vector<Team>& teams) {
   for (Team& team : teams) lead(simulation, team);
 }
@@ -61,8 +63,6 @@ void require_whole(const World& world, const char* call) {
               ": found an earlier step that ended in its midst, as memory or its "
               "executor failed, must be restored first");
 }
-
-}  // namespace
 
 std::unique_ptr<Simulation::State> Simulation::State::of(const Scenario& scenario,
                                                          std::shared_ptr<Executor> executor) {
@@ -98,16 +98,6 @@ Simulation::Simulation(std::span<const std::byte> saved, std::shared_ptr<Executo
 Simulation::~Simulation() = default;
 Simulation::Simulation(Simulation&&) noexcept = default;
 Simulation& Simulation::operator=(Simulation&&) noexcept = default;
-
-void Simulation::step() {
-  require_whole(state_->to_change(), "Simulation::step");
-  lead_teams(*this, state_->settings.teams);
-  state_->forget_views();
-  state_->forget_discs();
-  const std::size_t robots = state_->fleet.size();
-  avo::step(*state_);
-  if (state_->fleet.size() != robots) state_->forget_robots();
-}
 
 void Simulation::set_external(ExternalMethod method) {
   state_->to_change().settings.external = std::move(method);

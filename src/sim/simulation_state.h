@@ -13,6 +13,7 @@
 #include "sim/clocks.h"
 #include "sim/columns/fleet_mirror.h"
 #include "sim/host/nearby.h"
+#include "sim/sensing/index.h"
 #include "sim/world.h"
 
 namespace avo {
@@ -96,5 +97,10 @@ struct Simulation::State : World {
   static std::unique_ptr<State> of(std::span<const std::byte> saved,
                                    std::shared_ptr<Executor> executor);
 };
+
+void lead_teams(Simulation& simulation, std::vector<Team>& teams);
+
+/// Throws Error after a step that did not end. call: the function that needs a whole step.
+void require_whole(const World& world, const char* call);
 
 }  // namespace avo

@@ -7,95 +7,21 @@
 #include <utility>
 #include <vector>
 
+#include "planner/scratch.h"
 #include "robots/model.h"
 #include "sim/clocks.h"
 #include "sim/host/edits.h"
 #include "sim/host/external.h"
+#include "sim/sensing/index.h"
 #include "sim/sensing/sense.h"
-#include "sim/world.h"
+#include "sim/simulation_state.h"
 
 namespace avo::inline sim {
 namespace {
 
-// Steps for which robots that were put in order stay near their neighbors in memory. The smallest
-// fleet that does not fit into the cache.
-constexpr std::int64_t kStepsInOrder = 16;
-constexpr std::size_t kFewestOrdered = 1024;
-
 Executor& executor_of(World& world) {
   if (world.fleet.size() < kFewestParallel) return world.serial;
   return *world.executor;
-}
-
-// Notes the cell of each robot.
-void note_cells(World& world, Executor& executor) {
-  Fleet& fleet = world.fleet;
-  const std::size_t count = fleet.size(), tiles = (count + kTileRobots - 1) / kTileRobots;
-  parallel_for(executor, tiles, [&](std::size_t tile, std::size_t) {
-    const std::size_t last = std::min((tile + 1) * kTileRobots, count);
-    for (std::size_t i = tile * kTileRobots; i < last; ++i) {
-      fleet.cell[i] = world.snapshot.cells.key(fleet.position[i]);
-    }
-  });
-}
-
-void lay_out(World& world, Executor& executor) {
-  lay_out(world.fleet, world.sensing_radius, world.near, world.most_nearest(), world.snapshot);
-  note_cells(world, executor);
-}
-
-void take_snapshot(World& world, Executor& executor) {
-  const std::size_t parts = executor.workers();
-  prepare(world.fleet, certificate_law(world.certified_planner()).step, world.snapshot);
-  parallel_for(executor, parts, [&](std::size_t part, std::size_t worker) {
-    StageClock& clock = world.workers[worker].clock;
-    clock.start();
-    world.workers[part].crowding = take(world.fleet, part, parts, world.snapshot);
-    clock.lap(Stage::index);
-  });
-  world.snapshot.crowding = 0;
-  for (std::size_t part = 0; part < parts; ++part) {
-    world.snapshot.crowding += world.workers[part].crowding;
-  }
-}
-
-// Brings the poses into the order of the cells, as Fleet::reorder() does with the robots.
-void reorder_poses(Snapshot& snapshot) {
-  if (snapshot.pose.empty()) return;
-  std::vector<BrakingPose> sorted;
-  for (const std::uint32_t slot : snapshot.grid.order()) sorted.push_back(snapshot.pose[slot]);
-  snapshot.pose = std::move(sorted);
-}
-
-void index(World& world, Executor& executor) {
-  StageClock& clock = world.workers[0].clock;
-  clock.start();
-  if (world.changed) {
-    world.summary = summary_of(world);
-    find_external(world);
-    find_ranges(world);
-    find_walls(world);
-    if (world.statics.has_walls) make_room(world);
-    if (world.fleet.has_clocks || !world.fleet.pace.empty()) world.due.reserve(world.fleet.size());
-  }
-  find_shared_goals(world);
-  const bool due = world.steps >= world.next_layout;
-  if (world.changed || due) lay_out(world, executor);
-  if (due) world.next_layout = world.steps + kStepsInOrder;
-  foresee(world);
-  world.changed = false;
-  world.obstacle_grid.build(world.obstacles.position, world.sensing_radius);
-  locate_outliers(world);
-  clock.lap(Stage::index);
-  take_snapshot(world, executor);
-  clock.start();
-  if (world.has_passages()) collect_claims(world, executor, world.claims);
-  if (due && world.fleet.size() >= kFewestOrdered) {
-    reorder_poses(world.snapshot);
-    world.fleet.reorder(world.snapshot.grid.order(), executor, world.torn);
-    world.snapshot.grid.forget_order();
-  }
-  clock.lap(Stage::index);
 }
 
 // The slots without parked robots.
@@ -106,6 +32,20 @@ std::span<const std::uint32_t> deciding(const World& world, std::span<const std:
   std::copy_if(slots.begin(), slots.end(), std::back_inserter(worker.deciding),
                [&](std::uint32_t slot) { return !world.fleet.conduct[slot].parked; });
   return worker.deciding;
+}
+
+// Decides for these robots, which all have one pace and known neighbors, and moves them.
+void plan_and_move(World& world, const Pace& pace, std::span<const std::uint32_t> slots,
+                   Worker& worker) {
+  recall(world, slots, worker);
+  set_out(world, pace, world.claims, slots, worker);
+  if (!world.external.chosen.empty()) take_chosen(world, slots, worker);
+  worker.clock.lap(Stage::motion);
+  plan_together(pace.planner, worker.tile, PlanWorkspace::Scratch::of(worker.workspace),
+                worker.clock);
+  move(world, pace, worker);
+  worker.tile.clear();
+  worker.clock.lap(Stage::motion);
 }
 
 void take_slots(World& world, const Pace& pace, std::span<const std::uint32_t> slots,
@@ -221,15 +161,6 @@ void leave(World& world) {
 
 }  // namespace
 
-void look_at_present(World& world) {
-  if (world.changed) find_walls(world);
-  find_shared_goals(world);
-  foresee(world);
-  lay_out(world, world.serial);
-  world.obstacle_grid.build(world.obstacles.position, world.sensing_radius);
-  take_snapshot(world, world.serial);
-}
-
 void step(World& world) {
   leave(world);
   forget(world.bystanders);
@@ -263,3 +194,17 @@ void step(World& world) {
 }
 
 }  // namespace avo::inline sim
+
+namespace avo {
+
+void Simulation::step() {
+  require_whole(state_->to_change(), "Simulation::step");
+  lead_teams(*this, state_->settings.teams);
+  state_->forget_views();
+  state_->forget_discs();
+  const std::size_t robots = state_->fleet.size();
+  avo::step(*state_);
+  if (state_->fleet.size() != robots) state_->forget_robots();
+}
+
+}  // namespace avo

@@ -211,13 +211,10 @@ void make_room(World& world);
 void set_out(const World& world, const Pace& pace, std::span<const Claims> claims,
              std::span<const std::uint32_t> slots, Worker& worker);
 
-/// Decides for the robots of the worker's tile, which all have one pace and known neighbors, moves
-/// them, and empties the tile.
-void plan_and_move(World& world, const Pace& pace, std::span<const std::uint32_t> slots,
-                   Worker& worker);
-
-/// Prepares what sense_everyone() needs between two steps. No robot moves.
-void look_at_present(World& world);
+/// Gives the robots of the worker's tile what they remember.
+void recall(World& world, std::span<const std::uint32_t> slots, Worker& worker);
+/// Moves the robots of the worker's tile, which have decided.
+void move(World& world, const Pace& pace, Worker& worker);
 
 /// One sensing-acting cycle of all robots.
 void step(World& world);

@@ -133,7 +133,7 @@ scalar::PackClearance<Real> clearance_of(const scalar::PackSelf<Real, 3>& self,
 }
 
 /// A pair, and what else is asked of it.
-struct Pair {
+struct CertifiedPair {
   scalar::PackSelf<Real, 3> self;
   scalar::PackNeighbor<Real, 3> other;
   StepLaw law;  // against this body
@@ -145,9 +145,9 @@ struct Pair {
   }
 };
 
-Pair pair_of(const Robot& robot, const Bodies& bodies, std::uint32_t place, const StepLaw& law,
-             const Constraints& constraints) {
-  Pair pair{pack(robot, constraints.own), pack(bodies.neighbor(place)), law, {}, {}};
+CertifiedPair pair_of(const Robot& robot, const Bodies& bodies, std::uint32_t place,
+                      const StepLaw& law, const Constraints& constraints) {
+  CertifiedPair pair{pack(robot, constraints.own), pack(bodies.neighbor(place)), law, {}, {}};
   if (bodies.has_ages || (!law.is_exact() && bodies.has_vertical))
     pair.law = law_against(bodies.neighbor(place), law);
   pair.packed = scalar::pair_of<true>(pair.self, pair.other,
@@ -174,7 +174,7 @@ void append_body(const Robot& robot, const NearBody& body, const StepLaw& law,
     const PairShape<3> ball{0.0, 0.0, 1.0, constraints.own_direction};
     return append_pair(pair, ball, number, law, constraints);
   }
-  const Pair pair = pair_of(robot, bodies, body.place, law, constraints);
+  const CertifiedPair pair = pair_of(robot, bodies, body.place, law, constraints);
   const scalar::PackPair<Real, 3>& packed = pair.packed;
   const BrakingPair braking{scalar::plain(packed.p), packed.contact.value,
                             packed.inflated.value,   packed.error.value,

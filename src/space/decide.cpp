@@ -13,6 +13,7 @@
 #include "space/arrival.h"
 #include "space/choice.h"
 #include "space/evasion.h"
+#include "space/horizons.h"
 #include "space/own_space.h"
 #include "space/target.h"
 #include "space/workspace.h"
@@ -31,20 +32,20 @@ scalar::Vec<Lane, 3> in_lane(Vec3 a) {
   return scalar::constant<Lane>(a);
 }
 
-Vec3 executed(const Decision& decision, Vec3 own_target, double gain) {
+Vec3 executed(const Deciding& decision, Vec3 own_target, double gain) {
   const scalar::PackHaste<Lane> haste{gain, decision.haste.most, decision.haste.jerk};
   return scalar::plain(scalar::executed(in_lane(decision.own_velocity),
                                         in_lane(decision.own_last_change), in_lane(own_target),
                                         haste));
 }
 // The velocity after one step towards v, without haste, in the robot's own space.
-Vec3 reached(const Decision& decision, Vec3 own_target) {
+Vec3 reached(const Deciding& decision, Vec3 own_target) {
   return scalar::plain(scalar::approach(in_lane(decision.own_velocity), in_lane(own_target),
                                         Lane(decision.haste.most)));
 }
 
 // The velocity that Eq. (23) is given for a wish, m/s (docs/smoothness.md).
-Vec3 aim_of(Decision& decision, Vec3 own_wish, const Execution& execution) {
+Vec3 aim_of(Deciding& decision, Vec3 own_wish, const Execution& execution) {
   if (decision.haste.gain >= 1.0) return own_wish;
   const avo::Robot same = numbers_of(decision.robot);
   const Vec3 change = own_wish - decision.own_velocity;
@@ -58,7 +59,7 @@ Vec3 aim_of(Decision& decision, Vec3 own_wish, const Execution& execution) {
 }
 
 // The part of the velocity along the wish that is left, where `next` is chosen.
-double part_left(const Decision& decision, const Choice& choice, Vec3 own_target, Vec3 own_aim,
+double part_left(const Deciding& decision, const Choice& choice, Vec3 own_target, Vec3 own_aim,
                  Vec3 own_wish) {
   const auto part = [&](Vec3 own_next, Vec3 own_free) {
     const double unhindered = dot(own_free, own_wish);
@@ -69,7 +70,7 @@ double part_left(const Decision& decision, const Choice& choice, Vec3 own_target
   return part(reached(decision, own_target), unhindered);
 }
 
-void turn(Detour& detour, const Decision& decision, double rate, bool among_boxes) {
+void turn(Detour& detour, const Deciding& decision, double rate, bool among_boxes) {
   avo::Detour plane{.angle = detour.angle};
   const avo::Robot same = numbers_of(decision.robot);
   if (rate > 0.0)
@@ -80,7 +81,7 @@ void turn(Detour& detour, const Decision& decision, double rate, bool among_boxe
 }
 
 // The choice of a robot whose target is known, and its detour, docs/arrival.md, rule 3.
-Choice choose_and_arrive(const Decision& decision, Vec3 wish, Vec3 own_aim, const Target& target,
+Choice choose_and_arrive(const Deciding& decision, Vec3 wish, Vec3 own_aim, const Target& target,
                          Detour& detour) {
   PlanWorkspace::Scratch& scratch = decision.scratch;
   const Robot& robot = decision.robot;
@@ -129,7 +130,7 @@ double radius_of(const Bodies& bodies, int number) {
 }
 
 // Names the deepest contact, where rounding cannot have caused it.
-void tell_contact(const Decision& decision, const Surroundings& around, Plan& plan) {
+void tell_contact(const Deciding& decision, const BodiesAround& around, Plan& plan) {
   const Constraints& constraints = decision.scratch.choice.constraints;
   double deepest = 0.0;
   const auto tell = [&](const Deepest& found, double radius, int& index) {
@@ -161,29 +162,30 @@ Plan plan_to(Vec3 velocity, Vec3 next_velocity, const StepLaw& law) {
 }
 
 // What one look at the bodies finds.
-Look look_around(const PlannerOptions& options, const Horizon& horizon, const StepLaw& law,
-                 const Robot& robot, const Surroundings& around, PlanWorkspace::Scratch& scratch) {
+Viewer look_around(const PlannerOptions& options, std::span<const Horizon> horizons,
+                   const StepLaw& law, const Robot& robot, const BodiesAround& around,
+                   PlanWorkspace::Scratch& scratch) {
   Constraints& constraints = scratch.choice.constraints;
   const bool is_known = around.self >= 0.0;
   const Braking own = is_known ? around.bodies.braking(static_cast<std::size_t>(around.self))
                                : braking_of(robot, law);
   begin_constraints(robot, own, law, constraints);
-  Look look{.robot = robot,
-            .braking = constraints.own,
-            .deviation = constraints.deviation,
-            .law = law,
-            .horizon = horizon,
-            .control_time = options.control_time,
-            .self = around.self,
-            .range = around.range,
-            .traffic_range = traffic_range(robot),
-            .certified = options.certificate != Certificate::none};
+  Viewer look{.robot = robot,
+              .braking = constraints.own,
+              .deviation = constraints.deviation,
+              .law = law,
+              .horizon = horizon_of(robot, horizons),
+              .control_time = options.control_time,
+              .self = around.self,
+              .range = around.range,
+              .traffic_range = traffic_range(robot),
+              .certified = options.certificate != Certificate::none};
   look_at(look, around.bodies, around.runs, options.max_neighbors, scratch.looked);
   return look;
 }
 
 void collect_all_constraints(const PlannerOptions& options, const StepLaw& law, const Robot& robot,
-                             const Surroundings& around, PlanWorkspace::Scratch& scratch) {
+                             const BodiesAround& around, PlanWorkspace::Scratch& scratch) {
   const bool certified = options.certificate != Certificate::none;
   collect_constraints(robot, around.bodies, scratch.looked.near,
                       certified ? around.boxes : std::span<const Box>{}, law,
@@ -196,16 +198,17 @@ void collect_all_constraints(const PlannerOptions& options, const StepLaw& law, 
 
 }  // namespace
 
-Plan decide(const PlannerOptions& options, const Horizon& horizon, const StepLaw& law,
-            const Robot& robot, const Surroundings& around, bool remembers,
+Plan decide(const PlannerOptions& options, std::span<const Horizon> horizons, const StepLaw& law,
+            const Robot& robot, const BodiesAround& around, bool remembers,
             PlanWorkspace::Scratch& scratch, Detour& detour) {
-  const Look look = look_around(options, horizon, law, robot, around, scratch);
+  const Viewer look = look_around(options, horizons, law, robot, around, scratch);
   if (!is_sound(detour)) detour = {};
   const Execution execution{response_law(options), law.braking_time, remembers};
-  Decision decision{robot,
+  Deciding decision{robot,
                     options,
                     law,
                     haste_of(numbers_of(robot), execution),
+                    horizons.front(),
                     axis_across(robot.preferred_velocity),
                     to_own(robot.velocity, robot.vertical),
                     law.braking_time * to_own(detour.acceleration, robot.vertical),
@@ -238,10 +241,10 @@ Plan decide(const PlannerOptions& options, const Horizon& horizon, const StepLaw
   return plan;
 }
 
-Constraints& admission_of(const PlannerOptions& options, const Horizon& horizon, const StepLaw& law,
-                          const Robot& robot, const Surroundings& around,
+Constraints& admission_of(const PlannerOptions& options, std::span<const Horizon> horizons,
+                          const StepLaw& law, const Robot& robot, const BodiesAround& around,
                           PlanWorkspace::Scratch& scratch) {
-  look_around(options, horizon, law, robot, around, scratch);
+  look_around(options, horizons, law, robot, around, scratch);
   collect_all_constraints(options, law, robot, around, scratch);
   return scratch.choice.constraints;
 }

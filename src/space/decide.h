@@ -13,7 +13,7 @@
 namespace avo::space {
 
 /// The bodies around a robot; fill_braking() has been called for them.
-struct Surroundings {
+struct BodiesAround {
   const Bodies& bodies;
   std::span<const Run> runs;                               ///< share no place
   double self = -1.0;                                      ///< the robot's own place; -1: none
@@ -25,14 +25,14 @@ struct Surroundings {
 };
 
 /// The decision of a robot whose inputs are valid. Updates the detour. `remembers`: whether the
-/// detour has the acceleration of the last step.
-Plan decide(const PlannerOptions& options, const Horizon& horizon, const StepLaw& law,
-            const Robot& robot, const Surroundings& around, bool remembers,
+/// detour has the acceleration of the last step. horizons: see horizons_of().
+Plan decide(const PlannerOptions& options, std::span<const Horizon> horizons, const StepLaw& law,
+            const Robot& robot, const BodiesAround& around, bool remembers,
             PlanWorkspace::Scratch& scratch, Detour& detour);
 
 /// The constraints of a robot whose inputs are valid.
-Constraints& admission_of(const PlannerOptions& options, const Horizon& horizon, const StepLaw& law,
-                          const Robot& robot, const Surroundings& around,
+Constraints& admission_of(const PlannerOptions& options, std::span<const Horizon> horizons,
+                          const StepLaw& law, const Robot& robot, const BodiesAround& around,
                           PlanWorkspace::Scratch& scratch);
 
 /// Full braking.

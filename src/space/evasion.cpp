@@ -147,31 +147,33 @@ bool find_beside(Evading& evading, const FirstSteps& steps, Vec3& found) {
   return false;
 }
 
-Way find_way(Evading& evading, const Level& level, Vec3 wanted, Vec3& found) {
+WayFound find_way(Evading& evading, const Level& level, Vec3 wanted, Vec3& found) {
   look_around(evading, level);
-  if (has_way_after(evading, wanted)) return Way::as_wanted;
+  if (has_way_after(evading, wanted)) return WayFound::as_wanted;
   const FirstSteps steps = first_steps(evading, wanted);
   for (const FirstStep& step : steps) {
     if (!may_take(evading, step)) continue;
     found = nearer(evading, step, wanted);
-    return Way::another;
+    return WayFound::another;
   }
-  return find_beside(evading, steps, found) ? Way::another : Way::none;
+  return find_beside(evading, steps, found) ? WayFound::another : WayFound::none;
 }
 
-Way find_way_in_order(Evading& evading, std::span<const Level> levels, Vec3 wanted, Vec3& found) {
+WayFound find_way_in_order(Evading& evading, std::span<const Level> levels, Vec3 wanted,
+                           Vec3& found) {
   for (const Level& level : levels) {
-    const Way way = find_way(evading, level, wanted, found);
-    if (way != Way::none) return way;
+    const WayFound way = find_way(evading, level, wanted, found);
+    if (way != WayFound::none) return way;
   }
-  return Way::none;
+  return WayFound::none;
 }
 
 // Nearly always the first level has one; where the weakest has none, hardly any other has one.
-Way find_way_by_levels(Evading& evading, Vec3 wanted, Vec3& found) {
+WayFound find_way_by_levels(Evading& evading, Vec3 wanted, Vec3& found) {
   const std::span<const Level> levels = kLevels;
-  const Way way = find_way(evading, levels.front(), wanted, found);
-  if (way != Way::none || find_way(evading, levels.back(), wanted, found) == Way::none) return way;
+  const WayFound way = find_way(evading, levels.front(), wanted, found);
+  if (way != WayFound::none || find_way(evading, levels.back(), wanted, found) == WayFound::none)
+    return way;
   return find_way_in_order(evading, levels.subspan(1), wanted, found);
 }
 
@@ -199,12 +201,12 @@ bool keep_a_way_out(const PlannerOptions& options, const StepLaw& law, const Rob
   MoverConstraints& of_movers = workspace.constraints.movers;
   of_movers.counts = false;
   Vec3 found;
-  Way way = find_way_by_levels(evading, wanted, found);
-  if (way == Way::none && sight.may_swerve && are_exact(evading))
+  WayFound way = find_way_by_levels(evading, wanted, found);
+  if (way == WayFound::none && sight.may_swerve && are_exact(evading))
     way = find_way_in_order(evading, kLastLevels, wanted, found);
-  if (way == Way::none) way = find_way_in_order(evading, kForAWhile, wanted, found);
+  if (way == WayFound::none) way = find_way_in_order(evading, kForAWhile, wanted, found);
   of_movers.counts = true;
-  if (way != Way::another) return false;
+  if (way != WayFound::another) return false;
   next_velocity = found;
   return true;
 }

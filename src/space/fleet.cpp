@@ -6,6 +6,7 @@
 #include "core/response_law.h"
 #include "space/boxes.h"
 #include "space/certificate.h"
+#include "space/horizons.h"
 #include "space/own_space.h"
 #include "space/step_law.h"
 #include "space/validity.h"
@@ -15,8 +16,8 @@ namespace avo::space {
 SpaceFleet::SpaceFleet(const Scenario& scene, int threads)
     : scenario(scene),
       options(planner_options(scene)),
-      horizon(options.control_time, options.time_horizon, options.time_step),
-      law(step_law(options, horizon)),
+      horizons(horizons_of(options)),
+      law(step_law(options, horizons.front())),
       landing{response_law(options), law.lag, law.braking_time},
       sensing_radius(sensing_radius_of(scene)),
       executor(make_executor(static_cast<std::size_t>(std::max(threads, 0)))),
@@ -103,7 +104,7 @@ void SpaceFleet::find_boxes(std::size_t k, SpaceWorker& worker) const {
   }
 }
 
-void SpaceFleet::head_for_goal(std::size_t k, const Surroundings& around, SpaceWorker& worker) {
+void SpaceFleet::head_for_goal(std::size_t k, const BodiesAround& around, SpaceWorker& worker) {
   Robot& robot = robots[k];
   worker.neighbors.clear();
   for (const Run& run : !ways.passages().empty() ? around.runs : std::span<const Run>()) {
@@ -113,7 +114,7 @@ void SpaceFleet::head_for_goal(std::size_t k, const Surroundings& around, SpaceW
         worker.neighbors.push_back(other);
     }
   }
-  const Company company{worker.neighbors, detours[k].angle, sensing_radius, law.time_step};
+  const PassageView company{worker.neighbors, detours[k].angle, sensing_radius, law.time_step};
   const SpaceHeading heading =
       ways.heading(k, robot, trips[k].goal, trips[k].preferred_speed, company, worker.ways);
   robot.distance_to_goal = heading.left;
@@ -125,10 +126,10 @@ void SpaceFleet::decide(std::size_t at, SpaceWorker& worker) {
   find_boxes(k, worker);
   const std::size_t runs = cells.around(robots[k].position, worker.runs);
   sense_movers(k, worker);
-  const auto decide = [&](const Surroundings& around) {
+  const auto decide = [&](const BodiesAround& around) {
     head_for_goal(k, around, worker);
     plans[k] =
-        space::decide(options, horizon, law, robots[k], around, true, worker.scratch, detours[k]);
+        space::decide(options, horizons, law, robots[k], around, true, worker.scratch, detours[k]);
     Plan& plan = plans[k];
     if (plan.box >= 0) plan.box = worker.box_number[static_cast<std::size_t>(plan.box)];
     if (plan.mover >= 0) plan.mover = worker.mover_number[static_cast<std::size_t>(plan.mover)];

@@ -47,7 +47,7 @@ struct AVO_LOCAL SpaceFleet {
 
   Scenario scenario;
   PlannerOptions options;
-  Horizon horizon;
+  std::vector<Horizon> horizons;
   StepLaw law;
   Landing landing;
   double sensing_radius;
@@ -82,7 +82,7 @@ struct AVO_LOCAL SpaceFleet {
   /// The boxes that matter to a robot.
   void find_boxes(std::size_t k, SpaceWorker& worker) const;
   /// Sets the preferred velocity of robot k: along its route, where boxes are in the way.
-  void head_for_goal(std::size_t k, const Surroundings& around, SpaceWorker& worker);
+  void head_for_goal(std::size_t k, const BodiesAround& around, SpaceWorker& worker);
   /// Decides for the robot at that place in the order of the cells.
   void decide(std::size_t at, SpaceWorker& worker);
   /// Calls visit(k, worker) for all k below the number of robots, in parallel where they are many.

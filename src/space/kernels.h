@@ -19,7 +19,7 @@ using PairConstraints = PairConstraintsOf<3>;
 struct Bodies;
 struct HalfSpaceColumns;
 struct HalfSpaces;
-struct Look;
+struct Viewer;
 struct Looked;
 struct OwnLimits;
 struct Run;
@@ -37,10 +37,10 @@ struct SpaceKernels {
                 ConstraintColumns&);
   // seen_kernel.h
   void (*fill_braking)(const StepLaw&, std::size_t first, std::size_t last, Bodies&);
-  void (*find_seen)(const Look&, const Bodies&, std::span<const Run>, SeenColumns&);
+  void (*find_seen)(const Viewer&, const Bodies&, std::span<const Run>, SeenColumns&);
   // look_kernel.h
-  void (*judge_seen)(const Look&, const Bodies&, Looked&);
-  void (*find_pairs)(const Look&, const Vec3* velocity, const Bodies&, Looked&);
+  void (*judge_seen)(const Viewer&, const Bodies&, Looked&);
+  void (*find_pairs)(const Viewer&, const Vec3* velocity, const Bodies&, Looked&);
   // half_space_kernel.h
   void (*find_frames)(const SpacePairs&, HalfSpaces&);
   void (*turn_back)(const SpacePairs&, const OwnLimits&, HalfSpaces&);

@@ -15,7 +15,7 @@ void grow(std::size_t size, std::initializer_list<std::vector<double>*> columns)
 
 // Limits the half-spaces to those of the nearest `most` bodies that are seen.
 void limit_to_nearest(std::size_t most, const Bodies& bodies, const SeenColumns& seen,
-                      std::vector<std::pair<double, double>>& nearest, Look& look) {
+                      std::vector<std::pair<double, double>>& nearest, Viewer& look) {
   if (seen.count <= most) return;
   look.farthest_squared = -1.0;
   if (most == 0) return;
@@ -48,7 +48,7 @@ void SpacePairs::reserve(std::size_t pairs) {
   grow(size, {&p[0], &p[1], &p[2], &v[0], &v[1], &v[2], &radius, &reach, &share, &number});
 }
 
-void look_at(Look& look, const Bodies& bodies, std::span<const Run> runs,
+void look_at(Viewer& look, const Bodies& bodies, std::span<const Run> runs,
              std::optional<int> max_neighbors, Looked& looked) {
   std::size_t most = 0;
   for (const Run& run : runs) most += run.last - run.first;
@@ -62,12 +62,12 @@ void look_at(Look& look, const Bodies& bodies, std::span<const Run> runs,
   put_in_order(bodies, looked);
 }
 
-void pairs_that_cut(const Look& look, const Bodies& bodies, Looked& looked) {
+void pairs_that_cut(const Viewer& look, const Bodies& bodies, Looked& looked) {
   looked.pairs.reserve(looked.seen.count);
   kernels().find_pairs(look, nullptr, bodies, looked);
 }
 
-void pairs_without(const Look& look, Vec3 velocity, const Bodies& bodies, Looked& looked) {
+void pairs_without(const Viewer& look, Vec3 velocity, const Bodies& bodies, Looked& looked) {
   looked.pairs.reserve(looked.seen.count);
   kernels().find_pairs(look, &velocity, bodies, looked);
 }

@@ -19,7 +19,7 @@
 namespace avo::space {
 
 /// A robot, and what it looks for. Distances in m, speeds in m/s.
-struct Look {
+struct Viewer {
   const Robot& robot;
   const BrakingOf<3>& braking;  ///< its own
   const Deviation& deviation;   ///< of its candidates, in its own space
@@ -90,12 +90,12 @@ struct Looked {
 
 /// Looks at the bodies of these runs, which share no place. Of those within the range, the
 /// `max_neighbors` nearest may get half-spaces. Sets all of the result but the pairs.
-void look_at(Look& look, const Bodies& bodies, std::span<const Run> runs,
+void look_at(Viewer& look, const Bodies& bodies, std::span<const Run> runs,
              std::optional<int> max_neighbors, Looked& looked);
 
 /// Sets the pairs of a look whose half-spaces may cut into what the robot can choose.
-void pairs_that_cut(const Look& look, const Bodies& bodies, Looked& looked);
+void pairs_that_cut(const Viewer& look, const Bodies& bodies, Looked& looked);
 /// Sets the pairs whose half-spaces may not contain one velocity in space, m/s.
-void pairs_without(const Look& look, Vec3 velocity, const Bodies& bodies, Looked& looked);
+void pairs_without(const Viewer& look, Vec3 velocity, const Bodies& bodies, Looked& looked);
 
 }  // namespace avo::space

@@ -18,7 +18,7 @@ AVO_BEGIN_KERNELS
 /// bodies.
 template <typename Real>
 AVO_KERNEL auto can_ignore(const PackLook<Real>& a, const PackSeen<Real>& seen,
-                           const PackBody<Real>& body, const space::Look& look,
+                           const PackBody<Real>& body, const space::Viewer& look,
                            const space::Bodies& bodies) {
   const Real zero(0.0), one(1.0), rounding(kFarther);
   const Real lengths = a.lengths + one_norm(seen.p) + body.contact;
@@ -82,7 +82,7 @@ AVO_KERNEL Real traffic_of(const PackLook<Real>& a, const PackSeen<Real>& seen,
 
 template <typename Real>
 AVO_KERNEL void push(const PackSeen<Real>& seen, const PackBody<Real>& body, Real number,
-                     decltype(Real() < Real()) chosen, const space::Look& look,
+                     decltype(Real() < Real()) chosen, const space::Viewer& look,
                      const space::Bodies& bodies, space::SpacePairs& pairs) {
   const std::size_t at = pairs.count;
   Vec<Real, 3> p = seen.p;
@@ -118,7 +118,7 @@ AVO_KERNEL void push(Real place, std::uint32_t lanes, std::vector<std::uint32_t>
 /// The pairs of these bodies that can refuse a candidate, where they are as in the plane: see
 /// collect_constraints().
 template <typename Real>
-AVO_KERNEL void judge_near(const space::Look& look, const space::Bodies& bodies,
+AVO_KERNEL void judge_near(const space::Viewer& look, const space::Bodies& bodies,
                            std::span<const std::uint32_t> places,
                            std::vector<space::NearBody>& near) {
   const space::Robot& robot = look.robot;
@@ -174,7 +174,7 @@ AVO_KERNEL void judge_near(const space::Look& look, const space::Bodies& bodies,
 
 /// Few values are needed at once, so each question has a loop of its own.
 template <typename Real, bool kUniform>
-AVO_KERNEL void judge_all(const space::Look& look, const space::Bodies& bodies,
+AVO_KERNEL void judge_all(const space::Viewer& look, const space::Bodies& bodies,
                           space::Looked& looked) {
   const PackLook<Real> a(look, bodies);
   const auto all = [&](const auto& judge) {
@@ -201,7 +201,7 @@ AVO_KERNEL void judge_all(const space::Look& look, const space::Bodies& bodies,
 
 /// See pairs_that_cut() and, with a velocity, pairs_without().
 template <typename Real, bool kUniform>
-AVO_KERNEL void find_pairs(const space::Look& look, const Vec3* velocity,
+AVO_KERNEL void find_pairs(const space::Viewer& look, const Vec3* velocity,
                            const space::Bodies& bodies, space::Looked& looked) {
   const PackLook<Real> a(look, bodies);
   const bool has_wash = look.robot.downwash > 0.0 || bodies.has_downwash;
@@ -223,7 +223,7 @@ AVO_KERNEL void find_pairs(const space::Look& look, const Vec3* velocity,
       });
 }
 template <typename Real>
-void find_pairs(const space::Look& look, const Vec3* velocity, const space::Bodies& bodies,
+void find_pairs(const space::Viewer& look, const Vec3* velocity, const space::Bodies& bodies,
                 space::Looked& looked) {
   looked.pairs.count = 0;
   if (looked.seen.count == 0) return;
@@ -235,7 +235,7 @@ void find_pairs(const space::Look& look, const Vec3* velocity, const space::Bodi
 
 /// Sorts out what the bodies that are seen mean for A.
 template <typename Real>
-void judge_seen(const space::Look& look, const space::Bodies& bodies, space::Looked& looked) {
+void judge_seen(const space::Viewer& look, const space::Bodies& bodies, space::Looked& looked) {
   looked.ahead = 0.0;
   if (looked.seen.count == 0) return;
   looked.places.clear();

@@ -3,16 +3,17 @@
 
 #include <algorithm>
 #include <string>
+#include <string_view>
 
 #include "avo/error.h"
-#include "space/ranges.h"
+#include "fields/space_fields.h"
 #include "space/senses.h"
 
 namespace avo::space {
 namespace {
 
-std::string key_of(std::size_t k, const char* field) {
-  return "moving_obstacles." + std::to_string(k) + "." + field;
+std::string key_of(std::size_t k, std::string_view field) {
+  return std::string(Place{"moving_obstacles", k, field});
 }
 
 // m/s: of its legs.
@@ -30,7 +31,7 @@ void check_trajectory(std::size_t k, const MovingObstacle& obstacle) {
   for (std::size_t i = 0; i < obstacle.trajectory.size(); ++i) {
     const TimedPoint& place = obstacle.trajectory[i];
     require(key, place.time, kAnyValue, "s");
-    require_vector(key, place.position, "m");
+    require(key, place.position, "m");
     if (i > 0 && !(place.time > obstacle.trajectory[i - 1].time))
       refuse(key, text(place.time) + " s after " + text(obstacle.trajectory[i - 1].time) + " s",
              "ascending times");
@@ -44,14 +45,9 @@ void check_trajectory(std::size_t k, const MovingObstacle& obstacle) {
 }
 
 void check_obstacle(std::size_t k, const MovingObstacle& obstacle) {
-  require_vector(key_of(k, "position"), obstacle.position, "m");
-  require_vector(key_of(k, "velocity"), obstacle.velocity, "m/s");
-  require_vector(key_of(k, "acceleration"), obstacle.acceleration, "m/s^2");
-  require(key_of(k, "radius"), obstacle.radius, kPositive, "m");
-  require(key_of(k, "max_deviation"), obstacle.max_deviation, kNotNegative, "m/s^2");
+  require_ranges(obstacle, PlaceOf{"moving_obstacles", k});
   if (!obstacle.trajectory.empty()) check_trajectory(k, obstacle);
   if (!obstacle.max_speed) return;
-  require(key_of(k, "max_speed"), *obstacle.max_speed, kPositive, "m/s");
   if (!(obstacle.max_deviation > 0.0))
     refuse(key_of(k, "max_speed"), text(*obstacle.max_speed),
            "left out without max_deviation: it keeps its acceleration");

@@ -7,6 +7,7 @@
 #include "space/boxes.h"
 #include "space/certificate.h"
 #include "space/decide.h"
+#include "space/horizons.h"
 #include "space/kernels.h"
 #include "space/own_space.h"
 #include "space/step_law.h"
@@ -32,14 +33,14 @@ void gather(std::span<const Neighbor> neighbors, const StepLaw& law, Bodies& bod
 }  // namespace
 
 Planner::Planner(const PlannerOptions& options)
-    : options_(options), horizon_(options.control_time, options.time_horizon, options.time_step) {
+    : options_(options), horizons_(horizons_of(options)) {
   validate_in_space(options);
 }
 
 Plan Planner::plan(const Robot& robot, std::span<const Neighbor> neighbors,
                    PlanWorkspace& workspace, Detour* detour, std::span<const Box> boxes,
                    std::span<const Mover> movers) const {
-  const StepLaw law = step_law(options_, horizon_);
+  const StepLaw law = step_law(options_, horizons_.front());
   if (!are_valid(robot, neighbors, boxes, movers)) {
     Plan plan = is_valid(robot) ? braking_plan(robot, law) : Plan{};
     plan.status = PlanStatus::invalid_input;
@@ -50,7 +51,7 @@ Plan Planner::plan(const Robot& robot, std::span<const Neighbor> neighbors,
   const Run all{0, neighbors.size()};
   Detour next = detour != nullptr ? *detour : Detour{};
   const Plan plan = decide(
-      options_, horizon_, law, robot,
+      options_, horizons_, law, robot,
       {.bodies = scratch.bodies, .runs = std::span(&all, 1), .boxes = boxes, .movers = movers},
       detour != nullptr, scratch, next);
   if (detour != nullptr) *detour = next;
@@ -61,7 +62,7 @@ bool Planner::is_admitted(const Robot& robot, std::span<const Neighbor> neighbor
                           PlanWorkspace& workspace, Vec3 next_velocity,
                           std::span<const Box> boxes) const {
   if (!are_valid(robot, neighbors, boxes) || !is_finite(next_velocity)) return false;
-  const StepLaw law = step_law(options_, horizon_);
+  const StepLaw law = step_law(options_, horizons_.front());
   PlanWorkspace::Scratch& scratch = *workspace.scratch_;
   const Vec3 own = to_own(next_velocity, robot.vertical);
   const double change = norm(own - to_own(robot.velocity, robot.vertical));
@@ -71,13 +72,13 @@ bool Planner::is_admitted(const Robot& robot, std::span<const Neighbor> neighbor
   gather(neighbors, law, scratch.bodies);
   const Run all{0, neighbors.size()};
   Constraints& constraints =
-      admission_of(options_, horizon_, law, robot,
+      admission_of(options_, horizons_, law, robot,
                    {.bodies = scratch.bodies, .runs = std::span(&all, 1), .boxes = boxes}, scratch);
   return admits(robot, next_velocity, law, Asked::until_refused, constraints);
 }
 
 double Planner::step_lag() const {
-  return step_law(options_, horizon_).lag;
+  return step_law(options_, horizons_.front()).lag;
 }
 
 namespace {

@@ -5,6 +5,7 @@
 
 #include "core/elementary.h"
 #include "core/ranges.h"
+#include "fields/space_fields.h"
 
 namespace avo::space {
 namespace {
@@ -12,8 +13,7 @@ namespace {
 constexpr double kGravity = 9.80665;  // m/s^2
 // The rest of thrust and tilt is for feedback, against wind and the vehicle's own errors.
 constexpr double kReserve = 0.8;
-constexpr double kMinThrust = 0.1;    // of the weight
-constexpr double kLargestTilt = 1.5;  // rad
+constexpr double kMinThrust = 0.1;  // of the weight
 
 double min_thrust(const Quadrotor& quadrotor) {
   return quadrotor.min_thrust.value_or(kMinThrust * kGravity * quadrotor.mass);
@@ -32,19 +32,13 @@ QuadrotorLimits limits_of(const Quadrotor& quadrotor) {
 }
 
 void validate(const Quadrotor& quadrotor, const std::string& name) {
-  const auto key = [&](const char* what) { return name + "." + what; };
-  require(key("mass"), quadrotor.mass, kPositive, "kg");
-  require(key("max_thrust"), quadrotor.max_thrust, kPositive, "N");
-  require(key("min_thrust"), min_thrust(quadrotor), kNotNegative, "N");
-  require(key("max_tilt"), quadrotor.max_tilt, {0.0, kLargestTilt, true}, "rad");
-  require(key("attitude_time"), quadrotor.attitude_time, kPositive, "s");
-  require(key("tracking_error"), quadrotor.tracking_error.value_or(0.0), kNotNegative, "m");
+  require_ranges(quadrotor, Behind{name + "."});
   const double weight = kGravity * quadrotor.mass;
   if (!(quadrotor.max_thrust > weight))
-    refuse(key("max_thrust"), text(quadrotor.max_thrust),
+    refuse(name + ".max_thrust", text(quadrotor.max_thrust),
            "> " + text(weight) + " N, the weight of its mass");
   if (!(min_thrust(quadrotor) < weight))
-    refuse(key("min_thrust"), text(min_thrust(quadrotor)),
+    refuse(name + ".min_thrust", text(min_thrust(quadrotor)),
            "< " + text(weight) + " N, the weight of its mass");
 }
 

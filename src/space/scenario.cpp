@@ -8,12 +8,12 @@
 #include "avo/error.h"
 #include "avo/space/planner.h"
 #include "fields/sensing_checks.h"
+#include "fields/space_fields.h"
 #include "planner/options.h"
 #include "planner/rules/arrival.h"
 #include "space/certificate.h"
 #include "space/mover_checks.h"
 #include "space/own_space.h"
-#include "space/ranges.h"
 #include "space/senses.h"
 #include "space/step_law.h"
 
@@ -119,39 +119,20 @@ double needed_radius(const Scenario& scenario, const PlannerOptions& options) {
   return std::max(radius, contact + 2.0 * largest.max_speed * evading);
 }
 
-std::string numbered(const char* what, std::size_t k, const char* key) {
-  return std::string(what) + "." + std::to_string(k) + "." + key;
-}
-
 // Robots of space know their own place.
-void check_sensing_in_space(const Scenario& scenario, const PlannerOptions& options) {
-  const SensingModel& sensing = scenario.sensing;
+void check_sensing_in_space(const SensingModel& sensing) {
   check_sensing(sensing);
   if (sensing.localization.position > 0.0)
     refuse("sensing.localization", text(sensing.localization.position) + " m",
            "left out in a scene of space");
-  if (scenario.sensing_error && options.certificate == Certificate::none)
-    refuse("sensing_error", "one", "none with certificate none");
 }
 
 void check_robot(const RobotSetup& robot, std::size_t k) {
-  const auto key = [k](const char* name) { return numbered("robots", k, name); };
-  require_vector(key("position"), robot.position, "m");
-  require_vector(key("velocity"), robot.velocity, "m/s");
-  require_vector(key("goal"), robot.goal, "m");
-  require(key("radius"), robot.radius, kPositive, "m");
-  require(key("max_speed"), robot.max_speed, kPositive, "m/s");
-  require(key("max_acceleration"), robot.max_acceleration, kPositive, "m/s^2");
-  require(key("preferred_speed"), robot.preferred_speed, kNotNegative, "m/s");
-  require(key("vertical"), robot.vertical, kPositive, "");
-  require(key("climb"), robot.climb.value_or(1.0), kPositive, "m/s");
-  require(key("sink"), robot.sink.value_or(1.0), kPositive, "m/s");
-  require(key("downwash"), robot.downwash, kNotNegative, "m");
-  require(key("priority"), robot.priority, kPositive, "");
-  require(key("max_braking"), robot.max_braking.value_or(1.0), kPositive, "m/s^2");
+  const PlaceOf place{"robots", k};
+  require_ranges(robot, place);
   const auto require_slow = [&](double speed, double most, const char* limit) {
     if (speed > most * (1.0 + 1e-9))
-      refuse(key("velocity"), text(speed) + " m/s at the start",
+      refuse(std::string(place("velocity")), text(speed) + " m/s at the start",
              std::string("<= its ") + limit + ", " + text(most) + " m/s");
   };
   require_slow(own_length(robot.velocity, robot.vertical), robot.max_speed, "max_speed");
@@ -161,15 +142,16 @@ void check_robot(const RobotSetup& robot, std::size_t k) {
 
 // The accelerations of a quadrotor's reference have to lie in the ball of its limits.
 void check_quadrotor(const RobotSetup& robot, std::size_t k, Motion motion) {
-  const std::string name = numbered("robots", k, "quadrotor");
+  const PlaceOf place{"robots", k};
+  const std::string name(place("quadrotor"));
   validate(*robot.quadrotor, name);
   if (motion != Motion::held)
     refuse("motion", to_string(motion), "held: " + name + " needs accelerations that are held");
   if (robot.vertical > 1.0)
-    refuse(numbered("robots", k, "vertical"), text(robot.vertical), "<= 1 of a quadrotor");
+    refuse(std::string(place("vertical")), text(robot.vertical), "<= 1 of a quadrotor");
   const double most = limits_of(*robot.quadrotor).max_acceleration;
   if (robot.max_braking.value_or(most) > most)
-    refuse(numbered("robots", k, "max_braking"), text(*robot.max_braking),
+    refuse(std::string(place("max_braking")), text(*robot.max_braking),
            "<= " + text(most) + " m/s^2, the limit of its quadrotor");
 }
 
@@ -181,11 +163,9 @@ std::string box_name(const Scenario& scenario, std::size_t k) {
 }
 
 void check_box(const Box& box, const std::string& box_name) {
-  const auto key = [&](const char* name) { return box_name + "." + name; };
-  require(key("radius"), box.radius, kNotNegative, "m");
-  require(key("heading"), box.heading, kAngle, "rad");
+  require_ranges(box, Behind{box_name + "."});
   const bool is_sound = box.min.x <= box.max.x && box.min.y <= box.max.y && box.min.z <= box.max.z;
-  if (!is_sound) throw Error(key("box") + ": min must not exceed max");
+  if (!is_sound) throw Error(box_name + ".box: min must not exceed max");
 }
 
 // Whether braking from the start keeps the robots apart, and from boxes.
@@ -232,11 +212,8 @@ void check_boxes(std::span<const Box> boxes) {
 }
 
 void validate(const Scenario& scenario) {
-  const PlannerOptions options = planner_options(scenario);
-  validate(options, "");
-  require("duration", scenario.duration, {scenario.time_step, kLargest, false}, "s");
-  require("arrival_distance", scenario.arrival_distance, kPositive, "m");
-  require("sensing_radius", scenario.sensing_radius.value_or(1.0), kPositive, "m");
+  require_ranges(scenario, Behind{});
+  check_sensing_in_space(scenario.sensing);
   for (std::size_t k = 0; k < scenario.robots.size(); ++k) check_robot(scenario.robots[k], k);
   for (std::size_t k = 0; k < scenario.robots.size(); ++k) {
     if (scenario.robots[k].quadrotor) check_quadrotor(scenario.robots[k], k, scenario.motion);
@@ -244,7 +221,11 @@ void validate(const Scenario& scenario) {
   for (std::size_t k = 0; k < scenario.boxes.size(); ++k)
     check_box(scenario.boxes[k], box_name(scenario, k));
   check_moving_obstacles(scenario);
-  check_sensing_in_space(scenario, options);
+  const PlannerOptions options = planner_options(scenario);
+  validate(options, "");
+  require("duration", scenario.duration, {scenario.time_step, kLargest, false}, "s");
+  if (scenario.sensing_error && options.certificate == Certificate::none)
+    refuse("sensing_error", "one", "none with certificate none");
   const Planner planner(options);
   if (options.certificate == Certificate::none || scenario.robots.empty()) return;
   const Robot largest = largest_of(scenario);

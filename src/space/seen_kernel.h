@@ -35,7 +35,7 @@ void fill_braking(const StepLaw& law, std::size_t first, std::size_t last, space
 
 /// Finds the bodies within the range.
 template <typename Real>
-void find_seen(const space::Look& look, const space::Bodies& bodies,
+void find_seen(const space::Viewer& look, const space::Bodies& bodies,
                std::span<const space::Run> runs, space::SeenColumns& seen) {
   const Vec<Real, 3> position = constant<Real>(look.robot.position);
   const Vec<Real, 3> velocity = constant<Real>(look.robot.velocity);
@@ -70,7 +70,7 @@ struct PackLook {
   Real end_time, end_lag, gain, change, speed;  // of half-spaces
   Real traffic_range, per_range, per_front, per_closing, per_slow;
 
-  AVO_KERNEL PackLook(const space::Look& look, const space::Bodies& bodies)
+  AVO_KERNEL PackLook(const space::Viewer& look, const space::Bodies& bodies)
       : position(constant<Real>(look.robot.position)),
         velocity(constant<Real>(look.robot.velocity)),
         direction(constant<Real>(look.braking.direction)),
@@ -114,7 +114,7 @@ struct PackBody {
 
 /// field: maps a column to its values.
 template <typename Real, typename Field>
-AVO_KERNEL PackBody<Real> body_of(const PackLook<Real>& a, const space::Look& look,
+AVO_KERNEL PackBody<Real> body_of(const PackLook<Real>& a, const space::Viewer& look,
                                   const space::Bodies& bodies, const Field& field) {
   const auto equal = [](Real x, Real y) { return (x <= y) & (x >= y); };
   const Real acceleration = field(bodies.max_acceleration), priority = field(bodies.priority);
@@ -150,7 +150,7 @@ AVO_KERNEL PackSeen<Real> seen_at(const space::SeenColumns& all, std::size_t k) 
 /// Calls judge(seen, body, field) for all bodies that are seen, many at once. field: the values of
 /// a column. Where all bodies are alike, they are looked at once.
 template <typename Real, bool kUniform, typename Judge>
-AVO_KERNEL void for_all(const PackLook<Real>& a, const space::Look& look,
+AVO_KERNEL void for_all(const PackLook<Real>& a, const space::Viewer& look,
                         const space::Bodies& bodies, const space::SeenColumns& all,
                         const Judge& judge) {
   const auto same = [](const std::vector<double>& column) { return Real(column[0]); };

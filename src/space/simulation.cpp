@@ -8,9 +8,9 @@
 
 #include "avo/error.h"
 #include "core/hash.h"
+#include "core/ranges.h"
 #include "space/boxes.h"
 #include "space/fleet.h"
-#include "space/ranges.h"
 #include "space/routes/tighten.h"
 #include "space/validity.h"
 
@@ -87,7 +87,7 @@ std::vector<std::size_t> Simulation::unreachable() const {
 void Simulation::set_goal(std::size_t robot, Vec3 goal) {
   if (robot >= size())
     throw Error("robot " + std::to_string(robot) + ": there are " + std::to_string(size()));
-  require_vector("goal", goal, "m");
+  require("goal", goal, "m");
   Vec3& own = state_->scenario.robots[robot].goal;
   if (own == goal) return;
   own = state_->trips[robot].goal = goal;

@@ -13,7 +13,7 @@
 
 namespace avo::space {
 
-void collect_hard(const Decision& decision, std::span<const Box> boxes) {
+void collect_hard(const Deciding& decision, std::span<const Box> boxes) {
   const Robot& robot = decision.robot;
   PlanWorkspace::Scratch& scratch = decision.scratch;
   std::vector<HalfSpace>& speeds = scratch.speeds;
@@ -35,7 +35,7 @@ namespace {
 
 // The hard half-spaces, and the soft ones of the pairs that the look has chosen last and of moving
 // obstacles, in the robot's own space.
-HalfSpaceColumns& collect_half_spaces(const Decision& decision) {
+HalfSpaceColumns& collect_half_spaces(const Deciding& decision) {
   const Robot& robot = decision.robot;
   PlanWorkspace::Scratch& scratch = decision.scratch;
   HalfSpaceColumns& columns = scratch.half_spaces.columns;
@@ -48,7 +48,7 @@ HalfSpaceColumns& collect_half_spaces(const Decision& decision) {
   append_half_spaces(scratch.looked.pairs, own, decision.look.horizon, scratch.half_spaces);
   if (decision.around.movers.empty()) return columns;
   scratch.of_movers.clear();
-  append_mover_planes(robot, decision.around.movers, decision.options, decision.look.horizon,
+  append_mover_planes(robot, decision.around.movers, decision.options, decision.full_horizon,
                       scratch.of_movers);
   columns.reserve(columns.count + scratch.of_movers.size());
   double number = static_cast<double>(kMostRobots);  // they come after all neighbors
@@ -59,7 +59,7 @@ HalfSpaceColumns& collect_half_spaces(const Decision& decision) {
 
 }  // namespace
 
-HalfSpaceColumns& all_half_spaces(const Decision& decision) {
+HalfSpaceColumns& all_half_spaces(const Deciding& decision) {
   PlanWorkspace::Scratch& scratch = decision.scratch;
   if (scratch.has_all) return scratch.half_spaces.columns;
   scratch.has_all = true;
@@ -67,7 +67,7 @@ HalfSpaceColumns& all_half_spaces(const Decision& decision) {
   return collect_half_spaces(decision);
 }
 
-Target target_of(const Decision& decision, HalfSpaceColumns& half_spaces, Vec3 own_wish) {
+Target target_of(const Deciding& decision, HalfSpaceColumns& half_spaces, Vec3 own_wish) {
   const Robot& robot = decision.robot;
   const std::array<Ball, 2> balls{
       Ball{decision.own_velocity, decision.options.control_time * robot.max_acceleration},
@@ -84,7 +84,7 @@ Target target_of(const Decision& decision, HalfSpaceColumns& half_spaces, Vec3 o
 
 // A robot that is free mostly gets what its limits alone allow. So only those
 // half-spaces are computed first that may not contain it; where one does not, all of them are.
-Target target_of_aim(const Decision& decision, Vec3 own_aim) {
+Target target_of_aim(const Deciding& decision, Vec3 own_aim) {
   PlanWorkspace::Scratch& scratch = decision.scratch;
   scratch.has_all = false;
   const Bodies& bodies = decision.around.bodies;

@@ -4,6 +4,7 @@
 #include <span>
 
 #include "avo/export.h"
+#include "avo/horizon.h"
 #include "planner/stages/execution.h"
 #include "space/decide.h"
 #include "space/look.h"
@@ -13,15 +14,16 @@
 namespace avo::space {
 
 /// The inputs of a decision. Velocities with `own` in their names are in the robot's own space.
-struct AVO_LOCAL Decision {
+struct AVO_LOCAL Deciding {
   const Robot& robot;
   const PlannerOptions& options;
   StepLaw law;
   Haste haste;
-  Vec3 axis;  ///< about which it turns to its right
+  const Horizon& full_horizon;  ///< of moving obstacles, which do not see that it arrives
+  Vec3 axis;                    ///< about which it turns to its right
   Vec3 own_velocity, own_last_change;
-  const Look& look;
-  const Surroundings& around;
+  const Viewer& look;
+  const BodiesAround& around;
   PlanWorkspace::Scratch& scratch;
 
   Vec3 own(Vec3 a) const { return to_own(a, robot.vertical); }
@@ -35,16 +37,16 @@ struct Target {
 };
 
 /// Sets the hard half-spaces of climb, sink and boxes.
-void collect_hard(const Decision& decision, std::span<const Box> boxes);
+void collect_hard(const Deciding& decision, std::span<const Box> boxes);
 
 /// All half-spaces that can cut, the hard ones and then the soft ones, in the robot's own space.
-HalfSpaceColumns& all_half_spaces(const Decision& decision);
+HalfSpaceColumns& all_half_spaces(const Deciding& decision);
 
 /// Eq. (23) among the half-spaces. Where nothing keeps all of them, the hard ones are kept, near
 /// the least unsafe point.
-Target target_of(const Decision& decision, HalfSpaceColumns& half_spaces, Vec3 own_wish);
+Target target_of(const Deciding& decision, HalfSpaceColumns& half_spaces, Vec3 own_wish);
 
 /// Eq. (23) for the aim, among all half-spaces.
-Target target_of_aim(const Decision& decision, Vec3 own_aim);
+Target target_of_aim(const Deciding& decision, Vec3 own_aim);
 
 }  // namespace avo::space

@@ -106,15 +106,15 @@ const Hull& known_interval(WaySearch& search, const FullBraking& from, int m) {
 }
 
 // The result of braking from a state.
-enum class Stop : unsigned char {
+enum class BrakingVerdict : unsigned char {
   too_late,  // (C2) does not hold
   in_time,   // (C2) holds
   clear,     // and A is never touched, (C1)
 };
 
 // Judges braking towards one of the others. may_be_clear: no other body is known to touch A.
-Stop stop_before(WaySearch& search, std::size_t k, const WayState& state,
-                 const FullBraking& braking, bool may_be_clear) {
+BrakingVerdict stop_before(WaySearch& search, std::size_t k, const WayState& state,
+                           const FullBraking& braking, bool may_be_clear) {
   const Predicted& other = search.others[k];
   const StepLaw& law = search.law;
   const double h = law.time_step;
@@ -132,7 +132,7 @@ Stop stop_before(WaySearch& search, std::size_t k, const WayState& state,
     // in most cases A keeps both distances at once
     if (!keeps_off(relative, std::max(kept, before_rest))) {
       if (other.asks_to_stop && !is_reached_at_rest(other, own, state.time, h * m, law))
-        return Stop::too_late;
+        return BrakingVerdict::too_late;
       clear = clear && keeps_off(relative, kept);
     }
     if (!clear && !other.asks_to_stop) break;
@@ -141,22 +141,23 @@ Stop stop_before(WaySearch& search, std::size_t k, const WayState& state,
   }
   // the slowest test comes last
   clear = clear && rests_clear(other, braking.end, state.time + h * braking.steps);
-  return clear ? Stop::clear : Stop::in_time;
+  return clear ? BrakingVerdict::clear : BrakingVerdict::in_time;
 }
 
-Stop stop_from(WaySearch& search, const WayState& state) {
+BrakingVerdict stop_from(WaySearch& search, const WayState& state) {
   const FullBraking braking = braking_from(search, state);
   search.work -= static_cast<int>(search.others.size());
-  if (search.work < 0 || !is_known(search, braking.end)) return Stop::too_late;
+  if (search.work < 0 || !is_known(search, braking.end)) return BrakingVerdict::too_late;
   const auto steps = static_cast<std::size_t>(braking.steps);
   if (search.hulls.size() < steps) search.hulls.resize(steps);
   search.has_hull.assign(search.hulls.size(), 0);
-  Stop worst = Stop::clear;
+  BrakingVerdict worst = BrakingVerdict::clear;
   const auto look_at_one = [&](std::size_t k) {
-    const Stop stop = stop_before(search, k, state, braking, worst == Stop::clear);
-    if (stop != Stop::clear && worst == Stop::clear) search.in_the_way = k;
+    const BrakingVerdict stop =
+        stop_before(search, k, state, braking, worst == BrakingVerdict::clear);
+    if (stop != BrakingVerdict::clear && worst == BrakingVerdict::clear) search.in_the_way = k;
     worst = std::min(worst, stop);
-    return worst != Stop::too_late;
+    return worst != BrakingVerdict::too_late;
   };
   // the one that touched A in the last braking often does so again
   const std::size_t count = search.others.size(), first = search.in_the_way;
@@ -197,15 +198,15 @@ bool take_first_step(WaySearch& search, Vec3 next_velocity) {
 bool may_brake(WaySearch& search) {
   search.clear_until = search.clear_after;
   search.brakes_at = search.after.time;
-  return stop_from(search, search.after) == Stop::clear;
+  return stop_from(search, search.after) == BrakingVerdict::clear;
 }
 
 bool may_approach(WaySearch& search, Vec3 w) {
   search.clear_until = search.clear_after;
   for (WayState state = search.after;;) {
-    const Stop stop = stop_from(search, state);
+    const BrakingVerdict stop = stop_from(search, state);
     search.brakes_at = state.time;
-    if (stop != Stop::in_time) return stop == Stop::clear;
+    if (stop != BrakingVerdict::in_time) return stop == BrakingVerdict::clear;
     if (!(state.time < search.longest)) return false;
     const WayStep step = step_of(search, state, next_towards(search, state, w));
     if (!is_clear(search, state, step)) return false;

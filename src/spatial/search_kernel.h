@@ -30,12 +30,12 @@ struct Collected {
 
 /// The values that the points are compared with, in all lanes.
 template <typename Real>
-struct Bounds {
+struct SearchBounds {
   Real x, y, self;       // m, m, index
   Real nearest, lowest;  // HitLimit
   Real near;             // m²
 
-  AVO_KERNEL Bounds(const NeighborQuery& query, const HitLimit& limit)
+  AVO_KERNEL SearchBounds(const NeighborQuery& query, const HitLimit& limit)
       : x(query.position.x),
         y(query.position.y),
         self(query.self),
@@ -47,7 +47,7 @@ struct Bounds {
 /// Appends the points at [first, first + kTogether) that come before `last` and are within the
 /// bounds.
 template <typename Real>
-AVO_KERNEL void append_candidates(const Bounds<Real>& bounds, const PlacedPoints& points,
+AVO_KERNEL void append_candidates(const SearchBounds<Real>& bounds, const PlacedPoints& points,
                                   std::size_t first, std::size_t last, SearchScratch& scratch,
                                   Collected& collected) {
   Real distances[kTogether<Real> / Real::kLanes];
@@ -75,7 +75,7 @@ AVO_KERNEL Collected collect(const NeighborQuery& query, double radius, const Pl
                              std::size_t begin, SearchScratch& scratch) {
   const CellRange range = cells_within(query.position, radius, points.cells);
   HitLimit limit{radius * radius};
-  Bounds<Real> bounds(query, limit);
+  SearchBounds<Real> bounds(query, limit);
   Collected hits{begin, 0};
   const std::size_t many = many_beside(query.most);
   for (std::int64_t row = range.first_row; row <= range.last_row; ++row) {
@@ -88,7 +88,7 @@ AVO_KERNEL Collected collect(const NeighborQuery& query, double radius, const Pl
         append_candidates(bounds, points, place, last, scratch, hits);
         if (hits.end - begin - hits.near < many) continue;
         hits.end = keep_nearest(query, points, begin, hits.end, limit, scratch);
-        bounds = Bounds<Real>(query, limit);
+        bounds = SearchBounds<Real>(query, limit);
       }
       columns -= run;
       slot = 0;

@@ -10,7 +10,12 @@
 #include <string>
 #include <type_traits>
 
+#include "avo/planner.h"
 #include "avo_io/scene.h"
+#include "avo_io/space.h"
+#include "fields/model_fields.h"
+#include "fields/planner_fields.h"
+#include "fields/space_fields.h"
 #include "io/text/words.h"
 #include "support/json.h"
 #include "support/refusal.h"
@@ -33,15 +38,16 @@ double next(double value, double towards) {
   return std::nextafter(value, towards);
 }
 
-/// Puts values at and just beyond the ends of a field's range into `target`, a part of `scenario`.
-template <class T, class Value>
-void check_ends(const Scenario& scenario, T& target, const avo_io::Field<T>& field,
-                Value T::*member, double& number, const std::string& path) {
+/// Puts values at and just beyond the ends of a field's range into `target`, a part of what
+/// `check_all` checks.
+template <class Check, class T, class Value>
+void check_ends(const Check& check_all, T& target, const avo::Field<T>& field, Value T::*member,
+                double& number, const std::string& path) {
   const double infinity = std::numeric_limits<double>::infinity();
   const Value before = target.*member;
   const auto refused = [&](double value) {
     number = value;
-    const std::string message = refusal(scenario);
+    const std::string message = refusal(check_all);
     target.*member = before;
     return message.starts_with(path + ": found ");
   };
@@ -54,50 +60,82 @@ void check_ends(const Scenario& scenario, T& target, const avo_io::Field<T>& fie
   EXPECT_TRUE(refused(-infinity)) << path;
 }
 
-template <class T>
-int check_ranges(const Scenario& scenario, T& target, const std::string& path) {
+/// Returns how many fields of the target have a range.
+template <class Check, class T>
+int check_ranges(const Check& check_all, T& target, const std::string& path) {
   int checked = 0;
-  for (const avo_io::Field<T>& field : avo_io::fields<T>()) {
+  for_each_member(avo::kFields<T>, [&](const auto& field, auto member) {
     const std::string name = path + std::string(field.key);
-    const auto visitor = [&](auto member) {
-      using Pointer = decltype(member);
-      if constexpr (std::is_same_v<Pointer, double T::*>) {
-        check_ends(scenario, target, field, member, target.*member, name);
-        ++checked;
-      } else if constexpr (std::is_same_v<Pointer, std::optional<double> T::*>) {
-        (target.*member).emplace(field.range.max);
-        check_ends(scenario, target, field, member, *(target.*member), name);
-        (target.*member).reset();
-        ++checked;
-      } else if constexpr (std::is_same_v<Pointer, avo::Vec2 T::*>) {
-        check_ends(scenario, target, field, member, (target.*member).x, name + ".0");
-        check_ends(scenario, target, field, member, (target.*member).y, name + ".1");
-        ++checked;
-      }
-    };
-    std::visit(visitor, field.member);
-  }
+    auto& value = target.*member;
+    using Value = std::decay_t<decltype(value)>;
+    ++checked;
+    if constexpr (std::is_same_v<Value, double>) {
+      check_ends(check_all, target, field, member, value, name);
+    } else if constexpr (std::is_same_v<Value, std::optional<double>>) {
+      value.emplace(field.range.max);
+      check_ends(check_all, target, field, member, *value, name);
+      value.reset();
+    } else if constexpr (std::is_same_v<Value, avo::Vec2> || std::is_same_v<Value, avo::Vec3>) {
+      check_ends(check_all, target, field, member, value.x, name + ".0");
+      check_ends(check_all, target, field, member, value.y, name + ".1");
+      if constexpr (requires { value.z; })
+        check_ends(check_all, target, field, member, value.z, name + ".2");
+    } else {
+      --checked;
+    }
+  });
   return checked;
 }
 
 TEST(Fields, ranges_are_those_of_validate) {
   Scenario scenario = valid_scenario();
+  const auto check_all = [&] { validate(scenario); };
   ASSERT_EQ(refusal(scenario), "");
-  EXPECT_EQ(check_ranges(scenario, scenario, ""), 10);
-  EXPECT_GE(check_ranges(scenario, scenario.robots[0], "robots.0."), 12);
-  EXPECT_EQ(check_ranges(scenario, std::get<avo::Car>(scenario.robots[0].model), "robots.0.car."),
+  EXPECT_EQ(check_ranges(check_all, scenario, ""), 10);
+  EXPECT_GE(check_ranges(check_all, scenario.robots[0], "robots.0."), 12);
+  EXPECT_EQ(check_ranges(check_all, std::get<avo::Car>(scenario.robots[0].model), "robots.0.car."),
             2);
   avo::CarBody& body = std::get<avo::Car>(scenario.robots[0].model).body.emplace();
-  EXPECT_EQ(check_ranges(scenario, body, "robots.0.car.body."), 2);
+  EXPECT_EQ(check_ranges(check_all, body, "robots.0.car.body."), 2);
   scenario.robots[0].model = avo::DifferentialDrive{};
-  EXPECT_EQ(check_ranges(scenario, std::get<avo::DifferentialDrive>(scenario.robots[0].model),
+  EXPECT_EQ(check_ranges(check_all, std::get<avo::DifferentialDrive>(scenario.robots[0].model),
                          "robots.0.drive."),
             4);
-  EXPECT_EQ(check_ranges(scenario, scenario.moving_obstacles[0], "moving_obstacles.0."), 6);
-  EXPECT_EQ(check_ranges(scenario, scenario.sensing, "sensing."), 1);
-  EXPECT_EQ(check_ranges(scenario, scenario.sensing.noise, "sensing.noise."), 3);
-  EXPECT_EQ(check_ranges(scenario, scenario.sensing.localization, "sensing.localization."), 2);
-  EXPECT_EQ(check_ranges(scenario, scenario.sensing_error.emplace(), "sensing_error."), 2);
+  EXPECT_EQ(check_ranges(check_all, scenario.moving_obstacles[0], "moving_obstacles.0."), 6);
+  EXPECT_EQ(check_ranges(check_all, scenario.sensing, "sensing."), 1);
+  EXPECT_EQ(check_ranges(check_all, scenario.sensing.noise, "sensing.noise."), 3);
+  EXPECT_EQ(check_ranges(check_all, scenario.sensing.localization, "sensing.localization."), 2);
+  EXPECT_EQ(check_ranges(check_all, scenario.sensing_error.emplace(), "sensing_error."), 2);
+}
+
+TEST(Fields, ranges_of_space_are_those_of_validate) {
+  avo::space::Scenario scenario;
+  scenario.robots.push_back({.goal = {1, 0, 0}});
+  scenario.moving_obstacles.push_back({.position = {5, 5, 5}});
+  scenario.boxes.push_back({.max = {avo::space::Box::kFar, avo::space::Box::kFar, -9}});
+  const auto check_all = [&] { validate(scenario); };
+  ASSERT_EQ(refusal(check_all), "");
+  EXPECT_EQ(check_ranges(check_all, scenario, ""), 9);
+  EXPECT_EQ(check_ranges(check_all, scenario.robots[0], "robots.0."), 13);
+  EXPECT_EQ(check_ranges(check_all, scenario.robots[0].quadrotor.emplace(), "robots.0.quadrotor."),
+            6);
+  EXPECT_EQ(check_ranges(check_all, scenario.moving_obstacles[0], "moving_obstacles.0."), 6);
+  EXPECT_EQ(check_ranges(check_all, scenario.boxes[0], "boxes.0."), 2);
+  EXPECT_EQ(check_ranges(check_all, scenario.sensing.noise, "sensing.noise."), 3);
+  EXPECT_EQ(check_ranges(check_all, scenario.sensing_error.emplace(), "sensing_error."), 2);
+  scenario.max_neighbors = 0;
+  EXPECT_EQ(refusal(check_all), "max_neighbors: found 0, must be >= 1");
+}
+
+TEST(Fields, ranges_of_options_are_those_of_planners) {
+  avo::PlannerOptions options;
+  const auto make = [&] { avo::Planner{options}; };
+  ASSERT_EQ(refusal(make), "");
+  EXPECT_EQ(check_ranges(make, options, "PlannerOptions."), 10);
+  EXPECT_EQ(check_ranges(make, options.sensing_error, "PlannerOptions.sensing_error."), 2);
+  EXPECT_EQ(check_ranges(make, options.sensing_noise, "PlannerOptions.sensing_noise."), 3);
+  options.max_neighbors = 0;
+  EXPECT_EQ(refusal(make), "PlannerOptions.max_neighbors: found 0, must be >= 1");
 }
 
 TEST(Fields, whole_numbers_have_the_ranges_of_validate) {
@@ -117,7 +155,10 @@ TEST(Fields, whole_numbers_have_the_ranges_of_validate) {
 
 std::string refusal_of_text(const std::string& yaml) {
   try {
-    avo_io::parse_scenario(yaml, "f");
+    if (yaml.find("space: 3") != std::string::npos)
+      avo_io::parse_space_scenario(yaml, "f");
+    else
+      avo_io::parse_scenario(yaml, "f");
   } catch (const avo_io::SceneError& error) {
     return error.what();
   }
@@ -132,7 +173,7 @@ void check_misspellings(const std::vector<avo_io::Field<T>>& table, const std::s
                         const std::string& after) {
   for (const auto& field : table) {
     const std::string key(field.key);
-    const std::string wrong = key.substr(0, key.size() - 1) + "x";
+    const std::string wrong = key.substr(0, key.size() - 1) + (key.ends_with('x') ? "y" : "x");
     const std::string unknown = refusal_of_text(before + wrong + ": 1" + after);
     EXPECT_NE(unknown.find("found the unknown key \"" + wrong + "\""), std::string::npos)
         << unknown;
@@ -162,6 +203,14 @@ TEST(Fields, every_key_is_guessed_and_refused_twice) {
                      "{version: 1, sensing: {localization: {", "}}}");
   check_misspellings(avo_io::fields<avo::SensingError>(), "{version: 1, sensing_error: {", "}}");
   check_misspellings(avo_io::fields<avo::Disc>(), "{version: 1, obstacles: [{disc: {", "}}]}");
+  const std::string space = "{version: 1, space: 3, ",
+                    robot = "position: [0, 0, 0], goal: [1, 0, 0]";
+  check_misspellings(avo_io::fields<avo::space::RobotSetup>(), space + "robots: [{", "}]}");
+  check_misspellings(avo_io::fields<avo::space::MovingObstacle>(), space + "moving_obstacles: [{",
+                     "}]}");
+  check_misspellings(avo_io::fields<avo::space::Quadrotor>(),
+                     space + "robots: [{" + robot + ", quadrotor: {", "}}]}");
+  check_misspellings(avo_io::fields<avo_io::SpaceGroup>(), space + "groups: [{", "}]}");
 }
 
 TEST(Fields, every_default_is_that_of_the_struct) {
@@ -398,8 +447,9 @@ TEST(Fields, comments_bom_crlf_and_markers_do_no_harm) {
 }
 
 TEST(Fields, schema_has_every_field_with_range_and_default) {
-  const auto schema = nlohmann::ordered_json::parse(avo_io::scenario_schema());
-  EXPECT_EQ(schema["$schema"], "https://json-schema.org/draft/2020-12/schema");
+  const auto all = nlohmann::ordered_json::parse(avo_io::scenario_schema());
+  EXPECT_EQ(all["$schema"], "https://json-schema.org/draft/2020-12/schema");
+  const auto& schema = all["else"];
   EXPECT_EQ(schema["additionalProperties"], false);
   EXPECT_EQ(schema["properties"].size(), avo_io::fields<Scenario>().size());
   EXPECT_EQ(schema["properties"]["control_time"]["exclusiveMinimum"], 0.0);
@@ -409,7 +459,7 @@ TEST(Fields, schema_has_every_field_with_range_and_default) {
   EXPECT_EQ(schema["properties"]["version"]["const"], 1);
   EXPECT_FALSE(schema["properties"]["duration"].contains("default"));
   EXPECT_EQ(schema["required"], nlohmann::ordered_json({"version"}));
-  const auto& robot = schema["$defs"]["robot"];
+  const auto& robot = all["$defs"]["robot"];
   EXPECT_EQ(robot["required"], nlohmann::ordered_json({"position", "goal"}));
   EXPECT_EQ(robot["additionalProperties"], false);
   for (const auto& field : avo_io::fields<avo::RobotSetup>()) {
@@ -417,8 +467,35 @@ TEST(Fields, schema_has_every_field_with_range_and_default) {
     EXPECT_NE(property["description"].get<std::string>().find(field.doc), std::string::npos);
   }
   EXPECT_EQ(robot["properties"]["goal"]["minItems"], 2);
-  EXPECT_EQ(schema["$defs"]["group"]["properties"]["goals"]["oneOf"][0]["enum"],
+  EXPECT_EQ(all["$defs"]["group"]["properties"]["goals"]["oneOf"][0]["enum"],
             nlohmann::ordered_json({"antipodal", "permutation"}));
+}
+
+template <class T>
+void expect_in_schema(const nlohmann::ordered_json& part) {
+  EXPECT_EQ(part["additionalProperties"], false);
+  for (const auto& field : avo_io::fields<T>())
+    EXPECT_TRUE(part["properties"].contains(std::string(field.key))) << field.key;
+}
+
+TEST(Fields, the_schema_has_the_fields_of_space) {
+  const auto all = nlohmann::ordered_json::parse(avo_io::scenario_schema());
+  EXPECT_EQ(all["if"]["properties"]["space"]["const"], 3);
+  EXPECT_EQ(all["then"]["$ref"], "#/$defs/space");
+  const auto& parts = all["$defs"];
+  expect_in_schema<avo::space::Scenario>(parts["space"]);
+  expect_in_schema<avo::space::RobotSetup>(parts["space_robot"]);
+  expect_in_schema<avo::space::Quadrotor>(parts["space_robot"]["properties"]["quadrotor"]);
+  expect_in_schema<avo::space::MovingObstacle>(parts["space_moving_obstacle"]);
+  expect_in_schema<avo_io::SpaceGroup>(parts["space_group"]);
+  for (const auto& [key, value] : parts["space_robot"]["properties"].items())
+    EXPECT_EQ(parts["space_group"]["properties"].contains(key), key != "position") << key;
+  EXPECT_EQ(parts["space_robot"]["properties"]["goal"]["minItems"], 3);
+  EXPECT_EQ(parts["space_obstacle"]["oneOf"].size(), 3 + parts["obstacle"]["oneOf"].size());
+  for (const auto& form : parts["space_obstacle"]["oneOf"])
+    EXPECT_EQ(form["properties"].contains("height"), form["required"][0] != "floor" &&
+                                                         form["required"][0] != "ceiling" &&
+                                                         form["required"][0] != "box");
 }
 
 }  // namespace

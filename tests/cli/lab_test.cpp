@@ -162,6 +162,33 @@ TEST(Lab, has_recordings_as_their_bytes) {
   EXPECT_EQ(rows["scene"]["overrides"], Json::parse(R"(["seed=3"])"));
 }
 
+TEST(Lab, takes_scenes_and_recordings_of_space) {
+  write_file(
+      path_of("drones.yaml"),
+      "version: 1\nspace: 3\ngroups:\n  - {count: 5, sphere: {radius: 5}, goal: antipodal}\n");
+  const std::string csv = path_of("run.csv"), h5 = path_of("run.h5");
+  for (const std::string& record : {csv, h5})
+    ASSERT_EQ(run_avo({"run", path_of("drones.yaml"), "--duration=1", "--record", record, "-q"})
+                  .exit_code,
+              0);
+  ASSERT_EQ(lab({"drones.yaml", "--seed=3"}).exit_code, 0);
+  const Json scene = input_in(read_file(path_of("drones.html")));
+  EXPECT_EQ(scene["kind"], "scene");
+  EXPECT_EQ(scene["overrides"], Json::array({"seed=3"}));
+  EXPECT_EQ(scene["yaml"], read_file(path_of("drones.yaml")));
+  ASSERT_EQ(lab({"run.csv", "--scene", "drones.yaml"}).exit_code, 0);
+  const Json rows = input_in(read_file(path_of("run.html")));
+  EXPECT_TRUE(bytes_of(rows["base64"]) == read_file(csv));
+  EXPECT_EQ(rows["scene"]["yaml"], scene["yaml"]);
+  ASSERT_EQ(lab({"run.h5", "--out", "again.html"}).exit_code, 0);
+  EXPECT_TRUE(bytes_of(input_in(read_file(path_of("again.html")))["base64"]) == read_file(h5));
+  const std::string whole = read_file(csv);
+  write_file(path_of("damaged.csv"), whole.substr(0, whole.size() - 3) + ",,\n");
+  const ProcessResult damaged = lab({"damaged.csv", "--scene", "drones.yaml"});
+  EXPECT_EQ(damaged.exit_code, 3);
+  EXPECT_NE(damaged.err.find("damaged.csv:"), std::string::npos) << damaged.err;
+}
+
 TEST(Lab, takes_a_spool_as_far_as_it_is_whole) {
   const std::string h5 = path_of("run.h5"), spool = path_of("run.h5.part");
   const ProcessResult run = run_avo({"run", "circle-5", "--duration=1e6", "--record", h5, "-q"},
@@ -304,6 +331,27 @@ TEST(Lab, plays_the_recording_in_its_report) {
   write_file(path_of("again.h5"), bytes_of(input["base64"]));
   EXPECT_EQ(avo_io::read_recording_header(path_of("again.h5"))->every, 2);
   EXPECT_EQ(run_avo({"replay", path_of("again.h5")}).exit_code, 0);
+}
+
+TEST(Lab, plays_a_recording_of_space_in_its_report_unless_obstacles_move) {
+  const std::string html = path_of("out.html"),
+                    robots = "robots: [{position: [0, 0, 0], goal: [2, 0, 1]}]\n";
+  for (const std::string& more :
+       {std::string(), std::string("moving_obstacles: [{position: [9, 9, 9]}]\n")}) {
+    write_file(path_of("drones.yaml"), "version: 1\nspace: 3\n" + robots + more);
+    const std::string h5 = path_of("run.h5");
+    ASSERT_EQ(
+        run_avo({"run", path_of("drones.yaml"), "--duration=2", "--record", h5, "-q"}).exit_code,
+        0);
+    const ProcessResult result = run_avo({"report", h5, html}, {.binary = AVO_WITH_LAB});
+    ASSERT_EQ(result.exit_code, 0) << result.err;
+    const std::string report = read_file(html);
+    EXPECT_EQ(report.find("id=\"replay\"") == std::string::npos, more.empty());
+    if (!more.empty()) continue;
+    const Json input = framed_in(report);
+    EXPECT_EQ(input["name"], "run.h5");
+    EXPECT_TRUE(bytes_of(input["base64"]) == read_file(h5));
+  }
 }
 
 TEST(Lab, runs_the_run_of_a_sweep_in_its_report) {

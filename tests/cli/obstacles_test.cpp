@@ -310,10 +310,10 @@ TEST(Obstacles, the_schema_knows_every_form) {
   }
   EXPECT_EQ(kinds, (std::vector<std::string>{"polyline", "polygon", "disc", "wkt", "wkt_file",
                                              "geojson", "map", "ros_map"}));
-  EXPECT_EQ(schema["properties"]["navigation"]["type"], "boolean");
-  EXPECT_EQ(schema["properties"]["robots_from"]["required"],
+  EXPECT_EQ(schema["else"]["properties"]["navigation"]["type"], "boolean");
+  EXPECT_EQ(schema["else"]["properties"]["robots_from"]["required"],
             nlohmann::ordered_json({"scen", "number"}));
-  EXPECT_TRUE(schema["properties"]["robots_from"]["properties"].contains("radius"));
+  EXPECT_TRUE(schema["else"]["properties"]["robots_from"]["properties"].contains("radius"));
 }
 
 TEST(Obstacles, built_in_scenes_have_walls_and_start_clear_of_them) {

@@ -2,15 +2,19 @@
 // C's header, Python's stub, TypeScript's types and the document of scenes are written by hand.
 // They have every field of the table: what is missing is printed as the line that it has to be.
 #include <algorithm>
+#include <array>
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <vector>
 
 #include "fields/model_fields.h"
+#include "fields/planner_fields.h"
 #include "fields/robot_fields.h"
 #include "fields/scene_fields.h"
+#include "fields/space_fields.h"
 #include "run_avo.h"
 
 namespace avo_test {
@@ -32,6 +36,8 @@ inline constexpr Types kTypes<std::optional<double>>{"double", "_NumberOrNone", 
                                                      "number"};
 template <>
 inline constexpr Types kTypes<avo::Vec2>{"avo_vec2", "_Point", "_Pair", "[number, number]"};
+template <>
+inline constexpr Types kTypes<avo::Vec3>{"avo_vec3"};
 template <>
 inline constexpr Types kTypes<bool>{"bool", "bool", "bool", "boolean"};
 template <>
@@ -59,6 +65,8 @@ template <>
 inline constexpr Types kTypes<std::string>{"const char*"};
 template <>
 inline constexpr Types kTypes<avo::Method>{"avo_method"};
+template <>
+inline constexpr Types kTypes<avo::Certificate>{"avo_certificate"};
 template <>
 inline constexpr Types kTypes<std::optional<avo::Certificate>>{"avo_certificate"};
 template <>
@@ -122,52 +130,73 @@ class Part {
   std::vector<std::string> lines_;
 };
 
-template <class Table>
-void expect_in_c(const Table& table, const std::string& name) {
-  const Part part("bindings/c/include/avo_c/avo.h", "typedef struct " + name + " {", "}");
-  for_each_member(table, [&](const auto& field, auto member) {
-    part.expect(fmt::format("{} {};", types_of(member).c, field.key));
+/// Whether the definition of C has the key: a simulation of space runs without end, and it has
+/// neither what is random nor moving obstacles.
+template <class T>
+bool has_c(std::string_view key) {
+  constexpr std::array<std::string_view, 4> kNotInSpace{"name", "duration", "seed",
+                                                        "never_swerves"};
+  return !std::is_same_v<T, avo::space::Scenario> ||
+         std::find(kNotInSpace.begin(), kNotInSpace.end(), key) == kNotInSpace.end();
+}
+
+template <class T>
+void expect_in_c(const std::string& name, const std::string& header = "avo.h") {
+  const Part part("bindings/c/include/avo_c/" + header, "typedef struct " + name + " {", "}");
+  for_each_member(avo::kFields<T>, [&](const auto& field, auto member) {
+    if (has_c<T>(field.key)) part.expect(fmt::format("{} {};", types_of(member).c, field.key));
   });
 }
 
 TEST(WrittenFields, definitions_of_c_have_them) {
-  expect_in_c(avo::kRobotFields, "avo_robot_def");
-  expect_in_c(avo::kCarFields, "avo_car");
-  expect_in_c(avo::kCarBodyFields, "avo_car_body");
-  expect_in_c(avo::kDriveFields, "avo_differential_drive");
-  expect_in_c(avo::kAirplaneFields, "avo_airplane");
-  expect_in_c(avo::kMoverFields, "avo_moving_obstacle_def");
-  expect_in_c(avo::kScenarioFields, "avo_simulation_def");
-  expect_in_c(avo::kSensingFields, "avo_sensing_model");
-  expect_in_c(avo::kMeasurementNoiseFields, "avo_measurement_noise");
-  expect_in_c(avo::kLocalizationNoiseFields, "avo_localization_noise");
+  expect_in_c<avo::RobotSetup>("avo_robot_def");
+  expect_in_c<avo::Car>("avo_car");
+  expect_in_c<avo::CarBody>("avo_car_body");
+  expect_in_c<avo::DifferentialDrive>("avo_differential_drive");
+  expect_in_c<avo::Airplane>("avo_airplane");
+  expect_in_c<avo::MovingObstacle>("avo_moving_obstacle_def");
+  expect_in_c<avo::Scenario>("avo_simulation_def");
+  expect_in_c<avo::SensingModel>("avo_sensing_model");
+  expect_in_c<avo::MeasurementNoise>("avo_measurement_noise");
+  expect_in_c<avo::LocalizationNoise>("avo_localization_noise");
+  expect_in_c<avo::PlannerOptions>("avo_planner_def");
+  expect_in_c<avo::SensingNoise>("avo_sensing_noise");
+  expect_in_c<avo::space::RobotSetup>("avo_space_robot_def", "space.h");
+  expect_in_c<avo::space::Quadrotor>("avo_quadrotor", "space.h");
+  expect_in_c<avo::space::Box>("avo_space_box", "space.h");
+  expect_in_c<avo::space::Scenario>("avo_space_simulation_def", "space.h");
+}
+
+/// A file of bindings/c that takes the fields of T by a list of that name, but for `others`.
+template <class T>
+void expect_taken(const std::string& file, const std::string& list, const std::string& own,
+                  const std::vector<std::string_view>& others = {}) {
+  const Part part("bindings/c/" + file, "constexpr auto " + list + " =", "}");
+  for_each_member(avo::kFields<T>, [&](const auto& field, auto) {
+    const bool is_other = std::find(others.begin(), others.end(), field.key) != others.end();
+    if (!is_other && has_c<T>(field.key))
+      part.expect_text(fmt::format("visit(\"{0}\", &Def::{0}, &{1}::{0}", field.key, own));
+  });
 }
 
 // A member that is not in the list is neither read nor written.
 TEST(WrittenFields, c_takes_them_both_ways) {
-  const Part robots("bindings/c/robots.cpp", "constexpr auto for_each_member", "}");
-  for_each_member(avo::kRobotFields, [&](const auto& field, auto) {
-    robots.expect_text(fmt::format("visit(\"{0}\", &Def::{0}, &Setup::{0});", field.key));
-  });
-  const Part settings("bindings/c/worlds.cpp", "constexpr auto for_each_setting", "}");
-  for_each_member(avo::kScenarioFields, [&](const auto& field, auto) {
-    const bool is_own =  // a text, or a number of which 0 is a value
-        field.key == "name" || field.key == "external_method" || field.key == "response_time";
-    if (!is_own)
-      settings.expect_text(fmt::format("visit(\"{0}\", &Def::{0}, &Scene::{0});", field.key));
-  });
-  const Part movers("bindings/c/worlds.cpp", "constexpr auto for_each_of_mover", "}");
-  for_each_member(avo::kMoverFields, [&](const auto& field, auto) {
-    if (field.key != "path" && field.key != "trajectory")
-      movers.expect_text(fmt::format("visit(\"{0}\", &Def::{0}, &Mover::{0});", field.key));
-  });
+  expect_taken<avo::RobotSetup>("robots.cpp", "for_each_member", "Setup");
+  expect_taken<avo::Scenario>("worlds.cpp", "for_each_setting", "Scene",
+                              {"name", "external_method"});
+  expect_taken<avo::MovingObstacle>("worlds.cpp", "for_each_of_mover", "Mover",
+                                    {"path", "trajectory"});
+  expect_taken<avo::PlannerOptions>("planner.cpp", "for_each_option", "Options");
+  expect_taken<avo::space::RobotSetup>("space_scenes.cpp", "for_each_of_space_robot", "Setup");
+  expect_taken<avo::space::Quadrotor>("space_scenes.cpp", "for_each_of_quadrotor", "Quadrotor");
+  expect_taken<avo::space::Scenario>("space_scenes.cpp", "for_each_space_setting", "Scene");
 }
 
 TEST(WrittenFields, the_stub_of_python_has_them) {
   const std::string path = "bindings/python/avo/_avo.pyi";
   const Part setup(path, "class RobotSetup:", "@final");
   const Part change(path, "    def change_robot(", "    ) -> None");
-  for_each_member(avo::kRobotFields, [&](const auto& field, auto member) {
+  for_each_member(avo::kFields<avo::RobotSetup>, [&](const auto& field, auto member) {
     const Types& types = types_of(member);
     setup.expect(fmt::format("{}: {}", field.key, types.attribute));
     const bool is_none = field.key == "preferred_speed";  // by default max_speed
@@ -179,36 +208,41 @@ TEST(WrittenFields, the_stub_of_python_has_them) {
   });
 }
 
-template <class Table>
-void expect_in_class(const Table& table, const std::string& name) {
-  const Part part("bindings/python/avo/_avo.pyi", "class " + name + ":", "class ");
-  for_each_member(table, [&](const auto& field, auto) {
+template <class T>
+void expect_in_class(const std::string& name, const std::string& stub = "_avo.pyi") {
+  const Part part("bindings/python/avo/" + stub, "class " + name + ":", "class ");
+  for_each_member(avo::kFields<T>, [&](const auto& field, auto) {
     part.expect(fmt::format("def {}(self) -> ", field.key));
   });
 }
 
 TEST(WrittenFields, classes_of_python_have_them) {
-  expect_in_class(avo::kCarFields, "Car");
-  expect_in_class(avo::kDriveFields, "DifferentialDrive");
-  expect_in_class(avo::kAirplaneFields, "Airplane");
-  expect_in_class(avo::kMoverFields, "MovingObstacle");
+  expect_in_class<avo::Car>("Car");
+  expect_in_class<avo::DifferentialDrive>("DifferentialDrive");
+  expect_in_class<avo::Airplane>("Airplane");
+  expect_in_class<avo::MovingObstacle>("MovingObstacle");
+  expect_in_class<avo::PlannerOptions>("Planner");
+  expect_in_class<avo::Scenario>("Scenario");
+  expect_in_class<avo::space::RobotSetup>("RobotSetup", "space.pyi");
+  expect_in_class<avo::space::Quadrotor>("Quadrotor", "space.pyi");
+  expect_in_class<avo::space::Scenario>("Scenario", "space.pyi");
 }
 
-template <class Table>
-void expect_in_script(const Table& table, const std::string& name) {
+template <class T>
+void expect_in_script(const std::string& name) {
   const Part part("lab/avo/types.ts", "export interface " + name + " {", "}");
-  for_each_member(table, [&](const auto& field, auto member) {
+  for_each_member(avo::kFields<T>, [&](const auto& field, auto member) {
     part.expect(fmt::format("{}{}: {};", field.key, field.need == avo::kRequired ? "" : "?",
                             types_of(member).script));
   });
 }
 
 TEST(WrittenFields, types_of_typescript_have_them) {
-  expect_in_script(avo::kRobotFields, "RobotSetup");
-  expect_in_script(avo::kCarFields, "Car");
-  expect_in_script(avo::kCarBodyFields, "CarBody");
-  expect_in_script(avo::kDriveFields, "DifferentialDrive");
-  expect_in_script(avo::kAirplaneFields, "Airplane");
+  expect_in_script<avo::RobotSetup>("RobotSetup");
+  expect_in_script<avo::Car>("Car");
+  expect_in_script<avo::CarBody>("CarBody");
+  expect_in_script<avo::DifferentialDrive>("DifferentialDrive");
+  expect_in_script<avo::Airplane>("Airplane");
 }
 
 /// Whether the first cell of a row of some table names the key, or a block of code has it.
@@ -225,23 +259,39 @@ bool is_told(const std::string& document, std::string_view key) {
   return false;
 }
 
-template <class Table>
-void expect_told(const Table& table, const std::string& document) {
-  for (const auto& field : table)
+std::string document(const std::string& name) {
+  return read_file(std::string(AVO_SOURCE) + "/docs/" + name);
+}
+
+template <class T>
+void expect_told(const std::string& document, const char* name) {
+  for (const auto& field : avo::kFields<T>)
     EXPECT_TRUE(is_told(document, field.key))
-        << "docs/scenes.md has no row\n  "
+        << "docs/" << name << " has no row\n  "
         << fmt::format("| `{}` | {}: {} |", field.key, field.unit, field.doc);
 }
 
 TEST(WrittenFields, the_document_of_scenes_has_them) {
-  const std::string document = read_file(std::string(AVO_SOURCE) + "/docs/scenes.md");
-  expect_told(avo::kRobotFields, document);
-  expect_told(avo::kCarFields, document);
-  expect_told(avo::kDriveFields, document);
-  expect_told(avo::kAirplaneFields, document);
-  expect_told(avo::kMoverFields, document);
-  expect_told(avo::kScenarioFields, document);
-  expect_told(avo::kSensingFields, document);
+  const std::string scenes = document("scenes.md");
+  expect_told<avo::RobotSetup>(scenes, "scenes.md");
+  expect_told<avo::Car>(scenes, "scenes.md");
+  expect_told<avo::DifferentialDrive>(scenes, "scenes.md");
+  expect_told<avo::Airplane>(scenes, "scenes.md");
+  expect_told<avo::MovingObstacle>(scenes, "scenes.md");
+  expect_told<avo::Scenario>(scenes, "scenes.md");
+  expect_told<avo::SensingModel>(scenes, "scenes.md");
+}
+
+// What space shares with the plane has its row in scenes.md.
+TEST(WrittenFields, the_document_of_space_has_the_others) {
+  const std::string space = document("space.md"), either = space + document("scenes.md");
+  expect_told<avo::space::RobotSetup>(either, "space.md");
+  expect_told<avo::space::Quadrotor>(space, "space.md");
+  expect_told<avo::space::MovingObstacle>(either, "space.md");
+  expect_told<avo::space::Scenario>(either, "space.md");
+  for (const auto& field : avo::kFields<avo::space::Scenario>)
+    EXPECT_NE(space.find(fmt::format("`{}`", field.key)), std::string::npos)
+        << "docs/space.md does not name the key `" << field.key << "` of scenes";
 }
 
 }  // namespace

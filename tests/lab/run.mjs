@@ -19,6 +19,7 @@ await build({
   platform: "node",
   target: "node18",
   sourcemap: "inline",
+  loader: { ".yaml": "text" },
   alias: { yaml: join(lab, "node_modules/yaml/browser/index.js") },  // the code that the page has
   nodePaths: [join(lab, "node_modules")],
   logLevel: "warning",

@@ -313,6 +313,20 @@ def test_points_are_real(point):
 def test_unknown_options_are_refused_by_name():
     with pytest.raises(TypeError, match="found the unknown option time_stp"):
         avo.Planner(time_stp=0.1)
+    with pytest.raises(TypeError, match="Planner: time_step: found 'soon', must be of another type"):
+        avo.Planner(time_step="soon")
+
+
+def test_options_come_back_and_none_is_customary():
+    given = {"method": "avo", "motion": "exponential", "control_time": 1.5, "time_horizon": 4.0, "response_time": 0.2,
+             "comfort_acceleration": 0.7, "comfort_jerk": 2.0, "margin": 0.1, "time_step": 0.2, "certificate": "none",
+             "max_neighbors": 5, "localization_error": 0.03, "clock": "common", "longest_step": 0.0,
+             "arrival_distance": 0.4, "never_swerves": True, "wall_range": math.inf}
+    planner, usual = avo.Planner(**given), avo.Planner(**dict.fromkeys(given.keys() - {"method", "wall_range"}))
+    assert {key: getattr(planner, key) for key in given} == given
+    assert all(getattr(usual, key) == getattr(avo.Planner(), key) for key in given)
+    orca = avo.Planner(certificate=None, method="orca", control_time=None)
+    assert (orca.control_time, orca.certificate) == (4.0, "none")
 
 
 def moved_beside(mover):

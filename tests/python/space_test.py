@@ -61,6 +61,10 @@ def test_scenes_come_from_text_and_dicts_and_have_overrides(scene):
     one = {"version": 1, "space": 3, "robots": [{"position": np.zeros(3), "goal": [9, 0, 2], "climb": 0.5}]}
     made = avo.space.Scenario(one, overrides={"robots.0.radius": 0.25})
     assert made.robots[0].radius == 0.25 and made.robots[0].climb == 0.5 and made.robots[0].sink is None
+    assert (made.certificate, made.motion, made.navigation, made.control_time) == (None, "held", True, None)
+    assert avo.space.Scenario(one, ["certificate=none", "control_time=1.5"]).certificate == "none"
+    with pytest.raises(avo.Error, match="margin: space has no margin"):
+        avo.space.Planner(margin=0.1)
     text = avo.space.Scenario.from_yaml(SCENE)
     assert len(text.robots) == 20 and text.boxes[0].max[2] == -9.0
     assert avo.space.Simulation(text).state_hash() == avo.space.Simulation(scene).state_hash()

@@ -26,9 +26,9 @@ std::string listed(const Table& table, bool has_places = true) {
   }
   return keys;
 }
-inline const std::string kSceneKeys = listed(avo::kScenarioFields);
-inline const std::string kRobotKeys = listed(avo::kRobotFields);
-inline const std::string kGroupRobotKeys = listed(avo::kRobotFields, false);
+inline const std::string kSceneKeys = listed(avo::kFields<avo::Scenario>);
+inline const std::string kRobotKeys = listed(avo::kFields<avo::RobotSetup>);
+inline const std::string kGroupRobotKeys = listed(avo::kFields<avo::RobotSetup>, false);
 
 struct BadScene {
   const char* name;

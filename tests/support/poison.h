@@ -257,18 +257,20 @@ class Poison {
     static_cast<void>(deciding);
   }
 
-  void spoil(ManeuverMemory::Node& node) const {
+  void spoil(ManeuverMemory::ManeuverNode& node) const {
     auto& [pose, angle, cost, since, move, parent, moves, nearness, stops, is_first_gear] = node;
     each(pose.axle, pose.heading, angle, cost, since, move.gear, move.side, move.radius, parent,
          moves, stops, is_first_gear);
     nearness = Nearness::later;
   }
   void spoil(ManeuverMemory::Open& open) const { each(open.cost, open.node); }
-  void spoil(ManeuverMemory::Cell& cell) const {
+  void spoil(ManeuverMemory::NodeCell& cell) const {
     cell.key = 0x7ffffff0;
     spoil(cell.node);
   }
-  void spoil(SteerMemory::Obstacle& obstacle) const { each(obstacle.segment, obstacle.keep); }
+  void spoil(SteerMemory::ManeuverObstacle& obstacle) const {
+    each(obstacle.segment, obstacle.keep);
+  }
   void spoil(SteerMemory& steering) const {
     auto& [obstacles, maneuvers] = steering;
     auto& [turns, nodes, open, cells] = maneuvers;

@@ -4,10 +4,12 @@
 
 #include <algorithm>
 #include <cctype>
+#include <filesystem>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <string_view>
 
+#include "avo_io/recording.h"
 #include "lab_page.h"
 #include "report_page.h"
 #include "reports/html.h"
@@ -62,6 +64,12 @@ std::string page_lab(const std::string& heading, const std::string& input) {
       frame += c;
   }
   return page_section(heading, frame + "\"></iframe>");
+}
+
+std::string page_lab_of(const std::string& recording, std::int64_t robots) {
+  const std::string name = std::filesystem::path(recording).filename().string();
+  const std::string bytes = avo_io::recording_bytes(recording, most_frames(robots));
+  return page_lab("Replay", recording_input(name, bytes, nullptr, true));
 }
 
 std::string page_of(const std::string& title, const std::string& subtitle,

@@ -2,6 +2,7 @@
 // Parts that pages of recordings and of sweeps share.
 #pragma once
 #include <cstddef>
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -26,6 +27,8 @@ std::string page_replay(const std::string& heading, const avo_io::RecordedRun& r
                         std::size_t views = 1);
 /// Returns the lab, which opens that input (lab_page.h); the build must have the lab.
 std::string page_lab(const std::string& heading, const std::string& input);
+/// Returns the lab, which plays a recording with so many robots; the build must have the lab.
+std::string page_lab_of(const std::string& recording, std::int64_t robots);
 /// Returns the whole page with its sections in order.
 std::string page_of(const std::string& title, const std::string& subtitle,
                     const std::vector<std::string>& sections);

@@ -14,12 +14,16 @@
 
 #include "avo_io/output_file.h"
 #include "avo_io/recording.h"
+#include "avo_io/scene.h"
+#include "avo_io/space.h"
+#include "avo_io/space_frames.h"
 #include "exit_codes.h"
 #include "files.h"
 #include "lab_page.h"
 #include "open_page.h"
 #include "signals.h"
 #include "terminal.h"
+#include "verbs/space_verbs.h"
 #include "verbs/verbs.h"
 
 namespace avo_cli {
@@ -83,6 +87,7 @@ std::string output_of(const LabArguments& arguments) {
 /// certificate, so such a scene is not refused.
 avo_io::SceneSource source_of(const SceneArguments& arguments, const std::string& output) {
   avo_io::SceneSource source;
+  if (load_in_space(arguments, {{"the page", output}}, &source)) return source;
   try {
     load(arguments, {{"the page", output}}, &source);
   } catch (const BrokenScene& broken) {
@@ -99,18 +104,27 @@ void require_fit(const std::string& recording, std::uintmax_t bytes) {
                     recording, static_cast<double>(bytes) / 1e6, kMostBytes / 1'000'000));
 }
 
-/// Returns a recording as CSV. It reads every row once, so that damaged rows do not get into a
-/// page.
-std::string csv_text(const std::string& path, std::size_t robots) {
+/// Reads every row once, so that damaged rows do not get into a page.
+void require_whole(const std::string& path, const avo_io::SceneSource& scene) {
+  if (const auto of_space = avo_io::space_scenario_in(scene)) {
+    (void)avo_io::read_space_run(path, *of_space, 1);
+    return;
+  }
+  const std::size_t robots = avo_io::parse_scenario(scene).robots.size();
+  avo_io::RecordingReader reader(path, static_cast<std::int64_t>(robots));
+  avo_io::RecordedTime moment;
+  while (reader.next(moment)) {
+  }
+}
+
+/// Returns a recording as CSV.
+std::string csv_text(const std::string& path, const avo_io::SceneSource& scene) {
   std::error_code error;
   if (fs::exists(path, error) && !fs::is_regular_file(path, error))
     throw avo_io::RecordingError(path + ": found no regular file, must be one");
   const std::uintmax_t size = fs::file_size(path, error);
   if (!error) require_fit(path, size);
-  avo_io::RecordingReader reader(path, static_cast<std::int64_t>(robots));
-  avo_io::RecordedTime moment;
-  while (reader.next(moment)) {
-  }
+  require_whole(path, scene);
   std::ifstream file(path, std::ios::binary);
   std::string text{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
   require_fit(path, text.size());
@@ -132,8 +146,7 @@ std::string recorded(const LabArguments& arguments, const std::string& output) {
     throw UsageError(path + ": found no scene in it, must be a recording as HDF5, or --scene");
   if (!has_scene) {
     const avo_io::SceneSource source = source_of(arguments.scene, output);
-    const std::size_t robots = avo_io::parse_scenario(source).robots.size();
-    return recording_input(name, csv_text(path, robots), &source);
+    return recording_input(name, csv_text(path, source), &source);
   }
   const bool changes = !arguments.scene.overrides.empty() || arguments.scene.start_at_rest ||
                        arguments.scene.limit_speed;
@@ -142,7 +155,8 @@ std::string recorded(const LabArguments& arguments, const std::string& output) {
         "{}: found with a recording that has its scene in itself, must be with a scene{}",
         scene.empty() ? "--set and the like" : "--scene", scene.empty() ? "" : "less one, as CSV"));
   require_fit(path, fs::file_size(path));
-  (void)avo_io::read_recorded_scene(path);  // throws if the scene cannot be used
+  // throws if the scene cannot be used
+  if (!avo_io::read_recorded_space_scene(path)) (void)avo_io::read_recorded_scene(path);
   const std::string bytes = avo_io::recording_bytes(path);
   require_fit(path, bytes.size());
   return recording_input(name, bytes, nullptr);

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 // avo report: a recording, or a sweep, as one page that needs no other file.
-#include <filesystem>
 #include <fmt/format.h>
 #include <optional>
 #include <string>
@@ -88,13 +87,10 @@ std::string figures_of(const avo_io::RecordedRun& run) {
          "\n" + charts_of(run);
 }
 
-/// Returns the replay in the lab, if a page of some megabytes can hold it; otherwise a drawing.
+/// Returns the replay in the lab, if the program has it; otherwise a drawing.
 std::string replay_of(const std::string& recording, const avo_io::RecordedRun& run) {
   if (lab_page().empty()) return page_replay("Replay", run);
-  const std::size_t most = most_frames(static_cast<std::int64_t>(run.scenario.robots.size()));
-  const std::string name = std::filesystem::path(recording).filename().string();
-  return page_lab("Replay",
-                  recording_input(name, avo_io::recording_bytes(recording, most), nullptr, true));
+  return page_lab_of(recording, static_cast<std::int64_t>(run.scenario.robots.size()));
 }
 
 std::string recording_page(const ReportArguments& arguments) {

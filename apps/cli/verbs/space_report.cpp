@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// avo report of a recording of space: the parts of the plane's page, and two views in motion.
+// avo report of a recording of space: the parts of the plane's page, and the lab or two views in
+// motion.
 #include <fmt/format.h>
 #include <optional>
 #include <string>
@@ -8,6 +9,7 @@
 #include "avo/space/metrics.h"
 #include "avo/version.h"
 #include "exit_codes.h"
+#include "lab_page.h"
 #include "reports/html.h"
 #include "reports/recording_parts.h"
 #include "reports/report_parts.h"
@@ -69,6 +71,15 @@ std::string views_of(const SpaceRecordingShown& shown) {
   return image_of(draw_views(shown.scenario, shown.frames, "run.svg"), "plan and elevation");
 }
 
+/// Returns the replay in the lab, if the program has it. A recording does not tell where moving
+/// obstacles are, so the drawing shows those.
+std::string replay_of(const std::string& recording, const SpaceRecordingShown& shown,
+                      const avo_io::RecordedRun& run) {
+  if (lab_page().empty() || !shown.scenario.moving_obstacles.empty())
+    return page_replay("Replay: from above, and from the side", run, 2);
+  return page_lab_of(recording, run.travelers);
+}
+
 }  // namespace
 
 std::optional<std::string> report_in_space(const ReportArguments& arguments) {
@@ -90,7 +101,7 @@ std::optional<std::string> report_in_space(const ReportArguments& arguments) {
   return page_of(
       shown->scenario.name,
       fmt::format("{} robots in space, {:.6g} s", shown->scenario.robots.size(), last.time),
-      {verdict_of(judgement), page_replay("Replay: from above, and from the side", run, 2),
+      {verdict_of(judgement), replay_of(arguments.input, *shown, run),
        page_figures("Figures", views_of(*shown) + "\n" + charts_of(run)),
        page_section("Results", again.results),
        page_text("What was judged", avo_io::readable(judgement)),

@@ -31,6 +31,7 @@ void bind_space(py::module_& module);
 namespace space {  // the parts of it
 void bind_robots(py::module_& module);
 void bind_planner(py::module_& module);
+void bind_scenes(py::module_& module);
 void bind_runs(py::module_& module);
 void bind_worlds(py::module_& module);
 void bind_batches(py::module_& module);
@@ -45,6 +46,12 @@ avo::Scenario scenario_of(const py::object& source, const py::object& overrides)
 avo::MotionModel with_offset(avo::MotionModel model, double radius);
 /// Sets the fields of a setup that have a name among these; TypeError for another name or type.
 void set_fields(avo::RobotSetup& setup, const py::kwargs& given);
+/// Returns the options of a planner by their names; None and what is left out: what is customary.
+avo::PlannerOptions options_of(const py::kwargs& given);
+/// Returns the arguments that make these options.
+py::dict arguments_of(const avo::PlannerOptions& options);
+/// Adds the constructor of planners, and their options as attributes.
+void bind_options(py::class_<avo::Planner>& planner);
 /// Throws Error if a planner's robot has a differential drive without an offset.
 avo::MotionModel checked_offset(avo::MotionModel model);
 

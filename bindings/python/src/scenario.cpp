@@ -7,6 +7,7 @@
 #include "avo/reachability.h"
 #include "avo_io/scene.h"
 #include "external.h"
+#include "fields.h"
 #include "pickles.h"
 
 namespace avo_python {
@@ -75,34 +76,6 @@ Scenario load(const std::string& name, const py::object& overrides) {
   return scenario;
 }
 
-py::dict planner_options(const Scenario& scenario) {
-  const avo::PlannerOptions options = avo::planner_options(scenario);
-  py::dict all;
-  all["method"] = options.method;
-  all["motion"] = options.motion;
-  all["control_time"] = options.control_time;
-  all["time_horizon"] = options.time_horizon;
-  all["time_step"] = options.time_step;
-  all["certificate"] = options.certificate;
-  all["max_neighbors"] = options.max_neighbors;
-  all["sensing_error"] =
-      py::make_tuple(options.sensing_error.position, options.sensing_error.velocity);
-  all["sensing_noise"] =
-      py::make_tuple(options.sensing_noise.position, options.sensing_noise.velocity,
-                     options.sensing_noise.quantile);
-  all["clock"] = options.clock;
-  all["longest_step"] = options.longest_step;
-  all["arrival_distance"] = options.arrival_distance;
-  all["localization_error"] = options.localization_error;
-  all["response_time"] = options.response_time;
-  all["comfort_acceleration"] = options.comfort_acceleration;
-  all["comfort_jerk"] = options.comfort_jerk;
-  all["margin"] = options.margin;
-  all["wall_range"] = options.wall_range;
-  all["never_swerves"] = options.never_swerves;
-  return all;
-}
-
 py::list out_of_reach_of(const Scenario& scenario) {
   py::list list;
   for (const avo::OutOfReach& one : avo::out_of_reach(scenario)) {
@@ -157,8 +130,10 @@ Scenario scenario_of(const py::object& source, const py::object& overrides) {
 }
 
 void bind_scenario(py::module_& module) {
-  py::class_<Scenario>(module, "Scenario",
-                       "A scene: robots, obstacles, and how they are simulated. Read only.")
+  py::class_<Scenario> scene(module, "Scenario",
+                             "A scene: robots, obstacles, and how they are simulated. Read only.");
+  bind_fields(scene, avo_io::scene_fields(), "sensing_radius");
+  scene
       .def(py::init(&scenario_of), arg("source"), arg("overrides") = py::none(),
            "source: name of a built-in scene, path of a scene file, or a dict with the keys of "
            "scene files. overrides: {\"robots.0.radius\": 0.4}, or [\"robots.0.radius=0.4\"]. "
@@ -169,16 +144,10 @@ void bind_scenario(py::module_& module) {
                   arg("overrides") = py::none(),
                   "From the text of a scene file. file: stands in front of messages, and files "
                   "that the scene names are relative to it, or else built in.")
-      .def_readonly("name", &Scenario::name, "of the scene")
-      .def_readonly("time_step", &Scenario::time_step, "s")
-      .def_readonly("duration", &Scenario::duration, "s")
       .def_property_readonly("sensing_radius", &avo::sensing_radius_of,
                              "m, between centers; what the robots need where the scene names none")
       .def_property_readonly("needed_sensing_radius", &avo::needed_sensing_radius,
                              "m: the sensing radius that its robots need, whatever it names")
-      .def_readonly("method", &Scenario::method, "as in scene files")
-      .def_readonly("external_method", &Scenario::external_method,
-                    "the name of your own method; \"\": none")
       .def(
           "with_method", &with_method, arg("name"), arg("function"), py::kw_only(),
           arg("clamped") = true, arg("certified") = false, arg("output") = "velocity",
@@ -187,21 +156,16 @@ void bind_scenario(py::module_& module) {
           "or, by output, accelerations, m/s^2. clamped: the velocity takes the part that "
           "max_acceleration allows within a step. certified: the certificate is behind it, only "
           "where it is clamped.")
-      .def_readonly("motion", &Scenario::motion, "as in scene files")
-      .def_readonly("clock", &Scenario::clock, "\"common\" or \"free\"")
-      .def_readonly("right_of_way", &Scenario::right_of_way, "\"none\" or \"seen\"")
-      .def_readonly("arrival_distance", &Scenario::arrival_distance, "m")
-      .def_readonly("seed", &Scenario::seed, "of all that is random")
-      .def_readonly("allow_broken_assumptions", &Scenario::allow_broken_assumptions,
-                    "it is simulated whatever broken_assumptions() says")
       .def_readonly("robots", &Scenario::robots, "list of RobotSetup, a copy")
       .def_readonly("moving_obstacles", &Scenario::moving_obstacles, "list, a copy")
       .def_readonly("obstacles", &Scenario::obstacles, "list of StaticObstacle, a copy")
       .def_property_readonly(
           "walls", [](const Scenario& scenario) { return avo::walls_of(scenario.obstacles); },
           "list of Wall, of all obstacles")
-      .def("planner_options", &planner_options,
-           "What its robots plan with: Planner(**scenario.planner_options()).")
+      .def(
+          "planner_options",
+          [](const Scenario& scenario) { return arguments_of(avo::planner_options(scenario)); },
+          "What its robots plan with: Planner(**scenario.planner_options()).")
       .def("advice", &avo::advice, "One line for each setting that does not fit the robots.")
       .def("out_of_reach", &out_of_reach_of,
            "A dict of each robot that walls keep from its goal: its \"robot\" number, the "

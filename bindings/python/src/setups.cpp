@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // What a scene says of a robot: a class with the fields of scene files.
-#include <fmt/format.h>
 #include <string>
-#include <variant>
 
 #include "avo_io/nearest.h"
-#include "avo_io/robot_fields.h"
+#include "fields.h"
 #include "pickles.h"
 
 namespace avo_python {
@@ -13,26 +11,12 @@ namespace {
 
 using Setup = avo::RobotSetup;
 
-// Calls action(field, member) for each field but the model and the heading.
-template <class Action>
-void for_each_field(const Action& action) {
-  for (const auto& field : avo_io::robot_fields())
-    std::visit([&](auto member) { action(field, member); }, field.member);
-}
-
-template <class Value>
-Value value_of(const std::string& key, const py::handle& given) {
-  try {
-    return given.cast<Value>();
-  } catch (const py::cast_error&) {
-    throw py::type_error(fmt::format("RobotSetup: {}: found {}, must be of another type", key,
-                                     py::repr(given).cast<std::string>()));
-  }
-}
+constexpr std::string_view kSetup = "RobotSetup";
 
 [[noreturn]] void refuse_key(const std::string& key) {
   std::vector<std::string_view> known{"model", "heading"};
-  for_each_field([&](const auto& field, auto) { known.push_back(field.key); });
+  for_each_field(avo_io::robot_fields(),
+                 [&](const auto& field, auto) { known.push_back(field.key); });
   const auto meant = avo_io::nearest(key, known);
   throw py::type_error(fmt::format("RobotSetup: found \"{}\", must be one of {}{}", key,
                                    fmt::join(known, ", "),
@@ -41,11 +25,11 @@ Value value_of(const std::string& key, const py::handle& given) {
 
 void set(Setup& setup, const std::string& key, const py::handle& given) {
   bool is_known = key == "heading";
-  if (is_known) setup.heading = value_of<double>(key, given);
-  for_each_field([&](const auto& field, auto member) {
+  if (is_known) setup.heading = value_of<double>(kSetup, key, given);
+  for_each_field(avo_io::robot_fields(), [&](const auto& field, auto member) {
     if (field.key != key) return;
     is_known = true;
-    setup.*member = value_of<std::decay_t<decltype(setup.*member)>>(key, given);
+    setup.*member = value_of<std::decay_t<decltype(setup.*member)>>(kSetup, key, given);
   });
   if (!is_known) refuse_key(key);
 }
@@ -56,14 +40,15 @@ void set_fields(Setup& setup, const py::kwargs& given) {
   for (const auto& [name, value] : given)
     if (const auto key = name.cast<std::string>(); key != "model") set(setup, key, value);
   if (given.contains("model"))  // its default offset depends on the radius
-    setup.model = with_offset(value_of<avo::MotionModel>("model", given["model"]), setup.radius);
+    setup.model =
+        with_offset(value_of<avo::MotionModel>(kSetup, "model", given["model"]), setup.radius);
 }
 
 namespace {
 
 Setup made_of(const py::kwargs& given) {
   Setup setup;
-  for_each_field([&](const auto& field, auto) {
+  for_each_field(avo_io::robot_fields(), [&](const auto& field, auto) {
     if (field.is_required && !given.contains(std::string(field.key).c_str()))
       throw py::type_error(fmt::format("RobotSetup: found no {}, must be given", field.key));
   });
@@ -85,19 +70,20 @@ py::object Plain<Setup>::of(const Setup& setup) {
   py::list values;
   values.append(setup.model);
   values.append(setup.heading);
-  for_each_field([&](const auto&, auto member) { values.append(setup.*member); });
+  for_each_field(avo_io::robot_fields(),
+                 [&](const auto&, auto member) { values.append(setup.*member); });
   return py::tuple(values);
 }
 
 Setup Plain<Setup>::from(const py::handle& plain) {
   const auto values = plain.cast<py::tuple>();
   std::size_t number = 2;
-  for_each_field([&](const auto&, auto) { ++number; });
+  for_each_field(avo_io::robot_fields(), [&](const auto&, auto) { ++number; });
   if (values.size() != number) refuse_pickle();
   Setup setup;
   setup.model = values[0].cast<avo::MotionModel>(), setup.heading = values[1].cast<double>();
   std::size_t k = 2;
-  for_each_field([&](const auto&, auto member) {
+  for_each_field(avo_io::robot_fields(), [&](const auto&, auto member) {
     setup.*member = values[k++].template cast<std::decay_t<decltype(setup.*member)>>();
   });
   return setup;
@@ -106,10 +92,8 @@ Setup Plain<Setup>::from(const py::handle& plain) {
 void bind_setup(py::module_& module) {
   py::class_<Setup> setup(module, "RobotSetup", "What a scene says of a robot.");
   std::string all = "Arguments by name, as in scene files. model: how it moves; heading: rad.";
-  for_each_field([&](const auto& field, auto member) {
-    std::string text(field.unit);
-    text.append(text.empty() ? "" : ", ").append(field.doc);
-    if (!field.default_text.empty()) text += fmt::format("; by default {}", field.default_text);
+  for_each_field(avo_io::robot_fields(), [&](const auto& field, auto member) {
+    const std::string text = described(field);
     setup.def_readwrite(std::string(field.key).c_str(), member, text.c_str());
     all += fmt::format(" {}: {}.", field.key, text);
   });

@@ -16,28 +16,6 @@ avo::space::PlanWorkspace& space_workspace() {
   return one;
 }
 
-Planner make_planner(avo::Motion motion, std::optional<double> control_time,
-                     std::optional<double> time_horizon, double time_step,
-                     std::optional<avo::Certificate> certificate, std::optional<int> max_neighbors,
-                     std::pair<double, double> sensing_error, double arrival_distance,
-                     std::optional<double> response_time,
-                     std::optional<double> comfort_acceleration,
-                     std::optional<double> comfort_jerk) {
-  avo::PlannerOptions options = avo::default_options(avo::Method::avo);
-  options.motion = motion;
-  options.control_time = control_time.value_or(options.control_time);
-  options.time_horizon = time_horizon.value_or(options.time_horizon);
-  options.time_step = time_step;
-  options.certificate = certificate.value_or(options.certificate);
-  options.max_neighbors = max_neighbors;
-  options.sensing_error = {sensing_error.first, sensing_error.second};
-  options.arrival_distance = arrival_distance;
-  options.response_time = response_time.value_or(options.response_time);
-  options.comfort_acceleration = comfort_acceleration;
-  options.comfort_jerk = comfort_jerk;
-  return Planner(options);
-}
-
 // Robots are taken by value: another thread may change the caller's robot while Python's lock is
 // released.
 avo::space::Plan plan(const Planner& planner, const avo::space::Robot robot,
@@ -89,13 +67,8 @@ void bind_planner(py::module_& space) {
   bind_results(space);
   py::class_<Planner>(space, "Planner",
                       "Decides for one robot of space. Cannot be changed; threads may share it.")
-      .def(py::init(&make_planner), py::kw_only(), arg("motion") = "held",
-           arg("control_time") = py::none(), arg("time_horizon") = py::none(),
-           arg("time_step") = 0.1, arg("certificate") = py::none(),
-           arg("max_neighbors") = py::none(), arg("sensing_error") = std::pair(0.0, 0.0),
-           arg("arrival_distance") = 0.5, arg("response_time") = py::none(),
-           arg("comfort_acceleration") = py::none(), arg("comfort_jerk") = py::none(),
-           "The options of avo.Planner that space has, of method \"avo\". Raises Error on options "
+      .def(py::init([](const py::kwargs& given) { return Planner(options_of(given)); }),
+           "The options of avo.Planner that space has. Raises Error on the others, and on options "
            "out of range.")
       .def("plan", &plan, arg("robot"), arg("neighbors") = py::tuple(), arg("boxes") = py::tuple(),
            arg("detour") = py::none(),

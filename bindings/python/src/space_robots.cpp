@@ -4,7 +4,7 @@
 
 #include "avo/space/quadrotor.h"
 #include "avo/space/scenario.h"
-#include "bind.h"
+#include "fields.h"
 
 namespace avo_python::space {
 namespace {
@@ -91,23 +91,13 @@ void bind_filter(py::module_& space) {
 
 void bind_setup(py::module_& space) {
   using avo::space::RobotSetup;
-  py::class_<RobotSetup>(space, "RobotSetup", "What a scene of space says of a robot. Read only.")
-      .def_readonly("position", &RobotSetup::position, "(x, y, z), m")
-      .def_readonly("velocity", &RobotSetup::velocity, "(x, y, z), m/s")
-      .def_readonly("goal", &RobotSetup::goal, "(x, y, z), m")
-      .def_readonly("radius", &RobotSetup::radius, "m")
-      .def_readonly("max_speed", &RobotSetup::max_speed, "m/s, along the horizontal")
+  py::class_<RobotSetup> setup(space, "RobotSetup",
+                               "What a scene of space says of a robot. Read only.");
+  bind_fields(setup, avo_io::space_robot_fields(), "max_acceleration");
+  setup
       .def_property_readonly(
           "max_acceleration", [](const RobotSetup& own) { return robot_of(own).max_acceleration; },
           "m/s^2, along the horizontal; of a quadrotor that of its limits")
-      .def_readonly("preferred_speed", &RobotSetup::preferred_speed, "m/s")
-      .def_readonly("vertical", &RobotSetup::vertical,
-                    "limits along the vertical, as a part of those along the horizontal")
-      .def_readonly("climb", &RobotSetup::climb, "m/s; None: no limit but the speed")
-      .def_readonly("sink", &RobotSetup::sink, "m/s; None: no limit but the speed")
-      .def_readonly("downwash", &RobotSetup::downwash, "m, below the robot")
-      .def_readonly("priority", &RobotSetup::priority, "> 0")
-      .def_readonly("max_braking", &RobotSetup::max_braking, "m/s^2; None: max_acceleration")
       .def_readonly("quadrotor", &RobotSetup::quadrotor, "Quadrotor, or None");
 }
 

@@ -3,6 +3,7 @@
 #pragma once
 #include <memory>
 #include <span>
+#include <vector>
 
 #include "avo/export.h"
 #include "avo/horizon.h"
@@ -96,8 +97,12 @@ class AVO_API Planner {
 
  private:
   PlannerOptions options_;
-  Horizon horizon_;
+  std::vector<Horizon> horizons_;
 };
+
+/// [τ_A] s: the horizon of the half-spaces of neighbors. Near its goal it is as short as half of
+/// PlannerOptions::time_horizon.
+AVO_API double own_time_horizon(const Robot& robot, const PlannerOptions& options);
 
 /// m, from the robot's ball: boxes at a larger distance change nothing.
 AVO_API double box_range(const Robot& robot, const PlannerOptions& options);

@@ -4,8 +4,8 @@
 import type { RecordingHeader } from "../../avo/avo.ts";
 import { refuse } from "./bytes.ts";
 import { uncompressed } from "./compression.ts";
-import { ABSENT, emptyFrame, LARGEST, LARGEST_RANGE, MOST_ROBOTS, type RecordedFrame,
-  STATE_COLUMNS } from "./recording.ts";
+import { ABSENT, emptyFrame, LARGEST, LARGEST_RANGE, MOST_ROBOTS, PLANE_COLUMNS, type RecordedFrame,
+  SPACE_COLUMNS } from "./recording.ts";
 
 export const BLOCK_TIMES = 64;
 const MOST_ROBOTS_OF_CHUNK = 1024;
@@ -13,16 +13,17 @@ const MOST_PER_BYTE = 1032;         // the limit of deflate
 const KEPT_BYTES = 96 * 2 ** 20;    // of blocks, but at least two blocks
 const LAST_STATUS = 6;              // of PlanStatus
 
-export interface BlockShape { robots: number; columns: number }
+export interface BlockShape { robots: number; columns: readonly string[] }  // columns: of a robot's state
 
-export const shapeOf = ({ robots, headings }: RecordingHeader): BlockShape => ({ robots, columns: headings ? 6 : 4 });
+export const shapeOf = ({ robots, headings, dimensions }: RecordingHeader): BlockShape =>
+  ({ robots, columns: dimensions === 3 ? SPACE_COLUMNS : PLANE_COLUMNS.slice(0, headings ? 6 : 4) });
 
 /** Robots are split into parts of this number, each a chunk of its own. */
 export const partsOf = ({ robots }: BlockShape) => Math.ceil(robots / MOST_ROBOTS_OF_CHUNK);
 export const robotsOfChunk = (shape: BlockShape) => Math.ceil(shape.robots / partsOf(shape));
 
 /** The number of chunks of all columns, of the status, and of the clearance. */
-export const chunksOf = (shape: BlockShape) => (shape.columns + 2) * partsOf(shape);
+export const chunksOf = (shape: BlockShape) => (shape.columns.length + 2) * partsOf(shape);
 
 export interface StoredBlocks {
   shape: BlockShape;
@@ -41,7 +42,7 @@ export function requireSize({ shape, times, chunk }: StoredBlocks): void {
   if (shape.robots > MOST_ROBOTS)
     refuse(`robots: found ${shape.robots}, must be ${MOST_ROBOTS} at most to be shown here`);
   const blocks = Math.ceil(times.length / BLOCK_TIMES);
-  const bytes = BLOCK_TIMES * shape.robots * (8 * shape.columns + 5);
+  const bytes = BLOCK_TIMES * shape.robots * (8 * shape.columns.length + 5);
   for (let b = 0; b < blocks; ++b) {
     let stored = 0;
     for (let k = 0; k < chunksOf(shape); ++k) stored += chunk(b, k).length;
@@ -78,7 +79,7 @@ async function readBlock(stored: StoredBlocks, block: number): Promise<Block> {
   const parts = partsOf(shape);
   const width = robotsOfChunk(shape);
   const rows = BLOCK_TIMES * robots;
-  const columns = Array.from({ length: shape.columns }, () => new Float64Array(rows));
+  const columns = shape.columns.map(() => new Float64Array(rows));
   const status = new Uint8Array(rows);
   const clearance = new Float32Array(rows);
   await Promise.all([...columns, status, clearance].map(async (table, t) => {
@@ -94,37 +95,39 @@ async function readBlock(stored: StoredBlocks, block: number): Promise<Block> {
   return { columns, status, clearance };
 }
 
-/** Returns the robot's columns: 4, or 6 with a heading. */
-function columnsOf(block: Block, at: number): number {
-  const { columns } = block;
-  return columns.length > 4 && !(Number.isNaN(columns[4][at]) && Number.isNaN(columns[5][at])) ? 6 : 4;
+/** Returns the robot's columns: those of its position and velocity, or all, with a heading. */
+function columnsOf(names: readonly string[], { columns }: Block, at: number): readonly string[] {
+  const lacksHeading = names[4] === "heading" && Number.isNaN(columns[4][at]) && Number.isNaN(columns[5][at]);
+  return lacksHeading ? names.slice(0, 4) : names;
 }
 
-function requireNumbers(block: Block, at: number, time: number, robot: number): void {
+function requireNumbers(names: readonly string[], block: Block, at: number, time: number, robot: number): void {
   const where = `time ${time} s, robot ${robot}`;
   if (block.status[at] > LAST_STATUS)
     refuse(`${where}: status: found ${block.status[at]}, must be 0 to ${LAST_STATUS}, or ${ABSENT}, absent`);
-  for (let c = 0; c < columnsOf(block, at); ++c) {
+  columnsOf(names, block, at).forEach((name, c) => {
     const value = block.columns[c][at];
-    if (Math.abs(value) <= LARGEST) continue;
+    if (Math.abs(value) <= LARGEST) return;
     const must = Number.isFinite(value) ? LARGEST_RANGE : "a finite number";
-    refuse(`${where}: ${STATE_COLUMNS[c]}: found ${value}, must be ${must}`);
-  }
+    refuse(`${where}: ${name}: found ${value}, must be ${must}`);
+  });
 }
 
 function frameOf({ shape, times }: StoredBlocks, block: Block, k: number): RecordedFrame {
-  const frame = emptyFrame(times[k], shape.robots);
-  const [x, y, vx, vy, heading, speed] = block.columns;
+  const dimensions = shape.columns === SPACE_COLUMNS ? 3 : 2;
+  const frame = emptyFrame(times[k], shape.robots, dimensions);
+  const { columns } = block;
+  const [heading, speed] = dimensions === 2 ? columns.slice(4) : [];
   const first = (k % BLOCK_TIMES) * shape.robots;
   for (let i = 0; i < shape.robots; ++i) {
     const at = first + i;
     if (block.status[at] === ABSENT) continue;
-    requireNumbers(block, at, times[k], i);
+    requireNumbers(shape.columns, block, at, times[k], i);
     frame.there[i] = 1;
-    frame.position[2 * i] = x[at];
-    frame.position[2 * i + 1] = y[at];
-    frame.velocity[2 * i] = vx[at];
-    frame.velocity[2 * i + 1] = vy[at];
+    for (let axis = 0; axis < dimensions; ++axis) {
+      frame.position[dimensions * i + axis] = columns[axis][at];
+      frame.velocity[dimensions * i + axis] = columns[dimensions + axis][at];
+    }
     if (heading !== undefined) frame.heading[i] = heading[at];
     if (speed !== undefined) frame.speed[i] = speed[at];
     frame.status[i] = block.status[at];
@@ -136,7 +139,7 @@ function frameOf({ shape, times }: StoredBlocks, block: Block, k: number): Recor
 /** Reads frames; the block after that of the frame is read ahead. */
 export function frameReader(stored: StoredBlocks): (k: number) => Promise<RecordedFrame> {
   const blocks = Math.ceil(stored.times.length / BLOCK_TIMES);
-  const bytes = BLOCK_TIMES * stored.shape.robots * (8 * stored.shape.columns + 5);
+  const bytes = BLOCK_TIMES * stored.shape.robots * (8 * stored.shape.columns.length + 5);
   const most = Math.max(2, Math.floor(KEPT_BYTES / bytes));
   const kept = new Map<number, Promise<Block>>();  // in order of use, the last one at the end
   const block = (b: number): Promise<Block> => {

@@ -21,8 +21,8 @@ export function csvOf(library: Library, { time, robot, there, position, velocity
   let rows = 0;
   for (let k = 0; k < heading.length; ++k) {
     if (there?.[k] === 0) continue;
-    const row = [robot?.[k] ?? k, position[2 * k]!, position[2 * k + 1]!, velocity[2 * k]!, velocity[2 * k + 1]!,
-      heading[k]!, speed?.[k] ?? NaN];
+    const vectors = [position, velocity].flatMap((of) => Array.from({ length: form.dimensions }, (_, axis) => of[form.dimensions * k + axis]!));
+    const row = [robot?.[k] ?? k, ...vectors, ...(form.dimensions === 3 ? [] : [heading[k]!, speed?.[k] ?? NaN])];
     numbers.set(row, TABLE_TIME + TABLE_ROW * rows++);
   }
   numbers.set([time, form.every, rows]);

@@ -5,7 +5,6 @@ import { refuse } from "./bytes.ts";
 import { BLOCK_TIMES, type OpenedBlocks, partsOf, robotsOfChunk, shapeOf } from "./blocks.ts";
 import { linksOf, readAttributes, readObject, readSuperblock } from "./hdf5_objects.ts";
 import { ENUMERATION, FLOAT32, FLOAT64, readChunks, readList } from "./hdf5_tables.ts";
-import { STATE_COLUMNS } from "./recording.ts";
 import { packed, requireText } from "./recording_fields.ts";
 
 /** Reads everything except the chunks. */
@@ -20,14 +19,14 @@ export function openHdf5(library: Library, file: Uint8Array): OpenedBlocks {
   const shape = shapeOf(header), { robots, columns } = shape;
   const parts = partsOf(shape), chunk = [BLOCK_TIMES, robotsOfChunk(shape)], lengths = [times.length, robots];
   const states = table("state");
-  requireText(readAttributes(states), "columns", STATE_COLUMNS.slice(0, columns).join(","), "state: ");
-  const state = readChunks(file, states, "state", FLOAT64, [...lengths, columns], [...chunk, 1]);
+  requireText(readAttributes(states), "columns", columns.join(","), "state: ");
+  const state = readChunks(file, states, "state", FLOAT64, [...lengths, columns.length], [...chunk, 1]);
   const status = readChunks(file, table("status"), "status", ENUMERATION, lengths, chunk);
   const clearance = readChunks(file, table("clearance"), "clearance", FLOAT32, lengths, chunk);
   const stored = (block: number, number: number) => {
     const part = block * parts + number % parts, column = Math.floor(number / parts);
-    if (column < columns) return state(part * columns + column);
-    return (column === columns ? status : clearance)(part);
+    if (column < columns.length) return state(part * columns.length + column);
+    return (column === columns.length ? status : clearance)(part);
   };
   return { header, stored: { shape, times, chunk: stored } };
 }

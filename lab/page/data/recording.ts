@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // A recording in the form that views use, whatever its file format.
-import type { RecordedScene, RecordingHeader } from "../../avo/avo.ts";
+import type { Dimensions, RecordedScene, RecordingHeader } from "../../avo/avo.ts";
 
 /** All robots at one time, each at its number; absent robots have NaN. */
 export interface RecordedFrame {
   time: number;              // s
   there: Uint8Array;         // 1 or 0
-  position: Float64Array;    // m, x and y of each
+  position: Float64Array;    // m, x and y (and z in space) of each
   velocity: Float64Array;    // m/s
   heading: Float64Array;     // rad; NaN for a robot without a heading
   speed: Float64Array;       // m/s along the heading; NaN for a robot without a heading
@@ -25,7 +25,8 @@ export interface Recording extends Omit<RecordingHeader, "scene"> {
 
 /** Stands in place of an absent robot's status. */
 export const ABSENT = 255;
-export const STATE_COLUMNS = ["x", "y", "vx", "vy", "heading", "speed"];
+export const PLANE_COLUMNS = ["x", "y", "vx", "vy", "heading", "speed"];
+export const SPACE_COLUMNS = ["x", "y", "z", "vx", "vy", "vz"];
 /** The limit of any number in a recording: m, m/s, rad, s. */
 export const LARGEST = 1e12;
 export const LARGEST_RANGE = "from -1e+12 to 1e+12";
@@ -33,12 +34,12 @@ export const LARGEST_RANGE = "from -1e+12 to 1e+12";
 export const MOST_ROBOTS = 100_000;
 
 /** Returns a frame without robots. */
-export function emptyFrame(time: number, robots: number): RecordedFrame {
+export function emptyFrame(time: number, robots: number, dimensions: Dimensions): RecordedFrame {
   return {
     time,
     there: new Uint8Array(robots),
-    position: new Float64Array(2 * robots).fill(NaN),
-    velocity: new Float64Array(2 * robots).fill(NaN),
+    position: new Float64Array(dimensions * robots).fill(NaN),
+    velocity: new Float64Array(dimensions * robots).fill(NaN),
     heading: new Float64Array(robots).fill(NaN),
     speed: new Float64Array(robots).fill(NaN),
     status: new Uint8Array(robots).fill(ABSENT),

@@ -4,7 +4,7 @@ import type { Lab } from "../run/lab.ts";
 import type { Decision } from "./decision.ts";
 import { cross, dot, minus, norm } from "./decision.ts";
 import { closeFromBeside, digits, element, oncePerFrame } from "../elements.ts";
-import type { Explained } from "./explained.ts";
+import type { ExplainedInPlane } from "./explained.ts";
 import { explained } from "./explained.ts";
 import { simulationFor } from "./inspector.ts";
 import { withMethod } from "../text/method_text.ts";
@@ -69,7 +69,7 @@ function makeSide(lab: Lab, axes: ReturnType<typeof sharedAxes>): Side {
   return { root: element("section", { class: "insp-side" }, title, space.root, says), title, says, space };
 }
 
-function attempt(work: () => Explained): Explained | Error {
+function attempt(work: () => ExplainedInPlane): ExplainedInPlane | Error {
   try {
     return work();
   } catch (error) {
@@ -77,19 +77,19 @@ function attempt(work: () => Explained): Explained | Error {
   }
 }
 
-function fillSide(side: Side, method: string, result: Explained | Error): void {
+function fillSide(side: Side, method: string, result: ExplainedInPlane | Error): void {
   side.title.textContent = method;
-  side.says.textContent = result instanceof Error ? result.message : result.decision.sentence;
-  side.space.show(result instanceof Error ? null : result.source);
+  side.says.textContent = result instanceof Error ? result.message : result.sentence;
+  side.space.show(result instanceof Error ? null : result.drawnFor(null).source);
 }
 
 const angle = (a: Decision, b: Decision): number =>
   Math.atan2(cross(a.new_velocity, b.new_velocity), dot(a.new_velocity, b.new_velocity)) * 180 / Math.PI;
 
-function differencesTable(own: Explained, other: Explained): HTMLElement {
+function differencesTable(own: ExplainedInPlane, other: ExplainedInPlane): HTMLElement {
   const [a, b] = [own.decision, other.decision];
   const turn = norm(a.new_velocity) > 0 && norm(b.new_velocity) > 0 ? `, ${digits(Math.abs(angle(a, b)), 1)}° ${angle(a, b) < 0 ? "right" : "left"}` : "";
-  const needed = (explained: Explained): number => norm(explained.decision.acceleration) / explained.decision.max_acceleration;
+  const needed = (explained: ExplainedInPlane): number => norm(explained.decision.acceleration) / explained.decision.max_acceleration;
   const row = (label: string, unit: string, left: string, right: string, difference = ""): HTMLElement =>
     element("tr", {}, element("th", { scope: "row" }, label, unit ? element("small", {}, ` ${unit}`) : null),
       element("td", {}, left), element("td", {}, right), element("td", {}, difference));

@@ -7,6 +7,8 @@ export type Vec = readonly [number, number];
 export interface Disc {
   center: Vec;
   radius: number;
+  /** An ellipse: the radius is the half of its axis in this direction (rad), and the other axis is so many times as long. */
+  squeeze?: { angle: number; ratio: number };
 }
 
 /** normal·v' >= offset, m/s; the normal has length 1. */
@@ -144,7 +146,7 @@ export function clearanceOf(decision: Decision, other: Sensed): number {
 }
 
 /** Methods whose v' lies outside the union of obstacles, and not within half-planes. */
-export function avoidsUnion(decision: Decision, method: string): boolean {
+export function avoidsUnion(decision: Pick<Decision, "rule">, method: string): boolean {
   return decision.rule === "union_of_obstacles" || method === "velocity_obstacle" ||
     method === "reciprocal_velocity_obstacle";
 }

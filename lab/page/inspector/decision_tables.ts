@@ -8,7 +8,7 @@ import { STATUS_COLORS } from "./palette.ts";
 import type { Law, Why } from "./why.ts";
 import { evadedOf, headingOf } from "./why.ts";
 
-interface Row {
+export interface Row {
   name: string;     // for the key of `avo explain --json`, or for a derived value
   label: Node | string;
   value: string;
@@ -87,7 +87,10 @@ function stateText(decision: Decision): string {
 }
 
 export function numbersTable(decision: Decision): HTMLElement {
-  const rows = [...motionRows(decision), ...verdictRows(decision)];
+  return tableOf([...motionRows(decision), ...verdictRows(decision)]);
+}
+
+export function tableOf(rows: Row[]): HTMLElement {
   return element("table", { class: "insp-numbers" }, element("tbody", {}, ...rows.map((row) =>
     element("tr", { "data-key": row.name, ...(row.title ? { title: row.title } : {}) },
       element("th", { scope: "row" }, row.label),
@@ -101,19 +104,24 @@ function behaviorOf(sensed: Sensed): string {
   return `${sensed.max_deviation ? `${what}, within ${digits(sensed.max_deviation)} m/s²` : what}${age}`;
 }
 
+/** Returns a link that selects the robot. */
+export function neighborLink(lab: Lab, robot: number): HTMLElement {
+  const name = `robots.${robot}`;
+  return element("button", {
+    type: "button", class: "insp-link", onclick: () => lab.select(robot), onfocus: () => lab.highlight(name), onblur: () => lab.highlight(null),
+  }, labelOf(name));
+}
+
 const ROWS = 40;  // more rows would not be read
 
-/** `onSelect` is called with a robot that is chosen in the list. */
-export function neighborTable(lab: Lab, decision: Decision, found: Why, law: Law, onSelect: (robot: number) => void): HTMLElement {
+export function neighborTable(lab: Lab, decision: Decision, found: Why, law: Law): HTMLElement {
   const sorted = decision.obstacles.map((sensed) => ({ sensed, name: nameOf(sensed.neighbor), clearance: clearanceOf(decision, sensed) }))
     .sort((a, b) => a.clearance - b.clearance);
   const rows = sorted.slice(0, ROWS).map(({ sensed, name, clearance }) => {
     const cut = found.cuts.find((other) => other.of === name);
     const role = !cut ? (law.method === "buffered_voronoi" || decision.rule !== "half_planes" ? "" : "does not cut")
       : cut.binds ? "binds" : cut.refuses > 1e-3 ? "refuses the wish" : "cuts";
-    const robot = typeof sensed.neighbor === "number" ? sensed.neighbor : null;
-    const label = robot === null ? labelOf(name)
-      : element("button", { type: "button", class: "insp-link", onclick: () => onSelect(robot), onfocus: () => lab.highlight(name), onblur: () => lab.highlight(null) }, labelOf(name));
+    const label = typeof sensed.neighbor === "number" ? neighborLink(lab, sensed.neighbor) : labelOf(name);
     return element("tr", { "data-name": name, onpointerenter: () => lab.highlight(name), onpointerleave: () => lab.highlight(null) },
       element("th", { scope: "row" }, label),
       element("td", { class: clearance < 0 ? "insp-bad" : "" }, digits(clearance)),

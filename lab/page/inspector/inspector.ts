@@ -2,10 +2,11 @@
 // The window into a decision: it explains why the selected robot chooses its velocity.
 import type { Simulation } from "../../avo/avo.ts";
 import { openComparison } from "./comparison.ts";
-import { markNeighbor, neighborTable, numbersTable } from "./decision_tables.ts";
+import { markNeighbor } from "./decision_tables.ts";
 import { closeFromBeside, digits, element, oncePerFrame } from "../elements.ts";
 import type { Explained } from "./explained.ts";
 import { explained } from "./explained.ts";
+import { explainedInSpace } from "./explained_in_space.ts";
 import { makeHistoryStrip, type HistoryStrip } from "./history_strip.ts";
 import type { Lab } from "../run/lab.ts";
 import { simulationOfRow } from "./recorded_decision.ts";
@@ -21,11 +22,13 @@ interface Panel {
   when: HTMLElement;
   says: HTMLElement;
   note: HTMLElement;
+  cut: HTMLElement;
   space: SpaceCanvas;
   strip: HistoryStrip;
   numbers: HTMLElement;
   neighbors: HTMLElement;
   shown: Explained | null;  // the present content
+  pointed: string | null;   // in space: the neighbor for whom the velocity space is cut
 }
 
 export function mountInspector(lab: Lab, root: HTMLElement): void {
@@ -54,7 +57,7 @@ export function mountInspector(lab: Lab, root: HTMLElement): void {
   lab.on("theme", refresh);
   lab.on("highlight", () => {
     markNeighbor(panel.neighbors, lab.highlighted);
-    panel.space.redraw();
+    if (!turnCut(lab, panel)) panel.space.redraw();
   });
   refresh();
 }
@@ -62,22 +65,22 @@ export function mountInspector(lab: Lab, root: HTMLElement): void {
 function makePanel(lab: Lab): Panel {
   const title = element("h2", { class: "insp-title" }), when = element("span", { class: "insp-when" });
   const says = element("p", { class: "insp-sentence", role: "status" });
-  const note = element("p", { class: "insp-note", hidden: true });
+  const note = element("p", { class: "insp-note", hidden: true }), cut = element("p", { class: "insp-note", hidden: true });
   const space = makeSpaceCanvas(lab, sharedAxes());
   const strip = makeHistoryStrip(lab);
   const numbers = element("div"), neighbors = element("div", { class: "insp-scroll" });
   const close = element("button", { type: "button", class: "insp-close", "aria-label": "close the inspector", onclick: () => lab.select(null) }, "×");
-  const compare = element("button", { type: "button", onclick: () => openComparison(lab) }, "Compare methods");
+  const compare = element("button", { type: "button", class: "of-the-plane", onclick: () => openComparison(lab) }, "Compare methods");
   const copy = element("button", { type: "button", title: "the very text of avo explain --json" }, "Copy JSON");
   copy.addEventListener("click", () => void copyText(panel.shown?.text ?? "", copy));
   const root = element("div", { class: "insp", hidden: true },
     element("header", { class: "insp-head" }, title, when, close),
-    says, note, space.root, tools(space), legend(),
+    says, note, space.root, cut, tools(space), legend(),
     element("h3", {}, "History"), strip.root,
     element("div", { class: "insp-actions" }, compare, copy),
     element("h3", {}, "Numbers"), numbers,
     element("h3", {}, "Neighbors"), neighbors);
-  const panel: Panel = { root, title, when, says, note, space, strip, numbers, neighbors, shown: null };
+  const panel: Panel = { root, title, when, says, note, cut, space, strip, numbers, neighbors, shown: null, pointed: null };
   return panel;
 }
 
@@ -86,26 +89,46 @@ function show(lab: Lab, panel: Panel, robot: number): void {
   panel.note.hidden = lab.live !== null;
   panel.note.textContent = lab.live ? "" : ROW_NOTE;
   try {
-    fill(lab, panel, explained(simulationFor(lab), lab.info, robot, lab.playing));
+    const simulation = simulationFor(lab);
+    fill(lab, panel, lab.info.dimensions === 3 ? explainedInSpace(simulation, lab.info, robot, lab.playing) : explained(simulation, lab.info, robot, lab.playing));
   } catch (error) {
     silence(lab, panel, robot, error);
   }
 }
 
 function fill(lab: Lab, panel: Panel, now: Explained): void {
-  const { decision, law, why } = now;
   const { numbers, neighbors } = panel;
+  if (panel.shown?.robot !== now.robot) panel.pointed = null;
   panel.shown = now;
-  panel.title.textContent = `Robot ${decision.robot}`;
-  panel.when.textContent = `at ${digits(lab.moment.time)} s · ${law.method}`;
-  panel.says.textContent = decision.sentence;
-  panel.space.show(now.source);
-  numbers.replaceChildren(numbersTable(decision));
+  panel.title.textContent = `Robot ${now.robot}`;
+  panel.when.textContent = `at ${digits(lab.moment.time)} s · ${now.method}`;
+  panel.says.textContent = now.sentence;
+  panel.root.dataset["dimensions"] = String(lab.info.dimensions);
+  showSpace(panel, now);
+  numbers.replaceChildren(now.numbers());
   const scrolled = neighbors.scrollTop;
-  neighbors.replaceChildren(neighborTable(lab, decision, why, law, (robot) => lab.select(robot)));
+  neighbors.replaceChildren(now.neighbors(lab));
   neighbors.scrollTop = scrolled;
   markNeighbor(neighbors, lab.highlighted);
   panel.root.classList.remove("insp-silent");
+}
+
+function showSpace(panel: Panel, shown: Explained): void {
+  const { source, note } = shown.drawnFor(panel.pointed);
+  panel.space.show(source);
+  panel.cut.textContent = note;
+  panel.cut.hidden = note === "";
+}
+
+/** In space, cuts the velocity space for the robot that is pointed at elsewhere; returns whether it did. */
+function turnCut({ highlighted, info }: Lab, panel: Panel): boolean {
+  const { shown, space } = panel;
+  const robot = highlighted?.startsWith("robots.") ? highlighted : null;
+  if (!shown || info.dimensions === 2 || robot === null || robot === panel.pointed || robot === `robots.${shown.robot}` || space.root.matches(":hover"))
+    return false;
+  panel.pointed = robot;
+  showSpace(panel, shown);
+  return true;
 }
 
 function silence(lab: Lab, panel: Panel, robot: number, error: unknown): void {
@@ -115,6 +138,7 @@ function silence(lab: Lab, panel: Panel, robot: number, error: unknown): void {
   panel.says.textContent = error instanceof Error ? error.message : String(error);
   panel.root.classList.add("insp-silent");
   panel.space.show(null);
+  panel.cut.hidden = true;
 }
 
 const ROW_NOTE = "From the row of the recording: what robots remember (their detours) and how fast drives turn is not recorded, so the decision is " +
@@ -132,7 +156,7 @@ function tools(space: SpaceCanvas): HTMLElement {
   const button = (label: string, title: string, act: () => void): HTMLElement =>
     element("button", { type: "button", title, onclick: act }, label);
   const layer = (key: "obstacles" | "certificate", label: string, title: string): HTMLElement => {
-    const toggle = element("button", { type: "button", title, "aria-pressed": "true" }, label);
+    const toggle = element("button", { type: "button", class: key === "obstacles" ? "of-the-plane" : "", title, "aria-pressed": "true" }, label);
     toggle.addEventListener("click", () => {
       space.layers[key] = !space.layers[key];
       toggle.setAttribute("aria-pressed", String(space.layers[key]));
@@ -149,10 +173,11 @@ function tools(space: SpaceCanvas): HTMLElement {
 }
 
 function legend(): HTMLElement {
-  const entry = (kind: string, label: string): HTMLElement =>
-    element("span", { class: "insp-key" }, element("i", { class: `insp-swatch insp-${kind}` }), label);
+  const entry = (kind: string, label: string, of = ""): HTMLElement =>
+    element("span", { class: `insp-key ${of}` }, element("i", { class: `insp-swatch insp-${kind}` }), label);
   return element("div", { class: "insp-legend" }, entry("chosen", "may be chosen"), entry("forbidden", "forbidden"),
-    entry("admitted", "certificate admits"), entry("binding", "binding half-plane"), entry("outline", "obstacle, Eq. (29)"));
+    entry("admitted", "certificate admits"),
+    entry("binding", "binding half-plane", "of-the-plane"), entry("binding", "binding half-space", "of-space"), entry("outline", "obstacle, Eq. (29)", "of-the-plane"));
 }
 
 /** Returns the robot with the nearest neighbor: its decision is interesting. */

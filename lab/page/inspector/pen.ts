@@ -33,8 +33,9 @@ export class Pen {
   disc(disc: Disc): void {
     const [x, y] = toScreen(this.view, disc.center);
     const radius = disc.radius * this.view.scale;
-    this.context.moveTo(x + radius, y);
-    this.context.arc(x, y, radius, 0, 2 * Math.PI);
+    const { angle, ratio } = disc.squeeze ?? { angle: 0, ratio: 1 };
+    this.context.moveTo(x + radius * Math.cos(angle), y - radius * Math.sin(angle));
+    this.context.ellipse(x, y, radius, radius * ratio, -angle, 0, 2 * Math.PI);
   }
   fill(color: string, path: () => void, rule: CanvasFillRule = "nonzero"): void {
     this.context.beginPath();

@@ -9,10 +9,11 @@ export function startsOf({ moment, info }: Pick<Lab, "moment" | "info">): string
   const models = new Map(info.robots.map((robot) => [robot.robot, robot]));
   const starts: string[] = [];
   moment.robot.forEach((robot, i) => {
-    const pair = (from: Float64Array): string => `[${from[2 * i]},${from[2 * i + 1]}]`;
+    const { dimensions } = moment;
+    const vector = (from: Float64Array): string => `[${from.subarray(dimensions * i, dimensions * (i + 1)).join(",")}]`;
     const setup = models.get(robot);
     if (!setup || setup.parked) return;
-    starts.push(`robots.${robot}.position=${pair(moment.position)}`, `robots.${robot}.velocity=${pair(moment.velocity)}`);
+    starts.push(`robots.${robot}.position=${vector(moment.position)}`, `robots.${robot}.velocity=${vector(moment.velocity)}`);
     if (setup.model !== "holonomic") starts.push(`robots.${robot}.heading=${moment.heading[i]}`);
   });
   return starts;

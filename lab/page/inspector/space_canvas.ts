@@ -167,7 +167,8 @@ function useKey(event: KeyboardEvent, view: () => View, setAxes: SetAxes): void 
 function readoutOf(space: VelocitySpace, view: View, at: [number, number], highlighted: string | null): string {
   const v = toVelocity(view, ...at);
   const cut = space.why.cuts.find((other) => other.of === highlighted);
-  const where = `(${digits(v[0])}, ${digits(v[1])}) m/s · ${digits(norm(v))} m/s at ${digits(headingOf(v), 0)}°`;
+  const heading = space.axes ? "" : ` · ${digits(norm(v))} m/s at ${digits(headingOf(v), 0)}°`;
+  const where = `(${digits(v[0])}, ${digits(v[1])}) m/s${heading}`;
   if (!cut) return highlighted ? `${where} · ${labelOf(highlighted)}: its obstacle` : where;
   const miss = violation(cut, v);
   return `${where} · ${labelOf(cut.of)}: ${miss > 0 ? `refused by ${digits(miss)} m/s` : `${digits(-miss)} m/s to spare`}`;

@@ -23,12 +23,17 @@ export interface Admitted {
   cells: Uint8Array;
 }
 
+/** The part of a decision that is drawn; of a cut through space, in the axes of the cut. */
+export type DrawnDecision = Pick<Decision, "robot" | "rule" | "velocity" | "preferred_velocity" | "new_velocity" | "max_acceleration" |
+  "acceleration_disc" | "speed_disc">;
+
 export interface VelocitySpace {
-  decision: Decision;
+  decision: DrawnDecision;
   law: Law;
   why: Why;
   outlines: readonly Outline[];
   admitted: Admitted | null;
+  axes?: [string, string];  // their names, to the right and up; of the plane if they are absent
 }
 
 const LABEL = 12, CHOSEN = 8;  // px; the size of text, the radius of the dot at the chosen next velocity
@@ -149,6 +154,12 @@ function drawLabels(pen: Pen, space: VelocitySpace, highlighted: string | null):
   if (decision.speed_disc) drawDiscLabel(pen, labels, decision.speed_disc, "D(0, *v*_{max})");
 }
 
+/** Returns the velocities that can be reached within `time` (s), as a cut of the same form as the reach. */
+function reachIn({ acceleration_disc, max_acceleration }: DrawnDecision, time: number): Omit<Disc, "center"> {
+  const squeeze = acceleration_disc?.squeeze;
+  return { radius: time * max_acceleration, ...(squeeze ? { squeeze } : {}) };
+}
+
 function drawOrigin({ context, view, palette }: Pen): void {
   const [x, y] = toScreen(view, [0, 0]);
   context.strokeStyle = palette.frame;
@@ -159,7 +170,7 @@ function drawOrigin({ context, view, palette }: Pen): void {
   context.stroke();
 }
 
-function drawTicks(pen: Pen): void {
+function drawTicks(pen: Pen, [right, up]: [string, string]): void {
   const { context, view, palette, box } = pen;
   context.font = "11px system-ui, sans-serif";
   context.fillStyle = palette.soft;
@@ -172,7 +183,7 @@ function drawTicks(pen: Pen): void {
   for (const tick of ticks(box[0], box[2], view.width / 70)) {
     const x = toScreen(view, [tick.at, 0])[0];
     pen.stroke(palette.soft, 1, [], () => (context.moveTo(x, view.height), context.lineTo(x, view.height - 4)));
-    if (x > 16 && x < view.width - 82) mark(tick.text, x, view.height - 5);
+    if (x > 16 && x < view.width - 14 - context.measureText(right).width) mark(tick.text, x, view.height - 5);
   }
   context.textAlign = "left", context.textBaseline = "middle";
   for (const tick of ticks(box[1], box[3], view.height / 60)) {
@@ -181,9 +192,9 @@ function drawTicks(pen: Pen): void {
     if (y > 26 && y < view.height - 24) mark(tick.text, 7, y);
   }
   context.textAlign = "right", context.textBaseline = "bottom";
-  mark("vₓ in m/s", view.width - 5, view.height - 5);
+  mark(right, view.width - 5, view.height - 5);
   context.textAlign = "left", context.textBaseline = "top";
-  mark("vᵧ in m/s", 7, 5);
+  mark(up, 7, 5);
 }
 
 /** Draws over the whole view; the context's unit is a pixel of CSS. */
@@ -200,7 +211,7 @@ export function drawVelocitySpace(context: CanvasRenderingContext2D, view: View,
   const { acceleration_disc, speed_disc } = decision;
   if (acceleration_disc) pen.stroke(palette.ink, 1.4, [], () => pen.disc(acceleration_disc));
   if (speed_disc) pen.stroke(palette.ink, 1.2, [5, 4], () => pen.disc(speed_disc));
-  const step: Disc = { center: decision.velocity, radius: law.time_step * decision.max_acceleration };
+  const step: Disc = { ...reachIn(decision, law.time_step), center: decision.velocity };
   if (law.method === "avo" && step.radius * view.scale > 6) pen.stroke(palette.soft, 1, [1, 2], () => pen.disc(step));
   arrow(pen, [0, 0], decision.velocity, palette.ink, 2);
   if (norm(decision.new_velocity) > 0) arrow(pen, decision.velocity, decision.new_velocity, palette.decided, 1.6);
@@ -208,7 +219,7 @@ export function drawVelocitySpace(context: CanvasRenderingContext2D, view: View,
   dotAt(pen, why.next, CHOSEN, palette.decided);  // what the robot does; v' is what it aims at
   if (isApart(space, view)) dotAt(pen, decision.new_velocity, 4, palette.decided);
   drawLabels(pen, space, highlighted);
-  drawTicks(pen);
+  drawTicks(pen, space.axes ?? ["vₓ in m/s", "vᵧ in m/s"]);
 }
 
 /** Returns the half-plane, or else the obstacle, whose line is nearest to the pixel, within a few pixels. */

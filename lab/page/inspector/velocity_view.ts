@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The visible part of a robot's velocity space: converts m/s to pixels and back, and has axes with units.
-import type { Decision, Vec } from "./decision.ts";
+import type { Vec } from "./decision.ts";
+import type { DrawnDecision } from "./velocity_space.ts";
 
 export interface View {
   center: Vec;    // m/s
@@ -45,7 +46,7 @@ function around(box: Box, width: number, height: number): View {
 
 /** Returns a view of all velocities that the robot may choose, which lie in the disc of its speed, and of v'. Two sizes
  * are enough, so that the axes stay the same from decision to decision. */
-export function fitted(decision: Decision, width: number, height: number): View {
+export function fitted(decision: DrawnDecision, width: number, height: number): View {
   const points = [decision.velocity, decision.new_velocity, decision.preferred_velocity];
   const farthest = Math.max(...points.map((v) => Math.max(Math.abs(v[0]), Math.abs(v[1]))));
   const speed = decision.speed_disc?.radius ?? Math.max(farthest, 1e-3);
@@ -54,7 +55,7 @@ export function fitted(decision: Decision, width: number, height: number): View 
 }
 
 /** Returns a view of the results of one step, `u` m/s around the velocity. */
-export function fittedToStep(decision: Decision, u: number, width: number, height: number): View {
+export function fittedToStep(decision: DrawnDecision, u: number, width: number, height: number): View {
   const [x, y] = decision.velocity;
   const radius = 1.25 * u;
   return around([x - radius, y - radius, x + radius, y + radius], width, height);

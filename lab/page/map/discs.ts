@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The discs of a moment's robots: their places, their clearances, and their overlaps.
-import type { Moment, SceneInfo } from "../../avo/avo.ts";
+// The discs, or balls in space, of a moment's robots: their places, their clearances, and their overlaps.
+import type { Dimensions, Moment, SceneInfo } from "../../avo/avo.ts";
 import type { Touch } from "../run/contact_log.ts";
 
 export type RobotInfo = SceneInfo["robots"][number];
@@ -8,7 +8,8 @@ export type RobotInfo = SceneInfo["robots"][number];
 const MANY = 1000;  // with more robots, one without another within `NEAR` counts as alone
 const NEAR = 5;     // m
 
-interface Disc { row: number; x: number; y: number; radius: number }
+/** In space, the air so far below the ball belongs to it (m). */
+interface Disc { row: number; x: number; y: number; z: number; radius: number; downwash: number }
 
 /** Returns the constant facts about the robot of each row of `moment`; both are sorted by ascending numbers. */
 export function robotsOf(moment: Moment, info: SceneInfo): (RobotInfo | undefined)[] {
@@ -23,19 +24,40 @@ export function rowOf(moment: Moment, robot: number): number {
   return moment.robot.indexOf(robot);
 }
 
+/** Returns the vector of row i of positions or velocities. */
+export function vectorOf(from: ArrayLike<number>, dimensions: Dimensions, i: number): [number, number, number] {
+  const at = dimensions * i;
+  return [from[at]!, from[at + 1]!, dimensions === 3 ? from[at + 2]! : 0];
+}
+
+/** Returns m/s of row i, in the robot's own measure: a vertical speed counts by the limits along z. */
+export function speedOf({ velocity, dimensions }: Moment, i: number, robot?: RobotInfo): number {
+  const [x, y, z] = vectorOf(velocity, dimensions, i);
+  return Math.hypot(x, y, z / (robot?.vertical ?? 1));
+}
+
+/** Returns how far below the middles of a and b the places are that are nearest to each other. */
+function drops(a: Disc, b: Disc): [number, number] {
+  return [Math.min(Math.max(a.z - b.z, 0), a.downwash), Math.min(Math.max(b.z - a.z, 0), b.downwash)];
+}
+
 /** Returns the distance between two discs; negative if they overlap. */
-const gap = (a: Disc, b: Disc) => Math.hypot(b.x - a.x, b.y - a.y) - a.radius - b.radius;
+function gap(a: Disc, b: Disc): number {
+  const [below_a, below_b] = drops(a, b);
+  return Math.hypot(b.x - a.x, b.y - a.y, b.z - below_b - a.z + below_a) - a.radius - b.radius;
+}
 
 function discsByX(moment: Moment, info: SceneInfo): Disc[] {
   const robots = robotsOf(moment, info);
   const discs = Array.from(moment.robot, (_, row) => {
     const robot = robots[row];
+    const [x, y, z] = vectorOf(moment.position, moment.dimensions, row);
     const { ahead, radius } = robot?.footprint ?? { ahead: [robot?.disc_ahead ?? 0], radius: robot?.disc_radius ?? 0 };
     return ahead.map((each) => ({
       row,
-      x: moment.position[2 * row]! + each * Math.cos(moment.heading[row]!),
-      y: moment.position[2 * row + 1]! + each * Math.sin(moment.heading[row]!),
-      radius,
+      x: x + each * Math.cos(moment.heading[row]!),
+      y: y + each * Math.sin(moment.heading[row]!),
+      z, radius, downwash: robot?.downwash ?? 0,
     }));
   }).flat();
   return discs.sort((a, b) => a.x - b.x);
@@ -70,9 +92,12 @@ export function touchesIn(moment: Moment, info: SceneInfo): Touch[] {
     const depth = -gap(first, second);
     if (depth <= 1e-9) return;
     const [a, b] = first.row < second.row ? [first, second] : [second, first];
-    const share = (a.radius - depth / 2) / (Math.hypot(b.x - a.x, b.y - a.y) || 1);
-    const [x, y] = [a.x + share * (b.x - a.x), a.y + share * (b.y - a.y)];
-    touches.push({ a: `robots.${moment.robot[a.row]}`, b: `robots.${moment.robot[b.row]}`, x, y, depth });
+    const [below_a, below_b] = drops(a, b);
+    const way = [b.x - a.x, b.y - a.y, b.z - below_b - a.z + below_a] as const;
+    const share = (a.radius - depth / 2) / (Math.hypot(...way) || 1);
+    const [x, y] = [a.x + share * way[0], a.y + share * way[1]];
+    const height = moment.dimensions === 3 ? { z: a.z - below_a + share * way[2] } : {};
+    touches.push({ a: `robots.${moment.robot[a.row]}`, b: `robots.${moment.robot[b.row]}`, x, y, ...height, depth });
   });
   return touches;
 }

@@ -16,8 +16,9 @@ export interface Gesture {
   drop(to: Point): void;
 }
 
-/** Null: the press pans the map. `from` in m. */
+/** Null: the press pans the map, or turns the view of space. `from` in m. */
 export function begin(lab: PageLab, view: WorldView, tool: Tool, hit: Hit | null, from: Point): Gesture | null {
+  if (view.orbit) return null;  // it turns the view
   if (!lab.live) return hit === null || hit.kind === "mover" ? null : stay(lab);
   if (tool === "robot") return placeRobot(lab, from);
   if (tool === "wall") return drawWall(lab, from);

@@ -3,6 +3,7 @@
 import { roundLength, zoomAt } from "./camera.ts";
 import { shareColor, cssOf, directionColor } from "./colors.ts";
 import type { Tool } from "./dragging.ts";
+import { showNext } from "./orbit.ts";
 import { digits, element } from "../elements.ts";
 import { icon } from "../icons.ts";
 import type { PageLab } from "../run/make_lab.ts";
@@ -31,15 +32,19 @@ export function mountMapControls(lab: PageLab, view: WorldView, hand: Hand,
     element("button", { type: "button", class: "icon-button", title: says, "aria-label": says, onclick: action }, icon(picture));
   const tools = TOOLS.map(({ tool, picture, says }) => button(picture, says, () => choose(tool)));
   const choose = (tool: Tool): void => {
-    if (!lab.live && tool !== "move") lab.edit(() => undefined);  // shows the reason
-    hand.tool = lab.live ? tool : "move";
+    const edits = lab.live !== null && lab.info.dimensions === 2;
+    if (!edits && tool !== "move") lab.edit(() => undefined);  // shows the reason
+    hand.tool = edits ? tool : "move";
     tools.forEach((shown, k) => shown.setAttribute("aria-pressed", String(TOOLS[k]!.tool === hand.tool)));
   };
   palette.replaceChildren(...tools);
   lab.on("scene", () => {
-    palette.hidden = lab.live === null;
+    palette.hidden = lab.live === null || lab.info.dimensions === 3;
+    turn.hidden = lab.info.dimensions === 2;
     if (palette.hidden) choose("move");
   });
+  const turn = button("orbit", "from aside, plan, elevation (v)", () => view.turn(showNext));
+  turn.hidden = lab.info.dimensions === 2;
   choose("move");
 
   const zoomBy = (factor: number) => (): void => {
@@ -47,7 +52,7 @@ export function mountMapControls(lab: PageLab, view: WorldView, hand: Hand,
     view.touch();
   };
   zoom.replaceChildren(button("plus", "zoom in (+)", zoomBy(1.5)), button("minus", "zoom out (−)", zoomBy(1 / 1.5)),
-    button("fit", "show all (f)", () => view.fit()));
+    button("fit", "show all (f)", () => view.fit()), turn);
   mountLegend(lab, view, legend);
   return choose;
 }

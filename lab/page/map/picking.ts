@@ -2,6 +2,7 @@
 // Finds the thing under a pixel of the map.
 import { toMeters } from "./camera.ts";
 import type { PageLab } from "../run/make_lab.ts";
+import type { Shown } from "./shown.ts";
 import { hasGoalShown } from "./world_layers.ts";
 import type { WorldView } from "./world_view.ts";
 
@@ -22,8 +23,8 @@ export function pick(lab: PageLab, view: WorldView, px: number, py: number, touc
   const { shown } = view;
   const { moment } = shown;
   const toRobot = (i: number) => Math.hypot(shown.x[i]! - x, shown.y[i]! - y);
-  const toGoal = (i: number) => Math.hypot(moment.goal[2 * i]! - x, moment.goal[2 * i + 1]! - y);
-  const robot = nearest(moment.robot.length, slack, (i) => toRobot(i) - shown.radius[i]!);
+  const toGoal = (i: number) => Math.hypot(shown.goal[2 * i]! - x, shown.goal[2 * i + 1]! - y);
+  const robot = inFront(shown, toRobot) ?? nearest(moment.robot.length, slack, (i) => toRobot(i) - shown.radius[i]!);
   const goal = nearest(moment.robot.length, slack + 3 / view.camera.scale, (i) => (hasGoalShown(lab, shown, i) ? toGoal(i) : Infinity));
   const isGoal = goal >= 0 && (robot < 0 || toGoal(goal) < toRobot(robot) - 2 / view.camera.scale);
   if (isGoal) return { kind: "goal", robot: moment.robot[goal]! };
@@ -31,6 +32,12 @@ export function pick(lab: PageLab, view: WorldView, px: number, py: number, touc
   const mover = nearest(shown.movers.length, slack, (k) => Math.hypot(shown.movers[k]!.x - x, shown.movers[k]!.y - y) - shown.movers[k]!.radius);
   if (mover >= 0) return { kind: "mover", mover };
   return pickWall(lab, x, y, slack);
+}
+
+/** In space, returns the row of the nearest ball to the viewer over that place of the picture. */
+export function inFront({ order, radius }: Pick<Shown, "order" | "radius">, toRobot: (row: number) => number): number | undefined {
+  for (let k = (order?.length ?? 0) - 1; k >= 0; --k) if (toRobot(order![k]!) <= radius[order![k]!]!) return order![k];
+  return undefined;
 }
 
 function pickWall(lab: PageLab, x: number, y: number, slack: number): Hit | null {

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // Mouse, pen and fingers on the map: they pan, zoom, pinch, hover, select and drag.
 import { toMeters, zoomAt } from "./camera.ts";
+import { speedOf } from "./discs.ts";
 import { begin, click, type Gesture, type Tool } from "./dragging.ts";
 import { digits } from "../elements.ts";
 import { STATUSES } from "../../avo/avo.ts";
 import type { PageLab } from "../run/make_lab.ts";
 import { nameOf, pick, type Hit } from "./picking.ts";
+import { turnBy } from "./orbit.ts";
 import type { WorldView } from "./world_view.ts";
 
 const CLICK = 4;  // pixels that a click may move
@@ -14,7 +16,8 @@ export interface Hand { tool: Tool }
 
 type Pixel = [number, number];  // of the canvas
 
-interface Press { px: number; py: number; moved: boolean; gesture: Gesture | null; isFinger: boolean }
+/** `pans`: in space, a drag that does not turn the view. */
+interface Press { px: number; py: number; moved: boolean; gesture: Gesture | null; isFinger: boolean; pans: boolean }
 
 /** The present actions of fingers, the mouse or a pen. */
 interface Grip {
@@ -43,6 +46,7 @@ export function mountPointer(lab: PageLab, view: WorldView, hand: Hand, tip: HTM
   canvas.addEventListener("dblclick", () => {
     if (hand.tool === "move" && lab.selected === null) view.fit();
   });
+  canvas.addEventListener("contextmenu", (event) => { if (view.orbit) event.preventDefault(); });  // that button pans
   mountEscape(grip);
   mountWheel(view);
 }
@@ -57,7 +61,7 @@ function down(grip: Grip, event: PointerEvent): void {
   const isFinger = event.pointerType === "touch";
   const hit = pick(lab, view, px, py, isFinger);
   const gesture = event.button === 0 ? begin(lab, view, hand.tool, hit, toMeters(view.camera, px, py)) : null;
-  grip.press = { px, py, moved: false, gesture, isFinger };
+  grip.press = { px, py, moved: false, gesture, isFinger, pans: event.shiftKey || event.button !== 0 };
 }
 
 function move({ lab, view, hand, tip, fingers, press }: Grip, event: PointerEvent): void {
@@ -76,6 +80,8 @@ function move({ lab, view, hand, tip, fingers, press }: Grip, event: PointerEven
   const { gesture } = press;
   if (gesture) {
     view.preview = (layers, paint) => gesture.show(layers, paint, toMeters(camera, ...now));
+  } else if (view.orbit && !press.pans) {
+    view.turn((orbit) => turnBy(orbit, now[0] - before[0], now[1] - before[1]));
   } else {
     camera.x -= (now[0] - before[0]) / camera.scale;
     camera.y += (now[1] - before[1]) / camera.scale;
@@ -158,7 +164,7 @@ function saysOf(lab: PageLab, hit: Hit): string {
   if (hit.kind === "wall") return "wall";
   const { moment } = lab;
   const row = moment.robot.indexOf(hit.robot);
-  const speed = Math.hypot(moment.velocity[2 * row]!, moment.velocity[2 * row + 1]!);
+  const speed = speedOf(moment, row);
   const how = moment.arrived[row] ? "at its goal" : moment.decided[row] ? STATUSES[moment.status[row]!]!.replace("_", " ") : "";
   return [`robot ${hit.robot}`, `${digits(speed)} m/s`, how].filter(Boolean).join(" · ");
 }

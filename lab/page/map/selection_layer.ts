@@ -15,6 +15,7 @@ let known: Known | null = null;  // for the last requested moment
 function brakingPaths(lab: PageLab, robot: number): BrakingPath[] {
   const { live, moment } = lab;
   if (known && known.live === live && known.moment === moment && known.robot === robot) return known.paths;
+  if (moment.dimensions === 3) return [];
   if (!live && lab.playing) return [];  // each row of a recording would need a simulation
   let paths: BrakingPath[] = [];
   try {
@@ -41,7 +42,7 @@ function drawSelected(layers: Layers, lab: PageLab, shown: Shown, row: number, p
   const [x, y] = [shown.x[row]!, shown.y[row]!];
   disc(layers.above, x, y, lab.info.options.sensing_radius, paint.accent, 0.4, { form: FORM.dashed, outline: 1 });
   ring(layers, x, y, shown.radius[row]! + 0.12, paint.accent, 2.5);
-  const [vx, vy] = [moment.velocity[2 * row]!, moment.velocity[2 * row + 1]!];
+  const [vx, vy] = [shown.velocity[2 * row]!, shown.velocity[2 * row + 1]!];
   line(layers.links, x, y, x + vx, y + vy, paint.ink, 1, 0, 1.2);
   brakingPaths(lab, moment.robot[row]!).forEach(({ of, points, radius }, k) => {
     drawBraking(layers, points, radius, k === 0 ? paint.accent : paint.mover, k === 0);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Two kinds of shapes, discs with marks and thick lines; one call draws all shapes of a kind. Their rows are in a
+// Three kinds of shapes, discs with marks, thick lines and parallelograms; one call draws all shapes of a kind. Their rows are in a
 // texture, and each of the four vertices of a shape reads its values from it. Without a graphics processor, instances
 // would be as slow as one call for each shape.
 
@@ -42,7 +42,7 @@ void main() {
   gl_Position = vec4(clip(place.xy, reach), 0.0, 1.0);
 }`;
 
-/** Forms: 0 disc, 1 ring, 2 dashed ring, 3 diamond ring, 4 cross. Marks: 1 wedge ahead, 2 dart, 3 dot, 4 bar. */
+/** Forms: 0 disc, 1 ring, 2 dashed ring, 3 diamond ring, 4 cross, 5 ball. Marks: 1 wedge ahead, 2 dart, 3 dot, 4 bar. */
 const DISC_FRAGMENT = `#version 300 es
 precision highp float;
 in vec2 v_at;
@@ -57,7 +57,7 @@ void main() {
   float from = length(v_at);
   float form = v_look.x;
   float alpha;
-  if (form < 0.5) alpha = cover(from - r);
+  if (form < 0.5 || form > 4.5) alpha = cover(from - r);
   else if (form < 2.5) {
     float width = max(v_look.z, 1.0);
     alpha = cover(abs(from - r + width * 0.5) - width * 0.5);
@@ -71,6 +71,7 @@ void main() {
     alpha = cover(d - max(v_look.z, 1.0) * 0.5);
   }
   vec4 paint = v_color;
+  if (form > 4.5) paint.rgb *= 1.0 - 0.5 * smoothstep(0.2, 1.4, length(v_at / r - vec2(-0.35, 0.4)));  // lit from the upper left
   float mark = v_look.y;
   if (mark > 0.5 && r > 2.5) {
     float d;
@@ -124,6 +125,24 @@ void main() {
   color = vec4(v_color.rgb, 1.0) * (v_color.a * fade * ends * clamp(0.5 - d, 0.0, 1.0));
 }`;
 
+/** A parallelogram with a corner and two sides. */
+const FACE_VERTEX = `#version 300 es
+precision highp float;
+${PLACE}
+flat out vec4 v_color;
+void main() {
+  vec4 place = texel(0);  // a corner, a side (m)
+  vec2 share = 0.5 * corner() + 0.5;
+  v_color = texel(1);
+  gl_Position = vec4(clip(place.xy + share.x * place.zw + share.y * texel(2).xy, vec2(0.0)), 0.0, 1.0);
+}`;
+
+const FACE_FRAGMENT = `#version 300 es
+precision highp float;
+flat in vec4 v_color;
+out vec4 color;
+void main() { color = vec4(v_color.rgb, 1.0) * v_color.a; }`;
+
 /** Rows of numbers, one for each shape; the memory grows as it is filled. */
 export class Rows {
   data = new Float32Array(COLUMNS * SHAPES_A_LINE);
@@ -146,6 +165,7 @@ export interface Painter {
   gl: WebGL2RenderingContext;
   discs: Shape;
   lines: Shape;
+  faces: Shape;
   textures: Map<Rows, { texture: WebGLTexture; lines: number }>;
   corners: number;  // number of shapes with corners in the index buffer
 }
@@ -156,12 +176,13 @@ export function makePainter(gl: WebGL2RenderingContext): Painter {
   gl.bindVertexArray(gl.createVertexArray());  // without attributes: a vertex is identified by its number
   gl.bindBuffer(gl.ELEMENT_ARRAY_BUFFER, gl.createBuffer());
   const [discs, lines] = [makeShape(gl, DISC_VERTEX, DISC_FRAGMENT), makeShape(gl, LINE_VERTEX, LINE_FRAGMENT)];
-  return { gl, discs, lines, textures: new Map(), corners: 0 };
+  const faces = makeShape(gl, FACE_VERTEX, FACE_FRAGMENT);
+  return { gl, discs, lines, faces, textures: new Map(), corners: 0 };
 }
 
 /** The transform of all later drawing: meters in the middle, device pixels per meter and per pixel of CSS. */
-export function look({ gl, discs, lines }: Painter, x: number, y: number, scale: number, density: number, ink: number[]): void {
-  for (const { program, uniform } of [lines, discs]) {
+export function look({ gl, discs, lines, faces }: Painter, x: number, y: number, scale: number, density: number, ink: number[]): void {
+  for (const { program, uniform } of [lines, faces, discs]) {
     gl.useProgram(program);
     gl.uniform2f(uniform["u_middle"]!, x, y);
     gl.uniform2f(uniform["u_size"]!, gl.drawingBufferWidth, gl.drawingBufferHeight);

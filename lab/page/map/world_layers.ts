@@ -4,13 +4,14 @@ import { STATUSES } from "../../avo/avo.ts";
 import { roundLength, toMeters, type Camera } from "./camera.ts";
 import { directionColor, rgbOf, shareColor, type Rgb } from "./colors.ts";
 import type { Contact, Lab } from "../run/lab.ts";
+import { speedOf } from "./discs.ts";
 import { STATUS_COLORS } from "../inspector/palette.ts";
 import type { Shown } from "./shown.ts";
 import { forHeads, forTrails, type Trails } from "./trails.ts";
 import { Rows } from "./webgl.ts";
 
 export type Coloring = "goal" | "status" | "speed";
-export const FORM = { disc: 0, ring: 1, dashed: 2, diamond: 3, cross: 4 };
+export const FORM = { disc: 0, ring: 1, dashed: 2, diamond: 3, cross: 4, ball: 5 };
 export const MARK = { none: 0, wedge: 1, dart: 2, dot: 3, bar: 4 };
 
 const LEAST_RADIUS = 1;      // pixels, so that a disc never vanishes
@@ -37,6 +38,7 @@ export function themePaint(): Paint {
 
 /** Rows that are filled again for each picture; `under` is drawn first, and `trail` changes only with the steps. */
 export class Layers {
+  faces = new Rows();  // of boxes in space
   ground = new Rows();
   trail = new Rows();
   heads = new Rows();
@@ -45,7 +47,7 @@ export class Layers {
   discs = new Rows();
   above = new Rows();
   clear(): void {
-    for (const rows of [this.ground, this.heads, this.below, this.links, this.discs, this.above]) rows.clear();
+    for (const rows of [this.faces, this.ground, this.heads, this.below, this.links, this.discs, this.above]) rows.clear();
   }
 }
 
@@ -68,16 +70,15 @@ export function robotColors(lab: Lab, shown: Shown, coloring: Coloring, homes: M
   return Array.from(moment.robot, (robot, i) => {
     if (coloring === "status") return (moment.decided[i] && statuses[moment.status[i]!]) || rgbOf("#8a8a8a");
     if (coloring === "goal") return homes.get(robot) ?? directionColor(robot * 2.4, lab.theme);
-    const speed = Math.hypot(moment.velocity[2 * i]!, moment.velocity[2 * i + 1]!);
-    return shareColor(speed / (robots[i]?.max_speed ?? 2));
+    return shareColor(speedOf(moment, i, robots[i]) / (robots[i]?.max_speed ?? 2));
   });
 }
 
 /** Returns for each robot the direction from its place to its goal, rad. */
 export function homeAngles(shown: Shown): Map<number, number> {
-  const { moment } = shown;
+  const { moment, goal } = shown;
   return new Map(Array.from(moment.robot, (robot, i) => {
-    const angle = Math.atan2(moment.goal[2 * i + 1]! - shown.y[i]!, moment.goal[2 * i]! - shown.x[i]!);
+    const angle = Math.atan2(goal[2 * i + 1]! - shown.y[i]!, goal[2 * i]! - shown.x[i]!);
     return [robot, Number.isFinite(angle) ? angle : robot * 2.4];
   }));
 }
@@ -109,11 +110,11 @@ export function drawWalls(layers: Layers, lab: Lab, paint: Paint): void {
 
 /** Draws the start of a run: the goal of each robot. */
 export function drawWays(layers: Layers, shown: Shown, colors: Rgb[]): void {
-  const { moment } = shown;
+  const { moment, goal } = shown;
   if (moment.steps > 0 || moment.robot.length > MANY_GOALS) return;
   const alpha = Math.min(0.45, 6 / moment.robot.length);
   moment.robot.forEach((_, i) => {
-    const [x, y] = [moment.goal[2 * i]!, moment.goal[2 * i + 1]!];
+    const [x, y] = [goal[2 * i]!, goal[2 * i + 1]!];
     if (Number.isFinite(x)) line(layers.ground, shown.x[i]!, shown.y[i]!, x, y, colors[i]!, alpha, 0, 0.6, 0.3);
   });
 }
@@ -121,7 +122,7 @@ export function drawWays(layers: Layers, shown: Shown, colors: Rgb[]): void {
 /** Draws the pieces of the trails between past steps. */
 export function drawTrails(layers: Layers, trails: Trails, shown: Shown, colors: Rgb[]): void {
   layers.trail.clear();
-  forTrails(trails, shown.moment, (row, ax, ay, bx, by, young) =>
+  forTrails(trails, shown, (row, ax, ay, bx, by, young) =>
     line(layers.trail, ax, ay, bx, by, colors[row]!, 0.5 * Math.max(0, young), 0.04, 0.8, 1, true));
 }
 
@@ -133,8 +134,8 @@ const isLookedAt = (lab: Lab, robot: number) => robot === lab.selected || lab.hi
 
 /** Returns whether to draw the goal of row i: with many robots, and for arrived robots, only if it is selected or
  * highlighted. */
-export function hasGoalShown(lab: Lab, { moment }: Shown, i: number): boolean {
-  if (!Number.isFinite(moment.goal[2 * i]!)) return false;
+export function hasGoalShown(lab: Lab, { moment, goal }: Shown, i: number): boolean {
+  if (!Number.isFinite(goal[2 * i]!)) return false;
   return isLookedAt(lab, moment.robot[i]!) || (moment.robot.length <= MANY_GOALS && !moment.arrived[i]);
 }
 
@@ -150,7 +151,7 @@ export function drawGoals(layers: Layers, lab: Lab, shown: Shown, colors: Rgb[],
   moment.robot.forEach((robot, i) => {
     if (!hasGoalShown(lab, shown, i)) return;
     const looked = isLookedAt(lab, robot);
-    const [x, y] = [moment.goal[2 * i]!, moment.goal[2 * i + 1]!];
+    const [x, y] = [shown.goal[2 * i]!, shown.goal[2 * i + 1]!];
     const rows = looked || !isTaken(shown, x, y, 2 * pixel) ? layers.above : layers.below;
     disc(rows, x, y, 0.22, colors[i]!, looked ? 1 : 0.6, { form: FORM.diamond, outline: looked ? 2 : 1.4, least: 3 });
     if (looked) line(layers.links, shown.x[i]!, shown.y[i]!, x, y, colors[i]!, 0.6, 0, 0.7);
@@ -160,7 +161,7 @@ export function drawGoals(layers: Layers, lab: Lab, shown: Shown, colors: Rgb[],
 export function drawMovers(layers: Layers, lab: Lab, shown: Shown, paint: Paint): void {
   shown.movers.forEach(({ x, y, vx, vy, radius }, k) => {
     line(layers.links, x, y, x + vx, y + vy, paint.mover, 1, 0, 1.2);
-    disc(layers.below, x, y, radius, paint.mover, 0.85, { least: LEAST_RADIUS });
+    disc(layers.below, x, y, radius, paint.mover, 0.85, { form: shown.order ? FORM.ball : FORM.disc, least: LEAST_RADIUS });
     if (lab.highlighted === `moving_obstacles.${k}`) ring(layers, x, y, radius, paint.ink, 1.5);
   });
 }
@@ -176,19 +177,25 @@ function centersOf(shown: Shown, row: number): [number, number][] {
   });
 }
 
+/** The form of a robot that goes its way, and its opacity. */
+export type BodyOf = (row: number) => { form: number; alpha: number };
+const FLAT = { form: FORM.disc, alpha: 1 };
+
 /** Filled: the robot decides as usual. Hollow: it brakes. Dashed: no velocity satisfies all half-planes, or a number is
  * not valid. A heavy rim: it touches another disc. A dot: it has arrived. */
-export function drawRobots(layers: Layers, shown: Shown, colors: Rgb[], paint: Paint): void {
-  const { moment, robots } = shown;
+export function drawRobots(layers: Layers, shown: Shown, colors: Rgb[], paint: Paint, bodyOf: BodyOf = () => FLAT): void {
+  const { moment, robots, order } = shown;
   const few = moment.robot.length <= FEW;
-  for (let i = 0; i < moment.robot.length; ++i) {
+  for (let k = 0; k < moment.robot.length; ++k) {
+    const i = order?.[k] ?? k;
+    const body = bodyOf(i);
     const [color, heading] = [colors[i]!, shown.heading[i]!];
     const robot = robots[i];
     const r = robot?.footprint?.radius ?? shown.radius[i]!;
     const least = !few ? LEAST_RADIUS : robot?.model === "airplane" ? LEAST_AIRPLANE : LEAST_OF_FEW;
     const status = moment.decided[i] ? moment.status[i] : -1;
     const draw = (paintOfDisc: Rgb, alpha: number, look: DiscLook) => {
-      for (const [x, y] of centersOf(shown, i)) disc(layers.discs, x, y, r, paintOfDisc, alpha, look);
+      for (const [x, y] of centersOf(shown, i)) disc(layers.discs, x, y, r, paintOfDisc, body.alpha * alpha, look);
     };
     if (robot?.parked) {
       draw(paint.mover, 0.9, { mark: MARK.bar, least });
@@ -199,7 +206,7 @@ export function drawRobots(layers: Layers, shown: Shown, colors: Rgb[], paint: P
     const mark = headed || (moment.arrived[i] ? MARK.dot : MARK.none);
     const touches = status === OVERLAPPING || moment.clearance[i]! < -1e-9;
     const hollow = !touches && !moment.arrived[i] && (status === BRAKING || status === LEAST_UNSAFE || status === INVALID);
-    draw(color, hollow ? 0.28 : moment.arrived[i] ? 0.55 : 1, { mark, least, heading });
+    draw(color, hollow ? 0.28 : moment.arrived[i] ? 0.55 : 1, { form: body.form, mark, least, heading });
     if (hollow) draw(color, 1, { form: status === BRAKING ? FORM.ring : FORM.dashed, outline: 2, least });
     if (touches) draw(paint.danger, 1, { form: FORM.ring, outline: 3, least: least + 1 });
   }
@@ -212,12 +219,12 @@ export function ring(layers: Layers, x: number, y: number, radius: number, color
 const FEW_TOUCHES = 12;  // with more contacts at once, the crosses have no rings
 
 /** Draws crosses where discs have touched so far; present contacts are larger. */
-export function drawContacts(layers: Layers, contacts: readonly Contact[], time: number, paint: Paint): void {
+export function drawContacts(layers: Layers, contacts: readonly Contact[], time: number, { project }: Shown, paint: Paint): void {
   const begun = contacts.filter((contact) => contact.time <= time + 1e-9);
   const isNow = ({ last }: Contact) => last >= time - 1e-9;
   const few = begun.filter(isNow).length <= FEW_TOUCHES;
   for (const contact of begun) {
-    const { x, y } = contact;
+    const [x, y] = project(contact.x, contact.y, contact.z ?? 0);
     const now = isNow(contact);
     disc(layers.above, x, y, now ? 0.35 : 0.2, paint.danger, now ? 1 : 0.7, { form: FORM.cross, outline: now ? 2.2 : 1.5, least: now ? 4 : 3 });
     if (now && few) disc(layers.above, x, y, 0, paint.danger, 0.9, { form: FORM.ring, outline: 1.5, least: 12 });

@@ -1,11 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 // The map: it draws the Lab's content whenever that changes, and finds the thing under a pixel.
 import type { Moment } from "../../avo/avo.ts";
-import { emptyBox, fit, include, toPixels, type Camera, type Margin } from "./camera.ts";
+import { emptyBox, fit, include, toPixels, type Box, type Camera, type Margin } from "./camera.ts";
 import type { Rgb } from "./colors.ts";
+import { vectorOf } from "./discs.ts";
+import { ASIDE, ofThePlane, PLAN, projectionOf, type Orbit } from "./orbit.ts";
 import type { PageLab } from "../run/make_lab.ts";
 import { drawSelection } from "./selection_layer.ts";
+import type { Run } from "../run/run.ts";
 import { shownOf, type Shown } from "./shown.ts";
+import { bodiesOf, drawBoxes, drawDownwash, drawGround } from "./space_layers.ts";
+import { cornersOf, middleOf, stageOf, type Stage } from "./stage.ts";
 import { noteTrails, type Trails } from "./trails.ts";
 import { look, makePainter, paint, type Painter } from "./webgl.ts";
 import {
@@ -20,6 +25,7 @@ const PHONE_MARGIN = { x: 16, top: 84, bottom: 50 };
 export interface WorldView {
   readonly canvas: HTMLCanvasElement;
   readonly camera: Camera;
+  readonly orbit: Orbit | null;                   // null in the plane
   readonly shown: Shown;                          // for the last picture, or for a later moment
   preview: ((layers: Layers, paint: Paint) => void) | null;  // the preview of a gesture
   readonly whenDrawn: Set<() => void>;
@@ -27,12 +33,16 @@ export interface WorldView {
   fit(): void;
   /** Requests another picture before the next frame. */
   touch(): void;
+  /** Turns the view, in space. */
+  turn(by: (orbit: Orbit) => void): void;
   /** Draws if necessary. Returns true if it drew. */
   frame(): boolean;
 }
 
 /** The drawn content, and flags for its outdated parts. */
 interface Drawing {
+  run: Run;                     // the run whose stage is shown
+  space: { orbit: Orbit; stage: Stage } | null;  // null in the plane
   layers: Layers;
   trails: Trails;
   theme: Paint;
@@ -59,6 +69,7 @@ export function makeWorldView(lab: PageLab, canvas: HTMLCanvasElement): WorldVie
 
   const shown = shownOf(lab.run, 1);
   const drawing: Drawing = {
+    run: lab.run, space: spaceOf(lab, null),
     layers: new Layers(), trails: { samples: [] }, theme: themePaint(), angles: homeAngles(shown),
     homes: homeColors(homeAngles(shown), lab.theme),
     trailsAreOld: true, isOld: true, shown, shownIsOld: false,
@@ -66,16 +77,22 @@ export function makeWorldView(lab: PageLab, canvas: HTMLCanvasElement): WorldVie
   const view: WorldView = {
     canvas,
     camera: { x: 0, y: 0, scale: 10, width: 1, height: 1 },
+    get orbit() { return drawing.space?.orbit ?? null; },
     get shown() {
-      if (drawing.shownIsOld) drawing.shown = shownOf(lab.run, lab.share);
+      if (drawing.shownIsOld) drawing.shown = shownOf(lab.run, lab.share, projectionIn(drawing));
       drawing.shownIsOld = false;
       return drawing.shown;
     },
     preview: null,
     whenDrawn: new Set(),
     touch() { drawing.isOld = true; },
+    turn(by) {
+      if (!drawing.space) return;
+      by(drawing.space.orbit);
+      drawing.trailsAreOld = drawing.isOld = drawing.shownIsOld = true;
+    },
     fit() {
-      fit(view.camera, boxOf(lab, view.shown), marginOf(view.camera));
+      fit(view.camera, boxOf(lab, view.shown, drawing.space?.stage ?? null), marginOf(view.camera));
       drawing.isOld = true;
     },
     frame() {
@@ -98,31 +115,51 @@ export function makeWorldView(lab: PageLab, canvas: HTMLCanvasElement): WorldVie
   return view;
 }
 
-function fillLayers(lab: PageLab, view: WorldView, { layers, trails, theme, homes, trailsAreOld }: Drawing): void {
+function projectionIn({ space }: Pick<Drawing, "space">): Shown["project"] {
+  return space ? projectionOf(space.orbit) : ofThePlane;
+}
+
+/** Returns the surroundings of the present run, seen from where `before` was seen. */
+function spaceOf(lab: PageLab, before: Drawing["space"]): Drawing["space"] {
+  if (lab.info.dimensions === 2) return null;
+  const stage = stageOf(lab.run.moment, lab.info);
+  return { stage, orbit: { ...(before?.orbit ?? ASIDE), pivot: middleOf(stage.bounds) } };
+}
+
+/** Returns the colors' angles as the plan shows them, whatever the view. */
+function anglesOf(lab: PageLab, view: WorldView): Map<number, number> {
+  return homeAngles(view.orbit ? shownOf(lab.run, 1, projectionOf({ ...view.orbit, ...PLAN })) : view.shown);
+}
+
+function fillLayers(lab: PageLab, view: WorldView, { layers, trails, theme, homes, trailsAreOld, space }: Drawing): void {
   const { shown, camera } = view;
   layers.clear();
   const colors = robotColors(lab, shown, lab.coloring, homes);
   if (trailsAreOld) drawTrails(layers, trails, shown, colors);
-  drawGrid(layers, camera, theme);
+  if (space) drawGround(layers, space.stage, shown, theme);
+  else drawGrid(layers, camera, theme);
   drawWays(layers, shown, colors);
-  drawWalls(layers, lab, theme);
+  if (space) drawBoxes(layers, lab, space.stage, shown, space.orbit, theme);
+  else drawWalls(layers, lab, theme);
+  if (space) drawDownwash(layers, shown, colors);
   drawHeads(layers, trails, shown, colors);
   drawGoals(layers, lab, shown, colors, 1 / camera.scale);
   drawMovers(layers, lab, shown, theme);
-  drawRobots(layers, shown, colors, theme);
+  drawRobots(layers, shown, colors, theme, space ? bodiesOf(space.stage, shown, space.orbit) : undefined);
   drawSelection(layers, lab, shown, theme);
-  drawContacts(layers, lab.contacts, lab.moment.time, theme);
+  drawContacts(layers, lab.contacts, lab.moment.time, shown, theme);
   view.preview?.(layers, theme);
 }
 
 function paintLayers(painter: Painter, { canvas, camera }: WorldView, drawing: Drawing): void {
-  const { gl, discs, lines } = painter;
+  const { gl, discs, lines, faces } = painter;
   const { layers, theme } = drawing;
   const density = canvas.width / camera.width;
   gl.viewport(0, 0, canvas.width, canvas.height);
   gl.clearColor(...theme.world, 1);
   gl.clear(gl.COLOR_BUFFER_BIT);
   look(painter, camera.x, camera.y, camera.scale * density, density, [...theme.world, 0.9]);
+  paint(painter, faces, layers.faces);
   paint(painter, lines, layers.ground);
   paint(painter, lines, layers.trail, drawing.trailsAreOld);
   paint(painter, lines, layers.heads);
@@ -159,7 +196,9 @@ function followLab(lab: PageLab, view: WorldView, drawing: Drawing): void {
   });
   lab.on("scene", () => {
     drawing.shownIsOld = true;
-    if (lab.moment.steps === 0) drawing.angles = homeAngles(view.shown);
+    if (lab.run !== drawing.run) drawing.space = spaceOf(lab, fitted.name === lab.name ? drawing.space : null);
+    drawing.run = lab.run;
+    if (lab.moment.steps === 0) drawing.angles = anglesOf(lab, view);
     drawing.homes = homeColors(drawing.angles, lab.theme);
     const { name, start } = fitted;
     fitted.name = lab.name;
@@ -187,7 +226,7 @@ function marginOf({ height }: Camera): Margin {
  * robot dragged. */
 function beginsElsewhere(now: Moment, before: Moment): boolean {
   if (now === before) return false;
-  const placesOf = ({ robot, position }: Moment) => Array.from(robot, (_, i) => `${position[2 * i]} ${position[2 * i + 1]}`);
+  const placesOf = ({ robot, position, dimensions }: Moment) => Array.from(robot, (_, i) => vectorOf(position, dimensions, i).join(" "));
   const known = new Set(placesOf(before));
   return 2 * placesOf(now).filter((place) => !known.has(place)).length > now.robot.length;
 }
@@ -202,12 +241,13 @@ function isOutside({ camera, shown: { x, y } }: WorldView): boolean {
 }
 
 /** Returns the box of everything, goals included. */
-function boxOf(lab: PageLab, shown: Shown) {
+function boxOf(lab: PageLab, shown: Shown, stage: Stage | null): Box {
   const box = emptyBox();
   const { moment } = shown;
+  for (const corner of stage ? cornersOf(stage.bounds) : []) include(box, ...(shown.project(...corner).slice(0, 2) as [number, number]));
   moment.robot.forEach((_, i) => {
     include(box, shown.x[i]!, shown.y[i]!, shown.radius[i]!);
-    include(box, moment.goal[2 * i]!, moment.goal[2 * i + 1]!, shown.radius[i]!);
+    include(box, shown.goal[2 * i]!, shown.goal[2 * i + 1]!, shown.radius[i]!);
   });
   for (const { a, b, radius } of lab.info.walls) {
     include(box, ...a, radius);

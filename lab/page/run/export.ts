@@ -72,9 +72,9 @@ export async function csvOfRun(lab: PageLab, progress: Progress): Promise<string
   const { library, run } = lab;
   const parts: string[] = [];
   if (run instanceof RecordedRun) {
-    const { headings, every, times } = run.recording;
+    const { dimensions, headings, every, times } = run.recording;
     for (let k = 0; k < times.length && !progress.cancelled; ++k) {
-      parts.push(csvOf(library, await run.recording.frame(k), { headings, every, begins: k === 0 }));
+      parts.push(csvOf(library, await run.recording.frame(k), { dimensions, headings, every, begins: k === 0 }));
       progress.tell((k + 1) / times.length);
       if (k % 16 === 15) await pause(0);  // so that the page stays responsive
     }
@@ -83,7 +83,7 @@ export async function csvOfRun(lab: PageLab, progress: Progress): Promise<string
   const turning = new Set(lab.info.robots.filter(({ model }) => model !== "holonomic").map(({ robot }) => robot));
   await walk(lab, timesSoFar(lab), progress, (k) => {
     const heading = lab.moment.heading.map((angle, i) => (turning.has(lab.moment.robot[i]!) ? angle : NaN));
-    parts.push(csvOf(library, { ...lab.moment, heading }, { headings: turning.size > 0, every: 1, begins: k === 0 }));
+    parts.push(csvOf(library, { ...lab.moment, heading }, { dimensions: lab.moment.dimensions, headings: turning.size > 0, every: 1, begins: k === 0 }));
   });
   return parts.join("");
 }

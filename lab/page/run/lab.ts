@@ -29,6 +29,7 @@ export interface Contact {
   b: string;
   x: number;      // m
   y: number;
+  z?: number;     // in space
   depth: number;  // m, the largest depth, which was at (x, y)
 }
 

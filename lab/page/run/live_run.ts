@@ -137,7 +137,7 @@ export class LiveRun implements Run {
   private note(): void {
     const { info, past } = this;
     const moment = this.now();
-    const near = info.walls.length + info.moving_obstacles.length > 0 || moment.clearance.some((clearance) => clearance < 0);
+    const near = info.walls.length + info.boxes.length + info.moving_obstacles.length > 0 || moment.clearance.some((clearance) => clearance < 0);
     const touches = near ? this.live.contacts() : [];
     this.log.note(touches, moment.time, past.size ? past.times[past.size - 1]! : moment.time);
     past.push(moment, info, touches.length);

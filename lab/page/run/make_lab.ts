@@ -24,7 +24,7 @@ export interface PageLab extends Lab {
   /** Does `edit` to the simulation now, and again whenever the run passes this place; returns false and sets `error` if
    * it is refused. */
   edit(edit: (simulation: Simulation) => void): boolean;
-  /** Continues with another text from the robots' present places; at the start of a run, from its start. */
+  /** Continues with another text from the robots' present places; at the start of a run, and in space, from its start. */
   carryOn(yaml: string): boolean;
   /** Sets another text for the same run, which is already in the state that the text describes. */
   noteText(yaml: string): void;
@@ -55,6 +55,8 @@ export interface Core {
   /** Shows another time or run. */
   shown(...events: LabEvent[]): void;
 }
+
+const SPACE_IS_WRITTEN = "robots of space are added, moved and removed in the text of the scene";
 
 /** Informs a new listener of earlier events. */
 const TELLING_ORDER = ["text", "scene", "moment"] as const;
@@ -164,6 +166,7 @@ function editing(core: Core): Partial<PageLab> {
     edit(change) {
       const live = core.run;
       if (!(live instanceof LiveRun)) return lab.carryOn(lab.text);  // which says why it is refused
+      if (live.info.dimensions === 3) return core.fail(SPACE_IS_WRITTEN);
       return core.attempt(() => {
         live.edit((simulation) => { change(simulation); return simulation; });
         core.shown("scene", "moment");
@@ -174,7 +177,8 @@ function editing(core: Core): Partial<PageLab> {
       if (!(live instanceof LiveRun)) return core.fail(whyChangeless(lab.text));
       const options = { ...lab.options, name: lab.name };
       return core.attempt(() => {
-        if (live.moment.steps === 0 && !live.handmade) core.run = new LiveRun(library.simulate(yaml, options), yaml);
+        const begins = live.moment.steps === 0 && !live.handmade;
+        if (begins || core.run.info.dimensions === 3) core.run = new LiveRun(library.simulate(yaml, options), yaml);
         else live.edit((simulation) => simulation.carriedInto(yaml, options), yaml);
         core.shown("text", "scene", "moment");
       });

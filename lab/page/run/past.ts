@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The results of each step of a run, in columns, for charts and for the strip of a robot's decisions.
 import { STATUSES, type Moment, type SceneInfo } from "../../avo/avo.ts";
-import { robotsOf } from "../map/discs.ts";
+import { robotsOf, speedOf } from "../map/discs.ts";
 import type { Past } from "./lab.ts";
 import { NO_DECISION } from "./thinned.ts";
 
@@ -92,7 +92,7 @@ function ratios(moment: Moment, info: SceneInfo): { speed: number; acceleration:
   let acceleration = 0;
   robotsOf(moment, info).forEach((robot, i) => {
     if (!robot) return;
-    speed = Math.max(speed, Math.hypot(moment.velocity[2 * i]!, moment.velocity[2 * i + 1]!) / robot.max_speed);
+    speed = Math.max(speed, speedOf(moment, i, robot) / robot.max_speed);
     if (robot.model === "airplane") return;  // it has another limit across its direction of flight
     acceleration = Math.max(acceleration, moment.acceleration[i]! / robot.max_acceleration);
   });

@@ -3,7 +3,7 @@
 import type { Moment, SceneInfo } from "../../avo/avo.ts";
 import type { Recording, RecordedFrame } from "../data/recording.ts";
 import { ContactLog } from "./contact_log.ts";
-import { fillClearance, touchesIn } from "../map/discs.ts";
+import { fillClearance, touchesIn, vectorOf } from "../map/discs.ts";
 import { PastColumns } from "./past.ts";
 import { lastAt, type Run } from "./run.ts";
 
@@ -12,7 +12,7 @@ const FRAMES_AHEAD = 24;
 const READING = 12;  // ms at a time, for reading the past
 const RESTING = 20;  // ms in between
 
-export type Goals = Map<number, [number, number]>;
+export type Goals = Map<number, number[]>;
 
 /** `scene` is its text, if there is one. */
 export const whyChangeless = (scene: string): string =>
@@ -55,7 +55,7 @@ export class RecordedRun implements Run {
 
   close(): void { this.isClosed = true; }
 
-  /** `text` is the scene's text, "" if unknown; `goals`: x and y (m) by robot number, if known. */
+  /** `text` is the scene's text, "" if unknown; `goals`: by robot number (m), if known. */
   static async open(recording: Recording, info: SceneInfo, text: string, goals: Goals): Promise<RecordedRun> {
     const first = momentOf(await recording.frame(0), 0, info, goals);
     return new RecordedRun(recording, info, text, goals, first);
@@ -128,15 +128,18 @@ export class RecordedRun implements Run {
 /** Returns the robots that are present in a frame. */
 function momentOf(frame: RecordedFrame, k: number, info: SceneInfo, goals: Goals): Moment {
   const robots = [...frame.there.keys()].filter((i) => frame.there[i]);
-  const pairs = (from: Float64Array) => Float64Array.from(robots.flatMap((i) => [from[2 * i]!, from[2 * i + 1]!]));
+  const { dimensions } = info;
+  const vectors = (from: Float64Array) => Float64Array.from(robots.flatMap((i) => [...from.subarray(dimensions * i, dimensions * (i + 1))]));
+  const unknown = new Array<number>(dimensions).fill(NaN);
   const parked = new Set(info.robots.filter((robot) => robot.parked).map((robot) => robot.robot));
   const moment: Moment = {
+    dimensions,
     time: frame.time,
     steps: k,
     robot: Int32Array.from(robots),
-    position: pairs(frame.position),
-    velocity: pairs(frame.velocity),
-    goal: Float64Array.from(robots.flatMap((i) => goals.get(i) ?? [NaN, NaN])),
+    position: vectors(frame.position),
+    velocity: vectors(frame.velocity),
+    goal: Float64Array.from(robots.flatMap((i) => goals.get(i) ?? unknown)),
     heading: Float64Array.from(robots, (i) => frame.heading[i] || 0),
     acceleration: new Float64Array(robots.length),
     status: Uint8Array.from(robots, (i) => frame.status[i]!),
@@ -151,8 +154,8 @@ function momentOf(frame: RecordedFrame, k: number, info: SceneInfo, goals: Goals
 }
 
 function distanceToGoal(moment: Moment, i: number): number {
-  const { position, goal } = moment;
-  return Math.hypot(goal[2 * i]! - position[2 * i]!, goal[2 * i + 1]! - position[2 * i + 1]!);
+  const [at, to] = [moment.position, moment.goal].map((of) => vectorOf(of, moment.dimensions, i));
+  return Math.hypot(to![0] - at![0], to![1] - at![1], to![2] - at![2]);
 }
 
 /** Returns m/s^2, from row to row; 0 for a robot that was absent. */
@@ -162,7 +165,7 @@ function changeOfVelocity(before: Moment, now: Moment): Float64Array {
   return Float64Array.from(now.robot, (robot, i) => {
     while (at < before.robot.length && before.robot[at]! < robot) ++at;
     if (before.robot[at] !== robot || span <= 0) return 0;
-    const change = [0, 1].map((axis) => now.velocity[2 * i + axis]! - before.velocity[2 * at + axis]!);
-    return Math.hypot(change[0]!, change[1]!) / span;
+    const [is, was] = [vectorOf(now.velocity, now.dimensions, i), vectorOf(before.velocity, before.dimensions, at)];
+    return Math.hypot(is[0] - was[0], is[1] - was[1], is[2] - was[2]) / span;
   });
 }

@@ -17,18 +17,20 @@ export function infoOf(recording: Recording, library: Library): { info: SceneInf
   if (!scene) return { info: unknownScene(recording, library), goals: new Map() };
   const simulation = library.simulate(scene.yaml, { ...liveOptions(recording), name: scene.name });
   const { robot, goal } = simulation.moment();
-  const goals: Goals = new Map(Array.from(robot, (number, i) => [number, [goal[2 * i]!, goal[2 * i + 1]!]]));
+  const { dimensions } = simulation;
+  const goals: Goals = new Map(Array.from(robot, (number, i) => [number, [...goal.subarray(dimensions * i, dimensions * (i + 1))]]));
   return { info: simulation.info(), goals };
 }
 
 /** The paper's constants, and the library's defaults. */
 const UNKNOWN = "version: 1\ncontrol_time: 2\ntime_horizon: 3\nsensing_radius: 15\n" +
   "robots: [{position: [0, 0], goal: [1, 0]}]\n";
+const UNKNOWN_IN_SPACE = "version: 1\nspace: 3\nrobots: [{position: [0, 0, 0], goal: [1, 0, 0]}]\n";
 
 /** Returns a scene for a table of positions alone. */
 function unknownScene(recording: Recording, library: Library): SceneInfo {
-  const { name, times, robots, headings } = recording;
-  const info = library.simulate(UNKNOWN).info();
+  const { name, times, robots, headings, dimensions } = recording;
+  const info = library.simulate(dimensions === 3 ? UNKNOWN_IN_SPACE : UNKNOWN).info();
   const known = { ...info.robots[0]!, model: headings ? "car" as const : "holonomic" as const };
   return {
     ...info, name, duration: times[times.length - 1]!,

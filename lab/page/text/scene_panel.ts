@@ -4,6 +4,7 @@ import { mountEditor } from "./editor.ts";
 import { element } from "../elements.ts";
 import type { PageLab } from "../run/make_lab.ts";
 import { described } from "./scene_picker.ts";
+import { SPACE_SCENES } from "./space_scenes.ts";
 import { mountSliders } from "./sliders.ts";
 
 export function mountScenePanel(lab: PageLab, root: HTMLElement): void {
@@ -14,7 +15,7 @@ export function mountScenePanel(lab: PageLab, root: HTMLElement): void {
   const editor = element("div", { class: "editor" });
   root.replaceChildren(element("header", { class: "scene-head" }, name, says, run), sliders,
     element("details", { class: "fold editor-fold", open: true }, element("summary", {}, "Text of the scene"), editor));
-  const descriptions = new Map(lab.library.builtinScenes().map((scene) => [scene.name, scene.description]));
+  const descriptions = new Map([...lab.library.builtinScenes(), ...SPACE_SCENES].map((scene) => [scene.name, scene.description]));
   run.addEventListener("click", () => lab.openText(lab.text));
   const refresh = (): void => {
     name.textContent = lab.info.name;

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// The built-in scenes, each with a picture of its start.
+// The built-in scenes and those of space, each with a picture of its start.
 import type { BuiltinScene } from "../../avo/avo.ts";
 import { closeFromBeside, crispContext, element } from "../elements.ts";
 import type { PageLab } from "../run/make_lab.ts";
+import { SPACE_SCENES } from "./space_scenes.ts";
 import { drawStart } from "../map/start_picture.ts";
 
 const WIDTH = 208, HEIGHT = 118;  // pixels of a picture
@@ -43,10 +44,11 @@ export function mountScenePicker(lab: PageLab, button: HTMLElement, place: HTMLE
 }
 
 function scenesOf(lab: PageLab): BuiltinScene[] {
-  return lab.library.builtinScenes().flatMap((scene) => {
+  const plane = lab.library.builtinScenes().flatMap((scene) => {
     const numbers = OF_ANY_NUMBER[scene.name];
     return numbers ? numbers.map((n) => ({ ...scene, name: scene.name.replace("N", String(n)) })) : [scene];
   });
+  return [...plane, ...SPACE_SCENES];
 }
 
 function makeCard(lab: PageLab, scene: BuiltinScene, done: () => void) {

@@ -115,7 +115,7 @@ function makeChoice(lab: PageLab, path: string, label: string) {
     refresh();
   });
   const refresh = () => {
-    select.disabled = lab.live === null;
+    select.disabled = lab.live === null || (path === "method" && lab.info.dimensions === 3);  // which has one method
     const known = lab.text ? valueAt(lab.text, path) : undefined;
     const comesTo = known === undefined ? String(lab.info.options[path]) : "";
     unset.textContent = comesTo || "default";

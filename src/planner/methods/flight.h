@@ -49,7 +49,7 @@ bool can_fly(const Robot& robot, double time_step);
 bool is_on_circle(const Neighbor& neighbor);
 
 /// Returns whether a robot that flies, or a robot beside it, can keep the promise of
-/// docs/certificate/airplanes.md with the planner's options.
+/// certificate/fallback_areas.h with the planner's options.
 bool allows_loiterers(const PlannerOptions& options);
 
 /// The robot with its present circle.

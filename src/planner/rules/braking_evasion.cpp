@@ -173,15 +173,15 @@ bool has_clear_way(Evading& evading) {
                      [&](const FirstStep& step) { return is_clear(evading, step); });
 }
 
-Way find_braking_way(Evading& evading, Vec2 wanted, Taken& found) {
-  if (find_way_after(evading, wanted)) return Way::as_wanted;
+WayFound find_braking_way(Evading& evading, Vec2 wanted, Taken& found) {
+  if (find_way_after(evading, wanted)) return WayFound::as_wanted;
   const FirstSteps steps = first_steps(evading, wanted);
   for (const FirstStep& step : steps) {
     if (!may_take(evading, step)) continue;
     found = nearer(evading, step, wanted);
-    return Way::another;
+    return WayFound::another;
   }
-  return find_beside(evading, steps, found) ? Way::another : Way::none;
+  return find_beside(evading, steps, found) ? WayFound::another : WayFound::none;
 }
 
 }  // namespace avo::inline planner

@@ -11,7 +11,7 @@ bool may_brake_after_choice(Evading& evading, Vec2 next_velocity);
 
 /// Finds the choice nearest to the wanted one that the certificate admits and that leaves a way
 /// out, (M).
-Way find_braking_way(Evading& evading, Vec2 wanted, Taken& found);
+WayFound find_braking_way(Evading& evading, Vec2 wanted, Taken& found);
 
 /// Returns whether some way out is clear, (M).
 bool has_clear_way(Evading& evading);

@@ -30,7 +30,7 @@ bool flies(const Evading& evading) {
   return !can_rest(evading.robot.model);
 }
 
-Way find_way(Evading& evading, const Level& level, Vec2 wanted, Taken& found) {
+WayFound find_way(Evading& evading, const Level& level, Vec2 wanted, Taken& found) {
   look_around(evading, level);
   return flies(evading) ? find_flight(evading, wanted, found)
                         : find_braking_way(evading, wanted, found);
@@ -46,16 +46,16 @@ Level first_level(const Evading& evading) {
 }
 
 // Counts as much of the likely deviation as leaves a way out, found by bisection.
-Way find_way_if_likely(Evading& evading, Vec2 wanted, Taken& found) {
-  Way way = find_way(evading, likely_level(1.0), wanted, found);
-  if (way != Way::none) return way;
+WayFound find_way_if_likely(Evading& evading, Vec2 wanted, Taken& found) {
+  WayFound way = find_way(evading, likely_level(1.0), wanted, found);
+  if (way != WayFound::none) return way;
   way = find_way(evading, likely_level(0.0), wanted, found);
-  if (way == Way::none) return way;
+  if (way == WayFound::none) return way;
   double kept = 0.0, refused = 1.0;
   for (int k = 0; k < kLargerParts; ++k) {
     const double part = 0.5 * (kept + refused);
-    const Way other = find_way(evading, likely_level(part), wanted, found);
-    if (other == Way::none) {
+    const WayFound other = find_way(evading, likely_level(part), wanted, found);
+    if (other == WayFound::none) {
       refused = part;
     } else {
       kept = part, way = other;
@@ -64,23 +64,26 @@ Way find_way_if_likely(Evading& evading, Vec2 wanted, Taken& found) {
   return way;
 }
 
-Way find_way_in_order(Evading& evading, std::span<const Level> levels, Vec2 wanted, Taken& found) {
+WayFound find_way_in_order(Evading& evading, std::span<const Level> levels, Vec2 wanted,
+                           Taken& found) {
   for (const Level& level : levels) {
-    const Way way = find_way(evading, level, wanted, found);
-    if (way != Way::none) return way;
+    const WayFound way = find_way(evading, level, wanted, found);
+    if (way != WayFound::none) return way;
   }
-  return Way::none;
+  return WayFound::none;
 }
 
 // Nearly always the first level has one; where the weakest has none, hardly any other level has
 // one.
-Way find_way_by_levels(Evading& evading, std::span<const Level> levels, Vec2 wanted, Taken& found) {
-  const Way way = find_way(evading, levels.front(), wanted, found);
-  if (way != Way::none || find_way(evading, levels.back(), wanted, found) == Way::none) return way;
+WayFound find_way_by_levels(Evading& evading, std::span<const Level> levels, Vec2 wanted,
+                            Taken& found) {
+  const WayFound way = find_way(evading, levels.front(), wanted, found);
+  if (way != WayFound::none || find_way(evading, levels.back(), wanted, found) == WayFound::none)
+    return way;
   return find_way_in_order(evading, levels.subspan(1), wanted, found);
 }
 
-Way find_way_for_a_while(Evading& evading, Vec2 wanted, Taken& found) {
+WayFound find_way_for_a_while(Evading& evading, Vec2 wanted, Taken& found) {
   const std::span<const Level> levels =
       flies(evading) ? std::span<const Level>(kCirclesForAWhile) : kForAWhile;
   return find_way_in_order(evading, levels, wanted, found);
@@ -141,13 +144,13 @@ void keep_a_way_out(const CertificateLaw& law, const Robot& robot, const Sight& 
   if (is_far_from_movers(evading, wanted)) return;
   keep_walls(evading);
   Taken found;
-  Way way = are_some_likely_to_deviate(evading)
-                ? find_way_if_likely(evading, wanted, found)
-                : find_way_by_levels(evading, kLevels, wanted, found);
-  if (way == Way::none && may_swerve && are_exact(evading))
+  WayFound way = are_some_likely_to_deviate(evading)
+                     ? find_way_if_likely(evading, wanted, found)
+                     : find_way_by_levels(evading, kLevels, wanted, found);
+  if (way == WayFound::none && may_swerve && are_exact(evading))
     way = find_way_in_order(evading, kLastLevels, wanted, found);
-  if (way == Way::none) way = find_way_for_a_while(evading, wanted, found);
-  if (way != Way::another) return;
+  if (way == WayFound::none) way = find_way_for_a_while(evading, wanted, found);
+  if (way != WayFound::another) return;
   take(evading, found.choice, plan);
   workspace.chosen = found.way, workspace.put_aside = wanted;
 }

@@ -145,8 +145,8 @@ bool has_clear_flight(Evading& evading) {
   return may_circle_later(evading);
 }
 
-Way find_flight(Evading& evading, Vec2 wanted, Taken& found) {
-  if (leaves_a_flight(evading, wanted)) return Way::as_wanted;
+WayFound find_flight(Evading& evading, Vec2 wanted, Taken& found) {
+  if (leaves_a_flight(evading, wanted)) return WayFound::as_wanted;
   bool is_refused = false;
   for (const FirstFlight& flight : first_flights(evading, wanted)) {
     if (!is_way_clear(evading, flight)) continue;
@@ -155,9 +155,10 @@ Way find_flight(Evading& evading, Vec2 wanted, Taken& found) {
       continue;
     }
     found = nearer_flight(evading, flight, wanted);
-    return Way::another;
+    return WayFound::another;
   }
-  return is_refused && find_flight_beside(evading, wanted, found) ? Way::another : Way::none;
+  return is_refused && find_flight_beside(evading, wanted, found) ? WayFound::another
+                                                                  : WayFound::none;
 }
 
 }  // namespace avo::inline planner

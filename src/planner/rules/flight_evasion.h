@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Beside movers, a robot that flies keeps a way out: docs/movers.md, "Airplanes". A choice is an
+// Beside movers, a robot that flies keeps a way out: certificate/flight_ways.h. A choice is an
 // acceleration, m/s², that the robot holds through the step.
 #pragma once
 #include "planner/rules/evading.h"
@@ -11,7 +11,7 @@ bool may_circle_after_choice(Evading& evading, Vec2 acceleration);
 
 /// Finds the choice nearest to the wanted one that the certificate admits and that leaves a way
 /// out, (M).
-Way find_flight(Evading& evading, Vec2 wanted, Taken& found);
+WayFound find_flight(Evading& evading, Vec2 wanted, Taken& found);
 
 /// Returns whether some way out is clear, (M).
 bool has_clear_flight(Evading& evading);

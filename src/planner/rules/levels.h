@@ -42,6 +42,6 @@ inline constexpr int kMostWork = 200000;  // movers and intervals that a level m
 inline constexpr int kNearer = 4;
 
 /// What a search of ways out has found after a step of the robot's own choice, or of another one.
-enum class Way : unsigned char { none, as_wanted, another };
+enum class WayFound : unsigned char { none, as_wanted, another };
 
 }  // namespace avo::inline planner

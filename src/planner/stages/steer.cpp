@@ -22,19 +22,19 @@ constexpr std::array kKeeps{0.01, 0.03, 0.05};
 constexpr double kTouching = 0.001;
 constexpr double kNearlyAtRest = 0.1;  // of its radius: the stopping distance of a slow neighbor, m
 
-using Obstacle = SteerMemory::Obstacle;
+using ManeuverObstacle = SteerMemory::ManeuverObstacle;
 
 // m, beyond contact: the distance to the added obstacle, where it may block the robot. room: m, for
 // the nearest disc. A drive in contact cannot turn, because its discs swell while it may turn:
 // later places are never that near.
 std::optional<double> add_obstacle(const Discs& discs, double room, const Segment& segment,
-                                   double radius, std::vector<Obstacle>& obstacles) {
+                                   double radius, std::vector<ManeuverObstacle>& obstacles) {
   double away = kInfinity;
   for (const Robot& disc : discs.all()) away = std::min(away, distance(disc.position, segment));
   const double own = discs.discs[0].radius, contact = own + radius;
   if (away > contact + room) return std::nullopt;
   const double nearest = away - kTouching * own;
-  Obstacle& obstacle = obstacles.emplace_back();
+  ManeuverObstacle& obstacle = obstacles.emplace_back();
   obstacle.segment = segment;
   for (std::size_t k = 0; k < kKeeps.size(); ++k)
     obstacle.keep[k] = std::min(contact + kKeeps[k] * own, nearest);
@@ -43,15 +43,15 @@ std::optional<double> add_obstacle(const Discs& discs, double room, const Segmen
   return away - contact;
 }
 
-bool are_clear(const std::vector<Obstacle>& obstacles, Vec2 place, Nearness nearness) {
-  return std::none_of(obstacles.begin(), obstacles.end(), [&](const Obstacle& o) {
+bool are_clear(const std::vector<ManeuverObstacle>& obstacles, Vec2 place, Nearness nearness) {
+  return std::none_of(obstacles.begin(), obstacles.end(), [&](const ManeuverObstacle& o) {
     return distance(place, o.segment) < o.keep[static_cast<std::size_t>(nearness)];
   });
 }
 
 // The same for all discs of a footprint, with the robot at that place.
-bool are_clear(const std::vector<Obstacle>& obstacles, const Footprint& footprint, Vec2 place,
-               Vec2 heading, Nearness nearness) {
+bool are_clear(const std::vector<ManeuverObstacle>& obstacles, const Footprint& footprint,
+               Vec2 place, Vec2 heading, Nearness nearness) {
   if (!footprint) return are_clear(obstacles, place, nearness);
   for (int k = 0; k < footprint.discs; ++k)
     if (!are_clear(obstacles, place + footprint.ahead(k) * heading, nearness)) return false;
@@ -60,7 +60,7 @@ bool are_clear(const std::vector<Obstacle>& obstacles, const Footprint& footprin
 
 // Adds walls; returns whether the robot could touch one of them soon.
 bool add_walls(const Robot& robot, const Discs& discs, std::span<const Wall> walls,
-               const StepLaw& law, double room, std::vector<Obstacle>& obstacles) {
+               const StepLaw& law, double room, std::vector<ManeuverObstacle>& obstacles) {
   const double reach = wall_reach(robot.max_speed, robot.max_speed, ability_of(robot), law);
   bool is_beside = false;
   for (const Wall& wall : walls) {
@@ -74,7 +74,7 @@ bool add_walls(const Robot& robot, const Discs& discs, std::span<const Wall> wal
 // A robot that cannot reverse stays for ever where it meets others face to face. These others block
 // it as walls do, once they are slow.
 void add_slow_neighbors(const Robot& robot, const Discs& discs, const Neighbors& neighbors,
-                        double room, std::vector<Obstacle>& obstacles) {
+                        double room, std::vector<ManeuverObstacle>& obstacles) {
   if (model_traits(robot.model).can_reverse) return;
   for (std::size_t k = 0; k < neighbors.count; ++k) {
     const Neighbor neighbor = neighbors[k];
@@ -95,7 +95,7 @@ std::optional<Vec2> maneuver_of(const PlannerOptions& options, const StepLaw& la
   const Robot robot = tile.robots.robot(i);
   const Discs discs = discs_of(robot, law);
   const Footprint footprint = footprint_of(robot.model);
-  std::vector<Obstacle>& obstacles = memory.obstacles;
+  std::vector<ManeuverObstacle>& obstacles = memory.obstacles;
   obstacles.clear();
   const bool is_beside = add_walls(robot, discs, tile.walls_of(i), law, room, obstacles);
   const bool has_walls = !obstacles.empty();

@@ -15,11 +15,11 @@ namespace avo::inline planner {
 /// Memory for steering; reuse it, and nothing is allocated once it has grown.
 struct SteerMemory {
   /// An obstacle to a maneuver.
-  struct Obstacle {
+  struct ManeuverObstacle {
     Segment segment;
     std::array<double, 3> keep;  // m, from the segment, by nearness
   };
-  std::vector<Obstacle> obstacles;
+  std::vector<ManeuverObstacle> obstacles;
   ManeuverMemory maneuvers;
 };
 

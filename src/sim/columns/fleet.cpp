@@ -1,69 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
-// Columns of robots and obstacles: adding, removing, hashing.
+// Columns of robots: adding, changing, removing and reordering.
 #include "sim/columns/fleet.h"
 
 #include <algorithm>
-#include <bit>
 #include <cstring>
 #include <limits>
 #include <string>
 #include <type_traits>
 
 #include "avo/error.h"
-#include "core/elementary.h"
-#include "core/hash.h"
-#include "robots/ahead.h"
 #include "robots/footprint.h"
 #include "robots/model.h"
 
 namespace avo::inline sim {
-namespace {
-
-std::uint64_t hashed(std::uint64_t hash, double value) {
-  return mixed(hash, std::bit_cast<std::uint64_t>(value));
-}
-
-std::uint64_t hashed(std::uint64_t hash, Vec2 value) {
-  return hashed(hashed(hash, value.x), value.y);
-}
-
-}  // namespace
-
-RobotTraits traits_of(const RobotSetup& setup) {
-  return {.radius = disc_radius(setup),
-          .way_radius = way_radius(setup.model, disc_radius(setup)),
-          .max_speed = setup.max_speed,
-          .max_acceleration = setup.max_acceleration,
-          .max_braking = braking_limit(setup),
-          .preferred_speed = setup.preferred_speed,
-          .has_model = !is_holonomic(setup.model),
-          .exceeds = model_traits(setup.model).reach > 1.0};
-}
-
-UsualMethod usual_method(const Scenario& scenario) {
-  return {scenario.method,
-          scenario.certificate.value_or(usual_certificate(scenario.method)) != Certificate::none};
-}
-
-Conduct conduct_of(const RobotSetup& setup, const UsualMethod& usual) {
-  const Method method = setup.method.value_or(usual.method);
-  const bool certified =
-      method == usual.method ? usual.certified : usual_certificate(method) != Certificate::none;
-  return {setup.priority, setup.parked, method,        certified,
-          setup.layers,   setup.avoids, setup.behavior};
-}
-
-Vec2 start_velocity(const RobotSetup& setup) {
-  if (is_holonomic(setup.model)) return setup.velocity;
-  const Vec2 heading = elementary::direction(setup.heading);
-  const double least = model_traits(setup.model).least_speed;
-  if (setup.velocity == Vec2{} && least > 0.0)
-    return std::clamp(setup.preferred_speed, least, setup.max_speed) * heading;
-  const bool backwards =
-      model_traits(setup.model).can_reverse && dot(setup.velocity, heading) < 0.0;
-  return norm(setup.velocity) * (backwards ? -heading : heading);
-}
-
 template <typename Action>
 void Fleet::for_each_column(const Action& action) {
   action(id), action(rank), action(traits), action(conduct), action(range), action(nearest);
@@ -207,52 +156,6 @@ Vec2 Fleet::offset(std::size_t slot, double heading_of_it) const {
   return own != nullptr ? disc_center(*own, {}, heading_of_it) : Vec2{};
 }
 
-namespace {
-
-// Part of its max_acceleration: the likely deviation of a robot that promises nothing.
-constexpr double kLikely = 0.6;
-
-Behavior behavior_of(Expectation expected) {
-  if (expected == Expectation::decides) return Behavior::decides;
-  return expected == Expectation::cooperates ? Behavior::cooperates : Behavior::moves_on;
-}
-
-}  // namespace
-
-Neighbor sensed(const RobotTraits& traits, const Conduct& conduct, Expectation expected,
-                Vec2 position, Vec2 velocity) {
-  const bool decides = expected == Expectation::decides;
-  Neighbor neighbor{.position = position,
-                    .velocity = velocity,
-                    .radius = traits.radius,
-                    .max_acceleration = traits.max_acceleration,
-                    .behavior = behavior_of(expected),
-                    .priority = conduct.priority,
-                    .max_braking = max_braking_of(traits)};
-  if (expected == Expectation::cooperates || expected == Expectation::moves_on) {
-    neighbor.likely_deviation = kLikely * traits.max_acceleration;
-    return neighbor;
-  }
-  if (decides && !traits.exceeds) return neighbor;
-  neighbor.max_deviation = top_acceleration(traits);
-  if (decides) return neighbor;
-  neighbor.max_speed = std::max(traits.max_speed, norm(velocity));
-  return neighbor;
-}
-
-Wall parked_wall(const MotionModel& model, Vec2 center, double radius, double heading) {
-  const Footprint footprint = footprint_of(model);
-  if (!footprint) return {center, center, radius};
-  const Vec2 ahead = ahead_of(heading);
-  return {center + footprint.first * ahead, center + footprint.ahead(footprint.discs - 1) * ahead,
-          footprint.radius};
-}
-
-void cover(const MotionModel& model, const BrakingPose& pose, Neighbor& neighbor) {
-  neighbor.footprint = footprint_of(model);
-  neighbor.ahead = pose.ahead, neighbor.spread = pose.spread;
-}
-
 Neighbor Fleet::sensed(std::size_t slot, Expectation expected) const {
   Neighbor neighbor =
       avo::sensed(traits[slot], conduct[slot], expected, position[slot], velocity[slot]);
@@ -309,42 +212,6 @@ void Fleet::reorder(std::span<const std::uint32_t> order, Executor& executor, bo
     slot_of[static_cast<std::size_t>(rank[slot])] = static_cast<std::uint32_t>(slot);
   }
   torn = false;
-}
-
-namespace {
-
-// Hashes when the robot decides again, and all data that give its place until then.
-std::uint64_t hashed(std::uint64_t hash, const OwnClock& clock) {
-  hash = mixed(hash, static_cast<std::uint64_t>(clock.begin));
-  hash = mixed(hash, static_cast<std::uint64_t>(clock.end));
-  for (const MotionState* state : {&clock.from, &clock.to})
-    hash = hashed(hashed(hashed(hash, state->position), state->velocity), state->heading);
-  return hashed(hash, clock.time_step);
-}
-
-}  // namespace
-
-std::uint64_t hash_of(const Fleet& fleet, const ObstacleColumns& obstacles, std::int64_t steps) {
-  std::uint64_t hash = mixed(0, static_cast<std::uint64_t>(steps));
-  for (const std::uint32_t i : fleet.slot_of) {
-    hash = mixed(hash, fleet.id[i].value);
-    hash = hashed(hashed(hash, fleet.position[i]), fleet.velocity[i]);
-    hash = hashed(hash, fleet.heading[i]);
-    const Detour& detour = fleet.detour[i];
-    hash = hashed(hashed(hash, detour.angle), detour.beside);
-    hash = hashed(hashed(hash, detour.congestion), detour.has_arrived ? 1.0 : 0.0);
-    if (fleet.has_stood[i] != 0) hash = hashed(hash, 1.0);
-    if (fleet.has_clocks) hash = hashed(hash, fleet.clock_of(i));
-    if (const Flight* own = fleet.flight(i)) {
-      hash = hashed(hashed(hash, own->circle.center), own->circle.radius);
-      hash = hashed(hash, own->has_arrived ? 1.0 : 0.0);
-    }
-  }
-  for (std::size_t k = 0; k < obstacles.setup.size(); ++k) {
-    hash = hashed(hashed(hash, obstacles.position[k]), obstacles.velocity[k]);
-    if (!obstacles.setup[k].path.empty()) hash = mixed(hash, std::uint64_t{obstacles.target[k]});
-  }
-  return hash;
 }
 
 }  // namespace avo::inline sim

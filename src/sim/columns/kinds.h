@@ -24,11 +24,11 @@ class Kinds {
   [[nodiscard]] std::vector<RobotSetup> examples() const;
 
  private:
-  struct Kind {
+  struct CountedKind {
     RobotSetup setup;
     std::size_t robots = 0;
   };
-  using Table = std::unordered_multimap<std::uint64_t, Kind>;
+  using Table = std::unordered_multimap<std::uint64_t, CountedKind>;
   Table::iterator find(std::uint64_t hash, const RobotSetup& kind);
 
   Table table_;  // by hash_of_kind()

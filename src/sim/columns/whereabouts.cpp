@@ -8,7 +8,7 @@
 #include "planner/stages/relevance.h"
 #include "robots/model.h"
 #include "sim/clocks.h"
-#include "sim/sensing/sense.h"
+#include "sim/sensing/sense_query.h"
 #include "sim/world.h"
 
 namespace avo::inline sim {

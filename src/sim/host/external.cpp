@@ -122,12 +122,12 @@ void collect_batch(World& world, Executor& executor) {
 }
 
 // Tells that the function runs, also where it throws.
-class Asked {
+class AskingGuard {
  public:
-  explicit Asked(bool& is_asked) : is_asked_(is_asked) { is_asked_ = true; }
-  ~Asked() { is_asked_ = false; }
-  Asked(const Asked&) = delete;
-  Asked& operator=(const Asked&) = delete;
+  explicit AskingGuard(bool& is_asked) : is_asked_(is_asked) { is_asked_ = true; }
+  ~AskingGuard() { is_asked_ = false; }
+  AskingGuard(const AskingGuard&) = delete;
+  AskingGuard& operator=(const AskingGuard&) = delete;
 
  private:
   bool& is_asked_;
@@ -169,7 +169,7 @@ void choose_externally(World& world, Executor& executor) {
   ExternalChoices& own = world.external;
   collect_batch(world, executor);
   {
-    const Asked asked(own.is_asked);
+    const AskingGuard asked(own.is_asked);
     choose(world, own.all, own.velocities);
   }
   own.chosen.resize(world.fleet.size());

@@ -36,6 +36,9 @@ Vec2 way_to_rest(const RobotSetup& robot, const CertificateLaw& law);
 /// The start state of a robot of that setup.
 MotionState start_of(const RobotSetup& robot);
 
+/// Finds the pairs that the certificate cannot keep apart.
+void find_broken_starts(const Scenario& scenario, const CertificateLaw& law,
+                        BrokenAssumptions& result);
 /// Finds the pairs of the scene's first robot alone, which also keeps `margin` (m).
 void find_starts_of_first(const Scenario& scenario, const CertificateLaw& law, double margin,
                           BrokenAssumptions& result);

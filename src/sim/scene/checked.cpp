@@ -6,42 +6,40 @@
 #include <limits>
 
 #include "core/elementary.h"
+#include "robots/footprint.h"
 
 namespace avo {
 namespace {
 
-CheckedKinematics kinematics_of(const Holonomic& /*any*/) {
-  return CheckedHolonomic{};
+CheckedHolonomic kinematics_of(const Holonomic& /*any*/) {
+  return {};
 }
 
-CheckedKinematics kinematics_of(const Car& car) {
-  return CheckedCar{
-      .wheelbase = car.wheelbase,
-      .max_curvature = car.max_curvature.value_or(std::numeric_limits<double>::infinity()),
-      .body_offset = car.body ? car.body->offset : 0.0,
-      .reverse = car.reverse,
-      .exact_set = car.acceleration_set == AccelerationSet::exact};
+CheckedCar kinematics_of(const Car& car) {
+  return {.wheelbase = car.wheelbase,
+          .max_curvature = car.max_curvature.value_or(std::numeric_limits<double>::infinity()),
+          .body_offset = car.body ? car.body->offset : 0.0,
+          .reverse = car.reverse,
+          .exact_set = car.acceleration_set == AccelerationSet::exact};
 }
 
-CheckedKinematics kinematics_of(const DifferentialDrive& drive) {
-  return CheckedDrive{.track = drive.track,
-                      .offset = drive.offset,
-                      .wheel_speed = drive.wheel_speed,
-                      .wheel_acceleration = drive.wheel_acceleration};
+CheckedDrive kinematics_of(const DifferentialDrive& drive) {
+  return {.track = drive.track,
+          .offset = drive.offset,
+          .wheel_speed = drive.wheel_speed,
+          .wheel_acceleration = drive.wheel_acceleration};
 }
 
-CheckedKinematics kinematics_of(const Airplane& model) {
-  return CheckedAirplane{.min_speed = model.min_speed,
-                         .lateral_acceleration = model.lateral_acceleration};
+CheckedAirplane kinematics_of(const Airplane& model) {
+  return {.min_speed = model.min_speed, .lateral_acceleration = model.lateral_acceleration};
 }
 
 // m, from the position of a robot with a footprint forward to the centers of its discs.
 std::vector<double> judged_discs(const MotionModel& model) {
-  Footprint footprint;
-  if (const Car* car = std::get_if<Car>(&model)) footprint = car->footprint;
-  if (const auto* drive = std::get_if<DifferentialDrive>(&model)) footprint = drive->footprint;
+  const Footprint* footprint = own_footprint(model);
   std::vector<double> discs;
-  for (int k = 0; k < footprint.discs; ++k) discs.push_back(footprint.ahead(k));
+  for (int k = 0; footprint != nullptr && k < footprint->discs; ++k)
+    discs.push_back(footprint->ahead(k));
   return discs;
 }
 
@@ -62,7 +60,8 @@ CheckedRobot checked_robot(const RobotSetup& robot) {
       .max_speed = robot.max_speed,
       .goal = robot.goal,
       .arrival_distance = robot.arrival_distance,
-      .kinematics = std::visit([](const auto& model) { return kinematics_of(model); }, robot.model),
+      .kinematics = std::visit(
+          [](const auto& model) -> CheckedKinematics { return kinematics_of(model); }, robot.model),
       .parked = robot.parked,
       .layers = robot.layers.bits,
       .avoids = robot.avoids.bits,

@@ -133,17 +133,19 @@ void check_flights(const World& world, const RobotSetup& setup, RobotId robot) {
   const Fleet& fleet = world.fleet;
   if (setup.parked || (fleet.flights.empty() && can_rest(setup.model))) return;
   if (!fleet.flights.empty() && setup.behavior != Behavior::decides)
-    refuse(name_of(robot) + ": behavior", to_string(setup.behavior), "decides among airplanes");
+    refuse(name_of(robot) + ": behavior", to_string(setup.behavior),
+           std::string("decides") + kAmongFlights);
   const bool promised =
       std::all_of(fleet.conduct.begin(), fleet.conduct.end(),
                   [](const Conduct& conduct) { return conduct.behavior == Behavior::decides; });
   if (!can_rest(setup.model) && !(promised && setup.behavior == Behavior::decides))
-    refuse(name_of(robot) + ": model", "airplane", "another one among robots that cooperate");
+    refuse(name_of(robot) + ": model", "one that cannot stop",
+           "another one among robots that cooperate");
   if (!method_traits(method_of(world.settings, setup)).has_rules ||
       std::any_of(fleet.conduct.begin(), fleet.conduct.end(),
                   [](const Conduct& other) { return !method_traits(other.method).has_rules; }))
     refuse(name_of(robot) + ": method", to_string(method_of(world.settings, setup)),
-           "avo, of all robots, in a scene with airplanes");
+           std::string("avo, of all robots,") + kAmongFlights);
 }
 
 // Refuses a pair in which only one would avoid the other, and nothing could be promised.

@@ -10,12 +10,6 @@
 namespace avo::inline sim {
 namespace {
 
-Footprint own_footprint(const MotionModel& model) {
-  if (const Car* car = std::get_if<Car>(&model)) return car->footprint;
-  const auto* drive = std::get_if<DifferentialDrive>(&model);
-  return drive != nullptr ? drive->footprint : Footprint{};
-}
-
 void check_values(std::size_t i, const Footprint& footprint) {
   const std::string_view list = "robots";
   if (footprint.discs < 0 || footprint.discs > Footprint::kMostDiscs)
@@ -29,9 +23,9 @@ void check_values(std::size_t i, const Footprint& footprint) {
 }  // namespace
 
 void check_footprint(std::size_t i, const RobotSetup& robot) {
-  const Footprint footprint = own_footprint(robot.model);
-  if (footprint.discs == 0) return;
-  check_values(i, footprint);
+  const Footprint* footprint = own_footprint(robot.model);
+  if (footprint == nullptr || footprint->discs == 0) return;
+  check_values(i, *footprint);
   const Car* car = std::get_if<Car>(&robot.model);
   if (car != nullptr && car->body)
     refuse(std::string(Place{"robots", i, "car.body"}), "one", "left out: it has a footprint");

@@ -46,21 +46,25 @@ void check_parked(std::size_t i, const RobotSetup& robot) {
     refuse(std::string(Place{"robots", i, "velocity"}), text(robot.velocity),
            "[0, 0]: it is parked");
   const RobotSetup usual;
-  for_each_member(kRobotFields, [&](const RobotField& field, auto member) {
+  for_each_member(kFields<RobotSetup>, [&](const RobotField& field, auto member) {
     if (field.whose == Whose::deciding && !(robot.*member == usual.*member))
       refuse(std::string(Place{"robots", i, field.key}), found(robot.*member),
              "left out: it is parked");
   });
 }
 
-void check_car(std::size_t i, const Car& car) {
-  require_ranges(car, kCarFields, PlaceOf{"robots", i, "car."});
-  if (car.body) require_ranges(*car.body, kCarBodyFields, PlaceOf{"robots", i, "car.body."});
+void check_model(std::size_t /*i*/, const RobotSetup& /*robot*/, double /*time_step*/,
+                 const Holonomic& /*any*/) {}
+
+void check_model(std::size_t i, const RobotSetup& /*robot*/, double /*time_step*/, const Car& car) {
+  require_ranges(car, PlaceOf{"robots", i, "car."});
+  if (car.body) require_ranges(*car.body, PlaceOf{"robots", i, "car.body."});
 }
 
-void check_drive(std::size_t i, const RobotSetup& robot, const DifferentialDrive& drive) {
+void check_model(std::size_t i, const RobotSetup& robot, double /*time_step*/,
+                 const DifferentialDrive& drive) {
   const std::string_view list = "robots";
-  require_ranges(drive, kDriveFields, PlaceOf{list, i, "drive."});
+  require_ranges(drive, PlaceOf{list, i, "drive."});
   if (robot.max_speed > drive.wheel_speed)
     refuse(std::string(Place{list, i, "max_speed"}), text(robot.max_speed),
            "<= " + text(drive.wheel_speed) + " m/s, its drive.wheel_speed");
@@ -77,18 +81,19 @@ void check_drive(std::size_t i, const RobotSetup& robot, const DifferentialDrive
            "<= " + text(drive.wheel_speed) + " m/s, its drive.wheel_speed");
 }
 
-// For the promise to others, see docs/certificate/airplanes.md.
-void check_flight(std::size_t i, const RobotSetup& robot, const Airplane& model, double time_step) {
+// For the promise to others, see robots/flight.h.
+void check_model(std::size_t i, const RobotSetup& robot, double time_step, const Airplane& model) {
   constexpr double kOff = 1e-9;  // of a speed: error of the length of a vector of that speed
   const std::string_view list = "robots";
   const auto at = [&](std::string_view field) { return std::string(Place{list, i, field}); };
-  require_ranges(model, kAirplaneFields, PlaceOf{list, i, "airplane."});
+  const PlaceOf own{list, i, "airplane."};
+  require_ranges(model, own);
   if (model.min_speed > robot.max_speed)
-    refuse(at("airplane.min_speed"), text(model.min_speed),
+    refuse(std::string(own("min_speed")), text(model.min_speed),
            "<= max_speed = " + text(robot.max_speed) + " m/s");
   const double most = kMostTurn * model.min_speed / time_step;
   if (model.lateral_acceleration > most)
-    refuse(at("airplane.lateral_acceleration"), text(model.lateral_acceleration),
+    refuse(std::string(own("lateral_acceleration")), text(model.lateral_acceleration),
            "<= " + text(most) + " m/s^2, 3 rad in a step at min_speed");
   const double speed = norm(robot.velocity);
   if (speed > 0.0 &&
@@ -97,23 +102,18 @@ void check_flight(std::size_t i, const RobotSetup& robot, const Airplane& model,
            text(model.min_speed) + " to " + text(robot.max_speed) +
                " m/s, or left out: preferred_speed");
   if (robot.max_braking)
-    refuse(at("max_braking"), text(*robot.max_braking),
-           "left out: it is an airplane, which cannot brake");
-  if (robot.parked) refuse(at("parked"), "true", "false: it is an airplane");
+    refuse(at("max_braking"), text(*robot.max_braking), "left out: it cannot brake");
+  if (robot.parked) refuse(at("parked"), "true", "false: it cannot stop");
 }
 
 }  // namespace
 
 void check_robot(std::size_t i, const RobotSetup& robot, double time_step) {
-  require_ranges(robot, kRobotFields, PlaceOf{"robots", i});
+  require_ranges(robot, PlaceOf{"robots", i});
   if (robot.parked) check_parked(i, robot);
   require(Place{"robots", i, "heading"}, robot.heading, kAngle, "rad");
   check_footprint(i, robot);
-  if (const Car* car = std::get_if<Car>(&robot.model)) check_car(i, *car);
-  if (const auto* drive = std::get_if<DifferentialDrive>(&robot.model))
-    check_drive(i, robot, *drive);
-  if (const Airplane* model = std::get_if<Airplane>(&robot.model))
-    check_flight(i, robot, *model, time_step);
+  std::visit([&](const auto& model) { check_model(i, robot, time_step, model); }, robot.model);
 }
 
 }  // namespace avo::inline sim

@@ -73,7 +73,7 @@ void check_trajectory(std::size_t k, const MovingObstacle& obstacle) {
 }
 
 void check_obstacle(std::size_t k, const MovingObstacle& obstacle) {
-  require_ranges(obstacle, kMoverFields, PlaceOf{"moving_obstacles", k});
+  require_ranges(obstacle, PlaceOf{"moving_obstacles", k});
   if (obstacle.max_speed) check_max_speed(k, obstacle);
   if (!obstacle.trajectory.empty()) check_trajectory(k, obstacle);
   if (obstacle.path.empty()) return;
@@ -239,7 +239,7 @@ void check_flights(const Scenario& scenario, const PlannerOptions& options) {
   const auto first = std::find_if(robots.begin(), robots.end(),
                                   [](const RobotSetup& r) { return !can_rest(r.model); });
   if (first == robots.end()) return;
-  const std::string among = " in a scene with airplanes";
+  const std::string among = kAmongFlights;
   for (std::size_t i = 0; i < robots.size(); ++i) {
     if (robots[i].behavior != Behavior::decides)
       refuse(std::string(Place{"robots", i, "behavior"}), to_string(robots[i].behavior),

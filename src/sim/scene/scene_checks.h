@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The common part of the checks of a scene: the place of a value, and the text of points.
+// The common part of the checks of a scene: the text of points.
 #pragma once
 
 #include <charconv>
@@ -10,32 +10,14 @@
 
 #include "avo/scenario.h"
 #include "core/ranges.h"
+#include "fields/place.h"
 
 namespace avo::inline sim {
 
 using core::text;
 
-/// A value's place in a list of the scene, or in a part of an entry, such as "car.body.".
-struct Place {
-  std::string_view list;
-  std::size_t index;
-  std::string_view field;
-  std::string_view part = {};
-
-  explicit operator std::string() const {
-    return std::string(list) + "." + std::to_string(index) + "." + std::string(part) +
-           std::string(field);
-  }
-};
-
-/// The places of an entry's fields, for require_ranges().
-struct PlaceOf {
-  std::string_view list;
-  std::size_t index;
-  std::string_view part = {};
-
-  Place operator()(std::string_view field) const { return {list, index, field, part}; }
-};
+/// Where a scene with a robot that cannot stop is refused.
+inline constexpr const char* kAmongFlights = " in a scene with airplanes";
 
 inline std::string text(Vec2 p) {
   return std::string("[").append(text(p.x)).append(", ").append(text(p.y)).append("]");

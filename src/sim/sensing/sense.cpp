@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "core/plane.h"
+#include "sim/sensing/sense_query.h"
 #include "sim/world.h"
 
 namespace avo::inline sim {
@@ -20,44 +21,6 @@ bool is_trusted(const World& world, std::size_t slot) {
   return world.summary.is_valid && !world.summary.is_fast &&
          !(world.settings.sensing.localization.position > 0.0) &&
          std::abs(p.x) <= kFarthestTrusted && std::abs(p.y) <= kFarthestTrusted;
-}
-
-// The number of nearest neighbors that a search finds. It is all where the robot selects the
-// neighbors that it avoids later.
-std::size_t nearest_sought(const World& world) {
-  return world.outliers.usual == Scrutiny::everyone ? std::numeric_limits<std::size_t>::max()
-                                                    : world.most_nearest();
-}
-
-// m: others farther away matter only if they are among the nearest, or outliers.
-double near_range(const World& world, std::size_t slot) {
-  const double everyone = world.sensing_radius;
-  if (!world.senses.are_exact() || world.outliers.usual == Scrutiny::everyone) return everyone;
-  // an external method chooses from all that its robot senses
-  if (!world.external.ranks.empty() && is_external(world.fleet.conduct[slot].method))
-    return everyone;
-  if (!world.all_matter_to(slot)) return -1.0;
-  const Vec2 p = world.fleet.position[slot];
-  const double farthest = std::max({std::abs(p.x), std::abs(p.y), everyone});
-  if (world.summary.is_fast || !(farthest <= kMostRelevantPosition)) return everyone;
-  return world.fleet.range[slot].at(norm(world.fleet.velocity[slot]));
-}
-
-NeighborQuery query_of(const World& world, std::size_t slot) {
-  constexpr double kMargin = 1.125;  // for motion since then
-  const Fleet& fleet = world.fleet;
-  return {.position = fleet.position[slot],
-          .self = fleet.rank[slot],
-          .most = nearest_sought(world),
-          .near = near_range(world, slot),
-          .far = world.sensing_radius,
-          .guess = kMargin * static_cast<double>(fleet.nearest[slot])};
-}
-
-// m, see Neighbors.
-double range_of(const NeighborQuery& query) {
-  const bool is_less = query.near >= 0.0 && query.near < query.far;
-  return is_less ? query.near : std::numeric_limits<double>::infinity();
 }
 
 // Appends in canonical order.
@@ -257,13 +220,13 @@ std::span<const NeighborHit> find_everyone(const World& world, std::size_t query
 }
 
 // How a robot has examined others, and whether it senses robots alone, and these as they truly are.
-struct Looked {
+struct Examined {
   Scrutiny scrutiny;
   bool at_robots;
 };
 
 // Appends the neighbors that the robot senses, except those of far reach.
-Looked append_sensed(const World& world, std::size_t slot, std::size_t query, Worker& worker) {
+Examined append_sensed(const World& world, std::size_t slot, std::size_t query, Worker& worker) {
   if (!world.senses.are_exact())
     return {Scrutiny::everyone, append_sighted(world, slot, query, worker)};
   Scrutiny scrutiny = world.outliers.usual;
@@ -332,15 +295,11 @@ void sense_everyone(const World& world, std::uint32_t slot, Worker& worker) {
   worker.tile.robots.neighbors.push_back({&neighbors, 0, neighbors.count});
 }
 
-NeighborQuery sought_by(const World& world, std::size_t slot) {
-  return query_of(world, slot);
-}
-
 std::size_t sense(World& world, std::span<const std::uint32_t> slots, Worker& worker) {
   Fleet& fleet = world.fleet;
   const Snapshot& snapshot = world.snapshot;
   worker.queries.clear();
-  for (const std::uint32_t slot : slots) worker.queries.push_back(query_of(world, slot));
+  for (const std::uint32_t slot : slots) worker.queries.push_back(sought_by(world, slot));
   const std::size_t robots = snapshot.grid.find(worker.queries, kTileCandidates, worker.search);
   NeighborColumns& neighbors = worker.tile.neighbors;
   for (std::size_t i = 0; i < robots; ++i) {

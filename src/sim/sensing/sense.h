@@ -5,8 +5,6 @@
 #include <cstdint>
 #include <span>
 
-#include "spatial/search.h"
-
 namespace avo::inline sim {
 
 struct World;
@@ -16,11 +14,9 @@ struct Worker;
 /// of all numbers.
 inline constexpr double kFarthestTrusted = 1e11;
 
-/// The search query of the robot in that slot.
-NeighborQuery sought_by(const World& world, std::size_t slot);
-
 /// Makes the robot in that slot the only one whose neighbors the tile has: all within the sensing
-/// radius that it senses, also those that its decision does not need. look_at_present() comes first.
+/// radius that it senses, also those that its decision does not need. look_at_present() comes
+/// first.
 void sense_everyone(const World& world, std::uint32_t slot, Worker& worker);
 
 /// Fills the tile's neighbors: all that can matter within the sensing radius. Returns the number of

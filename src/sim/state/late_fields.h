@@ -15,10 +15,10 @@ namespace avo::inline sim {
 
 /// The fields up to this one have their places in the format. Every later one takes the next bit.
 inline constexpr std::size_t kEarlyFields = 23;
-static_assert(kRobotFields[kEarlyFields - 1].key == "arrival_distance",
+static_assert(kFields<RobotSetup>[kEarlyFields - 1].key == "arrival_distance",
               "new fields of robots come last: saved states number them");
 inline constexpr std::span<const RobotField> kLateFields =
-    std::span(kRobotFields).subspan(kEarlyFields);
+    std::span(kFields<RobotSetup>).subspan(kEarlyFields);
 inline constexpr int kFirstLateBit = 32;
 static_assert(kFirstLateBit + kLateFields.size() <= 64);
 inline constexpr std::uint64_t kLateKinds = ~std::uint64_t{0} << kFirstLateBit;

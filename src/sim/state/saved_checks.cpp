@@ -69,7 +69,7 @@ void check_flights(const SavedState& state) {
     const LoiterCircle& saved = state.flights[k++].circle;
     const double off = kOff * own.radius;
     if (!(norm(own.center - saved.center) <= off && std::abs(own.radius - saved.radius) <= off))
-      refuse_saved("an airplane off its circle", "one on it");
+      refuse_saved("a robot off its circle", "one on it");
   }
 }
 

@@ -3,9 +3,11 @@
 #pragma once
 #include <cstdint>
 #include <string>
+#include <utility>
 #include <variant>
 
 #include "avo/scenario.h"
+#include "robots/footprint.h"
 #include "sim/state/archive.h"
 
 namespace avo::inline sim {
@@ -45,12 +47,6 @@ void describe(Archive<kReads>& archive, Airplane& model) {
   model.after_goal = static_cast<AfterGoal>(after);
 }
 
-inline Footprint* footprint_in(MotionModel& model) {
-  if (Car* car = std::get_if<Car>(&model)) return &car->footprint;
-  auto* drive = std::get_if<DifferentialDrive>(&model);
-  return drive != nullptr ? &drive->footprint : nullptr;
-}
-
 template <bool kReads>
 void describe(Archive<kReads>& archive, Footprint& footprint) {
   auto discs = static_cast<std::uint64_t>(footprint.discs);
@@ -62,24 +58,27 @@ void describe(Archive<kReads>& archive, Footprint& footprint) {
   describe(archive, footprint.spacing);
 }
 
+// Makes it a model of that kind with its default values; an unknown kind changes nothing.
+template <std::size_t... kKinds>
+void become(MotionModel& model, std::uint64_t kind, std::index_sequence<kKinds...> /*all*/) {
+  (static_cast<void>(kind == kKinds ? (model.emplace<kKinds>(), 0) : 0), ...);
+}
+
 // The kind and then its values, and those of its footprint.
 template <bool kReads>
 void describe(Archive<kReads>& archive, MotionModel& model) {
   constexpr std::uint64_t kCovered = 1U << 8;  // the kind of a model with a footprint has this bit
-  const Footprint* own = footprint_in(model);
+  const Footprint* own = own_footprint(model);
   auto kind = static_cast<std::uint64_t>(model.index()) |
               (own != nullptr && *own ? kCovered : std::uint64_t{0});
   archive.word(kind);
   const bool is_covered = (kind & kCovered) != 0;
   kind &= ~kCovered;
-  if (kReads && kind == 0) model = Holonomic{};
-  if (kReads && kind == 1) model = Car{};
-  if (kReads && kind == 2) model = DifferentialDrive{};
-  if (kReads && kind == 3) model = Airplane{};
+  if (kReads) become(model, kind, std::make_index_sequence<std::variant_size_v<MotionModel>>());
   if (kind != model.index()) refuse_saved("an unknown motion model", "a known one");
   std::visit([&](auto& known) { describe(archive, known); }, model);
   if (!is_covered) return;
-  Footprint* footprint = footprint_in(model);
+  Footprint* footprint = own_footprint(model);
   if (footprint == nullptr) refuse_saved("a footprint of another model", "one of a car or a drive");
   describe(archive, *footprint);
 }

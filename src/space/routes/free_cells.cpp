@@ -54,15 +54,15 @@ Placed pushed(const Solids& solids, Vec3 middle, double side, double room, doubl
 }
 
 /// Cells from one corner to another one.
-struct CellRange {
+struct CellBlock {
   std::array<int, 3> low, high;
 };
-CellRange cells_of(const CellGrid& grid, const Bounds& bounds) {
+CellBlock cells_of(const CellGrid& grid, const Bounds& bounds) {
   return {grid.of(bounds.low), grid.of(bounds.high)};
 }
 
 template <typename Visit>
-void for_each_in(const CellRange& range, const Visit& visit) {
+void for_each_in(const CellBlock& range, const Visit& visit) {
   std::array<int, 3> at{};
   for (at[2] = range.low[2]; at[2] <= range.high[2]; ++at[2]) {
     for (at[1] = range.low[1]; at[1] <= range.high[1]; ++at[1]) {
@@ -162,7 +162,7 @@ void FreeCells::place_in_slots(const Solids& solids, double radius,
   const double sight = most_room_ + 2.0 * grid_.side, beyond = most_room_ + grid_.side;
   std::vector<std::pair<std::uint32_t, Vec3>> moved;  // by cell, from its middle
   for (const Slot& slot : find_slots(solids, 2.0 * kLeastRoom * radius, widest_slot(radius))) {
-    const CellRange range = cells_of(grid_, bounds_of(slot, beyond));
+    const CellBlock range = cells_of(grid_, bounds_of(slot, beyond));
     for_each_in(range, [&](const std::array<int, 3>& at) {
       const Vec3 middle = grid_.middle(at);
       const Vec3 off = dot(slot.middle - middle, slot.normal) * slot.normal;

@@ -25,7 +25,7 @@ template <typename Visit>
 void walk(const SpaceClaimer& robot, double farthest, const Visit& visit) {
   Vec3 from = robot.position;
   double before = 0.0;
-  for (const RoutePoint& point : robot.route) {
+  for (const SpaceRoutePoint& point : robot.route) {
     if (before > farthest || !visit(from, point.place, before)) return;
     before += norm(point.place - from), from = point.place;
   }

@@ -38,7 +38,7 @@ struct SpaceClaimer {
   double braking = 0.0;         ///< m/s^2
   double sensing_radius = 0.0;  ///< m
   std::uint32_t robot = 0;
-  std::span<const RoutePoint> route;  ///< from its place on
+  std::span<const SpaceRoutePoint> route;  ///< from its place on
   std::span<const Neighbor> neighbors;
   double yielded = 0.0;  ///< s, for which it has let others enter before it
 };

@@ -22,7 +22,7 @@ constexpr int kGoesBack = 3;      // bends
 constexpr double kReturns = 8.0;  // radii: to a bend that is farther it does not go back
 
 // The robot's place, and what it keeps from boxes on its way.
-RoutePoint start_of(const Solids& solids, Vec3 position, double radius) {
+SpaceRoutePoint start_of(const Solids& solids, Vec3 position, double radius) {
   return {position, room_at(solids, position, radius + kCutsCorners * kRouteRoom)};
 }
 
@@ -35,15 +35,15 @@ double turn_of(Vec3 a, Vec3 b) {
 
 // A straight piece of a route.
 struct RouteLeg {
-  RoutePoint from, to;
-  [[nodiscard]] RoutePoint at(double part) const {
+  SpaceRoutePoint from, to;
+  [[nodiscard]] SpaceRoutePoint at(double part) const {
     return {from.place + part * (to.place - from.place), std::min(from.room, to.room)};
   }
 };
 
 // The farthest place of the leg that the robot sees, if it sees the place at that part.
-std::optional<RoutePoint> farthest_seen(const Solids& solids, const RoutePoint& start,
-                                        const RouteLeg& leg, double seen) {
+std::optional<SpaceRoutePoint> farthest_seen(const Solids& solids, const SpaceRoutePoint& start,
+                                             const RouteLeg& leg, double seen) {
   if (!is_way(solids, start, leg.at(seen))) return std::nullopt;
   double hidden = 1.0;
   for (int k = 0; k < kBisections; ++k) {
@@ -54,7 +54,7 @@ std::optional<RoutePoint> farthest_seen(const Solids& solids, const RoutePoint& 
 }
 
 // m/s: from which the robot can make all turns ahead (docs/navigation.md, "Speed").
-double speed_before_turns(const Robot& robot, const std::vector<RoutePoint>& points) {
+double speed_before_turns(const Robot& robot, const std::vector<SpaceRoutePoint>& points) {
   const double acceleration = robot.max_acceleration * std::min(1.0, robot.vertical);
   const double carried = 2.0 * acceleration * kCarried * robot.radius;
   double least = Bounds::kFar, left = 0.0;  // m²/s², m
@@ -71,15 +71,15 @@ double speed_before_turns(const Robot& robot, const std::vector<RoutePoint>& poi
 }
 
 // The number of the last point of the route that the robot sees, or 0.
-std::size_t seen_from(const Solids& solids, const RoutePoint& start,
-                      const std::vector<RoutePoint>& points) {
+std::size_t seen_from(const Solids& solids, const SpaceRoutePoint& start,
+                      const std::vector<SpaceRoutePoint>& points) {
   std::size_t seen = 0;
   while (seen + 1 < points.size() && is_way(solids, start, points[seen + 1])) ++seen;
   return seen;
 }
 
 // Moves the next point on along the leg behind it.
-bool moves_on(const Solids& solids, const RoutePoint& start, Route& route) {
+bool moves_on(const Solids& solids, const SpaceRoutePoint& start, Route& route) {
   const RouteLeg leg{route.points[0], route.points[1]};
   const auto next = farthest_seen(solids, start, leg, 0.0);
   if (!next || next->place == leg.from.place) return false;
@@ -89,7 +89,7 @@ bool moves_on(const Solids& solids, const RoutePoint& start, Route& route) {
 }
 
 // Puts a point before the others, in place of one that has moved on from the last bend.
-void put_first(Route& route, const RoutePoint& point) {
+void put_first(Route& route, const SpaceRoutePoint& point) {
   if (route.is_moved)
     route.points.front() = point;
   else
@@ -97,7 +97,7 @@ void put_first(Route& route, const RoutePoint& point) {
 }
 
 // Heads for the leg that the robot is beside, behind the last bend, where it sees that leg.
-bool returns_to_leg(const Solids& solids, const RoutePoint& start, Route& route) {
+bool returns_to_leg(const Solids& solids, const SpaceRoutePoint& start, Route& route) {
   const RouteLeg leg{route.passed.back(), route.points[route.is_moved ? 1 : 0]};
   const Vec3 way = leg.to.place - leg.from.place;
   const double squared = norm_squared(way);
@@ -111,18 +111,18 @@ bool returns_to_leg(const Solids& solids, const RoutePoint& start, Route& route)
 }
 
 void go_back(Route& route) {
-  const RoutePoint last = route.passed.back();
+  const SpaceRoutePoint last = route.passed.back();
   put_first(route, last);
   route.passed.pop_back();
   route.is_moved = false;
 }
 
 // Returns whether the robot sees its route again, by a few bends at most.
-bool returns(const Solids& solids, const RoutePoint& start, double radius, Route& route) {
+bool returns(const Solids& solids, const SpaceRoutePoint& start, double radius, Route& route) {
   for (int k = 0; k < kGoesBack && !route.passed.empty(); ++k) {
     if (returns_to_leg(solids, start, route)) return true;
     go_back(route);
-    const RoutePoint& bend = route.points.front();
+    const SpaceRoutePoint& bend = route.points.front();
     if (norm(bend.place - start.place) < kReturns * radius && is_way(solids, start, bend))
       return true;
   }
@@ -141,9 +141,9 @@ void pass(Route& route, std::size_t count) {
 
 bool advance(const Solids& solids, Vec3 position, double radius, Route& route) {
   if (route.points.empty()) return false;
-  const RoutePoint start = start_of(solids, position, radius);
+  const SpaceRoutePoint start = start_of(solids, position, radius);
   pass(route, seen_from(solids, start, route.points));
-  const RoutePoint nearer{position, std::min(start.room, kScrapes * radius)};
+  const SpaceRoutePoint nearer{position, std::min(start.room, kScrapes * radius)};
   const auto is_within = [&](double radii) {
     return route.points.size() > 1 && norm(route.points[0].place - position) < radii * radius;
   };
@@ -154,7 +154,7 @@ bool advance(const Solids& solids, Vec3 position, double radius, Route& route) {
 
 SpaceHeading heading_on(const Robot& robot, double preferred_speed, const Route& route) {
   const Vec3 position = robot.position;
-  const std::vector<RoutePoint>& points = route.points;
+  const std::vector<SpaceRoutePoint>& points = route.points;
   SpaceHeading heading{points.back().place, preferred_speed, route_length(position, points)};
   if (points.size() == 1) return heading;
   const Vec3 way = points.front().place - position;

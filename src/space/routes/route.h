@@ -11,16 +11,17 @@ namespace avo::space {
 
 /// What a robot remembers of its route from step to step.
 struct Route {
-  Vec3 goal;                       ///< m, for which it was found
-  std::vector<RoutePoint> points;  ///< still to come; empty: no way is known
-  std::vector<RoutePoint> passed;  ///< bends behind the robot, to which others may push it back
-  bool is_moved = false;           ///< the next point has moved on from the last bend of `passed`
-  bool reaches = true;             ///< whether it ends at the goal
-  double left = 0.0;               ///< m, from its end to the goal
-  bool is_in_box = false;          ///< whether the goal is nearer to a box than the radius
-  bool is_searched = false;        ///< for this goal and these boxes
-  double yielded = 0.0;            ///< s, for which it has let others enter a passage before it
-  int rests = 0;                   ///< steps until it may be searched again
+  Vec3 goal;                            ///< m, for which it was found
+  std::vector<SpaceRoutePoint> points;  ///< still to come; empty: no way is known
+  std::vector<SpaceRoutePoint>
+      passed;                ///< bends behind the robot, to which others may push it back
+  bool is_moved = false;     ///< the next point has moved on from the last bend of `passed`
+  bool reaches = true;       ///< whether it ends at the goal
+  double left = 0.0;         ///< m, from its end to the goal
+  bool is_in_box = false;    ///< whether the goal is nearer to a box than the radius
+  bool is_searched = false;  ///< for this goal and these boxes
+  double yielded = 0.0;      ///< s, for which it has let others enter a passage before it
+  int rests = 0;             ///< steps until it may be searched again
 };
 
 /// Where a robot heads for, as far off as the end along the route, and its speed at most.

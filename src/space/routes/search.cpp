@@ -20,8 +20,8 @@ constexpr int kSlides = 20;     // bisections of the last way, to a goal that is
 
 class RouteSearch {
  public:
-  RouteSearch(const FreeCells& cells, const Solids& solids, const RoutePoint& from,
-              const RoutePoint& goal, SearchScratch& scratch)
+  RouteSearch(const FreeCells& cells, const Solids& solids, const SpaceRoutePoint& from,
+              const SpaceRoutePoint& goal, RouteScratch& scratch)
       : cells_(cells),
         solids_(solids),
         from_(from),
@@ -38,7 +38,7 @@ class RouteSearch {
   }
 
   // Requires that the start and a door are in one part.
-  std::vector<RoutePoint> run(const std::vector<std::uint32_t>& seeds) {
+  std::vector<SpaceRoutePoint> run(const std::vector<std::uint32_t>& seeds) {
     reach(start_, start_, 0.0);
     scratch_.reached[start_].is_settled = true;
     for (const std::uint32_t cell : seeds) offer(cell, start_);
@@ -53,7 +53,7 @@ class RouteSearch {
       cells_.for_each_joined(point, [&](std::uint32_t next) { offer(next, before); });
       if (is_door(point)) offer(end_, before);
     }
-    return is_reached(end_) ? points() : std::vector<RoutePoint>{};
+    return is_reached(end_) ? points() : std::vector<SpaceRoutePoint>{};
   }
 
  private:
@@ -66,9 +66,9 @@ class RouteSearch {
   [[nodiscard]] bool is_door(std::uint32_t cell) const {
     return std::binary_search(scratch_.doors.begin(), scratch_.doors.end(), cell);
   }
-  [[nodiscard]] RoutePoint point_of(std::uint32_t point) const {
+  [[nodiscard]] SpaceRoutePoint point_of(std::uint32_t point) const {
     if (point == start_) return from_;
-    return point == end_ ? goal_ : RoutePoint{cells_.place(point), cells_.room(point)};
+    return point == end_ ? goal_ : SpaceRoutePoint{cells_.place(point), cells_.room(point)};
   }
   [[nodiscard]] Vec3 place(std::uint32_t point) const {
     return point == start_ ? from_.place : point == end_ ? goal_.place : cells_.place(point);
@@ -88,7 +88,7 @@ class RouteSearch {
 
   // A point that does not see the point before it takes the best of its settled neighbors.
   void settle(std::uint32_t point) {
-    SearchScratch::Reached& reached = scratch_.reached[point];
+    RouteScratch::Reached& reached = scratch_.reached[point];
     if (!is_way(solids_, point_of(reached.from), point_of(point))) {
       reached.length = std::numeric_limits<double>::infinity();
       const auto consider = [&](std::uint32_t other) {
@@ -104,8 +104,8 @@ class RouteSearch {
     reached.is_settled = true;
   }
 
-  [[nodiscard]] std::vector<RoutePoint> points() const {
-    std::vector<RoutePoint> points;
+  [[nodiscard]] std::vector<SpaceRoutePoint> points() const {
+    std::vector<SpaceRoutePoint> points;
     for (std::uint32_t point = end_; point != start_; point = scratch_.reached[point].from)
       points.push_back(point_of(point));
     std::reverse(points.begin(), points.end());
@@ -114,14 +114,14 @@ class RouteSearch {
 
   const FreeCells& cells_;
   const Solids& solids_;
-  RoutePoint from_, goal_;
-  SearchScratch& scratch_;
+  SpaceRoutePoint from_, goal_;
+  RouteScratch& scratch_;
   std::uint32_t start_, end_;
 };
 
 // The cells around a place to which a straight way leads, in ascending order.
 std::vector<std::uint32_t> seen_from(const FreeCells& cells, const Solids& solids,
-                                     const RoutePoint& point, int around) {
+                                     const SpaceRoutePoint& point, int around) {
   std::vector<std::uint32_t> seen;
   cells.for_each_around(point.place, around, [&](std::uint32_t cell) {
     if (is_way(solids, point, {cells.place(cell), cells.room(cell)})) seen.push_back(cell);
@@ -149,7 +149,7 @@ std::uint32_t nearest_of(const FreeCells& cells, const std::vector<std::uint32_t
 }
 
 // From a place straight towards a goal that is not free, as far as the robot gets.
-RoutePoint slid(const Solids& solids, const RoutePoint& from, Vec3 goal) {
+SpaceRoutePoint slid(const Solids& solids, const SpaceRoutePoint& from, Vec3 goal) {
   double free = 0.0, blocked = 1.0;
   for (int k = 0; k < kSlides; ++k) {
     const double part = 0.5 * (free + blocked);
@@ -166,10 +166,10 @@ double room_at(const Solids& solids, Vec3 place, double most) {
 }
 
 FoundRoute find_route(const FreeCells& cells, const Solids& solids, Vec3 from, Vec3 goal,
-                      double radius, SearchScratch& scratch) {
+                      double radius, RouteScratch& scratch) {
   const double most = cells.most_room();
-  const RoutePoint start{from, room_at(solids, from, most)};
-  RoutePoint end{goal, room_at(solids, goal, most)};
+  const SpaceRoutePoint start{from, room_at(solids, from, most)};
+  SpaceRoutePoint end{goal, room_at(solids, goal, most)};
   FoundRoute route;
   route.is_in_box = !(end.room >= kLeastRoom * radius);
   std::vector<std::uint32_t> seeds;

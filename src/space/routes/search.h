@@ -10,20 +10,20 @@
 namespace avo::space {
 
 /// A place on a route, and what the route keeps from boxes there, m.
-struct RoutePoint {
+struct SpaceRoutePoint {
   Vec3 place;
   double room = 0.0;
 };
 
 /// A route from the place where it was searched, without that place.
 struct FoundRoute {
-  std::vector<RoutePoint> points;  ///< the last one is the end; empty: there is no way at all
-  bool reaches = false;            ///< whether it ends at the goal, and not as near as possible
-  bool is_in_box = false;          ///< whether the goal is nearer to a box than the radius
+  std::vector<SpaceRoutePoint> points;  ///< the last one is the end; empty: there is no way at all
+  bool reaches = false;    ///< whether it ends at the goal, and not as near as possible
+  bool is_in_box = false;  ///< whether the goal is nearer to a box than the radius
 };
 
 /// Memory for searches; allocates only while it grows.
-struct SearchScratch {
+struct RouteScratch {
   struct Reached {
     double length = 0.0;       ///< m, from the start
     std::uint32_t from = 0;    ///< the point before it, which it sees or seems to see
@@ -39,7 +39,7 @@ struct SearchScratch {
 /// The route of a robot that is to end at a goal. Where no way leads there, the route ends as near
 /// to the goal as the robot gets. It is a function of its arguments alone.
 FoundRoute find_route(const FreeCells& cells, const Solids& solids, Vec3 from, Vec3 goal,
-                      double radius, SearchScratch& scratch);
+                      double radius, RouteScratch& scratch);
 
 /// m: what a place keeps from boxes, at most as much as routes keep.
 double room_at(const Solids& solids, Vec3 place, double most);

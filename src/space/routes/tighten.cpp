@@ -15,7 +15,8 @@ constexpr double kSharp = 0.95;   // cosine of a bend that is split
 constexpr double kSplit = 0.3;    // of the room, from the bend to both points
 constexpr double kLittle = 1e-4;  // of the length: less is not worth another sweep
 
-void leave_out(const Solids& solids, const RoutePoint& from, std::vector<RoutePoint>& points) {
+void leave_out(const Solids& solids, const SpaceRoutePoint& from,
+               std::vector<SpaceRoutePoint>& points) {
   std::size_t kept = 0;
   for (std::size_t k = 0; k + 1 < points.size(); ++k) {
     if (is_way(solids, kept == 0 ? from : points[kept - 1], points[k + 1])) continue;
@@ -27,9 +28,9 @@ void leave_out(const Solids& solids, const RoutePoint& from, std::vector<RoutePo
 
 /// A bend of the route and its neighbors.
 struct Bend {
-  RoutePoint before;
-  RoutePoint& at;
-  RoutePoint after;
+  SpaceRoutePoint before;
+  SpaceRoutePoint& at;
+  SpaceRoutePoint after;
 };
 
 // Moves the bend as far towards the place as the route stays clear and gets shorter.
@@ -42,7 +43,7 @@ void move_towards(const Solids& solids, double most_room, Vec3 target, const Ben
     step *= 0.5;
     if (part > 1.0) continue;
     const Vec3 place = start + part * (target - start);
-    const RoutePoint point{place, std::min(bend.at.room, room_at(solids, place, most_room))};
+    const SpaceRoutePoint point{place, std::min(bend.at.room, room_at(solids, place, most_room))};
     if (!(sum(place) < sum(bend.at.place)) || point.room < bend.at.room ||
         !is_way(solids, bend.before, point) || !is_way(solids, point, bend.after))
       continue;
@@ -83,20 +84,21 @@ void pull(const Solids& solids, double most_room, const Bend& bend) {
 
 }  // namespace
 
-double route_length(Vec3 from, std::span<const RoutePoint> points) {
+double route_length(Vec3 from, std::span<const SpaceRoutePoint> points) {
   double length = 0.0;
-  for (const RoutePoint& point : points) length += norm(point.place - from), from = point.place;
+  for (const SpaceRoutePoint& point : points)
+    length += norm(point.place - from), from = point.place;
   return length;
 }
 
-bool is_way(const Solids& solids, const RoutePoint& a, const RoutePoint& b) {
+bool is_way(const Solids& solids, const SpaceRoutePoint& a, const SpaceRoutePoint& b) {
   return solids.is_clear(a.place, b.place, (1.0 - kSightRounding) * std::min(a.room, b.room));
 }
 
 namespace {
 
-void sweep_all(const Solids& solids, const RoutePoint& from, double most_room,
-               std::vector<RoutePoint>& points) {
+void sweep_all(const Solids& solids, const SpaceRoutePoint& from, double most_room,
+               std::vector<SpaceRoutePoint>& points) {
   double length = route_length(from.place, points);
   for (int sweep = 0; sweep < kSweeps && points.size() > 1; ++sweep) {
     for (std::size_t k = 0; k + 1 < points.size(); ++k)
@@ -109,8 +111,8 @@ void sweep_all(const Solids& solids, const RoutePoint& from, double most_room,
 }
 
 // Two points for each sharp bend, on both legs: so that the route leads round an edge.
-void split(const RoutePoint& from, double most_room, std::vector<RoutePoint>& points) {
-  std::vector<RoutePoint> more;
+void split(const SpaceRoutePoint& from, double most_room, std::vector<SpaceRoutePoint>& points) {
+  std::vector<SpaceRoutePoint> more;
   for (std::size_t k = 0; k < points.size(); ++k) {
     const Vec3 at = points[k].place;
     const Vec3 before = (k == 0 ? from.place : points[k - 1].place) - at;
@@ -130,8 +132,8 @@ void split(const RoutePoint& from, double most_room, std::vector<RoutePoint>& po
 
 }  // namespace
 
-void tighten(const Solids& solids, const RoutePoint& from, double most_room,
-             std::vector<RoutePoint>& points) {
+void tighten(const Solids& solids, const SpaceRoutePoint& from, double most_room,
+             std::vector<SpaceRoutePoint>& points) {
   if (points.empty()) return;
   leave_out(solids, from, points);
   sweep_all(solids, from, most_room, points);

@@ -9,13 +9,13 @@ namespace avo::space {
 
 /// Leaves out points of the route that its neighbors see past, and moves the others to where the
 /// route is shortest, without coming nearer to boxes. from: where it begins.
-void tighten(const Solids& solids, const RoutePoint& from, double most_room,
-             std::vector<RoutePoint>& points);
+void tighten(const Solids& solids, const SpaceRoutePoint& from, double most_room,
+             std::vector<SpaceRoutePoint>& points);
 
 /// Returns whether a straight way leads from one point to the other, with the room of both.
-bool is_way(const Solids& solids, const RoutePoint& a, const RoutePoint& b);
+bool is_way(const Solids& solids, const SpaceRoutePoint& a, const SpaceRoutePoint& b);
 
 /// m: from a place through all points.
-double route_length(Vec3 from, std::span<const RoutePoint> points);
+double route_length(Vec3 from, std::span<const SpaceRoutePoint> points);
 
 }  // namespace avo::space

@@ -15,7 +15,7 @@ constexpr double kTouches = 1e-9;   // m, relative to the width: of faces that m
 constexpr double kInLine = 0.25;    // of the width: tubes in line are one
 
 /// The interval of an axis.
-struct Interval {
+struct AxisRange {
   double low = 0.0, high = 0.0;
 
   [[nodiscard]] double length() const { return high - low; }
@@ -23,11 +23,11 @@ struct Interval {
   [[nodiscard]] bool is_finite() const { return std::isfinite(low) && std::isfinite(high); }
   [[nodiscard]] bool contains(double x) const { return low <= x && x <= high; }
 };
-Interval common(Interval a, Interval b) {
+AxisRange common(AxisRange a, AxisRange b) {
   return {std::max(a.low, b.low), std::min(a.high, b.high)};
 }
 
-using Extents = std::array<Interval, 3>;  // along x, y and z of a frame
+using Extents = std::array<AxisRange, 3>;  // along x, y and z of a frame
 
 /// Boxes that share axes.
 struct Aligned {
@@ -57,9 +57,9 @@ Vec2 turned(Vec2 axis, int& turns) {
 Extents extents_of(const Solid& solid, int turns) {
   const Box& box = solid.box;
   const double r = box.radius;
-  Interval x{box.min.x - r, box.max.x + r}, y{box.min.y - r, box.max.y + r};
+  AxisRange x{box.min.x - r, box.max.x + r}, y{box.min.y - r, box.max.y + r};
   for (; turns > 0; --turns) {  // the frame has turned clockwise: x is what was -y
-    const Interval before = x;
+    const AxisRange before = x;
     x = {-y.high, -y.low}, y = before;
   }
   return {x, y, {box.min.z - r, box.max.z + r}};
@@ -93,29 +93,29 @@ std::vector<Aligned> by_axes(const Solids& solids) {
 }
 
 /// What is between two faces.
-struct Between {
+struct FacesApart {
   Extents room;  ///< along one axis from face to face, along the others what both boxes cover
 };
 
-std::vector<Between> faces_apart(const Aligned& aligned, std::size_t along, double narrowest,
-                                 double widest) {
+std::vector<FacesApart> faces_apart(const Aligned& aligned, std::size_t along, double narrowest,
+                                    double widest) {
   std::vector<std::size_t> order(aligned.boxes.size());
   for (std::size_t k = 0; k < order.size(); ++k) order[k] = k;
   const auto low = [&](std::size_t k) { return aligned.boxes[k][along].low; };
   std::stable_sort(order.begin(), order.end(),
                    [&](std::size_t a, std::size_t b) { return low(a) < low(b); });
-  std::vector<Between> found;
+  std::vector<FacesApart> found;
   for (const Extents& a : aligned.boxes) {
     const double face = a[along].high;
     if (!std::isfinite(face)) continue;
     auto b = std::lower_bound(order.begin(), order.end(), face + (1.0 - kTouches) * narrowest,
                               [&](std::size_t k, double x) { return low(k) < x; });
     for (; b != order.end() && low(*b) <= face + (1.0 + kTouches) * widest; ++b) {
-      Between between;
+      FacesApart between;
       for (std::size_t k = 0; k < 3; ++k) between.room[k] = common(a[k], aligned.boxes[*b][k]);
       between.room[along] = {face, low(*b)};
       const bool meet = std::all_of(between.room.begin(), between.room.end(),
-                                    [](Interval i) { return i.low <= i.high; });
+                                    [](AxisRange i) { return i.low <= i.high; });
       if (meet) found.push_back(between);
     }
   }
@@ -137,7 +137,7 @@ bool is_open(const Solids& solids, const Tube& tube) {
 std::optional<Tube> tube_of(const Aligned& aligned, std::size_t first, std::size_t second,
                             const Extents& a, const Extents& b) {
   const std::size_t along = 3 - first - second;
-  const Interval width = a[first], height = b[second], length = common(a[along], b[along]);
+  const AxisRange width = a[first], height = b[second], length = common(a[along], b[along]);
   if (!(length.low <= length.high) || !length.is_finite()) return std::nullopt;
   if (!b[first].contains(width.middle()) || !a[second].contains(height.middle()))
     return std::nullopt;
@@ -188,10 +188,10 @@ std::vector<Slot> find_slots(const Solids& solids, double narrowest, double wide
   for (const Aligned& aligned : by_axes(solids)) {
     for (std::size_t k = 0; k < 3; ++k) {
       const std::size_t first = (k + 1) % 3, second = (k + 2) % 3;
-      for (const Between& between : faces_apart(aligned, k, narrowest, widest)) {
+      for (const FacesApart& between : faces_apart(aligned, k, narrowest, widest)) {
         std::array<double, 3> middle{};
         middle[k] = between.room[k].middle();
-        const Interval one = between.room[first], two = between.room[second];
+        const AxisRange one = between.room[first], two = between.room[second];
         slots.push_back({aligned.out(middle), aligned.unit(k), aligned.unit(first),
                          aligned.unit(second), one.low, one.high, two.low, two.high});
       }
@@ -203,11 +203,11 @@ std::vector<Slot> find_slots(const Solids& solids, double narrowest, double wide
 std::vector<Tube> find_tubes(const Solids& solids, double narrowest, double widest) {
   std::vector<Tube> tubes;
   for (const Aligned& aligned : by_axes(solids)) {
-    std::array<std::vector<Between>, 3> between;
+    std::array<std::vector<FacesApart>, 3> between;
     for (std::size_t k = 0; k < 3; ++k) between[k] = faces_apart(aligned, k, narrowest, widest);
     for (const auto& [first, second] : {std::pair(0U, 1U), {0U, 2U}, {1U, 2U}}) {
-      for (const Between& a : between[first]) {
-        for (const Between& b : between[second]) {
+      for (const FacesApart& a : between[first]) {
+        for (const FacesApart& b : between[second]) {
           const auto tube = tube_of(aligned, first, second, a.room, b.room);
           if (tube && is_open(solids, *tube)) take(tubes, *tube);
         }

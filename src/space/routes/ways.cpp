@@ -34,7 +34,7 @@ Vec3 beyond(Vec3 position, Vec3 target, double rest) {
   return distance > 0.0 && rest > distance ? position + (rest / distance) * way : target;
 }
 
-bool is_clear(const Solids& solids, const std::vector<RoutePoint>& points) {
+bool is_clear(const Solids& solids, const std::vector<SpaceRoutePoint>& points) {
   for (std::size_t k = 0; k + 1 < points.size(); ++k) {
     if (!is_way(solids, points[k], points[k + 1])) return false;
   }
@@ -109,7 +109,7 @@ void SpaceWays::follow(const Robot& robot, Vec3 goal, Route& route, WayScratch& 
   if (!(route.goal == goal)) route = {.goal = goal, .points = {}, .passed = {}};
   const Vec3 position = robot.position;
   const double room = room_at(solids_, goal, robot.radius + kRouteRoom);
-  const RoutePoint start{position, room_at(solids_, position, robot.radius + kRouteRoom)};
+  const SpaceRoutePoint start{position, room_at(solids_, position, robot.radius + kRouteRoom)};
   if (room >= kLeastRoom * robot.radius && is_way(solids_, start, {goal, room})) {
     if (route.reaches && !route.points.empty())
       pass(route, route.points.size() - 1);
@@ -145,7 +145,7 @@ void SpaceWays::look(std::size_t k, const Robot& robot, Vec3 goal, WayScratch& s
 }
 
 SpaceHeading SpaceWays::heading(std::size_t k, const Robot& robot, Vec3 goal,
-                                double preferred_speed, const Company& company,
+                                double preferred_speed, const PassageView& company,
                                 WayScratch& scratch) {
   SpaceHeading heading{goal, preferred_speed, norm(goal - robot.position)};
   if (solids_.size() == 0) return heading;

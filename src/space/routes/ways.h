@@ -17,12 +17,12 @@ namespace avo::space {
 
 /// Memory of a worker; allocates only while it grows.
 struct WayScratch {
-  SearchScratch search;
+  RouteScratch search;
   std::vector<Claimant> others;
 };
 
 /// What others do beside a robot, for the rules at passages.
-struct Company {
+struct PassageView {
   std::span<const Neighbor> neighbors;
   double detour = 0.0;          ///< rad, see Detour::angle
   double sensing_radius = 0.0;  ///< m
@@ -50,7 +50,7 @@ class SpaceWays {
   void look(std::size_t k, const Robot& robot, Vec3 goal, WayScratch& scratch);
   /// Where robot k heads for. Several threads may ask for different robots at once.
   SpaceHeading heading(std::size_t k, const Robot& robot, Vec3 goal, double preferred_speed,
-                       const Company& company, WayScratch& scratch);
+                       const PassageView& company, WayScratch& scratch);
 
   /// What robot k remembers of its route; none where it knows no route, nor needs any.
   [[nodiscard]] const Route* route(std::size_t k) const {

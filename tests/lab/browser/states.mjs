@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Ten states of the page that a person has looked at, and how to get to each of them.
+// Eleven states of the page that a person has looked at, and how to get to each of them.
+import { readFileSync } from "node:fs";
 import { frames, openText, steps } from "./browser.mjs";
 
 const builtin = (name, seconds) => async (page) => {
@@ -22,6 +23,8 @@ groups:
     jitter: 0.3
 `;
 
+const WINDOW = readFileSync(new URL("../../../examples/space/window.yaml", import.meta.url), "utf8");
+
 /** name, what open() takes, and what leads there from the first picture. */
 export const STATES = [
   { name: "first", go: async () => {} },
@@ -31,6 +34,7 @@ export const STATES = [
   { name: "office", go: builtin("office", 12) },
   { name: "mixed-yard", go: builtin("mixed-yard", 15) },
   { name: "planes-12", go: then(builtin("planes-12", 14), select(0)) },
+  { name: "space", go: then((page) => openText(page, WINDOW, "window"), (page) => steps(page, 80), select(3)) },
   { name: "collisions", go: then((page) => openText(page, CROWD, "crowd"), (page) => steps(page, 90)) },
   { name: "error", go: (page) => openText(page, "version: 1\nrobots:\n  - {position: [0, 0], goal: [1, 0], radius: -1}\n", "bad") },
   { name: "phone", width: 390, height: 844, context: { hasTouch: true, isMobile: true }, go: then(builtin("circle-20", 6), select(2)) },

@@ -6,21 +6,24 @@ import { test } from "node:test";
 import { csvOf } from "../../../lab/page/data/csv_writer.ts";
 import { formatOf } from "../../../lab/page/data/open.ts";
 import { library } from "../wasm/module.mjs";
-import { allFrames, avo, openRecording, recorded, refusal } from "./native.mjs";
+import { allFrames, avo, openRecording, recorded, refusal, sceneFile } from "./native.mjs";
 
 /** The table of all these frames. */
-const tableOf = (frames, { headings, every }) =>
-  frames.map((frame, k) => csvOf(library, frame, { headings, every, begins: k === 0 })).join("");
+const tableOf = (frames, { dimensions, headings, every }) =>
+  frames.map((frame, k) => csvOf(library, frame, { dimensions, headings, every, begins: k === 0 })).join("");
+
+const DRONES = sceneFile("drones.yaml", JSON.stringify({ version: 1, space: 3,
+  groups: [{ count: 12, sphere: { radius: 5 }, goal: "antipodal", jitter: 0.2, downwash: 1 }], obstacles: [{ floor: -7 }] }));
 
 const bytesOf = (text) => new TextEncoder().encode(text);
 
 for (const [scene, ...options] of [["circle-10"], ["circle-10", "--every", "7"], ["planes-12", "--duration", "60"],
-  ["mixed-yard", "--duration", "5"], ["cars-100", "--duration", "6"]])
+  ["mixed-yard", "--duration", "5"], ["cars-100", "--duration", "6"], [DRONES, "--duration", "3"], [DRONES, "--duration", "4", "--every", "3"]])
   test(`${[scene, ...options].join(" ")}: as HDF5 and as CSV`, async () => {
     const table = recorded("run.csv", scene, ...options);
     const csv = await openRecording("run.csv", table);
     const hdf5 = await openRecording("run.h5", recorded("run.h5", scene, ...options));
-    for (const key of ["times", "robots", "headings", "every"]) assert.deepEqual(csv[key], hdf5[key], key);
+    for (const key of ["dimensions", "times", "robots", "headings", "every"]) assert.deepEqual(csv[key], hdf5[key], key);
     const frames = await allFrames(hdf5);
     const states = ({ status, clearance, ...state }) => state;
     assert.deepEqual((await allFrames(csv)).map(states), frames.map(states));
@@ -33,7 +36,7 @@ for (const [scene, ...options] of [["circle-10"], ["circle-10", "--every", "7"],
 test("robots of a run by their numbers; the speed of a velocity; the fewest digits", () => {
   const frame = { time: 0.1, robot: [3, 8], position: [1, -0, 1e-7, 2.5e21], velocity: [0, 2, 1e16, 1.5e-300],
     heading: [Math.PI / 2, NaN] };
-  assert.equal(csvOf(library, frame, { headings: true, every: 1, begins: true }),
+  assert.equal(csvOf(library, frame, { dimensions: 2, headings: true, every: 1, begins: true }),
     "time,robot,x,y,vx,vy,heading,speed\n0.1,3,1,-0,0,2,1.5707963267948966,2\n0.1,8,1e-07,2.5e+21,1e+16,1.5e-300,,\n");
 });
 

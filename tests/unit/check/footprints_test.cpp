@@ -14,7 +14,7 @@
 namespace avo::test {
 namespace {
 
-constexpr double kStep = 0.4;  // s
+constexpr double kTruckStep = 0.4;  // s
 constexpr int kParts = 4000;
 
 Vec2 direction(double angle) {
@@ -49,7 +49,7 @@ Truck on_an_arc(Random& random) {
   const bool rests = random.below(3) == 0;
   const double speed = rests ? 0.0 : random.uniform(0.2, 2.0);
   const double next = rests ? 0.0 : random.uniform(0.2, 2.0), turn = random.uniform(-1.5, 1.5);
-  const double length = 0.5 * kStep * (speed + next);
+  const double length = 0.5 * kTruckStep * (speed + next);
   double heading = random.uniform(-3.0, 3.0);
   Vec2 axle = in_disc(random, 1.0);
   truck.before = {0, axle, speed * direction(heading), CheckedHeading{heading, speed}};
@@ -57,11 +57,11 @@ Truck on_an_arc(Random& random) {
   note(axle, heading, truck);
   for (int k = 0; k < kParts; ++k) {
     const double part = (k + 0.5) / kParts, v = speed + part * (next - speed);
-    const double covered_way = kStep * part * (speed + 0.5 * part * (next - speed));
+    const double covered_way = kTruckStep * part * (speed + 0.5 * part * (next - speed));
     const double middle = start + turn * (rests ? part * part : covered_way / length);
-    axle = axle + (kStep / kParts * v) * direction(middle);
+    axle = axle + (kTruckStep / kParts * v) * direction(middle);
     const double end = static_cast<double>(k + 1) / kParts;
-    const double end_way = kStep * end * (speed + 0.5 * end * (next - speed));
+    const double end_way = kTruckStep * end * (speed + 0.5 * end * (next - speed));
     heading = start + turn * (rests ? end * end : end_way / length);
     note(axle, heading, truck);
   }
@@ -82,7 +82,7 @@ Truck towed(Random& random) {
   note(axle, heading, truck);
   Vec2 point = axle + offset * direction(heading);
   for (int k = 0; k < kParts; ++k) {
-    const double part = (k + 0.5) / kParts, step = kStep / kParts;
+    const double part = (k + 0.5) / kParts, step = kTruckStep / kParts;
     const Vec2 v = velocity + part * (next - velocity);
     const auto rate = [&](double angle) {
       return dot(Vec2{-std::sin(angle), std::cos(angle)}, v) / offset;
@@ -106,7 +106,7 @@ void expect_ways(const Truck& truck, Random& random) {
   const auto add = [&](double time, const CheckedState& row) {
     check.add(time, std::vector<CheckedState>{row, {1, place, {}}});
   };
-  add(0.0, truck.before), add(kStep, truck.now);
+  add(0.0, truck.before), add(kTruckStep, truck.now);
   double apart = 1e9, from_wall = 1e9;
   for (const std::vector<Vec2>& way : truck.ways) {
     for (const Vec2 p : way) {

@@ -290,9 +290,9 @@ TEST(CheckWalls, may_change_between_two_times) {
 TEST(BoxTree, visits_all_boxes_that_are_near) {
   Random random(16);
   for (const std::size_t number : {0, 1, 4, 5, 100, 1000}) {
-    std::vector<judge::Box> boxes;
+    std::vector<judge::BoundingBox> boxes;
     const auto any = [&random](std::size_t owner) {
-      judge::Box box{{}, {}, owner};
+      judge::BoundingBox box{{}, {}, owner};
       for (std::size_t k = 0; k < 2; ++k) {
         box.low[k] = random.uniform(-10.0, 10.0);
         box.high[k] = box.low[k] + random.log_uniform(1e-3, 20.0);
@@ -302,10 +302,10 @@ TEST(BoxTree, visits_all_boxes_that_are_near) {
     for (std::size_t i = 0; i < number; ++i) boxes.push_back(any(i));
     const judge::BoxTree tree(boxes);
     for (int k = 0; k < 50; ++k) {
-      const judge::Box box = any(0);
+      const judge::BoundingBox box = any(0);
       const double reach = random.uniform(0.0, 3.0);
       std::multiset<std::size_t> expected, visited;
-      for (const judge::Box& each : boxes)
+      for (const judge::BoundingBox& each : boxes)
         if (judge::gap(each, box) < reach) expected.insert(each.owner);
       tree.visit(
           box, [reach] { return reach; }, [&visited](std::size_t owner) { visited.insert(owner); });

@@ -19,7 +19,8 @@ namespace {
 // All fields with members, as if none of them had a place in the format.
 std::vector<RobotField> all_late() {
   std::vector<RobotField> late;
-  for_each_member(kRobotFields, [&](const RobotField& field, auto) { late.push_back(field); });
+  for_each_member(kFields<RobotSetup>,
+                  [&](const RobotField& field, auto) { late.push_back(field); });
   return late;
 }
 
@@ -27,7 +28,7 @@ std::vector<RobotField> all_late() {
 RobotSetup unusual() {
   RobotSetup setup;
   double number = 3.25;
-  for_each_member(kRobotFields, [&](const RobotField&, auto member) {
+  for_each_member(kFields<RobotSetup>, [&](const RobotField&, auto member) {
     auto& value = setup.*member;
     using Value = std::decay_t<decltype(value)>;
     number += 1.0;
@@ -77,7 +78,7 @@ TEST(LateFields, an_unknown_field_is_refused) {
   Archive<true> archive;
   RobotSetup setup;
   try {
-    describe_late(archive, setup, late_bit(2), std::span(kRobotFields).first(2));
+    describe_late(archive, setup, late_bit(2), std::span(kFields<RobotSetup>).first(2));
     FAIL();
   } catch (const Error& error) {
     EXPECT_EQ(std::string(error.what()),
@@ -88,14 +89,14 @@ TEST(LateFields, an_unknown_field_is_refused) {
 TEST(LateFields, all_settings_of_a_scene_are_saved) {
   std::set<std::string_view> saved{"allow_broken_assumptions", "external_method"};  // by themselves
   for_each_setting([&](std::string_view key, auto) { saved.insert(key); });
-  for_each_member(kScenarioFields, [&](const auto& field, auto) {
+  for_each_member(kFields<Scenario>, [&](const auto& field, auto) {
     EXPECT_TRUE(saved.contains(field.key))
         << "src/sim/state/saved_state.h: for_each_setting lacks visit(\"" << field.key
         << "\", &Scenario::" << field.key << ");";
   });
   std::set<std::string_view> of_movers;
   for_each_obstacle_value([&](std::string_view key, auto) { of_movers.insert(key); });
-  for_each_member(kMoverFields, [&](const auto& field, auto) {
+  for_each_member(kFields<MovingObstacle>, [&](const auto& field, auto) {
     EXPECT_TRUE(of_movers.contains(field.key))
         << "src/sim/state/saved_state.h: for_each_obstacle_value lacks visit(\"" << field.key
         << "\", &MovingObstacle::" << field.key << ");";

@@ -57,7 +57,7 @@ struct Crowd {
     return robot;
   }
 
-  Look look() {
+  Viewer look() {
     begin_constraints(robot, braking_of(robot, law), law, constraints);
     return {.robot = robot,
             .braking = constraints.own,
@@ -69,14 +69,14 @@ struct Crowd {
   }
   Looked seen() {
     Looked looked;
-    Look around = look();
+    Viewer around = look();
     const Run all{0, bodies.count};
     look_at(around, bodies, std::span(&all, 1), {}, looked);
     return looked;
   }
 };
 
-TEST(Look, leaves_out_nobody_who_can_refuse_a_velocity) {
+TEST(Viewer, leaves_out_nobody_who_can_refuse_a_velocity) {
   Draws draws(31);
   int refused = 0;
   for (int k = 0; k < 300; ++k) {
@@ -104,13 +104,13 @@ TEST(Look, leaves_out_nobody_who_can_refuse_a_velocity) {
   EXPECT_GT(refused, 100);
 }
 
-TEST(Look, leaves_out_no_half_space_that_cuts) {
+TEST(Viewer, leaves_out_no_half_space_that_cuts) {
   Draws draws(32);
   int left_out = 0, cutting = 0;
   for (int k = 0; k < 200; ++k) {
     Crowd crowd(draws, false);
     Looked looked = crowd.seen();
-    const Look look = crowd.look();
+    const Viewer look = crowd.look();
     const Vec3 wish = crowd.robot.velocity + draws.within(0.5);
     const auto numbers = [&] {
       const auto end =
@@ -145,7 +145,7 @@ TEST(Look, leaves_out_no_half_space_that_cuts) {
   EXPECT_GT(left_out, 1000);
 }
 
-TEST(Look, counts_a_robot_ahead_as_far_as_its_course_leads_to_contact) {
+TEST(Viewer, counts_a_robot_ahead_as_far_as_its_course_leads_to_contact) {
   const auto ahead = [](Vec3 place, Vec3 velocity) {
     Draws draws(33);
     Crowd crowd(draws, false);

@@ -36,7 +36,7 @@ Route route_of(const std::vector<Box>& boxes, Vec3 from, Vec3 goal, double radiu
 // m: the least distance of a route from the boxes, by dense samples.
 double clearance_of(const std::vector<Box>& boxes, Vec3 from, const Route& route) {
   double least = Box::kFar;
-  for (const RoutePoint& point : route.points) {
+  for (const SpaceRoutePoint& point : route.points) {
     for (int k = 0; k <= 200; ++k) {
       for (const Box& one : boxes)
         least = std::min(least, distance_of(from + (0.005 * k) * (point.place - from), one));

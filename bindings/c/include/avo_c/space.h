@@ -196,6 +196,7 @@ typedef struct avo_space_simulation_def {
   avo_motion motion;            ///< of all robots
   avo_certificate certificate;  ///< AVO_UNSET: usual
   int32_t max_neighbors;        ///< >= 1, nearest neighbors that get a half-space; 0: all
+  bool navigation;              ///< robots follow routes around boxes
   int32_t threads;              ///< 0 to 1024; 0: as many as the machine has
   const avo_space_robot_def* robots;
   size_t robot_count;  ///< >= 1

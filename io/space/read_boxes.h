@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: Apache-2.0
+// Reads static obstacles of space from the tree of a scene file.
+#pragma once
+#include <string>
+#include <vector>
+
+#include "avo/space/box.h"
+#include "io/scene/read_obstacles.h"
+#include "io/scene/reader.h"
+
+namespace avo_io {
+
+/// Appends the boxes of an obstacle: a floor, a ceiling, a box, or an obstacle of the plane between
+/// two heights.
+void read_boxes(const Reader& reader, const YamlNode& node, const std::string& path,
+                SceneFiles& files, std::vector<NamedMap>& maps,
+                std::vector<avo::space::Box>& boxes);
+
+}  // namespace avo_io

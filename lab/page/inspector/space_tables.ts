@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: Apache-2.0
+// A decision in space in numbers with units, and the neighbors that the robot senses, nearest first.
+import type { Vec3 } from "../map/orbit.ts";
+import { digits, element } from "../elements.ts";
+import type { Lab } from "../run/lab.ts";
+import { neighborLink, symbol, tableOf, type Row } from "./decision_tables.ts";
+import { STATUS_COLORS } from "./palette.ts";
+import { minus3, norm3, type Cause, type SensedInSpace, type SpaceDecision } from "./space_decision.ts";
+
+const ROWS = 40;  // more rows would not be read
+
+const triple = (v: Vec3): string => `(${v.map((value) => digits(value, 3)).join(", ")})`;
+const speed = (v: Vec3): string => (norm3(v) > 0 ? `, ${digits(norm3(v))} m/s` : "");
+const names = (causes: Cause[]): string =>
+  causes.map((cause) => (typeof cause === "number" ? String(cause) : cause.replace("obstacles.", "obstacle "))).join(", ") || "nobody";
+
+export function numbersTableInSpace(decision: SpaceDecision): HTMLElement {
+  const { position, goal, velocity, preferred_velocity, new_velocity, next_velocity, acceleration, max_acceleration } = decision;
+  const velocities = (name: string, label: Node, v: Vec3, title: string): Row =>
+    ({ name, label, value: `${triple(v)} m/s${speed(v)}`, exact: v, title });
+  const causes = (name: string, label: string, all: Cause[], title: string): Row => ({ name, label, value: names(all), exact: all, title });
+  return tableOf([
+    { name: "position", label: "position", value: `${triple(position)} m`, exact: position },
+    { name: "goal", label: "goal", value: `${triple(goal)} m`, exact: goal },
+    velocities("velocity", symbol("v"), velocity, "velocity"),
+    velocities("preferred_velocity", symbol("v", "pref"), preferred_velocity, "preferred velocity: the wish"),
+    velocities("new_velocity", symbol("v′"), new_velocity, "new velocity: the choice"),
+    velocities("next_velocity", symbol("v", "next"), next_velocity, "velocity after this step"),
+    { name: "acceleration", label: symbol("a"), value: `${triple(acceleration)} m/s², ${digits(100 * norm3(acceleration) / max_acceleration, 0)} % of aₘₐₓ`, exact: acceleration, title: "acceleration: what follows from the choice, Eq. (7)" },
+    { name: "status", label: "status", value: decision.status, exact: decision.status, title: STATUS_COLORS[decision.status]?.says ?? "" },
+    causes("binding", "binding", decision.binding, "neighbors whose half-spaces bind"),
+    causes("heeded", "heeded", decision.heeded, "neighbors that rules for arriving heed"),
+    causes("refusing", "refusing", decision.refusing, "for whom the certificate refuses a velocity"),
+    { name: "violation", label: "violation", value: `${digits(decision.violation, 3)} m/s`, exact: decision.violation, title: "by how much v′ misses CA_A" },
+    { name: "state", label: "state", value: decision.state, exact: decision.state, title: "what is proved before anything is decided (docs/states.md)" },
+  ]);
+}
+
+/** Returns m, from body to body, downwash included. */
+function clearanceOf({ position, radius }: SpaceDecision, other: SensedInSpace, downwash: number): number {
+  const [x, y, z] = minus3(position, other.position);
+  return Math.hypot(x, y, z - Math.min(Math.max(z, -other.downwash), downwash)) - radius - other.radius;
+}
+
+export function neighborTableInSpace(lab: Lab, decision: SpaceDecision): HTMLElement {
+  const downwash = lab.info.robots.find(({ robot }) => robot === decision.robot)?.downwash ?? 0;
+  const sorted = decision.obstacles.map((sensed) => ({ sensed, clearance: clearanceOf(decision, sensed, downwash) }))
+    .sort((a, b) => a.clearance - b.clearance);
+  const roleOf = (robot: number): string =>
+    [["binds", decision.binding], ["refuses", decision.refusing], ["heeded", decision.heeded]]
+      .filter(([, all]) => (all as Cause[]).includes(robot)).map(([role]) => role).join(", ");
+  const rows = sorted.slice(0, ROWS).map(({ sensed, clearance }) => {
+    const name = `robots.${sensed.neighbor}`, role = roleOf(sensed.neighbor);
+    const height = sensed.position[2] - decision.position[2];
+    return element("tr", { "data-name": name, onpointerenter: () => lab.highlight(name), onpointerleave: () => lab.highlight(null) },
+      element("th", { scope: "row" }, neighborLink(lab, sensed.neighbor)),
+      element("td", { class: clearance < 0 ? "insp-bad" : "" }, digits(clearance)),
+      element("td", {}, `${height > 0 ? "+" : ""}${digits(height, 1)}`),
+      element("td", { class: role ? "insp-binds" : "" }, role));
+  });
+  const heads = [["neighbor", ""], ["clearance", "m"], ["height", "m"], ["role", ""]] as const;
+  const rest = sorted.length - rows.length;
+  return element("table", { class: "insp-neighbors" },
+    element("thead", {}, element("tr", {}, ...heads.map(([head, unit]) =>
+      element("th", { scope: "col" }, head, unit ? element("small", {}, ` ${unit}`) : null)))),
+    element("tbody", {}, ...rows),
+    rest > 0 ? element("caption", {}, `and ${rest} farther away`) : null);
+}

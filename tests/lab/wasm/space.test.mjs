@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: Apache-2.0
+// Scenes of space in the module: the same bits, summaries and words as the command line.
+import assert from "node:assert/strict";
+import { readFileSync, writeFileSync } from "node:fs";
+import { fileURLToPath } from "node:url";
+import { test } from "node:test";
+import { library, native, refused, steps } from "./module.mjs";
+
+const EXAMPLES = new URL("../examples/space/", `file://${process.env.AVO_LAB}`);
+const example = (name) => readFileSync(fileURLToPath(new URL(`${name}.yaml`, EXAMPLES)), "utf8");
+const DRONES = `version: 1
+space: 3
+groups:
+  - {count: 30, sphere: {radius: 6}, goal: antipodal, jitter: 0.2, vertical: 0.7, downwash: 1.2}
+obstacles: [{floor: -8.5}, {box: {min: [-1, -1, -1], max: [1, 1, 1], heading: 0.4}}]
+`;
+const SCENES = { drones: DRONES, window: example("window"), building: example("building"), helicopter: example("helicopter") };
+const SECONDS = 3;
+
+/** The summary without the times that steps took. */
+const untimed = (summary) => JSON.parse(JSON.stringify(summary, (key, value) => (/milliseconds|step_ms/.test(key) ? undefined : value)));
+
+for (const [name, yaml] of Object.entries(SCENES)) {
+  const file = `${name}.yaml`;
+  writeFileSync(file, yaml);
+  test(`${name}: the bits and the summary of avo run`, () => {
+    const table = `${name}.csv`;
+    const told = native(process.env.AVO_BINARY, ["run", file, "--duration", String(SECONDS), "--record", table, "--json"]);
+    const simulation = library.simulate(yaml, { name: file, metrics: true, overrides: [`duration=${SECONDS}`] });
+    assert.equal(simulation.dimensions, 3);
+    while (simulation.canStep()) simulation.step();
+    const summary = JSON.parse(told);
+    assert.equal(simulation.steps, summary.steps);
+    const { position, velocity } = simulation.moment();
+    const rows = readFileSync(table, "utf8").trim().split("\n").slice(-summary.robots).map((row) => row.split(",").map(Number));
+    assert.deepEqual(rows.map((row) => row.slice(2, 5)).flat(), [...position]);
+    assert.deepEqual(rows.map((row) => row.slice(5)).flat(), [...velocity]);
+    assert.deepEqual(untimed(JSON.parse(simulation.summary())), untimed(summary));
+  });
+}
+
+test("a decision is told as avo explain tells it, to the byte, and changes nothing", () => {
+  const simulation = library.simulate(DRONES, { name: "drones.yaml" });
+  for (const seconds of [0, 1.5, 3]) {
+    while (simulation.time < seconds - 1e-9) simulation.step();
+    const hash = simulation.stateHash();
+    for (const robot of [0, 11, 29]) {
+      const told = native(process.env.AVO_BINARY, ["explain", "drones.yaml", "--robot", String(robot), "--time", String(seconds), "--json"]);
+      assert.equal(simulation.explain(robot), told);
+    }
+    assert.equal(simulation.stateHash(), hash);
+  }
+});
+
+test("a state can be kept, and gone back to", () => {
+  const simulation = steps(library.simulate(DRONES), 10);
+  const kept = simulation.save();
+  const after = steps(simulation, 15).stateHash();
+  simulation.restore(kept);
+  assert.equal(simulation.steps, 10);
+  assert.equal(steps(simulation, 15).stateHash(), after);
+});
+
+test("a moment: three numbers for a vector, goals, clearances with downwash", () => {
+  const simulation = library.simulate(`version: 1
+space: 3
+arrival_distance: 0.4
+robots:
+  - {position: [0, 0, 5], goal: [9, 0, 5], downwash: 2}
+  - {position: [0, 0, 1], goal: [0, 0, 1]}
+moving_obstacles: [{position: [30, 0, 1], velocity: [-1, 0, 0], radius: 0.7}]
+`);
+  const { dimensions, position, goal, clearance, arrived, moving_obstacles, heading, decided } = simulation.moment();
+  assert.equal(dimensions, 3);
+  assert.deepEqual([...position], [0, 0, 5, 0, 0, 1]);
+  assert.deepEqual([...goal], [9, 0, 5, 0, 0, 1]);
+  assert.deepEqual([...clearance], [1, 1]);  // 4 m between centers, less 2 m of air and both radii
+  assert.deepEqual([...arrived], [0, 1]);
+  assert.deepEqual([...moving_obstacles], [30, 0, 1, -1, 0, 0]);
+  assert.deepEqual([...heading, ...decided], [0, 0, 0, 0]);
+  assert.deepEqual([...steps(simulation, 1).moment().decided], [1, 1]);
+  assert.deepEqual(simulation.contacts(), []);
+  assert.equal(simulation.allAtGoal(), false);
+});
+
+test("the certificate admits what the decision takes, and nothing beyond one step", () => {
+  const simulation = steps(library.simulate(DRONES), 30);
+  const { velocity } = simulation.moment();
+  const reach = 0.1;  // m/s: a_max and the time step
+  let refusedNodes = 0;
+  for (let robot = 0; robot < 30; ++robot) {
+    const { next_velocity } = JSON.parse(simulation.explain(robot));
+    const around = (place, size) => simulation.admittedInCut(robot, { place, along: [1, 0, 0], across: [0, 0, 1] }, [-size, -size, size, size], 9, 9);
+    assert.equal(around(next_velocity, 1e-12)[40], 1, `robot ${robot}`);
+    const own = [...velocity.slice(3 * robot, 3 * robot + 3)], nodes = around(own, 2 * reach);
+    assert.equal(nodes.length, 81);
+    for (const corner of [0, 8, 72, 80]) assert.equal(nodes[corner], 0);
+    const near = around(own, 0.3 * reach);
+    refusedNodes += near.length - near.reduce((sum, node) => sum + node, 0);
+  }
+  assert.ok(refusedNodes > 20, `${refusedNodes} velocities within limits are refused`);
+});
+
+test("contacts: two balls, the air below a ball, a box", () => {
+  const none = "certificate: none\nnavigation: false\n";
+  const drive = (robots, more = "") => {
+    const simulation = library.simulate(`version: 1\nspace: 3\n${none}time_horizon: 0.1\n${more}robots:\n${robots}`);
+    for (let k = 0; k < 60 && simulation.contacts().length === 0; ++k) simulation.step();
+    return simulation.contacts()[0];
+  };
+  const speeds = "velocity: [0, 0, 0], max_acceleration: 5";
+  const head = drive(`  - {position: [-3, 0, 2], goal: [3, 0, 2], ${speeds}}\n  - {position: [3, 0, 2], goal: [-3, 0, 2], ${speeds}}\n`);
+  assert.deepEqual([head.a, head.b, head.y, head.z], ["robots.0", "robots.1", 0, 2]);
+  assert.ok(Math.abs(head.x) < 0.2 && head.depth > 0 && head.depth < 1, JSON.stringify(head));
+  const under = drive(`  - {position: [0, 0, 3], goal: [0, 0, 3], downwash: 2}\n  - {position: [-3, 0, 1.5], goal: [3, 0, 1.5], ${speeds}}\n`);
+  assert.deepEqual([under.a, under.b], ["robots.0", "robots.1"]);
+  assert.ok(Math.abs(under.z - 1.5) < 1e-9, "at the height of the lower robot");
+});
+
+test("what space does not have is refused, and so is what is wrong", () => {
+  const simulation = library.simulate(DRONES);
+  const place = "space: found 3, must be 2 for this";
+  for (const asked of [() => simulation.setGoal(0, 1, 1), () => simulation.brakingPaths(0), () => simulation.admitted(0, [0, 0, 1, 1], 2, 2),
+    () => simulation.outlines(0, [0, 0, 1, 1]), () => simulation.removeRobot(0)]) assert.equal(refused(asked), place);
+  assert.match(refused(() => simulation.carriedInto(DRONES)), /space: found 3, must be 2 for a text that takes over/);
+  assert.match(refused(() => library.simulate(DRONES.replace("space: 3", "space: 4"), { name: "a.yaml" })), /^a\.yaml:2:8: space: found 4, must be 2 or 3$/);
+  assert.match(refused(() => library.simulate(DRONES.replace("jitter", "jiter"), { name: "a.yaml" })), /^a\.yaml:4:.*jiter/);
+  assert.match(refused(() => library.simulate(SCENES.helicopter).explain(0)), /^moving_obstacles: found some/);
+  assert.equal(simulation.steps, 0);
+});
