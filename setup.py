@@ -25,7 +25,7 @@ def configure():
     subprocess.run(
         ["cmake", "-S", str(ROOT), "-B", str(TREE), *(["-G", "Ninja"] if has_ninja else []),
          "-DCMAKE_BUILD_TYPE=Release", "-DAVO_PYTHON=ON", "-DAVO_CLI=ON", f"-DPython3_EXECUTABLE={sys.executable}",
-         *(f"-DAVO_{option}=OFF" for option in ("TESTS", "BENCH", "C")), *shlex.split(os.environ.get("CMAKE_ARGS", ""))],
+         *(f"-DAVO_{option}=OFF" for option in ("TESTS", "C")), *shlex.split(os.environ.get("CMAKE_ARGS", ""))],
         check=True)
 
 

@@ -40,7 +40,7 @@ std::vector<Simulation::Perception> crowd(int count, double seconds, Simulation&
   while (simulation.time() < seconds) simulation.step();
   std::vector<Simulation::Perception> seen;
   for (std::size_t i = 0; i < static_cast<std::size_t>(count); ++i) {
-    seen.push_back(simulation.perceive(i));
+    seen.push_back(simulation.perceive({i}));
   }
   return seen;
 }

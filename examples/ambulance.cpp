@@ -27,7 +27,7 @@ double crossing(double priority) {
   avo::Simulation simulation(scene);
   avo::Metrics metrics(scene);
   metrics.observe(simulation);
-  const std::size_t own = scene.robots.size() - 1;
+  const avo::RobotId own{scene.robots.size() - 1};
   while (!simulation.is_at_goal(own) && simulation.can_step_by(120.0)) {
     simulation.step();
     metrics.observe(simulation);

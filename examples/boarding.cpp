@@ -60,6 +60,6 @@ int main() {
   simulation.add_obstacle(door);  // refused if somebody stood in it
   const avo::RunSummary summary = metrics.summary();
   std::printf("%d pairs touched, %d touched the bus\n", int(summary.collision_pairs),
-              int(summary.collision_obstacles));
-  return all_sit && summary.collision_pairs == 0 && summary.collision_obstacles == 0 ? 0 : 1;
+              int(summary.static_collisions));
+  return all_sit && summary.collision_pairs == 0 && summary.static_collisions == 0 ? 0 : 1;
 }

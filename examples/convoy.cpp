@@ -39,5 +39,5 @@ int main() {
   }
   std::printf("through after %.1f s, %.1f to %.1f m wide, %d pairs touched, %d walls\n",
               simulation.time(), narrowest, widest, int(metrics.summary().collision_pairs),
-              int(metrics.summary().collision_obstacles));
+              int(metrics.summary().static_collisions));
 }

@@ -28,7 +28,7 @@ int main() {
     simulation.step();
     metrics.observe(simulation);
     if (queue.members.empty()) continue;
-    const std::size_t first = *simulation.index_of(queue.members.front().robot);
+    const avo::RobotId first = queue.members.front().robot;
     const bool is_there = norm(simulation.robot(first).position - charger) < 0.5;
     charged = is_there ? charged + 0.1 : 0.0;
     if (charged < 3.0) continue;

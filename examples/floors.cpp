@@ -47,7 +47,7 @@ int main() {
     metrics.observe(simulation);
     if (queue.members.empty()) continue;
     const avo::RobotId first = queue.members.front().robot;
-    avo::RobotSetup setup = simulation.setup(*simulation.index_of(first));
+    avo::RobotSetup setup = simulation.setup(first);
     const bool is_above_free = simulation.is_free(kLift, 0.4, kUpper);
     if (norm(setup.position - kLift) > 0.2 || !is_above_free) continue;
     setup.layers = setup.avoids = kUpper;
@@ -57,10 +57,10 @@ int main() {
   const avo::RunSummary summary = metrics.summary();
   int upstairs = 0;
   for (std::size_t k = 0; k < simulation.size(); ++k)
-    upstairs += simulation.is_at_goal(k) && simulation.setup(k).layers == kUpper ? 1 : 0;
+    upstairs += simulation.is_at_goal({k}) && simulation.setup({k}).layers == kUpper ? 1 : 0;
   std::printf("%d of %d are in their rooms upstairs after %.1f s, %d touched a wall, %d pairs\n",
-              upstairs, kRobots, simulation.time(), int(summary.collision_obstacles),
+              upstairs, kRobots, simulation.time(), int(summary.static_collisions),
               int(summary.collision_pairs));
-  const bool is_safe = summary.collision_obstacles == 0 && summary.collision_pairs == 0;
+  const bool is_safe = summary.static_collisions == 0 && summary.collision_pairs == 0;
   return upstairs == kRobots && is_safe ? 0 : 1;
 }

@@ -59,7 +59,7 @@ static avo_simulation_id new_game(double time_step) {
  * no faster than it declares: the crowd counts on that. */
 static void steer(avo_simulation_id game, avo_moving_obstacle_id id,
                   avo_moving_obstacle_def* player, avo_vec2 keys, double time_step) {
-  avo_obstacle_columns obstacles;
+  avo_moving_obstacle_columns obstacles;
   require(avo_simulation_moving_obstacles(game, &obstacles));
   player->position = obstacles.position[0];
   const avo_vec2 change = {keys.x - player->velocity.x, keys.y - player->velocity.y};
@@ -114,8 +114,8 @@ int main(void) {
       "%d frames, %ld steps, drawn at up to %.2f m/s; touched in motion: %d robots by the player, "
       "%d pairs; state "
       "hash 0x%016" PRIx64 "\n",
-      FRAMES, steps, fastest, (int)summary.obstacle_collisions_in_motion,
-      (int)summary.collision_pairs, hash);
+      FRAMES, steps, fastest, (int)summary.mover_collisions_in_motion, (int)summary.collision_pairs,
+      hash);
   require(avo_destroy_simulation(game));
   return 0;
 }

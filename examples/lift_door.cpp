@@ -31,5 +31,5 @@ int main() {
   for (const avo::RobotId robot : {avo::RobotId{0}, avo::RobotId{1}})
     simulation.set_goal(robot, {-5, 0.4});
   std::printf("door closed: %zu robots want to get out, %d robots touched a wall\n",
-              simulation.unreachable().size(), int(metrics.summary().collision_obstacles));
+              simulation.unreachable().size(), int(metrics.summary().static_collisions));
 }

@@ -30,7 +30,7 @@ int main() {
   constexpr int kFrames = 400;
   for (int frame = 0; frame < kFrames; ++frame) {
     const double wanted = 0.6 * std::sin(0.03 * frame);  // rad, from a joystick
-    player.position = simulation.obstacles().position[0];
+    player.position = simulation.moving_obstacles().position[0];
     player.velocity = {1.4 * std::sin(wanted), 1.4 * std::cos(wanted)};
     simulation.change_moving_obstacle(id, player);
     simulation.step();
@@ -39,7 +39,7 @@ int main() {
   const std::chrono::duration<double, std::milli> spent = std::chrono::steady_clock::now() - begin;
   const avo::RunSummary summary = metrics.summary();
   std::printf("the player went %.0f m, touched %d robots in motion; %d pairs of robots touched\n",
-              simulation.obstacles().position[0].y + 44.0,
-              int(summary.obstacle_collisions_in_motion), int(summary.collision_pairs));
+              simulation.moving_obstacles().position[0].y + 44.0,
+              int(summary.mover_collisions_in_motion), int(summary.collision_pairs));
   std::printf("%.1f ms a frame, metrics included\n", spent.count() / kFrames);
 }

@@ -14,4 +14,4 @@ scene = avo.Scenario({"version": 1, "duration": 60, "moving_obstacles": people, 
     {"position": [0, -10], "goal": [0, 10], "radius": 0.3, "max_speed": 1.5, "max_acceleration": 1.5}]})
 summary = avo.run(scene)
 print(f"{summary['arrived']} arrived after {summary['last_arrival']:.1f} s, "
-      f"touched in motion: {summary['obstacle_collisions_in_motion']}")
+      f"touched in motion: {summary['mover_collisions_in_motion']}")

@@ -56,14 +56,14 @@ int main() {
       metrics.observe(simulation);
     }
   }
-  const avo::Vec2 leader = simulation.robot(0).position;
+  const avo::Vec2 leader = simulation.robot({0}).position;
   double farthest = 0.0;  // m, of the others from their leader
   for (std::size_t k = 1; k < simulation.size(); ++k)
-    farthest = std::max(farthest, norm(simulation.robot(k).position - leader));
+    farthest = std::max(farthest, norm(simulation.robot({k}).position - leader));
   const avo::RunSummary summary = metrics.summary();
   std::printf(
       "driven to (%.1f, %.1f), the last one is %.1f m behind, %d pairs touched, %d pillars\n",
-      leader.x, leader.y, farthest, int(summary.collision_pairs), int(summary.collision_obstacles));
-  const bool is_safe = summary.collision_pairs == 0 && summary.collision_obstacles == 0;
+      leader.x, leader.y, farthest, int(summary.collision_pairs), int(summary.static_collisions));
+  const bool is_safe = summary.collision_pairs == 0 && summary.static_collisions == 0;
   return is_safe && leader.x > 14.0 && farthest < 6.0 ? 0 : 1;
 }

@@ -39,13 +39,13 @@ int main() {
   int passed = 0;
   while (passed < kCars && simulation.can_step_by(scene.duration)) {
     for (std::size_t k = 0; k < simulation.size(); ++k) {
-      const avo::RobotState car = simulation.robot(k);
+      const avo::RobotState car = simulation.robot({k});
       if (!has_passed[k] && car.position.x > kEnd) has_passed[k] = true, ++passed;
       const bool slow = car.position.x > kNotice && car.position.x < kEnd;
       if (car.position.x > kBegin && car.position.x < kEnd)
         fastest = std::max(fastest, norm(car.velocity));
       if (slow == is_slow[k]) continue;
-      avo::RobotSetup setup = simulation.setup(k);
+      avo::RobotSetup setup = simulation.setup(car.id);
       setup.max_speed = setup.preferred_speed = slow ? kSlow : kFast;
       simulation.change_robot(car.id, setup);
       is_slow[k] = slow;
@@ -58,7 +58,7 @@ int main() {
       "%d of %d cars passed, the last after %.1f s, at most %.2f m/s in the zone, %d pairs "
       "touched, %d walls\n",
       passed, kCars, simulation.time(), fastest, int(summary.collision_pairs),
-      int(summary.collision_obstacles));
-  const bool is_safe = summary.collision_pairs == 0 && summary.collision_obstacles == 0;
+      int(summary.static_collisions));
+  const bool is_safe = summary.collision_pairs == 0 && summary.static_collisions == 0;
   return passed == kCars && is_safe && fastest < kSlow + 0.01 ? 0 : 1;
 }

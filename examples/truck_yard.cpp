@@ -62,5 +62,5 @@ int main() {
   const auto& footprint = std::get<avo::Car>(scene.robots[0].model).footprint;
   std::printf("a truck of %d discs: %d of 3 arrived after %.1f s, %d pairs touched, %d walls\n",
               footprint.discs, int(summary.arrived - 1), simulation.time(),
-              int(summary.collision_pairs), int(summary.collision_obstacles));
+              int(summary.collision_pairs), int(summary.static_collisions));
 }

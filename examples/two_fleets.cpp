@@ -42,7 +42,7 @@ int main() {
     const avo::FleetView now = simulation.fleet(avo::Columns::position);
     for (std::size_t a = 0; a < now.position.size(); ++a) {
       Fleet& own = fleets[a % 2];
-      if (!is_there[a] && simulation.is_at_goal(a))
+      if (!is_there[a] && simulation.is_at_goal({a}))
         is_there[a] = true, ++own.arrived, own.sum += simulation.time();
       for (std::size_t b = a % 2; b < a; b += 2) {  // of the same fleet
         const bool overlap = norm(now.position[a] - now.position[b]) < 0.7 * (1.0 - 1e-9);

@@ -24,7 +24,7 @@ int main() {
   avo::Events events(simulation);
   int stuck = 0, unreachable = 0, arrived = 0;
   const auto park = [&](bool is_parked) {
-    avo::RobotSetup setup = simulation.setup(*simulation.index_of(blocking));
+    avo::RobotSetup setup = simulation.setup(blocking);
     setup.parked = is_parked;
     simulation.change_robot(blocking, setup);
   };

@@ -57,7 +57,7 @@ std::string_view MomentPainter::paint(std::span<const TrajectoryFrame> frames,
     draw_goal(canvas, scenario.robots[i], mix(kWhite, state.colors[i], 0.6));
   state.draw_ways(frames, there);
   for (std::size_t k = 0; k < scenario.moving_obstacles.size(); ++k)
-    draw_mover(canvas, {now.obstacle_position[k], scenario.moving_obstacles[k].radius}, 1.0);
+    draw_mover(canvas, {now.mover_position[k], scenario.moving_obstacles[k].radius}, 1.0);
   for (std::size_t i = 0; i < scenario.robots.size(); ++i)
     if (there[i])
       draw_robot(canvas, scenario.robots[i],
@@ -76,7 +76,7 @@ Box world_of(const Scenario& scenario) {
     start.heading.push_back(robot.heading);
   }
   for (const MovingObstacle& obstacle : scenario.moving_obstacles)
-    start.obstacle_position.push_back(obstacle.position);
+    start.mover_position.push_back(obstacle.position);
   const Box world = covered(scenario, {&start, 1}, 0, 0);
   const Vec2 size = world.upper - world.lower;
   return grown(world, 0.05 * std::fmax(std::fmax(size.x, size.y), 1e-6));

@@ -138,7 +138,7 @@ TracedRun traced(const space::Scenario& scenario, const std::vector<SpaceRecorde
     TrajectoryFrame& shown = run.frames.emplace_back();
     shown.time = frame.time;
     for (const Vec3& place : frame.position) shown.position.push_back(view(place));
-    for (const Vec3& place : frame.mover) shown.obstacle_position.push_back(view(place));
+    for (const Vec3& place : frame.mover) shown.mover_position.push_back(view(place));
   }
   return run;
 }

@@ -56,9 +56,9 @@ void check_frames(const Scenario& scenario, std::span<const TrajectoryFrame> fra
     const TrajectoryFrame& frame = frames[k];
     const std::string where = "figure of " + scenario.name + ": frame " + std::to_string(k) + ": ";
     if (frame.position.size() != scenario.robots.size() ||
-        frame.obstacle_position.size() != scenario.moving_obstacles.size()) {
+        frame.mover_position.size() != scenario.moving_obstacles.size()) {
       throw Error(where + "found " + std::to_string(frame.position.size()) + " robots and " +
-                  std::to_string(frame.obstacle_position.size()) + " moving obstacles, must be " +
+                  std::to_string(frame.mover_position.size()) + " moving obstacles, must be " +
                   std::to_string(scenario.robots.size()) + " and " +
                   std::to_string(scenario.moving_obstacles.size()));
     }
@@ -66,7 +66,7 @@ void check_frames(const Scenario& scenario, std::span<const TrajectoryFrame> fra
       throw Error(where + "the headings of the robots are missing");
     }
     if (!std::isfinite(frame.time) || !all_finite(frame.position) ||
-        !all_finite(frame.obstacle_position)) {
+        !all_finite(frame.mover_position)) {
       throw Error(where + "found a value that is not finite");
     }
     if (k > 0 && !(frame.time > frames[k - 1].time)) {
@@ -150,7 +150,7 @@ Box covered(const Scenario& scenario, std::span<const TrajectoryFrame> frames, s
       add(disc_box(frames[k].position[i], scenario.robots[i].radius));
     }
     for (std::size_t i = 0; i < scenario.moving_obstacles.size(); ++i) {
-      add(disc_box(frames[k].obstacle_position[i], scenario.moving_obstacles[i].radius));
+      add(disc_box(frames[k].mover_position[i], scenario.moving_obstacles[i].radius));
     }
   }
   return box;

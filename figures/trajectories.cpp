@@ -63,7 +63,7 @@ void draw_lapse(Canvas& canvas, const TimeLapse& lapse) {
     const double age = newest || !(span > 0.0) ? 1.0 : (lapse.frames[frame].time - start) / span;
     for (std::size_t i = 0; i < lapse.scenario.moving_obstacles.size(); ++i) {
       const double radius = lapse.scenario.moving_obstacles[i].radius;
-      draw_mover(canvas, {lapse.frames[frame].obstacle_position[i], radius}, age);
+      draw_mover(canvas, {lapse.frames[frame].mover_position[i], radius}, age);
     }
     for (std::size_t i = 0; i < lapse.scenario.robots.size(); ++i) {
       const TrajectoryFrame& at = lapse.frames[frame];

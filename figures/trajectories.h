@@ -18,10 +18,10 @@ namespace avo::figures {
 /// The places of all robots and moving obstacles at one time. Entries go by the index of the robot,
 /// or of the moving obstacle, in the scene.
 struct TrajectoryFrame {
-  double time = 0.0;                      ///< s
-  std::vector<Vec2> position{};           ///< m
-  std::vector<double> heading{};          ///< rad; may be empty if all robots are holonomic
-  std::vector<Vec2> obstacle_position{};  ///< m
+  double time = 0.0;                   ///< s
+  std::vector<Vec2> position{};        ///< m
+  std::vector<double> heading{};       ///< rad; may be empty if all robots are holonomic
+  std::vector<Vec2> mover_position{};  ///< m
   /// whether the robot is still present; may be empty if no robot leaves
   std::vector<bool> there{};
 };

@@ -15,7 +15,7 @@ TrajectoryRecorder::TrajectoryRecorder(std::size_t most_frames) : most_frames_(m
 
 void TrajectoryRecorder::observe(const Simulation& simulation) {
   const FleetView fleet = simulation.fleet();
-  const ObstacleView obstacles = simulation.obstacles();
+  const MovingObstacleView obstacles = simulation.moving_obstacles();
   latest_.time = simulation.time();
   if (observed_ == 0) {
     robots_.assign(fleet.id.begin(), fleet.id.end());
@@ -31,7 +31,7 @@ void TrajectoryRecorder::observe(const Simulation& simulation) {
     latest_.position[place] = fleet.position[k], latest_.heading[place] = fleet.heading[k];
     latest_.there[place] = true;
   }
-  latest_.obstacle_position.assign(obstacles.position.begin(), obstacles.position.end());
+  latest_.mover_position.assign(obstacles.position.begin(), obstacles.position.end());
 
   if (is_repeated(simulation)) return;
   const std::size_t index = observed_++;

@@ -128,8 +128,7 @@ Caption draw_among_obstacles(const std::string& folder) {
   write_title(canvas, row.box(1), "(b) obstacles and CA_A");
   save(path, canvas.finish());
   PlanWorkspace workspace;
-  const Plan plan =
-      planner_of_figure().plan_among_obstacles(robot_of_figure(), neighbors, workspace);
+  const Plan plan = planner_of_figure().plan_among_movers(robot_of_figure(), neighbors, workspace);
   return {"4",
           "fig-04.png",
           "One robot among moving obstacles",

@@ -88,7 +88,7 @@ struct Comparison {
 };
 
 void compare_collisions(const RunSummary& summary, Comparison& to) {
-  const auto collisions = summary.collision_pairs + summary.obstacle_collisions;
+  const auto collisions = summary.collision_pairs + summary.mover_collisions;
   if (collisions == 0) {
     to.agrees += "No collision. ";
     return;

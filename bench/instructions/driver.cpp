@@ -49,7 +49,7 @@ namespace {
 // Gives goals as a host would that knows ids.
 void give_goals(avo::Simulation& simulation) {
   for (std::size_t i = 0; i < simulation.size(); ++i) {
-    const avo::RobotState state = simulation.robot(i);
+    const avo::RobotState state = simulation.robot({i});
     simulation.set_goal(state.id, -1.0 * state.goal);
   }
 }

@@ -8,7 +8,7 @@ namespace avo::safety {
 /// The deviation of some of the robots from the rest.
 enum class Oddity : std::uint8_t {
   none,
-  one_sided,   ///< they use plan_among_obstacles instead of plan
+  one_sided,   ///< they use plan_among_movers instead of plan
   half_steps,  ///< they decide twice as often
 };
 

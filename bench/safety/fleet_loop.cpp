@@ -90,7 +90,7 @@ Plan FleetLoop::decide(std::size_t i) {
   senses_.observe(i, robots_, before_, ticks_, neighbors_);
   neighbors_.insert(neighbors_.end(), obstacles_.begin(), obstacles_.end());
   const bool is_one_sided = odd_[i] != 0 && acting_.oddity == Oddity::one_sided;
-  const Plan plan = is_one_sided ? planner.plan_among_obstacles(robot, neighbors_, workspace_)
+  const Plan plan = is_one_sided ? planner.plan_among_movers(robot, neighbors_, workspace_)
                                  : planner.plan(robot, neighbors_, workspace_, &detours_[i]);
   const Vec2 v = robot.velocity;
   Vec2 v_1 = v + planner.step_rate() * (plan.new_velocity - v);

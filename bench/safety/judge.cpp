@@ -34,7 +34,7 @@ Check make_check(const Scenario& scenario) {
       robot.time_step = time_step_of(scenario, setup);
     robots.push_back(robot);
   }
-  std::vector<CheckedObstacle> obstacles;
+  std::vector<CheckedMover> obstacles;
   for (const MovingObstacle& obstacle : scenario.moving_obstacles) {
     obstacles.push_back(
         {obstacle.position, obstacle.velocity, obstacle.acceleration, obstacle.radius});
@@ -107,11 +107,11 @@ Judge::Judge(const Scenario& scenario) : state_(new State{make_check(scenario)})
 Judge::~Judge() = default;
 
 void Judge::observe(const Simulation& simulation) {
-  const ObstacleView obstacles = simulation.obstacles();
+  const MovingObstacleView obstacles = simulation.moving_obstacles();
   for (std::size_t k = 0; k < obstacles.setup.size(); ++k) {
     if (!obstacles.setup[k].path.empty())
-      state_->check.place_obstacle(static_cast<std::int64_t>(k), obstacles.position[k],
-                                   obstacles.velocity[k]);
+      state_->check.place_mover(static_cast<std::int64_t>(k), obstacles.position[k],
+                                obstacles.velocity[k]);
   }
   observe(simulation.time(), checked_states(simulation.fleet()));
 }
@@ -125,11 +125,11 @@ Verdict Judge::verdict() const {
   Verdict verdict;
   verdict.overlapping_pairs = report.overlaps.count;
   verdict.moving_contacts =
-      report.obstacle_contacts_moving.count + report.one_sided_contacts_moving.count;
-  verdict.resting_contacts = report.obstacle_contacts_at_rest + report.one_sided_contacts_at_rest;
+      report.mover_contacts_moving.count + report.one_sided_contacts_moving.count;
+  verdict.resting_contacts = report.mover_contacts_at_rest + report.one_sided_contacts_at_rest;
   verdict.static_contacts = report.static_contacts.count;
   verdict.deepest_contact =
-      std::max(report.obstacle_contacts_moving.worst, report.one_sided_contacts_moving.worst);
+      std::max(report.mover_contacts_moving.worst, report.one_sided_contacts_moving.worst);
   verdict.acceleration_violations = report.accelerations.count;
   verdict.speed_violations = report.speeds.count;
   verdict.jumps = report.jumps.count;
@@ -138,8 +138,7 @@ Verdict Judge::verdict() const {
   verdict.least_static_clearance = report.least_static_clearance;
   verdict.interpolation_error = report.interpolation_error;
   name_first("overlapping pairs (m)", report.overlaps, verdict.violations);
-  name_first("obstacle contacts in motion (m)", report.obstacle_contacts_moving,
-             verdict.violations);
+  name_first("obstacle contacts in motion (m)", report.mover_contacts_moving, verdict.violations);
   name_first("one-sided contacts in motion (m)", report.one_sided_contacts_moving,
              verdict.violations);
   name_first("robots that touched a wall (m)", report.static_contacts, verdict.violations);

@@ -49,7 +49,7 @@ void send_on(const Scene& scene, const Span& span, Random& random, Simulation& s
   if (scene.errands.empty()) return;
   for (std::size_t i = 0; i < scene.scenario.robots.size(); ++i) {
     const double start = -scene.scenario.time_step * static_cast<double>(i);
-    if (!span.begins(20.0, start) && !simulation.is_at_goal(i)) continue;
+    if (!span.begins(20.0, start) && !simulation.is_at_goal({i})) continue;
     const std::vector<Vec2>& places = scene.errands[i % scene.errands.size()];
     simulation.set_goal(RobotId{i}, places[random.below(places.size())]);
   }
@@ -58,7 +58,7 @@ void send_on(const Scene& scene, const Span& span, Random& random, Simulation& s
 void note_arrivals(const Simulation& simulation, Outcome& outcome) {
   outcome.at_goal_at_end = 0;
   for (std::size_t i = 0; i < outcome.arrival.size(); ++i) {
-    if (!simulation.is_at_goal(i)) continue;
+    if (!simulation.is_at_goal({i})) continue;
     ++outcome.at_goal_at_end;
     outcome.arrival[i] = std::min(outcome.arrival[i], simulation.time());
   }
@@ -67,7 +67,7 @@ void note_arrivals(const Simulation& simulation, Outcome& outcome) {
 void note_decisions(const Simulation& simulation, Outcome& outcome) {
   const std::span<const Plan> plans = simulation.fleet().plan;
   for (std::size_t i = 0; i < plans.size(); ++i) {
-    if (!simulation.decided(i)) continue;
+    if (!simulation.decided({i})) continue;
     const auto status = static_cast<std::size_t>(plans[i].status);
     ++outcome.decisions[std::min(status, kMostStatuses - 1)];
     ++outcome.robot_steps;

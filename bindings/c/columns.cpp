@@ -8,10 +8,8 @@
 
 namespace avo_c {
 
-std::size_t index_of(const avo::Simulation& simulation, avo_robot_id robot) {
-  if (robot.value != 0) {
-    if (const auto place = simulation.index_of(from_c(robot))) return *place;
-  }
+avo::RobotId present(const avo::Simulation& simulation, avo_robot_id robot) {
+  if (robot.value != 0 && simulation.index_of(from_c(robot))) return from_c(robot);
   fail(AVO_ERROR_INVALID_ID, "robot: found " +
                                  (robot.value == 0 ? "a null id" : std::to_string(robot.value)) +
                                  ", must be the id of one that is there");
@@ -47,30 +45,22 @@ avo_result get(avo_simulation_id id, Value* value, const Of& of) {
   });
 }
 
-// value = of(simulation, index) for a robot, by its index into fleet().
+// value = of(simulation, robot) for a robot that is present.
 template <typename Value, typename Of>
-avo_result get_by_index(avo_simulation_id id, avo_robot_id robot, Value* value, const Of& of) {
+avo_result get_by_id(avo_simulation_id id, avo_robot_id robot, Value* value, const Of& of) {
   return guarded([&] {
     const Simulation& own = simulations.at(id);
     Value& result = at(value, "result");
-    result = of(own.simulation, index_of(own.simulation, robot));
+    result = of(own.simulation, present(own.simulation, robot));
   });
 }
 
 // value = of(state) for a robot.
 template <typename Value, typename Of>
 avo_result get(avo_simulation_id id, avo_robot_id robot, Value* value, const Of& of) {
-  return get_by_index(id, robot, value, [&](const avo::Simulation& own, std::size_t index) {
-    return of(own.robot(index));
+  return get_by_id(id, robot, value, [&](const avo::Simulation& own, avo::RobotId present) {
+    return of(own.robot(present));
   });
-}
-
-std::vector<avo::RobotId> ids_at(const avo::Simulation& simulation,
-                                 const std::vector<std::size_t>& indices) {
-  const auto id = simulation.fleet(avo::Columns::id).id;
-  std::vector<avo::RobotId> ids;
-  for (const std::size_t index : indices) ids.push_back(id[index]);
-  return ids;
 }
 
 // Writes the ids into the buffer, if they fit.
@@ -108,9 +98,10 @@ avo_result avo_simulation_columns(avo_simulation_id simulation, avo_columns* col
 }
 
 avo_result avo_simulation_moving_obstacles(avo_simulation_id simulation,
-                                           avo_obstacle_columns* columns) {
+                                           avo_moving_obstacle_columns* columns) {
   return guarded([&] {
-    const avo::ObstacleView obstacles = simulations.at(simulation).simulation.obstacles();
+    const avo::MovingObstacleView obstacles =
+        simulations.at(simulation).simulation.moving_obstacles();
     at(columns, "columns") = {obstacles.position.size(), lent<avo_vec2>(obstacles.position),
                               lent<avo_vec2>(obstacles.velocity)};
   });
@@ -154,52 +145,50 @@ avo_result avo_simulation_get_applied_acceleration(avo_simulation_id simulation,
 
 avo_result avo_simulation_is_at_goal(avo_simulation_id simulation, avo_robot_id robot,
                                      bool* is_at_goal) {
-  return get_by_index(
-      simulation, robot, is_at_goal,
-      [](const avo::Simulation& own, std::size_t index) { return own.is_at_goal(index); });
+  return get_by_id(simulation, robot, is_at_goal,
+                   [](const avo::Simulation& own, avo::RobotId id) { return own.is_at_goal(id); });
 }
 
 avo_result avo_simulation_get_next_decision(avo_simulation_id simulation, avo_robot_id robot,
                                             double* time) {
-  return get_by_index(simulation, robot, time, [](const avo::Simulation& own, std::size_t index) {
-    return own.next_decision(index);
+  return get_by_id(simulation, robot, time, [](const avo::Simulation& own, avo::RobotId id) {
+    return own.next_decision(id);
   });
 }
 
 avo_result avo_simulation_decided(avo_simulation_id simulation, avo_robot_id robot, bool* decided) {
-  return get_by_index(
-      simulation, robot, decided,
-      [](const avo::Simulation& own, std::size_t index) { return own.decided(index); });
+  return get_by_id(simulation, robot, decided,
+                   [](const avo::Simulation& own, avo::RobotId id) { return own.decided(id); });
 }
 
 avo_result avo_simulation_get_distance_left(avo_simulation_id simulation, avo_robot_id robot,
                                             double* distance) {
-  return get_by_index(
-      simulation, robot, distance,
-      [](const avo::Simulation& own, std::size_t index) { return own.way(index).distance_left; });
+  return get_by_id(simulation, robot, distance, [](const avo::Simulation& own, avo::RobotId id) {
+    return own.route(id).distance_left;
+  });
 }
 
 avo_result avo_simulation_get_wait(avo_simulation_id simulation, avo_robot_id robot,
                                    avo_wait* wait) {
-  return get_by_index(simulation, robot, wait, [](const avo::Simulation& own, std::size_t index) {
-    const std::optional<avo::Simulation::Wait> found = own.wait(index);
+  return get_by_id(simulation, robot, wait, [](const avo::Simulation& own, avo::RobotId id) {
+    const std::optional<avo::Simulation::Wait> found = own.wait(id);
     if (!found) return avo_wait{};
-    return avo_wait{true,          to_c(found->passage), {found->robot.value},
+    return avo_wait{true,          to_c(found->passage), to_c(found->robot),
                     found->inside, to_c(found->a),       to_c(found->b)};
   });
 }
 
 avo_result avo_simulation_index_of(avo_simulation_id simulation, avo_robot_id robot,
                                    size_t* index) {
-  return get_by_index(simulation, robot, index,
-                      [](const avo::Simulation&, std::size_t own) { return own; });
+  return get_by_id(simulation, robot, index,
+                   [](const avo::Simulation& own, avo::RobotId id) { return *own.index_of(id); });
 }
 
 avo_result avo_simulation_get_robot_def(avo_simulation_id simulation, avo_robot_id robot,
                                         avo_robot_def* def) {
   return guarded([&] {
     const Simulation& own = simulations.at(simulation);
-    write(def, def_of(own.simulation.setup(index_of(own.simulation, robot))), {"def"});
+    write(def, def_of(own.simulation.setup(present(own.simulation, robot))), {"def"});
   });
 }
 
@@ -247,7 +236,7 @@ avo_result avo_simulation_robots_within(avo_simulation_id simulation, avo_vec2 c
                                         size_t* count) {
   return guarded([&] {
     const avo::Simulation& own = simulations.at(simulation).simulation;
-    list(ids_at(own, own.robots_within(from_c(center), radius)), buffer, capacity, count);
+    list(own.robots_within(from_c(center), radius), buffer, capacity, count);
   });
 }
 
@@ -255,7 +244,7 @@ avo_result avo_simulation_nearest_robots(avo_simulation_id simulation, avo_vec2 
                                          avo_robot_id* buffer, size_t capacity, size_t* count) {
   return guarded([&] {
     const avo::Simulation& own = simulations.at(simulation).simulation;
-    list(ids_at(own, own.nearest_robots(from_c(position), capacity)), buffer, capacity, count);
+    list(own.nearest_robots(from_c(position), capacity), buffer, capacity, count);
   });
 }
 
@@ -290,13 +279,13 @@ avo_result avo_simulation_is_in_sight(avo_simulation_id simulation, avo_vec2 fro
 avo_result avo_simulation_moving_obstacle_ids(avo_simulation_id simulation,
                                               avo_moving_obstacle_id* buffer, size_t capacity,
                                               size_t* count) {
-  return guarded(
-      [&] { list(simulations.at(simulation).simulation.obstacles().id, buffer, capacity, count); });
+  return guarded([&] {
+    list(simulations.at(simulation).simulation.moving_obstacles().id, buffer, capacity, count);
+  });
 }
 
 avo_result avo_simulation_obstacles(avo_simulation_id simulation, avo_obstacle_id* buffer,
                                     size_t capacity, size_t* count) {
-  return guarded([&] {
-    list(simulations.at(simulation).simulation.static_obstacles().id, buffer, capacity, count);
-  });
+  return guarded(
+      [&] { list(simulations.at(simulation).simulation.obstacles().id, buffer, capacity, count); });
 }

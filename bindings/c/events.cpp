@@ -29,7 +29,7 @@ avo_event to_c(const avo::Event& event) {
   const bool is_contact = event.kind == avo::EventKind::contact;
   return {.kind = static_cast<avo_event_kind>(event.kind),
           .robot = avo_c::to_c(event.robot),
-          .obstacle = {is_contact ? event.obstacle.value + 1 : 0},
+          .moving_obstacle = {is_contact ? event.moving_obstacle.value + 1 : 0},
           .at_rest = event.at_rest};
 }
 

@@ -160,15 +160,14 @@ avo_result avo_planner_plan(avo_planner_id planner, const avo_robot* robot,
   });
 }
 
-avo_result avo_planner_plan_among_obstacles(avo_planner_id planner, const avo_robot* robot,
-                                            const avo_neighbor* obstacles, size_t obstacle_count,
-                                            avo_plan* plan) {
+avo_result avo_planner_plan_among_movers(avo_planner_id planner, const avo_robot* robot,
+                                         const avo_neighbor* movers, size_t mover_count,
+                                         avo_plan* plan) {
   return guarded([&] {
     const avo::Planner& own = planners.at(planner);
     avo_plan& result = at(plan, "plan");
-    result = std::bit_cast<avo_plan>(own.plan_among_obstacles(
-        read_robot(robot), neighbors_of(obstacles, obstacle_count, "obstacles"),
-        scratch().workspace));
+    result = std::bit_cast<avo_plan>(own.plan_among_movers(
+        read_robot(robot), neighbors_of(movers, mover_count, "movers"), scratch().workspace));
   });
 }
 
@@ -191,14 +190,15 @@ avo_result avo_planner_evasion(avo_planner_id planner, const avo_robot* robot,
   });
 }
 
-avo_result avo_planner_has_way_out(avo_planner_id planner, const avo_robot* robot,
-                                   const avo_neighbor* neighbors, size_t neighbor_count,
-                                   const avo_wall* walls, size_t wall_count, bool* has_way_out) {
+avo_result avo_planner_has_evasive_maneuver(avo_planner_id planner, const avo_robot* robot,
+                                            const avo_neighbor* neighbors, size_t neighbor_count,
+                                            const avo_wall* walls, size_t wall_count,
+                                            bool* has_evasive_maneuver) {
   return guarded([&] {
     const avo::Planner& own = planners.at(planner);
-    at(has_way_out, "has_way_out") =
-        own.has_way_out(read_robot(robot), neighbors_of(neighbors, neighbor_count, "neighbors"),
-                        scratch().workspace, walls_of(walls, wall_count));
+    at(has_evasive_maneuver, "has_evasive_maneuver") = own.has_evasive_maneuver(
+        read_robot(robot), neighbors_of(neighbors, neighbor_count, "neighbors"),
+        scratch().workspace, walls_of(walls, wall_count));
   });
 }
 

@@ -63,7 +63,8 @@ avo::Robot robot_of(const avo_robot& robot) {
           .heading = robot.heading,
           .priority = robot.priority,
           .max_braking = unless_zero(robot.max_braking),
-          .loiter = circle_of(robot.loiter)};
+          .loiter = circle_of(robot.loiter),
+          .lookahead = robot.lookahead};
 }
 
 avo::Neighbor neighbor_of(const avo_neighbor& neighbor, const Where& where) {
@@ -105,6 +106,7 @@ avo_robot avo_default_robot(void) {
   robot.max_speed = usual.max_speed;
   robot.distance_to_goal = usual.distance_to_goal;
   robot.priority = usual.priority;
+  robot.lookahead = usual.lookahead;
   avo_c::set_model(usual.model, robot);
   return robot;
 }

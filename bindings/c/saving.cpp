@@ -46,7 +46,7 @@ avo_result avo_simulation_explain(avo_simulation_id simulation, avo_robot_id rob
   return guarded([&] {
     std::size_t& written = at(size, "size");
     const avo::Simulation& own = simulations.at(simulation).simulation;
-    const std::string words = own.explain(index_of(own, robot)).sentence;
+    const std::string words = own.explain(present(own, robot)).sentence;
     write_bytes(words.c_str(), words.size() + 1, buffer, capacity, written);
   });
 }

@@ -47,8 +47,7 @@ avo_result repopulated(avo_simulation_id id, const Change& change) {
 }
 
 avo::RobotId number_of(const Simulation& simulation, avo_robot_id robot) {
-  static_cast<void>(index_of(simulation.simulation, robot));
-  return from_c(robot);
+  return present(simulation.simulation, robot);
 }
 
 std::vector<avo::RobotId> numbers_of(const Simulation& simulation, const avo_robot_id* robots,
@@ -69,11 +68,11 @@ Id among(std::span<const Id> ids, std::uint64_t number) {
 }
 
 avo::ObstacleId number_of(const Simulation& simulation, avo_obstacle_id obstacle) {
-  return among(simulation.simulation.static_obstacles().id, obstacle.value);
+  return among(simulation.simulation.obstacles().id, obstacle.value);
 }
 
 avo::MovingObstacleId number_of(const Simulation& simulation, avo_moving_obstacle_id obstacle) {
-  return among(simulation.simulation.obstacles().id, obstacle.value);
+  return among(simulation.simulation.moving_obstacles().id, obstacle.value);
 }
 
 }  // namespace

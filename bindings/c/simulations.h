@@ -41,8 +41,8 @@ inline avo_robot_id to_c(avo::RobotId robot) {
   return {robot.value + 1};
 }
 
-/// Index into fleet(). Throws Failure if the id is null or the robot is gone.
-std::size_t index_of(const avo::Simulation& simulation, avo_robot_id robot);
+/// The id in C++ of a robot that is present. Throws Failure if the id is null or the robot is gone.
+avo::RobotId present(const avo::Simulation& simulation, avo_robot_id robot);
 
 /// Begins the metrics anew, if there are any.
 void restart_metrics(Simulation& simulation);

@@ -256,7 +256,7 @@ avo_result avo_space_simulation_is_at_goal(avo_space_simulation_id simulation, s
                                            bool* is_at_goal) {
   return guarded([&] {
     const avo::space::Simulation& fleet = fleets.at(simulation);
-    at(is_at_goal, "is_at_goal") = fleet.is_at_goal(checked(fleet, robot));
+    at(is_at_goal, "is_at_goal") = fleet.is_at_goal({checked(fleet, robot)});
   });
 }
 
@@ -264,7 +264,7 @@ avo_result avo_space_simulation_set_goal(avo_space_simulation_id simulation, siz
                                          avo_vec3 goal) {
   return guarded([&] {
     avo::space::Simulation& fleet = fleets.at(simulation);
-    fleet.set_goal(checked(fleet, robot), from_c(goal));
+    fleet.set_goal({checked(fleet, robot)}, from_c(goal));
   });
 }
 

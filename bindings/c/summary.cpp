@@ -42,9 +42,9 @@ avo_summary to_c(const avo::RunSummary& run) {
       .arrived = run.arrived,
       .collision_pairs = run.collision_pairs,
       .one_sided_collisions = run.one_sided_collisions,
-      .obstacle_collisions = run.obstacle_collisions,
-      .obstacle_collisions_in_motion = run.obstacle_collisions_in_motion,
-      .collision_obstacles = run.collision_obstacles,
+      .mover_collisions = run.mover_collisions,
+      .mover_collisions_in_motion = run.mover_collisions_in_motion,
+      .static_collisions = run.static_collisions,
       .first_seen_too_late = run.first_seen_too_late.value_or(-1),
       .infeasible_steps = run.infeasible_steps,
       .unreachable = static_cast<std::int64_t>(run.unreachable.size()),
@@ -52,14 +52,14 @@ avo_summary to_c(const avo::RunSummary& run) {
                     decisions.overlapping, decisions.invalid_input, decisions.detour},
       .first_collision_time = or_none(run.first_collision_time),
       .min_clearance = or_none(run.min_clearance),
-      .min_obstacle_clearance = or_none(run.min_obstacle_clearance),
+      .min_static_clearance = or_none(run.min_static_clearance),
       .max_acceleration = run.max_acceleration,
       .acceleration_excess = run.acceleration_excess,
       .max_speed = run.max_speed,
       .mean_arrival = or_none(run.mean_arrival),
       .last_arrival = or_none(run.last_arrival),
       .metrics = to_c(run.metrics),
-      .obstacle_collisions_evadable = run.obstacle_collisions_evadable.value_or(-1)};
+      .mover_collisions_evadable = run.mover_collisions_evadable.value_or(-1)};
 }
 
 }  // namespace

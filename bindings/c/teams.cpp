@@ -159,7 +159,7 @@ avo_result avo_simulation_form_up(avo_simulation_id simulation, const avo_robot_
                                   size_t count, const avo_vec2* slots, size_t slot_count) {
   return guarded([&] {
     for (std::size_t k = 0; k < count; ++k)
-      static_cast<void>(index_of(simulations.at(simulation).simulation, robots[k]));
+      static_cast<void>(present(simulations.at(simulation).simulation, robots[k]));
     change_by_team(simulation, [&](avo::Simulation& own) {
       avo::form_up(own, ids_of(robots, count), points_of(slots, slot_count, "slots"));
     });

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The parts of a simulation besides robots, and its settings.
+#include <bit>
 #include <cmath>
 #include <limits>
 
@@ -105,6 +106,9 @@ void read_settings(const avo_simulation_def& def, avo::Scenario& scenario) {
   const auto& error = def.sensing_error;
   if (!std::isnan(error.position) || !std::isnan(error.velocity))
     scenario.sensing_error = avo::SensingError{error.position, error.velocity};
+  if (def.execution != nullptr)
+    scenario.execution = std::bit_cast<avo::ExecutionModel>(*def.execution);
+  if (!std::isnan(def.execution_error)) scenario.execution_error = def.execution_error;
   scenario.external_method = def.external_method == nullptr ? "" : def.external_method;
   scenario.external = external_of(def.external, def.external_context);
 }
@@ -185,6 +189,9 @@ avo_simulation_def settings_of(const avo::Scenario& scenario) {
   def.sensing = to_c(scenario.sensing);
   def.localization = to_c(scenario.sensing.localization);
   def.sensing_error = {error.position, error.velocity};
+  if (scenario.execution)
+    def.execution = reinterpret_cast<const avo_execution_model*>(&*scenario.execution);
+  def.execution_error = scenario.execution_error.value_or(kNone);
   def.external_method = scenario.external_method.c_str();
   def.workers = 1;
   return def;

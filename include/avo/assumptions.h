@@ -16,8 +16,8 @@ namespace avo {
 /// Two robots, or a robot and a moving obstacle, that overlap at the start or that braking no
 /// longer keeps apart.
 struct BrokenStart {
-  int robot = 0;          ///< number of a robot
-  int other = 0;          ///< number of the other robot, greater; or -1 - k for moving obstacle k
+  int robot = 0;          ///< position in Scenario::robots, the value of its id
+  int other = 0;          ///< that of the other robot, greater; or -1 - k for moving obstacle k
   double distance = 0.0;  ///< m, between their centers
   /// m, <= the sum of radii: the largest overlap if both brake, or circle, at once as the
   /// certificate says.
@@ -27,7 +27,7 @@ struct BrokenStart {
 /// A robot that starts too near a static obstacle, or that braking brings too near to one.
 struct WallStart {
   int robot = 0;
-  int obstacle = 0;       ///< index into Scenario::obstacles
+  int obstacle = 0;       ///< position in Scenario::obstacles, the value of its id
   double distance = 0.0;  ///< m, from the line of the obstacle's walls to the robot's center
   double kept = 0.0;      ///< m, the part of the distance that is left after braking
   double required = 0.0;  ///< m, the sum of both radii and a margin for rounding
@@ -36,7 +36,7 @@ struct WallStart {
 /// A robot that starts inside a solid or outside bounds (Fill).
 struct MisplacedStart {
   int robot = 0;
-  int obstacle = 0;  ///< index into Scenario::obstacles
+  int obstacle = 0;  ///< position in Scenario::obstacles, the value of its id
 };
 
 /// A robot that starts faster than its max_speed.

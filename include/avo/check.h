@@ -101,8 +101,9 @@ struct CheckedRobot {
   std::vector<double> discs = {};
 };
 
-/// A disc with a motion that is known in full: p + t v + t²/2 a; or see Check::place_obstacle().
-struct CheckedObstacle {
+/// A moving obstacle, a disc with a motion that is known in full: p + t v + t²/2 a; or see
+/// Check::place_mover().
+struct CheckedMover {
   Vec2 position = {}, velocity = {}, acceleration = {};  ///< at time 0
   double radius = 0.5;                                   ///< m, > 0
   bool straight = false;  ///< once placed, it moves straight and evenly from place to place
@@ -137,12 +138,12 @@ struct CheckedHeading {
 class AVO_API RowError : public Error {
  public:
   RowError(std::int64_t number, const std::string& message) : Error(message), robot(number) {}
-  std::int64_t robot;  ///< index of the robot of the row
+  std::int64_t robot;  ///< position in the list of robots given
 };
 
 /// One row of a recording.
 struct CheckedState {
-  std::int64_t robot = 0;  ///< index into the robots given
+  std::int64_t robot = 0;  ///< position in the list of robots given
   Vec2 position, velocity;
   /// Not read for holonomic robots. A drive, and a car with a body_offset that is not zero, must
   /// have one.
@@ -161,7 +162,7 @@ struct CheckViolation {
 struct CheckedHit {
   double time = 0.0;       ///< s, when the two first touched
   std::int64_t robot = 0;  ///< the robot that was touched
-  std::int64_t other = 0;  ///< index of the moving obstacle, or of the other robot
+  std::int64_t other = 0;  ///< the moving obstacle, or the other robot: its position in the list
   double depth = 0.0;      ///< m, the deepest
   bool moved = false;      ///< whether the robot itself moved at any time while the two overlapped
 };
@@ -186,10 +187,10 @@ struct CheckReport {
   double from = 0.0, to = 0.0;       ///< s
   double interpolation_error = 0.0;  ///< m, the largest of a robot-step
   CheckCount overlaps;               ///< pairs of robots that avoid each other and ever overlapped
-  CheckCount obstacle_contacts_moving;  ///< pairs: the robot itself moved while they overlapped
-  std::int64_t obstacle_contacts_at_rest = 0;  ///< all other pairs
-  /// all hits of both kinds, by time, robot and obstacle
-  std::vector<CheckedHit> obstacle_hits;
+  CheckCount mover_contacts_moving;  ///< pairs: the robot itself moved while they overlapped
+  std::int64_t mover_contacts_at_rest = 0;  ///< all other pairs
+  /// all hits of both kinds, by time, robot and mover
+  std::vector<CheckedHit> mover_hits;
   /// Pairs of robots in which only one avoids the other: this robot itself moved while they
   /// overlapped.
   CheckCount one_sided_contacts_moving;
@@ -257,26 +258,27 @@ struct CheckReport {
 class AVO_API Check {
  public:
   /// Throws Error on values out of range.
-  explicit Check(const std::vector<CheckedRobot>& robots,
-                 std::vector<CheckedObstacle> obstacles = {}, const CheckOptions& options = {});
+  explicit Check(const std::vector<CheckedRobot>& robots, std::vector<CheckedMover> movers = {},
+                 const CheckOptions& options = {});
   ~Check();
   Check(Check&&) noexcept;
   Check& operator=(Check&&) noexcept;
 
-  /// Adds one more robot, at any time; returns its index. Throws Error on values out of range.
+  /// Adds one more robot, at any time; returns its position in the list. Throws Error on values out
+  /// of range.
   std::int64_t add_robot(const CheckedRobot& robot);
 
   /// Sets the walls of the steps that follow, and of the rows at both their ends; there are none at
   /// first. It may be called between any two times, for doors that open and close; counts made
-  /// before stay. A contact names a wall by its index in the list of its step. Throws Error on
+  /// before stay. A contact names a wall by its position in the list of its step. Throws Error on
   /// values out of range.
   void set_walls(std::vector<CheckedWall> walls);
 
-  /// Sets where an obstacle (an index into those given) is at the time of the next add(), and its
-  /// velocity, in place of its given motion. The obstacle is judged on the cubic from its last
-  /// place, or on the straight line if CheckedObstacle::straight is set. Once placed, it stays
+  /// Sets where a moving obstacle is at the time of the next add(), and its velocity, in place of
+  /// its given motion. mover: its position in the list given. It is judged on the cubic from its
+  /// last place, or on the straight line if CheckedMover::straight is set. Once placed, it stays
   /// there until it is placed again. Throws Error on values out of range.
-  void place_obstacle(std::int64_t obstacle, Vec2 position, Vec2 velocity);
+  void place_mover(std::int64_t mover, Vec2 position, Vec2 velocity);
 
   /// Adds all rows of one time, by ascending robot; times ascend, by 1e-12 s or more. Throws Error
   /// on anything else. Throws RowError on values that are not finite or beyond 1e12, and on missing

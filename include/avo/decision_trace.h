@@ -63,8 +63,9 @@ struct DecisionTrace {
   /// (docs/arrival.md, rule 3)
   std::optional<Vec2> detour;
   std::vector<Cause> refusing_detour;  ///< the constraints of the certificate that refuse it
-  std::optional<Evasion> evasion;      ///< the way out that was taken instead, see Plan::evading
-  Plan plan;                           ///< the decision: what Planner::plan() returns
+  std::optional<Evasion>
+      evasion;  ///< the evasive maneuver that was taken instead, see Plan::evading
+  Plan plan;    ///< the decision: what Planner::plan() returns
 };
 
 AVO_API const char* to_string(Guide guide);

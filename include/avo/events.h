@@ -33,15 +33,15 @@ AVO_API const char* to_string(EventKind kind);
 struct Event {
   EventKind kind = EventKind::came;
   RobotId robot;
-  MovingObstacleId obstacle = {};  ///< of a contact
-  bool at_rest = false;            ///< of a contact: the robot has not moved since the last look
-  std::string sentence = {};       ///< why a robot is stuck, see Explanation::sentence; else empty
+  MovingObstacleId moving_obstacle = {};  ///< of a contact
+  bool at_rest = false;       ///< of a contact: the robot has not moved since the last look
+  std::string sentence = {};  ///< why a robot is stuck, see Explanation::sentence; else empty
 };
 
 /// What Events counts as an event.
 struct EventsOptions {
   /// s, > 0: a robot that makes no progress for so long is stuck. Progress is a route
-  /// (Simulation::Way::length) that is shorter, by more than a hundredth of what the preferred
+  /// (Simulation::Route::length) that is shorter, by more than a hundredth of what the preferred
   /// speed makes in that time, than at the progress before. The robot's own motion counts, not a
   /// change of the route. Robots at their goals, robots that the host steers and robots that
   /// unreachable() names are never stuck.
@@ -56,7 +56,8 @@ class AVO_API Events {
   explicit Events(const Simulation& simulation, const EventsOptions& options = {});
   ~Events();
   /// The events since the last look, by robot and then by kind; contacts of one robot are by
-  /// obstacle. They are valid until the next call. A call allocates nothing where nothing happens.
+  /// moving obstacle. They are valid until the next call. A call allocates nothing where nothing
+  /// happens.
   std::span<const Event> observe(const Simulation& simulation);
 
  private:

@@ -35,7 +35,7 @@ struct ExecutionModel {
 /// How far a base is from its reference at most, if ReferenceTracker commands it.
 struct ExecutionError {
   double position = 0.0;  ///< [ε] m: the robot's disc is larger by this, for itself and for others
-  double velocity = 0.0;  ///< [η] m/s: others who sense the base add both to their SensingError
+  double velocity = 0.0;  ///< [η] m/s: others that sense the base add both to their SensingError
   double command = 0.0;   ///< m/s: the base, or each wheel, must accept commands of this speed
 };
 
@@ -48,10 +48,10 @@ AVO_API ExecutionError execution_error(const ExecutionModel& model, const Robot&
 
 /// What a base is told for the next time_step.
 struct BaseCommand {
-  /// [w] m/s: a holonomic base gets it as it is, a differential drive gets drive_command() of it
+  /// [w] m/s: a holonomic base gets this velocity, a differential drive gets drive_command() of it
   Vec2 velocity = {};
   Vec2 next_reference = {};  ///< m, where the reference is at the next decision
-  /// m/s, its velocity then. Others who are told both have no error of this robot to declare.
+  /// m/s, its velocity then. Others that are told both have no error of this robot to declare.
   Vec2 next_velocity = {};
   double deviation = 0.0;  ///< [|p_body - p_reference|] m, at the decision
   /// Whether the deviation was more than ExecutionError::position and μ_p. The reference then
@@ -65,7 +65,7 @@ struct DriveCommand {
   double turning_rate = 0.0;  ///< rad/s, counter-clockwise
 };
 /// Turns a command into those of both wheels, which the wheels can execute. To be called at each
-/// cycle of the wheels' controller, with the body as it is then. Throws Error unless body.model is
+/// cycle of the wheels' controller, with the present body. Throws Error unless body.model is
 /// a differential drive.
 AVO_API DriveCommand drive_command(const ExecutionModel& model, const Robot& body, Vec2 velocity);
 

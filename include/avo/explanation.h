@@ -16,14 +16,14 @@ struct Explanation {
   double time = 0.0;            ///< s
   Vec2 goal;                    ///< m
   bool is_at_goal = false;      ///< see Simulation::is_at_goal()
-  double distance_left = 0.0;   ///< m, see Simulation::Way
+  double distance_left = 0.0;   ///< m, see Simulation::Route
   Simulation::Perception seen;  ///< what the robot senses, and wants
   /// The decision. Its neighbors and walls are those of `seen`. The plan is Perception::stop where
   /// the robot stops near a goal that others share.
   DecisionTrace decision;
   SafetyReport state;  ///< of the state in which the robot decides
   /// One or two sentences: what the robot does, and the reason with the names of those that cause
-  /// it. Robots have the values of their ids, moving obstacles their place in the scene.
+  /// it. Robots and moving obstacles are named by the values of their ids.
   std::string sentence;
 };
 

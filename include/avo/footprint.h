@@ -10,7 +10,7 @@
 
 namespace avo {
 
-/// Discs of one radius whose centers are at equal distances along the heading. They move and turn
+/// Discs of one radius with centers at equal distances along the heading. They move and turn
 /// with the robot, and together they cover its body. Others keep clear of these discs, and of
 /// nothing else (docs/certificate/footprints.md).
 struct Footprint {

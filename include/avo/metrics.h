@@ -30,15 +30,16 @@ struct NotArrived {
   double distance = 0.0;                    ///< m, to its goal
   double speed = 0.0;                       ///< m/s
   PlanStatus status = PlanStatus::optimal;  ///< status of its last decision
-  double detour = 0.0;                      ///< rad, see Detour
+  double detour_angle = 0.0;                ///< rad, see Detour
   /// The neighbors that hold the robot, nearest first, five at most: each is no more than 0.15 of
-  /// both radii from touching the robot. An entry is a RobotId, or -1 - k for moving obstacle k.
+  /// both radii from touching the robot. An entry is the value of a RobotId, or -1 - k with the
+  /// value k of a MovingObstacleId.
   /// The robot that it waits for at a passage comes last.
   std::vector<std::int64_t> held_by;
   /// m, see Simulation::Wait; none where the robot waits at no passage
   std::optional<Vec2> passage = {};
-  /// m, from the nearest place that the robot can reach to its goal, see Simulation::Way. 0: it can
-  /// reach the goal.
+  /// m, from the nearest place that the robot can reach to its goal, see Simulation::Route. 0: it
+  /// can reach the goal.
   double distance_left = 0.0;
 };
 
@@ -97,17 +98,17 @@ struct RunSummary {
   std::int64_t collision_pairs = 0;
   /// distinct pairs in which only one robot avoids the other
   std::int64_t one_sided_collisions = 0;
-  std::int64_t obstacle_collisions = 0;  ///< distinct (robot, moving obstacle) pairs
+  std::int64_t mover_collisions = 0;  ///< distinct (robot, moving obstacle) pairs
   /// The pairs among them that overlapped in a step in which the robot moved. In any other pair the
   /// obstacle ran into a robot at rest, which no robot can prevent.
-  std::int64_t obstacle_collisions_in_motion = 0;
-  /// The pairs among them in which the robot had a way out when it first sensed the obstacle
-  /// (Planner::has_way_out(), docs/metrics.md); none without a certificate.
-  std::optional<std::int64_t> obstacle_collisions_evadable;
-  std::int64_t collision_obstacles = 0;  ///< distinct robots that touched a static obstacle
-  std::optional<double> min_clearance;   ///< m, of robots that avoid each other, if any do
+  std::int64_t mover_collisions_in_motion = 0;
+  /// The pairs among them in which the robot had an evasive maneuver when it first sensed the
+  /// obstacle (Planner::has_evasive_maneuver(), docs/metrics.md); none without a certificate.
+  std::optional<std::int64_t> mover_collisions_evadable;
+  std::int64_t static_collisions = 0;   ///< distinct robots that touched a static obstacle
+  std::optional<double> min_clearance;  ///< m, of robots that avoid each other, if any do
   /// m, from static obstacles; none without obstacles
-  std::optional<double> min_obstacle_clearance;
+  std::optional<double> min_static_clearance;
   /// Pairs in which one robot came into the other's sight after the start, when braking was no
   /// longer proved to keep them apart; none without a certificate. With a sufficient sensing radius
   /// this takes occlusion, or measurements that fail.

@@ -41,9 +41,9 @@ struct NavigatorOptions {
   /// m, > 0: the corners of a given route are cut by as much, and most robots follow it within this
   /// distance, except where others stand there. Unset: 0.3 of the robot's radius
   std::optional<double> route_tolerance = {};
-  /// How the base executes commands; unset: exactly. If set, `robot` of step() is the body as it is
-  /// measured, the decision is about its reference, and NavigatorDecision::command is for the base
-  /// (docs/on_board.md, "Bases that do not execute exactly"). For holonomic robots, with held
+  /// How the base executes commands; unset: exactly. If set, `robot` of step() is the measured
+  /// body, measured, the decision is about its reference, and NavigatorDecision::command is for the
+  /// base (docs/on_board.md, "Bases that do not execute exactly"). For holonomic robots, with held
   /// motion.
   std::optional<ExecutionModel> execution = {};
 };
@@ -82,7 +82,8 @@ struct NavigatorDecision {
   double distance_left = 0.0;
   double stopping_distance = 0.0;  ///< m, that it needs to brake from its present velocity
   double without_progress = 0.0;   ///< s, since it last made progress; 0 unless under way
-  /// The robot for which it waits at a passage. Wait::robot is its index into the neighbors given.
+  /// The robot for which it waits at a passage. The value of Wait::robot is its position in the
+  /// neighbors given.
   std::optional<Simulation::Wait> wait = {};
 };
 
@@ -102,7 +103,7 @@ class AVO_API Navigator {
   /// is_shared makes the robot brake within arrival_distance of it (docs/arrival.md, rule 4). The
   /// goal that it has already changes nothing. Throws Error on values out of range.
   void set_goal(Vec2 goal, std::optional<double> heading = {}, bool is_shared = false);
-  /// Follows a route of somebody else's planner: straight pieces from point to point, m. The robot
+  /// Follows a route of another planner: straight pieces from point to point, m. The robot
   /// comes to rest at the last point, in that heading. Throws Error on values out of range, and on
   /// fewer than two points.
   void set_route(std::vector<Vec2> points, std::optional<double> heading = {});
@@ -124,7 +125,8 @@ class AVO_API Navigator {
   NavigatorDecision step(const Robot& robot, std::span<const Neighbor> neighbors, double time);
 
   /// The decision that step() would make now, with its reasons in words. Neighbors are named by
-  /// their indices: "robot 2", or "moving obstacle 2" where it moves on. Changes nothing.
+  /// their positions in the list: "robot 2", or "moving obstacle 2" where it moves on. Changes
+  /// nothing.
   [[nodiscard]] Explanation explain(const Robot& robot, std::span<const Neighbor> neighbors) const;
 
   /// m: the corners of the route that is left, to its end; empty without a goal, or before the

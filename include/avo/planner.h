@@ -93,8 +93,8 @@ struct PlannerOptions {
   /// error, and needs the walls that are so much farther away.
   double localization_error = 0.0;
   /// m, >= 0, from the robot's disc: all walls within this range are given, where it is farther
-  /// than the certificate needs; infinite: all walls. A longer range gives a robot more ways out
-  /// before movers (docs/movers.md).
+  /// than the certificate needs; infinite: all walls. A longer range gives a robot more evasive
+  /// maneuvers before movers (docs/movers.md).
   double wall_range = 0.0;
   /// free: motion held (docs/certificate/clocks.md).
   Clock clock = Clock::common;
@@ -126,7 +126,8 @@ enum class PlanStatus : std::uint8_t {
   /// With method avo, v' is the target that the paper's program chose, see Plan::new_velocity.
   optimal,       ///< v' lies in CA_A: no collision before τ if all do so (Definition 4)
   least_unsafe,  ///< CA_A is empty: v' violates it by as little as the limits allow
-  /// The certificate refused the next velocity towards the target, or that velocity left no way out
+  /// The certificate refused the next velocity towards the target, or that velocity left no evasive
+  /// maneuver
   /// from a mover: another one was taken (docs/certificate.md, docs/movers.md).
   refused,
   /// the certificate admitted braking only, or |v| exceeds v_max by more than one decision can
@@ -168,7 +169,7 @@ struct Plan {
   /// The state in which the decision was made, as Planner::state() says; unknown without a
   /// certificate.
   SafetyState state = SafetyState::unknown;
-  /// Whether the robot takes a way out in place of its target: see Planner::evasion().
+  /// Whether the robot takes an evasive maneuver in place of its target: see Planner::evasion().
   bool evading = false;
   /// If overlapping, index of the neighbor with the deepest overlap, in the neighbors given. -1:
   /// none. In a simulation it is -1, because no list is given.
@@ -178,13 +179,13 @@ struct Plan {
   double violation = 0.0;  ///< m/s: the distance of v' from CA_A; 0 if optimal
 };
 
-/// The way out that a robot beside movers takes in place of its target (docs/movers.md). The robot
-/// approaches a velocity, and then it brakes to rest. An airplane circles then.
+/// The evasive maneuver that a robot beside movers takes in place of its target (docs/movers.md).
+/// The robot approaches a velocity, and then it brakes to rest. An airplane circles then.
 struct Evasion {
   /// index into the neighbors given: the mover that made the robot reject its target
   int neighbor = -1;
-  /// m/s, the velocity that the way out approaches, or holds; 0: it brakes from the start. Of an
-  /// airplane: its velocity where it begins to circle
+  /// m/s, the velocity that the evasive maneuver approaches, or holds; 0: it brakes from the start.
+  /// The velocity of an airplane where it begins to circle
   Vec2 velocity = {};
   /// s, from the decision: the robot then brakes or circles, if nothing else is decided
   double duration = 0;
@@ -314,7 +315,7 @@ class AVO_API Planner {
   /// reciprocally, at the same times unless PlannerOptions::clock is free. Neighbors may come in
   /// any order; the order changes bits only where two are equally far away. Neighbors in ascending
   /// order of distance need not be sorted. A robot among movers only, except an airplane, plans as
-  /// in plan_among_obstacles, and so does any robot of methods velocity_obstacle and
+  /// in plan_among_movers, and so does any robot of methods velocity_obstacle and
   /// reciprocal_velocity_obstacle.
   ///
   /// detour: the memory of the robot, kept by the caller from decision to decision; updated, or
@@ -348,8 +349,8 @@ class AVO_API Planner {
   /// Nothing is promised with neighbors that call plan() (docs/certificate/movers.md). Method
   /// buffered_voronoi has no obstacles, and airplanes only turn: both plan as plan() does with all
   /// of them moving on.
-  [[nodiscard]] Plan plan_among_obstacles(const Robot& robot, std::span<const Neighbor> obstacles,
-                                          PlanWorkspace& workspace) const;
+  [[nodiscard]] Plan plan_among_movers(const Robot& robot, std::span<const Neighbor> movers,
+                                       PlanWorkspace& workspace) const;
 
   /// Collects the half-planes of plan() with those walls, behind which neighbors may not count;
   /// none where plan() says invalid_input.
@@ -408,19 +409,20 @@ class AVO_API Planner {
                                    PlanWorkspace& workspace,
                                    std::span<const Wall> walls = {}) const;
 
-  /// Returns the way out behind Plan::evading: the mover that A evades, and the way out that it
-  /// takes; none where A evades nothing.
+  /// Returns the evasive maneuver behind Plan::evading: the mover that A evades, and the evasive
+  /// maneuver that it takes; none where A evades nothing.
   [[nodiscard]] std::optional<Evasion> evasion(const Robot& robot,
                                                std::span<const Neighbor> neighbors,
                                                PlanWorkspace& workspace,
                                                const Detour* detour = nullptr,
                                                std::span<const Wall> walls = {}) const;
 
-  /// Returns whether some way out is clear of all predicted neighbors (docs/movers.md, invariant
-  /// M), whatever the others do. No predicted neighbor need then touch A if it moves as predicted.
-  /// false where plan() says invalid_input, and without a certificate.
-  [[nodiscard]] bool has_way_out(const Robot& robot, std::span<const Neighbor> neighbors,
-                                 PlanWorkspace& workspace, std::span<const Wall> walls = {}) const;
+  /// Returns whether some evasive maneuver is clear of all predicted neighbors (docs/movers.md,
+  /// invariant M), whatever the others do. No predicted neighbor need then touch A if it moves as
+  /// predicted. false where plan() says invalid_input, and without a certificate.
+  [[nodiscard]] bool has_evasive_maneuver(const Robot& robot, std::span<const Neighbor> neighbors,
+                                          PlanWorkspace& workspace,
+                                          std::span<const Wall> walls = {}) const;
 
   /// Returns what others have to know of a robot with a footprint: Neighbor::ahead and
   /// Neighbor::spread. A car brakes along its heading. A differential drive may turn meanwhile.

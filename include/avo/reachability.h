@@ -37,7 +37,7 @@ class AVO_API Reachability {
 
 /// A robot that cannot reach its goal because of obstacles and parked robots.
 struct OutOfReach {
-  std::size_t robot = 0;       ///< index into the scene's robots
+  std::size_t robot = 0;       ///< position in the scene's robots, the value of its id
   Vec2 nearest = {};           ///< m, the reachable place nearest to its goal
   double distance_left = 0.0;  ///< m, from there to the goal
   /// the goal is nearer to a wall than the radius; if false, there is no route

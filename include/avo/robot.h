@@ -49,7 +49,7 @@ struct Robot {
   std::optional<LoiterCircle> loiter = {};
   /// m, > 0: to the point at which the preferred velocity aims, where that is nearer than its goal:
   /// the next corner of its route, or a place in its lane. A car with a footprint maneuvers by it,
-  /// because its way turns there.
+  /// because its route turns there.
   double lookahead = std::numeric_limits<double>::infinity();
 };
 
@@ -97,8 +97,8 @@ struct Neighbor {
   /// likely_deviation.
   double max_speed = std::numeric_limits<double>::infinity();
   /// m/s^2, >= 0, where B does not decide: its acceleration is likely to differ that much from the
-  /// center of max_deviation. No certificate counts on it. Ways out take as much of it into account
-  /// as leaves a way out (docs/movers.md, "Rule").
+  /// center of max_deviation. No certificate counts on it. Evasive maneuvers take as much of it
+  /// into account as leaves an evasive maneuver (docs/movers.md, "Rule").
   double likely_deviation = 0.0;
   /// Unit, or 0: the direction in which A leaves B, where B does its share and coincides with A in
   /// place and velocity. B must have the opposite direction. The directions of parting_direction()

@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "avo/execution.h"
 #include "avo/export.h"
 #include "avo/external_method.h"
 #include "avo/planner.h"
@@ -105,18 +106,18 @@ struct MovingObstacle {
 
 /// Where a moving obstacle is on its path at the beginning of a step.
 struct PathWalk {
-  Vec2 position, velocity;   ///< m, m/s
-  std::uint32_t target = 0;  ///< index of the point that it moves to
+  Vec2 position, velocity;       ///< m, m/s
+  std::uint32_t next_point = 0;  ///< position in its path of the point that it moves to
 };
 /// Returns the walk one step later. The acceleration is held over the step and is within
-/// max_deviation. It moves straight to the target, as fast as max_speed and stopping there allow.
+/// max_deviation. It moves straight to that point, as fast as max_speed and stopping there allow.
 /// It has reached a point when its disc covers the point.
 AVO_API PathWalk next_on_path(const MovingObstacle& obstacle, const PathWalk& walk,
                               double time_step);
 
 /// Returns its place on its trajectory at a time, and the velocity with which it goes on. The time
-/// is the end of a step: within a step it moves straight from one place to the other. target: index
-/// of the place that it moves to.
+/// is the end of a step: within a step it moves straight from one place to the other. next_point:
+/// the position of the place that it moves to.
 AVO_API PathWalk on_trajectory(const MovingObstacle& obstacle, double time);
 /// Sets its state to that of its trajectory at 0 s, if it has one.
 AVO_API void start_on_trajectory(MovingObstacle& obstacle);
@@ -216,6 +217,12 @@ struct Scenario {
   /// The error that the robots declare to braking_trajectories; unset: declared_error() of
   /// `sensing`.
   std::optional<SensingError> sensing_error = {};
+  /// How the bases of all robots execute commands; unset: exactly. Each body then follows a
+  /// reference, for which its robot decides, and the robots tell each other their references.
+  /// Views, metrics and recordings are of the bodies. For holonomic robots that start at rest.
+  std::optional<ExecutionModel> execution = {};
+  /// m, >= 0, with `execution`: what each robot adds to its radius; unset: execution_error().
+  std::optional<double> execution_error = {};
   /// free: each robot decides at its own times, one time_step of its own apart, from a phase that
   /// the seed gives it (docs/scenes.md, "Clocks").
   Clock clock = Clock::common;

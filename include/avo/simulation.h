@@ -44,6 +44,8 @@ constexpr bool includes(Columns all, Columns some) {
 /// call that changes the simulation.
 struct FleetView {
   std::span<const RobotId> id;
+  // Where Scenario::execution is set, both are of the bodies. Detours, plans and accelerations are
+  // of the references, and so are places in queries.
   std::span<const Vec2> position;     ///< m
   std::span<const Vec2> velocity;     ///< m/s
   std::span<const double> heading;    ///< rad; for cars, 0 for others
@@ -68,15 +70,16 @@ struct RobotState {
 };
 
 /// Columns of the moving obstacles, by ascending id. They are valid as long as a FleetView.
-struct ObstacleView {
+struct MovingObstacleView {
   std::span<const Vec2> position;
   std::span<const Vec2> velocity;
   std::span<const MovingObstacle> setup;
-  std::span<const std::uint32_t> target;  ///< index of the point of its path that it moves to
+  std::span<const std::uint32_t> next_point;  ///< position in its path of the point it moves to
   std::span<const MovingObstacleId> id;
 };
 
-/// By ascending id. Valid until the next call that changes the simulation.
+/// Columns of the static obstacles, by ascending id. Valid until the next call that changes the
+/// simulation.
 struct StaticObstacleView {
   std::span<const ObstacleId> id;
   std::span<const StaticObstacle> setup;
@@ -130,7 +133,7 @@ class AVO_API Simulation {
   /// otherwise every later step throws Error.
   /// Robots of an external method first get their velocities from its function. Where there is
   /// none, where it throws, or where a velocity is not finite, the step throws and has moved
-  /// nobody.
+  /// no robot.
   void step();
 
   /// Sets the function behind the scene's external_method. A simulation that was made from saved
@@ -178,9 +181,10 @@ class AVO_API Simulation {
   void set_preferred_velocities(std::span<const RobotId> robots, std::span<const Vec2> velocities);
   std::vector<RobotId> add_robots(std::span<const RobotSetup> setups);
   void remove_robots(std::span<const RobotId> robots);
-  /// The one that set_preferred_velocity() gave to the robot (an index into fleet()).
-  [[nodiscard]] std::optional<Vec2> preferred_velocity(std::size_t robot) const;
-  /// A moving obstacle comes: a person, a vehicle, or a player whom the host moves. With a
+  /// The velocity that set_preferred_velocity() gave to the robot. Throws Error, as all questions
+  /// about one robot do, if there is no such robot.
+  [[nodiscard]] std::optional<Vec2> preferred_velocity(RobotId robot) const;
+  /// A moving obstacle comes: a person, a vehicle, or a player that the host moves. With a
   /// trajectory it is where the trajectory says at the present time. Throws Error on bad values
   /// (see validate). Under a certificate it also throws Error, with the arithmetic, on one that
   /// some robot cannot keep clear of. Changes nothing where it throws.
@@ -227,18 +231,18 @@ class AVO_API Simulation {
   /// Changes whenever robots come, go or are restored, and is unique among simulations. As long as
   /// it stays, the ids stay and, except states and goals, the setups.
   [[nodiscard]] std::uint64_t roster() const;
-  /// The robot at that index into fleet(). The call takes no longer in a large fleet.
-  [[nodiscard]] RobotState robot(std::size_t robot) const;
-  [[nodiscard]] RobotSetup setup(std::size_t robot) const;  ///< at that index, see FleetView::setup
-  /// Index of the robot into fleet(). It differs from the robot's number once another robot has
-  /// been removed or has left. It is none if the robot itself is gone.
+  /// The state of one robot. The call takes no longer in a large fleet.
+  [[nodiscard]] RobotState robot(RobotId robot) const;
+  [[nodiscard]] RobotSetup setup(RobotId robot) const;  ///< see FleetView::setup
+  /// The robot's row in the columns of fleet(). The row differs from the value of the id once
+  /// another robot has been removed or has left. It is none if the robot itself is gone.
   [[nodiscard]] std::optional<std::size_t> index_of(RobotId robot) const;
-  /// Robots with discs within `radius`, m, of the point, the nearest disc first: indices into
-  /// fleet(). This query and the next three find what is near in a grid, which the first one after
-  /// a change makes. A query then takes as long as it has to look at.
-  [[nodiscard]] std::vector<std::size_t> robots_within(Vec2 center, double radius) const;
+  /// Robots with discs within `radius`, m, of the point, the nearest disc first. This query and the
+  /// next three find what is near in a grid, which the first one after a change makes. A query then
+  /// takes as long as it has to look at.
+  [[nodiscard]] std::vector<RobotId> robots_within(Vec2 center, double radius) const;
   /// The robots with the discs nearest to the point, at most `count`, nearest first.
-  [[nodiscard]] std::vector<std::size_t> nearest_robots(Vec2 position, std::size_t count) const;
+  [[nodiscard]] std::vector<RobotId> nearest_robots(Vec2 position, std::size_t count) const;
   /// Returns whether a disc of that radius, m, > 0, would touch no robot, no moving obstacle and no
   /// wall there, and would not be inside a solid or outside of bounds. layers, here and below: only
   /// robots that are in one of them count, and static obstacles that a robot in them heeds. All
@@ -259,8 +263,8 @@ class AVO_API Simulation {
   /// between the points. Robots and moving obstacles do not count.
   [[nodiscard]] bool is_in_sight(Vec2 from, Vec2 to, double radius = 0.0,
                                  LayerSet layers = kAllLayers) const;
-  [[nodiscard]] ObstacleView obstacles() const;
-  [[nodiscard]] StaticObstacleView static_obstacles() const;
+  [[nodiscard]] StaticObstacleView obstacles() const;  ///< the static obstacles
+  [[nodiscard]] MovingObstacleView moving_obstacles() const;
   [[nodiscard]] double time() const;  ///< s: steps() * time_step, or the instant of free clocks
   [[nodiscard]] std::int64_t steps() const;
   /// m: how far robots sense. Where the scene gives no sensing_radius, an added robot that needs
@@ -268,34 +272,33 @@ class AVO_API Simulation {
   [[nodiscard]] double sensing_radius() const;
   /// Returns whether the next step ends by that time, s.
   [[nodiscard]] bool can_step_by(double time) const;
-  /// s: when the robot (an index into fleet()) decides next. It is now, where the clock is common;
-  /// it is infinite if the robot is parked.
-  [[nodiscard]] double next_decision(std::size_t robot) const;
+  /// s: when the robot decides next. It is now, where the clock is common; it is infinite if the
+  /// robot is parked.
+  [[nodiscard]] double next_decision(RobotId robot) const;
   /// Returns whether the robot decided in the last step; all robots that were present then count.
-  [[nodiscard]] bool decided(std::size_t robot) const;
-  /// Returns whether the robot (an index into fleet()) is within arrival_distance now, with no wall
-  /// between it and its goal. For a goal that it cannot reach, no wall may be between it and the
-  /// nearest place. A robot also counts if it rests as near as others at rest leave room. Their
-  /// goals are then too close together for all of them (docs/arrival.md, rule 4).
-  [[nodiscard]] bool is_at_goal(std::size_t robot) const;
+  [[nodiscard]] bool decided(RobotId robot) const;
+  /// Returns whether the robot is within arrival_distance now, with no wall between it and its
+  /// goal. For a goal that it cannot reach, no wall may be between it and the nearest place. A
+  /// robot also counts if it rests as near as others at rest leave room. Their goals are then too
+  /// close together for all of them (docs/arrival.md, rule 4).
+  [[nodiscard]] bool is_at_goal(RobotId robot) const;
   [[nodiscard]] bool all_at_goal() const;
   /// The rest of a robot's route.
-  struct Way {
+  struct Route {
     double length = 0.0;  ///< m; infinite for robots that unreachable() names
     Vec2 next = {};       ///< m: the first point on the route, a corner of a wall or its end
     /// m, from its end to the goal: 0, unless walls keep the robot from its goal. Then the route
     /// ends at the nearest place that the robot can reach.
     double distance_left = 0.0;
   };
-  /// The shortest route to its goal that the robot (an index into fleet()) knows: around walls with
-  /// navigation (docs/navigation.md), else straight. The call takes no longer where there are many
-  /// walls.
-  [[nodiscard]] Way way(std::size_t robot) const;
+  /// The shortest route to its goal that the robot knows: around walls with navigation
+  /// (docs/navigation.md), else straight. The call takes no longer where there are many walls.
+  [[nodiscard]] Route route(RobotId robot) const;
   /// Robots that could reach neither their goals nor a place within arrival_distance of them, even
   /// alone. The time of the goals, or of the last edit of obstacles, counts. Either walls leave no
   /// route that is wide enough, or the goal is nearer to a wall than the radius. With navigation
-  /// they go to the nearest place, see Way::distance_left, and go on when a door opens. By
-  /// ascending id.
+  /// they go to the nearest place, see Route::distance_left, and go on when a door opens.
+  /// By ascending id.
   [[nodiscard]] std::vector<RobotId> unreachable() const;
   /// The robot for which another robot waits at a passage of one lane (docs/arrival.md, rules 7 to
   /// 9).
@@ -305,20 +308,20 @@ class AVO_API Simulation {
     bool inside = false;  ///< whether that robot is in the passage
     Vec2 a = {}, b = {};  ///< m: the two sides of the passage where it is narrowest
   };
-  /// None where the robot (an index into fleet()) does not wait at one.
-  [[nodiscard]] std::optional<Wait> wait(std::size_t robot) const;
+  /// None where the robot waits at no passage.
+  [[nodiscard]] std::optional<Wait> wait(RobotId robot) const;
   /// Equal for equal states, bit by bit: the determinism contract, which any user can test.
   [[nodiscard]] std::uint64_t state_hash() const;
 
-  /// What `robot` (an index into fleet()) would see and decide now: itself with its preferred
-  /// velocity, and its neighbors as sensed. The neighbors have the order in which it plans with
-  /// them.
+  /// What a robot would see and decide now: itself with its preferred velocity, and its neighbors
+  /// as sensed. The neighbors have the order in which it plans with them.
   struct Perception {
     Robot robot;
-    std::vector<Neighbor> neighbors;   ///< empty for a parked robot
-    std::vector<std::int64_t> source;  ///< value of the RobotId, or -1 - k for moving obstacle k
-    Detour detour = {};                ///< what it remembers
-    bool among_movers = false;  ///< no other decides: planned by plan_among_obstacles (§III-C)
+    std::vector<Neighbor> neighbors;  ///< empty for a parked robot
+    /// The value of each neighbor's RobotId, or -1 - k with the value k of a MovingObstacleId
+    std::vector<std::int64_t> source;
+    Detour detour = {};         ///< what it remembers
+    bool among_movers = false;  ///< no other decides: planned by plan_among_movers (§III-C)
     /// All walls that matter to it, and more. They are where the robot sees them, which depends on
     /// the error of its own place.
     std::vector<Wall> walls = {};
@@ -330,13 +333,12 @@ class AVO_API Simulation {
     std::optional<Wait> wait = {};  ///< the robot that it waits for at a passage, if at one
     Guide guide = Guide::route;     ///< what its preferred velocity leads to
   };
-  [[nodiscard]] Perception perceive(std::size_t robot) const;
-  /// The decision that `robot` (an index into fleet()) would make now, with its reasons
-  /// (avo/explanation.h). Throws Error if it is parked. The function of an external method is asked
-  /// about this robot alone.
-  [[nodiscard]] Explanation explain(std::size_t robot) const;
-  [[nodiscard]] const Planner& planner() const;                   ///< of the scene's method
-  [[nodiscard]] const Planner& planner(std::size_t robot) const;  ///< that this robot plans with
+  [[nodiscard]] Perception perceive(RobotId robot) const;
+  /// The decision that the robot would make now, with its reasons (avo/explanation.h). Throws Error
+  /// if it is parked. The function of an external method is asked about this robot alone.
+  [[nodiscard]] Explanation explain(RobotId robot) const;
+  [[nodiscard]] const Planner& planner() const;               ///< of the scene's method
+  [[nodiscard]] const Planner& planner(RobotId robot) const;  ///< that this robot plans with
 
   /// Starts or stops the measurement of steps; the sums begin anew.
   void measure(bool on);

@@ -35,11 +35,11 @@ AVO_API std::vector<Vec2> formation_slots(Formation formation, std::size_t count
 /// Error on numbers that are not finite or out of range.
 AVO_API std::vector<Vec2> place_slots(std::span<const Vec2> slots, Vec2 center, double heading);
 
-/// Returns for each robot the index of its slot, so that the sum of the distances is least, to
-/// a millionth of the longest one. The straight lines of two robots then do not cross, unless they
-/// are nearly on one line. There must be at least as many slots as robots,
-/// else it throws Error. The time is that of the Hungarian method: at most the square of the robots
-/// times the slots.
+/// Returns for each robot the position of its slot in the list, so that the sum of the distances is
+/// least, to a millionth of the longest one. The straight lines of two robots then do not cross,
+/// unless they are nearly on one line. There must be at least as many slots as robots, else it
+/// throws Error. The time is that of the Hungarian method: at most the square of the robots times
+/// the slots.
 AVO_API std::vector<std::size_t> assign_slots(std::span<const Vec2> positions,
                                               std::span<const Vec2> slots);
 
@@ -65,7 +65,7 @@ struct Queue {
 struct Follow {
   double spacing = 1.5;  ///< m, > 0, between two robots along the trail of the first one
   /// m: places of the others about the first one, x ahead and y to its left. Robots for which there
-  /// is no slot, or whose slot is behind a wall, follow the trail. Empty: all follow the trail.
+  /// is no slot, or a slot behind a wall, follow the trail. Empty: all follow the trail.
   std::vector<Vec2> slots = {};
   friend bool operator==(const Follow&, const Follow&) = default;
 };
@@ -106,7 +106,7 @@ struct Team {
   TeamTask task = {};
   // what lead() remembers
   std::vector<Vec2> trail = {};  ///< m: of Follow, where the leader was, the latest place last
-  RobotId leader = {};           ///< of Follow, whose trail it is
+  RobotId leader = {};           ///< of Follow: the trail is that of this robot
   double since = -1.0;  ///< s: of a queue, when its first robot reached the head; < 0: not yet
   friend bool operator==(const Team&, const Team&) = default;
 };

@@ -49,7 +49,7 @@ struct ConvertOptions {
   std::function<void(double time)> converted = {};
 };
 
-/// A robot whose first row is elsewhere than the scene has it start.
+/// A robot with a first row elsewhere than its start in the scene.
 struct OtherStart {
   std::int64_t robot = 0;
   std::optional<avo::Vec2> found = {};  ///< m; unset: it has no row at the first time

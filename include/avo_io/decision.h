@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // One decision of a robot, and all its inputs: the output of `avo explain`.
 #pragma once
-#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <optional>
@@ -43,20 +42,18 @@ struct Decision {
   avo::Disc acceleration_disc, speed_disc;
 };
 
-/// Returns what the robot (an index into the fleet) would decide now. `scene`: the name of the
-/// scene.
+/// Returns what the robot would decide now. `scene`: the name of the scene.
 AVO_API Decision explain(const avo::Simulation& simulation, const std::string& scene,
-                         std::size_t robot);
+                         avo::RobotId robot);
 
 /// Throws Error unless the scene has that robot, it decides, and the scene lasts until `time`, s.
 AVO_API void require_explainable(const avo::Scenario& scenario, std::int64_t robot, double time);
-/// Steps to the last decision of the robot by `time`, s, and returns the robot's index into the
-/// fleet. Where go_on() is given, it is asked before each step; the result is none where it returns
-/// false. Throws Error where there is no such decision.
-AVO_API std::optional<std::size_t> approach_decision(const avo::Scenario& scenario,
-                                                     std::int64_t robot, double time,
-                                                     avo::Simulation& simulation,
-                                                     const std::function<bool()>& go_on = {});
+/// Steps to the last decision of the robot by `time`, s. Where go_on() is given, it is asked before
+/// each step; the result is false where it returns false. Throws Error where there is no such
+/// decision.
+AVO_API bool approach_decision(const avo::Scenario& scenario, std::int64_t robot, double time,
+                               avo::Simulation& simulation,
+                               const std::function<bool()>& go_on = {});
 
 /// Returns one line for each fact.
 AVO_API std::string readable(const Decision& decision);

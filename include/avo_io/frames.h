@@ -18,7 +18,7 @@ struct RecordedFrame {
   std::vector<avo::Vec2> position;  ///< m; of a robot that is not present, its last place
   std::vector<double> heading;      ///< rad; 0 for a robot without a heading
   std::vector<bool> there;
-  std::vector<avo::Vec2> obstacle_position;  ///< m, of the moving obstacles
+  std::vector<avo::Vec2> mover_position;  ///< m, of the moving obstacles
 };
 
 /// Reads a recording of the scene forwards.

@@ -38,7 +38,7 @@ struct Judgement {
   std::string recording;
   std::optional<std::string> scene;
   std::optional<double> time_step;  ///< s, of the scene
-  /// of the robots by index; empty: the numbers are the indices
+  /// the ids of the robots, in their order; empty: robot k has the id k
   std::vector<std::int64_t> numbers;
   std::vector<std::int64_t> obstacle_of_wall;  ///< number of the static obstacle
   double tolerance = 0.0;
@@ -58,7 +58,7 @@ struct Judgement {
   /// arrived; missing times are not judged. Without a scene its start and end are unknown.
   bool whole = true;
   double scene_end = 0.0;  ///< s, the duration of the scene
-  /// m: the rows are references of quadrotors, whose radii contain a deviation of so much at most;
+  /// m: the rows are references of quadrotors; their radii contain a deviation of so much at most;
   /// 0: there are no quadrotors
   double deviation = 0.0;
 

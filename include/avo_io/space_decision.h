@@ -19,7 +19,7 @@ struct NeighborHalfSpace {
   double offset = 0.0;  ///< m/s
 };
 
-/// A neighbor or a box that limits a decision, by index.
+/// A neighbor or a box that limits a decision, by its position in the lists of SpaceDecision.
 struct SpaceCause {
   int neighbor = -1;
   int box = -1;
@@ -41,10 +41,10 @@ struct SpaceDecision {
   std::vector<std::int64_t> obstacles;          ///< of the boxes: the numbers in the scene
   std::vector<NeighborHalfSpace> half_spaces;   ///< of the neighbors
   avo::Vec3 proposal;                           ///< m/s: next velocity without the certificate
-  /// Neighbors without whom the proposal would be another one: those whose half-spaces the
+  /// Neighbors without which the proposal would be another one: those with half-spaces that the
   /// preferred velocity breaks, and those that the rules for arriving heed.
   std::vector<SpaceCause> binding, heeded;
-  std::vector<SpaceCause> refusing;  ///< for whom the certificate refuses the proposal
+  std::vector<SpaceCause> refusing;  ///< for which the certificate refuses the proposal
   avo::space::Plan plan;
   std::string sentence;  ///< the decision in words
 };

@@ -38,7 +38,7 @@ struct ExportPlace {
   const std::string& name;  ///< the name in messages
 };
 
-/// Returns an export whose columns are those of the first time.
+/// Returns an export with the columns of the first time.
 std::unique_ptr<ExportTarget> export_csv(const ExportPlace& place);
 /// These two write to OutputFile::temporary(). `scenario` may be null.
 std::unique_ptr<ExportTarget> export_sqlite(const ExportPlace& place,

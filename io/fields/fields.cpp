@@ -25,6 +25,7 @@ template const std::vector<Field<avo::SensingModel>>& fields();
 template const std::vector<Field<avo::MeasurementNoise>>& fields();
 template const std::vector<Field<avo::LocalizationNoise>>& fields();
 template const std::vector<Field<avo::SensingError>>& fields();
+template const std::vector<Field<avo::ExecutionModel>>& fields();
 template const std::vector<Field<avo::MovingObstacle>>& fields();
 template const std::vector<Field<avo::space::RobotSetup>>& fields();
 template const std::vector<Field<avo::space::Quadrotor>>& fields();

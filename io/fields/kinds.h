@@ -44,7 +44,7 @@ constexpr KindText kind_text<OffsetGoals>() {
 }
 template <>
 constexpr KindText kind_text<PermutationGoals>() {
-  return {"permutation", "the starts of the group dealt anew, nobody keeps his own"};
+  return {"permutation", "the starts of the group dealt anew: no robot keeps its own"};
 }
 template <>
 constexpr KindText kind_text<RandomGoals>() {

@@ -49,7 +49,7 @@ const std::vector<Field<PolygonObstacle>>& fields() {
   static const std::vector<Field<PolygonObstacle>> table{
       {"polygon", &PolygonObstacle::points, kRequired, kAnyValue, "m",
        "a closed chain of walls, in any orientation"},
-      {"solid", &PolygonObstacle::solid, kOptional, kNoNumber, "", "nobody may start inside"},
+      {"solid", &PolygonObstacle::solid, kOptional, kNoNumber, "", "no robot may start inside"},
       layers_field<PolygonObstacle>(),
   };
   return table;
@@ -74,7 +74,7 @@ const std::vector<Field<avo::Disc>>& fields() {
 }
 
 constexpr std::string_view kAsText =
-    "solid: nobody may start inside its polygons; bounds: nobody may start outside";
+    "solid: no robot may start inside its polygons; bounds: no robot may start outside";
 
 template <>
 const std::vector<Field<WktObstacle>>& fields() {

@@ -18,7 +18,7 @@ using avo::Vec2;
 constexpr double kUsualRadius = 0.45;              // cells
 constexpr std::uint64_t kStreamOfScenarios = ~0U;  // groups use the other streams
 
-/// Returns the only map, or the map whose file has the name that the scenario gives for its map.
+/// Returns the only map, or the map with a file of the name that the scenario gives for its map.
 const OccupancyGrid& map_of(const Reader& reader, const YamlNode& node, const std::string& path,
                             const std::vector<NamedMap>& maps, const std::string& name) {
   if (maps.size() == 1) return maps[0].grid;

@@ -19,7 +19,7 @@ struct FrameRows {
   std::vector<avo::Vec2> position, velocity;
   std::vector<double> heading;
   std::vector<bool> there;
-  std::vector<avo::Vec2> obstacle_position, obstacle_velocity;
+  std::vector<avo::Vec2> mover_position, mover_velocity;
 };
 
 namespace {
@@ -87,11 +87,11 @@ void FrameReader::State::read() {
   } catch (const avo::Error& error) {
     throw RecordingError(reader.place() + ": " + error.what());
   }
-  after.obstacle_position.clear();
-  after.obstacle_velocity.clear();
+  after.mover_position.clear();
+  after.mover_velocity.clear();
   for (std::size_t k = 0; k < straight.size(); ++k) {
-    after.obstacle_position.push_back(movers.position(k));
-    after.obstacle_velocity.push_back(movers.velocity(k));
+    after.mover_position.push_back(movers.position(k));
+    after.mover_velocity.push_back(movers.velocity(k));
   }
 }
 
@@ -108,11 +108,10 @@ RecordedFrame FrameReader::State::between(double time) const {
                                   : before.heading[i]);
   }
   for (std::size_t k = 0; k < straight.size(); ++k) {
-    const avo::Vec2 from = before.obstacle_position[k], to = after.obstacle_position[k];
-    frame.obstacle_position.push_back(straight[k]
-                                          ? from + part * (to - from)
-                                          : on_cubic(from, before.obstacle_velocity[k], to,
-                                                     after.obstacle_velocity[k], part, step));
+    const avo::Vec2 from = before.mover_position[k], to = after.mover_position[k];
+    frame.mover_position.push_back(straight[k] ? from + part * (to - from)
+                                               : on_cubic(from, before.mover_velocity[k], to,
+                                                          after.mover_velocity[k], part, step));
   }
   return frame;
 }

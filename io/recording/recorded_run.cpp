@@ -63,8 +63,8 @@ void go_on(RecordedFrame& frame, double time, const std::vector<avo::CheckedStat
     frame.position[i] = row.position;
     if (row.heading) frame.heading[i] = row.heading->angle;
   }
-  frame.obstacle_position.clear();
-  for (std::size_t k = 0; k < obstacles; ++k) frame.obstacle_position.push_back(movers.position(k));
+  frame.mover_position.clear();
+  for (std::size_t k = 0; k < obstacles; ++k) frame.mover_position.push_back(movers.position(k));
 }
 
 double fastest_of(const std::vector<avo::CheckedState>& rows) {

@@ -17,16 +17,18 @@ bool leaves_at_goal(const avo::RobotSetup& robot) {
   return airplane != nullptr && airplane->after_goal == avo::AfterGoal::leave;
 }
 
-/// Returns the robot's index into the fleet, where other robots may be missing. A robot that is
-/// about to leave decides no more.
-std::size_t index_of(const avo::Scenario& scenario, std::int64_t robot, double time,
+const avo::RobotSetup& setup_of(const avo::Scenario& scenario, avo::RobotId robot) {
+  return scenario.robots[static_cast<std::size_t>(robot.value)];
+}
+
+/// s: when the robot decides next. A robot that is about to leave decides no more.
+double next_decision(const avo::Scenario& scenario, avo::RobotId robot, double time,
                      const avo::Simulation& simulation) {
-  const auto number = static_cast<std::size_t>(robot);
-  const auto index = simulation.index_of({number});
-  if (index && !(leaves_at_goal(scenario.robots[number]) && simulation.is_at_goal(*index)))
-    return *index;
+  if (simulation.index_of(robot) &&
+      !(leaves_at_goal(setup_of(scenario, robot)) && simulation.is_at_goal(robot)))
+    return simulation.next_decision(robot);
   throw avo::Error(fmt::format("time: found {} s, must be < {:.9g} s, when robot {} left", time,
-                               simulation.time(), robot));
+                               simulation.time(), robot.value));
 }
 
 // Returns s. Airplanes, and robots among moving obstacles alone, adopt the chosen velocity at once.
@@ -52,13 +54,11 @@ void require_explainable(const avo::Scenario& scenario, std::int64_t robot, doub
         fmt::format("time: found {} s, must be <= duration = {} s", time, scenario.duration));
 }
 
-std::optional<std::size_t> approach_decision(const avo::Scenario& scenario, std::int64_t robot,
-                                             double time, avo::Simulation& simulation,
-                                             const std::function<bool()>& go_on) {
-  const double step = time_step_of(scenario, scenario.robots[static_cast<std::size_t>(robot)]);
-  const auto next = [&] {
-    return simulation.next_decision(index_of(scenario, robot, time, simulation));
-  };
+bool approach_decision(const avo::Scenario& scenario, std::int64_t robot, double time,
+                       avo::Simulation& simulation, const std::function<bool()>& go_on) {
+  const avo::RobotId id{static_cast<std::uint64_t>(robot)};
+  const double step = time_step_of(scenario, setup_of(scenario, id));
+  const auto next = [&] { return next_decision(scenario, id, time, simulation); };
   const bool is_free = scenario.clock == avo::Clock::free;
   if (is_free && next() > time)
     throw avo::Error(fmt::format("time: found {} s, must be >= {} s, when robot {} first decides",
@@ -68,16 +68,17 @@ std::optional<std::size_t> approach_decision(const avo::Scenario& scenario, std:
     return is_free && decides == simulation.time() && decides + step > time * (1.0 + 1e-12);
   };
   while (!is_there() && simulation.can_step_by(time)) {
-    if (go_on && !go_on()) return std::nullopt;
+    if (go_on && !go_on()) return false;
     simulation.step();
   }
-  return index_of(scenario, robot, time, simulation);
+  next();  // throws if the robot has left
+  return true;
 }
 
-Decision explain(const avo::Simulation& simulation, const std::string& scene, std::size_t index) {
-  const avo::Planner& planner = simulation.planner(index);
+Decision explain(const avo::Simulation& simulation, const std::string& scene, avo::RobotId robot) {
+  const avo::Planner& planner = simulation.planner(robot);
   Decision decision;
-  avo::Explanation explained = simulation.explain(index);
+  avo::Explanation explained = simulation.explain(robot);
   decision.scene = scene;
   decision.robot = static_cast<std::int64_t>(explained.robot.value);
   decision.time = explained.time;

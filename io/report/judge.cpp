@@ -20,18 +20,6 @@
 namespace avo_io {
 namespace {
 
-// Returns the largest distance of the robot from the cubic between two rows, m. It is 0 for held
-// accelerations. Exponential motion, Eqs. (8), (9), has |x''''| <= most/δ², and a cubic through
-// positions and velocities errs by at most Δt⁴ |x''''|/384.
-double interpolation_error(const avo::Scenario& scenario, const avo::RobotSetup& robot) {
-  if (scenario.motion == avo::Motion::held || adopts_at_once(method_of(scenario, robot)))
-    return 0.0;
-  const avo::PlannerOptions options = planner_options(scenario, robot);
-  const double most = change_limit(robot);
-  const double ratio = options.time_step / options.control_time;
-  return ratio * ratio * options.time_step * options.time_step * most / 384.0;
-}
-
 /// Feeds the judge; robots of a recording without a scene are known from their first row on.
 struct Judge {
   std::optional<avo::Scenario> scenario;
@@ -73,17 +61,9 @@ avo::Check check_of(const JudgeOptions& options_of_judge) {
   if (!scenario) return avo::Check({}, {}, rules);
   rules.arrival_distance = scenario->arrival_distance;
   std::vector<avo::CheckedRobot> robots;
-  for (const avo::RobotSetup& setup : scenario->robots) {
-    avo::CheckedRobot robot = checked_robot(setup);
-    if (is_holonomic(setup.model)) {
-      robot.interpolation_error = interpolation_error(*scenario, setup);
-      robot.straight = adopts_at_once(method_of(*scenario, setup));
-    }
-    if (scenario->clock == avo::Clock::free && !robot.parked && !robot.straight)
-      robot.time_step = time_step_of(*scenario, setup);
-    robots.push_back(robot);
-  }
-  std::vector<avo::CheckedObstacle> obstacles;
+  for (const avo::RobotSetup& setup : scenario->robots)
+    robots.push_back(checked_robot(*scenario, setup));
+  std::vector<avo::CheckedMover> obstacles;
   for (const avo::MovingObstacle& obstacle : scenario->moving_obstacles)
     obstacles.push_back({obstacle.position, obstacle.velocity, obstacle.acceleration,
                          obstacle.radius, !obstacle.trajectory.empty()});
@@ -167,7 +147,7 @@ void Judge::place_obstacles(double time) {
   for (std::size_t k = 0; k < scenario->moving_obstacles.size(); ++k)
     if (!scenario->moving_obstacles[k].path.empty() ||
         !scenario->moving_obstacles[k].trajectory.empty())
-      check.place_obstacle(static_cast<std::int64_t>(k), movers->position(k), movers->velocity(k));
+      check.place_mover(static_cast<std::int64_t>(k), movers->position(k), movers->velocity(k));
 }
 
 void Judge::add(RecordedTime& moment) {

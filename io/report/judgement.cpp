@@ -198,11 +198,11 @@ std::string readable(const Judgement& judgement) {
   const char* allowed = report.movers_at_rest ? ", which is allowed" : "";
   if (judgement.scene)
     line("moving obstacles",
-         text_of(judgement, report.obstacle_contacts_moving, "hit by a robot in motion", "m",
+         text_of(judgement, report.mover_contacts_moving, "hit by a robot in motion", "m",
                  Among::moving_obstacles) +
-             fmt::format("; {} hit a robot at rest{}", report.obstacle_contacts_at_rest,
-                         report.obstacle_contacts_at_rest > 0 ? allowed : ""));
-  add_hits(judgement, report.obstacle_hits, false, line);
+             fmt::format("; {} hit a robot at rest{}", report.mover_contacts_at_rest,
+                         report.mover_contacts_at_rest > 0 ? allowed : ""));
+  add_hits(judgement, report.mover_hits, false, line);
   if (!report.one_sided_hits.empty())
     line("one-sided pairs", text_of(judgement, report.one_sided_contacts_moving,
                                     "hit in motion by the one that avoids", "m", Among::one_sided) +
@@ -259,10 +259,10 @@ std::string to_json(const Judgement& judgement) {
   json["from"] = report.from;
   json["to"] = report.to;
   json["overlaps"] = to_json(judgement, report.overlaps, "other");
-  json["obstacle_contacts_moving"] =
-      to_json(judgement, report.obstacle_contacts_moving, "obstacle", Among::moving_obstacles);
-  json["obstacle_contacts_at_rest"] = report.obstacle_contacts_at_rest;
-  json["obstacle_hits"] = hits_of(judgement, report.obstacle_hits, "obstacle", false);
+  json["mover_contacts_moving"] =
+      to_json(judgement, report.mover_contacts_moving, "moving_obstacle", Among::moving_obstacles);
+  json["mover_contacts_at_rest"] = report.mover_contacts_at_rest;
+  json["mover_hits"] = hits_of(judgement, report.mover_hits, "moving_obstacle", false);
   json["one_sided_contacts_moving"] =
       to_json(judgement, report.one_sided_contacts_moving, "other", Among::one_sided);
   json["one_sided_contacts_at_rest"] = report.one_sided_contacts_at_rest;

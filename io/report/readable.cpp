@@ -46,8 +46,9 @@ const char* safe_text(const avo::Simulation::Perception& seen) {
   if (can_rest(seen.robot.model)) return "safe: braking avoids contact";
   const bool has_movers =
       std::any_of(seen.neighbors.begin(), seen.neighbors.end(), avo::is_predicted);
-  return has_movers ? "safe: its circle keeps clear of all who decide, and it has a way out"
-                    : "safe: its circle keeps clear of all others";
+  return has_movers
+             ? "safe: its circle keeps clear of all that decide, and it has an evasive maneuver"
+             : "safe: its circle keeps clear of all others";
 }
 
 std::string state_text(const Decision& decision) {

@@ -23,9 +23,12 @@ Json to_json(const avo::Decisions& decisions) {
 Json to_json(const avo::NotArrived& robot) {
   Json held_by = Json::array();
   for (const std::int64_t entry : robot.held_by) held_by.push_back(name_of(entry));
-  Json json{{"robot", robot.robot},   {"distance", robot.distance},
-            {"speed", robot.speed},   {"status", avo::to_string(robot.status)},
-            {"detour", robot.detour}, {"held_by", held_by}};
+  Json json{{"robot", robot.robot},
+            {"distance", robot.distance},
+            {"speed", robot.speed},
+            {"status", avo::to_string(robot.status)},
+            {"detour_angle", robot.detour_angle},
+            {"held_by", held_by}};
   if (robot.passage) json["passage"] = {robot.passage->x, robot.passage->y};
   if (robot.distance_left > 0.0) json["distance_left"] = robot.distance_left;
   return json;
@@ -77,12 +80,12 @@ std::string to_json(const avo::RunSummary& summary) {
   json["first_collision_time"] = or_null(summary.first_collision_time);
   json["collision_pairs"] = summary.collision_pairs;
   json["one_sided_collisions"] = summary.one_sided_collisions;
-  json["obstacle_collisions"] = summary.obstacle_collisions;
-  json["obstacle_collisions_in_motion"] = summary.obstacle_collisions_in_motion;
-  json["obstacle_collisions_evadable"] = or_null(summary.obstacle_collisions_evadable);
-  json["collision_obstacles"] = summary.collision_obstacles;
+  json["mover_collisions"] = summary.mover_collisions;
+  json["mover_collisions_in_motion"] = summary.mover_collisions_in_motion;
+  json["mover_collisions_evadable"] = or_null(summary.mover_collisions_evadable);
+  json["static_collisions"] = summary.static_collisions;
   json["min_clearance"] = or_null(summary.min_clearance);
-  json["min_obstacle_clearance"] = or_null(summary.min_obstacle_clearance);
+  json["min_static_clearance"] = or_null(summary.min_static_clearance);
   json["first_seen_too_late"] = or_null(summary.first_seen_too_late);
   json["max_acceleration"] = summary.max_acceleration;
   json["acceleration_excess"] = summary.acceleration_excess;

@@ -24,7 +24,7 @@ constexpr OwnKeys kOwnKeys[] = {
     {"airplane", ModelKind::airplane, "keys of an airplane"},
 };
 
-/// Returns the model that is named, or whose keys are present.
+/// Returns the model that is named, or the model with keys that are present.
 ModelKind kind_of(const Reader& reader, const YamlNode& node, const std::string& path,
                   const avo::RobotSetup& robot) {
   ModelKind kind = static_cast<ModelKind>(robot.model.index());

@@ -48,7 +48,7 @@ StaticObstacle filled(const Place& place, std::vector<avo::Chain> chains, Fill a
   const auto closed = [](const avo::Chain& chain) { return chain.closed; };
   if (as == Fill::bounds && std::none_of(chains.begin(), chains.end(), closed))
     place.reader.fail(place.value("as"), path_to(place.path, "as"), "bounds without a polygon",
-                      "must have one, nobody may start outside of it");
+                      "must have one, no robot may start outside of it");
   return {std::move(chains), 0.0, as};
 }
 
@@ -89,8 +89,7 @@ StaticObstacle build(const Place& place, PolygonObstacle& entry) {
 StaticObstacle build(const Place& place, DiscObstacle& entry) {
   const YamlNode& node = place.value("disc");
   const std::string path = path_to(place.path, "disc");
-  place.reader.check_keys(node, path, keys_of(fields<avo::Disc>()));
-  place.reader.read(node, path, fields<avo::Disc>(), entry.disc);
+  place.reader.read_map(node, path, entry.disc);
   return {{avo::Chain{{entry.disc.center}}}, entry.disc.radius};
 }
 
@@ -128,7 +127,7 @@ StaticObstacle build(const Place& place, RosMapObstacle& entry) {
   return obstacle_of(place, "ros_map", source.name(), grid);
 }
 
-/// Reads the entry of the only kind whose key is present.
+/// Reads the entry of the only kind with a key that is present.
 template <class... Kinds>
 StaticObstacle build_any(const Place& place, const std::variant<Kinds...>*) {
   const std::vector<std::string_view> kinds{fields<Kinds>().front().key...};

@@ -35,20 +35,12 @@ void take_radius(const YamlNode& node, double radius, avo::RobotSetup& robot) {
 
 void read_robot(const Reader& reader, const YamlNode& node, const std::string& path,
                 avo::RobotSetup& robot, bool patch) {
-  const auto& table = fields<avo::RobotSetup>();
-  reader.check_keys(node, path, keys_of(table));
-  reader.read(node, path, table, robot, patch);
+  reader.read_map(node, path, robot, patch);
   read_model(reader, node, path, robot, nullptr);
   if (!patch) complete(node, robot);
 }
 
 namespace {
-
-template <class T>
-void read_map(const Reader& reader, const YamlNode& node, const std::string& path, T& target) {
-  reader.check_keys(node, path, keys_of(fields<T>()));
-  reader.read(node, path, fields<T>(), target);
-}
 
 template <class T>
 void check_area(const Reader& reader, const YamlNode& node, const std::string& path,
@@ -85,8 +77,7 @@ void read_kind(const Reader& reader, const YamlNode& node, const std::string& pa
   const auto read_if_named = [&]<class Kind>(Kind kind) {
     if (kind_text<Kind>().key != name->text) return;
     const std::string inside = path_to(path, name->text);
-    reader.check_keys(*map, inside, keys_of(fields<Kind>()));
-    reader.read(*map, inside, fields<Kind>(), kind);
+    reader.read_map(*map, inside, kind);
     if constexpr (requires { kind.min.x; }) check_area(reader, *map, inside, kind);
     target = kind;
   };
@@ -156,7 +147,7 @@ void read_its_trajectory(const Reader& reader, const YamlNode& node, const std::
 
 void read_moving_obstacle(const Reader& reader, const YamlNode& node, const std::string& path,
                           SceneFiles& files, avo::MovingObstacle& obstacle) {
-  read_map(reader, node, path, obstacle);
+  reader.read_map(node, path, obstacle);
   read_its_trajectory(reader, node, path, files, obstacle);
   const YamlNode* points = node.find("path");
   if (points != nullptr && obstacle.path.empty())
@@ -167,14 +158,20 @@ void read_sensing(const Reader& reader, const YamlNode& scene, avo::SensingModel
                   std::optional<avo::SensingError>& error) {
   if (const YamlNode* node = scene.find("sensing")) {
     const std::string path = "sensing";
-    read_map(reader, *node, path, sensing);
+    reader.read_map(*node, path, sensing);
     if (const YamlNode* noise = node->find("noise"))
-      read_map(reader, *noise, path_to(path, "noise"), sensing.noise);
+      reader.read_map(*noise, path_to(path, "noise"), sensing.noise);
     if (const YamlNode* own = node->find("localization"))
-      read_map(reader, *own, path_to(path, "localization"), sensing.localization);
+      reader.read_map(*own, path_to(path, "localization"), sensing.localization);
   }
   if (const YamlNode* node = scene.find("sensing_error"))
-    read_map(reader, *node, "sensing_error", error.emplace());
+    reader.read_map(*node, "sensing_error", error.emplace());
+}
+
+void read_execution(const Reader& reader, const YamlNode& scene,
+                    std::optional<avo::ExecutionModel>& execution) {
+  if (const YamlNode* node = scene.find("execution"))
+    reader.read_map(*node, "execution", execution.emplace());
 }
 
 }  // namespace avo_io

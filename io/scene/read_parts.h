@@ -23,5 +23,8 @@ RobotsFrom read_robots_from(const Reader& reader, const YamlNode& node, const st
 /// Reads `sensing` and `sensing_error` of the scene.
 void read_sensing(const Reader& reader, const YamlNode& scene, avo::SensingModel& sensing,
                   std::optional<avo::SensingError>& error);
+/// Reads `execution` of the scene.
+void read_execution(const Reader& reader, const YamlNode& scene,
+                    std::optional<avo::ExecutionModel>& execution);
 
 }  // namespace avo_io

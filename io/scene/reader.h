@@ -90,6 +90,13 @@ class Reader {
     }
   }
 
+  /// Reads a map that has the keys of T alone.
+  template <class T>
+  void read_map(const YamlNode& map, const std::string& path, T& target, bool patch = false) const {
+    check_keys(map, path, keys_of(fields<T>()));
+    read(map, path, fields<T>(), target, patch);
+  }
+
  private:
   /// The rule of a field for its value.
   struct Rule {

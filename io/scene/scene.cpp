@@ -58,6 +58,7 @@ class SceneBuilder {
     scenario_.name = default_name;
     reader_.read(root, "", fields<Scenario>(), scenario_);
     read_sensing(reader_, root, scenario_.sensing, scenario_.sensing_error);
+    read_execution(reader_, root, scenario_.execution);
     if (robots) require_robots(*robots);
     add_moving_obstacles();
     add_obstacles();

@@ -68,7 +68,7 @@ struct RandomGoals {
   avo::Vec2 min, max;
   double clearance = 0.0;
 };
-/// Slots of a formation about a center, dealt so that straight ways to them do not cross.
+/// Slots of a formation about a center, dealt so that straight lines to them do not cross.
 struct FormationGoals {
   avo::Formation shape = avo::Formation::block;
   double spacing = 1.5;

@@ -118,6 +118,7 @@ Json plane_schema(const Json& alike) {
                               {{"noise", map_schema(fields<avo::MeasurementNoise>())},
                                {"localization", map_schema(fields<avo::LocalizationNoise>())}})},
        {"sensing_error", map_schema(fields<avo::SensingError>())},
+       {"execution", map_schema(fields<avo::ExecutionModel>())},
        {"moving_obstacles", list_schema("moving_obstacle")},
        {"obstacles", list_schema("obstacle")}});
   json["anyOf"] = {

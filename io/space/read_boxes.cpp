@@ -33,8 +33,7 @@ Heights take_heights(const Reader& reader, YamlNode& obstacle, const std::string
 
 SpaceBox read_box(const Reader& reader, const YamlNode& node, const std::string& path) {
   SpaceBox box;
-  reader.check_keys(node, path, keys_of(fields<SpaceBox>()));
-  reader.read(node, path, fields<SpaceBox>(), box);
+  reader.read_map(node, path, box);
   if (!(box.min.x <= box.max.x && box.min.y <= box.max.y && box.min.z <= box.max.z))
     reader.fail(node, path,
                 fmt::format("min [{}, {}, {}] and max [{}, {}, {}]", box.min.x, box.min.y,

@@ -14,8 +14,7 @@ namespace {
 template <class T>
 T read_part(const Reader& reader, const YamlNode& node, const std::string& path) {
   T part;
-  reader.check_keys(node, path, keys_of(fields<T>()));
-  reader.read(node, path, fields<T>(), part);
+  reader.read_map(node, path, part);
   return part;
 }
 

@@ -35,8 +35,7 @@ std::vector<TimedPoint> read_points(const Reader& reader, const YamlNode& node,
 MovingObstacle read_moving_obstacle_in_space(const Reader& reader, const YamlNode& node,
                                              const std::string& path) {
   MovingObstacle obstacle;
-  reader.check_keys(node, path, keys_of(fields<MovingObstacle>()));
-  reader.read(node, path, fields<MovingObstacle>(), obstacle);
+  reader.read_map(node, path, obstacle);
   const YamlNode* trajectory = node.find("trajectory");
   if (trajectory == nullptr) {
     if (node.find("position") == nullptr)

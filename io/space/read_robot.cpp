@@ -6,7 +6,6 @@
 namespace avo_io {
 namespace {
 
-using avo::space::Quadrotor;
 using avo::space::RobotSetup;
 
 // A robot's quadrotor, or changes of it; the quadrotor gives the limit of acceleration.
@@ -15,10 +14,7 @@ void read_quadrotor(const Reader& reader, const YamlNode& node, const std::strin
   if (const YamlNode* quadrotor = node.find("quadrotor")) {
     const bool is_changed = robot.quadrotor.has_value();
     if (!is_changed) robot.quadrotor.emplace();
-    const std::string inside = path_to(path, "quadrotor");
-    const std::vector<Field<Quadrotor>>& table = fields<Quadrotor>();
-    reader.check_keys(*quadrotor, inside, keys_of(table));
-    reader.read(*quadrotor, inside, table, *robot.quadrotor, is_changed);
+    reader.read_map(*quadrotor, path_to(path, "quadrotor"), *robot.quadrotor, is_changed);
   }
   const YamlNode* given = node.find("max_acceleration");
   if (robot.quadrotor && given != nullptr)
@@ -30,8 +26,7 @@ void read_quadrotor(const Reader& reader, const YamlNode& node, const std::strin
 
 void read_robot(const Reader& reader, const YamlNode& node, const std::string& path,
                 RobotSetup& robot, bool patch) {
-  reader.check_keys(node, path, keys_of(fields<RobotSetup>()));
-  reader.read(node, path, fields<RobotSetup>(), robot, patch);
+  reader.read_map(node, path, robot, patch);
   read_quadrotor(reader, node, path, robot);
   if (!patch && node.find("preferred_speed") == nullptr) robot.preferred_speed = robot.max_speed;
 }

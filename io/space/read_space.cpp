@@ -119,7 +119,7 @@ class SpaceBuilder {
     }
   }
 
-  // 60 s and twice the longest straight way, as in the plane.
+  // 60 s and twice the longest straight line, as in the plane.
   void set_usual_duration() {
     double longest = 0.0;
     for (const RobotSetup& robot : scenario_.robots) {

@@ -149,7 +149,7 @@ Vec3 proposed(const avo::space::Planner& uncertified, const avo::space::Detour& 
       .next_velocity;
 }
 
-// Finds the neighbors without whom the proposal would be another one.
+// Finds the neighbors without which the proposal would be another one.
 void find_shaping(const avo::space::Planner& uncertified, const avo::space::Detour& memory,
                   SpaceDecision& decision) {
   constexpr double kSame = 1e-6;  // m/s
@@ -180,8 +180,8 @@ SpaceDecision explain_step(Simulation& simulation, std::int64_t robot) {
   decision.scene = scenario.name;
   decision.robot = robot;
   decision.time = simulation.time();
-  decision.goal = simulation.goal(k);
-  decision.is_at_goal = simulation.is_at_goal(k);
+  decision.goal = simulation.goal({k});
+  decision.is_at_goal = simulation.is_at_goal({k});
   look_around(scenario, before, k, planner.options(), decision);
   simulation.step();
   decision.self = before[k];

@@ -14,7 +14,7 @@ namespace avo_io {
 void add_states(const avo::space::Simulation& simulation, const BlockShape& shape,
                 RecordingBlock& block);
 
-/// HDF5 by way of a spool, see Hdf5Recording.
+/// HDF5 through a spool, see Hdf5Recording.
 class SpaceHdf5Recording final : public SpaceRecording {
  public:
   SpaceHdf5Recording(const std::string& path, const avo::space::Scenario& scenario,

@@ -15,7 +15,7 @@ namespace avo_io {
 inline constexpr std::string_view kSpaceCsvHeader = "time,robot,x,y,z,vx,vy,vz";
 /// What follows the header if only every n-th step has rows.
 inline constexpr std::string_view kEveryColumn = ",every";
-/// Of a step, by which times may be off because their digits are rounded.
+/// The part of a step by which times may be off, because their digits are rounded.
 inline constexpr double kOfStep = 1e-6;
 
 /// All rows of one time.

@@ -61,8 +61,8 @@ Value of_decisions(const RunOutcome& run) {
 
 // Returns whether robots have collided. It counts a robot at rest that another robot runs into.
 bool has_collided(const avo::RunSummary& run) {
-  return run.collision_pairs > 0 || run.one_sided_collisions > 0 || run.obstacle_collisions > 0 ||
-         run.collision_obstacles > 0;
+  return run.collision_pairs > 0 || run.one_sided_collisions > 0 || run.mover_collisions > 0 ||
+         run.static_collisions > 0;
 }
 
 using avo::Decisions;
@@ -82,13 +82,13 @@ constexpr SweepColumn kResults[] = {
      [](const RunOutcome& run) -> Value { return has_collided(run.summary) ? 1.0 : 0.0; }},
     {"collision_pairs", of_summary<&RunSummary::collision_pairs>},
     {"one_sided_collisions", of_summary<&RunSummary::one_sided_collisions>},
-    {"obstacle_collisions", of_summary<&RunSummary::obstacle_collisions>},
-    {"obstacle_collisions_in_motion", of_summary<&RunSummary::obstacle_collisions_in_motion>},
-    {"obstacle_collisions_evadable", of_summary<&RunSummary::obstacle_collisions_evadable>},
-    {"collision_obstacles", of_summary<&RunSummary::collision_obstacles>},
+    {"mover_collisions", of_summary<&RunSummary::mover_collisions>},
+    {"mover_collisions_in_motion", of_summary<&RunSummary::mover_collisions_in_motion>},
+    {"mover_collisions_evadable", of_summary<&RunSummary::mover_collisions_evadable>},
+    {"static_collisions", of_summary<&RunSummary::static_collisions>},
     {"first_collision_time", of_summary<&RunSummary::first_collision_time>},
     {"min_clearance", of_summary<&RunSummary::min_clearance>},
-    {"min_obstacle_clearance", of_summary<&RunSummary::min_obstacle_clearance>},
+    {"min_static_clearance", of_summary<&RunSummary::min_static_clearance>},
     {"first_seen_too_late", of_summary<&RunSummary::first_seen_too_late>},
     {"max_acceleration", of_summary<&RunSummary::max_acceleration>},
     {"acceleration_excess", of_summary<&RunSummary::acceleration_excess>},

@@ -34,11 +34,18 @@ std::vector<avo::RobotId> judged_of(const SweepSpec& spec) {
   return robots;
 }
 
-bool is_parked(const avo::Simulation& simulation, std::size_t i) {
-  return simulation.setup(i).parked;
+bool is_parked(const avo::Simulation& simulation, avo::RobotId robot) {
+  return simulation.setup(robot).parked;
 }
-bool is_parked(const avo::space::Simulation& /*simulation*/, std::size_t /*i*/) {
+bool is_parked(const avo::space::Simulation& /*simulation*/, avo::RobotId /*robot*/) {
   return false;
+}
+
+avo::RobotId id_at(const avo::Simulation& simulation, std::size_t row) {
+  return simulation.fleet(avo::Columns::id).id[row];
+}
+avo::RobotId id_at(const avo::space::Simulation& /*simulation*/, std::size_t row) {
+  return {row};
 }
 
 /// The time when each robot first arrives, as avo::Metrics counts it.
@@ -46,19 +53,21 @@ class ArrivalTimes {
  public:
   template <class Simulation>
   void observe(const Simulation& simulation) {
-    has_arrived_.resize(simulation.size());
-    for (std::size_t i = 0; i < has_arrived_.size(); ++i) {
-      if (has_arrived_[i] || !simulation.is_at_goal(i)) continue;
-      has_arrived_[i] = true;
-      if (is_parked(simulation, i)) continue;
+    for (std::size_t row = 0; row < simulation.size(); ++row) {
+      const avo::RobotId robot = id_at(simulation, row);
+      const auto k = static_cast<std::size_t>(robot.value);
+      if (has_arrived_.size() <= k) has_arrived_.resize(k + 1);
+      if (has_arrived_[k] || !simulation.is_at_goal(robot)) continue;
+      has_arrived_[k] = true;
+      if (is_parked(simulation, robot)) continue;
       times_.push_back(simulation.time());
     }
   }
   [[nodiscard]] std::vector<double> times() && { return std::move(times_); }
 
  private:
-  std::vector<bool> has_arrived_;  // by place in the fleet; no robot leaves it,
-  std::vector<double> times_;      // and no robot joins it
+  std::vector<bool> has_arrived_;  // by the values of ids
+  std::vector<double> times_;      // s
 };
 
 }  // namespace

@@ -23,7 +23,7 @@ bool is_share(std::string_view column) {
 }
 
 /// Returns whether the runs are a sample. One run is not, nor are several runs with the same final
-/// state whose scene does not use the seed.
+/// state of a scene that does not use the seed.
 bool is_sample(const std::vector<const std::vector<std::string>*>& group, std::size_t state_hash) {
   return std::any_of(group.begin(), group.end(), [&](const std::vector<std::string>* run) {
     return (*run)[state_hash] != (*group.front())[state_hash];

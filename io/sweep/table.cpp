@@ -5,7 +5,9 @@
 #include <filesystem>
 #include <fmt/format.h>
 #include <map>
+#include <string_view>
 #include <system_error>
+#include <utility>
 
 #include "avo_io/printable.h"
 #include "avo_io/recording.h"
@@ -20,6 +22,20 @@ namespace {
 
 using Row = std::vector<std::string>;
 constexpr std::size_t kRun = 1;  // column
+
+// Columns of earlier builds, and their names now.
+constexpr std::pair<std::string_view, std::string_view> kRenamed[] = {
+    {"mover_collisions", "mover_collisions"},
+    {"mover_collisions_in_motion", "mover_collisions_in_motion"},
+    {"mover_collisions_evadable", "mover_collisions_evadable"},
+    {"static_collisions", "static_collisions"},
+    {"min_static_clearance", "min_static_clearance"}};
+
+std::string present_name(const std::string& column) {
+  for (const auto& [before, now] : kRenamed)
+    if (column == before) return std::string(now);
+  return column;
+}
 
 void require_columns(const SweepTable& table, const std::string& path) {
   try {
@@ -91,6 +107,7 @@ std::pair<std::size_t, std::size_t> parameters_of(const SweepTable& table) {
 
 SweepTable read_sweep(const std::string& path) {
   SweepTable table = is_hdf5_path(path) ? read_sweep_hdf5(path) : read_sweep_csv(path);
+  for (std::string& column : table.columns) column = present_name(column);
   require_columns(table, path);
   if (table.rows.empty())
     throw RecordingError(path + ": found a table without runs, must have one or more");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// JSON objects whose keys keep their order.
+// JSON objects with keys that keep their order.
 #pragma once
 #include <cstdint>
 #include <fmt/format.h>

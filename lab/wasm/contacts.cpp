@@ -68,7 +68,7 @@ void append_robots(const avo::FleetView& fleet, const std::vector<Disc>& discs, 
 
 void append_walls(const avo::Simulation& simulation, const std::vector<Disc>& discs,
                   Json& contacts) {
-  const avo::StaticObstacleView obstacles = simulation.static_obstacles();
+  const avo::StaticObstacleView obstacles = simulation.obstacles();
   double largest = 0.0;
   for (const Disc& disc : discs) largest = std::max(largest, disc.radius);
   for (std::size_t k = 0; k < obstacles.id.size(); ++k) {
@@ -94,7 +94,7 @@ std::string contacts_of(const PlaneRun& run) {
   const std::vector<Disc> discs = discs_of(fleet);
   Json contacts = Json::array();
   append_robots(fleet, discs, contacts);
-  const avo::ObstacleView movers = simulation.obstacles();
+  const avo::MovingObstacleView movers = simulation.moving_obstacles();
   for (std::size_t m = 0; m < movers.position.size(); ++m)
     for (const Disc& disc : discs)
       append_overlap(disc, name_of(-1 - static_cast<std::int64_t>(m)), movers.position[m],

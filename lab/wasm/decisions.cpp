@@ -15,7 +15,7 @@ AVO_EXPORT(std::size_t, explain)(std::uint32_t robot) {
   if (const auto* space = std::get_if<SpaceRun>(&run()))
     return into_room(to_json(avo_io::explain_step(*space->simulation, robot)));
   const avo::Simulation& simulation = *plane().simulation;
-  return into_room(to_json(avo_io::explain(simulation, plane().scenario.name, index_of(robot))));
+  return into_room(to_json(avo_io::explain(simulation, plane().scenario.name, {robot})));
 }
 
 }  // namespace avo_lab

@@ -73,9 +73,6 @@ class Columns {
   std::vector<std::byte> bytes_;
 };
 
-/// Returns the index into the fleet of the robot with that number. Throws Error if there is none.
-std::size_t index_of(std::uint64_t robot);
-
 /// Returns "robots.3", or "moving_obstacles.0" for source -1.
 std::string name_of(std::int64_t source);
 

@@ -68,9 +68,8 @@ std::vector<Vec2> way_of(const avo::Neighbor& mover, std::size_t steps, double t
 AVO_EXPORT(std::size_t, outlines)
 (std::uint32_t robot, double left, double bottom, double right, double top) {
   const avo::Simulation& simulation = *plane().simulation;
-  const std::size_t index = index_of(robot);
-  const avo::Simulation::Perception seen = simulation.perceive(index);
-  const avo::Planner& planner = simulation.planner(index);
+  const avo::Simulation::Perception seen = simulation.perceive({robot});
+  const avo::Planner& planner = simulation.planner({robot});
   std::vector<std::size_t> avoided;
   if (seen.among_movers || avo::avoids_union(planner.options().method)) {
     for (std::size_t k = 0; k < seen.neighbors.size(); ++k) avoided.push_back(k);
@@ -102,8 +101,7 @@ AVO_EXPORT(std::size_t, admitted)
 (std::uint32_t robot, double left, double bottom, double right, double top, std::uint32_t columns,
  std::uint32_t rows) {
   const avo::Simulation& simulation = *plane().simulation;
-  const std::size_t index = index_of(robot);
-  const avo::Simulation::Perception seen = simulation.perceive(index);
+  const avo::Simulation::Perception seen = simulation.perceive({robot});
   const auto between = [](double from, double to, std::uint32_t k, std::uint32_t count) {
     return from + (to - from) * k / std::max(count - 1.0, 1.0);
   };
@@ -114,8 +112,8 @@ AVO_EXPORT(std::size_t, admitted)
           {between(left, right, column, columns), between(bottom, top, row, rows)});
   std::vector<std::uint8_t> admitted(velocities.size());
   avo::PlanWorkspace workspace;
-  simulation.planner(index).find_admitted(seen.robot, seen.neighbors, workspace, velocities,
-                                          admitted, seen.walls);
+  simulation.planner({robot}).find_admitted(seen.robot, seen.neighbors, workspace, velocities,
+                                            admitted, seen.walls);
   return into_room(std::as_bytes(std::span(admitted)));
 }
 
@@ -123,9 +121,8 @@ AVO_EXPORT(std::size_t, admitted)
 /// step to step. Airplanes circle, and moving obstacles move on for as long as the robot brakes.
 AVO_EXPORT(std::size_t, braking_paths)(std::uint32_t robot) {
   const avo::Simulation& simulation = *plane().simulation;
-  const std::size_t index = index_of(robot);
-  const avo::Simulation::Perception seen = simulation.perceive(index);
-  const avo::StepLaw law = avo::certificate_law(simulation.planner(index)).step;
+  const avo::Simulation::Perception seen = simulation.perceive({robot});
+  const avo::StepLaw law = avo::certificate_law(simulation.planner({robot})).step;
   const auto path_of = [&law](const auto& one) {
     return one.loiter ? circle_of(*one.loiter)
                       : braking_path(one.position, one.velocity, avo::decrement_of(one, law), law);

@@ -92,7 +92,7 @@ void remember(avo::Simulation& simulation, const std::vector<bool>& goes_on) {
     if (!goes_on[k]) continue;
     next.obstacles[k] = now.obstacles[k];
     if (now.scene.moving_obstacles[k].path != next.scene.moving_obstacles[k].path)
-      next.obstacles[k].target = 0;
+      next.obstacles[k].next_point = 0;
   }
   take_time(now, next);
   if (same_robots(now, next)) {

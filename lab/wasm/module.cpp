@@ -88,12 +88,6 @@ PlaneRun& plane() {
   throw avo::Error("space: found 3, must be 2 for this");
 }
 
-std::size_t index_of(std::uint64_t robot) {
-  const auto index = plane().simulation->index_of({robot});
-  if (!index) throw avo::Error("robot " + std::to_string(robot) + ": found none of that id");
-  return *index;
-}
-
 std::string name_of(std::int64_t source) {
   return source >= 0 ? "robots." + std::to_string(source)
                      : "moving_obstacles." + std::to_string(-1 - source);

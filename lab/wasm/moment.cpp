@@ -47,7 +47,7 @@ std::span<const float> clearances_of(const avo::FleetView& fleet) {
 Columns moment_of(const PlaneRun& run) {
   const avo::Simulation& simulation = *run.simulation;
   const avo::FleetView fleet = simulation.fleet();
-  const avo::ObstacleView obstacles = simulation.obstacles();
+  const avo::MovingObstacleView obstacles = simulation.moving_obstacles();
   Columns columns;
   columns.add(simulation.time());
   columns.add(static_cast<double>(simulation.steps()));
@@ -63,8 +63,8 @@ Columns moment_of(const PlaneRun& run) {
   columns.add_all(clearances_of(fleet));
   for (const avo::RobotId id : fleet.id) columns.add(static_cast<std::int32_t>(id.value));
   for (const avo::Plan& plan : fleet.plan) columns.add(plan.status);
-  for (std::size_t k = 0; k < fleet.id.size(); ++k) columns.add(simulation.decided(k));
-  for (std::size_t k = 0; k < fleet.id.size(); ++k) columns.add(simulation.is_at_goal(k));
+  for (const avo::RobotId id : fleet.id) columns.add(simulation.decided(id));
+  for (const avo::RobotId id : fleet.id) columns.add(simulation.is_at_goal(id));
   return columns;
 }
 

@@ -145,14 +145,14 @@ std::string info_of(const PlaneRun& run) {
   options["certificate"] = to_string(simulation->planner().options().certificate);
   options["sensing_radius"] = simulation->sensing_radius();
   Json moving_obstacles = Json::array();
-  for (const avo::MovingObstacle& obstacle : simulation->obstacles().setup)
+  for (const avo::MovingObstacle& obstacle : simulation->moving_obstacles().setup)
     moving_obstacles.push_back({{"radius", obstacle.radius}});
   const Json json{{"dimensions", 2},
                   {"name", scenario.name},
                   {"duration", scenario.duration},
                   {"options", options},
                   {"robots", robots_of(simulation->fleet())},
-                  {"walls", walls_of(simulation->static_obstacles())},
+                  {"walls", walls_of(simulation->obstacles())},
                   {"boxes", Json::array()},
                   {"moving_obstacles", moving_obstacles},
                   {"advice", avo::advice(start)},

@@ -65,7 +65,7 @@ Columns moment_of(const SpaceRun& run) {
   columns.add(static_cast<std::uint32_t>(simulation.movers().size()));
   for (const Robot& robot : simulation.robots()) columns.add(robot.position);
   for (const Robot& robot : simulation.robots()) columns.add(robot.velocity);
-  for (std::size_t k = 0; k < simulation.size(); ++k) columns.add(simulation.goal(k));
+  for (std::size_t k = 0; k < simulation.size(); ++k) columns.add(simulation.goal({k}));
   for (std::size_t k = 0; k < simulation.size(); ++k) columns.add(0.0);
   for (std::size_t k = 0; k < simulation.size(); ++k) {
     const Vec3 a = simulation.plans()[k].acceleration;
@@ -77,7 +77,7 @@ Columns moment_of(const SpaceRun& run) {
   for (std::size_t k = 0; k < simulation.size(); ++k) columns.add(static_cast<std::int32_t>(k));
   for (const avo::space::Plan& plan : simulation.plans()) columns.add(plan.status);
   for (std::size_t k = 0; k < simulation.size(); ++k) columns.add(has_decided);
-  for (std::size_t k = 0; k < simulation.size(); ++k) columns.add(simulation.is_at_goal(k));
+  for (std::size_t k = 0; k < simulation.size(); ++k) columns.add(simulation.is_at_goal({k}));
   return columns;
 }
 

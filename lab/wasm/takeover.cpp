@@ -63,7 +63,7 @@ Takeover taken_over_by(const avo::Scenario& text) {
   }
   for (std::size_t number = 0; number < robots.size(); ++number)
     if (is_gone[number]) next.gone.push_back({number});
-  const avo::ObstacleView movers = plane().simulation->obstacles();
+  const avo::MovingObstacleView movers = plane().simulation->moving_obstacles();
   std::vector<avo::MovingObstacle>& obstacles = next.start.moving_obstacles;
   for (std::size_t k = 0; k < std::min(movers.setup.size(), obstacles.size()); ++k) {
     next.goes_on.push_back(goes_on(obstacles[k], at(was.moving_obstacles, k)));

@@ -73,7 +73,8 @@ LoiterCircle circle_from(const WayOptions& options, const WayState& state) {
 
 // Tests (C1) of one step, and (C3) of this step and of the circle after it.
 bool is_clear(const WayOptions& options, Surroundings& around, const ArcStep& step) {
-  if (around.work < 0 || !keeps_off_movers(options, around, step.from, step.path)) return false;
+  if (around.work < 0 || !keeps_off_movers(options, around, step.from, {&step.path, 1}))
+    return false;
   const LoiterCircle circle = circle_from(options, step.next);
   const Segment chord{step.path.start, step.path.end};
   return norm(circle.center) + circle.radius <= options.known &&

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Ways out of a robot A that flies: it holds a control for some steps, and then it circles for ever
-// (docs/movers.md, "Airplanes"). Places are relative to p_A, and times count from the decision.
+// Evasive maneuvers of a robot A that flies: it holds a control for some steps, and then it circles
+// for ever (docs/movers.md, "Airplanes"). Places are relative to p_A, and times count from the
+// decision.
 #pragma once
 #include "certificate/ways.h"
 #include "robots/flight.h"

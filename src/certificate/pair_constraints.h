@@ -15,7 +15,7 @@ inline constexpr double kFarther = 1.0 + 0x1p-27;
 template <int D>
 struct PairShape {};
 
-/// In space nobody may be in the vertical capsule of radius r_A + r_B that reaches `up` below A,
+/// In space no robot may be in the vertical capsule of radius r_A + r_B that reaches `up` below A,
 /// and `down` below B. So p_A - p_B keeps r_A + r_B from the segment that reaches from -down to up.
 template <>
 struct PairShape<3> {

@@ -10,14 +10,14 @@
 
 namespace avo::inline certificate {
 
-/// A mover that a way out must keep clear of. It keeps its acceleration for ever, or its
+/// A mover that an evasive maneuver must keep clear of. It keeps its acceleration for ever, or its
 /// trajectory.
 template <int D>
 struct PredictedOf {
   using Vector = VectorOf<D>;
   Vector position, velocity, acceleration;  // m, m/s, m/s²; read where there is no trajectory
   TrajectorySteps* trajectory = nullptr;    // in the plane: from p_A, in steps of A
-  double contact = 0.0;                     ///< m, to be kept from the mover
+  double contact = 0.0;                     ///< m, to be kept from the mover by each disc of A
   double drift = 0.0;                       ///< [e] m/s, the error of its velocity
   double deviation = 0.0;                   ///< [η] m/s², the deviation of its acceleration
   double reaction = 0.0;                    ///< [T] s: e and η are counted for so long

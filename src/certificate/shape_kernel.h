@@ -162,7 +162,7 @@ AVO_KERNEL PackHeights<Real> heights_of(const PackPoints<Real, 3>& q) {
           (middle < zero) | (no_middle & (ends < zero)) | (no_ends & (start < zero))};
 }
 
-/// Of the directions of a few points the one that proves the largest distance of the triangle q
+/// The direction, among those of a few points, that proves the largest distance of the triangle q
 /// from the pair's segment; 0 where all points are the origin. The direction of the nearest point
 /// is among them, and no direction proves more than that. So no sign of rounding noise decides
 /// anything. Odd, bit for bit, where q is negated and the pair's shape turned upside down.

@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <span>
 
+#include "certificate/way_braking.h"
 #include "core/plane.h"
 #include "robots/model.h"
 
@@ -16,7 +18,7 @@ void look_at(const WayOptions& options, Surroundings& around, std::size_t k,
              const WayState& state) {
   const Predicted& other = around.others[k];
   const double closing = options.max_speed + other.fastest;
-  const double room = room_to(other, state.position, state.time);
+  const double room = room_to(other, state.position, state.time) - options.lever;
   if (room > 0.0)
     around.clear_until[k] = std::max(around.clear_until[k], state.time + room / closing);
 }
@@ -25,10 +27,16 @@ bool is_known(const WayOptions& options, Vec2 place) {
   return norm_squared(place) <= options.known * options.known;
 }
 
-// One step of a way out.
+// One step of an evasive maneuver.
 struct WayStep {
-  Hull path;
+  Hull path;  // of A's position
   WayState next;
+  std::span<const Hull> footprint = {};  // the paths of its discs
+
+  // The paths of A's discs.
+  std::span<const Hull> discs() const {
+    return footprint.empty() ? std::span(&path, 1) : footprint;
+  }
 };
 
 // A, in that state.
@@ -38,7 +46,8 @@ Robot on_wheels(const WayOptions& options, const WayState& state) {
   return robot;
 }
 
-WayStep step_of(const WayOptions& options, const WayState& from, Vec2 next_velocity) {
+WayStep step_of(const WayOptions& options, const WayState& from, Vec2 next_velocity,
+                WayDiscs& discs) {
   const StepLaw& law = options.law;
   const double end = from.time + law.time_step;
   const Vec2 middle = from.position + law.lag * from.velocity;
@@ -47,54 +56,39 @@ WayStep step_of(const WayOptions& options, const WayState& from, Vec2 next_veloc
     return {{from.position, middle, last}, {last, next_velocity, end}};
   }
   const Robot robot = on_wheels(options, from);
-  const MotionStep step = advance(robot.model, {planned_braking(robot), robot.max_speed},
-                                  {from.position, from.velocity, from.heading},
-                                  plan_to(robot, next_velocity, law), law.time_step);
+  const Plan plan = plan_to(robot, next_velocity, law);
+  const MotionStep step =
+      advance(robot.model, {planned_braking(robot), robot.max_speed},
+              {from.position, from.velocity, from.heading}, plan, law.time_step);
   const auto& [position, velocity, heading, circle] = step.next;
+  const std::span<const Hull> footprint =
+      options.footprint ? move_discs(options, from, plan, step, discs) : std::span<const Hull>{};
   return {{from.position, middle + law.lag * step.swing, position, step.bend},
-          {position, velocity, end, heading}};
+          {position, velocity, end, heading},
+          footprint};
+}
+
+// Tests (C3) of a disc. The first side of the triangle of a step is part of braking, unless the
+// disc swings.
+bool keeps_off_wall(const KeptWall& wall, const Hull& disc, bool swings) {
+  const double kept = wall.kept + disc.bend;
+  return distance({disc.start, disc.end}, wall.segment) >= kept &&
+         distance({disc.middle, disc.end}, wall.segment) >= kept &&
+         (!swings || distance({disc.start, disc.middle}, wall.segment) >= kept);
 }
 
 // Tests (C1) and (C3) of one step.
 bool is_clear(const WayOptions& options, Surroundings& around, const WayState& from,
-              const Hull& step) {
-  const double end = from.time + options.law.time_step;
-  if (!keeps_off_movers(options, around, from, step)) return false;
-  return is_known(options, step.end) &&
+              const WayStep& step) {
+  const std::span<const Hull> discs = step.discs();
+  if (!keeps_off_movers(options, around, from, discs)) return false;
+  const bool swings = !step.footprint.empty();
+  return is_known(options, step.path.end) &&
          std::all_of(around.walls.begin(), around.walls.end(), [&](const KeptWall& wall) {
-           if (wall.clear_until >= end) return true;
-           const double kept = wall.kept + step.bend;
-           return distance({step.start, step.end}, wall.segment) >= kept &&
-                  distance({step.middle, step.end}, wall.segment) >= kept;
+           return wall.clear_until >= step.next.time ||
+                  std::all_of(discs.begin(), discs.end(),
+                              [&](const Hull& disc) { return keeps_off_wall(wall, disc, swings); });
          });
-}
-
-// Full braking from a state.
-struct FullBraking {
-  BrakingProfile profile;
-  Vec2 position;   // m, where it begins
-  Vec2 direction;  // unit, or 0
-  double steps = 0.0;
-  Vec2 end;  // m
-};
-
-FullBraking braking_from(const WayOptions& options, const WayState& state) {
-  FullBraking braking;
-  const double speed = norm(state.velocity);
-  braking.profile = braking_profile(speed, options.decrement);
-  braking.position = braking.end = state.position;
-  if (is_rest(state.velocity)) return braking;
-  braking.direction = state.velocity / speed;
-  braking.steps = braking.profile.full_steps + 1.0;
-  braking.end = state.position + stopping_length(braking.profile, options.law) * braking.direction;
-  return braking;
-}
-
-Hull interval_of(const FullBraking& braking, const StepLaw& law, std::size_t m) {
-  const BrakingDistances along = braking_distances(braking.profile, law, static_cast<int>(m));
-  return {braking.position + along.start * braking.direction,
-          braking.position + along.middle * braking.direction,
-          braking.position + along.end * braking.direction};
 }
 
 // An interval of the last path of braking, computed once for all others.
@@ -124,33 +118,40 @@ BrakingVerdict stop_before(const WayOptions& options, Surroundings& around, std:
     if (clear_until >= time + h) continue;
     --around.work;
     const Hull& own = known_interval(braking, options.law, static_cast<std::size_t>(m), around);
-    const Hull relative = relative_to(other, own, time, options.law);
     const double kept = clear ? other.contact + other.spread_at(time + h) : 0.0;
     const double before_rest =
         other.asks_to_stop ? kept_before_rest(other, state.time, h * m + h) : 0.0;
-    // in most cases A keeps both distances at once
-    if (!keeps_off(relative, std::max(kept, before_rest))) {
-      if (other.asks_to_stop && !is_reached_at_rest(other, own, state.time, h * m, options.law))
-        return BrakingVerdict::too_late;
+    const bool in_time = braking.all_discs(own, [&](const Hull& disc) {
+      const Hull relative = relative_to(other, disc, time, options.law);
+      // in most cases A keeps both distances at once
+      if (keeps_off(relative, std::max(kept, before_rest))) return true;
+      if (other.asks_to_stop && !is_reached_at_rest(other, disc, state.time, h * m, options.law))
+        return false;
       clear = clear && keeps_off(relative, kept);
-    }
+      return true;
+    });
+    if (!in_time) return BrakingVerdict::too_late;
     if (!clear && !other.asks_to_stop) break;
-    clear_until = time + room_before_rest(other, own.start, state.time, h * m) / closing;
+    const double room = room_before_rest(other, own.start, state.time, h * m) - options.lever;
+    clear_until = time + room / closing;
   }
   // the slowest test comes last
-  clear = clear && rests_clear(other, braking.end, state.time + h * braking.steps);
+  clear = clear && stays_clear(other, braking, state.time + h * braking.steps);
   return clear ? BrakingVerdict::clear : BrakingVerdict::in_time;
 }
 
 BrakingVerdict stop_from(const WayOptions& options, Surroundings& around, const WayState& state) {
-  const FullBraking braking = braking_from(options, state);
+  const FullBraking braking = braking_from(options, state, around.discs);
   around.work -= static_cast<int>(around.others.size());
   if (around.work < 0 || !is_known(options, braking.end)) return BrakingVerdict::too_late;
   const double end = state.time + options.law.time_step * braking.steps;
   for (const KeptWall& wall : around.walls) {
     if (wall.clear_until >= end) continue;
-    if (distance({state.position, braking.end}, wall.segment) < wall.kept)
-      return BrakingVerdict::too_late;
+    const bool is_clear =
+        braking.all_discs({state.position, {}, braking.end}, [&](const Hull& disc) {
+          return distance({disc.start, disc.end}, wall.segment) >= wall.kept + disc.bend;
+        });
+    if (!is_clear) return BrakingVerdict::too_late;
   }
   ++around.brakings;
   if (const auto most = static_cast<std::size_t>(braking.steps); around.intervals.size() < most)
@@ -182,7 +183,7 @@ void Surroundings::reserve(std::size_t most_others, std::size_t braking_steps) {
 }
 
 bool keeps_off_movers(const WayOptions& options, Surroundings& around, const WayState& from,
-                      const Hull& step) {
+                      std::span<const Hull> discs) {
   const double end = from.time + options.law.time_step;
   around.work -= static_cast<int>(around.others.size());
   for (std::size_t k = 0; k < around.others.size(); ++k) {
@@ -190,9 +191,11 @@ bool keeps_off_movers(const WayOptions& options, Surroundings& around, const Way
     look_at(options, around, k, from);
     if (around.clear_until[k] >= end) continue;
     const Predicted& other = around.others[k];
-    if (!keeps_off(relative_to(other, step, from.time, options.law),
-                   other.contact + other.spread_at(end)))
-      return false;
+    const double kept = other.contact + other.spread_at(end);
+    const bool clear = std::all_of(discs.begin(), discs.end(), [&](const Hull& disc) {
+      return keeps_off(relative_to(other, disc, from.time, options.law), kept);
+    });
+    if (!clear) return false;
   }
   return true;
 }
@@ -203,7 +206,8 @@ void begin_ways(const WayOptions& options, Surroundings& around) {
   for (std::size_t k = 0; k < around.others.size(); ++k) look_at(options, around, k, {});
   around.clear_now = around.clear_until;
   for (KeptWall& wall : around.walls)
-    wall.clear_until = (distance(Vec2{}, wall.segment) - wall.kept) / options.max_speed;
+    wall.clear_until =
+        (distance(Vec2{}, wall.segment) - wall.kept - options.lever) / options.max_speed;
 }
 
 Vec2 next_towards(const WayOptions& options, const WayState& from, Vec2 w) {
@@ -214,10 +218,10 @@ Vec2 next_towards(const WayOptions& options, const WayState& from, Vec2 w) {
 
 bool take_first_step(const WayOptions& options, Surroundings& around, const WayState& now,
                      Vec2 next_velocity) {
-  const WayStep step = step_of(options, now, next_velocity);
+  const WayStep step = step_of(options, now, next_velocity, around.discs);
   around.after = step.next;
   around.clear_until = around.clear_now;
-  const bool clear = is_clear(options, around, now, step.path);
+  const bool clear = is_clear(options, around, now, step);
   around.clear_after = around.clear_until;
   return clear;
 }
@@ -235,27 +239,30 @@ bool may_approach(const WayOptions& options, Surroundings& around, Vec2 w) {
     around.brakes_at = state.time;
     if (stop != BrakingVerdict::in_time) return stop == BrakingVerdict::clear;
     if (!(state.time < options.longest)) return false;
-    const WayStep step = step_of(options, state, next_towards(options, state, w));
-    if (!is_clear(options, around, state, step.path)) return false;
+    const WayStep step = step_of(options, state, next_towards(options, state, w), around.discs);
+    if (!is_clear(options, around, state, step)) return false;
     state = step.next;
   }
 }
 
-bool stops_in_time(const WayOptions& options, const Surroundings& around, const WayState& now,
+bool stops_in_time(const WayOptions& options, Surroundings& around, const WayState& now,
                    Vec2 next_velocity) {
   const StepLaw& law = options.law;
-  const WayStep first = step_of(options, now, next_velocity);
-  const Hull& step = first.path;
-  const WayState& state = first.next;
-  const FullBraking braking = braking_from(options, state);
+  const WayStep step = step_of(options, now, next_velocity, around.discs);
+  const std::span<const Hull> discs = step.discs();
+  const FullBraking braking = braking_from(options, step.next, around.discs);
   const bool moves = !is_rest(now.velocity) || !is_rest(next_velocity);
   return std::all_of(around.others.begin(), around.others.end(), [&](const Predicted& other) {
     if (!other.asks_to_stop || !moves) return true;
-    if (!is_reached_at_rest(other, step, 0.0, 0.0, law)) return false;
+    const auto is_kept = [&](double elapsed) {
+      return [&other, &law, elapsed](const Hull& disc) {
+        return is_reached_at_rest(other, disc, 0.0, elapsed, law);
+      };
+    };
+    if (!std::all_of(discs.begin(), discs.end(), is_kept(0.0))) return false;
     for (int m = 0; m < braking.steps; ++m) {
-      if (!is_reached_at_rest(other, interval_of(braking, law, static_cast<std::size_t>(m)), 0.0,
-                              law.time_step * (m + 1), law))
-        return false;
+      const Hull path = interval_of(braking, law, static_cast<std::size_t>(m));
+      if (!braking.all_discs(path, is_kept(law.time_step * (m + 1)))) return false;
     }
     return true;
   });

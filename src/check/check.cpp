@@ -44,7 +44,7 @@ struct Seen {
 
 struct Check::State {
   std::vector<CheckedRobot> robots;
-  std::vector<CheckedObstacle> obstacles;
+  std::vector<CheckedMover> obstacles;
   // of each obstacle: its place at the last time, and at the next one, if it is placed there
   std::vector<std::optional<judge::PlacedObstacle>> placed_before, placed;
   CheckOptions options;
@@ -209,14 +209,14 @@ void Check::State::judge_row(double time, const CheckedState& row) {
   mine.at = times;
 }
 
-Check::Check(const std::vector<CheckedRobot>& robots, std::vector<CheckedObstacle> obstacles,
+Check::Check(const std::vector<CheckedRobot>& robots, std::vector<CheckedMover> movers,
              const CheckOptions& options)
     : state_(std::make_unique<State>()) {
   judge::require_sound(options);
-  for (std::size_t k = 0; k < obstacles.size(); ++k)
-    judge::require_sound("obstacles." + std::to_string(k), obstacles[k]);
+  for (std::size_t k = 0; k < movers.size(); ++k)
+    judge::require_sound("movers." + std::to_string(k), movers[k]);
   state_->options = options;
-  state_->obstacles = std::move(obstacles);
+  state_->obstacles = std::move(movers);
   state_->placed_before.resize(state_->obstacles.size());
   state_->placed.resize(state_->obstacles.size());
   for (const CheckedRobot& robot : robots) add_robot(robot);
@@ -243,11 +243,11 @@ void Check::set_walls(std::vector<CheckedWall> walls) {
   state_->walls.set_walls(std::move(walls));
 }
 
-void Check::place_obstacle(std::int64_t obstacle, Vec2 position, Vec2 velocity) {
+void Check::place_mover(std::int64_t mover, Vec2 position, Vec2 velocity) {
   const auto count = static_cast<std::int64_t>(state_->obstacles.size());
-  if (obstacle < 0 || obstacle >= count)
-    refuse("obstacle", std::to_string(obstacle), "0 to " + std::to_string(count - 1));
-  const std::string place = "obstacles." + std::to_string(obstacle);
+  if (mover < 0 || mover >= count)
+    refuse("mover", std::to_string(mover), "0 to " + std::to_string(count - 1));
+  const std::string place = "movers." + std::to_string(mover);
   require(place + ".position", position, "m");
   require(place + ".velocity", velocity, "m/s");
   state_->placed[static_cast<std::size_t>(obstacle)] = judge::PlacedObstacle{position, velocity};
@@ -269,7 +269,7 @@ void Check::add(double time, std::span<const CheckedState> rows) {
                                state.robots};
   for (const MovingDisc& robot : state.movers) state.walls.judge(robot, step);
   for (std::size_t k = 0; k < state.obstacles.size(); ++k) {
-    const CheckedObstacle& obstacle = state.obstacles[k];
+    const CheckedMover& obstacle = state.obstacles[k];
     const auto told = [&](double t) { return judge::place_of(obstacle, t); };
     const judge::PlacedObstacle to = state.placed[k].value_or(told(time));
     const judge::PlacedObstacle from =
@@ -334,7 +334,7 @@ CheckReport Check::report() const {
 
 bool CheckReport::broken() const {
   const CheckCount* rules[] = {&overlaps,
-                               &obstacle_contacts_moving,
+                               &mover_contacts_moving,
                                &one_sided_contacts_moving,
                                &static_contacts,
                                &accelerations,
@@ -348,7 +348,7 @@ bool CheckReport::broken() const {
                                &wheel_speeds,
                                &wheel_accelerations,
                                &changes};
-  const bool is_run_over = obstacle_contacts_at_rest + one_sided_contacts_at_rest > 0;
+  const bool is_run_over = mover_contacts_at_rest + one_sided_contacts_at_rest > 0;
   if (is_run_over && !movers_at_rest) return true;
   return std::any_of(std::begin(rules), std::end(rules),
                      [](const CheckCount* rule) { return rule->count > 0; });

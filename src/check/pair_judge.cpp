@@ -133,9 +133,9 @@ void PairJudge::write(CheckReport& report) const {
   };
   report.overlaps = overlaps_;
   report.overlaps.count = std::ssize(overlapping_);
-  report.obstacle_contacts_moving = with_obstacles_.in_motion;
-  report.obstacle_contacts_at_rest = at_rest(with_obstacles_);
-  report.obstacle_hits = listed(with_obstacles_.hits);
+  report.mover_contacts_moving = with_obstacles_.in_motion;
+  report.mover_contacts_at_rest = at_rest(with_obstacles_);
+  report.mover_hits = listed(with_obstacles_.hits);
   report.one_sided_contacts_moving = one_sided_.in_motion;
   report.one_sided_contacts_at_rest = at_rest(one_sided_);
   report.one_sided_hits = listed(one_sided_.hits);

@@ -67,7 +67,7 @@ void require_sound(const std::string& place, const CheckedRobot& robot) {
              robot.kinematics);
 }
 
-void require_sound(const std::string& place, const CheckedObstacle& obstacle) {
+void require_sound(const std::string& place, const CheckedMover& obstacle) {
   require(place + ".position", obstacle.position, "m");
   require(place + ".velocity", obstacle.velocity, "m/s");
   require(place + ".acceleration", obstacle.acceleration, "m/s^2");

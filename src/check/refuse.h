@@ -10,7 +10,7 @@ namespace avo::judge {
 
 /// Throw Error with the place and the name of the first value out of range.
 void require_sound(const std::string& place, const CheckedRobot& robot);
-void require_sound(const std::string& place, const CheckedObstacle& obstacle);
+void require_sound(const std::string& place, const CheckedMover& obstacle);
 void require_sound(const std::string& place, const CheckedWall& wall);
 void require_sound(const CheckOptions& options);
 /// The time must come after the time `before`, if there is one.

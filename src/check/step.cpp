@@ -122,7 +122,7 @@ MovingDisc newcomer(const CheckedRobot& robot, std::size_t disc, const CheckedSt
   return mover;
 }
 
-PlacedObstacle place_of(const CheckedObstacle& obstacle, double time) {
+PlacedObstacle place_of(const CheckedMover& obstacle, double time) {
   const double t = time;
   return {obstacle.position + t * (obstacle.velocity + (0.5 * t) * obstacle.acceleration),
           obstacle.velocity + t * obstacle.acceleration};

@@ -44,7 +44,7 @@ MovingDisc newcomer(const CheckedRobot& robot, std::size_t disc, const CheckedSt
 struct PlacedObstacle {
   Vec2 position, velocity;  // m, m/s
 };
-PlacedObstacle place_of(const CheckedObstacle& obstacle, double time);
+PlacedObstacle place_of(const CheckedMover& obstacle, double time);
 MovingDisc obstacle_mover(const PlacedObstacle& from, const PlacedObstacle& to, double radius,
                           std::int64_t index);
 

@@ -63,6 +63,11 @@ struct MembersOf<LocalizationNoise> {
   using type = MemberOf<LocalizationNoise, double, std::optional<double>, NoiseDistribution>;
 };
 
+template <>
+struct MembersOf<ExecutionModel> {
+  using type = MemberOf<ExecutionModel, double>;
+};
+
 enum class Need : std::uint8_t { required, optional };
 inline constexpr Need kRequired = Need::required;
 inline constexpr Need kOptional = Need::optional;

@@ -63,7 +63,7 @@ Vec2 place_near(const Seeker& seeker, const Occupied& occupied, std::span<const 
 
 /// Returns whether the robots at rest lead from the seeker to its goal, and one stands there. The
 /// seeker then fits through between none of them and the next. It moves the examined ones to the
-/// front. ways: the walls of these routes separate robots, if any.
+/// front. `ways`: the walls of these routes separate robots, if any.
 bool is_at_crowd(const Seeker& seeker, Occupied& occupied, const Ways* ways = nullptr);
 
 /// Where the seeker moves to. stays: to its present place. Sets Detour::goal_taken, except if a

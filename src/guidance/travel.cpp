@@ -68,9 +68,9 @@ double length_of(const Travel& travel, Vec2 position) {
   return rest ? norm(rest->first - position) + rest->second : kInfinity;
 }
 
-Simulation::Way rest_of_way(const Travel& travel, Vec2 position, Vec2 goal) {
+Simulation::Route rest_of_route(const Travel& travel, Vec2 position, Vec2 goal) {
   const Vec2 end = travel.end(goal);
-  Simulation::Way way{norm(end - position), end, norm(goal - end)};
+  Simulation::Route way{norm(end - position), end, norm(goal - end)};
   const auto rest = rest_of(travel);
   if (rest && travel.target != PathMap::kGoal)
     way.length = norm(rest->first - position) + rest->second, way.next = rest->first;

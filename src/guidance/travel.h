@@ -102,7 +102,7 @@ void aim_at(Travel& travel, std::uint32_t target, LegScratch& scratch);
 double length_of(const Travel& travel, Vec2 position);
 
 /// The rest of the route of a robot with that goal: through the target, unless that is unknown.
-Simulation::Way rest_of_way(const Travel& travel, Vec2 position, Vec2 goal);
+Simulation::Route rest_of_route(const Travel& travel, Vec2 position, Vec2 goal);
 
 /// Updates the target. end: of the route, or the goal where there are no walls. `looks_around` must
 /// be true from time to time, see next_leg(). A robot that finds its own path within `own_way` m of

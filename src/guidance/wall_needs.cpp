@@ -33,7 +33,7 @@ void WallNeeds::include(const Robot& robot, const RobotTraits& traits, const Pla
   include(traits, stray + 2.0 * law.localization_error, speed, law);
   const double wished =
       method_traits(options.method).has_rules
-          ? std::min(options.wall_range, way_range(robot))
+          ? std::min(options.wall_range, evasion_range(robot))
           : obstacle_reach(std::max(speed, traits.max_speed), traits.max_speed, options);
   const double maneuvers =
       traits.has_model ? model_traits(robot.model).maneuver_room + law.localization_error : 0.0;

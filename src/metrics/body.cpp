@@ -129,7 +129,7 @@ void collect_robots(const FleetView& fleet, const BodyStep& step, std::span<cons
   for (const BodyRow row : rows) robots.push_back(body_of(fleet, step, row));
 }
 
-void collect_obstacles(const ObstacleView& now, const BodyStep& step,
+void collect_obstacles(const MovingObstacleView& now, const BodyStep& step,
                        std::vector<Body>& obstacles) {
   const LastSeen& last = step.last;
   obstacles.clear();

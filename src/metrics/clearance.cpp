@@ -31,7 +31,7 @@ namespace {
 constexpr double kNobody = std::numeric_limits<double>::infinity();
 constexpr float kAbsent = std::numeric_limits<float>::quiet_NaN();
 
-// As avoids() of the robots, both ways.
+// As avoids() of the robots, in both directions.
 bool avoid_each_other(const ClearanceDisc& a, const ClearanceDisc& b) {
   if (a.parked || b.parked) return a.parked != b.parked;
   return (a.avoids & b.layers) != 0 && (b.avoids & a.layers) != 0;

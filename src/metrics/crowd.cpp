@@ -35,7 +35,7 @@ void Crowd::look_around(const FleetView& fleet, std::size_t robot, double durati
 
 void Crowd::observe(const Simulation& simulation, const Trips& trips, double duration) {
   const FleetView fleet = simulation.fleet();
-  const ObstacleView movers = simulation.obstacles();
+  const MovingObstacleView movers = simulation.moving_obstacles();
   double largest = 0.0;  // m
   positions_.clear(), radii_.clear();
   const auto add = [&](Vec2 position, double radius) {

@@ -79,7 +79,7 @@ void Events::State::take_roster(const Simulation& simulation) {
     robot.preferred_speed = setup.preferred_speed, robot.max_speed = setup.max_speed;
     if (is_known) continue;
     robot.goal = setup.goal, robot.position = setup.position;
-    robot.length = simulation.way(row).length, robot.since = simulation.time();
+    robot.length = simulation.route(robot.id).length, robot.since = simulation.time();
   }
   for (; known != robots.end(); ++known) tell(known->id, EventKind::gone);
   robots = std::move(present);
@@ -89,7 +89,7 @@ void Events::State::take_roster(const Simulation& simulation) {
 
 void Events::State::observe_goal(const Simulation& simulation, std::size_t row, Vec2 goal) {
   Watched& robot = robots[row];
-  const bool is_new = !(goal == robot.goal), is_at_goal = simulation.is_at_goal(row);
+  const bool is_new = !(goal == robot.goal), is_at_goal = simulation.is_at_goal(robot.id);
   if (robot.at_goal && (is_new || !is_at_goal)) tell(robot.id, EventKind::left);
   if (is_at_goal && (is_new || !robot.at_goal)) tell(robot.id, EventKind::arrived);
   robot.goal = goal, robot.at_goal = is_at_goal;
@@ -100,7 +100,7 @@ void Events::State::observe_goal(const Simulation& simulation, std::size_t row, 
 void Events::State::observe_progress(const Simulation& simulation, std::size_t row, Vec2 position,
                                      bool has_new_goal) {
   Watched& robot = robots[row];
-  const double now = simulation.time(), length = simulation.way(row).length;
+  const double now = simulation.time(), length = simulation.route(robot.id).length;
   const bool unreachable = length == std::numeric_limits<double>::infinity();
   if (unreachable && (has_new_goal || !robot.unreachable)) tell(robot.id, EventKind::unreachable);
   robot.unreachable = unreachable;
@@ -111,12 +111,12 @@ void Events::State::observe_progress(const Simulation& simulation, std::size_t r
   const bool was_put_down = robot.moved > kPutDown * robot.max_speed * (now - time);
   if (has_new_goal || robot.at_goal || unreachable || was_put_down ||
       robot.made > kGetsOn * robot.preferred_speed * stuck_after ||
-      simulation.preferred_velocity(row)) {
+      simulation.preferred_velocity(robot.id)) {
     robot.made = 0.0, robot.since = now, robot.stuck = false;
   } else if (!robot.stuck && now - robot.since >= stuck_after * (1.0 - kSumOfSteps)) {
     robot.stuck = true;
     tell(robot.id, EventKind::stuck);
-    events.back().sentence = simulation.explain(row).sentence;
+    events.back().sentence = simulation.explain(robot.id).sentence;
   }
 }
 
@@ -128,7 +128,7 @@ void Events::State::observe_contacts(const Simulation& simulation,
     const Watched& robot = robots[contact.row];
     events.push_back({.kind = EventKind::contact,
                       .robot = robot.id,
-                      .obstacle = {contact.obstacle},
+                      .moving_obstacle = {contact.obstacle},
                       .at_rest = robot.moved <= kStandsStill * robot.max_speed * duration});
   }
 }
@@ -156,7 +156,7 @@ std::span<const Event> Events::observe(const Simulation& simulation) {
   state.observe_contacts(simulation, fleet.position);
   state.time = simulation.time();
   const auto place = [](const Event& event) {
-    return std::tuple(event.robot.value, event.kind, event.obstacle.value);
+    return std::tuple(event.robot.value, event.kind, event.moving_obstacle.value);
   };
   std::sort(state.events.begin(), state.events.end(),
             [&](const Event& a, const Event& b) { return place(a) < place(b); });

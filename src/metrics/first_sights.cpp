@@ -18,17 +18,17 @@ FirstSights::FirstSights(const Scenario& scenario) : certified_(some_keep_certif
 
 void FirstSights::observe(const Simulation& simulation) {
   if (!may_be_late_) return;
-  const FleetView fleet = simulation.fleet();
+  const FleetView fleet = simulation.fleet(Columns::id);
   std::map<std::int64_t, Names> in_sight;
-  for (std::size_t i = 0; i < fleet.id.size(); ++i) {
-    const auto self = static_cast<std::int64_t>(fleet.id[i].value);
+  for (const RobotId robot : fleet.id) {
+    const auto self = static_cast<std::int64_t>(robot.value);
     const auto before = in_sight_.find(self);
-    if (simulation.next_decision(i) != simulation.time()) {  // a robot senses when it decides
+    if (simulation.next_decision(robot) != simulation.time()) {  // a robot senses when it decides
       if (before != in_sight_.end()) in_sight.insert(*before);
       continue;
     }
-    if (simulation.planner(i).options().certificate == Certificate::none) continue;
-    const Simulation::Perception seen = simulation.perceive(i);
+    if (simulation.planner(robot).options().certificate == Certificate::none) continue;
+    const Simulation::Perception seen = simulation.perceive(robot);
     Names& now = in_sight[self];
     for (std::size_t k = 0; k < seen.neighbors.size(); ++k) {
       const std::int64_t other = seen.source[k];
@@ -37,7 +37,7 @@ void FirstSights::observe(const Simulation& simulation) {
       const bool is_new = before != in_sight_.end() && is_known && !before->second.contains(other);
       if (!is_new) continue;
       const SafetyReport report =
-          simulation.planner(i).state(seen.robot, std::span(&seen.neighbors[k], 1), workspace_);
+          simulation.planner(robot).state(seen.robot, std::span(&seen.neighbors[k], 1), workspace_);
       if (report.state != SafetyState::safe) late_.insert(std::minmax(self, other));
     }
   }

@@ -52,8 +52,8 @@ void add_encounters(const Encounters& encounters, RunSummary& summary) {
   summary.min_clearance = encounters.min_clearance;
   summary.collision_pairs = number(encounters.collided);
   summary.one_sided_collisions = number(encounters.one_sided);
-  summary.obstacle_collisions = number(encounters.with_obstacle);
-  summary.obstacle_collisions_in_motion = number(encounters.with_obstacle_in_motion);
+  summary.mover_collisions = number(encounters.with_obstacle);
+  summary.mover_collisions_in_motion = number(encounters.with_obstacle_in_motion);
   summary.metrics.collision_robot_steps = encounters.collision_robot_steps;
   summary.metrics.overlap_depth = encounters.overlap_depth;
 }
@@ -125,7 +125,7 @@ void Metrics::State::remember(const Simulation& simulation, const FleetView& fle
 
 // Collects the walls of the step.
 void Metrics::State::collect_walls(const Simulation& simulation) {
-  const StaticObstacleView now = simulation.static_obstacles();
+  const StaticObstacleView now = simulation.obstacles();
   if (std::equal(now.id.begin(), now.id.end(), static_ids.begin(), static_ids.end())) return;
   static_ids.assign(now.id.begin(), now.id.end());
   walls.take(now.setup);
@@ -144,7 +144,7 @@ void Metrics::State::observe_limits(const Simulation& simulation, const FleetVie
     if (a > a_max * (1.0 + kRounding)) {
       summary.acceleration_excess = std::max(summary.acceleration_excess, a - a_max);
     }
-    if (!simulation.decided(i)) continue;
+    if (!simulation.decided(fleet.id[i])) continue;
     if (fleet.plan[i].violation > 0.0) ++summary.infeasible_steps;
     ++(summary.decisions.*kCounts[static_cast<std::size_t>(fleet.plan[i].status)]);
   }
@@ -159,7 +159,7 @@ void Metrics::State::observe_step(const Simulation& simulation, const FleetView&
   }
   sweeps.resize(rows.size());
   for (std::size_t k = 0; k < rows.size(); ++k) sweeps[k] = sweep_of(fleet, step, rows[k]);
-  collect_obstacles(simulation.obstacles(), step, obstacles);
+  collect_obstacles(simulation.moving_obstacles(), step, obstacles);
   collect_walls(simulation);
   encounters.observe(sweeps, [&](std::size_t k) { return body_of(fleet, step, rows[k]); }, roster,
                      obstacles, {last_time, duration, started, response});
@@ -207,7 +207,7 @@ void Metrics::observe(const Simulation& simulation) {
   state.distances_left.clear();
   for (const RobotId robot : simulation.unreachable()) {
     state.summary.unreachable.push_back(robot.value);
-    state.distances_left.push_back(simulation.way(*simulation.index_of(robot)).distance_left);
+    state.distances_left.push_back(simulation.route(robot).distance_left);
   }
   state.started = true;
 }
@@ -227,10 +227,10 @@ RunSummary Metrics::summary() const {
   state_->trips.describe(summary.metrics);
   if (state_->crowd) state_->crowd->describe(summary.metrics);
   if (state_->flow) state_->flow->describe(summary.metrics);
-  summary.collision_obstacles = static_cast<std::int64_t>(state_->walls.touched.size());
-  summary.min_obstacle_clearance = state_->walls.least_clearance;
+  summary.static_collisions = static_cast<std::int64_t>(state_->walls.touched.size());
+  summary.min_static_clearance = state_->walls.least_clearance;
   summary.first_seen_too_late = state_->first_sights.too_late();
-  summary.obstacle_collisions_evadable = state_->mover_sights.evadable();
+  summary.mover_collisions_evadable = state_->mover_sights.evadable();
   const std::vector<LastSeen::LastRobot>& robots = state_->last.robots;
   for (std::size_t i = 0; i < robots.size(); ++i) {
     if (summary.not_arrived.size() == kMostListed) break;

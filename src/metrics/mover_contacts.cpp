@@ -15,7 +15,7 @@ bool is_before(const MoverContact& a, const MoverContact& b) {
 }
 
 // For a robot with a footprint, where it is now.
-bool touches_disc(const RobotSetup& robot, const ObstacleView& movers, std::size_t mover) {
+bool touches_disc(const RobotSetup& robot, const MovingObstacleView& movers, std::size_t mover) {
   const std::vector<Disc> discs = discs_at(robot, robot.position, robot.heading);
   return std::any_of(discs.begin(), discs.end(), [&](const Disc& disc) {
     const double contact = disc.radius + movers.setup[mover].radius;
@@ -38,18 +38,19 @@ void MoverContacts::take(const FleetView& fleet) {
 // Meets the movers with centers that are within that reach, m.
 void MoverContacts::meet(const Simulation& simulation, Vec2 position, std::size_t row,
                          double reach) {
-  const ObstacleView movers = simulation.obstacles();
+  const MovingObstacleView movers = simulation.moving_obstacles();
   const RowDisc& disc = discs_[row];
   const auto first = static_cast<std::ptrdiff_t>(now_.size());
   if (!is_finite(position)) return;
   movers_.list_within(position, reach, near_);
+  const RobotId robot{disc.robot};
   for (const std::uint32_t place : near_) {
     const std::uint32_t k = movers_.order()[place];
     const double contact = disc.radius + movers.setup[k].radius, near = contact + disc.offset;
     if (norm_squared(movers.position[k] - position) > near * near) continue;
-    const Vec2 center = disc.offset > 0.0 ? disc_center(simulation.setup(row)) : position;
+    const Vec2 center = disc.offset > 0.0 ? disc_center(simulation.setup(robot)) : position;
     const bool touches = disc.is_covered
-                             ? touches_disc(simulation.setup(row), movers, k)
+                             ? touches_disc(simulation.setup(robot), movers, k)
                              : norm(movers.position[k] - center) < contact * (1.0 - kContact);
     if (touches) now_.push_back({disc.robot, movers.id[k].value, row});
   }
@@ -59,7 +60,7 @@ void MoverContacts::meet(const Simulation& simulation, Vec2 position, std::size_
 void MoverContacts::observe(const Simulation& simulation, std::span<const Vec2> positions) {
   std::swap(now_, before_);
   now_.clear(), begun_.clear();
-  const ObstacleView movers = simulation.obstacles();
+  const MovingObstacleView movers = simulation.moving_obstacles();
   if (movers.id.empty()) return;
   double widest = 0.0, largest = 0.0;  // m
   for (const RowDisc& disc : discs_) widest = std::max(widest, disc.radius + disc.offset);

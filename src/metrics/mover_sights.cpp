@@ -13,14 +13,14 @@ MoverSights::MoverSights(const Scenario& scenario) : certified_(some_keep_certif
 // Only a robot with a new obstacle in reach is asked what it senses: most steps cost distances
 // alone.
 void MoverSights::observe(const Simulation& simulation) {
-  const ObstacleView movers = simulation.obstacles();
+  const MovingObstacleView movers = simulation.moving_obstacles();
   if (!certified_ || (movers.id.empty() && sights_.empty())) return;
   const FleetView fleet = simulation.fleet();
   const double reach = simulation.sensing_radius();
   for (std::size_t i = 0; i < fleet.id.size(); ++i) {
     if (fleet.setup[i].parked) continue;
     // a robot senses when it decides
-    if (simulation.next_decision(i) != simulation.time()) continue;
+    if (simulation.next_decision(fleet.id[i]) != simulation.time()) continue;
     std::map<std::uint64_t, bool>& sights = sights_[fleet.id[i].value];
     near_.clear();
     for (std::size_t k = 0; k < movers.position.size(); ++k) {
@@ -30,25 +30,24 @@ void MoverSights::observe(const Simulation& simulation) {
     const bool is_as_before =
         std::equal(near_.begin(), near_.end(), sights.begin(), sights.end(),
                    [](std::uint64_t mover, const auto& sight) { return mover == sight.first; });
-    if (!is_as_before) look(simulation, i, sights);
+    if (!is_as_before) look(simulation, fleet.id[i], sights);
   }
 }
 
-void MoverSights::look(const Simulation& simulation, std::size_t robot,
+void MoverSights::look(const Simulation& simulation, RobotId robot,
                        std::map<std::uint64_t, bool>& sights) {
   const Simulation::Perception seen = simulation.perceive(robot);
-  const ObstacleView movers = simulation.obstacles();
   sensed_.clear();
   for (const std::int64_t source : seen.source)
-    if (source < 0) sensed_.push_back(movers.id[static_cast<std::size_t>(-1 - source)].value);
+    if (source < 0) sensed_.push_back(static_cast<std::uint64_t>(-1 - source));
   std::sort(sensed_.begin(), sensed_.end());
   std::erase_if(sights, [&](const auto& sight) {
     return !std::binary_search(sensed_.begin(), sensed_.end(), sight.first);
   });
   if (sights.size() == sensed_.size()) return;
-  const bool has_way_out =
-      simulation.planner(robot).has_way_out(seen.robot, seen.neighbors, workspace_, seen.walls);
-  for (const std::uint64_t mover : sensed_) sights.try_emplace(mover, has_way_out);
+  const bool has_evasive_maneuver = simulation.planner(robot).has_evasive_maneuver(
+      seen.robot, seen.neighbors, workspace_, seen.walls);
+  for (const std::uint64_t mover : sensed_) sights.try_emplace(mover, has_evasive_maneuver);
 }
 
 void MoverSights::take_hits(std::span<const std::pair<std::uint64_t, std::uint64_t>> hits) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which robots had a way out when they first sensed a moving obstacle.
+// Which robots had an evasive maneuver when they first sensed a moving obstacle.
 #pragma once
 #include <cstdint>
 #include <map>
@@ -13,8 +13,8 @@
 
 namespace avo::inline metrics {
 
-/// The moving obstacles that each robot senses. For each obstacle it stores whether the robot had a
-/// way out from everything that it sensed when the obstacle last came into its sight
+/// The moving obstacles that each robot senses. For each obstacle it stores whether the robot had
+/// an evasive maneuver from everything that it sensed when the obstacle last came into its sight
 /// (docs/metrics.md).
 class MoverSights {
  public:
@@ -25,11 +25,11 @@ class MoverSights {
   void observe(const Simulation& simulation);
   /// Takes robots (RobotId) and moving obstacles (id) that first touched in the step before.
   void take_hits(std::span<const std::pair<std::uint64_t, std::uint64_t>> hits);
-  /// Hits of robots that had a way out; none without a certificate.
+  /// Hits of robots that had an evasive maneuver; none without a certificate.
   [[nodiscard]] std::optional<std::int64_t> evadable() const;
 
  private:
-  void look(const Simulation& simulation, std::size_t robot, std::map<std::uint64_t, bool>& sights);
+  void look(const Simulation& simulation, RobotId robot, std::map<std::uint64_t, bool>& sights);
 
   bool certified_ = false;
   std::map<std::uint64_t, std::map<std::uint64_t, bool>>

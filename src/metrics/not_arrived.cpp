@@ -22,10 +22,11 @@ void LastSeen::look_at(const Simulation& simulation, const FleetView& fleet) {
     robots[i] = {fleet.id[i],      fleet.position[i],     fleet.velocity[i],   fleet.goal[i],
                  fleet.heading[i], fleet.detour[i].angle, fleet.plan[i].status};
     const bool is_at_rest = norm(fleet.velocity[i]) <= kStands * fleet.setup[i].preferred_speed;
-    if (!is_at_rest || fleet.setup[i].parked || simulation.is_at_goal(i)) continue;
-    if (const auto waits = simulation.wait(i)) wait.push_back(*waits), waiting.push_back(i);
+    if (!is_at_rest || fleet.setup[i].parked || simulation.is_at_goal(fleet.id[i])) continue;
+    if (const auto waits = simulation.wait(fleet.id[i]))
+      wait.push_back(*waits), waiting.push_back(i);
   }
-  const ObstacleView seen = simulation.obstacles();
+  const MovingObstacleView seen = simulation.moving_obstacles();
   obstacles.clear();
   for (std::size_t k = 0; k < seen.setup.size(); ++k) {
     obstacles.push_back(
@@ -40,7 +41,7 @@ NotArrived LastSeen::describe(std::size_t robot, std::span<const RobotSetup> set
                     .distance = norm(own.goal - own.position),
                     .speed = norm(own.velocity),
                     .status = own.status,
-                    .detour = own.detour,
+                    .detour_angle = own.detour,
                     .held_by = {},
                     .passage = {},
                     .distance_left = 0.0};

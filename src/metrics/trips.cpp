@@ -14,17 +14,17 @@ namespace {
 void begin(Trip& trip, const Simulation& simulation, const FleetView& fleet, std::size_t i,
            double usual_distance) {
   const RobotSetup& setup = fleet.setup[i];
-  const Simulation::Way way = simulation.way(i);
-  const Vec2 position = fleet.position[i], ahead = way.next - position;
+  const Simulation::Route route = simulation.route(fleet.id[i]);
+  const Vec2 position = fleet.position[i], ahead = route.next - position;
   const double distance = norm(ahead), a = setup.max_acceleration;
   trip.robot = fleet.id[i].value;
   trip.parked = setup.parked;
   trip.begin = trip.end = simulation.time();
   trip.goal = fleet.goal[i];
   trip.preferred_speed = setup.preferred_speed;
-  trip.way = trip.way_left = trip.progress = way.length;
+  trip.way = trip.way_left = trip.progress = route.length;
   trip.ideal_time =
-      ideal_time({.way = way.length,
+      ideal_time({.way = route.length,
                   .margin = setup.arrival_distance.value_or(usual_distance),
                   .speed = distance > 0.0 ? dot(fleet.velocity[i], ahead) / distance : 0.0,
                   .top_speed = std::min(setup.preferred_speed, setup.max_speed),
@@ -78,7 +78,8 @@ void Trips::observe(const Simulation& simulation, const FleetView& fleet, double
   now_ = simulation.time();
   std::size_t k = 0;  // ids ascend in both
   for (std::size_t i = 0; i < fleet.id.size(); ++i, ++k) {
-    const std::uint64_t robot = fleet.id[i].value;
+    const RobotId id = fleet.id[i];
+    const std::uint64_t robot = id.value;
     if (k == trips_.size() || trips_[k].robot != robot) k = find(robot, std::min(k, trips_.size()));
     const bool is_new = k == trips_.size() || trips_[k].robot != robot;
     if (is_new) {
@@ -94,11 +95,11 @@ void Trips::observe(const Simulation& simulation, const FleetView& fleet, double
       trip = {.robot = robot, .step = trip.step};
       begin(trip, simulation, fleet, i, arrival_distance_);
     } else if (duration > 0.0) {
-      go_on(trip, fleet.position[i], fleet.velocity[i], simulation.way(i).length, duration,
-            simulation.decided(i));
+      go_on(trip, fleet.position[i], fleet.velocity[i], simulation.route(id).length, duration,
+            simulation.decided(id));
       trip.end = now_;
     }
-    if (simulation.is_at_goal(i)) {
+    if (simulation.is_at_goal(id)) {
       trip.arrival = now_;
       ++arrived_;
     }

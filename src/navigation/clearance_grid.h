@@ -30,7 +30,7 @@ class ClearanceGrid : public SegmentGrid {
   [[nodiscard]] bool has_room(Vec2 p, double room) const;
   /// Returns whether no wall's surface is nearer than `room` <= reach() to the segment from p to q.
   [[nodiscard]] bool is_clear(Vec2 p, Vec2 q, double room) const;
-  /// A wall whose surface is nearer than `room`; nothing if the segment is clear.
+  /// A wall with a surface nearer than `room`; nothing if the segment is clear.
   [[nodiscard]] const Wall* in_the_way(Vec2 p, Vec2 q, double room) const;
 
  private:

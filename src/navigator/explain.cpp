@@ -53,7 +53,7 @@ Explanation explanation_of(NavigatorState& state, const Robot& robot,
   }
   explanation.goal = state.mission.has_goal() ? state.mission.goal() : place_of(robot);
   explanation.is_at_goal = is_reached(state, memory, robot);
-  explanation.distance_left = way_left(state, memory, robot).distance_left;
+  explanation.distance_left = route_left(state, memory, robot).distance_left;
   explain_decision(state.planner, explanation);
   return explanation;
 }

@@ -21,7 +21,7 @@ namespace {
 
 constexpr double kLate = 1.5;  // steps: so long after the last cycle, a cycle has been left out
 
-// A navigator may meet movers: its ways out need all walls within their reach.
+// A navigator may meet movers: its evasive maneuvers need all walls within their reach.
 PlannerOptions with_all_walls(PlannerOptions options) {
   options.wall_range = kInfinity;
   return options;
@@ -245,8 +245,8 @@ NavigatorDecision Navigator::step(const Robot& body, std::span<const Neighbor> n
   decision.status = status_of(state, robot, since);
   decision.guide = out.guide, decision.wait = out.wait;
   decision.preferred_velocity = out.robot.preferred_velocity;
-  const Simulation::Way way = way_left(state, memory, robot);
-  decision.route_left = way.length, decision.distance_left = way.distance_left;
+  const Simulation::Route route = route_left(state, memory, robot);
+  decision.route_left = route.length, decision.distance_left = route.distance_left;
   const StepLaw law = certificate_law(state.planner).step;
   decision.stopping_distance = stopping_length(norm(robot.velocity), decrement_of(robot, law), law);
   decision.without_progress = memory.progress.time;

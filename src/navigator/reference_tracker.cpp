@@ -9,7 +9,7 @@
 
 #include "avo/error.h"
 #include "avo/execution.h"
-#include "navigator/execution_bounds.h"
+#include "robots/execution_bounds.h"
 #include "robots/model.h"
 #include "robots/motion.h"
 
@@ -97,7 +97,7 @@ Robot ReferenceTracker::reference(const Robot& body) const {
 BaseCommand ReferenceTracker::follow(const Robot& body, const Plan& plan) {
   State& state = *state_;
   const ExecutionModel& model = state.model;
-  const double dt = state.response.time_step, lead = model.time_constant + model.dead_time;
+  const double dt = state.response.time_step;
   BaseCommand command;
   command.deviation = deviation_of(state.reference, body);
   command.has_left = !is_within(command.deviation, error(body), model);
@@ -106,10 +106,9 @@ BaseCommand ReferenceTracker::follow(const Robot& body, const Plan& plan) {
   if (!state.has_sent) std::fill(state.sent.begin(), state.sent.end(), body.velocity);
   state.has_sent = true;
   const MotionState after = moved(led, plan, state.response);
-  const Vec2 target = after.position + lead * after.velocity;
-  const Vec2 expected = body.position + model.time_constant * body.velocity +
-                        still_to_come(state.sent, state.next, model.dead_time, dt);
-  command.velocity = (1.0 / dt) * (target - expected);
+  command.velocity =
+      command_towards(model, after, body.position, body.velocity,
+                      still_to_come(state.sent, state.next, model.dead_time, dt), dt);
   if (is_holonomic(body.model))  // the wheels of drives are rounded at each of their cycles
     command.velocity = {executable(model, command.velocity.x),
                         executable(model, command.velocity.y)};

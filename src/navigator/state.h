@@ -89,7 +89,7 @@ SetOut set_out(NavigatorState& state, Memory& memory, const Robot& robot,
                std::span<const Neighbor> neighbors, double time_step);
 
 /// The rest of the route of a robot with that mission.
-Simulation::Way way_left(const NavigatorState& state, const Memory& memory, const Robot& robot);
+Simulation::Route route_left(const NavigatorState& state, const Memory& memory, const Robot& robot);
 
 /// Returns whether the goal is reached, see NavigatorStatus.
 bool is_reached(const NavigatorState& state, const Memory& memory, const Robot& robot);

@@ -48,12 +48,13 @@ bool is_at_end(const NavigatorState& state, const Memory& memory, const Robot& r
 
 }  // namespace
 
-Simulation::Way way_left(const NavigatorState& state, const Memory& memory, const Robot& robot) {
+Simulation::Route route_left(const NavigatorState& state, const Memory& memory,
+                             const Robot& robot) {
   if (!state.mission.has_goal()) return {0.0, robot.position};
   const Vec2 goal = state.mission.goal();
   if (!memory.on.is_given()) {
     if (memory.ways->empty()) return {norm(goal - robot.position), goal};
-    return rest_of_way(memory.travel, robot.position, goal);
+    return rest_of_route(memory.travel, robot.position, goal);
   }
   const bool is_short = memory.travel.ends == WayEnd::short_of;
   return {is_short ? kInfinity : left_of(memory.on, robot.position), memory.on.end(),

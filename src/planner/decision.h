@@ -103,7 +103,7 @@ Plan brake(const Planner& planner, const Robot& robot, PlanStatus status, double
 /// The plan with the velocity that the robot has after it, moved as a simulation moves it.
 Plan with_next_velocity(const Planner& planner, const Robot& robot, Plan plan);
 
-/// Planner::plan_among_obstacles().
+/// Planner::plan_among_movers().
 template <typename Trace>
 Plan decide_among_obstacles(const Planner& planner, const Robot& robot,
                             std::span<const Neighbor> obstacles, std::span<const Wall> walls,

@@ -208,11 +208,12 @@ std::optional<Evasion> Planner::evasion(const Robot& robot, std::span<const Neig
   return explain(robot, neighbors, workspace, detour != nullptr ? &next : nullptr, walls).evasion;
 }
 
-bool Planner::has_way_out(const Robot& robot, std::span<const Neighbor> neighbors,
-                          PlanWorkspace& workspace, std::span<const Wall> walls) const {
+bool Planner::has_evasive_maneuver(const Robot& robot, std::span<const Neighbor> neighbors,
+                                   PlanWorkspace& workspace, std::span<const Wall> walls) const {
   return can_decide(robot, neighbors, walls, options_) &&
-         avo::has_way_out(certificate_law(*this), robot, {neighbors, walls, options_.wall_range},
-                          PlanWorkspace::Scratch::of(workspace).evasion);
+         avo::has_evasive_maneuver(certificate_law(*this), robot,
+                                   {neighbors, walls, options_.wall_range},
+                                   PlanWorkspace::Scratch::of(workspace).evasion);
 }
 
 }  // namespace avo

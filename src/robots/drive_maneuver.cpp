@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The maneuvers of a differential drive with a footprint, beside obstacles. It turns on the spot,
-// and its rear swings out. Where that is not clear, it turns the other way round, or first drives
+// and its rear swings out. Where that is not clear, it turns in the other sense, or first drives
 // straight, ahead or back, to where it is clear. As q it means the point L ahead of the axle.
 #include <algorithm>
 #include <cmath>

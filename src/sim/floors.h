@@ -15,7 +15,7 @@ std::vector<std::uint32_t> floors_of(const Fleet& fleet, const StaticWorld& stat
 /// The index of the floor of robots in these layers. It is made if there is none yet.
 std::uint32_t floor_for(World& world, LayerSet robot);
 
-/// The ways of all floors of a static world, and the robots' routes there.
+/// The maps of all floors of a static world, and the robots' routes there.
 struct Routes {
   std::vector<Ways> ways;
   std::vector<std::uint32_t> floor;  // see World

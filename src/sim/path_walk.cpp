@@ -15,9 +15,9 @@ namespace avo {
 PathWalk next_on_path(const MovingObstacle& obstacle, const PathWalk& walk, double time_step) {
   const auto way_to = [&](std::uint32_t target) { return obstacle.path[target] - walk.position; };
   PathWalk next = walk;
-  if (norm(way_to(walk.target)) <= obstacle.radius)
-    next.target = static_cast<std::uint32_t>((walk.target + 1) % obstacle.path.size());
-  const Vec2 way = way_to(next.target);
+  if (norm(way_to(walk.next_point)) <= obstacle.radius)
+    next.next_point = static_cast<std::uint32_t>((walk.next_point + 1) % obstacle.path.size());
+  const Vec2 way = way_to(next.next_point);
   const double distance = norm(way);
   Vec2 wanted;
   if (distance > 0.0) {

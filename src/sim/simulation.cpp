@@ -41,13 +41,14 @@ std::shared_ptr<Executor> checked(std::shared_ptr<Executor> executor) {
 
 // m, the robot's reported place.
 Vec2 place_at_present(const World& world, std::size_t slot) {
-  if (world.is_current) return world.fleet.place(slot);
+  if (world.is_current) return world.fleet.body_place(slot);
   return world.fleet.place(slot, present_state(world, slot));
 }
 
 // m, the robot's reported place: of nearly all robots, that of the disc.
 inline Vec2 place_now(const World& world, std::size_t slot) {
-  const bool is_known = world.is_current && !world.fleet.traits[slot].has_model;
+  const bool is_known =
+      world.is_current && !world.fleet.traits[slot].has_model && world.fleet.bases.are_exact();
   return is_known ? world.fleet.position[slot] : place_at_present(world, slot);
 }
 
@@ -68,7 +69,10 @@ std::unique_ptr<Simulation::State> Simulation::State::of(const Scenario& scenari
                                                          std::shared_ptr<Executor> executor) {
   validate(scenario);
   require_assumptions(scenario);
-  auto state = std::make_unique<State>(scenario, std::move(executor));
+  std::optional<Scenario> references;
+  if (scenario.execution) references = with_references(scenario);
+  auto state = std::make_unique<State>(references ? *references : scenario, std::move(executor));
+  state->fleet.bases = bases_of(scenario);
   if (state->has_ways())
     state->travels =
         plan_travels(state->ways, state->fleet, state->floor, scenario.arrival_distance);
@@ -79,6 +83,7 @@ std::unique_ptr<Simulation::State> Simulation::State::of(std::span<const std::by
                                                          std::shared_ptr<Executor> executor) {
   const SavedState read = from_bytes(saved);
   auto state = std::make_unique<State>(read.scene, std::move(executor));
+  state->fleet.bases = read.bases;
   avo::restore(read, *state);
   return state;
 }
@@ -134,33 +139,34 @@ bool Simulation::can_step_by(double time) const {
   return seconds(next_instant(*state_)) <= time * (1.0 + kRounding);
 }
 
-double Simulation::next_decision(std::size_t robot) const {
+double Simulation::next_decision(RobotId robot) const {
   const Fleet& fleet = state_->fleet;
-  const std::uint32_t slot = fleet.slot_of[robot];
+  const std::size_t slot = fleet.find(robot);
   if (fleet.conduct[slot].parked) return std::numeric_limits<double>::infinity();
   return fleet.has_clocks ? seconds(fleet.clock_of(slot).end) : time();
 }
 
-bool Simulation::decided(std::size_t robot) const {
+bool Simulation::decided(RobotId robot) const {
   const Fleet& fleet = state_->fleet;
-  const std::uint32_t slot = fleet.slot_of[robot];
+  const std::size_t slot = fleet.find(robot);
   if (fleet.conduct[slot].parked) return false;
   if (!fleet.has_clocks) return state_->steps > 0;
   const OwnClock& clock = fleet.clock_of(slot);
   return clock.has_decided && clock.begin == state_->before;
 }
 
-bool Simulation::is_at_goal(std::size_t robot) const {
-  const std::uint32_t slot = state_->fleet.slot_of[robot];
+bool Simulation::is_at_goal(RobotId robot) const {
+  const std::size_t slot = state_->fleet.find(robot);
   if (state_->fleet.conduct[slot].parked) return true;
   if (state_->fleet.told_velocity(slot)) return false;
   if (const Flight* flight = state_->fleet.flight(slot)) return flight->has_arrived;
   const Vec2 p = place_now(*state_, slot), goal = state_->fleet.goal[slot];
   const std::vector<Travel>& travels = state_->travels;
-  const bool is_beside = !travels.empty() && travels[robot].ends == WayEnd::beside;
+  const auto rank = static_cast<std::size_t>(state_->fleet.rank[slot]);
+  const bool is_beside = !travels.empty() && travels[rank].ends == WayEnd::beside;
   const double slack = is_beside ? kBesideSlack * state_->fleet.traits[slot].radius : 0.0;
   if (norm(goal - p) <= state_->arrival_distance(slot) + slack &&
-      state_->ways_of(slot).is_in_sight(p, is_beside ? travels[robot].place : goal))
+      state_->ways_of(slot).is_in_sight(p, is_beside ? travels[rank].place : goal))
     return true;
   // so that goals are compared for few robots
   if (state_->fleet.has_stood[slot] == 0) return false;
@@ -173,18 +179,16 @@ bool Simulation::is_at_goal(std::size_t robot) const {
 }
 
 bool Simulation::all_at_goal() const {
-  for (std::size_t i = 0; i < state_->fleet.size(); ++i) {
-    if (!is_at_goal(i)) return false;
-  }
-  return true;
+  const std::vector<RobotId>& ids = state_->fleet.id;
+  return std::all_of(ids.begin(), ids.end(), [this](RobotId robot) { return is_at_goal(robot); });
 }
 
-Simulation::Way Simulation::way(std::size_t robot) const {
+Simulation::Route Simulation::route(RobotId robot) const {
   const Fleet& fleet = state_->fleet;
-  const std::uint32_t slot = fleet.slot_of[robot];
+  const std::size_t slot = fleet.find(robot);
   const Vec2 p = place_now(*state_, slot), goal = fleet.goal[slot];
   if (state_->travels.empty() || fleet.conduct[slot].parked) return {norm(goal - p), goal};
-  return rest_of_way(state_->travels[robot], p, goal);
+  return rest_of_route(state_->travels[static_cast<std::size_t>(fleet.rank[slot])], p, goal);
 }
 
 std::vector<RobotId> Simulation::unreachable() const {
@@ -200,7 +204,8 @@ std::vector<RobotId> Simulation::unreachable() const {
 std::uint64_t Simulation::state_hash() const {
   state_->catch_up();
   const std::uint64_t present = hash_of(state_->fleet, state_->obstacles, state_->steps);
-  const std::uint64_t hash = state_->senses.remember() ? hash_of(state_->senses, present) : present;
+  const std::uint64_t bodies = hash_of(state_->fleet.bases, present);
+  const std::uint64_t hash = state_->senses.remember() ? hash_of(state_->senses, bodies) : bodies;
   return state_->statics.id.empty() ? hash : mixed(hash, state_->statics.hash);
 }
 
@@ -208,8 +213,8 @@ const Planner& Simulation::planner() const {
   return state_->planner();
 }
 
-const Planner& Simulation::planner(std::size_t robot) const {
-  return state_->pace(state_->fleet.slot_of[robot]).planner;
+const Planner& Simulation::planner(RobotId robot) const {
+  return state_->pace(state_->fleet.find(robot)).planner;
 }
 
 void Simulation::measure(bool on) {

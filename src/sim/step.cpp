@@ -9,6 +9,7 @@
 
 #include "planner/scratch.h"
 #include "robots/model.h"
+#include "sim/bases/bases.h"
 #include "sim/clocks.h"
 #include "sim/host/edits.h"
 #include "sim/host/external.h"
@@ -204,6 +205,7 @@ void Simulation::step() {
   state_->forget_discs();
   const std::size_t robots = state_->fleet.size();
   avo::step(*state_);
+  if (!state_->fleet.bases.are_exact()) move_bases(*state_);
   if (state_->fleet.size() != robots) state_->forget_robots();
 }
 

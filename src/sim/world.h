@@ -80,7 +80,7 @@ struct Pace {
 struct World;
 
 /// The world's paces, where there are moving obstacles or not. Only where there are some do robots
-/// keep ways out, and see all walls within their reach.
+/// keep evasive maneuvers, and see all walls within their reach.
 std::vector<Pace> paces_among(const World& world, bool has_movers);
 
 /// What a robot has in common with another one, where both may not be in one place.

@@ -10,8 +10,8 @@
 namespace avo::space {
 namespace {
 
-// Robots ahead on collision courses that make a way fully congested. In the plane all robots ahead
-// count, and it takes more of them.
+// Robots ahead on collision courses that make a route fully congested. In the plane all robots
+// ahead count, and it takes more of them.
 constexpr double kFullCongestion = 2.0;
 
 // The neighbor of the plane with the same distance and the same speeds, along one axis.
@@ -65,7 +65,7 @@ Traffic traffic_of(const Robot& robot, const Bodies& bodies, const Looked& looke
 }
 
 Vec3 axis_across(Vec3 way) {
-  constexpr double kSteep = 0.1;  // the squared cosine of a way that is steep
+  constexpr double kSteep = 0.1;  // the squared cosine of a course that is steep
   const double length = norm(way);
   if (!(length > 0.0)) return {0.0, 0.0, 1.0};
   const Vec3 d = way / length, up{0.0, 0.0, 1.0}, ahead{1.0, 0.0, 0.0};
@@ -92,7 +92,7 @@ Vec3 wish_of(const Robot& robot, const Bodies& bodies, const Looked& looked,
     detour.beside = 0.0F, detour.has_arrived = false;
     return robot.preferred_velocity;
   }
-  // the turn fades to 0: on the last part of its way a robot needs its acceleration to brake
+  // the turn fades to 0: on the last part of its route a robot needs its acceleration to brake
   const double stopping = 0.5 * robot.max_speed * (robot.max_speed / planned_braking(robot));
   const double left = (robot.distance_to_goal - stopping) / stopping;
   Vec3 wish = robot.preferred_velocity;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The rules for arriving in space (docs/arrival.md, docs/space.md): those of the plane, turned
-// about an axis across the way. Safety never depends on them.
+// about an axis across the course. Safety never depends on them.
 #pragma once
 #include "avo/space/planner.h"
 #include "planner/rules/arrival.h"
@@ -15,15 +15,15 @@ struct Traffic {
   bool is_beside = false;
   Vec3 push, push_at_rest;
 };
-/// Of the bodies at these places.
+/// The crowd of the bodies at these places.
 Traffic traffic_of(const Robot& robot, const Bodies& bodies, std::span<const std::uint32_t> places);
 
 /// m: the range in which others ahead are traffic. Beyond it only those that are nearly in contact
 /// count.
 double traffic_range(const Robot& robot);
 
-/// A unit axis across the way, about which a robot turns to its right: up as the way sees it, and
-/// where the way is steep, ahead along x.
+/// A unit axis across the course, about which a robot turns to its right: up as seen along the
+/// course, and where the course is steep, ahead along x.
 Vec3 axis_across(Vec3 way);
 
 /// a turned by an angle in [0, π) rad, clockwise as seen from the tip of a unit axis.

@@ -13,7 +13,7 @@ constexpr double kFarthestCell = 0x1p40;  // cells beyond it are merged
 constexpr double kSides = 2.0;
 constexpr std::size_t kFewestBits = 3;  // of cells along an axis: more than a search reads
 constexpr std::size_t kSlotsPerRobot = 4;
-// Of a side: more than rounding moves a robot against the cells, at less than kFarthestCell.
+// A part of a side: more than rounding moves a robot against the cells, at less than kFarthestCell.
 constexpr double kRounding = 0x1p-10;
 
 }  // namespace

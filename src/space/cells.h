@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Cubic cells of space, in a table of bounded size: who may be within the sensing radius.
+// Cubic cells of space, in a table of bounded size: the robots that may be within the sensing
+// radius.
 #pragma once
 #include <array>
 #include <cstddef>

@@ -80,7 +80,7 @@ void turn(Detour& detour, const Deciding& decision, double rate, bool among_boxe
   detour.angle = plane.angle;
 }
 
-// The choice of a robot whose target is known, and its detour, docs/arrival.md, rule 3.
+// The choice of a robot with a known target, and its detour, docs/arrival.md, rule 3.
 Choice choose_and_arrive(const Deciding& decision, Vec3 wish, Vec3 own_aim, const Target& target,
                          Detour& detour) {
   PlanWorkspace::Scratch& scratch = decision.scratch;

@@ -20,17 +20,18 @@ struct BodiesAround {
   double range = std::numeric_limits<double>::infinity();  ///< m: others are not sensed
   std::span<const Box> boxes = {};
   std::span<const Mover> movers = {};
-  /// Whether nobody is expected to be in the robot's way. It changes the time of a decision alone.
+  /// Whether no other robot is expected on the robot's course. It changes the time of a decision
+  /// alone.
   bool is_free = false;
 };
 
-/// The decision of a robot whose inputs are valid. Updates the detour. `remembers`: whether the
+/// The decision of a robot with valid inputs. Updates the detour. `remembers`: whether the
 /// detour has the acceleration of the last step. horizons: see horizons_of().
 Plan decide(const PlannerOptions& options, std::span<const Horizon> horizons, const StepLaw& law,
             const Robot& robot, const BodiesAround& around, bool remembers,
             PlanWorkspace::Scratch& scratch, Detour& detour);
 
-/// The constraints of a robot whose inputs are valid.
+/// The constraints of a robot with valid inputs.
 Constraints& admission_of(const PlannerOptions& options, std::span<const Horizon> horizons,
                           const StepLaw& law, const Robot& robot, const BodiesAround& around,
                           PlanWorkspace::Scratch& scratch);

@@ -48,7 +48,8 @@ Predicted predicted(const Evading& evading, const Mover& mover, const Level& lev
   return other;
 }
 
-// s, until a way out brakes: long enough to leave the strip of the widest moving obstacle.
+// s, until an evasive maneuver brakes: long enough to leave the strip of the widest moving
+// obstacle.
 double longest_way(const Robot& robot, std::span<const Mover> movers, const StepLaw& law) {
   const double time = time_to_evade(robot);
   double contact = 0.0;  // m
@@ -95,7 +96,7 @@ std::optional<Evading> begin_evading(const PlannerOptions& options, const StepLa
   return evading;
 }
 
-double way_range(const Robot& robot) {
+double evasion_range(const Robot& robot) {
   return (kWideWay + 0.5) * time_to_evade(robot) * fastest_of(robot);
 }
 

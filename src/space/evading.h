@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The inputs of a robot of space that keeps a way out: the predicted moving obstacles, the boxes
-// that it knows, and its own limits.
+// The inputs of a robot of space that keeps an evasive maneuver: the predicted moving obstacles,
+// the boxes that it knows, and its own limits.
 #pragma once
 #include <optional>
 #include <span>
@@ -13,7 +13,7 @@
 
 namespace avo::space {
 
-/// The surroundings of one decision that keeps a way out.
+/// The surroundings of one decision that keeps an evasive maneuver.
 struct Sight {
   std::span<const Mover> movers;
   std::span<const Box> boxes;
@@ -30,11 +30,11 @@ struct Evading {
   double braking = 0.0;  // s, the longest time of braking
 };
 
-/// None for robots that have no ways out, since they brake for too long.
+/// None for robots that have no evasive maneuvers, since they brake for too long.
 std::optional<Evading> begin_evading(const PlannerOptions& options, const StepLaw& law,
                                      const Robot& robot, const Sight& sight, WaySearch& search,
                                      ChoiceWorkspace& workspace);
-/// Predicts all moving obstacles, and begins ways out of that level.
+/// Predicts all moving obstacles, and begins evasive maneuvers of that level.
 void look_around(Evading& evading, const Level& level);
 
 }  // namespace avo::space

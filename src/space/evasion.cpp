@@ -15,8 +15,9 @@ namespace {
 
 constexpr std::size_t kDirections = 26;
 
-// The velocities that ways out approach, of v_max, in the robot's own space. They are fixed in the
-// world, so that after a step the rest of a way out is a way out as well.
+// The velocities that evasive maneuvers approach, of v_max, in the robot's own space. They are
+// fixed in the world, so that after a step the rest of an evasive maneuver is an evasive maneuver
+// as well.
 constexpr std::array<Vec3, 2 * kDirections> kVelocities = [] {
   constexpr std::array<double, 4> kPerLength{0.0, 1.0, 0.70710678118654752, 0.57735026918962576};
   std::array<Vec3, 2 * kDirections> result{};
@@ -37,7 +38,7 @@ constexpr std::array<Vec3, 2 * kDirections> kVelocities = [] {
   return result;
 }();
 
-// The velocity that a way out approaches: within climb and sink.
+// The velocity that an evasive maneuver approaches: within climb and sink.
 Vec3 velocity_of(const Robot& robot, std::size_t k) {
   Vec3 w = from_own(robot.max_speed * kVelocities[k], robot.vertical);
   w.z = std::clamp(w.z, -robot.sink, robot.climb);
@@ -102,7 +103,7 @@ FirstSteps first_steps(const Evading& evading, Vec3 wanted) {
   return steps;
 }
 
-// Returns whether a way out is clear after that step, (M).
+// Returns whether an evasive maneuver is clear after that step, (M).
 bool has_way_after(Evading& evading, Vec3 next_velocity) {
   WaySearch& search = evading.search;
   if (!take_first_step(search, next_velocity)) return false;
@@ -133,8 +134,8 @@ Vec3 nearer(Evading& evading, const FirstStep& step, Vec3 wanted) {
   return best;
 }
 
-// Where others refuse the first steps of ways out: finds the velocity nearest to one of them that
-// leaves a way out.
+// Where others refuse the first steps of evasive maneuvers: finds the velocity nearest to one of
+// them that leaves an evasive maneuver.
 bool find_beside(Evading& evading, const FirstSteps& steps, Vec3& found) {
   for (const FirstStep& step : steps) {
     if (!is_within_limits(evading, step.next_velocity) || !is_clear(evading, step)) continue;

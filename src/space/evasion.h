@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-// Beside moving obstacles, a robot of space keeps a way out: docs/movers.md, with 26 directions.
+// Beside moving obstacles, a robot of space keeps an evasive maneuver: docs/movers.md, with 26
+// directions.
 #pragma once
 #include "space/evading.h"
 
 namespace avo::space {
 
-/// Replaces the choice by the nearest first step of a way out, where the choice leaves none and
-/// there is one. choice_workspace: after begin_constraints(). Returns whether it has replaced it.
+/// Replaces the choice by the nearest first step of an evasive maneuver, where the choice leaves
+/// none and there is one. choice_workspace: after begin_constraints(). Returns whether it has
+/// replaced it.
 bool keep_a_way_out(const PlannerOptions& options, const StepLaw& law, const Robot& robot,
                     const Sight& sight, WaySearch& search, ChoiceWorkspace& choice_workspace,
                     Vec3& next_velocity);

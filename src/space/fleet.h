@@ -81,7 +81,7 @@ struct AVO_LOCAL SpaceFleet {
   void sense_robots(std::size_t k, std::size_t runs, SpaceWorker& worker) const;
   /// The boxes that matter to a robot.
   void find_boxes(std::size_t k, SpaceWorker& worker) const;
-  /// Sets the preferred velocity of robot k: along its route, where boxes are in the way.
+  /// Sets the preferred velocity of robot k: along its route, where boxes are in between.
   void head_for_goal(std::size_t k, const BodiesAround& around, SpaceWorker& worker);
   /// Decides for the robot at that place in the order of the cells.
   void decide(std::size_t at, SpaceWorker& worker);

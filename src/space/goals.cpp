@@ -19,7 +19,7 @@ Vec3 preferred_velocity(const Robot& robot, Vec3 goal, double preferred_speed,
   if (!(distance > 0x1p-46 * (norm(robot.position) + norm(goal)))) return {};
   const Vec3 direction = way / distance;
   const ResponseLaw& law = landing.law;
-  // along the way a robot brakes with b/ν, and is as fast as v_max/ν
+  // along the route a robot brakes with b/ν, and is as fast as v_max/ν
   const double per_own = 1.0 / own_length(direction, robot.vertical);
   double top = std::min(preferred_speed, robot.max_speed * per_own);
   if (direction.z > 0.0) top = std::min(top, robot.climb / direction.z);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The preferred velocity towards a goal in space: the landing of the plane, along the way.
+// The preferred velocity towards a goal in space: the landing of the plane, along the route.
 #pragma once
 #include "avo/space/robot.h"
 #include "core/response_law.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// One look at all bodies around a robot: for which of them it may have to brake, whose half-spaces
-// can cut, and who is traffic. What is left out changes no bit of a decision.
+// One look at all bodies around a robot: for which of them it may have to brake, which half-spaces
+// can cut, and which bodies are traffic. What is left out changes no bit of a decision.
 #pragma once
 #include <array>
 #include <cstddef>
@@ -93,9 +93,9 @@ struct Looked {
 void look_at(Viewer& look, const Bodies& bodies, std::span<const Run> runs,
              std::optional<int> max_neighbors, Looked& looked);
 
-/// Sets the pairs of a look whose half-spaces may cut into what the robot can choose.
+/// Sets the pairs of a look with half-spaces that may cut into what the robot can choose.
 void pairs_that_cut(const Viewer& look, const Bodies& bodies, Looked& looked);
-/// Sets the pairs whose half-spaces may not contain one velocity in space, m/s.
+/// Sets the pairs with half-spaces that may not contain one velocity in space, m/s.
 void pairs_without(const Viewer& look, Vec3 velocity, const Bodies& bodies, Looked& looked);
 
 }  // namespace avo::space

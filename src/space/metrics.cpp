@@ -53,7 +53,7 @@ struct Metrics::State {
   RunSummary summary;
   std::vector<Plan> last;
   std::vector<Robot> robots;
-  std::vector<std::size_t> unreachable;
+  std::vector<RobotId> unreachable;
   std::vector<double> left;  // m, from the end of each robot's route to its goal
   double time = 0.0;
 
@@ -70,13 +70,13 @@ void Metrics::State::begin(const Simulation& simulation, std::size_t k) {
   const RobotSetup& setup = scenario.robots[k];
   const Robot& robot = simulation.robots()[k];
   TripOf<3>& trip = trips.emplace_back();
-  const Vec3 ahead = simulation.goal(k) - robot.position;
+  const Vec3 ahead = simulation.goal({k}) - robot.position;
   const double straight = norm(ahead);
-  const Simulation::Way route = simulation.way(k);
+  const Simulation::Route route = simulation.route({k});
   const double distance = std::isfinite(route.length) ? route.length : straight;
   const double per = straight > 0.0 ? 1.0 / own_length(ahead / straight, robot.vertical) : 1.0;
   trip.robot = k;
-  trip.goal = simulation.goal(k);
+  trip.goal = simulation.goal({k});
   trip.begin = trip.end = simulation.time();
   trip.step = scenario.time_step;
   trip.preferred_speed = setup.preferred_speed;
@@ -151,7 +151,7 @@ void Metrics::observe(const Simulation& simulation) {
       trip.end = simulation.time();
       go_on(trip, robot.position, robot.velocity, left, state.scenario.time_step, true);
     }
-    if (!trip.arrival && simulation.is_at_goal(k)) {
+    if (!trip.arrival && simulation.is_at_goal({k})) {
       trip.arrival = simulation.time();
       ++state.arrived;
     }
@@ -163,7 +163,8 @@ void Metrics::observe(const Simulation& simulation) {
   state.time = simulation.time();
   state.unreachable = simulation.unreachable();
   state.left.assign(simulation.size(), 0.0);
-  for (const std::size_t k : state.unreachable) state.left[k] = simulation.way(k).distance_left;
+  for (const RobotId robot : state.unreachable)
+    state.left[static_cast<std::size_t>(robot.value)] = simulation.route(robot).distance_left;
 }
 
 RunSummary Metrics::summary() const {
@@ -172,17 +173,16 @@ RunSummary Metrics::summary() const {
   const CheckReport report = state.check.report();
   summary.scene = state.scenario.name;
   summary.seed = state.scenario.seed;
-  summary.unreachable.assign(state.unreachable.begin(), state.unreachable.end());
+  for (const RobotId robot : state.unreachable) summary.unreachable.push_back(robot.value);
   summary.robots = static_cast<std::int64_t>(state.scenario.robots.size());
   summary.arrived = static_cast<std::int64_t>(state.arrived);
   summary.collision_pairs = report.overlaps.count;
   if (report.overlaps.first) summary.first_collision_time = report.overlaps.first->time;
-  summary.obstacle_collisions_in_motion = report.obstacle_contacts_moving.count;
-  summary.obstacle_collisions =
-      report.obstacle_contacts_moving.count + report.obstacle_contacts_at_rest;
-  summary.collision_obstacles = report.static_contacts.count;
+  summary.mover_collisions_in_motion = report.mover_contacts_moving.count;
+  summary.mover_collisions = report.mover_contacts_moving.count + report.mover_contacts_at_rest;
+  summary.static_collisions = report.static_contacts.count;
   summary.min_clearance = report.least_clearance;
-  summary.min_obstacle_clearance = report.least_static_clearance;
+  summary.min_static_clearance = report.least_static_clearance;
   summary.max_acceleration = report.largest_acceleration;
   summary.max_speed = report.largest_speed;
   summary.acceleration_excess = report.accelerations.worst;
@@ -195,7 +195,7 @@ RunSummary Metrics::summary() const {
   if (state.arrived > 0) summary.mean_arrival = sum / static_cast<double>(state.arrived);
   if (all_arrived()) summary.last_arrival = last;
   describe_trips<3>(trips, summary.metrics);
-  if (report.overlaps.count > 0) {  // it is not known whose trips they ended
+  if (report.overlaps.count > 0) {  // it is not known which trips they ended
     summary.metrics.success.reset();
     summary.metrics.collision.reset();
     summary.metrics.timeout.reset();

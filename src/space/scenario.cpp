@@ -37,7 +37,7 @@ PlannerOptions planner_options(const Scenario& scenario) {
   options.never_swerves = scenario.never_swerves;
   if (!scenario.moving_obstacles.empty()) {
     for (const RobotSetup& robot : scenario.robots)
-      options.wall_range = std::max(options.wall_range, way_range(robot_of(robot)));
+      options.wall_range = std::max(options.wall_range, evasion_range(robot_of(robot)));
   }
   return options;
 }
@@ -95,8 +95,8 @@ Robot largest_of(const Scenario& scenario) {
   return largest;
 }
 
-// m: the distance within which two robots have to sense each other, with the way that both cover
-// before they do.
+// m: the distance within which two robots have to sense each other, with the distance that both
+// cover before they do.
 double certified_range(const Scenario& scenario, const Robot& largest,
                        const PlannerOptions& options) {
   const double fastest = largest.max_speed * std::max(largest.vertical, 1.0);
@@ -113,7 +113,7 @@ double needed_radius(const Scenario& scenario, const PlannerOptions& options) {
   plane.radius = largest.radius, plane.max_speed = largest.max_speed;
   plane.max_acceleration = std::min(largest.max_acceleration, *largest.max_braking);
   radius = std::max(radius, arrival_range(plane, largest.radius));
-  // it sees others in time to get out of their way alone, from rest to rest
+  // it sees others in time to evade them alone, from rest to rest
   const double contact = 2.0 * largest.radius + largest.downwash;
   const double evading = 2.0 * std::sqrt(contact / plane.max_acceleration);
   return std::max(radius, contact + 2.0 * largest.max_speed * evading);

@@ -18,6 +18,13 @@ namespace avo::space {
 
 struct Simulation::State : SpaceFleet {
   using SpaceFleet::SpaceFleet;
+
+  // The robot's place in the fleet, which is the value of its id.
+  [[nodiscard]] std::size_t find(RobotId robot) const {
+    if (robot.value >= robots.size())
+      throw Error("robot " + std::to_string(robot.value) + ": found none of that id");
+    return static_cast<std::size_t>(robot.value);
+  }
 };
 
 Simulation::Simulation(const Scenario& scenario, int threads) {
@@ -57,43 +64,44 @@ std::span<const Plan> Simulation::plans() const {
 std::span<const Mover> Simulation::movers() const {
   return state_->movers;
 }
-Vec3 Simulation::goal(std::size_t robot) const {
-  return state_->scenario.robots[robot].goal;
+Vec3 Simulation::goal(RobotId robot) const {
+  return state_->scenario.robots[state_->find(robot)].goal;
 }
-bool Simulation::is_at_goal(std::size_t robot) const {
-  const Vec3 position = state_->robots[robot].position, to = goal(robot);
+bool Simulation::is_at_goal(RobotId robot) const {
+  const std::size_t k = state_->find(robot);
+  const Vec3 position = state_->robots[k].position, to = goal(robot);
   return norm(to - position) <= state_->scenario.arrival_distance &&
-         !state_->ways.is_behind_box(robot, position, to);
+         !state_->ways.is_behind_box(k, position, to);
 }
 
-Simulation::Way Simulation::way(std::size_t robot) const {
-  const Vec3 position = state_->robots[robot].position, to = goal(robot);
-  const Route* route = state_->ways.route(robot);
-  if (route == nullptr || route->points.empty()) return {norm(to - position), to, 0.0};
-  Way way{route_length(position, route->points), route->points.front().place, route->left};
-  if (!route->reaches) way.length = std::numeric_limits<double>::infinity();
-  return way;
+Simulation::Route Simulation::route(RobotId robot) const {
+  const std::size_t k = state_->find(robot);
+  const Vec3 position = state_->robots[k].position, to = goal(robot);
+  const space::Route* known = state_->ways.route(k);
+  if (known == nullptr || known->points.empty()) return {norm(to - position), to, 0.0};
+  Route rest{route_length(position, known->points), known->points.front().place, known->left};
+  if (!known->reaches) rest.length = std::numeric_limits<double>::infinity();
+  return rest;
 }
 
-std::vector<std::size_t> Simulation::unreachable() const {
-  std::vector<std::size_t> found;
+std::vector<RobotId> Simulation::unreachable() const {
+  std::vector<RobotId> found;
   for (std::size_t k = 0; k < size(); ++k) {
-    const Route* route = state_->ways.route(k);
-    if (route != nullptr && !route->reaches) found.push_back(k);
+    const space::Route* known = state_->ways.route(k);
+    if (known != nullptr && !known->reaches) found.push_back({k});
   }
   return found;
 }
 
-void Simulation::set_goal(std::size_t robot, Vec3 goal) {
-  if (robot >= size())
-    throw Error("robot " + std::to_string(robot) + ": there are " + std::to_string(size()));
+void Simulation::set_goal(RobotId robot, Vec3 goal) {
+  const std::size_t k = state_->find(robot);
   require("goal", goal, "m");
-  Vec3& own = state_->scenario.robots[robot].goal;
+  Vec3& own = state_->scenario.robots[k].goal;
   if (own == goal) return;
-  own = state_->trips[robot].goal = goal;
+  own = state_->trips[k].goal = goal;
   state_->ways.include(goal);
-  state_->ways.look(robot, state_->robots[robot], goal, state_->workers.front().ways);
-  Detour& detour = state_->detours[robot];
+  state_->ways.look(k, state_->robots[k], goal, state_->workers.front().ways);
+  Detour& detour = state_->detours[k];
   detour = {.congestion = detour.congestion, .acceleration = detour.acceleration};
 }
 

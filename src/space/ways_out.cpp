@@ -35,7 +35,7 @@ bool is_known(const WaySearch& search, Vec3 place) {
   return norm_squared(place) <= search.known * search.known;
 }
 
-// One step of a way out.
+// One step of an evasive maneuver.
 struct WayStep {
   Hull path;
   WayState next;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Ways out in space: motions of a robot A that keep clear of all predicted moving obstacles, for
-// ever (docs/movers.md). Places are relative to p_A, and times count from the decision.
+// Evasive maneuvers in space: motions of a robot A that keep clear of all predicted moving
+// obstacles, for ever (docs/movers.md). Places are relative to p_A, and times count from the
+// decision.
 #pragma once
 #include <cstddef>
 #include <limits>
@@ -18,7 +19,7 @@ namespace avo::space {
 using Predicted = PredictedOf<3>;
 using Hull = HullOf<3>;
 
-/// A state on a way out.
+/// A state on an evasive maneuver.
 struct WayState {
   Vec3 position, velocity;  // m, m/s
   double time = 0.0;        // s
@@ -44,21 +45,22 @@ struct WaySearch {
   std::vector<Box> boxes;
   BoxConstraints of_boxes;
   // s, until these times no motion of A matters to each of the others. They are counted from now
-  // on, from the first step on, and from the last state of a way out on.
+  // on, from the first step on, and from the last state of an evasive maneuver on.
   std::vector<double> clear_now, clear_after, clear_until;
   WayState after;           // the state after the first step
-  double brakes_at = 0.0;   // s: the time at which the last clear way out begins to brake
+  double brakes_at = 0.0;   // s: the time at which the last clear evasive maneuver begins to brake
   std::vector<Hull> hulls;  // of the last braking path, those that are known
   std::vector<char> has_hull;
-  std::size_t in_the_way = 0;  // the moving obstacle that refused the last way out
-  /// The work that is left for this decision; no way out counts as clear once it is used up.
+  std::size_t in_the_way = 0;  // the moving obstacle that refused the last evasive maneuver
+  /// The work that is left for this decision; no evasive maneuver counts as clear once it is used
+  /// up.
   int work = std::numeric_limits<int>::max();
 };
 
-/// Begins the search of ways out among others and boxes.
+/// Begins the search of evasive maneuvers among others and boxes.
 void begin_ways(WaySearch& search);
 
-/// [v_1] m/s, the next velocity of a way out towards the velocity w.
+/// [v_1] m/s, the next velocity of an evasive maneuver towards the velocity w.
 Vec3 next_towards(const WaySearch& search, const WayState& from, Vec3 w);
 
 /// Returns whether the first step, to v_1, keeps clear, (C1) and (C3). The functions below judge

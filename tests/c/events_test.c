@@ -83,6 +83,32 @@ static void check_stuck(avo_simulation_id simulation) {
           AVO_ERROR_INVALID_VALUE, "event: found 1, must be less than the number of events, 1");
 }
 
+/* Two robots want through a corridor of one lane: one waits, and the other one is named by its id.
+ */
+static void check_wait(void) {
+  static const avo_vec2 corners[] = {{-19, -8}, {-5, -8}, {-5, -0.8}, {5, -0.8}, {5, -8}, {19, -8},
+                                     {19, 8},   {5, 8},   {5, 0.8},   {-5, 0.8}, {-5, 8}, {-19, 8}};
+  const avo_chain chain = {corners, 12, true};
+  const avo_robot_id second = {2};
+  avo_obstacle_def walls = avo_default_obstacle_def();
+  avo_robot_def robots[2] = {avo_default_robot_def(), avo_default_robot_def()};
+  avo_simulation_def def = avo_default_simulation_def();
+  avo_simulation_id simulation;
+  avo_wait wait = {0};
+  walls.chains = &chain, walls.chain_count = 1;
+  robots[0].position = at(-7.0, 0.0), robots[0].goal = at(10.0, 3.0);
+  robots[1].position = at(12.0, 0.0), robots[1].goal = at(-10.0, 3.0);
+  def.robots = robots, def.robot_count = 2;
+  def.obstacles = &walls, def.obstacle_count = 1;
+  REQUIRE(avo_create_simulation(&def, &simulation));
+  for (int k = 0; k < 100 && !wait.waits; ++k) {
+    REQUIRE(avo_simulation_step(simulation));
+    REQUIRE(avo_simulation_get_wait(simulation, second, &wait));
+  }
+  CHECK(wait.waits && wait.robot.value == 1);
+  REQUIRE(avo_destroy_simulation(simulation));
+}
+
 int main(void) {
   const avo_robot_id first = {1}, second = {2};
   avo_simulation_id simulation = make_fleet();
@@ -91,13 +117,14 @@ int main(void) {
   avo_event events[8];
   size_t count = 0, size = 0;
   char words[8];
+  check_wait();
   check_refusals(simulation);
   REQUIRE(avo_simulation_watch(simulation, 0.0));
   CHECK(events_of(simulation, events, 8) == 0);
 
   CHECK(next_events(simulation, events, 8) == 1);
   CHECK(events[0].kind == AVO_EVENT_ARRIVED && events[0].robot.value == 1);
-  CHECK(events[0].obstacle.value == 0 && !events[0].at_rest);
+  CHECK(events[0].moving_obstacle.value == 0 && !events[0].at_rest);
   REQUIRE(avo_simulation_event_sentence(simulation, 0, words, sizeof words, &size));
   CHECK(size == 1 && words[0] == 0);
   CHECK(next_events(simulation, events, 8) == 1);
@@ -117,7 +144,7 @@ int main(void) {
   CHECK(count == 2 && events_of(simulation, events, 8) == 2);
   CHECK(events[0].kind == AVO_EVENT_GONE && events[0].robot.value == 1);
   CHECK(events[1].kind == AVO_EVENT_CONTACT && events[1].robot.value == second.value);
-  CHECK(events[1].obstacle.value == obstacle.value);
+  CHECK(events[1].moving_obstacle.value == obstacle.value);
 
   REQUIRE(avo_simulation_watch(simulation, 1.0)); /* anew */
   CHECK(events_of(simulation, events, 8) == 0);

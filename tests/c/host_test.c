@@ -68,7 +68,8 @@ static void check_bulk(void) {
   REFUSES(avo_simulation_add_robots(simulation, defs, 2, ids), AVO_ERROR_INVALID_VALUE, "robot 6");
   REQUIRE(avo_simulation_remove_robots(simulation, ids, 2));
   REFUSES(avo_simulation_remove_robots(simulation, ids, 2), AVO_ERROR_INVALID_ID, "robot");
-  REFUSES(avo_simulation_set_goals(simulation, some, NULL, 2), AVO_ERROR_INVALID_ARGUMENT, "values");
+  REFUSES(avo_simulation_set_goals(simulation, some, NULL, 2), AVO_ERROR_INVALID_ARGUMENT,
+          "values");
   REQUIRE(avo_simulation_set_goals(simulation, NULL, NULL, 0));
   REQUIRE(avo_destroy_simulation(simulation));
 }
@@ -79,7 +80,7 @@ static void check_player_and_queries(void) {
   avo_moving_obstacle_def player = avo_default_moving_obstacle_def();
   avo_moving_obstacle_id id, listed[2];
   avo_robot_id near[4];
-  avo_obstacle_columns columns;
+  avo_moving_obstacle_columns columns;
   avo_hit hit;
   size_t count = 0;
   bool is_free = false;
@@ -104,8 +105,8 @@ static void check_player_and_queries(void) {
   CHECK(hit.robot.value == 1 && hit.moving_obstacle.value == 0 && hit.obstacle.value == 0);
   REQUIRE(avo_simulation_cast_ray(simulation, origin, above, 0.0, AVO_ALL_LAYERS, &hit));
   CHECK(hit.robot.value == 0 && hit.distance == 30.0);
-  REFUSES(avo_simulation_is_free(simulation, origin, 0.0, AVO_ALL_LAYERS, &is_free), AVO_ERROR_INVALID_VALUE,
-          "is_free: radius: found 0, must be > 0 m");
+  REFUSES(avo_simulation_is_free(simulation, origin, 0.0, AVO_ALL_LAYERS, &is_free),
+          AVO_ERROR_INVALID_VALUE, "is_free: radius: found 0, must be > 0 m");
   REQUIRE(avo_simulation_remove_moving_obstacle(simulation, id));
   REFUSES(avo_simulation_remove_moving_obstacle(simulation, id), AVO_ERROR_INVALID_ID,
           "obstacle: found 1");

@@ -24,6 +24,10 @@ avo_loiter_circle to_c(const std::optional<avo::LoiterCircle>& circle) {
   return {to_c(circle->center), circle->radius};
 }
 
+avo_footprint to_c(const avo::Footprint& footprint) {
+  return {footprint.radius, footprint.first, footprint.spacing, footprint.discs};
+}
+
 avo_robot to_c(const avo::Robot& robot) {
   avo_robot c = avo_default_robot();
   c.position = to_c(robot.position);
@@ -37,6 +41,8 @@ avo_robot to_c(const avo::Robot& robot) {
   c.priority = robot.priority;
   c.max_braking = robot.max_braking.value_or(0.0);
   c.loiter = to_c(robot.loiter);
+  c.footprint = to_c(avo::footprint_of(robot.model));
+  c.lookahead = robot.lookahead;
   c.model = static_cast<avo_model>(robot.model.index());
   if (const auto* car = std::get_if<avo::Car>(&robot.model)) {
     c.car.wheelbase = car->wheelbase;
@@ -70,6 +76,8 @@ avo_neighbor to_c(const avo::Neighbor& neighbor) {
   c.behavior = static_cast<avo_behavior>(neighbor.behavior);
   c.age = neighbor.age;
   c.parting = to_c(neighbor.parting);
+  c.footprint = to_c(neighbor.footprint);
+  c.pose = {to_c(neighbor.ahead), neighbor.spread};
   if (neighbor.trajectory == nullptr) return c;
   std::vector<avo_timed_place> places;
   for (const auto& [time, position] : neighbor.trajectory->places())
@@ -140,8 +148,8 @@ void check_decision(avo_planner_id planner, const avo::Planner& own,
   CHECK(remembered.acceleration_y == detour.acceleration_y);
 
   REQUIRE(
-      avo_planner_plan_among_obstacles(planner, &robot, neighbors.data(), neighbors.size(), &plan));
-  CHECK(is_same(plan, own.plan_among_obstacles(seen.robot, seen.neighbors, workspace)));
+      avo_planner_plan_among_movers(planner, &robot, neighbors.data(), neighbors.size(), &plan));
+  CHECK(is_same(plan, own.plan_among_movers(seen.robot, seen.neighbors, workspace)));
 
   avo_safety_report report;
   REQUIRE(avo_planner_state(planner, &robot, neighbors.data(), neighbors.size(), walls.data(),
@@ -156,8 +164,8 @@ void check_decision(avo_planner_id planner, const avo::Planner& own,
   }
 }
 
-void check_scene(const char* name, const std::vector<std::string>& overrides) {
-  avo::Simulation simulation(avo_io::load_scenario(name, overrides), 1);
+void check_decisions(const char* name, const avo::Scenario& scene) {
+  avo::Simulation simulation(scene, 1);
   const avo_planner_def def = to_c(simulation.planner().options());
   avo_planner_id planner;
   REQUIRE(avo_create_planner(&def, &planner));
@@ -166,7 +174,7 @@ void check_scene(const char* name, const std::vector<std::string>& overrides) {
     simulation.step();
     if (step % 12 != 0) continue;
     for (std::size_t i = 0; i < simulation.fleet().id.size(); ++i)
-      seen.push_back(simulation.perceive(i));
+      seen.push_back(simulation.perceive({i}));
   }
   const auto check_all = [&] {
     for (const auto& one : seen) check_decision(planner, simulation.planner(), one);
@@ -176,6 +184,24 @@ void check_scene(const char* name, const std::vector<std::string>& overrides) {
   other.join();
   std::printf("%s: %zu decisions\n", name, seen.size());
   REQUIRE(avo_destroy_planner(planner));
+}
+
+void check_scene(const char* name, const std::vector<std::string>& overrides) {
+  check_decisions(name, avo_io::load_scenario(name, overrides));
+}
+
+// Trucks at a corner maneuver by `lookahead`, and know each other's footprints.
+void check_trucks() {
+  avo::Scenario scene;
+  scene.obstacles = {{.chains = {avo::Chain{{{-30, -4}, {4, -4}, {4, 30}}, false}}},
+                     {.chains = {avo::Chain{{{-30, 4}, {-4, 4}, {-4, 30}}, false}}}};
+  for (const double back : {0.0, 9.0}) {
+    avo::Car car{.wheelbase = 3.5, .max_curvature = 0.2, .reverse = true};
+    car.footprint = avo::cover_rectangle(6.0, 2.0, 1.75, 0.5);
+    scene.robots.push_back({.position = {-8.0 - back, 0.0}, .goal = {0.0, 24.0 - back}});
+    scene.robots.back().model = car;
+  }
+  check_decisions("trucks at a corner", scene);
 }
 
 void check_invalid_input() {
@@ -223,12 +249,14 @@ void check_evasion() {
   CHECK(evasion.neighbor == 1);
   CHECK(evasion.velocity.x != 0.0 || evasion.velocity.y != 0.0);
   CHECK(evasion.duration > 0.0);
-  bool has_way_out = false;
-  REQUIRE(avo_planner_has_way_out(planner, &robot, others, 2, nullptr, 0, &has_way_out));
-  CHECK(has_way_out);
+  bool has_evasive_maneuver = false;
+  REQUIRE(avo_planner_has_evasive_maneuver(planner, &robot, others, 2, nullptr, 0,
+                                           &has_evasive_maneuver));
+  CHECK(has_evasive_maneuver);
   others[1].position.x = 0.5, others[1].velocity.y = -30.0;
-  REQUIRE(avo_planner_has_way_out(planner, &robot, others, 2, nullptr, 0, &has_way_out));
-  CHECK(!has_way_out);
+  REQUIRE(avo_planner_has_evasive_maneuver(planner, &robot, others, 2, nullptr, 0,
+                                           &has_evasive_maneuver));
+  CHECK(!has_evasive_maneuver);
   REQUIRE(avo_planner_evasion(planner, &robot, others, 1, nullptr, 0, nullptr, &evasion));
   CHECK(evasion.neighbor == -1);
   REFUSES(avo_planner_evasion(planner, &robot, others, 1, nullptr, 0, nullptr, nullptr),
@@ -298,6 +326,7 @@ int main() {
   check_scene("circle-10", {"method=avo_paper"});
   check_scene("mixed-yard", {});
   check_scene("planes-12", {});
+  check_trucks();
   check_scene("person", {});
   check_scene("person", {"never_swerves=true"});
   check_scene("mixed-fleet", {});

@@ -84,6 +84,7 @@ int main(void) {
   check_scene("circle-10", "method=buffered_voronoi", 200);
   check_scene("circle-10", "clock=free", 200);
   check_scene("circle-10", "sensing.dropped=0.2", 200);
+  check_scene("circle-10", "execution={time_constant: 0.2, dead_time: 0.13, quantum: 0.02}", 200);
   check_scene("uniform-1000", NULL, 30);
   check_scene("swap-blocks", NULL, 100);
   check_scene("cars-100", NULL, 60);

@@ -143,7 +143,7 @@ static void edit(avo_simulation_id simulation) {
 /* What the getters say of each robot is what the columns say. */
 static void check_columns(avo_simulation_id simulation) {
   avo_columns columns;
-  avo_obstacle_columns movers;
+  avo_moving_obstacle_columns movers;
   size_t robots = 0;
   REQUIRE(avo_simulation_get_robot_count(simulation, &robots));
   REQUIRE(avo_simulation_columns(simulation, &columns));

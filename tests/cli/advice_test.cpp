@@ -146,7 +146,7 @@ TEST(Advice, localization_that_may_leave_no_way_out_of_a_corner) {
   walled.obstacles = {{.chains = {{{{-30.0, 8.0}, {30.0, 8.0}}}}}};
   const Lines told{
       "sensing.localization lets robot 1 be up to 0.282843 m off where it takes itself to be, and "
-      "half of its radius is 0.2 m: it may find no way out of a corner"};
+      "half of its radius is 0.2 m: it may stay in a corner"};
   EXPECT_EQ(avo::advice(walled), told);
   walled.sensing.localization.position = 0.141;  // 0.1994 m
   EXPECT_EQ(avo::advice(walled), Lines{});

@@ -43,7 +43,7 @@ TEST(Airplanes, explain_finds_a_robot_after_others_have_left) {
   EXPECT_EQ(json["goal"], (Json{60.0, 20.0}));
   ASSERT_EQ(json["obstacles"].size(), 1U);
   EXPECT_EQ(json["obstacles"][0]["neighbor"], 2);
-  const avo::LoiterCircle circle = simulation.perceive(index).robot.loiter.value();
+  const avo::LoiterCircle circle = simulation.perceive({1}).robot.loiter.value();
   EXPECT_EQ(json["loiter"]["center"], (Json{circle.center.x, circle.center.y}));
   EXPECT_EQ(json["obstacles"][0]["loiter"]["radius"], circle.radius);  // it is as fast
   simulation.step();
@@ -125,13 +125,15 @@ TEST(Airplanes, evade_what_passes_over_their_circle) {
   const std::string said = run_avo({"explain", scene, "--robot", "0", "--time", "5"}).out;
   EXPECT_NE(said.find("evades              moving obstacle 0: towards"), std::string::npos) << said;
   EXPECT_NE(said.find("and then it could circle\n"), std::string::npos) << said;
-  EXPECT_NE(said.find("safe: its circle keeps clear of all who decide, and it has a way out\n"),
-            std::string::npos)
+  EXPECT_NE(
+      said.find(
+          "safe: its circle keeps clear of all that decide, and it has an evasive maneuver\n"),
+      std::string::npos)
       << said;
   for (const bool evades : {true, false}) {
     const std::string certificate = evades ? "braking_trajectories" : "none";
     const Recorded run = record({scene, "--set", "certificate=" + certificate});
-    EXPECT_EQ(run.summary["obstacle_collisions"], evades ? 0 : 2);
+    EXPECT_EQ(run.summary["mover_collisions"], evades ? 0 : 2);
     EXPECT_EQ(run_avo({"check", run.csv, "--scene", scene}).exit_code, evades ? 0 : 1);
   }
 }

@@ -118,7 +118,7 @@ const std::vector<Bad> kEntries{
           "49: obstacles.0.as: found \"bound\", must be one of solid, bounds; did you mean "
           "\"bounds\"?"),
     entry("bounds_of_lines", "{wkt: \"LINESTRING (0 0, 1 0)\", as: bounds}",
-          "40: obstacles.0.as: found bounds without a polygon, must have one, nobody may start "
+          "40: obstacles.0.as: found bounds without a polygon, must have one, no robot may start "
           "outside of it"),
     entry("wkt_list", "{wkt: [0, 0]}",
           "11: obstacles.0.wkt: found a list, must be a text such as LINESTRING (0 0, 1 0)"),

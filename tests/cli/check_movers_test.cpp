@@ -51,12 +51,12 @@ TEST(CheckMovers, who_is_run_over_at_rest_is_not_safe) {
   EXPECT_EQ(json["passed"], false);
   EXPECT_EQ(json["verdict"], "unsafe");
   EXPECT_EQ(json["movers_at_rest"], "collision");
-  EXPECT_EQ(json["obstacle_contacts_moving"]["count"], 0);
-  EXPECT_EQ(json["obstacle_contacts_at_rest"], 1);
-  ASSERT_EQ(json["obstacle_hits"].size(), 1U);
-  const Json& hit = json["obstacle_hits"][0];
+  EXPECT_EQ(json["mover_contacts_moving"]["count"], 0);
+  EXPECT_EQ(json["mover_contacts_at_rest"], 1);
+  ASSERT_EQ(json["mover_hits"].size(), 1U);
+  const Json& hit = json["mover_hits"][0];
   EXPECT_EQ(hit["robot"], 0);
-  EXPECT_EQ(hit["obstacle"], 0);
+  EXPECT_EQ(hit["moving_obstacle"], 0);
   EXPECT_EQ(hit["moved"], false);
   EXPECT_NEAR(hit["time"], 2.2, 1e-6);
   EXPECT_NEAR(hit["depth"], 0.8, 1e-6);
@@ -71,7 +71,7 @@ TEST(CheckMovers, at_rest_ok_says_that_it_may_be) {
       Json::parse(run_avo(judging(kSceneWithMover, {"--movers-at-rest", "ok", "--json"})).out);
   EXPECT_EQ(json["safe"], true);
   EXPECT_EQ(json["movers_at_rest"], "ok");
-  EXPECT_EQ(json["obstacle_hits"].size(), 1U);
+  EXPECT_EQ(json["mover_hits"].size(), 1U);
   EXPECT_EQ(run_avo(judging(kSceneWithMover, {"--movers-at-rest", "collision"})).exit_code, 1);
 }
 
@@ -79,10 +79,10 @@ TEST(CheckMovers, at_rest_ok_is_not_ok_in_motion) {
   const ProcessResult result =
       run_avo(judging(kSceneWithMover + kDisc, {"--movers-at-rest=ok", "--json"}));
   EXPECT_EQ(result.exit_code, 1);
-  const Json hits = Json::parse(result.out)["obstacle_hits"];
+  const Json hits = Json::parse(result.out)["mover_hits"];
   ASSERT_EQ(hits.size(), 2U);
   EXPECT_EQ(hits[0]["robot"], 1);
-  EXPECT_EQ(hits[0]["obstacle"], 1);
+  EXPECT_EQ(hits[0]["moving_obstacle"], 1);
   EXPECT_EQ(hits[0]["moved"], true);
   EXPECT_EQ(hits[1]["moved"], false);
 }

@@ -74,9 +74,9 @@ TEST(FreeClocks, a_person_on_a_path_is_walked_by_the_times_of_the_recording) {
   const ProcessResult result = judged(csv);
   EXPECT_EQ(result.exit_code, 1) << result.out;
   const Json json = Json::parse(result.out);
-  EXPECT_EQ(json["obstacle_contacts_moving"]["count"], summary["obstacle_collisions_in_motion"]);
-  EXPECT_EQ(json["obstacle_contacts_at_rest"], summary["obstacle_collisions"]);
-  EXPECT_GT(json["obstacle_contacts_at_rest"], 0);
+  EXPECT_EQ(json["mover_contacts_moving"]["count"], summary["mover_collisions_in_motion"]);
+  EXPECT_EQ(json["mover_contacts_at_rest"], summary["mover_collisions"]);
+  EXPECT_GT(json["mover_contacts_at_rest"], 0);
   // from later on nobody knows
   const std::string text = read_file(csv);
   std::size_t end = 0;
@@ -100,9 +100,9 @@ TEST(FreeClocks, explain_tells_the_robots_own_last_decision) {
       avo_io::load_scenario("circle-10", {"clock=free", "robots.2.time_step=0.05"}), 1);
   while (simulation.time() < time) simulation.step();
   EXPECT_EQ(simulation.time(), time);
-  EXPECT_EQ(simulation.next_decision(2), time);
+  EXPECT_EQ(simulation.next_decision({2}), time);
   simulation.step();
-  EXPECT_TRUE(simulation.decided(2));
+  EXPECT_TRUE(simulation.decided({2}));
   const avo::Vec2 chosen = simulation.fleet().plan[2].new_velocity;
   EXPECT_EQ(json["new_velocity"], (Json::array({chosen.x, chosen.y})));
   const ProcessResult early = run_avo(with({"explain", "--robot", "2", "--time", "0"}, kFree));

@@ -44,7 +44,7 @@ TEST(Explain, tells_the_decision_that_the_next_step_takes) {
   EXPECT_EQ(json["robot"], 3);
   EXPECT_EQ(point(json["position"]), simulation.fleet().position[3]);
   EXPECT_EQ(point(json["velocity"]), simulation.fleet().velocity[3]);
-  EXPECT_EQ(point(json["preferred_velocity"]), simulation.perceive(3).robot.preferred_velocity);
+  EXPECT_EQ(point(json["preferred_velocity"]), simulation.perceive({3}).robot.preferred_velocity);
   simulation.step();
   const avo::Plan& plan = simulation.fleet().plan[3];
   EXPECT_EQ(point(json["new_velocity"]), plan.new_velocity);
@@ -55,7 +55,7 @@ TEST(Explain, tells_the_decision_that_the_next_step_takes) {
 TEST(Explain, half_planes_are_those_of_the_sensed_neighbors) {
   const Json json = explained({"circle-10", "--robot", "0", "--time", "6", "--set", kPaper});
   const avo::Simulation simulation = simulated(avo_io::load_scenario("circle-10", {kPaper}), 60);
-  const auto perception = simulation.perceive(0);
+  const auto perception = simulation.perceive({0});
   avo::PlanWorkspace workspace;
   avo::HalfPlanes half_planes;
   simulation.planner().collect_half_planes(perception.robot, perception.neighbors, workspace,
@@ -132,7 +132,7 @@ TEST(Explain, tells_the_certificate_apart_from_the_half_planes) {
         avo_io::load_scenario("circle-10", {"method=avo", "control_time=2", "time_horizon=3",
                                             std::string("certificate=") + kind}),
         100);
-    const auto seen = simulation.perceive(3);
+    const auto seen = simulation.perceive({3});
     avo::PlanWorkspace workspace;
     std::vector<avo::CertificateConstraint> constraints;
     simulation.planner().collect_certificate(seen.robot, seen.neighbors, workspace, constraints);
@@ -286,7 +286,7 @@ TEST(Explain, lists_half_planes_of_walls_and_what_the_certificate_keeps) {
     const bool is_avo = std::string(method) == "method=avo";
     const Json json = explained({"office", "--robot", "3", "--time", "8", "--set", method});
     const avo::Simulation simulation = simulated(avo_io::load_scenario("office", {method}), 80);
-    const auto seen = simulation.perceive(3);
+    const auto seen = simulation.perceive({3});
     ASSERT_EQ(json["walls"].size(), seen.walls.size());
     ASSERT_GT(seen.walls.size(), 1U);
     EXPECT_EQ(point(json["walls"][1]["a"]), seen.walls[1].a);

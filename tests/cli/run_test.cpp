@@ -28,12 +28,12 @@ const Strings kSummaryKeys{"scene",
                            "first_collision_time",
                            "collision_pairs",
                            "one_sided_collisions",
-                           "obstacle_collisions",
-                           "obstacle_collisions_in_motion",
-                           "obstacle_collisions_evadable",
-                           "collision_obstacles",
+                           "mover_collisions",
+                           "mover_collisions_in_motion",
+                           "mover_collisions_evadable",
+                           "static_collisions",
                            "min_clearance",
-                           "min_obstacle_clearance",
+                           "min_static_clearance",
                            "first_seen_too_late",
                            "max_acceleration",
                            "acceleration_excess",
@@ -126,9 +126,9 @@ TEST(Run, summary_has_all_keys_and_the_numbers_of_the_library) {
   EXPECT_EQ(json["arrived"], expected.arrived);
   EXPECT_TRUE(json["first_collision_time"].is_null());
   EXPECT_EQ(json["collision_pairs"], 0);
-  EXPECT_EQ(json["obstacle_collisions"], 0);
-  EXPECT_EQ(json["collision_obstacles"], 0);
-  EXPECT_TRUE(json["min_obstacle_clearance"].is_null());
+  EXPECT_EQ(json["mover_collisions"], 0);
+  EXPECT_EQ(json["static_collisions"], 0);
+  EXPECT_TRUE(json["min_static_clearance"].is_null());
   EXPECT_EQ(json["min_clearance"], *expected.min_clearance);
   EXPECT_EQ(json["max_acceleration"], expected.max_acceleration);
   EXPECT_EQ(json["max_speed"], expected.max_speed);
@@ -185,8 +185,8 @@ TEST(Run, tells_whom_walls_keep_from_their_goals) {
   const Json& robot = json["not_arrived"][0];
   EXPECT_NEAR(robot["distance"].get<double>(), 2.5, 1e-4) << "it has gone to the nearest place";
   EXPECT_NEAR(robot["distance_left"].get<double>(), 2.5, 1e-4);
-  EXPECT_EQ(json["collision_obstacles"], 0);
-  EXPECT_GT(json["min_obstacle_clearance"], 0.0);
+  EXPECT_EQ(json["static_collisions"], 0);
+  EXPECT_GT(json["min_static_clearance"], 0.0);
   const ProcessResult check = run_avo({"check", csv, "--scene", scene, "--json"});
   ASSERT_EQ(check.exit_code, 0) << check.err;
   EXPECT_EQ(Json::parse(check.out)["static_contacts"]["count"], 0);
@@ -234,7 +234,8 @@ TEST(Run, tells_who_has_not_arrived_and_who_is_in_the_way) {
   EXPECT_EQ(json["not_arrived_count"], 1);
   ASSERT_EQ(json["not_arrived"].size(), 1U);
   const Json& robot = json["not_arrived"][0];
-  EXPECT_EQ(keys_of(robot), (Strings{"robot", "distance", "speed", "status", "detour", "held_by"}));
+  EXPECT_EQ(keys_of(robot),
+            (Strings{"robot", "distance", "speed", "status", "detour_angle", "held_by"}));
   EXPECT_EQ(robot["robot"], 0);
   EXPECT_GE(robot["distance"], 1.0) << "both radii";
   EXPECT_LE(robot["distance"], 1.2) << "it keeps some clearance";
@@ -318,8 +319,8 @@ TEST(Run, collisions_are_counted_and_are_no_failure) {
   const Json json = Json::parse(read_file(path));
   EXPECT_EQ(json["first_collision_time"], 0.0);
   EXPECT_EQ(json["collision_pairs"], 1);
-  EXPECT_GE(json["obstacle_collisions"], 1);
-  EXPECT_TRUE(json["obstacle_collisions_evadable"].is_null()) << "no certificate, no ways out";
+  EXPECT_GE(json["mover_collisions"], 1);
+  EXPECT_TRUE(json["mover_collisions_evadable"].is_null()) << "no certificate, no ways out";
   EXPECT_LE(json["min_clearance"], -0.5);
   EXPECT_NE(result.err.find("warning: robot 0 and robot 1 overlap at the start"),
             std::string::npos);

@@ -62,7 +62,7 @@ TEST(SpaceMovers, are_run_drawn_and_judged_with_the_scene) {
   ASSERT_EQ(run.exit_code, 0) << run.err;
   const Json summary = Json::parse(read_file(path_of("s.json")));
   EXPECT_EQ(summary["collision_pairs"], 0);
-  EXPECT_EQ(summary["obstacle_collisions_in_motion"], 0);
+  EXPECT_EQ(summary["mover_collisions_in_motion"], 0);
   const ProcessResult check = judged_beside(scene, csv, {"--movers-at-rest", "ok"});
   EXPECT_EQ(check.exit_code, 0) << check.out << check.err;
   EXPECT_THAT(check.out, HasSubstr("moving obstacles   0 hit by a robot in motion"));

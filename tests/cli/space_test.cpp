@@ -238,7 +238,7 @@ TEST(SpaceScenes, explain_tells_the_decision_that_the_next_step_takes) {
   for (int k = 0; k < 20; ++k) simulation.step();
   EXPECT_EQ(json["time"], simulation.time()) << "the last step until then";
   EXPECT_EQ(point(json["position"]), simulation.robots()[3].position);
-  EXPECT_EQ(point(json["goal"]), simulation.goal(3));
+  EXPECT_EQ(point(json["goal"]), simulation.goal({3}));
   simulation.step();
   const avo::space::Plan& plan = simulation.plans()[3];
   EXPECT_EQ(point(json["new_velocity"]), plan.new_velocity);

@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <string>
+#include <utility>
 
 #include "sweeps.h"
 
@@ -41,6 +42,22 @@ TEST(SweepMerge, takes_a_run_twice_where_it_is_the_same_but_for_times) {
   const ProcessResult result = merged({a, b});
   EXPECT_EQ(result.exit_code, 3);
   EXPECT_THAT(result.err, HasSubstr(b + ": run 1: state_hash: found 0x"));
+}
+
+TEST(SweepMerge, reads_the_columns_of_earlier_builds) {
+  const std::string now = swept(kSmallSweep, "now.csv");
+  std::string text = read_file(now);
+  for (const auto& [name, before] : {std::pair{",mover_collisions,", ",mover_collisions,"},
+                                     {",static_collisions,", ",static_collisions,"},
+                                     {",min_static_clearance,", ",min_static_clearance,"}}) {
+    const std::size_t at = text.find(name);
+    ASSERT_NE(at, std::string::npos) << name;
+    text.replace(at, std::string(name).size(), before);
+  }
+  write_file(path_of("before.csv"), text);
+  const ProcessResult result = merged({path_of("before.csv")});
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_EQ(read_file(path_of("all.csv")), read_file(now));
 }
 
 TEST(SweepMerge, refuses_tables_that_are_none) {

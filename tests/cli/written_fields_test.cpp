@@ -159,6 +159,7 @@ TEST(WrittenFields, definitions_of_c_have_them) {
   expect_in_c<avo::SensingModel>("avo_sensing_model");
   expect_in_c<avo::MeasurementNoise>("avo_measurement_noise");
   expect_in_c<avo::LocalizationNoise>("avo_localization_noise");
+  expect_in_c<avo::ExecutionModel>("avo_execution_model");
   expect_in_c<avo::PlannerOptions>("avo_planner_def");
   expect_in_c<avo::SensingNoise>("avo_sensing_noise");
   expect_in_c<avo::space::RobotSetup>("avo_space_robot_def", "space.h");
@@ -183,7 +184,7 @@ void expect_taken(const std::string& file, const std::string& list, const std::s
 TEST(WrittenFields, c_takes_them_both_ways) {
   expect_taken<avo::RobotSetup>("robots.cpp", "for_each_member", "Setup");
   expect_taken<avo::Scenario>("worlds.cpp", "for_each_setting", "Scene",
-                              {"name", "external_method"});
+                              {"name", "external_method", "execution_error"});
   expect_taken<avo::MovingObstacle>("worlds.cpp", "for_each_of_mover", "Mover",
                                     {"path", "trajectory"});
   expect_taken<avo::PlannerOptions>("planner.cpp", "for_each_option", "Options");

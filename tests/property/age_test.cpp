@@ -83,7 +83,7 @@ int runs_touched_in_motion(const Senses& senses) {
         random.uniform(0.1, 2.0) * unit(in_disc(random, 1.5) - mover.robot.position);
     mover.acceleration = in_disc(random, 0.5);
     const CheckReport report = run_adversary(bodies, senses, 150, 2 + run % 5, random);
-    count += report.obstacle_contacts_moving.count > 0 ? 1 : 0;
+    count += report.mover_contacts_moving.count > 0 ? 1 : 0;
   }
   return count;
 }

@@ -116,7 +116,7 @@ TEST(CarCrush, nobody_touches_anybody) {
       EXPECT_GT(least, -1e-9);
       before = now;
     }
-    for (std::size_t i = 0; i < before.size(); ++i) arrived += simulation.is_at_goal(i) ? 1 : 0;
+    for (std::size_t i = 0; i < before.size(); ++i) arrived += simulation.is_at_goal({i}) ? 1 : 0;
   }
   EXPECT_GT(robot_steps, 70'000);
   EXPECT_LT(least, 1e-3) << "no crush";

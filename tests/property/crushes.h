@@ -40,7 +40,7 @@ inline Check judge_of(const Scenario& scene) {
     if (scene.clock == Clock::free && !setup.parked)
       robots.back().time_step = time_step_of(scene, setup);
   }
-  std::vector<CheckedObstacle> people;
+  std::vector<CheckedMover> people;
   for (const MovingObstacle& person : scene.moving_obstacles)
     people.push_back({.position = person.position, .radius = person.radius});
   // what the certificate promises
@@ -52,9 +52,9 @@ inline Check judge_of(const Scenario& scene) {
 }
 
 inline void observe(const Simulation& simulation, Check& check) {
-  const ObstacleView people = simulation.obstacles();
+  const MovingObstacleView people = simulation.moving_obstacles();
   for (std::size_t k = 0; k < people.setup.size(); ++k)
-    check.place_obstacle(static_cast<std::int64_t>(k), people.position[k], people.velocity[k]);
+    check.place_mover(static_cast<std::int64_t>(k), people.position[k], people.velocity[k]);
   check.add(simulation.time(), checked_states(simulation.fleet()));
 }
 

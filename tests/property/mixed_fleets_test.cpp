@@ -29,7 +29,7 @@ struct Member {
 // How a robot plans. The odd ones do not do what the others expect.
 struct Manner {
   PlannerOptions options = {};
-  bool one_sided = false;  // plan_among_obstacles instead of plan
+  bool one_sided = false;  // plan_among_movers instead of plan
 };
 using Manners = std::function<Manner(Random&)>;
 struct Rules {
@@ -78,7 +78,7 @@ void decide(std::vector<Member>& members, std::size_t i, Vec2 goal, PlanWorkspac
   });
   self.robot.preferred_velocity = norm(way) > 1.5 ? (1.5 / norm(way)) * way : way;
   const Plan plan = self.one_sided
-                        ? self.planner.plan_among_obstacles(self.robot, neighbors, workspace)
+                        ? self.planner.plan_among_movers(self.robot, neighbors, workspace)
                         : self.planner.plan(self.robot, neighbors, workspace, &self.detour);
   self.acceleration = plan.acceleration;
 }

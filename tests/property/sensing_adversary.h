@@ -183,7 +183,7 @@ inline void move(std::vector<Body>& bodies, const std::vector<Vec2>& next, doubl
 
 inline Check judge_of(const std::vector<Body>& bodies) {
   std::vector<CheckedRobot> robots;
-  std::vector<CheckedObstacle> obstacles;
+  std::vector<CheckedMover> obstacles;
   for (const Body& body : bodies) {
     const Robot& robot = body.robot;
     if (body.decides) {

@@ -135,7 +135,7 @@ int runs_touched_in_motion(const Senses& senses, int runs) {
     Random random(static_cast<std::uint64_t>(1948 + run));
     const std::vector<Body> bodies = robot_and_mover(run % 3, random);
     const CheckReport report = run_adversary(bodies, senses, 150, 2 + run % 5, random);
-    count += report.obstacle_contacts_moving.count > 0 ? 1 : 0;
+    count += report.mover_contacts_moving.count > 0 ? 1 : 0;
   }
   return count;
 }

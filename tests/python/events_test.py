@@ -26,7 +26,7 @@ def test_each_kind_has_its_names():
     events = avo.Events(simulation)
     assert events.observe() == []
     arrived, = next_events(simulation, events)
-    assert (arrived.kind, arrived.robot, arrived.obstacle) == ("arrived", 0, None)
+    assert (arrived.kind, arrived.robot, arrived.moving_obstacle) == ("arrived", 0, None)
     assert arrived.at_rest is None and arrived.sentence is None and repr(arrived) == "<avo.Event arrived 0>"
     stuck, = next_events(simulation, events)
     assert (stuck.kind, stuck.robot) == ("stuck", 3)
@@ -39,7 +39,7 @@ def test_each_kind_has_its_names():
     simulation.step()
     gone, contact = events.observe()
     assert (gone.kind, gone.robot) == ("gone", 0)
-    assert (contact.kind, contact.robot, contact.obstacle) == ("contact", 1, player)
+    assert (contact.kind, contact.robot, contact.moving_obstacle) == ("contact", 1, player)
     assert isinstance(contact.at_rest, bool) and "contact 1 with moving obstacle 0" in repr(contact)
 
     added = simulation.add_robot(avo.RobotSetup(position=(-9, -20), goal=(-9, -20)))

@@ -96,7 +96,7 @@ def test_a_player_and_what_is_near():
     simulation.change_moving_obstacle(player, avo.MovingObstacle(position=(5, 0), velocity=(0, 1)))
     simulation.step()
     assert simulation.moving_obstacle_ids() == [player]
-    assert simulation.obstacle_position()[0].tolist() == pytest.approx([5, 0.1])
+    assert simulation.moving_obstacle_position()[0].tolist() == pytest.approx([5, 0.1])
     assert simulation.nearest_robots((-30, 0), 2) == [0, 1]
     assert simulation.robots_within((-30, 0), 10.5) == [0, 1]
     assert simulation.is_free((0, 0), 1) and not simulation.is_free((5, 0), 1)

@@ -128,7 +128,7 @@ def test_those_who_cooperate_do_their_share_and_promise_nothing():
     paper = avo.Planner(method="avo_paper")
     assert paper.plan(robot, avo.Neighbors(**other, cooperates=True))[0].acceleration == \
         paper.plan(robot, avo.Neighbors(**other))[0].acceleration
-    with pytest.raises(avo.Error, match="cooperates: found True of one that moves on, must be False"):
+    with pytest.raises(avo.Error, match="cooperates: found True for a neighbor that moves on, must be False"):
         avo.Neighbors(**other, cooperates=True, moves_on=True)
     with pytest.raises(ValueError):
         avo.Neighbor(position=(0, 0), behavior="helps")
@@ -141,10 +141,10 @@ def test_a_way_out_is_told():
     assert planner.plan(robot, others).evading
     way = planner.evasion(robot, others)
     assert way.neighbor == 1 and way.duration > 0 and np.hypot(*way.velocity) > 0
-    assert planner.has_way_out(robot, others)
+    assert planner.has_evasive_maneuver(robot, others)
     assert not planner.plan(robot, others[:1]).evading and planner.evasion(robot, others[:1]) is None
     late = avo.Neighbor(position=(-1.5, 0), velocity=(20, 0), behavior="moves_on")
-    assert not planner.has_way_out(robot, [late])
+    assert not planner.has_evasive_maneuver(robot, [late])
     batch = avo.Robots(position=[[0, 0]], velocity=[[2, 0]], preferred_velocity=[[2, 0]])
     plans = planner.plan(batch, avo.Neighbors(position=[[2, 3]], velocity=[[0, -1]], offsets=[0, 1], moves_on=True))
     assert plans.evading().dtype == bool and plans.evading().tolist() == [True]

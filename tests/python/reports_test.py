@@ -56,7 +56,7 @@ def test_check_finds_who_is_run_over(command_line, tmp_path):
         said = command_line("check", recording, "--scene", scene, "--movers-at-rest", word, "--json")
         assert report == json.loads(said.stdout) and said.returncode == (0 if safe else 1)
         assert report["safe"] == safe and report["movers_at_rest"] == word
-        assert [(hit["robot"], hit["obstacle"], hit["moved"]) for hit in report["obstacle_hits"]] == [(0, 0, False)]
+        assert [(hit["robot"], hit["moving_obstacle"], hit["moved"]) for hit in report["mover_hits"]] == [(0, 0, False)]
     assert not avo.check(recording, scene)["safe"]
     with pytest.raises(avo.Error, match='^movers_at_rest: found "fine", must be "ok" or "collision"'):
         avo.check(recording, scene, movers_at_rest="fine")

@@ -27,6 +27,15 @@ def bits(scene):
     return simulation.state_hash()
 
 
+def test_bases_that_do_not_execute_exactly():
+    late = avo.Scenario(dict(TWO, execution={"time_constant": 0.2, "dead_time": 0.1, "deadband": 0.04}))
+    assert bits(late) != bits(TWO)
+    assert bits(pickle.loads(pickle.dumps(late))) == bits(copy.copy(late)) == bits(late)
+    assert avo.run(late)["collision_pairs"] == 0
+    with pytest.raises(avo.Error, match="execution.dead_time: found -1"):
+        avo.Scenario(dict(TWO, execution={"dead_time": -1}))
+
+
 def test_all_sources_make_the_same_scene(tmp_path):
     path = tmp_path / "two.yaml"
     path.write_text(YAML)

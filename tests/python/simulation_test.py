@@ -106,8 +106,8 @@ def test_one_robot_is_a_row_of_the_arrays():
     simulation = avo.Simulation("mixed-fleet")
     simulation.step(20)
     for index, id in enumerate(simulation.ids()):
-        robot = simulation.robot(index)
-        assert robot.id == id
+        robot = simulation.robot(id)
+        assert robot.id == id and simulation.index_of(id) == index
         assert robot.position == tuple(simulation.position()[index])
         assert robot.velocity == tuple(simulation.velocity()[index])
         assert robot.goal == tuple(simulation.goal()[index])
@@ -118,7 +118,7 @@ def test_one_robot_is_a_row_of_the_arrays():
     simulation.set_goal(0, (1, 2))
     assert simulation.robot(0).goal == tuple(simulation.goal()[0]) == (1.0, 2.0)
     assert before.goal != (1.0, 2.0), "it is a copy"
-    with pytest.raises(avo.Error, match="index: found"):
+    with pytest.raises(avo.Error, match="found none of that id"):
         simulation.robot(len(simulation))
 
 
@@ -128,6 +128,7 @@ def test_robots_come_and_go():
     assert added == 10 and simulation.index_of(added) == 10 and simulation.setup(10).preferred_speed == 1.5
     simulation.remove_robot(3)
     assert simulation.index_of(3) is None and simulation.index_of(added) == 9
+    assert simulation.robot(added).id == added and simulation.setup(added).max_speed == 1.5
     assert simulation.ids().tolist() == [0, 1, 2, 4, 5, 6, 7, 8, 9, 10]
     simulation.set_goal(added, (70, 0))
     assert tuple(simulation.goal()[9]) == (70.0, 0.0)
@@ -172,8 +173,8 @@ def test_doors_close_and_open():
     (lambda s: s.remove_obstacle(5), "obstacle 5: found none of that id"),
     (lambda s: s.add_robot(avo.RobotSetup(position=(50, 0), goal=(0, 0), radius=-1)), "radius: found -1"),
     (lambda s: s.add_obstacle(avo.StaticObstacle([avo.Chain([(60, 0)])], radius=-1)), "radius: found -1"),
-    (lambda s: s.perceive(10), "index: found 10, must be 0 to 9"),
-    (lambda s: s.setup(-1), "index: found -1, must be 0 to 9"),
+    (lambda s: s.perceive(10), "robot 10: found none of that id"),
+    (lambda s: s.setup(-1), "robot -1: found none of that id"),
     (lambda s: s.explain(99), "robot 99: found none of that id"),
     (lambda s: s.step(-1), "n: found -1, must be >= 0"),
     (lambda s: avo.Simulation("circle-10", threads=-1), "threads: found -1"),
@@ -189,10 +190,23 @@ def test_wrong_edits_are_value_errors_that_change_nothing(act, message):
 
 def test_moving_obstacles_move():
     simulation = avo.Simulation("moving-obstacle")
-    start = simulation.obstacle_position()
+    start = simulation.moving_obstacle_position()
     simulation.step(10)
     assert start.shape == (len(simulation.moving_obstacles()), 2)
-    assert np.allclose(simulation.obstacle_position(), start + simulation.obstacle_velocity())
+    assert np.allclose(simulation.moving_obstacle_position(), start + simulation.moving_obstacle_velocity())
+
+
+def test_names_of_earlier_builds_say_the_present_ones():
+    simulation = avo.Simulation("moving-obstacle")
+    for act, message in [
+        (lambda: simulation.obstacle_position(), "Simulation.obstacle_position: found a renamed attribute, "
+                                                 "must be moving_obstacle_position"),
+        (lambda: simulation.planner(0).has_evasive_maneuver, "must be has_evasive_maneuver"),
+        (lambda: simulation.colour, "'Simulation' object has no attribute 'colour'"),
+    ]:
+        with pytest.raises(AttributeError) as error:
+            act()
+        assert message in str(error.value)
 
 
 def test_starts_that_break_assumptions_are_refused():

@@ -167,7 +167,7 @@ def test_walls_and_moving_obstacles_are_observed():
     assert seen.shape == (6 + 6 * 4 + 3 * 3,) and env.single_observation_space.shape == (1, 39)
     others = seen[6:30].reshape(4, 6)
     assert others[:, 5].tolist() == [-1, -1, -1, 0]
-    places = simulation.obstacle_position() - env.position()[0, 0]
+    places = simulation.moving_obstacle_position() - env.position()[0, 0]
     order = np.argsort(np.linalg.norm(places, axis=1))
     assert np.allclose(others[:3, :2], places[order], atol=1e-5)
     walls = seen[30:].reshape(3, 3)

@@ -159,8 +159,8 @@ TEST(Frames, have_moving_obstacles_where_the_simulation_has_them) {
   while (simulation.can_step_by(scenario.duration)) {
     const auto frame = frames.at(simulation.time());
     ASSERT_TRUE(frame);
-    for (std::size_t k = 0; k < frame->obstacle_position.size(); ++k)
-      EXPECT_EQ(frame->obstacle_position[k], simulation.obstacles().position[k]);
+    for (std::size_t k = 0; k < frame->mover_position.size(); ++k)
+      EXPECT_EQ(frame->mover_position[k], simulation.moving_obstacles().position[k]);
     simulation.step();
   }
 }

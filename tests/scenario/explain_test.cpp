@@ -61,11 +61,12 @@ void run_to(Simulation& simulation, double time) {
 }
 
 // Robots spread over the fleet, at most so many.
-std::vector<std::size_t> some_of(const Simulation& simulation, std::size_t most) {
-  std::vector<std::size_t> some;
-  const std::size_t all = simulation.size(), step = std::max<std::size_t>(all / most, 1);
-  for (std::size_t i = 0; i < all; i += step)
-    if (!simulation.setup(i).parked) some.push_back(i);
+std::vector<avo::RobotId> some_of(const Simulation& simulation, std::size_t most) {
+  std::vector<avo::RobotId> some;
+  const auto ids = simulation.fleet(avo::Columns::id).id;
+  const std::size_t step = std::max<std::size_t>(ids.size() / most, 1);
+  for (std::size_t i = 0; i < ids.size(); i += step)
+    if (!simulation.setup(ids[i]).parked) some.push_back(ids[i]);
   return some;
 }
 
@@ -157,21 +158,20 @@ TEST(Explanations, end_in_what_the_robot_does_and_each_stage_follows) {
     for (const double time : {0.0, 2.5, 6.0, 9.0, 14.0, 22.0}) {
       run_to(simulation, time);
       std::vector<Explanation> all;
-      for (std::size_t i = 0; i < simulation.size(); ++i)
-        if (!simulation.setup(i).parked) all.push_back(simulation.explain(i));
+      for (const avo::RobotId robot : some_of(simulation, simulation.size()))
+        all.push_back(simulation.explain(robot));
       const double now = simulation.time();
       simulation.step();
       for (const Explanation& why : all) {
-        const auto i = simulation.index_of(why.robot);
-        if (!i || !simulation.decided(*i)) continue;
-        const avo::Plan plan = simulation.robot(*i).plan;
+        if (!simulation.index_of(why.robot) || !simulation.decided(why.robot)) continue;
+        const avo::Plan plan = simulation.robot(why.robot).plan;
         const std::string place = name + " " + std::to_string(now) + ": " + why.sentence;
         ASSERT_EQ(bits_of(why.decision.plan.next_velocity), bits_of(plan.next_velocity)) << place;
         ASSERT_EQ(bits_of(why.decision.plan.new_velocity), bits_of(plan.new_velocity)) << place;
         ASSERT_EQ(bits_of(why.decision.plan.acceleration), bits_of(plan.acceleration)) << place;
         ASSERT_EQ(why.decision.plan.status, plan.status) << place;
         ASSERT_EQ(why.decision.plan.evading, plan.evading) << place;
-        expect_stages(why, simulation.planner(*i), counts);
+        expect_stages(why, simulation.planner(why.robot), counts);
         ASSERT_FALSE(HasFailure()) << place;
       }
     }
@@ -236,7 +236,7 @@ TEST(Explanations, of_robots_that_stand_have_a_reason_and_a_name) {
     Simulation simulation(scene, 1);
     for (double time = 1.0; time < 40.0; time += 1.9) {
       run_to(simulation, time);
-      for (const std::size_t i : some_of(simulation, 40)) {
+      for (const avo::RobotId i : some_of(simulation, 40)) {
         const avo::RobotState robot = simulation.robot(i);
         const bool rests = norm(robot.velocity) < 0.01 * simulation.setup(i).max_speed;
         if (!rests || simulation.is_at_goal(i)) continue;
@@ -263,7 +263,7 @@ TEST(Explanations, name_the_door_and_the_robot_that_a_robot_waits_for) {
   for (double time = 0.5; time < 30.0; time += 0.5) {
     run_to(simulation, time);
     for (std::size_t i = 0; i < simulation.size(); ++i) {
-      const Explanation why = simulation.explain(i);
+      const Explanation why = simulation.explain({i});
       if (!why.seen.wait || why.seen.guide != avo::Guide::passage || why.decision.evasion ||
           why.decision.plan.status == PlanStatus::overlapping)
         continue;

@@ -88,7 +88,7 @@ TEST_P(PaperScenes, the_oncoming_obstacle_is_passed) {
   const PaperRun r = run("moving-obstacle", GetParam());
   expect_paper_constants(r.scene);
   expect_limits_kept(r);
-  EXPECT_EQ(r.summary.obstacle_collisions, 0);
+  EXPECT_EQ(r.summary.mover_collisions, 0);
   EXPECT_EQ(r.summary.arrived, 1);
   EXPECT_EQ(r.summary.infeasible_steps, 0);
   EXPECT_LT(*r.summary.last_arrival, 20.0);

@@ -31,7 +31,7 @@ struct Case {
 struct Comparison {
   std::vector<std::pair<std::string, avo_io::SweepTable>> tables;
   std::vector<std::pair<std::string, avo_io::RecordedRun>> recordings;
-  std::string by = {};  ///< the key whose values have colors; empty: usual_by()
+  std::string by = {};  ///< the key with values that have colors; empty: usual_by()
 };
 
 /// Returns the cases in the order of the tables and their rows. With several tables, "table" is one

@@ -72,7 +72,7 @@ std::vector<Vec2> top_speeds_of(const avo_io::RecordedRun& run) {
 std::vector<avo::figures::TrajectoryFrame> frames_of(const avo_io::RecordedRun& run) {
   std::vector<avo::figures::TrajectoryFrame> frames;
   for (const avo_io::RecordedFrame& frame : run.frames)
-    frames.push_back({frame.time, frame.position, frame.heading, frame.obstacle_position});
+    frames.push_back({frame.time, frame.position, frame.heading, frame.mover_position});
   return frames;
 }
 

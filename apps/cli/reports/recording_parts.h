@@ -21,7 +21,7 @@ std::string results_of(const avo::RunSummary& summary);
 std::string charts_of(const avo_io::RecordedRun& run);
 /// Returns the text of the scene, with the names of its files.
 std::string scene_text_of(const avo_io::SceneSource& scene);
-/// Returns who has made the recording, as HTML.
+/// Returns the origin of the recording, as HTML.
 std::string provenance_of(const avo_io::RecordingHeader& header, const std::string& recording);
 /// Returns the command that makes the recording again. ended: s, if something else than the scene
 /// or the arrivals has ended the run.

@@ -51,7 +51,7 @@ figures::Box world_of(const avo_io::RecordedRun& run) {
     for (std::size_t i = 0; i < scenario.robots.size(); ++i)
       for (const avo::Disc& disc : discs_of(scenario, frame, i)) add(disc.center, disc.radius);
     for (std::size_t k = 0; k < scenario.moving_obstacles.size(); ++k)
-      add(frame.obstacle_position[k], scenario.moving_obstacles[k].radius);
+      add(frame.mover_position[k], scenario.moving_obstacles[k].radius);
   }
   return world;
 }
@@ -109,7 +109,7 @@ std::string data_of(const avo_io::RecordedRun& run) {
     times.push_back(frame.time);
     for (std::size_t i = 0; i < scenario.robots.size(); ++i)
       for (const avo::Disc& disc : discs_of(scenario, frame, i)) add(disc.center, frame.there[i]);
-    for (const avo::Vec2 at : frame.obstacle_position) add(at, true);
+    for (const avo::Vec2 at : frame.mover_position) add(at, true);
   }
   const std::string bytes(reinterpret_cast<const char*>(positions.data()),
                           positions.size() * sizeof positions[0]);

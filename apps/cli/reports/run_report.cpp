@@ -29,12 +29,12 @@ std::string collisions(const avo::RunSummary& results) {
   if (results.one_sided_collisions > 0)
     text +=
         fmt::format("; {} more of which one avoids the other only", results.one_sided_collisions);
-  text += fmt::format("; {} with moving obstacles", results.obstacle_collisions);
-  if (results.obstacle_collisions > 0)
-    text += fmt::format(", {} of them in motion", results.obstacle_collisions_in_motion);
-  if (results.obstacle_collisions_evadable.value_or(0) > 0)
-    text += fmt::format(", {} evadable at first sight", *results.obstacle_collisions_evadable);
-  text += fmt::format("; {} robots with obstacles", results.collision_obstacles);
+  text += fmt::format("; {} with moving obstacles", results.mover_collisions);
+  if (results.mover_collisions > 0)
+    text += fmt::format(", {} of them in motion", results.mover_collisions_in_motion);
+  if (results.mover_collisions_evadable.value_or(0) > 0)
+    text += fmt::format(", {} evadable at first sight", *results.mover_collisions_evadable);
+  text += fmt::format("; {} robots with obstacles", results.static_collisions);
   if (results.first_seen_too_late.value_or(0) > 0)
     text += fmt::format("; {} pairs first seen too late", *results.first_seen_too_late);
   return text;
@@ -65,7 +65,7 @@ std::string smoothness(const avo::RunMetrics& metrics) {
   return text;
 }
 
-/// Returns whether the robot moves at the end, and what is in its way.
+/// Returns whether the robot moves at the end, and what stands before it.
 std::string state_of(const avo::NotArrived& robot) {
   constexpr double kAtRest = 1e-3;  // m/s
   std::string text =
@@ -144,8 +144,8 @@ std::string readable(const avo::Scenario& scenario, const avo::RunSummary& resul
   line("arrived", arrivals(results));
   line("collisions", collisions(results));
   line("least clearance", number(results.min_clearance, "m"));
-  if (results.min_obstacle_clearance)
-    line("  from obstacles", number(results.min_obstacle_clearance, "m"));
+  if (results.min_static_clearance)
+    line("  from obstacles", number(results.min_static_clearance, "m"));
   line("largest", fmt::format("acceleration {:.6g} m/s^2, speed {:.6g} m/s",
                               results.max_acceleration, results.max_speed));
   if (results.acceleration_excess > 0.0)

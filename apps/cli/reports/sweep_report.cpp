@@ -143,7 +143,7 @@ ShownRun simulated(const avo_io::SweepSpec& spec, std::int64_t number) {
   shown.run.scenario = scenario;
   for (const avo::figures::TrajectoryFrame& frame : recorder.frames())
     shown.run.frames.push_back(
-        {frame.time, frame.position, frame.heading, frame.there, frame.obstacle_position});
+        {frame.time, frame.position, frame.heading, frame.there, frame.mover_position});
   return shown;
 }
 

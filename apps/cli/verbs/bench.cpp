@@ -83,7 +83,7 @@ class PlaneFleet {
   std::int64_t taken_ = 0;
 };
 
-/// The same of a fleet in space, whose stages are not separated.
+/// The same of a fleet in space. Its stages are not separated.
 class SpaceFleet {
  public:
   SpaceFleet(const avo::space::Scenario& scenario, int threads) : simulation_(scenario, threads) {}
@@ -99,7 +99,7 @@ class SpaceFleet {
   void measure() { measures_ = true; }
   [[nodiscard]] bool all_at_goal() const {
     for (std::size_t k = 0; k < simulation_.size(); ++k)
-      if (!simulation_.is_at_goal(k)) return false;
+      if (!simulation_.is_at_goal(avo::RobotId{k})) return false;
     return true;
   }
   [[nodiscard]] int threads() const { return simulation_.threads(); }

@@ -77,7 +77,7 @@ ExportFormat format_of(const ConvertArguments& arguments) {
 }
 
 /// The scene of --scene for a recording of another program: its robots have a method of their own,
-/// that nobody can ask again. --set may still change it.
+/// that cannot be asked again. --set may still change it.
 SceneArguments by_another_method(const ConvertArguments& arguments) {
   SceneArguments scene = arguments.scene;
   if (scene.scene.empty())

@@ -36,8 +36,8 @@ auto by_option(F f) {
   }
 }
 
-std::optional<std::size_t> approach(const ExplainArguments& arguments,
-                                    const avo::Scenario& scenario, avo::Simulation& simulation) {
+bool approach(const ExplainArguments& arguments, const avo::Scenario& scenario,
+              avo::Simulation& simulation) {
   Progress progress(arguments.time);  // wiped before other output
   const auto go_on = [&] {
     progress.show(simulation.time());
@@ -65,21 +65,20 @@ int explain(const ExplainArguments& arguments) {
 
   avo::Simulation simulation(scenario);
   tell_machine(simulation);
-  const auto found = approach(arguments, scenario, simulation);
-  if (!found) return kSignal + signal_caught();
-  const std::size_t index = *found;
-  const avo_io::Decision decision = avo_io::explain(simulation, scenario.name, index);
+  if (!approach(arguments, scenario, simulation)) return kSignal + signal_caught();
+  const avo::RobotId robot{static_cast<std::uint64_t>(arguments.robot)};
+  const avo_io::Decision decision = avo_io::explain(simulation, scenario.name, robot);
   const avo::figures::FigureOptions options{.width = kFigureWidth, .title = title_of(decision)};
   if (figure) {
     figure->write(drawn([&] {
       return draw_velocity_space(
-          avo::figures::velocity_space(decision.seen, simulation.planner(index)), arguments.figure,
+          avo::figures::velocity_space(decision.seen, simulation.planner(robot)), arguments.figure,
           options);
     }));
   }
   if (states) {
     states->write(drawn([&] {
-      return draw_state_map(decision.seen, simulation.planner(index), arguments.states, options);
+      return draw_state_map(decision.seen, simulation.planner(robot), arguments.states, options);
     }));
   }
   if (figure) figure->commit();

@@ -147,7 +147,7 @@ std::vector<std::string> ffmpeg(const VideoArguments& arguments, const Pixels& p
 struct Film {
   avo::Scenario scenario;
   Extent extent;
-  /// Returns the moment of that time, s, and who is there; none after the last time.
+  /// Returns the moment of that time, s, and which robots are there; none after the last time.
   std::function<std::optional<figures::TrajectoryFrame>(double time)> at;
   std::size_t views = 1;
 };
@@ -172,7 +172,7 @@ Film film_of(const VideoArguments& arguments) {
       return figures::TrajectoryFrame{
           .time = frame->time,
           .position = views.places(frame->position),
-          .obstacle_position = views.places(figures::movers_at(scene, frame->time)),
+          .mover_position = views.places(figures::movers_at(scene, frame->time)),
           .there = views.twice(frame->there)};
     };
     return film;
@@ -184,7 +184,7 @@ Film film_of(const VideoArguments& arguments) {
     const auto frame = reader->at(time);
     if (!frame) return std::nullopt;
     return figures::TrajectoryFrame{frame->time, frame->position, frame->heading,
-                                    frame->obstacle_position, frame->there};
+                                    frame->mover_position, frame->there};
   };
   return film;
 }

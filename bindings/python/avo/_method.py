@@ -34,7 +34,7 @@ class MethodBatch:
     neighbor_position: _Floats  #: (m, 2), m
     neighbor_velocity: _Floats  #: (m, 2), m/s
     neighbor_radius: _Floats  #: (m,), m
-    neighbor_max_acceleration: _Floats  #: (m,), m/s^2; 0 of one that moves on
+    neighbor_max_acceleration: _Floats  #: (m,), m/s^2; 0: the neighbor moves on
     wall_a: _Floats  #: (w, 2), m, one end
     wall_b: _Floats  #: (w, 2), m, the other end
     wall_radius: _Floats  #: (w,), m
@@ -44,10 +44,10 @@ class MethodBatch:
 
     @property
     def neighbor_robot(self) -> _Indices:
-        """(m,): the index of the robot that senses each neighbor, for np.add.at()."""
+        """(m,): the row of the robot that senses each neighbor, for np.add.at()."""
         return np.repeat(np.arange(len(self)), np.diff(self.first_neighbor))
 
     @property
     def wall_robot(self) -> _Indices:
-        """(w,): the index of the robot that each wall is near."""
+        """(w,): the row of the robot that each wall is near."""
         return np.repeat(np.arange(len(self)), np.diff(self.first_wall))

@@ -251,7 +251,7 @@ class VectorEnv:
         return away
 
     def _preferred(self, actions: npt.ArrayLike) -> Floats:
-        """Actions within max_speed; those who have arrived come to rest at their goals."""
+        """Actions within max_speed; robots that have arrived come to rest at their goals."""
         wanted = _numbers("actions", actions)
         shape = (self.num_envs, self.num_robots, self.dimensions)
         if wanted.shape != shape:

@@ -14,7 +14,7 @@ from ._colors import css, robot_colors
 if TYPE_CHECKING:
     from ._avo import StaticObstacle
 
-_WIDTH = 480.0  # px, at most, and the height likewise
+_WIDTH = 480.0  # px, at most, also of the height
 _Points = npt.NDArray[np.float64]
 
 
@@ -68,7 +68,7 @@ def _obstacles_of(scene: Any) -> list[StaticObstacle]:
 def _movers_of(scene: Any) -> list[tuple[_Points, float]]:
     if hasattr(scene, "robots"):
         return [(np.array(m.position), m.radius) for m in scene.moving_obstacles]
-    return [(p, m.radius) for p, m in zip(scene.obstacle_position(), scene.moving_obstacles())]
+    return [(p, m.radius) for p, m in zip(scene.moving_obstacle_position(), scene.moving_obstacles())]
 
 
 def _bounds(

@@ -18,5 +18,5 @@ while not simulation.all_at_goal() and simulation.can_step_by(scene.duration):
 
 summary = metrics.summary()
 print(f"{summary['arrived']} of {summary['robots']} robots arrived, the last after {summary['last_arrival']:.1f} s")
-print(f"nearest: {summary['min_clearance']:.3f} m, to walls {summary['min_obstacle_clearance']:.3f} m")
+print(f"nearest: {summary['min_clearance']:.3f} m, to walls {summary['min_static_clearance']:.3f} m")
 pathlib.Path("fleet.svg").write_text(avo.svg.draw(simulation, np.array(paths)))

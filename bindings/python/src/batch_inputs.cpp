@@ -123,7 +123,7 @@ std::vector<avo::Vec2> accelerations(const Columns& columns, const py::object& g
 
 avo::Behavior behavior_of(bool moves_on, bool cooperates) {
   if (moves_on && cooperates)
-    throw avo::Error("cooperates: found True of one that moves on, must be False");
+    throw avo::Error("cooperates: found True for a neighbor that moves on, must be False");
   if (moves_on) return avo::Behavior::moves_on;
   return cooperates ? avo::Behavior::cooperates : avo::Behavior::decides;
 }
@@ -214,7 +214,8 @@ void bind_neighbors(py::class_<Neighbors>& neighbors) {
            "position: (m, 2), m, and velocity: (m, 2), m/s, of all that all robots sense, robot "
            "after robot; offsets: (n + 1,), those of robot k are rows offsets[k] to offsets[k + 1] "
            "- 1. One number, or (m,): radius, m; max_acceleration, m/s^2; priority; moves_on: "
-           "reacts to nobody, cooperates: does its share and promises nothing; then max_deviation, "
+           "reacts to no robot, cooperates: does its share and promises nothing; then "
+           "max_deviation, "
            "m/s^2, max_speed, m/s, and acceleration: (m, "
            "2), m/s^2; age, steps since it was sensed; max_braking, m/s^2, None: "
            "max_acceleration; position_error, m; likely_deviation, m/s^2. Those that sense "

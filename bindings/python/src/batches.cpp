@@ -104,7 +104,7 @@ void bind_plans(py::module_& module) {
               array.mutable_data()[k] = plans.all[k].evading;
             return array;
           },
-          "(n,) bool: whether what would have been chosen was put aside for a way out.");
+          "(n,) bool: whether an evasive maneuver replaced the choice.");
 }
 
 }  // namespace

@@ -77,15 +77,16 @@ auto whole(Columns wanted, Of of) {
   };
 }
 
-/// Returns arrays whose length differs from the fleet's: they have an entry for each moving
+/// Returns arrays with another length than the fleet's: they have an entry for each moving
 /// obstacle, and the number of these never changes.
-auto obstacle_points(std::span<const avo::Vec2> avo::ObstacleView::*which) {
+auto obstacle_points(std::span<const avo::Vec2> avo::MovingObstacleView::*which) {
   return [which](SharedSimulation& self, const Out& out) {
-    const std::size_t n = self.briefly(
-        [&](const avo::Simulation& simulation) { return (simulation.obstacles().*which).size(); });
+    const std::size_t n = self.briefly([&](const avo::Simulation& simulation) {
+      return (simulation.moving_obstacles().*which).size();
+    });
     auto array = target(out, {static_cast<py::ssize_t>(n), 2});
     self.briefly([&](const avo::Simulation& simulation) {
-      fill(array, simulation.obstacles().*which);
+      fill(array, simulation.moving_obstacles().*which);
       return 0;
     });
     return array;
@@ -133,14 +134,14 @@ void bind_columns(SimulationClass& simulation) {
       .def("evading",
            whole<bool>(Columns::plan,
                        [](const FleetView& fleet, std::size_t k) { return fleet.plan[k].evading; }),
-           "(n,) bool, of the last decisions: whether they were put aside for a way out.")
+           "(n,) bool, of the last decisions: whether an evasive maneuver replaced them.")
       .def("plan_state",
            whole<std::uint8_t>(Columns::plan, [](const FleetView& fleet,
                                                  std::size_t k) { return fleet.plan[k].state; }),
            "(n,) uint8, of the last decisions: indices into SAFETY_STATE.")
-      .def("obstacle_position", obstacle_points(&avo::ObstacleView::position),
+      .def("moving_obstacle_position", obstacle_points(&avo::MovingObstacleView::position),
            arg("out") = py::none(), "(m, 2) float64, m, of the moving obstacles.")
-      .def("obstacle_velocity", obstacle_points(&avo::ObstacleView::velocity),
+      .def("moving_obstacle_velocity", obstacle_points(&avo::MovingObstacleView::velocity),
            arg("out") = py::none(), "(m, 2) float64, m/s, of the moving obstacles.");
 }
 #undef POINTS

@@ -12,13 +12,6 @@ namespace avo_python {
 using avo::Simulation;
 using py::arg;
 
-std::size_t checked(const Simulation& simulation, std::int64_t robot) {
-  const auto n = static_cast<std::int64_t>(simulation.size());
-  if (robot < 0 || robot >= n)
-    throw avo::Error(fmt::format("index: found {}, must be 0 to {}", robot, n - 1));
-  return static_cast<std::size_t>(robot);
-}
-
 avo::RobotId robot_id(std::int64_t id) {
   if (id < 0) throw avo::Error(fmt::format("robot {}: found none of that id", id));
   return {static_cast<std::uint64_t>(id)};
@@ -48,8 +41,8 @@ void change_robot(SharedSimulation& self, std::int64_t id, const py::kwargs& giv
       throw py::type_error(fmt::format(
           "change_robot: found {}, must be left out: move_robot() and set_goal() change it", key));
   std::optional<avo::RobotSetup> setup = self.briefly([&](const Simulation& s) {
-    const auto index = s.index_of(robot_id(id));
-    return index ? std::optional(s.setup(*index)) : std::nullopt;
+    const avo::RobotId robot = robot_id(id);
+    return s.index_of(robot) ? std::optional(s.setup(robot)) : std::nullopt;
   });
   if (setup) set_fields(*setup, given);
   self.alone(

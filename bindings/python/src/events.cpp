@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "renamed.h"
 #include "simulation.h"
 
 namespace avo_python {
@@ -40,8 +41,8 @@ class SharedEvents {
 std::string text_of(const Event& event) {
   const std::string what = fmt::format("{} {}", to_string(event.kind), event.robot.value);
   if (event.kind == EventKind::contact)
-    return fmt::format("<avo.Event {} with moving obstacle {}{}>", what, event.obstacle.value,
-                       event.at_rest ? ", at rest" : "");
+    return fmt::format("<avo.Event {} with moving obstacle {}{}>", what,
+                       event.moving_obstacle.value, event.at_rest ? ", at rest" : "");
   return event.kind == EventKind::stuck ? fmt::format("<avo.Event {}: {}>", what, event.sentence)
                                         : fmt::format("<avo.Event {}>", what);
 }
@@ -49,8 +50,9 @@ std::string text_of(const Event& event) {
 }  // namespace
 
 void bind_events(py::module_& module) {
-  py::class_<Event>(module, "Event", "What happened to one robot.")
-      .def_property_readonly(
+  py::class_<Event> type(module, "Event", "What happened to one robot.");
+  refuse_renamed(type, {{"obstacle", "moving_obstacle"}});
+  type.def_property_readonly(
           "kind", [](const Event& event) { return std::string(to_string(event.kind)); },
           "gone (removed, or an airplane that left), came (added), left (its goal: it was pushed "
           "away, is steered, or has a new one), arrived, unreachable (its goal, by walls), stuck, "
@@ -58,10 +60,10 @@ void bind_events(py::module_& module) {
       .def_property_readonly(
           "robot", [](const Event& event) { return event.robot.value; }, "Its id.")
       .def_property_readonly(
-          "obstacle",
+          "moving_obstacle",
           [](const Event& event) -> std::optional<std::uint64_t> {
             if (event.kind != EventKind::contact) return std::nullopt;
-            return event.obstacle.value;
+            return event.moving_obstacle.value;
           },
           "Id of the moving obstacle of a contact; else None.")
       .def_property_readonly(
@@ -80,8 +82,8 @@ void bind_events(py::module_& module) {
           "Why a robot is stuck, as Simulation.explain() says; else None.")
       .def("__repr__", &text_of);
   py::class_<SharedEvents>(module, "Events",
-                           "What happens to robots from step to step, so that nobody has to ask "
-                           "each of them.")
+                           "What happens to robots from step to step, so that a host need not "
+                           "ask each of them.")
       .def(py::init<SharedSimulation&, double>(), py::keep_alive<1, 2>(), arg("simulation"),
            py::kw_only(), arg("stuck_after") = avo::EventsOptions{}.stuck_after,
            "stuck_after: s; a robot that makes no progress for so long is stuck. What holds now is "

@@ -10,7 +10,7 @@ namespace {
 
 using py::arg;
 
-constexpr double kNoOffset = 0.0;  // for a differential drive whose offset has not been chosen yet
+constexpr double kNoOffset = 0.0;  // for a differential drive without a chosen offset
 
 std::optional<avo::Footprint> if_any(const avo::Footprint& footprint) {
   return footprint ? std::optional(footprint) : std::nullopt;
@@ -122,7 +122,7 @@ void bind_drives(py::module_& module) {
       .def_readonly("wheel_speed", &Drive::wheel_speed,
                     "[w_max] m/s, > 0, of each wheel on the ground")
       .def_readonly("wheel_acceleration", &Drive::wheel_acceleration,
-                    "[alpha_w] m/s^2, > 0, likewise")
+                    "[alpha_w] m/s^2, > 0, of each wheel")
       .def_property_readonly(
           "footprint", [](const Drive& drive) { return if_any(drive.footprint); },
           "Footprint from the middle of the axle; None: one disc");
@@ -227,12 +227,12 @@ void bind_walls(py::module_& module) {
       .def_readonly("radius", &avo::StaticObstacle::radius, "m, >= 0, of its walls")
       .def_readonly("fill", &avo::StaticObstacle::fill,
                     "where no robot may start: \"none\", \"solid\" or \"bounds\"")
-      .def_readonly("layers", &avo::StaticObstacle::layers, "whose robots heed it")
+      .def_readonly("layers", &avo::StaticObstacle::layers, "robots in these layers heed it")
       .def_readonly("measured", &avo::StaticObstacle::measured,
                     "list of Chain, a copy: the walls of a map whose stairs of cells have become "
                     "straight in chains");
   using Mover = avo::MovingObstacle;
-  py::class_<Mover>(module, "MovingObstacle", "A disc that reacts to nobody.")
+  py::class_<Mover>(module, "MovingObstacle", "A disc that reacts to no robot.")
       .def(pickled<Mover>())
       .def(py::init(&mover_of), py::kw_only(), arg("position"),
            arg("velocity") = py::make_tuple(0.0, 0.0),

@@ -61,7 +61,7 @@ void bind_decision(py::module_& module) {
           [](const NavigatorDecision& self) {
             return self.wait ? std::optional(self.wait->robot.value) : std::nullopt;
           },
-          "index of the neighbor for which it waits at a passage, or None")
+          "position in the list of the neighbor for which it waits at a passage, or None")
       .def_readonly("command", &NavigatorDecision::command,
                     "BaseCommand to send in place of the plan, where execution is set; or None")
       .def("__repr__", [](const NavigatorDecision& self) {
@@ -120,7 +120,7 @@ void bind_execution(py::module_& module) {
                              "How far a base is from its reference at most.")
       .def_readonly("position", &ExecutionError::position, "m: the robot's disc is larger by this")
       .def_readonly("velocity", &ExecutionError::velocity,
-                    "m/s: others who sense the base add both to their sensing_error")
+                    "m/s: others that sense the base add both to their sensing_error")
       .def_readonly("command", &ExecutionError::command,
                     "m/s: the base, or each wheel, must accept commands of this speed");
   py::class_<BaseCommand>(module, "BaseCommand", "What a base is told for the next time_step.")
@@ -209,7 +209,7 @@ void bind_navigator(py::module_& module) {
       arg("yaw_goal_tolerance") = 0.25, arg("required_movement_radius") = 0.5,
       arg("movement_time_allowance") = 10.0, arg("route_tolerance") = py::none(),
       arg("execution") = py::none(),
-      "planner: a Planner, whose options count; None: the usual ones. obstacles: StaticObstacles, "
+      "planner: a Planner; its options count; None: the usual ones. obstacles: StaticObstacles, "
       "the map. preferred_speed: m/s, None: max_speed; id: its number among the robots; layers: of "
       "the map it heeds the obstacles of these layers; "
       "navigation: routes lead around the map; right_of_way: \"seen\" or \"none\"; fleet_radii: m, "
@@ -229,7 +229,8 @@ void bind_navigator(py::module_& module) {
             return self.explain(robot, neighbors).sentence;
           },
           arg("robot"), arg("neighbors") = py::tuple(),
-          "Why it would decide as it would now, in words. Neighbors are named by their indices.")
+          "Why it would decide as it would now, in words. Neighbors are named by their positions "
+          "in the list.")
       .def("route", &Navigator::route, "Corners of the route that is left, to its end, m.");
   module.def("sensing_range", &sensing_range_of, arg("planner"), arg("robot"), arg("others"),
              arg("has_map") = false,

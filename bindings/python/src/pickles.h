@@ -54,7 +54,7 @@ inline constexpr int kFields<avo::SensingError> = 2;
 template <>
 inline constexpr int kFields<avo::ExecutionModel> = 10;
 template <>
-inline constexpr int kFields<avo::Scenario> = 29;  // but the function, which stays in the process
+inline constexpr int kFields<avo::Scenario> = 31;  // but the function, which stays in the process
 template <>
 inline constexpr int kFields<avo::Queue> = 3;
 template <>
@@ -97,10 +97,10 @@ auto fields(T& x) {
     return std::tie(a, b, c, d, e, f, g, h, i, j, k, l, m);
   } else {
     auto& [a, b, c, d, e, f, g, h, i, j, k, l, m, o, p, q, r, s, t, u, v, w, z, aa, bb, cc, dd, ee,
-           ff, function] = x;
+           ff, gg, hh, function] = x;
     static_cast<void>(function);
     return std::tie(a, b, c, d, e, f, g, h, i, j, k, l, m, o, p, q, r, s, t, u, v, w, z, aa, bb, cc,
-                    dd, ee, ff);
+                    dd, ee, ff, gg, hh);
   }
 }
 

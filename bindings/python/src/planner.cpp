@@ -4,6 +4,7 @@
 #include <pybind11/operators.h>
 
 #include "bind.h"
+#include "renamed.h"
 #include "workspace.h"
 
 namespace avo_python {
@@ -26,10 +27,10 @@ avo::Plan plan(const Planner& planner, const avo::Robot& robot,
 
 // Robots are taken by value: another thread may change the caller's robots while Python's lock is
 // released.
-avo::Plan plan_among_obstacles(const Planner& planner, const avo::Robot robot,
-                               const std::vector<avo::Neighbor>& obstacles) {
+avo::Plan plan_among_movers(const Planner& planner, const avo::Robot robot,
+                            const std::vector<avo::Neighbor>& movers) {
   const py::gil_scoped_release release;
-  return planner.plan_among_obstacles(robot, obstacles, workspace());
+  return planner.plan_among_movers(robot, movers, workspace());
 }
 
 avo::SafetyReport state(const Planner& planner, const avo::Robot robot,
@@ -46,10 +47,11 @@ std::optional<avo::Evasion> evasion(const Planner& planner, const avo::Robot& ro
   return planner.evasion(robot, neighbors, workspace(), detour, walls);
 }
 
-bool has_way_out(const Planner& planner, const avo::Robot robot,
-                 const std::vector<avo::Neighbor>& neighbors, const std::vector<avo::Wall>& walls) {
+bool has_evasive_maneuver(const Planner& planner, const avo::Robot robot,
+                          const std::vector<avo::Neighbor>& neighbors,
+                          const std::vector<avo::Wall>& walls) {
   const py::gil_scoped_release release;
-  return planner.has_way_out(robot, neighbors, workspace(), walls);
+  return planner.has_evasive_maneuver(robot, neighbors, workspace(), walls);
 }
 
 void bind_results(py::module_& module) {
@@ -64,8 +66,8 @@ void bind_results(py::module_& module) {
           "evading", &Plan::evading,
           "whether what would have been chosen was put aside: Planner.evasion() says more")
       .def_readonly("neighbor", &Plan::neighbor,
-                    "if overlapping, index of whom it touches most deeply, or -1")
-      .def_readonly("wall", &Plan::wall, "likewise of the wall, or -1")
+                    "if overlapping, the deepest neighbor's position in the list, or -1")
+      .def_readonly("wall", &Plan::wall, "or the wall's position in the list; -1: none")
       .def_readonly("depth", &Plan::depth, "m: if overlapping, by how much")
       .def_readonly("violation", &Plan::violation, "m/s, 0 if optimal")
       .def("__repr__", [](const Plan& plan) {
@@ -73,8 +75,9 @@ void bind_results(py::module_& module) {
                            avo::to_string(plan.status), plan.acceleration.x, plan.acceleration.y);
       });
   using avo::Evasion;
-  py::class_<Evasion>(module, "Evasion", "A way out that is taken.")
-      .def_readonly("neighbor", &Evasion::neighbor, "index of whom the robot evades")
+  py::class_<Evasion>(module, "Evasion", "An evasive maneuver that is taken.")
+      .def_readonly("neighbor", &Evasion::neighbor,
+                    "position in the list of the neighbor that the robot evades")
       .def_readonly("velocity", &Evasion::velocity,
                     "(x, y), m/s, that the way approaches, or holds; 0: it brakes from the start; "
                     "of an airplane where it begins to circle")
@@ -84,8 +87,9 @@ void bind_results(py::module_& module) {
   py::class_<SafetyReport>(module, "SafetyReport", "What is proved of a state.")
       .def_readonly("state", &SafetyReport::state, "one of SAFETY_STATE")
       .def_readonly("neighbor", &SafetyReport::neighbor,
-                    "index of whom it collides with first if doomed, most deeply if unknown; or -1")
-      .def_readonly("wall", &SafetyReport::wall, "likewise of the wall, or -1")
+                    "position in the list of the neighbor that it touches first if doomed, most "
+                    "deeply if unknown; or -1")
+      .def_readonly("wall", &SafetyReport::wall, "or the wall's position in the list; -1: none")
       .def_readonly("time", &SafetyReport::time, "s: if doomed, when the two are in contact")
       .def_readonly("depth", &SafetyReport::depth,
                     "m, >= 0: by how much the two overlap, or come to while all fall back");
@@ -98,6 +102,8 @@ void bind_planner(py::module_& module) {
   py::class_<Planner> planner(module, "Planner",
                               "Decides for one robot. Cannot be changed; threads may share it.");
   bind_options(planner);
+  refuse_renamed(planner, {{"plan_among_obstacles", "plan_among_movers"},
+                           {"has_evasive_maneuver", "has_evasive_maneuver"}});
   planner
       .def("plan", &plan, arg("robot"), arg("neighbors") = py::tuple(), arg("walls") = py::tuple(),
            arg("detour") = py::none(),
@@ -112,16 +118,16 @@ void bind_planner(py::module_& module) {
           },
           arg("robot"),
           "(ahead, spread) of a Robot with a footprint: what others have to know, see Neighbor.")
-      .def("plan_among_obstacles", &plan_among_obstacles, arg("robot"), arg("obstacles"),
+      .def("plan_among_movers", &plan_among_movers, arg("robot"), arg("movers"),
            "One robot among movers that do not react (paper III-C).")
       .def("evasion", &evasion, arg("robot"), arg("neighbors") = py::tuple(),
            arg("walls") = py::tuple(), arg("detour") = py::none(),
-           "What plan() says with `evading`: an Evasion, whom the robot evades and on which way; "
-           "None where it does not. detour is not updated.")
-      .def("has_way_out", &has_way_out, arg("robot"), arg("neighbors") = py::tuple(),
-           arg("walls") = py::tuple(),
-           "Whether some way out is clear of all who do not decide, as far as they keep to what is "
-           "known of them.")
+           "What plan() says with `evading`: an Evasion, the neighbor that the robot evades and "
+           "how; None where it does not. detour is not updated.")
+      .def("has_evasive_maneuver", &has_evasive_maneuver, arg("robot"),
+           arg("neighbors") = py::tuple(), arg("walls") = py::tuple(),
+           "Whether some evasive maneuver is clear of all neighbors that do not decide, as far as "
+           "they keep to what is known of them.")
       .def("state", &state, arg("robot"), arg("neighbors") = py::tuple(),
            arg("walls") = py::tuple(),
            "Whether the robot can go on without contact, as far as that is proved.")

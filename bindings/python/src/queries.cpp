@@ -12,12 +12,10 @@ using py::arg;
 
 namespace {
 
-std::vector<std::uint64_t> ids_at(const Simulation& simulation,
-                                  const std::vector<std::size_t>& indices) {
-  const auto id = simulation.fleet(avo::Columns::id).id;
-  std::vector<std::uint64_t> ids;
-  for (const std::size_t index : indices) ids.push_back(id[index].value);
-  return ids;
+std::vector<std::uint64_t> values_of(const std::vector<avo::RobotId>& robots) {
+  std::vector<std::uint64_t> values;
+  for (const avo::RobotId robot : robots) values.push_back(robot.value);
+  return values;
 }
 
 }  // namespace
@@ -28,17 +26,17 @@ void bind_queries(SimulationClass& simulation) {
           "robots_within",
           [](SharedSimulation& self, avo::Vec2 center, double radius) {
             return self.briefly(
-                [&](const Simulation& s) { return ids_at(s, s.robots_within(center, radius)); });
+                [&](const Simulation& s) { return values_of(s.robots_within(center, radius)); });
           },
           arg("center"), arg("radius"),
-          "Ids of the robots whose discs come within radius, m, of (x, y), nearest disc first.")
+          "Ids of the robots with discs within radius, m, of (x, y), nearest disc first.")
       .def(
           "nearest_robots",
           [](SharedSimulation& self, avo::Vec2 position, std::size_t count) {
             return self.briefly(
-                [&](const Simulation& s) { return ids_at(s, s.nearest_robots(position, count)); });
+                [&](const Simulation& s) { return values_of(s.nearest_robots(position, count)); });
           },
-          arg("position"), arg("count"), "Ids of the robots whose discs are nearest to (x, y).")
+          arg("position"), arg("count"), "Ids of the robots with the discs nearest to (x, y).")
       .def(
           "is_free",
           [](SharedSimulation& self, avo::Vec2 position, double radius, avo::LayerSet layers) {
@@ -56,7 +54,7 @@ void bind_queries(SimulationClass& simulation) {
                 [&](const Simulation& s) { return s.is_in_sight(from, to, radius, layers); });
           },
           arg("start"), arg("end"), arg("radius") = 0.0, arg("layers") = avo::kAllLayers,
-          "Whether no static obstacle stops a disc of that radius, m, on the straight way.")
+          "Whether no static obstacle stops a disc of that radius, m, on the straight line.")
       .def(
           "cast_ray",
           [](SharedSimulation& self, avo::Vec2 from, avo::Vec2 to, double radius,
@@ -72,7 +70,7 @@ void bind_queries(SimulationClass& simulation) {
             return found;
           },
           arg("start"), arg("end"), arg("radius") = 0.0, arg("layers") = avo::kAllLayers,
-          "What a disc of that radius, m, touches first on the straight way: a dict of distance, "
+          "What a disc of that radius, m, touches first on the straight line: a dict of distance, "
           "m, "
           "center, and the id as robot, moving_obstacle or obstacle; None: nothing.");
 }

@@ -29,8 +29,9 @@ py::object explain_scene(const py::object& scene, std::int64_t robot, double tim
       const py::gil_scoped_acquire acquire;
       return PyErr_CheckSignals() == 0;
     };
-    const auto index = avo_io::approach_decision(scenario, robot, time, simulation, go_on);
-    if (index) json = to_json(avo_io::explain(simulation, scenario.name, *index));
+    if (avo_io::approach_decision(scenario, robot, time, simulation, go_on))
+      json =
+          to_json(avo_io::explain(simulation, scenario.name, {static_cast<std::uint64_t>(robot)}));
   }
   if (PyErr_Occurred() != nullptr) throw py::error_already_set();
   return from_json(json);
@@ -38,13 +39,11 @@ py::object explain_scene(const py::object& scene, std::int64_t robot, double tim
 
 py::object explain_now(SharedSimulation& self, std::int64_t id) {
   return from_json(self.alone([&](const avo::Simulation& simulation) {
-    const auto index =
-        id < 0 ? std::nullopt : simulation.index_of({static_cast<std::uint64_t>(id)});
-    if (!index) throw avo::Error(fmt::format("robot {}: found none of that id", id));
-    if (simulation.setup(*index).parked)
+    const avo::RobotId robot = robot_id(id);
+    if (simulation.setup(robot).parked)
       throw avo::Error(
           fmt::format("robot: found {}, which is parked, must be one that decides", id));
-    return to_json(avo_io::explain(simulation, self.name(), *index));
+    return to_json(avo_io::explain(simulation, self.name(), robot));
   }));
 }
 
@@ -227,7 +226,7 @@ void bind_reports(py::module_& module) {
            "crowd: whether danger, order and density are measured as well, which costs time. line: "
            "two points, m; the flow is that of the robots that cross between them. judged: ids of "
            "the "
-           "robots whose trips the metrics are of; none: of all.")
+           "the metrics cover the trips of these robots; none: of all.")
       .def("observe", &SharedMetrics::observe, arg("simulation"),
            "Once before the first step, and once after every step.")
       .def(

@@ -90,7 +90,7 @@ void bind_trajectory(py::module_& module) {
            arg("repeats_from") = py::none(),
            "places: list of (time, x, y), s and m, by ascending times; error: m, >= 0, by which "
            "it may be off; repeats_from: s, the time of one of the places: behind the last one it "
-           "is, nobody knows when, at any place where it was from that time on.")
+           "is, at an unknown time, at any place where it was from that time on.")
       .def(py::pickle(
           [](const Trajectory& t) {
             return py::make_tuple(places_of(t), t.error(), t.repeats_from());
@@ -129,7 +129,8 @@ py::tuple reduced(const py::object& neighbor) {
 
 void bind_neighbor(py::module_& module) {
   using avo::Neighbor;
-  py::class_<Neighbor>(module, "Neighbor", "Another robot as it is sensed, or a moving obstacle.")
+  py::class_<Neighbor>(module, "Neighbor",
+                       "Another robot as a robot senses it, or a moving obstacle.")
       .def("__reduce__", &reduced)
       .def(py::init([](avo::Vec2 position, avo::Vec2 velocity, double radius,
                        double max_acceleration, avo::Behavior behavior, int age, double priority,
@@ -163,10 +164,12 @@ void bind_neighbor(py::module_& module) {
            "behavior: \"decides\", \"moves_on\" or \"cooperates\"; age: steps since it was sensed; "
            "priority: > 0; "
            "max_braking: m/s^2; max_deviation: m/s^2, >= 0; position_error: m, >= 0; acceleration: "
-           "m/s^2, and max_speed: m/s, of one that moves on; likely_deviation: m/s^2, >= 0, that "
+           "m/s^2, and max_speed: m/s, of a neighbor that moves on; likely_deviation: m/s^2, >= 0, "
+           "that "
            "ways "
            "out reckon with; parting: see parting_direction(); "
-           "trajectory: Trajectory of one that moves on, None: unknown; trajectory_time: s, now; "
+           "trajectory: Trajectory of a neighbor that moves on, None: unknown; trajectory_time: s, "
+           "now; "
            "footprint: from its position; ahead, spread: see Planner.braking_pose().")
       .def_readwrite("position", &Neighbor::position, "[p_B] (x, y), m")
       .def_readwrite("velocity", &Neighbor::velocity, "[v_B] (x, y), m/s")
@@ -184,14 +187,14 @@ void bind_neighbor(py::module_& module) {
       .def_readwrite("position_error", &Neighbor::position_error,
                      "m, >= 0: of its position, besides the declared sensing error")
       .def_readwrite("acceleration", &Neighbor::acceleration, "(x, y), m/s^2, where it moves on")
-      .def_readwrite(
-          "likely_deviation", &Neighbor::likely_deviation,
-          "m/s^2, >= 0: of its acceleration, where it does not decide; ways out reckon with it")
+      .def_readwrite("likely_deviation", &Neighbor::likely_deviation,
+                     "m/s^2, >= 0: of its acceleration, where it does not decide; evasive "
+                     "maneuvers reckon with it")
       .def_readwrite("max_speed", &Neighbor::max_speed,
                      "m/s, > 0, where it does not decide: that it never exceeds; None: unknown")
       .def_readwrite(
           "parting", &Neighbor::parting,
-          "unit (x, y), or 0: of one that coincides in place and velocity, the direction "
+          "unit (x, y), or 0: for a neighbor that coincides in place and velocity, the direction "
           "in which to leave it")
       .def_property(
           "trajectory", [](const Neighbor& neighbor) { return neighbor.trajectory; },
@@ -200,7 +203,7 @@ void bind_neighbor(py::module_& module) {
                 neighbor.trajectory = trajectory;
               },
               py::keep_alive<1, 2>()),
-          "Trajectory of one that moves on: where it will be; None: unknown")
+          "Trajectory of a neighbor that moves on: where it will be; None: unknown")
       .def_readwrite("trajectory_time", &Neighbor::trajectory_time,
                      "s: now, as the trajectory tells the time")
       .def_property(
@@ -236,7 +239,7 @@ void bind_detour(py::module_& module) {
           "whether others are at rest on its goal: it comes to rest near them, and neither "
           "gives way nor makes a detour")
       .def_readwrite("acceleration_x", &Detour::acceleration_x, "m/s^2, of its last step.")
-      .def_readwrite("acceleration_y", &Detour::acceleration_y, "m/s^2, likewise.");
+      .def_readwrite("acceleration_y", &Detour::acceleration_y, "m/s^2, of its last step.");
 }
 
 }  // namespace

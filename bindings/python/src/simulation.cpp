@@ -9,6 +9,7 @@
 
 #include "avo/planner.h"
 #include "external.h"
+#include "renamed.h"
 
 namespace avo_python {
 namespace {
@@ -142,14 +143,16 @@ void bind_state(SimulationClass& simulation) {
           [](SharedSimulation& self) {
             const auto at = self.briefly([](const Simulation& s) {
               std::vector<std::uint8_t> all(s.size());
-              for (std::size_t k = 0; k < all.size(); ++k) all[k] = s.is_at_goal(k) ? 1 : 0;
+              const auto ids = s.fleet(avo::Columns::id).id;
+              for (std::size_t k = 0; k < all.size(); ++k) all[k] = s.is_at_goal(ids[k]) ? 1 : 0;
               return all;
             });
             py::array_t<bool> array(static_cast<py::ssize_t>(at.size()));
             std::copy(at.begin(), at.end(), array.mutable_data());
             return array;
           },
-          "(n,) bool: who is within arrival_distance, in sight, or rests as near as others at rest "
+          "(n,) bool: whether it is within arrival_distance, in sight, or rests as near as others "
+          "at rest "
           "leave room, where their goals are too close together for all of them.")
       .def(
           "unreachable",
@@ -164,25 +167,27 @@ void bind_state(SimulationClass& simulation) {
           "distance_left() from there.")
       .def(
           "distance_left",
-          [](SharedSimulation& self, std::int64_t index) {
+          [](SharedSimulation& self, std::int64_t id) {
             return self.briefly(
-                [&](const Simulation& s) { return s.way(checked(s, index)).distance_left; });
+                [&](const Simulation& s) { return s.route(robot_id(id)).distance_left; });
           },
-          arg("index"),
-          "m, of the robot in that row of the arrays: from the nearest place that it gets to, to "
-          "its goal; 0 where no wall keeps it from its goal.")
+          arg("id"),
+          "m, from the nearest place that the robot can reach to its goal; 0 where no wall keeps "
+          "the "
+          "robot from its goal.")
       .def(
           "wait",
           [](SharedSimulation& self,
-             std::int64_t index) -> std::optional<std::pair<avo::Vec2, std::uint64_t>> {
+             std::int64_t id) -> std::optional<std::pair<avo::Vec2, std::uint64_t>> {
             const auto wait =
-                self.briefly([&](const Simulation& s) { return s.wait(checked(s, index)); });
+                self.briefly([&](const Simulation& s) { return s.wait(robot_id(id)); });
             if (!wait) return std::nullopt;
             return std::pair(wait->passage, wait->robot.value);
           },
-          arg("index"),
-          "For whom the robot in that row of the arrays waits at a passage of one lane: the middle "
-          "of the passage, m, and the id of the other robot; None where it does not wait at one.")
+          arg("id"),
+          "The passage of one lane at which the robot waits: its middle, m, and the id of the "
+          "other "
+          "robot; None where the robot waits at no passage.")
       .def("_repr_svg_",
            [](const py::object& self) { return py::module_::import("avo.svg").attr("draw")(self); })
       .def("__repr__", [](SharedSimulation& self) {
@@ -194,7 +199,7 @@ void bind_state(SimulationClass& simulation) {
 
 void bind_robot_state(py::module_& module) {
   using avo::RobotState;
-  py::class_<RobotState>(module, "RobotState", "One robot of a fleet, as it is now.")
+  py::class_<RobotState>(module, "RobotState", "The present state of one robot of a fleet.")
       .def_property_readonly(
           "id", [](const RobotState& state) { return state.id.value; }, "never used again")
       .def_readonly("position", &RobotState::position, "(x, y), m")
@@ -214,7 +219,7 @@ void bind_inventory(SimulationClass& simulation) {
           "obstacles",
           [](SharedSimulation& self) {
             return self.alone([](const Simulation& s) {
-              const avo::StaticObstacleView view = s.static_obstacles();
+              const avo::StaticObstacleView view = s.obstacles();
               std::vector<std::pair<std::uint64_t, avo::StaticObstacle>> all;
               for (std::size_t k = 0; k < view.id.size(); ++k)
                 all.emplace_back(view.id[k].value, view.setup[k]);
@@ -223,23 +228,23 @@ void bind_inventory(SimulationClass& simulation) {
           },
           "list of (id, StaticObstacle).")
       .def("moving_obstacles", told([](const Simulation& s) {
-             const auto setup = s.obstacles().setup;
+             const auto setup = s.moving_obstacles().setup;
              return std::vector<avo::MovingObstacle>(setup.begin(), setup.end());
            }),
            "list of MovingObstacle, as the scene has them.")
       .def("moving_obstacle_ids", told([](const Simulation& s) {
              std::vector<std::uint64_t> ids;
-             for (const avo::MovingObstacleId id : s.obstacles().id) ids.push_back(id.value);
+             for (const avo::MovingObstacleId id : s.moving_obstacles().id) ids.push_back(id.value);
              return ids;
            }),
            "Ids of moving_obstacles(), ascending; those of the scene are 0, 1, ...")
       .def(
           "preferred_velocity",
-          [](SharedSimulation& self, std::int64_t index) {
+          [](SharedSimulation& self, std::int64_t id) {
             return self.briefly(
-                [&](const Simulation& s) { return s.preferred_velocity(checked(s, index)); });
+                [&](const Simulation& s) { return s.preferred_velocity(robot_id(id)); });
           },
-          arg("index"), "(x, y), m/s, that the host gave to the robot in that row; else None.")
+          arg("id"), "(x, y), m/s, that the host gave to the robot; else None.")
       .def(
           "index_of",
           [](SharedSimulation& self, std::int64_t id) {
@@ -248,18 +253,16 @@ void bind_inventory(SimulationClass& simulation) {
           arg("id"), "Row of the robot in the arrays; None where it is gone.")
       .def(
           "setup",
-          [](SharedSimulation& self, std::int64_t index) {
-            return self.briefly([&](const Simulation& s) { return s.setup(checked(s, index)); });
+          [](SharedSimulation& self, std::int64_t id) {
+            return self.briefly([&](const Simulation& s) { return s.setup(robot_id(id)); });
           },
-          arg("index"), "RobotSetup of the robot in that row of the arrays, a copy.")
+          arg("id"), "RobotSetup of the robot, a copy.")
       .def(
           "robot",
-          [](SharedSimulation& self, std::int64_t index) {
-            return self.briefly([&](const Simulation& s) { return s.robot(checked(s, index)); });
+          [](SharedSimulation& self, std::int64_t id) {
+            return self.briefly([&](const Simulation& s) { return s.robot(robot_id(id)); });
           },
-          arg("index"),
-          "RobotState of the robot in that row of the arrays, a copy; takes no longer where there "
-          "are many.");
+          arg("id"), "RobotState of the robot, a copy; takes no longer where there are many.");
 }
 
 using Perception = Simulation::Perception;
@@ -281,27 +284,29 @@ void bind_perception(py::module_& module, SimulationClass& simulation) {
   py::class_<Perception>(module, "Perception", "What a robot sees, and decides from.")
       .def_readonly("robot", &Perception::robot, "Robot, as it senses itself")
       .def_property_readonly("neighbors", &neighbors_of, "list of Neighbor, a copy")
-      .def_readonly("source", &Perception::source, "their ids, or -1 - k of moving obstacle k")
+      .def_readonly("source", &Perception::source,
+                    "their ids, or -1 - k of the moving obstacle with id k")
       .def_readonly("detour", &Perception::detour, "Detour, what it remembers")
       .def_readonly("among_movers", &Perception::among_movers,
                     "whether it plans as among obstacles that do not react")
       .def_readonly("walls", &Perception::walls, "list of Wall, a copy")
-      .def_readonly("stop", &Perception::stop,
-                    "Plan of one that brakes until it stands, near a goal that others share: its "
-                    "decision, whatever it would plan; else None");
+      .def_readonly(
+          "stop", &Perception::stop,
+          "Plan of a robot that brakes until it stands, near a goal that others share: its "
+          "decision, whatever it would plan; else None");
   simulation
       .def(
           "perceive",
-          [](SharedSimulation& self, std::int64_t index) {
-            return self.alone([&](const Simulation& s) { return s.perceive(checked(s, index)); });
+          [](SharedSimulation& self, std::int64_t id) {
+            return self.alone([&](const Simulation& s) { return s.perceive(robot_id(id)); });
           },
-          arg("index"), "What the robot in that row of the arrays would see now.")
+          arg("id"), "What the robot would see now.")
       .def(
           "planner",
-          [](SharedSimulation& self, std::int64_t index) {
-            return self.briefly([&](const Simulation& s) { return s.planner(checked(s, index)); });
+          [](SharedSimulation& self, std::int64_t id) {
+            return self.briefly([&](const Simulation& s) { return s.planner(robot_id(id)); });
           },
-          arg("index"), "The Planner of the robot in that row of the arrays.");
+          arg("id"), "The Planner of the robot.");
 }
 
 }  // namespace
@@ -320,6 +325,8 @@ void bind_simulation(py::module_& module) {
   bind_inventory(simulation);
   bind_perception(module, simulation);
   bind_columns(simulation);
+  refuse_renamed(simulation, {{"obstacle_position", "moving_obstacle_position"},
+                              {"obstacle_velocity", "moving_obstacle_velocity"}});
 }
 
 }  // namespace avo_python

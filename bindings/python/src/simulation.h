@@ -30,8 +30,6 @@ void bind_edits(SimulationClass& simulation);
 void bind_queries(SimulationClass& simulation);
 void bind_team_edits(SimulationClass& simulation);
 
-/// Returns the index into the columns; Error where it is none.
-std::size_t checked(const avo::Simulation& simulation, std::int64_t robot);
 /// Ids are not negative; Error as for one that is not there.
 avo::RobotId robot_id(std::int64_t id);
 std::vector<avo::RobotId> robot_ids(const std::vector<std::int64_t>& ids);

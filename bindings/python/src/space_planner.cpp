@@ -41,8 +41,8 @@ void bind_results(py::module_& space) {
       .def_readonly("status", &Plan::status, "how it was made, one of PLAN_STATUS")
       .def_readonly("state", &Plan::state, "in which it was made, one of SAFETY_STATE")
       .def_readonly("neighbor", &Plan::neighbor,
-                    "if overlapping, index of whom it touches most deeply, or -1")
-      .def_readonly("box", &Plan::box, "if overlapping, index of the box, or -1")
+                    "if overlapping, the deepest neighbor's position in the list, or -1")
+      .def_readonly("box", &Plan::box, "if overlapping, the box's position in the list, or -1")
       .def_readonly("depth", &Plan::depth, "m: if overlapping, by how much")
       .def_readonly("violation", &Plan::violation, "m/s, 0 if optimal")
       .def("__repr__", [](const Plan& plan) {

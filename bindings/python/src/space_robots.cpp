@@ -141,7 +141,7 @@ void bind_robot(py::module_& space) {
                      "[e_A] > 0: limits along the vertical, as a part of the horizontal ones")
       .def_readwrite("climb", &Robot::climb, "m/s, > 0: the largest v_z")
       .def_readwrite("sink", &Robot::sink, "m/s, > 0: the largest -v_z")
-      .def_readwrite("downwash", &Robot::downwash, "[w_A] m, >= 0: nobody may be so far below it")
+      .def_readwrite("downwash", &Robot::downwash, "[w_A] m, >= 0: no robot may be so far below it")
       .def_readwrite("priority", &Robot::priority, "> 0, as in the plane")
       .def_readwrite("max_braking", &Robot::max_braking, "[b_A] m/s^2; None: max_acceleration")
       .def_readwrite("distance_to_goal", &Robot::distance_to_goal, "m; inf: it has none");

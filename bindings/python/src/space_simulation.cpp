@@ -66,10 +66,10 @@ void step(SharedSpaceSimulation& self, std::int64_t n) {
   }
 }
 
-std::size_t checked(const Simulation& simulation, std::int64_t robot) {
+avo::RobotId checked(const Simulation& simulation, std::int64_t robot) {
   if (robot < 0 || robot >= static_cast<std::int64_t>(simulation.size()))
     throw avo::Error(fmt::format("robot: found {}, must be 0 to {}", robot, simulation.size() - 1));
-  return static_cast<std::size_t>(robot);
+  return {static_cast<std::uint64_t>(robot)};
 }
 
 // Returns a method that gives the rows of all robots; vector(simulation, k) is a Vec3.
@@ -92,7 +92,7 @@ auto told(Value value) {
 
 bool all_at_goal(const Simulation& simulation) {
   for (std::size_t k = 0; k < simulation.size(); ++k)
-    if (!simulation.is_at_goal(k)) return false;
+    if (!simulation.is_at_goal({k})) return false;
   return true;
 }
 
@@ -107,7 +107,7 @@ void bind_state(py::class_<SharedSpaceSimulation>& simulation) {
       .def("acceleration",
            rows_by([](const Simulation& s, std::size_t k) { return s.plans()[k].acceleration; }),
            "(n, 3), m/s^2, at the start of the last step.")
-      .def("goal", rows_by([](const Simulation& s, std::size_t k) { return s.goal(k); }),
+      .def("goal", rows_by([](const Simulation& s, std::size_t k) { return s.goal({k}); }),
            "(n, 3), m.")
       .def(
           "status",
@@ -127,11 +127,11 @@ void bind_state(py::class_<SharedSpaceSimulation>& simulation) {
             return self.briefly([](const Simulation& s) {
               py::array_t<bool> array(static_cast<py::ssize_t>(s.size()));
               for (std::size_t k = 0; k < s.size(); ++k)
-                array.mutable_at(static_cast<py::ssize_t>(k)) = s.is_at_goal(k);
+                array.mutable_at(static_cast<py::ssize_t>(k)) = s.is_at_goal({k});
               return array;
             });
           },
-          "(n,) bool: who is within arrival_distance of its goal.")
+          "(n,) bool: whether it is within arrival_distance of its goal.")
       .def("all_at_goal", told(&all_at_goal), "Whether all robots are at their goals.")
       .def("state_hash", told([](const Simulation& s) { return s.state_hash(); }),
            "Equal for equal states, bit by bit.");
@@ -155,7 +155,7 @@ void bind_simulation(py::module_& space) {
           [](SharedSpaceSimulation& self, std::int64_t robot, avo::Vec3 goal) {
             self.alone([&](Simulation& s) { s.set_goal(checked(s, robot), goal); });
           },
-          arg("robot"), arg("goal"), "Gives the robot of that number another goal, (x, y, z), m.")
+          arg("robot"), arg("goal"), "Gives the robot of that id another goal, (x, y, z), m.")
       .def(
           "set_boxes",
           [](SharedSpaceSimulation& self, const std::vector<avo::space::Box>& boxes) {

@@ -207,8 +207,9 @@ void bind_teams(py::module_& module) {
         return avo::assign_slots(rows("positions", from), rows("slots", to));
       },
       arg("positions"), arg("slots"),
-      "For each position the index of its slot: the sum of the straight ways is least, and none of "
-      "them cross.");
+      "For each position that of its slot in the list: the sum of the distances is least, and no "
+      "two "
+      "of the lines cross.");
 }
 
 void bind_team_edits(SimulationClass& simulation) {

@@ -85,7 +85,7 @@ void move(avo::MovingObstacle& mover, std::uint32_t& target, double time_step, d
       mover.trajectory.empty()
           ? avo::next_on_path(mover, {mover.position, mover.velocity, target}, time_step)
           : avo::on_trajectory(mover, time);
-  mover.position = next.position, mover.velocity = next.velocity, target = next.target;
+  mover.position = next.position, mover.velocity = next.velocity, target = next.next_point;
 }
 
 bool has_wheels(const avo::Scenario& scenario) {
@@ -93,7 +93,7 @@ bool has_wheels(const avo::Scenario& scenario) {
                      [](const avo::RobotSetup& robot) { return !is_holonomic(robot.model); });
 }
 
-/// A simulation whose robots keep no routes.
+/// A simulation with robots that keep no routes.
 std::unique_ptr<avo::Simulation> simulation_of(avo::Scenario scenario) {
   scenario.navigation = false;
   return std::make_unique<avo::Simulation>(scenario, 1);
@@ -107,7 +107,7 @@ void follow(World& world) {
     robot.position = avo::disc_center(robot.model, fleet.position[k], fleet.heading[k]);
     robot.velocity = fleet.velocity[k];
   }
-  const avo::ObstacleView movers = world.wheels->obstacles();
+  const avo::MovingObstacleView movers = world.wheels->moving_obstacles();
   for (std::size_t k = 0; k < world.movers.size(); ++k)
     world.movers[k].position = movers.position[k], world.movers[k].velocity = movers.velocity[k];
 }

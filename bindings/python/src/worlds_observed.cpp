@@ -11,7 +11,7 @@
 namespace avo_python {
 namespace {
 
-/// Returns the way from a point to the surface of a wall; 0 from a point within it.
+/// Returns the displacement from a point to the surface of a wall; 0 from a point within it.
 avo::Vec2 way_to(const avo::Wall& wall, avo::Vec2 from) {
   const avo::Vec2 along = wall.b - wall.a;
   const double squared = norm_squared(along);
@@ -24,7 +24,7 @@ avo::Vec2 way_to(const avo::Wall& wall, avo::Vec2 from) {
 
 }  // namespace
 
-/// Returns the ways to the k nearest walls and 1 for each; 0 for missing walls.
+/// Returns the displacements to the k nearest walls and 1 for each; 0 for missing walls.
 py::array_t<float> nearest_walls(const Worlds& self, std::size_t k) {
   const double radius = self.sensing_radius();
   return rows_of_nearest(

@@ -20,7 +20,7 @@ namespace avo::space {
 /// The body and the limits of a recorded robot. Infinite limits are not checked.
 struct CheckedRobot {
   double radius = 0.5;            ///< m, > 0
-  double downwash = 0.0;          ///< m, >= 0: nobody may be so far below it, within the radii
+  double downwash = 0.0;          ///< m, >= 0: no robot may be so far below it, within the radii
   double max_acceleration = 1.0;  ///< m/s^2, > 0, along the horizontal
   double max_speed = 2.0;         ///< m/s, > 0, along the horizontal
   double vertical = 1.0;          ///< > 0, of both limits along the vertical

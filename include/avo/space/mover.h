@@ -53,7 +53,7 @@ struct MoverState {
 /// On a trajectory the velocity is the one with which it goes on.
 AVO_API MoverState state_at(const MovingObstacle& obstacle, double time);
 
-/// The moving obstacle as it is sensed exactly at that time, s.
+/// The moving obstacle as a robot senses it exactly at that time, s.
 AVO_API Mover mover_at(const MovingObstacle& obstacle, double time);
 
 }  // namespace avo::space

@@ -24,18 +24,18 @@ struct Plan {
   /// safe: while all robots brake, A touches no robot that decides and no box. unknown: otherwise,
   /// and without a certificate
   SafetyState state = SafetyState::unknown;
-  int neighbor = -1;   ///< if overlapping: index of the neighbor with the deepest overlap; -1: none
-  int box = -1;        ///< or index of the box; -1: none
-  int mover = -1;      ///< or index of the moving obstacle; -1: none
-  float depth = 0.0F;  ///< m: the overlap, if overlapping
+  int neighbor = -1;       ///< if overlapping: the deepest neighbor's place in the list; -1: none
+  int box = -1;            ///< or the box's place in the list; -1: none
+  int mover = -1;          ///< or the moving obstacle's place in the list; -1: none
+  float depth = 0.0F;      ///< m: the overlap, if overlapping
   double violation = 0.0;  ///< m/s: the distance of v' from CA_A; 0 if optimal
-  bool evading = false;    ///< a way out from moving obstacles has replaced the robot's own choice
+  bool evading = false;    ///< an evasive maneuver has replaced the robot's own choice
 };
 
 /// What a robot remembers from one decision to the next, see avo::Detour. If the robot gets another
 /// goal, the memory must begin anew, except the congestion.
 struct Detour {
-  float angle = 0.0F;        ///< rad, how far the robot has turned off its way, to the right
+  float angle = 0.0F;        ///< rad, how far the robot has turned off its route, to the right
   float beside = 0.0F;       ///< v_max/a_max, 0 to 200: how long others have been beside it
   float congestion = 0.0F;   ///< number of robots ahead that it is used to, 0 to 2.8
   bool has_arrived = false;  ///< whether it was within arrival_distance of its goal, beside others
@@ -77,7 +77,7 @@ class AVO_API Planner {
   /// more.
   ///
   /// movers: the moving obstacles. While they move as assumed, they touch the robot at rest only,
-  /// and not at all where it has had a way out (docs/space.md, "Moving obstacles").
+  /// and not at all where it has had an evasive maneuver (docs/space.md, "Moving obstacles").
   [[nodiscard]] Plan plan(const Robot& robot, std::span<const Neighbor> neighbors,
                           PlanWorkspace& workspace, Detour* detour = nullptr,
                           std::span<const Box> boxes = {},
@@ -107,8 +107,8 @@ AVO_API double own_time_horizon(const Robot& robot, const PlannerOptions& option
 /// m, from the robot's ball: boxes at a larger distance change nothing.
 AVO_API double box_range(const Robot& robot, const PlannerOptions& options);
 
-/// m: how far from its place a robot's ways out from moving obstacles may lead.
-AVO_API double way_range(const Robot& robot);
+/// m: how far from its place a robot's evasive maneuvers may lead.
+AVO_API double evasion_range(const Robot& robot);
 
 /// m, between centers: the distance within which the robot has to sense a moving obstacle, so that
 /// it can be at rest when the obstacle comes.

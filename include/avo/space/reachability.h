@@ -11,7 +11,7 @@ namespace avo::space {
 
 /// A robot that cannot reach its goal because of boxes.
 struct OutOfReach {
-  std::size_t robot = 0;       ///< index into the scene's robots
+  std::size_t robot = 0;       ///< position in the scene's robots, the value of its id
   Vec3 nearest = {};           ///< m, the place near its goal at which its route ends
   double distance_left = 0.0;  ///< m, from there to the goal
   /// the goal is nearer to a box than the radius; if false, there is no route

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "avo/export.h"
+#include "avo/ids.h"
 #include "avo/space/planner.h"
 #include "avo/space/scenario.h"
 
@@ -32,33 +33,35 @@ class AVO_API Simulation {
   [[nodiscard]] std::size_t size() const;    ///< number of robots
   [[nodiscard]] int threads() const;         ///< that a step may use
   [[nodiscard]] const Scenario& scenario() const;
-  /// The states of all robots, in the order of the scene; valid until the next step.
+  /// The states of all robots, in the order of the scene: robot k has the id k. Valid until the
+  /// next step.
   [[nodiscard]] std::span<const Robot> robots() const;
   /// The last decisions; those before the first step are empty.
   [[nodiscard]] std::span<const Plan> plans() const;
   /// The moving obstacles of the scene as they are now, exactly; valid until the next step.
   [[nodiscard]] std::span<const Mover> movers() const;
-  [[nodiscard]] Vec3 goal(std::size_t robot) const;  ///< m
+  /// m. Throws Error, as all questions about one robot do, for a robot that does not exist.
+  [[nodiscard]] Vec3 goal(RobotId robot) const;
   /// Returns whether the robot is within the arrival distance of its goal. With `navigation`, no
   /// box may be between it and a goal that it can reach.
-  [[nodiscard]] bool is_at_goal(std::size_t robot) const;
+  [[nodiscard]] bool is_at_goal(RobotId robot) const;
 
   /// The rest of a robot's route.
-  struct Way {
+  struct Route {
     double length = 0.0;  ///< m; infinite for robots that unreachable() names
     Vec3 next = {};       ///< m: the next point of the route, a bend or its end
     /// m, from its end to the goal: 0, unless boxes keep the robot from its goal
     double distance_left = 0.0;
   };
   /// The route that the robot knows: around boxes with `navigation`, else straight.
-  [[nodiscard]] Way way(std::size_t robot) const;
-  /// Robots for which there is no route to their goals, whatever the others do: by number. They go
-  /// as near as they get.
-  [[nodiscard]] std::vector<std::size_t> unreachable() const;
+  [[nodiscard]] Route route(RobotId robot) const;
+  /// Robots for which there is no route to their goals, whatever the others do: by ascending id.
+  /// They go as near as they get.
+  [[nodiscard]] std::vector<RobotId> unreachable() const;
 
   /// Gives the robot another goal, m; the same goal again changes nothing. Throws Error for a robot
   /// that does not exist, and for a goal that is not finite.
-  void set_goal(std::size_t robot, Vec3 goal);
+  void set_goal(RobotId robot, Vec3 goal);
   /// Replaces all boxes between two steps. Throws Error, and changes nothing, where a robot is in a
   /// box or cannot brake before it.
   void set_boxes(std::span<const Box> boxes);

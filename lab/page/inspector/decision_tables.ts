@@ -70,7 +70,7 @@ function evasionRows(decision: Decision): Row[] {
   if (!decision.evading) return [];
   const { velocity, until } = decision.evading;
   const way = norm(velocity) > 0 ? `towards ${pair(velocity)} m/s until ${digits(until)} s` : "brakes";
-  return [{ name: "evading", label: "evades", value: `${evadedOf(decision)}: ${way}`, exact: decision.evading, title: "whom it makes room for, and by which way out (docs/movers.md)" }];
+  return [{ name: "evading", label: "evades", value: `${evadedOf(decision)}: ${way}`, exact: decision.evading, title: "the mover that it evades, and by which evasive maneuver (docs/movers.md)" }];
 }
 
 function waitRows(decision: Decision): Row[] {

@@ -39,7 +39,7 @@ export function paletteOf(theme: "light" | "dark"): Palette {
 export const STATUS_COLORS: Record<string, { light: string; dark: string; says: string }> = {
   optimal: { light: "#a9c9e2", dark: "#33597a", says: "v′ satisfies all half-planes" },
   least_unsafe: { light: "#e69f00", dark: "#e0a030", says: "no velocity satisfies all half-planes: the least unsafe one" },
-  refused: { light: "#3b8fc4", dark: "#62b2e6", says: "the certificate refused that choice, or it left no way out, and another one is taken" },
+  refused: { light: "#3b8fc4", dark: "#62b2e6", says: "the certificate refused that choice, or it left no evasive maneuver, and another one is taken" },
   braking: { light: "#22577a", dark: "#b5dcf5", says: "nothing but braking is admitted" },
   overlapping: { light: "#b3261e", dark: "#ff6f61", says: "in contact, or braking no longer avoids it" },
   invalid_input: { light: "#000000", dark: "#ffffff", says: "a number is not finite or out of range: it brakes" },

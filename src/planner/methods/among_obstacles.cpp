@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The decision of a robot outside of the union of its obstacles (§III-C): among movers alone, and
 // for the methods that avoid a union of any neighbors.
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -16,9 +17,11 @@
 #include "planner/stages/certify.h"
 #include "planner/stages/contact.h"
 #include "planner/stages/demands.h"
+#include "planner/stages/disc_pairs.h"
 #include "planner/stages/neighbor_order.h"
 #include "planner/stages/pair_planes.h"
 #include "planner/validity.h"
+#include "robots/footprint.h"
 #include "robots/model.h"
 
 namespace avo::inline planner {
@@ -33,9 +36,17 @@ double horizon_of(const PlannerOptions& options) {
   return factor * options.time_horizon;
 }
 
-double kept_radius(const PlannerOptions& options, const Robot& robot, const Pair& pair) {
-  return with_margin(pair, margin_on_way(mover_margin(options, robot.radius), robot.radius,
-                                         robot.distance_to_goal));
+// radius: m, of the robot's disc, or of each disc of its footprint.
+double kept_radius(const PlannerOptions& options, const Robot& robot, double radius,
+                   const Pair& pair) {
+  return with_margin(pair,
+                     margin_on_way(mover_margin(options, radius), radius, robot.distance_to_goal));
+}
+
+// The pair of the two nearest discs of both.
+Pair pair_of_discs(const Discs& discs, const Neighbor& neighbor) {
+  const DiscPair nearest = nearest_discs(discs, neighbor);
+  return relative(nearest.robot, nearest.neighbor);
 }
 
 }  // namespace
@@ -52,12 +63,15 @@ Plan decide_among_obstacles(const Planner& planner, const Robot& robot,
   const Response response = disregards_acceleration(options.method)
                                 ? Response::velocity()
                                 : Response::proportional(options.control_time);
+  std::optional<Discs> discs;  // of a footprint
+  if (has_footprint(robot.model)) discs = discs_of(robot, certificate_law(planner).step);
+  const double radius = discs ? way_radius(robot.model, robot.radius) : robot.radius;
   bool overlapping = false;
   scratch.obstacles.clear();
   for (const Neighbor& obstacle : obstacles) {
-    Pair pair = relative(robot, obstacle);
+    Pair pair = discs ? pair_of_discs(*discs, obstacle) : relative(robot, obstacle);
     overlapping = overlapping || norm(pair.position) < pair.radius;
-    pair.radius = kept_radius(options, robot, pair);
+    pair.radius = kept_radius(options, robot, radius, pair);
     if (method_traits(options.method).is_reciprocal) {
       scratch.obstacles.push_back(reciprocal_obstacle(options, robot, obstacle));
       continue;
@@ -114,8 +128,8 @@ template Plan decide_among_obstacles(const Planner&, const Robot&, std::span<con
 
 namespace avo {
 
-Plan Planner::plan_among_obstacles(const Robot& robot, std::span<const Neighbor> obstacles,
-                                   PlanWorkspace& workspace) const {
+Plan Planner::plan_among_movers(const Robot& robot, std::span<const Neighbor> obstacles,
+                                PlanWorkspace& workspace) const {
   Robot steering = robot;
   if (is_rest(robot.velocity)) steering.velocity = {};
   if (is_valid(robot)) steering.preferred_velocity = steered(robot, approach_of(options_));

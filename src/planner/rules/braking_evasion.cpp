@@ -13,8 +13,8 @@
 namespace avo::inline planner {
 namespace {
 
-// The velocities that ways out approach, of v_max. They are fixed in the world, so that after a
-// step the rest of a way out is a way out as well.
+// The velocities that evasive maneuvers approach, of v_max. They are fixed in the world, so that
+// after a step the rest of an evasive maneuver is an evasive maneuver as well.
 constexpr double kDiagonal = 0.70710678118654752;
 constexpr std::array<Vec2, 8> kCompass{{{1, 0},
                                         {kDiagonal, kDiagonal},
@@ -47,15 +47,15 @@ CertifiedWorkspace& without_movers(Evading& evading) {
 bool is_allowed(Evading& evading, Vec2 next_velocity) {
   const Robot& robot = evading.robot;
   if (norm(next_velocity) > robot.max_speed * (1.0 + 1e-12)) return false;
-  const Surroundings& around = evading.workspace.around;
-  if (!stops_in_time(evading.options, around, evading.now(), next_velocity)) return false;
+  if (!stops_in_time(evading.options, evading.workspace.around, evading.now(), next_velocity))
+    return false;
   return admits(robot, next_velocity, evading.law, without_movers(evading).constraints);
 }
 
 enum class Then : unsigned char { brakes, holds, approaches };
 
-// A first step, and the motion after it. The rest of a way out after a step is of the same kind: w
-// is fixed in the world, or is the velocity after the step.
+// A first step, and the motion after it. The rest of an evasive maneuver after a step is of the
+// same kind: w is fixed in the world, or is the velocity after the step.
 struct FirstStep {
   Vec2 next_velocity;
   Then then = Then::brakes;
@@ -94,7 +94,7 @@ FirstSteps first_steps(const Evading& evading, Vec2 wanted) {
   return steps;
 }
 
-// Finds a way out that is clear after that step, (M).
+// Finds an evasive maneuver that is clear after that step, (M).
 std::optional<Evasion> find_way_after(Evading& evading, Vec2 next_velocity) {
   const WayOptions& options = evading.options;
   Surroundings& around = evading.workspace.around;
@@ -143,8 +143,8 @@ Taken nearer(Evading& evading, const FirstStep& step, Vec2 wanted) {
   return best;
 }
 
-// Where others refuse the first steps of ways out: finds the velocity nearest to one of them that
-// leaves a way out.
+// Where others refuse the first steps of evasive maneuvers: finds the velocity nearest to one of
+// them that leaves an evasive maneuver.
 bool find_beside(Evading& evading, const FirstSteps& steps, Taken& found) {
   for (const FirstStep& step : steps) {
     if (!is_clear(evading, step)) continue;

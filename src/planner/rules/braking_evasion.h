@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Beside movers, a robot that brakes keeps a way out: docs/movers.md, "Ways". A choice is the
-// velocity after the step, m/s.
+// Beside movers, a robot that brakes keeps an evasive maneuver: docs/movers.md, "Evasive
+// maneuvers". A choice is the velocity after the step, m/s.
 #pragma once
 #include "planner/rules/evading.h"
 
@@ -9,11 +9,11 @@ namespace avo::inline planner {
 /// Returns whether braking after that step is clear of movers, (C1) to (C3).
 bool may_brake_after_choice(Evading& evading, Vec2 next_velocity);
 
-/// Finds the choice nearest to the wanted one that the certificate admits and that leaves a way
-/// out, (M).
+/// Finds the choice nearest to the wanted one that the certificate admits and that leaves an
+/// evasive maneuver, (M).
 WayFound find_braking_way(Evading& evading, Vec2 wanted, Taken& found);
 
-/// Returns whether some way out is clear, (M).
+/// Returns whether some evasive maneuver is clear, (M).
 bool has_clear_way(Evading& evading);
 
 }  // namespace avo::inline planner

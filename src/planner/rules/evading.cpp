@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstddef>
 
+#include "certificate/discs.h"
 #include "core/plane.h"
 #include "planner/rules/arrival.h"
 #include "robots/model.h"
@@ -44,7 +45,7 @@ Predicted predicted(const Evading& evading, const Neighbor& neighbor, const Leve
   Predicted other;
   other.position = neighbor.position - robot.position;
   other.velocity = neighbor.velocity;
-  const double contact = robot.radius + neighbor.radius, speed = norm(neighbor.velocity);
+  const double contact = evading.radius + neighbor.radius, speed = norm(neighbor.velocity);
   const bool is_followed = neighbor.trajectory != nullptr;
   const Vec2 acceleration = shares(neighbor) || is_followed ? Vec2{} : neighbor.acceleration;
   const double kept =
@@ -93,13 +94,13 @@ void follow_trajectories(Evading& evading) {
   }
 }
 
-// s, until a way out brakes or circles, for any neighbors.
+// s, until an evasive maneuver brakes or circles, for any neighbors.
 double longest_of_all(const Robot& robot) {
   return (can_rest(robot.model) ? kWideWay : kLongFlight) * time_to_evade(robot);
 }
 
-// s, until a way out brakes: long enough to leave the strip of the widest neighbor. Until a
-// robot circles: long enough to pass by, since all of its circle must be clear then.
+// s, until an evasive maneuver brakes: long enough to leave the strip of the widest neighbor. Until
+// a robot circles: long enough to pass by, since all of its circle must be clear then.
 double longest_way(const Robot& robot, std::span<const Neighbor> neighbors) {
   if (!can_rest(robot.model)) return longest_of_all(robot);
   const double time = time_to_evade(robot);
@@ -117,7 +118,7 @@ double braking_time_of(const Robot& robot, double speed, const StepLaw& law) {
 
 }  // namespace
 
-double way_range(const Robot& robot) {
+double evasion_range(const Robot& robot) {
   return (longest_of_all(robot) + 0.5 * time_to_evade(robot)) * robot.max_speed +
          room_to_turn(robot.model, robot.max_speed);
 }
@@ -131,13 +132,17 @@ double longest_way_out(const Robot& robot, const StepLaw& law) {
 std::optional<Evading> begin_evading(const CertificateLaw& law, const Robot& robot,
                                      const Sight& sight, EvasionWorkspace& workspace) {
   if (law.kind == Certificate::none) return std::nullopt;
-  Evading evading{law, robot, sight, workspace, {}};
+  Evading evading{law, robot, sight, workspace, {}, way_radius(robot.model, robot.radius)};
   evading.options = {
       .law = law.step,
       .decrement = decrement_of(robot, law.step),
       .max_speed = fastest_of(robot, std::max(robot.max_speed, norm(robot.velocity))),
       .longest = std::min(longest_way(robot, sight.neighbors), kMostWaySteps * law.step.time_step),
       .wheels = is_holonomic(robot.model) ? nullptr : &robot};
+  if (const Footprint footprint = footprint_of(robot.model)) {
+    evading.options.footprint = footprint;
+    evading.options.lever = farthest_center(footprint);
+  }
   const bool brakes = can_rest(robot.model);
   if (brakes && !(evading.options.max_speed <= kMostBraking * evading.options.decrement))
     return std::nullopt;
@@ -168,14 +173,16 @@ void keep_walls(Evading& evading) {
   if (evading.sight.walls.empty()) return;
   const StepLaw& law = evading.law.step;
   const double v_max = robot.max_speed, circle = room_to_turn(robot.model, v_max);
-  const WallRounding rounding = wall_rounding(robot.radius, v_max, ability_of(robot), law);
+  const double lever = evading.options.lever;
+  const WallRounding rounding =
+      wall_rounding(evading.radius + lengths_of_rounding(lever), v_max, ability_of(robot), law);
   const double needed = wall_reach(v_max, v_max, ability_of(robot), law) + circle;
   const double used = (evading.options.longest + 0.5 * time_to_evade(robot)) * v_max + circle;
   const double reach = std::max(needed, std::min(evading.sight.wall_range, used));
   for (const Wall& wall : evading.sight.walls) {
     const Segment segment{wall.a - robot.position, wall.b - robot.position};
-    const double held = robot.radius + wall.radius + law.localization_error;
-    if (distance(Vec2{}, segment) > held + reach) continue;
+    const double held = evading.radius + wall.radius + law.localization_error;
+    if (distance(Vec2{}, segment) > held + lever + reach) continue;
     const double margin = can_rest(robot.model) ? wall_margin(wall, rounding)
                                                 : 2.0 * flight_margin(wall, robot.radius, circle);
     kept.push_back({segment, held + margin});

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The inputs of a robot that keeps a way out (docs/movers.md): the predicted movers, the walls that
-// it knows, and its own ways out.
+// The inputs of a robot that keeps an evasive maneuver (docs/movers.md): the predicted movers, the
+// walls that it knows, and its own evasive maneuvers.
 #pragma once
 #include <optional>
 #include <span>
@@ -19,7 +19,7 @@ struct EvasionWorkspace {
   Surroundings around;
   std::vector<Neighbor> deciding;  // the neighbors that decide
   CertifiedWorkspace certified;    // for these neighbors and for walls
-  // of the last plan that evades: its way out, and the choice that it has rejected
+  // of the last plan that evades: its evasive maneuver, and the choice that it has rejected
   Evasion chosen;
   Vec2 put_aside;  // see Taken::choice
 };
@@ -41,13 +41,14 @@ struct Evading {
   Sight sight;
   EvasionWorkspace& workspace;
   WayOptions options;
+  double radius = 0.0;           // m, of the robot's disc, or of each disc of its footprint
   double braking = 0.0;          // s, the longest time of braking
   bool has_constraints = false;  // whether the workspace has constraints
 
   WayState now() const { return {{}, robot.velocity, 0.0, robot.heading}; }
 };
 
-/// The replacement of a choice, and the way out that begins with it.
+/// The replacement of a choice, and the evasive maneuver that begins with it.
 struct Taken {
   Vec2 choice;  // m/s, the velocity after the step; of a robot that flies m/s², its acceleration
   Evasion way;
@@ -57,19 +58,19 @@ inline bool decides(const Neighbor& neighbor) {
   return !is_predicted(neighbor);
 }
 
-/// m: the range of a robot's ways out.
-double way_range(const Robot& robot);
-/// s, from a decision until rest: the duration of the longest way out of a robot that is no faster
-/// than its max_speed.
+/// m: the range of a robot's evasive maneuvers.
+double evasion_range(const Robot& robot);
+/// s, from a decision until rest: the duration of the longest evasive maneuver of a robot that is
+/// no faster than its max_speed.
 double longest_way_out(const Robot& robot, const StepLaw& law);
 
-/// The result is none for robots that have no ways out.
+/// The result is none for robots that have no evasive maneuvers.
 std::optional<Evading> begin_evading(const CertificateLaw& law, const Robot& robot,
                                      const Sight& sight, EvasionWorkspace& workspace);
-/// Predicts all neighbors that do not decide, and begins ways out of that level.
+/// Predicts all neighbors that do not decide, and begins evasive maneuvers of that level.
 void look_around(Evading& evading, const Level& level);
 /// Keeps the walls within reach, because walls beyond it are not known for sure. Where there is
-/// one, ways out stay within that reach.
+/// one, evasive maneuvers stay within that reach.
 void keep_walls(Evading& evading);
 
 }  // namespace avo::inline planner

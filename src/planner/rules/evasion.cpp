@@ -45,7 +45,7 @@ Level first_level(const Evading& evading) {
   return are_some_likely_to_deviate(evading) ? likely_level(1.0) : kLevels[0];
 }
 
-// Counts as much of the likely deviation as leaves a way out, found by bisection.
+// Counts as much of the likely deviation as leaves an evasive maneuver, found by bisection.
 WayFound find_way_if_likely(Evading& evading, Vec2 wanted, Taken& found) {
   WayFound way = find_way(evading, likely_level(1.0), wanted, found);
   if (way != WayFound::none) return way;
@@ -155,12 +155,13 @@ void keep_a_way_out(const CertificateLaw& law, const Robot& robot, const Sight& 
   workspace.chosen = found.way, workspace.put_aside = wanted;
 }
 
-bool has_way_out(const CertificateLaw& law, const Robot& robot, const Sight& sight,
-                 EvasionWorkspace& workspace) {
+bool has_evasive_maneuver(const CertificateLaw& law, const Robot& robot, const Sight& sight,
+                          EvasionWorkspace& workspace) {
   std::optional<Evading> evading = begin_evading(law, robot, sight, workspace);
   if (!evading) return false;
   keep_walls(*evading);
-  // a robot that flies need not stop, so that a level has a way out wherever a stronger one has one
+  // a robot that flies need not stop, so that a level has an evasive maneuver wherever a stronger
+  // one has one
   const std::span<const Level> levels =
       flies(*evading) ? std::span(kLevels).last(1) : std::span(kLevels);
   return std::any_of(levels.begin(), levels.end(), [&](const Level& level) {
@@ -171,7 +172,7 @@ bool has_way_out(const CertificateLaw& law, const Robot& robot, const Sight& sig
 
 bool may_go_on(const CertificateLaw& law, const Robot& robot, const Sight& sight,
                EvasionWorkspace& workspace) {
-  return needs_none(sight) || has_way_out(law, robot, sight, workspace);
+  return needs_none(sight) || has_evasive_maneuver(law, robot, sight, workspace);
 }
 
 int find_evaded(const CertificateLaw& law, const Robot& robot, std::span<const Neighbor> neighbors,

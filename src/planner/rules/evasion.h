@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Beside movers, a robot keeps a way out: docs/movers.md.
+// Beside movers, a robot keeps an evasive maneuver: docs/movers.md.
 #pragma once
 #include <span>
 
@@ -7,20 +7,20 @@
 
 namespace avo::inline planner {
 
-/// Replaces a plan of method avo that leaves no way out by the nearest first step of a way out,
-/// where there is one. Robots without a certificate keep their plan. may_swerve: no other robot
-/// decides. As a last resort A then need not be able to stop before movers that keep their
-/// acceleration.
+/// Replaces a plan of method avo that leaves no evasive maneuver by the nearest first step of an
+/// evasive maneuver, where there is one. Robots without a certificate keep their plan. may_swerve:
+/// no other robot decides. As a last resort A then need not be able to stop before movers that keep
+/// their acceleration.
 void keep_a_way_out(const CertificateLaw& law, const Robot& robot, const Sight& sight,
                     bool may_swerve, EvasionWorkspace& workspace, Plan& plan);
 
-/// Returns whether the robot has a way out, or needs none, because all others decide.
+/// Returns whether the robot has an evasive maneuver, or needs none, because all others decide.
 bool may_go_on(const CertificateLaw& law, const Robot& robot, const Sight& sight,
                EvasionWorkspace& workspace);
 
-/// Tests (M), see Planner::has_way_out().
-bool has_way_out(const CertificateLaw& law, const Robot& robot, const Sight& sight,
-                 EvasionWorkspace& workspace);
+/// Tests (M), see Planner::has_evasive_maneuver().
+bool has_evasive_maneuver(const CertificateLaw& law, const Robot& robot, const Sight& sight,
+                          EvasionWorkspace& workspace);
 
 /// The mover that the robot evades, if it has rejected a next velocity. It is the index of the
 /// nearest mover that comes too near to the robot if the robot brakes after that step; -1 if there

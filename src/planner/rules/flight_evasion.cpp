@@ -13,7 +13,7 @@
 namespace avo::inline planner {
 namespace {
 
-// From p_A, as ways out are.
+// From p_A, as evasive maneuvers are.
 MotionState state_now(const Robot& robot) {
   const LoiterCircle circle = *with_circle(robot).loiter;
   return {{}, robot.velocity, robot.heading, {circle.center - robot.position, circle.radius}};
@@ -33,8 +33,9 @@ bool take_step(Evading& evading, Vec2 acceleration) {
 
 constexpr std::size_t kControls = 9;
 
-// The controls of ways out from a state with that speed: straight, left or right, at that speed, or
-// towards the highest or the lowest. After a step the rest of a way out is a way out as well.
+// The controls of evasive maneuvers from a state with that speed: straight, left or right, at that
+// speed, or towards the highest or the lowest. After a step the rest of an evasive maneuver is an
+// evasive maneuver as well.
 std::array<FlightControl, kControls> controls_of(const Robot& robot, double speed) {
   std::array<FlightControl, kControls> controls;
   std::size_t count = 0;
@@ -52,7 +53,7 @@ bool may_circle_later(Evading& evading) {
   });
 }
 
-// The first step of a way out, and the control that it belongs to.
+// The first step of an evasive maneuver, and the control that it belongs to.
 struct FirstFlight {
   Vec2 acceleration;
   FlightControl control;
@@ -86,13 +87,13 @@ bool is_admitted(const Evading& evading, Vec2 acceleration) {
   return keeps_flight(*evading.sight.flight, robot, step_by(evading, now, acceleration));
 }
 
-// The way out that was last found clear.
+// The evasive maneuver that was last found clear.
 Evasion last_way(const Evading& evading) {
   const WayState& last = evading.workspace.around.last;
   return {-1, last.velocity, last.time};
 }
 
-// Finds a way out that is clear after that step.
+// Finds an evasive maneuver that is clear after that step.
 bool leaves_a_flight(Evading& evading, Vec2 acceleration) {
   return take_step(evading, acceleration) && may_circle_later(evading);
 }
@@ -120,7 +121,8 @@ Taken nearer_flight(Evading& evading, const FirstFlight& flight, Vec2 wanted) {
   return best;
 }
 
-// Where others refuse the first steps of ways out: finds another step that leaves a way out.
+// Where others refuse the first steps of evasive maneuvers: finds another step that leaves an
+// evasive maneuver.
 bool find_flight_beside(Evading& evading, Vec2 wanted, Taken& found) {
   const Robot& robot = evading.robot;
   const Vec2 h = ahead_of(robot.heading), n = perpendicular(h);

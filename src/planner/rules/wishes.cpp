@@ -19,7 +19,7 @@ namespace {
 constexpr double kInSight = 4.0;  // τ: a neighbor farther off does not make a robot hurry
 
 // Footprints push with the two discs of a pair that are nearest to each other. The discs that cover
-// them overlap where trucks pass, and would push all of the way.
+// them overlap where trucks pass, and would push along the whole lane.
 void push_by_discs(const RobotColumns& robots, std::size_t i, const StepLaw& law,
                    Traffic& traffic) {
   const Discs discs = discs_of(robots.robot(i), law);

@@ -79,6 +79,7 @@ void Fleet::remove(std::size_t slot) {
   if (has_clocks) clock.erase(clock.begin() + rank[slot]);
   if (!pace.empty()) pace.erase(pace.begin() + rank[slot]);
   if (!told.empty()) told.erase(told.begin() + rank[slot]);
+  bases.remove(static_cast<std::size_t>(rank[slot]));
   const std::size_t last = size() - 1;  // it takes over the slot
   for (auto k = static_cast<std::size_t>(rank[slot]); k < slot_of.size(); ++k) --rank[slot_of[k]];
   if (slot != last)
@@ -104,9 +105,14 @@ std::vector<Wall> Fleet::parked_walls(std::optional<std::size_t> changed,
 
 // A robot's rank is its number, less the number of removed robots before it.
 std::optional<std::size_t> Fleet::slot(RobotId robot) const {
+  const std::uint64_t number = robot.value;
+  if (number < slot_of.size()) {  // its rank, if no robot before it has gone
+    const std::uint32_t own = slot_of[static_cast<std::size_t>(number)];
+    if (id[own] == robot) return own;
+  }
   if (slot_of.empty()) return std::nullopt;
   const std::size_t most = slot_of.size() - 1;
-  const std::uint64_t number = robot.value, last = id[slot_of[most]].value;
+  const std::uint64_t last = id[slot_of[most]].value;
   if (number > last) return std::nullopt;
   const std::uint64_t gone = last - most;
   const auto begin =

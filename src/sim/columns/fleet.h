@@ -13,6 +13,7 @@
 #include "planner/stages/relevance.h"
 #include "robots/model.h"
 #include "robots/motion.h"
+#include "sim/bases/bases.h"
 #include "sim/columns/obstacle_columns.h"
 
 namespace avo::inline sim {
@@ -131,6 +132,8 @@ struct Fleet {
   std::vector<Flight> flights;      // by rank; empty where no robot flies
   // m/s, preferred velocities that the host gave, by rank; empty where it gave none
   std::vector<std::optional<Vec2>> told;
+  // the bodies, where their bases do not execute exactly; the fleet is that of the references then
+  Bases bases;
 
   std::size_t size() const { return id.size(); }
   void reserve(std::size_t count);
@@ -173,6 +176,13 @@ struct Fleet {
   }
   Vec2 place(std::size_t slot, const MotionState& state) const {
     return state.position - offset(slot, state.heading);
+  }
+  /// m: the reported place, of the body.
+  Vec2 body_place(std::size_t slot) const {
+    return bases.are_exact() ? place(slot) : base(slot).position;
+  }
+  const Base& base(std::size_t slot) const {
+    return bases.all[static_cast<std::size_t>(rank[slot])];
   }
   /// The setup with its goal, position, velocity and heading.
   RobotSetup setup(std::size_t slot) const { return setup(slot, state(slot)); }

@@ -46,7 +46,8 @@ std::uint64_t hash_of(const Fleet& fleet, const ObstacleColumns& obstacles, std:
   }
   for (std::size_t k = 0; k < obstacles.setup.size(); ++k) {
     hash = hashed(hashed(hash, obstacles.position[k]), obstacles.velocity[k]);
-    if (!obstacles.setup[k].path.empty()) hash = mixed(hash, std::uint64_t{obstacles.target[k]});
+    if (!obstacles.setup[k].path.empty())
+      hash = mixed(hash, std::uint64_t{obstacles.next_point[k]});
   }
   return hash;
 }

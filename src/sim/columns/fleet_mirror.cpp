@@ -32,6 +32,15 @@ void FleetMirror::for_each_column(Columns wanted, const Action& action) {
   at(Columns::applied_acceleration, applied_acceleration, in(&Fleet::applied_acceleration));
 }
 
+// Of one robot: its body in place of its reference.
+void FleetMirror::show_body(const Base& base, std::size_t rank, Columns wanted) {
+  if (includes(wanted, Columns::position)) position[rank] = base.position;
+  if (includes(wanted, Columns::velocity)) velocity[rank] = base.velocity;
+  if (!includes(wanted, Columns::setup)) return;
+  setup[rank].position = base.position, setup[rank].velocity = base.velocity;
+  setup[rank].radius = base.radius;
+}
+
 void FleetMirror::copy(const Fleet& fleet, Columns wanted) {
   for_each_column(wanted, [&](auto& column, const auto& of) {
     column.resize(fleet.size());
@@ -40,11 +49,13 @@ void FleetMirror::copy(const Fleet& fleet, Columns wanted) {
     const std::span<const std::uint32_t> slots = fleet.slot_of;
     for (std::size_t k = 0; k < slots.size(); ++k) to[k] = entry(slots[k]);
   });
+  for (std::size_t k = 0; k < fleet.bases.all.size(); ++k) show_body(fleet.bases.all[k], k, wanted);
 }
 
 void FleetMirror::renew(const Fleet& fleet, std::size_t rank, Columns copied) {
   for_each_column(
       copied, [&](auto& column, const auto& of) { column[rank] = of(fleet)(fleet.slot_of[rank]); });
+  if (!fleet.bases.are_exact()) show_body(fleet.bases.all[rank], rank, copied);
 }
 
 FleetView FleetMirror::view(Columns wanted) const {

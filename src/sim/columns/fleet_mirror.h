@@ -8,6 +8,7 @@
 
 namespace avo::inline sim {
 
+struct Base;
 struct Fleet;
 
 /// Columns by ascending id, for readers outside the simulation. Each column is copied on demand.
@@ -25,6 +26,7 @@ struct FleetMirror {
   FleetView view(Columns wanted) const;
 
  private:
+  void show_body(const Base& base, std::size_t rank, Columns wanted);
   template <typename Action>
   void for_each_column(Columns wanted, const Action& action);
 };

@@ -19,7 +19,7 @@ ObstacleColumns::ObstacleColumns(const std::vector<MovingObstacle>& obstacles) {
 void ObstacleColumns::add(const MovingObstacle& obstacle, const PathWalk& start) {
   setup.push_back(obstacle);
   position.push_back(start.position), velocity.push_back(start.velocity);
-  target.push_back(start.target);
+  next_point.push_back(start.next_point);
   id.push_back({next_id++});
   look_over();
 }
@@ -28,7 +28,7 @@ void ObstacleColumns::remove(std::size_t index) {
   const auto drop = [index](auto& column) {
     column.erase(column.begin() + static_cast<std::ptrdiff_t>(index));
   };
-  drop(setup), drop(position), drop(velocity), drop(target), drop(id);
+  drop(setup), drop(position), drop(velocity), drop(next_point), drop(id);
   look_over();
 }
 
@@ -104,7 +104,7 @@ void ObstacleColumns::advance(double time_step, double time) {
     }
     if (!setup[k].path.empty()) {
       const PathWalk next = next_on_path(setup[k], walk(k), time_step);
-      position[k] = next.position, velocity[k] = next.velocity, target[k] = next.target;
+      position[k] = next.position, velocity[k] = next.velocity, next_point[k] = next.next_point;
       continue;
     }
     const Vec2 a = setup[k].acceleration;

@@ -29,8 +29,8 @@ struct Foresight {
 struct ObstacleColumns {
   std::vector<MovingObstacle> setup;
   std::vector<Vec2> position, velocity;
-  std::vector<std::uint32_t> target;  // see PathWalk
-  std::vector<MovingObstacleId> id;   // ascending
+  std::vector<std::uint32_t> next_point;  // see PathWalk
+  std::vector<MovingObstacleId> id;       // ascending
   std::uint64_t next_id = 0;
   std::int64_t steps = 0;  // of the run, where the clock is common
   bool has_paths = false;  // whether some have a path
@@ -50,7 +50,7 @@ struct ObstacleColumns {
   /// Returns whether these discs are the present ones.
   bool rest_as(std::span<const Wall> discs) const;
   PathWalk walk(std::size_t index) const {
-    return {position[index], velocity[index], target[index]};
+    return {position[index], velocity[index], next_point[index]};
   }
   /// Advances all by constant acceleration, exactly; along a path; or by trajectories at `time`, s,
   /// at the end.

@@ -78,6 +78,20 @@ RobotSetup slowing(const RobotSetup& now, RobotSetup changed) {
   return changed;
 }
 
+// The setup is that of a body: makes it that of its reference, which its base can follow.
+void take_body(const World& world, std::size_t slot, const RobotSetup& now, RobotSetup& changed) {
+  const std::string name = name_of(world.fleet.id[slot]) + ": ";
+  if (changed.parked != now.parked)
+    refuse(name + "parked", "a change", "the same in a scene with execution");
+  RobotSetup at_rest = changed;
+  at_rest.velocity = {};
+  check_body(at_rest, method_of(world.settings, changed), name);
+  if (change_limit(changed) != change_limit(now))
+    refuse(name + "the larger one of max_acceleration and max_braking", text(change_limit(changed)),
+           text(change_limit(now)) + " m/s^2, for which its execution is known");
+  changed.radius += world.fleet.base(slot).added;
+}
+
 void check_change(World& world, const RobotSetup& now, const RobotSetup& changed, RobotId robot) {
   check_values(world, changed, robot, world.statics.has_walls);
   check_company(world, slowing(now, changed), robot);
@@ -100,6 +114,7 @@ void change_robot(World& world, RobotId robot, const RobotSetup& setup) {
   RobotSetup changed = setup;
   changed.position = now.position, changed.velocity = now.velocity;
   changed.heading = now.heading, changed.goal = now.goal;
+  if (!fleet.bases.are_exact()) take_body(world, slot, now, changed);
   if (!changed.time_step) changed.time_step = now.time_step;
   if (changed.method == fleet.usual.method) changed.method.reset();
   if (changed.max_braking == changed.max_acceleration) changed.max_braking.reset();
@@ -125,6 +140,7 @@ void change_robot(World& world, RobotId robot, const RobotSetup& setup) {
                                     fleet.position[slot], changed.goal,
                                     arrival_distance_of(world.settings, changed));
   fleet.change(slot, changed, pace);
+  if (!fleet.bases.are_exact()) fleet.bases.all[rank].radius = setup.radius;
   kind.becomes(fleet.setup(slot));
   if (!world.floor.empty()) world.floor[rank] = floor;
   if (world.has_ways() && moves_otherwise) world.travels[rank] = std::move(travel);

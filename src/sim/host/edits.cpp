@@ -67,7 +67,9 @@ void reserve_one(std::vector<Entry>& column) {
 
 }  // namespace
 
-RobotId add_robot(World& world, const RobotSetup& setup) {
+namespace {
+
+RobotId add_reference(World& world, const RobotSetup& setup) {
   const RobotId robot{world.next_id};
   catch_up(world);
   check_values(world, setup, robot, world.statics.has_walls);
@@ -91,6 +93,18 @@ RobotId add_robot(World& world, const RobotSetup& setup) {
   if (!world.floor.empty()) world.floor.push_back(floor);  // there is room
   if (world.has_ways()) world.travels.push_back(std::move(travel));
   world.sensing_radius = sensing_radius;
+  return robot;
+}
+
+}  // namespace
+
+RobotId add_robot(World& world, const RobotSetup& setup) {
+  Bases& bases = world.fleet.bases;
+  if (bases.are_exact()) return add_reference(world, setup);
+  check_body(setup, method_of(world.settings, setup), name_of(RobotId{world.next_id}) + ": ");
+  bases.reserve_one();
+  const RobotId robot = add_reference(world, bases.reference_of(setup));
+  bases.add(robot, setup);
   return robot;
 }
 
@@ -170,6 +184,7 @@ void move_robot(World& world, RobotId robot, Vec2 position) {
   if (Flight* own = fleet.flight(slot))
     *own = {*circle_of(setup.model, fleet.position[slot], fleet.velocity[slot])};
   if (fleet.has_clocks) start_clock(world, slot);
+  fleet.bases.put_down(rank, position);
   world.senses.renew(rank, world.moment());
   world.senses.note(fleet, world.steps);
   world.changed = world.has_new_goals = true;

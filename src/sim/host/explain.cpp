@@ -10,9 +10,9 @@
 
 namespace avo {
 
-Explanation Simulation::explain(std::size_t robot) const {
+Explanation Simulation::explain(RobotId robot) const {
   const RobotState present = this->robot(robot);
-  if (state_->fleet.conduct[state_->fleet.slot_of[robot]].parked)
+  if (state_->fleet.conduct[state_->fleet.find(robot)].parked)
     throw Error("robot " + std::to_string(present.id.value) +
                 ": found a parked one, must be one that decides");
   const Planner& own = planner(robot);
@@ -20,7 +20,7 @@ Explanation Simulation::explain(std::size_t robot) const {
                           .time = time(),
                           .goal = present.goal,
                           .is_at_goal = is_at_goal(robot),
-                          .distance_left = way(robot).distance_left,
+                          .distance_left = route(robot).distance_left,
                           .seen = perceive(robot),
                           .decision = {},
                           .state = {},

@@ -83,11 +83,11 @@ void change_moving_obstacle(World& world, MovingObstacleId id, const MovingObsta
   const MovingObstacle setup = checked(world, obstacle, id);
   PathWalk start = start_of(world, setup);
   const MovingObstacle& now = world.obstacles.setup[index];
-  if (setup.path == now.path) start.target = world.obstacles.target[index];
+  if (setup.path == now.path) start.next_point = world.obstacles.next_point[index];
   const bool is_simple = only_moves(now, setup);
   ObstacleColumns obstacles = world.obstacles;
   obstacles.position[index] = start.position, obstacles.velocity[index] = start.velocity;
-  obstacles.target[index] = start.target, obstacles.setup[index] = setup;
+  obstacles.next_point[index] = start.next_point, obstacles.setup[index] = setup;
   if (is_simple) return replace(world, std::move(obstacles));
   obstacles.look_over();
   if (!world.kinds) world.kinds.emplace(world.fleet);

@@ -18,6 +18,13 @@ Columns without(Columns all, Columns some) {
   return static_cast<Columns>(static_cast<unsigned>(all) & ~static_cast<unsigned>(some));
 }
 
+std::vector<RobotId> ids_at(const Fleet& fleet, const std::vector<std::size_t>& ranks) {
+  std::vector<RobotId> ids;
+  ids.reserve(ranks.size());
+  for (const std::size_t rank : ranks) ids.push_back(fleet.id[fleet.slot_of[rank]]);
+  return ids;
+}
+
 }  // namespace
 
 FleetView Simulation::fleet(Columns wanted) const {
@@ -39,13 +46,14 @@ std::uint64_t Simulation::roster() const {
   return state_->roster;
 }
 
-RobotState Simulation::robot(std::size_t robot) const {
+RobotState Simulation::robot(RobotId robot) const {
   const Fleet& fleet = state_->fleet;
-  const std::uint32_t slot = fleet.slot_of[robot];
+  const std::size_t slot = fleet.find(robot);
   const MotionState present = present_state(*state_, slot);
+  const bool exact = fleet.bases.are_exact();
   return {.id = fleet.id[slot],
-          .position = fleet.place(slot, present),
-          .velocity = present.velocity,
+          .position = exact ? fleet.place(slot, present) : fleet.base(slot).position,
+          .velocity = exact ? present.velocity : fleet.base(slot).velocity,
           .heading = present.heading,
           .goal = fleet.goal[slot],
           .detour = fleet.detour[slot],
@@ -53,9 +61,13 @@ RobotState Simulation::robot(std::size_t robot) const {
           .applied_acceleration = fleet.applied_acceleration[slot]};
 }
 
-RobotSetup Simulation::setup(std::size_t robot) const {
-  const std::uint32_t slot = state_->fleet.slot_of[robot];
-  return state_->fleet.setup(slot, present_state(*state_, slot));
+RobotSetup Simulation::setup(RobotId robot) const {
+  const std::size_t slot = state_->fleet.find(robot);
+  RobotSetup setup = state_->fleet.setup(slot, present_state(*state_, slot));
+  if (state_->fleet.bases.are_exact()) return setup;
+  const Base& base = state_->fleet.base(slot);
+  setup.position = base.position, setup.velocity = base.velocity, setup.radius = base.radius;
+  return setup;
 }
 
 std::optional<std::size_t> Simulation::index_of(RobotId robot) const {
@@ -64,15 +76,15 @@ std::optional<std::size_t> Simulation::index_of(RobotId robot) const {
   return slot ? std::optional(static_cast<std::size_t>(fleet.rank[*slot])) : std::nullopt;
 }
 
-std::vector<std::size_t> Simulation::robots_within(Vec2 center, double radius) const {
+std::vector<RobotId> Simulation::robots_within(Vec2 center, double radius) const {
   require("robots_within: center", center, "m");
   require("robots_within: radius", radius, kNotNegative, "m");
-  return avo::robots_within(state_->nearby_now(), center, radius);
+  return ids_at(state_->fleet, avo::robots_within(state_->nearby_now(), center, radius));
 }
 
-std::vector<std::size_t> Simulation::nearest_robots(Vec2 position, std::size_t count) const {
+std::vector<RobotId> Simulation::nearest_robots(Vec2 position, std::size_t count) const {
   require("nearest_robots: position", position, "m");
-  return avo::nearest_robots(state_->nearby_now(), position, count);
+  return ids_at(state_->fleet, avo::nearest_robots(state_->nearby_now(), position, count));
 }
 
 bool Simulation::is_free(Vec2 position, double radius, LayerSet layers) const {
@@ -96,17 +108,17 @@ bool Simulation::is_in_sight(Vec2 from, Vec2 to, double radius, LayerSet layers)
   return avo::is_in_sight(*state_, state_->walls_now(), from, to, radius, layers);
 }
 
-ObstacleView Simulation::obstacles() const {
+MovingObstacleView Simulation::moving_obstacles() const {
   const ObstacleColumns& o = state_->obstacles;
-  return {o.position, o.velocity, o.setup, o.target, o.id};
+  return {o.position, o.velocity, o.setup, o.next_point, o.id};
 }
 
-std::optional<Vec2> Simulation::preferred_velocity(std::size_t robot) const {
+std::optional<Vec2> Simulation::preferred_velocity(RobotId robot) const {
   const Fleet& fleet = state_->fleet;
-  return fleet.told_velocity(fleet.slot_of[robot]);
+  return fleet.told_velocity(fleet.find(robot));
 }
 
-StaticObstacleView Simulation::static_obstacles() const {
+StaticObstacleView Simulation::obstacles() const {
   return {state_->statics.id, state_->statics.obstacles};
 }
 

@@ -192,11 +192,10 @@ void advise_localization(const Scenario& scenario, std::vector<std::string>& lin
   const WorstRobot lost =
       worst(scenario.robots, [&](const RobotSetup& r) { return 2.0 * error / disc_radius(r); });
   if (!has_walls || lost.value < 1.0) return;
-  lines.push_back("sensing.localization lets " + robot_name(lost.robot) + " be up to " +
-                  in_short(error) +
-                  " m off where it takes itself to be, and half of its radius is " +
-                  in_short(0.5 * disc_radius(scenario.robots[lost.robot])) +
-                  " m: it may find no way out of a corner");
+  lines.push_back(
+      "sensing.localization lets " + robot_name(lost.robot) + " be up to " + in_short(error) +
+      " m off where it takes itself to be, and half of its radius is " +
+      in_short(0.5 * disc_radius(scenario.robots[lost.robot])) + " m: it may stay in a corner");
 }
 
 void advise_slow_flights(const Scenario& scenario, std::vector<std::string>& lines) {

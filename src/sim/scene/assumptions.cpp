@@ -69,6 +69,7 @@ Vec2 way_to_rest(const RobotSetup& robot, const CertificateLaw& law) {
 namespace avo {
 
 BrokenAssumptions broken_assumptions(const Scenario& scenario) {
+  if (scenario.execution) return broken_assumptions(with_references(scenario));
   BrokenAssumptions result;
   const CertificateLaw law = certificate_law(scenario);
   if (law.kind == Certificate::none) return result;

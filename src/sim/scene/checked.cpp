@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "core/elementary.h"
+#include "robots/execution_bounds.h"
 #include "robots/footprint.h"
 
 namespace avo {
@@ -67,6 +68,42 @@ CheckedRobot checked_robot(const RobotSetup& robot) {
       .avoids = robot.avoids.bits,
       .max_braking = robot.max_braking,
       .discs = judged_discs(robot.model)};
+}
+
+namespace {
+
+// Where it is judged, a body may be faster than its reference, and no acceleration is promised.
+void judge_body(const Scenario& scenario, const RobotSetup& setup, CheckedRobot& robot) {
+  const ExecutionModel& model = *scenario.execution;
+  const ExecutionLimits limits{change_limit(setup), setup.max_speed};
+  robot.max_speed += bounds_of(model, setup.model, limits, scenario.time_step).velocity;
+  robot.max_acceleration = std::numeric_limits<double>::infinity();
+  robot.max_braking.reset();
+  robot.interpolation_error = off_cubic(model, limits, scenario.time_step);
+  robot.largest_jump = 4.0 * robot.interpolation_error;
+}
+
+// Exponential motion, Eqs. (8), (9), has |x''''| <= most/δ², and a cubic through positions and
+// velocities errs by at most Δt⁴ |x''''|/384.
+double off_cubic_of_response(const Scenario& scenario, const RobotSetup& setup) {
+  const PlannerOptions options = planner_options(scenario, setup);
+  const double ratio = options.time_step / options.control_time;
+  return ratio * ratio * options.time_step * options.time_step * change_limit(setup) / 384.0;
+}
+
+}  // namespace
+
+CheckedRobot checked_robot(const Scenario& scenario, const RobotSetup& setup) {
+  CheckedRobot robot = checked_robot(setup);
+  if (is_holonomic(setup.model)) {
+    robot.straight = adopts_at_once(method_of(scenario, setup));
+    if (scenario.motion != Motion::held && !robot.straight)
+      robot.interpolation_error = off_cubic_of_response(scenario, setup);
+    if (scenario.execution) judge_body(scenario, setup, robot);
+  }
+  if (scenario.clock == Clock::free && !robot.parked && !robot.straight)
+    robot.time_step = time_step_of(scenario, setup);
+  return robot;
 }
 
 CheckedState checked_state(const FleetView& fleet, std::size_t robot) {

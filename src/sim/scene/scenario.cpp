@@ -308,6 +308,7 @@ void validate(const Scenario& scenario) {
   for (std::size_t i = 0; i < scenario.robots.size(); ++i)
     check_robot(i, scenario.robots[i], scenario.time_step);
   check_methods(scenario);
+  check_execution(scenario);
   check_footprints(scenario);
   check_external(scenario);
   for (std::size_t k = 0; k < scenario.moving_obstacles.size(); ++k)

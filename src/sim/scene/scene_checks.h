@@ -45,7 +45,7 @@ void check_teams(const Scenario& scenario);
 /// on the velocity of the disc.
 SensingError unforeseen(const Scenario& scenario);
 
-/// m: ways out before movers need all walls within their reach.
+/// m: evasive maneuvers before movers need all walls within their reach.
 inline double wall_range(bool has_movers) {
   return has_movers ? std::numeric_limits<double>::infinity() : 0.0;
 }

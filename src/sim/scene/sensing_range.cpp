@@ -12,6 +12,7 @@
 #include "planner/rules/arrival.h"
 #include "planner/stages/certify.h"
 #include "robots/model.h"
+#include "sim/bases/bases.h"
 #include "sim/scene/assumptions.h"
 
 namespace avo::inline sim {
@@ -101,6 +102,7 @@ double rules_range(const Scenario& scenario) {
 }  // namespace
 
 double needed_sensing_radius(const Scenario& scenario) {
+  if (scenario.execution) return needed_sensing_radius(with_references(scenario));
   const auto need = sensing_need(scenario, certificate_law(scenario));
   const double range = std::max(need ? need->range : 0.0, rules_range(scenario));
   return range > 0.0 ? std::min(range, kLargest) : kAlone;

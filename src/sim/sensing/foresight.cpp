@@ -16,7 +16,7 @@ constexpr std::int64_t kStepsForeseen = 64;  // steps, after which trajectories 
 // steps; of a longer round only the beginning is known
 constexpr std::int64_t kLongestRound = 16384;
 
-// The longest way out of any robot of the fleet.
+// The longest evasive maneuver of any robot of the fleet.
 double horizon_of(const World& world) {
   double longest = 0.0;
   const StepLaw law = certificate_law(world.planner()).step;
@@ -41,7 +41,7 @@ void follow_path(const MovingObstacle& obstacle, PathWalk walk, std::int64_t ste
   for (std::size_t left = obstacle.path.size() + 1; left > 0 && step < until + kLongestRound;) {
     const PathWalk before = walk;
     go_on();
-    if (walk.target != before.target) --left;
+    if (walk.next_point != before.next_point) --left;
     if (is_rest(walk.velocity) && walk.position == before.position) break;
   }
   const double bend = 0.125 * time_step * time_step * obstacle.max_deviation;

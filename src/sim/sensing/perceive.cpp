@@ -10,9 +10,13 @@
 namespace avo {
 namespace {
 
-// The value of the id at that index into fleet().
-std::int64_t number_at(const Fleet& fleet, int index) {
-  return static_cast<std::int64_t>(fleet.id[fleet.slot_of[static_cast<std::size_t>(index)]].value);
+// A sighting's source as Perception::source says it: by ids.
+std::int64_t named(const World& world, int source) {
+  if (source < 0)
+    return -1 - static_cast<std::int64_t>(
+                    world.obstacles.id[static_cast<std::size_t>(-1 - source)].value);
+  const Fleet& fleet = world.fleet;
+  return static_cast<std::int64_t>(fleet.id[fleet.slot_of[static_cast<std::size_t>(source)]].value);
 }
 
 void list_neighbors(const World& world, const Worker& alone, Simulation::Perception& seen) {
@@ -22,8 +26,7 @@ void list_neighbors(const World& world, const Worker& alone, Simulation::Percept
     neighbor.trajectory =  // a copy that outlives the step
         seen.trajectories.emplace_back(std::make_shared<Trajectory>(*neighbor.trajectory)).get();
   }
-  for (const int source : *alone.sources)
-    seen.source.push_back(source < 0 ? source : number_at(world.fleet, source));
+  for (const int source : *alone.sources) seen.source.push_back(named(world, source));
 }
 
 // Takes the robot with what it senses as a tile of its own, as a step does. It remembers in copies.
@@ -46,17 +49,17 @@ void set_out_alone(const World& world, std::span<const Claims> claims, std::uint
 
 }  // namespace
 
-std::optional<Simulation::Wait> Simulation::wait(std::size_t robot) const {
+std::optional<Simulation::Wait> Simulation::wait(RobotId robot) const {
   State& state = *state_;
   state.catch_up();
   const std::span<const Claims> claims = state.claims_now();
-  return wait_of(state, claims, state.fleet.slot_of[robot]);
+  return wait_of(state, claims, state.fleet.find(robot));
 }
 
-Simulation::Perception Simulation::perceive(std::size_t robot) const {
+Simulation::Perception Simulation::perceive(RobotId robot) const {
   State& state = *state_;
   state.look_at_present();
-  const std::uint32_t slot = state.fleet.slot_of[robot];
+  const auto slot = static_cast<std::uint32_t>(state.fleet.find(robot));
   Worker alone;
   std::vector<int> sources;
   alone.sources = &sources;

@@ -27,7 +27,7 @@ constexpr std::uint64_t late_bit(std::size_t field) {
   return std::uint64_t{1} << (kFirstLateBit + static_cast<int>(field));
 }
 
-/// The bits of the fields whose values are not the default ones.
+/// The bits of the fields with values other than the default ones.
 inline std::uint64_t late_kinds(const RobotSetup& setup, std::span<const RobotField> late) {
   std::uint64_t bits = 0;
   const RobotSetup usual;

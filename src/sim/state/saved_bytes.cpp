@@ -12,6 +12,7 @@
 #include "core/ranges.h"
 #include "core/removed.h"
 #include "sim/state/archive.h"
+#include "sim/state/saved_bases.h"
 #include "sim/state/saved_robots.h"
 #include "sim/state/saved_state.h"
 #include "sim/state/saved_teams.h"
@@ -22,6 +23,7 @@ namespace {
 constexpr std::uint64_t kMark = 0x65766173206f7661;         // "avo save"
 constexpr std::uint64_t kChangedMark = 0x32766173206f7661;  // "avo sav2": with what hosts change
 constexpr std::uint64_t kTeamsMark = 0x33766173206f7661;    // "avo sav3": also with teams and names
+constexpr std::uint64_t kBasesMark = 0x34766173206f7661;    // "avo sav4": also with bodies
 constexpr std::size_t kFewestWords = 3;                     // mark, number of bytes, checksum
 constexpr std::size_t kObstacleWords = 17, kRobotWords = 19;  // at least
 constexpr std::size_t kPastWords = 4, kClockWords = 15, kKnotWords = 6;
@@ -78,7 +80,7 @@ template <bool kReads>
 void describe(Archive<kReads>& archive, MovingObstacle& setup, PathWalk& state) {
   for_each_obstacle_value([&](const char*, auto member) { describe(archive, setup.*member); });
   describe(archive, state.position), describe(archive, state.velocity);
-  describe(archive, state.target);
+  describe(archive, state.next_point);
 }
 
 template <bool kReads>
@@ -220,12 +222,19 @@ std::vector<std::byte> to_bytes(SavedState state) {
   std::vector<std::byte>& bytes = archive.written;
   bytes.reserve(kWord * (kSettings + kRobotWords * state.robots.size() +
                          kObstacleWords * state.obstacles.size()));
-  const bool has_more = has_teams_or_name(state.scene), changed = has_more || is_changed(state);
-  std::uint64_t mark = has_more ? kTeamsMark : changed ? kChangedMark : kMark, size = 0;
+  const bool has_bases = !state.bases.are_exact();
+  const bool has_more = has_bases || has_teams_or_name(state.scene);
+  const bool changed = has_more || is_changed(state);
+  std::uint64_t mark = has_bases  ? kBasesMark
+                       : has_more ? kTeamsMark
+                       : changed  ? kChangedMark
+                                  : kMark;
+  std::uint64_t size = 0;
   archive.word(mark), archive.word(size);
   describe(archive, state);
   if (changed) describe_changes(archive, state);
   if (has_more) describe_more(archive, state.scene);
+  if (has_bases) describe_bases(archive, state);
   put_word(bytes.size() + kWord, &bytes[kWord]);
   std::uint64_t sum = checksum(bytes);
   archive.word(sum);
@@ -236,7 +245,8 @@ SavedState from_bytes(std::span<const std::byte> bytes) {
   if (bytes.size() < kFewestWords * kWord) {
     refuse_saved(std::to_string(bytes.size()) + " bytes", "whole");
   }
-  const bool has_more = word_at(bytes, 0) == kTeamsMark;
+  const bool has_bases = word_at(bytes, 0) == kBasesMark;
+  const bool has_more = has_bases || word_at(bytes, 0) == kTeamsMark;
   const bool changed = has_more || word_at(bytes, 0) == kChangedMark;
   if (word_at(bytes, 0) != kMark && !changed)
     refuse_saved("something else", "bytes of Simulation::save()");
@@ -256,6 +266,7 @@ SavedState from_bytes(std::span<const std::byte> bytes) {
   state.next_mover = state.mover_ids.size();
   if (changed) describe_changes(archive, state);
   if (has_more) describe_more(archive, state.scene);
+  if (has_bases) describe_bases(archive, state);
   if (!archive.unread.empty()) {
     refuse_saved(std::to_string(archive.unread.size()) + " more bytes", "no more");
   }

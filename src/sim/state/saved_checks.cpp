@@ -171,8 +171,8 @@ void check_states(const SavedState& state) {
   for (std::size_t k = 0; k < state.obstacles.size(); ++k) {
     const std::size_t points =
         std::max<std::size_t>(state.scene.moving_obstacles[k].path.size(), 1);
-    if (state.obstacles[k].target >= points)
-      refuse_saved("way point " + std::to_string(state.obstacles[k].target),
+    if (state.obstacles[k].next_point >= points)
+      refuse_saved("path point " + std::to_string(state.obstacles[k].next_point),
                    "below " + std::to_string(points));
   }
   std::uint64_t next = 0;  // lower bound of the id

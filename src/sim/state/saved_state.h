@@ -12,6 +12,7 @@
 #include "avo/simulation.h"
 #include "guidance/ways.h"
 #include "robots/motion.h"
+#include "sim/bases/bases.h"
 #include "sim/sensing/senses.h"
 
 namespace avo::inline sim {
@@ -62,7 +63,7 @@ struct SavedState {
   std::int64_t steps = 0;
   std::uint64_t next_id = 0;
   std::vector<SavedRobot> robots;  // by ascending id, as many as the scene has
-  // in the order of the scene, as many as it has; without a path the target is 0
+  // in the order of the scene, as many as it has; without a path next_point is 0
   std::vector<PathWalk> obstacles;
   std::vector<SavedWay> ways;  // of the robots; none without walls and movers at rest
   std::uint64_t next_obstacle = 0;
@@ -77,6 +78,7 @@ struct SavedState {
   std::uint64_t next_mover = 0;
   std::vector<SavedTold> told;            // by ascending id
   std::vector<std::vector<Knot>> tracks;  // of the robots, where senses are by time, oldest first
+  Bases bases;  // where bases do not execute exactly; the scene is that of the references then
 };
 
 /// visit(key, member) for all values of a scene that affect its motion, except robots and

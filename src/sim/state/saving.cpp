@@ -74,6 +74,12 @@ void require_same_external(const Scenario& saved, const World& world) {
          shown(world.settings.external_method) + " as in this simulation");
 }
 
+void require_same_execution(const Bases& saved, const World& world) {
+  const Bases& ours = world.fleet.bases;
+  if (saved.model == ours.model && saved.declared == ours.declared) return;
+  refuse("saved state: execution", "another one", "the one of this simulation");
+}
+
 bool are_same(const std::vector<Wall>& theirs, const std::vector<Wall>& ours) {
   return std::equal(theirs.begin(), theirs.end(), ours.begin(), ours.end(),
                     [](const Wall& a, const Wall& b) {
@@ -134,7 +140,7 @@ ObstacleColumns obstacles_of(const SavedState& state) {
   for (std::size_t k = 0; k < state.obstacles.size(); ++k) {
     obstacles.position[k] = state.obstacles[k].position;
     obstacles.velocity[k] = state.obstacles[k].velocity;
-    obstacles.target[k] = state.obstacles[k].target;
+    obstacles.next_point[k] = state.obstacles[k].next_point;
   }
   obstacles.steps = state.steps;
   return obstacles;
@@ -220,6 +226,7 @@ SavedState saved_state(const World& world) {
   const Fleet& fleet = world.fleet;
   SavedState state;
   state.scene = world.settings;
+  state.bases = world.fleet.bases;
   state.sensing_radius = world.sensing_radius;
   state.steps = world.steps, state.now = world.now;
   state.next_id = world.next_id;
@@ -245,7 +252,7 @@ SavedState saved_state(const World& world) {
   state.mover_ids = world.obstacles.id, state.next_mover = world.obstacles.next_id;
   for (std::size_t k = 0; k < world.obstacles.setup.size(); ++k) {
     state.obstacles.push_back(
-        {world.obstacles.position[k], world.obstacles.velocity[k], world.obstacles.target[k]});
+        {world.obstacles.position[k], world.obstacles.velocity[k], world.obstacles.next_point[k]});
   }
   state.scene.robots.reserve(fleet.size());
   state.robots.reserve(fleet.size());
@@ -268,8 +275,10 @@ SavedState saved_state(const World& world) {
 void restore(const SavedState& state, World& world) {
   require_same_scene(state.scene, world);
   require_same_external(state.scene, world);
+  require_same_execution(state.bases, world);
   Fleet fleet = fleet_of(state, world);
   take_told(state, fleet);
+  fleet.bases = state.bases;
   add_clocks(state, fleet);
   Senses senses = senses_of(state, fleet, world.planner().options().longest_step);
   ObstacleColumns obstacles = obstacles_of(state);

@@ -58,8 +58,8 @@ Vec2 nearest_on(Vec2 a, Vec2 b, Vec2 point) {
 }
 
 // Whether a robot has come to an exit, wherever on the exit its goal is.
-bool is_out(const Flow& flow, const Simulation& simulation, std::size_t k, Vec2 place) {
-  const double arrival = simulation.setup(k).arrival_distance.value_or(
+bool is_out(const Flow& flow, const Simulation& simulation, RobotId robot, Vec2 place) {
+  const double arrival = simulation.setup(robot).arrival_distance.value_or(
       simulation.planner().options().arrival_distance);
   for (std::size_t exit = 0; exit + 1 < flow.exits.size(); exit += 2) {
     const Vec2 nearest = nearest_on(flow.exits[exit], flow.exits[exit + 1], place);
@@ -76,10 +76,9 @@ void lead(const Flow& flow, Simulation& simulation, Team& team) {
   std::vector<Vec2> goals;  // of those that stay
   ExitGoals made;
   for (TeamMember member : team.members) {
-    const std::size_t k = index_of(simulation, member);
-    make_for(flow, disc_radius(simulation.setup(k)), made);
-    const Vec2 place = simulation.robot(k).position, goal = goal_of(made.goals, place, member);
-    if (member.is_led && is_out(flow, simulation, k, place)) {
+    make_for(flow, disc_radius(simulation.setup(member.robot)), made);
+    const Vec2 place = place_of(simulation, member), goal = goal_of(made.goals, place, member);
+    if (member.is_led && is_out(flow, simulation, member.robot, place)) {
       gone.push_back(member.robot);
     } else {
       staying.push_back(member);

@@ -31,7 +31,7 @@ std::span<TeamMember> others(Team& team) {
 // A trail for a team that sets out, or has another leader. A row begins as it stands; slots begin
 // behind a leader that sets out on its route.
 void begin_trail(const Follow& follow, const Simulation& simulation, Team& team) {
-  const std::size_t first = index_of(simulation, team.members.front());
+  const RobotId first = team.members.front().robot;
   const Vec2 leader = simulation.robot(first).position;
   const auto from_leader = [&](const TeamMember& member) {
     return norm_squared(place_of(simulation, member) - leader);
@@ -41,7 +41,7 @@ void begin_trail(const Follow& follow, const Simulation& simulation, Team& team)
       [&](const TeamMember& a, const TeamMember& b) { return from_leader(a) < from_leader(b); });
   team.leader = team.members.front().robot;
   team.trail.clear();
-  const Vec2 route = simulation.way(first).next - leader;
+  const Vec2 route = simulation.route(first).next - leader;
   if (!follow.slots.empty()) {
     const double length = norm(route);
     team.trail = {leader - follow.spacing * (length > 0.0 ? route / length : Vec2{1.0, 0.0})};
@@ -90,9 +90,9 @@ Moving on_trail(const Leader& leader, double behind, std::span<const Vec2> trail
 
 // The place of a slot. The slots look along the trail, so that they turn as the leader goes on.
 Moving at_slot(const Leader& leader, Vec2 slot, double spacing, std::span<const Vec2> trail) {
-  const Vec2 way = leader.place - on_trail(leader, spacing, trail).place;
-  const double length = norm(way);
-  const Vec2 ahead = length > 0.0 ? way / length : Vec2{1.0, 0.0};
+  const Vec2 behind = leader.place - on_trail(leader, spacing, trail).place;
+  const double length = norm(behind);
+  const Vec2 ahead = length > 0.0 ? behind / length : Vec2{1.0, 0.0};
   return {leader.place + slot.x * ahead + slot.y * perpendicular(ahead), leader.velocity};
 }
 
@@ -125,12 +125,12 @@ Moving wanted_by(std::size_t k, double radius, const Follow& follow, const Leade
 
 // Leads a robot to its place: by a velocity where no wall lies between, else by its route. Once the
 // leader rests, the place is the robot's goal, so that the robot comes to rest as well.
-void keep(const Moving& wanted, bool is_at_rest, std::size_t k, Simulation& simulation) {
-  const RobotState robot = simulation.robot(k);
-  const RobotSetup setup = simulation.setup(k);
+void keep(const Moving& wanted, bool is_at_rest, RobotId id, Simulation& simulation) {
+  const RobotState robot = simulation.robot(id);
+  const RobotSetup setup = simulation.setup(id);
   if (is_at_rest || !simulation.is_in_sight(robot.position, wanted.place, setup.radius)) {
-    simulation.set_preferred_velocity(robot.id, std::nullopt);
-    simulation.set_goal(robot.id, wanted.place);
+    simulation.set_preferred_velocity(id, std::nullopt);
+    simulation.set_goal(id, wanted.place);
     return;
   }
   const Vec2 off = wanted.place - robot.position;
@@ -141,10 +141,10 @@ void keep(const Moving& wanted, bool is_at_rest, std::size_t k, Simulation& simu
   if (distance > 0.0) velocity = velocity + std::min(kClosing * distance, braking) / distance * off;
   const double speed = norm(velocity);
   if (speed > setup.max_speed) velocity = setup.max_speed / speed * velocity;
-  simulation.set_preferred_velocity(robot.id, velocity);
+  simulation.set_preferred_velocity(id, velocity);
 }
 
-Leader look_at(const Simulation& simulation, std::size_t first) {
+Leader look_at(const Simulation& simulation, RobotId first) {
   const RobotState robot = simulation.robot(first);
   const double least = kAtRest * simulation.setup(first).preferred_speed;  // m/s
   return {robot.position, robot.velocity,
@@ -163,14 +163,14 @@ void lead(const Follow& follow, Simulation& simulation, Team& team) {
     }
     begin_trail(follow, simulation, team);
   }
-  const Leader leader = look_at(simulation, index_of(simulation, first));
+  const Leader leader = look_at(simulation, first.robot);
   go_on(leader.place, follow.spacing, follow.spacing * static_cast<double>(team.members.size()),
         team.trail);
   const bool has_new = std::any_of(team.members.begin(), team.members.end(),
                                    [](const TeamMember& member) { return !member.is_led; });
   if (is_new || has_new) take_slots(follow, leader, simulation, team);
   for (std::size_t k = 1; k < team.members.size(); ++k) {
-    const std::size_t robot = index_of(simulation, team.members[k]);
+    const RobotId robot = team.members[k].robot;
     const double radius = simulation.setup(robot).radius;
     keep(wanted_by(k, radius, follow, leader, simulation, team), leader.is_at_rest, robot,
          simulation);

@@ -81,9 +81,9 @@ std::vector<Vec2> place_slots(std::span<const Vec2> slots, Vec2 center, double h
 void form_up(Simulation& simulation, std::span<const RobotId> robots, std::span<const Vec2> slots) {
   std::vector<Vec2> goals;
   for (const RobotId robot : robots) {
-    const auto k = simulation.index_of(robot);
-    if (!k) throw Error("robots: found no robot " + std::to_string(robot.value));
-    goals.push_back(simulation.robot(*k).position);
+    if (!simulation.index_of(robot))
+      throw Error("robots: found no robot " + std::to_string(robot.value));
+    goals.push_back(simulation.robot(robot).position);
   }
   const std::vector<std::size_t> chosen = assign_slots(goals, slots);
   for (std::size_t k = 0; k < goals.size(); ++k) goals[k] = slots[chosen[k]];

@@ -21,17 +21,17 @@ constexpr double kBeside = 4.0;     // pass_distance: a robot at rest is beside 
 constexpr double kStanding = 0.01;  // m/s
 
 // Whether a robot goes on: it is near its point, it cannot come to the point at all, or it rests
-// beside the point because somebody else is there.
+// beside the point because another robot is there.
 bool has_passed(const Patrol& patrol, const Simulation& simulation, const TeamMember& member) {
   const Vec2 point = patrol.points[member.number];
-  const std::size_t k = index_of(simulation, member);
-  const RobotState robot = simulation.robot(k);
+  const RobotState robot = simulation.robot(member.robot);
   const double off = norm(point - robot.position);
   if (off <= patrol.pass_distance) return true;
   if (!member.is_led) return false;
-  if (simulation.is_at_goal(k) || !std::isfinite(simulation.way(k).length)) return true;
+  if (simulation.is_at_goal(robot.id) || !std::isfinite(simulation.route(robot.id).length))
+    return true;
   return norm(robot.velocity) <= kStanding && off <= kBeside * patrol.pass_distance &&
-         !simulation.is_free(point, disc_radius(simulation.setup(k)));
+         !simulation.is_free(point, disc_radius(simulation.setup(robot.id)));
 }
 
 }  // namespace

@@ -11,8 +11,8 @@ constexpr double kRounding = 1e-9;  // s, of a sum of steps
 
 // Whether the first robot has waited long enough at the head.
 bool is_served(const Queue& queue, const Simulation& simulation, Team& team) {
-  const std::size_t first = index_of(simulation, team.members.front());
-  const bool is_there = team.members.front().is_led && simulation.is_at_goal(first);
+  const TeamMember& first = team.members.front();
+  const bool is_there = first.is_led && simulation.is_at_goal(first.robot);
   if (!is_there) return false;
   if (team.since < 0.0) team.since = simulation.time();
   return queue.service && simulation.time() - team.since >= *queue.service - kRounding;

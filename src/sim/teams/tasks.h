@@ -18,8 +18,7 @@ void lead(const Flow& flow, Simulation& simulation, Team& team);
 /// The first robot of a queue goes to its own goal, and leaves the team.
 RobotId send_first(Simulation& simulation, Team& team);
 
-/// Index of a member into the fleet; it must be there.
-std::size_t index_of(const Simulation& simulation, const TeamMember& member);
+/// m: where the member is now.
 Vec2 place_of(const Simulation& simulation, const TeamMember& member);
 /// Where a polyline is after a length, m; beyond its end it goes straight on. Its points are
 /// distinct.

@@ -11,12 +11,8 @@
 
 namespace avo::inline sim {
 
-std::size_t index_of(const Simulation& simulation, const TeamMember& member) {
-  return *simulation.index_of(member.robot);
-}
-
 Vec2 place_of(const Simulation& simulation, const TeamMember& member) {
-  return simulation.robot(index_of(simulation, member)).position;
+  return simulation.robot(member.robot).position;
 }
 
 Vec2 place_along(std::span<const Vec2> line, double length) {
@@ -127,7 +123,7 @@ void lead(Simulation& simulation, Team& team) {
                 [&](const TeamMember& member) { return !simulation.index_of(member.robot); });
   if (team.members.empty()) return;
   for (TeamMember& member : team.members)
-    if (!member.is_led) member.goal = simulation.robot(index_of(simulation, member)).goal;
+    if (!member.is_led) member.goal = simulation.robot(member.robot).goal;
   std::visit([&](const auto& task) { lead(task, simulation, team); }, team.task);
   for (TeamMember& member : team.members) member.is_led = true;
 }

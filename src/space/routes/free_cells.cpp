@@ -13,7 +13,7 @@ namespace {
 // apart there, and the diagonal of a cell is shorter
 constexpr double kSide = 1.15;
 constexpr std::size_t kMostCells = std::size_t{1} << 19U;
-constexpr double kLacking = 1e-9;     // of the room, that a way between two places may lack
+constexpr double kLacking = 1e-9;     // of the room, that a line between two places may lack
 constexpr double kHalf = 0.5 + 1e-9;  // of the side
 constexpr int kPushes = 16;
 constexpr double kLessEachPush = 0.7;
@@ -37,7 +37,7 @@ struct Placed {
 };
 
 // The middle of a cell, pushed off boxes by ever shorter steps until it keeps the room; else the
-// best place on the way.
+// best place on the line.
 Placed pushed(const Solids& solids, Vec3 middle, double side, double room, double sight) {
   const Vec3 half = 0.5 * side * Vec3{1.0, 1.0, 1.0};
   Away near = solids.away(middle, sight);

@@ -59,7 +59,7 @@ class FreeCells {
   /// The part of the free space that the cell belongs to: cells of one part are joined by others.
   [[nodiscard]] std::uint32_t part(std::uint32_t cell) const { return part_[cell]; }
 
-  /// Calls visit(number) for the cells around a cell to whose places a straight way leads.
+  /// Calls visit(number) for the cells around a cell with places to which a straight line leads.
   template <typename Visit>
   void for_each_joined(std::uint32_t cell, const Visit& visit) const;
   /// Calls visit(number) for the free cells that are at most so many cells away.

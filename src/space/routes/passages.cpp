@@ -12,7 +12,7 @@ namespace {
 // in radii of a passage, as in the plane
 constexpr double kOneLane = 4.4, kTwoLanes = 8.0;  // the widest passages
 constexpr double kMouth = 1.3;                     // from the faces to the mouth
-constexpr double kOpen = 0.999;  // what is left of the radius on the way out of a mouth
+constexpr double kOpen = 0.999;  // what is left of the radius on the evasive maneuver of a mouth
 constexpr double kFits = 1.0 - 1e-9;
 constexpr double kDiagonal = 0.70710678118654752;  // √½
 

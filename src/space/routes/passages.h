@@ -51,10 +51,10 @@ class SpacePassages {
   /// The passage with one lane, or with two, that contains the place.
   [[nodiscard]] std::optional<std::uint32_t> at(Vec3 place, bool two_lanes) const;
 
-  /// The first passage of one lane that a straight way leads through.
+  /// The first passage of one lane that a straight line leads through.
   struct Crossing {
     std::uint32_t passage = 0;
-    double part = 0.0;  ///< of the way
+    double part = 0.0;  ///< of the line
     bool forward = true;
   };
   [[nodiscard]] std::optional<Crossing> first_crossed(Vec3 from, Vec3 to) const;

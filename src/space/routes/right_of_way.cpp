@@ -11,11 +11,12 @@ namespace {
 constexpr double kFarthestPassage = 24.0;
 constexpr double kAhead = 3.0;
 constexpr double kAlong = 0.5;        // cosine: a route that leads more across keeps no lane
-constexpr double kRoom = 1.0 - 1e-3;  // of the radius, that the way into a lane needs
+constexpr double kRoom = 1.0 - 1e-3;  // of the radius, that the entrance of a lane needs
 constexpr double kGate = 1.3;         // radii of the passage, from the mouth to the faces
-constexpr double kEntrance = 2.5;  // radii of the passage, from there: who stands in the entrance
-constexpr double kBeside = 1.1;    // of contact
-constexpr double kPatience = 8.0;  // s
+constexpr double kEntrance =
+    2.5;  // radii of the passage, from there: the place of a robot in the entrance
+constexpr double kBeside = 1.1;                  // of contact
+constexpr double kPatience = 8.0;                // s
 constexpr double kBack = 1.0, kBackAside = 1.5;  // radii: where the second robot goes meanwhile
 constexpr double kBesideFaces = 1.1;  // radii, that a robot in a lane keeps from the faces
 

@@ -13,7 +13,7 @@ namespace {
 
 constexpr double kCarried = 0.3;      // radii that others may carry a robot off its route at a bend
 constexpr double kBraking = 1.6;      // twice the part of its braking that it plans with
-constexpr double kCutsCorners = 0.5;  // of the room of routes, that a robot keeps on its way
+constexpr double kCutsCorners = 0.5;  // of the room of routes, that a robot keeps on its route
 constexpr double kScrapes = 0.9;      // radii: a robot that touches a box sees past it like this
 constexpr double kSlidesWithin = 6.0;  // radii: nearer to a bend it looks round the bend
 constexpr double kAtBend = 0.5;        // radii: there it has to see past the bend
@@ -21,12 +21,12 @@ constexpr int kBisections = 5;
 constexpr int kGoesBack = 3;      // bends
 constexpr double kReturns = 8.0;  // radii: to a bend that is farther it does not go back
 
-// The robot's place, and what it keeps from boxes on its way.
+// The robot's place, and what it keeps from boxes on its route.
 SpaceRoutePoint start_of(const Solids& solids, Vec3 position, double radius) {
   return {position, room_at(solids, position, radius + kCutsCorners * kRouteRoom)};
 }
 
-// |sin φ| of the turn from one way to the next, 1 beyond 90 degrees.
+// |sin φ| of the turn from one piece to the next, 1 beyond 90 degrees.
 double turn_of(Vec3 a, Vec3 b) {
   const double lengths = norm(a) * norm(b);
   if (!(lengths > 0.0)) return 0.0;

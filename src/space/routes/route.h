@@ -12,7 +12,7 @@ namespace avo::space {
 /// What a robot remembers of its route from step to step.
 struct Route {
   Vec3 goal;                            ///< m, for which it was found
-  std::vector<SpaceRoutePoint> points;  ///< still to come; empty: no way is known
+  std::vector<SpaceRoutePoint> points;  ///< still to come; empty: no route is known
   std::vector<SpaceRoutePoint>
       passed;                ///< bends behind the robot, to which others may push it back
   bool is_moved = false;     ///< the next point has moved on from the last bend of `passed`
@@ -39,7 +39,7 @@ void pass(Route& route, std::size_t count);
 /// whether it sees the next point.
 bool advance(const Solids& solids, Vec3 position, double radius, Route& route);
 
-/// The heading on a route whose next point the robot sees.
+/// The heading on a route with a next point that the robot sees.
 SpaceHeading heading_on(const Robot& robot, double preferred_speed, const Route& route);
 
 }  // namespace avo::space

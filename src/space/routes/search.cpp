@@ -16,7 +16,7 @@ namespace avo::space {
 namespace {
 
 constexpr int kSeesAround = 3;  // cells around a place, in which it looks for one that it sees
-constexpr int kSlides = 20;     // bisections of the last way, to a goal that is not free
+constexpr int kSlides = 20;     // bisections of the last piece, to a goal that is not free
 
 class RouteSearch {
  public:
@@ -119,7 +119,7 @@ class RouteSearch {
   std::uint32_t start_, end_;
 };
 
-// The cells around a place to which a straight way leads, in ascending order.
+// The cells around a place to which a straight line leads, in ascending order.
 std::vector<std::uint32_t> seen_from(const FreeCells& cells, const Solids& solids,
                                      const SpaceRoutePoint& point, int around) {
   std::vector<std::uint32_t> seen;
@@ -135,7 +135,7 @@ bool is_of_part(const FreeCells& cells, std::uint32_t cell,
                      [&](std::uint32_t other) { return cells.part(other) == cells.part(cell); });
 }
 
-// The cell whose place is nearest to the goal, of the parts of others.
+// The cell with the place nearest to the goal, of the parts of others.
 std::uint32_t nearest_of(const FreeCells& cells, const std::vector<std::uint32_t>& others,
                          Vec3 goal) {
   std::uint32_t nearest = others.front();

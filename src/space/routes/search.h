@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Shortest ways through free cells (docs/space.md, "Routes and passages").
+// Shortest routes through free cells (docs/space.md, "Routes and passages").
 #pragma once
 #include <cstdint>
 #include <utility>
@@ -17,7 +17,8 @@ struct SpaceRoutePoint {
 
 /// A route from the place where it was searched, without that place.
 struct FoundRoute {
-  std::vector<SpaceRoutePoint> points;  ///< the last one is the end; empty: there is no way at all
+  std::vector<SpaceRoutePoint>
+      points;              ///< the last one is the end; empty: there is no route at all
   bool reaches = false;    ///< whether it ends at the goal, and not as near as possible
   bool is_in_box = false;  ///< whether the goal is nearer to a box than the radius
 };
@@ -36,8 +37,8 @@ struct RouteScratch {
   std::vector<std::uint32_t> doors;  ///< cells that see the goal
 };
 
-/// The route of a robot that is to end at a goal. Where no way leads there, the route ends as near
-/// to the goal as the robot gets. It is a function of its arguments alone.
+/// The route of a robot that is to end at a goal. Where no route leads there, the route ends as
+/// near to the goal as the robot gets. It is a function of its arguments alone.
 FoundRoute find_route(const FreeCells& cells, const Solids& solids, Vec3 from, Vec3 goal,
                       double radius, RouteScratch& scratch);
 

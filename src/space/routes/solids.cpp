@@ -65,7 +65,7 @@ int widest_axis(const Bounds& middles) {
   return size.y >= size.z ? 1 : 2;
 }
 
-// m: from the surface of the box to a place inside of it, negative, and the way out.
+// m: from the surface of the box to a place inside of it, negative, and the evasive maneuver.
 Away inside(Vec3 place, const Solid& solid) {
   const Box& box = solid.box;
   const std::array<double, 6> out{place.x - box.min.x, box.max.x - place.x, place.y - box.min.y,
@@ -86,7 +86,7 @@ Away away_from(Vec3 place, const Solid& solid) {
   return {distance - box.radius, solid.out((in - nearest) / distance)};
 }
 
-/// A way a + t d, with what divides by d: a component 0 counts as a very small one.
+/// A line a + t d, with what divides by d: a component 0 counts as a very small one.
 struct Line {
   std::array<double, 3> from, per_way;
 

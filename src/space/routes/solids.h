@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The boxes of a scene, for questions about places and straight ways. Routes ask them; the
+// The boxes of a scene, for questions about places and straight lines. Routes ask them; the
 // certificate does not.
 #pragma once
 #include <cstddef>

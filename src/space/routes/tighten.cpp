@@ -60,7 +60,7 @@ Vec3 nearest_on_line(const Bend& bend, Vec3 direction) {
   return bend.at.place + ((at_a * off_c + at_c * off_a) / (off_a + off_c)) * direction;
 }
 
-// Towards the straight way, and where a box is in between, along its surface.
+// Towards the straight line, and where a box is in between, along its surface.
 void pull(const Solids& solids, double most_room, const Bend& bend) {
   const Vec3 chord = bend.after.place - bend.before.place;
   const double squared = norm_squared(chord);

@@ -12,7 +12,7 @@ namespace avo::space {
 void tighten(const Solids& solids, const SpaceRoutePoint& from, double most_room,
              std::vector<SpaceRoutePoint>& points);
 
-/// Returns whether a straight way leads from one point to the other, with the room of both.
+/// Returns whether a straight line leads from one point to the other, with the room of both.
 bool is_way(const Solids& solids, const SpaceRoutePoint& a, const SpaceRoutePoint& b);
 
 /// m: from a place through all points.

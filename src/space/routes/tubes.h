@@ -29,7 +29,7 @@ struct Tube {
   double half_1 = 0.0, half_2 = 0.0;  ///< m, from the axis to the faces
 };
 
-/// All tubes whose sides are at least `narrowest` and at most `widest` m apart, in the order of the
+/// All tubes with sides at least `narrowest` and at most `widest` m apart, in the order of the
 /// boxes.
 std::vector<Tube> find_tubes(const Solids& solids, double narrowest, double widest);
 

@@ -97,7 +97,7 @@ const FreeCells& SpaceWays::cells(double radius) const {
   });
 }
 
-// In the cells of its class, or where no way leads there, of its own radius.
+// In the cells of its class, or where no route leads there, of its own radius.
 FoundRoute SpaceWays::find(Vec3 from, Vec3 goal, double radius, WayScratch& scratch) const {
   const double rounded = radius_class(radius);
   FoundRoute route = find_route(cells(rounded), solids_, from, goal, radius, scratch.search);

@@ -51,7 +51,7 @@ test("the velocity obstacle asks for more than a_max, the acceleration-velocity 
   const [first, second] = [summary(0), summary(1)];
   assert.ok(first.max_acceleration > 5, String(first.max_acceleration));
   assert.ok(second.max_acceleration <= 1 + 1e-9, String(second.max_acceleration));
-  assert.deepEqual([first.obstacle_collisions, second.obstacle_collisions], [0, 0]);
+  assert.deepEqual([first.mover_collisions, second.mover_collisions], [0, 0]);
   assert.ok(first.arrived === 1 && second.arrived === 1);
 });
 

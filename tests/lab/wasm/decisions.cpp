@@ -48,11 +48,10 @@ int main() {
         made = key;
       }
       while (simulation->steps() < asked.steps) simulation->step();
-      const auto index = simulation->index_of({asked.robot});
-      if (!index) throw avo::Error("it is not there");
+      if (!simulation->index_of({asked.robot})) throw avo::Error("it is not there");
       avo_io::require_explainable(scenario, static_cast<std::int64_t>(asked.robot),
                                   simulation->time());
-      std::cout << to_json(avo_io::explain(*simulation, scenario.name, *index));
+      std::cout << to_json(avo_io::explain(*simulation, scenario.name, {asked.robot}));
     } catch (const avo::Error& error) {
       std::cout << error.what() << "\n";
     }

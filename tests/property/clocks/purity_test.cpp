@@ -172,7 +172,7 @@ std::vector<std::uint64_t> bits_of(const Scene& s, PlanWorkspace& workspace) {
   add_plan(planner.plan(s.robot, s.neighbors, workspace, &detour, s.walls));
   add(detour.angle), add(detour.beside), add(detour.congestion),
       add(detour.has_arrived ? 1.0 : 0.0);
-  add_plan(planner.plan_among_obstacles(s.robot, s.neighbors, workspace));
+  add_plan(planner.plan_among_movers(s.robot, s.neighbors, workspace));
   const SafetyReport report = planner.state(s.robot, s.neighbors, workspace, s.walls);
   add(static_cast<double>(report.state)), add(report.neighbor), add(report.wall), add(report.time);
   const std::vector<Vec2> asked{{}, s.robot.velocity, s.robot.preferred_velocity};

@@ -114,7 +114,7 @@ TEST_P(StrongBrakesCrush, nobody_touches_anybody_or_a_wall_in_motion) {
   const CheckReport report = check.report();
   EXPECT_EQ(report.overlaps.count, 0) << "deepest " << report.overlaps.worst;
   EXPECT_EQ(report.static_contacts.count, 0) << "deepest " << report.static_contacts.worst;
-  EXPECT_EQ(report.obstacle_contacts_moving.count, 0) << report.obstacle_contacts_moving.worst;
+  EXPECT_EQ(report.mover_contacts_moving.count, 0) << report.mover_contacts_moving.worst;
   EXPECT_FALSE(report.broken());
   EXPECT_EQ(report.accelerations.count, 0) << "by up to " << report.accelerations.worst;
   EXPECT_GT(report.robot_steps, 30'000);
@@ -165,7 +165,7 @@ Scenario past_a_person(std::optional<double> max_braking) {
 // s
 double arrival(const Scenario& scene) {
   Simulation simulation(scene, 1);
-  while (simulation.time() < scene.duration && !simulation.is_at_goal(0)) simulation.step();
+  while (simulation.time() < scene.duration && !simulation.is_at_goal({0})) simulation.step();
   return simulation.time();
 }
 

@@ -81,12 +81,12 @@ TEST(MixedCrush, nobody_touches_anybody_but_at_rest) {
   }
   const CheckReport report = check.report();
   EXPECT_EQ(report.overlaps.count, 0) << "deepest " << report.overlaps.worst;
-  EXPECT_EQ(report.obstacle_contacts_moving.count, 0) << report.obstacle_contacts_moving.worst;
+  EXPECT_EQ(report.mover_contacts_moving.count, 0) << report.mover_contacts_moving.worst;
   EXPECT_EQ(report.one_sided_contacts_moving.count, 0) << report.one_sided_contacts_moving.worst;
   EXPECT_EQ(report.accelerations.count, 0) << "by up to " << report.accelerations.worst;
   EXPECT_EQ(report.speeds.count, 0);
   EXPECT_EQ(report.jumps.count, 0);
-  EXPECT_GT(report.obstacle_contacts_at_rest, 35);
+  EXPECT_GT(report.mover_contacts_at_rest, 35);
   EXPECT_GT(report.one_sided_contacts_at_rest, 35);
   ASSERT_TRUE(report.least_clearance);
   EXPECT_LT(*report.least_clearance, 0.02);  // it was tight

@@ -71,7 +71,7 @@ struct Judged {
 Judged run(const Scenario& scene, double duration) {
   std::vector<CheckedRobot> robots;
   for (const RobotSetup& robot : scene.robots) robots.push_back(checked_robot(robot));
-  std::vector<CheckedObstacle> movers;
+  std::vector<CheckedMover> movers;
   for (const MovingObstacle& mover : scene.moving_obstacles)
     movers.push_back({mover.position, mover.velocity, mover.acceleration, mover.radius});
   Check check(robots, movers, {.movers_at_rest = true});
@@ -160,7 +160,7 @@ TEST(FootprintCrush, with_errors_nobody_touches_anybody) {
     const Judged judged = run(scene, 25.0);
     EXPECT_EQ(judged.report.overlaps.count, 0) << "by " << judged.report.overlaps.worst;
     EXPECT_EQ(judged.report.static_contacts.count, 0);
-    EXPECT_EQ(judged.report.obstacle_contacts_moving.count, 0);
+    EXPECT_EQ(judged.report.mover_contacts_moving.count, 0);
     EXPECT_TRUE(judged.report.safe());
   }
 }
@@ -204,13 +204,13 @@ TEST(FootprintCrush, perceived_footprints_have_the_pose_of_now) {
     for (int step = 0; step < 30; ++step) simulation.step();
     std::size_t covered = 0;
     for (std::size_t a = 0; a < scene.robots.size(); ++a) {
-      const Simulation::Perception seen = simulation.perceive(a);
+      const Simulation::Perception seen = simulation.perceive({a});
       for (std::size_t k = 0; k < seen.neighbors.size(); ++k) {
         const Neighbor& other = seen.neighbors[k];
         if (!other.footprint) continue;
         ++covered;
         const auto b = static_cast<std::size_t>(seen.source[k]);
-        const BrakingPose pose = planner.braking_pose(simulation.perceive(b).robot);
+        const BrakingPose pose = planner.braking_pose(simulation.perceive({b}).robot);
         EXPECT_EQ(other.ahead, pose.ahead);
         EXPECT_EQ(other.spread, pose.spread);
       }

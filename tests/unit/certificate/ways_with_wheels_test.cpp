@@ -18,14 +18,17 @@ namespace avo {
 namespace {
 
 MotionModel model_of(test::Random& random, int kind) {
+  const Footprint row{.discs = 3, .radius = 0.4, .first = -0.3, .spacing = 0.6};
   if (kind == 0) return DifferentialDrive{};
+  if (kind == 6) return DifferentialDrive{.footprint = row};
   Car car;
   if (kind >= 2) car.max_curvature = random.uniform(0.3, 1.5);
   if (kind >= 3) car.reverse = true;
-  if (kind >= 4) car.body = CarBody{random.uniform(-0.6, 0.6), 0.5};
+  if (kind == 4) car.body = CarBody{random.uniform(-0.6, 0.6), 0.5};
+  if (kind == 5) car.footprint = row;
   return car;
 }
-constexpr int kKinds = 5;
+constexpr int kKinds = 7;
 
 struct Case {
   Robot robot;
@@ -37,6 +40,8 @@ struct Case {
   Vec2 next() { return next_towards(at(), now, w); }
   const WayOptions& at() {
     options.wheels = &robot;
+    if (const Footprint row = footprint_of(robot.model))
+      options.footprint = row, options.lever = farthest_center(row);
     return options;
   }
 };
@@ -50,7 +55,9 @@ Case random_case(test::Random& random, int kind) {
   robot.heading = random.uniform(-std::numbers::pi, std::numbers::pi);
   const bool backwards = model_traits(robot.model).can_reverse && random.below(2) == 0;
   const double speed = random.uniform(0.0, 1.0) * (backwards ? -1.0 : 1.0);
-  robot.velocity = speed * elementary::direction(robot.heading);
+  // a drive turns while it brakes if its velocity is off its heading
+  const double off = kind % kKinds == 6 ? random.uniform(-2.0, 2.0) : 0.0;  // rad
+  robot.velocity = speed * elementary::direction(robot.heading + off);
   result.now = {{}, robot.velocity, 0.0, robot.heading};
   WayOptions& options = result.options;
   options.law = {.time_step = h, .lag = 0.5 * h, .braking_time = h};
@@ -92,6 +99,16 @@ MotionState moved(const Case& c, const MotionState& from, Vec2 next_velocity) {
       .next;
 }
 
+// The centers of its discs.
+std::vector<Vec2> centers_of(const MotionModel& model, const MotionState& at) {
+  const Footprint row = footprint_of(model);
+  if (!row) return {at.position};
+  std::vector<Vec2> centers;
+  for (int k = 0; k < row.discs; ++k)
+    centers.push_back(at.position + row.ahead(k) * elementary::direction(at.heading));
+  return centers;
+}
+
 // m, least room within a step from that time on.
 double sampled_step(const Case& c, const MotionState& from, const MotionState& to, double time) {
   constexpr int kParts = 16;
@@ -99,11 +116,13 @@ double sampled_step(const Case& c, const MotionState& from, const MotionState& t
   double least = std::numeric_limits<double>::infinity();
   for (int part = 0; part < kParts; ++part) {
     const double t = h * part / kParts;
-    const Vec2 place = within(c.robot.model, from, to, t, h).position;
-    for (const Predicted& other : c.around.others)
-      least = std::min(least, norm(place - other.place_at(time + t)) - other.contact);
-    for (const KeptWall& wall : c.around.walls)
-      least = std::min(least, distance(place, wall.segment) - wall.kept);
+    const MotionState at = within(c.robot.model, from, to, t, h);
+    for (const Vec2 place : centers_of(c.robot.model, at)) {
+      for (const Predicted& other : c.around.others)
+        least = std::min(least, norm(place - other.place_at(time + t)) - other.contact);
+      for (const KeptWall& wall : c.around.walls)
+        least = std::min(least, distance(place, wall.segment) - wall.kept);
+    }
   }
   return least;
 }

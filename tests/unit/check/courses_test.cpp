@@ -192,9 +192,9 @@ TEST(CheckCourses, whoever_turns_its_body_moves) {
     check.add(0.1, std::vector{pose({0, 0}, 0.01, 0.0)});
     return check.report();
   };
-  EXPECT_EQ(contacts(0.3).obstacle_contacts_moving.count, 1);
-  EXPECT_EQ(contacts(0.0).obstacle_contacts_moving.count, 0);
-  EXPECT_EQ(contacts(0.0).obstacle_contacts_at_rest, 1);
+  EXPECT_EQ(contacts(0.3).mover_contacts_moving.count, 1);
+  EXPECT_EQ(contacts(0.0).mover_contacts_moving.count, 0);
+  EXPECT_EQ(contacts(0.0).mover_contacts_at_rest, 1);
 }
 
 // In its first row, and where it comes back after a gap.

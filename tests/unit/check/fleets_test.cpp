@@ -151,7 +151,7 @@ TEST(CheckFleets, agree_with_the_metrics_of_a_run) {
       if (motion == Motion::exponential)  // Δt⁴ a_max/(384 δ²)
         robots.back().interpolation_error = 1e-4 * each.max_acceleration / (384.0 * 2.0 * 2.0);
     }
-    std::vector<CheckedObstacle> obstacles;
+    std::vector<CheckedMover> obstacles;
     for (const MovingObstacle& each : scene.moving_obstacles)
       obstacles.push_back({each.position, each.velocity, each.acceleration, each.radius});
     std::vector<CheckedWall> walls;
@@ -174,22 +174,22 @@ TEST(CheckFleets, agree_with_the_metrics_of_a_run) {
     const RunSummary summary = metrics.summary();
     SCOPED_TRACE(motion == Motion::held ? "held" : "exponential");
     const std::int64_t contacts =
-        report.obstacle_contacts_moving.count + report.obstacle_contacts_at_rest;
+        report.mover_contacts_moving.count + report.mover_contacts_at_rest;
     EXPECT_GT(report.overlaps.count, 10);
     EXPECT_GT(contacts, 10);
     EXPECT_LE(report.overlaps.count, summary.collision_pairs);
-    EXPECT_LE(contacts, summary.obstacle_collisions);
+    EXPECT_LE(contacts, summary.mover_collisions);
     if (motion == Motion::held) {
       EXPECT_EQ(report.overlaps.count, summary.collision_pairs);
-      EXPECT_EQ(contacts, summary.obstacle_collisions);
+      EXPECT_EQ(contacts, summary.mover_collisions);
     }
     EXPECT_NEAR(report.overlaps.first->time, *summary.first_collision_time, 1e-6);
     EXPECT_NEAR(*report.least_clearance, *summary.min_clearance, 1e-7);
-    EXPECT_LE(report.static_contacts.count, summary.collision_obstacles);
+    EXPECT_LE(report.static_contacts.count, summary.static_collisions);
     if (motion == Motion::held) {
-      EXPECT_EQ(report.static_contacts.count, summary.collision_obstacles);
+      EXPECT_EQ(report.static_contacts.count, summary.static_collisions);
     }
-    EXPECT_NEAR(*report.least_static_clearance, *summary.min_obstacle_clearance, 1e-7);
+    EXPECT_NEAR(*report.least_static_clearance, *summary.min_static_clearance, 1e-7);
     EXPECT_EQ(report.arrived, summary.arrived);
     EXPECT_NEAR(report.largest_speed, summary.max_speed, 1e-12);
     EXPECT_EQ(report.accelerations.count + report.speeds.count + report.jumps.count, 0);

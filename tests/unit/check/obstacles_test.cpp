@@ -22,16 +22,16 @@ std::vector<Moment> resting(int steps) {
 }
 
 TEST(CheckObstacles, a_robot_at_rest_is_run_over) {
-  const std::vector<CheckedObstacle> walker{{.position = {-5, 0}, .velocity = {1, 0}}};
+  const std::vector<CheckedMover> walker{{.position = {-5, 0}, .velocity = {1, 0}}};
   const CheckReport report = report_of({free_robot()}, resting(8), walker);
-  EXPECT_EQ(report.obstacle_contacts_at_rest, 1);
-  EXPECT_EQ(report.obstacle_contacts_moving.count, 0);
+  EXPECT_EQ(report.mover_contacts_at_rest, 1);
+  EXPECT_EQ(report.mover_contacts_moving.count, 0);
   EXPECT_TRUE(report.broken());
   EXPECT_FALSE(report.safe());
   EXPECT_EQ(report.least_clearance, std::nullopt) << "of robots only";
   const CheckReport allowed =
       report_of({free_robot()}, resting(8), walker, {.movers_at_rest = true});
-  EXPECT_EQ(allowed.obstacle_contacts_at_rest, 1);
+  EXPECT_EQ(allowed.mover_contacts_at_rest, 1);
   EXPECT_TRUE(allowed.safe());
 }
 
@@ -40,7 +40,7 @@ TEST(CheckObstacles, to_be_run_over_at_rest_is_all_that_is_allowed) {
   const std::vector<Moment> recording{{0.0, {{0, {0, 0}, {1, 0}}}}, {1.0, {{0, {1, 0}, {1, 0}}}}};
   const CheckReport report =
       report_of({free_robot()}, recording, {{.position = {1.5, 0}}}, {.movers_at_rest = true});
-  EXPECT_EQ(report.obstacle_contacts_moving.count, 1);
+  EXPECT_EQ(report.mover_contacts_moving.count, 1);
   EXPECT_FALSE(report.safe());
 }
 
@@ -56,9 +56,9 @@ TEST(CheckObstacles, each_hit_is_listed_once_with_whether_the_robot_moved) {
                                        {{.position = {0, -6}, .velocity = {0, 2}},
                                         {.position = {0.5, 0}, .velocity = {1, 0}},
                                         {.position = {0, 50}}});
-  ASSERT_EQ(report.obstacle_hits.size(), 3U);
+  ASSERT_EQ(report.mover_hits.size(), 3U);
   const auto expect_hit = [&](std::size_t k, double time, int robot, int obstacle, bool moved) {
-    const CheckedHit& hit = report.obstacle_hits[k];
+    const CheckedHit& hit = report.mover_hits[k];
     EXPECT_NEAR(hit.time, time, 1e-6) << k;
     EXPECT_EQ(hit.robot, robot) << k;
     EXPECT_EQ(hit.other, obstacle) << k;
@@ -67,9 +67,9 @@ TEST(CheckObstacles, each_hit_is_listed_once_with_whether_the_robot_moved) {
   expect_hit(0, 0.0, 0, 1, false);
   expect_hit(1, 1.5, 1, 1, true);
   expect_hit(2, 2.5, 0, 0, false);
-  EXPECT_NEAR(report.obstacle_hits[2].depth, 1.0, 1e-9) << "it passes over the robot's center";
-  EXPECT_EQ(report.obstacle_contacts_moving.count, 1);
-  EXPECT_EQ(report.obstacle_contacts_at_rest, 2);
+  EXPECT_NEAR(report.mover_hits[2].depth, 1.0, 1e-9) << "it passes over the robot's center";
+  EXPECT_EQ(report.mover_contacts_moving.count, 1);
+  EXPECT_EQ(report.mover_contacts_at_rest, 2);
   EXPECT_TRUE(report.one_sided_hits.empty());
 }
 
@@ -79,12 +79,12 @@ TEST(CheckObstacles, a_robot_in_motion_may_not) {
   for (int k = 2; k <= 6; ++k) recording.push_back({1.0 * k, {{0, {0, 0.001 * k}, {0, 0.001}}}});
   const CheckReport report =
       report_of({free_robot()}, recording, {{.position = {-8, 0}, .acceleration = {1, 0}}});
-  EXPECT_EQ(report.obstacle_contacts_moving.count, 1);
-  EXPECT_EQ(report.obstacle_contacts_at_rest, 0);
-  ASSERT_TRUE(report.obstacle_contacts_moving.first.has_value());
-  EXPECT_NEAR(report.obstacle_contacts_moving.first->time, std::sqrt(14.0), 1e-5);
-  EXPECT_EQ(report.obstacle_contacts_moving.first->robot, 0);
-  EXPECT_EQ(report.obstacle_contacts_moving.first->other, 0);
+  EXPECT_EQ(report.mover_contacts_moving.count, 1);
+  EXPECT_EQ(report.mover_contacts_at_rest, 0);
+  ASSERT_TRUE(report.mover_contacts_moving.first.has_value());
+  EXPECT_NEAR(report.mover_contacts_moving.first->time, std::sqrt(14.0), 1e-5);
+  EXPECT_EQ(report.mover_contacts_moving.first->robot, 0);
+  EXPECT_EQ(report.mover_contacts_moving.first->other, 0);
   EXPECT_FALSE(report.safe());
 }
 
@@ -92,20 +92,20 @@ TEST(CheckObstacles, a_robot_in_motion_may_not) {
 TEST(CheckObstacles, one_that_is_placed_is_where_it_was_placed) {
   Check check({free_robot()}, {{.position = {-8, 0}, .velocity = {4, 0}}});
   const CheckedState rest{0, {0, 0}, {0, 0}};
-  check.place_obstacle(0, {-8, 0}, {4, 0});
+  check.place_mover(0, {-8, 0}, {4, 0});
   check.add(0.0, std::vector{rest});
-  check.place_obstacle(0, {-3, 0}, {0, 0});
+  check.place_mover(0, {-3, 0}, {0, 0});
   check.add(2.0, std::vector{rest});
-  check.place_obstacle(0, {-8, 0}, {-4, 0});
+  check.place_mover(0, {-8, 0}, {-4, 0});
   check.add(4.0, std::vector{rest});
-  EXPECT_EQ(check.report().obstacle_contacts_at_rest, 0);  // as told it would have been at 1.75 s
-  check.place_obstacle(0, {-0.5, 0}, {0, 0});
+  EXPECT_EQ(check.report().mover_contacts_at_rest, 0);  // as told it would have been at 1.75 s
+  check.place_mover(0, {-0.5, 0}, {0, 0});
   check.add(6.0, std::vector{rest});
-  EXPECT_EQ(check.report().obstacle_contacts_at_rest, 1);
+  EXPECT_EQ(check.report().mover_contacts_at_rest, 1);
   check.add(8.0, std::vector{CheckedState{0, {1, 0}, {1, 0}}});
-  EXPECT_EQ(check.report().obstacle_contacts_moving.count, 1);
-  EXPECT_NEAR(check.report().obstacle_contacts_moving.first->time, 6.0, 1e-9);
-  EXPECT_THROW(check.place_obstacle(1, {}, {}), Error);
+  EXPECT_EQ(check.report().mover_contacts_moving.count, 1);
+  EXPECT_NEAR(check.report().mover_contacts_moving.first->time, 6.0, 1e-9);
+  EXPECT_THROW(check.place_mover(1, {}, {}), Error);
 }
 
 // It brakes at 1 m/s^2 and rests from 1 s on; the obstacle arrives after that, or a bit before.
@@ -117,12 +117,12 @@ TEST(CheckObstacles, braking_in_time_is_rest) {
     return report_of({free_robot()}, recording,
                      {{.position = {position, 0}, .velocity = {-10, 0}}});
   };
-  EXPECT_EQ(hit(11.5 + 1e-5).obstacle_contacts_moving.count, 0);
-  EXPECT_EQ(hit(11.5 + 1e-5).obstacle_contacts_at_rest, 1);
+  EXPECT_EQ(hit(11.5 + 1e-5).mover_contacts_moving.count, 0);
+  EXPECT_EQ(hit(11.5 + 1e-5).mover_contacts_at_rest, 1);
   // half a nanosecond before, at half a nanometer a second
-  EXPECT_EQ(hit(11.5 - 5e-9).obstacle_contacts_moving.count, 0);
-  EXPECT_EQ(hit(11.5 - 1e-5).obstacle_contacts_moving.count, 1);
-  EXPECT_EQ(hit(11.5 - 1e-5).obstacle_contacts_at_rest, 0);
+  EXPECT_EQ(hit(11.5 - 5e-9).mover_contacts_moving.count, 0);
+  EXPECT_EQ(hit(11.5 - 1e-5).mover_contacts_moving.count, 1);
+  EXPECT_EQ(hit(11.5 - 1e-5).mover_contacts_at_rest, 0);
 }
 
 TEST(CheckObstacles, whoever_starts_while_in_contact_is_in_motion) {
@@ -131,9 +131,9 @@ TEST(CheckObstacles, whoever_starts_while_in_contact_is_in_motion) {
                                       {2.0, {{0, {-0.5, 0}, {-1, 0}}}},
                                       {3.0, {{0, {-2, 0}, {-2, 0}}}}};
   const CheckReport report = report_of({free_robot()}, recording, {{.position = {0.9, 0}}});
-  EXPECT_EQ(report.obstacle_contacts_moving.count, 1);
-  EXPECT_EQ(report.obstacle_contacts_at_rest, 0) << "the pair counts once";
-  EXPECT_EQ(report.obstacle_contacts_moving.first->time, 1.0);
+  EXPECT_EQ(report.mover_contacts_moving.count, 1);
+  EXPECT_EQ(report.mover_contacts_at_rest, 0) << "the pair counts once";
+  EXPECT_EQ(report.mover_contacts_moving.first->time, 1.0);
 }
 
 TEST(CheckObstacles, rest_is_a_billionth_of_the_speed_limit) {
@@ -144,8 +144,8 @@ TEST(CheckObstacles, rest_is_a_billionth_of_the_speed_limit) {
                      {{0.0, {{0, {0, 0}, {speed, 0}}}}, {1.0, {{0, {speed, 0}, {speed, 0}}}}},
                      {{.position = {0.5, 0}}});
   };
-  EXPECT_EQ(creep(1.9e-9).obstacle_contacts_at_rest, 1);
-  EXPECT_EQ(creep(2.1e-9).obstacle_contacts_moving.count, 1);
+  EXPECT_EQ(creep(1.9e-9).mover_contacts_at_rest, 1);
+  EXPECT_EQ(creep(2.1e-9).mover_contacts_moving.count, 1);
 }
 
 // Rows say that it rests, but it moved in between.
@@ -153,7 +153,7 @@ TEST(CheckObstacles, moving_between_rows_is_motion) {
   const CheckReport report =
       report_of({free_robot()}, {{0.0, {{0, {0, 0}, {}}}}, {1.0, {{0, {2, 0}, {}}}}},
                 {{.position = {1, 0.5}}});
-  EXPECT_EQ(report.obstacle_contacts_moving.count, 1);
+  EXPECT_EQ(report.mover_contacts_moving.count, 1);
 }
 
 TEST(CheckObstacles, pairs_are_counted_each_once) {
@@ -166,20 +166,20 @@ TEST(CheckObstacles, pairs_are_counted_each_once) {
                                         {.position = {10.5, 0}},
                                         {.position = {5, 0}},
                                         {.position = {5, 0.5}}});
-  EXPECT_EQ(report.obstacle_contacts_at_rest, 2);
-  EXPECT_EQ(report.obstacle_contacts_moving.count, 1) << "obstacles among themselves do not count";
-  EXPECT_EQ(report.obstacle_contacts_moving.first->other, 2);
+  EXPECT_EQ(report.mover_contacts_at_rest, 2);
+  EXPECT_EQ(report.mover_contacts_moving.count, 1) << "obstacles among themselves do not count";
+  EXPECT_EQ(report.mover_contacts_moving.first->other, 2);
   EXPECT_EQ(report.overlaps.count, 0);
 }
 
 TEST(CheckObstacles, exact_contact_and_errors_are_as_for_robots) {
-  EXPECT_EQ(report_of({free_robot()}, resting(2), {{.position = {1, 0}}}).obstacle_contacts_at_rest,
+  EXPECT_EQ(report_of({free_robot()}, resting(2), {{.position = {1, 0}}}).mover_contacts_at_rest,
             0);
-  const std::vector<CheckedObstacle> near{{.position = {0.999, 0}}};
-  EXPECT_EQ(report_of({free_robot()}, resting(2), near).obstacle_contacts_at_rest, 1);
+  const std::vector<CheckedMover> near{{.position = {0.999, 0}}};
+  EXPECT_EQ(report_of({free_robot()}, resting(2), near).mover_contacts_at_rest, 1);
   CheckedRobot robot = free_robot();
   robot.interpolation_error = 0.0011;
-  EXPECT_EQ(report_of({robot}, resting(2), near).obstacle_contacts_at_rest, 0);
+  EXPECT_EQ(report_of({robot}, resting(2), near).mover_contacts_at_rest, 0);
 }
 
 }  // namespace

@@ -233,7 +233,7 @@ TEST(Pairs, count_for_those_who_avoid_the_other) {
   EXPECT_EQ(at_rest.one_sided_hits[0].other, 0);
   EXPECT_FALSE(at_rest.one_sided_hits[0].moved);
   EXPECT_NEAR(at_rest.one_sided_hits[0].depth, 0.9, 1e-9);
-  EXPECT_TRUE(at_rest.obstacle_hits.empty());
+  EXPECT_TRUE(at_rest.mover_hits.empty());
   EXPECT_EQ(judged(1, 1, -0.5).one_sided_contacts_moving.first->robot, 1);
 }
 

@@ -17,7 +17,7 @@ struct Moment {
 
 inline CheckReport report_of(const std::vector<CheckedRobot>& robots,
                              const std::vector<Moment>& recording,
-                             std::vector<CheckedObstacle> obstacles = {},
+                             std::vector<CheckedMover> obstacles = {},
                              const CheckOptions& options = {}) {
   Check check(robots, std::move(obstacles), options);
   for (const Moment& moment : recording) check.add(moment.time, moment.rows);

@@ -145,7 +145,7 @@ TEST(CheckRows, bad_rules_are_refused) {
             }),
             "robots.1.goal.1: found 1e+13, must be <= 1e+12 m");
   EXPECT_EQ(refusal([] { Check({}, {{.radius = -1.0}}); }),
-            "obstacles.0.radius: found -1, must be > 0 m");
+            "movers.0.radius: found -1, must be > 0 m");
   EXPECT_EQ(refusal([] { Check({}, {}, {.relative_tolerance = 1.0}); }),
             "relative_tolerance: found 1, must be >= 0 and < 1");
   EXPECT_EQ(refusal([] { Check({}, {}, {.arrival_distance = 0.0}); }),

@@ -35,10 +35,10 @@ Recording record(int steps, std::size_t most_frames) {
     if (k > 0) simulation.step();
     recorder.observe(simulation);
     const auto position = simulation.fleet().position;
-    const auto mover = simulation.obstacles().position;
+    const auto mover = simulation.moving_obstacles().position;
     recording.all.push_back({.time = simulation.time(),
                              .position = {position.begin(), position.end()},
-                             .obstacle_position = {mover.begin(), mover.end()}});
+                             .mover_position = {mover.begin(), mover.end()}});
   }
   recording.kept = recorder.frames();
   return recording;
@@ -50,7 +50,7 @@ TEST(Recorder, keeps_everything_while_there_is_room) {
   for (std::size_t k = 0; k < run.kept.size(); ++k) {
     EXPECT_EQ(run.kept[k].time, run.all[k].time);
     EXPECT_EQ(run.kept[k].position, run.all[k].position);
-    EXPECT_EQ(run.kept[k].obstacle_position, run.all[k].obstacle_position);
+    EXPECT_EQ(run.kept[k].mover_position, run.all[k].mover_position);
   }
   EXPECT_NE(run.kept.front().position, run.kept.back().position);  // something moved
 }

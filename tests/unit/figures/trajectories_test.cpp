@@ -31,7 +31,7 @@ Drive there_and_back() {
   for (int k = 0; k <= 60; ++k) {
     const double t = 0.1 * k;
     const double x = t <= 4.0 ? t : 8.0 - t;
-    run.frames.push_back({.time = t, .position = {{x, 0.0}}, .obstacle_position = {{t, 4.0}}});
+    run.frames.push_back({.time = t, .position = {{x, 0.0}}, .mover_position = {{t, 4.0}}});
   }
   return run;
 }
@@ -121,7 +121,7 @@ TEST_F(TrajectoriesFile, a_car_shows_its_heading) {
   run.scenario.robots[0].model = Car{};
   run.scenario.robots[0].goal = {1.0, 0.9};
   run.frames.resize(1);
-  run.frames[0].obstacle_position.clear();
+  run.frames[0].mover_position.clear();
   for (const double heading : {0.0, 1.5707963267948966}) {
     run.frames[0].heading = {heading};
     write_bytes(path("a.png"), draw_trajectories(run.scenario, run.frames, path("a.png"), kBare));

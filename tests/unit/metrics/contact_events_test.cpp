@@ -29,8 +29,8 @@ TEST(ContactEvents, are_contacts_in_motion_and_at_rest) {
   Host host(scene);
   std::string events;
   const auto overlap = [&](std::size_t robot, std::size_t obstacle) {
-    const ObstacleView movers = host.simulation.obstacles();
-    return norm(host.simulation.robot(robot).position - movers.position[obstacle]) <
+    const MovingObstacleView movers = host.simulation.moving_obstacles();
+    return norm(host.simulation.robot({robot}).position - movers.position[obstacle]) <
            0.5 + movers.setup[obstacle].radius;
   };
   bool before[3] = {};
@@ -70,8 +70,8 @@ TEST(ContactEvents, are_the_contacts_of_all_pairs) {
   Host host(scene);
   std::vector<bool> before(900, false);
   const auto overlaps = [&](std::size_t i, std::size_t k) {
-    const RobotSetup robot = host.simulation.setup(i);
-    const ObstacleView movers = host.simulation.obstacles();
+    const RobotSetup robot = host.simulation.setup({i});
+    const MovingObstacleView movers = host.simulation.moving_obstacles();
     return norm(disc_center(robot) - movers.position[k]) <
            (disc_radius(robot) + movers.setup[k].radius) * (1.0 - 1e-9);
   };
@@ -88,7 +88,7 @@ TEST(ContactEvents, are_the_contacts_of_all_pairs) {
       if (now && !before[pair]) {
         ASSERT_NE(next, contacts.end()) << step;
         EXPECT_EQ(next->robot.value, pair / 30);
-        EXPECT_EQ(next->obstacle.value, pair % 30);
+        EXPECT_EQ(next->moving_obstacle.value, pair % 30);
         ++next, ++found;
       }
       before[pair] = now;

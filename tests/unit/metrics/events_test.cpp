@@ -25,9 +25,9 @@ using Host = test::WatchedHost;
 TEST(Events, are_arrivals_when_they_happen_and_once) {
   Host host(watched_scene({robot_at({0, 0}, {8, 0}), robot_at({0, 5}, {0, 5})}));
   EXPECT_EQ(host.look(), "") << "what holds at the start is no event";
-  while (!host.simulation.is_at_goal(0)) {
+  while (!host.simulation.is_at_goal({0})) {
     host.simulation.step();
-    EXPECT_EQ(host.look(), host.simulation.is_at_goal(0) ? "arrived 0" : "");
+    EXPECT_EQ(host.look(), host.simulation.is_at_goal({0}) ? "arrived 0" : "");
     ASSERT_LT(host.simulation.time(), 20.0);
   }
   EXPECT_EQ(host.run(100), "");
@@ -120,10 +120,8 @@ using Kinds = std::vector<std::pair<std::uint64_t, EventKind>>;
 
 Fleet asked(const Simulation& simulation) {
   Fleet seen;
-  for (std::size_t i = 0; i < simulation.size(); ++i) {
-    const RobotState robot = simulation.robot(i);
-    seen[robot.id.value] = {simulation.is_at_goal(i), false, robot.goal};
-  }
+  for (const RobotId id : simulation.fleet(Columns::id).id)
+    seen[id.value] = {simulation.is_at_goal(id), false, simulation.robot(id).goal};
   for (const RobotId id : simulation.unreachable()) seen.at(id.value).unreachable = true;
   return seen;
 }
@@ -156,7 +154,7 @@ TEST(Events, are_what_a_host_finds_that_asks_every_robot) {
     for (int k = 0; host.simulation.time() < 30.0; ++k) {
       const double share = random.uniform(0.0, 0.99);
       const auto any = static_cast<std::size_t>(share * static_cast<double>(before.size()));
-      const RobotId robot = host.simulation.robot(any).id;
+      const RobotId robot = host.simulation.fleet(Columns::id).id[any];
       if (k % 3 == 0) host.simulation.set_goal(robot, test::cell_of_maze((13 * k) % 100));
       if (k % 31 == 0 && before.size() > 30) host.simulation.remove_robot(robot);
       host.simulation.step();

@@ -131,8 +131,8 @@ TEST(Metrics, obstacle_collisions_are_counted_apart_and_once) {
                             {{0, 28}, {0, 0}, {0, -1}, 0.5},  // misses: the second is past
                             {{10, 40}, {2, -1}, {}, 0.5}};
   const RunSummary summary = run(scene, 100);
-  EXPECT_EQ(summary.obstacle_collisions, 2);
-  EXPECT_EQ(summary.obstacle_collisions_in_motion, 2);
+  EXPECT_EQ(summary.mover_collisions, 2);
+  EXPECT_EQ(summary.mover_collisions_in_motion, 2);
   EXPECT_EQ(summary.collision_pairs, 0);
   EXPECT_FALSE(summary.first_collision_time);
 }
@@ -144,8 +144,8 @@ TEST(Metrics, a_robot_that_is_run_over_at_rest_is_no_success) {
     scene.robots[0].preferred_speed = 0.0;
     scene.moving_obstacles = {{{6, 0.2}, {-1, 0}, {}, 0.5}};
     const RunSummary summary = run(scene, 100);
-    EXPECT_EQ(summary.obstacle_collisions, 1);
-    EXPECT_EQ(summary.obstacle_collisions_in_motion, 0);
+    EXPECT_EQ(summary.mover_collisions, 1);
+    EXPECT_EQ(summary.mover_collisions_in_motion, 0);
     EXPECT_EQ(summary.metrics.collision, 0.5);
     EXPECT_EQ(summary.metrics.success, 0.5);
     EXPECT_EQ(summary.metrics.timeout, 0.0);
@@ -161,8 +161,8 @@ TEST(Metrics, accelerating_obstacles_are_met_on_their_curve) {
       // it turns round at (0, aside) after 4 s
       scene.moving_obstacles = {{{0.5, aside + 8}, {-0.125, -4}, {0, 1}, 0.5}};
       const RunSummary summary = run(scene, 80);
-      EXPECT_EQ(summary.obstacle_collisions, aside < 1.0 ? 1 : 0) << aside;
-      EXPECT_EQ(summary.obstacle_collisions_in_motion, 0);
+      EXPECT_EQ(summary.mover_collisions, aside < 1.0 ? 1 : 0) << aside;
+      EXPECT_EQ(summary.mover_collisions_in_motion, 0);
     }
   }
 }
@@ -291,7 +291,7 @@ TEST(Metrics, who_has_not_arrived_is_told_with_those_that_touch_it) {
   EXPECT_EQ(first.robot, 0u);
   EXPECT_EQ(first.distance, 9.0);
   EXPECT_EQ(first.speed, 0.0);
-  EXPECT_EQ(first.detour, 0.0);
+  EXPECT_EQ(first.detour_angle, 0.0);
   // 0.05 m beyond contact with a robot, 0.0728 m with an obstacle, 0.0735 m; robot 3 is too far
   EXPECT_EQ(first.held_by, (std::vector<std::int64_t>{2, -2, 4}));
   EXPECT_EQ(summary.not_arrived[1].robot, 2u);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Hits of robots that had a way out when they came to sense the moving obstacle.
+// Hits of robots that had an evasive maneuver when they came to sense the moving obstacle.
 #include <cmath>
 #include <gtest/gtest.h>
 #include <numbers>
@@ -40,15 +40,16 @@ TEST(MoverSights, nobody_alone_is_hit_who_had_a_way_out) {
     const Scenario scene = among_movers(seed);
     if (scene.moving_obstacles.empty()) continue;
     Simulation simulation(scene, 1);
-    const auto seen = simulation.perceive(0);
-    with_way_out += simulation.planner().has_way_out(seen.robot, seen.neighbors, workspace) ? 1 : 0;
-    EXPECT_EQ(run(scene, 200).obstacle_collisions_evadable, 0) << seed;
+    const auto seen = simulation.perceive({0});
+    with_way_out +=
+        simulation.planner().has_evasive_maneuver(seen.robot, seen.neighbors, workspace) ? 1 : 0;
+    EXPECT_EQ(run(scene, 200).mover_collisions_evadable, 0) << seed;
   }
   EXPECT_GT(with_way_out, 50);
 }
 
-// A robot in the midst of others that hardly move. Its way out leads through them: ways do not look
-// at others who decide.
+// A robot in the midst of others that hardly move. Its evasive maneuver leads through them: ways do
+// not look at others who decide.
 Scenario walled_in(double speed) {
   Scenario scene;
   scene.sensing_radius = 30.0;
@@ -66,11 +67,11 @@ Scenario walled_in(double speed) {
 
 TEST(MoverSights, count_who_had_a_way_out_and_was_hit) {
   const RunSummary summary = run(walled_in(1.0), 120);
-  EXPECT_GE(summary.obstacle_collisions, 2);
-  EXPECT_EQ(summary.obstacle_collisions_evadable, 1) << "the slow ones had no way out";
+  EXPECT_GE(summary.mover_collisions, 2);
+  EXPECT_EQ(summary.mover_collisions_evadable, 1) << "the slow ones had no evasive maneuver";
   Scenario alone = walled_in(1.0);
   alone.robots.resize(1);
-  EXPECT_EQ(run(alone, 120).obstacle_collisions, 0) << "so it was evadable";
+  EXPECT_EQ(run(alone, 120).mover_collisions, 0) << "so it was evadable";
 }
 
 TEST(MoverSights, do_not_count_whom_nobody_could_evade) {
@@ -79,11 +80,11 @@ TEST(MoverSights, do_not_count_whom_nobody_could_evade) {
   scene.moving_obstacles = {mover({-30, 0}, {8, 0}, 1.0)};
   scene.allow_broken_assumptions = true;
   scene.sensing_radius = 60.0;
-  EXPECT_EQ(run(scene, 80).obstacle_collisions, 0);
+  EXPECT_EQ(run(scene, 80).mover_collisions, 0);
   scene.sensing_radius = 5.0;  // 0.4 s before contact
   const RunSummary late = run(scene, 80);
-  EXPECT_EQ(late.obstacle_collisions, 1);
-  EXPECT_EQ(late.obstacle_collisions_evadable, 0);
+  EXPECT_EQ(late.mover_collisions, 1);
+  EXPECT_EQ(late.mover_collisions_evadable, 0);
 }
 
 // On its path it has gone out of sight, and comes again where the robot cannot evade it any more:
@@ -99,26 +100,26 @@ TEST(MoverSights, are_those_of_the_last_time) {
   walker.path = {{0, 20}, {0, -20}};
   scene.moving_obstacles = {walker};
   const RunSummary summary = run(scene, 200);
-  EXPECT_EQ(summary.obstacle_collisions, 1);
-  EXPECT_EQ(summary.obstacle_collisions_evadable, 0);
+  EXPECT_EQ(summary.mover_collisions, 1);
+  EXPECT_EQ(summary.mover_collisions_evadable, 0);
 }
 
 // Who keeps a certificate counts, whatever the method of the scene is.
 TEST(MoverSights, are_of_robots_that_have_a_method_of_their_own) {
   Scenario scene = among_movers(2);
   scene.method = Method::orca;
-  EXPECT_EQ(run(scene, 2).obstacle_collisions_evadable, std::nullopt);
+  EXPECT_EQ(run(scene, 2).mover_collisions_evadable, std::nullopt);
   scene.robots[0].method = Method::avo;
-  EXPECT_EQ(run(scene, 2).obstacle_collisions_evadable, 0);
+  EXPECT_EQ(run(scene, 2).mover_collisions_evadable, 0);
 }
 
 TEST(MoverSights, say_nothing_without_a_certificate) {
   Scenario scene = walled_in(1.0);
   scene.certificate = Certificate::none;
-  EXPECT_EQ(run(scene, 2).obstacle_collisions_evadable, std::nullopt);
+  EXPECT_EQ(run(scene, 2).mover_collisions_evadable, std::nullopt);
   scene = walled_in(1.0);
   scene.moving_obstacles.clear();
-  EXPECT_EQ(run(scene, 2).obstacle_collisions_evadable, 0);
+  EXPECT_EQ(run(scene, 2).mover_collisions_evadable, 0);
 }
 
 }  // namespace

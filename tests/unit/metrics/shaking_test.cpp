@@ -181,7 +181,7 @@ Shaken shaken_in(const Scenario& scene, int steps) {
   Simulation simulation(scene, 1);
   std::vector<SeenRobot> seen(scene.robots.size());
   for (std::size_t i = 0; i < seen.size(); ++i)
-    seen[i] = {scene.robots[i].velocity, 0.0, {}, simulation.is_at_goal(i)};
+    seen[i] = {scene.robots[i].velocity, 0.0, {}, simulation.is_at_goal({i})};
   Shaken all;
   for (int k = 0; k < steps; ++k) {
     const std::span<const Vec2> velocities = simulation.fleet().velocity;
@@ -198,7 +198,7 @@ Shaken shaken_in(const Scenario& scene, int steps) {
       all.hardest = std::max(all.hardest, norm(a) - a_max);
       all.squared += norm_squared(a) / (a_max * a_max) * duration;
       all.time += duration;
-      if (simulation.decided(i)) {
+      if (simulation.decided({i})) {
         if (now > robot.begin_time)
           robot.mean = (before[i] - robot.begin) / (now - robot.begin_time);
         robot.begin = before[i], robot.begin_time = now;
@@ -208,7 +208,7 @@ Shaken shaken_in(const Scenario& scene, int steps) {
           if (both && degrees_between(a, *robot.mean) > 135.0) all.turned_back += 1.0;
         }
       }
-      robot.is_there = simulation.is_at_goal(i);
+      robot.is_there = simulation.is_at_goal({i});
     }
   }
   return all;

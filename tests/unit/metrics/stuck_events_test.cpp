@@ -38,7 +38,7 @@ TEST(StuckEvents, are_robots_without_progress_once_until_they_get_on) {
     int without_progress = 0, found = 0;  // steps, events
     for (int k = 0; k < 300; ++k) {
       host.simulation.step();
-      const double length = host.simulation.way(1).length;
+      const double length = host.simulation.route({1}).length;
       shortest.push_back(k == 0 ? length : std::min(shortest.back(), length));
       const bool makes_none =
           k >= window && shortest[static_cast<std::size_t>(k - window)] - shortest.back() <=
@@ -46,7 +46,7 @@ TEST(StuckEvents, are_robots_without_progress_once_until_they_get_on) {
       without_progress = makes_none ? without_progress + 1 : 0;
       for (const Event& event : host.events.observe(host.simulation)) {
         EXPECT_EQ(told({&event, 1}), "stuck 1");
-        EXPECT_EQ(event.sentence, host.simulation.explain(1).sentence);
+        EXPECT_EQ(event.sentence, host.simulation.explain({1}).sentence);
         EXPECT_TRUE(makes_none) << k;
         ++found;
       }
@@ -90,9 +90,9 @@ TEST(StuckEvents, are_no_progress_by_another_route_and_no_standstill) {
   const StaticObstacle wall{{{{{7, -7.9}, {7, 4}}, false}}, 0.0, Fill::none};
   const ObstacleId door = host.simulation.add_obstacle(wall);
   EXPECT_EQ(host.run(200), "stuck 1");
-  const double length = host.simulation.way(1).length;
+  const double length = host.simulation.route({1}).length;
   host.simulation.remove_obstacle(door);
-  EXPECT_LT(host.simulation.way(1).length, length - 1.0);
+  EXPECT_LT(host.simulation.route({1}).length, length - 1.0);
   EXPECT_EQ(host.run(100), "") << "it is told already";
 
   Scenario wide = watched_scene({robot_at({-15, 0}, {15, 0})});

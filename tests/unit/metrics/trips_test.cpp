@@ -182,10 +182,10 @@ TEST(Trips, go_by_the_shortest_way_around_walls) {
   Scenario scene = alone({robot_at({-4, 0}, {4, 0})});
   scene.obstacles = {wall({{0, -3}, {0, 30}})};
   const Simulation simulation(scene, 1);
-  const Simulation::Way way = simulation.way(0);
-  EXPECT_GT(way.length, 2.0 * std::sqrt(16.0 + 3.0 * 3.0));
-  EXPECT_LT(way.length, 2.0 * std::sqrt(16.0 + 3.6 * 3.6) + 1.0);
-  EXPECT_LT(way.next.y, -3.0);
+  const Simulation::Route route = simulation.route({0});
+  EXPECT_GT(route.length, 2.0 * std::sqrt(16.0 + 3.0 * 3.0));
+  EXPECT_LT(route.length, 2.0 * std::sqrt(16.0 + 3.6 * 3.6) + 1.0);
+  EXPECT_LT(route.next.y, -3.0);
   const RunMetrics m = run(scene, 200).metrics;
   EXPECT_GT(*m.path_ratio, 0.98);
   EXPECT_LT(*m.path_ratio, 1.1);
@@ -193,7 +193,7 @@ TEST(Trips, go_by_the_shortest_way_around_walls) {
   EXPECT_GT(*m.extra_time_mean, 0.0);
 
   scene.navigation = false;
-  EXPECT_EQ(Simulation(scene, 1).way(0).length, 8.0);
+  EXPECT_EQ(Simulation(scene, 1).route({0}).length, 8.0);
 }
 
 TEST(Trips, begin_anew_where_the_goal_is_changed) {

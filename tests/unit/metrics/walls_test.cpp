@@ -31,15 +31,15 @@ TEST(Metrics, robots_that_touch_static_obstacles_are_counted_once) {
                      wall_between({2, 42}, {20, 42}),
                      {{{{{5, 50}}}}, 4.25}};
   const RunSummary summary = run(scene, 10);
-  EXPECT_EQ(summary.collision_obstacles, 2);
-  EXPECT_EQ(summary.obstacle_collisions, 0);
+  EXPECT_EQ(summary.static_collisions, 2);
+  EXPECT_EQ(summary.mover_collisions, 0);
   EXPECT_EQ(summary.collision_pairs, 0);
-  EXPECT_LT(*summary.min_obstacle_clearance, -0.1);
+  EXPECT_LT(*summary.min_static_clearance, -0.1);
   scene.robots.erase(scene.robots.begin(), scene.robots.begin() + 2);
-  EXPECT_EQ(run(scene, 0).collision_obstacles, 0);
-  EXPECT_NEAR(*run(scene, 0).min_obstacle_clearance, 0.25, 1e-12) << "of the disc";
+  EXPECT_EQ(run(scene, 0).static_collisions, 0);
+  EXPECT_NEAR(*run(scene, 0).min_static_clearance, 0.25, 1e-12) << "of the disc";
   scene.obstacles.clear();
-  EXPECT_FALSE(run(scene, 10).min_obstacle_clearance);
+  EXPECT_FALSE(run(scene, 10).min_static_clearance);
 }
 
 TEST(Metrics, contact_with_a_static_obstacle_begins_at_a_billionth_of_the_radii) {
@@ -50,8 +50,8 @@ TEST(Metrics, contact_with_a_static_obstacle_begins_at_a_billionth_of_the_radii)
       const double y = scale * (1.0 - overlap);
       scene.obstacles = {wall_between({-scale, y}, {scale, y}, 0.5 * scale)};
       const RunSummary summary = run(scene, 0);
-      EXPECT_EQ(summary.collision_obstacles, overlap > 1e-9 ? 1 : 0) << scale << " " << overlap;
-      EXPECT_NEAR(*summary.min_obstacle_clearance, -overlap * scale, 1e-15 * scale);
+      EXPECT_EQ(summary.static_collisions, overlap > 1e-9 ? 1 : 0) << scale << " " << overlap;
+      EXPECT_NEAR(*summary.min_static_clearance, -overlap * scale, 1e-15 * scale);
     }
   }
 }
@@ -101,9 +101,9 @@ TEST(Metrics, min_obstacle_clearance_is_that_of_all_walls) {
         std::set<std::size_t> touched;
         const RunSummary summary = run(scene, 30);
         // samples are up to 1 cm apart
-        EXPECT_NEAR(*summary.min_obstacle_clearance, slow_wall_clearance(scene, 30, touched), 5e-3);
-        EXPECT_GE(summary.collision_obstacles, static_cast<std::int64_t>(touched.size()));
-        EXPECT_EQ(*summary.min_obstacle_clearance<-1e-9, summary.collision_obstacles> 0);
+        EXPECT_NEAR(*summary.min_static_clearance, slow_wall_clearance(scene, 30, touched), 5e-3);
+        EXPECT_GE(summary.static_collisions, static_cast<std::int64_t>(touched.size()));
+        EXPECT_EQ(*summary.min_static_clearance<-1e-9, summary.static_collisions> 0);
       }
     }
   }
@@ -124,9 +124,9 @@ TEST(Metrics, cars_touch_no_wall_that_their_arcs_do_not_touch) {
   scene.navigation = false;
   scene.obstacles = {{{{{{-2, -2}, {7, -2}, {8, 3}, {4, 8}, {-3, 4}}, true}}}};
   const RunSummary summary = run(scene, 400);
-  EXPECT_EQ(summary.collision_obstacles, 0);
-  EXPECT_GT(*summary.min_obstacle_clearance, 0.0);
-  EXPECT_LT(*summary.min_obstacle_clearance, 1e-9);
+  EXPECT_EQ(summary.static_collisions, 0);
+  EXPECT_GT(*summary.min_static_clearance, 0.0);
+  EXPECT_LT(*summary.min_static_clearance, 1e-9);
 }
 
 // A robot turns round before a wall within one long step, where the cubic is millimeters off.
@@ -137,7 +137,7 @@ TEST(Metrics, static_obstacles_are_approached_by_the_equations_of_motion) {
   scene.robots[0].velocity = {0, -1};
   scene.obstacles = {wall_between({-50, -3}, {50, -3})};
   std::set<std::size_t> touched;
-  EXPECT_NEAR(*run(scene, 1).min_obstacle_clearance, slow_wall_clearance(scene, 1, touched), 1e-4);
+  EXPECT_NEAR(*run(scene, 1).min_static_clearance, slow_wall_clearance(scene, 1, touched), 1e-4);
 }
 
 TEST(Metrics, each_step_is_judged_among_the_obstacles_of_its_time) {
@@ -153,8 +153,8 @@ TEST(Metrics, each_step_is_judged_among_the_obstacles_of_its_time) {
       if (k == closed) simulation.remove_obstacle({0});
     }
     // step k brings the front to 0.5 + 0.2 (k + 1)
-    EXPECT_NEAR(*metrics.summary().min_obstacle_clearance, 1.3 - 0.2 * closed, 0.01);
-    EXPECT_EQ(metrics.summary().collision_obstacles, 0);
+    EXPECT_NEAR(*metrics.summary().min_static_clearance, 1.3 - 0.2 * closed, 0.01);
+    EXPECT_EQ(metrics.summary().static_collisions, 0);
     EXPECT_TRUE(metrics.summary().unreachable.empty());
   }
   Simulation simulation(scene, 1);
@@ -163,7 +163,7 @@ TEST(Metrics, each_step_is_judged_among_the_obstacles_of_its_time) {
   simulation.add_obstacle(wall_between({0.6, -3}, {0.6, 3}));
   simulation.step();
   metrics.observe(simulation);
-  EXPECT_EQ(metrics.summary().collision_obstacles, 1);
+  EXPECT_EQ(metrics.summary().static_collisions, 1);
 }
 
 TEST(Metrics, who_stands_beyond_a_wall_has_not_arrived) {

@@ -23,7 +23,7 @@ void expect_as_simulated(const Scenario& scene, int steps) {
   for (int k = 0; k < steps; ++k) {
     std::vector<NavigatorDecision> decided;
     for (std::size_t i = 0; i < fleet.navigators.size(); ++i) {
-      const Simulation::Perception seen = simulation.perceive(i);
+      const Simulation::Perception seen = simulation.perceive({i});
       decided.push_back(fleet.navigators[i].step(seen.robot, seen.neighbors, simulation.time()));
       EXPECT_EQ(decided.back().preferred_velocity, seen.robot.preferred_velocity) << k << " " << i;
       EXPECT_EQ(decided.back().guide, seen.guide);
@@ -31,7 +31,7 @@ void expect_as_simulated(const Scenario& scene, int steps) {
     }
     simulation.step();
     for (std::size_t i = 0; i < decided.size(); ++i) {
-      const Plan plan = simulation.robot(i).plan;
+      const Plan plan = simulation.robot({i}).plan;
       if (!(decided[i].plan.next_velocity == plan.next_velocity)) ++differ;
       EXPECT_EQ(decided[i].plan.status, plan.status);
     }

@@ -40,7 +40,7 @@ TEST(Admitted, holds_the_decision_and_refuses_what_leads_to_contact) {
   int decided = 0, refused = 0, admitted_faster = 0;
   for (int step = 0; step < 120; ++step) {
     for (std::size_t i = 0; i < 12; ++i) {
-      const Simulation::Perception seen = simulation.perceive(i);
+      const Simulation::Perception seen = simulation.perceive({i});
       PlanWorkspace workspace;
       Detour detour = seen.detour;
       const Plan plan = simulation.planner().plan(seen.robot, seen.neighbors, workspace, &detour);

@@ -206,7 +206,7 @@ TEST(Contact, a_neighbor_is_named_by_its_place_in_the_list_given) {
     EXPECT_NEAR(plan.depth, 0.03, 1e-6) << to_string(method);
   }
   PlanWorkspace workspace;
-  const Plan among = Planner(PlannerOptions{}).plan_among_obstacles(robot, seen, workspace);
+  const Plan among = Planner(PlannerOptions{}).plan_among_movers(robot, seen, workspace);
   EXPECT_EQ(among.neighbor, 3);
   const SafetyReport report = state_of(robot, seen, {});
   EXPECT_EQ(report.neighbor, 1) << "doomed with both: the first of them";
@@ -245,7 +245,7 @@ TEST(Contact, a_simulation_tells_the_depth_alone) {
     EXPECT_EQ(plan.neighbor, -1);
     EXPECT_NEAR(plan.depth, 0.1, 1e-6);
   }
-  const auto seen = Simulation(scene, 1).perceive(1);
+  const auto seen = Simulation(scene, 1).perceive({1});
   PlanWorkspace workspace;
   const Plan plan = simulation.planner().plan(seen.robot, seen.neighbors, workspace);
   EXPECT_EQ(seen.source[static_cast<std::size_t>(plan.neighbor)], 0);

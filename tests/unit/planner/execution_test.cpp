@@ -155,10 +155,10 @@ TEST(Execution, of_decisions_among_obstacles) {
   PlanWorkspace workspace;
   const Robot self{.velocity = {1.0, 0.0}, .preferred_velocity = {1.1, 0.0}};
   Neighbor other{.position = {0.0, 9.0}};
-  EXPECT_NEAR(planner.plan_among_obstacles(self, {&other, 1}, workspace).acceleration.x, 0.5, 1e-9)
+  EXPECT_NEAR(planner.plan_among_movers(self, {&other, 1}, workspace).acceleration.x, 0.5, 1e-9)
       << "0.1 m/s in 0.2 s";
   other.behavior = Behavior::moves_on;
-  EXPECT_NEAR(planner.plan_among_obstacles(self, {&other, 1}, workspace).acceleration.x, 1.0, 1e-9);
+  EXPECT_NEAR(planner.plan_among_movers(self, {&other, 1}, workspace).acceleration.x, 1.0, 1e-9);
 }
 
 // What a robot that moves at 1 m/s aims at, of a wish for 2 m/s across. Before it in the tile is

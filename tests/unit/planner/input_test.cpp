@@ -89,7 +89,7 @@ TEST(Status, invalid_input_is_told_and_brakes_whatever_field_it_is) {
         const std::vector<Neighbor> neighbors{as_neighbor(paper_robot({-4, 2}, {}, {})), other};
         PlanWorkspace workspace;
         for (const bool among_movers : {false, true}) {
-          const Plan plan = among_movers ? planner.plan_among_obstacles(robot, neighbors, workspace)
+          const Plan plan = among_movers ? planner.plan_among_movers(robot, neighbors, workspace)
                                          : planner.plan(robot, neighbors, workspace);
           SCOPED_TRACE(field.name + " = " + std::to_string(value));
           EXPECT_EQ(plan.status, PlanStatus::invalid_input);
@@ -189,7 +189,7 @@ TEST(Status, a_car_that_moves_off_its_heading_is_invalid) {
       const auto status = [&](Vec2 velocity) {
         car.velocity = velocity;
         const Plan plan = planner.plan(car, neighbors, workspace);
-        EXPECT_EQ(planner.plan_among_obstacles(car, neighbors, workspace).status ==
+        EXPECT_EQ(planner.plan_among_movers(car, neighbors, workspace).status ==
                       PlanStatus::invalid_input,
                   plan.status == PlanStatus::invalid_input);
         return plan.status;
@@ -253,9 +253,8 @@ TEST(Status, extreme_numbers_never_make_a_NaN) {
     PlanWorkspace workspace;
     const Planner planner(crowd.options);
     for (const bool alone : {false, true}) {
-      const Plan plan = alone
-                            ? planner.plan_among_obstacles(crowd.robot, crowd.neighbors, workspace)
-                            : planner.plan(crowd.robot, crowd.neighbors, workspace);
+      const Plan plan = alone ? planner.plan_among_movers(crowd.robot, crowd.neighbors, workspace)
+                              : planner.plan(crowd.robot, crowd.neighbors, workspace);
       EXPECT_TRUE(finite(plan)) << to_string(plan.status) << (alone ? " alone\n" : "\n") << crowd;
       EXPECT_NE(plan.status, PlanStatus::invalid_input);
       ++decided;
@@ -282,7 +281,7 @@ TEST(Status, no_decision_rests_on_an_invalid_operation) {
     const Plan plan = planner.plan(crowd.robot, crowd.neighbors, workspace);
     EXPECT_FALSE(std::fetestexcept(FE_INVALID | FE_DIVBYZERO)) << to_string(plan.status) << crowd;
     if (k % 20 > 0) continue;
-    const Plan alone = planner.plan_among_obstacles(crowd.robot, crowd.neighbors, workspace);
+    const Plan alone = planner.plan_among_movers(crowd.robot, crowd.neighbors, workspace);
     EXPECT_FALSE(std::fetestexcept(FE_INVALID)) << to_string(alone.status) << "\n" << crowd;
   }
 }

@@ -71,7 +71,7 @@ TEST(Limits, P12_hold_for_every_decision_among_movers) {
     if (crowd.neighbors.size() > 5) crowd.neighbors.resize(5);
     PlanWorkspace workspace;
     const Plan plan =
-        Planner(crowd.options).plan_among_obstacles(crowd.robot, crowd.neighbors, workspace);
+        Planner(crowd.options).plan_among_movers(crowd.robot, crowd.neighbors, workspace);
     expect_within_limits(crowd, plan);
     ++seen[plan.status];
   }
@@ -112,8 +112,7 @@ TEST(Limits, P12_hold_for_every_decision_of_avo) {
       if (crowd.neighbors.size() > 5) crowd.neighbors.resize(5);
       PlanWorkspace workspace;
       expect_step_within_limits(
-          crowd,
-          Planner(crowd.options).plan_among_obstacles(crowd.robot, crowd.neighbors, workspace));
+          crowd, Planner(crowd.options).plan_among_movers(crowd.robot, crowd.neighbors, workspace));
     }
     EXPECT_GT(seen[PlanStatus::optimal], 1'000);
     EXPECT_GT(seen[PlanStatus::least_unsafe] + seen[PlanStatus::refused], 100);
@@ -170,7 +169,7 @@ TEST(Limits, at_the_speed_limit_rounding_does_not_turn_the_robot) {
           test::paper_robot({}, 2.0 * (1.0 - 1e-3 * (k % 7)) * direction, rounded * direction);
       const Plan plan = planner.plan(robot, {}, workspace);
       ASSERT_NEAR(norm(plan.new_velocity - robot.preferred_velocity), 0.0, 1e-12) << angle;
-      const Plan alone = planner.plan_among_obstacles(robot, {}, workspace);
+      const Plan alone = planner.plan_among_movers(robot, {}, workspace);
       ASSERT_NEAR(norm(alone.new_velocity - robot.preferred_velocity), 0.0, 1e-12) << angle;
     }
   }

@@ -37,7 +37,7 @@ TEST(Movers, observed_acceleration_is_avoided_by_both_ways_of_planning) {
   for (const bool alone : {true, false}) {
     const auto plan = [&](const Neighbor& B) {
       const std::vector<Neighbor> others{B};
-      return alone ? planner.plan_among_obstacles(A, others, workspace)
+      return alone ? planner.plan_among_movers(A, others, workspace)
                    : planner.plan(A, others, workspace);
     };
     const Plan blind = plan(unseen), aware = plan(seen);
@@ -58,7 +58,7 @@ TEST(Movers, a_hardly_overlapping_one_is_left_gently) {
   const Robot A = test::paper_robot({}, {}, {});
   const std::vector<Neighbor> others{mover({1.0 - 1e-6, 0}, {}, {})};
   PlanWorkspace workspace;
-  const Plan alone = planner.plan_among_obstacles(A, others, workspace);
+  const Plan alone = planner.plan_among_movers(A, others, workspace);
   const Plan by_plane = planner.plan(A, others, workspace);
   EXPECT_NE(alone.status, PlanStatus::overlapping);
   EXPECT_NE(by_plane.status, PlanStatus::overlapping);
@@ -77,7 +77,7 @@ TEST(Movers, observed_acceleration_of_those_that_decide_is_not_read) {
   for (const bool alone : {true, false}) {
     const auto plan = [&](const Neighbor& other) {
       const std::vector<Neighbor> others{other};
-      return alone ? planner.plan_among_obstacles(A, others, workspace)
+      return alone ? planner.plan_among_movers(A, others, workspace)
                    : planner.plan(A, others, workspace);
     };
     EXPECT_EQ(plan(B).new_velocity, plan(accelerating).new_velocity);
@@ -93,7 +93,7 @@ TEST(Movers, likely_deviation_of_those_that_decide_is_not_read) {
                      .velocity = {0, -0.5},
                      .behavior = behavior,
                      .likely_deviation = likely};
-    return planner.plan_among_obstacles(A, std::vector{B}, workspace);
+    return planner.plan_among_movers(A, std::vector{B}, workspace);
   };
   EXPECT_NE(plan(Behavior::moves_on, 0.6).acceleration, plan(Behavior::moves_on, 0).acceleration);
   EXPECT_EQ(plan(Behavior::decides, 0.6).acceleration, plan(Behavior::decides, 0).acceleration);
@@ -113,9 +113,8 @@ TEST(Movers, an_optimal_choice_keeps_clear_of_all_of_them) {
     PlanWorkspace workspace;
     for (const bool alone : {true, false}) {
       if (alone && k % 4 > 0) continue;
-      const Plan plan = alone
-                            ? planner.plan_among_obstacles(crowd.robot, crowd.neighbors, workspace)
-                            : planner.plan(crowd.robot, crowd.neighbors, workspace);
+      const Plan plan = alone ? planner.plan_among_movers(crowd.robot, crowd.neighbors, workspace)
+                              : planner.plan(crowd.robot, crowd.neighbors, workspace);
       if (plan.status != PlanStatus::optimal) continue;
       ++optimal;
       if (!(plan.new_velocity == crowd.robot.preferred_velocity)) ++busy;
@@ -140,7 +139,7 @@ TEST(Movers, the_exact_set_is_no_worse_than_half_planes) {
     for (Neighbor& B : crowd.neighbors) B.behavior = Behavior::moves_on;
     const Planner planner(crowd.options);
     PlanWorkspace workspace;
-    const Plan exact = planner.plan_among_obstacles(crowd.robot, crowd.neighbors, workspace);
+    const Plan exact = planner.plan_among_movers(crowd.robot, crowd.neighbors, workspace);
     if (!crowd.neighbors.empty()) {
       EXPECT_EQ(planner.plan(crowd.robot, crowd.neighbors, workspace).new_velocity,
                 exact.new_velocity);

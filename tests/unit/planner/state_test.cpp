@@ -234,7 +234,7 @@ TEST(StateQuery, a_decision_says_the_same_of_its_state) {
       std::vector<SafetyState> expected;
       PlanWorkspace workspace;
       for (std::size_t i = 0; i < robots; ++i) {
-        const auto seen = simulation.perceive(i);
+        const auto seen = simulation.perceive({i});
         expected.push_back(
             simulation.planner().state(seen.robot, seen.neighbors, workspace, seen.walls).state);
         Detour detour = seen.detour;

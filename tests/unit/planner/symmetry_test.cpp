@@ -32,7 +32,7 @@ Crowd mapped(Crowd crowd, Change&& change) {
 
 Plan among(const Crowd& crowd) {
   PlanWorkspace workspace;
-  return Planner(crowd.options).plan_among_obstacles(crowd.robot, crowd.neighbors, workspace);
+  return Planner(crowd.options).plan_among_movers(crowd.robot, crowd.neighbors, workspace);
 }
 
 void expect_same(const Plan& a, const Plan& b, const Crowd& crowd) {
@@ -250,7 +250,7 @@ TEST(Symmetry, the_workspace_carries_nothing_over) {
     const Plan again = planner.plan(crowd.robot, crowd.neighbors, used);
     expect_same(test::plan_of(crowd), again, crowd);
     if (k % 10 == 0) {
-      expect_same(among(crowd), planner.plan_among_obstacles(crowd.robot, crowd.neighbors, used),
+      expect_same(among(crowd), planner.plan_among_movers(crowd.robot, crowd.neighbors, used),
                   crowd);
     }
   }

@@ -404,7 +404,7 @@ TEST(Car, in_a_crowd_comes_to_rest_or_moves) {
         const bool creeps = speed > 0.0 && speed < 5e-11;
         creeping += creeps && crept[i] ? 1 : 0;
         crept[i] = creeps;
-        const bool rests = speed == 0.0 && simulation.is_at_goal(i) && step >= 1250;
+        const bool rests = speed == 0.0 && simulation.is_at_goal({i}) && step >= 1250;
         turning += rests && simulation.fleet().heading[i] != heading[i] ? 1 : 0;
       }
     }

@@ -66,8 +66,8 @@ class Judge {
     }
     return robots;
   }
-  static std::vector<CheckedObstacle> obstacles_of(const Scenario& scene) {
-    std::vector<CheckedObstacle> obstacles;
+  static std::vector<CheckedMover> obstacles_of(const Scenario& scene) {
+    std::vector<CheckedMover> obstacles;
     for (const MovingObstacle& each : scene.moving_obstacles) {
       obstacles.push_back({each.position, each.velocity, each.acceleration, each.radius});
     }

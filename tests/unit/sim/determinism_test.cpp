@@ -113,7 +113,7 @@ void expect_perception_is_planned_with(const Scenario& scene, int steps) {
     std::vector<Plan> expected;
     PlanWorkspace workspace;
     for (std::size_t i = 0; i < simulation.fleet().id.size(); ++i) {
-      const Simulation::Perception seen = simulation.perceive(i);
+      const Simulation::Perception seen = simulation.perceive({i});
       const bool nobody_decides =
           std::ranges::all_of(seen.source, [](std::int64_t source) { return source < 0; });
       EXPECT_EQ(seen.among_movers, nobody_decides && !seen.neighbors.empty());
@@ -132,7 +132,7 @@ void expect_perception_is_planned_with(const Scenario& scene, int steps) {
       detours += detour.angle > 0.0 ? 1 : 0;
       expected.push_back(planner.plan(seen.robot, seen.neighbors, workspace, &detour));
       if (seen.among_movers) {
-        const Plan among = planner.plan_among_obstacles(seen.robot, seen.neighbors, workspace);
+        const Plan among = planner.plan_among_movers(seen.robot, seen.neighbors, workspace);
         EXPECT_EQ(expected.back().new_velocity, among.new_velocity);
         EXPECT_EQ(detour.angle, 0.0);
       }

@@ -83,7 +83,7 @@ TEST(Fleet, detours_are_shown_and_stay_with_their_robots) {
   simulation.remove_robot({turned == 0 ? std::uint64_t{39} : std::uint64_t{0}});
   const std::size_t now = turned == 0 ? 0 : turned - 1;
   EXPECT_EQ(simulation.fleet().detour[now].angle, before[turned].angle);
-  EXPECT_EQ(simulation.perceive(now).detour.angle, before[turned].angle);
+  EXPECT_EQ(simulation.perceive({turned}).detour.angle, before[turned].angle);
 }
 
 // In the middle of a run: the others do not notice a robot that is out of sight.
@@ -136,14 +136,14 @@ TEST(Fleet, newcomers_are_seen_at_once) {
   scene.robots = {robot_at({0, 0}, {20, 0}), robot_at({0, 50}, {0, 50})};
   Simulation simulation(scene, 1);
   for (int k = 0; k < 10; ++k) simulation.step();
-  EXPECT_TRUE(simulation.perceive(0).neighbors.empty());
+  EXPECT_TRUE(simulation.perceive({0}).neighbors.empty());
   const RobotId newcomer = simulation.add_robot(robot_at({6, 0.1}, {6, 0.1}));
-  ASSERT_EQ(simulation.perceive(0).neighbors.size(), 1u);
-  EXPECT_EQ(simulation.perceive(0).source[0], 2);
+  ASSERT_EQ(simulation.perceive({0}).neighbors.size(), 1u);
+  EXPECT_EQ(simulation.perceive({0}).source[0], 2);
   simulation.step();
   EXPECT_NE(simulation.fleet().velocity[0].y, 0.0);
   simulation.remove_robot(newcomer);
-  EXPECT_TRUE(simulation.perceive(0).neighbors.empty());
+  EXPECT_TRUE(simulation.perceive({0}).neighbors.empty());
 }
 
 TEST(Fleet, time_is_the_number_of_steps) {
@@ -163,9 +163,9 @@ TEST(Fleet, obstacles_keep_their_acceleration_exactly) {
   Simulation simulation(scene, 1);
   for (int k = 0; k < 100; ++k) simulation.step();
   const double t = 10.0;
-  EXPECT_NEAR(simulation.obstacles().position[0].x, 1 + 0.5 * t + 0.0625 * t * t, 1e-12);
-  EXPECT_NEAR(simulation.obstacles().position[0].y, 2 - 0.25 * t + 0.03125 * t * t, 1e-12);
-  EXPECT_NEAR(simulation.obstacles().velocity[0].x, 0.5 + 0.125 * t, 1e-13);
+  EXPECT_NEAR(simulation.moving_obstacles().position[0].x, 1 + 0.5 * t + 0.0625 * t * t, 1e-12);
+  EXPECT_NEAR(simulation.moving_obstacles().position[0].y, 2 - 0.25 * t + 0.03125 * t * t, 1e-12);
+  EXPECT_NEAR(simulation.moving_obstacles().velocity[0].x, 0.5 + 0.125 * t, 1e-13);
 }
 
 TEST(Fleet, an_empty_simulation_steps) {

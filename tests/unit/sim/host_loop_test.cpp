@@ -23,7 +23,7 @@ void expect_rows_are_robots(const Simulation& simulation) {
   const FleetView fleet = simulation.fleet();
   ASSERT_EQ(simulation.size(), fleet.id.size());
   for (std::size_t i = 0; i < simulation.size(); ++i) {
-    const RobotState state = simulation.robot(i);
+    const RobotState state = simulation.robot(fleet.id[i]);
     EXPECT_EQ(state.id, fleet.id[i]);
     EXPECT_EQ(state.position, fleet.position[i]);
     EXPECT_EQ(state.velocity, fleet.velocity[i]);
@@ -33,7 +33,7 @@ void expect_rows_are_robots(const Simulation& simulation) {
     EXPECT_EQ(state.detour.congestion, fleet.detour[i].congestion);
     EXPECT_EQ(state.applied_acceleration, fleet.applied_acceleration[i]);
     expect_same(state.plan, fleet.plan[i]);
-    EXPECT_EQ(simulation.setup(i), fleet.setup[i]);
+    EXPECT_EQ(simulation.setup(state.id), fleet.setup[i]);
     EXPECT_EQ(simulation.index_of(state.id), i);
   }
 }
@@ -98,7 +98,7 @@ TEST(HostLoop, a_goal_renews_one_row_and_copies_no_column) {
   simulation.set_goal({3}, {1.5, 2.5});
   EXPECT_EQ(simulation.fleet().position[7], mark);
   EXPECT_EQ(simulation.fleet().goal[7], mark);
-  EXPECT_EQ(simulation.robot(7).position, place);
+  EXPECT_EQ(simulation.robot({7}).position, place);
   const_cast<Vec2&>(fleet.position[7]) = place, const_cast<Vec2&>(fleet.goal[7]) = goal;
   EXPECT_EQ(simulation.fleet().goal[3], (Vec2{1.5, 2.5}));
   EXPECT_EQ(simulation.fleet().setup[3].goal, (Vec2{1.5, 2.5}));
@@ -114,7 +114,7 @@ TEST(HostLoop, a_step_makes_all_columns_anew) {
   const Vec2 before = simulation.fleet(Columns::position).position[4];
   simulation.step();
   EXPECT_NE(simulation.fleet(Columns::position).position[4], before);
-  EXPECT_EQ(simulation.fleet(Columns::position).position[4], simulation.robot(4).position);
+  EXPECT_EQ(simulation.fleet(Columns::position).position[4], simulation.robot({4}).position);
 }
 
 }  // namespace

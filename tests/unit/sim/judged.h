@@ -18,7 +18,7 @@ class Judged {
 
   void step() {
     std::vector<CheckedWall> walls;
-    for (const StaticObstacle& obstacle : simulation.static_obstacles().setup)
+    for (const StaticObstacle& obstacle : simulation.obstacles().setup)
       for (const Wall& wall : walls_of(std::span(&obstacle, 1)))
         walls.push_back({wall.a, wall.b, wall.radius, obstacle.layers.bits});
     check_.set_walls(walls);

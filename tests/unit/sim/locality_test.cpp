@@ -36,8 +36,8 @@ TEST(Locality, a_robot_a_kilometer_away_changes_no_bit_of_a_path_among_movers) {
       Simulation together(scene, 1);
       int among = 0;
       for (int k = 0; k < 200; ++k) {
-        among += alone.perceive(0).among_movers ? 1 : 0;
-        EXPECT_EQ(together.perceive(0).among_movers, alone.perceive(0).among_movers);
+        among += alone.perceive({0}).among_movers ? 1 : 0;
+        EXPECT_EQ(together.perceive({0}).among_movers, alone.perceive({0}).among_movers);
         alone.step();
         together.step();
         ASSERT_EQ(alone.fleet().position[0], together.fleet().position[0])
@@ -46,7 +46,7 @@ TEST(Locality, a_robot_a_kilometer_away_changes_no_bit_of_a_path_among_movers) {
       }
       EXPECT_GT(among, 100);
       if (!avoids_union(method)) {
-        EXPECT_FALSE(together.perceive(1).among_movers);  // it senses nobody
+        EXPECT_FALSE(together.perceive({1}).among_movers);  // it senses nobody
       }
     }
   }
@@ -85,7 +85,7 @@ TEST(Locality, switching_within_an_encounter_keeps_the_promise) {
     for (const RobotSetup& robot : scene.robots) {
       judged.push_back({.radius = robot.radius, .goal = robot.goal});
     }
-    std::vector<CheckedObstacle> obstacles;
+    std::vector<CheckedMover> obstacles;
     for (const MovingObstacle& o : scene.moving_obstacles) {
       obstacles.push_back({o.position, o.velocity, o.acceleration, o.radius});
     }
@@ -96,7 +96,7 @@ TEST(Locality, switching_within_an_encounter_keeps_the_promise) {
       const FleetView fleet = simulation.fleet();
       for (std::size_t i = 0; i < fleet.id.size(); ++i) {
         rows.push_back({static_cast<std::int64_t>(i), fleet.position[i], fleet.velocity[i]});
-        const bool now = simulation.perceive(i).among_movers;
+        const bool now = simulation.perceive({i}).among_movers;
         switches += now != before[i] ? 1 : 0;
         before[i] = now;
       }
@@ -105,7 +105,7 @@ TEST(Locality, switching_within_an_encounter_keeps_the_promise) {
     }
     const CheckReport report = check.report();
     EXPECT_EQ(report.overlaps.count, 0) << run;
-    EXPECT_EQ(report.obstacle_contacts_moving.count, 0) << run;
+    EXPECT_EQ(report.mover_contacts_moving.count, 0) << run;
     EXPECT_EQ(report.accelerations.count, 0) << run;
   }
   EXPECT_GT(switches, 200);

@@ -48,7 +48,7 @@ struct Counts {
 void expect_next_velocities(Simulation& simulation, PlanWorkspace& workspace, Counts& counts) {
   std::vector<Plan> plans;
   for (std::size_t i = 0; i < simulation.fleet().id.size(); ++i) {
-    const Simulation::Perception seen = simulation.perceive(i);
+    const Simulation::Perception seen = simulation.perceive({i});
     Detour detour = seen.detour;
     plans.push_back(simulation.planner().plan(seen.robot, seen.neighbors, workspace, &detour));
   }

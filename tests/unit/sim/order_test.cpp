@@ -47,7 +47,7 @@ void expect_decisions_on_perceptions(const Scenario& scene, int steps) {
     const auto first = static_cast<std::size_t>(k % 7);
     std::vector<Plan> expected;
     for (std::size_t i = first; i < scene.robots.size(); i += 7) {
-      const Simulation::Perception seen = simulation.perceive(i);
+      const Simulation::Perception seen = simulation.perceive({i});
       Detour detour = seen.detour;
       expected.push_back(simulation.planner().plan(seen.robot, seen.neighbors, workspace, &detour));
     }
@@ -176,7 +176,7 @@ TEST(SpatialOrder, degenerate_crowds) {
   Scenario scene = crowd_of(1, Method::avo_paper);
   scene.robots.assign(20000, scene.robots[0]);
   Simulation simulation(scene, 2);
-  EXPECT_EQ(simulation.perceive(19999).source[0], 0);
+  EXPECT_EQ(simulation.perceive({19999}).source[0], 0);
   simulation.step();  // and they part
   EXPECT_NE(simulation.fleet().position[0], simulation.fleet().position[19999]);
 }

@@ -15,8 +15,9 @@ template <typename Look>
 void step_as_perceived(Simulation& simulation, const Look& look) {
   PlanWorkspace workspace;
   std::vector<Plan> expected;
-  for (std::size_t i = 0; i < simulation.fleet().id.size(); ++i) {
-    Simulation::Perception seen = simulation.perceive(i);
+  const auto ids = simulation.fleet().id;
+  for (const RobotId robot : std::vector<RobotId>(ids.begin(), ids.end())) {
+    Simulation::Perception seen = simulation.perceive(robot);
     look(seen);
     const Plan planned =
         simulation.planner().plan(seen.robot, seen.neighbors, workspace, &seen.detour, seen.walls);

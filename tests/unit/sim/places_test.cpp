@@ -232,7 +232,8 @@ TEST(Rallies, are_far_from_their_places_at_the_start) {
     scene.robots.push_back(robot_at({-6.75 - 1.05 * (k / 5), 1.05 * (k % 5 - 2)}, {0, 0}));
   Simulation simulation(scene, 1);
   simulation.step();
-  for (std::size_t k = 1; k < scene.robots.size(); ++k) EXPECT_FALSE(simulation.is_at_goal(k)) << k;
+  for (std::size_t k = 1; k < scene.robots.size(); ++k)
+    EXPECT_FALSE(simulation.is_at_goal({k})) << k;
 }
 
 TEST(Rallies, have_not_arrived_where_walls_keep_them_out) {
@@ -243,7 +244,7 @@ TEST(Rallies, have_not_arrived_where_walls_keep_them_out) {
   Simulation simulation(scene, 1);
   while (simulation.time() < 30.0) simulation.step();
   EXPECT_EQ(simulation.unreachable().size(), 2U);
-  for (const std::size_t k : {0, 1}) EXPECT_FALSE(simulation.is_at_goal(k)) << k;
+  for (const std::size_t k : {0, 1}) EXPECT_FALSE(simulation.is_at_goal({k})) << k;
 }
 
 TEST(Rallies, let_out_who_is_sent_away) {

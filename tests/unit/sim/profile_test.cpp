@@ -23,7 +23,7 @@ TEST(Profile, counts_what_the_steps_did) {
     std::int64_t pairs = 0, infeasible = 0;
     for (int k = 0; k < 5; ++k) {
       for (std::size_t i = 0; i < 300; ++i) {
-        pairs += std::min(7, static_cast<int>(simulation.perceive(i).neighbors.size()));
+        pairs += std::min(7, static_cast<int>(simulation.perceive({i}).neighbors.size()));
       }
       simulation.step();
       for (const Plan& plan : simulation.fleet().plan) infeasible += plan.violation > 0.0 ? 1 : 0;

@@ -23,7 +23,7 @@ inline double bound_of(const Scenario& scene, const Simulation& simulation) {
   for (std::size_t k = 0; k < scene.robots.size(); ++k) {
     const RobotSetup& robot = scene.robots[k];
     const double v = robot.preferred_speed, a = robot.max_acceleration;
-    ways = std::max(ways, simulation.way({k}).length / v + v / a);
+    ways = std::max(ways, simulation.route({k}).length / v + v / a);
     slowest = std::max(slowest, robot.max_speed / a);
   }
   return ways + 4.0 * slowest * std::sqrt(static_cast<double>(scene.robots.size()));
@@ -44,10 +44,10 @@ inline Rally run_rally(const Scenario& scene, double seconds) {
   }
   const std::span<const Vec2> velocity = simulation.fleet(Columns::velocity).velocity;
   for (std::size_t k = 0; k < velocity.size(); ++k)
-    result.at_rest += velocity[k] == Vec2{} && simulation.is_at_goal(k) ? 1 : 0;
+    result.at_rest += velocity[k] == Vec2{} && simulation.is_at_goal({k}) ? 1 : 0;
   const RunSummary summary = metrics.summary();
   result.arrived = summary.arrived;
-  result.contacts = summary.collision_pairs + summary.collision_obstacles;
+  result.contacts = summary.collision_pairs + summary.static_collisions;
   return result;
 }
 

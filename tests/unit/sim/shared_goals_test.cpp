@@ -39,7 +39,7 @@ TEST(SharedGoals, who_is_near_enough_brakes_and_stands) {
   EXPECT_GT(distance, 0.1);
   EXPECT_LT(distance, 0.5);
   EXPECT_EQ(simulation.fleet().velocity[0], Vec2{});
-  EXPECT_TRUE(simulation.is_at_goal(0));
+  EXPECT_TRUE(simulation.is_at_goal({0}));
 }
 
 // What it has done, and not what it had chosen before it was stopped.
@@ -129,7 +129,7 @@ TEST(SharedGoals, are_perceived_as_they_are_stepped_and_restored) {
   Simulation simulation(far_and_near(), 1);
   int stops = 0;
   for (int k = 0; k < 300; ++k) {
-    const Simulation::Perception seen = simulation.perceive(0);
+    const Simulation::Perception seen = simulation.perceive({0});
     Detour detour = seen.detour;
     PlanWorkspace workspace;
     const Plan planned =
@@ -167,7 +167,7 @@ TEST(SharedGoals, are_minded_by_method_avo_alone) {
     scene.method = method;
     Simulation simulation(scene, 1);
     for (int k = 0; k < 400; ++k) {
-      EXPECT_FALSE(simulation.perceive(0).stop) << to_string(method);
+      EXPECT_FALSE(simulation.perceive({0}).stop) << to_string(method);
       simulation.step();
       ASSERT_LE(norm(simulation.fleet().velocity[0]), 0.5 + 1e-9) << to_string(method);
     }

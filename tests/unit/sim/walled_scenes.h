@@ -108,16 +108,17 @@ inline Scenario crowd_at_doors(int robots, RightOfWay right_of_way) {
 
 /// A step decides on what each robot perceives before it.
 inline void expect_as_perceived(Simulation& simulation) {
-  const std::size_t robots = simulation.fleet().id.size();
+  const auto ids = simulation.fleet().id;
+  const std::vector<RobotId> robots(ids.begin(), ids.end());
   std::vector<Plan> plans;
   PlanWorkspace workspace;
-  for (std::size_t k = 0; k < robots; ++k) {
-    Simulation::Perception seen = simulation.perceive(k);
+  for (const RobotId robot : robots) {
+    Simulation::Perception seen = simulation.perceive(robot);
     plans.push_back(
         simulation.planner().plan(seen.robot, seen.neighbors, workspace, &seen.detour, seen.walls));
   }
   simulation.step();
-  for (std::size_t k = 0; k < robots; ++k) {
+  for (std::size_t k = 0; k < robots.size(); ++k) {
     EXPECT_EQ(simulation.fleet().plan[k].new_velocity, plans[k].new_velocity) << k;
     EXPECT_EQ(simulation.fleet().plan[k].status, plans[k].status) << k;
   }

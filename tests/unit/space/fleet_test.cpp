@@ -55,7 +55,7 @@ CheckReport report_of(const Scenario& scene, int threads = 1) {
     simulation.step();
     observe();
     all = true;
-    for (std::size_t k = 0; k < simulation.size(); ++k) all = all && simulation.is_at_goal(k);
+    for (std::size_t k = 0; k < simulation.size(); ++k) all = all && simulation.is_at_goal({k});
   }
   return check.report();
 }
@@ -95,7 +95,7 @@ TEST(SpaceFleets, climb_and_sink_limit_the_vertical_speed_alone) {
     scene.robots.push_back({.goal = goal, .climb = 0.3, .sink = 0.2});
     Simulation simulation(scene);
     double most = 0.0, least = 0.0;
-    while (!simulation.is_at_goal(0) && simulation.time() < scene.duration) {
+    while (!simulation.is_at_goal({0}) && simulation.time() < scene.duration) {
       simulation.step();
       most = std::max(most, simulation.robots()[0].velocity.z);
       least = std::min(least, simulation.robots()[0].velocity.z);
@@ -173,7 +173,7 @@ TEST(SpaceFleets, boxes_may_be_a_part_of_the_present_ones_and_have_to_be_sound) 
   broken = scene.boxes[0];
   std::swap(broken.min, broken.max);
   EXPECT_THROW(simulation.set_boxes(std::span(&broken, 1)), Error);
-  EXPECT_THROW(simulation.set_goal(0, {1e20, 0, 0}), Error);
+  EXPECT_THROW(simulation.set_goal({0}, {1e20, 0, 0}), Error);
 }
 
 TEST(SpaceFleets, threads_change_no_bit) {
@@ -199,14 +199,14 @@ TEST(SpaceFleets, a_new_goal_is_followed_and_the_same_goal_changes_nothing) {
   Scenario scene = sphere(1, 5.0);
   Simulation simulation(scene), same(scene);
   for (int k = 0; k < 30; ++k) {
-    same.set_goal(0, scene.robots[0].goal);
+    same.set_goal({0}, scene.robots[0].goal);
     simulation.step(), same.step();
   }
   EXPECT_EQ(simulation.state_hash(), same.state_hash());
-  simulation.set_goal(0, {0, 0, 20});
+  simulation.set_goal({0}, {0, 0, 20});
   for (int k = 0; k < 200; ++k) simulation.step();
-  EXPECT_TRUE(simulation.is_at_goal(0));
-  EXPECT_THROW(simulation.set_goal(1, {}), Error);
+  EXPECT_TRUE(simulation.is_at_goal({0}));
+  EXPECT_THROW(simulation.set_goal({1}, {}), Error);
 }
 
 }  // namespace

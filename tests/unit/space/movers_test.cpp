@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Moving obstacles of space: touched at rest only, and not at all where there is a way out.
+// Moving obstacles of space: touched at rest only, and not at all where there is an evasive
+// maneuver.
 #include <algorithm>
 #include <cmath>
 #include <gtest/gtest.h>
@@ -55,7 +56,7 @@ TEST(SpaceMovers, hit_no_robot_that_crosses) {
     Scenario scene = alone({-8, 0, 0}, {8, 0, 0});
     add_passing(scene, 1 + k % 6, draws, 4.0);
     const RunSummary summary = summary_of(scene, RunUntil::its_end);
-    EXPECT_EQ(summary.obstacle_collisions, 0) << k;
+    EXPECT_EQ(summary.mover_collisions, 0) << k;
     EXPECT_EQ(summary.arrived, 1) << k;
   }
 }
@@ -65,7 +66,7 @@ TEST(SpaceMovers, hit_no_robot_at_its_goal) {
     Draws draws(static_cast<std::uint64_t>(k) + 40);
     Scenario scene = alone({}, {});
     add_passing(scene, 1 + k % 4, draws, 3.0);
-    EXPECT_EQ(summary_of(scene, RunUntil::its_end).obstacle_collisions, 0) << k;
+    EXPECT_EQ(summary_of(scene, RunUntil::its_end).mover_collisions, 0) << k;
   }
 }
 
@@ -84,7 +85,7 @@ TEST(SpaceMovers, a_thrown_ball_is_evaded) {
                     (0.5 * time * time) * ball.acceleration;
     ball.radius = 0.2;
     scene.moving_obstacles = {ball};
-    EXPECT_EQ(summary_of(scene, RunUntil::its_end).obstacle_collisions, 0) << k;
+    EXPECT_EQ(summary_of(scene, RunUntil::its_end).mover_collisions, 0) << k;
   }
 }
 
@@ -117,8 +118,8 @@ TEST(SpaceMovers, beside_boxes_a_robot_evades_without_touching_them) {
                    {{1.5, -4, 0}, {2.0, 4, 6}, 0.3, 0.0}};
     add_passing(scene, 2, draws, 2.5);
     const RunSummary summary = summary_of(scene, RunUntil::its_end);
-    EXPECT_EQ(summary.collision_obstacles, 0) << k;
-    EXPECT_EQ(summary.obstacle_collisions_in_motion, 0) << k;
+    EXPECT_EQ(summary.static_collisions, 0) << k;
+    EXPECT_EQ(summary.mover_collisions_in_motion, 0) << k;
   }
 }
 
@@ -142,7 +143,7 @@ TEST(SpaceMovers, touch_robots_of_a_fleet_at_rest_only) {
     }
     const RunSummary summary = summary_of(scene, RunUntil::its_end);
     EXPECT_EQ(summary.collision_pairs, 0) << k;
-    EXPECT_EQ(summary.obstacle_collisions_in_motion, 0) << k;
+    EXPECT_EQ(summary.mover_collisions_in_motion, 0) << k;
   }
 }
 
@@ -181,7 +182,7 @@ TEST(SpaceMovers, that_deviate_touch_a_robot_at_rest_only) {
       robot.position = robot.position + (0.5 * h) * (robot.velocity + plan.next_velocity);
       robot.velocity = plan.next_velocity;
     }
-    EXPECT_EQ(check.report().obstacle_contacts_moving.count, 0) << k;
+    EXPECT_EQ(check.report().mover_contacts_moving.count, 0) << k;
     EXPECT_EQ(check.report().accelerations.count, 0) << k;
   }
 }
@@ -194,7 +195,7 @@ TEST(SpaceMovers, are_sensed_with_noise_and_late) {
     scene.sensing.delay = 1;
     scene.sensing.dropped = 0.1;
     add_passing(scene, 3, draws, 2.0);
-    EXPECT_EQ(summary_of(scene, RunUntil::its_end).obstacle_collisions_in_motion, 0) << k;
+    EXPECT_EQ(summary_of(scene, RunUntil::its_end).mover_collisions_in_motion, 0) << k;
   }
 }
 
@@ -268,11 +269,11 @@ TEST(SpaceMovers, the_judge_tells_contacts_at_rest_from_those_in_motion) {
     check.add(1.0, std::span(&end, 1), std::span(&to, 1));
     return check.report();
   };
-  EXPECT_EQ(judged({}).obstacle_contacts_at_rest, 1);
-  EXPECT_EQ(judged({}).obstacle_contacts_moving.count, 0);
-  EXPECT_NEAR(judged({}).obstacle_hits[0].depth, 0.4, 1e-8);
-  EXPECT_EQ(judged({0, 0.1, 0}).obstacle_contacts_moving.count, 1);
-  EXPECT_EQ(judged({0, 0, -1}).obstacle_contacts_at_rest, 0);
+  EXPECT_EQ(judged({}).mover_contacts_at_rest, 1);
+  EXPECT_EQ(judged({}).mover_contacts_moving.count, 0);
+  EXPECT_NEAR(judged({}).mover_hits[0].depth, 0.4, 1e-8);
+  EXPECT_EQ(judged({0, 0.1, 0}).mover_contacts_moving.count, 1);
+  EXPECT_EQ(judged({0, 0, -1}).mover_contacts_at_rest, 0);
 }
 
 TEST(SpaceMovers, out_of_range_are_refused) {

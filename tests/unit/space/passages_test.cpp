@@ -133,7 +133,7 @@ void expect_arrival(const Scenario& scene, double limit) {
   const RunSummary summary = run(scene, limit);
   EXPECT_EQ(summary.arrived, summary.robots);
   EXPECT_EQ(summary.collision_pairs, 0);
-  EXPECT_EQ(summary.collision_obstacles, 0);
+  EXPECT_EQ(summary.static_collisions, 0);
 }
 
 TEST(SpacePassages, of_one_lane_let_opposed_streams_through_in_turn) {

@@ -137,13 +137,13 @@ TEST(SpaceRoutes, a_robot_in_front_of_a_wide_box_arrives_in_little_more_time_tha
   scene.robots = {{.position = {-6, 0.3, 0.2}, .goal = {6, 0, 0}}};
   scene.boxes = {box_of({-1, -5, -5}, {1, 5, 5})};
   Simulation simulation(scene);
-  const double way = simulation.way(0).length;
+  const double way = simulation.route({0}).length;
   EXPECT_GT(way, 15.0);
-  while (!simulation.is_at_goal(0) && simulation.time() < 60.0) simulation.step();
+  while (!simulation.is_at_goal({0}) && simulation.time() < 60.0) simulation.step();
   EXPECT_LT(simulation.time(), way / 2.0 + 6.0);
   scene.navigation = false;
   Simulation straight(scene);
-  while (!straight.is_at_goal(0) && straight.time() < 60.0) straight.step();
+  while (!straight.is_at_goal({0}) && straight.time() < 60.0) straight.step();
   EXPECT_GE(straight.time(), 60.0);
 }
 
@@ -162,17 +162,17 @@ TEST(SpaceRoutes, to_goals_out_of_reach_end_near_them_until_a_door_opens) {
   EXPECT_FALSE(told[0].is_in_box);
   EXPECT_NEAR(told[0].distance_left, 3.5, 0.1);
   Simulation simulation(scene);
-  EXPECT_EQ(simulation.unreachable(), std::vector<std::size_t>{0});
-  EXPECT_TRUE(std::isinf(simulation.way(0).length));
+  EXPECT_EQ(simulation.unreachable(), std::vector<RobotId>{{0}});
+  EXPECT_TRUE(std::isinf(simulation.route({0}).length));
   for (int k = 0; k < 150; ++k) simulation.step();
-  EXPECT_TRUE(simulation.is_at_goal(1));
+  EXPECT_TRUE(simulation.is_at_goal({1}));
   EXPECT_LT(norm(simulation.robots()[0].velocity), 0.05);
   EXPECT_LT(norm(simulation.robots()[0].position), 4.0);
   shell.pop_back();
   simulation.set_boxes(shell);
   EXPECT_TRUE(simulation.unreachable().empty());
-  for (int k = 0; k < 150 && !simulation.is_at_goal(0); ++k) simulation.step();
-  EXPECT_TRUE(simulation.is_at_goal(0));
+  for (int k = 0; k < 150 && !simulation.is_at_goal({0}); ++k) simulation.step();
+  EXPECT_TRUE(simulation.is_at_goal({0}));
   scene.robots[0].goal = {2.5, 0, 0};
   EXPECT_TRUE(out_of_reach(scene).at(0).is_in_box);
 }
@@ -194,7 +194,7 @@ TEST(SpaceRoutes, that_an_edit_leaves_clear_and_short_change_no_bit) {
   for (int k = 0; k < 20; ++k) moved.step();
   moved.set_boxes(more);
   for (int k = 0; k < 250; ++k) moved.step();
-  for (std::size_t k = 0; k < moved.size(); ++k) EXPECT_TRUE(moved.is_at_goal(k)) << k;
+  for (std::size_t k = 0; k < moved.size(); ++k) EXPECT_TRUE(moved.is_at_goal({k})) << k;
 }
 
 TEST(SpaceRoutes, of_a_large_fleet_are_the_same_whatever_the_number_of_threads) {
@@ -215,8 +215,8 @@ TEST(SpaceRoutes, a_goal_behind_a_thin_wall_is_not_reached_before_the_robot_is_r
   scene.robots = {{.position = {-0.2, 0, 0}, .goal = {0.2, 0, 0}, .radius = 0.15}};
   scene.boxes = {box_of({0, -2, -2}, {0, 2, 2})};
   Simulation simulation(scene);
-  EXPECT_FALSE(simulation.is_at_goal(0));
-  while (!simulation.is_at_goal(0) && simulation.time() < 20.0) simulation.step();
+  EXPECT_FALSE(simulation.is_at_goal({0}));
+  while (!simulation.is_at_goal({0}) && simulation.time() < 20.0) simulation.step();
   EXPECT_GT(simulation.robots()[0].position.x, 0.0);
   EXPECT_LT(simulation.time(), 8.0);
 }
@@ -249,8 +249,8 @@ TEST(SpaceRoutes, a_new_goal_far_outside_is_reached) {
   scene.boxes = {box_of({-1, -3, -3}, {1, 3, 3})};
   Simulation simulation(scene);
   simulation.step();
-  simulation.set_goal(0, {30, 0, 0});
-  while (!simulation.is_at_goal(0) && simulation.time() < 40.0) simulation.step();
+  simulation.set_goal({0}, {30, 0, 0});
+  while (!simulation.is_at_goal({0}) && simulation.time() < 40.0) simulation.step();
   EXPECT_LT(simulation.time(), 28.0);
 }
 

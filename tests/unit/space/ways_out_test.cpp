@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Ways out in space: what is clear touches nobody, and what is left of it is a way out.
+// Evasive maneuvers in space: what is clear touches nobody, and what is left of it is an evasive
+// maneuver.
 #include "space/ways_out.h"
 
 #include <algorithm>
@@ -55,7 +56,7 @@ WaySearch after_step(const WaySearch& before) {
   return next;
 }
 
-// A way out that is clear: the velocity that it approaches, and when it brakes.
+// An evasive maneuver that is clear: the velocity that it approaches, and when it brakes.
 struct ClearWay {
   Vec3 w;
   double brakes_at = 0.0;  // s

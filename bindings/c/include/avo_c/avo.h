@@ -189,7 +189,8 @@ typedef uint8_t avo_plan_status;
 enum {
   AVO_PLAN_OPTIMAL = 0,
   AVO_PLAN_LEAST_UNSAFE = 1,
-  /// the certificate refused the next velocity, or it left no way out from a mover: another one
+  /// the certificate refused the next velocity, or it left no evasive maneuver from a mover:
+  /// another one
   AVO_PLAN_REFUSED = 2,
   AVO_PLAN_BRAKING = 3,
   AVO_PLAN_OVERLAPPING = 4,
@@ -323,7 +324,7 @@ typedef struct avo_plan {
   avo_vec2 acceleration;  ///< m/s^2, at the start of the step
   avo_plan_status status;
   avo_safety_state state;  ///< of the state before the decision; unknown without a certificate
-  bool evading;            ///< a way out replaces the target: see avo_planner_evasion()
+  bool evading;            ///< an evasive maneuver replaces the target: see avo_planner_evasion()
   int32_t neighbor;  ///< if overlapping, index of the neighbor, or -1, as always in a simulation
   int32_t wall;      ///< or index of the wall, or -1, as always in a simulation
   float depth;       ///< m: the overlap, if overlapping, see avo_safety_report
@@ -383,9 +384,12 @@ typedef struct avo_robot {
   avo_airplane airplane;
   avo_model model;
   avo_footprint footprint;  ///< of a car or a drive; radius then covers it at any heading
+  /// m, > 0: to where its way turns, such as the next corner, if that is nearer than its goal; cars
+  /// and drives with a footprint maneuver by it. Infinite: its way does not turn
+  double lookahead;
 } avo_robot;
 
-/// Another robot, or an obstacle, as it is sensed.
+/// Another robot, or a moving obstacle, as a robot senses it.
 typedef struct avo_neighbor {
   size_t size;
   avo_vec2 position;        ///< m
@@ -400,7 +404,8 @@ typedef struct avo_neighbor {
   double position_error;     ///< m, >= 0, in addition to the declared sensing_error
   avo_vec2 acceleration;     ///< m/s^2, observed; read where it moves on
   double max_speed;  ///< m/s, > 0, where it does not decide, with max_deviation; may be infinite
-  double likely_deviation;  ///< m/s^2, >= 0, where it does not decide; only ways out count it
+  double
+      likely_deviation;  ///< m/s^2, >= 0, where it does not decide; only evasive maneuvers count it
   avo_behavior behavior;
   int32_t age;  ///< steps since it was sensed, 0 to 1 000 000
   /// Unit, or 0: the direction in which the robot leaves this neighbor, where both coincide in
@@ -415,10 +420,10 @@ typedef struct avo_neighbor {
   avo_braking_pose pose;  ///< read only with a footprint: see avo_planner_braking_pose()
 } avo_neighbor;
 
-/// The way out that a robot takes in place of its target.
+/// The evasive maneuver that a robot takes in place of its target.
 typedef struct avo_evasion {
-  /// m/s, the velocity that the way out approaches, or holds; 0: it brakes from the start. Of an
-  /// airplane: its velocity where it begins to circle
+  /// m/s, the velocity that the evasive maneuver approaches, or holds; 0: it brakes from the start.
+  /// The velocity of an airplane where it begins to circle
   avo_vec2 velocity;
   double duration;   ///< s, from the decision: the robot then brakes or circles
   int32_t neighbor;  ///< index of the mover that it evades; -1: the plan is not evading
@@ -479,21 +484,20 @@ AVO_C_API avo_result avo_planner_plan(avo_planner_id planner, const avo_robot* r
                                       const avo_wall* walls, size_t wall_count, avo_detour* detour,
                                       avo_plan* plan);
 /// Decides for one robot among movers that do not react.
-AVO_C_API avo_result avo_planner_plan_among_obstacles(avo_planner_id planner,
-                                                      const avo_robot* robot,
-                                                      const avo_neighbor* obstacles,
-                                                      size_t obstacle_count, avo_plan* plan);
-/// The way out behind `evading` of avo_planner_plan(): the mover that the robot evades, and the way
-/// out that it takes. detour is not updated.
+AVO_C_API avo_result avo_planner_plan_among_movers(avo_planner_id planner, const avo_robot* robot,
+                                                   const avo_neighbor* movers, size_t mover_count,
+                                                   avo_plan* plan);
+/// The evasive maneuver behind `evading` of avo_planner_plan(): the mover that the robot evades,
+/// and the evasive maneuver that it takes. detour is not updated.
 AVO_C_API avo_result avo_planner_evasion(avo_planner_id planner, const avo_robot* robot,
                                          const avo_neighbor* neighbors, size_t neighbor_count,
                                          const avo_wall* walls, size_t wall_count,
                                          const avo_detour* detour, avo_evasion* evasion);
-/// Whether some way out is clear of all neighbors that do not decide, if they move as predicted.
-AVO_C_API avo_result avo_planner_has_way_out(avo_planner_id planner, const avo_robot* robot,
-                                             const avo_neighbor* neighbors, size_t neighbor_count,
-                                             const avo_wall* walls, size_t wall_count,
-                                             bool* has_way_out);
+/// Whether some evasive maneuver is clear of all neighbors that do not decide, if they move as
+/// predicted.
+AVO_C_API avo_result avo_planner_has_evasive_maneuver(
+    avo_planner_id planner, const avo_robot* robot, const avo_neighbor* neighbors,
+    size_t neighbor_count, const avo_wall* walls, size_t wall_count, bool* has_evasive_maneuver);
 /// What others have to know of a robot with a footprint: avo_neighbor.pose, and its footprint from
 /// the center of its disc.
 AVO_C_API avo_result avo_planner_braking_pose(avo_planner_id planner, const avo_robot* robot,
@@ -725,6 +729,10 @@ typedef struct avo_simulation_def {
   const char* external_method;
   avo_external_method* external;  ///< its function; null: avo_simulation_set_external() gives it
   void* external_context;         ///< for the function
+  /// how the bases of all robots execute commands; null: exactly
+  const struct avo_execution_model* execution;
+  double
+      execution_error;  ///< m, >= 0, with execution: what robots add to their radii; NAN: its bound
 } avo_simulation_def;
 
 AVO_C_API avo_robot_def avo_default_robot_def(void);
@@ -864,15 +872,15 @@ typedef struct avo_columns {
 } avo_columns;
 
 /// Columns of the moving obstacles, by ascending id; they are valid as long as avo_columns.
-typedef struct avo_obstacle_columns {
+typedef struct avo_moving_obstacle_columns {
   size_t count;
   const avo_vec2* position;  ///< m
   const avo_vec2* velocity;  ///< m/s
-} avo_obstacle_columns;
+} avo_moving_obstacle_columns;
 
 AVO_C_API avo_result avo_simulation_columns(avo_simulation_id simulation, avo_columns* columns);
 AVO_C_API avo_result avo_simulation_moving_obstacles(avo_simulation_id simulation,
-                                                     avo_obstacle_columns* columns);
+                                                     avo_moving_obstacle_columns* columns);
 
 /// Values of one robot. AVO_ERROR_INVALID_ID where it does not exist, or no longer.
 AVO_C_API avo_result avo_simulation_get_position(avo_simulation_id simulation, avo_robot_id robot,
@@ -918,7 +926,7 @@ AVO_C_API avo_result avo_simulation_get_wait(avo_simulation_id simulation, avo_r
 /// those of avo_simulation_save(). AVO_ERROR_INVALID_VALUE for a parked robot.
 AVO_C_API avo_result avo_simulation_explain(avo_simulation_id simulation, avo_robot_id robot,
                                             char* buffer, size_t capacity, size_t* size);
-/// The robot's place in the columns, which is not its number once another robot has gone.
+/// The robot's row in the columns. The row differs from the value of the id.
 AVO_C_API avo_result avo_simulation_index_of(avo_simulation_id simulation, avo_robot_id robot,
                                              size_t* index);
 /// The robot's definition with its present position, velocity, heading and goal; all other values
@@ -1007,8 +1015,8 @@ enum {
 typedef struct avo_event {
   avo_event_kind kind;
   avo_robot_id robot;
-  avo_moving_obstacle_id obstacle;  ///< of a contact; else a null id
-  bool at_rest;                     ///< of a contact: the robot has not moved in the step
+  avo_moving_obstacle_id moving_obstacle;  ///< of a contact; else a null id
+  bool at_rest;                            ///< of a contact: the robot has not moved in the step
 } avo_event;
 
 /// Begins to watch the robots, or begins anew. Each step then has the events since the step before,
@@ -1061,7 +1069,7 @@ AVO_C_API avo_result avo_simulation_team(avo_simulation_id simulation, size_t nu
 /// *task: the task, without robots. Its points are valid until the task changes or the team is
 /// gone.
 AVO_C_API avo_result avo_team_get_task(avo_team_id team, avo_team_def* task);
-/// Gives the team another task, of a definition whose robots are not read. The robots keep the
+/// Gives the team another task, of a definition; its robots are not read. The robots keep the
 /// goals that they had before they joined. Where it fails, nothing has changed.
 AVO_C_API avo_result avo_team_set_task(avo_team_id team, avo_simulation_id simulation,
                                        const avo_team_def* task);
@@ -1121,27 +1129,27 @@ typedef struct avo_summary {
   int64_t arrived;               ///< robots that were ever at their goals
   int64_t collision_pairs;       ///< pairs of robots that ever overlapped and avoid each other
   int64_t one_sided_collisions;  ///< pairs in which only one robot avoids the other
-  int64_t obstacle_collisions;   ///< (robot, moving obstacle) pairs
+  int64_t mover_collisions;      ///< (robot, moving obstacle) pairs
   /// the pairs among them that overlapped in a step in which the robot moved
-  int64_t obstacle_collisions_in_motion;
-  int64_t collision_obstacles;  ///< robots that touched a static obstacle
+  int64_t mover_collisions_in_motion;
+  int64_t static_collisions;    ///< robots that touched a static obstacle
   int64_t first_seen_too_late;  ///< pairs; -1 without a certificate
   /// robot-steps with half-planes that had no point in common
   int64_t infeasible_steps;
-  int64_t unreachable;            ///< robots
-  int64_t decisions[7];           ///< robot-steps, by avo_plan_status
-  double first_collision_time;    ///< s; NAN: none
-  double min_clearance;           ///< m, between robots that avoid each other; NAN: there are none
-  double min_obstacle_clearance;  ///< m, from static obstacles; NAN: there are none
-  double max_acceleration;        ///< m/s^2, the largest applied |a|
-  double acceleration_excess;     ///< m/s^2, the largest |a| - max(a_max, b); 0 if kept
-  double max_speed;               ///< m/s
-  double mean_arrival;            ///< s, over robots that arrived; NAN: none
-  double last_arrival;            ///< s; NAN: not all have arrived
+  int64_t unreachable;          ///< robots
+  int64_t decisions[7];         ///< robot-steps, by avo_plan_status
+  double first_collision_time;  ///< s; NAN: none
+  double min_clearance;         ///< m, between robots that avoid each other; NAN: there are none
+  double min_static_clearance;  ///< m, from static obstacles; NAN: there are none
+  double max_acceleration;      ///< m/s^2, the largest applied |a|
+  double acceleration_excess;   ///< m/s^2, the largest |a| - max(a_max, b); 0 if kept
+  double max_speed;             ///< m/s
+  double mean_arrival;          ///< s, over robots that arrived; NAN: none
+  double last_arrival;          ///< s; NAN: not all have arrived
   avo_run_metrics metrics;
-  /// The obstacle_collisions in which the robot had a way out when it first sensed the obstacle; -1
-  /// without a certificate.
-  int64_t obstacle_collisions_evadable;
+  /// The mover_collisions in which the robot had an evasive maneuver when it first sensed the
+  /// obstacle; -1 without a certificate.
+  int64_t mover_collisions_evadable;
 } avo_summary;
 
 AVO_C_API avo_summary avo_default_summary(void);
@@ -1170,13 +1178,13 @@ typedef struct avo_execution_model {
 /// How far a base is from its reference at most.
 typedef struct avo_execution_error {
   double position;  ///< m: the robot's disc is larger by this, for itself and for others
-  double velocity;  ///< m/s: others who sense the base add both to their sensing error
+  double velocity;  ///< m/s: others that sense the base add both to their sensing error
   double command;   ///< m/s: the base, or each wheel, must accept commands of this speed
 } avo_execution_error;
 
 /// What a base is told for the next time_step.
 typedef struct avo_base_command {
-  /// m/s: a holonomic base gets it as it is, a differential drive gets avo_drive_command() of it
+  /// m/s: a holonomic base gets this velocity, a differential drive gets avo_drive_command() of it
   avo_vec2 velocity;
   avo_vec2 next_reference;  ///< m, where the reference is at the next decision
   avo_vec2 next_velocity;   ///< m/s, its velocity then
@@ -1194,7 +1202,7 @@ typedef struct avo_wheel_command {
 AVO_C_API avo_result avo_find_execution_error(const avo_execution_model* model,
                                               const avo_robot* robot, double time_step,
                                               avo_execution_error* error);
-/// To be called at each cycle of the wheels' controller, with the body as it is then.
+/// To be called at each cycle of the wheels' controller, with the present body.
 AVO_C_API avo_result avo_drive_command(const avo_execution_model* model, const avo_robot* body,
                                        avo_vec2 velocity, avo_wheel_command* command);
 

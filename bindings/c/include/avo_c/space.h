@@ -46,8 +46,8 @@ typedef struct avo_space_plan {
   avo_vec3 acceleration;   ///< m/s^2, at the start of the step
   avo_plan_status status;
   avo_safety_state state;  ///< of the state before the decision
-  int32_t neighbor;        ///< if overlapping, index of the neighbor, or -1
-  int32_t box;             ///< or index of the box, or -1
+  int32_t neighbor;        ///< if overlapping, its position in the neighbors given, or -1
+  int32_t box;             ///< or its position in the boxes given, or -1
   float depth;             ///< m: the overlap, if overlapping
   double violation;        ///< m/s, the distance from the half-spaces; 0 if optimal
 } avo_space_plan;
@@ -66,14 +66,14 @@ typedef struct avo_space_robot {
   double vertical;              ///< > 0
   double climb;                 ///< m/s, > 0: the largest upward speed; may be infinite
   double sink;                  ///< m/s, > 0: the largest downward speed; may be infinite
-  double downwash;              ///< m, >= 0: nobody may be so far below the robot
+  double downwash;              ///< m, >= 0: no robot may be so far below it
   double priority;              ///< > 0
   double max_braking;           ///< m/s^2, > 0; 0: max_acceleration
   double distance_to_goal;      ///< m, to where it comes to rest; infinite: there is no such goal
 } avo_space_robot;
 AVO_C_API avo_space_robot avo_default_space_robot(void);
 
-/// Another robot, as it is sensed. It decides as well.
+/// Another robot, as a robot senses it. It decides as well.
 typedef struct avo_space_neighbor {
   size_t size;
   avo_vec3 position;        ///< m
@@ -230,10 +230,10 @@ AVO_C_API avo_result avo_space_simulation_get_robot_count(avo_space_simulation_i
 AVO_C_API avo_result avo_space_simulation_get_states(avo_space_simulation_id simulation,
                                                      avo_vec3* positions, avo_vec3* velocities,
                                                      size_t capacity);
-/// The last decision of the robot of that index.
+/// The last decision of a robot. robot, here and below: its position in the definition's `robots`.
 AVO_C_API avo_result avo_space_simulation_get_plan(avo_space_simulation_id simulation, size_t robot,
                                                    avo_space_plan* plan);
-/// Whether the robot of that index is within the arrival distance of its goal, with no box between.
+/// Whether the robot is within the arrival distance of its goal, with no box between.
 AVO_C_API avo_result avo_space_simulation_is_at_goal(avo_space_simulation_id simulation,
                                                      size_t robot, bool* is_at_goal);
 AVO_C_API avo_result avo_space_simulation_set_goal(avo_space_simulation_id simulation, size_t robot,

@@ -86,7 +86,7 @@ TEST(Ties, a_millimeter_is_enough_to_be_told_apart_without_ids) {
 TEST(Ties, who_perceives_knows_of_them) {
   const Simulation before(circle_of(40, 20.0), 1);
   std::set<float> usual;
-  for (std::size_t k = 0; k < 40; ++k) usual.insert(before.perceive(k).detour.congestion);
+  for (std::size_t k = 0; k < 40; ++k) usual.insert(before.perceive({k}).detour.congestion);
   EXPECT_EQ(usual.size(), 40U);
 }
 

@@ -81,8 +81,8 @@ TEST(Parked, nobody_touches_one_that_never_moves) {
   for (std::size_t k = 40; k < 52; ++k) {
     EXPECT_EQ(fleet.position[k], scene.robots[k].position);
     EXPECT_EQ(fleet.velocity[k], (Vec2{}));
-    EXPECT_TRUE(simulation.is_at_goal(k));
-    EXPECT_TRUE(simulation.perceive(k).neighbors.empty());
+    EXPECT_TRUE(simulation.is_at_goal({k}));
+    EXPECT_TRUE(simulation.perceive({k}).neighbors.empty());
   }
   const CheckReport report = check.report();
   EXPECT_TRUE(report.safe());
@@ -260,7 +260,7 @@ TEST(Layers, to_the_one_that_avoids_a_car_it_accelerates_as_its_set_allows) {
   scene.robots = {in_layer(robot_at({0, 0}, {9, 0}), 1, 3),
                   in_layer(robot_at({5, 0}, {-9, 0}), 2, 2)};
   scene.robots[1].model = Car{.acceleration_set = AccelerationSet::exact};
-  const Neighbor seen = Simulation(scene, 1).perceive(0).neighbors.at(0);
+  const Neighbor seen = Simulation(scene, 1).perceive({0}).neighbors.at(0);
   EXPECT_EQ(seen.behavior, Behavior::moves_on);
   EXPECT_DOUBLE_EQ(seen.max_deviation, std::sqrt(2.0));
   scene.robots[1].model = Car{.body = CarBody{0.4, 0.6}};
@@ -289,7 +289,7 @@ TEST(Layers, to_the_one_that_avoids_the_other_is_a_mover) {
   Simulation simulation(scene, 1), mover(alone, 1);
   int as_mover = 0;
   for (int step = 0; step < 120; ++step) {
-    const Simulation::Perception seen = simulation.perceive(0);
+    const Simulation::Perception seen = simulation.perceive({0});
     PlanWorkspace workspace;
     Detour detour = seen.detour;
     const Plan plan =
@@ -297,7 +297,7 @@ TEST(Layers, to_the_one_that_avoids_the_other_is_a_mover) {
     simulation.step(), mover.step();
     ASSERT_EQ(simulation.fleet().plan[0].next_velocity, plan.next_velocity) << step;
     ASSERT_EQ(simulation.fleet().position[1], mover.fleet().position[0]) << step;
-    const Simulation::Perception next = simulation.perceive(0);
+    const Simulation::Perception next = simulation.perceive({0});
     for (std::size_t k = 0; k < next.neighbors.size(); ++k) {
       if (next.source[k] != 1) continue;
       EXPECT_EQ(next.neighbors[k].behavior, Behavior::moves_on);

@@ -32,12 +32,12 @@ Scenario facing() {
 TEST(Cooperating, is_sensed_as_such_by_whom_it_avoids) {
   Scenario scene = facing();
   Simulation simulation(scene, 1);
-  const auto of_first = [](const Simulation& s) { return s.perceive(0).neighbors.at(0); };
+  const auto of_first = [](const Simulation& s) { return s.perceive({0}).neighbors.at(0); };
   EXPECT_EQ(of_first(simulation).behavior, Behavior::cooperates);
   EXPECT_EQ(of_first(simulation).max_deviation, 0.0);
   EXPECT_EQ(of_first(simulation).max_acceleration, 1.0) << "its share";
-  EXPECT_EQ(simulation.perceive(1).neighbors.at(0).behavior, Behavior::decides);
-  EXPECT_FALSE(simulation.perceive(0).among_movers);
+  EXPECT_EQ(simulation.perceive({1}).neighbors.at(0).behavior, Behavior::decides);
+  EXPECT_FALSE(simulation.perceive({0}).among_movers);
   EXPECT_EQ(simulation.fleet().setup[1].behavior, Behavior::cooperates);
   scene.robots[1].avoids = {0};
   EXPECT_EQ(of_first(Simulation(scene, 1)).behavior, Behavior::moves_on);
@@ -55,7 +55,7 @@ TEST(Cooperating, counts_beyond_the_nearest) {
   scene.robots[1].position = {3.8, 0}, scene.robots[1].velocity = {-2, 0};
   scene.robots.push_back(robot_at({-3.8, 3}, {-3.8, 3}));
   Simulation simulation(scene, 1);
-  const Simulation::Perception seen = simulation.perceive(0);
+  const Simulation::Perception seen = simulation.perceive({0});
   Detour detour = seen.detour;
   PlanWorkspace workspace;
   const Plan expected =
@@ -153,16 +153,16 @@ TEST(Cooperating, nobody_counts_on_one_that_moves_on) {
   scene.robots[0].position = {-9, 0}, scene.robots[0].goal = {9, 0};
   scene.robots[1] = robot_at({9, 0.1}, {-9, 0.1});
   Simulation simulation(scene, 1);
-  RobotSetup failed = simulation.setup(1);
+  RobotSetup failed = simulation.setup({1});
   failed.behavior = Behavior::moves_on;
   simulation.change_robot({1}, failed);
-  const Neighbor seen = simulation.perceive(0).neighbors.at(0);
+  const Neighbor seen = simulation.perceive({0}).neighbors.at(0);
   EXPECT_EQ(seen.behavior, Behavior::moves_on);
   EXPECT_GT(seen.likely_deviation, 0.0);
-  EXPECT_EQ(simulation.perceive(1).neighbors.at(0).behavior, Behavior::decides);
-  EXPECT_TRUE(simulation.perceive(0).among_movers);
+  EXPECT_EQ(simulation.perceive({1}).neighbors.at(0).behavior, Behavior::decides);
+  EXPECT_TRUE(simulation.perceive({0}).among_movers);
   Simulation continued(simulation.save(), 1);
-  EXPECT_EQ(continued.setup(1).behavior, Behavior::moves_on);
+  EXPECT_EQ(continued.setup({1}).behavior, Behavior::moves_on);
   double nearest = 99.0;
   while (simulation.can_step_by(30.0)) {
     simulation.step();

@@ -145,10 +145,10 @@ TEST(ExternalMethod, sees_what_its_robots_would_plan_with) {
     scene = certified(
         [&](const MethodBatch& batch, std::span<Vec2> velocities) {
           for (std::size_t i = 0; i < batch.size(); ++i) {
-            const Simulation::Perception seen = simulation->perceive(i);
+            const Simulation::Perception seen = simulation->perceive({i});
             EXPECT_EQ(batch.robot[i].position, seen.robot.position);
             EXPECT_EQ(batch.robot[i].preferred_velocity, seen.robot.preferred_velocity);
-            EXPECT_EQ(batch.goal[i], simulation->robot(i).goal);
+            EXPECT_EQ(batch.goal[i], simulation->robot({i}).goal);
             ASSERT_EQ(batch.neighbors_of(i).size(), seen.neighbors.size());
             for (std::size_t k = 0; k < seen.neighbors.size(); ++k)
               EXPECT_EQ(batch.neighbors_of(i)[k].position, seen.neighbors[k].position);
@@ -178,8 +178,8 @@ TEST(ExternalMethod, keeps_max_acceleration_where_it_is_clamped) {
   const Scenario scene = circle(2, 9.0, Method::avo);
   Simulation clamped(with(turns, scene), 1), at_once(with(turns, scene, Method::external), 1);
   clamped.step(), at_once.step();
-  EXPECT_DOUBLE_EQ(norm(clamped.robot(0).velocity), 0.1);
-  EXPECT_GT(norm(at_once.robot(0).velocity), 1.9);
+  EXPECT_DOUBLE_EQ(norm(clamped.robot({0}).velocity), 0.1);
+  EXPECT_GT(norm(at_once.robot({0}).velocity), 1.9);
 }
 
 TEST(ExternalMethod, by_acceleration_changes_the_velocity) {
@@ -190,8 +190,8 @@ TEST(ExternalMethod, by_acceleration_changes_the_velocity) {
            circle(2, 9.0, Method::avo));
   Simulation simulation(scene, 1);
   for (int k = 0; k < 4; ++k) simulation.step();
-  EXPECT_NEAR(simulation.robot(0).velocity.y, 0.2, 1e-12);
-  EXPECT_EQ(simulation.robot(0).velocity.x, 0.0);
+  EXPECT_NEAR(simulation.robot({0}).velocity.y, 0.2, 1e-12);
+  EXPECT_EQ(simulation.robot({0}).velocity.x, 0.0);
 }
 
 TEST(ExternalMethod, takes_the_preferred_velocity_of_the_host) {
@@ -273,14 +273,14 @@ TEST(ExternalMethod, is_explained) {
   for (int k = 0; k < 30; ++k) {
     std::vector<Plan> expected;
     for (std::size_t i = 0; i < 12; ++i) {
-      const Explanation explanation = simulation.explain(i);
+      const Explanation explanation = simulation.explain({i});
       EXPECT_EQ(explanation.seen.guide, Guide::host);
       expected.push_back(explanation.decision.plan);
     }
     simulation.step();
     for (std::size_t i = 0; i < 12; ++i) {
-      EXPECT_EQ(simulation.robot(i).plan.next_velocity, expected[i].next_velocity);
-      EXPECT_EQ(simulation.robot(i).plan.status, expected[i].status);
+      EXPECT_EQ(simulation.robot({i}).plan.next_velocity, expected[i].next_velocity);
+      EXPECT_EQ(simulation.robot({i}).plan.status, expected[i].status);
     }
   }
 }
@@ -315,7 +315,7 @@ TEST(ExternalMethod, keeps_its_name_while_no_robot_has_it) {
   Simulation a(scene, 1);
   Simulation b(a.save(), 1);
   b.set_external(potential_field);
-  RobotSetup setup = a.setup(0);
+  RobotSetup setup = a.setup({0});
   setup.method = Method::external_clamped;
   a.change_robot({0}, setup);
   b.change_robot({0}, setup);
@@ -337,8 +337,8 @@ TEST(ExternalMethod, passes_a_robot_that_it_meets_near_its_goal) {
                             scene),
                         1);
   test::run_for(simulation, 40.0);
-  EXPECT_GT(simulation.robot(0).position.x, 5.0);
-  EXPECT_LT(simulation.robot(1).position.x, -5.0);
+  EXPECT_GT(simulation.robot({0}).position.x, 5.0);
+  EXPECT_LT(simulation.robot({1}).position.x, -5.0);
 }
 
 // What the certificate is for: contacts without it, and none with it.
@@ -347,9 +347,9 @@ TEST(Certificate, keeps_robots_of_other_methods_apart) {
     const Scenario alone = with(potential_field, scene);
     const RunSummary without = outcome_of(alone),
                      behind = outcome_of(certified(potential_field, scene));
-    EXPECT_GT(without.collision_pairs + without.collision_obstacles, 0);
+    EXPECT_GT(without.collision_pairs + without.static_collisions, 0);
     EXPECT_EQ(behind.collision_pairs, 0);
-    EXPECT_EQ(behind.collision_obstacles, 0);
+    EXPECT_EQ(behind.static_collisions, 0);
   }
   for (const Method method : {Method::orca_clamped, Method::buffered_voronoi}) {
     for (Scenario scene : {circle(40, 10.0, method), furnished(method)}) {
@@ -358,7 +358,7 @@ TEST(Certificate, keeps_robots_of_other_methods_apart) {
       scene.certificate = Certificate::braking_trajectories;
       const RunSummary behind = outcome_of(scene);
       EXPECT_EQ(behind.collision_pairs, 0) << to_string(method);
-      EXPECT_EQ(behind.collision_obstacles, 0) << to_string(method);
+      EXPECT_EQ(behind.static_collisions, 0) << to_string(method);
       EXPECT_GE(behind.arrived, 20) << to_string(method);
     }
   }
@@ -371,7 +371,7 @@ TEST(Certificate, is_common_to_robots_of_several_methods) {
   EXPECT_EQ(mixed.collision_pairs, 0);
   EXPECT_GE(mixed.arrived, 38);
   Simulation simulation(scene, 1);
-  for (const Neighbor& neighbor : simulation.perceive(0).neighbors)
+  for (const Neighbor& neighbor : simulation.perceive({0}).neighbors)
     EXPECT_EQ(neighbor.behavior, Behavior::decides);
 }
 
@@ -381,10 +381,10 @@ TEST(Certificate, is_counted_on_by_no_robot_where_the_other_keeps_none) {
   scene.robots[1].method = Method::orca;
   Simulation simulation(scene, 1);
   std::size_t movers = 0;
-  for (const Neighbor& neighbor : simulation.perceive(0).neighbors)
+  for (const Neighbor& neighbor : simulation.perceive({0}).neighbors)
     movers += neighbor.behavior == Behavior::moves_on ? 1 : 0;
   EXPECT_EQ(movers, 1U);
-  for (const Neighbor& neighbor : simulation.perceive(1).neighbors)
+  for (const Neighbor& neighbor : simulation.perceive({1}).neighbors)
     EXPECT_EQ(neighbor.behavior, Behavior::decides);
 }
 
@@ -411,7 +411,7 @@ TEST(Certificate, evades_movers_for_other_methods) {
                             {.position = {0.2, 25}, .velocity = {0, -1.2}, .radius = 0.4}};
   const RunSummary summary = outcome_of(scene);
   EXPECT_EQ(summary.collision_pairs, 0);
-  EXPECT_EQ(summary.obstacle_collisions_in_motion, 0);
+  EXPECT_EQ(summary.mover_collisions_in_motion, 0);
 }
 
 }  // namespace

@@ -94,8 +94,8 @@ TEST(Methods, have_what_is_customary_for_them_and_not_what_the_scene_says_to_oth
   other.position = {0, 5};
   scene.robots = {own, other};
   Simulation simulation(scene, 1);
-  EXPECT_EQ(simulation.planner(0).options().time_horizon, 5.0);
-  EXPECT_EQ(simulation.planner(1).options().time_horizon, 2.0);
+  EXPECT_EQ(simulation.planner({0}).options().time_horizon, 5.0);
+  EXPECT_EQ(simulation.planner({1}).options().time_horizon, 2.0);
   EXPECT_EQ(simulation.fleet().setup[1].method, Method::orca);
   EXPECT_EQ(simulation.fleet().setup[1].time_horizon, 2.0);
 }
@@ -108,18 +108,18 @@ TEST(Methods, of_others_promise_nothing) {
                   by(Method::orca_clamped, robot_at({0, 5}, {0, -5}))};
   scene.robots[1].velocity = {-2, 0};
   Simulation simulation(scene, 1);
-  for (const Neighbor& seen : simulation.perceive(0).neighbors) {
+  for (const Neighbor& seen : simulation.perceive({0}).neighbors) {
     EXPECT_EQ(seen.behavior, Behavior::moves_on);
     EXPECT_EQ(seen.max_deviation, 0.0);
     EXPECT_EQ(seen.acceleration, Vec2{});
   }
   scene.robots[1].avoids = {}, scene.robots[2].avoids = {};
-  for (const Neighbor& seen : Simulation(scene, 1).perceive(0).neighbors) {
+  for (const Neighbor& seen : Simulation(scene, 1).perceive({0}).neighbors) {
     EXPECT_EQ(seen.behavior, Behavior::moves_on);
     EXPECT_EQ(seen.max_deviation, 0.0);  // nor within which limits it does as it likes
   }
   for (const std::size_t other : {1U, 2U})
-    for (const Neighbor& seen : simulation.perceive(other).neighbors)
+    for (const Neighbor& seen : simulation.perceive({other}).neighbors)
       EXPECT_EQ(seen.behavior, Behavior::decides);
 }
 
@@ -145,7 +145,7 @@ TEST(Methods, are_evaded_by_those_who_keep_a_certificate) {
     metrics.observe(simulation);
     for (int step = 0; step < 200; ++step) simulation.step(), metrics.observe(simulation);
     EXPECT_EQ(metrics.summary().metrics.collision, 0.0) << k;
-    EXPECT_TRUE(simulation.is_at_goal(0)) << k;
+    EXPECT_TRUE(simulation.is_at_goal({0})) << k;
   }
 }
 
@@ -228,11 +228,11 @@ TEST(Methods, of_those_who_declare_an_error_may_come_and_go) {
   scene.sensing_radius = 15.0;
   scene.robots[0].method = Method::avo;
   Simulation simulation(scene, 1);
-  EXPECT_GT(simulation.planner(0).options().sensing_error.position, 0.0);
+  EXPECT_GT(simulation.planner({0}).options().sensing_error.position, 0.0);
   simulation.add_robot(robot_at({0, 0}, {0, 0}));
   const RobotId late = simulation.add_robot(by(Method::avo, robot_at({0, 20}, {0, -20})));
-  EXPECT_EQ(simulation.planner(7).options().sensing_error,
-            simulation.planner(0).options().sensing_error);
+  EXPECT_EQ(simulation.planner({7}).options().sensing_error,
+            simulation.planner({0}).options().sensing_error);
   simulation.remove_robot({0}), simulation.remove_robot(late);
   Simulation other(simulation.save(), 1);
   for (int step = 0; step < 20; ++step) simulation.step(), other.step();

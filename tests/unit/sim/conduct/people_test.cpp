@@ -43,10 +43,10 @@ TEST(Paths, are_followed_from_point_to_point_within_the_limits) {
       EXPECT_LE(norm(next.velocity), 1.5 * (1.0 + 1e-12));
       const Vec2 mean = 0.5 * (walk.velocity + next.velocity);
       EXPECT_LE(norm(next.position - walk.position - time_step * mean), 1e-12);
-      if (next.target != walk.target) {
-        EXPECT_EQ(next.target, (walk.target + 1) % person.path.size());
-        EXPECT_LE(norm(walk.position - person.path[walk.target]), person.radius);
-        ++reached[walk.target];
+      if (next.next_point != walk.next_point) {
+        EXPECT_EQ(next.next_point, (walk.next_point + 1) % person.path.size());
+        EXPECT_LE(norm(walk.position - person.path[walk.next_point]), person.radius);
+        ++reached[walk.next_point];
       }
       walk = next;
     }
@@ -99,8 +99,8 @@ TEST(People, walk_into_robots_at_rest_only) {
   Scenario scene = busy_hall();
   for (RobotSetup& robot : scene.robots) robot.model = DifferentialDrive{};  // these stay
   const RunSummary summary = walk_through(scene);
-  EXPECT_GT(summary.obstacle_collisions, 0);
-  EXPECT_EQ(summary.obstacle_collisions_in_motion, 0);
+  EXPECT_GT(summary.mover_collisions, 0);
+  EXPECT_EQ(summary.mover_collisions_in_motion, 0);
   EXPECT_EQ(summary.collision_pairs, 0);
 }
 
@@ -108,8 +108,8 @@ TEST(People, walk_into_hardly_anybody_who_can_leave_their_way) {
   Scenario scene = busy_hall();
   scene.sensing.noise.position = 1e-6;  // so nobody knows their paths
   const RunSummary summary = walk_through(scene);
-  EXPECT_LE(summary.obstacle_collisions, 1);  // where robots stand close together
-  EXPECT_EQ(summary.obstacle_collisions_in_motion, 0);
+  EXPECT_LE(summary.mover_collisions, 1);  // where robots stand close together
+  EXPECT_EQ(summary.mover_collisions_in_motion, 0);
   EXPECT_EQ(summary.collision_pairs, 0);
   EXPECT_EQ(summary.arrived, 20);
 }
@@ -117,18 +117,18 @@ TEST(People, walk_into_hardly_anybody_who_can_leave_their_way) {
 TEST(People, tell_which_point_they_go_for) {
   Simulation simulation(busy_hall(), 1);
   std::vector<PathWalk> walks;
-  for (const MovingObstacle& person : simulation.obstacles().setup)
+  for (const MovingObstacle& person : simulation.moving_obstacles().setup)
     walks.push_back({person.position, person.velocity});
   for (int step = 0; step < 300; ++step) {
     simulation.step();
-    const ObstacleView people = simulation.obstacles();
-    ASSERT_EQ(people.target.size(), 2u);
+    const MovingObstacleView people = simulation.moving_obstacles();
+    ASSERT_EQ(people.next_point.size(), 2u);
     for (std::size_t k = 0; k < walks.size(); ++k) {
       walks[k] = next_on_path(people.setup[k], walks[k], 0.1);
-      ASSERT_EQ(people.target[k], walks[k].target) << step;
+      ASSERT_EQ(people.next_point[k], walks[k].next_point) << step;
     }
   }
-  EXPECT_EQ(walks[0].target, 1u);
+  EXPECT_EQ(walks[0].next_point, 1u);
 }
 
 TEST(Braking, towards_a_goal_begins_as_early_as_the_limit_asks_for) {

@@ -150,7 +150,7 @@ class Edited {
 
   void change() {
     const std::size_t robots = simulation_.fleet().id.size();
-    const auto obstacles = simulation_.static_obstacles().id;
+    const auto obstacles = simulation_.obstacles().id;
     switch (random_.below(hosted_ ? 13 : 7)) {
       case 0:
       case 1: {
@@ -173,7 +173,7 @@ class Edited {
       case 8:
       case 9: {
         const RobotId id = any_id();
-        const RobotSetup now = simulation_.setup(*simulation_.index_of(id));
+        const RobotSetup now = simulation_.setup(id);
         return simulation_.change_robot(id, changed(now, random_));
       }
       case 10:
@@ -192,7 +192,7 @@ class Edited {
   }
 
   void change_movers() {
-    const auto movers = simulation_.obstacles().id;
+    const auto movers = simulation_.moving_obstacles().id;
     const MovingObstacle mover = any_mover(random_);
     const auto any =
         movers.empty()
@@ -216,7 +216,7 @@ class Edited {
       if (k > 0) {
         EXPECT_LT(fleet.id[k - 1].value, fleet.id[k].value);
       }
-      for (const std::int64_t source : simulation_.perceive(k).source)
+      for (const std::int64_t source : simulation_.perceive(fleet.id[k]).source)
         EXPECT_TRUE(source < 0 || simulation_.index_of({static_cast<std::uint64_t>(source)}));
     }
   }

@@ -72,10 +72,10 @@ TEST(Edits, a_robot_turns_to_another_way_when_a_door_closes) {
   scene.obstacles = {pieces({{{10, 0}, {10, 4}}, {{10, 6}, {10, 30}}})};
   Judged judged(scene, 1);
   judged.run(2.0);
-  EXPECT_EQ(judged.simulation.perceive(0).robot.preferred_velocity.y, 0.0);
+  EXPECT_EQ(judged.simulation.perceive({0}).robot.preferred_velocity.y, 0.0);
   judged.simulation.add_obstacle(kDoor);
   EXPECT_TRUE(judged.simulation.unreachable().empty());
-  EXPECT_LT(judged.simulation.perceive(0).robot.preferred_velocity.y, -0.1);
+  EXPECT_LT(judged.simulation.perceive({0}).robot.preferred_velocity.y, -0.1);
   double lowest = 1e300;
   while (!judged.simulation.all_at_goal() && judged.simulation.time() < 40.0) {
     judged.step();
@@ -92,9 +92,9 @@ TEST(Edits, a_robot_takes_the_shorter_way_as_soon_as_its_door_opens) {
   scene.robots = {robot_at({6, -2}, {6, 2})};
   Simulation simulation(scene, 1);
   for (int k = 0; k < 15; ++k) simulation.step();
-  EXPECT_GT(simulation.perceive(0).robot.preferred_velocity.x, 1.0);
+  EXPECT_GT(simulation.perceive({0}).robot.preferred_velocity.x, 1.0);
   simulation.remove_obstacle({1});
-  EXPECT_LT(simulation.perceive(0).robot.preferred_velocity.x, 0.0);
+  EXPECT_LT(simulation.perceive({0}).robot.preferred_velocity.x, 0.0);
 }
 
 TEST(Edits, an_obstacle_that_braking_would_touch_is_refused_with_the_arithmetic) {
@@ -167,13 +167,13 @@ TEST(Edits, the_first_obstacle_may_come_late_and_the_last_one_go) {
   simulation.remove_obstacle(wall);
   EXPECT_EQ(simulation.state_hash(), untouched.state_hash());
   simulation.add_obstacle(pieces({{{5, -4}, {5, 8}}, {{-2, 1.5}, {1, 1.5}}}));
-  EXPECT_GT(std::abs(simulation.perceive(0).robot.preferred_velocity.y), 0.1);
-  EXPECT_FALSE(simulation.perceive(0).walls.empty());
+  EXPECT_GT(std::abs(simulation.perceive({0}).robot.preferred_velocity.y), 0.1);
+  EXPECT_FALSE(simulation.perceive({0}).walls.empty());
   judged.run(30.0);
   EXPECT_TRUE(simulation.all_at_goal());
   simulation.remove_obstacle({1});
-  EXPECT_TRUE(simulation.static_obstacles().id.empty());
-  EXPECT_TRUE(simulation.perceive(0).walls.empty());
+  EXPECT_TRUE(simulation.obstacles().id.empty());
+  EXPECT_TRUE(simulation.perceive({0}).walls.empty());
   judged.run(1.0);
   EXPECT_TRUE(judged.report().safe());
   // what a robot needs beside walls is asked of those that are there
@@ -212,7 +212,7 @@ TEST(Edits, perceive_is_what_the_step_decides_on) {
     if (k == 10) simulation.add_obstacle(kDoor);
     std::vector<Plan> plans;
     for (std::size_t i = 0; i < 2; ++i) {
-      Simulation::Perception seen = simulation.perceive(i);
+      Simulation::Perception seen = simulation.perceive({i});
       plans.push_back(simulation.planner().plan(seen.robot, seen.neighbors, workspace, &seen.detour,
                                                 seen.walls));
     }
@@ -251,7 +251,8 @@ TEST(Edits, a_robot_that_is_put_down_elsewhere_is_as_if_it_had_come_there) {
   EXPECT_EQ(simulation.fleet().position[0], (Vec2{2, 2}));
   EXPECT_EQ(simulation.fleet().velocity[0], Vec2{});
   EXPECT_EQ(simulation.fleet().id[0].value, 0u);
-  EXPECT_NEAR(simulation.way(0).length, norm(Vec2{8, 3}) + 7.0, 1.5);  // by the door, from there
+  EXPECT_NEAR(simulation.route({0}).length, norm(Vec2{8, 3}) + 7.0,
+              1.5);  // by the door, from there
 
   scene.robots = {simulation.fleet().setup[0], simulation.fleet().setup[1]};
   scene.robots[1].velocity = simulation.fleet().velocity[1];
@@ -284,9 +285,9 @@ TEST(Edits, delayed_senses_see_nothing_of_where_a_moved_robot_was) {
   scene.sensing.delay = 5;
   Simulation simulation(scene, 1);
   for (int k = 0; k < 10; ++k) simulation.step();
-  EXPECT_EQ(simulation.perceive(0).neighbors.size(), 1u);
+  EXPECT_EQ(simulation.perceive({0}).neighbors.size(), 1u);
   simulation.move_robot({1}, {8, 9});
-  for (const Neighbor& seen : simulation.perceive(0).neighbors)
+  for (const Neighbor& seen : simulation.perceive({0}).neighbors)
     EXPECT_GT(seen.position.y, 8.0) << "where it is, or nothing yet";
   for (int k = 0; k < 100; ++k) simulation.step();
   EXPECT_GE(norm(simulation.fleet().position[0] - simulation.fleet().position[1]), 1.0);

@@ -70,8 +70,8 @@ TEST(Floors, another_storey_changes_no_bit) {
       for (std::size_t k = 0; k < first.robots.size(); ++k)
         ASSERT_EQ(both.fleet().position[k], alone.fleet().position[k]) << step << " " << k;
     }
-    EXPECT_EQ(both.is_at_goal(0), alone.is_at_goal(0));
-    EXPECT_EQ(both.way(1).length, alone.way(1).length);
+    EXPECT_EQ(both.is_at_goal({0}), alone.is_at_goal({0}));
+    EXPECT_EQ(both.route({1}).length, alone.route({1}).length);
   }
 }
 
@@ -90,10 +90,11 @@ TEST(Floors, are_judged_by_their_own_walls) {
   metrics.observe(judged.simulation);
   for (int step = 0; step < 500; ++step) judged.step(), metrics.observe(judged.simulation);
   EXPECT_TRUE(judged.report().safe());
-  EXPECT_EQ(metrics.summary().collision_obstacles, 0);
-  EXPECT_GT(metrics.summary().min_obstacle_clearance, -1e-9);
-  EXPECT_TRUE(judged.simulation.is_at_goal(24));
-  EXPECT_NEAR(judged.simulation.robot(24).position.y, -1.0, 1e-9) << "no wall of its storey there";
+  EXPECT_EQ(metrics.summary().static_collisions, 0);
+  EXPECT_GT(metrics.summary().min_static_clearance, -1e-9);
+  EXPECT_TRUE(judged.simulation.is_at_goal({24}));
+  EXPECT_NEAR(judged.simulation.robot({24}).position.y, -1.0, 1e-9)
+      << "no wall of its storey there";
   crossing.robots.back().layers = {3};  // it is on both storeys, and starts in the door's wall
   crossing.robots.back().position = {0, 4};
   EXPECT_EQ(broken_assumptions(crossing).beside_count, 1);
@@ -111,7 +112,7 @@ TEST(Floors, robots_that_heed_other_walls_share_passages) {
   bool waits = false;
   for (int step = 0; step < 400; ++step) {
     simulation.step(), one_floor.step();
-    waits = waits || simulation.wait(0) || simulation.wait(1);
+    waits = waits || simulation.wait({0}) || simulation.wait({1});
     ASSERT_EQ(simulation.fleet().position[0], one_floor.fleet().position[0]) << step;
   }
   EXPECT_TRUE(waits);
@@ -125,8 +126,8 @@ TEST(Floors, hide_robots_by_the_walls_of_the_one_that_looks) {
   scene.robots = {test::robot_at({-2, 0}, {-2, 0}), test::robot_at({2, 0}, {2, 0})};
   scene.robots[0].layers = {3};
   Simulation simulation(scene, 1);
-  EXPECT_TRUE(simulation.perceive(0).neighbors.empty());
-  EXPECT_EQ(simulation.perceive(1).neighbors.size(), 1u);
+  EXPECT_TRUE(simulation.perceive({0}).neighbors.empty());
+  EXPECT_EQ(simulation.perceive({1}).neighbors.size(), 1u);
 }
 
 TEST(Floors, answer_queries_of_their_layers) {
@@ -164,20 +165,20 @@ TEST(Floors, are_edited_apart) {
   EXPECT_NE(refusal([&] { simulation.add_obstacle(wall_of(kUpper, {0.3, -4}, {0.3, 4})); }), "");
   simulation.remove_robot({1});
   const ObstacleId door = simulation.add_obstacle(wall_of(kUpper, {0.3, -4}, {0.3, 4}));
-  EXPECT_NEAR(simulation.way(0).length, 8.0, 1e-9) << "not on its storey";
+  EXPECT_NEAR(simulation.route({0}).length, 8.0, 1e-9) << "not on its storey";
   RobotSetup beside = on_floor(kUpper, {-1, 3}, {8, 3});
   const RobotId guest = simulation.add_robot(beside);
-  EXPECT_GT(simulation.way(1).length, 9.1) << "around the wall";
+  EXPECT_GT(simulation.route(guest).length, 9.1) << "around the wall";
   beside.position = {0.3, 0};
   EXPECT_NE(refusal([&] { simulation.add_robot(beside); }), "");
-  RobotSetup ground = simulation.setup(0);
+  RobotSetup ground = simulation.setup({0});
   ground.layers = kUpper;  // it stands on the wall of that storey
   EXPECT_NE(refusal([&] { simulation.change_robot({0}, ground); }).find("obstacle 0"),
             std::string::npos);
   simulation.remove_obstacle(door);
   simulation.change_robot({0}, ground);
-  EXPECT_NEAR(simulation.way(1).length, 9.0, 1e-9);
-  EXPECT_EQ(simulation.setup(*simulation.index_of(guest)).layers, kUpper);
+  EXPECT_NEAR(simulation.route(guest).length, 9.0, 1e-9);
+  EXPECT_EQ(simulation.setup(guest).layers, kUpper);
 }
 
 // A lift: the host changes the layers of a robot that stands there, and it goes on by the routes of
@@ -187,12 +188,12 @@ TEST(Floors, are_changed_in_a_lift) {
   scene.obstacles = {wall_of(kUpper, {0, -6}, {0, 2}), wall_of(kGround, {0, -2}, {0, 6})};
   scene.robots = {on_floor(kGround, {-2, 0}, {2, 0})};
   Simulation simulation(scene, 1);
-  const double below = simulation.way(0).next.y;
-  RobotSetup robot = simulation.setup(0);
+  const double below = simulation.route({0}).next.y;
+  RobotSetup robot = simulation.setup({0});
   robot.layers = robot.avoids = kUpper;
   simulation.change_robot({0}, robot);
   EXPECT_LT(below, -2.0);
-  EXPECT_GT(simulation.way(0).next.y, 2.0);
+  EXPECT_GT(simulation.route({0}).next.y, 2.0);
   for (int step = 0; step < 120; ++step) simulation.step();
   EXPECT_TRUE(simulation.all_at_goal());
 }
@@ -207,7 +208,7 @@ TEST(Floors, are_saved_and_restored) {
                                   storey(kUpper, test::corridor(1.6), 16, 1.0));
   Simulation simulation(scene, 2);
   hash_after(simulation, 40);
-  RobotSetup robot = simulation.setup(3);
+  RobotSetup robot = simulation.setup({3});
   robot.layers = robot.avoids = {4};  // a storey without walls
   simulation.change_robot({3}, robot);
   const std::vector<std::byte> saved = simulation.save();
@@ -217,7 +218,7 @@ TEST(Floors, are_saved_and_restored) {
   simulation.add_obstacle(wall_of(kUpper, {-30, 20}, {30, 20}));
   simulation.restore(saved);
   EXPECT_EQ(hash_after(simulation, 60), future);
-  EXPECT_EQ(simulation.static_obstacles().setup[1].layers, kUpper);
+  EXPECT_EQ(simulation.obstacles().setup[1].layers, kUpper);
   Simulation fresh(scene, 1);  // which has no floor for that robot
   fresh.restore(saved);
   EXPECT_EQ(hash_after(fresh, 60), future);

@@ -29,17 +29,36 @@ TEST(HostMovers, has_its_orders_saved_and_restored) {
   simulation.remove_moving_obstacle({0});
   run_for(simulation, 3.0);
   Simulation again(simulation.save(), 1);
-  EXPECT_EQ(again.preferred_velocity(1), (Vec2{-0.5, 0.5}));
-  ASSERT_EQ(again.obstacles().id.size(), 1U);
-  EXPECT_EQ(again.obstacles().id[0], came);
+  EXPECT_EQ(again.preferred_velocity({1}), (Vec2{-0.5, 0.5}));
+  ASSERT_EQ(again.moving_obstacles().id.size(), 1U);
+  EXPECT_EQ(again.moving_obstacles().id[0], came);
   run_for(simulation, 5.0), run_for(again, 5.0);
   EXPECT_EQ(simulation.state_hash(), again.state_hash());
   EXPECT_EQ(again.add_moving_obstacle({.position = {0, -40}}).value, came.value + 1);
   simulation.restore(start);
-  EXPECT_EQ(simulation.preferred_velocity(1), std::nullopt);
-  ASSERT_EQ(simulation.obstacles().id.size(), 1U);
-  EXPECT_EQ(simulation.obstacles().id[0], MovingObstacleId{0});
+  EXPECT_EQ(simulation.preferred_velocity({1}), std::nullopt);
+  ASSERT_EQ(simulation.moving_obstacles().id.size(), 1U);
+  EXPECT_EQ(simulation.moving_obstacles().id[0], MovingObstacleId{0});
   EXPECT_EQ(simulation.save(), start);
+}
+
+// After robots and movers have gone, questions by id are about the same bodies as before.
+TEST(HostMovers, and_robots_are_asked_for_by_their_ids) {
+  Scenario scene = two_lanes();
+  scene.robots.push_back(robot_at({0, -3}, {9, -3}));
+  scene.moving_obstacles = {{.position = {0, 30}}, {.position = {0, -9}}};
+  Simulation simulation(scene, 1);
+  const RobotSetup third = simulation.setup({2});
+  simulation.remove_robot({0});
+  simulation.remove_moving_obstacle({0});
+  EXPECT_EQ(simulation.robot({2}).id, RobotId{2});
+  EXPECT_EQ(simulation.setup({2}), third);
+  EXPECT_EQ(simulation.index_of({2}), 1U);
+  EXPECT_EQ(simulation.perceive({2}).source.front(), -1 - 1) << "the mover of id 1 is nearest";
+  EXPECT_EQ(refusal([&] { static_cast<void>(simulation.is_at_goal({0})); }),
+            "robot 0: found none of that id");
+  EXPECT_EQ(refusal([&] { static_cast<void>(simulation.route({3})); }),
+            "robot 3: found none of that id");
 }
 
 // A player walks towards robots, as the host says: within the limits that it declares, no robot in
@@ -58,7 +77,7 @@ TEST(HostMovers, moves_a_player_whom_robots_evade) {
   const MovingObstacleId id = simulation.add_moving_obstacle(player);
   for (int k = 0; k < 400; ++k) {
     const double angle = 0.05 * k;
-    const ObstacleView movers = simulation.obstacles();
+    const MovingObstacleView movers = simulation.moving_obstacles();
     player.position = movers.position[0];
     player.velocity = {0.9 * std::cos(angle), 0.9 * std::sin(angle)};
     simulation.change_moving_obstacle(id, player);
@@ -66,23 +85,23 @@ TEST(HostMovers, moves_a_player_whom_robots_evade) {
     metrics.observe(simulation);
   }
   const RunSummary summary = metrics.summary();
-  EXPECT_EQ(summary.obstacle_collisions_in_motion, 0);
+  EXPECT_EQ(summary.mover_collisions_in_motion, 0);
   EXPECT_EQ(summary.collision_pairs, 0);
   EXPECT_EQ(summary.arrived, 8U);
   simulation.remove_moving_obstacle(id);
-  EXPECT_TRUE(simulation.obstacles().id.empty());
+  EXPECT_TRUE(simulation.moving_obstacles().id.empty());
   run_for(simulation, 1.0);
 }
 
 TEST(HostMovers, is_refused_movers_that_nobody_could_evade) {
   Simulation simulation(two_lanes(), 1);
   run_for(simulation, 5.0);
-  const Vec2 p = simulation.robot(0).position;
+  const Vec2 p = simulation.robot({0}).position;
   const std::string refused = refusal([&] {
     simulation.add_moving_obstacle({.position = {p.x + 1.3, p.y}});
   });
   EXPECT_NE(refused.find("moving obstacle 0"), std::string::npos) << refused;
-  EXPECT_TRUE(simulation.obstacles().id.empty());
+  EXPECT_TRUE(simulation.moving_obstacles().id.empty());
   EXPECT_EQ(refusal([&] {
               simulation.add_moving_obstacle({.position = {0, 50}, .radius = -1.0});
             }),
@@ -150,7 +169,7 @@ TEST(HostMovers, keeps_movers_and_robots_in_sight) {
             std::string::npos);
   // it stops from 2 m/s with a fiftieth of its brakes
   run_for(fixed, 5.0);
-  RobotSetup setup = fixed.setup(0);
+  RobotSetup setup = fixed.setup({0});
   setup.max_speed = 0.5, setup.max_acceleration = 0.02;
   EXPECT_NE(refusal([&] { fixed.change_robot({0}, setup); }).find("has to be seen from"),
             std::string::npos);

@@ -16,32 +16,33 @@ using test::furnished;
 using test::refusal;
 using test::robot_at;
 
-std::vector<std::size_t> by_force(const Simulation& simulation, Vec2 center, double radius) {
+std::vector<RobotId> by_force(const Simulation& simulation, Vec2 center, double radius) {
   const FleetView fleet = simulation.fleet();
-  std::vector<std::pair<double, std::size_t>> found;
+  std::vector<std::pair<double, std::uint64_t>> found;
   for (std::size_t k = 0; k < fleet.id.size(); ++k) {
     const double distance =
         norm(center - disc_center(fleet.setup[k])) - disc_radius(fleet.setup[k]);
-    if (distance <= radius) found.emplace_back(distance, k);
+    if (distance <= radius) found.emplace_back(distance, fleet.id[k].value);
   }
   std::sort(found.begin(), found.end());
-  std::vector<std::size_t> ranks;
-  for (const auto& [distance, rank] : found) ranks.push_back(rank);
-  return ranks;
+  std::vector<RobotId> robots;
+  for (const auto& [distance, id] : found) robots.push_back({id});
+  return robots;
 }
 
 TEST(HostQueries, asks_which_robots_are_near) {
   Simulation simulation = furnished();
   for (int step = 0; step < 40; ++step) {
     simulation.step();
+    if (step == 20) simulation.remove_robot({3});  // ids are no rows any more
     const Vec2 p{9.0 * std::sin(1.7 * step), 9.0 * std::cos(2.3 * step)};
     for (const double radius : {0.0, 0.4, 3.0, 50.0})
       EXPECT_EQ(simulation.robots_within(p, radius), by_force(simulation, p, radius)) << step;
-    std::vector<std::size_t> all = by_force(simulation, p, 1e6);
+    std::vector<RobotId> all = by_force(simulation, p, 1e6);
     all.resize(7);
     EXPECT_EQ(simulation.nearest_robots(p, 7), all);
   }
-  EXPECT_EQ(simulation.nearest_robots({500, 500}, 99).size(), 20U);
+  EXPECT_EQ(simulation.nearest_robots({500, 500}, 99).size(), 19U);
   EXPECT_TRUE(simulation.nearest_robots({0, 0}, 0).empty());
   EXPECT_EQ(refusal([&] {
               static_cast<void>(simulation.robots_within({NAN, 0}, 1.0));
@@ -55,7 +56,7 @@ TEST(HostQueries, asks_whether_a_wall_hides_a_place) {
   EXPECT_TRUE(simulation.is_in_sight({0, 8}, {14, 8})) << "it is beside the way";
   EXPECT_FALSE(simulation.is_in_sight({0, 8}, {14, 8}, 2.0)) << "a wide disc touches it";
   EXPECT_TRUE(simulation.is_in_sight({-8, 8}, {-3, 8})) << "movers do not count";
-  const Vec2 robot = simulation.robot(0).position;
+  const Vec2 robot = simulation.robot({0}).position;
   EXPECT_TRUE(simulation.is_in_sight(robot - Vec2{1, 0}, robot + Vec2{1, 0})) << "nor do robots";
   simulation.remove_obstacle({1});
   EXPECT_TRUE(simulation.is_in_sight({0, 4}, {14, 4}));
@@ -122,13 +123,13 @@ TEST(HostQueries, lets_no_ray_through_a_corner) {
 
 TEST(HostQueries, may_look_and_order_in_turn) {
   Simulation simulation = furnished();
-  const std::vector<std::size_t> before = simulation.nearest_robots({0, 0}, 5);
+  const std::vector<RobotId> before = simulation.nearest_robots({0, 0}, 5);
   simulation.set_preferred_velocity({1}, Vec2{1, 0});
   simulation.set_goal({2}, {5, 9});
   EXPECT_EQ(simulation.nearest_robots({0, 0}, 5), before);
   simulation.step();
   simulation.move_robot({1}, {0, 0});
-  EXPECT_EQ(simulation.nearest_robots({0, 0}, 1), std::vector<std::size_t>{1});
+  EXPECT_EQ(simulation.nearest_robots({0, 0}, 1), std::vector<RobotId>{{1}});
 }
 
 }  // namespace

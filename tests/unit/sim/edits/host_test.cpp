@@ -32,23 +32,23 @@ double least_clearance(const Simulation& simulation) {
 TEST(Host, changes_what_a_robot_can_do_and_it_slows_down) {
   Simulation simulation(two_lanes(), 1);
   run_for(simulation, 6.0);
-  EXPECT_GT(norm(simulation.robot(0).velocity), 1.5);
-  RobotSetup setup = simulation.setup(0);
+  EXPECT_GT(norm(simulation.robot({0}).velocity), 1.5);
+  RobotSetup setup = simulation.setup({0});
   const std::uint64_t roster = simulation.roster();
   setup.max_speed = setup.preferred_speed = 0.5;
   setup.priority = 3.0, setup.arrival_distance = 0.2;
   setup.position = {99, 99}, setup.goal = {0, 77};  // not read
   simulation.change_robot(simulation.fleet().id[0], setup);
   EXPECT_NE(simulation.roster(), roster);
-  EXPECT_EQ(simulation.setup(0).max_speed, 0.5);
-  EXPECT_EQ(simulation.setup(0).priority, 3.0);
-  EXPECT_EQ(simulation.setup(0).arrival_distance, 0.2);
-  EXPECT_EQ(simulation.setup(0).goal, (Vec2{40, 0}));
-  const double before = norm(simulation.robot(0).velocity);
+  EXPECT_EQ(simulation.setup({0}).max_speed, 0.5);
+  EXPECT_EQ(simulation.setup({0}).priority, 3.0);
+  EXPECT_EQ(simulation.setup({0}).arrival_distance, 0.2);
+  EXPECT_EQ(simulation.setup({0}).goal, (Vec2{40, 0}));
+  const double before = norm(simulation.robot({0}).velocity);
   simulation.step();
-  EXPECT_GE(norm(simulation.robot(0).velocity), before - 0.1 - 1e-9) << "a_max is 1 m/s^2";
+  EXPECT_GE(norm(simulation.robot({0}).velocity), before - 0.1 - 1e-9) << "a_max is 1 m/s^2";
   run_for(simulation, 4.0);
-  EXPECT_LE(norm(simulation.robot(0).velocity), 0.5 + 1e-9);
+  EXPECT_LE(norm(simulation.robot({0}).velocity), 0.5 + 1e-9);
   Simulation again(simulation.save(), 1);
   run_for(simulation, 5.0), run_for(again, 5.0);
   EXPECT_EQ(simulation.state_hash(), again.state_hash());
@@ -75,20 +75,20 @@ TEST(Host, is_refused_changes_that_break_the_promise) {
   scene.robots = {robot_at({0, 0}, {0, 0}), robot_at({1.2, 0}, {1.2, 0})};
   scene.obstacles = {{{{{{-5, 1}, {5, 1}}, false}}, 0.0, Fill::none}};
   Simulation simulation(scene, 1);
-  RobotSetup setup = simulation.setup(0);
+  RobotSetup setup = simulation.setup({0});
   setup.radius = 0.8;
   const std::string beside = refusal([&] { simulation.change_robot({0}, setup); });
   EXPECT_NE(beside.find("robot 0"), std::string::npos) << beside;
-  EXPECT_EQ(simulation.setup(0).radius, 0.5);
+  EXPECT_EQ(simulation.setup({0}).radius, 0.5);
   setup.radius = 0.6;
   EXPECT_EQ(refusal([&] { simulation.change_robot({0}, setup); }), "");
   setup.max_speed = 50.0;
   const std::string fast = refusal([&] { simulation.change_robot({0}, setup); });
   EXPECT_NE(fast.find("sensing_radius is 12"), std::string::npos) << fast;
-  setup = simulation.setup(0), setup.max_acceleration = -1.0;
+  setup = simulation.setup({0}), setup.max_acceleration = -1.0;
   EXPECT_EQ(refusal([&] { simulation.change_robot({0}, setup); }),
             "robot 0: max_acceleration: found -1, must be > 0 m/s^2");
-  setup = simulation.setup(0), setup.model = Car{};
+  setup = simulation.setup({0}), setup.model = Car{};
   EXPECT_EQ(refusal([&] { simulation.change_robot({0}, setup); }),
             "robot 0: model: found another one, must be the one that it has");
   EXPECT_NE(refusal([&] { simulation.change_robot({7}, setup); }), "");
@@ -101,16 +101,16 @@ TEST(Host, tells_a_robot_its_preferred_velocity_and_takes_it_back) {
   scene.robots[1].goal = {-20, 0}, scene.robots[1].position = {20, 0};
   Simulation simulation(scene, 1);
   simulation.set_preferred_velocity({0}, Vec2{0, 1.0});
-  EXPECT_EQ(simulation.preferred_velocity(0), (Vec2{0, 1.0}));
-  EXPECT_EQ(simulation.preferred_velocity(1), std::nullopt);
+  EXPECT_EQ(simulation.preferred_velocity({0}), (Vec2{0, 1.0}));
+  EXPECT_EQ(simulation.preferred_velocity({1}), std::nullopt);
   run_for(simulation, 20.0);
-  EXPECT_NEAR(simulation.robot(0).position.x, -20.0, 0.3);
-  EXPECT_GT(simulation.robot(0).position.y, 15.0);
-  EXPECT_EQ(simulation.perceive(0).guide, Guide::host);
-  EXPECT_EQ(simulation.perceive(0).robot.preferred_velocity, (Vec2{0, 1.0}));
+  EXPECT_NEAR(simulation.robot({0}).position.x, -20.0, 0.3);
+  EXPECT_GT(simulation.robot({0}).position.y, 15.0);
+  EXPECT_EQ(simulation.perceive({0}).guide, Guide::host);
+  EXPECT_EQ(simulation.perceive({0}).robot.preferred_velocity, (Vec2{0, 1.0}));
   simulation.set_preferred_velocity({0}, std::nullopt);
   run_for(simulation, 60.0);
-  EXPECT_TRUE(simulation.is_at_goal(0));
+  EXPECT_TRUE(simulation.is_at_goal({0}));
 }
 
 // At its goal too it goes where it is told, and then it is not at its goal.
@@ -122,16 +122,16 @@ TEST(Host, leads_a_robot_through_a_crowd_without_contact) {
   }
   scene.robots[0].position = scene.robots[0].goal = {-4, 4};
   Simulation simulation(scene, 1);
-  EXPECT_TRUE(simulation.is_at_goal(0));
+  EXPECT_TRUE(simulation.is_at_goal({0}));
   simulation.set_preferred_velocity({0}, Vec2{1.5, 0});
-  EXPECT_FALSE(simulation.is_at_goal(0));
+  EXPECT_FALSE(simulation.is_at_goal({0}));
   double least = 1e9;
   for (int k = 0; k < 250; ++k) {
     simulation.step();
     least = std::min(least, least_clearance(simulation));
   }
   EXPECT_GE(least, 0.0);
-  EXPECT_GT(simulation.robot(0).position.x, 9.0);
+  EXPECT_GT(simulation.robot({0}).position.x, 9.0);
 }
 
 TEST(Host, edits_many_robots_at_once_or_none) {
@@ -170,7 +170,7 @@ TEST(Host, changes_nothing_by_values_spelled_out) {
   for (int k = 0; k < 5; ++k) scene.robots.push_back(robot_at({4.0 * k, 0}, {4.0 * k, 20}));
   Simulation simulation(scene, 1);
   for (int k = 0; k < 5; ++k) {
-    RobotSetup setup = simulation.setup(static_cast<std::size_t>(k));
+    RobotSetup setup = simulation.setup({static_cast<std::size_t>(k)});
     setup.method = Method::avo, setup.max_braking = setup.max_acceleration;
     simulation.change_robot({static_cast<std::uint64_t>(k)}, setup);
     setup.max_speed = 1.0 + 0.1 * k;
@@ -193,7 +193,7 @@ TEST(Host, checks_a_top_speed_on_which_others_count) {
   scene.robots[1].layers = {2}, scene.robots[1].avoids = {0};
   scene.sensing_radius = 400.0;
   Simulation simulation(scene, 1);
-  RobotSetup setup = simulation.setup(1);
+  RobotSetup setup = simulation.setup({1});
   setup.max_speed = setup.preferred_speed = 20.0;
   const std::string refused = refusal([&] { simulation.change_robot({1}, setup); });
   EXPECT_NE(refused.find("too fast for their distance"), std::string::npos) << refused;
@@ -211,7 +211,7 @@ TEST(Host, leads_an_airplane_past_its_goal) {
   simulation.set_preferred_velocity({0}, Vec2{8, 0});
   run_for(simulation, 12.0);
   ASSERT_EQ(simulation.size(), 1U);
-  EXPECT_GT(simulation.robot(0).position.x, 60.0);
+  EXPECT_GT(simulation.robot({0}).position.x, 60.0);
   simulation.set_preferred_velocity({0}, std::nullopt);
   run_for(simulation, 120.0);
   EXPECT_EQ(simulation.size(), 0U) << "it came back to its goal, and left";

@@ -15,9 +15,9 @@ using test::refusal;
 using test::robot_at;
 
 void park(Simulation& simulation, std::size_t robot, bool is_parked) {
-  RobotSetup setup = simulation.setup(robot);
+  RobotSetup setup = simulation.setup({robot});
   setup.parked = is_parked;
-  simulation.change_robot(simulation.robot(robot).id, setup);
+  simulation.change_robot(simulation.robot({robot}).id, setup);
 }
 
 // A robot parks in the way of another one, whose route then leads around it, and drives on later.
@@ -26,11 +26,11 @@ TEST(Parking, makes_a_wall_of_a_robot_and_back) {
   scene.robots = {robot_at({0, 0}, {0, 0}), robot_at({-8, 0}, {8, 0})};
   test::Judged judged(scene, 1);
   Simulation& simulation = judged.simulation;
-  EXPECT_EQ(simulation.way(1).length, 16.0);
+  EXPECT_EQ(simulation.route({1}).length, 16.0);
   park(simulation, 0, true);
-  EXPECT_TRUE(simulation.setup(0).parked);
-  EXPECT_GT(simulation.way(1).length, 16.01) << "around its disc";
-  EXPECT_TRUE(simulation.perceive(1).neighbors.empty()) << "it is a wall";
+  EXPECT_TRUE(simulation.setup({0}).parked);
+  EXPECT_GT(simulation.route({1}).length, 16.01) << "around its disc";
+  EXPECT_TRUE(simulation.perceive({1}).neighbors.empty()) << "it is a wall";
   EXPECT_EQ(refusal([&] {
               simulation.set_goal({0}, {5, 5});
             }),
@@ -39,9 +39,9 @@ TEST(Parking, makes_a_wall_of_a_robot_and_back) {
   judged.run(3.0);
   for (int step = 0; step < 30; ++step) continued.step();
   EXPECT_EQ(continued.state_hash(), simulation.state_hash());
-  EXPECT_EQ(simulation.robot(0).position, Vec2{});
+  EXPECT_EQ(simulation.robot({0}).position, Vec2{});
   park(simulation, 0, false);
-  EXPECT_EQ(simulation.robot(0).goal, Vec2{}) << "it stays until it is sent";
+  EXPECT_EQ(simulation.robot({0}).goal, Vec2{}) << "it stays until it is sent";
   simulation.set_goal({0}, {0, 6});
   judged.run(17.0);
   EXPECT_TRUE(simulation.all_at_goal());
@@ -60,7 +60,7 @@ TEST(Parking, is_refused_in_motion_and_where_another_one_could_not_stop) {
   Simulation beside(scene, 1);
   EXPECT_EQ(refusal([&] { park(beside, 0, true); }), "") << "the other one stops before it";
   EXPECT_NE(refusal([&] {
-              RobotSetup wide = beside.setup(0);
+              RobotSetup wide = beside.setup({0});
               wide.radius = 0.6;
               beside.change_robot({0}, wide);
             }).find("must be one that is not parked"),
@@ -102,7 +102,7 @@ TEST(Parking, has_the_wall_of_its_body) {
     scene.robots[0].model = model, scene.robots[0].heading = 1.1;
     scene.sensing_radius = 20.0;  // else it was chosen with this robot in mind
     Simulation changed(scene, 1);
-    RobotSetup wide = changed.setup(0);
+    RobotSetup wide = changed.setup({0});
     wide.parked = true, wide.radius = 0.8;
     changed.change_robot({0}, wide);
     scene.robots[0].parked = true, scene.robots[0].radius = 0.8;

@@ -34,7 +34,7 @@ std::vector<RobotId> all_of(const Scenario& scene) {
 }
 
 Vec2 place(const Simulation& simulation, std::size_t id) {
-  return simulation.robot(*simulation.index_of({id})).position;
+  return simulation.robot({id}).position;
 }
 
 TEST(TeamRuns, a_queue_moves_up_and_serves_in_order) {
@@ -84,7 +84,7 @@ TEST(TeamRuns, a_queue_without_service_waits_for_its_host) {
   EXPECT_LT(norm(place(simulation, 3) - Vec2{4.8, 0}), 0.5);
   EXPECT_LT(norm(place(simulation, 0) - Vec2{10, 10}), 0.5);
   disband(simulation, team);
-  EXPECT_EQ(simulation.robot(*simulation.index_of(late)).goal, (Vec2{0, 20}));
+  EXPECT_EQ(simulation.robot(late).goal, (Vec2{0, 20}));
   EXPECT_TRUE(team.members.empty());
 }
 
@@ -98,7 +98,7 @@ TEST(TeamRuns, followers_keep_to_the_trail_and_come_to_rest) {
   int gaps = 0;
   while (simulation.time() < 60.0) {
     simulation.step();
-    if (simulation.time() < 8.0 || simulation.is_at_goal(0)) continue;
+    if (simulation.time() < 8.0 || simulation.is_at_goal({0})) continue;
     for (std::size_t k = 1; k < 6; ++k) {
       const double gap = norm(place(simulation, k) - place(simulation, k - 1));
       worst = std::max(worst, gap), sum += gap, ++gaps;
@@ -171,7 +171,7 @@ TEST(TeamRuns, a_patrol_passes_its_points_for_ever) {
       if (norm(place(simulation, 0) - points[static_cast<std::size_t>(k)]) < 1.0 &&
           (passed.empty() || passed.back() != k))
         passed.push_back(k);
-    if (simulation.time() > 5.0) slowest = std::min(slowest, norm(simulation.robot(0).velocity));
+    if (simulation.time() > 5.0) slowest = std::min(slowest, norm(simulation.robot({0}).velocity));
   }
   EXPECT_GE(passed.size(), 8U);
   for (std::size_t k = 1; k < passed.size(); ++k) EXPECT_EQ(passed[k], (passed[k - 1] + 1) % 4);
@@ -253,7 +253,7 @@ TEST(TeamRuns, serve_tells_of_a_robot_whose_service_has_just_ended) {
   EXPECT_EQ(serve(simulation, team), RobotId{0});
   EXPECT_EQ(team.members.size(), 2U);
   disband(simulation, team);
-  EXPECT_EQ(simulation.robot(2).goal, scene.robots[2].goal);
+  EXPECT_EQ(simulation.robot({2}).goal, scene.robots[2].goal);
 }
 
 TEST(TeamRuns, nobody_passes_an_exit_and_turns_back) {

@@ -94,7 +94,7 @@ TEST(Allocation, none_for_a_look_at_one_robot_and_a_goal_for_it) {
   Simulation simulation(test::dense_scene(100, Motion::held), 1);
   const long before = allocations;
   for (std::size_t i = 0; i < simulation.size(); ++i) {
-    const RobotState state = simulation.robot(i);
+    const RobotState state = simulation.robot({i});
     simulation.set_goal(state.id, state.position);
   }
   EXPECT_EQ(allocations - before, 0);
@@ -265,7 +265,7 @@ TEST(Allocation, none_per_look_for_events_where_nothing_happens) {
 void expect_none_per_plan(const Scenario& scene) {
   const Simulation simulation(scene, 1);
   std::vector<Simulation::Perception> seen;
-  for (std::size_t i = 0; i < 100; ++i) seen.push_back(simulation.perceive(i));
+  for (std::size_t i = 0; i < 100; ++i) seen.push_back(simulation.perceive({i}));
   PlanWorkspace workspace;
   std::vector<CertificateConstraint> constraints;
   const Planner& planner = simulation.planner();
@@ -275,7 +275,7 @@ void expect_none_per_plan(const Scenario& scene) {
     before = allocations;
     for (const Simulation::Perception& each : seen) {
       sum += planner.plan(each.robot, each.neighbors, workspace).new_velocity.x;
-      sum += planner.plan_among_obstacles(each.robot, each.neighbors, workspace).new_velocity.x;
+      sum += planner.plan_among_movers(each.robot, each.neighbors, workspace).new_velocity.x;
       planner.collect_certificate(each.robot, each.neighbors, workspace, constraints);
     }
   }

@@ -38,7 +38,7 @@ TEST(OutOfMemory, a_plan_throws_and_the_next_one_is_as_good_as_ever) {
     Scenario scene = test::dense_scene(60, Motion::held);
     scene.method = method;
     const Simulation simulation(scene, 1);
-    Simulation::Perception seen = simulation.perceive(0);
+    Simulation::Perception seen = simulation.perceive({0});
     std::swap(seen.neighbors.front(), seen.neighbors.back());  // has to be sorted
     const Planner& planner = simulation.planner();
     PlanWorkspace fresh;
@@ -56,15 +56,14 @@ TEST(OutOfMemory, a_plan_throws_and_the_next_one_is_as_good_as_ever) {
     EXPECT_EQ(detour.angle, expected_detour.angle);
     PlanWorkspace other;
     EXPECT_GT(
-        failures([&] { plan = planner.plan_among_obstacles(seen.robot, seen.neighbors, other); }),
-        2);
+        failures([&] { plan = planner.plan_among_movers(seen.robot, seen.neighbors, other); }), 2);
   }
 }
 
 TEST(OutOfMemory, a_plan_with_what_was_reserved_needs_none) {
   const Scenario scene = test::dense_avo_scene(60, Motion::held, Certificate::braking_trajectories);
   const Simulation simulation(scene, 1);
-  const Simulation::Perception seen = simulation.perceive(0);
+  const Simulation::Perception seen = simulation.perceive({0});
   PlanWorkspace workspace;
   workspace.reserve(seen.neighbors.size(), 64);
   EXPECT_EQ(failures([&] {

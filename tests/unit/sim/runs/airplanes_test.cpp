@@ -41,12 +41,12 @@ TEST(Airplanes, one_arrives_between_two_steps_and_is_gone_in_the_next) {
   Metrics metrics(scene);
   metrics.observe(simulation);
   for (int k = 0; k < 11; ++k) {
-    EXPECT_FALSE(simulation.is_at_goal(0)) << k;
+    EXPECT_FALSE(simulation.is_at_goal({0})) << k;
     simulation.step();
     metrics.observe(simulation);
   }
   ASSERT_EQ(simulation.fleet().id.size(), 2U);
-  EXPECT_TRUE(simulation.is_at_goal(0));
+  EXPECT_TRUE(simulation.is_at_goal({0}));
   EXPECT_GT(norm(simulation.fleet().position[0] - scene.robots[0].goal), 0.05);
   simulation.step();
   metrics.observe(simulation);
@@ -61,17 +61,17 @@ TEST(Airplanes, one_arrives_between_two_steps_and_is_gone_in_the_next) {
 TEST(Airplanes, one_that_stays_circles_for_ever_and_flies_on_to_another_goal) {
   Simulation simulation(scene_of({plane({0, 0}, 0.0, {4, 0}, AfterGoal::loiter)}), 1);
   for (int k = 0; k < 40; ++k) simulation.step();
-  ASSERT_TRUE(simulation.is_at_goal(0));
+  ASSERT_TRUE(simulation.is_at_goal({0}));
   const Vec2 there = simulation.fleet().position[0];
   for (int k = 0; k < 10'000; ++k) {
     simulation.step();
     ASSERT_LE(norm(simulation.fleet().position[0] - there), 8.0 * (1.0 + 2e-6));  // 2 ρ
-    ASSERT_TRUE(simulation.is_at_goal(0));
+    ASSERT_TRUE(simulation.is_at_goal({0}));
   }
   simulation.set_goal(simulation.fleet().id[0], {60, 0});
-  EXPECT_FALSE(simulation.is_at_goal(0));
-  for (int k = 0; k < 400 && !simulation.is_at_goal(0); ++k) simulation.step();
-  EXPECT_TRUE(simulation.is_at_goal(0));
+  EXPECT_FALSE(simulation.is_at_goal({0}));
+  for (int k = 0; k < 400 && !simulation.is_at_goal({0}); ++k) simulation.step();
+  EXPECT_TRUE(simulation.is_at_goal({0}));
 }
 
 TEST(Airplanes, goals_all_around_are_passed) {
@@ -80,8 +80,8 @@ TEST(Airplanes, goals_all_around_are_passed) {
     for (const double away : {1.0, 3.0, 9.0, 30.0}) {
       const Vec2 goal{away * std::cos(angle), away * std::sin(angle)};
       Simulation simulation(scene_of({plane({0, 0}, 0.0, goal, AfterGoal::loiter)}), 1);
-      for (int i = 0; i < 600 && !simulation.is_at_goal(0); ++i) simulation.step();
-      EXPECT_TRUE(simulation.is_at_goal(0)) << k << " " << away;
+      for (int i = 0; i < 600 && !simulation.is_at_goal({0}); ++i) simulation.step();
+      EXPECT_TRUE(simulation.is_at_goal({0})) << k << " " << away;
     }
   }
 }

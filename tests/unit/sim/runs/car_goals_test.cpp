@@ -40,7 +40,7 @@ Reached reached_by(const Car& car, double radius) {
   Simulation simulation(scene, 1);
   while (simulation.time() < 60.0) simulation.step();
   for (std::size_t k = 0; k < 100; ++k) {
-    reached.missing += simulation.is_at_goal(k) ? 0 : 1;
+    reached.missing += simulation.is_at_goal({k}) ? 0 : 1;
     reached.speed = std::max(reached.speed, norm(simulation.fleet().velocity[k]));
   }
   return reached;
@@ -51,7 +51,8 @@ int arrived_within(const Scenario& scene, double time) {
   Simulation simulation(scene, 1);
   while (simulation.time() < time && !simulation.all_at_goal()) simulation.step();
   int arrived = 0;
-  for (std::size_t k = 0; k < scene.robots.size(); ++k) arrived += simulation.is_at_goal(k) ? 1 : 0;
+  for (std::size_t k = 0; k < scene.robots.size(); ++k)
+    arrived += simulation.is_at_goal({k}) ? 1 : 0;
   return arrived;
 }
 
@@ -241,7 +242,7 @@ TEST(CarGoals, a_weak_brake_makes_no_car_crawl) {
     scene.robots = {robot};
     Simulation simulation(scene, 1);
     while (simulation.time() < 15.0) simulation.step();
-    EXPECT_TRUE(simulation.is_at_goal(0)) << simulation.fleet().position[0].x;
+    EXPECT_TRUE(simulation.is_at_goal({0})) << simulation.fleet().position[0].x;
   }
 }
 

@@ -52,13 +52,13 @@ double clearance_of(const Scenario& scene, Vec2 center) {
 Driven drive(const Scenario& scene, double most) {
   Driven result;
   Simulation simulation(scene, 1);
-  while (simulation.time() < most && !simulation.is_at_goal(0)) {
+  while (simulation.time() < most && !simulation.is_at_goal({0})) {
     simulation.step();
     const FleetView fleet = simulation.fleet();
     const Vec2 center = disc_center(scene.robots[0].model, fleet.position[0], fleet.heading[0]);
     result.clearance = std::min(result.clearance, clearance_of(scene, center));
   }
-  if (simulation.is_at_goal(0)) result.time = simulation.time();
+  if (simulation.is_at_goal({0})) result.time = simulation.time();
   return result;
 }
 
@@ -170,7 +170,7 @@ TEST(CarManeuvers, what_is_perceived_says_what_is_decided) {
   Simulation simulation(scene, 1);
   PlanWorkspace workspace;
   while (simulation.time() < 12.0) {
-    const Simulation::Perception seen = simulation.perceive(0);
+    const Simulation::Perception seen = simulation.perceive({0});
     Detour detour = seen.detour;
     const Plan plan =
         simulation.planner().plan(seen.robot, seen.neighbors, workspace, &detour, seen.walls);
@@ -188,7 +188,7 @@ TEST(CarManeuvers, walls_far_away_change_no_bit) {
     one.step(), other.step();
     ASSERT_EQ(one.fleet().position[0], other.fleet().position[0]) << one.time();
   }
-  EXPECT_TRUE(one.is_at_goal(0));
+  EXPECT_TRUE(one.is_at_goal({0}));
 }
 
 }  // namespace

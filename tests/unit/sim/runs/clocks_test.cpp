@@ -72,7 +72,7 @@ TEST(Clocks, phases_are_different_and_follow_from_the_seed) {
     const Simulation simulation(scene, 1);
     std::vector<double> all;
     for (std::size_t i = 0; i < 30; ++i) {
-      all.push_back(simulation.next_decision(i));
+      all.push_back(simulation.next_decision({i}));
       EXPECT_GE(all.back(), 0.0);
       EXPECT_LT(all.back(), step_of(scene, i));
     }
@@ -92,12 +92,12 @@ TEST(Clocks, each_robot_decides_its_own_time_step_apart) {
   while (simulation.can_step_by(2.0)) {
     const double now = simulation.time();
     std::vector<double> next;
-    for (std::size_t i = 0; i < 9; ++i) next.push_back(simulation.next_decision(i));
+    for (std::size_t i = 0; i < 9; ++i) next.push_back(simulation.next_decision({i}));
     const double nearest = *std::min_element(next.begin(), next.end());
     simulation.step();
     for (std::size_t i = 0; i < 9; ++i) {
-      EXPECT_EQ(simulation.decided(i), next[i] == now);
-      if (simulation.decided(i)) times[i].push_back(now);
+      EXPECT_EQ(simulation.decided({i}), next[i] == now);
+      if (simulation.decided({i})) times[i].push_back(now);
     }
     if (nearest > now) {
       EXPECT_EQ(simulation.time(), nearest) << "somebody was passed over";
@@ -122,7 +122,7 @@ TEST(Clocks, who_decides_at_the_same_instant_decides_in_one_step) {
   int steps = 0, decisions = 0;
   while (simulation.can_step_by(300e-9)) {
     simulation.step(), ++steps;
-    for (std::size_t i = 0; i < 12; ++i) decisions += simulation.decided(i) ? 1 : 0;
+    for (std::size_t i = 0; i < 12; ++i) decisions += simulation.decided({i}) ? 1 : 0;
   }
   EXPECT_EQ(steps, 300);
   EXPECT_GE(decisions, 12 * 99);
@@ -171,7 +171,7 @@ TEST(Clocks, a_start_in_motion_keeps_the_limits) {
     for (RobotSetup& robot : scene.robots) robot.velocity = -0.2 * robot.position;
     ASSERT_TRUE(broken_assumptions(scene).none());
     Simulation simulation(scene, 1);
-    while (simulation.next_decision(1) > simulation.time()) simulation.step();
+    while (simulation.next_decision({1}) > simulation.time()) simulation.step();
     EXPECT_LT(norm(simulation.fleet().velocity[1]), norm(scene.robots[1].velocity));
     EXPECT_TRUE(judged(scene, 6.0).safe()) << seed;
   }
@@ -189,7 +189,7 @@ TEST(Clocks, a_start_brakes_as_hard_as_others_expect) {
       if (drives) robot.model = DifferentialDrive{.wheel_speed = 2.0, .wheel_acceleration = 4.0};
     }
     Simulation simulation(scene, 1);
-    while (simulation.next_decision(1) > simulation.time()) simulation.step();
+    while (simulation.next_decision({1}) > simulation.time()) simulation.step();
     EXPECT_NEAR(norm(simulation.fleet().velocity[1]), 0.4 - 0.3 * simulation.time(), 1e-12);
     EXPECT_TRUE(judged(scene, 6.0).safe()) << seed;
   }
@@ -268,10 +268,10 @@ TEST(Clocks, a_saved_run_goes_on_with_every_phase_and_every_step_begun) {
     Simulation alone(saved, 1);
     other.restore(saved);
     EXPECT_EQ(other.time(), original.time());
-    EXPECT_FALSE(other.decided(0));
+    EXPECT_FALSE(other.decided({0}));
     for (int k = 0; k < 200; ++k) {
       for (std::size_t i = 0; i < 12; ++i)
-        ASSERT_EQ(alone.next_decision(i), original.next_decision(i)) << steps << ' ' << k;
+        ASSERT_EQ(alone.next_decision({i}), original.next_decision({i})) << steps << ' ' << k;
       ASSERT_EQ(alone.state_hash(), original.state_hash()) << steps << ' ' << k;
       ASSERT_EQ(other.state_hash(), original.state_hash()) << steps << ' ' << k;
       original.step(), other.step(), alone.step();
@@ -300,13 +300,13 @@ TEST(Clocks, robots_come_and_go) {
   RobotSetup setup = robot_at({30, 0}, {40, 0});
   setup.time_step = 0.025;
   const RobotId robot = simulation.add_robot(setup);
-  EXPECT_LT(simulation.next_decision(9) - simulation.time(), 0.025);
+  EXPECT_LT(simulation.next_decision({9}) - simulation.time(), 0.025);
   simulation.remove_robot({3});
   while (simulation.can_step_by(20.0)) simulation.step();
-  EXPECT_TRUE(simulation.is_at_goal(8));
+  EXPECT_TRUE(simulation.is_at_goal({9}));
   EXPECT_EQ(simulation.fleet().id[8], robot);
-  EXPECT_EQ(simulation.planner(8).options().time_step, 0.025);
-  EXPECT_EQ(simulation.planner(8).options().longest_step, 0.1);
+  EXPECT_EQ(simulation.planner({9}).options().time_step, 0.025);
+  EXPECT_EQ(simulation.planner({9}).options().longest_step, 0.1);
 }
 
 // A robot in the midst of a step cannot brake before it ends.
@@ -440,7 +440,7 @@ TEST(Clocks, cars_with_weak_brakes_do_not_jump) {
       ASSERT_LE(norm(fleet.position[0] - place),
                 0.5 * (speed + next_speed) * elapsed * (1.0 + 1e-9) + 1e-9)
           << "car " << n << " at " << simulation.time() << " s";
-      if (simulation.decided(0)) turn = 0.0;
+      if (simulation.decided({0})) turn = 0.0;
       turn += std::remainder(fleet.heading[0] - heading, 2.0 * std::numbers::pi);
       sharpest = std::max(sharpest, std::abs(turn));
       heading = fleet.heading[0];
@@ -459,7 +459,7 @@ TEST(Clocks, metrics_count_each_decision_once) {
   while (simulation.can_step_by(12.0)) {
     simulation.step();
     metrics.observe(simulation);
-    for (std::size_t i = 0; i < 9; ++i) decided += simulation.decided(i) ? 1 : 0;
+    for (std::size_t i = 0; i < 9; ++i) decided += simulation.decided({i}) ? 1 : 0;
   }
   const RunSummary summary = metrics.summary();
   const Decisions& d = summary.decisions;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a decision says of the way out that it takes; and robots that may not swerve
+// What a decision says of the evasive maneuver that it takes; and robots that may not swerve
 // (docs/movers.md, "Rule").
 #include <algorithm>
 #include <cmath>
@@ -137,7 +137,7 @@ TEST(WayOut, there_is_one_or_not) {
   PlanWorkspace workspace;
   const Robot robot = resting();
   const auto has = [&](const std::vector<Neighbor>& others, const std::vector<Wall>& walls = {}) {
-    return planner.has_way_out(robot, others, workspace, walls);
+    return planner.has_evasive_maneuver(robot, others, workspace, walls);
   };
   EXPECT_TRUE(has({}));
   EXPECT_TRUE(has({walker({-8, 0}, {1, 0})}));
@@ -152,16 +152,16 @@ TEST(WayOut, there_is_one_or_not) {
   EXPECT_TRUE(has({walker({-8, 0}, {1, 0}), peer}));
   Robot car = robot;
   car.model = Car{0.7};
-  EXPECT_TRUE(planner.has_way_out(car, std::vector{walker({-8, 0}, {1, 0})}, workspace));
+  EXPECT_TRUE(planner.has_evasive_maneuver(car, std::vector{walker({-8, 0}, {1, 0})}, workspace));
   Robot airplane = robot;
   airplane.model = Airplane{}, airplane.velocity = {1.0, 0.0};
-  EXPECT_TRUE(planner.has_way_out(airplane, {}, workspace)) << "its circle";
+  EXPECT_TRUE(planner.has_evasive_maneuver(airplane, {}, workspace)) << "its circle";
   PlannerOptions bare = default_options(Method::avo);
   bare.certificate = Certificate::none;
-  EXPECT_FALSE(Planner(bare).has_way_out(robot, {}, workspace));
+  EXPECT_FALSE(Planner(bare).has_evasive_maneuver(robot, {}, workspace));
   Robot broken = robot;
   broken.radius = -1.0;
-  EXPECT_FALSE(planner.has_way_out(broken, {}, workspace));
+  EXPECT_FALSE(planner.has_evasive_maneuver(broken, {}, workspace));
 }
 
 // The way that leaves the strip of a wide mover takes more than 2 T = 2.2 s.
@@ -172,7 +172,7 @@ TEST(WayOut, is_long_enough_for_wide_movers) {
   robot.radius = 0.36, robot.max_speed = 1.3, robot.max_acceleration = 2.0;
   Neighbor truck = walker({-20, 0}, {1, 0});
   truck.radius = 3.0;
-  EXPECT_TRUE(planner.has_way_out(robot, std::vector{truck}, workspace));
+  EXPECT_TRUE(planner.has_evasive_maneuver(robot, std::vector{truck}, workspace));
 }
 
 // A mover that comes into sight late. Judged by where both are, as braking would go on from there.
@@ -198,7 +198,7 @@ Meeting meet(Random random, bool never_swerves) {
   PlanWorkspace workspace;
   Meeting met;
   const auto state = [&] {
-    const auto seen = simulation.perceive(0);
+    const auto seen = simulation.perceive({0});
     return simulation.planner().state(seen.robot, seen.neighbors, workspace).state;
   };
   if (state() != SafetyState::safe && state() != SafetyState::doomed) return met;

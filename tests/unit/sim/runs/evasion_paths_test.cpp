@@ -104,7 +104,7 @@ TEST(Evasion, knows_paths_when_it_is_restored) {
     for (int step = 10 + 31 * trial; step > 0; --step) simulation.step();
     Simulation restored(simulation.save(), 1);
     for (int step = 0; step < 150; ++step) {
-      const Simulation::Perception seen = restored.perceive(0);
+      const Simulation::Perception seen = restored.perceive({0});
       ASSERT_FALSE(seen.neighbors.empty());
       EXPECT_NE(seen.neighbors[0].trajectory, nullptr);
       simulation.step(), restored.step();

@@ -57,7 +57,8 @@ double clearance_in_step(const Simulation& simulation, const FleetView& fleet, V
     const Vec2 place = ((1.0 + 2.0 * s) * left * left) * p + (h * s * left * left) * v +
                        (s * s * (3.0 - 2.0 * s)) * q - (h * s * s * left) * w;
     for (std::size_t k = 0; k < before.size(); ++k) {
-      const Vec2 velocity = velocities[k], change = simulation.obstacles().velocity[k] - velocity;
+      const Vec2 velocity = velocities[k],
+                 change = simulation.moving_obstacles().velocity[k] - velocity;
       const Vec2 c = before[k] + (h * s) * velocity + (0.5 * h * s * s) * change;
       least = std::min(least,
                        norm(place - c) - scene.moving_obstacles[k].radius - scene.robots[0].radius);
@@ -77,7 +78,7 @@ Flown fly_for(const Scenario& scene, double duration) {
   std::vector<Vec2> places, velocities;
   while (simulation.time() < duration) {
     const Vec2 p = simulation.fleet().position[0], v = simulation.fleet().velocity[0];
-    const ObstacleView movers = simulation.obstacles();
+    const MovingObstacleView movers = simulation.moving_obstacles();
     places.assign(movers.position.begin(), movers.position.end());
     velocities.assign(movers.velocity.begin(), movers.velocity.end());
     simulation.step();
@@ -85,7 +86,7 @@ Flown fly_for(const Scenario& scene, double duration) {
     result.evading += fleet.plan[0].evading ? 1 : 0;
     result.clearance = std::min(
         result.clearance, clearance_in_step(simulation, fleet, p, v, places, velocities, scene));
-    result.arrives = result.arrives || simulation.is_at_goal(0);
+    result.arrives = result.arrives || simulation.is_at_goal({0});
   }
   return result;
 }
@@ -107,7 +108,8 @@ TEST(FlightEvasion, nobody_is_hit_alone_among_movers) {
   EXPECT_LE(late, 2);
 }
 
-// Once there is a way out, there is one in each later state (docs/movers.md, "What is proved").
+// Once there is an evasive maneuver, there is one in each later state (docs/movers.md, "What is
+// proved").
 TEST(FlightEvasion, a_way_out_leaves_another_one) {
   Random random(35);
   int known = 0;
@@ -117,9 +119,10 @@ TEST(FlightEvasion, a_way_out_leaves_another_one) {
     PlanWorkspace workspace;
     bool had_one = false;
     for (int step = 0; step < 200; ++step, simulation.step()) {
-      const Simulation::Perception seen = simulation.perceive(0);
-      const Planner& planner = simulation.planner(0);
-      const bool has_one = planner.has_way_out(seen.robot, seen.neighbors, workspace, seen.walls);
+      const Simulation::Perception seen = simulation.perceive({0});
+      const Planner& planner = simulation.planner({0});
+      const bool has_one =
+          planner.has_evasive_maneuver(seen.robot, seen.neighbors, workspace, seen.walls);
       ASSERT_TRUE(has_one || !had_one) << trial << ", step " << step;
       had_one = has_one, known += has_one ? 1 : 0;
       const SafetyState state = planner.state(seen.robot, seen.neighbors, workspace).state;
@@ -158,8 +161,8 @@ TEST(FlightEvasion, walls_are_kept_beside_movers) {
     Simulation simulation(scene, 1);
     Metrics metrics(scene);
     for (int step = 0; step < 300; ++step) metrics.observe(simulation), simulation.step();
-    EXPECT_EQ(metrics.summary().collision_obstacles, 0) << trial;
-    EXPECT_EQ(metrics.summary().obstacle_collisions_evadable.value_or(-1), 0) << trial;
+    EXPECT_EQ(metrics.summary().static_collisions, 0) << trial;
+    EXPECT_EQ(metrics.summary().mover_collisions_evadable.value_or(-1), 0) << trial;
   }
 }
 
@@ -258,8 +261,8 @@ TEST(FlightEvasion, is_told_with_the_beginning_of_the_circle) {
     const RobotSetup& setup = simulation.fleet().setup[0];
     const auto& airplane = std::get<Airplane>(setup.model);
     for (int step = 0; step < 200; ++step, simulation.step()) {
-      const Simulation::Perception seen = simulation.perceive(0);
-      const Planner& planner = simulation.planner(0);
+      const Simulation::Perception seen = simulation.perceive({0});
+      const Planner& planner = simulation.planner({0});
       const Plan plan = planner.plan(seen.robot, seen.neighbors, workspace);
       const auto way = planner.evasion(seen.robot, seen.neighbors, workspace);
       ASSERT_EQ(way.has_value(), plan.evading) << step;
@@ -283,7 +286,7 @@ TEST(FlightEvasion, there_is_a_way_out_or_not) {
   PlanWorkspace workspace;
   const Robot robot = airplane_in_flight();
   const auto has = [&](const std::vector<Neighbor>& others, const std::vector<Wall>& walls = {}) {
-    return planner.has_way_out(robot, others, workspace, walls);
+    return planner.has_evasive_maneuver(robot, others, workspace, walls);
   };
   EXPECT_TRUE(has({}));
   EXPECT_TRUE(has({walker({12, 0}, {-2, 0})}));

@@ -139,17 +139,17 @@ TEST(FreeSteps, are_the_same_whoever_looks_and_whatever_is_edited) {
   Random random(5);
   for (int k = 0; k < 1500; ++k) {
     const auto i = static_cast<std::size_t>(random.uniform(0.0, 50.0));
-    const RobotState state = watched.robot(i);
-    const RobotSetup setup = watched.setup(i);
-    const bool at_goal = watched.is_at_goal(i);
-    const double left = watched.way(i).length;
+    const RobotState state = watched.robot({i});
+    const RobotSetup setup = watched.setup({i});
+    const bool at_goal = watched.is_at_goal({i});
+    const double left = watched.route({i}).length;
     if (k % 3 == 0) {
       const FleetView fleet = watched.fleet();
       ASSERT_EQ(state.position, fleet.position[i]);
       ASSERT_EQ(state.velocity, fleet.velocity[i]);
       ASSERT_EQ(setup, fleet.setup[i]);
-      ASSERT_EQ(at_goal, watched.is_at_goal(i));
-      ASSERT_EQ(left, watched.way(i).length);
+      ASSERT_EQ(at_goal, watched.is_at_goal({i}));
+      ASSERT_EQ(left, watched.route({i}).length);
     }
     if (k % 5 == 0) {
       const Vec2 goal{random.uniform(0.0, 12.0), random.uniform(0.0, 12.0)};

@@ -88,13 +88,13 @@ TEST(LateClocks, measurements_are_as_old_as_the_scene_says) {
     past.note(simulation);
     const double now = simulation.time(), then = std::max(now - 0.12, 0.0);
     for (const std::size_t observer : {0U, 1U, 2U}) {
-      const Simulation::Perception seen = simulation.perceive(observer);
+      const Simulation::Perception seen = simulation.perceive({observer});
       ASSERT_EQ(seen.neighbors.size(), 9U);
       for (std::size_t k = 0; k < seen.neighbors.size(); ++k) {
         const Neighbor& neighbor = seen.neighbors[k];
         EXPECT_EQ(neighbor.age, 0);  // it is declared
         if (seen.source[k] < 0) {
-          EXPECT_LT(norm(neighbor.position - simulation.obstacles().position[0]), 1e-12);
+          EXPECT_LT(norm(neighbor.position - simulation.moving_obstacles().position[0]), 1e-12);
           continue;
         }
         const PastState was = past.at(static_cast<std::size_t>(seen.source[k]), then);
@@ -119,8 +119,8 @@ TEST(LateClocks, missed_ones_are_carried_on_by_steps_of_the_observers_own) {
     past.note(simulation);
     const double now = simulation.time();
     for (std::size_t i = 0; i < 9; ++i) {
-      if (simulation.next_decision(i) != now || now < 1.5) continue;
-      const Simulation::Perception seen = simulation.perceive(i);
+      if (simulation.next_decision({i}) != now || now < 1.5) continue;
+      const Simulation::Perception seen = simulation.perceive({i});
       all += 8.0, missed += 8.0 - static_cast<double>(seen.neighbors.size());
       for (std::size_t k = 0; k < seen.neighbors.size(); ++k) {
         const Neighbor& neighbor = seen.neighbors[k];
@@ -146,8 +146,8 @@ TEST(LateClocks, a_track_goes_on_from_the_measurement_that_it_had) {
   std::map<std::int64_t, Neighbor> before;
   int carried = 0;
   while (simulation.can_step_by(20.0)) {
-    if (simulation.next_decision(0) == simulation.time()) {
-      const Simulation::Perception seen = simulation.perceive(0);
+    if (simulation.next_decision({0}) == simulation.time()) {
+      const Simulation::Perception seen = simulation.perceive({0});
       for (std::size_t k = 0; k < seen.neighbors.size(); ++k) {
         const Neighbor& now = seen.neighbors[k];
         if (now.age > 0 && before.contains(seen.source[k])) {
@@ -179,9 +179,9 @@ TEST(LateClocks, walls_hide_for_as_many_steps_of_the_observers_own) {
     const Vec2 a = fleet.position[0], b = fleet.position[1];
     const bool is_hidden = std::abs(a.x + (b.x - a.x) * a.y / (a.y - b.y)) <= 3.0;
     for (const std::size_t observer : {0U, 1U}) {
-      if (simulation.next_decision(observer) != simulation.time()) continue;
+      if (simulation.next_decision({observer}) != simulation.time()) continue;
       hidden[observer] = is_hidden ? hidden[observer] + 1 : 0;
-      const Simulation::Perception seen = simulation.perceive(observer);
+      const Simulation::Perception seen = simulation.perceive({observer});
       ASSERT_EQ(seen.neighbors.size(), hidden[observer] <= kMostCarried ? 1U : 0U);
       if (seen.neighbors.empty())
         ++forgotten[observer];
@@ -211,11 +211,11 @@ TEST(LateClocks, bounds_cover_where_everybody_is) {
     for (; simulation.can_step_by(12.0); simulation.step()) {
       const FleetView fleet = simulation.fleet();
       for (std::size_t i = 0; i < fleet.id.size(); ++i) {
-        if (simulation.next_decision(i) != simulation.time()) continue;
+        if (simulation.next_decision({i}) != simulation.time()) continue;
         StepLaw law;
         law.time_step = *scene.robots[i].time_step;
         law.sensing_error = declared_error(scene);
-        const Simulation::Perception seen = simulation.perceive(i);
+        const Simulation::Perception seen = simulation.perceive({i});
         for (std::size_t k = 0; k < seen.neighbors.size(); ++k) {
           const auto other = static_cast<std::size_t>(seen.source[k]);
           const Vec2 place =
@@ -301,10 +301,10 @@ TEST(LateClocks, decisions_are_made_of_what_perceive_tells) {
   PlanWorkspace workspace;
   for (; simulation.can_step_by(6.0); simulation.step()) {
     for (std::size_t i = 0; i < 12; ++i) {
-      if (simulation.next_decision(i) != simulation.time()) continue;
-      Simulation::Perception seen = simulation.perceive(i);
-      const Plan expected = simulation.planner(i).plan(seen.robot, seen.neighbors, workspace,
-                                                       &seen.detour, seen.walls);
+      if (simulation.next_decision({i}) != simulation.time()) continue;
+      Simulation::Perception seen = simulation.perceive({i});
+      const Plan expected = simulation.planner({i}).plan(seen.robot, seen.neighbors, workspace,
+                                                         &seen.detour, seen.walls);
       Simulation next(simulation.save(), 1);
       next.step();
       ASSERT_EQ(next.fleet().plan[i].new_velocity, expected.new_velocity) << i;

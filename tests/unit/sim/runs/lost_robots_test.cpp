@@ -205,7 +205,7 @@ TEST(LostRobots, see_each_other_as_if_they_knew_where_they_are) {
     const FleetView fleet = simulation.fleet();
     Vec2 before;
     for (std::size_t i = 0; i < 12; ++i) {
-      const Simulation::Perception seen = simulation.perceive(i);
+      const Simulation::Perception seen = simulation.perceive({i});
       EXPECT_EQ(seen.robot.position, fleet.position[i]);
       for (std::size_t k = 0; k < seen.neighbors.size(); ++k) {
         const auto other = static_cast<std::size_t>(seen.source[k]);
@@ -241,7 +241,7 @@ TEST(LostRobots, decisions_are_made_of_what_perceive_tells) {
       std::vector<Plan> expected;
       PlanWorkspace workspace;
       for (std::size_t i = 0; i < 12; ++i) {
-        Simulation::Perception seen = simulation.perceive(i);
+        Simulation::Perception seen = simulation.perceive({i});
         const Plan planned = simulation.planner().plan(seen.robot, seen.neighbors, workspace,
                                                        &seen.detour, seen.walls);
         expected.push_back(seen.stop.value_or(planned));  // some share a goal

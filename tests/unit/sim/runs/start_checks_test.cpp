@@ -177,7 +177,7 @@ TEST(StartChecks, with_free_clocks_others_finish_their_steps) {
   scene.robots[1].time_step = 0.1;
   Simulation simulation(scene, 1);
   while (simulation.fleet().velocity[0].x < 1.0 ||
-         simulation.next_decision(0) < simulation.time() + 0.3)
+         simulation.next_decision({0}) < simulation.time() + 0.3)
     simulation.step();
   const double x = simulation.fleet().position[0].x, v = simulation.fleet().velocity[0].x;
   const double at_once = 1.0 + 0.5 * v * v;  // m ahead, would it brake now

@@ -59,9 +59,9 @@ TEST(Trajectory, is_where_a_mover_is_at_the_ends_of_steps) {
     Simulation simulation(scene, 1);
     for (int step = 0; step < 60; ++step) {
       const PathWalk walk = on_trajectory(scene.moving_obstacles[0], simulation.time());
-      EXPECT_EQ(simulation.obstacles().position[0], walk.position);
-      EXPECT_EQ(simulation.obstacles().velocity[0], walk.velocity);
-      for (const Neighbor& seen : simulation.perceive(0).neighbors) {
+      EXPECT_EQ(simulation.moving_obstacles().position[0], walk.position);
+      EXPECT_EQ(simulation.moving_obstacles().velocity[0], walk.velocity);
+      for (const Neighbor& seen : simulation.perceive({0}).neighbors) {
         if (seen.behavior != Behavior::moves_on) continue;
         EXPECT_EQ(seen.position, walk.position);
         EXPECT_EQ(seen.velocity, walk.velocity);
@@ -79,7 +79,7 @@ TEST(Trajectory, is_sensed_late_where_it_was) {
   scene.moving_obstacles = {walker()};
   Simulation simulation(scene, 1);
   for (int step = 0; step < 33; ++step) simulation.step();  // at 3.3 s it is seen before its corner
-  const Neighbor seen = simulation.perceive(0).neighbors.at(0);
+  const Neighbor seen = simulation.perceive({0}).neighbors.at(0);
   EXPECT_NEAR(seen.position.x, 2.3, 1e-12);
   EXPECT_NEAR(seen.position.y, 0.0, 1e-12);
   EXPECT_EQ(seen.velocity, (Vec2{1, 0}));
@@ -101,15 +101,15 @@ TEST(Trajectory, is_judged_on_straight_lines) {
   Metrics metrics(scene);
   metrics.observe(simulation);
   simulation.step(), metrics.observe(simulation);
-  EXPECT_EQ(metrics.summary().obstacle_collisions, 0);
+  EXPECT_EQ(metrics.summary().mover_collisions, 0);
   simulation.step(), metrics.observe(simulation);
-  EXPECT_EQ(metrics.summary().obstacle_collisions, 0);
+  EXPECT_EQ(metrics.summary().mover_collisions, 0);
   scene.moving_obstacles[0].radius = 0.51;
   Simulation nearer(scene, 1);
   Metrics of_nearer(scene);
   of_nearer.observe(nearer);
   nearer.step(), of_nearer.observe(nearer);
-  EXPECT_EQ(of_nearer.summary().obstacle_collisions, 1);
+  EXPECT_EQ(of_nearer.summary().mover_collisions, 1);
 }
 
 TEST(Trajectory, is_saved) {
@@ -121,11 +121,12 @@ TEST(Trajectory, is_saved) {
   Simulation other(simulation.save(), 1);
   for (int step = 0; step < 40; ++step) simulation.step(), other.step();
   EXPECT_EQ(simulation.state_hash(), other.state_hash());
-  EXPECT_EQ(other.obstacles().setup[0].trajectory, scene.moving_obstacles[0].trajectory);
+  EXPECT_EQ(other.moving_obstacles().setup[0].trajectory, scene.moving_obstacles[0].trajectory);
   scene.moving_obstacles[0].trajectory[1].position.x += 0.5;
   Simulation another(scene, 1);
   another.restore(simulation.save());  // moving obstacles come and go
-  EXPECT_EQ(another.obstacles().setup[0].trajectory, other.obstacles().setup[0].trajectory);
+  EXPECT_EQ(another.moving_obstacles().setup[0].trajectory,
+            other.moving_obstacles().setup[0].trajectory);
   EXPECT_EQ(another.state_hash(), simulation.state_hash());
 }
 
@@ -182,7 +183,7 @@ TEST(Trajectory, is_evaded) {
     Metrics metrics(scene);
     metrics.observe(simulation);
     for (int step = 0; step < 250; ++step) simulation.step(), metrics.observe(simulation);
-    EXPECT_EQ(metrics.summary().obstacle_collisions, 0) << k;
+    EXPECT_EQ(metrics.summary().mover_collisions, 0) << k;
     EXPECT_TRUE(simulation.all_at_goal()) << k;
   }
 }

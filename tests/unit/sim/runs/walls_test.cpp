@@ -153,7 +153,7 @@ TEST(WalledFleets, without_certificate_they_know_the_walls_of_the_horizon) {
     int cut = 0;
     for (int k = 0; k < 60; ++k) simulation.step();
     for (std::size_t i = 0; i < scene.robots.size(); ++i) {
-      const auto seen = simulation.perceive(i);
+      const auto seen = simulation.perceive({i});
       const auto plan = [&](std::span<const Wall> near) {
         return simulation.planner().plan(seen.robot, seen.neighbors, workspace, nullptr, near);
       };

@@ -10,6 +10,7 @@
 #include "avo/discs.h"
 #include "avo/metrics.h"
 #include "avo/simulation.h"
+#include "support/generators.h"
 
 namespace avo::test {
 namespace {
@@ -66,7 +67,7 @@ void expect_passes(const Scenario& scene, double most) {
   const Driven driven = drive(scene, most);
   EXPECT_TRUE(driven.all_arrived) << driven.summary.arrived << " arrived";
   EXPECT_EQ(driven.summary.collision_pairs, 0);
-  EXPECT_EQ(driven.summary.collision_obstacles, 0);
+  EXPECT_EQ(driven.summary.static_collisions, 0);
 }
 
 // Two trucks in a lane of that half-width, at -+aside.
@@ -181,6 +182,42 @@ TEST(Forklifts, two_pass_a_door) {
     scene.robots = {forklift({-8.0, 0.0}, 0.0, {8.0, 0.0}),
                     forklift({8.0, 0.0}, kLeft, {-8.0, 0.0})};
     expect_passes(scene, 90.0);
+  }
+}
+
+// The disc that covers the truck at any heading reaches twice as far aside.
+TEST(Trucks, stay_where_movers_pass_their_discs) {
+  Scenario scene;
+  scene.robots = {truck({}, 0.0, {})};
+  MovingObstacle walker;
+  walker.position = {12.0, 2.4}, walker.velocity = {-1.2, 0.0}, walker.radius = 0.3;
+  scene.moving_obstacles = {walker};
+  Simulation simulation(scene, 1);
+  while (simulation.time() < 20.0) {
+    simulation.step();
+    ASSERT_EQ(simulation.fleet().position[0], (Vec2{})) << simulation.time() << " s";
+  }
+}
+
+TEST(Trucks, alone_among_movers_are_not_touched) {
+  Random random(40);
+  for (int trial = 0; trial < 16; ++trial) {
+    SCOPED_TRACE(trial);
+    Scenario scene;
+    scene.robots = {trial % 2 == 0 ? truck({-18.0, 0.0}, 0.0, {18.0, 0.0})
+                                   : forklift({-18.0, 0.0}, 0.0, {18.0, 0.0})};
+    while (scene.moving_obstacles.size() < 4) {
+      MovingObstacle mover;
+      mover.velocity = random.uniform(0.5, 2.0) * random.direction();
+      const Vec2 meets{random.uniform(-12.0, 12.0), random.uniform(-4.0, 4.0)};
+      mover.position = meets - random.uniform(5.0, 16.0) * mover.velocity;
+      mover.radius = random.uniform(0.3, 1.0);
+      if (norm(mover.position - scene.robots[0].position) > 8.0)
+        scene.moving_obstacles.push_back(mover);
+    }
+    const Driven driven = drive(scene, 90.0);
+    EXPECT_TRUE(driven.all_arrived);
+    EXPECT_EQ(driven.summary.mover_collisions, 0);
   }
 }
 

@@ -27,7 +27,7 @@ std::int64_t broken_in_motion(const Scenario& scene) {
     checked.max_speed = robot.max_speed;
     robots.push_back(checked);
   }
-  std::vector<CheckedObstacle> obstacles;
+  std::vector<CheckedMover> obstacles;
   for (const MovingObstacle& each : scene.moving_obstacles) {
     obstacles.push_back({each.position, each.velocity, each.acceleration, each.radius});
   }
@@ -49,7 +49,7 @@ std::int64_t broken_in_motion(const Scenario& scene) {
       if (moves && simulation.fleet().plan[i].status == PlanStatus::overlapping) ++broken;
     }
   }
-  return broken + check.report().obstacle_contacts_moving.count;
+  return broken + check.report().mover_contacts_moving.count;
 }
 
 // At v_max 2 and u 0.1 braking takes a whole number of steps, which rounding may count as one more:
@@ -196,7 +196,7 @@ TEST(CertifiedMotion, obstacles_are_not_counted_on) {
     obstacles.back().position.y = 0.9 * k;
   }
   for (int k = 0; k < 100; ++k) {
-    const Plan plan = planner.plan_among_obstacles(robot, obstacles, workspace);
+    const Plan plan = planner.plan_among_movers(robot, obstacles, workspace);
     const Vec2 next = robot.velocity + 0.1 * plan.acceleration;
     robot.position = robot.position + 0.05 * (robot.velocity + next);
     robot.velocity = next;

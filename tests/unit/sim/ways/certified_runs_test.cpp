@@ -91,7 +91,7 @@ TEST(Assumptions, whoever_keeps_them_never_overlaps) {
       ASSERT_GT(scene.robots.size(), 3U);
       const CheckReport report = test::judged(scene, last_step(scene, scene.duration));
       EXPECT_EQ(report.overlaps.count, 0) << seed;
-      EXPECT_EQ(report.obstacle_contacts_moving.count, 0) << seed;
+      EXPECT_EQ(report.mover_contacts_moving.count, 0) << seed;
       EXPECT_TRUE(report.safe()) << seed;
       for (const RobotSetup& robot : scene.robots) moving += norm(robot.velocity) > 0.5 ? 1 : 0;
     }

@@ -217,8 +217,8 @@ TEST(DriveRuns, find_ways_around_walls_and_touch_none) {
   run.run(60.0);
   EXPECT_TRUE(run.simulation.all_at_goal());
   EXPECT_EQ(run.metrics.summary().collision_pairs, 0);
-  EXPECT_EQ(run.metrics.summary().collision_obstacles, 0);
-  EXPECT_LT(*run.metrics.summary().min_obstacle_clearance, 0.3);
+  EXPECT_EQ(run.metrics.summary().static_collisions, 0);
+  EXPECT_LT(*run.metrics.summary().min_static_clearance, 0.3);
   run.expect_limits();
 }
 
@@ -239,8 +239,8 @@ TEST(DriveRuns, touch_no_wall_in_a_crush_of_mixed_kinds) {
       run.run(15.0);
     }
     EXPECT_EQ(run.metrics.summary().collision_pairs, 0);
-    EXPECT_EQ(run.metrics.summary().collision_obstacles, 0);
-    EXPECT_LT(*run.metrics.summary().min_obstacle_clearance, 0.01);
+    EXPECT_EQ(run.metrics.summary().static_collisions, 0);
+    EXPECT_LT(*run.metrics.summary().min_static_clearance, 0.01);
     run.expect_limits();
     EXPECT_GT(run.worst.acceleration, 0.85);
   }

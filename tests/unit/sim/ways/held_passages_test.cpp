@@ -48,7 +48,7 @@ Scenario held_scene(int count, const std::vector<int>& held, double width = kOne
 
 // When the first robot arrives; s.
 double arrival_of(Simulation& simulation, double time) {
-  while (!simulation.is_at_goal(0) && simulation.time() < time) simulation.step();
+  while (!simulation.is_at_goal({0}) && simulation.time() < time) simulation.step();
   return simulation.time();
 }
 
@@ -97,7 +97,7 @@ TEST(HeldPassages, of_two_lanes_without_another_way_send_those_back_who_have_wai
     double least = 100.0;
     while (simulation.time() < until) {
       simulation.step();
-      least = std::min(least, simulation.robot(0).position.x);
+      least = std::min(least, simulation.robot({0}).position.x);
     }
     return least;
   };
@@ -107,7 +107,7 @@ TEST(HeldPassages, of_two_lanes_without_another_way_send_those_back_who_have_wai
   test::expect_as_perceived(simulation);
   EXPECT_LT(least_x(100.0), -4.0);
   least_x(125.0);
-  EXPECT_GT(simulation.robot(0).position.x, -2.5) << "it has come again";
+  EXPECT_GT(simulation.robot({0}).position.x, -2.5) << "it has come again";
 }
 
 // It never rests, and so it is no wall of the way.
@@ -120,7 +120,7 @@ TEST(HeldPassages, are_gone_around_where_a_mover_walks_to_and_fro) {
   scene.moving_obstacles = {mover};
   Simulation simulation(scene, 1);
   EXPECT_LT(arrival_of(simulation, 120.0), 60.0);
-  EXPECT_TRUE(simulation.is_at_goal(0));
+  EXPECT_TRUE(simulation.is_at_goal({0}));
 }
 
 // It comes back out of the first lane and the second one, and finds the third.
@@ -141,7 +141,7 @@ TEST(HeldPassages, without_another_way_are_waited_at) {
   Simulation simulation(held_scene(1, {0}), 1);
   while (simulation.time() < 60.0) {
     simulation.step();
-    EXPECT_LT(simulation.way(0).length, 25.0);
+    EXPECT_LT(simulation.route({0}).length, 25.0);
   }
   simulation.set_goal({1}, {14, 5});
   EXPECT_LT(arrival_of(simulation, 100.0), 85.0);
@@ -170,7 +170,7 @@ TEST(HeldPassages, are_saved) {
   const Scenario scene = held_scene(3, {0, 1});
   Simulation original(scene, 1);
   int differ = 0;
-  while (!original.is_at_goal(0) && original.time() < 100.0) {
+  while (!original.is_at_goal({0}) && original.time() < 100.0) {
     for (int k = 0; k < 40; ++k) original.step();
     const auto saved = original.save();
     Simulation restored(saved, 2);
@@ -184,20 +184,20 @@ TEST(HeldPassages, are_saved) {
     differ += other.state_hash() == ahead.state_hash() ? 0 : 1;
   }
   EXPECT_EQ(differ, 0);
-  EXPECT_TRUE(original.is_at_goal(0));
+  EXPECT_TRUE(original.is_at_goal({0}));
 }
 
 // The run goes on as one that was never saved.
 TEST(HeldPassages, stay_closed_over_a_restore_and_edits_elsewhere) {
   Simulation one(held_scene(2, {0}), 1), two(held_scene(2, {0}), 1);
   const StaticObstacle far{{Chain{{{-100, -100}, {-90, -100}}}}};
-  while (!one.is_at_goal(0) && one.time() < 60.0) {
+  while (!one.is_at_goal({0}) && one.time() < 60.0) {
     one.step(), two.step();
     if (two.steps() % 20 == 0) two.restore(two.save());
     if (two.steps() % 50 == 0) two.remove_obstacle(two.add_obstacle(far));
     ASSERT_EQ(one.state_hash(), two.state_hash()) << one.time();
   }
-  EXPECT_TRUE(one.is_at_goal(0));
+  EXPECT_TRUE(one.is_at_goal({0}));
 }
 
 }  // namespace

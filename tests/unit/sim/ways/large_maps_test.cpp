@@ -63,7 +63,7 @@ TEST(LargeMaps, stepsAreTheSameOnSeveralThreads) {
 std::optional<StaticObstacle> wall_across_a_way(const Simulation& simulation, std::size_t first) {
   const std::span<const Vec2> positions = simulation.fleet().position;
   for (std::size_t k = first; k < positions.size(); ++k) {
-    const Vec2 ahead = simulation.way(k).next - positions[k];
+    const Vec2 ahead = simulation.route({k}).next - positions[k];
     if (norm(ahead) < 7.0) continue;
     const Vec2 unit = ahead / norm(ahead), middle = positions[k] + 4.5 * unit;
     const Vec2 half = 0.8 * perpendicular(unit);
@@ -93,12 +93,12 @@ TEST(LargeMaps, whoseRadiusIsNoClassGoesAfterAnEditAsOneThatComes) {
   scene.robots = {robot};
   Simulation simulation(scene, 1);
   for (int k = 0; k < 8; ++k) simulation.step();
-  EXPECT_LT(simulation.way(0).length, 20.1);
+  EXPECT_LT(simulation.route({0}).length, 20.1);
   simulation.remove_obstacle(ObstacleId{3});
   Simulation anew(simulation.save(), 1);
   anew.set_goal({0}, {10, 1});
   anew.set_goal({0}, robot.goal);
-  EXPECT_EQ(simulation.way(0).length, anew.way(0).length);
+  EXPECT_EQ(simulation.route({0}).length, anew.route({0}).length);
 }
 
 // A restored simulation knows nothing but what is saved, and finds all the rest anew.
@@ -123,7 +123,7 @@ TEST(LargeMaps, goOnTheSameAfterEditsWhateverIsKnown) {
       simulation.step(), restored.step();
       ASSERT_EQ(simulation.state_hash(), restored.state_hash()) << round << ' ' << k;
       for (std::size_t robot = 0; robot < robots; ++robot)
-        ASSERT_EQ(simulation.way(robot).length, restored.way(robot).length) << robot;
+        ASSERT_EQ(simulation.route({robot}).length, restored.route({robot}).length) << robot;
     }
   }
   EXPECT_GT(edits, 6);

@@ -60,7 +60,7 @@ TEST(NearGoals, in_walls_are_arrived_at_from_as_near_as_can_be) {
     scene.robots = {small_robot({-5, 0}, now.goal)};
     Simulation simulation(scene, 1);
     EXPECT_TRUE(simulation.unreachable().empty());
-    EXPECT_NEAR(simulation.way(0).distance_left, norm(now.goal - now.place), kNear);
+    EXPECT_NEAR(simulation.route({0}).distance_left, norm(now.goal - now.place), kNear);
     run(simulation, 20.0);
     expect_rests(simulation, 0, now.place);
     EXPECT_TRUE(simulation.all_at_goal());
@@ -108,7 +108,7 @@ TEST(NearGoals, deep_in_an_obstacle_or_elsewhere_are_told_with_the_distance_left
        {std::pair(0u, 8.3), std::pair(1u, 10.3), std::pair(2u, 1.1)}) {
     EXPECT_NEAR(summary.not_arrived[robot].distance, distance, kNear);
     EXPECT_NEAR(summary.not_arrived[robot].distance_left, distance, kNear);
-    EXPECT_TRUE(std::isinf(simulation.way(robot).length));
+    EXPECT_TRUE(std::isinf(simulation.route({robot}).length));
   }
   const std::vector<OutOfReach> told = out_of_reach(scene);
   ASSERT_EQ(told.size(), 3u);
@@ -142,7 +142,7 @@ TEST(NearGoals, of_robots_without_any_way_leave_them_at_rest) {
   run(simulation, 10.0);
   expect_rests(simulation, 0, {0.1, 0});
   EXPECT_EQ(simulation.unreachable(), std::vector<RobotId>{{0}});
-  EXPECT_NEAR(simulation.way(0).distance_left, 7.9, kNear);
+  EXPECT_NEAR(simulation.route({0}).distance_left, 7.9, kNear);
 }
 
 TEST(NearGoals, are_gone_on_to_whenever_a_door_opens) {
@@ -159,7 +159,7 @@ TEST(NearGoals, are_gone_on_to_whenever_a_door_opens) {
     judged.run(15.0);
     for (const std::size_t robot : {0u, 1u}) {
       EXPECT_EQ(simulation.fleet().velocity[robot], (Vec2{0, 0}));
-      EXPECT_FALSE(simulation.is_at_goal(robot));
+      EXPECT_FALSE(simulation.is_at_goal({robot}));
     }
     simulation.remove_obstacle(closed);
     EXPECT_TRUE(simulation.unreachable().empty());
@@ -201,7 +201,7 @@ TEST(NearGoals, are_saved) {
   run(simulation, 3.0);
   Simulation restored(simulation.save(), 1);
   EXPECT_EQ(restored.unreachable(), simulation.unreachable());
-  EXPECT_EQ(restored.way(1).distance_left, simulation.way(1).distance_left);
+  EXPECT_EQ(restored.route({1}).distance_left, simulation.route({1}).distance_left);
   for (int k = 0; k < 200; ++k) {
     simulation.step(), restored.step();
     ASSERT_EQ(restored.state_hash(), simulation.state_hash()) << k;
@@ -232,10 +232,10 @@ TEST(NearGoals, without_navigation_are_headed_for_straight) {
   scene.obstacles = {test::pieces(kDivided)};
   scene.robots = {small_robot({-8, 0}, {8, 4})};
   Simulation simulation(scene, 1);
-  const Vec2 wish = simulation.perceive(0).robot.preferred_velocity;
+  const Vec2 wish = simulation.perceive({0}).robot.preferred_velocity;
   EXPECT_NEAR(cross(wish, {16, 4}), 0.0, 1e-9);
   EXPECT_EQ(simulation.unreachable(), std::vector<RobotId>{{0}});
-  EXPECT_TRUE(std::isinf(simulation.way(0).length));
+  EXPECT_TRUE(std::isinf(simulation.route({0}).length));
 }
 
 }  // namespace

@@ -47,7 +47,7 @@ TEST(OwnArrival, is_judged_for_each_robot_by_its_own_distance) {
     check.add(simulation.time(), checked_states(simulation.fleet()));
     metrics.observe(simulation);
     for (std::size_t k = 0; k < 3; ++k) {
-      if (first[k] >= 0.0 || !simulation.is_at_goal(k)) continue;
+      if (first[k] >= 0.0 || !simulation.is_at_goal({k})) continue;
       first[k] = simulation.time();
       distance[k] = norm(simulation.fleet().position[k] - scene.robots[k].goal);
     }
@@ -88,12 +88,12 @@ TEST(OwnArrival, decides_whether_a_goal_in_a_wall_is_reached) {
   Simulation simulation(scene, 1);
   EXPECT_EQ(simulation.unreachable().size(), 0U);
   while (simulation.time() < 30.0) simulation.step();
-  EXPECT_TRUE(simulation.is_at_goal(0));
+  EXPECT_TRUE(simulation.is_at_goal({0}));
   scene.robots[0].arrival_distance = 1.5;
   Simulation strict(scene, 1);
   EXPECT_EQ(strict.unreachable().size(), 1U);
   while (strict.time() < 30.0) strict.step();
-  EXPECT_FALSE(strict.is_at_goal(0));
+  EXPECT_FALSE(strict.is_at_goal({0}));
 }
 
 TEST(OwnArrival, of_an_airplane_counts_where_it_passes) {
@@ -104,8 +104,8 @@ TEST(OwnArrival, of_an_airplane_counts_where_it_passes) {
   plane.velocity = {2, 0};
   scene.robots = {plane};
   Simulation near(scene, 1);
-  while (near.time() < 60.0 && !near.is_at_goal(0)) near.step();
-  EXPECT_TRUE(near.is_at_goal(0));
+  while (near.time() < 60.0 && !near.is_at_goal({0})) near.step();
+  EXPECT_TRUE(near.is_at_goal({0}));
   EXPECT_GT(norm(near.fleet().position[0] - plane.goal), 3.0);
 }
 

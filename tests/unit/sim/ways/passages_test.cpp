@@ -37,7 +37,8 @@ int arrived_after(const Scenario& scene, double time) {
   Simulation simulation(scene, 1);
   while (!simulation.all_at_goal() && simulation.time() < time) simulation.step();
   int arrived = 0;
-  for (std::size_t k = 0; k < scene.robots.size(); ++k) arrived += simulation.is_at_goal(k) ? 1 : 0;
+  for (std::size_t k = 0; k < scene.robots.size(); ++k)
+    arrived += simulation.is_at_goal({k}) ? 1 : 0;
   return arrived;
 }
 

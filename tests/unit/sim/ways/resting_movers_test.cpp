@@ -41,7 +41,7 @@ double arrival(Simulation& simulation, double within) {
 TEST(RestingMovers, in_a_row_are_gone_around) {
   for (const double y : {-3.0, -1.0, -5.5}) {
     Simulation simulation(row_of(7, y), 1);
-    EXPECT_GT(simulation.way(0).length, 20.0) << y;
+    EXPECT_GT(simulation.route({0}).length, 20.0) << y;
     EXPECT_LE(arrival(simulation, 30.0), 16.0) << y;
   }
   // slow ones too, and as they go on
@@ -64,7 +64,7 @@ TEST(RestingMovers, are_gone_around_by_all_and_touched_by_nobody) {
   for (int step = 0; step < 500; ++step) simulation.step(), metrics.observe(simulation);
   const RunSummary summary = metrics.summary();
   EXPECT_EQ(summary.arrived, 6);
-  EXPECT_EQ(summary.obstacle_collisions, 0);
+  EXPECT_EQ(summary.mover_collisions, 0);
   EXPECT_EQ(summary.collision_pairs, 0);
 }
 
@@ -90,15 +90,15 @@ TEST(RestingMovers, in_a_door_send_robots_through_another_one) {
     scene.obstacles.push_back({.chains = {{{{0, from}, {0, to}}}}});
   const Chain around{{{-20, -12}, {20, -12}, {20, 12}, {-20, 12}}, true};
   scene.obstacles.push_back({.chains = {around}});
-  EXPECT_EQ(Simulation(scene, 1).way(0).length, 12.0);
+  EXPECT_EQ(Simulation(scene, 1).route({0}).length, 12.0);
   scene.moving_obstacles = {disc({0, 0}, 0.5)};
   Simulation simulation(scene, 1);
-  EXPECT_GT(simulation.way(0).length, 15.0);
+  EXPECT_GT(simulation.route({0}).length, 15.0);
   EXPECT_LE(arrival(simulation, 40.0), 20.0);
   // where all are blocked, the robot waits before the nearest, and its goal can be reached later
   scene.moving_obstacles.push_back(disc({0, 6}, 0.5));
   Simulation blocked(scene, 1);
-  EXPECT_EQ(blocked.way(0).length, 12.0);
+  EXPECT_EQ(blocked.route({0}).length, 12.0);
   EXPECT_TRUE(blocked.unreachable().empty());
 }
 
@@ -115,15 +115,14 @@ Scenario with_a_cart_that_stops() {
 TEST(RestingMovers, are_found_as_they_come_to_rest) {
   Simulation simulation(with_a_cart_that_stops(), 1);
   for (int step = 0; step < 5; ++step) simulation.step();
-  const Vec2 before = simulation.way(0).next;
+  const Vec2 before = simulation.route({0}).next;
   while (simulation.time() < 12.0) simulation.step();
   for (const Vec2 place : {Vec2{-10, 0}, Vec2{-5, 1}}) {
     const RobotId robot = simulation.add_robot(robot_at(place, {10, 0}));
-    const auto index = simulation.index_of(robot);
-    EXPECT_GT(simulation.way(*index).length, norm(Vec2{10, 0} - place));
+    EXPECT_GT(simulation.route(robot).length, norm(Vec2{10, 0} - place));
     simulation.remove_robot(robot);
   }
-  EXPECT_NE(before, simulation.way(0).next);
+  EXPECT_NE(before, simulation.route({0}).next);
 }
 
 // The ways are part of what is saved, the movers that they go around are not.

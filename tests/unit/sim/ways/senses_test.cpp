@@ -54,7 +54,7 @@ Errors errors_of(const Scenario& scene) {
   for (int step = 0; step < 25; ++step, simulation.step()) {
     const FleetView fleet = simulation.fleet();
     for (std::size_t i = 0; i < fleet.id.size(); ++i) {
-      const Simulation::Perception seen = simulation.perceive(i);
+      const Simulation::Perception seen = simulation.perceive({i});
       for (std::size_t k = 0; k < seen.neighbors.size(); ++k) {
         const auto other = static_cast<std::size_t>(seen.source[k]);
         const Vec2 p = seen.neighbors[k].position - fleet.position[other];
@@ -129,7 +129,7 @@ TEST(Senses, gaussian_noise_is_that_of_drawing_one_after_the_other) {
     for (int step = 0; step < 3; ++step, simulation.step()) {
       const FleetView fleet = simulation.fleet();
       for (std::size_t i = 0; i < fleet.id.size(); ++i) {
-        const Simulation::Perception seen = simulation.perceive(i);
+        const Simulation::Perception seen = simulation.perceive({i});
         ASSERT_GT(seen.neighbors.size(), 10U);
         for (std::size_t k = 0; k < seen.neighbors.size(); ++k) {
           const auto other = static_cast<std::size_t>(seen.source[k]);
@@ -173,13 +173,13 @@ TEST(Senses, states_come_as_many_steps_late_as_the_scene_says) {
     }
     const int late = std::min(step, 3);
     const auto then = static_cast<std::size_t>(step - late);
-    const Simulation::Perception seen = simulation.perceive(2);
+    const Simulation::Perception seen = simulation.perceive({2});
     ASSERT_EQ(seen.neighbors.size(), step < 12 ? 8U : 7U);
     for (std::size_t k = 0; k < seen.neighbors.size(); ++k) {
       const Neighbor& neighbor = seen.neighbors[k];
       EXPECT_EQ(neighbor.age, 0);  // it is declared
       if (seen.source[k] < 0) {    // it keeps its acceleration: carried on, it is where it is
-        EXPECT_EQ(neighbor.position, simulation.obstacles().position[0]);
+        EXPECT_EQ(neighbor.position, simulation.moving_obstacles().position[0]);
         continue;
       }
       const auto other = static_cast<std::size_t>(seen.source[k]);
@@ -202,7 +202,7 @@ TEST(Senses, those_that_are_missed_are_carried_on_and_then_forgotten) {
       position.emplace_back(fleet.position.begin(), fleet.position.end());
       velocity.emplace_back(fleet.velocity.begin(), fleet.velocity.end());
       for (std::size_t i = 0; i < 10; ++i) {
-        const Simulation::Perception seen = simulation.perceive(i);
+        const Simulation::Perception seen = simulation.perceive({i});
         if (step == 0) {
           EXPECT_EQ(seen.neighbors.size(), 9U);  // a start is known
         }
@@ -243,7 +243,7 @@ TEST(Senses, walls_hide_whoever_has_its_center_behind_them) {
     const bool is_hidden = std::abs(crossing_x) <= 3.0;
     hidden = is_hidden ? hidden + 1 : 0;
     for (const std::size_t observer : {0U, 1U}) {
-      const Simulation::Perception seen = simulation.perceive(observer);
+      const Simulation::Perception seen = simulation.perceive({observer});
       ASSERT_EQ(seen.neighbors.size(), hidden <= kMostCarried ? 1U : 0U) << step;
       if (seen.neighbors.empty()) continue;
       EXPECT_EQ(seen.neighbors[0].age, hidden);
@@ -254,7 +254,7 @@ TEST(Senses, walls_hide_whoever_has_its_center_behind_them) {
   EXPECT_EQ(hidden, 0);  // it has come out
   Simulation sees_all(behind_a_wall(false), 1);
   for (int step = 0; step < 120; ++step, sees_all.step())
-    EXPECT_EQ(sees_all.perceive(0).neighbors.size(), 1U);
+    EXPECT_EQ(sees_all.perceive({0}).neighbors.size(), 1U);
 }
 
 // Two that go round the tip of a wall, each to where the other one comes from.
@@ -296,7 +296,7 @@ int expect_decisions_of_what_perceive_tells(Scenario scene) {
       std::vector<Plan> expected;
       PlanWorkspace workspace;
       for (std::size_t i = 0; i < 30; ++i) {
-        Simulation::Perception seen = simulation.perceive(i);
+        Simulation::Perception seen = simulation.perceive({i});
         for (const Neighbor& neighbor : seen.neighbors) carried += neighbor.age > 0 ? 1 : 0;
         expected.push_back(simulation.planner().plan(seen.robot, seen.neighbors, workspace,
                                                      &seen.detour, seen.walls));
@@ -414,7 +414,7 @@ TEST(Senses, a_car_that_comes_late_may_have_swung_as_far_as_it_can_turn) {
   EXPECT_EQ(planner_options(scene).sensing_error, declared);
   Simulation simulation(scene, 1);
   for (int step = 0; step < 40; ++step, simulation.step()) {
-    const Simulation::Perception seen = simulation.perceive(0);
+    const Simulation::Perception seen = simulation.perceive({0});
     for (std::size_t k = 0; k < seen.neighbors.size(); ++k) {
       const Neighbor& neighbor = seen.neighbors[k];
       const double time = 0.1 * std::min(step, 2);
@@ -443,7 +443,7 @@ TEST(Senses, bounds_of_cars_cover_where_their_discs_have_swung) {
     for (int step = 0; step < 200; ++step, simulation.step()) {
       const FleetView fleet = simulation.fleet();
       for (std::size_t i = 0; i < fleet.id.size(); ++i) {
-        const Simulation::Perception seen = simulation.perceive(i);
+        const Simulation::Perception seen = simulation.perceive({i});
         for (std::size_t k = 0; k < seen.neighbors.size(); ++k) {
           Neighbor neighbor = seen.neighbors[k];
           const auto other = static_cast<std::size_t>(seen.source[k]);

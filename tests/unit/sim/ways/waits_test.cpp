@@ -25,9 +25,9 @@ TEST(Waits, are_for_whoever_comes_through_the_passage) {
   int waits = 0;
   while (!simulation.all_at_goal() && simulation.time() < 60.0) {
     simulation.step();
-    EXPECT_FALSE(simulation.wait(0));
-    const std::optional<Simulation::Wait> wait = simulation.wait(1);
-    EXPECT_EQ(simulation.perceive(1).wait.has_value(), wait.has_value());
+    EXPECT_FALSE(simulation.wait({0}));
+    const std::optional<Simulation::Wait> wait = simulation.wait({1});
+    EXPECT_EQ(simulation.perceive({1}).wait.has_value(), wait.has_value());
     if (!wait) continue;
     ++waits;
     EXPECT_EQ(wait->robot.value, 0u);
@@ -45,7 +45,7 @@ TEST(Waits, of_robots_at_rest_are_in_the_summary) {
   Metrics metrics(scene);
   metrics.observe(simulation);
   const auto is_resting = [&] { return norm(simulation.fleet().velocity[1]) < 1e-3; };
-  while (simulation.time() < 30.0 && !(simulation.wait(1) && is_resting()))
+  while (simulation.time() < 30.0 && !(simulation.wait({1}) && is_resting()))
     simulation.step(), metrics.observe(simulation);
   const RunSummary summary = metrics.summary();
   ASSERT_EQ(summary.not_arrived.size(), 2u);
@@ -64,7 +64,7 @@ TEST(Waits, are_none_without_passages_or_right_of_way) {
   Simulation open(scene, 1);
   for (int k = 0; k < 100; ++k) {
     without.step(), open.step();
-    EXPECT_FALSE(without.wait(0) || without.wait(1) || open.wait(0) || open.wait(1));
+    EXPECT_FALSE(without.wait({0}) || without.wait({1}) || open.wait({0}) || open.wait({1}));
   }
 }
 

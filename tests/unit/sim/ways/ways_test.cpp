@@ -49,15 +49,15 @@ TEST(Ways, ALoneRobotGetsThroughAMazeInTime) {
 TEST(Ways, WithoutNavigationItHeadsStraightForItsGoal) {
   Scenario scene = scene_among(test::two_rooms(2.0));
   scene.robots = {test::robot_at({3, 8}, {17, 8})};
-  EXPECT_LT(Simulation(scene, 1).perceive(0).robot.preferred_velocity.y, -0.1);
+  EXPECT_LT(Simulation(scene, 1).perceive({0}).robot.preferred_velocity.y, -0.1);
   scene.navigation = false;
-  EXPECT_EQ(Simulation(scene, 1).perceive(0).robot.preferred_velocity.y, 0.0);
+  EXPECT_EQ(Simulation(scene, 1).perceive({0}).robot.preferred_velocity.y, 0.0);
 }
 
 TEST(Ways, DistanceToTheGoalIsThatOfTheWay) {
   Scenario scene = scene_among(test::two_rooms(2.0));
   scene.robots = {test::robot_at({9, 9}, {11, 9})};
-  const Robot robot = Simulation(scene, 1).perceive(0).robot;
+  const Robot robot = Simulation(scene, 1).perceive({0}).robot;
   EXPECT_GT(robot.distance_to_goal, 6.0);
   EXPECT_LT(robot.distance_to_goal, 9.0);
 }
@@ -121,7 +121,7 @@ TEST(Ways, PerceiveIsWhatTheStepDecidesOn) {
   std::vector<Plan> plans;
   PlanWorkspace workspace;
   for (std::size_t k = 0; k < 40; ++k) {
-    Simulation::Perception seen = simulation.perceive(k);
+    Simulation::Perception seen = simulation.perceive({k});
     plans.push_back(
         simulation.planner().plan(seen.robot, seen.neighbors, workspace, &seen.detour, seen.walls));
   }

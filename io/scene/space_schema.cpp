@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The part of the JSON Schema for scenes of space.
+// The part of the JSON Schema for scenes of space. Modules without io/space have it as well.
 #include <utility>
 
 #include "io/scene/schema_parts.h"

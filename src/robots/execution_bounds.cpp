@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "navigator/execution_bounds.h"
+#include "robots/execution_bounds.h"
 
 #include <algorithm>
 #include <cmath>
@@ -11,7 +11,7 @@
 #include "core/ranges.h"
 #include "robots/ahead.h"
 
-namespace avo::inline navigator {
+namespace avo::inline robots {
 namespace {
 
 constexpr double kMostDeadSteps = 1000.0;
@@ -59,6 +59,11 @@ double rounding_of(const ExecutionModel& model) {
 double noise_of(const ExecutionModel& model, double time_step) {
   return (model.measured_position_error + model.time_constant * model.measured_velocity_error) /
          time_step;
+}
+
+// [g] m/s: what a command of a holonomic base may be wrong by.
+double command_error(const ExecutionModel& model, double time_step) {
+  return std::numbers::sqrt2 * rounding_of(model) + noise_of(model, time_step);
 }
 
 struct Bounds {
@@ -137,12 +142,34 @@ ExecutionError bounds_of(const ExecutionModel& model, const MotionModel& robot,
     throw Error(
         "ExecutionModel: found a car or an airplane, must be a holonomic robot or a "
         "differential drive");
-  const double g = std::numbers::sqrt2 * rounding_of(model) + noise_of(model, time_step);
-  return bounds_with(model, limits, time_step, g, model.velocity_error).error;
+  return bounds_with(model, limits, time_step, command_error(model, time_step),
+                     model.velocity_error)
+      .error;
 }
 
-void validate(const ExecutionModel& model, double time_step) {
-  const auto at = [](const char* name) { return std::string("ExecutionModel.") + name; };
+// With e = 0 at both ends, |e(t)| is at most 1/16 of Δt² times the largest |e''|, and 4/27 of Δt
+// times the variation of the velocity.
+double off_cubic(const ExecutionModel& model, const ExecutionLimits& limits, double time_step) {
+  const double Y =
+      bounds_with(model, limits, time_step, command_error(model, time_step), model.velocity_error)
+          .lag;
+  const double c = limits.change, lag = model.time_constant - model.time_constant_error;
+  const double variation = 2.0 * (2.0 * Y + c * time_step);  // m/s, of both parts of a step
+  const double by_variation = 4.0 / 27.0 * time_step * variation;
+  if (!(lag > 0.0)) return by_variation;
+  return std::min(by_variation, time_step * time_step * (c + 2.0 * Y / lag) / 16.0);
+}
+
+Vec2 command_towards(const ExecutionModel& model, const MotionState& after, Vec2 position,
+                     Vec2 velocity, Vec2 still_to_come, double time_step) {
+  const double lead = model.time_constant + model.dead_time;
+  const Vec2 target = after.position + lead * after.velocity;
+  const Vec2 expected = position + model.time_constant * velocity + still_to_come;
+  return (1.0 / time_step) * (target - expected);
+}
+
+void validate(const ExecutionModel& model, double time_step, const std::string& prefix) {
+  const auto at = [&](const char* name) { return prefix + name; };
   require("time_step", time_step, kPositive, "s");
   require(at("time_constant"), model.time_constant, kNotNegative, "s");
   require(at("time_constant_error"), model.time_constant_error,
@@ -164,7 +191,7 @@ void validate(const ExecutionModel& model, double time_step) {
          "< 1");
 }
 
-}  // namespace avo::inline navigator
+}  // namespace avo::inline robots
 
 namespace avo {
 
