@@ -136,8 +136,9 @@ void wish_among_ten(benchmark::State& state) {
     look_around(robots, columns);
     keep_right(robots, columns);
     Detour detour;
-    return wish_of(scene.robot, {columns.wish_x[0], columns.wish_y[0]}, columns.traffic(0),
-                   planner.options(), detour);
+    const Traffic traffic = columns.traffic(0);
+    const PushRule rule = push_rule(scene.robot, traffic.is_beside, planner.options(), detour);
+    return wish_of(scene.robot, columns.wish(0), traffic, rule);
   });
 }
 BENCHMARK(wish_among_ten);

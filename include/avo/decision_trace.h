@@ -56,9 +56,8 @@ struct DecisionTrace {
   /// the aim. Empty where the target is the aim.
   std::vector<Cause> binding;
   Vec2 proposal;  ///< m/s: the velocity after one step towards the target
-  /// The constraints of the certificate that refuse the proposal, without repetition. For an
-  /// airplane that may not turn as it wants: the neighbor with the fallback area that
-  /// leaves the least room.
+  /// The neighbors and walls with constraints of the certificate that refuse the proposal, without
+  /// repetition.
   std::vector<Cause> refusing;
   /// m/s: the velocity after the step that was asked for instead, where the route was blocked
   /// (docs/arrival.md, rule 3)

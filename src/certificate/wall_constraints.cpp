@@ -228,6 +228,7 @@ void begin_walls(const Robot& robot, std::span<const Wall> walls, const StepLaw&
     const double margin = wall_margin(wall, rounding);
     if (!(away <= contact + lost + margin + reach)) continue;
     NearWall near{segment, away, contact, margin};
+    near.index = static_cast<int>(k);
     // the center is on the wall: there is no side to keep, and nothing is deeper
     if (!(away > 0.0)) {
       constraints.broken.take(static_cast<int>(k), contact);
@@ -257,6 +258,17 @@ bool keeps_walls(const WallConstraints& constraints, const CandidatePath& path,
   return std::all_of(constraints.near.begin(), constraints.near.end(), [&](const NearWall& wall) {
     return keeps_wall(wall, constraints, pieces, path);
   });
+}
+
+std::vector<int> refusing_walls(const WallConstraints& constraints, const CandidatePath& path,
+                                const StepLaw& law) {
+  if (keeps_walls(constraints, path, law)) return {};
+  if (constraints.must_brake) return {constraints.broken.index};
+  const CandidatePieces pieces = pieces_of(constraints, path, law);
+  std::vector<int> refusing;
+  for (const NearWall& wall : constraints.near)
+    if (!keeps_wall(wall, constraints, pieces, path)) refusing.push_back(wall.index);
+  return refusing;
 }
 
 void append_wall_cuts(const WallConstraints& constraints, const CandidatePath& path,

@@ -26,6 +26,7 @@ struct NearWall {
   /// this direction without knowing how near the wall is.
   Vec2 normal = {};
   double cone = 2.0;
+  int index = 0;  ///< among the walls given
 };
 
 /// The demands of the walls on a robot. Scratch memory; allocates only while it grows.
@@ -71,6 +72,10 @@ void begin_walls(const Robot& robot, std::span<const Wall> walls, const StepLaw&
 
 /// Returns whether the path keeps clear of all walls, or is braking.
 bool keeps_walls(const WallConstraints& constraints, const CandidatePath& path, const StepLaw& law);
+
+/// Returns the indices of the walls that refuse the path, for reports.
+std::vector<int> refusing_walls(const WallConstraints& constraints, const CandidatePath& path,
+                                const StepLaw& law);
 
 /// Appends for every wall that refuses the path a half-plane in v_1 that excludes the path's v_1.
 void append_wall_cuts(const WallConstraints& constraints, const CandidatePath& path,

@@ -14,4 +14,9 @@ namespace avo::inline planner {
 bool take_alone(const Robot& robot, std::span<const Neighbor> neighbors,
                 std::span<const Wall> walls, PlanWorkspace::Scratch& scratch);
 
+/// Planner::plan(), with a trace.
+template <typename Trace>
+Plan plan_alone(const Planner& planner, const Robot& robot, std::span<const Neighbor> neighbors,
+                PlanWorkspace& workspace, Detour* detour, std::span<const Wall> walls, Trace trace);
+
 }  // namespace avo::inline planner

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The inputs of a decision, listed for inspection: half-planes, and the demands of the certificate,
-// of neighbors and of walls.
+// Lists for drawings and tables: half-planes, and the constraints of the certificate, of neighbors
+// and of walls, also those that do not bind. The functions are those of the stages of a decision.
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
@@ -8,6 +8,7 @@
 #include <span>
 #include <vector>
 
+#include "avo/decision_trace.h"
 #include "avo/planner.h"
 #include "lp/lens.h"
 #include "planner/alone.h"
@@ -15,13 +16,11 @@
 #include "planner/methods/flight.h"
 #include "planner/rules/behind_walls.h"
 #include "planner/rules/evasion.h"
-#include "planner/rules/way_out.h"
 #include "planner/scratch.h"
 #include "planner/stages/certify.h"
 #include "planner/stages/contact.h"
 #include "planner/stages/demands.h"
 #include "planner/stages/disc_pairs.h"
-#include "planner/stages/neighbor_order.h"
 #include "planner/stages/soft_planes.h"
 #include "planner/validity.h"
 #include "walls/segment.h"
@@ -29,24 +28,42 @@
 namespace avo {
 namespace {
 
-// Leaves out hidden neighbors as plan() does, among the given numbers.
-void leave_out_hidden(const Planner& planner, const Robot& robot,
-                      std::span<const Neighbor> neighbors, std::span<const Wall> walls,
-                      std::vector<std::uint32_t>& numbers) {
-  if (planner.options().certificate == Certificate::none || walls.empty()) return;
-  const StepLaw law = certificate_law(planner).step;
-  const auto hidden = [&](std::uint32_t k) { return is_hidden(robot, neighbors[k], walls, law); };
-  numbers.erase(std::remove_if(numbers.begin(), numbers.end(), hidden), numbers.end());
+// Makes the robot the only one of scratch.alone, with the neighbors that count. Returns false where
+// plan() says invalid_input.
+bool take_seen(const Planner& planner, const Robot& robot, std::span<const Neighbor> neighbors,
+               std::span<const Wall> walls, PlanWorkspace::Scratch& scratch) {
+  const PlannerOptions& options = planner.options();
+  if (!can_decide(robot, neighbors, walls, options) ||
+      !take_alone(robot, neighbors, walls, scratch))
+    return false;
+  if (options.certificate != Certificate::none && !walls.empty())
+    leave_out_hidden(options, certificate_law(planner).step, scratch.alone);
+  return true;
 }
 
-// Sets scratch.listed to the neighbors that a certificate uses, in the order of scratch.order.
-void list_seen(const Planner& planner, const Robot& robot, std::span<const Neighbor> neighbors,
-               std::span<const Wall> walls, PlanWorkspace::Scratch& scratch) {
-  rank(robot, neighbors, scratch);
-  std::sort(scratch.order.begin(), scratch.order.end());
-  leave_out_hidden(planner, robot, neighbors, walls, scratch.order);
-  scratch.listed.clear();
-  for (const std::uint32_t k : scratch.order) scratch.listed.push_back(neighbors[k]);
+// The indices of the seen neighbors into those given. Equal neighbors follow each other.
+std::vector<int> indices_of(const Neighbors& seen, std::span<const Neighbor> given) {
+  std::vector<int> indices;
+  for (std::size_t k = 0; k < seen.size(); ++k) {
+    int index = index_in(given, seen[k]);
+    if (k > 0 && index_in(given, seen[k - 1]) == index)
+      index = index_in(given, seen[k], indices.back());
+    indices.push_back(index);
+  }
+  return indices;
+}
+
+// Returns whether the half-plane may cut into the velocities that the robot may choose.
+struct Cuts {
+  Lens allowed;
+
+  bool operator()(const HalfPlane& plane, double excess) const {
+    return excess > 0.0 || lens_support_min(plane.normal, allowed) < plane.offset;
+  }
+};
+
+Cuts cuts_of(const Planner& planner, const Robot& robot) {
+  return {make_lens(planner.acceleration_disc(robot), robot.max_speed)};
 }
 
 // Lists the distance that the circle of a robot that flies keeps from each wall.
@@ -55,7 +72,6 @@ void list_walls_of_flight(const Robot& robot, double time_step, std::span<const 
   if (!can_fly(robot, time_step)) return;
   const LoiterCircle circle = *with_circle(robot).loiter;
   for (std::size_t k = 0; k < walls.size(); ++k) {
-    if (!is_valid(walls[k])) continue;
     const Vec2 away = circle.center - nearest_on({walls[k].a, walls[k].b}, circle.center);
     const double distance = norm(away);
     constraints.push_back({static_cast<int>(k), robot.radius + walls[k].radius,
@@ -63,14 +79,20 @@ void list_walls_of_flight(const Robot& robot, double time_step, std::span<const 
   }
 }
 
-// The disc of a robot that is nearest to the wall.
-Robot nearest_disc(const Discs& discs, const Wall& wall) {
-  const auto gap = [&wall](const Robot& disc) {
-    return distance(disc.position, Segment{wall.a, wall.b}) - disc.radius;
-  };
-  const std::span<const Robot> all = discs.all();
-  return *std::min_element(all.begin(), all.end(),
-                           [&](const Robot& a, const Robot& b) { return gap(a) < gap(b); });
+// Adds the walls near a robot, or near a disc of it. Of several discs the nearest counts.
+void add_walls(const WallConstraints& walls, std::vector<WallConstraint>& constraints) {
+  for (const NearWall& wall : walls.near) {
+    const NearestPoints nearest = nearest_points({{}, walls.stop}, wall.segment);
+    const Vec2 away = nearest.on_first - nearest.on_second;
+    const WallConstraint constraint{wall.index, wall.held, nearest.distance,
+                                    nearest.distance > 0.0 ? away / nearest.distance : Vec2{}};
+    const auto other = std::find_if(constraints.begin(), constraints.end(),
+                                    [&](const auto& c) { return c.wall == wall.index; });
+    if (other == constraints.end())
+      constraints.push_back(constraint);
+    else if (constraint.distance - constraint.held < other->distance - other->held)
+      *other = constraint;
+  }
 }
 
 }  // namespace
@@ -80,25 +102,19 @@ void Planner::collect_half_planes(const Robot& robot, std::span<const Neighbor> 
                                   std::span<const Wall> walls) const {
   half_planes.planes.clear();
   half_planes.overlapping = false;
-  if (!can_decide(robot, neighbors, walls, options_)) return;
   PlanWorkspace::Scratch& scratch = PlanWorkspace::Scratch::of(workspace);
-  Tile& tile = scratch.alone;
-  if (!take_alone(robot, neighbors, walls, scratch)) return;
-  if (options_.certificate != Certificate::none && !walls.empty())
-    avo::leave_out_hidden(options_, certificate_law(*this).step, tile);
-  collect_soft_planes(options_, *horizon_, certificate_law(*this).step, tile, scratch.soft);
-  const SoftPlanes& soft = scratch.soft;
+  if (!take_seen(*this, robot, neighbors, walls, scratch)) return;
+  const Tile& tile = scratch.alone;
+  SoftPlanes& soft = scratch.soft;
+  collect_soft_planes(options_, *horizon_, certificate_law(*this).step, tile, soft);
   half_planes.overlapping = soft.overlapping[0] != 0;
-  const Lens allowed = make_lens(acceleration_disc(robot), robot.max_speed);
+  const Cuts cuts = cuts_of(*this, robot);
+  const std::vector<int> indices = indices_of(tile.robots.neighbors[0], neighbors);
   for (std::size_t k = 0; k < soft.of(0).size(); ++k) {
     const HalfPlane& plane = soft.of(0)[k];
     const double excess = soft.excess_of(0)[k];
-    if (excess <= 0.0 && lens_support_min(plane.normal, allowed) >= plane.offset) continue;
-    const Neighbor neighbor = tile.robots.neighbors[0][soft.neighbor_of(k)];
-    int index = index_in(neighbors, neighbor);
-    if (!half_planes.planes.empty() && half_planes.planes.back().neighbor == index)
-      index = index_in(neighbors, neighbor, index);  // of equal neighbors, which follow each other
-    half_planes.planes.push_back({index, plane, excess});
+    if (cuts(plane, excess))
+      half_planes.planes.push_back({indices[soft.neighbor_of(k)], plane, excess});
   }
   std::sort(half_planes.planes.begin(), half_planes.planes.end(),
             [](const NeighborPlane& a, const NeighborPlane& b) { return a.neighbor < b.neighbor; });
@@ -106,30 +122,27 @@ void Planner::collect_half_planes(const Robot& robot, std::span<const Neighbor> 
 
 void Planner::collect_half_planes(const Robot& robot, std::span<const Wall> walls,
                                   WallPlanes& half_planes) const {
-  half_planes.speeds.clear();
-  half_planes.obstacles.clear();
-  half_planes.overlapping = false;
-  if (!can_decide(robot, {}, {}, options_)) return;
-  const Lens allowed = make_lens(acceleration_disc(robot), robot.max_speed);
-  const auto cuts = [&allowed](const HalfPlane& plane) {
-    return lens_support_min(plane.normal, allowed) < plane.offset;
-  };
-  std::vector<HalfPlane> speeds;
-  const bool by_speed = slows_before_walls(options_.method);
+  half_planes = {};
+  if (is_external(options_.method) || !can_decide(robot, {}, walls, options_)) return;
   const StepLaw law = certificate_law(*this).step;
-  const Discs discs = discs_of(robot, law);
-  const Vec2 out = by_speed ? velocity_out(discs.discs[0], walls, law) : Vec2{};
-  for (std::size_t k = 0; k < walls.size(); ++k) {
-    if (!is_valid(walls[k])) continue;
-    const int index = static_cast<int>(k);
-    const Robot disc = nearest_disc(discs, walls[k]);
-    speeds.clear();
-    if (by_speed) append_speed_planes(disc, walls.subspan(k, 1), law, out, speeds);
-    if (!speeds.empty() && cuts(speeds[0])) half_planes.speeds.push_back({index, speeds[0], 0.0});
-    if (method_traits(options_.method).stays_in_cell || is_external(options_.method)) continue;
-    const auto own =
-        obstacle_plane(options_, *horizon_, disc, walls[k], index, half_planes.overlapping);
-    if (own && (own->excess > 0.0 || cuts(own->plane))) half_planes.obstacles.push_back(*own);
+  const Cuts cuts = cuts_of(*this, robot);
+  Demands demands;
+  collect_demands(*this, robot, walls, law, demands);
+  half_planes.overlapping = demands.overlapping;
+  const bool by_speed = slows_before_walls(options_.method);
+  for (std::size_t k = 0; k < demands.wall.size(); ++k) {
+    const double excess = k < demands.excess.size() ? demands.excess[k] : 0.0;
+    if (cuts(demands.planes[k], excess))
+      (by_speed ? half_planes.speeds : half_planes.obstacles)
+          .push_back({demands.wall[k], demands.planes[k], excess});
+  }
+  if (!method_traits(options_.method).has_rules) return;
+  for (const Robot& disc : discs_of(robot, law).all()) {
+    for (std::size_t k = 0; k < walls.size(); ++k) {
+      const auto own = obstacle_plane(options_, *horizon_, disc, walls[k], static_cast<int>(k),
+                                      half_planes.overlapping);
+      if (own && cuts(own->plane, own->excess)) half_planes.obstacles.push_back(*own);
+    }
   }
 }
 
@@ -137,31 +150,22 @@ void Planner::collect_certificate(const Robot& robot, std::span<const Wall> wall
                                   PlanWorkspace& workspace,
                                   std::vector<WallConstraint>& constraints) const {
   constraints.clear();
-  if (options_.certificate == Certificate::none || !can_decide(robot, {}, {}, options_)) return;
+  if (options_.certificate == Certificate::none || !can_decide(robot, {}, walls, options_)) return;
   if (!can_rest(robot.model))
     return list_walls_of_flight(robot, options_.time_step, walls, constraints);
-  WallConstraints& own = PlanWorkspace::Scratch::of(workspace).certified.constraints.walls;
-  const StepLaw law = certificate_law(*this).step;
-  const Discs discs = discs_of(robot, law);
-  for (std::size_t k = 0; k < walls.size(); ++k) {
-    if (!is_valid(walls[k])) continue;
-    begin_walls(nearest_disc(discs, walls[k]), walls.subspan(k, 1), law, own);
-    if (own.near.empty()) continue;
-    const NearWall& wall = own.near[0];
-    const NearestPoints nearest = nearest_points({{}, own.stop}, wall.segment);
-    const Vec2 away = nearest.on_first - nearest.on_second;
-    constraints.push_back({static_cast<int>(k), wall.held, nearest.distance,
-                           nearest.distance > 0.0 ? away / nearest.distance : Vec2{}});
-  }
+  CertificateConstraints& own = PlanWorkspace::Scratch::of(workspace).certified.constraints;
+  begin_walls_of(robot, walls, certificate_law(*this), own);
+  if (own.footprint.count == 0) add_walls(own.walls, constraints);
+  for (const DiscConstraints& disc : own.footprint.all()) add_walls(disc.walls, constraints);
 }
 
 void Planner::find_admitted(const Robot& robot, std::span<const Neighbor> neighbors,
                             PlanWorkspace& workspace, std::span<const Vec2> next_velocities,
                             std::span<std::uint8_t> admitted, std::span<const Wall> walls) const {
   std::fill(admitted.begin(), admitted.end(), std::uint8_t{0});
-  if (!can_rest(robot.model) || !can_decide(robot, neighbors, walls, options_)) return;
   PlanWorkspace::Scratch& scratch = PlanWorkspace::Scratch::of(workspace);
-  list_seen(*this, robot, neighbors, walls, scratch);
+  if (!can_rest(robot.model) || !take_seen(*this, robot, neighbors, walls, scratch)) return;
+  list(scratch.alone.robots.neighbors[0], scratch.listed);
   const CertificateLaw law = certificate_law(*this);
   if (law.kind != Certificate::none)
     collect_constraints(robot, scratch.listed, law, scratch.certified.constraints, walls);
@@ -174,37 +178,34 @@ void Planner::collect_certificate(const Robot& robot, std::span<const Neighbor> 
                                   std::vector<CertificateConstraint>& constraints,
                                   std::span<const Wall> walls) const {
   constraints.clear();
-  if (!can_decide(robot, neighbors, walls, options_)) return;
   PlanWorkspace::Scratch& scratch = PlanWorkspace::Scratch::of(workspace);
-  list_seen(*this, robot, neighbors, walls, scratch);
-  if (!can_rest(robot.model)) {
+  if (!take_seen(*this, robot, neighbors, walls, scratch)) return;
+  const Neighbors& seen = scratch.alone.robots.neighbors[0];
+  const CertificateLaw law = certificate_law(*this);
+  if (can_rest(robot.model)) {
+    list(seen, scratch.listed);
+    collect_constraints(robot, scratch.listed, law, scratch.certified.constraints);
+    list_constraints(scratch.certified.constraints, robot.position, constraints);
+  } else {
     const Robot on_circle = with_circle(robot);
-    collect_flight(on_circle, in_columns(scratch.listed, scratch.alone.neighbors), {},
-                   certificate_law(*this).step, scratch.flight);
+    collect_flight(on_circle, seen, {}, law.step, scratch.flight);
     for (const SeparatingLine& line : scratch.flight.lines)
       constraints.push_back(
-          {static_cast<int>(scratch.order[static_cast<std::size_t>(line.neighbor)]), 0, line.normal,
+          {line.neighbor, 0, line.normal,
            dot(line.normal, on_circle.loiter->center) - on_circle.loiter->radius - line.part});
-    return;
   }
-  CertificateConstraints& own = scratch.certified.constraints;
-  collect_constraints(robot, scratch.listed, certificate_law(*this), own);
-  list_constraints(own, robot.position, constraints);
+  const std::vector<int> indices = indices_of(seen, neighbors);
   for (CertificateConstraint& constraint : constraints)
-    constraint.neighbor =
-        static_cast<int>(scratch.order[static_cast<std::size_t>(constraint.neighbor)]);
+    constraint.neighbor = indices[static_cast<std::size_t>(constraint.neighbor)];
+  std::stable_sort(constraints.begin(), constraints.end(),
+                   [](const auto& a, const auto& b) { return a.neighbor < b.neighbor; });
 }
 
 std::optional<Evasion> Planner::evasion(const Robot& robot, std::span<const Neighbor> neighbors,
                                         PlanWorkspace& workspace, const Detour* detour,
                                         std::span<const Wall> walls) const {
   Detour next = detour != nullptr ? *detour : Detour{};
-  if (!plan(robot, neighbors, workspace, detour != nullptr ? &next : nullptr, walls).evading)
-    return std::nullopt;
-  EvasionWorkspace& own = PlanWorkspace::Scratch::of(workspace).evasion;
-  Evasion evasion = own.chosen;
-  evasion.neighbor = find_evaded(certificate_law(*this), robot, neighbors, own.put_aside, own);
-  return evasion;
+  return explain(robot, neighbors, workspace, detour != nullptr ? &next : nullptr, walls).evasion;
 }
 
 bool Planner::has_evasive_maneuver(const Robot& robot, std::span<const Neighbor> neighbors,

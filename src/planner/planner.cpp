@@ -109,6 +109,14 @@ double Planner::step_lag() const {
   return options_.motion == Motion::held ? 0.5 * options_.time_step : horizon_->step().lag;
 }
 
+Plan Planner::plan(const Robot& robot, std::span<const Neighbor> neighbors,
+                   PlanWorkspace& workspace, Detour* detour, std::span<const Wall> walls) const {
+  return plan_alone(*this, robot, neighbors, workspace, detour, walls, NoTrace{});
+}
+
+}  // namespace avo
+
+namespace avo::inline planner {
 namespace {
 
 Robot at_rest(Robot robot) {
@@ -118,10 +126,12 @@ Robot at_rest(Robot robot) {
 
 }  // namespace
 
-Plan Planner::plan(const Robot& robot, std::span<const Neighbor> neighbors,
-                   PlanWorkspace& workspace, Detour* detour, std::span<const Wall> walls) const {
+template <typename Trace>
+Plan plan_alone(const Planner& planner, const Robot& robot, std::span<const Neighbor> neighbors,
+                PlanWorkspace& workspace, Detour* detour, std::span<const Wall> walls,
+                Trace trace) {
   if (is_rest(robot.velocity) && robot.velocity != Vec2{})
-    return plan(at_rest(robot), neighbors, workspace, detour, walls);
+    return plan_alone(planner, at_rest(robot), neighbors, workspace, detour, walls, trace);
   Detour next = detour != nullptr && is_sound(*detour) ? *detour : Detour{};
   Plan plan;
   PlanWorkspace::Scratch& scratch = PlanWorkspace::Scratch::of(workspace);
@@ -131,16 +141,21 @@ Plan Planner::plan(const Robot& robot, std::span<const Neighbor> neighbors,
     tile.detour.push_back(&next);
     tile.plan.push_back(&plan);
     tile.remembers = detour != nullptr;
-    plan_together(*this, tile, scratch, clock);
+    plan_together(planner, tile, scratch, clock, trace);
     if (plan.neighbor >= 0)  // an index into the order of planning
       plan.neighbor =
           index_in(neighbors, tile.robots.neighbors[0][static_cast<std::size_t>(plan.neighbor)]);
   } else {
-    plan = brake(*this, robot, PlanStatus::invalid_input, 0.0);
+    plan = brake(planner, robot, PlanStatus::invalid_input, 0.0);
     remember(plan, next);
   }
   if (detour != nullptr) *detour = next;
-  return with_next_velocity(*this, robot, plan);
+  return with_next_velocity(planner, robot, plan);
 }
 
-}  // namespace avo
+template Plan plan_alone(const Planner&, const Robot&, std::span<const Neighbor>, PlanWorkspace&,
+                         Detour*, std::span<const Wall>, NoTrace);
+template Plan plan_alone(const Planner&, const Robot&, std::span<const Neighbor>, PlanWorkspace&,
+                         Detour*, std::span<const Wall>, Recorder);
+
+}  // namespace avo::inline planner

@@ -2,7 +2,6 @@
 // The memory of a planner's decisions.
 #pragma once
 #include <cstdint>
-#include <optional>
 #include <vector>
 
 #include "avo/planner.h"
@@ -36,7 +35,6 @@ struct PlanWorkspace::Scratch {
   Tile alone;  // of one robot
   std::vector<Neighbor> listed, movers;
   PassiveWorkspace passive;
-  std::optional<Vec2> passive_choice;  // m/s, of the last decision among movers, for reports
   CertifiedWorkspace certified;
   FlightConstraints flight;
   EvasionWorkspace evasion;

@@ -58,8 +58,9 @@ void keep_within_models(const Planner& planner, Tile& tile) {
 }
 
 // Returns whether the robot decides by a rule other than half-planes; it then decides here.
+template <typename Trace>
 bool decides_otherwise(const Planner& planner, const Tile& tile, std::size_t i,
-                       PlanWorkspace::Scratch& scratch) {
+                       PlanWorkspace::Scratch& scratch, Trace trace) {
   const PlannerOptions& options = planner.options();
   const RobotColumns& robots = tile.robots;
   const Neighbors& neighbors = robots.neighbors[i];
@@ -75,17 +76,18 @@ bool decides_otherwise(const Planner& planner, const Tile& tile, std::size_t i,
   const bool has_movers = tile.neighbors.has_movers || avoids_union(options.method);
   if (!has_movers || flies(robots, i) || !is_among_movers(options, neighbors)) return false;
   list(neighbors, scratch.listed);
-  *tile.plan[i] =
-      decide_among_obstacles(planner, robots.robot(i), scratch.listed, tile.walls_of(i), scratch);
+  *tile.plan[i] = decide_among_obstacles(planner, robots.robot(i), scratch.listed, tile.walls_of(i),
+                                         scratch, trace);
   *tile.detour[i] = {};
   remember(*tile.plan[i], *tile.detour[i]);
   return true;
 }
 
 // Moves these robots to the end; the others are then the robots of the tile.
-void set_apart(const Planner& planner, Tile& tile, PlanWorkspace::Scratch& scratch) {
+template <typename Trace>
+void set_apart(const Planner& planner, Tile& tile, PlanWorkspace::Scratch& scratch, Trace trace) {
   for (std::size_t i = 0; i < tile.robots.count;) {
-    if (!decides_otherwise(planner, tile, i, scratch)) {
+    if (!decides_otherwise(planner, tile, i, scratch, trace)) {
       ++i;
       continue;
     }
@@ -101,33 +103,42 @@ void set_apart(const Planner& planner, Tile& tile, PlanWorkspace::Scratch& scrat
 
 }  // namespace
 
+template <typename Trace>
 void plan_together(const Planner& planner, Tile& tile, PlanWorkspace::Scratch& scratch,
-                   StageClock& clock) {
+                   StageClock& clock, Trace trace) {
   const PlannerOptions& options = planner.options();
   if (tile.robots.has_models) steer(options, certificate_law(planner).step, tile, scratch.steering);
-  set_apart(planner, tile, scratch);
+  trace.prefers(tile.robots);
+  set_apart(planner, tile, scratch, trace);
   if (options.certificate != Certificate::none && !tile.walls.empty())
     leave_out_hidden(options, certificate_law(planner).step, tile);
   collect_soft_planes(options, planner.horizon(), certificate_law(planner).step, tile,
                       scratch.soft);
   clock.lap(Stage::half_planes);
-  make_wishes(planner, tile, scratch.decisions);
-  if (method_traits(options.method).stays_in_cell) wish_within_cells(options, tile.robots, scratch);
+  make_wishes(planner, tile, scratch.decisions, trace);
+  if (method_traits(options.method).stays_in_cell) {
+    wish_within_cells(options, tile.robots, scratch);
+    trace.stays_in_cell(tile, scratch.decisions);
+  }
   const Execution execution = execution_of(planner, tile.remembers);
   make_aims(planner, execution, tile, scratch.decisions);
   clock.lap(Stage::certificate);
   solve_programs(planner, tile.robots, scratch);
   if ((tile.robots.has_models || !tile.walls.empty()) && !is_external(options.method))
     keep_to_demands(planner, tile, scratch);
+  trace.chooses(tile, scratch);
   clock.lap(Stage::program);
   if (goes_through_certificate(options)) {
-    decide(planner, execution, tile, scratch);
+    decide(planner, execution, tile, scratch, trace);
   } else {
     adopt(planner, tile, scratch);
   }
   keep_within_models(planner, tile);
   clock.lap(Stage::certificate);
 }
+
+template void plan_together(const Planner&, Tile&, PlanWorkspace::Scratch&, StageClock&, NoTrace);
+template void plan_together(const Planner&, Tile&, PlanWorkspace::Scratch&, StageClock&, Recorder);
 
 namespace {
 constexpr std::size_t kMostNear = 2048;  // pairs; memory for more is allocated when it is needed

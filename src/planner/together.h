@@ -8,13 +8,16 @@
 #include "core/stage_clock.h"
 #include "planner/stages/soft_planes.h"
 #include "planner/tile.h"
+#include "planner/trace.h"
 
 namespace avo::inline planner {
 
 /// Planner::plan() of each robot. Not for method velocity_obstacle. The robots that decide by
-/// half-planes become the first tile.robots.count robots of the tile; its order may change.
+/// half-planes become the first tile.robots.count robots of the tile; its order may change. Where a
+/// trace records, the tile has one robot.
+template <typename Trace = NoTrace>
 void plan_together(const Planner& planner, Tile& tile, PlanWorkspace::Scratch& scratch,
-                   StageClock& clock);
+                   StageClock& clock, Trace trace = {});
 
 /// Reserves room for so many robots, their half-planes and their neighbors, which brake for at most
 /// so many steps. For half-planes and neighbors there is a limit for each robot and a limit for

@@ -1,297 +1,252 @@
 // SPDX-License-Identifier: Apache-2.0
-// The stages of a decision. Their velocities are read from what the decision has left in its
-// workspace. Which rule, neighbors and walls have caused them is derived from the same data, and
-// the certificate is asked once more about the proposal.
+#include "planner/trace.h"
+
 #include <algorithm>
 #include <cmath>
-#include <cstddef>
-#include <optional>
-#include <span>
-#include <vector>
 
-#include "avo/decision_trace.h"
-#include "avo/planner.h"
-#include "planner/options.h"
-#include "planner/rules/arrival.h"
+#include "core/plane.h"
+#include "planner/alone.h"
 #include "planner/rules/evasion.h"
 #include "planner/scratch.h"
-#include "planner/stages/certify.h"
 #include "planner/stages/contact.h"
-#include "robots/footprint.h"
+#include "planner/stages/disc_pairs.h"
 #include "robots/model.h"
 
 namespace avo::inline planner {
 namespace {
 
-constexpr double kOnLine = 1e-7;   // m/s; programs are exact to less
-constexpr double kTurned = 1e-10;  // of a length
-
-// The workspace of a decision, and what the decision was given.
-struct Decided {
-  const Planner& planner;
-  const Robot& robot;  // with the velocity and the preferred velocity that were used
-  std::span<const Neighbor> given;
-  std::span<const Wall> walls;
-  const Detour* detour;  // after the decision; none where nothing is remembered
-  PlanWorkspace::Scratch& scratch;
-
-  // The index into the neighbors given, of the k-th in the order of planning.
-  int given_index(std::size_t k) const {
-    return index_in(given, scratch.alone.robots.neighbors[0][k]);
-  }
-};
+constexpr double kOnLine = 1e-7;  // m/s; programs are exact to less
 
 void add(std::vector<Cause>& causes, Cause cause) {
   if (std::find(causes.begin(), causes.end(), cause) == causes.end()) causes.push_back(cause);
 }
 
-// off: m/s, by how much v misses the half-planes that bind.
-bool is_on_line(const HalfPlane& plane, Vec2 v, double off = 0.0) {
+void add_neighbor(std::vector<Cause>& causes, int neighbor) {
+  add(causes, {neighbor, -1});
+}
+
+// Returns whether v misses the half-plane by that much, m/s.
+bool misses_by(const HalfPlane& plane, Vec2 v, double off) {
   return std::abs(violation(plane, v) - off) <= kOnLine;
 }
 
-// The weight with which the robot yields to a neighbor beside it (docs/arrival.md).
-double push_weight(const Robot& robot, const Neighbor& neighbor) {
-  const double contact = robot.radius + neighbor.radius;
-  const double distance = norm(robot.position - neighbor.position);
-  if (!(distance > 0.0 && distance < (1.0 + kRoom) * contact)) return 0.0;
-  return norm(push_of(robot, neighbor));
-}
-
-// The weight of a neighbor ahead, within the range of the rule, falls with the distance.
-double ahead_weight(const Robot& robot, const Neighbor& neighbor, double range) {
-  const Vec2 towards = neighbor.position - robot.position;
-  const double distance = norm(towards);
-  const bool is_ahead =
-      dot(towards, robot.preferred_velocity) > kInFront * distance * norm(robot.preferred_velocity);
-  return is_ahead && distance > 0.0 && distance < range ? 1.0 / distance : 0.0;
-}
-
-// The neighbor of the greatest weight, of those that the decision counts.
+// The neighbor of the greatest weight; none has less than 0.
 template <typename Weight>
-int heaviest(const Decided& decided, const Weight& weight) {
-  const Neighbors& neighbors = decided.scratch.alone.robots.neighbors[0];
+int heaviest(const Neighbors& neighbors, const Weight& weight) {
   int heaviest = -1;
   double most = 0.0;
   for (std::size_t k = 0; k < neighbors.size(); ++k) {
-    const double own = weight(decided.robot, neighbors[k]);
-    if (own > most) most = own, heaviest = decided.given_index(k);
+    const double own = weight(neighbors[k]);
+    if (own > most) most = own, heaviest = static_cast<int>(k);
   }
   return heaviest;
 }
 
-// Returns whether b is a, or a turned: keeping right changes no length, and pushes do.
-bool is_turned(Vec2 a, Vec2 b) {
-  return std::abs(norm(a) - norm(b)) <= kTurned * norm(a);
+// The nearest neighbor ahead, within the range of the rule (m).
+int nearest_ahead(const Robot& robot, const Neighbors& neighbors, double range) {
+  return heaviest(neighbors, [&](const Neighbor& neighbor) {
+    const Vec2 towards = neighbor.position - robot.position, way = robot.preferred_velocity;
+    const double distance = norm(towards);
+    const bool is_ahead = dot(towards, way) > kInFront * distance * norm(way);
+    return is_ahead && distance > 0.0 && distance < range ? 1.0 / distance : 0.0;
+  });
 }
 
-bool is_out_of_wall(const Decided& decided) {
-  return decided.scratch.demands.out != Vec2{};
+int strongest_push(const Robot& robot, const Neighbors& neighbors, const StepLaw& law) {
+  const Discs discs = discs_of(robot, law);
+  return heaviest(neighbors, [&](const Neighbor& neighbor) {
+    const DiscPair nearest = nearest_discs(discs, neighbor);
+    const double contact = nearest.robot.radius + nearest.neighbor.radius;
+    const bool is_beside = nearest.gap < kRoom * contact && nearest.gap > -contact;
+    return is_beside ? norm(push_of(nearest.robot, nearest.neighbor)) : 0.0;
+  });
 }
 
-void trace_wish(const Decided& decided, DecisionTrace& trace) {
-  const DecisionColumns& decisions = decided.scratch.decisions;
-  trace.wish = decisions.wish(0);
-  const bool steers = decided.robot.preferred_velocity != trace.preferred_velocity;
-  trace.rule = steers ? WishRule::steers : WishRule::none;
-  if (trace.wish == decided.robot.preferred_velocity) return;
-  if (is_out_of_wall(decided)) {
-    trace.rule = WishRule::leaves_wall;
-    return;
-  }
-  if (method_traits(decided.planner.options().method).stays_in_cell) {
-    trace.rule = WishRule::in_cell;
-    return;
-  }
-  const Detour* detour = decided.detour;
-  const double arrival_distance = decided.planner.options().arrival_distance;
-  if (detour != nullptr && settles(decided.robot, *detour, arrival_distance)) {
-    trace.rule = WishRule::settles;
-  } else {
-    const bool keeps_right = is_turned(decided.robot.preferred_velocity, trace.wish);
-    trace.rule = keeps_right ? WishRule::keeps_right : WishRule::yields;
-  }
-  const double range = decisions.range[0];
-  const auto ahead = [range](const Robot& robot, const Neighbor& neighbor) {
-    return ahead_weight(robot, neighbor, range);
-  };
-  trace.heeded = trace.rule == WishRule::keeps_right ? heaviest(decided, ahead)
-                                                     : heaviest(decided, push_weight);
+// The demands of walls come first, and then those of the robot's own motion.
+void add_binding(const Demands& demands, Vec2 target, std::vector<Cause>& binding) {
+  for (std::size_t k = 0; k < demands.planes.size(); ++k)
+    if (misses_by(demands.planes[k], target, 0.0))
+      add(binding, {-1, k < demands.wall.size() ? demands.wall[k] : -1});
 }
 
-void trace_half_planes(const Decided& decided, DecisionTrace& trace) {
-  const auto& [planner, robot, given, walls, detour, scratch] = decided;
-  const SoftPlanes& soft = scratch.soft;
-  const std::span<const HalfPlane> planes = soft.of(0);
-  double off = 0.0;
-  for (const HalfPlane& plane : planes) off = std::max(off, violation(plane, trace.target));
-  for (std::size_t k = 0; k < planes.size(); ++k) {
-    if (is_on_line(planes[k], trace.target, off))
-      add(trace.binding, {decided.given_index(soft.neighbor_of(k)), -1});
-  }
-  WallPlanes of_walls;
-  planner.collect_half_planes(robot, walls, of_walls);
-  const PlannerOptions& options = planner.options();
-  const bool by_speed = slows_before_walls(options.method);
-  for (const WallPlane& plane : by_speed ? of_walls.speeds : of_walls.obstacles) {
-    if (is_on_line(plane.plane, trace.target)) add(trace.binding, {-1, plane.wall});
-  }
-  std::vector<HalfPlane> own;
-  append_own_half_planes(
-      robot, adopts_at_once(options.method) ? options.time_step : options.control_time, own);
-  for (const HalfPlane& plane : own) {
-    if (is_on_line(plane, trace.target)) add(trace.binding, {});
-  }
-}
-
-void trace_program(const Decided& decided, DecisionTrace& trace) {
-  const DecisionColumns& decisions = decided.scratch.decisions;
-  trace_wish(decided, trace);
-  trace.aim = decisions.aim(0);
-  trace.target = trace.proposal = decisions.target(0);
-  if (trace.target != trace.aim) trace_half_planes(decided, trace);
-  if (goes_through_certificate(decided.planner.options()))
-    trace.proposal = {decisions.next_x[0], decisions.next_y[0]};
-}
-
-void trace_union(const Decided& decided, DecisionTrace& trace) {
-  const PlanWorkspace::Scratch& scratch = decided.scratch;
-  trace.wish = trace.aim = decided.robot.preferred_velocity;
-  if (trace.wish != trace.preferred_velocity) trace.rule = WishRule::steers;
-  if (!scratch.passive_choice) return;
-  trace.target = trace.proposal = *scratch.passive_choice;
-  for (std::size_t k = 0; k < scratch.obstacles.size() && trace.target != trace.aim; ++k) {
-    const PassiveObstacle& obstacle = scratch.obstacles[k];
-    if (contains(obstacle.obstacle, trace.aim - obstacle.v_new_B))
-      add(trace.binding, {decided.given_index(k), -1});
-  }
-}
-
-// The neighbors and walls that refuse, by their constraints, the path that was last judged.
-void add_refusing(const Decided& decided, const TrajectoryConstraints& constraints,
-                  const CandidatePath& path, const StepLaw& law, std::vector<Cause>& refusing) {
+void add_refusing(const TrajectoryConstraints& constraints, const CandidatePath& path,
+                  const StepLaw& law, std::vector<Cause>& refusing) {
   const ConstraintColumns& columns = constraints.columns;
   for (std::size_t first = 0; first < columns.count;) {
     std::size_t last = first;
     while (last < columns.count && columns.neighbor[last] == columns.neighbor[first]) ++last;
     const WorstConstraint worst = worst_constraint(constraints, path, law, first, last);
-    if (worst.coefficient < 0.0)
-      add(refusing, {decided.given_index(static_cast<std::size_t>(columns.neighbor[first])), -1});
+    if (worst.coefficient < 0.0) add_neighbor(refusing, static_cast<int>(columns.neighbor[first]));
     first = last;
   }
 }
 
-// Returns whether a wall refuses the judged path of the robot, or of one of its discs.
-bool refuses(const Wall& wall, const Decided& decided, const StepLaw& law) {
-  const CertificateConstraints& own = decided.scratch.certified.constraints;
-  WallConstraints alone;
-  if (own.footprint.count == 0) {
-    begin_walls(decided.robot, {&wall, 1}, law, alone);
-    return !keeps_walls(alone, own.path, law);
-  }
-  FootprintConstraints footprint;
-  begin_disc_walls(decided.robot, {&wall, 1}, law, footprint, alone);
-  for (std::size_t k = 0; k < footprint.count; ++k)
-    if (!keeps_walls(footprint.discs[k].walls, own.footprint.discs[k].path, law)) return true;
-  return false;
+void add_refusing(const WallConstraints& walls, const CandidatePath& path, const StepLaw& law,
+                  std::vector<Cause>& refusing) {
+  for (const int wall : refusing_walls(walls, path, law)) add(refusing, {-1, wall});
 }
 
-std::vector<Cause> list_refusing(const Decided& decided, const StepLaw& law) {
-  std::vector<Cause> refusing;
-  const CertificateConstraints& own = decided.scratch.certified.constraints;
-  add_refusing(decided, own.trajectories, own.path, law, refusing);
-  for (const DiscConstraints& disc : own.footprint.all())
-    add_refusing(decided, disc.trajectories, disc.path, law, refusing);
-  for (const LoiterLine& line : own.loiterers) {
-    if (!keeps_loiterers({&line, 1}, own.path, law))
-      add(refusing, {decided.given_index(static_cast<std::size_t>(line.neighbor)), -1});
-  }
-  for (std::size_t k = 0; k < decided.walls.size(); ++k)
-    if (refuses(decided.walls[k], decided, law)) add(refusing, {-1, static_cast<int>(k)});
-  return refusing;
-}
-
-// Those that refuse a velocity after the step; none where it is admitted.
-std::vector<Cause> refusing(const Decided& decided, Vec2 next_velocity) {
-  const CertificateLaw law = certificate_law(decided.planner);
-  if (law.kind == Certificate::none) return {};
-  Robot asked = decided.robot;
-  if (asked.velocity == Vec2{} && turns_unnoticed(asked.model)) asked.model = Holonomic{};
-  if (!is_holonomic(asked.model))
-    next_velocity = within_own_limits(asked, law.step.braking_time, next_velocity);
-  if (admits(asked, next_velocity, law, decided.scratch.certified.constraints, Asked::all))
-    return {};
-  return list_refusing(decided, law.step);
-}
-
-void trace_certificate(const Decided& decided, DecisionTrace& trace) {
-  const CertifiedWorkspace& certified = decided.scratch.certified;
-  if (!certified.proposal) return;
-  trace.proposal = *certified.proposal;
-  trace.refusing = refusing(decided, trace.proposal);
-  trace.detour = certified.detour;
-  if (trace.detour) trace.refusing_detour = refusing(decided, *trace.detour);
-  // what wheels cannot follow is refused as well
-  std::vector<Cause>& last = trace.detour ? trace.refusing_detour : trace.refusing;
-  const bool is_refused = trace.plan.status == PlanStatus::refused && !trace.plan.evading;
-  if (is_refused && last.empty() && !is_holonomic(decided.robot.model)) last.push_back({});
-}
-
-// A robot that flies and may not take the controls for its target: the neighbor with the nearest
-// circle.
-void trace_flight(const Decided& decided, DecisionTrace& trace) {
-  const PlanStatus status = trace.plan.status;
-  if (status == PlanStatus::optimal || status == PlanStatus::least_unsafe) return;
-  if (trace.plan.evading) return;  // no neighbor has refused its choice
-  const FlightConstraints& flight = decided.scratch.flight;
-  const auto room = [](const SeparatingLine& line) { return line.part; };
-  const auto nearest = std::min_element(
-      flight.lines.begin(), flight.lines.end(),
-      [&](const SeparatingLine& a, const SeparatingLine& b) { return room(a) < room(b); });
-  if (nearest == flight.lines.end()) return;
-  add(trace.refusing, {decided.given_index(static_cast<std::size_t>(nearest->neighbor)), -1});
-}
-
-void trace_evasion(const Decided& decided, DecisionTrace& trace) {
-  EvasionWorkspace& own = decided.scratch.evasion;
-  trace.evasion = own.chosen;
-  trace.evasion->neighbor = find_evaded(certificate_law(decided.planner), decided.robot,
-                                        decided.given, own.put_aside, own);
+// A decision that brakes for contact refuses every motion. The deepest contact is the cause.
+void add_broken(const Deepest& neighbor, const Deepest& wall, std::vector<Cause>& refusing) {
+  if (!refusing.empty()) return;
+  if (neighbor.any()) add_neighbor(refusing, neighbor.index);
+  if (wall.any()) add(refusing, {-1, wall.index});
 }
 
 }  // namespace
+
+void Recorder::prefers(const RobotColumns& robots) const {
+  DecisionTrace& decision = record->decision;
+  record->steered = decision.wish = decision.aim = {robots.preferred_x[0], robots.preferred_y[0]};
+  if (decision.wish != decision.preferred_velocity) decision.rule = WishRule::steers;
+}
+
+void Recorder::wishes(WishRule rule, Vec2 wish, int heeded) const {
+  DecisionTrace& decision = record->decision;
+  if (wish == decision.wish) return;
+  decision.wish = wish, decision.rule = rule, decision.heeded = heeded;
+  if (wish != record->steered) return;
+  const bool is_steered = wish != decision.preferred_velocity;
+  decision.rule = is_steered ? WishRule::steers : WishRule::none, decision.heeded = -1;
+}
+
+void Recorder::keeps_right(const RobotColumns& robots, std::size_t i,
+                           const DecisionColumns& columns) const {
+  wishes(WishRule::keeps_right, columns.wish(i),
+         nearest_ahead(robots.robot(i), robots.neighbors[i], columns.range[i]));
+}
+
+void Recorder::yields(const RobotColumns& robots, std::size_t i, const StepLaw& law,
+                      const PushRule& rule, Vec2 wish) const {
+  wishes(rule.settles ? WishRule::settles : WishRule::yields, wish,
+         strongest_push(robots.robot(i), robots.neighbors[i], law));
+}
+
+void Recorder::stays_in_cell(const Tile& tile, const DecisionColumns& columns) const {
+  if (tile.robots.count > 0) wishes(WishRule::in_cell, columns.wish(0));
+}
+
+void Recorder::chooses(const Tile& tile, const PlanWorkspace::Scratch& scratch) const {
+  if (tile.robots.count == 0) return;
+  DecisionTrace& decision = record->decision;
+  record->has_target = true;
+  if (scratch.demands.out != Vec2{}) wishes(WishRule::leaves_wall, scratch.decisions.wish(0));
+  decision.aim = scratch.decisions.aim(0);
+  decision.target = decision.proposal = scratch.decisions.target(0);
+  if (decision.target == decision.aim) return;
+  const std::span<const HalfPlane> planes = scratch.soft.of(0);
+  double off = 0.0;
+  for (const HalfPlane& plane : planes) off = std::max(off, violation(plane, decision.target));
+  for (std::size_t k = 0; k < planes.size(); ++k)
+    if (misses_by(planes[k], decision.target, off))
+      add_neighbor(decision.binding, static_cast<int>(scratch.soft.neighbor_of(k)));
+  add_binding(scratch.demands, decision.target, decision.binding);
+}
+
+void Recorder::goes_around(Vec2 target, const PlanWorkspace::Scratch& scratch) const {
+  DecisionTrace& decision = record->decision;
+  record->has_target = true;
+  decision.target = decision.proposal = target;
+  if (target == decision.aim) return;
+  for (std::size_t k = 0; k < scratch.obstacles.size(); ++k) {
+    const PassiveObstacle& obstacle = scratch.obstacles[k];
+    if (contains(obstacle.obstacle, decision.aim - obstacle.v_new_B))
+      add_neighbor(decision.binding, static_cast<int>(k));
+  }
+  add_binding(scratch.demands, decision.target, decision.binding);
+}
+
+void Recorder::proposes(Vec2 proposal) const {
+  record->decision.proposal = proposal;
+}
+
+void Recorder::asks(Vec2 proposal) const {
+  record->decision.proposal = proposal;
+  record->asked = &record->decision.refusing;
+}
+
+void Recorder::asks_off(Vec2 detour) const {
+  record->decision.detour = detour;
+  record->decision.refusing_detour.clear();
+  record->asked = &record->decision.refusing_detour;
+}
+
+void Recorder::is_refused(const StepLaw& law, const CertificateConstraints& constraints) const {
+  std::vector<Cause>& refusing = *record->asked;
+  add_refusing(constraints.trajectories, constraints.path, law, refusing);
+  for (const DiscConstraints& disc : constraints.footprint.all())
+    add_refusing(disc.trajectories, disc.path, law, refusing);
+  for (const LoiterLine& line : constraints.loiterers)
+    if (!keeps_loiterers({&line, 1}, constraints.path, law)) add_neighbor(refusing, line.neighbor);
+  add_refusing(constraints.walls, constraints.path, law, refusing);
+  for (const DiscConstraints& disc : constraints.footprint.all())
+    add_refusing(disc.walls, disc.path, law, refusing);
+  add_broken(constraints.invariant.broken, constraints.walls.broken, refusing);
+}
+
+void Recorder::is_refused(const Robot& robot, const FlightConstraints& constraints,
+                          const FlightStep& step) const {
+  std::vector<Cause>& refusing = record->decision.refusing;
+  for (const SeparatingLine& line : constraints.lines)
+    if (!keeps_flight({{line}, {}}, robot, step)) add_neighbor(refusing, line.neighbor);
+  for (std::size_t k = 0; k < constraints.walls.size(); ++k)
+    if (!keeps_flight({{}, {constraints.walls[k]}}, robot, step))
+      add(refusing, {-1, static_cast<int>(k)});
+  add_broken(constraints.broken, constraints.broken_wall, refusing);
+}
+
+void Recorder::evades(const CertificateLaw& law, const Robot& robot,
+                      std::span<const Neighbor> neighbors, EvasionWorkspace& workspace,
+                      const Plan& plan) const {
+  if (!plan.evading) return;
+  record->decision.evasion = workspace.chosen;
+  record->decision.evasion->neighbor =
+      find_evaded(law, robot, neighbors, workspace.put_aside, workspace);
+}
+
 }  // namespace avo::inline planner
 
 namespace avo {
+namespace {
+
+// Numbers the neighbors as given, not in the order of planning.
+void number_as_given(std::span<const Neighbor> given, const Neighbors& planned,
+                     DecisionTrace& trace) {
+  const auto number = [&](int& neighbor) {
+    if (neighbor >= 0) neighbor = index_in(given, planned[static_cast<std::size_t>(neighbor)]);
+  };
+  number(trace.heeded);
+  for (std::vector<Cause>* causes : {&trace.binding, &trace.refusing, &trace.refusing_detour})
+    for (Cause& cause : *causes) number(cause.neighbor);
+  if (trace.evasion) number(trace.evasion->neighbor);
+}
+
+// What wheels cannot follow is refused as well.
+void add_own_motion(const Robot& robot, DecisionTrace& trace) {
+  std::vector<Cause>& last = trace.detour ? trace.refusing_detour : trace.refusing;
+  const bool is_refused = trace.plan.status == PlanStatus::refused && !trace.plan.evading;
+  if (is_refused && last.empty() && !is_holonomic(robot.model)) last.push_back({});
+}
+
+}  // namespace
 
 DecisionTrace Planner::explain(const Robot& robot, std::span<const Neighbor> neighbors,
                                PlanWorkspace& workspace, Detour* detour,
                                std::span<const Wall> walls) const {
-  PlanWorkspace::Scratch& scratch = PlanWorkspace::Scratch::of(workspace);
-  scratch.demands.clear();
-  scratch.certified.proposal.reset(), scratch.certified.detour.reset();
-  scratch.passive_choice.reset();
-  DecisionTrace trace;
-  trace.plan = plan(robot, neighbors, workspace, detour, walls);
+  TraceRecord record;
+  DecisionTrace& trace = record.decision;
   trace.preferred_velocity = trace.wish = trace.aim = robot.preferred_velocity;
-  trace.target = trace.proposal = trace.plan.next_velocity;
-  if (trace.plan.status == PlanStatus::invalid_input) return trace;
-  const RobotColumns& columns = scratch.alone.robots;
-  Robot used = robot;
-  used.velocity = columns.velocity(0);
-  used.preferred_velocity = {columns.preferred_x[0], columns.preferred_y[0]};
-  const Decided decided{*this, used, neighbors, walls, detour, scratch};
-  if (columns.count == 0) {
-    trace_union(decided, trace);
-  } else {
-    trace_program(decided, trace);
-  }
-  if (can_rest(robot.model)) {
-    trace_certificate(decided, trace);
-  } else {
-    trace_flight(decided, trace);
-  }
-  if (trace.plan.evading) trace_evasion(decided, trace);
+  const DecisionTrace undecided = trace;
+  PlanWorkspace::Scratch::of(workspace).demands.clear();
+  const Plan plan =
+      plan_alone(*this, robot, neighbors, workspace, detour, walls, Recorder{&record});
+  if (plan.status == PlanStatus::invalid_input) trace = undecided;
+  trace.plan = plan;
+  if (!record.has_target) trace.target = trace.proposal = plan.next_velocity;
+  if (plan.status == PlanStatus::invalid_input) return trace;
+  number_as_given(neighbors, PlanWorkspace::Scratch::of(workspace).alone.robots.neighbors[0],
+                  trace);
+  add_own_motion(robot, trace);
   return trace;
 }
 

@@ -13,6 +13,7 @@
 #include "sim/clocks.h"
 #include "sim/columns/fleet_mirror.h"
 #include "sim/host/nearby.h"
+#include "sim/sensing/index.h"
 #include "sim/world.h"
 
 namespace avo {
@@ -25,7 +26,8 @@ struct Simulation::State : World {
   std::atomic<Columns> mirrored = Columns{};
   FleetMirror mirror;
   std::uint64_t roster = next_roster();
-  bool has_claims = false;  // of the present generation, for readers
+  bool has_claims = false;    // of the present generation, for readers
+  bool has_snapshot = false;  // of the present places, for readers
   Nearby nearby;
   std::vector<Claims> present_claims;
 
@@ -34,6 +36,13 @@ struct Simulation::State : World {
     if (is_current) return;
     const Lock lock(looking);
     avo::catch_up(*this);
+  }
+  /// Lets readers sense what robots sense now.
+  void look_at_present() {
+    catch_up();
+    const Lock lock(looking);
+    if (!has_snapshot) avo::look_at_present(*this);
+    has_snapshot = true;
   }
   /// The claims of passages as they are now, for readers.
   std::span<const Claims> claims_now() {
@@ -65,7 +74,7 @@ struct Simulation::State : World {
   void forget_discs() { nearby.has_discs = false; }
   void forget_views() {
     mirrored = Columns{};
-    has_claims = false;
+    has_claims = has_snapshot = false;
   }
   void forget_robots() {
     forget_views();
@@ -77,7 +86,7 @@ struct Simulation::State : World {
     const Columns copied = mirrored;
     if (copied != Columns{})
       mirror.renew(fleet, static_cast<std::size_t>(fleet.rank[*fleet.slot(robot)]), copied);
-    has_claims = false;
+    has_claims = has_snapshot = false;
   }
 
   static std::uint64_t next_roster() {

@@ -53,8 +53,11 @@ struct alignas(128) Worker {
   // what the robots of a tile remember besides tile.detour: in the fleet, or in a copy
   std::vector<Travel*> travels;          // where there are routes
   std::vector<std::uint8_t*> has_stood;  // where some share room at their goals
-  Guide* told = nullptr;                 // where the only robot of a tile is explained
-  Occupied occupied;                     // of one robot, see place_near()
+  // where the only robot of a tile is explained: what leads it, and who its neighbors are, as in
+  // Sighting::source
+  Guide* told = nullptr;
+  std::vector<int>* sources = nullptr;
+  Occupied occupied;        // of one robot, see place_near()
   std::vector<Vec2> lost;   // m, see own_error(); of a tile, where there is localization
   std::vector<Wall> walls;  // the walls as those robots then see them
   bool fast = false;        // whether it moved a robot that exceeds its max_speed

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Explanations of decisions in the built-in scenes: each ends in what the robot does, each stage
-// follows from the one before it, and robots that stand have a reason with a name.
+// Explanations of decisions, of every robot of the pinned runs and of other built-in scenes. Each
+// explanation ends in what the robot does, and each stage follows from the one before it. Robots
+// that stand have a reason with a name.
 #include <algorithm>
 #include <array>
 #include <bit>
@@ -13,6 +14,7 @@
 #include "avo/explanation.h"
 #include "avo/simulation.h"
 #include "avo_io/scene.h"
+#include "hashes/pinned_runs.h"
 
 namespace avo_test {
 namespace {
@@ -24,13 +26,34 @@ using avo::Vec2;
 
 constexpr double kTolerance = 1e-6;  // m/s
 
-const std::vector<std::string>& scenes() {
-  static const std::vector<std::string> all{
-      "circle-24",   "doorway",          "office",         "corridor-one-lane", "bottleneck",
-      "maze",        "mixed-yard",       "planes-12",      "drives-100",        "cars-100",
-      "mixed-fleet", "crossing-streams", "person",         "moving-obstacle",   "reversing-cars",
-      "swap-blocks", "circle-100",       "crowdnav-circle"};
+struct ExplainedRun {
+  std::string scene;
+  std::vector<std::string> overrides = {};
+};
+
+// The pinned runs, other scenes, and the scene of the doorway and of movers by each method.
+std::vector<ExplainedRun> runs() {
+  std::vector<ExplainedRun> all;
+  for (const PinnedRun& run : pinned_runs()) all.push_back({run.scene, run.overrides});
+  for (const char* scene :
+       {"circle-24", "doorway", "office", "corridor-one-lane", "bottleneck", "maze", "mixed-fleet",
+        "crossing-streams", "moving-obstacle", "crowdnav-circle"})
+    all.push_back({scene});
+  for (const avo::Method method :
+       {avo::Method::avo_paper, avo::Method::velocity_obstacle, avo::Method::orca,
+        avo::Method::orca_clamped, avo::Method::reciprocal_velocity_obstacle,
+        avo::Method::buffered_voronoi})
+    for (const char* scene : {"doorway", "moving-obstacle", "circle-24", "drives-100"})
+      all.push_back({scene, {std::string("method=") + to_string(method)}});
+  all.push_back({"uniform-1000", {"method=avo_paper"}});
+  all.push_back({"circle-24", {"clock=free"}});
   return all;
+}
+
+std::string name_of(const ExplainedRun& run) {
+  std::string name = run.scene;
+  for (const std::string& setting : run.overrides) name += " " + setting.substr(0, 40);
+  return name;
 }
 
 void run_to(Simulation& simulation, double time) {
@@ -53,6 +76,7 @@ std::array<std::uint64_t, 2> bits_of(Vec2 v) {
 
 struct Counts {
   int decisions = 0, binding = 0, refusing = 0, detours = 0, evasions = 0, rules = 0;
+  int refusing_flight = 0;
 };
 
 // With those that refuse left out, the certificate admits the velocity; with them it does not.
@@ -105,6 +129,11 @@ void expect_stages(const Explanation& why, const avo::Planner& planner, Counts& 
   EXPECT_EQ(decision.preferred_velocity, why.seen.robot.preferred_velocity);
   const bool is_changed = decision.wish != decision.preferred_velocity;
   EXPECT_EQ(decision.rule != avo::WishRule::none, is_changed) << why.sentence;
+  if (!can_rest(why.seen.robot.model) && !decision.plan.evading &&
+      (status == PlanStatus::refused || status == PlanStatus::braking)) {
+    ++counts.refusing_flight;
+    EXPECT_FALSE(decision.refusing.empty()) << why.sentence;
+  }
   if (why.seen.stop || status == PlanStatus::overlapping || !can_rest(why.seen.robot.model)) return;
   if (!why.seen.among_movers && !avo::avoids_union(planner.options().method) &&
       !(decision.plan.violation > 0.0))
@@ -123,12 +152,14 @@ void expect_stages(const Explanation& why, const avo::Planner& planner, Counts& 
 
 TEST(Explanations, end_in_what_the_robot_does_and_each_stage_follows) {
   Counts counts;
-  for (const std::string& name : scenes()) {
-    Simulation simulation(avo_io::load_scenario(name), 1);
+  for (const ExplainedRun& run : runs()) {
+    Simulation simulation(avo_io::load_scenario(run.scene, run.overrides), 1);
+    const std::string name = name_of(run);
     for (const double time : {0.0, 2.5, 6.0, 9.0, 14.0, 22.0}) {
       run_to(simulation, time);
       std::vector<Explanation> all;
-      for (const avo::RobotId i : some_of(simulation, 12)) all.push_back(simulation.explain({i}));
+      for (const avo::RobotId robot : some_of(simulation, simulation.size()))
+        all.push_back(simulation.explain(robot));
       const double now = simulation.time();
       simulation.step();
       for (const Explanation& why : all) {
@@ -145,12 +176,13 @@ TEST(Explanations, end_in_what_the_robot_does_and_each_stage_follows) {
       }
     }
   }
-  EXPECT_GT(counts.decisions, 800);
-  EXPECT_GT(counts.binding, 100);
-  EXPECT_GT(counts.refusing, 50);
-  EXPECT_GT(counts.detours, 20);
-  EXPECT_GT(counts.evasions, 3);
-  EXPECT_GT(counts.rules, 100);
+  EXPECT_GT(counts.decisions, 20000);
+  EXPECT_GT(counts.binding, 10000);
+  EXPECT_GT(counts.refusing, 1000);
+  EXPECT_GT(counts.detours, 800);
+  EXPECT_GT(counts.evasions, 4);
+  EXPECT_GT(counts.rules, 10000);
+  EXPECT_GT(counts.refusing_flight, 2);
 }
 
 bool has_name(const std::string& sentence) {
@@ -159,31 +191,69 @@ bool has_name(const std::string& sentence) {
   return false;
 }
 
-TEST(Explanations, of_robots_that_stand_have_a_reason_and_a_name) {
-  int standing = 0;
+// Robots at rest by what holds them: each kind must be among those that are asked.
+struct Standing {
+  int all = 0, beside_walls = 0, at_passages = 0, beside_movers = 0, at_shared_goals = 0;
+
+  void count(const Explanation& why) {
+    const auto& seen = why.seen;
+    const bool has_movers =
+        std::any_of(seen.neighbors.begin(), seen.neighbors.end(),
+                    [](const auto& n) { return n.behavior == avo::Behavior::moves_on; });
+    ++all;
+    beside_walls += seen.walls.empty() ? 0 : 1;
+    at_passages += seen.wait ? 1 : 0;
+    beside_movers += has_movers ? 1 : 0;
+    at_shared_goals += seen.stop || seen.guide == avo::Guide::place ? 1 : 0;
+  }
+};
+
+// Crowds in scenes with walls and passages, a door in which a mover stands, and the circle with one
+// goal for all.
+std::vector<avo::Scenario> crowds() {
+  std::vector<avo::Scenario> all;
   for (const char* name : {"doorway", "office", "corridor-one-lane", "bottleneck", "maze",
-                           "circle-100", "drives-100", "mixed-yard", "swap-blocks", "cars-100"}) {
-    Simulation simulation(avo_io::load_scenario(name), 1);
+                           "circle-100", "drives-100", "mixed-yard", "swap-blocks", "cars-100"})
+    all.push_back(avo_io::load_scenario(name));
+  avo::Scenario& blocked = all.emplace_back(avo_io::load_scenario("doorway"));
+  blocked.moving_obstacles.push_back({.radius = 0.6});
+  avo::Scenario& shared = all.emplace_back(avo_io::load_scenario("circle-24"));
+  for (avo::RobotSetup& robot : shared.robots) robot.goal = {};
+  return all;
+}
+
+void expect_reason_and_name(const Explanation& why) {
+  const std::string& sentence = why.sentence;
+  bool is_vague = false;
+  for (const char* words : {"others stand", "before others", "by others", "of others"})
+    is_vague = is_vague || sentence.find(words) != std::string::npos;
+  EXPECT_TRUE(has_name(sentence) && !is_vague) << why.time << ": " << sentence;
+}
+
+TEST(Explanations, of_robots_that_stand_have_a_reason_and_a_name) {
+  Standing standing;
+  for (const avo::Scenario& scene : crowds()) {
+    Simulation simulation(scene, 1);
     for (double time = 1.0; time < 40.0; time += 1.9) {
       run_to(simulation, time);
       for (const avo::RobotId i : some_of(simulation, 40)) {
-        const avo::RobotState robot = simulation.robot({i});
-        const bool rests = norm(robot.velocity) < 0.01 * simulation.setup({i}).max_speed;
-        if (!rests || simulation.is_at_goal({i})) continue;
-        const std::string sentence = simulation.explain({i}).sentence;
-        const bool gets_on = sentence.find("turns on the spot") != std::string::npos ||
-                             sentence.find(" starts: ") != std::string::npos;
+        const avo::RobotState robot = simulation.robot(i);
+        const bool rests = norm(robot.velocity) < 0.01 * simulation.setup(i).max_speed;
+        if (!rests || simulation.is_at_goal(i)) continue;
+        const Explanation why = simulation.explain(i);
+        const bool gets_on = why.sentence.find("turns on the spot") != std::string::npos ||
+                             why.sentence.find(" starts: ") != std::string::npos;
         if (gets_on) continue;
-        ++standing;
-        const bool is_vague = sentence.find("others stand") != std::string::npos ||
-                              sentence.find("before others") != std::string::npos ||
-                              sentence.find("by others") != std::string::npos;
-        EXPECT_TRUE(has_name(sentence) && !is_vague)
-            << name << " " << simulation.time() << ": " << sentence;
+        standing.count(why);
+        expect_reason_and_name(why);
       }
     }
   }
-  EXPECT_GT(standing, 200);
+  EXPECT_GT(standing.all, 200);
+  EXPECT_GT(standing.beside_walls, 10);
+  EXPECT_GT(standing.at_passages, 10);
+  EXPECT_GT(standing.beside_movers, 50);
+  EXPECT_GT(standing.at_shared_goals, 10);
 }
 
 TEST(Explanations, name_the_door_and_the_robot_that_a_robot_waits_for) {

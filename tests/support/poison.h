@@ -20,10 +20,10 @@ class Poison {
 
   void operator()(PlanWorkspace& workspace) const {
     auto& [soft, decisions, programs, rows, demands, hard_and_soft, obstacles, order, ordered,
-           alone, listed, movers, passive, passive_choice, certified, flight, evasion, steering] =
+           alone, listed, movers, passive, certified, flight, evasion, steering] =
         PlanWorkspace::Scratch::of(workspace);
-    each(soft, decisions, rows, demands, hard_and_soft, order, alone, passive_choice, certified,
-         flight, evasion, steering);
+    each(soft, decisions, rows, demands, hard_and_soft, order, alone, certified, flight, evasion,
+         steering);
     // one robot has no programs; the others are lists, which are cleared before they are read
     static_cast<void>(programs), static_cast<void>(obstacles), static_cast<void>(ordered);
     static_cast<void>(listed), static_cast<void>(movers), static_cast<void>(passive);
@@ -44,7 +44,6 @@ class Poison {
   void spoil(ProgramState& x) const { x = ProgramState::discs_disjoint; }
   void spoil(PairState& x) const { x = PairState::coincident; }
   void spoil(Vec2& x) const { each(x.x, x.y); }
-  void spoil(std::optional<Vec2>& x) const { x = Vec2{number_, number_}; }
   void spoil(HalfPlane& x) const { each(x.normal, x.offset); }
   void spoil(Segment& x) const { each(x.a, x.b); }
   template <typename T>
@@ -114,8 +113,8 @@ class Poison {
          new_y, a_x, a_y, is_free);
   }
   void spoil(Demands& demands) const {
-    auto& [planes, excess, overlapping, out] = demands;
-    each(planes, excess, overlapping, out);
+    auto& [planes, excess, wall, overlapping, out] = demands;
+    each(planes, excess, wall, overlapping, out);
   }
   void spoil(FlightConstraints& flight) const {
     auto& [lines, walls, slack, broken, broken_wall] = flight;
@@ -183,8 +182,8 @@ class Poison {
     each(neighbor, normal, offset, begin);
   }
   void spoil(NearWall& wall) const {
-    auto& [segment, distance, held, margin, normal, cone] = wall;
-    each(segment, distance, held, margin, normal, cone);
+    auto& [segment, distance, held, margin, normal, cone, index] = wall;
+    each(segment, distance, held, margin, normal, cone, index);
   }
   void spoil(WallConstraints& walls) const {
     auto& [near, middle, stop, backup, first, broken, doubtful, must_brake] = walls;
@@ -233,8 +232,8 @@ class Poison {
     each(invariant, trajectories, loiterers, walls, path, near, alone, seen);
   }
   void spoil(CertifiedWorkspace& certified) const {
-    auto& [constraints, hard, rows, proposal, detour] = certified;
-    each(constraints, hard, rows, proposal, detour);
+    auto& [constraints, hard, rows] = certified;
+    each(constraints, hard, rows);
   }
 
   void spoil(Predicted& other) const {

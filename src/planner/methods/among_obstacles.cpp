@@ -51,9 +51,10 @@ Pair pair_of_discs(const Discs& discs, const Neighbor& neighbor) {
 
 }  // namespace
 
+template <typename Trace>
 Plan decide_among_obstacles(const Planner& planner, const Robot& robot,
                             std::span<const Neighbor> given, std::span<const Wall> walls,
-                            PlanWorkspace::Scratch& scratch) {
+                            PlanWorkspace::Scratch& scratch, Trace trace) {
   const PlannerOptions& options = planner.options();
   if (!all_valid(robot, given) || !follows_heading(robot) || !can_follow(robot, given, options)) {
     return brake(planner, robot, PlanStatus::invalid_input, 0.0);
@@ -99,10 +100,11 @@ Plan decide_among_obstacles(const Planner& planner, const Robot& robot,
                            robot.preferred_velocity, scratch.passive);
   if (method_traits(options.method).clamps && !goes_through_certificate(options))
     choice = clamped(choice, robot, options.time_step, scratch.passive.limits);
-  scratch.passive_choice = choice.velocity;
+  trace.goes_around(choice.velocity, scratch);
   Plan plan;
   if (goes_through_certificate(options)) {
-    plan = certify_among_movers(planner, robot, obstacles, walls, choice, overlapping, scratch);
+    plan =
+        certify_among_movers(planner, robot, obstacles, walls, choice, overlapping, scratch, trace);
   } else {
     const double violation =
         with_excess(demands.planes, demands.excess, choice.velocity, choice.violation);
@@ -116,6 +118,11 @@ Plan decide_among_obstacles(const Planner& planner, const Robot& robot,
     plan.neighbor = index_in(given, obstacles[static_cast<std::size_t>(plan.neighbor)]);
   return plan;
 }
+
+template Plan decide_among_obstacles(const Planner&, const Robot&, std::span<const Neighbor>,
+                                     std::span<const Wall>, PlanWorkspace::Scratch&, NoTrace);
+template Plan decide_among_obstacles(const Planner&, const Robot&, std::span<const Neighbor>,
+                                     std::span<const Wall>, PlanWorkspace::Scratch&, Recorder);
 
 }  // namespace avo::inline planner
 
@@ -137,8 +144,8 @@ Plan Planner::plan_among_movers(const Robot& robot, std::span<const Neighbor> ob
     }
     return plan(robot, movers, workspace);
   }
-  const Plan plan =
-      decide_among_obstacles(*this, steering, obstacles, {}, PlanWorkspace::Scratch::of(workspace));
+  const Plan plan = decide_among_obstacles(*this, steering, obstacles, {},
+                                           PlanWorkspace::Scratch::of(workspace), NoTrace{});
   return with_next_velocity(*this, robot, as_followed(*this, robot, plan));
 }
 

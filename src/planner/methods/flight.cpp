@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "planner/stages/certify.h"
+#include "planner/trace.h"
 #include "robots/ahead.h"
 
 namespace avo::inline planner {
@@ -60,9 +61,10 @@ Plan loiter_on(const Planner& planner, const Robot& robot, PlanStatus status, do
   return plan_of(planner, robot, loitering(robot.model, state_of(on_circle)), status, violation);
 }
 
+template <typename Trace>
 Plan fly_towards(const Planner& planner, const Robot& given, const Neighbors& neighbors,
                  std::span<const Wall> walls, const FlightTarget& flight,
-                 FlightConstraints& constraints) {
+                 FlightConstraints& constraints, Trace trace) {
   const Robot robot = with_circle(given);
   const CertificateLaw law = certificate_law(planner);
   collect_flight(robot, neighbors, walls, law.step, constraints);
@@ -72,14 +74,17 @@ Plan fly_towards(const Planner& planner, const Robot& given, const Neighbors& ne
   const MotionState state = state_of(robot);
   const MotionLimits limits{robot.max_acceleration, robot.max_speed};
   const Vec2 h = ahead_of(robot.heading), n = perpendicular(h);
+  const auto step_of = [&](Vec2 acceleration) {
+    return fly_along(robot.model, limits, state, h, acceleration, law.step.time_step);
+  };
   const auto admitted = [&](Vec2 acceleration) {
-    if (!certified) return true;
-    return keeps_flight(constraints, robot,
-                        fly_along(robot.model, limits, state, h, acceleration, law.step.time_step));
+    return !certified || keeps_flight(constraints, robot, step_of(acceleration));
   };
   const Controls wanted = wanted_controls(planner, robot, flight.target);
   const Vec2 first = wanted.ahead * h + wanted.left * n;
+  if constexpr (Trace::is_on) trace.proposes(step_of(first).motion.next.velocity);
   if (admitted(first)) return plan_of(planner, robot, first, best, flight.violation);
+  if constexpr (Trace::is_on) trace.is_refused(robot, constraints, step_of(first));
   const TriedControls tried = controls_near(robot, wanted);
   for (std::size_t k = 0; k < tried.count; ++k) {
     const Vec2 acceleration = tried.controls[k].ahead * h + tried.controls[k].left * n;
@@ -88,6 +93,11 @@ Plan fly_towards(const Planner& planner, const Robot& given, const Neighbors& ne
   }
   return loiter_on(planner, robot, PlanStatus::braking, flight.violation);
 }
+
+template Plan fly_towards(const Planner&, const Robot&, const Neighbors&, std::span<const Wall>,
+                          const FlightTarget&, FlightConstraints&, NoTrace);
+template Plan fly_towards(const Planner&, const Robot&, const Neighbors&, std::span<const Wall>,
+                          const FlightTarget&, FlightConstraints&, Recorder);
 
 bool is_on_circle(const Neighbor& neighbor) {
   const auto& [center, radius] = *neighbor.loiter;

@@ -18,9 +18,10 @@ struct FlightTarget {
 
 /// The controls nearest to the target that keep clear of all neighbors that decide and of the
 /// walls. If there are none, it is the circle that the robot is on.
+template <typename Trace>
 Plan fly_towards(const Planner& planner, const Robot& robot, const Neighbors& neighbors,
                  std::span<const Wall> walls, const FlightTarget& flight,
-                 FlightConstraints& constraints);
+                 FlightConstraints& constraints, Trace trace);
 
 /// m/s², along the heading and to its left.
 struct Controls {

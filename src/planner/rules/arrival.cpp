@@ -145,9 +145,7 @@ PushRule push_rule(const Robot& robot, bool is_beside, const PlannerOptions& opt
   return {false, kPush, yields_to_all(robot, detour, arrival_distance) ? kPushAtRest : 0.0};
 }
 
-Vec2 wish_of(const Robot& robot, Vec2 kept_right, const Traffic& traffic,
-             const PlannerOptions& options, Detour& detour) {
-  const PushRule rule = push_rule(robot, traffic.is_beside, options, detour);
+Vec2 wish_of(const Robot& robot, Vec2 kept_right, const Traffic& traffic, const PushRule& rule) {
   if (rule.settles) return (kPush * robot.max_speed) * traffic.push;
   return kept_right +
          robot.max_speed * (kPush * traffic.push + rule.at_rest * traffic.push_at_rest);

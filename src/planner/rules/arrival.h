@@ -73,8 +73,7 @@ PushRule push_rule(const Robot& robot, bool is_beside, const PlannerOptions& opt
 
 /// [m/s] The wish of a robot: the velocity that keeps right, or 0 where it has settled. In both
 /// cases it moves aside for neighbors that push.
-Vec2 wish_of(const Robot& robot, Vec2 kept_right, const Traffic& traffic,
-             const PlannerOptions& options, Detour& detour);
+Vec2 wish_of(const Robot& robot, Vec2 kept_right, const Traffic& traffic, const PushRule& rule);
 
 /// a turned clockwise by an angle in [0, π) rad, approximately; its length is kept.
 Vec2 turned_right(Vec2 a, double angle);

@@ -26,26 +26,29 @@ double part_left(const Certifying& decision, const CertifiedChoice& choice, Vec2
     return 1.0;  // part_of_wish() of the velocity that an unhindered robot would reach
   const Vec2 unhindered = decision.reached(aim);
   if (turns_at_rest(decision.robot))
-    return part_of_wish(choose_as_turned(decision, unhindered).next_velocity, unhindered, wish);
+    return part_of_wish(choose_as_turned(decision, unhindered, NoTrace{}).next_velocity, unhindered,
+                        wish);
   if (choice.chosen != Chosen::wanted) return part_of_wish(choice.next_velocity, unhindered, wish);
   const Vec2 next = v_new == aim ? unhindered : decision.reached(v_new);
   return part_of_wish(next, unhindered, wish);
 }
 
 // The choice as far off the route as the detour has led, within the half-planes.
-CertifiedChoice choose_as_far_off(const Certifying& decision, const Detour& detour) {
+template <typename Trace>
+CertifiedChoice choose_as_far_off(const Certifying& decision, const Detour& detour, Trace trace) {
   const Robot& robot = decision.robot;
   const Vec2 turned = within_steering(robot, turned_right(decision.wished.wish, detour.angle));
   const Vec2 v_new = solved(decision, decision.wished.half_planes, turned);
   const Vec2 off = decision.gently(v_new);
-  decision.certified.detour = off;
-  return choose_admitted(decision, off, Follows::surely);
+  trace.asks_off(off);
+  return choose_admitted(decision, off, Follows::surely, trace);
 }
 
 // The choice on the detour that the certificate alone admits. It gradually replaces `choice` as
 // less of the route is left.
+template <typename Trace>
 CertifiedChoice choose_detour(const Certifying& decision, const CertifiedChoice& choice,
-                              double left, Detour& detour) {
+                              double left, Detour& detour, Trace trace) {
   const Robot& robot = decision.robot;
   const std::span<const HalfPlane> walls = decision.wished.walls;
   const Vec2 turned = within_steering(robot, turned_right(decision.wished.wish, detour.angle));
@@ -53,8 +56,8 @@ CertifiedChoice choose_detour(const Certifying& decision, const CertifiedChoice&
   const double kept = std::clamp((left - kStuck) / (kFree - kStuck), 0.0, 1.0);
   const Vec2 off = decision.smoothly(v_new);
   const Vec2 wanted = off + kept * (choice.next_velocity - off);
-  decision.certified.detour = wanted;
-  const CertifiedChoice next = choose_admitted(decision, wanted, Follows::perhaps);
+  trace.asks_off(wanted);
+  const CertifiedChoice next = choose_admitted(decision, wanted, Follows::perhaps, trace);
   if (left < kBlocked && part_left(decision, next, v_new, turned, turned) < kBlocked)
     turn_off(detour, robot, decision.law.step.time_step, !walls.empty());
   return next;
@@ -62,11 +65,12 @@ CertifiedChoice choose_detour(const Certifying& decision, const CertifiedChoice&
 
 }  // namespace
 
-CertifiedChoice choose_and_arrive(const Certifying& decision, Detour& detour) {
+template <typename Trace>
+CertifiedChoice choose_and_arrive(const Certifying& decision, Detour& detour, Trace trace) {
   const Robot& robot = decision.robot;
   const Wished& wished = decision.wished;
-  decision.certified.proposal = wished.next;
-  const CertifiedChoice choice = choose_admitted(decision, wished.next, Follows::surely);
+  trace.asks(wished.next);
+  const CertifiedChoice choice = choose_admitted(decision, wished.next, Follows::surely, trace);
   // robots that coincide part by their half-planes, where that is possible at all: on detours from
   // one place to one goal they would stay together
   const bool parts = wished.coinciding && choice.next_velocity != Vec2{};
@@ -77,10 +81,13 @@ CertifiedChoice choose_and_arrive(const Certifying& decision, Detour& detour) {
   const double left = part_left(decision, choice, wished.target, wished.aim, wished.wish);
   if (left >= kBlocked) turn_back(detour, robot, decision.law.step.time_step);
   const bool turns = left > kStuck && detour.angle > 0.0F;
-  CertifiedChoice next = turns ? choose_as_far_off(decision, detour) : choice;
-  if (left < kFree) next = choose_detour(decision, next, left, detour);
+  CertifiedChoice next = turns ? choose_as_far_off(decision, detour, trace) : choice;
+  if (left < kFree) next = choose_detour(decision, next, left, detour, trace);
   if ((turns || left < kFree) && next.chosen == Chosen::wanted) next.chosen = Chosen::detour;
   return next;
 }
+
+template CertifiedChoice choose_and_arrive(const Certifying&, Detour&, NoTrace);
+template CertifiedChoice choose_and_arrive(const Certifying&, Detour&, Recorder);
 
 }  // namespace avo::inline planner

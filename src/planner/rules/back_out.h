@@ -7,6 +7,7 @@
 namespace avo::inline planner {
 
 /// The choice for the wish, or on a detour. Updates the angle of the detour.
-CertifiedChoice choose_and_arrive(const Certifying& decision, Detour& detour);
+template <typename Trace>
+CertifiedChoice choose_and_arrive(const Certifying& decision, Detour& detour, Trace trace);
 
 }  // namespace avo::inline planner

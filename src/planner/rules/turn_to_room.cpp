@@ -9,16 +9,21 @@ bool turns_at_rest(const Robot& robot) {
   return robot.velocity == Vec2{} && turns_unnoticed(robot.model);
 }
 
-CertifiedChoice choose_as_turned(const Certifying& decision, Vec2 wanted) {
+template <typename Trace>
+CertifiedChoice choose_as_turned(const Certifying& decision, Vec2 wanted, Trace trace) {
   Robot turned = decision.robot;
   turned.model = Holonomic{};
-  return choose_certified(turned, wanted, decision.law, decision.certified);
+  return choose_certified(turned, wanted, decision.law, decision.certified, Follows::perhaps,
+                          trace);
 }
 
-CertifiedChoice choose_admitted(const Certifying& decision, Vec2 wanted, Follows follows) {
+template <typename Trace>
+CertifiedChoice choose_admitted(const Certifying& decision, Vec2 wanted, Follows follows,
+                                Trace trace) {
   if (!turns_at_rest(decision.robot) || wanted == Vec2{})
-    return choose_certified(decision.robot, wanted, decision.law, decision.certified, follows);
-  const Vec2 later = choose_as_turned(decision, wanted).next_velocity;
+    return choose_certified(decision.robot, wanted, decision.law, decision.certified, follows,
+                            trace);
+  const Vec2 later = choose_as_turned(decision, wanted, trace).next_velocity;
   CertifiedChoice choice =
       choose_certified(decision.robot, later, decision.law, decision.certified);
   if (choice.chosen == Chosen::backup && later != Vec2{})
@@ -27,5 +32,9 @@ CertifiedChoice choose_admitted(const Certifying& decision, Vec2 wanted, Follows
   if (later != wanted && choice.chosen == Chosen::wanted) choice.chosen = Chosen::candidate;
   return choice;
 }
+
+template CertifiedChoice choose_as_turned(const Certifying&, Vec2, NoTrace);
+template CertifiedChoice choose_admitted(const Certifying&, Vec2, Follows, NoTrace);
+template CertifiedChoice choose_admitted(const Certifying&, Vec2, Follows, Recorder);
 
 }  // namespace avo::inline planner

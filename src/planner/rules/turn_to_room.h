@@ -10,11 +10,14 @@ namespace avo::inline planner {
 bool turns_at_rest(const Robot& robot);
 
 /// The choice of such a robot: what would be admitted once it has turned.
-CertifiedChoice choose_as_turned(const Certifying& decision, Vec2 wanted);
+template <typename Trace>
+CertifiedChoice choose_as_turned(const Certifying& decision, Vec2 wanted, Trace trace);
 
 /// The admitted velocity nearest to `wanted`, one step towards the choice of Eq. (23). A car that
 /// turns in place does not move, so anything is admitted. It would turn in vain towards a direction
 /// in which it may not drive then, and back again, for ever.
-CertifiedChoice choose_admitted(const Certifying& decision, Vec2 wanted, Follows follows);
+template <typename Trace>
+CertifiedChoice choose_admitted(const Certifying& decision, Vec2 wanted, Follows follows,
+                                Trace trace);
 
 }  // namespace avo::inline planner

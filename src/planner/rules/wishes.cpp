@@ -129,7 +129,9 @@ Vec2 aim_of(const PlannerOptions& options, const Execution& execution, const Til
 
 }  // namespace
 
-void make_wishes(const Planner& planner, const Tile& tile, DecisionColumns& decisions) {
+template <typename Trace>
+void make_wishes(const Planner& planner, const Tile& tile, DecisionColumns& decisions,
+                 Trace trace) {
   const PlannerOptions& options = planner.options();
   const RobotColumns& robots = tile.robots;
   decisions.reserve(robots.count);
@@ -159,13 +161,20 @@ void make_wishes(const Planner& planner, const Tile& tile, DecisionColumns& deci
       decisions.wish_x[i] = robots.preferred_x[i], decisions.wish_y[i] = robots.preferred_y[i];
       continue;
     }
+    trace.keeps_right(robots, i, decisions);
     if (!traffic.is_beside && detour.beside == 0.0F) continue;
     if (traffic.is_beside && has_discs(robots, i)) push_by_discs(robots, i, law, traffic);
     traffic.push = push_among_walls(tile, i, law, traffic.push);
-    const Vec2 wish = wish_of(robots.robot(i), decisions.wish(i), traffic, options, detour);
+    const Robot robot = robots.robot(i);
+    const PushRule rule = push_rule(robot, traffic.is_beside, options, detour);
+    const Vec2 wish = wish_of(robot, decisions.wish(i), traffic, rule);
+    trace.yields(robots, i, law, rule, wish);
     decisions.wish_x[i] = wish.x, decisions.wish_y[i] = wish.y;
   }
 }
+
+template void make_wishes(const Planner&, const Tile&, DecisionColumns&, NoTrace);
+template void make_wishes(const Planner&, const Tile&, DecisionColumns&, Recorder);
 
 void make_aims(const Planner& planner, const Execution& execution, const Tile& tile,
                DecisionColumns& decisions) {

@@ -8,7 +8,8 @@
 namespace avo::inline planner {
 
 /// Makes the wish of each robot; for method avo the rules for arriving turn it (docs/arrival.md).
-void make_wishes(const Planner& planner, const Tile& tile, DecisionColumns& decisions);
+template <typename Trace>
+void make_wishes(const Planner& planner, const Tile& tile, DecisionColumns& decisions, Trace trace);
 
 /// Makes the velocities that Eq. (23) is given in place of the wishes of gentle robots, and the
 /// changes in their last steps. On the route it is a part of the change to the wish, see

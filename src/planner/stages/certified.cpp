@@ -124,7 +124,8 @@ void append_cuts(const Proposals& proposals) {
 // Braking trajectories are not convex in v_1: the constraints that a proposal violates are added as
 // their tangents there. The last resort is the admitted point between the backup and the wanted
 // velocity that bisection finds.
-CertifiedChoice choose_by_cuts(const Proposals& proposals) {
+template <typename Trace>
+CertifiedChoice choose_by_cuts(const Proposals& proposals, Trace trace) {
   const bool rests = proposals.wanted == Vec2{} && proposals.robot.velocity == Vec2{};
   if (rests && is_admitted(proposals, {})) return {{}, Chosen::wanted};
   proposals.begin();
@@ -142,6 +143,7 @@ CertifiedChoice choose_by_cuts(const Proposals& proposals) {
       const bool wanted = round == 0 && candidate == result.point;
       return {candidate, wanted ? Chosen::wanted : Chosen::candidate};
     }
+    if (round == 0) trace.is_refused(proposals.law.step, proposals.workspace.constraints);
     if (is_last) break;
     append_cuts(proposals);
   }
@@ -187,9 +189,15 @@ bool may_choose(const Robot& robot, Vec2 next_velocity, const CertificateLaw& la
          is_admitted(proposals, followed(proposals, next_velocity));
 }
 
+template <typename Trace>
 CertifiedChoice choose_certified(const Robot& robot, Vec2 wanted, const CertificateLaw& law,
-                                 CertifiedWorkspace& workspace, Follows follows) {
-  return choose_by_cuts(proposals_of(robot, wanted, law, follows, workspace));
+                                 CertifiedWorkspace& workspace, Follows follows, Trace trace) {
+  return choose_by_cuts(proposals_of(robot, wanted, law, follows, workspace), trace);
 }
+
+template CertifiedChoice choose_certified(const Robot&, Vec2, const CertificateLaw&,
+                                          CertifiedWorkspace&, Follows, NoTrace);
+template CertifiedChoice choose_certified(const Robot&, Vec2, const CertificateLaw&,
+                                          CertifiedWorkspace&, Follows, Recorder);
 
 }  // namespace avo::inline planner

@@ -2,11 +2,11 @@
 // The next velocity nearest to a wanted velocity that the certificate admits.
 #pragma once
 #include <cstdint>
-#include <optional>
 #include <vector>
 
 #include "certificate/certificate.h"
 #include "lp/linear_program.h"
+#include "planner/trace.h"
 
 namespace avo::inline planner {
 
@@ -30,8 +30,6 @@ struct CertifiedWorkspace {
   CertificateConstraints constraints;
   std::vector<HalfPlane> hard;
   ProgramRows rows;  // of programs
-  // m/s: what the last decision asked for, on the route and off it, for reports
-  std::optional<Vec2> proposal, detour;
 };
 
 /// Whether the robot's model is known to follow a velocity: surely if within_own_limits() returned
@@ -40,8 +38,11 @@ enum class Follows : std::uint8_t { perhaps, surely };
 
 /// The velocity nearest to `wanted` with |v_1 - v| <= u and |v_1| <= v_max, as far as a few linear
 /// programs find it. It is always admitted, or the backup. workspace.constraints are the robot's.
+/// trace.is_refused() tells why the wanted velocity was not admitted.
+template <typename Trace = NoTrace>
 CertifiedChoice choose_certified(const Robot& robot, Vec2 wanted, const CertificateLaw& law,
-                                 CertifiedWorkspace& workspace, Follows follows = Follows::perhaps);
+                                 CertifiedWorkspace& workspace, Follows follows = Follows::perhaps,
+                                 Trace trace = {});
 
 /// Returns whether choose_certified() could choose the part of that velocity that the robot
 /// follows.

@@ -53,21 +53,28 @@ Plan plan_under(const CertificateLaw& law, const Robot& robot, Vec2 next_velocit
   return plan;
 }
 
+template <typename Trace>
 Plan certify(const Planner& planner, const CertificateLaw& law, const RobotColumns& robots,
              std::size_t i, const Haste& haste, const Wished& wished, CertifiedWorkspace& certified,
-             Detour& detour) {
+             Detour& detour, Trace trace) {
   const Robot robot = robots.robot(i);
   const Certifying decision{robot, law, haste, planner.acceleration_disc(robot), wished, certified};
   begin_constraints(robot, robots.neighbors[i], i, law, certified.constraints);
-  const CertifiedChoice choice = choose_and_arrive(decision, detour);
+  const CertifiedChoice choice = choose_and_arrive(decision, detour, trace);
   return plan_under(law, robot, choice.next_velocity,
                     certified_status(choice.chosen, wished.violation), wished.violation);
 }
 
+template Plan certify(const Planner&, const CertificateLaw&, const RobotColumns&, std::size_t,
+                      const Haste&, const Wished&, CertifiedWorkspace&, Detour&, NoTrace);
+template Plan certify(const Planner&, const CertificateLaw&, const RobotColumns&, std::size_t,
+                      const Haste&, const Wished&, CertifiedWorkspace&, Detour&, Recorder);
+
+template <typename Trace>
 Plan certify_among_movers(const Planner& planner, const Robot& robot,
                           std::span<const Neighbor> neighbors, std::span<const Wall> walls,
                           const PassiveChoice& target, bool overlapping,
-                          PlanWorkspace::Scratch& scratch) {
+                          PlanWorkspace::Scratch& scratch, Trace trace) {
   CertifiedWorkspace& certified = scratch.certified;
   const CertificateLaw law = certificate_law(planner);
   std::vector<Neighbor>& movers = scratch.movers;
@@ -83,8 +90,9 @@ Plan certify_among_movers(const Planner& planner, const Robot& robot,
   Haste haste = with_robots ? haste_of(robot, execution) : haste_at_once(robot, execution);
   haste.most *= model_traits(robot.model).reach;
   const Vec2 wanted = executed(robot.velocity, {}, target.velocity, haste);
-  certified.proposal = wanted;
-  const CertifiedChoice choice = choose_certified(robot, wanted, law, certified);
+  trace.asks(wanted);
+  const CertifiedChoice choice =
+      choose_certified(robot, wanted, law, certified, Follows::perhaps, trace);
   Plan plan = plan_under(law, robot, choice.next_velocity,
                          certified_status(choice.chosen, target.violation), target.violation);
   const CertificateConstraints& constraints = certified.constraints;
@@ -97,7 +105,15 @@ Plan certify_among_movers(const Planner& planner, const Robot& robot,
   const bool may_swerve = !with_robots && !planner.options().never_swerves;
   keep_a_way_out(law, robot, {movers, walls, planner.options().wall_range}, may_swerve,
                  scratch.evasion, plan);
+  trace.evades(law, robot, movers, scratch.evasion, plan);
   return plan;
 }
+
+template Plan certify_among_movers(const Planner&, const Robot&, std::span<const Neighbor>,
+                                   std::span<const Wall>, const PassiveChoice&, bool,
+                                   PlanWorkspace::Scratch&, NoTrace);
+template Plan certify_among_movers(const Planner&, const Robot&, std::span<const Neighbor>,
+                                   std::span<const Wall>, const PassiveChoice&, bool,
+                                   PlanWorkspace::Scratch&, Recorder);
 
 }  // namespace avo::inline planner

@@ -17,18 +17,6 @@
 namespace avo::inline planner {
 namespace {
 
-// Returns whether no neighbor can refuse the robot's choice, neither now nor on a detour that it
-// still follows.
-bool is_unhindered(const CertificateLaw& law, const Tile& tile, const NearPairs& near,
-                   std::size_t i) {
-  if (law.kind == Certificate::braking_trajectories) {
-    if (near.admits[i] == 0) return false;
-  } else if (law.kind != Certificate::none) {
-    return false;
-  }
-  return tile.robots.model[i] == nullptr && tile.detour[i]->angle == 0.0;
-}
-
 // m/s: the program's violation, or the larger excess of a neighbor with which everything within
 // reach collides.
 double most_violation(const SoftPlanes& soft, std::size_t i, double violation) {
@@ -37,37 +25,15 @@ double most_violation(const SoftPlanes& soft, std::size_t i, double violation) {
   return violation;
 }
 
-// Without a certificate walls demand nothing.
-void begin_walls(const RobotColumns& robots, const Tile& tile, std::size_t i,
-                 const CertificateLaw& law, CertificateConstraints& constraints) {
-  const std::span<const Wall> near = tile.walls_of(i);
-  if ((near.empty() && robots.model[i] == nullptr) || law.kind == Certificate::none) {
-    constraints.walls.clear();
-    constraints.footprint.count = 0;
-  } else {
-    begin_walls_of(robots.robot(i), near, law, constraints);
-  }
-}
-
-// The haste of a robot of any model. A robot that maneuvers must not leave its clear arc, and
-// robots with wheels come to rest by their own rule.
-Haste haste_of_any(const Robot& robot, bool maneuvers, const Execution& execution) {
-  Haste haste = haste_of(robot, execution);
-  if (is_holonomic(robot.model)) return haste;
-  if (maneuvers || is_landing(robot, haste, execution)) haste = haste_at_once(robot, execution);
-  const double reach = model_traits(robot.model).reach;
-  haste.most *= reach;
-  haste.jerk = std::min(haste.jerk * reach, kUnlimited);
-  return haste;
-}
-
 // The inputs of the plans of method avo.
+template <typename Trace>
 struct Deciding {
   const Planner& planner;
   const Execution& execution;
   Tile& tile;
   PlanWorkspace::Scratch& scratch;
   CertificateLaw law;
+  Trace trace;
 
   bool is_certified() const { return law.kind != Certificate::none; }
   SafetyState state_if_free() const {
@@ -84,27 +50,72 @@ struct Deciding {
   }
 };
 
+// Returns whether no neighbor can refuse the robot's choice, neither now nor on a detour that it
+// still follows.
+template <typename Trace>
+bool is_unhindered(const Deciding<Trace>& deciding, std::size_t i) {
+  const Tile& tile = deciding.tile;
+  if (deciding.law.kind == Certificate::braking_trajectories) {
+    if (deciding.scratch.certified.constraints.near.admits[i] == 0) return false;
+  } else if (deciding.is_certified()) {
+    return false;
+  }
+  return tile.robots.model[i] == nullptr && tile.detour[i]->angle == 0.0;
+}
+
+// Without a certificate walls demand nothing.
+template <typename Trace>
+void begin_walls(const Deciding<Trace>& deciding, std::size_t i) {
+  const RobotColumns& robots = deciding.tile.robots;
+  CertificateConstraints& constraints = deciding.scratch.certified.constraints;
+  const std::span<const Wall> near = deciding.tile.walls_of(i);
+  if ((near.empty() && robots.model[i] == nullptr) || !deciding.is_certified()) {
+    constraints.walls.clear();
+    constraints.footprint.count = 0;
+  } else {
+    begin_walls_of(robots.robot(i), near, deciding.law, constraints);
+  }
+}
+
+// The haste of a robot of any model. A robot that maneuvers must not leave its clear arc, and
+// robots with wheels come to rest by their own rule.
+template <typename Trace>
+Haste haste_of_any(const Deciding<Trace>& deciding, std::size_t i, const Robot& robot) {
+  const Execution& execution = deciding.execution;
+  Haste haste = haste_of(robot, execution);
+  if (is_holonomic(robot.model)) return haste;
+  if (deciding.tile.maneuvers[i] != 0 || is_landing(robot, haste, execution))
+    haste = haste_at_once(robot, execution);
+  const double reach = model_traits(robot.model).reach;
+  haste.most *= reach;
+  haste.jerk = std::min(haste.jerk * reach, kUnlimited);
+  return haste;
+}
+
 // Keeps an evasive maneuver from movers.
-void evade(const Deciding& deciding, std::size_t i, const FlightConstraints* flight) {
-  const auto& [planner, execution, tile, scratch, law] = deciding;
+template <typename Trace>
+void evade(const Deciding<Trace>& deciding, std::size_t i, const FlightConstraints* flight) {
+  const auto& [planner, execution, tile, scratch, law, trace] = deciding;
   if (!tile.neighbors.has_movers) return;
   list(tile.robots.neighbors[i], scratch.listed);
   const Sight sight{scratch.listed, tile.walls_of(i), planner.options().wall_range, flight};
   const Robot robot = tile.robots.robot(i);
   Plan& plan = *tile.plan[i];
   keep_a_way_out(law, robot, sight, false, scratch.evasion, plan);
+  trace.evades(law, robot, scratch.listed, scratch.evasion, plan);
   if (flight != nullptr && plan.state == SafetyState::safe &&
       !may_go_on(law, robot, sight, scratch.evasion))
     plan.state = SafetyState::unknown;
 }
 
 // Plans for a robot that flies, which can only turn.
-void fly(const Deciding& deciding, std::size_t i) {
-  const auto& [planner, execution, tile, scratch, law] = deciding;
+template <typename Trace>
+void fly(const Deciding<Trace>& deciding, std::size_t i) {
+  const auto& [planner, execution, tile, scratch, law, trace] = deciding;
   FlightConstraints& flight = scratch.flight;
   Plan& plan = *tile.plan[i];
   plan = fly_towards(planner, tile.robots.robot(i), tile.robots.neighbors[i], tile.walls_of(i),
-                     {scratch.decisions.target(i), deciding.violation(i)}, flight);
+                     {scratch.decisions.target(i), deciding.violation(i)}, flight, trace);
   plan.state = flight.are_broken() ? SafetyState::unknown : deciding.state_if_free();
   const bool certified = deciding.is_certified();
   if (scratch.soft.overlapping[i] != 0 || (certified && flight.are_broken()))
@@ -114,7 +125,8 @@ void fly(const Deciding& deciding, std::size_t i) {
 }
 
 // Plans for a robot that no neighbor and no wall hinders: by decide_freely().
-void go_freely(const Deciding& deciding, std::size_t i) {
+template <typename Trace>
+void go_freely(const Deciding<Trace>& deciding, std::size_t i) {
   const DecisionColumns& decisions = deciding.scratch.decisions;
   Plan& plan = *deciding.tile.plan[i];
   plan.new_velocity = {decisions.new_x[i], decisions.new_y[i]};
@@ -127,8 +139,9 @@ void go_freely(const Deciding& deciding, std::size_t i) {
 }
 
 // Plans for a robot that must ask the certificate, one by one.
-void go_certified(const Deciding& deciding, std::size_t i) {
-  const auto& [planner, execution, tile, scratch, law] = deciding;
+template <typename Trace>
+void go_certified(const Deciding<Trace>& deciding, std::size_t i) {
+  const auto& [planner, execution, tile, scratch, law, trace] = deciding;
   const RobotColumns& robots = tile.robots;
   const DecisionColumns& decisions = scratch.decisions;
   const Robot robot = robots.robot(i);
@@ -137,8 +150,7 @@ void go_certified(const Deciding& deciding, std::size_t i) {
     planes = collect_hard_and_soft(planner, robot, tile, i, law.step, scratch);
     hard = scratch.demands.planes;
   }
-  const bool maneuvers = robots.has_models && tile.maneuvers[i] != 0;
-  const Haste haste = haste_of_any(robot, maneuvers, execution);
+  const Haste haste = haste_of_any(deciding, i, robot);
   Wished wished{planes,
                 hard,
                 decisions.wish(i),
@@ -153,7 +165,7 @@ void go_certified(const Deciding& deciding, std::size_t i) {
         within_own_limits(robot, law.step.braking_time,
                           executed(robot.velocity, wished.last_change, wished.target, haste));
   Plan& plan = *tile.plan[i];
-  plan = certify(planner, law, robots, i, haste, wished, scratch.certified, *tile.detour[i]);
+  plan = certify(planner, law, robots, i, haste, wished, scratch.certified, *tile.detour[i], trace);
   const CertificateConstraints& constraints = scratch.certified.constraints;
   if (scratch.soft.overlapping[i] != 0 || collides(constraints))
     deciding.tell_contact(i, constraints.invariant.broken, constraints.walls.broken);
@@ -164,9 +176,11 @@ void go_certified(const Deciding& deciding, std::size_t i) {
 
 }  // namespace
 
+template <typename Trace>
 void decide(const Planner& planner, const Execution& execution, Tile& tile,
-            PlanWorkspace::Scratch& scratch) {
-  const Deciding deciding{planner, execution, tile, scratch, certificate_law(planner)};
+            PlanWorkspace::Scratch& scratch, Trace trace) {
+  const Deciding<Trace> deciding{planner, execution, tile, scratch, certificate_law(planner),
+                                 trace};
   const CertificateLaw& law = deciding.law;
   const RobotColumns& robots = tile.robots;
   DecisionColumns& decisions = scratch.decisions;
@@ -176,17 +190,20 @@ void decide(const Planner& planner, const Execution& execution, Tile& tile,
   if (law.kind == Certificate::braking_trajectories)
     admit_next(robots, decisions.next_x, decisions.next_y, law.step, constraints.near);
   for (std::size_t i = 0; i < robots.count; ++i) {
+    trace.proposes(Vec2{decisions.next_x[i], decisions.next_y[i]});
     if (flies(robots, i)) {
       fly(deciding, i);
     } else {
-      begin_walls(robots, tile, i, law, constraints);
-      const bool is_free =
-          decisions.is_free[i] != 0.0 && is_unhindered(law, tile, constraints.near, i);
+      begin_walls(deciding, i);
+      const bool is_free = decisions.is_free[i] != 0.0 && is_unhindered(deciding, i);
       is_free&& constraints.walls.near.empty() ? go_freely(deciding, i) : go_certified(deciding, i);
       evade(deciding, i, nullptr);
     }
     remember(*tile.plan[i], *tile.detour[i]);
   }
 }
+
+template void decide(const Planner&, const Execution&, Tile&, PlanWorkspace::Scratch&, NoTrace);
+template void decide(const Planner&, const Execution&, Tile&, PlanWorkspace::Scratch&, Recorder);
 
 }  // namespace avo::inline planner

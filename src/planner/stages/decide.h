@@ -16,7 +16,8 @@ inline bool flies(const RobotColumns& robots, std::size_t i) {
 }
 
 /// Makes the plans of the tile's robots: for nearly all robots in lanes, for the others one by one.
+template <typename Trace>
 void decide(const Planner& planner, const Execution& execution, Tile& tile,
-            PlanWorkspace::Scratch& scratch);
+            PlanWorkspace::Scratch& scratch, Trace trace);
 
 }  // namespace avo::inline planner

@@ -41,21 +41,24 @@ double leaving_speed(double depth, const Robot& robot, const Wall& wall, const S
   return depth > wall_margin(wall, rounding) ? depth / law.time_step : 0.0;
 }
 
-}  // namespace
-
+// Appends a half-plane n . v' >= -V for each wall that the robot can reach with this decision. n
+// points away from the wall, V depends on its gap. For a wall that the robot is in, it is n . v'
+// >= n . out, at least 0; out is velocity_out(). A wall that is touched only within rounding is
+// left within the step. 0 satisfies all others. Returns whether the robot is in any wall.
 bool append_speed_planes(const Robot& robot, std::span<const Wall> walls, const StepLaw& law,
-                         Vec2 out, std::vector<HalfPlane>& half_planes) {
+                         Vec2 out, Demands& demands) {
   bool is_in_any = false;
   const Ability ability = planned_ability_of(robot);
   const double reach = wall_reach(norm(robot.velocity), robot.max_speed, ability, law);
-  for (const Wall& wall : walls) {
+  for (std::size_t k = 0; k < walls.size(); ++k) {
+    const Wall& wall = walls[k];
     const Vec2 away = robot.position - nearest_on({wall.a, wall.b}, robot.position);
     const double distance = norm(away), depth = robot.radius + wall.radius - distance;
     const double gap = -depth - law.localization_error;
     if (!(gap < reach)) continue;
     if (!(distance > 0.0)) {  // the wall itself gives no direction
       is_in_any = true;
-      if (out != Vec2{}) half_planes.push_back({out / norm(out), norm(out)});
+      if (out != Vec2{}) demands.add({out / norm(out), norm(out)}, k);
       continue;
     }
     const Vec2 normal = away / distance;
@@ -64,10 +67,12 @@ bool append_speed_planes(const Robot& robot, std::span<const Wall> walls, const 
     const double leaving = is_in         ? std::max(dot(normal, out), 0.0)
                            : depth > 0.0 ? leaving_speed(depth, robot, wall, law)
                                          : -speed_before(gap, ability.braking, law);
-    half_planes.push_back({normal, std::max(leaving, -robot.max_speed)});
+    demands.add({normal, std::max(leaving, -robot.max_speed)}, k);
   }
   return is_in_any;
 }
+
+}  // namespace
 
 std::optional<WallPlane> obstacle_plane(const PlannerOptions& options, const Horizon& horizon,
                                         const Robot& robot, const Wall& wall, int index,
@@ -93,11 +98,11 @@ namespace {
 void append_slowing(const Robot& robot, std::span<const Wall> walls, const StepLaw& law,
                     Demands& demands) {
   const std::size_t before = demands.planes.size();
-  if (!append_speed_planes(robot, walls, law, {}, demands.planes)) return;
+  if (!append_speed_planes(robot, walls, law, {}, demands)) return;
   demands.out = velocity_out(robot, walls, law);
   const bool is_out_of_all = is_kept(demands, demands.out);
-  demands.planes.resize(before);
-  append_speed_planes(robot, walls, law, is_out_of_all ? demands.out : Vec2{}, demands.planes);
+  demands.planes.resize(before), demands.wall.resize(before);
+  append_speed_planes(robot, walls, law, is_out_of_all ? demands.out : Vec2{}, demands);
 }
 
 // Appends the demands of walls on a robot, or on one disc of it.
@@ -105,11 +110,11 @@ void append_demands(const Planner& planner, const Robot& robot, std::span<const 
                     const StepLaw& law, Demands& demands) {
   const PlannerOptions& options = planner.options();
   if (slows_before_walls(options.method)) return append_slowing(robot, walls, law, demands);
-  for (const Wall& wall : walls) {
+  for (std::size_t k = 0; k < walls.size(); ++k) {
     const auto own =
-        obstacle_plane(options, planner.horizon(), robot, wall, 0, demands.overlapping);
+        obstacle_plane(options, planner.horizon(), robot, walls[k], 0, demands.overlapping);
     if (!own) continue;
-    demands.planes.push_back(own->plane);
+    demands.add(own->plane, k);
     demands.excess.push_back(own->excess);
   }
 }

@@ -25,13 +25,6 @@ constexpr bool slows_before_walls(Method method) {
 /// m/s: the largest V with V Δt + l(V) <= gap.
 double speed_before(double gap, double max_braking, const StepLaw& law);
 
-/// Appends a half-plane n . v' >= -V for each wall that the robot can reach with this decision. n
-/// points away from the wall, V depends on its gap. For a wall that the robot is in, it is n . v'
-/// >= n . out, at least 0; out is velocity_out(). A wall that is touched only within rounding is
-/// left within the step. 0 satisfies all others. Returns whether the robot is in any wall.
-bool append_speed_planes(const Robot& robot, std::span<const Wall> walls, const StepLaw& law,
-                         Vec2 out, std::vector<HalfPlane>& half_planes);
-
 /// m, from the wall's surface: a robot that is now so fast can touch no farther wall before τ.
 inline double obstacle_reach(double speed, double max_speed, const PlannerOptions& options) {
   return options.time_horizon * std::max(speed, max_speed);
@@ -50,11 +43,18 @@ struct Demands {
   std::vector<double>
       /// m/s, of the planes of walls, which come first, see WallPlane; none for speed planes
       excess;
+  std::vector<int> wall;     ///< index of the wall of each of these planes
   bool overlapping = false;  ///< whether the robot overlaps a wall
   Vec2 out;                  ///< m/s, see velocity_out(); for speed planes
 
-  void clear() { planes.clear(), excess.clear(), overlapping = false, out = {}; }
-  void reserve(std::size_t walls) { planes.reserve(walls), excess.reserve(walls); }
+  void clear() { planes.clear(), excess.clear(), wall.clear(), overlapping = false, out = {}; }
+  void reserve(std::size_t walls) {
+    planes.reserve(walls), excess.reserve(walls), wall.reserve(walls);
+  }
+  /// Appends a half-plane of a wall.
+  void add(const HalfPlane& plane, std::size_t of_wall) {
+    planes.push_back(plane), wall.push_back(static_cast<int>(of_wall));
+  }
 };
 
 /// Replaces the demands by those of all walls in reach, or by their speed planes, and those of the

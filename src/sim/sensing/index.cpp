@@ -90,4 +90,13 @@ void index(World& world, Executor& executor) {
   clock.lap(Stage::index);
 }
 
+void look_at_present(World& world) {
+  if (world.changed) find_walls(world);
+  find_shared_goals(world);
+  foresee(world);
+  lay_out(world, world.serial);
+  world.obstacle_grid.build(world.obstacles.position, world.sensing_radius);
+  take_snapshot(world, world.serial);
+}
+
 }  // namespace avo::inline sim

@@ -14,4 +14,7 @@ void note_cells(World& world, Executor& executor);
 /// passages.
 void index(World& world, Executor& executor);
 
+/// Prepares what sense_everyone() needs between two steps. No robot moves.
+void look_at_present(World& world);
+
 }  // namespace avo::inline sim

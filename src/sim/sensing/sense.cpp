@@ -96,6 +96,11 @@ std::optional<Neighbor> sensed_at(const World& world, std::size_t place, std::si
   return neighbor;
 }
 
+// Notes who the neighbor just appended is, see Worker::sources.
+void note(int source, Worker& worker) {
+  if (worker.sources != nullptr) worker.sources->push_back(source);
+}
+
 // Appends the neighbors one by one: among moving obstacles, robots first where distances are equal,
 // and where robots are not all alike.
 void append_one_by_one(const World& world, std::size_t slot, std::span<const NeighborHit> robots,
@@ -111,9 +116,15 @@ void append_one_by_one(const World& world, std::size_t slot, std::span<const Nei
   while (to.count - first < most && (robot != robots.end() || obstacle != obstacles.end())) {
     if (obstacle == obstacles.end() ||
         (robot != robots.end() && robot->distance_squared <= obstacle->distance_squared)) {
-      if (const auto neighbor = sensed_at(world, (robot++)->place, slot)) to.add(*neighbor);
+      const NeighborHit& hit = *robot++;
+      const auto neighbor = sensed_at(world, hit.place, slot);
+      if (!neighbor) continue;
+      to.add(*neighbor);
+      note(hit.index, worker);
     } else {
-      to.add(world.obstacles.sensed(static_cast<std::size_t>((obstacle++)->index)));
+      const int index = (obstacle++)->index;
+      to.add(world.obstacles.sensed(static_cast<std::size_t>(index)));
+      note(-1 - index, worker);
     }
   }
 }
@@ -137,7 +148,8 @@ bool append_sighted(const World& world, std::size_t slot, std::size_t query, Wor
                     static_cast<std::size_t>(world.fleet.rank[slot]),
                     {world.fleet.position[slot], world.fleet.velocity[slot]}};
   NeighborColumns& to = worker.tile.neighbors;
-  if (world.obstacles.setup.empty() && append_as_they_are(world, own, worker.seen, to)) return true;
+  const bool may_be_usual = world.obstacles.setup.empty() && worker.sources == nullptr;
+  if (may_be_usual && append_as_they_are(world, own, worker.seen, to)) return true;
   std::span<const NeighborHit> movers;
   if (!world.obstacles.setup.empty()) {
     constexpr std::size_t kAll = std::numeric_limits<std::size_t>::max();
@@ -145,7 +157,10 @@ bool append_sighted(const World& world, std::size_t slot, std::size_t query, Wor
   }
   look(world, own, worker.seen, movers, worker.sightings);
   to.reserve(to.count + worker.sightings.size());
-  for (const Sighting& sighting : worker.sightings) append(world, sighting, to);
+  for (const Sighting& sighting : worker.sightings) {
+    append(world, sighting, to);
+    note(sighting.source, worker);
+  }
   return false;
 }
 
@@ -262,6 +277,23 @@ bool append_far(const World& world, std::size_t slot, std::size_t query, Worker&
 }
 
 }  // namespace
+
+void sense_everyone(const World& world, std::uint32_t slot, Worker& worker) {
+  const double radius = world.sensing_radius;
+  const NeighborQuery everyone{.position = world.fleet.position[slot],
+                               .self = world.fleet.rank[slot],
+                               .most = std::numeric_limits<std::size_t>::max(),
+                               .near = radius,
+                               .far = radius,
+                               .guess = radius};
+  world.snapshot.grid.find({&everyone, 1}, 1, worker.search);
+  if (world.senses.are_exact())
+    append_one_by_one(world, slot, world.snapshot.grid.list(0, worker.search), worker);
+  else
+    append_sighted(world, slot, 0, worker);
+  const NeighborColumns& neighbors = worker.tile.neighbors;
+  worker.tile.robots.neighbors.push_back({&neighbors, 0, neighbors.count});
+}
 
 std::size_t sense(World& world, std::span<const std::uint32_t> slots, Worker& worker) {
   Fleet& fleet = world.fleet;

@@ -14,6 +14,11 @@ struct Worker;
 /// of all numbers.
 inline constexpr double kFarthestTrusted = 1e11;
 
+/// Makes the robot in that slot the only one whose neighbors the tile has: all within the sensing
+/// radius that it senses, also those that its decision does not need. look_at_present() comes
+/// first.
+void sense_everyone(const World& world, std::uint32_t slot, Worker& worker);
+
 /// Fills the tile's neighbors: all that can matter within the sensing radius. Returns the number of
 /// robots for which there was room.
 std::size_t sense(World& world, std::span<const std::uint32_t> slots, Worker& worker);

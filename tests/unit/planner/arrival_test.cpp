@@ -109,7 +109,7 @@ struct Waiting {
     const double step = options.time_step * robot.max_acceleration / robot.max_speed;
     Vec2 wish;
     for (double t = 0.5 * step; t < time; t += step)
-      wish = wish_of(robot, home, traffic, options, detour);
+      wish = wish_of(robot, home, traffic, push_rule(robot, traffic.is_beside, options, detour));
     return wish;
   }
 };
