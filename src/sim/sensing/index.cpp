@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "planner/stages/certify.h"
 #include "sim/clocks.h"
 #include "sim/host/external.h"
 #include "sim/world.h"
