@@ -26,14 +26,19 @@ struct FieldOf {
   std::string_view default_text;  ///< empty: the default is that of the struct
 };
 
+/// A key of a robot.
 using RobotField = FieldOf<avo::RobotSetup, double, std::optional<double>, avo::Vec2, bool,
                            avo::LayerSet, avo::Behavior, std::optional<avo::Method>>;
+/// An option of a planner.
 using PlannerField = FieldOf<avo::PlannerOptions, double, std::optional<double>, std::optional<int>,
                              bool, avo::Method, avo::Motion, avo::Certificate, avo::Clock>;
+/// A key of a scene.
 using SceneField = FieldOf<avo::Scenario, double, std::optional<double>, int, std::optional<int>,
                            std::uint64_t, std::string, avo::Method, std::optional<avo::Certificate>,
                            avo::Motion, bool, std::optional<bool>, avo::RightOfWay, avo::Clock>;
+/// A key of a robot of space.
 using SpaceRobotField = FieldOf<avo::space::RobotSetup, double, std::optional<double>, avo::Vec3>;
+/// A key of a scene of space.
 using SpaceSceneField =
     FieldOf<avo::space::Scenario, double, std::optional<double>, std::optional<int>, std::uint64_t,
             std::string, bool, std::optional<avo::Certificate>, avo::Motion>;

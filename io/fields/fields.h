@@ -66,37 +66,43 @@ auto by_name(Choice first, Others... others) {
 }
 /// The words of an enum in scene files, in the order of the documentation.
 template <class Choice>
-inline constexpr std::array<std::pair<std::string_view, Choice>, 0> kWords{};
+AVO_LOCAL inline constexpr std::array<std::pair<std::string_view, Choice>, 0> kWords{};
 template <>
-inline const auto kWords<avo::Method> =
+AVO_LOCAL inline const auto kWords<avo::Method> =
     by_name(avo::Method::avo, avo::Method::avo_paper, avo::Method::velocity_obstacle,
             avo::Method::orca, avo::Method::orca_clamped, avo::Method::reciprocal_velocity_obstacle,
             avo::Method::buffered_voronoi, avo::Method::external, avo::Method::external_clamped);
 template <>
-inline const auto kWords<avo::Certificate> = by_name(avo::Certificate::none,
-                                                     avo::Certificate::braking_trajectories);
+AVO_LOCAL inline const auto kWords<avo::Certificate> =
+    by_name(avo::Certificate::none, avo::Certificate::braking_trajectories);
 template <>
-inline const auto kWords<avo::Motion> = by_name(avo::Motion::held, avo::Motion::exponential);
+AVO_LOCAL inline const auto kWords<avo::Motion> = by_name(avo::Motion::held,
+                                                          avo::Motion::exponential);
 template <>
-inline const auto kWords<avo::Clock> = by_name(avo::Clock::common, avo::Clock::free);
+AVO_LOCAL inline const auto kWords<avo::Clock> = by_name(avo::Clock::common, avo::Clock::free);
 template <>
-inline const auto kWords<avo::RightOfWay> = by_name(avo::RightOfWay::none, avo::RightOfWay::seen);
+AVO_LOCAL inline const auto kWords<avo::RightOfWay> = by_name(avo::RightOfWay::none,
+                                                              avo::RightOfWay::seen);
 template <>
-inline const auto kWords<avo::NoiseDistribution> = by_name(avo::NoiseDistribution::gaussian,
-                                                           avo::NoiseDistribution::uniform);
+AVO_LOCAL inline const auto kWords<avo::NoiseDistribution> =
+    by_name(avo::NoiseDistribution::gaussian, avo::NoiseDistribution::uniform);
 template <>
-inline const auto kWords<avo::AccelerationSet> = by_name(avo::AccelerationSet::incircle,
-                                                         avo::AccelerationSet::exact);
+AVO_LOCAL inline const auto kWords<avo::AccelerationSet> = by_name(avo::AccelerationSet::incircle,
+                                                                   avo::AccelerationSet::exact);
 
 template <>
-inline const auto kWords<avo::Behavior> = by_name(avo::Behavior::decides, avo::Behavior::cooperates,
-                                                  avo::Behavior::moves_on);
+AVO_LOCAL inline const auto kWords<avo::Behavior> = by_name(avo::Behavior::decides,
+                                                            avo::Behavior::cooperates,
+                                                            avo::Behavior::moves_on);
 template <>
-inline const auto kWords<avo::Formation> = by_name(avo::Formation::line, avo::Formation::column,
-                                                   avo::Formation::wedge, avo::Formation::block,
-                                                   avo::Formation::ring);
+AVO_LOCAL inline const auto kWords<avo::Formation> = by_name(avo::Formation::line,
+                                                             avo::Formation::column,
+                                                             avo::Formation::wedge,
+                                                             avo::Formation::block,
+                                                             avo::Formation::ring);
 template <>
-inline const auto kWords<avo::AfterGoal> = by_name(avo::AfterGoal::loiter, avo::AfterGoal::leave);
+AVO_LOCAL inline const auto kWords<avo::AfterGoal> = by_name(avo::AfterGoal::loiter,
+                                                             avo::AfterGoal::leave);
 
 /// The alternatives of avo::MotionModel, in their order.
 enum class ModelKind : std::uint8_t { holonomic, car, differential_drive, airplane };
@@ -112,10 +118,10 @@ inline constexpr std::array<std::pair<std::string_view, GroupHeading>, 2> kHeadi
     {{"goal", GroupHeading::goal}, {"random", GroupHeading::random}}};
 
 template <>
-inline constexpr std::array<std::pair<std::string_view, avo::Fill>, 2> kWords<avo::Fill>{
+AVO_LOCAL inline constexpr std::array<std::pair<std::string_view, avo::Fill>, 2> kWords<avo::Fill>{
     {{"solid", avo::Fill::solid}, {"bounds", avo::Fill::bounds}}};
 template <>
-inline constexpr std::array<std::pair<std::string_view, RosMode>, 3> kWords<RosMode>{
+AVO_LOCAL inline constexpr std::array<std::pair<std::string_view, RosMode>, 3> kWords<RosMode>{
     {{"trinary", RosMode::trinary}, {"scale", RosMode::scale}, {"raw", RosMode::raw}}};
 
 template <class T>

@@ -149,14 +149,14 @@ Json half_planes_of(const Decision& decision) {
 }
 
 // Returns the neighbors that the robot senses.
-Json obstacles_of(const Decision& decision) {
+Json neighbors_of(const Decision& decision) {
   const auto& seen = decision.seen;
-  Json obstacles = Json::array();
+  Json neighbors = Json::array();
   for (std::size_t k = 0; k < seen.neighbors.size(); ++k) {
     const avo::Neighbor& neighbor = seen.neighbors[k];
     const bool decides = neighbor.behavior == avo::Behavior::decides;
     const bool shares = avo::shares(neighbor);
-    obstacles.push_back({{"neighbor", name_of(seen.source[k])},
+    neighbors.push_back({{"neighbor", name_of(seen.source[k])},
                          {"position", to_json(neighbor.position)},
                          {"velocity", to_json(neighbor.velocity)},
                          {"acceleration", to_json(neighbor.acceleration)},
@@ -165,19 +165,19 @@ Json obstacles_of(const Decision& decision) {
                          {"priority", shares ? Json(neighbor.priority) : Json()},
                          {"behavior", to_string(neighbor.behavior)},
                          {"share", share_of(seen.robot, neighbor)}});
-    if (neighbor.age > 0) obstacles.back()["age"] = neighbor.age;
-    if (decides) obstacles.back()["max_braking"] = braking_limit(neighbor);
-    if (neighbor.loiter) obstacles.back()["loiter"] = to_json(*neighbor.loiter);
+    if (neighbor.age > 0) neighbors.back()["age"] = neighbor.age;
+    if (decides) neighbors.back()["max_braking"] = braking_limit(neighbor);
+    if (neighbor.loiter) neighbors.back()["loiter"] = to_json(*neighbor.loiter);
     if (!decides && neighbor.likely_deviation > 0.0)
-      obstacles.back()["likely_deviation"] = neighbor.likely_deviation;
+      neighbors.back()["likely_deviation"] = neighbor.likely_deviation;
     if (!decides && neighbor.max_deviation > 0.0) {
-      obstacles.back()["max_deviation"] = neighbor.max_deviation;
-      obstacles.back()["max_speed"] =
+      neighbors.back()["max_deviation"] = neighbor.max_deviation;
+      neighbors.back()["max_speed"] =
           std::isfinite(neighbor.max_speed) ? Json(neighbor.max_speed) : Json();
     }
-    if (!decision.risks.empty()) obstacles.back()["risk"] = decision.risks[k];
+    if (!decision.risks.empty()) neighbors.back()["risk"] = decision.risks[k];
   }
-  return obstacles;
+  return neighbors;
 }
 
 }  // namespace
@@ -200,7 +200,7 @@ std::string to_json(const Decision& decision) {
             {"max_acceleration", self.max_acceleration},
             {"max_braking", braking_limit(self)},
             {"priority", self.priority},
-            {"obstacles", obstacles_of(decision)},
+            {"neighbors", neighbors_of(decision)},
             {"rule", decision.by_half_planes ? "half_planes" : "union_of_obstacles"},
             {"half_planes", half_planes_of(decision)},
             {"walls", walls_of(decision)},

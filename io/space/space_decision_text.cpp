@@ -110,7 +110,7 @@ std::string to_json(const SpaceDecision& decision) {
                   {"max_speed", self.max_speed},
                   {"max_acceleration", self.max_acceleration},
                   {"priority", self.priority},
-                  {"obstacles", neighbors_in_json(decision)},
+                  {"neighbors", neighbors_in_json(decision)},
                   {"boxes", decision.obstacles},
                   {"half_spaces", half_spaces},
                   {"preferred_velocity", in_json(self.preferred_velocity)},

@@ -45,7 +45,8 @@ template <>
 AVO_LOCAL inline constexpr auto kFields<SensingNoise> = std::to_array<Field<SensingNoise>>({
     {"position", &SensingNoise::position, kOptional, kNotNegative, "m",
      "of each coordinate: standard deviation"},
-    {"velocity", &SensingNoise::velocity, kOptional, kNotNegative, "m/s", "likewise"},
+    {"velocity", &SensingNoise::velocity, kOptional, kNotNegative, "m/s",
+     "standard deviation of the velocity"},
     {"quantile", &SensingNoise::quantile, kOptional, kNotNegative, "",
      "standard deviations that the margin covers"},
 });

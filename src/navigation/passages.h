@@ -57,8 +57,8 @@ AxisPoint axis_point(const Passage& passage, bool forward, double along);
 class Passages {
  public:
   Passages() = default;
-  /// radii: of all robots, ascending, each > 0. watched: the range of walls_near() about the axis,
-  /// in radii of a passage.
+  /// radii: of all robots, ascending, each > 0. watched: the range about the axis within which
+  /// walls count, in radii of a passage.
   Passages(std::span<const Wall> walls, std::span<const double> radii, double watched);
   /// The same result, sooner, from the passages for the same radii, where few walls have changed
   /// since.

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <tuple>
 #include <vector>
 
 #include "avo/decision_trace.h"
@@ -42,8 +43,10 @@ bool take_seen(const Planner& planner, const Robot& robot, std::span<const Neigh
 }
 
 // The indices of the seen neighbors into those given. Equal neighbors follow each other.
-std::vector<int> indices_of(const Neighbors& seen, std::span<const Neighbor> given) {
-  std::vector<int> indices;
+const std::vector<int>& indices_of(const Neighbors& seen, std::span<const Neighbor> given,
+                                   PlanWorkspace::Scratch& scratch) {
+  std::vector<int>& indices = scratch.indices;
+  indices.clear();
   for (std::size_t k = 0; k < seen.size(); ++k) {
     int index = index_in(given, seen[k]);
     if (k > 0 && index_in(given, seen[k - 1]) == index)
@@ -109,7 +112,7 @@ void Planner::collect_half_planes(const Robot& robot, std::span<const Neighbor> 
   collect_soft_planes(options_, *horizon_, certificate_law(*this).step, tile, soft);
   half_planes.overlapping = soft.overlapping[0] != 0;
   const Cuts cuts = cuts_of(*this, robot);
-  const std::vector<int> indices = indices_of(tile.robots.neighbors[0], neighbors);
+  const std::vector<int>& indices = indices_of(tile.robots.neighbors[0], neighbors, scratch);
   for (std::size_t k = 0; k < soft.of(0).size(); ++k) {
     const HalfPlane& plane = soft.of(0)[k];
     const double excess = soft.excess_of(0)[k];
@@ -137,7 +140,8 @@ void Planner::collect_half_planes(const Robot& robot, std::span<const Wall> wall
           .push_back({demands.wall[k], demands.planes[k], excess});
   }
   if (!method_traits(options_.method).has_rules) return;
-  for (const Robot& disc : discs_of(robot, law).all()) {
+  const Discs discs = discs_of(robot, law);
+  for (const Robot& disc : discs.all()) {
     for (std::size_t k = 0; k < walls.size(); ++k) {
       const auto own = obstacle_plane(options_, *horizon_, disc, walls[k], static_cast<int>(k),
                                       half_planes.overlapping);
@@ -194,11 +198,14 @@ void Planner::collect_certificate(const Robot& robot, std::span<const Neighbor> 
           {line.neighbor, 0, line.normal,
            dot(line.normal, on_circle.loiter->center) - on_circle.loiter->radius - line.part});
   }
-  const std::vector<int> indices = indices_of(seen, neighbors);
+  const std::vector<int>& indices = indices_of(seen, neighbors, scratch);
   for (CertificateConstraint& constraint : constraints)
     constraint.neighbor = indices[static_cast<std::size_t>(constraint.neighbor)];
-  std::stable_sort(constraints.begin(), constraints.end(),
-                   [](const auto& a, const auto& b) { return a.neighbor < b.neighbor; });
+  const auto key = [](const CertificateConstraint& c) {
+    return std::tuple(c.neighbor, c.interval, c.offset);
+  };
+  std::sort(constraints.begin(), constraints.end(),
+            [&](const auto& a, const auto& b) { return key(a) < key(b); });
 }
 
 std::optional<Evasion> Planner::evasion(const Robot& robot, std::span<const Neighbor> neighbors,

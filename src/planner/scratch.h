@@ -34,6 +34,7 @@ struct PlanWorkspace::Scratch {
   std::vector<Neighbor> ordered;
   Tile alone;  // of one robot
   std::vector<Neighbor> listed, movers;
+  std::vector<int> indices;  // of neighbors, for lists
   PassiveWorkspace passive;
   CertifiedWorkspace certified;
   FlightConstraints flight;

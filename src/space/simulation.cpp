@@ -77,7 +77,7 @@ bool Simulation::is_at_goal(RobotId robot) const {
 Simulation::Route Simulation::route(RobotId robot) const {
   const std::size_t k = state_->find(robot);
   const Vec3 position = state_->robots[k].position, to = goal(robot);
-  const space::Route* known = state_->ways.route(k);
+  const SpaceRoute* known = state_->ways.route(k);
   if (known == nullptr || known->points.empty()) return {norm(to - position), to, 0.0};
   Route rest{route_length(position, known->points), known->points.front().place, known->left};
   if (!known->reaches) rest.length = std::numeric_limits<double>::infinity();
@@ -87,7 +87,7 @@ Simulation::Route Simulation::route(RobotId robot) const {
 std::vector<RobotId> Simulation::unreachable() const {
   std::vector<RobotId> found;
   for (std::size_t k = 0; k < size(); ++k) {
-    const space::Route* known = state_->ways.route(k);
+    const SpaceRoute* known = state_->ways.route(k);
     if (known != nullptr && !known->reaches) found.push_back({k});
   }
   return found;

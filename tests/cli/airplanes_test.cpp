@@ -41,11 +41,11 @@ TEST(Airplanes, explain_finds_a_robot_after_others_have_left) {
   EXPECT_EQ(json["robot"], 1);
   EXPECT_EQ(json["position"][1], simulation.fleet().position[index].y);
   EXPECT_EQ(json["goal"], (Json{60.0, 20.0}));
-  ASSERT_EQ(json["obstacles"].size(), 1U);
-  EXPECT_EQ(json["obstacles"][0]["neighbor"], 2);
+  ASSERT_EQ(json["neighbors"].size(), 1U);
+  EXPECT_EQ(json["neighbors"][0]["neighbor"], 2);
   const avo::LoiterCircle circle = simulation.perceive({1}).robot.loiter.value();
   EXPECT_EQ(json["loiter"]["center"], (Json{circle.center.x, circle.center.y}));
-  EXPECT_EQ(json["obstacles"][0]["loiter"]["radius"], circle.radius);  // it is as fast
+  EXPECT_EQ(json["neighbors"][0]["loiter"]["radius"], circle.radius);  // it is as fast
   simulation.step();
   EXPECT_EQ(json["new_velocity"][0], simulation.fleet().plan[index].new_velocity.x);
   // the last one of the scene is beyond the end of the fleet

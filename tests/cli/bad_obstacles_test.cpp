@@ -75,8 +75,8 @@ const std::vector<Bad> kEntries{
      "never_swerves, time_horizon, "
      "sensing_radius, max_neighbors, method, external_method, certificate, "
      "motion, arrival_distance, seed, robots, groups, robots_from, "
-     "moving_obstacles, obstacles, navigation, right_of_way, sensing, sensing_error, clock, "
-     "allow_broken_assumptions; did "
+     "moving_obstacles, obstacles, navigation, right_of_way, sensing, sensing_error, "
+     "execution, execution_error, clock, allow_broken_assumptions; did "
      "you mean "
      "\"obstacles\"?"},
     {"navigation_word", "navigation: maybe\n",

@@ -73,7 +73,7 @@ TEST(Explain, half_planes_are_those_of_the_sensed_neighbors) {
     EXPECT_NEAR(norm(point(plane["normal"])), 1.0, 1e-12);
     EXPECT_GE(dot(point(plane["normal"]), chosen), plane["offset"].get<double>() - 1e-9);
   }
-  EXPECT_EQ(json["obstacles"].size(), perception.neighbors.size());
+  EXPECT_EQ(json["neighbors"].size(), perception.neighbors.size());
   EXPECT_EQ(json["acceleration_disc"]["radius"], 4.0) << "delta max_acceleration";
   EXPECT_EQ(point(json["acceleration_disc"]["center"]), perception.robot.velocity);
   EXPECT_EQ(json["speed_disc"]["radius"], 2.0);
@@ -95,22 +95,22 @@ TEST(Explain, names_moving_obstacles) {
   ASSERT_EQ(json["half_planes"].size(), 2U);
   EXPECT_EQ(json["half_planes"][0]["neighbor"], "moving_obstacles.1");
   EXPECT_EQ(json["half_planes"][1]["neighbor"], 0);
-  ASSERT_EQ(json["obstacles"].size(), 2U) << "the other one is too far away";
-  EXPECT_EQ(json["obstacles"][0]["neighbor"], "moving_obstacles.1");
-  EXPECT_EQ(json["obstacles"][0]["max_acceleration"], 0.0);
+  ASSERT_EQ(json["neighbors"].size(), 2U) << "the other one is too far away";
+  EXPECT_EQ(json["neighbors"][0]["neighbor"], "moving_obstacles.1");
+  EXPECT_EQ(json["neighbors"][0]["max_acceleration"], 0.0);
   // where the other robot is too far away there is nobody to share half-planes with
   words.back() = "sensing_radius=15";
   json = explained(words);
   EXPECT_EQ(json["rule"], "union_of_obstacles");
   EXPECT_EQ(json["half_planes"], Json::array());
-  ASSERT_EQ(json["obstacles"].size(), 1U);
+  ASSERT_EQ(json["neighbors"].size(), 1U);
 }
 
 TEST(Explain, a_robot_alone_avoids_the_union_of_obstacles) {
   const Json json = explained({"moving-obstacle", "--robot", "0", "--time", "5"});
   EXPECT_EQ(json["rule"], "union_of_obstacles");
   EXPECT_EQ(json["half_planes"], Json::array());
-  EXPECT_EQ(json["obstacles"][0]["neighbor"], "moving_obstacles.0");
+  EXPECT_EQ(json["neighbors"][0]["neighbor"], "moving_obstacles.0");
   avo::Simulation simulation = simulated(avo_io::load_scenario("moving-obstacle"), 50);
   simulation.step();
   EXPECT_EQ(point(json["new_velocity"]), simulation.fleet().plan[0].new_velocity);
@@ -208,7 +208,7 @@ TEST(Explain, names_those_who_cooperate) {
   const Json json = explained(
       {"circle-10", "--robot", "3", "--time", "6", "--set", "robots.4.behavior=cooperates"});
   int others = 0, cooperating = 0;
-  for (const Json& other : json["obstacles"]) {
+  for (const Json& other : json["neighbors"]) {
     const bool decides = other["neighbor"] != 4;
     ++(decides ? others : cooperating);
     EXPECT_EQ(other["behavior"], decides ? "decides" : "cooperates");
@@ -361,7 +361,7 @@ TEST(Explain, tells_ages_and_what_noise_may_hide) {
   const Json json = explained(sensed);
   double sum = 0.0;
   int carried = 0;
-  for (const Json& other : json["obstacles"]) {
+  for (const Json& other : json["neighbors"]) {
     sum += other["risk"].get<double>();
     carried += other.contains("age") ? 1 : 0;
     EXPECT_GE(other.value("age", 1), 1);
@@ -384,14 +384,14 @@ TEST(Explain, tells_priorities_and_who_decides) {
   const Json json = explained(scene);
   EXPECT_EQ(json["priority"], 3.0);
   int movers = 0;
-  for (const Json& other : json["obstacles"]) {
+  for (const Json& other : json["neighbors"]) {
     const bool decides = other["neighbor"] != 4;
     EXPECT_EQ(other["behavior"], decides ? "decides" : "moves_on");
     EXPECT_EQ(other["share"], decides ? 0.25 : 1.0);
     movers += decides ? 0 : 1;
   }
   EXPECT_EQ(movers, 1);
-  EXPECT_GT(json["obstacles"].size(), 5U);
+  EXPECT_GT(json["neighbors"].size(), 5U);
 }
 
 TEST(Explain, usage_errors) {

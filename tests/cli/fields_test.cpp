@@ -91,7 +91,7 @@ TEST(Fields, ranges_are_those_of_validate) {
   Scenario scenario = valid_scenario();
   const auto check_all = [&] { validate(scenario); };
   ASSERT_EQ(refusal(scenario), "");
-  EXPECT_EQ(check_ranges(check_all, scenario, ""), 10);
+  EXPECT_EQ(check_ranges(check_all, scenario, ""), 11);
   EXPECT_GE(check_ranges(check_all, scenario.robots[0], "robots.0."), 12);
   EXPECT_EQ(check_ranges(check_all, std::get<avo::Car>(scenario.robots[0].model), "robots.0.car."),
             2);

@@ -245,7 +245,7 @@ TEST(SpaceScenes, explain_tells_the_decision_that_the_next_step_takes) {
   EXPECT_EQ(point(json["next_velocity"]), plan.next_velocity);
   EXPECT_EQ(json["status"], avo::to_string(plan.status));
   EXPECT_EQ(json["violation"], plan.violation);
-  EXPECT_EQ(json["obstacles"].size(), 12U);
+  EXPECT_EQ(json["neighbors"].size(), 12U);
 }
 
 // Two drones that meet: the change of velocity is along the normal of the half-space.

@@ -201,7 +201,7 @@ def test_names_of_earlier_builds_say_the_present_ones():
     for act, message in [
         (lambda: simulation.obstacle_position(), "Simulation.obstacle_position: found a renamed attribute, "
                                                  "must be moving_obstacle_position"),
-        (lambda: simulation.planner(0).has_evasive_maneuver, "must be has_evasive_maneuver"),
+        (lambda: simulation.planner(0).has_way_out, "must be has_evasive_maneuver"),
         (lambda: simulation.colour, "'Simulation' object has no attribute 'colour'"),
     ]:
         with pytest.raises(AttributeError) as error:

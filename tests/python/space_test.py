@@ -134,7 +134,7 @@ def simulation_wish(robot, goal):
 
 def test_a_decision_is_explained(scene, command_line):
     told = avo.space.explain(scene, 3, 2.5)
-    assert told["time"] == pytest.approx(2.5) and told["robot"] == 3 and len(told["obstacles"]) == 19
+    assert told["time"] == pytest.approx(2.5) and told["robot"] == 3 and len(told["neighbors"]) == 19
     assert told == json.loads(command_line("explain", scene, "--robot", 3, "--time", 2.5, "--json").stdout)
     simulation = avo.space.Simulation(scene)
     simulation.step(25)

@@ -17,7 +17,7 @@ ALIKE = {"Pack", "MaskOf", "Kind", "Line", "Stage", "Bounds"}
 # What space and the plane have alike: the public types, and the parts of decisions, ways out and routes.
 SAME = {
     "Check", "CheckedRobot", "CheckedState", "Detour", "Metrics", "MovingObstacle", "Neighbor", "OutOfReach", "Plan",
-    "PlanWorkspace", "Planner", "Robot", "RobotSetup", "Scenario", "Simulation", "Way", "BrakingVerdict", "Crossing",
+    "PlanWorkspace", "Planner", "Robot", "RobotSetup", "Scenario", "Simulation", "Route", "CheckedMover", "BrakingVerdict", "Crossing",
     "Deciding", "Evading", "FirstStep", "FullBraking", "Node", "Observer", "PastState", "Plane", "Reached", "Senses", "Sight", "Then",
     "Traffic", "WayState", "WayStep"}
 

@@ -103,7 +103,7 @@ void bind_planner(py::module_& module) {
                               "Decides for one robot. Cannot be changed; threads may share it.");
   bind_options(planner);
   refuse_renamed(planner, {{"plan_among_obstacles", "plan_among_movers"},
-                           {"has_evasive_maneuver", "has_evasive_maneuver"}});
+                           {"has_way_out", "has_evasive_maneuver"}});
   planner
       .def("plan", &plan, arg("robot"), arg("neighbors") = py::tuple(), arg("walls") = py::tuple(),
            arg("detour") = py::none(),

@@ -105,7 +105,7 @@ function differencesTable(own: ExplainedInPlane, other: ExplainedInPlane): HTMLE
       row("|a| of aₘₐₓ", "%", digits(100 * needed(own), 0), digits(100 * needed(other), 0), digits(100 * (needed(other) - needed(own)), 0)),
       plain("distance from vᵖʳᵉᶠ", "m/s", (decision) => norm(minus(decision.new_velocity, decision.preferred_velocity))),
       plain("violation", "m/s", (decision) => decision.violation, 3),
-      plain("sensed", "neighbors", (decision) => decision.obstacles.length, 0),
+      plain("sensed", "neighbors", (decision) => decision.neighbors.length, 0),
       plain("half-planes", "that cut", (decision) => decision.half_planes.length + decision.wall_half_planes.length, 0),
       row("status", "", a.status, b.status), row("state", "", a.state, b.state)));
 }

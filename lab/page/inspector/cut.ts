@@ -27,7 +27,7 @@ function leftOf(p: Vec3): Vec3 {
 
 /** Returns the plane of the pair with that neighbor: the first axis leads away from it. */
 export function cutOfPair(decision: SpaceDecision, neighbor: number): CutPlane | null {
-  const other = decision.obstacles.find((sensed) => sensed.neighbor === neighbor);
+  const other = decision.neighbors.find((sensed) => sensed.neighbor === neighbor);
   if (!other) return null;
   const p = minus3(decision.position, other.position), v = minus3(decision.velocity, other.velocity);
   if (norm3(p) === 0) return null;

@@ -73,7 +73,7 @@ export interface Decision {
   max_acceleration: number;
   max_braking: number;
   priority: number;
-  obstacles: Sensed[];
+  neighbors: Sensed[];
   rule: "half_planes" | "union_of_obstacles";
   half_planes: ({ neighbor: Source } & HalfPlane)[];
   walls: { a: Vec; b: Vec; radius: number }[];

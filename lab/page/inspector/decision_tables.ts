@@ -115,7 +115,7 @@ export function neighborLink(lab: Lab, robot: number): HTMLElement {
 const ROWS = 40;  // more rows would not be read
 
 export function neighborTable(lab: Lab, decision: Decision, found: Why, law: Law): HTMLElement {
-  const sorted = decision.obstacles.map((sensed) => ({ sensed, name: nameOf(sensed.neighbor), clearance: clearanceOf(decision, sensed) }))
+  const sorted = decision.neighbors.map((sensed) => ({ sensed, name: nameOf(sensed.neighbor), clearance: clearanceOf(decision, sensed) }))
     .sort((a, b) => a.clearance - b.clearance);
   const rows = sorted.slice(0, ROWS).map(({ sensed, name, clearance }) => {
     const cut = found.cuts.find((other) => other.of === name);

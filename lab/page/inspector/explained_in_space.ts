@@ -36,12 +36,12 @@ export function explainedInSpace(simulation: Simulation, info: SceneInfo, robot:
 }
 
 /** Returns the neighbor that is pointed at, or else one that shapes the decision, or else the nearest. */
-function neighborToCut({ obstacles, binding, refusing, heeded }: SpaceDecision, pointed: string | null): number | null {
-  const senses = (robot: Cause) => obstacles.some(({ neighbor }) => neighbor === robot);
+function neighborToCut({ neighbors, binding, refusing, heeded }: SpaceDecision, pointed: string | null): number | null {
+  const senses = (robot: Cause) => neighbors.some(({ neighbor }) => neighbor === robot);
   const named = /^robots\.(\d+)$/.exec(pointed ?? "");
   if (named && senses(Number(named[1]))) return Number(named[1]);
   const first = [...binding, ...refusing, ...heeded].find(senses);
-  return typeof first === "number" ? first : obstacles[0]?.neighbor ?? null;
+  return typeof first === "number" ? first : neighbors[0]?.neighbor ?? null;
 }
 
 function sourceOf(decision: SpaceDecision, info: SceneInfo, plane: CutPlane, neighbor: number | null): Omit<SpaceSource, "admitted"> {

@@ -33,7 +33,7 @@ export interface SpaceDecision {
   max_speed: number;
   max_acceleration: number;
   priority: number;
-  obstacles: SensedInSpace[];
+  neighbors: SensedInSpace[];
   boxes: number[];
   half_spaces: ({ neighbor: number } & HalfSpace)[];
   preferred_velocity: Vec3;

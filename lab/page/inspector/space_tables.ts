@@ -44,7 +44,7 @@ function clearanceOf({ position, radius }: SpaceDecision, other: SensedInSpace, 
 
 export function neighborTableInSpace(lab: Lab, decision: SpaceDecision): HTMLElement {
   const downwash = lab.info.robots.find(({ robot }) => robot === decision.robot)?.downwash ?? 0;
-  const sorted = decision.obstacles.map((sensed) => ({ sensed, clearance: clearanceOf(decision, sensed, downwash) }))
+  const sorted = decision.neighbors.map((sensed) => ({ sensed, clearance: clearanceOf(decision, sensed, downwash) }))
     .sort((a, b) => a.clearance - b.clearance);
   const roleOf = (robot: number): string =>
     [["binds", decision.binding], ["refuses", decision.refusing], ["heeded", decision.heeded]]

@@ -129,8 +129,8 @@ void collect_demands(const Planner& planner, const Robot& robot, std::span<const
   if (!has_footprint(robot.model)) {
     append_demands(planner, robot, walls, law, demands);
   } else {
-    for (const Robot& disc : discs_of(robot, law).all())
-      append_demands(planner, disc, walls, law, demands);
+    const Discs discs = discs_of(robot, law);
+    for (const Robot& disc : discs.all()) append_demands(planner, disc, walls, law, demands);
   }
   append_own_half_planes(robot, at_once ? options.time_step : options.control_time, demands.planes);
 }

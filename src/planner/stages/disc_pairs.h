@@ -18,7 +18,8 @@ struct Discs {
   std::array<Robot, Footprint::kMostDiscs> discs;
   std::size_t count = 1;
 
-  std::span<const Robot> all() const { return std::span(discs).first(count); }
+  std::span<const Robot> all() const& { return std::span(discs).first(count); }
+  void all() const&& = delete;  // the discs would be gone
 };
 Discs discs_of(const Robot& robot, const StepLaw& law);
 

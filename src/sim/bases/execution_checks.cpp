@@ -24,8 +24,7 @@ void check_body(const RobotSetup& robot, Method method, const std::string& name)
 void check_execution(const Scenario& scenario) {
   if (scenario.execution_error) {
     require("execution_error", *scenario.execution_error, kNotNegative, "m");
-    if (!scenario.execution)
-      refuse("execution_error", "one", "left out where there is no execution");
+    if (!scenario.execution) refuse("execution", "none", "given where execution_error is");
   }
   if (!scenario.execution) return;
   if (scenario.clock != Clock::common)

@@ -17,7 +17,7 @@ std::vector<OutOfReach> out_of_reach(const Scenario& scenario) {
   WayScratch scratch;
   for (std::size_t k = 0; k < robots.size(); ++k) {
     ways.look(k, robots[k], goals[k], scratch);
-    const Route* route = ways.route(k);
+    const SpaceRoute* route = ways.route(k);
     if (route == nullptr || route->reaches || route->points.empty()) continue;
     found.push_back({k, route->points.back().place, route->left, route->is_in_box});
   }

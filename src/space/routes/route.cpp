@@ -79,7 +79,7 @@ std::size_t seen_from(const Solids& solids, const SpaceRoutePoint& start,
 }
 
 // Moves the next point on along the leg behind it.
-bool moves_on(const Solids& solids, const SpaceRoutePoint& start, Route& route) {
+bool moves_on(const Solids& solids, const SpaceRoutePoint& start, SpaceRoute& route) {
   const RouteLeg leg{route.points[0], route.points[1]};
   const auto next = farthest_seen(solids, start, leg, 0.0);
   if (!next || next->place == leg.from.place) return false;
@@ -89,7 +89,7 @@ bool moves_on(const Solids& solids, const SpaceRoutePoint& start, Route& route) 
 }
 
 // Puts a point before the others, in place of one that has moved on from the last bend.
-void put_first(Route& route, const SpaceRoutePoint& point) {
+void put_first(SpaceRoute& route, const SpaceRoutePoint& point) {
   if (route.is_moved)
     route.points.front() = point;
   else
@@ -97,7 +97,7 @@ void put_first(Route& route, const SpaceRoutePoint& point) {
 }
 
 // Heads for the leg that the robot is beside, behind the last bend, where it sees that leg.
-bool returns_to_leg(const Solids& solids, const SpaceRoutePoint& start, Route& route) {
+bool returns_to_leg(const Solids& solids, const SpaceRoutePoint& start, SpaceRoute& route) {
   const RouteLeg leg{route.passed.back(), route.points[route.is_moved ? 1 : 0]};
   const Vec3 way = leg.to.place - leg.from.place;
   const double squared = norm_squared(way);
@@ -110,7 +110,7 @@ bool returns_to_leg(const Solids& solids, const SpaceRoutePoint& start, Route& r
   return true;
 }
 
-void go_back(Route& route) {
+void go_back(SpaceRoute& route) {
   const SpaceRoutePoint last = route.passed.back();
   put_first(route, last);
   route.passed.pop_back();
@@ -118,7 +118,7 @@ void go_back(Route& route) {
 }
 
 // Returns whether the robot sees its route again, by a few bends at most.
-bool returns(const Solids& solids, const SpaceRoutePoint& start, double radius, Route& route) {
+bool returns(const Solids& solids, const SpaceRoutePoint& start, double radius, SpaceRoute& route) {
   for (int k = 0; k < kGoesBack && !route.passed.empty(); ++k) {
     if (returns_to_leg(solids, start, route)) return true;
     go_back(route);
@@ -131,7 +131,7 @@ bool returns(const Solids& solids, const SpaceRoutePoint& start, double radius, 
 
 }  // namespace
 
-void pass(Route& route, std::size_t count) {
+void pass(SpaceRoute& route, std::size_t count) {
   if (count == 0) return;
   const auto begin = route.points.begin(), end = begin + static_cast<std::ptrdiff_t>(count);
   route.passed.insert(route.passed.end(), begin + (route.is_moved ? 1 : 0), end);
@@ -139,7 +139,7 @@ void pass(Route& route, std::size_t count) {
   route.is_moved = false;
 }
 
-bool advance(const Solids& solids, Vec3 position, double radius, Route& route) {
+bool advance(const Solids& solids, Vec3 position, double radius, SpaceRoute& route) {
   if (route.points.empty()) return false;
   const SpaceRoutePoint start = start_of(solids, position, radius);
   pass(route, seen_from(solids, start, route.points));
@@ -152,7 +152,7 @@ bool advance(const Solids& solids, Vec3 position, double radius, Route& route) {
   return is_way(solids, nearer, route.points.front()) || returns(solids, nearer, radius, route);
 }
 
-SpaceHeading heading_on(const Robot& robot, double preferred_speed, const Route& route) {
+SpaceHeading heading_on(const Robot& robot, double preferred_speed, const SpaceRoute& route) {
   const Vec3 position = robot.position;
   const std::vector<SpaceRoutePoint>& points = route.points;
   SpaceHeading heading{points.back().place, preferred_speed, route_length(position, points)};

@@ -10,7 +10,7 @@
 namespace avo::space {
 
 /// What a robot remembers of its route from step to step.
-struct Route {
+struct SpaceRoute {
   Vec3 goal;                            ///< m, for which it was found
   std::vector<SpaceRoutePoint> points;  ///< still to come; empty: no route is known
   std::vector<SpaceRoutePoint>
@@ -32,14 +32,14 @@ struct SpaceHeading {
 };
 
 /// Leaves so many points behind.
-void pass(Route& route, std::size_t count);
+void pass(SpaceRoute& route, std::size_t count);
 
 /// Leaves out the points that the robot sees past, and moves the next one on along its leg as far
 /// as the robot sees. Where it has lost sight of the route, it goes back by a few bends. Returns
 /// whether it sees the next point.
-bool advance(const Solids& solids, Vec3 position, double radius, Route& route);
+bool advance(const Solids& solids, Vec3 position, double radius, SpaceRoute& route);
 
 /// The heading on a route with a next point that the robot sees.
-SpaceHeading heading_on(const Robot& robot, double preferred_speed, const Route& route);
+SpaceHeading heading_on(const Robot& robot, double preferred_speed, const SpaceRoute& route);
 
 }  // namespace avo::space

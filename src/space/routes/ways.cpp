@@ -64,7 +64,7 @@ SpaceWays::SpaceWays(std::span<const Box> boxes, std::span<const Robot> robots,
 
 void SpaceWays::set_boxes(std::span<const Box> boxes, std::span<const Robot> robots,
                           std::span<const Vec3> goals) {
-  for (Route& route : routes_) route.is_searched = false, route.rests = 0;
+  for (SpaceRoute& route : routes_) route.is_searched = false, route.rests = 0;
   within_ = {};
   for (const Robot& robot : robots) within_.include(robot.position);
   for (const Vec3 goal : goals) within_.include(goal);
@@ -105,7 +105,8 @@ FoundRoute SpaceWays::find(Vec3 from, Vec3 goal, double radius, WayScratch& scra
   return find_route(cells(radius), solids_, from, goal, radius, scratch.search);
 }
 
-void SpaceWays::follow(const Robot& robot, Vec3 goal, Route& route, WayScratch& scratch) const {
+void SpaceWays::follow(const Robot& robot, Vec3 goal, SpaceRoute& route,
+                       WayScratch& scratch) const {
   if (!(route.goal == goal)) route = {.goal = goal, .points = {}, .passed = {}};
   const Vec3 position = robot.position;
   const double room = room_at(solids_, goal, robot.radius + kRouteRoom);
@@ -149,7 +150,7 @@ SpaceHeading SpaceWays::heading(std::size_t k, const Robot& robot, Vec3 goal,
                                 WayScratch& scratch) {
   SpaceHeading heading{goal, preferred_speed, norm(goal - robot.position)};
   if (solids_.size() == 0) return heading;
-  Route& route = routes_[k];
+  SpaceRoute& route = routes_[k];
   follow(robot, goal, route, scratch);
   if (route.points.empty()) return heading;
   heading = heading_on(robot, preferred_speed, route);

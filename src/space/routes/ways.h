@@ -53,7 +53,7 @@ class SpaceWays {
                        const PassageView& company, WayScratch& scratch);
 
   /// What robot k remembers of its route; none where it knows no route, nor needs any.
-  [[nodiscard]] const Route* route(std::size_t k) const {
+  [[nodiscard]] const SpaceRoute* route(std::size_t k) const {
     return routes_[k].is_searched ? &routes_[k] : nullptr;
   }
   /// Returns whether a box is between robot k and a goal that it can reach.
@@ -63,7 +63,7 @@ class SpaceWays {
 
  private:
   FoundRoute find(Vec3 from, Vec3 goal, double radius, WayScratch& scratch) const;
-  void follow(const Robot& robot, Vec3 goal, Route& route, WayScratch& scratch) const;
+  void follow(const Robot& robot, Vec3 goal, SpaceRoute& route, WayScratch& scratch) const;
   const FreeCells& cells(double radius) const;
 
   bool has_routes_ = false;
@@ -73,7 +73,7 @@ class SpaceWays {
   Bounds within_;              // where routes may lead
   std::vector<double> radii_;  // of robots, and their classes, ascending
   Memo<FreeCells> cells_;      // of each radius
-  std::vector<Route> routes_;
+  std::vector<SpaceRoute> routes_;
 };
 
 }  // namespace avo::space

@@ -83,7 +83,7 @@ test("a click selects the ball in front, and the inspector has the words of avo 
   assert.ok(shown.includes(told.sentence), `${shown}\nhas no: ${told.sentence}`);
   assert.match(shown, /The cut through v in the plane of p and v of robot \d+/);
   assert.ok(!shown.includes("Compare methods"));
-  const other = told.obstacles[3].neighbor;
+  const other = told.neighbors[3].neighbor;
   await lab.page.locator(`tr[data-name="robots.${other}"]`).hover();
   await lab.page.getByText(`in the plane of p and v of robot ${other}.`).waitFor();
 });

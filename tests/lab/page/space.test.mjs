@@ -136,7 +136,7 @@ test("the cut for a neighbor contains its half-space's normal, p, and the veloci
       near([dot(plane.along, plane.across), dot(plane.along, plane.normal), dot(plane.across, plane.normal)], [0, 0, 0]);
       near([dot(half.normal, plane.normal)], [0], 1e-6);
       near([besidePlane(plane, decision.velocity)], [0]);
-      const other = decision.obstacles.find(({ neighbor }) => neighbor === half.neighbor);
+      const other = decision.neighbors.find(({ neighbor }) => neighbor === half.neighbor);
       const v = decision.velocity.map((value, k) => value - other.velocity[k]);
       near([dot(v, plane.normal)], [0], 1e-6);
       if (++checked % 7) continue;

@@ -245,7 +245,7 @@ test("an inspector is told obstacles, what is admitted, and braking paths", () =
     assert.deepEqual(own.points.slice(0, 2), decision.position);
     const speed = Math.hypot(...decision.velocity), length = Math.hypot(own.points.at(-2) - own.points[0], own.points.at(-1) - own.points[1]);
     assert.ok(Math.abs(length - speed * speed / 2) < 0.02, `${length} m from ${speed} m/s`);
-    assert.equal(others.length, decision.obstacles.length);
+    assert.equal(others.length, decision.neighbors.length);
     // where the invariant holds, all who brake now keep clear of this one
     for (const other of others.filter(({ of }) => planes.has(of))) {
       for (let k = 0; k < Math.max(own.points.length, other.points.length); k += 2) {

@@ -87,7 +87,8 @@ TEST(LateFields, an_unknown_field_is_refused) {
 }
 
 TEST(LateFields, all_settings_of_a_scene_are_saved) {
-  std::set<std::string_view> saved{"allow_broken_assumptions", "external_method"};  // by themselves
+  std::set<std::string_view> saved{"allow_broken_assumptions", "external_method",
+                                   "execution_error"};  // by themselves
   for_each_setting([&](std::string_view key, auto) { saved.insert(key); });
   for_each_member(kFields<Scenario>, [&](const auto& field, auto) {
     EXPECT_TRUE(saved.contains(field.key))

@@ -24,17 +24,17 @@ Robot ball(Vec3 position, double radius) {
 }
 
 // The route of a robot that has the scene for itself.
-Route route_of(const std::vector<Box>& boxes, Vec3 from, Vec3 goal, double radius) {
+SpaceRoute route_of(const std::vector<Box>& boxes, Vec3 from, Vec3 goal, double radius) {
   const Robot robot = ball(from, radius);
   SpaceWays ways(boxes, std::span(&robot, 1), std::span(&goal, 1), true);
   WayScratch scratch;
   ways.look(0, robot, goal, scratch);
-  const Route* route = ways.route(0);
-  return route != nullptr ? *route : Route{};
+  const SpaceRoute* route = ways.route(0);
+  return route != nullptr ? *route : SpaceRoute{};
 }
 
 // m: the least distance of a route from the boxes, by dense samples.
-double clearance_of(const std::vector<Box>& boxes, Vec3 from, const Route& route) {
+double clearance_of(const std::vector<Box>& boxes, Vec3 from, const SpaceRoute& route) {
   double least = Box::kFar;
   for (const SpaceRoutePoint& point : route.points) {
     for (int k = 0; k <= 200; ++k) {
@@ -74,7 +74,7 @@ TEST(SpaceRoutes, among_boxes_are_clear_and_hardly_longer_than_the_shortest) {
     const std::vector<Box> boxes = random_boxes(draws);
     const Vec3 from{-8, draws.between(-4, 4), draws.between(-4, 4)};
     const Vec3 goal{8, draws.between(-4, 4), draws.between(-4, 4)};
-    const Route route = route_of(boxes, from, goal, 0.4);
+    const SpaceRoute route = route_of(boxes, from, goal, 0.4);
     ASSERT_TRUE(route.reaches && !route.points.empty()) << seed;
     EXPECT_EQ(route.points.back().place, goal);
     EXPECT_GE(clearance_of(boxes, from, route), 0.4) << seed;
@@ -98,7 +98,7 @@ TEST(SpaceRoutes, over_an_edge_are_as_short_as_the_unfolded_way) {
   const double arc = room * (std::acos(0.0) - touches);
   const double across = 2.0 * tangent + 2.0 * arc + 1.0;
   const double unfolded = std::hypot(across, goal.y - from.y);
-  const Route route = route_of(wall, from, goal, 0.5);
+  const SpaceRoute route = route_of(wall, from, goal, 0.5);
   ASSERT_TRUE(route.reaches);
   const double length = route_length(from, route.points);
   EXPECT_LT(length, 1.015 * unfolded);
@@ -109,7 +109,7 @@ TEST(SpaceRoutes, lead_through_a_hole_that_fits_the_robot_and_around_for_a_large
   const std::vector<Box> wall = wall_with_hole(1.0, 1.0);
   const Vec3 from{-4, 1, 0}, goal{4, 1, 0.3};
   for (const double radius : {0.3, 0.45, 0.49, 0.51, 0.8}) {
-    const Route route = route_of(wall, from, goal, radius);
+    const SpaceRoute route = route_of(wall, from, goal, radius);
     ASSERT_TRUE(route.reaches) << radius;
     EXPECT_EQ(route_length(from, route.points) < 9.0, radius < 0.5) << radius;
     EXPECT_GE(clearance_of(wall, from, route), radius) << radius;
@@ -226,8 +226,8 @@ TEST(SpaceRoutes, of_a_robot_that_is_pushed_back_still_lead_to_the_goal) {
   const std::vector<Box> boxes = {box_of({-1, -5, -5}, {1, 5, 5})};
   const Solids solids(boxes);
   const Vec3 start{-6, 0.3, 0}, goal{6, 0, 0};
-  const Route found = route_of(boxes, start, goal, 0.5);
-  Route route = found;
+  const SpaceRoute found = route_of(boxes, start, goal, 0.5);
+  SpaceRoute route = found;
   std::vector<Vec3> places{start};
   for (int k = 0; k < 400 && route.points.size() > 1; ++k) {
     ASSERT_TRUE(advance(solids, places.back(), 0.5, route)) << k;

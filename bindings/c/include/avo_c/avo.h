@@ -318,7 +318,7 @@ typedef struct avo_detour {
 
 /// A decision.
 typedef struct avo_plan {
-  avo_vec2 new_velocity;  ///< m/s, the velocity that is chosen
+  avo_vec2 new_velocity;  ///< m/s, the command that leads to next_velocity; may exceed max_speed
   /// m/s, at the end of the step: send this to a base that takes velocities
   avo_vec2 next_velocity;
   avo_vec2 acceleration;  ///< m/s^2, at the start of the step
@@ -384,8 +384,8 @@ typedef struct avo_robot {
   avo_airplane airplane;
   avo_model model;
   avo_footprint footprint;  ///< of a car or a drive; radius then covers it at any heading
-  /// m, > 0: to where its way turns, such as the next corner, if that is nearer than its goal; cars
-  /// and drives with a footprint maneuver by it. Infinite: its way does not turn
+  /// m, > 0: to where its route turns, such as the next corner, if that is nearer than its goal;
+  /// cars and drives with a footprint maneuver by it. Infinite: its route does not turn
   double lookahead;
 } avo_robot;
 

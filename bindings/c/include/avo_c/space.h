@@ -41,7 +41,7 @@ typedef struct avo_space_detour {
 
 /// A decision.
 typedef struct avo_space_plan {
-  avo_vec3 new_velocity;   ///< m/s, the velocity that is chosen
+  avo_vec3 new_velocity;   ///< m/s, the command that leads to next_velocity
   avo_vec3 next_velocity;  ///< m/s, at the end of the step
   avo_vec3 acceleration;   ///< m/s^2, at the start of the step
   avo_plan_status status;
