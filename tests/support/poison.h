@@ -20,13 +20,14 @@ class Poison {
 
   void operator()(PlanWorkspace& workspace) const {
     auto& [soft, decisions, programs, rows, demands, hard_and_soft, obstacles, order, ordered,
-           alone, listed, movers, passive, certified, flight, evasion, steering] =
+           alone, listed, movers, indices, passive, certified, flight, evasion, steering] =
         PlanWorkspace::Scratch::of(workspace);
     each(soft, decisions, rows, demands, hard_and_soft, order, alone, certified, flight, evasion,
          steering);
     // one robot has no programs; the others are lists, which are cleared before they are read
     static_cast<void>(programs), static_cast<void>(obstacles), static_cast<void>(ordered);
-    static_cast<void>(listed), static_cast<void>(movers), static_cast<void>(passive);
+    static_cast<void>(listed), static_cast<void>(movers), static_cast<void>(indices);
+    static_cast<void>(passive);
   }
 
  private:
