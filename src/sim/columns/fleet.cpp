@@ -106,10 +106,6 @@ std::vector<Wall> Fleet::parked_walls(std::optional<std::size_t> changed,
 // A robot's rank is its number, less the number of removed robots before it.
 std::optional<std::size_t> Fleet::slot(RobotId robot) const {
   const std::uint64_t number = robot.value;
-  if (number < slot_of.size()) {  // its rank, if no robot before it has gone
-    const std::uint32_t own = slot_of[static_cast<std::size_t>(number)];
-    if (id[own] == robot) return own;
-  }
   if (slot_of.empty()) return std::nullopt;
   const std::size_t most = slot_of.size() - 1;
   const std::uint64_t last = id[slot_of[most]].value;
@@ -125,7 +121,7 @@ std::optional<std::size_t> Fleet::slot(RobotId robot) const {
   return *place;
 }
 
-std::size_t Fleet::find(RobotId robot) const {
+std::size_t Fleet::search(RobotId robot) const {
   if (const auto own = slot(robot)) return *own;
   throw Error("robot " + std::to_string(robot.value) + ": found none of that id");
 }

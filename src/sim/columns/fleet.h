@@ -147,8 +147,15 @@ struct Fleet {
                                  const std::optional<Wall>& own = {}) const;
   /// Slot of the robot.
   std::optional<std::size_t> slot(RobotId robot) const;
+  std::size_t search(RobotId robot) const;  // find(), slower
   /// Throws Error if there is no such robot.
-  std::size_t find(RobotId robot) const;
+  std::size_t find(RobotId robot) const {
+    if (robot.value < slot_of.size()) {  // its rank, if no robot before it has gone
+      const std::uint32_t own = slot_of[static_cast<std::size_t>(robot.value)];
+      if (id[own] == robot) return own;
+    }
+    return search(robot);
+  }
   OwnClock& clock_of(std::size_t slot) { return clock[static_cast<std::size_t>(rank[slot])]; }
   const OwnClock& clock_of(std::size_t slot) const {
     return clock[static_cast<std::size_t>(rank[slot])];
