@@ -152,7 +152,7 @@ test("the cut for a neighbor contains its half-space's normal, p, and the veloci
 test("half-spaces and ellipsoids are cut where the plane meets them", () => {
   for (let k = 0; k < 200; ++k) {
     const decision = { velocity: vector(), preferred_velocity: vector(), position: vector(5), half_spaces: [],
-      obstacles: [{ neighbor: 1, position: vector(5), velocity: vector() }] };
+      neighbors: [{ neighbor: 1, position: vector(5), velocity: vector() }] };
     const plane = k % 2 ? cutOfPair(decision, 1) : cutOfNobody(decision);
     const place = ([x, y]) => plane.along.map((value, i) => x * value + y * plane.across[i] + plane.offset * plane.normal[i]);
     near(inPlane(plane, place([0.3, -0.7])), [0.3, -0.7]);
