@@ -25,11 +25,11 @@ constexpr std::size_t kRun = 1;  // column
 
 // Columns of earlier builds, and their names now.
 constexpr std::pair<std::string_view, std::string_view> kRenamed[] = {
-    {"mover_collisions", "mover_collisions"},
-    {"mover_collisions_in_motion", "mover_collisions_in_motion"},
-    {"mover_collisions_evadable", "mover_collisions_evadable"},
-    {"static_collisions", "static_collisions"},
-    {"min_static_clearance", "min_static_clearance"}};
+    {"obstacle_collisions", "mover_collisions"},
+    {"obstacle_collisions_in_motion", "mover_collisions_in_motion"},
+    {"obstacle_collisions_evadable", "mover_collisions_evadable"},
+    {"collision_obstacles", "static_collisions"},
+    {"min_obstacle_clearance", "min_static_clearance"}};
 
 std::string present_name(const std::string& column) {
   for (const auto& [before, now] : kRenamed)

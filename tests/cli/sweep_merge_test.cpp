@@ -47,9 +47,9 @@ TEST(SweepMerge, takes_a_run_twice_where_it_is_the_same_but_for_times) {
 TEST(SweepMerge, reads_the_columns_of_earlier_builds) {
   const std::string now = swept(kSmallSweep, "now.csv");
   std::string text = read_file(now);
-  for (const auto& [name, before] : {std::pair{",mover_collisions,", ",mover_collisions,"},
-                                     {",static_collisions,", ",static_collisions,"},
-                                     {",min_static_clearance,", ",min_static_clearance,"}}) {
+  for (const auto& [name, before] : {std::pair{",mover_collisions,", ",obstacle_collisions,"},
+                                     {",static_collisions,", ",collision_obstacles,"},
+                                     {",min_static_clearance,", ",min_obstacle_clearance,"}}) {
     const std::size_t at = text.find(name);
     ASSERT_NE(at, std::string::npos) << name;
     text.replace(at, std::string(name).size(), before);
