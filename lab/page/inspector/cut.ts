@@ -2,9 +2,9 @@
 // A plane through a velocity space of three dimensions: its ball becomes a disc and half-spaces become half-planes there.
 // The plane is that of p and v of a pair (docs/space.md), through the robot's velocity, so it contains the normal of the
 // pair's half-space.
-import type { Vec3 } from "../map/orbit.ts";
+import { cross3, dot3, minus3, norm3, times3, unit3, type Vec3 } from "../map/vec3.ts";
 import type { Disc, HalfPlane, Vec } from "./decision.ts";
-import { cross3, dot3, minus3, norm3, times3, unit3, type HalfSpace, type SpaceDecision } from "./space_decision.ts";
+import type { HalfSpace, SpaceDecision } from "./space_decision.ts";
 
 /** All v with v·normal = offset; a place in it is v·along, v·across. The three vectors are of length 1, at right angles. */
 export interface CutPlane {

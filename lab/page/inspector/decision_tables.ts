@@ -114,10 +114,20 @@ export function neighborLink(lab: Lab, robot: number): HTMLElement {
 
 const ROWS = 40;  // more rows would not be read
 
+/** Returns the table of the neighbors that are nearest, with these heads and their units. */
+export function neighborsOf<T>(heads: [string, string][], sorted: T[], rowOf: (each: T) => HTMLElement): HTMLElement {
+  const rest = sorted.length - ROWS;
+  return element("table", { class: "insp-neighbors" },
+    element("thead", {}, element("tr", {}, ...heads.map(([head, unit]) =>
+      element("th", { scope: "col" }, head, unit ? element("small", {}, ` ${unit}`) : null)))),
+    element("tbody", {}, ...sorted.slice(0, ROWS).map(rowOf)),
+    rest > 0 ? element("caption", {}, `and ${rest} farther away`) : null);
+}
+
 export function neighborTable(lab: Lab, decision: Decision, found: Why, law: Law): HTMLElement {
   const sorted = decision.neighbors.map((sensed) => ({ sensed, name: nameOf(sensed.neighbor), clearance: clearanceOf(decision, sensed) }))
     .sort((a, b) => a.clearance - b.clearance);
-  const rows = sorted.slice(0, ROWS).map(({ sensed, name, clearance }) => {
+  return neighborsOf([["neighbor", ""], ["clearance", "m"], ["share", "%"], ["behavior", ""], ["half-plane", ""]], sorted, ({ sensed, name, clearance }) => {
     const cut = found.cuts.find((other) => other.of === name);
     const role = !cut ? (law.method === "buffered_voronoi" || decision.rule !== "half_planes" ? "" : "does not cut")
       : cut.binds ? "binds" : cut.refuses > 1e-3 ? "refuses the wish" : "cuts";
@@ -129,13 +139,6 @@ export function neighborTable(lab: Lab, decision: Decision, found: Why, law: Law
       element("td", {}, behaviorOf(sensed)),
       element("td", { class: cut?.binds ? "insp-binds" : "" }, role));
   });
-  const heads = [["neighbor", ""], ["clearance", "m"], ["share", "%"], ["behavior", ""], ["half-plane", ""]] as const;
-  const rest = sorted.length - rows.length;
-  return element("table", { class: "insp-neighbors" },
-    element("thead", {}, element("tr", {}, ...heads.map(([head, unit]) =>
-      element("th", { scope: "col" }, head, unit ? element("small", {}, ` ${unit}`) : null)))),
-    element("tbody", {}, ...rows),
-    rest > 0 ? element("caption", {}, `and ${rest} farther away`) : null);
 }
 
 /** Marks the row of the item that is highlighted in any view. */

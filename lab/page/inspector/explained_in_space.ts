@@ -2,12 +2,12 @@
 // The decision of a robot in space at the present moment, and the cut through its velocity space.
 import type { SceneInfo, Simulation } from "../../avo/avo.ts";
 import { digits } from "../elements.ts";
-import type { Vec3 } from "../map/orbit.ts";
+import { dot3, norm3, times3, type Vec3 } from "../map/vec3.ts";
 import { besidePlane, cutBall, cutHalfSpace, cutOfNobody, cutOfPair, inPlane, type CutPlane } from "./cut.ts";
 import { violation, type Disc, type HalfPlane } from "./decision.ts";
 import type { Explained } from "./explained.ts";
 import type { SpaceSource } from "./space_canvas.ts";
-import { dot3, norm3, times3, type Cause, type SpaceDecision } from "./space_decision.ts";
+import type { Cause, SpaceDecision } from "./space_decision.ts";
 import { neighborTableInSpace, numbersTableInSpace } from "./space_tables.ts";
 import type { Admitted } from "./velocity_space.ts";
 import type { Box } from "./velocity_view.ts";

@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // A decision in space in numbers with units, and the neighbors that the robot senses, nearest first.
-import type { Vec3 } from "../map/orbit.ts";
+import { minus3, norm3, type Vec3 } from "../map/vec3.ts";
 import { digits, element } from "../elements.ts";
 import type { Lab } from "../run/lab.ts";
-import { neighborLink, symbol, tableOf, type Row } from "./decision_tables.ts";
+import { neighborLink, neighborsOf, symbol, tableOf, type Row } from "./decision_tables.ts";
 import { STATUS_COLORS } from "./palette.ts";
-import { minus3, norm3, type Cause, type SensedInSpace, type SpaceDecision } from "./space_decision.ts";
-
-const ROWS = 40;  // more rows would not be read
+import type { Cause, SensedInSpace, SpaceDecision } from "./space_decision.ts";
 
 const triple = (v: Vec3): string => `(${v.map((value) => digits(value, 3)).join(", ")})`;
 const speed = (v: Vec3): string => (norm3(v) > 0 ? `, ${digits(norm3(v))} m/s` : "");
@@ -49,7 +47,7 @@ export function neighborTableInSpace(lab: Lab, decision: SpaceDecision): HTMLEle
   const roleOf = (robot: number): string =>
     [["binds", decision.binding], ["refuses", decision.refusing], ["heeded", decision.heeded]]
       .filter(([, all]) => (all as Cause[]).includes(robot)).map(([role]) => role).join(", ");
-  const rows = sorted.slice(0, ROWS).map(({ sensed, clearance }) => {
+  return neighborsOf([["neighbor", ""], ["clearance", "m"], ["height", "m"], ["role", ""]], sorted, ({ sensed, clearance }) => {
     const name = `robots.${sensed.neighbor}`, role = roleOf(sensed.neighbor);
     const height = sensed.position[2] - decision.position[2];
     return element("tr", { "data-name": name, onpointerenter: () => lab.highlight(name), onpointerleave: () => lab.highlight(null) },
@@ -58,11 +56,4 @@ export function neighborTableInSpace(lab: Lab, decision: SpaceDecision): HTMLEle
       element("td", {}, `${height > 0 ? "+" : ""}${digits(height, 1)}`),
       element("td", { class: role ? "insp-binds" : "" }, role));
   });
-  const heads = [["neighbor", ""], ["clearance", "m"], ["height", "m"], ["role", ""]] as const;
-  const rest = sorted.length - rows.length;
-  return element("table", { class: "insp-neighbors" },
-    element("thead", {}, element("tr", {}, ...heads.map(([head, unit]) =>
-      element("th", { scope: "col" }, head, unit ? element("small", {}, ` ${unit}`) : null)))),
-    element("tbody", {}, ...rows),
-    rest > 0 ? element("caption", {}, `and ${rest} farther away`) : null);
 }

@@ -55,9 +55,13 @@ export function zoomAt(camera: Camera, px: number, py: number, factor: number): 
 
 const clampScale = (scale: number) => Math.min(2000, Math.max(1e-3, scale));
 
-/** Returns 1, 2 or 5 times a power of ten: the least such length (m) that is at least `pixels` wide. */
-export function roundLength(camera: Camera, pixels: number): number {
-  const wanted = pixels / camera.scale;
+/** Returns 1, 2 or 5 times a power of ten: the least such number that is at least the wanted one. */
+export function roundedUp(wanted: number): number {
   const power = 10 ** Math.floor(Math.log10(wanted));
-  return [1, 2, 5, 10].map((digit) => digit * power).find((length) => length >= wanted * 0.999)!;
+  return [1, 2, 5, 10].map((digit) => digit * power).find((number) => number >= wanted * 0.999)!;
+}
+
+/** Returns the least round length (m) that is at least `pixels` wide. */
+export function roundLength(camera: Camera, pixels: number): number {
+  return roundedUp(pixels / camera.scale);
 }

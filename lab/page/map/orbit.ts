@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // From space to the picture: the world is turned about a point, and seen from infinitely far away. A ball is a disc of its
 // own radius then, so that the picture of space is drawn and picked as the map is.
-
-export type Vec3 = [number, number, number];
+import type { Vec3 } from "./vec3.ts";
 
 /** The direction of the view. */
 export interface Orbit {

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 // What the picture of space has beside robots: a ground with a grid, boxes of glass, and the air below robots that others
 // keep out of.
+import { roundedUp } from "./camera.ts";
 import type { Rgb } from "./colors.ts";
 import type { Lab } from "../run/lab.ts";
 import { vectorOf } from "./discs.ts";
-import { axesOf, type Orbit, type Vec3 } from "./orbit.ts";
+import { axesOf, type Orbit } from "./orbit.ts";
 import type { Shown } from "./shown.ts";
 import { isHidden, type Face, type Stage } from "./stage.ts";
+import { dot3, plus3, type Vec3 } from "./vec3.ts";
 import { FORM, line, type BodyOf, type Layers, type Paint } from "./world_layers.ts";
 
 const GRID_LINES = 14;    // along the longer side, at most
@@ -14,23 +16,14 @@ const BEHIND = 0.3;       // the opacity of a ball behind something
 const NEAR_GLASS = 0.07, FAR_GLASS = 0.035;  // the opacity of faces
 const DOWNWASH = 0.16;    // the opacity of the air below a robot
 
-const dot = (a: Vec3, b: Vec3): number => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-const plus = (a: Vec3, b: Vec3): Vec3 => [a[0] + b[0], a[1] + b[1], a[2] + b[2]];
-
 function edge(layers: Layers, { project }: Shown, from: Vec3, to: Vec3, color: Rgb, alpha: number, pixels: number): void {
   const [ax, ay] = project(...from), [bx, by] = project(...to);
   line(layers.ground, ax, ay, bx, by, color, alpha, 0, pixels);
 }
 
-/** Returns 1, 2 or 5 times a power of ten: the distance of grid lines (m). */
-function gridStep(extent: number): number {
-  const wanted = Math.max(extent / GRID_LINES, 1e-3);
-  const power = 10 ** Math.floor(Math.log10(wanted));
-  return [1, 2, 5, 10].map((digit) => digit * power).find((step) => step >= wanted * 0.999)!;
-}
-
 export function drawGround(layers: Layers, { bounds: { min, max } }: Stage, shown: Shown, paint: Paint): void {
-  const step = gridStep(Math.max(max[0] - min[0], max[1] - min[1]));
+  const extent = Math.max(max[0] - min[0], max[1] - min[1]);
+  const step = roundedUp(Math.max(extent / GRID_LINES, 1e-3));  // m, between lines
   for (const [axis, other] of [[0, 1], [1, 0]] as const) {
     for (let k = Math.ceil(min[axis] / step); k * step <= max[axis]; ++k) {
       const [from, to]: [Vec3, Vec3] = [[...min], [...min]];
@@ -42,14 +35,14 @@ export function drawGround(layers: Layers, { bounds: { min, max } }: Stage, show
 }
 
 function drawFace(layers: Layers, { project }: Shown, { corner, a, b }: Face, color: Rgb, alpha: number): void {
-  const [x, y] = project(...corner), [ax, ay] = project(...plus(corner, a)), [bx, by] = project(...plus(corner, b));
+  const [x, y] = project(...corner), [ax, ay] = project(...plus3(corner, a)), [bx, by] = project(...plus3(corner, b));
   layers.faces.push(x, y, ax - x, ay - y, color[0], color[1], color[2], alpha, bx - x, by - y, 0, 0);
 }
 
 /** Draws the far faces first. */
 export function drawBoxes(layers: Layers, lab: Lab, { solids }: Stage, shown: Shown, orbit: Orbit, paint: Paint): void {
   const towards = axesOf(orbit)[2];
-  const isNear = (normal: Vec3) => dot(normal, towards) > 1e-9;
+  const isNear = (normal: Vec3) => dot3(normal, towards) > 1e-9;
   for (const { obstacle, faces, edges } of solids) {
     const color = lab.highlighted === `obstacles.${obstacle}` ? paint.accent : paint.wall;
     for (const near of [false, true])

@@ -2,7 +2,7 @@
 // The surroundings in space: the bounds of a scene, and its boxes within them.
 import type { BoxInfo, Moment, SceneInfo } from "../../avo/avo.ts";
 import { robotsOf, vectorOf } from "./discs.ts";
-import type { Vec3 } from "./orbit.ts";
+import type { Vec3 } from "./vec3.ts";
 
 export interface Bounds { min: Vec3; max: Vec3 }
 

@@ -4,7 +4,8 @@ import type { Moment, SceneInfo, Simulation } from "../../avo/avo.ts";
 import { emptyBox, fit, include, toPixels, type Camera } from "./camera.ts";
 import { cssOf, directionColor } from "./colors.ts";
 import { robotsOf, vectorOf } from "./discs.ts";
-import { ASIDE, ofThePlane, projectionOf, type Vec3 } from "./orbit.ts";
+import { ASIDE, ofThePlane, projectionOf } from "./orbit.ts";
+import type { Vec3 } from "./vec3.ts";
 import { stageOf } from "./stage.ts";
 
 const MARGIN = { x: 10, top: 10, bottom: 10 };  // pixels

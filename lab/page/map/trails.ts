@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Trails: the places of all robots at a few times in the last seconds.
 import { vectorOf } from "./discs.ts";
-import type { Vec3 } from "./orbit.ts";
+import type { Vec3 } from "./vec3.ts";
 import type { Shown } from "./shown.ts";
 
 const SECONDS = 4;         // of the scene's time scale: a robot travels a few of its diameters
