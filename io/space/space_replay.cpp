@@ -23,7 +23,7 @@ class SimulatedAgain final : public ReplayedRun {
   [[nodiscard]] std::int64_t steps() const override { return simulation_.steps(); }
   [[nodiscard]] double time() const override { return simulation_.time(); }
   [[nodiscard]] bool can_step_by(double time) const override {
-    return simulation_.time() < time - 0.5 * simulation_.scenario().time_step;
+    return simulation_.can_step_by(time);
   }
   void step() override {
     simulation_.step();

@@ -121,13 +121,6 @@ SweepScenario scenario_of(const SweepSpec& spec, const SweepRun& run, SceneSourc
 
 namespace {
 
-bool can_step(const avo::Simulation& simulation, double duration) {
-  return simulation.can_step_by(duration);
-}
-bool can_step(const avo::space::Simulation& simulation, double duration) {
-  return simulation.time() < duration - 0.5 * simulation.scenario().time_step;
-}
-
 template <class Simulation, class Metrics>
 RunOutcome outcome_of(const SweepSpec& spec, double duration, Simulation simulation,
                       Metrics metrics) {
@@ -136,7 +129,7 @@ RunOutcome outcome_of(const SweepSpec& spec, double duration, Simulation simulat
   metrics.observe(simulation);
   arrivals.observe(simulation);
   bool ends = false;
-  while (!ends && can_step(simulation, duration)) {
+  while (!ends && simulation.can_step_by(duration)) {
     const SweepClock::time_point start = SweepClock::now();
     simulation.step();
     metrics.add_step_time(1e3 * seconds_since(start));

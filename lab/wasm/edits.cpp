@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Changes by the host between steps. Each function throws Error on bad input.
-#include <cstddef>
 #include <cstdint>
 #include <string>
-#include <utility>
-#include <vector>
 
 #include "avo_io/scene.h"
 #include "host.h"

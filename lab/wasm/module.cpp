@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // A scene, its simulation, and the steps. The host makes its views anew for each address that a
 // call returns, because memory that has grown moves.
-#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -155,11 +154,8 @@ AVO_EXPORT(void, step)() {
 
 /// Returns whether the next step ends within the scene's duration.
 AVO_EXPORT(bool, can_step)() {
-  if (const auto* space = std::get_if<SpaceRun>(&run())) {
-    const avo::space::Scenario& scenario = space->scenario;
-    return space->simulation->time() < scenario.duration - 0.5 * scenario.time_step;
-  }
-  return plane().simulation->can_step_by(plane().scenario.duration);
+  return with_run(
+      [](const auto& run) { return run.simulation->can_step_by(run.scenario.duration); });
 }
 
 /// Returns s.
@@ -172,11 +168,7 @@ AVO_EXPORT(double, steps)() {
 }
 
 AVO_EXPORT(bool, all_at_goal)() {
-  const auto* space = std::get_if<SpaceRun>(&run());
-  if (space == nullptr) return plane().simulation->all_at_goal();
-  for (std::size_t k = 0; k < space->simulation->size(); ++k)
-    if (!space->simulation->is_at_goal({k})) return false;
-  return true;
+  return with_run([](const auto& run) { return run.simulation->all_at_goal(); });
 }
 
 AVO_EXPORT(std::uint64_t, state_hash)() {

@@ -74,6 +74,16 @@ bool Simulation::is_at_goal(RobotId robot) const {
          !state_->ways.is_behind_box(k, position, to);
 }
 
+bool Simulation::all_at_goal() const {
+  for (std::size_t k = 0; k < size(); ++k)
+    if (!is_at_goal({k})) return false;
+  return true;
+}
+
+bool Simulation::can_step_by(double time) const {
+  return this->time() < time - 0.5 * state_->scenario.time_step;
+}
+
 Simulation::Route Simulation::route(RobotId robot) const {
   const std::size_t k = state_->find(robot);
   const Vec3 position = state_->robots[k].position, to = goal(robot);

@@ -97,11 +97,7 @@ class SpaceFleet {
     }
   }
   void measure() { measures_ = true; }
-  [[nodiscard]] bool all_at_goal() const {
-    for (std::size_t k = 0; k < simulation_.size(); ++k)
-      if (!simulation_.is_at_goal(avo::RobotId{k})) return false;
-    return true;
-  }
+  [[nodiscard]] bool all_at_goal() const { return simulation_.all_at_goal(); }
   [[nodiscard]] int threads() const { return simulation_.threads(); }
   [[nodiscard]] avo::StepProfile profile() const { return profile_; }
 

@@ -95,8 +95,7 @@ avo::RunSummary simulate(const RunArguments& arguments, const avo::space::Scenar
   Progress progress(scenario.duration, arguments.until_arrived);
   metrics.observe(simulation);
   outputs.observe(simulation);
-  const double end = scenario.duration - 0.5 * scenario.time_step;
-  while (simulation.time() < end && signal_caught() == 0) {
+  while (simulation.can_step_by(scenario.duration) && signal_caught() == 0) {
     const Clock::time_point start = Clock::now();
     simulation.step();
     metrics.add_step_time(std::chrono::duration<double, std::milli>(Clock::now() - start).count());

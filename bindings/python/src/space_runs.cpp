@@ -26,8 +26,7 @@ std::string results_of(const Scenario& scenario, int threads, bool until_arrived
     if (recording != nullptr) recording->add(simulation);
   };
   observe();
-  while (simulation.time() < scenario.duration - 0.5 * scenario.time_step &&
-         !(until_arrived && metrics.all_arrived())) {
+  while (simulation.can_step_by(scenario.duration) && !(until_arrived && metrics.all_arrived())) {
     simulation.step();
     observe();
     const py::gil_scoped_acquire acquire;

@@ -90,12 +90,6 @@ auto told(Value value) {
   };
 }
 
-bool all_at_goal(const Simulation& simulation) {
-  for (std::size_t k = 0; k < simulation.size(); ++k)
-    if (!simulation.is_at_goal({k})) return false;
-  return true;
-}
-
 void bind_state(py::class_<SharedSpaceSimulation>& simulation) {
   simulation
       .def("position",
@@ -132,7 +126,8 @@ void bind_state(py::class_<SharedSpaceSimulation>& simulation) {
             });
           },
           "(n,) bool: whether it is within arrival_distance of its goal.")
-      .def("all_at_goal", told(&all_at_goal), "Whether all robots are at their goals.")
+      .def("all_at_goal", told([](const Simulation& s) { return s.all_at_goal(); }),
+           "Whether all robots are at their goals.")
       .def("state_hash", told([](const Simulation& s) { return s.state_hash(); }),
            "Equal for equal states, bit by bit.");
 }

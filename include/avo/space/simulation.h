@@ -28,6 +28,9 @@ class AVO_API Simulation {
   /// All robots decide, and move.
   void step();
 
+  /// Returns whether the next step ends by that time, s.
+  [[nodiscard]] bool can_step_by(double time) const;
+
   [[nodiscard]] double time() const;         ///< s
   [[nodiscard]] std::int64_t steps() const;  ///< taken so far
   [[nodiscard]] std::size_t size() const;    ///< number of robots
@@ -45,6 +48,7 @@ class AVO_API Simulation {
   /// Returns whether the robot is within the arrival distance of its goal. With `navigation`, no
   /// box may be between it and a goal that it can reach.
   [[nodiscard]] bool is_at_goal(RobotId robot) const;
+  [[nodiscard]] bool all_at_goal() const;
 
   /// The rest of a robot's route.
   struct Route {
