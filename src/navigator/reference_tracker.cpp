@@ -29,8 +29,8 @@ namespace {
 
 constexpr double kDeviationRounding = 1e-9;  // of a bound that a deviation is compared with
 
-ExecutionLimits limits_of(const ExecutionLimits& before, const Robot& body) {
-  return {std::max(before.change, change_limit(body)), std::max(before.speed, body.max_speed)};
+ExecutionLimits largest(const ExecutionLimits& before, const ExecutionLimits& now) {
+  return {std::max(before.change, now.change), std::max(before.speed, now.speed)};
 }
 
 }  // namespace
@@ -49,7 +49,7 @@ ReferenceTracker::ReferenceTracker(ReferenceTracker&&) noexcept = default;
 ReferenceTracker& ReferenceTracker::operator=(ReferenceTracker&&) noexcept = default;
 
 ExecutionError ReferenceTracker::error(const Robot& body) const {
-  return bounds_of(state_->model, body.model, limits_of(state_->limits, body),
+  return bounds_of(state_->model, body.model, largest(state_->limits, limits_of(body)),
                    state_->response.time_step);
 }
 
@@ -72,16 +72,6 @@ MotionState moved(const Robot& robot, const Plan& plan, const StepResponse& resp
       .next;
 }
 
-// m: how far the commands that were sent and are not executed yet move the base beyond its lag.
-Vec2 still_to_come(const std::vector<Vec2>& sent, std::size_t next, double dead_time,
-                   double time_step) {
-  Vec2 sum = {};
-  double left = dead_time;
-  for (std::size_t k = 1; k <= sent.size(); ++k, left -= time_step)
-    sum = sum + std::min(left, time_step) * sent[(next + sent.size() - k) % sent.size()];
-  return sum;
-}
-
 }  // namespace
 
 Robot ReferenceTracker::reference(const Robot& body) const {
@@ -102,7 +92,7 @@ BaseCommand ReferenceTracker::follow(const Robot& body, const Plan& plan) {
   command.deviation = deviation_of(state.reference, body);
   command.has_left = !is_within(command.deviation, error(body), model);
   const Robot led = reference(body);
-  state.limits = limits_of(state.limits, body);
+  state.limits = largest(state.limits, limits_of(body));
   if (!state.has_sent) std::fill(state.sent.begin(), state.sent.end(), body.velocity);
   state.has_sent = true;
   const MotionState after = moved(led, plan, state.response);
@@ -110,8 +100,7 @@ BaseCommand ReferenceTracker::follow(const Robot& body, const Plan& plan) {
       command_towards(model, after, body.position, body.velocity,
                       still_to_come(state.sent, state.next, model.dead_time, dt), dt);
   if (is_holonomic(body.model))  // the wheels of drives are rounded at each of their cycles
-    command.velocity = {executable(model, command.velocity.x),
-                        executable(model, command.velocity.y)};
+    command.velocity = executable(model, command.velocity);
   command.next_reference = after.position, command.next_velocity = after.velocity;
   state.reference = after;
   if (state.sent.empty()) return command;

@@ -160,6 +160,15 @@ double off_cubic(const ExecutionModel& model, const ExecutionLimits& limits, dou
   return std::min(by_variation, time_step * time_step * (c + 2.0 * Y / lag) / 16.0);
 }
 
+Vec2 still_to_come(std::span<const Vec2> sent, std::size_t next, double dead_time,
+                   double time_step) {
+  Vec2 sum = {};
+  double left = dead_time;
+  for (std::size_t k = 1; k <= sent.size() && left > 0.0; ++k, left -= time_step)
+    sum = sum + std::min(left, time_step) * sent[(next + sent.size() - k) % sent.size()];
+  return sum;
+}
+
 Vec2 command_towards(const ExecutionModel& model, const MotionState& after, Vec2 position,
                      Vec2 velocity, Vec2 still_to_come, double time_step) {
   const double lead = model.time_constant + model.dead_time;
@@ -200,7 +209,7 @@ ExecutionError execution_error(const ExecutionModel& model, const Robot& robot, 
   require("Robot.max_acceleration", robot.max_acceleration, kPositive, "m/s^2");
   require("Robot.max_braking", braking_limit(robot), kPositive, "m/s^2");
   require("Robot.max_speed", robot.max_speed, kPositive, "m/s");
-  return bounds_of(model, robot.model, {change_limit(robot), robot.max_speed}, time_step);
+  return bounds_of(model, robot.model, limits_of(robot), time_step);
 }
 
 // From T du/dt = U - u in the frame of the robot it follows for q that T q'' + q' = U + T ω J q',

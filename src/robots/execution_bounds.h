@@ -2,6 +2,8 @@
 // What an ExecutionModel implies: the commands that its base executes, and how far it may be from
 // its reference (docs/certificate/execution.md).
 #pragma once
+#include <cstddef>
+#include <span>
 #include <string>
 
 #include "avo/execution.h"
@@ -32,7 +34,21 @@ double off_cubic(const ExecutionModel& model, const ExecutionLimits& limits, dou
 Vec2 command_towards(const ExecutionModel& model, const MotionState& after, Vec2 position,
                      Vec2 velocity, Vec2 still_to_come, double time_step);
 
+/// m: how far the commands that were sent and do not act yet move a base beyond its lag, as its
+/// model says. sent: m/s, cyclically, for the dead time at least; the next one goes to `next`.
+Vec2 still_to_come(std::span<const Vec2> sent, std::size_t next, double dead_time,
+                   double time_step);
+
 /// m/s: the coordinate nearest to the wanted one that the base executes as it is; 0 if two are.
 double executable(const ExecutionModel& model, double wanted);
+inline Vec2 executable(const ExecutionModel& model, Vec2 wanted) {
+  return {executable(model, wanted.x), executable(model, wanted.y)};
+}
+
+/// The limits of a robot, or of its setup.
+template <typename Body>
+ExecutionLimits limits_of(const Body& body) {
+  return {change_limit(body), body.max_speed};
+}
 
 }  // namespace avo::inline robots

@@ -2,8 +2,8 @@
 #include "sim/bases/bases.h"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
+#include <span>
 
 #include "core/draws.h"
 #include "core/elementary.h"
@@ -49,8 +49,7 @@ Bases::Bases(const Scenario& scenario)
 
 double Bases::added_radius(const RobotSetup& body) const {
   if (declared || !model) return declared.value_or(0.0);
-  const ExecutionLimits limits{change_limit(body), body.max_speed};
-  return bounds_of(*model, body.model, limits, time_step).position;
+  return bounds_of(*model, body.model, limits_of(body), time_step).position;
 }
 
 RobotSetup Bases::reference_of(const RobotSetup& body) const {
@@ -111,19 +110,6 @@ Bases bases_of(const Scenario& scenario) {
 
 namespace {
 
-// m: how far the commands that do not act yet will move the base beyond its lag, as its model says.
-Vec2 still_to_come(const Bases& bases, const Vec2* sent, std::size_t step) {
-  Vec2 sum = {};
-  double left = bases.model->dead_time;
-  for (std::size_t back = 1; left > 0.0 && back <= step; ++back, left -= bases.time_step)
-    sum = sum + std::min(left, bases.time_step) * sent[(step - back) % bases.depth];
-  return sum;
-}
-
-Vec2 executable(const ExecutionModel& model, Vec2 wanted) {
-  return {executable(model, wanted.x), executable(model, wanted.y)};
-}
-
 // The exact motion towards a velocity that is held.
 void go_on(Vec2 target, double time, double part, Base& base) {
   const Vec2 gained = part * (target - base.velocity);
@@ -133,14 +119,16 @@ void go_on(Vec2 target, double time, double part, Base& base) {
 
 // `after`: the reference at the end of the step.
 void move_base(const Bases& bases, std::size_t step, Draws draws, const MotionState& after,
-               Vec2* sent, Base& base) {
+               std::span<Vec2> sent, Base& base) {
   const ExecutionModel& model = *bases.model;
   const Vec2 position = base.position + drawn(draws, model.measured_position_error);
   const Vec2 velocity = base.velocity + drawn(draws, model.measured_velocity_error);
   const Vec2 error = drawn(draws, model.velocity_error);
-  sent[step % bases.depth] =
-      executable(model, command_towards(model, after, position, velocity,
-                                        still_to_come(bases, sent, step), bases.time_step));
+  sent[step % bases.depth] = executable(
+      model,
+      command_towards(model, after, position, velocity,
+                      still_to_come(sent, step % bases.depth, model.dead_time, bases.time_step),
+                      bases.time_step));
   const auto acting = [&](std::size_t late) {  // nothing was sent before the first step
     return step >= late ? sent[(step - late) % bases.depth] : Vec2{};
   };
@@ -159,15 +147,14 @@ void move_bases(World& world) {
     const std::uint32_t slot = fleet.slot_of[rank];
     if (fleet.conduct[slot].parked) continue;
     const Draws draws(Draws::key_of(bases.seed, world.steps, fleet.id[slot].value), kStep);
-    move_base(bases, step, draws, fleet.state(slot), &bases.sent[rank * bases.depth],
-              bases.all[rank]);
+    move_base(bases, step, draws, fleet.state(slot),
+              std::span(bases.sent).subspan(rank * bases.depth, bases.depth), bases.all[rank]);
   }
 }
 
 std::uint64_t hash_of(const Bases& bases, std::uint64_t hash) {
   const auto mix = [&](Vec2 value) {
-    hash = mixed(mixed(hash, std::bit_cast<std::uint64_t>(value.x)),
-                 std::bit_cast<std::uint64_t>(value.y));
+    hash = mixed(mixed(hash, word_of(value.x)), word_of(value.y));
   };
   for (const Base& base : bases.all) mix(base.position), mix(base.velocity);
   for (const Vec2 command : bases.sent) mix(command);

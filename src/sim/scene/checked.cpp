@@ -75,7 +75,7 @@ namespace {
 // Where it is judged, a body may be faster than its reference, and no acceleration is promised.
 void judge_body(const Scenario& scenario, const RobotSetup& setup, CheckedRobot& robot) {
   const ExecutionModel& model = *scenario.execution;
-  const ExecutionLimits limits{change_limit(setup), setup.max_speed};
+  const ExecutionLimits limits = limits_of(setup);
   robot.max_speed += bounds_of(model, setup.model, limits, scenario.time_step).velocity;
   robot.max_acceleration = std::numeric_limits<double>::infinity();
   robot.max_braking.reset();
