@@ -7,6 +7,7 @@
 #include "core/plane.h"
 #include "planner/alone.h"
 #include "planner/rules/evasion.h"
+#include "planner/rules/wishes.h"
 #include "planner/scratch.h"
 #include "planner/stages/contact.h"
 #include "planner/stages/disc_pairs.h"
@@ -55,10 +56,7 @@ int nearest_ahead(const Robot& robot, const Neighbors& neighbors, double range) 
 int strongest_push(const Robot& robot, const Neighbors& neighbors, const StepLaw& law) {
   const Discs discs = discs_of(robot, law);
   return heaviest(neighbors, [&](const Neighbor& neighbor) {
-    const DiscPair nearest = nearest_discs(discs, neighbor);
-    const double contact = nearest.robot.radius + nearest.neighbor.radius;
-    const bool is_beside = nearest.gap < kRoom * contact && nearest.gap > -contact;
-    return is_beside ? norm(push_of(nearest.robot, nearest.neighbor)) : 0.0;
+    return norm(push_within(nearest_discs(discs, neighbor)).value_or(Vec2{}));
   });
 }
 

@@ -8,12 +8,21 @@
 #include "planner/rules/arrival.h"
 #include "planner/rules/behind_walls.h"
 #include "planner/stages/certify.h"
-#include "planner/stages/disc_pairs.h"
 #include "planner/stages/execution.h"
 #include "planner/stages/steer.h"
 #include "robots/model.h"
 
 namespace avo::inline planner {
+
+std::optional<Vec2> push_within(const DiscPair& pair) {
+  const Robot& robot = pair.robot;
+  const Neighbor& neighbor = pair.neighbor;
+  const double contact = robot.radius + neighbor.radius;
+  if (!(pair.gap < kRoom * contact) || !(pair.gap > -contact)) return std::nullopt;
+  const double defers = is_predicted(neighbor) ? 1.0 : deference(robot.priority, neighbor.priority);
+  return defers * push_of(robot, neighbor);
+}
+
 namespace {
 
 constexpr double kInSight = 4.0;  // τ: a neighbor farther off does not make a robot hurry
@@ -26,16 +35,13 @@ void push_by_discs(const RobotColumns& robots, std::size_t i, const StepLaw& law
   const Neighbors& neighbors = robots.neighbors[i];
   traffic.is_beside = false, traffic.push = traffic.push_at_rest = {};
   for (std::size_t k = 0; k < neighbors.size(); ++k) {
-    const auto [robot, neighbor, gap] = nearest_discs(discs, neighbors[k]);
-    const double contact = robot.radius + neighbor.radius;
-    if (!(gap < kRoom * contact) || !(gap > -contact)) continue;
+    const DiscPair nearest = nearest_discs(discs, neighbors[k]);
+    const std::optional<Vec2> push = push_within(nearest);
+    if (!push) continue;
     traffic.is_beside = true;
-    const double defers =
-        is_predicted(neighbor) ? 1.0 : deference(robot.priority, neighbor.priority);
-    const Vec2 push = defers * push_of(robot, neighbor);
-    const double motion = motion_of(robot, neighbor);
-    traffic.push = traffic.push + motion * push;
-    traffic.push_at_rest = traffic.push_at_rest + (1.0 - motion) * push;
+    const double motion = motion_of(nearest.robot, nearest.neighbor);
+    traffic.push = traffic.push + motion * *push;
+    traffic.push_at_rest = traffic.push_at_rest + (1.0 - motion) * *push;
   }
 }
 

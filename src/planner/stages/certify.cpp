@@ -6,7 +6,6 @@
 
 #include <algorithm>
 
-#include "core/ranges.h"
 #include "planner/rules/back_out.h"
 #include "planner/rules/evasion.h"
 #include "planner/scratch.h"
