@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 // The columns of a sweep's table: one line here for each column.
-#include <algorithm>
-#include <array>
 #include <cmath>
 #include <fmt/format.h>
 #include <iterator>

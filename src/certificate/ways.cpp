@@ -2,7 +2,6 @@
 #include "certificate/ways.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <span>
 

@@ -3,7 +3,6 @@
 #include "avo/simulation.h"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <string>
 #include <utility>

@@ -2,7 +2,6 @@
 // The sensing-acting cycle of a fleet (paper §IV-D): all robots decide from the same snapshot, each
 // alone, and move.
 #include <algorithm>
-#include <cmath>
 #include <iterator>
 #include <utility>
 #include <vector>

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 // What the robots of a tile remember, and their motion.
-#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
