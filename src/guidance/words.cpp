@@ -199,7 +199,7 @@ Words evasion_of(const Explanation& e) {
   const Evasion& evasion = *e.decision.evasion;
   const Words whom =
       evasion.neighbor >= 0 ? name_of(e, {evasion.neighbor, -1}) : Words("the movers around it");
-  return "what it would have chosen leaves no evasive maneuver from " + whom +
+  return "what it would have chosen leaves no evasive maneuver beside " + whom +
          (evasion.duration > 0.0 ? ", so it makes room" : ", so it brakes");
 }
 

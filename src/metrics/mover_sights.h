@@ -14,7 +14,7 @@
 namespace avo::inline metrics {
 
 /// The moving obstacles that each robot senses. For each obstacle it stores whether the robot had
-/// an evasive maneuver from everything that it sensed when the obstacle last came into its sight
+/// an evasive maneuver beside everything that it sensed when the obstacle last came into its sight
 /// (docs/metrics.md).
 class MoverSights {
  public:

@@ -92,7 +92,7 @@ Haste haste_of_any(const Deciding<Trace>& deciding, std::size_t i, const Robot& 
   return haste;
 }
 
-// Keeps an evasive maneuver from movers.
+// Keeps an evasive maneuver beside movers.
 template <typename Trace>
 void evade(const Deciding<Trace>& deciding, std::size_t i, const FlightConstraints* flight) {
   const auto& [planner, execution, tile, scratch, law, trace] = deciding;

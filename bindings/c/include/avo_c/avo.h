@@ -189,7 +189,7 @@ typedef uint8_t avo_plan_status;
 enum {
   AVO_PLAN_OPTIMAL = 0,
   AVO_PLAN_LEAST_UNSAFE = 1,
-  /// the certificate refused the next velocity, or it left no evasive maneuver from a mover:
+  /// the certificate refused the next velocity, or it left no evasive maneuver beside a mover:
   /// another one
   AVO_PLAN_REFUSED = 2,
   AVO_PLAN_BRAKING = 3,
