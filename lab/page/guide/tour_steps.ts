@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The paper in six steps: van den Berg, Snape, Guy, Manocha, Reciprocal Collision Avoidance with Acceleration-Velocity
 // Obstacles, ICRA 2011. Each step has a small scene, an observation, and an experiment.
-import type { Library } from "../avo/avo.ts";
+import type { Library } from "../../avo/avo.ts";
 
 /** Sets a key of the scene: by a slider if it has a range, otherwise by buttons. */
 export interface Try {

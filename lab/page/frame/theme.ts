@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Dark or light: as in the system, until the user chooses.
-import type { PageLab } from "./run/make_lab.ts";
+import type { PageLab } from "../run/make_lab.ts";
 
 const KEY = "avo-lab-theme";
 

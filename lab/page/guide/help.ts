@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // All keys and gestures on one card.
-import { closeFromBeside, element } from "./elements.ts";
+import { closeFromBeside, element } from "../frame/elements.ts";
 
 const KEYS: [string, [string, string][]][] = [
   ["The run", [

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The first hint for a user who has not done anything yet.
-import { element } from "./elements.ts";
-import type { Lab } from "./run/lab.ts";
+import { element } from "../frame/elements.ts";
+import type { Lab } from "../run/lab.ts";
 
 export function mountHint(lab: Lab, root: HTMLElement): void {
   if (document.body.classList.contains("embedded")) return;

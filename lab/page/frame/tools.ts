@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // Outputs of the lab: a link to the scene, files of the run, and the tour of the paper.
 import { element } from "./elements.ts";
-import type { Progress } from "./run/export.ts";
-import { saveCsv, saveGif, savePng, saveVelocitySpace, saveWebm, saveYaml } from "./run/export.ts";
-import type { PageLab } from "./run/make_lab.ts";
-import { putIntoAddress } from "./share.ts";
-import { openTour } from "./tour.ts";
+import type { Progress } from "../run/export.ts";
+import { saveCsv, saveGif, savePng, saveVelocitySpace, saveWebm, saveYaml } from "../run/export.ts";
+import type { PageLab } from "../run/make_lab.ts";
+import { putIntoAddress } from "../text/share.ts";
+import { openTour } from "../guide/tour.ts";
 
 interface Saving {
   label: string;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The tour: a card beside the lab, which stays usable all the time. Arrows turn pages, Escape leaves.
-import { digits, element } from "./elements.ts";
-import type { Lab } from "./run/lab.ts";
+import { digits, element } from "../frame/elements.ts";
+import type { Lab } from "../run/lab.ts";
 import { TOUR, type Try } from "./tour_steps.ts";
 
 /** Shows the tour in `place`; a tour that is open already begins again. */

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // Keys of the page; keys that are typed into a field are text.
-import { zoomAt } from "./map/camera.ts";
-import { removeRobot } from "./map/changes.ts";
-import type { Tool } from "./map/dragging.ts";
-import type { PageLab } from "./run/make_lab.ts";
-import { SPEEDS } from "./run/transport.ts";
-import { showNext, turnBy } from "./map/orbit.ts";
-import { COLORINGS } from "./map/map_controls.ts";
-import type { WorldView } from "./map/world_view.ts";
+import { zoomAt } from "../map/camera.ts";
+import { removeRobot } from "../map/changes.ts";
+import type { Tool } from "../map/dragging.ts";
+import type { PageLab } from "../run/make_lab.ts";
+import { SPEEDS } from "../run/transport.ts";
+import { showNext, turnBy } from "../map/orbit.ts";
+import { COLORINGS } from "../map/map_controls.ts";
+import type { WorldView } from "../map/world_view.ts";
 
 export interface Openers {
   scenes(): void;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // The initial input of the page: the command line's, or else a scene that introduces the subject.
-import type { Library, RecordedScene, SceneFile } from "../avo/avo.ts";
-import { bytesOfBase64 } from "./data/compression.ts";
-import { makeLab, type PageLab } from "./run/make_lab.ts";
+import type { Library, RecordedScene, SceneFile } from "../../avo/avo.ts";
+import { bytesOfBase64 } from "../data/compression.ts";
+import { makeLab, type PageLab } from "./make_lab.ts";
 
 /** A file that a scene reads: as base64 if it is not text. */
 type InputFile = SceneFile | { path: string; base64: string; builtin: boolean };

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // A scene in an address: a user who opens the link has the whole scene, and no server has seen it.
-import type { Lab } from "./run/lab.ts";
-import type { SceneOptions } from "../avo/avo.ts";
-import { decodeScene, encodeScene } from "./data/share.ts";
+import type { Lab } from "../run/lab.ts";
+import type { SceneOptions } from "../../avo/avo.ts";
+import { decodeScene, encodeScene } from "../data/share.ts";
 
 /** Throws one line for a scene that does not fit into a link. */
 async function linkOf(lab: Lab): Promise<string> {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // A notice over the map about a refused action and its reason. Faults of the text are also marked there.
 import { element } from "./elements.ts";
-import type { Lab } from "./run/lab.ts";
-import { nearestFirst } from "./text/error_words.ts";
+import type { Lab } from "../run/lab.ts";
+import { nearestFirst } from "../text/error_words.ts";
 
 export function mountNotice(lab: Lab, root: HTMLElement): void {
   const text = element("p", {});

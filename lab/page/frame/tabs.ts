@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Without room for all panels, one of them is shown at a time.
 import { element } from "./elements.ts";
-import type { Lab } from "./run/lab.ts";
+import type { Lab } from "../run/lab.ts";
 
 const PANELS = ["scene", "inspector", "charts"] as const;
 type Panel = (typeof PANELS)[number];
