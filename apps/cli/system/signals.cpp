@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Handles the user's signals. A separate thread waits for them, so that its reaction may lock and
 // allocate, and does not depend on what the other threads are doing.
-#include "signals.h"
+#include "system/signals.h"
 
 #include <algorithm>
 #include <atomic>
@@ -13,9 +13,9 @@
 #include <unistd.h>
 
 #include "avo_io/output_file.h"
-#include "child_process.h"
 #include "exit_codes.h"
-#include "terminal.h"
+#include "system/child_process.h"
+#include "system/terminal.h"
 
 namespace avo_cli {
 namespace {

@@ -2,7 +2,7 @@
 // The options of avo lab.
 #include <CLI/CLI.hpp>
 
-#include "option_parts.h"
+#include "arguments/option_parts.h"
 #include "verbs/verbs.h"
 
 namespace avo_cli {

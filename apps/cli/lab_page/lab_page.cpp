@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The page of the lab, with its input embedded.
-#include "lab_page.h"
+#include "lab_page/lab_page.h"
 
 #include <fmt/format.h>
 #include <fstream>

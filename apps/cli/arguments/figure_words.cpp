@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The options of a figure of a run as words.
-#include "figure_words.h"
+#include "arguments/figure_words.h"
 
 #include <charconv>
 #include <fmt/format.h>
@@ -11,7 +11,7 @@
 
 #include "avo_io/printable.h"
 #include "exit_codes.h"
-#include "terminal.h"
+#include "system/terminal.h"
 
 namespace avo_cli {
 namespace {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Messages to the user.
-#include "terminal.h"
+#include "system/terminal.h"
 
 #include <algorithm>
 #include <atomic>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Opens a page in the browser of the desktop.
-#include "open_page.h"
+#include "system/open_page.h"
 
 #include <csignal>
 #include <cstdlib>
@@ -9,7 +9,7 @@
 #include <spawn.h>
 #include <unistd.h>
 
-#include "terminal.h"
+#include "system/terminal.h"
 
 extern char** environ;
 

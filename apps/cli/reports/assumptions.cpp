@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Remedies for scenes that break the assumptions of their certificate.
-#include "assumptions.h"
+#include "reports/assumptions.h"
 
 #include <algorithm>
 #include <cstdint>
@@ -9,7 +9,7 @@
 #include "avo/assumptions.h"
 #include "avo_io/complaints.h"
 #include "exit_codes.h"
-#include "terminal.h"
+#include "system/terminal.h"
 
 namespace avo_cli {
 

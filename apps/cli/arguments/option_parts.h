@@ -3,7 +3,7 @@
 #pragma once
 #include <string>
 
-#include "options.h"
+#include "arguments/options.h"
 #include "verbs/verbs.h"
 
 namespace CLI {

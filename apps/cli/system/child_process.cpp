@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Another program that reads the output of this program.
-#include "child_process.h"
+#include "system/child_process.h"
 
 #include <atomic>
 #include <cerrno>
@@ -17,7 +17,7 @@
 
 #include "avo_io/errors.h"
 #include "avo_io/printable.h"
-#include "terminal.h"
+#include "system/terminal.h"
 
 extern char** environ;
 

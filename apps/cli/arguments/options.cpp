@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The verbs and options of the command line, as a tree.
-#include "options.h"
+#include "arguments/options.h"
 
 #include <CLI/CLI.hpp>
 #include <charconv>
@@ -9,16 +9,16 @@
 #include <string>
 #include <system_error>
 
+#include "arguments/figure_words.h"
+#include "arguments/option_parts.h"
+#include "arguments/own_methods.h"
+#include "arguments/words.h"
 #include "avo/version.h"
 #include "avo_io/printable.h"
 #include "completion/generate.h"
 #include "exit_codes.h"
-#include "figure_words.h"
-#include "option_parts.h"
-#include "own_methods.h"
-#include "terminal.h"
+#include "system/terminal.h"
 #include "verbs/verbs.h"
-#include "words.h"
 
 namespace avo_cli {
 

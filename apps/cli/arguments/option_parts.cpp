@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // Options that several verbs share.
-#include "option_parts.h"
+#include "arguments/option_parts.h"
 
 #include <CLI/CLI.hpp>
 
-#include "terminal.h"
+#include "system/terminal.h"
 
 namespace avo_cli {
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // A measuring line that the command line names.
-#include "measuring_line.h"
+#include "arguments/measuring_line.h"
 
 #include <algorithm>
 #include <cmath>
@@ -11,7 +11,7 @@
 #include "avo_io/printable.h"
 #include "avo_io/sweep.h"
 #include "exit_codes.h"
-#include "terminal.h"
+#include "system/terminal.h"
 
 namespace avo_cli {
 

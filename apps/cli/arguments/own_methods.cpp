@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "own_methods.h"
+#include "arguments/own_methods.h"
 
 #include <CLI/CLI.hpp>
 #include <cstdint>
@@ -12,11 +12,11 @@
 #include <dlfcn.h>
 #endif
 
+#include "arguments/option_parts.h"
 #include "avo_io/printable.h"
 #include "bindings/c/external.h"
 #include "exit_codes.h"
-#include "option_parts.h"
-#include "terminal.h"
+#include "system/terminal.h"
 
 namespace avo_cli {
 namespace {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The files that a command line names, checked before any of them is opened for writing.
-#include "files.h"
+#include "arguments/files.h"
 
 #include <algorithm>
 #include <filesystem>

@@ -2,8 +2,8 @@
 // The options of avo sweep, and of the verbs for its results: avo compare and avo report.
 #include <CLI/CLI.hpp>
 
-#include "option_parts.h"
-#include "own_methods.h"
+#include "arguments/option_parts.h"
+#include "arguments/own_methods.h"
 #include "verbs/verbs.h"
 
 namespace avo_cli {

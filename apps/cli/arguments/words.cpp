@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Unknown words of the command line, and the words that the user may have meant.
-#include "words.h"
+#include "arguments/words.h"
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -9,7 +9,7 @@
 #include "avo_io/nearest.h"
 #include "avo_io/printable.h"
 #include "exit_codes.h"
-#include "terminal.h"
+#include "system/terminal.h"
 
 namespace avo_cli {
 namespace {
