@@ -8,14 +8,14 @@
 #include <system_error>
 #include <vector>
 
+#include "arguments/options.h"
+#include "arguments/words.h"
 #include "avo/simd.h"
 #include "avo/version.h"
 #include "avo_io/errors.h"
 #include "avo_io/output_file.h"
 #include "exit_codes.h"
-#include "options.h"
-#include "terminal.h"
-#include "words.h"
+#include "system/terminal.h"
 
 namespace avo_cli {
 namespace {

@@ -17,7 +17,7 @@
 namespace avo::safety {
 namespace {
 
-constexpr int kRobots = 100;
+constexpr int kFlowRobots = 100;
 constexpr double kReached = 1.0;    // m, from a waypoint
 constexpr double kStill = 0.01;     // m/s: a robot this slow stands
 constexpr double kSettling = 60.0;  // s, before Outcome::late_flow counts
@@ -207,7 +207,7 @@ bool is_clear(Vec2 place, const std::vector<RobotSetup>& others, double distance
 Scene flow_scene(Flow flow, std::uint64_t seed) {
   Scenario scenario = usual_scenario();
   Random random(seed, flow == Flow::torus ? 26 : 27);
-  while (scenario.robots.size() < kRobots) {
+  while (scenario.robots.size() < kFlowRobots) {
     const Vec2 place = random.in_square(kFlowSide);
     if (!is_clear(place, scenario.robots, 1.2)) continue;
     const int side = static_cast<int>(scenario.robots.size() % 4);

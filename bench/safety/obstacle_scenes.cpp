@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Scenes of robots among obstacles that do not react: obstacles at rest, with constant velocity, or
-// with the motion of people.
+// Scenes of robots among obstacles that do not react: with constant velocity, or with the motion of
+// people.
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -10,23 +10,6 @@
 #include "scenes.h"
 
 namespace avo::safety {
-
-Scene doorway() {
-  constexpr double kPost = 0.25;  // m, radius; the posts touch
-  Scenario scenario = usual_scenario();
-  for (const double side : {-1.0, 1.0}) {
-    for (const Vec2 start : block({8.0 * side, 0.0}, 4, 4, 2.0)) {
-      scenario.robots.push_back(usual_robot(start, start - Vec2{16.0 * side, 0.0}, kSpeed));
-    }
-    for (int k = 0; k < 30; ++k) {
-      MovingObstacle post;
-      post.position = {0.0, side * (1.5 + 2.0 * kPost * k)};
-      post.radius = kPost;
-      scenario.moving_obstacles.push_back(post);
-    }
-  }
-  return measured_by_straight_time(std::move(scenario));
-}
 
 namespace {
 

@@ -12,17 +12,6 @@
 
 namespace avo::safety {
 
-namespace {
-
-void add_group(Scenario& scenario, const std::vector<Vec2>& starts,
-               const std::vector<Vec2>& goals) {
-  for (std::size_t i = 0; i < starts.size(); ++i) {
-    scenario.robots.push_back(usual_robot(starts[i], goals[i], kSpeed));
-  }
-}
-
-}  // namespace
-
 double straight_time(const Scenario& scenario) {
   double longest = 0.0;
   for (const RobotSetup& robot : scenario.robots) {
@@ -69,6 +58,12 @@ RobotSetup usual_robot(Vec2 position, Vec2 goal, double preferred_speed) {
   return robot;
 }
 
+Scene within_duration(Scenario scenario) {
+  Scene scene{std::move(scenario)};
+  scene.unit = scene.scenario.duration;
+  return scene;
+}
+
 Scene measured_by_straight_time(Scenario scenario) {
   Scene scene{std::move(scenario)};
   scene.unit = straight_time(scene.scenario);
@@ -78,14 +73,11 @@ Scene measured_by_straight_time(Scenario scenario) {
   return scene;
 }
 
-Scene random_square(int n, std::uint64_t seed) {
-  Scene scene{usual_scenario()};
-  Random random(seed, 2);
-  const double side = std::max(8.0, std::sqrt(n * kPi * 0.25 / 0.12));
-  const std::vector<double> radii(static_cast<std::size_t>(n), 0.5);
-  const std::vector<Vec2> starts = random_places(radii, side, 0.3, random);
-  add_group(scene.scenario, starts, random_places(radii, side, 0.5, random));
-  scene.unit = scene.scenario.duration = 60.0;
+Scene until_rest(Scenario scenario, double units) {
+  Scene scene{std::move(scenario)};
+  scene.unit = straight_time(scene.scenario);
+  scene.limit = units;
+  scene.until_rest = true;
   return scene;
 }
 
@@ -111,6 +103,30 @@ Scene mixed(std::uint64_t seed) {
   }
   see_far_enough(scenario);
   return measured_by_straight_time(std::move(scenario));
+}
+
+Scene touching_goals(int n, bool hexagonal, std::uint64_t seed) {
+  Scenario scenario = usual_scenario();
+  Random random(seed, 23);
+  const auto rows = static_cast<int>(std::lround(std::sqrt(n)));
+  constexpr double kDiameter = 1.0;  // m
+  std::vector<Vec2> goals =
+      hexagonal ? triangular_block(rows, rows, kDiameter) : block({}, rows, rows, kDiameter);
+  goals = dealt_anew(std::move(goals), random);
+  const double inner = 0.75 * rows * kDiameter + 2.0, side = 2.0 * (inner + rows * kDiameter);
+  std::vector<Vec2> starts;
+  while (starts.size() < goals.size()) {
+    const Vec2 place = random.in_square(side);
+    bool is_clear = norm(place) > inner;
+    for (const Vec2 other : starts) is_clear = is_clear && norm(place - other) > 1.3 * kDiameter;
+    if (is_clear) starts.push_back(place);
+  }
+  for (std::size_t k = 0; k < goals.size(); ++k)
+    scenario.robots.push_back(usual_robot(starts[k], goals[k], kSpeed));
+  scenario.duration = 360.0;
+  Scene scene = until_rest(std::move(scenario), 0.0);
+  scene.limit = 300.0 / scene.unit;
+  return scene;
 }
 
 Scene crush(bool packed, double robot_steps, std::uint64_t seed) {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Scenes over which safety and arrival are measured, as far as no YAML says them (read_scene.h).
-// All robots start at rest.
+// Each of these scenes has something that no scene file says: sizes, limits, walls or movers at
+// random, starts around a block, new goals during a run, a torus, or faults of some robots. All
+// robots start at rest.
 #pragma once
 #include <cstdint>
 #include <optional>
@@ -45,9 +47,16 @@ inline constexpr double kSpeed = 1.5;
 Scenario usual_scenario();
 RobotSetup usual_robot(Vec2 position, Vec2 goal, double preferred_speed);
 
+/// Returns a scene in which all robots must arrive within its duration.
+Scene within_duration(Scenario scenario);
+
 /// Returns a scene in which 99 % must arrive within 4.5 times the straight line's time; the aim is
 /// 3.
 Scene measured_by_straight_time(Scenario scenario);
+
+/// Returns a scene that lasts until all robots are at rest, in which every robot must arrive within
+/// so many units, the straight line's time each.
+Scene until_rest(Scenario scenario, double units);
 
 /// Returns the longest of the times that the robots, alone, take from rest to rest. A time is d/v +
 /// v/a with v the preferred speed, or 2 √(d/a) if the distance is too short for it.
@@ -60,11 +69,12 @@ void see_far_enough(Scenario& scenario);
 /// often.
 Scene with_clocks(Scene scene, bool unequal, std::uint64_t seed);
 
-/// Returns n robots with random starts and goals in a square of 8 m or of 12 % density.
-Scene random_square(int n, std::uint64_t seed);
-
 /// Returns 60 unequal robots, 15 % of the square's area, with random starts and goals in it.
 Scene mixed(std::uint64_t seed);
+
+/// Returns n robots around a block of goals that touch; n is a square number. Rows form a square,
+/// or every second row is shifted by half a robot, which is the densest packing.
+Scene touching_goals(int n, bool hexagonal, std::uint64_t seed);
 
 /// Returns 200 unequal robots, all sent to one point, every 5 s to another of five within 4 m along
 /// each axis. `packed`: equal radii, and they start at four fifths of the densest packing.
@@ -73,10 +83,6 @@ Scene crush(bool packed, double robot_steps, std::uint64_t seed);
 /// Returns 100 unequal airplanes that loiter, all sent to one point, every 5 s to another of five.
 /// `mixed`: of every three robots one is an airplane, one a car and one holonomic.
 Scene airplanes(bool mixed, double robot_steps, std::uint64_t seed);
-
-/// Returns two groups of 4 x 4 that change sides through a gap of 2.5 m in a wall of obstacles at
-/// rest.
-Scene doorway();
 
 /// Returns 20 robots with random starts and goals in a square that 8 obstacles cross, each at its
 /// own speed.

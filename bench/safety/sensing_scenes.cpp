@@ -10,6 +10,7 @@
 
 #include "families.h"
 #include "placement.h"
+#include "read_scene.h"
 
 namespace avo::safety {
 namespace {
@@ -17,23 +18,16 @@ namespace {
 constexpr double kClearance = 0.3;  // m between robots at the start
 
 Scene square_of_30(std::uint64_t seed) {
-  return random_square(30, seed);
+  return within_duration(read_scene({"random-30.yaml"}, seed));
 }
 
 // Returns a circle so small that all robots meet within seconds.
 Scene circle_of_20(std::uint64_t seed) {
-  constexpr int kRobots = 20;
-  constexpr double kRadius = 8.0, kJitter = 0.2;
-  Scene scene{usual_scenario()};
-  Random random(seed, 9);
-  for (int k = 0; k < kRobots; ++k) {
-    const Vec2 place = kRadius * circle_point(k, kRobots);
-    const Vec2 start = place + random.in_square(2.0 * kJitter);
-    scene.scenario.robots.push_back(
-        usual_robot(start, random.in_square(2.0 * kJitter) - place, kSpeed));
-  }
-  scene.unit = scene.scenario.duration = 60.0;
-  return scene;
+  return within_duration(read_scene(
+      {"circle-20",
+       {"groups.0.placement.circle.min_radius=8", "groups.0.preferred_speed=1.5",
+        "groups.0.jitter=0.2", "duration=60"}},
+      seed));
 }
 
 // Returns unequal robots, all sent to one point, then to another.

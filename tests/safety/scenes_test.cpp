@@ -14,6 +14,7 @@
 #include "avo/assumptions.h"
 #include "avo/error.h"
 #include "avo/simulation.h"
+#include "avo_io/sweep.h"
 #include "density.h"
 #include "evadable.h"
 #include "families.h"
@@ -36,6 +37,12 @@ RobotSetup robot_at(Vec2 position, double radius) {
   robot.position = robot.goal = position;
   robot.radius = radius;
   return robot;
+}
+
+Scene scene_of(const std::string& name) {
+  for (const Family& family : families(1e4))
+    if (family.name == name) return family.make(2);
+  throw Error("found no row " + name);
 }
 
 TEST(Families, have_names_of_their_own_and_start_clear_and_at_rest) {
@@ -81,7 +88,7 @@ TEST(Families, seeds_decide_where_they_say_so) {
 }
 
 TEST(Families, random_squares_have_the_density_asked_for) {
-  const Scenario scenario = random_square(60, 1).scenario;
+  const Scenario scenario = scene_of("random-60").scenario;
   double extent = 0.0;
   std::vector<Vec2> starts, goals;
   for (const RobotSetup& robot : scenario.robots) {
@@ -186,6 +193,32 @@ TEST(Evadable, knows_paths) {
   EXPECT_FALSE(is_evadable(scenario));
 }
 
+// The robots but the last one are at their goals, and stand around the goal of the last one.
+TEST(Families, goals_are_among_robots_at_their_goals) {
+  const std::pair<const char*, std::size_t> rows[] = {{"ring", 9}, {"deep", 37}};
+  for (const auto& [name, count] : rows) {
+    const std::vector<RobotSetup> robots = scene_of(name).scenario.robots;
+    ASSERT_EQ(robots.size(), count) << name;
+    EXPECT_EQ(robots.back().goal, Vec2{}) << name;
+    EXPECT_GE(norm(robots.back().position), 10.0 - 1e-12) << name;
+    int around = 0;  // robots too near to the goal and to each other for a passage
+    for (std::size_t i = 0; i + 1 < count; ++i) {
+      EXPECT_LT(norm(robots[i].goal - robots[i].position), 0.1) << name;
+      around += norm(robots[i].position) < 1.4 ? 1 : 0;
+    }
+    EXPECT_EQ(around, name == std::string("ring") ? 8 : 6) << name;
+  }
+}
+
+TEST(Families, columns_of_the_block_exchange_places) {
+  const std::vector<RobotSetup> robots = scene_of("block-swap").scenario.robots;
+  ASSERT_EQ(robots.size(), 64U);
+  for (std::size_t i = 0; i < robots.size(); ++i) {
+    const std::size_t partner = i / 8 % 2 == 0 ? i + 8 : i - 8;
+    EXPECT_LT(norm(robots[i].goal - robots[partner].position), 0.2) << i;
+  }
+}
+
 // One robot of that radius in the scene's walls, from one place to another.
 bool gets_through(const Scene& scene, double radius, Vec2 from, Vec2 to) {
   Scenario scenario = scene.scenario;
@@ -195,12 +228,6 @@ bool gets_through(const Scene& scene, double radius, Vec2 from, Vec2 to) {
   scenario.robots[0].goal = to;
   scenario.robots[0].radius = radius;
   return Simulation(scenario, 1).unreachable().empty();
-}
-
-Scene scene_of(const std::string& name) {
-  for (const Family& family : families(1e4))
-    if (family.name == name) return family.make(2);
-  throw Error("found no row " + name);
 }
 
 TEST(Families, passages_are_as_wide_as_they_say) {
@@ -235,7 +262,9 @@ TEST(Families, passages_are_used_both_ways) {
 TEST(Families, that_are_read_have_the_usual_settings) {
   const Scenario usual = usual_scenario();
   for (const char* name : {"circle-100", "circle-100-jitter", "swap", "streams", "permutation",
-                           "doorway-1.6", "corridor-2.4", "office-1.2", "maze"}) {
+                           "random-30", "doorway", "ring", "deep", "block-swap", "clump-100",
+                           "doorway-1.6", "corridor-2.4", "office-1.2", "maze",
+                           "dropped-5%-circle"}) {
     const Scenario scenario = scene_of(name).scenario;
     EXPECT_EQ(scenario.time_step, usual.time_step) << name;
     EXPECT_EQ(scenario.sensing_radius, usual.sensing_radius) << name;
@@ -243,12 +272,23 @@ TEST(Families, that_are_read_have_the_usual_settings) {
     EXPECT_EQ(scenario.arrival_distance, usual.arrival_distance) << name;
     for (const RobotSetup& robot : scenario.robots) {
       const RobotSetup like =
-          usual_robot({}, {}, std::string_view(name).starts_with("circle") ? 2.0 : kSpeed);
+          usual_robot({}, {}, std::string_view(name).starts_with("circle-") ? 2.0 : kSpeed);
       EXPECT_EQ(robot.radius, like.radius) << name;
       EXPECT_EQ(robot.max_speed, like.max_speed) << name;
       EXPECT_EQ(robot.max_acceleration, like.max_acceleration) << name;
       EXPECT_EQ(robot.preferred_speed, like.preferred_speed) << name;
     }
+  }
+}
+
+// The files that make the same runs by `avo sweep`, with their numbers of runs.
+TEST(Families, are_sweeps_as_well) {
+  const std::pair<const char*, int> sweeps[] = {
+      {"circles", 240}, {"squares", 800}, {"crowds", 120}, {"passages", 100}};
+  for (const auto& [name, runs] : sweeps) {
+    const auto sweep =
+        avo_io::load_sweep(std::string(AVO_SAFETY_SWEEPS "/") + name + ".yaml");
+    EXPECT_EQ(run_count(sweep), runs) << name;
   }
 }
 

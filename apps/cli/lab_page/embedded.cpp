@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The page as bytes of the program: the assembler includes the file verbatim, which costs no
 // compile time.
-#include "lab_page.h"
+#include "lab_page/lab_page.h"
 
 asm(".section .rodata\n"
     "avo_lab_page_begin:\n"

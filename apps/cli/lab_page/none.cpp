@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // An empty page, for a build without AVO_LAB.
-#include "lab_page.h"
+#include "lab_page/lab_page.h"
 
 namespace avo_cli {
 

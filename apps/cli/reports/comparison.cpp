@@ -11,7 +11,7 @@
 #include "avo_io/nearest.h"
 #include "avo_io/printable.h"
 #include "exit_codes.h"
-#include "terminal.h"
+#include "system/terminal.h"
 
 namespace avo_cli {
 namespace {

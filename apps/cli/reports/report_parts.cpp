@@ -10,7 +10,7 @@
 #include <string_view>
 
 #include "avo_io/recording.h"
-#include "lab_page.h"
+#include "lab_page/lab_page.h"
 #include "report_page.h"
 #include "reports/html.h"
 #include "reports/report_replay.h"

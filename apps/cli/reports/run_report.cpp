@@ -9,7 +9,7 @@
 #include <span>
 
 #include "avo_io/printable.h"
-#include "terminal.h"
+#include "system/terminal.h"
 
 namespace avo_cli {
 namespace {

@@ -8,11 +8,11 @@
 #include <map>
 #include <string_view>
 
+#include "arguments/files.h"
 #include "avo/simd.h"
 #include "avo/version.h"
 #include "avo_io/scene.h"
-#include "files.h"
-#include "terminal.h"
+#include "system/terminal.h"
 
 namespace avo_cli {
 namespace {

@@ -9,18 +9,18 @@
 #include <utility>
 #include <vector>
 
+#include "arguments/own_methods.h"
 #include "avo/version.h"
 #include "avo_io/printable.h"
 #include "avo_io/sweep.h"
 #include "exit_codes.h"
 #include "figures/trajectories.h"
-#include "lab_page.h"
-#include "own_methods.h"
+#include "lab_page/lab_page.h"
 #include "reports/comparison.h"
 #include "reports/html.h"
 #include "reports/report_parts.h"
 #include "reports/report_replay.h"
-#include "terminal.h"
+#include "system/terminal.h"
 
 namespace avo_cli {
 namespace {

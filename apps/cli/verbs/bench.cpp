@@ -20,7 +20,7 @@
 #include "exit_codes.h"
 #include "reports/bench_report.h"
 #include "reports/settings_report.h"
-#include "terminal.h"
+#include "system/terminal.h"
 #include "verbs/space_verbs.h"
 #include "verbs/verbs.h"
 

@@ -8,13 +8,13 @@
 #include <utility>
 #include <vector>
 
+#include "arguments/files.h"
 #include "avo_io/judgement.h"
 #include "avo_io/printable.h"
 #include "avo_io/recording.h"
 #include "exit_codes.h"
-#include "files.h"
 #include "reports/settings_report.h"
-#include "terminal.h"
+#include "system/terminal.h"
 #include "verbs/space_verbs.h"
 #include "verbs/verbs.h"
 

@@ -5,13 +5,13 @@
 #include <string>
 #include <vector>
 
+#include "arguments/files.h"
 #include "avo_io/output_file.h"
 #include "avo_io/recording.h"
 #include "exit_codes.h"
-#include "files.h"
 #include "reports/comparison.h"
-#include "signals.h"
-#include "terminal.h"
+#include "system/signals.h"
+#include "system/terminal.h"
 #include "verbs/verbs.h"
 
 namespace avo_cli {

@@ -11,15 +11,15 @@
 #include <string_view>
 #include <vector>
 
+#include "arguments/files.h"
 #include "avo_io/nearest.h"
 #include "avo_io/printable.h"
 #include "avo_io/recording.h"
 #include "avo_io/sweep.h"
 #include "exit_codes.h"
-#include "files.h"
 #include "reports/settings_report.h"
-#include "signals.h"
-#include "terminal.h"
+#include "system/signals.h"
+#include "system/terminal.h"
 #include "verbs/space_verbs.h"
 #include "verbs/verbs.h"
 

@@ -3,16 +3,16 @@
 #include <fmt/format.h>
 #include <optional>
 
+#include "arguments/files.h"
 #include "avo/simulation.h"
 #include "avo_io/decision.h"
 #include "avo_io/output_file.h"
 #include "exit_codes.h"
 #include "figures/state_map.h"
 #include "figures/velocity_space.h"
-#include "files.h"
 #include "reports/settings_report.h"
-#include "signals.h"
-#include "terminal.h"
+#include "system/signals.h"
+#include "system/terminal.h"
 #include "verbs/space_verbs.h"
 #include "verbs/verbs.h"
 

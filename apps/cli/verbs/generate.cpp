@@ -9,7 +9,7 @@
 #include "avo_io/printable.h"
 #include "avo_io/scene.h"
 #include "exit_codes.h"
-#include "terminal.h"
+#include "system/terminal.h"
 
 namespace avo_cli {
 namespace {

@@ -12,17 +12,17 @@
 #include <utility>
 #include <vector>
 
+#include "arguments/files.h"
 #include "avo_io/output_file.h"
 #include "avo_io/recording.h"
 #include "avo_io/scene.h"
 #include "avo_io/space.h"
 #include "avo_io/space_frames.h"
 #include "exit_codes.h"
-#include "files.h"
-#include "lab_page.h"
-#include "open_page.h"
-#include "signals.h"
-#include "terminal.h"
+#include "lab_page/lab_page.h"
+#include "system/open_page.h"
+#include "system/signals.h"
+#include "system/terminal.h"
 #include "verbs/space_verbs.h"
 #include "verbs/verbs.h"
 

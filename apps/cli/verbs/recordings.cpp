@@ -4,13 +4,13 @@
 #include <string>
 #include <string_view>
 
+#include "arguments/files.h"
+#include "arguments/own_methods.h"
 #include "avo_io/recording.h"
 #include "avo_io/replay.h"
 #include "exit_codes.h"
-#include "files.h"
-#include "own_methods.h"
-#include "signals.h"
-#include "terminal.h"
+#include "system/signals.h"
+#include "system/terminal.h"
 #include "verbs/space_verbs.h"
 #include "verbs/verbs.h"
 

@@ -5,6 +5,9 @@
 #include <string>
 #include <vector>
 
+#include "arguments/files.h"
+#include "arguments/measuring_line.h"
+#include "arguments/own_methods.h"
 #include "avo/metrics.h"
 #include "avo/simulation.h"
 #include "avo/version.h"
@@ -14,18 +17,15 @@
 #include "avo_io/replay.h"
 #include "exit_codes.h"
 #include "figures/trajectories.h"
-#include "files.h"
-#include "lab_page.h"
-#include "measuring_line.h"
-#include "own_methods.h"
+#include "lab_page/lab_page.h"
 #include "reports/curves.h"
 #include "reports/html.h"
 #include "reports/recording_parts.h"
 #include "reports/report_parts.h"
 #include "reports/report_replay.h"
 #include "reports/sweep_report.h"
-#include "signals.h"
-#include "terminal.h"
+#include "system/signals.h"
+#include "system/terminal.h"
 #include "verbs/space_verbs.h"
 #include "verbs/verbs.h"
 

@@ -8,17 +8,17 @@
 #include <string>
 #include <vector>
 
+#include "arguments/files.h"
 #include "avo/metrics.h"
 #include "avo/simulation.h"
 #include "avo_io/output_file.h"
 #include "avo_io/recording.h"
 #include "exit_codes.h"
 #include "figures/trajectories.h"
-#include "files.h"
 #include "reports/run_report.h"
 #include "reports/settings_report.h"
-#include "signals.h"
-#include "terminal.h"
+#include "system/signals.h"
+#include "system/terminal.h"
 #include "verbs/space_verbs.h"
 #include "verbs/verbs.h"
 

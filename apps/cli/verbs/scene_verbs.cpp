@@ -9,16 +9,16 @@
 #include <string_view>
 #include <vector>
 
-#include "assumptions.h"
+#include "arguments/files.h"
+#include "arguments/own_methods.h"
 #include "avo/reachability.h"
 #include "avo_io/errors.h"
 #include "avo_io/printable.h"
 #include "avo_io/scene.h"
 #include "exit_codes.h"
-#include "files.h"
-#include "own_methods.h"
+#include "reports/assumptions.h"
 #include "reports/settings_report.h"
-#include "terminal.h"
+#include "system/terminal.h"
 #include "verbs/space_verbs.h"
 #include "verbs/verbs.h"
 

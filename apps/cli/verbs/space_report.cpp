@@ -9,12 +9,12 @@
 #include "avo/space/metrics.h"
 #include "avo/version.h"
 #include "exit_codes.h"
-#include "lab_page.h"
+#include "lab_page/lab_page.h"
 #include "reports/html.h"
 #include "reports/recording_parts.h"
 #include "reports/report_parts.h"
 #include "reports/report_replay.h"
-#include "terminal.h"
+#include "system/terminal.h"
 #include "verbs/space_verbs.h"
 
 namespace avo_cli {

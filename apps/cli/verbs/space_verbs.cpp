@@ -14,6 +14,7 @@
 #include <utility>
 #include <vector>
 
+#include "arguments/files.h"
 #include "avo/space/metrics.h"
 #include "avo/space/reachability.h"
 #include "avo_io/output_file.h"
@@ -21,10 +22,9 @@
 #include "avo_io/space_decision.h"
 #include "exit_codes.h"
 #include "figures/space_views.h"
-#include "files.h"
 #include "reports/run_report.h"
-#include "signals.h"
-#include "terminal.h"
+#include "system/signals.h"
+#include "system/terminal.h"
 
 namespace avo_cli {
 namespace {

@@ -13,14 +13,14 @@
 #include <utility>
 #include <vector>
 
+#include "arguments/files.h"
+#include "arguments/own_methods.h"
 #include "avo_io/output_file.h"
 #include "avo_io/printable.h"
 #include "avo_io/recording.h"
 #include "exit_codes.h"
-#include "files.h"
-#include "own_methods.h"
-#include "signals.h"
-#include "terminal.h"
+#include "system/signals.h"
+#include "system/terminal.h"
 #include "verbs/verbs.h"
 
 namespace avo_cli {

@@ -8,9 +8,9 @@
 #include <string>
 #include <vector>
 
+#include "arguments/figure_words.h"
 #include "avo/scenario.h"
 #include "avo_io/scene.h"
-#include "figure_words.h"
 
 namespace avo_cli {
 

@@ -11,17 +11,17 @@
 #include <utility>
 #include <vector>
 
+#include "arguments/files.h"
 #include "avo_io/frames.h"
 #include "avo_io/output_file.h"
 #include "avo_io/recording.h"
 #include "avo_io/space_frames.h"
-#include "child_process.h"
 #include "exit_codes.h"
 #include "figures/picture.h"
 #include "figures/space_views.h"
-#include "files.h"
-#include "signals.h"
-#include "terminal.h"
+#include "system/child_process.h"
+#include "system/signals.h"
+#include "system/terminal.h"
 #include "verbs/space_verbs.h"
 #include "verbs/verbs.h"
 

@@ -3,7 +3,7 @@
 import type { Lab } from "../run/lab.ts";
 import type { Decision } from "./decision.ts";
 import { cross, dot, minus, norm } from "./decision.ts";
-import { closeFromBeside, digits, element, oncePerFrame } from "../elements.ts";
+import { closeFromBeside, digits, element, oncePerFrame } from "../frame/elements.ts";
 import type { ExplainedInPlane } from "./explained.ts";
 import { explained } from "./explained.ts";
 import { simulationFor } from "./inspector.ts";

@@ -3,7 +3,7 @@
 import type { Lab } from "../run/lab.ts";
 import type { Decision, Sensed, Vec } from "./decision.ts";
 import { clearanceOf, labelOf, nameOf, norm } from "./decision.ts";
-import { digits, element } from "../elements.ts";
+import { digits, element } from "../frame/elements.ts";
 import { STATUS_COLORS } from "./palette.ts";
 import type { Law, Why } from "./why.ts";
 import { evadedOf, headingOf } from "./why.ts";

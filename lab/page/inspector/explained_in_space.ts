@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The decision of a robot in space at the present moment, and the cut through its velocity space.
 import type { SceneInfo, Simulation } from "../../avo/avo.ts";
-import { digits } from "../elements.ts";
+import { digits } from "../frame/elements.ts";
 import { dot3, norm3, times3, type Vec3 } from "../map/vec3.ts";
 import { besidePlane, cutBall, cutHalfSpace, cutOfNobody, cutOfPair, inPlane, type CutPlane } from "./cut.ts";
 import { violation, type Disc, type HalfPlane } from "./decision.ts";

@@ -3,7 +3,7 @@
 // is readable without color. A click goes to that time.
 import { STATUSES } from "../../avo/avo.ts";
 import type { Lab } from "../run/lab.ts";
-import { crispContext, digits, element, oncePerFrame } from "../elements.ts";
+import { crispContext, digits, element, oncePerFrame } from "../frame/elements.ts";
 import { STATUS_COLORS, paletteOf } from "./palette.ts";
 import { NO_DECISION, alarmOf, worstByPixel } from "../run/thinned.ts";
 import { ticks } from "./velocity_view.ts";

@@ -3,7 +3,7 @@
 import type { Simulation } from "../../avo/avo.ts";
 import { openComparison } from "./comparison.ts";
 import { markNeighbor } from "./decision_tables.ts";
-import { closeFromBeside, digits, element, oncePerFrame } from "../elements.ts";
+import { closeFromBeside, digits, element, oncePerFrame } from "../frame/elements.ts";
 import type { Explained } from "./explained.ts";
 import { explained } from "./explained.ts";
 import { explainedInSpace } from "./explained_in_space.ts";

@@ -2,7 +2,7 @@
 // The canvas of a velocity space: at the resolution of the screen, with wheel, drag, pinch and keys, and with a reading
 // under the pointer.
 import type { Lab } from "../run/lab.ts";
-import { crispContext, digits, element, oncePerFrame } from "../elements.ts";
+import { crispContext, digits, element, oncePerFrame } from "../frame/elements.ts";
 import { labelOf, norm, violation } from "./decision.ts";
 import { paletteOf } from "./palette.ts";
 import type { Admitted, Outline, VelocitySpace } from "./velocity_space.ts";

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // A decision in space in numbers with units, and the neighbors that the robot senses, nearest first.
 import { minus3, norm3, type Vec3 } from "../map/vec3.ts";
-import { digits, element } from "../elements.ts";
+import { digits, element } from "../frame/elements.ts";
 import type { Lab } from "../run/lab.ts";
 import { neighborLink, neighborsOf, symbol, tableOf, type Row } from "./decision_tables.ts";
 import { STATUS_COLORS } from "./palette.ts";

@@ -3,7 +3,7 @@
 import { toMeters, zoomAt } from "./camera.ts";
 import { speedOf } from "./discs.ts";
 import { begin, click, type Gesture, type Tool } from "./dragging.ts";
-import { digits } from "../elements.ts";
+import { digits } from "../frame/elements.ts";
 import { STATUSES } from "../../avo/avo.ts";
 import type { PageLab } from "../run/make_lab.ts";
 import { nameOf, pick, type Hit } from "./picking.ts";

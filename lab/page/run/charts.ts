@@ -3,7 +3,7 @@
 // pointer is the same in all charts; a click goes there.
 import uPlot from "uplot";
 import type { Lab } from "./lab.ts";
-import { digits, element } from "../elements.ts";
+import { digits, element } from "../frame/elements.ts";
 import { paletteOf } from "../inspector/palette.ts";
 import { thinned } from "./thinned.ts";
 

@@ -4,7 +4,7 @@
 import type { Lab } from "./lab.ts";
 import { csvOf } from "../data/csv_writer.ts";
 import { GifEncoder } from "../data/gif.ts";
-import { element } from "../elements.ts";
+import { element } from "../frame/elements.ts";
 import type { PageLab } from "./make_lab.ts";
 import { RecordedRun } from "./recorded_run.ts";
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Four numbers over the map that summarize the run.
-import { digits, element } from "../elements.ts";
+import { digits, element } from "../frame/elements.ts";
 import type { Lab } from "./lab.ts";
 
 const AT_ENDS = "at the ends of steps; avo run --json also finds contacts within steps";

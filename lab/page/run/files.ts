@@ -2,7 +2,7 @@
 // Files that are opened or dropped: a scene, a recording, and further files of a scene (maps, scenarios, graymaps).
 import type { SceneFile } from "../../avo/avo.ts";
 import { formatOf } from "../data/open.ts";
-import { element } from "../elements.ts";
+import { element } from "../frame/elements.ts";
 import type { PageLab } from "./make_lab.ts";
 
 export interface OpenedFile { name: string; bytes: Uint8Array }

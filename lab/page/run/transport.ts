@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Play, step, go back, and the present time of the run.
-import { digits, element } from "../elements.ts";
-import { icon } from "../icons.ts";
+import { digits, element } from "../frame/elements.ts";
+import { icon } from "../frame/icons.ts";
 import type { PageLab } from "./make_lab.ts";
 
 const FIRST_SPAN = 60;  // s, of the slider

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The scene's text: it is checked while the user types, and runs when it is applied.
 import { AvoError } from "../../avo/avo.ts";
-import { element } from "../elements.ts";
+import { element } from "../frame/elements.ts";
 import type { SceneDraft } from "../run/lab.ts";
 import type { PageLab } from "../run/make_lab.ts";
 import { nearestFirst } from "./error_words.ts";

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The panel of the scene: its description, the quantities of the paper, its text.
 import { mountEditor } from "./editor.ts";
-import { element } from "../elements.ts";
+import { element } from "../frame/elements.ts";
 import type { PageLab } from "../run/make_lab.ts";
 import { described } from "./scene_picker.ts";
 import { SPACE_SCENES } from "./space_scenes.ts";

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The built-in scenes and those of space, each with a picture of its start.
 import type { BuiltinScene } from "../../avo/avo.ts";
-import { closeFromBeside, crispContext, element } from "../elements.ts";
+import { closeFromBeside, crispContext, element } from "../frame/elements.ts";
 import type { PageLab } from "../run/make_lab.ts";
 import { SPACE_SCENES } from "./space_scenes.ts";
 import { drawStart } from "../map/start_picture.ts";

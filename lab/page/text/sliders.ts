@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Sliders for the paper's quantities, which work while the run continues; the scene's text follows.
-import { digits, element } from "../elements.ts";
+import { digits, element } from "../frame/elements.ts";
 import type { PageLab } from "../run/make_lab.ts";
 import { withMethod } from "./method_text.ts";
 import { robotsListed, valueAt } from "./scene_text.ts";

@@ -2,7 +2,7 @@
 // What the drawings are made of: views, ticks, and columns that are thinned.
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { digits } from "../../../lab/page/elements.ts";
+import { digits } from "../../../lab/page/frame/elements.ts";
 import { thinned, worstByPixel } from "../../../lab/page/run/thinned.ts";
 import { cssOf, directionColor } from "../../../lab/page/map/colors.ts";
 import { Labels } from "../../../lab/page/inspector/labels.ts";

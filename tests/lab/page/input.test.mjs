@@ -5,7 +5,7 @@ import { mkdtempSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { after, test } from "node:test";
-import { first, openInput } from "../../../lab/page/input.ts";
+import { first, openInput } from "../../../lab/page/run/input.ts";
 import { avo, recorded } from "../data/native.mjs";
 import { hex, library } from "../wasm/module.mjs";
 

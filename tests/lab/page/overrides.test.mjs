@@ -4,7 +4,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { valueAt } from "../../../lab/page/text/scene_text.ts";
-import { first } from "../../../lab/page/input.ts";
+import { first } from "../../../lab/page/run/input.ts";
 import { folded } from "../../../lab/page/text/overrides.ts";
 import { library } from "../wasm/module.mjs";
 

@@ -3,7 +3,7 @@
 import assert from "node:assert/strict";
 import { writeFileSync } from "node:fs";
 import { test } from "node:test";
-import { TOUR } from "../../../lab/page/tour_steps.ts";
+import { TOUR } from "../../../lab/page/guide/tour_steps.ts";
 import { avo } from "../data/native.mjs";
 
 const library = { builtinText: (name) => String(avo("scenes", name).stdout) };
