@@ -306,13 +306,14 @@ double append(const PairConstraintsOf<D>& wanted, const Other& other, const Step
       const Real left = gap - margin.cone * most;
       close = close & !(left > most);
       if (!any(close)) continue;
-      if constexpr (D == 2) {
+      if (!has_wash(shape)) {
         // n points to a point so near q_1 that n is turned by less than around/w
-        const Real w = length - Real(0.5) * around;
+        const Real w = length - Real(0.5) * around, turned = longest(around, shape);
         const Real E = Real::load(&own.ahead[k]), F = Real::load(&own.across[k]);
-        const Real loss = max(-dot(q.middle, d), zero) * E + across(q.middle, d) * F;
-        close = close & !((left > zero) &
-                          ((left - Real::load(&own.anyhow[k])) * w > loss + around * (E + F)));
+        const Real anyhow = longest(Real::load(&own.anyhow[k]), shape);
+        const Vec<Real, D> own_q = in_own_space(q.middle, shape);
+        const Real loss = max(-dot(own_q, d), zero) * E + across(own_q, d) * F;
+        close = close & !((left > zero) & ((left - anyhow) * w > loss + turned * (E + F)));
         if (!any(close)) continue;
       }
     }

@@ -46,6 +46,9 @@ AVO_KERNEL Vec<Real> normal_of(const PackPoints<Real>& q, const PairShape<2>&) {
 
 // ---- the plane: nothing but discs
 
+AVO_KERNEL bool has_wash(const PairShape<2>&) {
+  return false;
+}
 template <typename Real>
 AVO_KERNEL Real distance_to(Vec<Real> q, const PairShape<2>&) {
   return norm(q);
@@ -73,6 +76,10 @@ AVO_KERNEL Real times_length(Real factor, Vec<Real>, const PairShape<2>&) {
 }
 
 // ---- space: balls and downwash, limits that differ along the vertical
+
+AVO_KERNEL bool has_wash(const PairShape<3>& shape) {
+  return shape.has_wash();
+}
 
 /// The largest n . x of the points x of the segment that p_A - p_B keeps off, m.
 template <typename Real>

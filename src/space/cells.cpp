@@ -9,8 +9,9 @@ namespace avo::space {
 namespace {
 
 constexpr double kFarthestCell = 0x1p40;  // cells beyond it are merged
-// Sides within a search radius. A search then reads at most 6 cells along each axis.
-constexpr double kSides = 2.0;
+// Sides within a search radius. A search then reads at most 4 cells along each axis: with smaller
+// cells it would read fewer robots, but more rows.
+constexpr double kSides = 1.0;
 constexpr std::size_t kFewestBits = 3;  // of cells along an axis: more than a search reads
 constexpr std::size_t kSlotsPerRobot = 4;
 // A part of a side: more than rounding moves a robot against the cells, at less than kFarthestCell.

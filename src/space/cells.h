@@ -21,7 +21,7 @@ class SpaceCells {
  public:
   /// The cells of a row along x are consecutive, except where the row begins anew. So many runs
   /// contain all cells that a search reads.
-  static constexpr std::size_t kMostSpan = 7;  // cells along an axis
+  static constexpr std::size_t kMostSpan = 5;  // cells along an axis
   using Runs = std::array<Run, 2 * kMostSpan * kMostSpan + 1>;
 
   /// radius: m, of all searches, > 0.

@@ -21,7 +21,8 @@ void limit_to_nearest(std::size_t most, const Bodies& bodies, const SeenColumns&
   if (most == 0) return;
   nearest.clear();
   for (std::size_t k = 0; k < seen.count; ++k)
-    nearest.emplace_back(seen.squared[k], bodies.number[static_cast<std::size_t>(seen.place[k])]);
+    nearest.emplace_back(norm_squared({seen.p[0][k], seen.p[1][k], seen.p[2][k]}),
+                         bodies.number[static_cast<std::size_t>(seen.place[k])]);
   const auto last = nearest.begin() + static_cast<std::ptrdiff_t>(most - 1);
   std::nth_element(nearest.begin(), last, nearest.end());
   look.farthest_squared = last->first, look.farthest_number = last->second;
@@ -38,8 +39,8 @@ void put_in_order(const Bodies& bodies, Looked& looked) {
 
 void SeenColumns::reserve(std::size_t bodies) {
   const std::size_t size = bodies + Bodies::kSpare;
-  if (squared.size() >= size) return;  // this column grows last
-  grow(size, {&place, &p[0], &p[1], &p[2], &v[0], &v[1], &v[2], &squared});
+  if (place.size() >= size) return;  // this column grows last
+  grow(size, {&p[0], &p[1], &p[2], &v[0], &v[1], &v[2], &place});
 }
 
 void SpacePairs::reserve(std::size_t pairs) {

@@ -47,7 +47,7 @@ struct Viewer {
 struct SeenColumns {
   using Column = std::vector<double>;
   std::size_t count = 0;
-  Column place, squared;       // index into the bodies; squared distance, m²
+  Column place;                // index into the bodies
   std::array<Column, 3> p, v;  // p_A - p_B, v_A - v_B: m, m/s
 
   void reserve(std::size_t bodies);

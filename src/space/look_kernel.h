@@ -13,27 +13,43 @@
 
 AVO_BEGIN_KERNELS
 
-/// Returns whether A surely needs no constraint for a body: see collect_constraints(). The tests
-/// are those of are_far() and are_clear(), for the largest reach and the longest braking of all
-/// bodies.
 template <typename Real>
-AVO_KERNEL auto can_ignore(const PackLook<Real>& a, const PackSeen<Real>& seen,
-                           const PackBody<Real>& body, const space::Viewer& look,
-                           const space::Bodies& bodies) {
-  const Real zero(0.0), one(1.0), rounding(kFarther);
+AVO_KERNEL Real square(Real a) {
+  return a * a;
+}
+
+/// m²: beyond this squared distance of a body with A's priority A surely needs no constraint for
+/// it, by the test of are_far() for the largest reach of all bodies.
+template <typename Real>
+AVO_KERNEL Real far_squared(const PackLook<Real>& a, const PackBody<Real>& body,
+                            const space::Bodies& bodies) {
+  const Real rounding(kFarther), one(1.0), infinity(std::numeric_limits<double>::infinity());
+  // the margin of rounding for a length of 1 m; that of the place of the body, which is no longer
+  // than twice its distance, is left to the distance
+  const Real per_length =
+      rounding_margin<Real, 3>(one, a.intervals, min(body.share, one - body.share));
+  const Real reach = body.contact + body.wash + a.reach + Real(bodies.most_error) +
+                     per_length * (a.lengths + body.contact);
+  return select(per_length < Real(0x1p-29), square(square(rounding) * reach), infinity);
+}
+
+/// Returns whether A surely needs no constraint for a body: see collect_constraints(). The test is
+/// that of are_clear(), for the longest braking of all bodies.
+template <typename Real>
+AVO_KERNEL auto is_clear(const PackLook<Real>& a, const PackSeen<Real>& seen,
+                         const PackBody<Real>& body, const space::Viewer& look) {
+  const Real zero(0.0), one(1.0), distance = sqrt(seen.squared);
   const Real lengths = a.lengths + one_norm(seen.p) + body.contact;
   const Real inflated = body.contact + rounding_margin<Real, 3>(lengths, a.intervals,
                                                                 min(body.share, one - body.share));
-  const auto far =
-      seen.distance > rounding * (inflated + a.reach + body.wash + Real(bodies.most_error));
   const Real steps = one + a.full_steps;
   const Real drift = Real(kFarther * look.law.time_step) * steps * norm(seen.v);
-  const Real left = seen.distance - drift;
+  const Real left = distance - drift;
   const Real towards = min(max(zero, drift - dot(seen.p, a.direction)), left);
   const Real against = select(body.wash > zero, left, towards);
-  const Real gap = body.share * (left - (inflated + body.wash) - Real(0x1p-27) * seen.distance);
+  const Real gap = body.share * (left - (inflated + body.wash) - Real(0x1p-27) * distance);
   const auto clear = (left > zero) & ((gap - a.most_aside) * left > against * a.most_ahead);
-  return body.are_equal & (far | (body.brake_alike & clear));
+  return body.are_equal & body.brake_alike & clear;
 }
 
 /// What a half-space surely contains. It is known where the half-space touches the obstacle at the
@@ -49,8 +65,8 @@ AVO_KERNEL PackContained<Real> contained(const PackLook<Real>& a, const PackSeen
   const Real rounding(kFarther), beyond(1e-9);  // m/s, more than what programs tolerate
   const Vec<Real, 3> x = seen.p + a.end_time * seen.v, y = seen.p + a.end_lag * seen.v;
   const Real length = norm(x), least = rounding * body.contact * length;
-  const auto touches_at_end =
-      (seen.distance > rounding * body.contact) & (dot(seen.p, x) > least) & (dot(x, y) > least);
+  const auto touches_at_end = (seen.squared > square(rounding * body.contact)) &
+                              (dot(seen.p, x) > least) & (dot(x, y) > least);
   const Real lift = body.share * (body.contact - length);  // [α h g] m
   const auto keeps_change = lift < -(a.gain * (rounding * a.change + beyond));
   const auto keeps_speed = dot(x, a.velocity) * a.gain + lift * length <
@@ -64,8 +80,8 @@ AVO_KERNEL PackContained<Real> contained(const PackLook<Real>& a, const PackSeen
 template <typename Real>
 AVO_KERNEL Real traffic_of(const PackLook<Real>& a, const PackSeen<Real>& seen,
                            const PackBody<Real>& body, Real speed) {
-  const Real zero(0.0), one(1.0), two(2.0), whole(0x1.8p12);
-  const Real per_distance = one / select(seen.distance > zero, seen.distance, one);
+  const Real zero(0.0), one(1.0), two(2.0), whole(0x1.8p12), distance = sqrt(seen.squared);
+  const Real per_distance = one / select(distance > zero, distance, one);
   const Real in_front = -dot(seen.p, a.way) * per_distance * a.per_front;
   const Real closes = one - dot(seen.p, seen.v) * per_distance * a.per_closing;
   const Real rests = two - speed * a.per_slow;
@@ -74,9 +90,9 @@ AVO_KERNEL Real traffic_of(const PackLook<Real>& a, const PackSeen<Real>& seen,
   const Real time = max(-dot(seen.p, seen.v), zero) / select(squared > zero, squared, one);
   const Real miss = norm(seen.p + time * seen.v);
   const Real meets = min(max(two - miss / body.contact, zero), one);
-  const Real weight = meets * body.defers * (one - seen.distance * a.per_range) *
+  const Real weight = meets * body.defers * (one - distance * a.per_range) *
                       min(max(max(closes, rests), zero), one) * min(in_front, one);
-  const auto counts = (seen.distance < a.traffic_range) & (in_front > zero);
+  const auto counts = (distance < a.traffic_range) & (in_front > zero);
   return select(counts, (weight + whole) - whole, zero);
 }
 
@@ -117,7 +133,7 @@ AVO_KERNEL void push(Real place, std::uint32_t lanes, std::vector<std::uint32_t>
 
 /// The pairs of these bodies that can refuse a candidate, where they are as in the plane: see
 /// collect_constraints().
-template <typename Real>
+template <typename Real, bool kUniform>
 AVO_KERNEL void judge_near(const space::Viewer& look, const space::Bodies& bodies,
                            std::span<const std::uint32_t> places,
                            std::vector<space::NearBody>& near) {
@@ -139,13 +155,16 @@ AVO_KERNEL void judge_near(const space::Viewer& look, const space::Bodies& bodie
     const auto field = [&](const std::vector<double>& column) {
       return lookup(column.data(), place);
     };
+    const auto setting = [&](const std::vector<double>& column) {
+      return kUniform ? Real(column[0]) : field(column);
+    };
     const auto vector = [&](const std::array<std::vector<double>, 3>& columns) {
       return Vec<Real, 3>{field(columns[0]), field(columns[1]), field(columns[2])};
     };
-    const PackNeighbor<Real, 3> other{vector(bodies.position),   vector(bodies.velocity),
-                                      field(bodies.radius),      field(bodies.max_acceleration),
-                                      field(bodies.max_braking), field(bodies.priority),
-                                      field(bodies.vertical),    field(bodies.downwash)};
+    const PackNeighbor<Real, 3> other{vector(bodies.position),     vector(bodies.velocity),
+                                      setting(bodies.radius),      setting(bodies.max_acceleration),
+                                      setting(bodies.max_braking), setting(bodies.priority),
+                                      setting(bodies.vertical),    setting(bodies.downwash)};
     const PackBraking<Real, 3> b{
         .profile = {field(bodies.speed), field(bodies.decrement), field(bodies.full_steps)},
         .increment = field(bodies.increment),
@@ -172,30 +191,31 @@ AVO_KERNEL void judge_near(const space::Viewer& look, const space::Bodies& bodie
   }
 }
 
-/// Few values are needed at once, so each question has a loop of its own.
 template <typename Real, bool kUniform>
 AVO_KERNEL void judge_all(const space::Viewer& look, const space::Bodies& bodies,
                           space::Looked& looked) {
   const PackLook<Real> a(look, bodies);
-  const auto all = [&](const auto& judge) {
-    for_all<Real, kUniform>(a, look, bodies, looked.seen, judge);
-  };
-  if (look.certified)
-    all([&](const auto& seen, const auto& body, const auto&) {
-      push(seen.place, bits(seen.counted & !can_ignore(a, seen, body, look, bodies)),
-           looked.places);
-    });
-  Real ahead(0.0);
   const bool has_way = !(look.robot.preferred_velocity == Vec3{});
-  all([&](const auto& seen, const auto& body, const auto& field) {
-    const auto beside =
-        seen.distance < Real(kFarther) * (Real(1.0 + kRoom) * body.contact + body.wash);
-    push(seen.place, bits(seen.counted & beside), looked.beside);
-    const auto may_count =
-        seen.counted & (seen.distance < a.traffic_range) & (dot(seen.p, a.way) < Real(0.0));
-    if (has_way && any(may_count))
-      ahead = ahead + select(may_count, traffic_of(a, seen, body, field(bodies.speed)), Real(0.0));
-  });
+  const Real traffic_squared = square(Real(kFarther) * a.traffic_range);
+  Real ahead(0.0);
+  for_all<Real, kUniform>(
+      a, look, bodies, looked.seen,
+      [&](const auto& seen, const auto& body, const auto& field) __attribute__((always_inline)) {
+        if (look.certified) {
+          const auto far = body.are_equal & (seen.squared > far_squared(a, body, bodies));
+          const auto near = seen.counted & !far;
+          if (any(near))
+            push(seen.place, bits(near & !is_clear(a, seen, body, look)), looked.places);
+        }
+        const Real beside = Real(kFarther) * (Real(1.0 + kRoom) * body.contact + body.wash);
+        const auto is_beside = seen.counted & (seen.squared < square(Real(kFarther) * beside));
+        if (any(is_beside)) push(seen.place, bits(is_beside), looked.beside);
+        const auto may_count =
+            seen.counted & (seen.squared < traffic_squared) & (dot(seen.p, a.way) < Real(0.0));
+        if (has_way && any(may_count))
+          ahead =
+              ahead + select(may_count, traffic_of(a, seen, body, field(bodies.speed)), Real(0.0));
+      });
   looked.ahead = sum_of(ahead);
 }
 
@@ -209,17 +229,19 @@ AVO_KERNEL void find_pairs(const space::Viewer& look, const Vec3* velocity,
   const Vec<Real, 3> change =
       constant<Real>(velocity != nullptr ? *velocity - look.robot.velocity : Vec3{});
   for_all<Real, kUniform>(
-      a, look, bodies, looked.seen, [&](const auto& seen, const auto& body, const auto& field) {
-        const Real number = field(bodies.number);
-        const auto nearest =
-            (seen.squared < farthest) | ((seen.squared <= farthest) & (number <= last_number));
-        auto chosen = seen.counted & (seen.squared > Real(0.0)) & nearest;
+      a, look, bodies, looked.seen,
+      [&](const auto& seen, const auto& body, const auto& field) __attribute__((always_inline)) {
+        auto chosen = seen.counted & (seen.squared > Real(0.0));
         if (!has_wash) {
           const PackContained<Real> inside = contained(a, seen, body, change);
           chosen = chosen & !inside.everything;
           if (velocity != nullptr) chosen = chosen & !inside.velocity;
         }
-        if (any(chosen)) push(seen, body, number, chosen, look, bodies, looked.pairs);
+        if (!any(chosen)) return;
+        const Real number = field(bodies.number);
+        chosen = chosen & ((seen.squared < farthest) |
+                           ((seen.squared <= farthest) & (number <= last_number)));
+        push(seen, body, number, chosen, look, bodies, looked.pairs);
       });
 }
 template <typename Real>
@@ -233,6 +255,16 @@ void find_pairs(const space::Viewer& look, const Vec3* velocity, const space::Bo
     find_pairs<Real, false>(look, velocity, bodies, looked);
 }
 
+template <typename Real, bool kUniform>
+AVO_KERNEL void judge_seen(const space::Viewer& look, const space::Bodies& bodies,
+                           space::Looked& looked) {
+  judge_all<Real, kUniform>(look, bodies, looked);
+  if (look.is_plain(bodies))
+    return judge_near<Real, kUniform>(look, bodies, looked.places, looked.near);
+  for (const std::uint32_t place : looked.places)
+    looked.near.push_back({place, bodies.number[place]});
+}
+
 /// Sorts out what the bodies that are seen mean for A.
 template <typename Real>
 void judge_seen(const space::Viewer& look, const space::Bodies& bodies, space::Looked& looked) {
@@ -240,12 +272,9 @@ void judge_seen(const space::Viewer& look, const space::Bodies& bodies, space::L
   if (looked.seen.count == 0) return;
   looked.places.clear();
   if (bodies.is_uniform)
-    judge_all<Real, true>(look, bodies, looked);
+    judge_seen<Real, true>(look, bodies, looked);
   else
-    judge_all<Real, false>(look, bodies, looked);
-  if (look.is_plain(bodies)) return judge_near<Real>(look, bodies, looked.places, looked.near);
-  for (const std::uint32_t place : looked.places)
-    looked.near.push_back({place, bodies.number[place]});
+    judge_seen<Real, false>(look, bodies, looked);
 }
 
 AVO_END_KERNELS

@@ -54,7 +54,6 @@ void find_seen(const space::Viewer& look, const space::Bodies& bodies,
       };
       put(p.x, seen.p[0]), put(p.y, seen.p[1]), put(p.z, seen.p[2]);
       put(v.x, seen.v[0]), put(v.y, seen.v[1]), put(v.z, seen.v[2]);
-      put(squared, seen.squared);
       seen.count += put(place, seen.place);
     }
   }
@@ -127,11 +126,11 @@ AVO_KERNEL PackBody<Real> body_of(const PackLook<Real>& a, const space::Viewer& 
           equal(a.braking, field(bodies.max_braking)) & equal(field(bodies.vertical), Real(1.0))};
 }
 
-/// A body as A sees it.
+/// A body as A sees it. squared: the squared distance, m².
 template <typename Real>
 struct PackSeen {
   Vec<Real, 3> p, v;
-  Real squared, distance, place;
+  Real squared, place;
   decltype(Real() < Real()) counted;
 };
 
@@ -141,8 +140,7 @@ AVO_KERNEL PackSeen<Real> seen_at(const space::SeenColumns& all, std::size_t k) 
   PackSeen<Real> seen;
   seen.counted = lane_numbers<Real>() < Real(static_cast<double>(all.count - k));
   seen.p = load_vector<Real, 3>(all.p, k), seen.v = load_vector<Real, 3>(all.v, k);
-  seen.squared = Real::load(&all.squared[k]);
-  seen.distance = sqrt(seen.squared);
+  seen.squared = dot(seen.p, seen.p);
   seen.place = select(seen.counted, Real::load(&all.place[k]), Real(0.0));
   return seen;
 }

@@ -2,8 +2,10 @@
 // Constraints and admission have the same bits whatever the instruction set, and nothing that is
 // left out can refuse: no candidate's path gets farther from braking than it is counted on.
 #include <bit>
+#include <cmath>
 #include <cstdint>
 #include <gtest/gtest.h>
+#include <limits>
 #include <string>
 
 #include "certificate/kernels.h"
@@ -330,6 +332,47 @@ TEST(ClearBound, is_clear_only_of_those_that_refuse_nothing) {
   }
   EXPECT_GT(near, 1000);
   EXPECT_GT(clear, exactly / 4);
+}
+
+// The distance that joint braking leaves is no less than clearance_of() counts on, and often the
+// line of both braking ways tells most of it.
+TEST(Clearance, is_no_more_than_the_distance_that_joint_braking_leaves) {
+  Random random(47);
+  int known = 0, by_line = 0;
+  for (int i = 0; i < 20000; ++i) {
+    PairSituation s =
+        random_pair(random, kTrajectories, i % 2 == 0 ? Motion::held : Motion::exponential);
+    s.b.max_acceleration = s.a.max_acceleration;
+    if (i % 3 == 0) s.b.velocity = in_disc(random, 1.1 * norm(s.a.velocity));
+    const StepLaw& law = s.law.step;
+    const Look look = look_of(s.a, seen(s.b), law);
+    const Braking a = braking_of(s.a.velocity, ability_of(s.a), law);
+    const Braking b = braking_of(s.b.velocity, ability_of(s.b), law);
+    const scalar::PackSelf<Real> self{pack(s.a.position),          pack(s.a.velocity), s.a.radius,
+                                      s.a.max_acceleration,        braking_limit(s.a), s.a.priority,
+                                      scalar::constant<Real, 2>(a)};
+    const auto pair = scalar::pair_of(self, look.other, law);
+    const double gap = scalar::clearance_of(self, pair, look.other, law).gap.value;
+    if (!std::isfinite(gap)) continue;
+    const double least = gap / pair.share.value + pair.inflated.value;
+    double nearest = std::numeric_limits<double>::infinity();
+    for (int k = 0; k < static_cast<int>(std::max(a.intervals, b.intervals)); ++k) {
+      const auto [start_a, middle_a, end_a] = braking_distances(a.profile, law, k);
+      const auto [start_b, middle_b, end_b] = braking_distances(b.profile, law, k);
+      const Vec2 p = s.a.position - s.b.position;
+      const Vec2 start = p + start_a * a.direction - start_b * b.direction;
+      const Vec2 middle = p + middle_a * a.direction - middle_b * b.direction;
+      const Vec2 end = p + end_a * a.direction - end_b * b.direction;
+      for (const Vec2 point : {nearest_on_segment(start, middle), nearest_on_segment(middle, end),
+                               nearest_on_segment(end, start)})
+        nearest = std::min(nearest, norm(point));
+    }
+    EXPECT_LE(least, nearest + 1e-9 * (1.0 + nearest)) << "pair " << i;
+    ++known;
+    by_line += least > 0.9 * nearest ? 1 : 0;
+  }
+  EXPECT_GT(known, 4000);
+  EXPECT_GT(by_line, known / 4);
 }
 
 }  // namespace
