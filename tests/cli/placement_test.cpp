@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Groups become robots: where they start, where they go, the same on every machine.
-#include "io/scene/placement.h"
+#include "io/scene/circle_point.h"
 
 #include <algorithm>
 #include <cmath>

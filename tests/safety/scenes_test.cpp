@@ -314,16 +314,6 @@ TEST(Placement, permutations_leave_nobody_in_place) {
   }
 }
 
-TEST(Placement, circle_points_are_on_the_circle_in_order) {
-  for (const int n : {2, 7, 8, 100, 1000}) {
-    for (int k = 0; k < n; ++k) {
-      const Vec2 point = circle_point(k, n);
-      EXPECT_NEAR(point.x, std::cos(2.0 * kPi * k / n), 1e-15);
-      EXPECT_NEAR(point.y, std::sin(2.0 * kPi * k / n), 1e-15);
-    }
-  }
-}
-
 TEST(StraightTime, is_that_of_the_slowest_from_rest_to_rest) {
   Scenario scenario;
   scenario.robots.push_back(usual_robot({}, {30.0, 0.0}, 1.5));
