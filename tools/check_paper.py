@@ -1,11 +1,11 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Fails unless PAPER.md and the sources name the same equations, and functions stand where documents say.
+"""Fails unless PAPER.md and the sources name the same equations, functions stand where documents say, and tests exist.
 
 Every equation (1)-(29) must have a row in PAPER.md and be cited as `Eq. (n)` or `Eqs. (n)` in the sources. Each row
 there names a file and a function, and each file that PAPER.md names exists. A function that PAPER.md or a page of docs/
 names together with its file is defined or declared in that file: `file`: `function`, `function` in `file`, or
-file, function().
+file, function(). A test that such a page cites in *(`Suite.name`)* exists; a name may end in *.
 """
 import functools
 import pathlib
@@ -21,6 +21,9 @@ ROW = re.compile(r"^\|\s*(\(\d+\)[^|]*)\|", re.M)
 FILE = re.compile(r"`([\w./-]+\.(?:h|cpp|py|md|yaml))`")
 BEFORE = re.compile(r"`([\w./-]+\.(?:h|cpp))`: (`\w+`(?:, `\w+`)*)")
 BEHIND = re.compile(r"`(\w+)(?:\(\))?` in\s+`([\w./-]+\.(?:h|cpp))`")
+CITATION = re.compile(r"\*\((`[^()]*)\)\*")  # what proves a statement
+CITED_TEST = re.compile(r"`(?:\w+/)?([A-Z]\w+)\.(\w*)(\*?)`")
+TEST = re.compile(r"\bTEST(?:_[FP])?\(\s*(\w+),\s*(\w+)\)")
 CALLED = re.compile(r"([\w/]+/\w+\.(?:h|cpp)), (\w+)\(\)")
 
 
@@ -69,6 +72,20 @@ def functions(page):
     return sorted({(name, function) for name, function in named if files(name)})
 
 
+def tests():
+    return {pair for path in (ROOT / "tests").rglob("*.cpp") for pair in TEST.findall(path.read_text())}
+
+
+def cited_tests(page):
+    text = re.sub(r"\s*\n\s*", " ", (ROOT / page).read_text())
+    return sorted({cited for citation in CITATION.findall(text) for cited in CITED_TEST.findall(citation)})
+
+
+def is_there(cited, all_tests):
+    suite, name, rest = cited
+    return any(suite == a and (b.startswith(name) if rest else b == name) for a, b in all_tests)
+
+
 def main():
     paper = (ROOT / "PAPER.md").read_text()
     problems = [*equations(paper), *table(paper)]
@@ -77,8 +94,11 @@ def main():
     pages = ["PAPER.md", *(str(path.relative_to(ROOT)) for path in sorted((ROOT / "docs").rglob("*.md")))]
     named = [(page, *pair) for page in pages for pair in functions(page)]
     problems += [f"{page}: no {function}() in {name}" for page, name, function in named if not has(name, function)]
+    all_tests = tests()
+    cited = [(page, test) for page in pages for test in cited_tests(page)]
+    problems += [f"{page}: no test {'.'.join(test[:2])}{test[2]}" for page, test in cited if not is_there(test, all_tests)]
     print("\n".join(problems) or f"{len(EQUATIONS)} equations in PAPER.md and in the sources, "
-          f"{len(named)} functions where documents say")
+          f"{len(named)} functions where documents say, {len(cited)} tests that documents cite")
     return 1 if problems else 0
 
 

@@ -113,7 +113,9 @@ struct RunSummary {
   /// longer proved to keep them apart; none without a certificate. With a sufficient sensing radius
   /// this takes occlusion, or measurements that fail.
   std::optional<std::int64_t> first_seen_too_late;
-  double max_acceleration = 0.0;           ///< m/s^2, the largest applied |a|
+  /// m/s^2, the largest applied |a|. With Scenario::execution it is the largest change of a body's
+  /// velocity over a step, by the step's length.
+  double max_acceleration = 0.0;
   double acceleration_excess = 0.0;        ///< m/s^2, the largest |a| - max(a_max, b); 0 if kept
   double max_speed = 0.0;                  ///< m/s
   std::optional<double> mean_arrival;      ///< s, over robots that arrived and are not parked

@@ -101,6 +101,7 @@ struct Metrics::State {
   void remember(const Simulation& simulation, const FleetView& fleet);
   void collect_walls(const Simulation& simulation);
   void observe_limits(const Simulation& simulation, const FleetView& fleet);
+  void observe_bodies(const FleetView& fleet);
   void observe_step(const Simulation& simulation, const FleetView& fleet);
 };
 
@@ -140,13 +141,21 @@ void Metrics::State::observe_limits(const Simulation& simulation, const FleetVie
     const RobotSetup& setup = fleet.setup[i];
     const double a = fleet.applied_acceleration[i];
     const double a_max = acceleration_limit(setup.model, change_limit(setup));
-    summary.max_acceleration = std::max(summary.max_acceleration, a);
+    if (!settings.execution) summary.max_acceleration = std::max(summary.max_acceleration, a);
     if (a > a_max * (1.0 + kRounding)) {
       summary.acceleration_excess = std::max(summary.acceleration_excess, a - a_max);
     }
     if (!simulation.decided(fleet.id[i])) continue;
     if (fleet.plan[i].violation > 0.0) ++summary.infeasible_steps;
     ++(summary.decisions.*kCounts[static_cast<std::size_t>(fleet.plan[i].status)]);
+  }
+}
+
+// The applied accelerations are those of the references; results are about the bodies.
+void Metrics::State::observe_bodies(const FleetView& fleet) {
+  for (const BodyRow& row : rows) {
+    const Vec2 change = fleet.velocity[row.now] - last.robots[row.before].velocity;
+    summary.max_acceleration = std::max(summary.max_acceleration, norm(change) / duration);
   }
 }
 
@@ -157,6 +166,7 @@ void Metrics::State::observe_step(const Simulation& simulation, const FleetView&
     collect_rows(fleet, last, rows);
     rows_roster = seen_roster == roster ? roster : 0;
   }
+  if (started && settings.execution) observe_bodies(fleet);
   sweeps.resize(rows.size());
   for (std::size_t k = 0; k < rows.size(); ++k) sweeps[k] = sweep_of(fleet, step, rows[k]);
   collect_obstacles(simulation.moving_obstacles(), step, obstacles);

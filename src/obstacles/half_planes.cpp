@@ -35,21 +35,22 @@ void solve_rest(const PairColumns& pairs, const Horizon& horizon, HalfPlaneWorks
                 PlaneColumns& planes) {
   for (std::size_t k = 0; k < workspace.rest_count; ++k) {
     const auto i = static_cast<std::size_t>(workspace.rest[k]);
-    const Pair pair{{pairs.p_x[i], pairs.p_y[i]}, {pairs.v_x[i], pairs.v_y[i]}, pairs.radius[i]};
+    const Pair pair = pairs[i];
     const bool equal_centers = !(norm(pair.position) > kTiniest);
-    const RelativeHalfPlane plane = equal_centers
-                                        ? half_plane(pair, pairs.reach[i], horizon)
-                                        : searched_half_plane(pair, pairs.reach[i], horizon);
-    planes.state[i] = plane.state;
-    planes.n_x[i] = plane.plane.normal.x;
-    planes.n_y[i] = plane.plane.normal.y;
-    const bool none = plane.state == PairState::free || plane.state == PairState::coincident;
-    planes.h[i] = none ? -std::numeric_limits<double>::infinity() : plane.plane.offset;
-    planes.excess[i] = plane.excess;
+    planes.set(i, equal_centers ? half_plane(pair, pairs.reach[i], horizon)
+                                : searched_half_plane(pair, pairs.reach[i], horizon));
   }
 }
 
 }  // namespace
+
+void PlaneColumns::set(std::size_t i, const RelativeHalfPlane& plane) {
+  const bool none = plane.state == PairState::free || plane.state == PairState::coincident;
+  n_x[i] = plane.plane.normal.x, n_y[i] = plane.plane.normal.y;
+  h[i] = none ? -std::numeric_limits<double>::infinity() : plane.plane.offset;
+  excess[i] = plane.excess;
+  state[i] = plane.state;
+}
 
 void PairColumns::reserve(std::size_t pairs) {
   for (std::vector<double>* column : {&p_x, &p_y, &v_x, &v_y, &radius, &reach}) {
@@ -79,6 +80,17 @@ void half_planes(const PairColumns& pairs, const Horizon& horizon, HalfPlaneWork
   workspace.convex.count = workspace.horn.count = workspace.rest_count = 0;
   kKernels->solve(pairs, horizon, workspace, planes);
   solve_rest(pairs, horizon, workspace, planes);
+}
+
+void orca_half_planes(const PairColumns& pairs, double time_horizon, double time_step,
+                      HalfPlaneWorkspace& workspace, PlaneColumns& planes) {
+  reserve(pairs.p_x.size() - kSparePairs, workspace, planes);
+  workspace.cases = {};
+  for (std::size_t i = 0; i < pairs.count; ++i) {
+    const RelativeHalfPlane plane = orca_half_plane(pairs[i], time_horizon, time_step);
+    planes.set(i, plane);
+    if (plane.state != PairState::constrained) ++workspace.cases.contact;
+  }
 }
 
 void relate(const RobotColumns& robots, const NeighborColumns& neighbors,

@@ -45,12 +45,15 @@ struct PairColumns {
     radius[count] = r, reach[count] = R;
     ++count;
   }
+  Pair operator[](std::size_t i) const { return {{p_x[i], p_y[i]}, {v_x[i], v_y[i]}, radius[i]}; }
 };
 
 /// See RelativeHalfPlane; h is -infinity where there is no half-plane.
 struct PlaneColumns {
   std::vector<double> n_x, n_y, h, excess;
   std::vector<PairState> state;
+
+  void set(std::size_t i, const RelativeHalfPlane& plane);
 };
 
 /// Pairs that wait for their case, with their frames; read by whole packs.
@@ -79,6 +82,10 @@ void reserve(std::size_t pairs, HalfPlaneWorkspace& workspace, PlaneColumns& pla
 /// Fills planes[0 .. pairs.count).
 void half_planes(const PairColumns& pairs, const Horizon& horizon, HalfPlaneWorkspace& workspace,
                  PlaneColumns& planes);
+
+/// The same of orca_half_plane(). Of the cases only those in contact are counted.
+void orca_half_planes(const PairColumns& pairs, double time_horizon, double time_step,
+                      HalfPlaneWorkspace& workspace, PlaneColumns& planes);
 
 /// The half-plane of a pair that coincides in place and velocity, and parts along a direction that
 /// is not 0.

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <optional>
 #include <span>
 #include <tuple>
 #include <vector>
@@ -16,7 +15,6 @@
 #include "planner/decision.h"
 #include "planner/methods/flight.h"
 #include "planner/rules/behind_walls.h"
-#include "planner/rules/evasion.h"
 #include "planner/scratch.h"
 #include "planner/stages/certify.h"
 #include "planner/stages/contact.h"
@@ -33,12 +31,10 @@ namespace {
 // plan() says invalid_input.
 bool take_seen(const Planner& planner, const Robot& robot, std::span<const Neighbor> neighbors,
                std::span<const Wall> walls, PlanWorkspace::Scratch& scratch) {
-  const PlannerOptions& options = planner.options();
-  if (!can_decide(robot, neighbors, walls, options) ||
+  if (!can_decide(robot, neighbors, walls, planner.options()) ||
       !take_alone(robot, neighbors, walls, scratch))
     return false;
-  if (options.certificate != Certificate::none && !walls.empty())
-    leave_out_hidden(options, certificate_law(planner).step, scratch.alone);
+  leave_out_hidden(planner.options(), certificate_law(planner).step, scratch.alone);
   return true;
 }
 
@@ -206,21 +202,6 @@ void Planner::collect_certificate(const Robot& robot, std::span<const Neighbor> 
   };
   std::sort(constraints.begin(), constraints.end(),
             [&](const auto& a, const auto& b) { return key(a) < key(b); });
-}
-
-std::optional<Evasion> Planner::evasion(const Robot& robot, std::span<const Neighbor> neighbors,
-                                        PlanWorkspace& workspace, const Detour* detour,
-                                        std::span<const Wall> walls) const {
-  Detour next = detour != nullptr ? *detour : Detour{};
-  return explain(robot, neighbors, workspace, detour != nullptr ? &next : nullptr, walls).evasion;
-}
-
-bool Planner::has_evasive_maneuver(const Robot& robot, std::span<const Neighbor> neighbors,
-                                   PlanWorkspace& workspace, std::span<const Wall> walls) const {
-  return can_decide(robot, neighbors, walls, options_) &&
-         avo::has_evasive_maneuver(certificate_law(*this), robot,
-                                   {neighbors, walls, options_.wall_range},
-                                   PlanWorkspace::Scratch::of(workspace).evasion);
 }
 
 }  // namespace avo

@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 // The probability that noise hides a violated half-plane.
+#include <algorithm>
 #include <numbers>
+#include <span>
 
 #include "avo/planner.h"
 #include "core/elementary.h"
-#include "planner/decision.h"
-#include "planner/stages/pair_planes.h"
-#include "planner/validity.h"
+#include "planner/alone.h"
+#include "planner/scratch.h"
+#include "planner/stages/certify.h"
+#include "planner/stages/soft_planes.h"
 
 namespace avo {
 namespace {
@@ -31,20 +34,30 @@ double tail(double q) {
   return density / rest;
 }
 
+// Returns whether the only robot has no contact, and can have the velocity.
+bool keeps_all(const SoftPlanes& soft, Vec2 new_velocity) {
+  if (soft.overlapping[0] != 0 || soft.exceeding) return false;
+  const std::span<const HalfPlane> planes = soft.of(0);
+  return std::all_of(planes.begin(), planes.end(), [&](const HalfPlane& plane) {
+    return dot(plane.normal, new_velocity) >= plane.offset - kKept;
+  });
+}
+
 }  // namespace
 
 double Planner::half_plane_risk(const Robot& robot, const Neighbor& neighbor,
                                 Vec2 new_velocity) const {
-  PlannerOptions options = options_;
-  const SensingNoise& noise = options.sensing_noise;
+  const SensingNoise& noise = options_.sensing_noise;
   if (!(noise.position > 0.0 || noise.velocity > 0.0)) return 0.0;
-  if (!is_valid(robot) || !is_valid(neighbor)) return 1.0;
+  PlanWorkspace workspace;
+  PlanWorkspace::Scratch& scratch = PlanWorkspace::Scratch::of(workspace);
+  if (!take_alone(robot, {&neighbor, 1}, {}, scratch)) return 1.0;
+  const StepLaw law = certificate_law(*this).step;
   const auto keeps = [&](double quantile) {
+    PlannerOptions options = options_;
     options.sensing_noise.quantile = quantile;
-    bool overlapping = false;
-    const auto own = own_half_plane(options, *horizon_, robot, neighbor, 0, overlapping);
-    return !overlapping && (!own || (!(own->excess > 0.0) && dot(own->plane.normal, new_velocity) >=
-                                                                 own->plane.offset - kKept));
+    collect_soft_planes(options, *horizon_, law, scratch.alone, scratch.soft, Kept::all);
+    return keeps_all(scratch.soft, new_velocity);
   };
   if (!keeps(0.0)) return 1.0;
   double kept = 0.0, broken = kMostQuantile;

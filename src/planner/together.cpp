@@ -110,8 +110,7 @@ void plan_together(const Planner& planner, Tile& tile, PlanWorkspace::Scratch& s
   if (tile.robots.has_models) steer(options, certificate_law(planner).step, tile, scratch.steering);
   trace.prefers(tile.robots);
   set_apart(planner, tile, scratch, trace);
-  if (options.certificate != Certificate::none && !tile.walls.empty())
-    leave_out_hidden(options, certificate_law(planner).step, tile);
+  leave_out_hidden(options, certificate_law(planner).step, tile);
   collect_soft_planes(options, planner.horizon(), certificate_law(planner).step, tile,
                       scratch.soft);
   clock.lap(Stage::half_planes);

@@ -3,6 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <span>
+#include <vector>
 
 #include "core/plane.h"
 #include "planner/alone.h"
@@ -246,6 +249,13 @@ DecisionTrace Planner::explain(const Robot& robot, std::span<const Neighbor> nei
                   trace);
   add_own_motion(robot, trace);
   return trace;
+}
+
+std::optional<Evasion> Planner::evasion(const Robot& robot, std::span<const Neighbor> neighbors,
+                                        PlanWorkspace& workspace, const Detour* detour,
+                                        std::span<const Wall> walls) const {
+  Detour next = detour != nullptr ? *detour : Detour{};
+  return explain(robot, neighbors, workspace, detour != nullptr ? &next : nullptr, walls).evasion;
 }
 
 }  // namespace avo

@@ -19,7 +19,7 @@
 #include "planner/stages/demands.h"
 #include "planner/stages/disc_pairs.h"
 #include "planner/stages/neighbor_order.h"
-#include "planner/stages/pair_planes.h"
+#include "planner/stages/pairs.h"
 #include "planner/validity.h"
 #include "robots/footprint.h"
 #include "robots/model.h"

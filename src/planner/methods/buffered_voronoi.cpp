@@ -7,11 +7,13 @@
 #include <span>
 #include <vector>
 
+#include "certificate/pair.h"
 #include "lp/linear_program.h"
 #include "planner/decision.h"
 #include "planner/scratch.h"
 #include "planner/stages/demands.h"
-#include "planner/stages/pair_planes.h"
+#include "planner/stages/disc_pairs.h"
+#include "planner/stages/pairs.h"
 
 namespace avo::inline planner {
 namespace {
@@ -75,6 +77,36 @@ Vec2 wish_within_cell(const PlannerOptions& options, const Robot& robot,
   return std::clamp(most, 0.0, speed) * along;
 }
 
+// n . v' <= speed_within() of one side; for a mover relative to its velocity.
+HalfPlane half_plane_of(const PlannerOptions& options, const CellSide& side, const Robot& robot,
+                        const Neighbor& neighbor) {
+  const double others = side_velocity(side, neighbor);
+  const double most = speed_within(side.gap, dot(side.normal, robot.velocity) - others,
+                                   planned_braking(robot), options.time_step);
+  return {-side.normal, -(others + most)};
+}
+
+// Collects the half-planes of robot i, and marks its contacts.
+void collect_cell(const PlannerOptions& options, const StepLaw& law, const RobotColumns& robots,
+                  std::size_t i, SoftPlanes& soft) {
+  const Robot robot = robots.robot(i);
+  const Discs discs = discs_of(robot, law);
+  const std::size_t count = planned_with(options, robots.neighbors[i]);
+  for (std::size_t k = 0; k < count; ++k) {
+    const auto [disc, neighbor, gap] = nearest_discs(discs, robots.neighbors[i][k]);
+    const Pair pair = relative(disc, neighbor);
+    const double distance = norm(pair.position);
+    if (distance < pair.radius) soft.overlapping[i] = 1;
+    if (shares(neighbor) && nearly_coincide(distance, pair.radius)) soft.coinciding[i] = 1;
+    const CellSide side = cell_side(options, disc, neighbor);
+    if (side.normal == Vec2{}) continue;
+    grow(soft.shared.kept, soft.planes.size() + 1);
+    soft.shared.kept[soft.planes.size()] = static_cast<double>(k);
+    soft.planes.push_back(half_plane_of(options, side, disc, neighbor));
+    soft.excess.push_back(0.0);
+  }
+}
+
 }  // namespace
 
 CellSide cell_side(const PlannerOptions& options, const Robot& robot, const Neighbor& neighbor) {
@@ -98,17 +130,13 @@ double speed_within(double gap, double speed, double max_braking, double time_st
   return speed_before(room, max_braking, law);
 }
 
-std::optional<NeighborPlane> cell_half_plane(const PlannerOptions& options, const Robot& robot,
-                                             const Neighbor& neighbor, int index,
-                                             bool& overlapping) {
-  const Pair pair = relative(robot, neighbor);
-  if (norm(pair.position) < pair.radius) overlapping = true;
-  const CellSide side = cell_side(options, robot, neighbor);
-  if (side.normal == Vec2{}) return {};
-  const double others = side_velocity(side, neighbor);
-  const double most = speed_within(side.gap, dot(side.normal, robot.velocity) - others,
-                                   planned_braking(robot), options.time_step);
-  return NeighborPlane{index, {-side.normal, -(others + most)}, 0.0};
+void collect_cells(const PlannerOptions& options, const StepLaw& law, const Tile& tile,
+                   SoftPlanes& soft) {
+  clear(tile.robots.count, soft);
+  for (std::size_t i = 0; i < tile.robots.count; ++i) {
+    collect_cell(options, law, tile.robots, i, soft);
+    soft.first[i + 1] = soft.planes.size();
+  }
 }
 
 void wish_within_cells(const PlannerOptions& options, const RobotColumns& robots,

@@ -2,10 +2,9 @@
 // Method buffered_voronoi: D. Zhou, Z. Wang, S. Bandyopadhyay, M. Schwager, "Fast, On-line
 // Collision Avoidance for Dynamic Vehicles Using Buffered Voronoi Cells", RA-L 2017.
 #pragma once
-#include <optional>
-
 #include "avo/planner.h"
 #include "core/robot_columns.h"
+#include "planner/stages/soft_planes.h"
 
 namespace avo::inline planner {
 
@@ -26,10 +25,10 @@ CellSide cell_side(const PlannerOptions& options, const Robot& robot, const Neig
 /// the side at the end of the step.
 double speed_within(double gap, double speed, double max_braking, double time_step);
 
-/// n . v' <= speed_within() of one side; for a mover relative to its velocity.
-std::optional<NeighborPlane> cell_half_plane(const PlannerOptions& options, const Robot& robot,
-                                             const Neighbor& neighbor, int index,
-                                             bool& overlapping);
+/// Collects the half-planes of all robots of the tile: v' must be able to stop within the cell. Of
+/// footprints the two nearest discs count.
+void collect_cells(const PlannerOptions& options, const StepLaw& law, const Tile& tile,
+                   SoftPlanes& soft);
 
 /// Writes each robot's wish into scratch.decisions: the preferred velocity where its goal is in its
 /// cell. Otherwise the robot goes to the point of the cell nearest the goal (their Algorithm 1),

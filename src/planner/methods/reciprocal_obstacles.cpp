@@ -7,7 +7,7 @@
 
 #include "avo/half_plane.h"
 #include "planner/methods/passive_candidates.h"
-#include "planner/stages/pair_planes.h"
+#include "planner/stages/pairs.h"
 
 namespace avo::inline planner {
 namespace {

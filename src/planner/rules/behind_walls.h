@@ -12,8 +12,8 @@ namespace avo::inline planner {
 
 /// Removes from the robots' neighbors each one that decides as well and is behind a wall. Neither
 /// robot can then come round an end of the wall before both have stopped. Only walls that the robot
-/// itself can touch are tested. With sensing errors all neighbors count, and neighbors with an age
-/// always count.
+/// itself can touch are tested. Without a certificate, and with sensing errors, all neighbors
+/// count; neighbors with an age always count.
 void leave_out_hidden(const PlannerOptions& options, const StepLaw& law, Tile& tile);
 
 /// Returns whether it removes the neighbor.

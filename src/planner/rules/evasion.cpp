@@ -9,7 +9,9 @@
 #include "core/plane.h"
 #include "planner/rules/braking_evasion.h"
 #include "planner/rules/flight_evasion.h"
+#include "planner/scratch.h"
 #include "planner/stages/certify.h"
+#include "planner/validity.h"
 #include "robots/model.h"
 
 namespace avo::inline planner {
@@ -191,3 +193,15 @@ int find_evaded(const CertificateLaw& law, const Robot& robot, std::span<const N
 }
 
 }  // namespace avo::inline planner
+
+namespace avo {
+
+bool Planner::has_evasive_maneuver(const Robot& robot, std::span<const Neighbor> neighbors,
+                                   PlanWorkspace& workspace, std::span<const Wall> walls) const {
+  return can_decide(robot, neighbors, walls, options_) &&
+         avo::has_evasive_maneuver(certificate_law(*this), robot,
+                                   {neighbors, walls, options_.wall_range},
+                                   PlanWorkspace::Scratch::of(workspace).evasion);
+}
+
+}  // namespace avo

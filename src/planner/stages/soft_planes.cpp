@@ -1,64 +1,42 @@
 // SPDX-License-Identifier: Apache-2.0
-// From the sensed states to the half-planes of all pairs at once.
+// From the pairs of a tile to the half-planes of its robots, all at once.
 #include "planner/stages/soft_planes.h"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 
 #include "certificate/pair.h"
-#include "planner/decision.h"
 #include "planner/methods/buffered_voronoi.h"
-#include "planner/rules/margin.h"
+#include "planner/options.h"
 #include "planner/stages/disc_pairs.h"
-#include "planner/stages/pair_planes.h"
-#include "robots/footprint.h"
 #include "walls/segment.h"
 
 namespace avo::inline planner {
 namespace {
 
-// Returns the number of pairs.
-std::size_t count_pairs(const PlannerOptions& options, const RobotColumns& robots,
-                        SoftPlanes& soft) {
-  soft.pair_end.clear();
-  std::size_t end = 0;
-  for (std::size_t r = 0; r < robots.count; ++r) {
-    end += planned_with(options, robots.neighbors[r]);
-    soft.pair_end.push_back(end);
-  }
-  soft.raise.assign(robots.count, 0.0);
-  return end;
+// The half-planes of robots that coincide: nothing that robots sense distinguishes them.
+void part_coinciding(const PlannerOptions& options, const Horizon& horizon, const Tile& tile,
+                     SoftPlanes& soft) {
+  const PairColumns& pairs = soft.pairs.columns;
+  for_each_pair(tile, soft.pairs, [&](std::size_t, std::size_t k, std::size_t i) {
+    const Vec2 direction = tile.neighbors.parting[k];
+    if (direction == Vec2{} || tile.neighbors.kind(k) == NeighborKind::mover) return;
+    if (disregards_acceleration(options.method))
+      soft.relative.set(i, {PairState::overlapping,
+                            {direction / norm(direction), pairs.radius[i] / options.time_step}});
+    else
+      soft.relative.set(i, parting_half_plane(pairs.radius[i], direction, pairs.reach[i], horizon));
+  });
 }
 
-// Adds the effect of movers on a pair, and the largest increase of the offset by it.
-void add_movers(const PlannerOptions& options, const Tile& tile, SoftPlanes& soft) {
-  const NeighborColumns& neighbors = tile.neighbors;
-  std::size_t i = 0;
-  for (std::size_t r = 0; r < tile.robots.count; ++r) {
-    for (std::size_t k = tile.robots.neighbors[r].first; i < soft.pair_end[r]; ++i, ++k) {
-      if (neighbors.kind(k) != NeighborKind::mover) continue;
-      const double acceleration = norm(neighbors.motion[k].acceleration);
-      soft.pairs.reach[i] = options.control_time * (tile.robots.max_acceleration[r] + acceleration);
-      soft.raise[r] = std::max(soft.raise[r], options.control_time * acceleration);
-      soft.share[i] = 1.0;
-    }
-  }
-}
-
-// Applies the priorities to the shares of half-planes.
-void weigh(const Tile& tile, SoftPlanes& soft) {
-  const RobotColumns& robots = tile.robots;
-  const NeighborColumns& neighbors = tile.neighbors;
-  std::size_t i = 0;
-  for (std::size_t r = 0; r < robots.count; ++r) {
-    for (std::size_t k = robots.neighbors[r].first; i < soft.pair_end[r]; ++i, ++k) {
-      if (neighbors.kind(k) == NeighborKind::mover) continue;
-      soft.share[i] =
-          share_of_plane(soft.relative.h[i], robots.max_acceleration[r],
-                         neighbors.max_acceleration[k], robots.priority[r], neighbors.priority[k]);
-    }
-  }
+void find_relative(const PlannerOptions& options, const Horizon& horizon, const Tile& tile,
+                   SoftPlanes& soft) {
+  if (disregards_acceleration(options.method))
+    orca_half_planes(soft.pairs.columns, options.time_horizon, options.time_step, soft.workspace,
+                     soft.relative);
+  else
+    half_planes(soft.pairs.columns, horizon, soft.workspace, soft.relative);
+  if (tile.neighbors.has_partings) part_coinciding(options, horizon, tile, soft);
 }
 
 bool has_priorities(const Tile& tile) {
@@ -68,46 +46,54 @@ bool has_priorities(const Tile& tile) {
                      [](double priority) { return priority != 1.0; });
 }
 
-// The half-planes of robots that coincide: nothing that robots sense distinguishes them.
-void part_coinciding(const PlannerOptions& options, const Horizon& horizon, const Tile& tile,
-                     SoftPlanes& soft) {
+// A's share of H = {w | n . w >= h}, Eq. (20): of the change that H asks for, h > 0, or of the
+// change that it leaves.
+double share_of_plane(double h, double a_A, double a_B, double priority_A, double priority_B) {
+  return h > 0.0 ? reciprocal_share(a_A, a_B, priority_A, priority_B)
+                 : room_share(a_A, a_B, priority_A, priority_B);
+}
+
+// Applies the priorities to the shares of half-planes.
+void weigh(const Tile& tile, SoftPlanes& soft) {
+  const RobotColumns& robots = tile.robots;
   const NeighborColumns& neighbors = tile.neighbors;
-  PlaneColumns& planes = soft.relative;
-  std::size_t i = 0;
-  for (std::size_t r = 0; r < tile.robots.count; ++r) {
-    for (std::size_t k = tile.robots.neighbors[r].first; i < soft.pair_end[r]; ++i, ++k) {
-      if (neighbors.parting[k] == Vec2{} || neighbors.kind(k) == NeighborKind::mover) continue;
-      const RelativeHalfPlane plane = parting_plane(options, horizon, soft.pairs.radius[i],
-                                                    neighbors.parting[k], soft.pairs.reach[i]);
-      planes.n_x[i] = plane.plane.normal.x, planes.n_y[i] = plane.plane.normal.y;
-      planes.h[i] = plane.plane.offset, planes.excess[i] = plane.excess;
-      planes.state[i] = plane.state;
-    }
-  }
+  for_each_pair(tile, soft.pairs, [&](std::size_t r, std::size_t k, std::size_t i) {
+    if (neighbors.kind(k) == NeighborKind::mover) return;
+    soft.pairs.share[i] =
+        share_of_plane(soft.relative.h[i], robots.max_acceleration[r],
+                       neighbors.max_acceleration[k], robots.priority[r], neighbors.priority[k]);
+  });
+}
+
+// Raises offsets by the movers' own accelerations: w = v'_A - v_A - δ a_B (§III-B: v'_B = v_B +
+// δ a_B).
+void raise_for_movers(const PlannerOptions& options, const Tile& tile, SoftPlanes& soft) {
+  const PlaneColumns& planes = soft.relative;
+  for_each_pair(tile, soft.pairs, [&](std::size_t, std::size_t k, std::size_t i) {
+    if (tile.neighbors.kind(k) != NeighborKind::mover) return;
+    soft.shared.offset[i] += options.control_time * dot(Vec2{planes.n_x[i], planes.n_y[i]},
+                                                        tile.neighbors.motion[k].acceleration);
+  });
 }
 
 void mark_coinciding(const Tile& tile, SoftPlanes& soft) {
-  const PairColumns& pairs = soft.pairs;
-  std::size_t i = 0;
-  for (std::size_t r = 0; r < tile.robots.count; ++r) {
-    for (std::size_t k = tile.robots.neighbors[r].first; i < soft.pair_end[r]; ++i, ++k) {
-      if (tile.neighbors.kind(k) != NeighborKind::mover &&
-          nearly_coincide(norm(Vec2{pairs.p_x[i], pairs.p_y[i]}), pairs.radius[i]))
-        soft.coinciding[r] = 1;
-    }
-  }
+  for_each_pair(tile, soft.pairs, [&](std::size_t r, std::size_t k, std::size_t i) {
+    const Pair pair = soft.pairs.columns[i];
+    if (tile.neighbors.kind(k) != NeighborKind::mover &&
+        nearly_coincide(norm(pair.position), pair.radius))
+      soft.coinciding[r] = 1;
+  });
 }
 
 // Marks robots in contact. Without an early end, one instruction tests several pairs.
 void mark_overlaps(const PlannerOptions& options, const Tile& tile, SoftPlanes& soft) {
   if (soft.workspace.cases.contact == 0) return;
-  // only method avo makes detours
-  if (method_traits(options.method).has_rules) mark_coinciding(tile, soft);
+  if (goes_through_certificate(options)) mark_coinciding(tile, soft);
   const std::vector<PairState>& states = soft.relative.state;
   std::size_t i = 0;
-  for (std::size_t r = 0; r < soft.pair_end.size(); ++r) {
+  for (std::size_t r = 0; r < soft.pairs.end.size(); ++r) {
     bool overlaps = false;
-    for (; i < soft.pair_end[r]; ++i) {
+    for (; i < soft.pairs.end[r]; ++i) {
       overlaps |= states[i] == PairState::overlapping || states[i] == PairState::coincident;
     }
     soft.overlapping[r] = overlaps ? 1 : 0;
@@ -116,7 +102,7 @@ void mark_overlaps(const PlannerOptions& options, const Tile& tile, SoftPlanes& 
 
 void keep(std::size_t robots, SoftPlanes& soft) {
   const PlaneColumns& relative = soft.relative;
-  const std::size_t count = robots > 0 ? soft.shared.kept_end[robots - 1] : 0;
+  const std::size_t count = soft.shared.kept_end[robots - 1];
   soft.planes.resize(count);
   soft.excess.assign(count, 0.0);
   soft.exceeding = soft.shared.exceeding;
@@ -127,133 +113,32 @@ void keep(std::size_t robots, SoftPlanes& soft) {
     if (!soft.exceeding) continue;
     // near contact it has no bound; keep it finite
     soft.excess[k] =
-        std::min(soft.share[i] * relative.excess[i], std::numeric_limits<double>::max());
+        std::min(soft.pairs.share[i] * relative.excess[i], std::numeric_limits<double>::max());
   }
   soft.first.assign(1, 0);
   soft.first.insert(soft.first.end(), soft.shared.kept_end.begin(),
                     soft.shared.kept_end.begin() + static_cast<std::ptrdiff_t>(robots));
 }
 
-void raise_for_movers(const PlannerOptions& options, const RobotColumns& robots, SoftPlanes& soft) {
-  std::size_t begin = 0;
-  for (std::size_t r = 0; r < robots.count; ++r) {
-    for (std::size_t k = soft.first[r]; k < soft.first[r + 1]; ++k) {
-      const std::size_t pair = static_cast<std::size_t>(soft.shared.kept[k]) - begin;
-      HalfPlane& plane = soft.planes[k];
-      plane.offset += mover_offset(options, robots.neighbors[r][pair], plane.normal);
-    }
-    begin = soft.pair_end[r];
-  }
-}
-
-void add_margins(const PlannerOptions& options, const Tile& tile, SoftPlanes& soft) {
+void collect_of_pairs(const PlannerOptions& options, const Horizon& horizon, const StepLaw& law,
+                      const Tile& tile, Kept kept, SoftPlanes& soft) {
   const RobotColumns& robots = tile.robots;
-  PairColumns& pairs = soft.pairs;
-  std::size_t i = 0;
-  for (std::size_t r = 0; r < robots.count; ++r) {
-    const MotionModel* model = robots.model[r];
-    const double radius =
-        model != nullptr ? way_radius(*model, robots.radius[r]) : robots.radius[r];
-    const auto own = [&](double margin) {
-      return margin_on_way(margin, radius, robots.distance_to_goal[r]);
-    };
-    const double margin = own(options.margin), larger = own(mover_margin(options, radius));
-    for (std::size_t k = robots.neighbors[r].first; i < soft.pair_end[r]; ++i, ++k) {
-      const bool shares = tile.neighbors.kind(k) != NeighborKind::mover;
-      pairs.radius[i] = with_margin({{pairs.p_x[i], pairs.p_y[i]}, {}, pairs.radius[i]},
-                                    shares ? margin : larger);
-    }
-  }
-}
-
-// The half-planes of pairs with footprints are those of the two nearest discs.
-void take_nearest_discs(const Tile& tile, const StepLaw& law, SoftPlanes& soft) {
-  PairColumns& pairs = soft.pairs;
-  std::size_t i = 0;
-  for (std::size_t r = 0; r < tile.robots.count; ++r) {
-    const std::size_t first = i;
-    i = soft.pair_end[r];
-    if (i == first || !has_discs(tile.robots, r)) continue;
-    const Robot robot = tile.robots.robot(r);
-    const Discs discs = discs_of(robot, law);
-    for (std::size_t k = first; k < i; ++k) {
-      const Neighbor neighbor = tile.robots.neighbors[r][k - first];
-      if (!neighbor.footprint && !has_footprint(robot.model)) continue;
-      const DiscPair nearest = nearest_discs(discs, neighbor);
-      const Vec2 p = nearest.robot.position - nearest.neighbor.position;
-      pairs.p_x[k] = p.x, pairs.p_y[k] = p.y;
-      pairs.radius[k] = nearest.robot.radius + nearest.neighbor.radius;
-    }
-  }
-}
-
-void reserve(std::size_t pairs, SoftPlanes& soft) {
-  soft.pairs.reserve(pairs);
-  if (soft.share.size() < pairs + kSparePairs) soft.share.resize(pairs + kSparePairs, 1.0);
-  grow(soft.shared.offset, pairs + kSparePairs);
-  grow(soft.shared.kept, pairs + kSparePairs);
-}
-
-void collect_exact(const PlannerOptions& options, const Horizon& horizon, const StepLaw& law,
-                   const Tile& tile, SoftPlanes& soft) {
-  const RobotColumns& robots = tile.robots;
+  TilePairs& pairs = soft.pairs;
   soft.overlapping.assign(robots.count, 0);
   soft.coinciding.assign(robots.count, 0);
   if (robots.count == 0) return;
-  reserve(count_pairs(options, robots, soft), soft);
-  relate(robots, tile.neighbors, soft.pair_end, options.control_time, soft.pairs, soft.share);
-  if (tile.robots.has_models || tile.neighbors.has_footprints) take_nearest_discs(tile, law, soft);
-  if (tile.neighbors.has_movers) add_movers(options, tile, soft);
-  if (has_noise(options.sensing_noise)) reserve_room(reserve_of(options), soft.pairs);
-  if (options.margin > 0.0 || tile.neighbors.has_movers) add_margins(options, tile, soft);
-  half_planes(soft.pairs, horizon, soft.workspace, soft.relative);
-  if (tile.neighbors.has_partings) part_coinciding(options, horizon, tile, soft);
+  collect_pairs(options, law, tile, pairs);
+  // a velocity that is clamped may lie outside of the limit discs
+  const bool keeps_all = kept == Kept::all || disregards_acceleration(options.method);
+  if (keeps_all) pairs.raise.assign(robots.count, std::numeric_limits<double>::infinity());
+  find_relative(options, horizon, tile, soft);
   if (has_priorities(tile)) weigh(tile, soft);
-  share_out(robots, soft.pair_end, soft.raise, options.control_time, soft.share, soft.relative,
+  share_out(robots, pairs.end, pairs.raise, options.control_time, pairs.share, soft.relative,
             soft.shared);
+  if (tile.neighbors.has_movers && !disregards_acceleration(options.method))
+    raise_for_movers(options, tile, soft);
   mark_overlaps(options, tile, soft);
   keep(robots.count, soft);
-  if (tile.neighbors.has_movers) raise_for_movers(options, robots, soft);
-}
-
-// Collects half-planes of the methods that disregard accelerations, and of Voronoi cells.
-void collect_others(const PlannerOptions& options, const Horizon& horizon, const StepLaw& law,
-                    const Tile& tile, SoftPlanes& soft) {
-  soft.planes.clear();
-  soft.excess.clear();
-  soft.exceeding = false;
-  soft.first.assign(1, 0);
-  soft.overlapping.clear();
-  soft.coinciding.assign(tile.robots.count, 0);
-  for (std::size_t i = 0; i < tile.robots.count; ++i) {
-    const Robot robot = tile.robots.robot(i);
-    const Neighbors& neighbors = tile.robots.neighbors[i];
-    const std::size_t count = planned_with(options, neighbors);
-    const bool are_covered = has_discs(tile.robots, i);
-    const Discs discs = are_covered ? discs_of(robot, law) : Discs{};
-    bool overlapping = false;
-    for (std::size_t k = 0; k < count; ++k) {
-      Neighbor neighbor = neighbors[k];
-      Robot disc = robot;
-      if (are_covered) {
-        const DiscPair nearest = nearest_discs(discs, neighbor);
-        disc = nearest.robot, neighbor = nearest.neighbor;
-      }
-      const auto own =
-          own_half_plane(options, horizon, disc, neighbor, static_cast<int>(k), overlapping);
-      if (shares(neighbor) &&
-          nearly_coincide(norm(disc.position - neighbor.position), disc.radius + neighbor.radius))
-        soft.coinciding[i] = 1;
-      if (!own) continue;
-      grow(soft.shared.kept, soft.planes.size() + 1);
-      soft.shared.kept[soft.planes.size()] = static_cast<double>(k);
-      soft.planes.push_back(own->plane);
-      soft.excess.push_back(own->excess);
-      soft.exceeding |= own->excess > 0.0;
-    }
-    soft.overlapping.push_back(overlapping ? 1 : 0);
-    soft.first.push_back(soft.planes.size());
-  }
 }
 
 bool touches_any(const Tile& tile, const StepLaw& law, std::size_t i) {
@@ -272,40 +157,43 @@ bool touches_any(const Tile& tile, const StepLaw& law, std::size_t i) {
 
 // An external method has no half-planes; robots in contact are marked all the same.
 void collect_none(const Tile& tile, const StepLaw& law, SoftPlanes& soft) {
-  soft.planes.clear();
-  soft.excess.clear();
-  soft.exceeding = false;
-  soft.first.assign(tile.robots.count + 1, 0);
-  soft.coinciding.assign(tile.robots.count, 0);
-  soft.overlapping.clear();
+  clear(tile.robots.count, soft);
   for (std::size_t i = 0; i < tile.robots.count; ++i)
-    soft.overlapping.push_back(touches_any(tile, law, i) ? 1 : 0);
+    soft.overlapping[i] = touches_any(tile, law, i) ? 1 : 0;
 }
 
 }  // namespace
 
 void reserve(std::size_t robots, std::size_t pairs, SoftPlanes& soft) {
-  reserve(pairs, soft);
+  reserve(robots, pairs, soft.pairs);
   reserve(pairs, soft.workspace, soft.relative);
+  grow(soft.shared.offset, pairs + kSparePairs);
+  grow(soft.shared.kept, pairs + kSparePairs);
+  grow(soft.shared.kept_end, robots);
   soft.planes.reserve(pairs);
   soft.excess.reserve(pairs);
-  grow(soft.shared.kept_end, robots);
-  soft.pair_end.reserve(robots);
-  soft.raise.reserve(robots);
   soft.first.reserve(robots + 1);
   soft.overlapping.reserve(robots);
   soft.coinciding.reserve(robots);
 }
 
+void clear(std::size_t robots, SoftPlanes& soft) {
+  soft.planes.clear();
+  soft.excess.clear();
+  soft.exceeding = false;
+  soft.first.assign(robots + 1, 0);
+  soft.overlapping.assign(robots, 0);
+  soft.coinciding.assign(robots, 0);
+}
+
 void collect_soft_planes(const PlannerOptions& options, const Horizon& horizon, const StepLaw& law,
-                         const Tile& tile, SoftPlanes& soft) {
+                         const Tile& tile, SoftPlanes& soft, Kept kept) {
   if (is_external(options.method)) {
     collect_none(tile, law, soft);
-  } else if (disregards_acceleration(options.method) ||
-             method_traits(options.method).stays_in_cell) {
-    collect_others(options, horizon, law, tile, soft);
+  } else if (method_traits(options.method).stays_in_cell) {
+    collect_cells(options, law, tile, soft);
   } else {
-    collect_exact(options, horizon, law, tile, soft);
+    collect_of_pairs(options, horizon, law, tile, kept, soft);
   }
 }
 

@@ -3,13 +3,13 @@
 #pragma once
 #include <cstddef>
 #include <cstdint>
-#include <optional>
 #include <span>
 #include <vector>
 
 #include "avo/planner.h"
 #include "certificate/braking_path.h"
 #include "obstacles/half_planes.h"
+#include "planner/stages/pairs.h"
 #include "planner/tile.h"
 
 namespace avo::inline planner {
@@ -21,18 +21,15 @@ struct SoftPlanes {
   bool exceeding = false;                 ///< whether an excess is not 0
   std::vector<std::size_t> first{0};      ///< of robot i: [first[i], first[i + 1])
   std::vector<std::uint8_t> overlapping;  ///< whether robot i is in contact already
-  /// whether robot i is so deep in contact that it nearly coincides with a neighbor
+  /// whether robot i is so deep in contact that it nearly coincides with a neighbor; known where a
+  /// certificate asks for it
   std::vector<std::uint8_t> coinciding;
 
   // scratch memory
-  std::vector<double> share;          // of each pair, Eq. (20)
-  std::vector<std::size_t> pair_end;  // one past the pairs of each robot
-  // m/s, of each robot: the largest increase of its offsets by movers
-  std::vector<double> raise;
-  SharedPlanes shared;
-  PairColumns pairs;
+  TilePairs pairs;
   HalfPlaneWorkspace workspace;
-  PlaneColumns relative;
+  PlaneColumns relative;  // of each pair
+  SharedPlanes shared;
 
   [[nodiscard]] std::span<const HalfPlane> of(std::size_t i) const {
     return std::span(planes).subspan(first[i], first[i + 1] - first[i]);
@@ -48,9 +45,17 @@ struct SoftPlanes {
 
 void reserve(std::size_t robots, std::size_t pairs, SoftPlanes& soft);
 
-/// Collects the half-planes of all robots of the tile. A half-plane that contains one of the two
-/// limit discs is left out: it cannot cut.
+/// Begins anew, with so many robots that have no half-planes.
+void clear(std::size_t robots, SoftPlanes& soft);
+
+/// The half-planes that are kept.
+enum class Kept : std::uint8_t {
+  cutting,  ///< a half-plane that contains one of the two limit discs is left out: it cannot cut
+  all,
+};
+
+/// Collects the half-planes of all robots of the tile.
 void collect_soft_planes(const PlannerOptions& options, const Horizon& horizon, const StepLaw& law,
-                         const Tile& tile, SoftPlanes& soft);
+                         const Tile& tile, SoftPlanes& soft, Kept kept = Kept::cutting);
 
 }  // namespace avo::inline planner

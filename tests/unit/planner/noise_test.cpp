@@ -133,6 +133,11 @@ TEST(Noise, quantiles_bound_how_often_the_true_half_plane_is_broken) {
   EXPECT_NEAR(risk, 0.0228, 0.002);
 }
 
+// A velocity on the line of the listed half-plane.
+Vec2 choice_on(const HalfPlane& plane, Vec2 velocity) {
+  return velocity + (plane.offset - dot(plane.normal, velocity)) * plane.normal;
+}
+
 // 1 - Φ, by tables.
 TEST(Noise, risk_is_that_of_a_normal_distribution) {
   const Robot robot{.velocity = {1.0, 0.0}};
@@ -146,10 +151,44 @@ TEST(Noise, risk_is_that_of_a_normal_distribution) {
                                               {6.0, 9.8658764503769814e-10}}) {
     const Planner planner = planner_with({0.01, 0.0, quantile});
     const HalfPlane plane = *plane_of(planner, {robot, neighbor});
-    const Vec2 choice =
-        robot.velocity + (plane.offset - dot(plane.normal, robot.velocity)) * plane.normal;
+    const Vec2 choice = choice_on(plane, robot.velocity);
     EXPECT_NEAR(planner.half_plane_risk(robot, neighbor, choice), risk, 1e-6 * risk) << quantile;
   }
+}
+
+TEST(Noise, risk_is_of_the_half_plane_that_the_robot_decides_by) {
+  const Robot robot{.velocity = {1.0, 0.0}};
+  for (const auto& [method, distance] :
+       std::vector<std::pair<Method, double>>{{Method::avo, 4.0},
+                                              {Method::orca, 4.0},
+                                              {Method::orca_clamped, 4.0},
+                                              {Method::buffered_voronoi, 2.0}}) {
+    PlannerOptions options = default_options(method);
+    options.sensing_noise = {kPosition, 0.0, 1.0};
+    const Planner planner(options);
+    const Neighbor disc{.position = {distance, 0.3}, .velocity = {-1.0, 0.0}};
+    Neighbor lorry = disc;  // the foremost of its discs is where the other neighbor is
+    lorry.position.x += 1.0, lorry.radius = 1.5;
+    lorry.footprint = {.discs = 3, .radius = 0.5, .first = -1.0, .spacing = 1.0};
+    lorry.ahead = {-1.0, 0.0};
+    for (const Neighbor& neighbor : {disc, lorry}) {
+      const std::optional<HalfPlane> plane = plane_of(planner, {robot, neighbor});
+      ASSERT_TRUE(plane) << to_string(method);
+      const Vec2 choice = choice_on(*plane, robot.velocity);
+      EXPECT_NEAR(planner.half_plane_risk(robot, neighbor, choice), 0.15865525393145705, 1e-6)
+          << to_string(method) << ", " << neighbor.radius;
+    }
+  }
+}
+
+// A velocity that the robot cannot have is judged as well, by a half-plane that cannot cut.
+TEST(Noise, risk_is_of_any_velocity) {
+  const Planner planner = planner_with({kPosition, kVelocity});
+  const Robot slow{.max_speed = 0.2};
+  const Neighbor neighbor{.position = {4.0, 0.0}};
+  EXPECT_FALSE(plane_of(planner, {slow, neighbor}));
+  EXPECT_LT(planner.half_plane_risk(slow, neighbor, {0.2, 0.0}), 1e-6);
+  EXPECT_EQ(planner.half_plane_risk(slow, neighbor, {3.0, 0.0}), 1.0);
 }
 
 TEST(Noise, risk_grows_towards_the_neighbor) {

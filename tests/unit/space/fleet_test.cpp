@@ -183,6 +183,27 @@ TEST(SpaceFleets, threads_change_no_bit) {
   EXPECT_EQ(one.state_hash(), two.state_hash());
 }
 
+// Steep courses turn about a fixed axis (axis_across()), so no robot has one here.
+TEST(SpaceFleets, a_scene_turned_by_90_degrees_about_the_vertical_moves_as_turned_bit_for_bit) {
+  const auto turned = [](Vec3 a) { return Vec3{-a.y, a.x, a.z}; };
+  Scenario scene = sphere(60, 7.0, 0.5);
+  std::erase_if(scene.robots, [](const RobotSetup& robot) {
+    return std::abs(robot.position.z) > 0.9 * norm(robot.position);
+  });
+  Scenario other = scene;
+  for (RobotSetup& robot : other.robots)
+    robot.position = turned(robot.position), robot.goal = turned(robot.goal);
+  Simulation simulation(scene, 1), same(other, 1);
+  for (int step = 0; step < 200; ++step) {
+    simulation.step(), same.step();
+    for (std::size_t k = 0; k < simulation.size(); ++k) {
+      ASSERT_EQ(turned(simulation.robots()[k].position), same.robots()[k].position)
+          << "robot " << k << ", step " << step;
+      ASSERT_EQ(turned(simulation.robots()[k].velocity), same.robots()[k].velocity);
+    }
+  }
+}
+
 TEST(SpaceFleets, a_start_in_contact_is_refused_by_name) {
   Scenario scene = sphere(4, 8.0);
   scene.robots[2].position = scene.robots[1].position + Vec3{0.5, 0, 0};

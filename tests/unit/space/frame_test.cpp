@@ -33,7 +33,7 @@ void draw(Draws& draws, int k, Vec3& p, Vec3& v) {
 TEST(PairFrame, exchanging_the_robots_negates_the_normal_bit_for_bit) {
   Draws draws(2);
   const Horizon horizon(2.0, 3.0, 0.1);
-  for (int k = 0; k < 200'000; ++k) {
+  for (int k = 0; k < 1'000'000; ++k) {
     Vec3 p, v;
     draw(draws, k, p, v);
     const Half a = half_space(p, v, horizon), b = half_space(-p, -v, horizon);

@@ -54,11 +54,18 @@ CheckReport judged(const Scenario& scene) {
   for (const Wall& wall : walls_of(scene.obstacles)) walls.push_back({wall.a, wall.b, wall.radius});
   check.set_walls(walls);
   Simulation simulation(scene, 1);
+  Metrics metrics(scene);
+  metrics.observe(simulation);
   check.add(0.0, checked_states(simulation.fleet()));
   while (simulation.can_step_by(scene.duration)) {
     simulation.step();
+    metrics.observe(simulation);
     check.add(simulation.time(), checked_states(simulation.fleet()));
   }
+  // both are of the bodies, which commands in steps pull harder than their references
+  const double largest = check.report().largest_acceleration;
+  EXPECT_GT(largest, 1.05 * scene.robots.front().max_acceleration);
+  EXPECT_NEAR(metrics.summary().max_acceleration, largest, 1e-9 * largest);
   return check.report();
 }
 
