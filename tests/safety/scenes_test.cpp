@@ -261,10 +261,10 @@ TEST(Families, passages_are_used_both_ways) {
 // So that rows that YAML says and the others can be compared.
 TEST(Families, that_are_read_have_the_usual_settings) {
   const Scenario usual = usual_scenario();
-  for (const char* name : {"circle-100", "circle-100-jitter", "swap", "streams", "permutation",
-                           "random-30", "doorway", "ring", "deep", "block-swap", "clump-100",
-                           "doorway-1.6", "corridor-2.4", "office-1.2", "maze",
-                           "dropped-5%-circle"}) {
+  for (const char* name :
+       {"circle-100", "circle-100-jitter", "swap", "streams", "permutation", "random-30", "doorway",
+        "ring", "deep", "block-swap", "clump-100", "doorway-1.6", "corridor-2.4", "office-1.2",
+        "maze", "dropped-5%-circle"}) {
     const Scenario scenario = scene_of(name).scenario;
     EXPECT_EQ(scenario.time_step, usual.time_step) << name;
     EXPECT_EQ(scenario.sensing_radius, usual.sensing_radius) << name;
@@ -286,8 +286,7 @@ TEST(Families, are_sweeps_as_well) {
   const std::pair<const char*, int> sweeps[] = {
       {"circles", 240}, {"squares", 800}, {"crowds", 120}, {"passages", 100}};
   for (const auto& [name, runs] : sweeps) {
-    const auto sweep =
-        avo_io::load_sweep(std::string(AVO_SAFETY_SWEEPS "/") + name + ".yaml");
+    const auto sweep = avo_io::load_sweep(std::string(AVO_SAFETY_SWEEPS "/") + name + ".yaml");
     EXPECT_EQ(run_count(sweep), runs) << name;
   }
 }
