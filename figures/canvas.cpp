@@ -137,12 +137,6 @@ Canvas& Canvas::add_cross(Vec2 at, double half_width) {
   return add_page_line({p.x - half_width, p.y + half_width}, {p.x + half_width, p.y - half_width});
 }
 
-Canvas& Canvas::add_square(Vec2 at, double half_width) {
-  const Vec2 p = to_page(at);
-  const Vec2 half{half_width, half_width};
-  return add_page_box({p - half, p + half});
-}
-
 Canvas& Canvas::add_page_box(const Box& page) {
   cairo_rectangle(state_->cairo.get(), page.lower.x, page.lower.y, page.upper.x - page.lower.x,
                   page.upper.y - page.lower.y);

@@ -103,10 +103,9 @@ class Canvas {
   Canvas& add_box(const Box& box);
   Canvas& add_polyline(std::span<const Vec2> points);
   Canvas& add_polygon(std::span<const Vec2> points);
-  /// Adds a dot with its radius in pt; a cross or a square has that half-width.
+  /// Adds a dot with its radius in pt; a cross has that half-width.
   Canvas& add_dot(Vec2 at, double radius);
   Canvas& add_cross(Vec2 at, double half_width);
-  Canvas& add_square(Vec2 at, double half_width);
   /// These do the same with page coordinates.
   Canvas& add_page_box(const Box& page);
   Canvas& add_page_line(Vec2 from, Vec2 to);

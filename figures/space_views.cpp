@@ -6,6 +6,8 @@
 #include <cmath>
 #include <utility>
 
+#include "figures/hull.h"
+
 namespace avo::figures {
 namespace {
 
@@ -74,30 +76,6 @@ std::array<Vec3, 8> corners_of(const space::Box& box, const Extent& extent) {
   return corners;
 }
 
-double turn(Vec2 a, Vec2 b, Vec2 c) {
-  return cross(b - a, c - a);
-}
-
-// The outline of some points: their convex hull, by Andrew's monotone chain.
-std::vector<Vec2> outline_of(std::vector<Vec2> points) {
-  const auto before = [](Vec2 a, Vec2 b) { return a.x != b.x ? a.x < b.x : a.y < b.y; };
-  std::sort(points.begin(), points.end(), before);
-  points.erase(std::unique(points.begin(), points.end()), points.end());
-  if (points.size() < 3) return points;
-  std::vector<Vec2> hull;
-  for (int pass = 0; pass < 2; ++pass) {
-    const std::size_t first = hull.size();
-    for (const Vec2 point : points) {
-      while (hull.size() >= first + 2 && turn(hull[hull.size() - 2], hull.back(), point) <= 0.0)
-        hull.pop_back();
-      hull.push_back(point);
-    }
-    hull.pop_back();
-    std::reverse(points.begin(), points.end());
-  }
-  return hull;
-}
-
 // A box that covers all that a view shows hides everything: a floor from above.
 bool covers(const std::vector<Vec2>& outline, Vec2 low, Vec2 high) {
   return outline.size() == 4 && std::all_of(outline.begin(), outline.end(), [&](Vec2 a) {
@@ -127,7 +105,7 @@ TracedRun traced(const space::Scenario& scenario, const std::vector<SpaceRecorde
   for (const space::Box& box : scenario.boxes) {
     std::vector<Vec2> points;
     for (const Vec3& corner : corners_of(box, extent)) points.push_back(view(corner));
-    const std::vector<Vec2> outline = outline_of(std::move(points));
+    const std::vector<Vec2> outline = convex_hull(std::move(points));
     if (outline.empty() || covers(outline, view(extent.low), view(extent.high))) continue;
     const bool is_area = outline.size() > 2;
     run.scenario.obstacles.push_back({.chains = {{outline, is_area}},

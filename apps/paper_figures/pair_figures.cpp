@@ -10,6 +10,7 @@
 #include "figures/axes.h"
 #include "figures/colors.h"
 #include "figures/contour.h"
+#include "figures/hull.h"
 #include "figures/velocity_space.h"
 #include "figures_of_the_paper.h"
 #include "panels.h"
@@ -142,7 +143,7 @@ std::vector<Vec2> hull_of(const ReciprocalSets& sets) {
        figures::negative_set(around(sets.reachable.center, 2.4), 400, inside, 1.0)) {
     corners.insert(corners.end(), part.begin(), part.end());
   }
-  return convex_hull(corners);
+  return figures::convex_hull(corners);
 }
 
 void draw_relative_set(Canvas& canvas, const Box& panel, const ReciprocalSets& sets,

@@ -66,24 +66,4 @@ void draw_bodies(Canvas& canvas, const Box& panel, const Box& world,
       canvas, {.x_label = "x (m)", .y_label = "y (m)", .most_ticks_x = 6, .most_ticks_y = 6});
 }
 
-std::vector<Vec2> convex_hull(std::vector<Vec2> points) {
-  std::sort(points.begin(), points.end(),
-            [](Vec2 a, Vec2 b) { return a.x < b.x || (a.x == b.x && a.y < b.y); });
-  std::vector<Vec2> hull;
-  // the lower chain from left to right, then the upper one in reverse
-  for (int chain = 0; chain < 2; ++chain) {
-    const std::size_t start = hull.size();
-    for (const Vec2 point : points) {
-      while (hull.size() >= start + 2 &&
-             cross(hull.back() - hull[hull.size() - 2], point - hull.back()) <= 0.0) {
-        hull.pop_back();
-      }
-      hull.push_back(point);
-    }
-    if (!hull.empty()) hull.pop_back();
-    std::reverse(points.begin(), points.end());
-  }
-  return hull;
-}
-
 }  // namespace avo::paper

@@ -34,9 +34,6 @@ void write_title(figures::Canvas& canvas, const figures::Box& panel, const std::
 void draw_bodies(figures::Canvas& canvas, const figures::Box& panel, const figures::Box& world,
                  const std::vector<Body>& bodies);
 
-/// Returns the corners of the convex hull, counter-clockwise.
-std::vector<Vec2> convex_hull(std::vector<Vec2> points);
-
 inline constexpr figures::Color kRobotColor = figures::kBlue;
 
 }  // namespace avo::paper

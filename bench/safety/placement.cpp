@@ -51,22 +51,6 @@ std::vector<Vec2> find_places(std::size_t count, const std::string& room, Draw d
 
 }  // namespace
 
-Vec2 circle_point(int k, int n) {
-  // the angle is (octant + rest / n) * 45 degrees; x <= 45 degrees from the nearest axis
-  const std::int64_t eighths = 8 * static_cast<std::int64_t>(k % n);
-  const std::int64_t octant = eighths / n, rest = eighths % n;
-  const bool back = octant % 2 == 1;
-  const double x = kPi / 4.0 * static_cast<double>(back ? n - rest : rest) / n;
-  double sine = 1.0, cosine = 1.0;
-  for (double i = 20.0; i >= 2.0; i -= 2.0) {  // Taylor series; the truncation error is below 1e-22
-    sine = 1.0 - x * x / (i * (i + 1.0)) * sine;
-    cosine = 1.0 - x * x / (i * (i - 1.0)) * cosine;
-  }
-  Vec2 point{cosine, back ? -x * sine : x * sine};
-  for (std::int64_t i = 0; i < (octant + 1) / 2; ++i) point = perpendicular(point);
-  return point + Vec2{};  // no -0
-}
-
 std::vector<Vec2> block(Vec2 center, int columns, int rows, double spacing) {
   std::vector<Vec2> points;
   const Vec2 corner = center - 0.5 * spacing * Vec2{double(columns - 1), double(rows - 1)};

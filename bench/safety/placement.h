@@ -10,6 +10,7 @@
 
 #include "avo/vec.h"
 #include "avo/wall.h"
+#include "io/scene/circle_point.h"
 
 namespace avo::safety {
 
@@ -39,9 +40,7 @@ class Random {
   std::mt19937_64 engine_;
 };
 
-/// Returns point k of n evenly spaced on the unit circle, from +x counter-clockwise, without the C
-/// library's sin.
-Vec2 circle_point(int k, int n);
+using avo_io::circle_point;
 
 /// Returns columns x rows points about `center`, row by row from the lower left.
 std::vector<Vec2> block(Vec2 center, int columns, int rows, double spacing);

@@ -23,11 +23,11 @@ Scene square_of_30(std::uint64_t seed) {
 
 // Returns a circle so small that all robots meet within seconds.
 Scene circle_of_20(std::uint64_t seed) {
-  return within_duration(read_scene(
-      {"circle-20",
-       {"groups.0.placement.circle.min_radius=8", "groups.0.preferred_speed=1.5",
-        "groups.0.jitter=0.2", "duration=60"}},
-      seed));
+  return within_duration(
+      read_scene({"circle-20",
+                  {"groups.0.placement.circle.min_radius=8", "groups.0.preferred_speed=1.5",
+                   "groups.0.jitter=0.2", "duration=60"}},
+                 seed));
 }
 
 // Returns unequal robots, all sent to one point, then to another.

@@ -32,6 +32,14 @@ inline std::vector<avo::Vec2> points_of(const avo_vec2* points, std::size_t coun
   return result;
 }
 
+/// The overrides of a scene, an argument of that name.
+inline std::vector<std::string> words_of(const char* const* overrides, std::size_t count) {
+  require_array(overrides, count, "overrides");
+  std::vector<std::string> words;
+  for (std::size_t k = 0; k < count; ++k) words.emplace_back(&at(overrides[k], "overrides"));
+  return words;
+}
+
 /// For numbers that must not be 0: 0 stands for none.
 inline std::optional<double> unless_zero(double value) {
   return value == 0.0 ? std::nullopt : std::optional(value);

@@ -61,13 +61,6 @@ Scene::Scene(avo::Scenario read) : scenario(std::move(read)), def(settings_of(sc
 
 AVO_C_CONSTINIT Handles<avo_scene_id, Scene> scenes("scene");
 
-std::vector<std::string> words_of(const char* const* overrides, std::size_t count) {
-  require_array(overrides, count, "overrides");
-  std::vector<std::string> words;
-  for (std::size_t k = 0; k < count; ++k) words.emplace_back(&at(overrides[k], "overrides"));
-  return words;
-}
-
 }  // namespace
 }  // namespace avo_c
 

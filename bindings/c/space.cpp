@@ -203,10 +203,7 @@ avo_result avo_load_space_simulation(const char* path, const char* const* overri
                                      avo_space_simulation_id* simulation) {
   return guarded([&] {
     avo_space_simulation_id& id = at(simulation, "simulation");
-    require_array(overrides, override_count, "overrides");
-    std::vector<std::string> words;
-    for (std::size_t k = 0; k < override_count; ++k)
-      words.emplace_back(&at(overrides[k], "overrides"));
+    const std::vector<std::string> words = words_of(overrides, override_count);
     id = fleets.add(std::make_unique<avo::space::Simulation>(
         load_space_scene(&at(path, "path"), words), checked_threads(threads)));
   });

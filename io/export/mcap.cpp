@@ -17,36 +17,18 @@ namespace {
 
 using avo::Vec2;
 
-constexpr std::string_view kFrameId = "world";
 constexpr double kHeight = 0.2;           // m, of robots and walls, which stand on z = 0
 constexpr double kLeastThickness = 0.02;  // m, of lines, so that they are visible
-constexpr double kHeadLength = 0.25;      // of an arrow's length
-constexpr double kShaftDiameter = 0.1, kHeadDiameter = 0.2;  // of a robot's radius
-constexpr double kLatest = 1e9;  // s: whole nanoseconds of twice this time fit into 64 bits
 
 /// Red, green, blue.
 struct Paint {
   double r, g, b;
 };
-constexpr Paint kRobotPaint{0.12, 0.47, 0.71}, kArrowPaint{0.9, 0.5, 0.1},
-    kWallPaint{0.3, 0.3, 0.3}, kMoverPaint{0.84, 0.15, 0.16};
+constexpr Paint kRobotPaint{0.12, 0.47, 0.71}, kWallPaint{0.3, 0.3, 0.3},
+    kMoverPaint{0.84, 0.15, 0.16};
 
 std::string color_of(const Paint& paint) {
-  ProtoBytes color;
-  color.number(1, paint.r);
-  color.number(2, paint.g);
-  color.number(3, paint.b);
-  color.number(4, 1.0);
-  return color.bytes();
-}
-
-/// Returns a vector; foxglove.Point3 has the same fields.
-std::string vector_of(double x, double y, double z) {
-  ProtoBytes vector;
-  vector.number(1, x);
-  vector.number(2, y);
-  vector.number(3, z);
-  return vector.bytes();
+  return numbers_of({paint.r, paint.g, paint.b, 1.0});
 }
 
 /// Returns a pose. `face` has length 1; the half-angle formulas give the quaternion of its angle
@@ -56,40 +38,19 @@ std::string pose_of(Vec2 position, double z, Vec2 face) {
   orientation.number(3, std::copysign(std::sqrt(std::max(0.5 * (1.0 - face.x), 0.0)), face.y));
   orientation.number(4, std::sqrt(std::max(0.5 * (1.0 + face.x), 0.0)));
   ProtoBytes pose;
-  pose.text(1, vector_of(position.x, position.y, z));
+  pose.text(1, numbers_of({position.x, position.y, z}));
   pose.text(2, orientation.bytes());
   return pose.bytes();
-}
-
-std::string timestamp_of(std::uint64_t time) {
-  constexpr std::uint64_t kSecond = 1'000'000'000;
-  ProtoBytes timestamp;
-  timestamp.whole(1, time / kSecond);
-  timestamp.whole(2, time % kSecond);
-  return timestamp.bytes();
 }
 
 std::string cylinder_of(Vec2 center, double radius, const Paint& paint) {
   ProtoBytes cylinder;
   cylinder.text(1, pose_of(center, 0.5 * kHeight, {1.0, 0.0}));
-  cylinder.text(2, vector_of(2.0 * radius, 2.0 * radius, kHeight));
+  cylinder.text(2, numbers_of({2.0 * radius, 2.0 * radius, kHeight}));
   cylinder.number(3, 1.0);
   cylinder.number(4, 1.0);
   cylinder.text(5, color_of(paint));
   return cylinder.bytes();
-}
-
-/// Returns an arrow as long as the distance that the robot travels in a second.
-std::string arrow_of(Vec2 center, Vec2 velocity, double radius) {
-  const double speed = norm(velocity);
-  ProtoBytes arrow;
-  arrow.text(1, pose_of(center, kHeight, velocity / speed));
-  arrow.number(2, (1.0 - kHeadLength) * speed);
-  arrow.number(3, kShaftDiameter * radius);
-  arrow.number(4, kHeadLength * speed);
-  arrow.number(5, kHeadDiameter * radius);
-  arrow.text(6, color_of(kArrowPaint));
-  return arrow.bytes();
 }
 
 std::string line_of(const avo::Chain& chain, double radius) {
@@ -97,23 +58,16 @@ std::string line_of(const avo::Chain& chain, double radius) {
   line.whole(1, chain.closed ? 1 : 0);  // LINE_LOOP, LINE_STRIP
   line.text(2, pose_of({}, 0.0, {1.0, 0.0}));
   line.number(3, std::max(2.0 * radius, kLeastThickness));
-  for (const Vec2 point : chain.points) line.text(5, vector_of(point.x, point.y, 0.0));
+  for (const Vec2 point : chain.points) line.text(5, numbers_of({point.x, point.y, 0.0}));
   line.text(6, color_of(kWallPaint));
   return line.bytes();
-}
-
-ProtoBytes entity_of(const std::string& timestamp, std::string_view id) {
-  ProtoBytes entity;
-  entity.text(1, timestamp);
-  entity.text(2, kFrameId);
-  entity.text(3, id);
-  return entity;
 }
 
 /// Returns a moving disc: a cylinder, and an arrow unless the disc is at rest.
 std::string disc_of(ProtoBytes entity, Vec2 center, Vec2 velocity, double radius,
                     const Paint& paint) {
-  if (norm(velocity) > kAtRest) entity.text(7, arrow_of(center, velocity, radius));
+  if (const double speed = norm(velocity); speed > kAtRest)
+    entity.text(7, arrow_of(pose_of(center, kHeight, velocity / speed), speed, radius));
   entity.text(10, cylinder_of(center, radius, paint));
   return entity.bytes();
 }
@@ -134,20 +88,16 @@ class McapExport final : public ExportTarget {
   const avo::Scenario& scenario_;
   McapFile file_;
   MoverWalk walk_;
-  std::uint16_t walls_ = 0, robots_ = 0, poses_ = 0, movers_ = 0;  // channels
+  FoxgloveChannels channels_;
+  std::uint16_t movers_ = 0;  // their channel; 0: there are none
   bool begun_ = false;
   std::vector<std::int64_t> there_;  // robots of the time before
 };
 
 McapExport::McapExport(OutputFile& file, const avo::Scenario& scenario)
-    : scenario_(scenario), file_(file), walk_(scenario) {
-  const std::string descriptors = foxglove_schema();
-  const std::uint16_t update = file_.add_schema("foxglove.SceneUpdate", descriptors);
-  const std::uint16_t poses = file_.add_schema("foxglove.PosesInFrame", descriptors);
-  walls_ = file_.add_channel("/walls", update);
-  robots_ = file_.add_channel("/robots", update);
-  poses_ = file_.add_channel("/poses", poses);
-  if (!scenario.moving_obstacles.empty()) movers_ = file_.add_channel("/moving_obstacles", update);
+    : scenario_(scenario), file_(file), walk_(scenario), channels_(add_foxglove_channels(file_)) {
+  if (!scenario.moving_obstacles.empty())
+    movers_ = file_.add_channel("/moving_obstacles", channels_.scene_update);
 }
 
 std::string McapExport::walls(const std::string& timestamp) const {
@@ -209,21 +159,18 @@ std::string McapExport::robots_of(const RecordedTime& moment, const std::string&
 }
 
 void McapExport::add(const ExportedTime& moment) {
-  const double seconds = moment.recorded.time;
-  if (!(seconds >= 0.0 && seconds <= kLatest))
-    throw RecordingError(fmt::format("found time {} s, must be from 0 to {} s", seconds, kLatest));
-  const auto time = static_cast<std::uint64_t>(std::llround(seconds * 1e9));
+  const std::uint64_t time = nanoseconds_of(moment.recorded.time);
   const std::string timestamp = timestamp_of(time);
-  if (!begun_) file_.write(walls_, time, walls(timestamp));
+  if (!begun_) file_.write(channels_.walls, time, walls(timestamp));
   begun_ = true;
-  file_.write(robots_, time, robots_of(moment.recorded, timestamp));
+  file_.write(channels_.robots, time, robots_of(moment.recorded, timestamp));
   if (movers_ != 0) file_.write(movers_, time, movers_of(moment.recorded, timestamp));
   ProtoBytes poses;
   poses.text(1, timestamp);
   poses.text(2, kFrameId);
   for (std::size_t k = 0; k < moment.recorded.rows.size(); ++k)
     poses.text(3, pose_of(moment.recorded.rows[k].position, 0.0, moment.faces[k]));
-  file_.write(poses_, time, poses.bytes());
+  file_.write(channels_.poses, time, poses.bytes());
 }
 
 }  // namespace

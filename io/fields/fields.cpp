@@ -6,6 +6,7 @@
 #include "fields/robot_fields.h"
 #include "fields/scene_fields.h"
 #include "fields/space_fields.h"
+#include "fields/team_fields.h"
 
 namespace avo_io {
 
@@ -27,6 +28,10 @@ template const std::vector<Field<avo::LocalizationNoise>>& fields();
 template const std::vector<Field<avo::SensingError>>& fields();
 template const std::vector<Field<avo::ExecutionModel>>& fields();
 template const std::vector<Field<avo::MovingObstacle>>& fields();
+template const std::vector<Field<avo::Queue>>& fields();
+template const std::vector<Field<avo::Follow>>& fields();
+template const std::vector<Field<avo::Patrol>>& fields();
+template const std::vector<Field<avo::Flow>>& fields();
 template const std::vector<Field<avo::space::RobotSetup>>& fields();
 template const std::vector<Field<avo::space::Quadrotor>>& fields();
 template const std::vector<Field<avo::space::Scenario>>& fields();

@@ -118,44 +118,4 @@ const std::vector<Field<FormationGoals>>& fields() {
   return table;
 }
 
-template <>
-const std::vector<Field<avo::Queue>>& fields() {
-  static const std::vector<Field<avo::Queue>> table{
-      {"line", &avo::Queue::line, kRequired, kAnyValue, "m", "from the head of the row backward"},
-      {"spacing", &avo::Queue::spacing, kOptional, kPositive, "m", "from place to place"},
-      {"service", &avo::Queue::service, kOptional, kNotNegative, "s",
-       "that the first one waits at the head", "for ever"},
-  };
-  return table;
-}
-
-template <>
-const std::vector<Field<avo::Follow>>& fields() {
-  static const std::vector<Field<avo::Follow>> table{
-      {"spacing", &avo::Follow::spacing, kOptional, kPositive, "m", "from robot to robot"},
-      {"slots", &avo::Follow::slots, kOptional, kAnyValue, "m",
-       "places about the first one, x ahead and y to its left", "they follow its trail"},
-  };
-  return table;
-}
-
-template <>
-const std::vector<Field<avo::Patrol>>& fields() {
-  static const std::vector<Field<avo::Patrol>> table{
-      {"points", &avo::Patrol::points, kRequired, kAnyValue, "m", "to pass in turn"},
-      {"pass_distance", &avo::Patrol::pass_distance, kOptional, kPositive, "m",
-       "from a point, at which a robot goes on to the next"},
-  };
-  return table;
-}
-
-template <>
-const std::vector<Field<avo::Flow>>& fields() {
-  static const std::vector<Field<avo::Flow>> table{
-      {"exits", &avo::Flow::exits, kRequired, kAnyValue, "m", "the two ends of each exit"},
-      {"spacing", &avo::Flow::spacing, kOptional, kPositive, "m", "between goals on an exit"},
-  };
-  return table;
-}
-
 }  // namespace avo_io

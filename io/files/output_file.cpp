@@ -18,6 +18,7 @@
 #include <vector>
 
 #include "avo_io/file_identity.h"
+#include "io/files/descriptors.h"
 #include "io/files/regular_file.h"
 
 namespace avo_io {
@@ -111,13 +112,7 @@ void OutputFile::write(std::string_view bytes) {
 }
 
 void OutputFile::flush() {
-  std::string_view rest = buffer_;
-  while (!rest.empty()) {
-    const ssize_t written = ::write(descriptor_, rest.data(), rest.size());
-    if (written < 0 && errno == EINTR) continue;
-    if (written < 0) fail();
-    rest.remove_prefix(static_cast<std::size_t>(written));
-  }
+  if (!write_all(descriptor_, buffer_)) fail();
   buffer_.clear();
 }
 

@@ -10,8 +10,10 @@
 #include <sys/stat.h>
 #include <system_error>
 #include <unistd.h>
+#include <utility>
 
 #include "avo_io/errors.h"
+#include "io/files/descriptors.h"
 
 namespace avo_io {
 namespace {
@@ -29,16 +31,10 @@ struct Descriptor {
   int value;
 };
 
-std::string read_all(int descriptor, const std::string& name) {
-  std::string text;
-  while (text.size() <= kLargest) {
-    char buffer[65536];
-    const ssize_t got = read(descriptor, buffer, sizeof buffer);
-    if (got < 0 && errno == EINTR) continue;
-    if (got < 0) throw FileError(with_errno(name));
-    if (got == 0) return text;
-    text.append(buffer, static_cast<std::size_t>(got));
-  }
+std::string text_of(int descriptor, const std::string& name) {
+  std::optional<std::string> text = read_all(descriptor, kLargest);
+  if (!text) throw FileError(with_errno(name));
+  if (text->size() <= kLargest) return *std::move(text);
   throw SceneError(
       fmt::format("{}:1:1: found more than {} MiB, must be smaller", name, kLargest >> 20U));
 }
@@ -59,7 +55,7 @@ std::string read_regular_file(const std::string& path) {
                                 S_ISDIR(status.st_mode)    ? "directory"
                                 : S_ISFIFO(status.st_mode) ? "pipe"
                                                            : "device"));
-  return read_all(file.value, path);
+  return text_of(file.value, path);
 }
 
 bool is_missing(const std::string& path) {
@@ -74,7 +70,7 @@ std::string read_standard_input() {
   if (fstat(STDIN_FILENO, &status) != 0) throw FileError(with_errno(kStandardInput));
   if (S_ISDIR(status.st_mode))
     throw FileError(fmt::format("{}: found a directory, must be a file", kStandardInput));
-  return text.emplace(read_all(STDIN_FILENO, kStandardInput));
+  return text.emplace(text_of(STDIN_FILENO, kStandardInput));
 }
 
 }  // namespace avo_io

@@ -15,6 +15,20 @@ namespace avo_io {
 /// Returns the facts of this build, for the header of a recording.
 RecordingHeader header_of_this_build();
 
+/// Returns the header of a run of a scene, in the plane or in space, but for what only one of the
+/// two has.
+template <class Scenario>
+RecordingHeader header_of_run(const Scenario& scenario, const SceneSource& source,
+                              const RecordingOptions& options) {
+  RecordingHeader header = header_of_this_build();
+  header.seed = scenario.seed;
+  header.robots = static_cast<std::int64_t>(scenario.robots.size());
+  header.every = options.every;
+  header.until_arrived = options.until_arrived;
+  header.scene = source;
+  return header;
+}
+
 /// The recording that grows while a run fills it time by time, in the plane and in space.
 class BlockRecorder {
  public:

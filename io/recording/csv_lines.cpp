@@ -9,8 +9,8 @@
 namespace avo_io {
 
 std::string csv_header(const CsvForm& form) {
-  return fmt::format("time,robot,x,y,vx,vy{}{}\n", form.headings ? ",heading,speed" : "",
-                     form.every > 1 ? ",every" : "");
+  return fmt::format("time,robot,x,y,vx,vy{}{}{}\n", form.headings ? ",heading,speed" : "",
+                     form.thinned ? ",every" : "", form.estimated ? ",estimated" : "");
 }
 
 std::string csv_time(double time) {
@@ -26,7 +26,8 @@ void append_csv_line(std::string_view time, const avo::CheckedState& state, cons
     fmt::format_to(end, FMT_COMPILE(",{},{}"), state.heading->angle, state.heading->speed);
   else if (form.headings)
     lines += ",,";
-  if (form.every > 1) fmt::format_to(end, FMT_COMPILE(",{}"), form.every);
+  if (form.thinned) fmt::format_to(end, FMT_COMPILE(",{}"), form.every);
+  if (form.estimated) lines += *form.estimated ? ",1" : ",0";
   lines += '\n';
 }
 

@@ -2,6 +2,7 @@
 // The lines of recordings as CSV.
 #pragma once
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -11,8 +12,10 @@ namespace avo_io {
 
 /// The columns besides those of every recording.
 struct CsvForm {
-  bool headings = false;   ///< heading and speed
-  std::int64_t every = 1;  ///< the column "every" is there if this is more than 1
+  bool headings = false;               ///< heading and speed
+  std::int64_t every = 1;              ///< steps from row to row
+  bool thinned = every > 1;            ///< whether the column "every" is there
+  std::optional<bool> estimated = {};  ///< if set, the column "estimated" is there
 };
 
 /// Returns the first line.

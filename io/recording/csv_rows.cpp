@@ -87,6 +87,9 @@ struct CsvRows final : RowSource {
   [[noreturn]] void refuse(std::int64_t line, const std::string& what) const {
     throw RecordingError(fmt::format("{}:{}: {}", lines.name(), line, what));
   }
+  [[nodiscard]] std::string line_now() const {
+    return fmt::format("{}:{}", lines.name(), lines.number());
+  }
   void read_header();
   std::size_t find_column(std::string_view name) const;
   bool has_column(std::string_view name) const;
@@ -138,14 +141,7 @@ void CsvRows::read_header() {
 }
 
 double CsvRows::number(Column column) const {
-  const std::string_view text = fields[at[column]];
-  const std::optional<double> value = parsed(text);
-  if (value && avo::kAnyValue.contains(*value)) return *value;
-  const bool large = value && !std::isnan(*value) && text.find_first_of("0123456789") < text.size();
-  refuse(
-      lines.number(),
-      fmt::format("{}: found {}, must be {}", kAllColumns[column], in_quotes(text),
-                  large ? fmt::format("from -{0:g} to {0:g}", avo::kLargest) : "a finite number"));
+  return field_number(kAllColumns[column], fields[at[column]], [this] { return line_now(); });
 }
 
 // Returns none for a robot without a heading.
@@ -158,11 +154,7 @@ std::optional<avo::CheckedHeading> CsvRows::heading() const {
 // Returns 1 if the recording gives no larger number.
 std::int64_t CsvRows::every() const {
   if (!every_at) return 1;
-  const std::string_view text = fields[*every_at];
-  const std::optional<std::int64_t> value = whole_number(text);
-  if (value && *value >= 1) return *value;
-  refuse(lines.number(),
-         fmt::format("{}: found {}, must be an integer >= 1", kEvery, in_quotes(text)));
+  return field_integer(kEvery, fields[*every_at], 1, [this] { return line_now(); });
 }
 
 bool CsvRows::estimated() const {
@@ -184,14 +176,12 @@ std::optional<Row> CsvRows::read_row() {
   Row row;
   row.line = lines.number();
   row.time = number(time_column);
-  const std::string_view name = fields[at[robot_column]];
-  const std::optional<std::int64_t> robot = whole_number(name);
-  if (!robot)
-    refuse(row.line, fmt::format("robot: found {}, must be an integer >= 0", in_quotes(name)));
-  if (robots && *robot >= *robots)
-    refuse(row.line, fmt::format("robot: found {}, must be 0 to {}, the robots of the scene",
-                                 *robot, *robots - 1));
-  row.state = {*robot,
+  const std::int64_t robot = field_integer(kAllColumns[robot_column], fields[at[robot_column]], 0,
+                                           [this] { return line_now(); });
+  if (robots && robot >= *robots)
+    refuse(row.line, fmt::format("robot: found {}, must be 0 to {}, the robots of the scene", robot,
+                                 *robots - 1));
+  row.state = {robot,
                {number(x_column), number(y_column)},
                {number(vx_column), number(vy_column)},
                heading()};

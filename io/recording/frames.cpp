@@ -9,6 +9,7 @@
 
 #include "avo_io/errors.h"
 #include "avo_io/recording.h"
+#include "io/recording/cubic.h"
 #include "io/recording/mover_walk.h"
 
 namespace avo_io {
@@ -23,14 +24,6 @@ struct FrameRows {
 };
 
 namespace {
-
-/// Returns a point on the cubic with both positions and velocities; `part`: of the step from a to
-/// b.
-avo::Vec2 on_cubic(avo::Vec2 a, avo::Vec2 v, avo::Vec2 b, avo::Vec2 w, double part, double step) {
-  const double s = part, s2 = s * s, s3 = s2 * s;
-  return (2 * s3 - 3 * s2 + 1) * a + (3 * s2 - 2 * s3) * b + ((s3 - 2 * s2 + s) * step) * v +
-         ((s3 - s2) * step) * w;
-}
 
 /// Interpolates along the shorter arc.
 double between_headings(double a, double b, double part) {

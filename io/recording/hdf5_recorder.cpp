@@ -16,13 +16,8 @@ namespace {
 
 RecordingHeader header_of(const avo::Scenario& scenario, const SceneSource& source,
                           const RecordingOptions& options) {
-  RecordingHeader header = header_of_this_build();
-  header.seed = scenario.seed;
-  header.robots = static_cast<std::int64_t>(scenario.robots.size());
-  header.every = options.every;
+  RecordingHeader header = header_of_run(scenario, source, options);
   header.headings = has_headings(scenario);
-  header.until_arrived = options.until_arrived;
-  header.scene = source;
   return header;
 }
 

@@ -54,23 +54,16 @@ void add_states(const avo::Simulation& simulation, const BlockShape& shape, Reco
 }
 
 void add_rows(const RecordedTime& moment, const BlockShape& shape, RecordingBlock& block) {
-  const std::size_t k = block.times++;
-  block.time[k] = moment.time;
-  std::uint8_t* status = block.status.data() + k * shape.robots;
-  std::fill_n(status, shape.robots, kAbsent);
-  for (std::size_t c = 0; c < shape.columns(); ++c)
-    std::fill_n(block.row(shape, c, k), shape.robots, kNoNumber);
-  for (const avo::CheckedState& row : moment.rows) {
-    const auto i = static_cast<std::size_t>(row.robot);
-    status[i] = static_cast<std::uint8_t>(avo::PlanStatus::optimal);
-    const double values[] = {row.position.x,
-                             row.position.y,
-                             row.velocity.x,
-                             row.velocity.y,
-                             row.heading ? row.heading->angle : kNoNumber,
-                             row.heading ? row.heading->speed : kNoNumber};
-    for (std::size_t c = 0; c < shape.columns(); ++c) block.row(shape, c, k)[i] = values[c];
-  }
+  const auto values = [](const avo::CheckedState& row) {
+    return std::array{row.position.x,
+                      row.position.y,
+                      row.velocity.x,
+                      row.velocity.y,
+                      row.heading ? row.heading->angle : kNoNumber,
+                      row.heading ? row.heading->speed : kNoNumber};
+  };
+  append_rows(moment.time, moment.rows, shape, static_cast<std::uint8_t>(avo::PlanStatus::optimal),
+              values, block);
 }
 
 std::vector<avo::CheckedState> rows_of(const BlockShape& shape, const RecordingBlock& block,

@@ -2,9 +2,11 @@
 // Recordings in blocks of 64 times, and the compression of a block. It follows HDF5's filters
 // "shuffle" and "deflate", so that the same bytes go to a spool and to an HDF5 file.
 #pragma once
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <span>
@@ -60,6 +62,25 @@ struct RecordingBlock {
   [[nodiscard]] double* row(const BlockShape& shape, std::size_t column, std::size_t k);
   [[nodiscard]] const double* row(const BlockShape& shape, std::size_t column, std::size_t k) const;
 };
+
+/// Appends a time to a block, which must have room for it, with rows of any origin. values(row):
+/// the numbers of all columns, and maybe more. `status` is that of every row's robot.
+template <class Rows, class Values>
+void append_rows(double time, const Rows& rows, const BlockShape& shape, std::uint8_t status,
+                 const Values& values, RecordingBlock& block) {
+  const std::size_t k = block.times++;
+  block.time[k] = time;
+  std::uint8_t* const statuses = block.status.data() + k * shape.robots;
+  std::fill_n(statuses, shape.robots, kAbsent);
+  for (std::size_t c = 0; c < shape.columns(); ++c)
+    std::fill_n(block.row(shape, c, k), shape.robots, std::numeric_limits<double>::quiet_NaN());
+  for (const auto& row : rows) {
+    const auto i = static_cast<std::size_t>(row.robot);
+    statuses[i] = status;
+    const std::array<double, 6> numbers = values(row);
+    for (std::size_t c = 0; c < shape.columns(); ++c) block.row(shape, c, k)[i] = numbers[c];
+  }
+}
 
 struct CompressedBlock {
   std::vector<double> time;

@@ -117,31 +117,17 @@ void compare_hashes(const RecordingHeader& header, const ReplayedRun& run, Repla
 }
 
 /// A run of the plane.
-class PlaneRun final : public ReplayedRun {
+class PlaneRun final : public ObservedRun<avo::Simulation> {
  public:
-  using Observe = std::function<void(const avo::Simulation&)>;
   PlaneRun(BlockSource& source, int threads, const Observe& observe,
            const avo::ExternalMethod& external)
-      : shape_(source.shape()),
-        simulation_(recorded(source.scenario(), external), threads),
-        clearances_(source.scenario()),
-        observe_(observe) {
-    if (observe_) observe_(simulation_);
-  }
-  [[nodiscard]] std::int64_t steps() const override { return simulation_.steps(); }
-  [[nodiscard]] double time() const override { return simulation_.time(); }
-  [[nodiscard]] bool can_step_by(double time) const override {
-    return simulation_.can_step_by(time);
-  }
-  void step() override {
-    simulation_.step();
-    if (observe_) observe_(simulation_);
-  }
+      : ObservedRun(recorded(source.scenario(), external), threads, observe),
+        shape_(source.shape()),
+        clearances_(source.scenario()) {}
   void take(RecordingBlock& block) override {
-    add_states(simulation_, shape_, block);
+    add_states(simulation(), shape_, block);
     find_clearances(shape_, block.times - 1, clearances_, block);
   }
-  [[nodiscard]] std::uint64_t state_hash() const override { return simulation_.state_hash(); }
 
  private:
   static avo::Scenario recorded(avo::Scenario scenario, const avo::ExternalMethod& external) {
@@ -151,9 +137,7 @@ class PlaneRun final : public ReplayedRun {
   }
 
   BlockShape shape_;
-  avo::Simulation simulation_;
   avo::ClearanceFinder clearances_;
-  const Observe& observe_;
 };
 
 }  // namespace

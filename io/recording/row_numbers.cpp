@@ -4,10 +4,13 @@
 
 #include <charconv>
 #include <cmath>
+#include <fmt/format.h>
 #include <limits>
 #include <system_error>
 
+#include "core/ranges.h"
 #include "io/text/decimal.h"
+#include "io/text/words.h"
 
 namespace avo_io {
 
@@ -34,6 +37,24 @@ std::optional<std::int64_t> whole_number(std::string_view text) {
   if (!value || !(*value >= 0.0 && *value < kExact) || std::floor(*value) != *value)
     return std::nullopt;
   return static_cast<std::int64_t>(*value);
+}
+
+std::optional<double> recorded_number(std::string_view column, std::string_view text,
+                                      std::string& why) {
+  const std::optional<double> value = parsed(text);
+  if (value && avo::kAnyValue.contains(*value)) return value;
+  const bool large = value && !std::isnan(*value) && text.find_first_of("0123456789") < text.size();
+  why = fmt::format("{}: found {}, must be {}", column, in_quotes(text),
+                    large ? fmt::format("from -{0:g} to {0:g}", avo::kLargest) : "a finite number");
+  return std::nullopt;
+}
+
+std::optional<std::int64_t> recorded_integer(std::string_view column, std::string_view text,
+                                             std::int64_t least, std::string& why) {
+  const std::optional<std::int64_t> value = whole_number(text);
+  if (value && *value >= least) return value;
+  why = fmt::format("{}: found {}, must be an integer >= {}", column, in_quotes(text), least);
+  return std::nullopt;
 }
 
 }  // namespace avo_io

@@ -13,6 +13,7 @@
 #include <unistd.h>
 #include <utility>
 
+#include "io/files/descriptors.h"
 #include "io/files/regular_file.h"
 
 namespace avo_io {
@@ -110,19 +111,12 @@ SpoolWriter::~SpoolWriter() {
 void SpoolWriter::write_record(std::uint32_t type, std::string_view payload) {
   std::string bytes = head_bytes({type, checksum_of(payload), payload.size()});
   bytes += payload;
-  std::string_view rest = bytes;
-  while (!rest.empty()) {
-    const ssize_t written = ::write(descriptor_, rest.data(), rest.size());
-    if (written < 0 && errno == EINTR) continue;
-    if (written < 0) {
-      std::string message = with_errno(path_);
-      if (times_ > 0)
-        message += fmt::format("; it keeps {0} times, which avo reads, and avo recover {1}", times_,
-                               path_);
-      throw FileError(message);
-    }
-    rest.remove_prefix(static_cast<std::size_t>(written));
-  }
+  if (write_all(descriptor_, bytes)) return;
+  std::string message = with_errno(path_);
+  if (times_ > 0)
+    message +=
+        fmt::format("; it keeps {0} times, which avo reads, and avo recover {1}", times_, path_);
+  throw FileError(message);
 }
 
 void SpoolWriter::write(const CompressedBlock& block) {

@@ -9,6 +9,7 @@
 #include "avo_io/scene.h"
 #include "io/files/file_names.h"
 #include "io/files/regular_file.h"
+#include "io/scene/scene_files.h"
 #include "io/scene/scene_text.h"
 #include "io/text/words.h"
 
@@ -25,29 +26,35 @@ std::string not_found(const std::string& path) {
 
 avo::Scenario loaded(const std::string& name_or_path, const std::vector<std::string>& overrides,
                      SceneSource* source, bool may_lack_robots) {
-  SceneFiles files{folder_of(name_or_path)};
+  std::optional<FoundScene> found = find_scene_text(name_or_path);
+  if (!found) throw FileError(not_found(name_or_path));
+  auto& [yaml, file, files] = *found;
   files.may_lack_robots = may_lack_robots;
-  const auto build_and_tell = [&](std::string yaml, const std::string& file) {
-    avo::Scenario scenario = scenario_of(yaml, file, overrides, files);
-    if (source != nullptr) {
-      *source = {file, std::move(yaml), overrides, std::move(files.read)};
-      source->notes = std::move(files.notes);
-    }
-    return scenario;
-  };
-  if (name_or_path == "-") {
-    files.builtin = BuiltinFiles::last;
-    return build_and_tell(read_standard_input(), kStandardInput);
+  avo::Scenario scenario = scenario_of(yaml, file, overrides, files);
+  if (source != nullptr) {
+    *source = {file, std::move(yaml), overrides, std::move(files.read)};
+    source->notes = std::move(files.notes);
   }
-  if (std::optional<std::string> yaml = builtin_text(name_or_path)) {
-    files.builtin = BuiltinFiles::first;
-    return build_and_tell(std::move(*yaml), name_or_path);
-  }
-  if (is_missing(name_or_path)) throw FileError(not_found(name_or_path));
-  return build_and_tell(read_regular_file(name_or_path), name_or_path);
+  return scenario;
 }
 
 }  // namespace
+
+std::optional<FoundScene> find_scene_text(const std::string& name_or_path) {
+  FoundScene found{{}, name_or_path, {folder_of(name_or_path)}};
+  if (name_or_path == "-") {
+    found.files.builtin = BuiltinFiles::last;
+    found.yaml = read_standard_input();
+    found.file = kStandardInput;
+  } else if (std::optional<std::string> builtin = builtin_text(name_or_path)) {
+    found.files.builtin = BuiltinFiles::first;
+    found.yaml = *std::move(builtin);
+  } else {
+    if (is_missing(name_or_path)) return std::nullopt;
+    found.yaml = read_regular_file(name_or_path);
+  }
+  return found;
+}
 
 avo::Scenario load_scenario(const std::string& name_or_path,
                             const std::vector<std::string>& overrides, SceneSource* source) {

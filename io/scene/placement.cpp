@@ -12,6 +12,7 @@
 #include "core/elementary.h"
 #include "io/maps/free_space.h"
 #include "io/maps/wall_space.h"
+#include "io/scene/circle_point.h"
 #include "io/scene/reachable_draws.h"
 
 namespace avo_io {
@@ -166,26 +167,6 @@ void jitter(std::vector<Vec2>& points, double most, Random& random) {
 }
 
 }  // namespace
-
-Vec2 circle_point(int k, int n) {
-  // The angle in eighths of the circle is exact: it is (octant + rest / n) * 45 degrees. It differs
-  // by x <= 45 degrees from the nearest axis, `quarters` * 90 degrees.
-  const std::int64_t eighths = 8 * static_cast<std::int64_t>(k % n);
-  const std::int64_t octant = eighths / n;
-  const std::int64_t rest = eighths % n;
-  const bool back = octant % 2 == 1;
-  const double x = kPi / 4.0 * static_cast<double>(back ? n - rest : rest) / n;
-  double sine = 1.0, cosine = 1.0;
-  for (double i = 20.0; i >= 2.0; i -= 2.0) {  // Taylor series; the truncation error is below 1e-22
-    sine = 1.0 - x * x / (i * (i + 1.0)) * sine;
-    cosine = 1.0 - x * x / (i * (i - 1.0)) * cosine;
-  }
-  sine = back ? -x * sine : x * sine;
-  Vec2 point{cosine, sine};
-  const std::int64_t quarters = (octant + 1) / 2;
-  for (std::int64_t i = 0; i < quarters; ++i) point = perpendicular(point);
-  return point + Vec2{};  // no -0
-}
 
 double room_of(const avo::RobotSetup& robot) {
   return norm(disc_center(robot.model, {}, 0.0)) + disc_radius(robot);

@@ -9,10 +9,6 @@
 
 namespace avo_io {
 
-/// Returns point k of n on the unit circle, from angle 0 counter-clockwise. It is bit for bit the
-/// same on every machine, and symmetric: for even n, point k + n/2 is the negative of point k.
-avo::Vec2 circle_point(int k, int n);
-
 /// Returns the radius, m, of the disc about the robot's position that contains its own disc,
 /// whatever its heading.
 double room_of(const avo::RobotSetup& robot);

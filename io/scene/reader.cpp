@@ -3,6 +3,7 @@
 #include "io/scene/reader.h"
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <limits>
 #include <system_error>
@@ -119,29 +120,40 @@ std::uint64_t Reader::whole_number(const YamlNode& node, const std::string& path
   return value;
 }
 
+void Reader::require_version(const YamlNode& root) const {
+  const YamlNode* version = root.find("version");
+  if (version == nullptr) fail_missing(root, "", "version", "version: 1");
+  if (version->kind != YamlNode::Kind::text || version->quoted || version->text != "1")
+    fail(*version, "version", shown(*version), "must be 1");
+}
+
+template <std::size_t N>
+std::array<double, N> Reader::coordinates(const YamlNode& node, const std::string& path,
+                                          const avo::Range& range, std::string_view unit,
+                                          std::string_view form) const {
+  const bool is_list = node.kind == YamlNode::Kind::list;
+  if (!is_list || node.children.size() != N)
+    fail(node, path,
+         is_list && !node.children.empty() ? fmt::format("a list of {}", node.children.size())
+                                           : shown(node),
+         fmt::format("must be {} in {}", form, unit));
+  constexpr const char* kIndices[] = {"0", "1", "2"};
+  std::array<double, N> numbers;
+  for (std::size_t k = 0; k < N; ++k)
+    numbers[k] = number(node.children[k], path_to(path, kIndices[k]), range, unit);
+  return numbers;
+}
+
 avo::Vec2 Reader::point(const YamlNode& node, const std::string& path, const avo::Range& range,
                         std::string_view unit) const {
-  if (node.kind != YamlNode::Kind::list || node.children.size() != 2)
-    fail(node, path,
-         node.kind == YamlNode::Kind::list && !node.children.empty()
-             ? fmt::format("a list of {}", node.children.size())
-             : shown(node),
-         fmt::format("must be [x, y] in {}", unit));
-  return {number(node.children[0], path_to(path, "0"), range, unit),
-          number(node.children[1], path_to(path, "1"), range, unit)};
+  const auto [x, y] = coordinates<2>(node, path, range, unit, "[x, y]");
+  return {x, y};
 }
 
 avo::Vec3 Reader::place(const YamlNode& node, const std::string& path, const avo::Range& range,
                         std::string_view unit) const {
-  if (node.kind != YamlNode::Kind::list || node.children.size() != 3)
-    fail(node, path,
-         node.kind == YamlNode::Kind::list && !node.children.empty()
-             ? fmt::format("a list of {}", node.children.size())
-             : shown(node),
-         fmt::format("must be [x, y, z] in {}", unit));
-  return {number(node.children[0], path_to(path, "0"), range, unit),
-          number(node.children[1], path_to(path, "1"), range, unit),
-          number(node.children[2], path_to(path, "2"), range, unit)};
+  const auto [x, y, z] = coordinates<3>(node, path, range, unit, "[x, y, z]");
+  return {x, y, z};
 }
 
 std::vector<avo::Vec2> Reader::points(const YamlNode& node, const std::string& path,

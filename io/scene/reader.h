@@ -44,6 +44,8 @@ class Reader {
                              const avo::Range& range) const;
   avo::Vec2 point(const YamlNode& node, const std::string& path, const avo::Range& range,
                   std::string_view unit) const;
+  /// Refuses a file whose key `version` is not 1.
+  void require_version(const YamlNode& root) const;
   /// Reads [x, y, z].
   avo::Vec3 place(const YamlNode& node, const std::string& path, const avo::Range& range,
                   std::string_view unit) const;
@@ -98,6 +100,11 @@ class Reader {
   }
 
  private:
+  /// Reads a list of N numbers, which messages call `form`.
+  template <std::size_t N>
+  [[nodiscard]] std::array<double, N> coordinates(const YamlNode& node, const std::string& path,
+                                                  const avo::Range& range, std::string_view unit,
+                                                  std::string_view form) const;
   /// The rule of a field for its value.
   struct Rule {
     const avo::Range& range;

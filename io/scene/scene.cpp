@@ -32,13 +32,6 @@ namespace {
 
 using avo::Scenario;
 
-void read_version(const Reader& reader, const YamlNode& root) {
-  const YamlNode* version = root.find("version");
-  if (version == nullptr) reader.fail_missing(root, "", "version", "version: 1");
-  if (version->kind != YamlNode::Kind::text || version->quoted || version->text != "1")
-    reader.fail(*version, "version", shown(*version), "must be 1");
-}
-
 /// Makes a scenario of a tree; knows the value that each robot comes from.
 class SceneBuilder {
  public:
@@ -54,7 +47,7 @@ class SceneBuilder {
                    "must be a map with at least version and robots, robots_from or groups");
     refuse_removed(reader_, root);
     reader_.check_keys(root, "", keys_of(fields<Scenario>()));
-    read_version(reader_, root);
+    reader_.require_version(root);
     scenario_.name = default_name;
     reader_.read(root, "", fields<Scenario>(), scenario_);
     read_sensing(reader_, root, scenario_.sensing, scenario_.sensing_error);

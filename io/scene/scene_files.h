@@ -2,6 +2,7 @@
 // The files that a scene names.
 #pragma once
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -27,6 +28,15 @@ struct SceneFiles {
   bool is_recorded = false;          ///< see SceneSource::recorded
   bool may_lack_robots = false;  ///< whether the scene may have no robots, see load_surroundings()
 };
+
+/// The text of a scene, and the files that it may name.
+struct FoundScene {
+  std::string yaml, file;  ///< `file`: its name in messages
+  SceneFiles files;
+};
+/// Returns the built-in scene of that name, the standard input for "-", or else the file of that
+/// path; none if there is no such file.
+std::optional<FoundScene> find_scene_text(const std::string& name_or_path);
 
 /// Adds a note, unless it is there already.
 void add_note(std::vector<std::string>& notes, const std::string& note);

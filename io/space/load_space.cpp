@@ -10,7 +10,6 @@
 #include "avo_io/scene.h"
 #include "avo_io/space.h"
 #include "io/files/file_names.h"
-#include "io/files/regular_file.h"
 #include "io/recording/recorded_scene.h"
 #include "io/space/read_space.h"
 
@@ -33,20 +32,13 @@ Scenario scenario_of_space(const std::string& yaml, const std::string& file,
 std::optional<Scenario> load_space_scenario(const std::string& name_or_path,
                                             const std::vector<std::string>& overrides,
                                             SceneSource* source) {
-  const std::optional<std::string> builtin = builtin_text(name_or_path);
-  const bool is_input = name_or_path == "-";
-  if (!builtin && !is_input && is_missing(name_or_path)) return std::nullopt;
-  const std::string yaml = builtin    ? *builtin
-                           : is_input ? read_standard_input()
-                                      : read_regular_file(name_or_path);
-  const std::string file = is_input ? kStandardInput : name_or_path;
-  SceneFiles files{folder_of(name_or_path)};
-  files.builtin = builtin    ? BuiltinFiles::first
-                  : is_input ? BuiltinFiles::last
-                             : BuiltinFiles::none;
+  std::optional<FoundScene> found = find_scene_text(name_or_path);
+  if (!found) return std::nullopt;
+  auto& [yaml, file, files] = *found;
   std::optional<Scenario> scenario =
       scenario_if_in_space(yaml, file, overrides, files, avo::kMostRobots);
-  if (scenario && source != nullptr) *source = {file, yaml, overrides, std::move(files.read)};
+  if (scenario && source != nullptr)
+    *source = {file, std::move(yaml), overrides, std::move(files.read)};
   return scenario;
 }
 

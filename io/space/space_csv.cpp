@@ -1,18 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 // Recordings of space as CSV: read row by row, and written.
-#include <algorithm>
 #include <array>
 #include <charconv>
-#include <cmath>
 #include <cstddef>
 #include <fmt/format.h>
 #include <optional>
-#include <system_error>
 
 #include "avo_io/errors.h"
 #include "io/recording/csv_lines.h"
+#include "io/recording/recording_blocks.h"
+#include "io/recording/row_numbers.h"
 #include "io/space/space_rows.h"
-#include "io/text/decimal.h"
 #include "io/text/line_reader.h"
 
 namespace avo_io {
@@ -47,8 +45,6 @@ class SpaceCsvRows final : public SpaceRowSource {
   [[noreturn]] void fail(const std::string& what) const {
     throw RecordingError(fmt::format("{}: {}", place(), what));
   }
-  [[nodiscard]] double number_of(std::string_view field) const;
-  [[nodiscard]] std::int64_t whole_number_of(double value, const char* what) const;
   std::optional<Row> read();
 
   LineReader lines_;
@@ -69,29 +65,15 @@ const SpaceMoment* SpaceCsvRows::next() {
   return &moment_;
 }
 
-double SpaceCsvRows::number_of(std::string_view field) const {
-  double value = 0.0;
-  if (read_decimal(field, value) != std::errc() || !std::isfinite(value))
-    fail(fmt::format("found \"{}\", must be a finite number", field));
-  return value;
-}
-
-std::int64_t SpaceCsvRows::whole_number_of(double value, const char* what) const {
-  constexpr double kMost = 1e9;
-  if (value != std::floor(value) || value < 0.0 || value > kMost)
-    fail(fmt::format("found {} {}, must be a whole number", what, value));
-  return static_cast<std::int64_t>(value);
-}
-
 std::optional<SpaceCsvRows::Row> SpaceCsvRows::read() {
   const auto text = lines_.next();
   if (!text) return std::nullopt;
   std::string_view line = *text;
-  std::array<double, kEveryColumns> numbers{};
+  std::array<std::string_view, kEveryColumns> fields;
   std::size_t count = 0;
   for (;;) {
     const std::size_t comma = line.find(',');
-    if (count < columns_) numbers[count] = number_of(line.substr(0, comma));
+    if (count < columns_) fields[count] = line.substr(0, comma);
     ++count;
     if (comma == std::string_view::npos) break;
     line.remove_prefix(comma + 1);
@@ -99,12 +81,15 @@ std::optional<SpaceCsvRows::Row> SpaceCsvRows::read() {
   if (count != columns_)
     fail(fmt::format("found {} columns, must be {}: {}{}", count, columns_, kSpaceCsvHeader,
                      columns_ == kEveryColumns ? kEveryColumn : ""));
-  Row row{numbers[0],
-          {whole_number_of(numbers[1], "robot"),
-           {numbers[2], numbers[3], numbers[4]},
-           {numbers[5], numbers[6], numbers[7]}}};
-  if (columns_ == kEveryColumns)
-    row.every = std::max<std::int64_t>(whole_number_of(numbers[8], "every"), 1);
+  const auto here = [this] { return place(); };
+  std::array<double, kSpaceColumns.count> state;
+  for (std::size_t c = 0; c < state.size(); ++c)
+    state[c] = field_number(kSpaceColumns.names[c], fields[2 + c], here);
+  Row row{field_number("time", fields[0], here),
+          {field_integer("robot", fields[1], 0, here),
+           {state[0], state[1], state[2]},
+           {state[3], state[4], state[5]}}};
+  if (columns_ == kEveryColumns) row.every = field_integer("every", fields[8], 1, here);
   return row;
 }
 

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "avo_io/errors.h"
+#include "io/recording/cubic.h"
 #include "io/space/space_clearances.h"
 #include "io/space/space_rows.h"
 
@@ -45,13 +46,6 @@ SpaceRowFrame starts_of(const avo::space::Scenario& scenario) {
   }
   starts.frame.there.assign(scenario.robots.size(), false);
   return starts;
-}
-
-// The point on the cubic with both positions and velocities; `part` of a step from a to b.
-Vec3 on_cubic(Vec3 a, Vec3 v, Vec3 b, Vec3 w, double part, double step) {
-  const double s = part, s2 = s * s, s3 = s2 * s;
-  return (2 * s3 - 3 * s2 + 1) * a + (3 * s2 - 2 * s3) * b + ((s3 - 2 * s2 + s) * step) * v +
-         ((s3 - s2) * step) * w;
 }
 
 /// Counts robots that were at their goals, and finds the least clearance.

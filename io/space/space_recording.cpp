@@ -35,13 +35,8 @@ class SpaceCsvRecording final : public SpaceRecording {
 
 RecordingHeader header_of(const avo::space::Scenario& scenario, const SceneSource& source,
                           const RecordingOptions& options) {
-  RecordingHeader header = header_of_this_build();
-  header.seed = scenario.seed;
-  header.robots = static_cast<std::int64_t>(scenario.robots.size());
-  header.every = options.every;
+  RecordingHeader header = header_of_run(scenario, source, options);
   header.space = true;
-  header.until_arrived = options.until_arrived;
-  header.scene = source;
   return header;
 }
 

@@ -10,36 +10,20 @@ namespace avo_io {
 namespace {
 
 /// A run in space.
-class SimulatedAgain final : public ReplayedRun {
+class SimulatedAgain final : public ObservedRun<avo::space::Simulation> {
  public:
-  using Observe = std::function<void(const avo::space::Simulation&)>;
   SimulatedAgain(BlockSource& source, int threads, const Observe& observe)
-      : shape_(source.shape()),
-        simulation_(source.scenario_of_space(), threads),
-        clearances_(source.scenario_of_space()),
-        observe_(observe) {
-    if (observe_) observe_(simulation_);
-  }
-  [[nodiscard]] std::int64_t steps() const override { return simulation_.steps(); }
-  [[nodiscard]] double time() const override { return simulation_.time(); }
-  [[nodiscard]] bool can_step_by(double time) const override {
-    return simulation_.can_step_by(time);
-  }
-  void step() override {
-    simulation_.step();
-    if (observe_) observe_(simulation_);
-  }
+      : ObservedRun(source.scenario_of_space(), threads, observe),
+        shape_(source.shape()),
+        clearances_(source.scenario_of_space()) {}
   void take(RecordingBlock& block) override {
-    add_states(simulation_, shape_, block);
+    add_states(simulation(), shape_, block);
     clearances_.find(shape_, block.times - 1, block);
   }
-  [[nodiscard]] std::uint64_t state_hash() const override { return simulation_.state_hash(); }
 
  private:
   BlockShape shape_;
-  avo::space::Simulation simulation_;
   SpaceClearances clearances_;
-  const Observe& observe_;
 };
 
 }  // namespace

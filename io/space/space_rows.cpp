@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "io/space/space_rows.h"
 
-#include <algorithm>
+#include <array>
 #include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <fmt/format.h>
-#include <limits>
 #include <system_error>
 
 #include "avo/planner.h"
@@ -72,19 +72,12 @@ std::unique_ptr<SpaceRowSource> source_of(const std::string& path) {
 }  // namespace
 
 void append_moment(const SpaceMoment& moment, const BlockShape& shape, RecordingBlock& block) {
-  const std::size_t k = block.times++;
-  block.time[k] = moment.time;
-  std::uint8_t* status = block.status.data() + k * shape.robots;
-  std::fill_n(status, shape.robots, kAbsent);
-  for (std::size_t c = 0; c < shape.columns(); ++c)
-    std::fill_n(block.row(shape, c, k), shape.robots, std::numeric_limits<double>::quiet_NaN());
-  for (const avo::space::CheckedState& row : moment.rows) {
-    const auto i = static_cast<std::size_t>(row.robot);
-    status[i] = static_cast<std::uint8_t>(avo::PlanStatus::optimal);
-    const double values[] = {row.position.x, row.position.y, row.position.z,
-                             row.velocity.x, row.velocity.y, row.velocity.z};
-    for (std::size_t c = 0; c < shape.columns(); ++c) block.row(shape, c, k)[i] = values[c];
-  }
+  const auto values = [](const avo::space::CheckedState& row) {
+    return std::array{row.position.x, row.position.y, row.position.z,
+                      row.velocity.x, row.velocity.y, row.velocity.z};
+  };
+  append_rows(moment.time, moment.rows, shape, static_cast<std::uint8_t>(avo::PlanStatus::optimal),
+              values, block);
 }
 
 SpaceRows::SpaceRows(const std::string& path) : source_(source_of(path)) {}

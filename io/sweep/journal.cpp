@@ -12,6 +12,7 @@
 #include <unistd.h>
 
 #include "avo_io/errors.h"
+#include "io/files/descriptors.h"
 #include "io/files/regular_file.h"
 #include "io/sweep/hash.h"
 #include "io/text/csv_text.h"
@@ -34,18 +35,6 @@ std::optional<std::vector<std::string>> intact(std::string_view line, std::size_
   auto found = csv_fields(row);
   if (found && found->size() != fields) return std::nullopt;
   return found;
-}
-
-std::string whole_file(int descriptor, const std::string& name) {
-  std::string text;
-  while (true) {
-    char buffer[65536];
-    const ssize_t got = ::read(descriptor, buffer, sizeof buffer);
-    if (got < 0 && errno == EINTR) continue;
-    if (got < 0) throw FileError(with_errno(name));
-    if (got == 0) return text;
-    text.append(buffer, static_cast<std::size_t>(got));
-  }
 }
 
 }  // namespace
@@ -80,7 +69,9 @@ void SweepJournal::open_locked() {
 }
 
 void SweepJournal::begin(const std::string& head, std::size_t fields) {
-  const std::string text = whole_file(descriptor_, path_);
+  const std::optional<std::string> found = read_all(descriptor_);
+  if (!found) throw FileError(with_errno(path_));
+  const std::string& text = *found;
   std::size_t whole = 0;
   if (text.starts_with(head)) {
     whole = head.size();
@@ -106,13 +97,7 @@ void SweepJournal::add(const std::vector<std::string>& row) {
 }
 
 void SweepJournal::write(const std::string& text) {
-  std::string_view rest = text;
-  while (!rest.empty()) {
-    const ssize_t written = ::write(descriptor_, rest.data(), rest.size());
-    if (written < 0 && errno == EINTR) continue;
-    if (written < 0) throw FileError(with_errno(path_));
-    rest.remove_prefix(static_cast<std::size_t>(written));
-  }
+  if (!write_all(descriptor_, text)) throw FileError(with_errno(path_));
 }
 
 }  // namespace avo_io

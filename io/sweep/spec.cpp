@@ -49,10 +49,7 @@ class SweepReader {
 
   SweepSpec read(const std::string& name) {
     reader_.check_keys(root_, "", {kSweepKeys.begin(), kSweepKeys.end()});
-    const YamlNode* version = root_.find("version");
-    if (version == nullptr) reader_.fail_missing(root_, "", "version", "version: 1");
-    if (version->kind != YamlNode::Kind::text || version->quoted || version->text != "1")
-      reader_.fail(*version, "version", shown(*version), "must be 1");
+    reader_.require_version(root_);
     spec_.name = name;
     read_scenes();
     read_methods();

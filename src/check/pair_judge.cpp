@@ -40,18 +40,6 @@ void require_room(const Pairs& pairs, std::uint64_t pair) {
     throw Error("found more than " + std::to_string(kMostPairs) + " overlapping pairs");
 }
 
-// By time, robot and other robot: the order of a table has no influence.
-template <typename Hits>
-std::vector<CheckedHit> listed(const Hits& hits) {
-  std::vector<CheckedHit> list;
-  list.reserve(hits.size());
-  for (const auto& [pair, hit] : hits) list.push_back(hit);
-  std::sort(list.begin(), list.end(), [](const CheckedHit& a, const CheckedHit& b) {
-    return std::tie(a.time, a.robot, a.other) < std::tie(b.time, b.robot, b.other);
-  });
-  return list;
-}
-
 }  // namespace
 
 void PairJudge::meet_robots(const MovingDisc& a, const MovingDisc& b, const JudgedStep& step) {

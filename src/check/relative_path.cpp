@@ -55,12 +55,6 @@ Quintic slope(const std::array<Vec2, 4>& x) {
           dot(x[3], d2)};
 }
 
-double value_at(Quintic b, double u) {
-  for (std::size_t n = 5; n > 0; --n)
-    for (std::size_t k = 0; k < n; ++k) b[k] = (1.0 - u) * b[k] + u * b[k + 1];
-  return b[0];
-}
-
 struct Signs {
   int changes = 0;
   bool falls_first = false;  // the first coefficient that is not zero is negative

@@ -2,6 +2,7 @@
 // How near two bodies come over one step, and when, by isolating the roots of d/du |x(u)|².
 #pragma once
 #include <array>
+#include <cstddef>
 #include <optional>
 
 #include "avo/vec.h"
@@ -13,6 +14,14 @@ namespace avo::judge {
 struct RelativePath {
   std::array<Vec2, 4> control;
 };
+
+/// Returns the value at u of a polynomial by its coefficients in Bernstein form.
+template <std::size_t N>
+double value_at(std::array<double, N> b, double u) {
+  for (std::size_t n = N - 1; n > 0; --n)
+    for (std::size_t k = 0; k < n; ++k) b[k] = (1.0 - u) * b[k] + u * b[k + 1];
+  return b[0];
+}
 
 struct Instant {
   double fraction = 0.0;  // of the step

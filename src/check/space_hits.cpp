@@ -54,12 +54,7 @@ void SpaceHits::meet(const SpaceEncounter& encounter, const Cubic& path, const C
 void SpaceHits::write(CheckReport& report) const {
   report.mover_contacts_moving = in_motion_;
   report.mover_contacts_at_rest = std::ssize(hits_) - in_motion_.count;
-  report.mover_hits.clear();
-  for (const auto& [pair, hit] : hits_) report.mover_hits.push_back(hit);
-  std::sort(report.mover_hits.begin(), report.mover_hits.end(),
-            [](const CheckedHit& a, const CheckedHit& b) {
-              return std::tie(a.time, a.robot, a.other) < std::tie(b.time, b.robot, b.other);
-            });
+  report.mover_hits = listed(hits_);
 }
 
 }  // namespace avo::judge

@@ -19,16 +19,10 @@ namespace {
 // A number over the step, by its four coefficients in Bernstein form.
 using Cubic = std::array<double, 4>;
 
-double cubic_at(Cubic b, double u) {
-  for (std::size_t n = 3; n > 0; --n)
-    for (std::size_t k = 0; k < n; ++k) b[k] = (1.0 - u) * b[k] + u * b[k + 1];
-  return b[0];
-}
-
 Vec2 point_at(const RelativePath& path, double u) {
   const auto& c = path.control;
-  return {cubic_at({c[0].x, c[1].x, c[2].x, c[3].x}, u),
-          cubic_at({c[0].y, c[1].y, c[2].y, c[3].y}, u)};
+  return {value_at(Cubic{c[0].x, c[1].x, c[2].x, c[3].x}, u),
+          value_at(Cubic{c[0].y, c[1].y, c[2].y, c[3].y}, u)};
 }
 
 RelativePath from_other_end(const WallPath& path) {
@@ -58,7 +52,7 @@ Frame frame_of(const WallPath& path) {
 }
 
 bool is_beside(const Frame& frame, double u) {
-  const double along = cubic_at(frame.along, u);
+  const double along = value_at(frame.along, u);
   return along >= 0.0 && along <= frame.length;
 }
 
@@ -90,11 +84,11 @@ void visit_passes(const Cubic& b, double level, const Visit& visit) {
   const Turns turns = turns_of(b);
   for (std::size_t k = 0; k + 1 < turns.count; ++k) {
     double low = turns.at[k], high = turns.at[k + 1];
-    const bool below = cubic_at(b, low) < level;
-    if (below == (cubic_at(b, high) < level)) continue;
+    const bool below = value_at(b, low) < level;
+    if (below == (value_at(b, high) < level)) continue;
     for (int i = 0; i < 60; ++i) {
       const double half = 0.5 * (low + high);
-      ((cubic_at(b, half) < level) == below ? low : high) = half;
+      ((value_at(b, half) < level) == below ? low : high) = half;
     }
     visit(high);
   }
@@ -111,7 +105,7 @@ std::optional<double> first_beside(const Frame& frame, double limit) {
   std::sort(borders.begin(), borders.end());
   for (std::size_t k = 0; k + 1 < borders.size(); ++k) {
     const double between = 0.5 * (borders[k] + borders[k + 1]);
-    if (is_beside(frame, between) && std::abs(cubic_at(frame.across, between)) < limit)
+    if (is_beside(frame, between) && std::abs(value_at(frame.across, between)) < limit)
       return borders[k];
   }
   return std::nullopt;
@@ -141,7 +135,7 @@ Instant nearest_instant(const WallPath& path) {
   const Turns turns = turns_of(frame.across);
   for (std::size_t k = 0; k < turns.count; ++k)
     if (is_beside(frame, turns.at[k]))
-      consider({turns.at[k], std::abs(cubic_at(frame.across, turns.at[k]))});
+      consider({turns.at[k], std::abs(value_at(frame.across, turns.at[k]))});
   visit_passes(frame.across, 0.0, [&](double u) {
     if (is_beside(frame, u)) consider({u, 0.0});
   });

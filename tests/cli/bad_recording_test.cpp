@@ -57,6 +57,27 @@ TEST(BadRecording, bad_recordings_take_one_line_and_exit_with_3) {
          "2: vy: found \"\\x00\", must be a finite number");
 }
 
+TEST(BadRecording, numbers_in_space_are_read_as_in_the_plane) {
+  const std::string scene = path_of("drone.yaml");
+  write_file(scene, "version: 1\nspace: 3\nrobots:\n  - {position: [0, 0, 5], goal: [0, 0, 5]}\n");
+  const auto checked = [&](const std::string& row) {
+    return check("time,robot,x,y,z,vx,vy,vz,every\n" + row + "\n0.1,0,0,0,5,0,0,0,1\n",
+                 {"--scene", scene});
+  };
+  const auto expect = [&](const std::string& row, const std::string& message) {
+    const ProcessResult result = checked(row);
+    EXPECT_EQ(result.exit_code, 3) << row;
+    EXPECT_EQ(result.err, path_of("in.csv") + ":2: " + message + "\n");
+  };
+  expect("0,0,0,0,fast,0,0,0,1", "z: found \"fast\", must be a finite number");
+  expect("nan,0,0,0,5,0,0,0,1", "time: found \"nan\", must be a finite number");
+  expect("0,0,0,0,5,2e12,0,0,1", "vx: found \"2e12\", must be from -1e+12 to 1e+12");
+  expect("0,1.5,0,0,5,0,0,0,1", "robot: found \"1.5\", must be an integer >= 0");
+  expect("0,-1,0,0,5,0,0,0,1", "robot: found \"-1\", must be an integer >= 0");
+  expect("0,0,0,0,5,0,0,0,0", "every: found \"0\", must be an integer >= 1");
+  EXPECT_EQ(checked("0,0.0,+0,1e-999,5,0,0,0,1").exit_code, 0) << "numbers as other programs write";
+}
+
 TEST(BadRecording, robots_have_to_be_in_the_scene) {
   const ProcessResult result =
       check(kHeader + "0,0,0,0,0,0\n0,2,9,0,0,0\n", {"--scene", "circle-2"});

@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 // Groups become robots: where they start, where they go, the same on every machine.
-#include "io/scene/placement.h"
-
 #include <algorithm>
 #include <cmath>
 #include <gtest/gtest.h>
@@ -11,6 +9,7 @@
 
 #include "avo/reachability.h"
 #include "avo_io/scene.h"
+#include "io/scene/circle_point.h"
 #include "io/scene/random.h"
 
 namespace avo_test {

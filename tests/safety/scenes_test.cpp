@@ -261,10 +261,10 @@ TEST(Families, passages_are_used_both_ways) {
 // So that rows that YAML says and the others can be compared.
 TEST(Families, that_are_read_have_the_usual_settings) {
   const Scenario usual = usual_scenario();
-  for (const char* name : {"circle-100", "circle-100-jitter", "swap", "streams", "permutation",
-                           "random-30", "doorway", "ring", "deep", "block-swap", "clump-100",
-                           "doorway-1.6", "corridor-2.4", "office-1.2", "maze",
-                           "dropped-5%-circle"}) {
+  for (const char* name :
+       {"circle-100", "circle-100-jitter", "swap", "streams", "permutation", "random-30", "doorway",
+        "ring", "deep", "block-swap", "clump-100", "doorway-1.6", "corridor-2.4", "office-1.2",
+        "maze", "dropped-5%-circle"}) {
     const Scenario scenario = scene_of(name).scenario;
     EXPECT_EQ(scenario.time_step, usual.time_step) << name;
     EXPECT_EQ(scenario.sensing_radius, usual.sensing_radius) << name;
@@ -286,8 +286,7 @@ TEST(Families, are_sweeps_as_well) {
   const std::pair<const char*, int> sweeps[] = {
       {"circles", 240}, {"squares", 800}, {"crowds", 120}, {"passages", 100}};
   for (const auto& [name, runs] : sweeps) {
-    const auto sweep =
-        avo_io::load_sweep(std::string(AVO_SAFETY_SWEEPS "/") + name + ".yaml");
+    const auto sweep = avo_io::load_sweep(std::string(AVO_SAFETY_SWEEPS "/") + name + ".yaml");
     EXPECT_EQ(run_count(sweep), runs) << name;
   }
 }
@@ -311,16 +310,6 @@ TEST(Placement, permutations_leave_nobody_in_place) {
     const std::vector<Vec2> dealt = dealt_anew(points, random);
     for (std::size_t i = 0; i < points.size(); ++i) EXPECT_FALSE(points[i] == dealt[i]);
     EXPECT_EQ(nearest_pair(dealt), 1.0);
-  }
-}
-
-TEST(Placement, circle_points_are_on_the_circle_in_order) {
-  for (const int n : {2, 7, 8, 100, 1000}) {
-    for (int k = 0; k < n; ++k) {
-      const Vec2 point = circle_point(k, n);
-      EXPECT_NEAR(point.x, std::cos(2.0 * kPi * k / n), 1e-15);
-      EXPECT_NEAR(point.y, std::sin(2.0 * kPi * k / n), 1e-15);
-    }
   }
 }
 

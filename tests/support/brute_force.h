@@ -47,6 +47,24 @@ double golden_section(F&& f, double low, double high, int steps) {
   return best;
 }
 
+/// Returns the largest value over [0, end], with refined values between so many samples, which lie
+/// closer together where the time is small.
+template <typename F>
+double largest_over_time(const F& f, double end, int samples) {
+  std::vector<double> time, value;
+  for (int k = 0; k <= samples; ++k) {
+    const double part = static_cast<double>(k) / samples;
+    time.push_back(end * part * part);
+    value.push_back(f(time.back()));
+  }
+  double best = std::max(value.front(), value.back());
+  for (std::size_t k = 1; k + 1 < time.size(); ++k) {
+    if (value[k] >= value[k - 1] && value[k] >= value[k + 1])
+      best = std::max(best, golden_section(f, time[k - 1], time[k + 1], 60));
+  }
+  return best;
+}
+
 /// Returns the smallest distance of the centers over (0, τ], with an error of at most about 1e-9 of
 /// the distance.
 inline double slow_distance(const Situation& s, Vec2 w, int samples = 2000) {
@@ -54,19 +72,7 @@ inline double slow_distance(const Situation& s, Vec2 w, int samples = 2000) {
     const double g = static_cast<double>(slow_gain(t, s.control_time));
     return -norm(s.pair.position + t * s.pair.velocity + g * w);
   };
-  std::vector<double> time, value;
-  for (int k = 0; k <= samples; ++k) {
-    const double part = static_cast<double>(k) / samples;
-    time.push_back(s.time_horizon * part * part);
-    value.push_back(nearness(time.back()));
-  }
-  double best = std::max(value.front(), value.back());
-  for (std::size_t k = 1; k + 1 < time.size(); ++k) {
-    if (value[k] >= value[k - 1] && value[k] >= value[k + 1]) {
-      best = std::max(best, golden_section(nearness, time[k - 1], time[k + 1], 60));
-    }
-  }
-  return -best;
+  return -largest_over_time(nearness, s.time_horizon, samples);
 }
 
 /// Returns the unit normal of least support, and that support. It evaluates support(normal,

@@ -132,6 +132,11 @@ double refined_least(const Value& value, double h, int samples, int thirds) {
   return value(0.5 * (low + high));
 }
 
+/// Returns half of the slope of |p + v t + c t²/2|² as a cubic of the time.
+inline std::array<double, 4> distance_slope(Vec2 p, Vec2 v, Vec2 c) {
+  return {dot(p, v), dot(v, v) + dot(p, c), 1.5 * dot(v, c), 0.5 * dot(c, c)};
+}
+
 /// Returns the least distance of two robots within one step, m. It is exact for held motion (the
 /// distance squared is a quartic), and otherwise sampled and refined.
 inline double least_distance(const TrueStep& a, const TrueStep& b, const PlannerOptions& options) {
@@ -143,9 +148,8 @@ inline double least_distance(const TrueStep& a, const TrueStep& b, const Planner
   if (options.motion == Motion::held) {
     const Vec2 p = relative.position, v = relative.velocity;
     const Vec2 c = (relative.next_velocity - v) / h;
-    const std::array<double, 4> slope{dot(p, v), dot(v, v) + dot(p, c), 1.5 * dot(v, c),
-                                      0.5 * dot(c, c)};
-    for (const double t : cubic_roots(slope, h)) least = std::min(least, distance(t));
+    for (const double t : cubic_roots(distance_slope(p, v, c), h))
+      least = std::min(least, distance(t));
     return least;
   }
   return std::min(least, refined_least(distance, h, 32, 40));

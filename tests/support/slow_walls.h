@@ -40,18 +40,7 @@ inline double slow_distance(const WallSituation& s, Vec2 w, int samples = 4000) 
     const double g = static_cast<double>(slow_gain(t, s.control_time));
     return -slow_segment_distance(s.pair.from_a + t * s.pair.velocity + g * w, {}, b);
   };
-  std::vector<double> time, value;
-  for (int k = 0; k <= samples; ++k) {
-    const double part = static_cast<double>(k) / samples;
-    time.push_back(s.time_horizon * part * part);
-    value.push_back(nearness(time.back()));
-  }
-  double best = std::max(value.front(), value.back());
-  for (std::size_t k = 1; k + 1 < time.size(); ++k) {
-    if (value[k] >= value[k - 1] && value[k] >= value[k + 1])
-      best = std::max(best, golden_section(nearness, time[k - 1], time[k + 1], 60));
-  }
-  return -best;
+  return -largest_over_time(nearness, s.time_horizon, samples);
 }
 
 /// Support function of D(0, reach) ∩ AVO of a wall about w = 0: the largest n . w over all times.

@@ -36,10 +36,8 @@ inline double least_gap(const TrueStep& step, const Wall& wall, const PlannerOpt
   if (options.motion == Motion::held) {
     const Vec2 v = step.velocity, c = (step.next_velocity - v) / h, d = wall.b - wall.a;
     for (const Vec2 end : {wall.a, wall.b}) {
-      const Vec2 p = step.position - end;
-      const std::array<double, 4> slope{dot(p, v), dot(v, v) + dot(p, c), 1.5 * dot(v, c),
-                                        0.5 * dot(c, c)};
-      for (const double t : cubic_roots(slope, h)) least = std::min(least, gap(t));
+      for (const double t : cubic_roots(distance_slope(step.position - end, v, c), h))
+        least = std::min(least, gap(t));
     }
     const std::array<double, 4> side{cross(d, step.position - wall.a), cross(d, v),
                                      0.5 * cross(d, c), 0.0};

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 // avo run: simulates a scene to its end, and writes the requested outputs.
-#include <chrono>
 #include <cstdint>
 #include <fmt/format.h>
 #include <memory>
@@ -18,7 +17,7 @@
 #include "reports/run_report.h"
 #include "reports/settings_report.h"
 #include "system/signals.h"
-#include "system/terminal.h"
+#include "verbs/run_loop.h"
 #include "verbs/space_verbs.h"
 #include "verbs/verbs.h"
 
@@ -107,25 +106,9 @@ struct Outputs {
 
 avo::RunSummary simulate(const RunArguments& arguments, const avo::Scenario& scenario,
                          Outputs& outputs) {
-  using Clock = std::chrono::steady_clock;
   avo::Simulation simulation(scenario, arguments.threads);
-  avo::Metrics metrics(scenario);
   tell_machine(simulation);
-  Progress progress(scenario.duration, arguments.until_arrived);
-  metrics.observe(simulation);
-  outputs.observe(simulation);
-  bool ends = false;
-  while (!ends && simulation.can_step_by(scenario.duration) && signal_caught() == 0) {
-    const Clock::time_point start = Clock::now();
-    simulation.step();
-    metrics.add_step_time(std::chrono::duration<double, std::milli>(Clock::now() - start).count());
-    metrics.observe(simulation);
-    outputs.observe(simulation);
-    progress.show(simulation.time());
-    ends = arguments.until_arrived && metrics.all_arrived();
-  }
-  outputs.observe_last(simulation);
-  return metrics.summary();
+  return simulate_to_end(arguments, scenario.duration, simulation, avo::Metrics(scenario), outputs);
 }
 
 void check_arguments(const RunArguments& arguments) {
@@ -149,6 +132,17 @@ void check_figure(const RunArguments& arguments, const avo::Scenario& scenario) 
 
 }  // namespace
 
+int tell_run(const RunArguments& arguments, const std::string& results, const std::string& steps) {
+  if (arguments.record != "-" && arguments.summary != "-")
+    print_results(results);
+  else if (volume() != Volume::quiet)
+    say(lines_of(results));
+  const int caught = signal_caught();
+  if (caught == 0) return kDone;
+  say(fmt::format("stopped by a signal after {}; all outputs end there", steps));
+  return kSignal + caught;
+}
+
 int run(const RunArguments& arguments) {
   check_arguments(arguments);
   catch_signals();
@@ -161,19 +155,11 @@ int run(const RunArguments& arguments) {
   const avo::RunSummary results = simulate(arguments, scenario, outputs);
   outputs.finish(scenario, results);
   tell_unreachable(results);
-  const std::string text = readable(scenario, results);
-  if (arguments.record != "-" && arguments.summary != "-")
-    print_results(text);
-  else if (volume() != Volume::quiet)
-    say(lines_of(text));
-  const int caught = signal_caught();
-  if (caught == 0) return kDone;
-  const std::string part = scenario.clock == avo::Clock::free
-                               ? fmt::format("{} steps", results.steps)
-                               : fmt::format("{} of {} steps", results.steps,
-                                             avo::last_step(scenario, scenario.duration));
-  say(fmt::format("stopped by a signal after {}; all outputs end there", part));
-  return kSignal + caught;
+  const std::string steps = scenario.clock == avo::Clock::free
+                                ? fmt::format("{} steps", results.steps)
+                                : fmt::format("{} of {} steps", results.steps,
+                                              avo::last_step(scenario, scenario.duration));
+  return tell_run(arguments, readable(scenario, results), steps);
 }
 
 }  // namespace avo_cli

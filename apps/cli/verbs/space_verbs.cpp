@@ -3,7 +3,6 @@
 #include "verbs/space_verbs.h"
 
 #include <algorithm>
-#include <chrono>
 #include <filesystem>
 #include <fmt/format.h>
 #include <memory>
@@ -25,6 +24,7 @@
 #include "reports/run_report.h"
 #include "system/signals.h"
 #include "system/terminal.h"
+#include "verbs/run_loop.h"
 
 namespace avo_cli {
 namespace {
@@ -86,27 +86,6 @@ struct SpaceOutputs {
     commit_all(files);
   }
 };
-
-avo::RunSummary simulate(const RunArguments& arguments, const avo::space::Scenario& scenario,
-                         SpaceOutputs& outputs) {
-  using Clock = std::chrono::steady_clock;
-  avo::space::Simulation simulation(scenario, arguments.threads);
-  avo::space::Metrics metrics(scenario);
-  Progress progress(scenario.duration, arguments.until_arrived);
-  metrics.observe(simulation);
-  outputs.observe(simulation);
-  while (simulation.can_step_by(scenario.duration) && signal_caught() == 0) {
-    const Clock::time_point start = Clock::now();
-    simulation.step();
-    metrics.add_step_time(std::chrono::duration<double, std::milli>(Clock::now() - start).count());
-    metrics.observe(simulation);
-    outputs.observe(simulation);
-    progress.show(simulation.time());
-    if (arguments.until_arrived && metrics.all_arrived()) break;
-  }
-  outputs.observe_last(simulation);
-  return metrics.summary();
-}
 
 /// Returns the scene of space that the recording contains, if it contains one.
 std::optional<avo_io::RecordedSpaceScene> own_scene(const std::string& recording,
@@ -170,19 +149,16 @@ std::optional<avo::space::Scenario> load_in_space(const SceneArguments& argument
 int run_in_space(const RunArguments& arguments, const avo::space::Scenario& scenario,
                  const avo_io::SceneSource& source) {
   SpaceOutputs outputs(arguments, scenario, source);
-  const avo::RunSummary results = simulate(arguments, scenario, outputs);
+  avo::space::Simulation simulation(scenario, arguments.threads);
+  const avo::RunSummary results = simulate_to_end(arguments, scenario.duration, simulation,
+                                                  avo::space::Metrics(scenario), outputs);
   outputs.finish(arguments, scenario, results);
   tell_unreachable(results);
   avo::Scenario named;  // what the text says of the scene
   named.name = scenario.name;
   named.time_step = scenario.time_step;
   named.duration = scenario.duration;
-  const std::string text = readable(named, results);
-  if (arguments.record != "-" && arguments.summary != "-")
-    print_results(text);
-  else if (volume() != Volume::quiet)
-    say(lines_of(text));
-  return signal_caught() == 0 ? kDone : kSignal + signal_caught();
+  return tell_run(arguments, readable(named, results), fmt::format("{} steps", results.steps));
 }
 
 int explain_in_space(const ExplainArguments& arguments, const avo::space::Scenario& scenario) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Spools (io/recording/spool.h), which a killed run leaves: records with checksums. Everything behind the last whole
-// block is lost.
+// block is lost. The module reads the header; the blocks stay parts of the file until blocks.ts needs one of them.
 import type { Library } from "../../avo/avo.ts";
 import { beginsWith, ByteReader, RecordingError, refuse } from "./bytes.ts";
 import { BLOCK_TIMES, type BlockShape, chunksOf, type OpenedBlocks, shapeOf } from "./blocks.ts";

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // A decision in space in numbers with units, and the neighbors that the robot senses, nearest first.
-import { minus3, norm3, type Vec3 } from "../map/vec3.ts";
+import { gap, type Body } from "../map/discs.ts";
+import { norm3, type Vec3 } from "../map/vec3.ts";
 import { digits, element } from "../frame/elements.ts";
 import type { Lab } from "../run/lab.ts";
 import { neighborLink, neighborsOf, symbol, tableOf, type Row } from "./decision_tables.ts";
 import { STATUS_COLORS } from "./palette.ts";
-import type { Cause, SensedInSpace, SpaceDecision } from "./space_decision.ts";
+import type { Cause, SpaceDecision } from "./space_decision.ts";
 
 const triple = (v: Vec3): string => `(${v.map((value) => digits(value, 3)).join(", ")})`;
 const speed = (v: Vec3): string => (norm3(v) > 0 ? `, ${digits(norm3(v))} m/s` : "");
@@ -34,15 +35,12 @@ export function numbersTableInSpace(decision: SpaceDecision): HTMLElement {
   ]);
 }
 
-/** Returns m, from body to body, downwash included. */
-function clearanceOf({ position, radius }: SpaceDecision, other: SensedInSpace, downwash: number): number {
-  const [x, y, z] = minus3(position, other.position);
-  return Math.hypot(x, y, z - Math.min(Math.max(z, -other.downwash), downwash)) - radius - other.radius;
-}
+const bodyOf = ([x, y, z]: Vec3, radius: number, downwash: number): Body => ({ x, y, z, radius, downwash });
 
 export function neighborTableInSpace(lab: Lab, decision: SpaceDecision): HTMLElement {
   const downwash = lab.info.robots.find(({ robot }) => robot === decision.robot)?.downwash ?? 0;
-  const sorted = decision.neighbors.map((sensed) => ({ sensed, clearance: clearanceOf(decision, sensed, downwash) }))
+  const own = bodyOf(decision.position, decision.radius, downwash);
+  const sorted = decision.neighbors.map((sensed) => ({ sensed, clearance: gap(own, bodyOf(sensed.position, sensed.radius, sensed.downwash)) }))
     .sort((a, b) => a.clearance - b.clearance);
   const roleOf = (robot: number): string =>
     [["binds", decision.binding], ["refuses", decision.refusing], ["heeded", decision.heeded]]

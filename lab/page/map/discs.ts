@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The discs, or balls in space, of a moment's robots: their places, their clearances, and their overlaps.
+// The discs, or balls in space, of a moment's robots: their places, their clearances, and their overlaps. The module
+// finds these in a run of its own; a recording of another program may have no scene that a run could be made of.
 import type { Dimensions, Moment, SceneInfo } from "../../avo/avo.ts";
 import type { Touch } from "../run/contact_log.ts";
 
@@ -8,8 +9,9 @@ export type RobotInfo = SceneInfo["robots"][number];
 const MANY = 1000;  // with more robots, one without another within `NEAR` counts as alone
 const NEAR = 5;     // m
 
-/** In space, the air so far below the ball belongs to it (m). */
-interface Disc { row: number; x: number; y: number; z: number; radius: number; downwash: number }
+/** A body in m. In space it is a ball, to which the air down to `downwash` below it belongs. */
+export interface Body { x: number; y: number; z: number; radius: number; downwash: number }
+interface Disc extends Body { row: number }
 
 /** Returns the constant facts about the robot of each row of `moment`; both are sorted by ascending numbers. */
 export function robotsOf(moment: Moment, info: SceneInfo): (RobotInfo | undefined)[] {
@@ -37,12 +39,12 @@ export function speedOf({ velocity, dimensions }: Moment, i: number, robot?: Rob
 }
 
 /** Returns how far below the middles of a and b the places are that are nearest to each other. */
-function drops(a: Disc, b: Disc): [number, number] {
+function drops(a: Body, b: Body): [number, number] {
   return [Math.min(Math.max(a.z - b.z, 0), a.downwash), Math.min(Math.max(b.z - a.z, 0), b.downwash)];
 }
 
-/** Returns the distance between two discs; negative if they overlap. */
-function gap(a: Disc, b: Disc): number {
+/** Returns the distance between two bodies; negative if they overlap. */
+export function gap(a: Body, b: Body): number {
   const [below_a, below_b] = drops(a, b);
   return Math.hypot(b.x - a.x, b.y - a.y, b.z - below_b - a.z + below_a) - a.radius - b.radius;
 }

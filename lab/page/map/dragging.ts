@@ -65,8 +65,7 @@ function dragGoal(lab: PageLab, view: WorldView, robot: number): Gesture {
   return {
     show(layers, paint, to) {
       const row = view.shown.moment.robot.indexOf(robot);
-      line(layers.links, view.shown.x[row]!, view.shown.y[row]!, to[0], to[1], paint.accent, 0.8, 0, 0.8);
-      disc(layers.above, to[0], to[1], 0.3, paint.accent, 1, { form: FORM.diamond, outline: 2, least: 6 });
+      linkToGoal(layers, paint, [view.shown.x[row]!, view.shown.y[row]!], to);
     },
     drop: (to) => { moveGoal(lab, robot, to); },
   };
@@ -89,14 +88,18 @@ function dragWall(lab: PageLab, wall: number, end: Point | null, from: Point): G
   };
 }
 
-/** Returns a link from the robot's place to its goal; if the goal is not drawn, the link ends at the robot. */
+/** Draws a link from the robot's place to its goal, and the goal. */
+function linkToGoal(layers: Layers, paint: Paint, from: Point, to: Point): void {
+  line(layers.links, ...from, ...to, paint.accent, 0.8, 0, 0.8);
+  disc(layers.above, to[0], to[1], 0.3, paint.accent, 1, { form: FORM.diamond, outline: 2, least: 6 });
+}
+
 function placeRobot(lab: PageLab, from: Point): Gesture {
   const radius = lab.info.robots[0]?.radius ?? 0.5;
   return {
     show(layers, paint, to) {
       disc(layers.above, from[0], from[1], radius, paint.accent, 0.6);
-      line(layers.links, ...from, ...to, paint.accent, 0.8, 0, 0.8);
-      disc(layers.above, to[0], to[1], 0.3, paint.accent, 1, { form: FORM.diamond, outline: 2, least: 6 });
+      linkToGoal(layers, paint, from, to);
     },
     drop: (to) => { addRobot(lab, from, to); },
   };

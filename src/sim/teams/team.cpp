@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <cstdint>
 #include <string>
+#include <string_view>
 #include <utility>
 
 #include "core/ranges.h"
+#include "fields/team_fields.h"
 #include "planner/options.h"
 #include "sim/teams/tasks.h"
 
@@ -52,30 +54,34 @@ void require_points(const char* name, std::span<const Vec2> points, std::size_t 
     require(std::string(name) + "." + std::to_string(k), points[k], "m");
 }
 
+template <class Task>
+void require_numbers(const Task& task) {
+  require_ranges(task, [](std::string_view key) { return key; });
+}
+
 void check(const Queue& queue) {
   require_points("line", queue.line, 2);
   for (std::size_t k = 1; k < queue.line.size(); ++k)
     if (!(norm(queue.line[k] - queue.line[k - 1]) > kSmallest))
       refuse("line." + std::to_string(k), "the point before it", "another point");
-  require("spacing", queue.spacing, kPositive, "m");
-  if (queue.service) require("service", *queue.service, kNotNegative, "s");
+  require_numbers(queue);
 }
 
 void check(const Follow& follow) {
-  require("spacing", follow.spacing, kPositive, "m");
+  require_numbers(follow);
   require_points("slots", follow.slots, 0);
 }
 
 void check(const Patrol& patrol) {
   require_points("points", patrol.points, 1);
-  require("pass_distance", patrol.pass_distance, kPositive, "m");
+  require_numbers(patrol);
 }
 
 void check(const Flow& flow) {
   require_points("exits", flow.exits, 2);
   if (flow.exits.size() % 2 != 0)
     refuse("exits", std::to_string(flow.exits.size()) + " points", "two for each exit");
-  require("spacing", flow.spacing, kPositive, "m");
+  require_numbers(flow);
   constexpr double kMostGoals = 1000.0;  // on an exit
   for (std::size_t k = 0; k < flow.exits.size(); k += 2) {
     const double least = norm(flow.exits[k + 1] - flow.exits[k]) / kMostGoals;
