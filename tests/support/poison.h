@@ -99,11 +99,15 @@ class Poison {
     auto& [contact, tip, convexes, horns, follow, others] = cases;
     each(contact, tip, convexes, horns, follow, others);
   }
+  void spoil(TilePairs& pairs) const {
+    auto& [columns, end, share, raise] = pairs;
+    each(columns, end, share, raise);
+  }
   void spoil(SoftPlanes& soft) const {
-    auto& [planes, excess, exceeding, first, overlapping, coinciding, share, pair_end, raise,
-           shared, pairs, workspace, relative] = soft;
-    each(planes, excess, exceeding, first, overlapping, coinciding, share, pair_end, raise, shared,
-         pairs, workspace, relative);
+    auto& [planes, excess, exceeding, first, overlapping, coinciding, shared, pairs, workspace,
+           relative] = soft;
+    each(planes, excess, exceeding, first, overlapping, coinciding, shared, pairs, workspace,
+         relative);
   }
   void spoil(DecisionColumns& decisions) const {
     auto& [range, ahead, is_beside, push_x, push_y, push_at_rest_x, push_at_rest_y, wish_x, wish_y,
