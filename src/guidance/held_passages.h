@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Another route where the passage on the route is held, or the route back (docs/arrival.md, rules
-// 13 and 14).
+// 11 and 12).
 #pragma once
 #include "guidance/follower.h"
 

@@ -29,7 +29,7 @@ enum class WayEnd : std::uint8_t {
   short_of,  ///< the nearest reachable place, farther off
 };
 
-/// What a robot remembers where passages are held (docs/arrival.md, rule 13).
+/// What a robot remembers where passages are held (docs/arrival.md, rule 11).
 struct Waiting {
   // m, the least remaining length of its route so far
   double least = std::numeric_limits<double>::infinity();
