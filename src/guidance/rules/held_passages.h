@@ -2,7 +2,10 @@
 // Another route where the passage on the route is held, or the route back (docs/arrival.md, rules
 // 11 and 12).
 #pragma once
+#include <optional>
+
 #include "guidance/follower.h"
+#include "navigation/passages.h"
 
 namespace avo::inline guidance {
 
@@ -17,6 +20,12 @@ void go_around_held(const Ways& ways, const Follower& robot, double left, double
 /// long before a passage of two lanes. There is no other route, and no passage of one lane on it.
 /// After each power of two of that time it goes back for half of the time that it has waited.
 bool goes_back(const Ways& ways, const Follower& robot, const Travel& travel);
+
+/// s, by which both rules measure how long a robot has waited: docs/arrival.md, "In open space".
+double unit_of_time(const RobotTraits& traits);
+
+/// The next gap ahead of a robot at p.
+std::optional<Passages::Crossing> gap_ahead(const Ways& ways, const Travel& travel, Vec2 p);
 
 /// Sets the heading of a robot at p that goes back: away from the old heading, or to its place
 /// while it has no company.
