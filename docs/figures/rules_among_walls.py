@@ -8,7 +8,7 @@ import re
 from drawing import BLACK, BLUE, GRAY, RED, ROOT, Figure, arc, constants, polar
 
 WALLS = constants("navigation/gaps.cpp", "navigation/join_gaps.cpp",
-                  "navigation/passages.h", "navigation/passages.cpp", "navigation/prospect.cpp",
+                  "navigation/passages.h", "navigation/passages.cpp", "navigation/rules/keep_lane.cpp",
                   "navigation/right_of_way.h", "navigation/right_of_way.cpp", "navigation/rules/passage_rules.h",
                   "navigation/rules/passage_rules.cpp", "navigation/rules/wait_beside.cpp",
                   "guidance/rules/go_around.cpp", "guidance/rules/go_back.cpp")

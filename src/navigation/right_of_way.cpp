@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "navigation/right_of_way.h"
 
-#include <algorithm>
 #include <cmath>
 
 #include "navigation/rules/passage_rules.h"
@@ -13,9 +12,6 @@ namespace {
 constexpr double kMoves = 0.2;
 constexpr double kTowards = 0.5;    // cosine: a robot that moves more across does not come
 constexpr double kOverlaps = 1e-6;  // of contact, for crowds in contact
-constexpr double kLaneRoom = 0.1;   // between walls and a robot in its lane
-// from the axis, where there is room: robots in both lanes do not touch
-constexpr double kLane = 1.3;
 
 // Returns whether two robots with shared goals overlap. Walls may have squeezed them together.
 bool some_overlap(std::span<const Claimant> claimants) {
@@ -61,11 +57,6 @@ Course right_of_way(const Passage& passage, const Claimant& one, double braking,
   if (robot.claim.inside) return go_on_or_back(passage, robot, claimants, sensing_radius);
   if (may_enter(passage, robot, claimants, sensing_radius)) return {};
   return wait_beside(passage, robot, braking);
-}
-
-double lane_offset(const Passage& passage) {
-  const double free = passage.half_width - (1.0 + kLaneRoom) * passage.radius;
-  return std::max(0.5 * passage.half_width, std::min(kLane * passage.radius, free));
 }
 
 }  // namespace avo::inline navigation
