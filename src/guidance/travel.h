@@ -17,8 +17,8 @@
 
 namespace avo::inline guidance {
 
-/// A part of the radius: a robot may be this much farther off than arrival_distance and still count
-/// as there, for a goal that it cannot reach. The nearest place keeps a little more than the radius
+/// A part of the radius. At a goal that it cannot reach, a robot may be this much farther off than
+/// arrival_distance and still count as there. The nearest place keeps a little more than the radius
 /// from walls.
 inline constexpr double kBesideSlack = 1e-5;
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Rule 11 of docs/arrival.md, go around: a robot cannot know how long others will hold a passage.
-// It takes another route once it has waited for as long as that route takes in addition. So it
-// loses at most twice the time that it would lose with that knowledge.
+// Rule 11 of docs/arrival.md, go around a held passage. A robot cannot know how long others will
+// hold the passage. The robot takes another route once it has waited for as long as that route
+// takes in addition. So it loses at most twice the time that it would lose with that knowledge.
 #include <optional>
 #include <utility>
 #include <vector>

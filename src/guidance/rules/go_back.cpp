@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Rule 12 of docs/arrival.md, go back from a jam: where there is no other route, some robots in a
-// jam must go back, and only those at its ends can. All of them try to, for half of the time. A
-// crowd before a passage of one lane is no jam, but waits in turn.
+// Rule 12 of docs/arrival.md, go back from a jam. Where there is no other route, some robots in a
+// jam must go back, and only those at its ends can. All robots of a jam try to, for half of the
+// time. A crowd before a passage of one lane is no jam: its robots wait in turn.
 #include <cmath>
 
 #include "core/plane.h"

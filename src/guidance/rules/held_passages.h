@@ -9,16 +9,17 @@
 
 namespace avo::inline guidance {
 
-/// For a robot that decides, with `left` m of its route left: if it has waited for longer than
-/// another route takes in addition, it takes that route. It does so from the next step on. A
-/// passage that is closed to it for this reason opens again once that makes no difference. time: s,
-/// that counts as waiting; none while no robot is near, unless it goes back.
+/// For a robot that decides, with `left` m of its route left. If it has waited for longer than
+/// another route takes in addition, it takes that route from the next step on. A passage that is
+/// closed to it for this reason opens again once that makes no difference. time: s, that counts as
+/// waiting. It is 0 while no robot is near, unless the robot goes back.
 void go_around_held(const Ways& ways, const Follower& robot, double left, double time,
                     Travel& travel, LegScratch& scratch);
 
-/// Returns whether the robot goes back for now, as far as others are near. It has then waited for
-/// long before a passage of two lanes. There is no other route, and no passage of one lane on it.
-/// After each power of two of that time it goes back for half of the time that it has waited.
+/// Returns whether the robot goes back for now, as far as others are near. The robot has then
+/// waited for long before a passage of two lanes. There is no other route, and no passage of one
+/// lane on the present one. After each power of two of that time the robot goes back for half of
+/// the time that it has waited.
 bool goes_back(const Ways& ways, const Follower& robot, const Travel& travel);
 
 /// s, by which both rules measure how long a robot has waited: docs/arrival.md, "In open space".

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Rule 7 of docs/arrival.md, enter in turn: a robot may enter if no robot comes towards it inside,
-// or nearer to the mouth where that robot enters. A robot that rests farther inside does not come.
+// Rule 7 of docs/arrival.md, enter in turn. A robot may enter if no other robot comes towards it
+// inside. Outside, no oncoming robot may be nearer to the mouth where it enters. A robot that rests
+// farther inside does not come.
 #include <algorithm>
 
 #include "navigation/rules/passage_rules.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Rule 9 of docs/arrival.md, go back together: with both directions inside, the direction that has
-// come less far goes back, all of it.
+// Rule 9 of docs/arrival.md, go back together. If robots of both directions are inside, all robots
+// of one direction go back: the direction whose first robot has come less far.
 #include "navigation/rules/passage_rules.h"
 
 namespace avo::inline navigation {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Rule 6 of docs/arrival.md, keep to the right-hand lane: in a passage of two lanes a robot heads
+// Rule 6 of docs/arrival.md, keep to the right-hand lane. In a passage of two lanes a robot heads
 // for the place beside the point ahead on its route. That place is in the right-hand lane, or half
 // as far from the axis where something is between.
 #include "navigation/rules/keep_lane.h"

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// Rule 10 of docs/arrival.md, make room in a passage: a robot with its goal inside blocks robots
-// that come near. It goes on before them, out of the passage, and enters again in turn. If robots
-// of both directions are inside, it goes with the direction that goes on. Others take it for one of
-// these, so it makes none of them change its decision. Where several robots rest at one goal, all
+// Rule 10 of docs/arrival.md, make room in a passage. A robot A with its goal inside blocks robots
+// that come near. A goes on before them, out of the passage, and enters again in turn. If robots of
+// both directions are inside, A goes with the direction that goes on. Others take A for a robot of
+// this direction, so none of them changes its decision. Where several robots rest at one goal, all
 // of them must go, or the first one cannot.
 #include <algorithm>
 #include <optional>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Rule 8 of docs/arrival.md, wait beside the entrance: off the path of robots that come out. In the
-// area before the mouth a robot goes to the bay; outside of it the robot stops at the border.
+// Rule 8 of docs/arrival.md, wait beside the mouth. A robot that may not enter keeps off the path
+// of robots that come out. In the area before the mouth the robot goes to the bay. Outside of this
+// area it stops at the border.
 #include <algorithm>
 #include <cmath>
 
