@@ -164,8 +164,8 @@ AVO_EXPORT(void, open_table)(std::uint32_t dimensions, std::uint32_t most_robots
 }
 
 /// Reads the next times, and none at the end. Each time has the numbers s, steps from row to row
-/// and rows, and each row has a robot's number, x, y, vx, vy, heading and speed; in space a robot's
-/// number, x, y, z, vx, vy, vz.
+/// and rows. Each row has a robot's number, x, y, vx, vy, heading and speed. In space it has a
+/// robot's number, x, y, z, vx, vy, vz.
 AVO_EXPORT(std::size_t, read_table)() {
   std::vector<double> numbers;
   while (numbers.size() < kPart && append_next(numbers)) {

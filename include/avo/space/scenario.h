@@ -88,9 +88,9 @@ AVO_API double fleet_delay(const Scenario& scenario);
 /// m: the sensing radius of the scene, or the one that its robots need.
 AVO_API double sensing_radius_of(const Scenario& scenario);
 
-/// Throws Error that names the first value out of range, the first two robots that are in contact
-/// or cannot brake before contact, the first robot in a box or that cannot brake before it, and a
-/// sensing radius that is too short for the certificate.
+/// Throws Error that names the first fault. A fault is a value out of range, two robots in contact
+/// or that cannot brake before contact, or a robot in a box or that cannot brake before it. A
+/// sensing radius that is too short for the certificate is a fault as well.
 AVO_API void validate(const Scenario& scenario);
 
 }  // namespace avo::space
