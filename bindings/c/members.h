@@ -40,7 +40,7 @@ inline void take(avo::LayerSet& to, std::uint32_t from, const Named&) {
 inline void take(avo::SensingError& to, avo_sensing_error from, const Named&) {
   to = {from.position, from.velocity};
 }
-/// Whether a number is the one that stands for a number that is unset; both may be NaN.
+/// Whether a number stands for a number that is unset; both may be NaN.
 inline bool is_unset(double number, double unset) {
   return number == unset || (std::isnan(number) && std::isnan(unset));
 }

@@ -41,8 +41,8 @@ struct ExecutionError {
 
 /// The bounds for a holonomic robot or a differential drive of these limits (docs/on_board.md,
 /// "Bases that do not execute exactly"). Throws Error on values out of range, on other robots, and
-/// where the base is known too badly for a bound. 2 ΔT/max(Δt, T - ΔT) + 2 Δd/Δt must be below 1,
-/// and a drive must not turn too fast for heading_age and ΔT.
+/// where the base is known too badly for a bound. For a bound, 2 ΔT/max(Δt, T - ΔT) + 2 Δd/Δt must
+/// be below 1. A drive must not turn too fast for heading_age and ΔT.
 AVO_API ExecutionError execution_error(const ExecutionModel& model, const Robot& robot,
                                        double time_step);
 

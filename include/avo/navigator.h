@@ -62,7 +62,7 @@ enum class NavigatorStatus : std::uint8_t {
   under_way,    ///< it moves on its route
   waiting,      ///< at a stage
   reached,      ///< the goal is within the tolerances, or as near as others at rest leave room
-  stuck,        ///< under way, and without progress for movement_time_allowance
+  stuck,        ///< moving to its goal, and without progress for movement_time_allowance
   unreachable,  ///< the map leaves no route: it goes to the nearest place that it can reach
 };
 AVO_API const char* to_string(NavigatorStatus status);
@@ -81,7 +81,8 @@ struct NavigatorDecision {
   /// m, from the end of the route to the goal: 0, unless the map keeps the robot from its goal
   double distance_left = 0.0;
   double stopping_distance = 0.0;  ///< m, that it needs to brake from its present velocity
-  double without_progress = 0.0;   ///< s, since it last made progress; 0 unless under way
+  /// s, since it last made progress; 0 while it does not move to a goal
+  double without_progress = 0.0;
   /// The robot for which it waits at a passage. The value of Wait::robot is its position in the
   /// neighbors given.
   std::optional<Simulation::Wait> wait = {};

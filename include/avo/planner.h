@@ -325,10 +325,10 @@ class AVO_API Planner {
   /// walls: what does not move, near the robot; a certificate keeps clear of it. The robot needs
   /// all walls with a surface within r + S Δt + l(S) of its position, and a billionth more for
   /// rounding. S = max(|v|, v_max), l is the stopping length with planned_braking(). Other walls
-  /// change no bit. A neighbor B that decides and is behind such a wall may not count. This is so
-  /// if B cannot come round an end of the wall before both have stopped. B is assumed to keep clear
-  /// of that wall as well (docs/certificate/walls.md, "Neighbors behind walls"). A wall that is not
-  /// finite is invalid_input.
+  /// change no bit. A neighbor B that decides and is behind such a wall does not count if B cannot
+  /// come round its ends before both have stopped. B is assumed to keep clear of that wall as well
+  /// (docs/certificate/walls.md, "Neighbors behind walls"). A wall that is not finite is
+  /// invalid_input.
   ///
   /// Without a certificate walls only slow the target of method avo. The other methods choose in
   /// the half-planes of the walls' obstacles, to which those of neighbors yield. They need all

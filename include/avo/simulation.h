@@ -186,8 +186,8 @@ class AVO_API Simulation {
   [[nodiscard]] std::optional<Vec2> preferred_velocity(RobotId robot) const;
   /// A moving obstacle comes: a person, a vehicle, or a player that the host moves. With a
   /// trajectory it is where the trajectory says at the present time. Throws Error on bad values
-  /// (see validate). Under a certificate it also throws Error, with the arithmetic, on one that
-  /// some robot cannot keep clear of. Changes nothing where it throws.
+  /// (see validate). Under a certificate it also throws Error, with the arithmetic, on an obstacle
+  /// that some robot cannot keep clear of. Changes nothing where it throws.
   MovingObstacleId add_moving_obstacle(const MovingObstacle& obstacle);
   /// Changes the moving obstacle: its place, velocity, radius, limits and path are those of
   /// `obstacle` from now on. Robots count on no more than max_deviation and max_speed say. The host

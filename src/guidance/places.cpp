@@ -168,7 +168,7 @@ class PlaceSearch {
   std::span<const Wall> walls_;
   Vec2 best_;
   double cost_ = 0.0;        // m
-  std::size_t blocker_ = 0;  // the last one that was found
+  std::size_t blocker_ = 0;  // the last place that was found
 };
 
 bool stands_on_goal(const Resting& other) {

@@ -18,8 +18,8 @@ namespace {
 constexpr double kLags = 1.3;
 constexpr double kBackOn = 4.0;  // times the look-ahead: so far on it searches for its place
 constexpr double kFaster = 0.7;  // of a_max, to become faster
-// Radii. At first the robot takes its place on the first stretch of the route that is at most so
-// much farther off than the nearest stretch. A closed route thus begins at its start.
+// Radii. At first the robot takes its place on a stretch of the route. It is the first stretch that
+// is at most so much farther off than the nearest one. A closed route thus begins at its start.
 constexpr double kBegins = 2.0;
 
 CornerGraph graph_of(const std::vector<Vec2>& points, double radius, std::span<const Wall> walls) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Rule 9 of docs/arrival.md, go back together. If robots of both directions are inside, all robots
-// of one direction go back: the direction whose first robot has come less far.
+// of one direction go back. It is the direction with the foremost robot that has come less far.
 #include "navigation/rules/passage_rules.h"
 
 namespace avo::inline navigation {
