@@ -21,7 +21,7 @@ struct Canvas::State {
   std::string_view pixels() const;
   void set_color(Color color) const;
   void set_pen(const Stroke& stroke) const;
-  /// Returns where texts of an SVG go; null in other formats, whose texts Cairo draws.
+  /// Returns where texts of an SVG go; null in other formats, where Cairo draws the texts.
   std::string* svg_texts() { return svg ? &texts : nullptr; }
 
   std::string path;      // its extension gives the format; it is never opened

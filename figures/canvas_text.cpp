@@ -177,9 +177,9 @@ std::string escaped(const std::string& text) {
   return result;
 }
 
-// Text for an SVG, where Cairo itself would draw the shapes of letters, which nobody can search,
-// copy or edit. Pieces have their places and widths by the font's own metrics, so that another font
-// does not spread.
+// Text for an SVG, where Cairo itself would draw the shapes of letters, which a reader cannot
+// search, copy or edit. Pieces have their places and widths by the font's own metrics, so that
+// another font does not spread.
 std::string svg_text(cairo_t* cairo, const std::vector<Piece>& pieces, const TextStyle& style,
                      Vec2 at) {
   std::string text = "<text xml:space=\"preserve\" transform=\"translate(" +

@@ -37,8 +37,8 @@ struct Chart {
 [[nodiscard]] std::string draw_chart(const Chart& chart, const std::string& path,
                                      const FigureOptions& options = {});
 
-/// Draws the charts in rows, each on its own axes, with one legend for all: series of one label
-/// must look the same. options.width is that of a chart which stands alone.
+/// Draws the charts in rows, each on its own axes, with one legend for all. Series of one label
+/// must look the same. The width in `options` is that of a chart which stands alone.
 [[nodiscard]] std::string draw_charts(std::span<const Chart> charts, const std::string& path,
                                       const FigureOptions& options = {});
 

@@ -7,8 +7,8 @@
 
 namespace avo::figures {
 
-/// Returns the corners of the convex hull, counter-clockwise, by Andrew's monotone chain. Of fewer
-/// than three places it returns these.
+/// Returns the corners of the convex hull, counter-clockwise, by Andrew's monotone chain. Fewer
+/// than three places are returned as they are.
 std::vector<Vec2> convex_hull(std::vector<Vec2> points);
 
 }  // namespace avo::figures

@@ -37,7 +37,7 @@ void TrajectoryRecorder::observe(const Simulation& simulation) {
   const std::size_t index = observed_++;
   if (index % stride_ != 0) return;
   if (kept_.size() == most_frames_) {
-    // drops every second frame: a frame whose index is no multiple of the doubled stride
+    // drops every second frame: its index is no multiple of the doubled stride
     std::size_t count = 0;
     for (std::size_t i = 0; i < kept_.size(); i += 2) {
       if (count != i) kept_[count] = std::move(kept_[i]);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Makes the page: one HTML file with everything inside, so that it runs from file:// and asks nobody for anything.
+// Makes the page: one HTML file with everything inside. So it runs from file://, without any server.
 //   node build.mjs --wasm build/wasm/avo.wasm --out build/lab/lab.html
 import { createHash } from "node:crypto";
 import { mkdir, readFile, writeFile } from "node:fs/promises";

@@ -40,7 +40,7 @@ inline void take(avo::LayerSet& to, std::uint32_t from, const Named&) {
 inline void take(avo::SensingError& to, avo_sensing_error from, const Named&) {
   to = {from.position, from.velocity};
 }
-/// Whether a number is the one that stands for a number that is unset; both may be NaN.
+/// Whether a number stands for a number that is unset; both may be NaN.
 inline bool is_unset(double number, double unset) {
   return number == unset || (std::isnan(number) && std::isnan(unset));
 }
@@ -87,8 +87,9 @@ void give(C& to, const std::optional<Value>& from, double unset = 0.0) {
   to = from ? static_cast<C>(*from) : static_cast<C>(is_number ? unset : double{AVO_UNSET});
 }
 
-/// Members of a definition Def and of C++'s Own that have one name, as `for_each` lists them:
-/// visit(name, member in C, member in C++), and with the number that stands for none, if not 0.
+/// Members of a definition Def and of C++'s Own that have one name. `for_each` lists them by
+/// visit(name, member in C, member in C++). If the number for none is not 0, it is the next
+/// argument.
 template <typename Def, typename Own, typename ForEach>
 void take_members(const Def& def, Own& own, const Where& where, const ForEach& for_each) {
   for_each([&](const char* name, auto in_c, auto member, auto... unset) {

@@ -15,7 +15,7 @@ namespace {
 
 static_assert(AVO_FORMATION_RING == static_cast<int>(avo::Formation::ring));
 
-/// A team of the host, or one that a simulation leads.
+/// A team of the host, or a team that a simulation leads.
 struct TeamOfAny {
   avo::Team own = {};
   std::optional<avo_simulation_id> leads = {};  // the simulation that leads it

@@ -8,8 +8,10 @@ import re
 from drawing import BLACK, BLUE, GRAY, RED, ROOT, Figure, arc, constants, polar
 
 WALLS = constants("navigation/gaps.cpp", "navigation/join_gaps.cpp",
-                  "navigation/passages.h", "navigation/passages.cpp", "navigation/prospect.cpp", "navigation/right_of_way.h",
-                  "navigation/right_of_way.cpp", "guidance/held_passages.cpp")
+                  "navigation/passages.h", "navigation/passages.cpp", "navigation/rules/keep_lane.cpp",
+                  "navigation/right_of_way.h", "navigation/right_of_way.cpp", "navigation/rules/passage_rules.h",
+                  "navigation/rules/passage_rules.cpp", "navigation/rules/wait_beside.cpp",
+                  "guidance/rules/go_around.cpp", "guidance/rules/go_back.cpp")
 DOOR = 3.2  # r, the width of a door: 1.6 m for r = 0.5 m
 
 
@@ -242,7 +244,7 @@ def make_room():
     for sign in (-1, 1):
         figure.wall((WALLS.kMouth, sign * 2.6), (WALLS.kMouth, sign * half),
                     (length - WALLS.kMouth, sign * half), (length - WALLS.kMouth, sign * 2.6))
-    a, b = (7.0, 0), (7.0 - WALLS.kNear, 0)
+    a, b = (7.0, 0), (7.0 - WALLS.kRestsNear, 0)
     straight, aside = (length + WALLS.kBack, 0), (length + WALLS.kBack, -WALLS.kBackAside)
     figure.line([(0, 0), straight], GRAY, 1, dashed=True)
     figure.dot((0, 0)), figure.dot((length, 0))
@@ -255,7 +257,7 @@ def make_room():
     figure.text(a, "A is at its goal", BLUE, "middle", 0, -66)
     for x in (b[0], a[0]):
         figure.line([(x, 0), (x, -2.9)], GRAY, 1, dashed=True)
-    figure.length((b[0], -2.9), (a[0], -2.9), f"nearer than {WALLS.kNear:g} R, and on its way: A goes", "start", -130, 20)
+    figure.length((b[0], -2.9), (a[0], -2.9), f"nearer than {WALLS.kRestsNear:g} R, and on its way: A goes", "start", -130, 20)
     figure.text(aside, "A waits here,", BLUE, "middle", 0, 56)
     figure.text(aside, "and comes back in its turn", BLUE, "middle", 0, 74)
     return figure

@@ -21,7 +21,7 @@ enum class Guide : std::uint8_t {
   host,     ///< to what Simulation::set_preferred_velocity() says
 };
 
-/// The rule that made a wish of the preferred velocity: the last one that changed it.
+/// The rule that made a wish of the preferred velocity: the last rule that changed it.
 enum class WishRule : std::uint8_t {
   none,
   steers,       ///< a robot with wheels or wings turns first, or maneuvers
@@ -51,9 +51,9 @@ struct DecisionTrace {
   Vec2 aim;  ///< m/s: the part of the wish for which the program was asked (docs/smoothness.md)
   /// [v'] m/s: what the program chose, Eq. (23); among movers alone Eq. (14)
   Vec2 target;
-  /// The half-planes on whose lines the target lies, without repetition. Where it cannot keep to
-  /// all, those that it misses by the most. Among movers alone, the movers whose obstacles contain
-  /// the aim. Empty where the target is the aim.
+  /// The half-planes with the target on their lines, without repetition. Where it cannot keep to
+  /// all, those that it misses by the most. Among movers alone, the movers with obstacles that
+  /// contain the aim. Empty where the target is the aim.
   std::vector<Cause> binding;
   Vec2 proposal;  ///< m/s: the velocity after one step towards the target
   /// The neighbors and walls with constraints of the certificate that refuse the proposal, without

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A base that executes velocity commands late, in steps, or not below some speed: what it declares,
-// how far it then is from the motion that was decided, and the commands that keep it there
+// A base that executes velocity commands late, in steps, or not below some speed. It declares this,
+// and bounds say how far it is from the decided motion. Commands keep it within these bounds
 // (docs/certificate/execution.md). SI units.
 #pragma once
 #include <memory>
@@ -41,8 +41,8 @@ struct ExecutionError {
 
 /// The bounds for a holonomic robot or a differential drive of these limits (docs/on_board.md,
 /// "Bases that do not execute exactly"). Throws Error on values out of range, on other robots, and
-/// where the base is known too badly for a bound: it must be
-/// 2 ΔT/max(Δt, T - ΔT) + 2 Δd/Δt < 1, and a drive must not turn too fast for heading_age and ΔT.
+/// where the base is known too badly for a bound. For a bound, 2 ΔT/max(Δt, T - ΔT) + 2 Δd/Δt must
+/// be below 1. A drive must not turn too fast for heading_age and ΔT.
 AVO_API ExecutionError execution_error(const ExecutionModel& model, const Robot& robot,
                                        double time_step);
 
@@ -80,9 +80,9 @@ class AVO_API ReferenceTracker {
   ReferenceTracker(ReferenceTracker&&) noexcept;
   ReferenceTracker& operator=(ReferenceTracker&&) noexcept;
 
-  /// The robot to plan for in place of the body, whose state is measured: it has the state of the
-  /// reference, the heading of the body, and a radius larger by ExecutionError::position. Throws
-  /// Error as execution_error() does.
+  /// The robot to plan for in place of the measured body. It has the state of the reference, the
+  /// heading of the body, and a radius larger by ExecutionError::position. Throws Error as
+  /// execution_error() does.
   [[nodiscard]] Robot reference(const Robot& body) const;
   /// The command for the plan that was made for reference(body): to be called once every time_step.
   BaseCommand follow(const Robot& body, const Plan& plan);

@@ -110,7 +110,7 @@ struct RunSummary {
   /// m, from static obstacles; none without obstacles
   std::optional<double> min_static_clearance;
   /// Pairs in which one robot came into the other's sight after the start, when braking was no
-  /// longer proved to keep them apart; none without a certificate. With a sufficient sensing radius
+  /// longer proved to keep them apart. None without a certificate. With a sufficient sensing radius
   /// this takes occlusion, or measurements that fail.
   std::optional<std::int64_t> first_seen_too_late;
   /// m/s^2, the largest applied |a|. With Scenario::execution it is the largest change of a body's

@@ -48,7 +48,7 @@ struct Car {
   friend bool operator==(const Car&, const Car&) = default;
 };
 
-/// Two wheels on one axle, each driven by itself: the position is the middle of the axle, and the
+/// Two wheels on one axle, each driven by itself. The position is the middle of the axle, and the
 /// robot turns about this point at rest. The limits of the wheels hold at every instant. Others
 /// sense the disc about the point q that is `offset` ahead of the axle. q can accelerate in every
 /// direction (docs/certificate/wheels.md, "Differential drives"). The robot's velocity, max_speed

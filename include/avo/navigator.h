@@ -42,8 +42,8 @@ struct NavigatorOptions {
   /// distance, except where others stand there. Unset: 0.3 of the robot's radius
   std::optional<double> route_tolerance = {};
   /// How the base executes commands; unset: exactly. If set, `robot` of step() is the measured
-  /// body, measured, the decision is about its reference, and NavigatorDecision::command is for the
-  /// base (docs/on_board.md, "Bases that do not execute exactly"). For holonomic robots, with held
+  /// body. The decision is about its reference, and NavigatorDecision::command is for the base
+  /// (docs/on_board.md, "Bases that do not execute exactly"). For holonomic robots, with held
   /// motion.
   std::optional<ExecutionModel> execution = {};
 };
@@ -62,7 +62,7 @@ enum class NavigatorStatus : std::uint8_t {
   under_way,    ///< it moves on its route
   waiting,      ///< at a stage
   reached,      ///< the goal is within the tolerances, or as near as others at rest leave room
-  stuck,        ///< under way, and without progress for movement_time_allowance
+  stuck,        ///< moving to its goal, and without progress for movement_time_allowance
   unreachable,  ///< the map leaves no route: it goes to the nearest place that it can reach
 };
 AVO_API const char* to_string(NavigatorStatus status);
@@ -81,7 +81,8 @@ struct NavigatorDecision {
   /// m, from the end of the route to the goal: 0, unless the map keeps the robot from its goal
   double distance_left = 0.0;
   double stopping_distance = 0.0;  ///< m, that it needs to brake from its present velocity
-  double without_progress = 0.0;   ///< s, since it last made progress; 0 unless under way
+  /// s, since it last made progress; 0 while it does not move to a goal
+  double without_progress = 0.0;
   /// The robot for which it waits at a passage. The value of Wait::robot is its position in the
   /// neighbors given.
   std::optional<Simulation::Wait> wait = {};
@@ -113,15 +114,15 @@ class AVO_API Navigator {
   void go_on();       ///< ends the wait at a stage
   void clear_goal();  ///< the robot has no goal any more
   /// Another map: a door has closed or opened, or the robot has changed to other layers, as in a
-  /// lift; none: it stays in its layers. The robot keeps its goal. Throws Error as the constructor
-  /// does; changes nothing then.
+  /// lift. Without `layers` it stays in its layers. The robot keeps its goal. Throws Error as the
+  /// constructor does; changes nothing then.
   void set_obstacles(std::vector<StaticObstacle> obstacles, std::optional<LayerSet> layers = {});
 
-  /// One cycle: to be called every time_step, at the times at which all robots decide. Of `robot`,
-  /// preferred_velocity and distance_to_goal are not read; its limits may change from cycle to
-  /// cycle. time: s, of any clock that does not go back. Where a value is out of range, the plan
-  /// says invalid_input, and the robot brakes. Throws Error on an airplane, and on wheels where
-  /// NavigatorOptions::execution is set.
+  /// One cycle: to be called every time_step, at the times at which all robots decide.
+  /// preferred_velocity and distance_to_goal of `robot` are not read. Its limits may change from
+  /// cycle to cycle. time: s, of any clock that does not go back. Where a value is out of range,
+  /// the plan says invalid_input, and the robot brakes. Throws Error on an airplane, and on wheels
+  /// where NavigatorOptions::execution is set.
   NavigatorDecision step(const Robot& robot, std::span<const Neighbor> neighbors, double time);
 
   /// The decision that step() would make now, with its reasons in words. Neighbors are named by
@@ -144,9 +145,9 @@ class AVO_API Navigator {
 
 /// m, between centers: how far a robot with a planner of these options has to sense such others.
 /// Nothing farther off changes what its certificate admits, nor what its rules for arriving do
-/// (docs/scenes.md, "How far robots sense"). Declared errors and clocks of their own count. Of all
-/// robots, radius, limits, model and priority count. has_map: with passages, at which robots give
-/// each other right of way. Throws Error on values out of range.
+/// (docs/scenes.md, "How far robots sense"). Declared errors and clocks of their own count. Radius,
+/// limits, model and priority of all robots count. has_map: with passages, where robots wait for
+/// each other. Throws Error on values out of range.
 AVO_API double sensing_range(const PlannerOptions& options, const Robot& robot,
                              std::span<const Robot> others, bool has_map = false);
 

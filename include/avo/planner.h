@@ -231,9 +231,9 @@ struct Detour {
   float beside = 0.0F;
   float congestion = 0.0F;   ///< number of robots ahead that it is used to, 0 to 2.8
   bool has_arrived = false;  ///< whether it was within arrival_distance of its goal, beside others
-  /// Whether others are at rest on its goal, so that it comes to rest near them: it neither yields,
-  /// nor keeps right, nor makes a detour. A caller that sends a robot to a taken goal must set this
-  /// in each decision (docs/on_board.md).
+  /// Whether others are at rest on its goal, so that the robot comes to rest near them. It then
+  /// neither yields, nor keeps right, nor makes a detour. A caller that sends a robot to a taken
+  /// goal must set this in each decision (docs/on_board.md).
   bool goal_taken = false;
   /// m/s², of its last step; 0 for a robot that has not moved
   float acceleration_x = 0.0F, acceleration_y = 0.0F;
@@ -241,8 +241,8 @@ struct Detour {
 
 /// What a neighbor's certificate demands of A on one interval between steps: normal . q >= offset.
 /// q = y - x, m: from the point x of A's braking path to the point y of its path. The constraint
-/// suffices for the three Bézier points of the interval; interval 0 is the step of the decision. Of
-/// a neighbor that loiters, q is any point of the area in which A would next stop, m; interval is
+/// suffices for the three Bézier points of the interval; interval 0 is the step of the decision. If
+/// the neighbor loiters, q is any point of the area in which A would next stop, m, and interval is
 /// 0.
 struct CertificateConstraint {
   int neighbor = 0;  ///< index into the neighbors given
@@ -325,10 +325,10 @@ class AVO_API Planner {
   /// walls: what does not move, near the robot; a certificate keeps clear of it. The robot needs
   /// all walls with a surface within r + S Δt + l(S) of its position, and a billionth more for
   /// rounding. S = max(|v|, v_max), l is the stopping length with planned_braking(). Other walls
-  /// change no bit. A neighbor that decides and is behind such a wall does not count if it cannot
-  /// come round an end of the wall before both have stopped. The neighbor is assumed to keep clear
-  /// of that wall as well (docs/certificate/walls.md, "Neighbors behind walls"). A wall that is not
-  /// finite is invalid_input.
+  /// change no bit. A neighbor B that decides and is behind such a wall does not count if B cannot
+  /// come round its ends before both have stopped. B is assumed to keep clear of that wall as well
+  /// (docs/certificate/walls.md, "Neighbors behind walls"). A wall that is not finite is
+  /// invalid_input.
   ///
   /// Without a certificate walls only slow the target of method avo. The other methods choose in
   /// the half-planes of the walls' obstacles, to which those of neighbors yield. They need all
@@ -344,11 +344,11 @@ class AVO_API Planner {
                                       std::span<const Wall> walls = {}) const;
 
   /// Plans for one robot among movers that do not react (§III-C, Eqs. 13-14). v' is outside the
-  /// union of their obstacles; B's new velocity is v_B + δ a_B with the acceleration that the
-  /// neighbor gives. Movers touch the robot only at rest, as long as they keep that acceleration.
-  /// Nothing is promised with neighbors that call plan() (docs/certificate/movers.md). Method
-  /// buffered_voronoi has no obstacles, and airplanes only turn: both plan as plan() does with all
-  /// of them moving on.
+  /// union of their obstacles. The new velocity of a mover B is v_B + δ a_B, with the acceleration
+  /// that the Neighbor has. Movers touch the robot only at rest, as long as they keep that
+  /// acceleration. Nothing is promised with neighbors that call plan()
+  /// (docs/certificate/movers.md). Method buffered_voronoi has no obstacles, and airplanes only
+  /// turn: both plan as plan() does with all of them moving on.
   [[nodiscard]] Plan plan_among_movers(const Robot& robot, std::span<const Neighbor> movers,
                                        PlanWorkspace& workspace) const;
 

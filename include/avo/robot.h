@@ -47,9 +47,9 @@ struct Robot {
   /// For an airplane, the circle that the others know; unset: the circle of position and velocity.
   /// Remember it while the airplane is on it: a circle made anew in each step drifts by rounding.
   std::optional<LoiterCircle> loiter = {};
-  /// m, > 0: to the point at which the preferred velocity aims, where that is nearer than its goal:
-  /// the next corner of its route, or a place in its lane. A car with a footprint maneuvers by it,
-  /// because its route turns there.
+  /// m, > 0: to the point at which the preferred velocity aims, if that is nearer than the goal. It
+  /// is the next corner of the route, or a place in the lane. A car with a footprint maneuvers by
+  /// it, because its route turns there.
   double lookahead = std::numeric_limits<double>::infinity();
 };
 
@@ -74,8 +74,8 @@ struct Neighbor {
   Behavior behavior = Behavior::decides;
   /// [d] whole steps, 0 to kMostAge: the time since it was last sensed. Its state has been
   /// extrapolated since then, at constant velocity, or at its acceleration where it moves on.
-  /// braking_trajectories allows for d Δt of any other motion, besides the declared SensingError of
-  /// the sensed state (docs/certificate/errors.md, "Age").
+  /// Certificate braking_trajectories allows for d Δt of any other motion, besides the declared
+  /// SensingError of the sensed state (docs/certificate/errors.md, "Age").
   int age = 0;
   double priority = 1.0;  ///< [p_B] > 0, see Robot::priority; not read where B moves on
   /// [b_B] m/s^2, see Robot::max_braking; not read where B moves on

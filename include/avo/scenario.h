@@ -44,9 +44,9 @@ struct RobotSetup {
   std::optional<double> time_step = {};
   /// [b] m/s^2, > 0, see Robot::max_braking; unset: max_acceleration
   std::optional<double> max_braking = {};
-  /// What others count on. To a robot that moves_on they do not leave any share of the avoidance:
-  /// they count on its velocity alone, as for one that has failed. The robot itself decides as
-  /// ever. A body that reacts to no robot is a MovingObstacle, or avoids no layer.
+  /// What others count on. To a robot that moves_on they do not leave any share of the avoidance.
+  /// They count on its velocity alone, as if it had failed. The robot itself decides as ever. A
+  /// body that reacts to no robot is a MovingObstacle, or avoids no layer.
   Behavior behavior = Behavior::decides;
   /// The method that chooses its velocities; unset: the scene's. A robot with a method other than
   /// the scene's has the usual options of its own method, see planner_options().
@@ -66,7 +66,7 @@ inline double disc_radius(const RobotSetup& robot) {
 }
 
 /// Returns whether A avoids B: by their layers, or because one of them is parked. A parked robot
-/// and one that decides avoid each other, two parked robots do not. If B does not avoid A, B is a
+/// and a deciding robot avoid each other, two parked robots do not. If B does not avoid A, B is a
 /// mover to A: it reacts to no other (docs/certificate/movers.md). If A has method avo, B is also a
 /// mover to A if it has another method: B promises nothing (docs/certificate/movers.md, "Robots of
 /// other methods").
@@ -313,8 +313,8 @@ AVO_API PlannerOptions planner_options(const Scenario& scenario, const RobotSetu
 AVO_API std::int64_t last_step(const Scenario& scenario, double time);
 
 /// Returns one line for each setting (δ, τ, Δt, sensing radius) that does not fit the robots, with
-/// the arithmetic; empty where all is well. broken_assumptions() tells about the assumptions of a
-/// certificate.
+/// the arithmetic. The list is empty if all is well. broken_assumptions() tells about the
+/// assumptions of a certificate.
 AVO_API std::vector<std::string> advice(const Scenario& scenario);
 
 }  // namespace avo

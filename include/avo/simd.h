@@ -10,7 +10,7 @@ namespace avo {
 /// "auto", or names a set that is not available.
 AVO_API const char* simd_target();
 
-/// Throws Error if AVO_SIMD names no instruction set, or one that this machine or build lacks.
+/// Throws Error if AVO_SIMD names no instruction set, or a set that this machine or build lacks.
 AVO_API void check_simd_target();
 
 }  // namespace avo

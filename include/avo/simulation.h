@@ -161,9 +161,9 @@ class AVO_API Simulation {
   /// and time_step. These are not read, except that another model or time_step is refused. A robot
   /// at rest can be parked where it stands, and a parked robot set free. Both cost as much as
   /// add_obstacle(), and its goal is then its place. Others know the new values at once. Throws
-  /// Error as add_robot() does on values that break what the certificate assumes: a larger disc,
-  /// other brakes or other layers where the robot is now. A robot that is faster than its new
-  /// max_speed slows down, and others allow for that. Where clocks are free and there is a
+  /// Error as add_robot() does on values that break what the certificate assumes. Examples are a
+  /// larger disc, other brakes or other layers where the robot is now. A robot that is faster than
+  /// its new max_speed slows down, and others allow for that. Where clocks are free and there is a
   /// certificate, only speeds, priority, horizon and arrival distance change. The robot keeps what
   /// it remembers. Changes nothing where it throws.
   void change_robot(RobotId robot, const RobotSetup& setup);
@@ -171,9 +171,9 @@ class AVO_API Simulation {
   /// until restore().
   [[nodiscard]] std::span<Team> teams();
   /// Sets the preferred velocity, m/s, that the robot has from now on, in place of a route to its
-  /// goal; none: it goes to its goal again. Meanwhile the robot has no goal: is_at_goal() is false,
-  /// and it takes no part in the rules for passages and goals. The certificate holds as before.
-  /// Throws Error if there is no such robot, it is parked, or the velocity is not finite.
+  /// goal. With none it goes to its goal again. Meanwhile the robot has no goal: is_at_goal() is
+  /// false, and it takes no part in the rules for passages and goals. The certificate holds as
+  /// before. Throws Error if there is no such robot, it is parked, or the velocity is not finite.
   void set_preferred_velocity(RobotId robot, std::optional<Vec2> velocity);
   /// The same calls for many robots: one goal, velocity or setup for each robot. Where one of them
   /// is refused, they throw Error, and nothing has changed.
@@ -186,14 +186,14 @@ class AVO_API Simulation {
   [[nodiscard]] std::optional<Vec2> preferred_velocity(RobotId robot) const;
   /// A moving obstacle comes: a person, a vehicle, or a player that the host moves. With a
   /// trajectory it is where the trajectory says at the present time. Throws Error on bad values
-  /// (see validate). Under a certificate it also throws Error, with the arithmetic, on one that
-  /// some robot cannot keep clear of. Changes nothing where it throws.
+  /// (see validate). Under a certificate it also throws Error, with the arithmetic, on an obstacle
+  /// that some robot cannot keep clear of. Changes nothing where it throws.
   MovingObstacleId add_moving_obstacle(const MovingObstacle& obstacle);
   /// Changes the moving obstacle: its place, velocity, radius, limits and path are those of
-  /// `obstacle` from now on. Robots count on no more than max_deviation and max_speed say. What the
-  /// host changes faster than they allow, as a player that turns at once, robots evade as well as
-  /// they can, and nothing is promised of it. Throws Error on bad values, and if there is none of
-  /// that id. Changes nothing where it throws.
+  /// `obstacle` from now on. Robots count on no more than max_deviation and max_speed say. The host
+  /// may change the obstacle faster than these allow, as a player that turns at once. Robots then
+  /// evade it as well as they can, and nothing is promised. Throws Error on bad values, and if
+  /// there is none of that id. Changes nothing where it throws.
   void change_moving_obstacle(MovingObstacleId id, const MovingObstacle& obstacle);
   void remove_moving_obstacle(MovingObstacleId id);  ///< throws Error if there is none of that id
   /// A door closes: from the next step on no robot may touch the obstacle. Throws Error on bad
@@ -244,9 +244,9 @@ class AVO_API Simulation {
   /// The robots with the discs nearest to the point, at most `count`, nearest first.
   [[nodiscard]] std::vector<RobotId> nearest_robots(Vec2 position, std::size_t count) const;
   /// Returns whether a disc of that radius, m, > 0, would touch no robot, no moving obstacle and no
-  /// wall there, and would not be inside a solid or outside of bounds. layers, here and below: only
-  /// robots that are in one of them count, and static obstacles that a robot in them heeds. All
-  /// moving obstacles and parked robots count.
+  /// wall there. It must not be inside a solid or outside of bounds either. layers, here and below:
+  /// only robots that are in one of them count, and static obstacles that a robot in them heeds.
+  /// All moving obstacles and parked robots count.
   [[nodiscard]] bool is_free(Vec2 position, double radius, LayerSet layers = kAllLayers) const;
   /// What a ray, or a moving disc, touches first: one of the three is set.
   struct Hit {
@@ -326,7 +326,7 @@ class AVO_API Simulation {
     /// the error of its own place.
     std::vector<Wall> walls = {};
     /// For a robot that brakes until it stands, near a goal that others share (docs/arrival.md,
-    /// rule 4): its decision, whatever it would plan, unless that is `overlapping`.
+    /// rule 4). This is its decision, whatever it would plan, unless that is `overlapping`.
     std::optional<Plan> stop = {};
     /// The trajectories that neighbors have: copies of this object share them.
     std::vector<std::shared_ptr<const Trajectory>> trajectories = {};

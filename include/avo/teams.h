@@ -35,8 +35,8 @@ AVO_API std::vector<Vec2> formation_slots(Formation formation, std::size_t count
 /// Error on numbers that are not finite or out of range.
 AVO_API std::vector<Vec2> place_slots(std::span<const Vec2> slots, Vec2 center, double heading);
 
-/// Returns for each robot the position of its slot in the list, so that the sum of the distances is
-/// least, to a millionth of the longest one. The straight lines of two robots then do not cross,
+/// Returns for each robot the position of its slot in the list. The sum of the distances is least,
+/// to a millionth of the longest distance. The straight lines of two robots then do not cross,
 /// unless they are nearly on one line. There must be at least as many slots as robots, else it
 /// throws Error. The time is that of the Hungarian method: at most the square of the robots times
 /// the slots.
@@ -118,10 +118,10 @@ AVO_API Team make_team(std::span<const RobotId> robots, TeamTask task);
 /// Throws Error on a task with values out of range, e.g. "spacing: found 0, must be > 0 m".
 AVO_API void validate(const TeamTask& task);
 
-/// Sets the goals and preferred velocities of the members for the next step, in place of those
-/// that the host has set: call it before each step. Members that are gone from the simulation leave
-/// the team. A simulation leads the teams of its scenario itself, from the moment it is made.
-/// Throws Error on a bad task, and on a member that is named twice.
+/// Sets the goals and preferred velocities of the members for the next step, in place of those that
+/// the host has set. Call it before each step. Members that are gone from the simulation leave the
+/// team. A simulation leads the teams of its scenario itself, from the moment it is made. Throws
+/// Error on a bad task, and on a member that is named twice.
 AVO_API void lead(Simulation& simulation, Team& team);
 
 /// Sends the first robot of a queue to its own goal; the others move up. Returns the robot, also

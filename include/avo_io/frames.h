@@ -30,8 +30,8 @@ class AVO_API FrameReader {
   FrameReader(FrameReader&&) noexcept;
   FrameReader& operator=(FrameReader&&) noexcept;
 
-  /// Returns the frame at that time, s, not before the time of the last call; between two rows it
-  /// is on the cubic with their positions and velocities. None after the last row. Throws
+  /// Returns the frame at that time, s, not before the time of the last call. Between two rows the
+  /// frame is on the cubic with their positions and velocities. None after the last row. Throws
   /// RecordingError.
   std::optional<RecordedFrame> at(double time);
   [[nodiscard]] double first_time() const;  ///< s

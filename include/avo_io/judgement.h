@@ -51,11 +51,11 @@ struct Judgement {
   bool knows_accelerations = true, knows_speeds = true;
   /// whether the velocities are estimated, see RecordedTime
   bool estimated = false;
-  /// Robots of the scene, ascending, that have no row at the first time or at the last one; except
-  /// airplanes that left where they arrived, and robots that leave by exits.
+  /// Robots of the scene, ascending, that have no row at the first time or at the last time.
+  /// Airplanes that left where they arrived, and robots that leave by exits, are not among them.
   std::vector<std::int64_t> lacking;
   /// The recording lasts from the start of the scene to its end, or to a time at which all have
-  /// arrived; missing times are not judged. Without a scene its start and end are unknown.
+  /// arrived. Missing times are not judged. Without a scene its start and end are unknown.
   bool whole = true;
   double scene_end = 0.0;  ///< s, the duration of the scene
   /// m: the rows are references of quadrotors; their radii contain a deviation of so much at most;

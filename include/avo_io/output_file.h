@@ -11,8 +11,8 @@
 namespace avo_io {
 
 /// A file that is written under a temporary name beside its target, with the target's permissions
-/// if the target exists. commit() gives it its name; without commit() it is removed. Links are
-/// followed. Devices, pipes and the standard output are written directly.
+/// if the target exists. commit() gives the file its name. Without commit() it is removed. Links
+/// are followed. Devices, pipes and the standard output are written directly.
 class AVO_API OutputFile {
  public:
   /// "-" is the standard output. Throws FileError if the place cannot be written.
@@ -50,7 +50,7 @@ class AVO_API OutputFile {
 };
 
 /// Gives all of them their names, or none. First all bytes go to the disk, then the files are
-/// renamed; where that fails for one, the files before it get their old content back. Throws
+/// renamed. If renaming a file fails, the files before it get their old content back. Throws
 /// FileError, which names the files that could not get it back. Files that have their names already
 /// are left alone.
 AVO_API void commit_all(std::span<OutputFile* const> files);

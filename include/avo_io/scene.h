@@ -58,8 +58,8 @@ AVO_API avo::Scenario load_surroundings(const std::string& name_or_path,
 /// Makes the same scenario again; reads no file.
 AVO_API avo::Scenario parse_scenario(const SceneSource& source);
 
-/// Returns the setting of a recorded scene, such as "right_of_way: told", that was removed since
-/// and that made its motion another one; none where it can be simulated as it was.
+/// Returns the setting of a recorded scene that was removed since and that changed its motion, such
+/// as "right_of_way: told". None if the scene can be simulated as before.
 AVO_API std::optional<std::string> lost_setting(const SceneSource& source);
 
 /// Makes a scenario from text. Error messages begin with `file`. The scene's files are relative to

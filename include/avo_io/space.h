@@ -100,10 +100,10 @@ AVO_API Converted convert_in_space(const std::string& input, const std::string& 
 /// columns.
 AVO_API bool is_space_recording(const std::string& path);
 
-/// Writes the set points of a recording's quadrotors as CSV with header
-/// "time,robot,x,y,z,vx,vy,vz,ax,ay,az", `rate` (Hz) times a second, rows by time then robot;
-/// `output` is whole or not there. All robots of the scene must be quadrotors. Returns the number
-/// of rows. Throws Error, RecordingError, FileError.
+/// Writes the set points of a recording's quadrotors as CSV, `rate` (Hz) times a second. The header
+/// is "time,robot,x,y,z,vx,vy,vz,ax,ay,az", and rows are in order of time, then robot. `output` is
+/// whole or not there. All robots of the scene must be quadrotors. Returns the number of rows.
+/// Throws Error, RecordingError, FileError.
 AVO_API std::int64_t write_set_points(const std::string& recording, const std::string& output,
                                       const avo::space::Scenario& scene, double rate);
 

@@ -94,7 +94,7 @@ void FreeSpace::add(const Disc& disc) {
   cover(offset, reach * (1.0 - kMargin) - kMargin * (size_.x + size_.y));
 }
 
-// Marks, row by row, the fine cells whose four corners are all nearer than `reach`.
+// Marks, row by row, the fine cells with all four corners nearer than `reach`.
 void FreeSpace::cover(Vec2 offset, double reach) {
   if (!(reach > 0.0)) return;
   const double side = fine_.side;

@@ -9,7 +9,7 @@
 namespace avo_io {
 
 /// Returns the contour with the steps of stairs, one cell wide and one high, cut off. The cut runs
-/// from one corner that sticks out into free space to the next; it also takes the last cell of a
+/// from one corner that sticks out into free space to the next. It also takes the last cell of a
 /// longer step beside them. Free space only shrinks. A step loses its half of a free cell, so the
 /// new wall is at most half a cell from the old walls.
 Contour without_stairs(const Contour& contour);

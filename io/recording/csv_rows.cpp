@@ -102,7 +102,7 @@ struct CsvRows final : RowSource {
   void sort_group();
 };
 
-// Returns the column of that name in the first line, whose fields these are.
+// Returns the column of that name in the first line, which has these fields.
 std::size_t CsvRows::find_column(std::string_view name) const {
   const auto is_name = [name](std::string_view field) { return field == name; };
   const auto match = std::find_if(fields.begin(), fields.end(), is_name);

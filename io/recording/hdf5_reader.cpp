@@ -119,8 +119,8 @@ Hdf5Handle Hdf5Reader::open_dataset(const char* name) const {
   return {here ? H5Dopen2(file_.id(), name, H5P_DEFAULT) : H5I_INVALID_HID, H5Dclose};
 }
 
-// Refuses a table that promises more than the bytes in the file can hold, or a table with chunks
-// that are larger than those of the writer. HDF5 allocates memory for a whole chunk even if only a
+// Refuses a table that promises more than the bytes in the file can hold. Refuses a table with
+// larger chunks than those of the writer. HDF5 allocates memory for a whole chunk even if only a
 // part of it is read.
 void Hdf5Reader::require_layout(const Hdf5Handle& table, const char* name,
                                 const std::vector<hsize_t>& size) const {

@@ -21,7 +21,7 @@ std::optional<std::int64_t> whole_number(std::string_view text);
 /// the reason.
 std::optional<double> recorded_number(std::string_view column, std::string_view text,
                                       std::string& why);
-/// Returns the integer in a column, at least `least`, in the same way.
+/// The same of an integer in a column, at least `least`.
 std::optional<std::int64_t> recorded_integer(std::string_view column, std::string_view text,
                                              std::int64_t least, std::string& why);
 

@@ -41,7 +41,7 @@ class SpoolWriter {
   std::int64_t times_ = 0;  // in whole records
 };
 
-/// Reads records until the end, or until one that is not whole.
+/// Reads records until the end, or until a record that is not whole.
 class SpoolReader {
  public:
   /// Throws FileError, and RecordingError if even the header is incomplete.

@@ -9,8 +9,8 @@
 
 namespace avo_io {
 
-/// Reads `model`, `heading` and the keys of the robot's model. `heading`: for groups, whose heading
-/// may be a word.
+/// Reads `model`, `heading` and the keys of the robot's model. `heading`: for groups, if their
+/// heading may be a word.
 void read_model(const Reader& reader, const YamlNode& node, const std::string& path,
                 avo::RobotSetup& robot, GroupHeading* heading);
 

@@ -44,7 +44,7 @@ class Reader {
                              const avo::Range& range) const;
   avo::Vec2 point(const YamlNode& node, const std::string& path, const avo::Range& range,
                   std::string_view unit) const;
-  /// Refuses a file whose key `version` is not 1.
+  /// Refuses a file if its key `version` is not 1.
   void require_version(const YamlNode& root) const;
   /// Reads [x, y, z].
   avo::Vec3 place(const YamlNode& node, const std::string& path, const avo::Range& range,

@@ -121,7 +121,7 @@ Json value_schema(const Field<T>& field) {
   return std::visit(visitor, field.member);
 }
 
-/// Returns the schema of a map with the fields of the table and no others; `nested` has the schemas
+/// Returns the schema of a map with the fields of the table and no others. `nested` has the schemas
 /// of values that have keys of their own.
 template <class T>
 Json map_schema(const std::vector<Field<T>>& table, const Json& nested = Json::object()) {

@@ -65,8 +65,8 @@ class YamlBuilder {
   std::size_t values_ = 0;
 };
 
-/// Reports the contents of `yaml` to the builder: text without control characters, whose line ends
-/// are "\n". Each parser has its own version of this function.
+/// Reports the contents of `yaml` to the builder: text without control characters, with line ends
+/// "\n". Each parser has its own version of this function.
 void tell_events(const std::string& yaml, YamlBuilder& builder);
 
 }  // namespace avo_io

@@ -12,7 +12,7 @@ export { TABLE_ROW, TABLE_TIME, type TableForm } from "./recordings.ts";
 export type { Simulation } from "./simulation.ts";
 export type * from "./types.ts";
 
-/** The way a decision was made, by Moment's numbers. */
+/** How a decision was made, by Moment's numbers. */
 export const STATUSES = ["optimal", "least_unsafe", "refused", "braking", "overlapping", "invalid_input", "detour"];
 
 export interface Library {

@@ -111,7 +111,7 @@ function addDocument(source: Source, document: Document.Parsed): void {
   addEvent(source, FAULT, at, why);
 }
 
-/** Returns the events of text without control characters, whose line ends are "\n". */
+/** Returns the events of text without control characters, with line ends "\n". */
 export function eventsOf(text: string): Uint8Array {
   const lines = new LineCounter();
   const documents = parseAllDocuments(text, {

@@ -8,7 +8,7 @@ export interface SceneFile {
   builtin: boolean;
 }
 
-/** Of the plane, or of space: vectors have so many numbers. */
+/** Vectors have so many numbers: of the plane, or of space. */
 export type Dimensions = 2 | 3;
 
 export interface SceneOptions {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Faults of text that is no YAML, in the words and at the places of the command line's parser. That parser and this one
-// continue to different points, so a rare fault has the words of this one. The module has no parser of YAML: the page's
-// own gives the editor every token of a text, and a second one would make the module larger.
+// continue to different points, so a rare fault has the words of this one. The module has no parser of YAML. The page's
+// own parser gives the editor every token of a text, and a second one would make the module larger.
 import type { YAMLError } from "yaml";
 
 export interface Fault {

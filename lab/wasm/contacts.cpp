@@ -49,7 +49,7 @@ void append_overlap(const Disc& disc, const std::string& other, Vec2 nearest, do
   contacts.push_back({{"a", disc.name}, {"b", other}, {"x", at.x}, {"y", at.y}, {"depth", depth}});
 }
 
-/// Appends the contacts of robots whose clearance shows that there is a contact.
+/// Appends the contacts of robots that have a contact by their clearance.
 void append_robots(const avo::FleetView& fleet, const std::vector<Disc>& discs, Json& contacts) {
   const std::span<const float> clearance = clearances_of(fleet);
   std::vector<std::size_t> touched;

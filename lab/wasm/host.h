@@ -28,7 +28,7 @@ namespace avo_lab {
 /// A scene of the plane and its simulation.
 struct PlaneRun {
   avo::Scenario scenario;  ///< as it was read
-  /// the scenario at the start of the simulation: that, or one that was taken over
+  /// the scenario at the start of the simulation: that, or a scenario that was taken over
   avo::Scenario start;
   std::unique_ptr<avo::Simulation> simulation;
   std::unique_ptr<avo::Metrics>
@@ -116,7 +116,8 @@ struct Takeover {
   std::vector<bool> goes_on = {};
 };
 Takeover taken_over_by(const avo::Scenario& text);
-/// Copies the rest of the present simulation's memory into the one that takes over, see Takeover.
+/// Copies the rest of the present simulation's memory into the simulation that takes over, see
+/// Takeover.
 void remember(avo::Simulation& simulation, const std::vector<bool>& goes_on);
 
 // What the host asks of a run of either kind. Texts are JSON.

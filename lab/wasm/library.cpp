@@ -31,7 +31,7 @@ AVO_EXPORT(std::size_t, library)() {
   return into_room(json.dump());
 }
 
-/// Returns the text of the scene whose name is in the room, e.g. circle-100; nothing if there is
+/// Returns the text of the scene with the name in the room, e.g. circle-100; nothing if there is
 /// none.
 AVO_EXPORT(std::size_t, builtin_text)() {
   const std::string name = Input(taken_from_room()).text();

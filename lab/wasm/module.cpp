@@ -24,9 +24,9 @@ namespace {
 
 std::vector<std::byte> room;
 
-/// Reads the source as the host has stored it: name, text, whether robots start at rest and within
-/// the admissible speed, whether it comes from a recording. Overrides and files follow, each list
-/// with its number in front.
+/// Reads the source as the host has stored it. First come name, text, whether robots start at rest
+/// and within the admissible speed, and whether the source comes from a recording. Overrides and
+/// files follow, each list with its number in front.
 avo_io::SceneSource source_of(Input& input) {
   avo_io::SceneSource source{input.text(), input.text(), {}, {}};
   source.start_at_rest = input.whole() != 0;
@@ -129,7 +129,7 @@ AVO_EXPORT(std::uint32_t, dimensions)() {
   return std::holds_alternative<SpaceRun>(run()) ? 3 : 2;
 }
 
-/// Continues from the state in the room, as Simulation::save() wrote it on any machine; if there is
+/// Continues from the state in the room, as Simulation::save() wrote it on any machine. If there is
 /// a scene already, the state must belong to it.
 AVO_EXPORT(void, restore)() {
   const std::vector<std::byte> saved = taken_from_room();

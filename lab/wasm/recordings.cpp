@@ -152,7 +152,7 @@ AVO_EXPORT(std::size_t, recording_header)() {
   return into_room(json.dump(-1, ' ', false, Json::error_handler_t::replace) + '\n' + texts);
 }
 
-/// Begins to read the host's file, whose name is in the room, as a table of that many dimensions
+/// Begins to read the host's file with the name in the room, as a table of that many dimensions
 /// with so many robots at most.
 AVO_EXPORT(void, open_table)(std::uint32_t dimensions, std::uint32_t most_robots) {
   const std::string name = Input(taken_from_room()).text();
@@ -164,8 +164,8 @@ AVO_EXPORT(void, open_table)(std::uint32_t dimensions, std::uint32_t most_robots
 }
 
 /// Reads the next times, and none at the end. Each time has the numbers s, steps from row to row
-/// and rows, and each row has a robot's number, x, y, vx, vy, heading and speed; in space a robot's
-/// number, x, y, z, vx, vy, vz.
+/// and rows. Each row has a robot's number, x, y, vx, vy, heading and speed. In space it has a
+/// robot's number, x, y, z, vx, vy, vz.
 AVO_EXPORT(std::size_t, read_table)() {
   std::vector<double> numbers;
   while (numbers.size() < kPart && append_next(numbers)) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A run in space as it is now: its state as columns, and the pairs that overlap.
+// The present state of a run in space, as columns, and the pairs that overlap.
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>

@@ -83,7 +83,7 @@ bool keeps_reach(const Robot& robot, const CandidatePath& path, const StepLaw& l
   return path.way + stopping_length(path.braking, law) <= kRounding * expected;
 }
 
-// Returns whether the robot moves on the judged path; one that turns in place moves its discs.
+// Returns whether the robot moves on the judged path. A robot that turns in place moves its discs.
 bool moves(const CertificateConstraints& constraints) {
   const auto& discs = constraints.footprint.all();
   return constraints.path.moving > 0 ||

@@ -20,8 +20,8 @@ BrakingPose braking_pose(const Robot& robot, const StepLaw& law);
 BrakingPose braking_pose(const MotionModel& model, Vec2 velocity, double heading,
                          double max_braking, const StepLaw& law);
 
-/// One disc of a robot with a footprint, as a robot: at the center about which it turns, with a
-/// radius that covers it while the robot brakes. Its model and its heading are those of the robot.
+/// One disc of a robot with a footprint, as a robot. It is at the center about which it turns. Its
+/// radius covers it while the robot brakes. Its model and its heading are those of the robot.
 Robot disc_of(const Robot& robot, const BrakingPose& pose, int k);
 /// The same of a neighbor; it has no footprint then.
 Neighbor disc_of(const Neighbor& neighbor, int k);

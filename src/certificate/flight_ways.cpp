@@ -11,8 +11,8 @@
 namespace avo::inline certificate {
 namespace {
 
-// The largest distance of a step from the parabola with the same ends and the same first velocity:
-// 2 h³/81 times the largest third derivative, which is 3 a s κ to the left and -s³ κ² ahead.
+// The largest distance of a step from the parabola with the same ends and the same first velocity.
+// It is 2 h³/81 times the largest third derivative, which is 3 a s κ to the left and -s³ κ² ahead.
 double bend_of(double speed, double next_speed, double curvature, double h) {
   const double top = std::max(speed, next_speed), turn = top * std::abs(curvature);  // rad/s
   const double change = std::abs(next_speed - speed) / h;

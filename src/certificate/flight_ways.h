@@ -22,8 +22,8 @@ bool take_first_flight(const WayOptions& options, Surroundings& around, const Mo
 void take_no_flight(Surroundings& around, Vec2 velocity);
 /// Returns whether A keeps clear, (C1) and (C3), if it circles at once.
 bool may_circle(const WayOptions& options, Surroundings& around);
-/// Returns whether A keeps clear, (C1) and (C3), if it holds the control for some steps, and then
-/// it circles. around.last is then the state in which it begins to circle.
+/// Returns whether A keeps clear, (C1) and (C3), if A holds the control for some steps and then
+/// circles. around.last is then the state in which it begins to circle.
 bool may_circle_after(const WayOptions& options, Surroundings& around,
                       const FlightControl& control);
 

@@ -15,7 +15,7 @@ std::size_t count_of(const Footprint& footprint) {
   return static_cast<std::size_t>(footprint.discs);
 }
 
-// Of a drive: its heading is within a spread throughout the step.
+// For a drive, with a heading within a spread throughout the step.
 void swing_with(const BrakingPose& within, const WayOptions& options, const WayState& from,
                 const MotionStep& step, WayDiscs& discs) {
   for (int k = 0; k < options.footprint.discs; ++k) {

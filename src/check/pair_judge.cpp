@@ -69,8 +69,8 @@ void PairJudge::meet_robots(const MovingDisc& a, const MovingDisc& b, const Judg
   note(overlaps_, overlap);
 }
 
-// A robot that moves at all in a step rests only at single instants of it: the first and the last
-// instant of the contact suffice.
+// A robot that moves at all in a step rests only at single instants of it. So the first and the
+// last instant of the contact suffice.
 void PairJudge::meet_mover(const MovingDisc& robot, const MovingDisc& other, const JudgedStep& step,
                            Contacts& contacts) {
   const auto path = relative_pieces(robot, other, step.duration);

@@ -57,7 +57,7 @@ inline Halves halved(const Cubic& q) {
 
 /// m: the least distance of the path from the body, to 1e-12 m and the rounding of its places.
 /// Where it is at least `enough`, any value that is at least `enough`. The path lies in the hull of
-/// its four points; the plane across the direction from the body to the middle of the path bounds
+/// its four points. The plane across the direction from the body to the middle of the path bounds
 /// the hull's distance from below.
 template <typename Body>
 double least_distance(const Cubic& path, const Body& body, double enough) {

@@ -2,8 +2,8 @@
 // How near a body comes to a segment over one step, and when.
 //
 // The points within some distance of a segment are two discs around its ends and a rectangle. The
-// discs are those of two bodies. In the rectangle, the distance is that from the segment's line: a
-// cubic in time, which is least at an end of the step, where it turns, or where it is zero.
+// discs are those of two bodies. In the rectangle, the distance is that from the segment's line.
+// This is a cubic in time. It is least at an end of the step, where it turns, or where it is zero.
 #include "check/wall_path.h"
 
 #include <algorithm>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// One number with the interface of many: kernels written over a pack of lanes run on these one at a
+// One number with the interface of many. Kernels written over a pack of lanes run on these one at a
 // time. core/lanes.h has the same names for Highway's vectors.
 #pragma once
 #include <array>

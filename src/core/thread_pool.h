@@ -33,9 +33,9 @@ struct Patience {
 /// the data of a task stay in the cache of one processor from step to step. A worker that has
 /// finished its share takes tasks of the next workers' shares.
 ///
-/// The gate tells the helpers about work, in one number: how many helpers are inside, whether it is
-/// open, and how many times it has been opened. A helper enters an open gate once. The caller
-/// closes it when no task is left, and waits for the helpers inside.
+/// The gate tells the helpers about work, in one number. This number has how many helpers are
+/// inside, whether the gate is open, and how many times it has been opened. A helper enters an open
+/// gate once. The caller closes it when no task is left, and waits for the helpers inside.
 class ThreadPool final : public Executor {
  public:
   /// The caller counts as one worker; 1 to kMostWorkers. Threads start with the first run(). If the

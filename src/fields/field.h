@@ -21,8 +21,8 @@
 
 namespace avo::inline fields {
 
-/// The kinds of values that the fields of T may have, by default those that many structs have.
-/// std::monostate stands for a value with keys of its own, which code reads.
+/// The kinds of values that the fields of T may have, by default those that many structs have. A
+/// value with keys of its own, which code reads, is a std::monostate.
 template <class T, class... Kinds>
 using MemberOf = std::variant<std::monostate, Kinds T::*...>;
 template <class T>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "guidance/follower.h"
 
-#include "guidance/held_passages.h"
+#include "guidance/rules/held_passages.h"
 
 namespace avo::inline guidance {
 

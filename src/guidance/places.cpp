@@ -34,10 +34,11 @@ double place_reach(const Resting& other) {
   return (1.0 + kPlaceGap) * other.reach;
 }
 
-// The free place in sight of least cost. The cost is the distance from there to the next point of
-// the route (the goal or a corner), and a part of the distance to the place. Where the next point
-// is taken, the nearest free place lies on a circle around a robot at rest. It is where the circle
-// is nearest to the next point, where it meets another circle or a wall, or where it is last seen.
+// The free place in sight of least cost. The cost is the distance from the place to the next point
+// of the route, the goal or a corner. A part of the distance to the place is added. Where the next
+// point is taken, the nearest free place lies on a circle around a robot at rest. It is where the
+// circle is nearest to the next point, where it meets another circle or a wall, or where it is last
+// seen.
 class PlaceSearch {
  public:
   PlaceSearch(const Seeker& seeker, const Occupied& occupied, std::span<const Wall> walls)
@@ -167,7 +168,7 @@ class PlaceSearch {
   std::span<const Wall> walls_;
   Vec2 best_;
   double cost_ = 0.0;        // m
-  std::size_t blocker_ = 0;  // the last one that was found
+  std::size_t blocker_ = 0;  // the last place that was found
 };
 
 bool stands_on_goal(const Resting& other) {

@@ -17,8 +17,8 @@
 
 namespace avo::inline guidance {
 
-/// A part of the radius: a robot may be this much farther off than arrival_distance and still count
-/// as there, for a goal that it cannot reach. The nearest place keeps a little more than the radius
+/// A part of the radius. At a goal that it cannot reach, a robot may be this much farther off than
+/// arrival_distance and still count as there. The nearest place keeps a little more than the radius
 /// from walls.
 inline constexpr double kBesideSlack = 1e-5;
 
@@ -29,7 +29,7 @@ enum class WayEnd : std::uint8_t {
   short_of,  ///< the nearest reachable place, farther off
 };
 
-/// What a robot remembers where passages are held (docs/arrival.md, rule 13).
+/// What a robot remembers where passages are held (docs/arrival.md, rule 11).
 struct Waiting {
   // m, the least remaining length of its route so far
   double least = std::numeric_limits<double>::infinity();

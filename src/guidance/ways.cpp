@@ -14,8 +14,8 @@ namespace {
 constexpr double kSightReach = 0.1;  // m
 constexpr double kJoint = 1e-9;      // m: lines of sight do not pass where pieces of walls touch
 // Where corners are many, a robot searches for its own route at first. A whole map is made once
-// robots have asked often for its goal, as long as all whole maps together have no more corners
-// than that.
+// robots have asked often for its goal. This holds while all whole maps together have no more
+// corners than that.
 constexpr std::uint32_t kAskedOften = 4;
 constexpr std::size_t kMostKeptCorners = 4'000'000;
 

@@ -41,17 +41,17 @@ constexpr std::size_t program_rows(std::size_t planes) {
 /// Among equally unsafe points (two parallel half-planes leave a segment of them) it is the one
 /// nearest `preferred`. discs_disjoint disregards the half-planes.
 ///
-/// Bounds, with ulp = 2^-52, c and r of the disc in question, and m = |c| + r of the smaller disc,
-/// or of the larger one where the circles cross, none of them denormal:
+/// Bounds, with ulp = 2^-52, and c and r of the disc in question, none of them denormal. m is
+/// |c| + r of the smaller disc, or of the larger disc where the circles cross:
 ///  (1) |point - c| <= r + 4 ulp (|c| + r) for both discs, hence r (1 + 4 ulp) around the origin;
-///      the speed disc is left only, and knowingly, in state discs_disjoint;
+///      the speed disc is left only in state discs_disjoint;
 ///  (2) half-planes are violated by 32 ulp m at most if state is optimal; 8 ulp (|c| + r) of the
 ///      smaller disc count as none.
 ///  (3) turning all vectors by 90 degrees turns the point, and multiplying all lengths by 2^k
 ///      multiplies it, bit for bit.
 ///
-/// The half-plane violated most is taken next, the first of equals: O(n^2) at worst for the
-/// program, O(n^3) for the least unsafe point, but few of n are ever taken. `scratch` grows to
+/// The half-plane violated most is taken next, the first of equals. At worst this is O(n^2) for the
+/// program and O(n^3) for the least unsafe point, but few of n are ever taken. `scratch` grows to
 /// program_rows(planes.size()); nothing else is allocated.
 ProgramResult nearest_point(std::span<const HalfPlane> planes, const Disc& acceleration,
                             double top_speed, Vec2 preferred, ProgramRows& scratch);

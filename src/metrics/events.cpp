@@ -95,8 +95,8 @@ void Events::State::observe_goal(const Simulation& simulation, std::size_t row, 
   robot.goal = goal, robot.at_goal = is_at_goal;
 }
 
-// The part of the route that the robot made is at most what it moved: a route that changes, as when
-// a door opens, is no progress.
+// The part of the route that the robot made is at most what it moved. So a route that changes, as
+// when a door opens, is no progress.
 void Events::State::observe_progress(const Simulation& simulation, std::size_t row, Vec2 position,
                                      bool has_new_goal) {
   Watched& robot = robots[row];

@@ -14,9 +14,9 @@ struct IdealTrip {
   bool stops = true;          // at the goal; if false, it passes
 };
 
-/// s, of the trapezoidal profile: to the top speed at full acceleration, on at it, and with full
-/// braking so that it comes to rest at the goal. The time ends where it has arrived. It is infinite
-/// if the route is infinite or the speed is 0.
+/// s, of the trapezoidal profile: the robot speeds up to its top speed, keeps it, and brakes in
+/// full to come to rest at the goal. The time ends where it has arrived. It is infinite if the
+/// route is infinite or the speed is 0.
 double ideal_time(const IdealTrip& trip);
 
 }  // namespace avo::inline metrics

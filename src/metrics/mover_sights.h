@@ -13,9 +13,9 @@
 
 namespace avo::inline metrics {
 
-/// The moving obstacles that each robot senses. For each obstacle it stores whether the robot had
-/// an evasive maneuver beside everything that it sensed when the obstacle last came into its sight
-/// (docs/metrics.md).
+/// The moving obstacles that each robot senses. For each moving obstacle it stores whether the
+/// robot had an evasive maneuver when that obstacle last came into its sight. Such a maneuver keeps
+/// clear of everything that the robot sensed then (docs/metrics.md).
 class MoverSights {
  public:
   /// For scenes with a certificate and moving obstacles; in others nothing is examined.

@@ -43,7 +43,7 @@ void WallContacts::observe(std::span<const Body> robots, const std::optional<Res
     const Wall& wall = walls[k];
     thickest = std::max(thickest, wall.radius);
     if (least_clearance) continue;
-    // any robot bounds the smallest clearance: the first one that heeds the wall, in its place
+    // any robot bounds the smallest clearance: the first robot that heeds the wall, in its place
     const auto first = std::find_if(robots.begin(), robots.end(),
                                     [&](const Body& robot) { return concerns(layers[k], robot); });
     if (first == robots.end()) continue;

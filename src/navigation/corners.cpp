@@ -152,8 +152,8 @@ class CornerFinder {
   struct EndGap {
     Vec2 middle, across;  // m; unit
   };
-  // Adds the point where the middle lines of two gaps at one end meet: the route bends around that
-  // end between walls on its other side.
+  // Adds the point where the middle lines of two gaps at one end meet. The route bends around that
+  // end, between walls on its other side.
   void add_in_bend(const EndGap& one, const EndGap& other, double widest) {
     const double sine = cross(one.across, other.across);
     const Vec2 apart = other.middle - one.middle;

@@ -93,8 +93,8 @@ struct LegChoice {
   }
 };
 
-// The same by a search: it settles targets in the order of their routes, so the first one in view
-// is the best, up to rounding.
+// The same by a search. The search settles targets in the order of their routes, so the first one
+// in view is the best, up to rounding.
 std::uint32_t best_by_search(const Lookout& lookout) {
   if (!lookout.map().is_free) return PathMap::kNothing;
   Horizons horizons(lookout.p, std::min(lookout.room, lookout.graph.radius));

@@ -15,8 +15,8 @@
 
 namespace avo::inline navigation {
 
-/// Where robots that want to enter a passage wait for robots that come out: radii of the passage,
-/// from a mouth outwards, and from the axis.
+/// Where robots that want to enter a passage wait for robots that come out. Both are radii of the
+/// passage, from a mouth outwards, and from the axis.
 inline constexpr double kBayOut = 1.2;
 inline constexpr double kBayAside = 3.1;
 
@@ -30,7 +30,7 @@ struct Passage {
   double radius = 0.0;          // m, of the largest robots that fit
   bool two_lanes = false;
   /// The side of the bay for robots that enter at the first and at the last mouth: 1 right, -1
-  /// left, where walls leave room for it only there.
+  /// left. It is left where walls leave room for the bay only there.
   std::array<double, 2> bay_side = {1.0, 1.0};
   [[nodiscard]] double length() const { return along.back(); }
 };

@@ -74,7 +74,7 @@ inline Vec2 point_of(const CornerGraph& graph, const PathMap& map, std::uint32_t
 }
 
 /// Adds the route from that corner on to a map without one, if `known` has an entry for each corner
-/// on it; returns false if one is missing.
+/// on it. Returns false if an entry is missing.
 template <typename Known>
 bool add_way(const CornerGraph& graph, std::uint32_t corner, const Known& known, PathMap& map);
 

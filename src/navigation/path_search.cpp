@@ -50,8 +50,8 @@ void PathSearch::reach_from_goal() {
   }
 }
 
-// Between two routes of one length, the one with the next corner nearer to the goal, or with the
-// lower number, comes first: Dijkstra's algorithm has the same order.
+// Between two routes of one length, the next corner decides: the corner nearer to the goal comes
+// first, or the one with the lower number. Dijkstra's algorithm has the same order.
 bool PathSearch::comes_first(std::uint32_t next, std::uint32_t other) const {
   if (next == PathMap::kGoal || other == PathMap::kGoal) return other != PathMap::kGoal;
   const double length = this->length(next), other_length = this->length(other);

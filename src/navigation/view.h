@@ -82,8 +82,8 @@ class ViewIndex {
 
  private:
   using Cell = SegmentGrid::Cell;
-  // The cells of the ring around the middle through which one may see on: all cells around a place
-  // outside, and otherwise those beside cells in view.
+  // The cells of the ring around the middle through which the view may go on. Around a place
+  // outside these are all cells, and otherwise those beside cells in view.
   void next_ring(Cell middle, std::int64_t away, bool is_inside, const std::vector<Cell>& in_view,
                  std::vector<Cell>& ring, std::vector<char>& is_in_ring) const;
   template <typename Visit>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The line around a wall on which the center of a disc that touches the wall lies: two straight
-// sides, and circles around the wall's ends.
+// The line around a wall on which the center of a disc lies that touches the wall. It has two
+// straight sides, and circles around the wall's ends.
 #pragma once
 #include <array>
 #include <cmath>

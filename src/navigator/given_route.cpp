@@ -18,8 +18,8 @@ namespace {
 constexpr double kLags = 1.3;
 constexpr double kBackOn = 4.0;  // times the look-ahead: so far on it searches for its place
 constexpr double kFaster = 0.7;  // of a_max, to become faster
-// Radii: at first the robot takes its place on the first stretch of the route that is at most so
-// much farther off than the nearest one. A closed route thus begins at its start.
+// Radii. At first the robot takes its place on a stretch of the route. It is the first stretch that
+// is at most so much farther off than the nearest one. A closed route thus begins at its start.
 constexpr double kBegins = 2.0;
 
 CornerGraph graph_of(const std::vector<Vec2>& points, double radius, std::span<const Wall> walls) {
@@ -59,8 +59,8 @@ std::optional<Heading> way_back(Ways& ways, const Follower& robot, Vec2 aim, OnR
                 ways.scratch());
 }
 
-// m/s: the speed that the corners ahead leave it, and from which it can still turn: more of a
-// change would leave nothing of a_max for the direction.
+// m/s: the speed that the corners ahead leave the robot, and from which it can still turn. More of
+// a change would leave nothing of a_max for the direction.
 double speed_of(const Follower& robot, double speed, const Pursuit& pursuit, const OnRoute& on) {
   const Cornering& cornering = pursuit.cornering;
   const double seen = std::min(on.along + cornering.lag * speed, on.next().along);

@@ -126,8 +126,8 @@ std::shared_ptr<const GivenRoute> path_of_car(const NavigatorState& state, const
   return route;
 }
 
-// The route through the corners of the mission. Of a route of somebody else's planner, the points
-// left out and the arcs together keep within the tolerance.
+// The route through the corners of the mission. In a route of another planner, the points left out
+// and the arcs together keep within the tolerance.
 std::shared_ptr<const GivenRoute> route_of(NavigatorState& state, Memory& memory,
                                            const Robot& robot) {
   Rounding rounding = rounding_of(state, robot);

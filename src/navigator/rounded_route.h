@@ -40,8 +40,8 @@ class RoundedRoute {
   [[nodiscard]] Vec2 at(double along) const;               // m; along: m, from the start
   /// m from the start, of the point nearest to p between both; the first one of several.
   [[nodiscard]] double nearest(Vec2 p, double from, double to) const;
-  /// m from the start, of the nearest point to p of the first stretch up to `to` that is at most so
-  /// much farther from p than all of the route, m.
+  /// m from the start: the nearest point to p of a stretch. The stretch is the first one up to `to`
+  /// that is at most `farther` m farther from p than the route is.
   [[nodiscard]] double first_near(Vec2 p, double farther, double to) const;
   /// m/s: the largest speed at a place from which the robot can slow down before the arcs.
   /// most: m/s, at least as much as it wants.

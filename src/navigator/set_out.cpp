@@ -20,8 +20,8 @@ namespace {
 
 // T: others must have stood on the goal for as long. A robot that only waits there moves on.
 constexpr double kStand = 2.0;
-// The rest of a route leads to its end where it is at most so many times as long as the straight
-// line, and so many radii more.
+// The rest of a route leads to its end if it is not much longer than the straight line. It may be
+// so many times as long, and so many radii more.
 constexpr double kDirect = 1.5, kNearEnd = 4.0;
 constexpr std::size_t kRoomFor = 64;  // neighbors; memory for more is allocated when it is needed
 

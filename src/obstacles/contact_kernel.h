@@ -11,8 +11,8 @@ AVO_BEGIN_KERNELS
 
 /// [m/s] The demand on n . w for a pair `depth` > 0 deep, n . v = along, over the shortest window T
 /// in [Δt, τ] after which the pair can be apart. A window needs d(T) = (depth - T along)/g(T),
-/// which falls as long as it is positive. The window is Δt where d(Δt) is within reach R, and else
-/// the window with d = R. A result above R means that even τ is too short.
+/// which falls as long as it is positive. The window is Δt if d(Δt) is within reach R, and else the
+/// window with d = R. A result above R means that even τ is too short.
 template <typename Real>
 AVO_KERNEL Real separating(Real depth, Real along, Real R, const Horizon& horizon) {
   const auto demand = [&](const ResponseAt& window) {

@@ -79,7 +79,7 @@ AVO_KERNEL PairApproach<Real> approach(const Local<Real>& pair) {
 }
 
 // Two starts, each near the root where the other is far. One is the lag of the latest time, the
-// other is |x| linear in t halfway through the disc of radius r.
+// other is |x| linear in t at the middle of the disc of radius r.
 template <typename Real>
 AVO_KERNEL Real first_sigma(const Local<Real>& pair, const PairApproach<Real>& approach,
                             Real cosine, const ResponseTable& table, Real low, Real high) {

@@ -83,7 +83,7 @@ void reserve(std::size_t pairs, HalfPlaneWorkspace& workspace, PlaneColumns& pla
 void half_planes(const PairColumns& pairs, const Horizon& horizon, HalfPlaneWorkspace& workspace,
                  PlaneColumns& planes);
 
-/// The same of orca_half_plane(). Of the cases only those in contact are counted.
+/// The same of orca_half_plane(). Only the cases in contact are counted.
 void orca_half_planes(const PairColumns& pairs, double time_horizon, double time_step,
                       HalfPlaneWorkspace& workspace, PlaneColumns& planes);
 

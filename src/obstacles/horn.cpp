@@ -109,8 +109,8 @@ void cross_turning(const HornSearch& search, const Touch& from, const Touch& to,
   cross(search, second, to, corners);
 }
 
-// Earlier than this a pair in contact looks like a pair that touches at rest: its discs have tended
-// to a half-plane, to first order in t.
+// Earlier than this a pair in contact looks like a pair that touches at rest. To first order in t,
+// its discs have tended to a half-plane.
 double contact_time(const HornSearch& search) {
   return 1e-7 * std::min(search.horn.pair.r.value / search.speed, search.table.control_time);
 }

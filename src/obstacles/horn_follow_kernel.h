@@ -11,7 +11,7 @@
 
 AVO_BEGIN_KERNELS
 
-// The time with the lag t_m, where y comes nearest, by two steps of Newton's iteration: the region
+// The time with the lag t_m, where y comes nearest, by two steps of Newton's iteration. The region
 // between the cusps of a close pass lies around it.
 template <typename Real>
 AVO_KERNEL Real cusp_time(Real t_m, const ResponseTable& table) {

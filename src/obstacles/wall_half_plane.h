@@ -17,11 +17,12 @@ struct WallPair {
 
 WallPair relative(const Robot& robot, const Wall& wall);
 
-/// Tangent at the point of the boundary of hull(D(0, reach) ∩ AVO) nearest to w = 0; AVO is the
-/// union of the obstacles of all points of the wall. reach = δ a_A, m/s. half_plane() where a == b.
-/// (1) sound: |w| <= reach and n . w >= h imply a distance of at least r on (0, τ]; (2) h <= reach;
-/// where every reachable w collides h = reach, and excess says by how much more; (3) ties are
-/// broken towards the left of the wall's normal, so that A passes on its right.
+/// Tangent at the point of the boundary of hull(D(0, reach) ∩ AVO) nearest to w = 0. AVO is the
+/// union of the obstacles of all points of the wall. reach = δ a_A, m/s. Where a == b it equals
+/// half_plane().
+/// (1) sound: |w| <= reach and n . w >= h imply a distance of at least r on (0, τ];
+/// (2) h <= reach; where every reachable w collides h = reach, and excess says by how much more;
+/// (3) ties are broken towards the left of the wall's normal, so that A passes on its right.
 RelativeHalfPlane wall_half_plane(const WallPair& pair, double reach, const Horizon& horizon);
 
 /// The limit δ -> 0, reach -> infinity; orca_half_plane() where a == b.

@@ -23,7 +23,7 @@ inline std::size_t planned_with(const PlannerOptions& options, const Neighbors& 
   return planned_with(options, neighbors.size() + neighbors.hidden) - neighbors.hidden;
 }
 
-/// Makes the neighbor one that moves on. A neighbor that does not move on has no stated
+/// Makes the neighbor a robot that moves on. A neighbor that does not move on has no stated
 /// acceleration. A neighbor that decides has no stated deviation, and no likely one.
 inline void become_mover(Neighbor& neighbor) {
   if (shares(neighbor)) neighbor.acceleration = {}, neighbor.trajectory = nullptr;

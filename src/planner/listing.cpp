@@ -78,7 +78,7 @@ void list_walls_of_flight(const Robot& robot, double time_step, std::span<const 
   }
 }
 
-// Adds the walls near a robot, or near a disc of it. Of several discs the nearest counts.
+// Adds the walls near a robot, or near a disc of it. The nearest of several discs counts.
 void add_walls(const WallConstraints& walls, std::vector<WallConstraint>& constraints) {
   for (const NearWall& wall : walls.near) {
     const NearestPoints nearest = nearest_points({{}, walls.stop}, wall.segment);

@@ -38,9 +38,10 @@ struct NoTrace {
 /// The reasons of one robot's decision. Neighbors are numbered in the order of planning.
 struct TraceRecord {
   DecisionTrace decision;
-  Vec2 steered;                         ///< m/s: the preferred velocity that wheels and wings leave
-  bool has_target = false;              ///< whether the decision has come to its target
-  std::vector<Cause>* asked = nullptr;  ///< receives who refuses what was asked for last
+  Vec2 steered;             ///< m/s: the preferred velocity that wheels and wings leave
+  bool has_target = false;  ///< whether the decision has come to its target
+  /// receives which neighbor or wall refuses what was asked for last
+  std::vector<Cause>* asked = nullptr;
 };
 
 struct Recorder {

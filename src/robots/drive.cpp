@@ -5,9 +5,9 @@
 //   v' = a·h + σ²/L,   σ' = a·n - v σ/L,   wheels: v ± k σ, and v' ± k σ'.
 // While a is held, q moves on a parabola, and the heading follows by h' = (σ/L) n.
 //
-// S = {V² G(φ)/L <= α_w - a_D √(1 + k²), V W(φ) <= w_max}, with V the speed of q, φ the angle of
-// its velocity off the heading, and a_D = change_limit(), is kept by straight braking at up to a_D,
-// and so are the wheels' limits (docs/certificate/wheels.md, "Differential drives").
+// Let S = {V² G(φ)/L <= α_w - a_D √(1 + k²), V W(φ) <= w_max}, with V the speed of q, φ the angle
+// of its velocity off the heading, and a_D = change_limit(). Straight braking at up to a_D keeps S
+// and the wheels' limits (docs/certificate/wheels.md, "Differential drives").
 #include "robots/drive.h"
 
 #include <algorithm>

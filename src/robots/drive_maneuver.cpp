@@ -91,7 +91,7 @@ struct TurningRoom {
     return 0.0;
   }
   // The shortest straight move in that direction behind which the turn is clear, or else the
-  // longest one that is clear.
+  // longest piece that is clear.
   [[nodiscard]] StraightMove straight_move(double gear) const {
     StraightMove move{gear};
     const double most = kFarthestMove * robot.radius;

@@ -50,9 +50,9 @@ Vec2 steered_near(const DifferentialDrive& drive, const Robot& robot, const Appr
 
 }  // namespace
 
-// Far from its goal it moves straight to the goal, and turns as q does. If the goal is behind it,
-// it first turns on the spot, as q goes round the axle; it turns right where both directions are
-// equally long.
+// Far from its goal the drive moves straight to the goal, and turns as q does. If the goal is
+// behind the drive, it first turns on the spot, as q goes round the axle. It turns right where both
+// directions are equally long.
 Vec2 steered(const DifferentialDrive& drive, const Robot& robot, const Approach& approach) {
   const Vec2 wish = robot.preferred_velocity, h = ahead_of(robot.heading);
   const double speed = norm(wish);

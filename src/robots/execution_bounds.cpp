@@ -50,7 +50,7 @@ double executable(const ExecutionModel& model, double wanted) {
 
 namespace {
 
-// m/s: the largest distance of a coordinate from one that is executable.
+// m/s: the largest distance of a coordinate from the nearest executable one.
 double rounding_of(const ExecutionModel& model) {
   return 0.5 * std::max(least_speed(model), model.quantum);
 }

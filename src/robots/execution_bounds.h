@@ -39,7 +39,8 @@ Vec2 command_towards(const ExecutionModel& model, const MotionState& after, Vec2
 Vec2 still_to_come(std::span<const Vec2> sent, std::size_t next, double dead_time,
                    double time_step);
 
-/// m/s: the coordinate nearest to the wanted one that the base executes as it is; 0 if two are.
+/// m/s: the coordinate nearest to the wanted one that the base executes without change; 0 if two
+/// are.
 double executable(const ExecutionModel& model, double wanted);
 inline Vec2 executable(const ExecutionModel& model, Vec2 wanted) {
   return {executable(model, wanted.x), executable(model, wanted.y)};

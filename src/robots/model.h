@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// The interface of motion models for all other code: what a model answers, the motion after a
-// decision, its distance from the fallback, the decisions that it can follow, and its steering. A
-// robot that cannot rest falls back on a circle (src/robots/flight.h), every other robot on
-// straight braking of its disc (src/certificate/braking_path.h).
+// The interface of motion models for all other code. It has what a model answers, the motion after
+// a decision, and its distance from the fallback. It also has the decisions that a robot can
+// follow, and its steering. A robot that cannot rest falls back on a circle (src/robots/flight.h),
+// every other robot on straight braking of its disc (src/certificate/braking_path.h).
 //
 // Everything is about the robot's disc, see disc_center(). Only src/robots distinguishes models.
 #pragma once
@@ -70,8 +70,8 @@ inline constexpr std::size_t kMostModelSteps = 16;
 /// At most kMostModelSteps of them.
 void advance_together(std::span<ModelStep> steps, double time_step);
 
-/// The same step of each disc of the robot's footprint: state.position is that of the robot, and
-/// step.next.position is as far from it as the disc has moved. Of a drive it is the robot's own
+/// The same step of each disc of the robot's footprint. state.position is that of the robot, and
+/// step.next.position is as far from it as the disc has moved. For a drive it is the robot's own
 /// step alone, without the turn of its discs.
 void advance_discs(const MotionModel& model, const MotionLimits& limits, const MotionState& state,
                    const Plan& plan, double time_step, std::span<MotionStep> discs);

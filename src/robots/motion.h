@@ -23,8 +23,8 @@ struct MotionState {
 struct MotionStep {
   MotionState next;
   double acceleration = 0.0;  // m/s^2, the largest |a| within the step
-  // m: at time t of the step the disc is within bend t²/Δt² of the parabola with the same ends and
-  // the start velocity state.velocity + swing; infinite where that is not known
+  // m: at time t of the step the disc is within bend t²/Δt² of a parabola. This has the same ends,
+  // and the start velocity state.velocity + swing. Infinite where that is not known
   double bend = 0.0;
   Vec2 swing = {};   // m/s, of a disc ahead of the axle that the robot turns about
   double way = 0.0;  // m, an upper bound of the length of the disc's path; not for holonomic robots

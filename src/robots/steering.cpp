@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // The steering of a car that cannot turn in place. It drives towards its goal by pure pursuit
 // (Coulter, CMU 1992), on the circle that begins along the heading and passes through the goal. If
-// the goal is inside its turning circle, it drives away until the goal is outside: straight ahead,
-// or straight back where it may drive backwards.
+// the goal is inside its turning circle, the car drives away until the goal is outside. It drives
+// straight ahead, or straight back where it may drive backwards.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -81,7 +81,7 @@ Vec2 steered_along(const Car& car, const Robot& robot, Vec2 ahead) {
   return bent(ahead, x, y, std::min(speed, top));
 }
 
-// A car that turns in place would turn to and fro at its goal: its disc swings there, and rounding
+// A car that turns in place would turn to and fro at its goal. Its disc swings there, and rounding
 // leaves a part of the distance.
 Vec2 steered(const Car& car, const Robot& robot, const Approach& approach) {
   const double speed = norm(robot.preferred_velocity);

@@ -14,7 +14,7 @@
 
 AVO_BEGIN_KERNELS
 
-// So many places are tested together: the number of points in a cell cannot be predicted, and a
+// So many places are tested together. The number of points in a cell cannot be predicted, and a
 // mispredicted branch costs more than a few unused tests.
 template <typename Real>
 constexpr std::size_t kTogether = Real::kLanes >= 4 ? 16 : Real::kLanes;

@@ -12,10 +12,10 @@ enum class Patience {
 };
 
 /// From here on, the first SIGINT, SIGTERM, SIGQUIT or SIGHUP (unless that is ignored, as under
-/// nohup) is only noted. The program ends with 128 + the signal's number if it has not ended a
-/// second later (Patience; with none at once), and at once on a second signal. It then kills a
-/// child process and removes incomplete files. Call this before other threads start: they inherit
-/// the mask of these signals.
+/// nohup) is only noted. If the program has not ended a second later (Patience; with none at once),
+/// it ends with 128 + the signal's number. A second signal ends it at once. In both cases the
+/// program kills a child process and removes incomplete files first. Call this before other threads
+/// start: they inherit the mask of these signals.
 void catch_signals(Patience patience = Patience::a_second);
 
 /// Returns the noted signal, or 0.

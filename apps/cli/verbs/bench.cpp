@@ -49,7 +49,7 @@ Course course_of(const Scenario& scenario, const BenchArguments& arguments) {
   if (arguments.steps) return {kWarmUp, *arguments.steps, false};
   const auto robots = static_cast<std::int64_t>(scenario.robots.size());
   const std::int64_t most = std::max(kFewest, kRobotSteps / robots);
-  // its robots arrive one by one: the scene is representative only while nearly all are under way
+  // its robots arrive one by one: the scene is representative only while nearly all are moving
   if (scenario.name.starts_with("uniform-")) return {kWarmUp, std::min(kUnderWay, most), false};
   return {0, std::min(last_step_of(scenario), most), true};
 }

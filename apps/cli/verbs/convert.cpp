@@ -76,8 +76,8 @@ ExportFormat format_of(const ConvertArguments& arguments) {
                   arguments.output, avo_io::printable(ending, kLongestWord)));
 }
 
-/// The scene of --scene for a recording of another program: its robots have a method of their own,
-/// that cannot be asked again. --set may still change it.
+/// The scene of --scene for a recording of another program. Its robots have a method of their own,
+/// which cannot be asked again. --set may still change it.
 SceneArguments by_another_method(const ConvertArguments& arguments) {
   SceneArguments scene = arguments.scene;
   if (scene.scene.empty())

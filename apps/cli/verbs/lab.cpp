@@ -31,7 +31,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// A page with 128 MiB in it opens in Chromium after half a minute on two busy cores; a page of 256
+// A page with 128 MiB in it opens in Chromium after half a minute on two busy cores. A page of 256
 // MiB has shown nothing after two minutes.
 constexpr std::uintmax_t kMostBytes = 100'000'000;
 

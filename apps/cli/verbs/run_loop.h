@@ -34,8 +34,8 @@ avo::RunSummary simulate_to_end(const RunArguments& arguments, double duration,
   return metrics.summary();
 }
 
-/// Prints the results of a run whose outputs are finished, and returns the exit code. `steps`: how
-/// many of them were made, for a run that a signal has stopped.
+/// Prints the results of a run with finished outputs, and returns the exit code. `steps`: how many
+/// of them were made, for a run that a signal has stopped.
 int tell_run(const RunArguments& arguments, const std::string& results, const std::string& steps);
 
 }  // namespace avo_cli

@@ -1,25 +1,26 @@
 # SPDX-License-Identifier: Apache-2.0
 """Worlds for learning: the learner says where robots would like to go, the library keeps them apart.
 
-VectorEnv has the interface of gymnasium's vector environments, with one more dimension for the robots,
-and ParallelEnv that of PettingZoo's parallel environments; neither package is needed.
+VectorEnv has the interface of gymnasium's vector environments, with one more dimension for the robots. ParallelEnv has
+that of PettingZoo's parallel environments. Neither package is needed.
 
 Action of a robot: its preferred velocity (x, y), m/s; a longer one than max_speed is shortened to it.
 The planner of the scene decides from it, without the memory of detours (avo.Detour). Cars and drives steer
 to it, as far as they can turn: one action space is for all models. With them a Simulation moves the world.
 
-Observation of a robot, 6 + 6 k + 3 w numbers, float32: where its goal is from it (2, m), its velocity
-(2, m/s), its radius (m) and max_speed (m/s); where the scene has cars or drives, its heading as a unit
-vector (2: 8 + 6 k + 3 w numbers); of each of the k nearest robots and moving obstacles within
-the scene's sensing_radius, nearest first: where it is from this one (2, m), its velocity less this one's
-(2, m/s), the sum of both radii (m) and 1, or -1 of a moving obstacle; six zeros where there are fewer;
-and of each of the w nearest walls: the way to its nearest point (2, m) and 1; three zeros where there are
-fewer.
+Observation of a robot A: 6 + 6 k + 3 w numbers, float32.
+- The vector to its goal (2, m), its velocity (2, m/s), its radius (m) and max_speed (m/s).
+- In a scene with cars or drives its heading as a unit vector, 2 numbers more.
+- Six numbers of each of the k nearest robots and moving obstacles B within the scene's sensing_radius, nearest
+  first: the vector from A to B (2, m), B's velocity less A's (2, m/s), the sum of both radii (m), and 1, or -1 of
+  a moving obstacle. Where there are fewer, six zeros.
+- Three numbers of each of the w nearest walls: the vector to its nearest point (2, m), and 1. Where there are
+  fewer, three zeros.
 
-Reward of a robot: by how much nearer its goal has come in the step, m, and 1 more when it arrives,
-within the scene's arrival_distance; or what a function of a Step returns. From then on it is terminated: it gets no reward, its actions do not
-count, and it goes to its goal by itself, avoided by the others. All robots of a world that have not
-arrived are truncated after max_steps.
+Reward of a robot: by how much nearer its goal has come in the step, m, and 1 more when it arrives, within the
+scene's arrival_distance. It may also be what a function of a Step returns. Once it has arrived, the robot is
+terminated: it gets no reward, and its actions do not count. It then goes to its goal by itself, and the others avoid
+it. All robots of a world that have not arrived are truncated after max_steps.
 
 Scenes of space (space: 3) have three numbers in place of two in each vector, and boxes in place of
 walls: actions (x, y, z), observations of 8 + 8 k + 4 w numbers.
@@ -70,11 +71,10 @@ class VectorEnv:
         render_mode: str | None = None,
         autoreset_mode: Any = "NextStep",
     ) -> None:
-        """scene: what Scenario() takes but a Scenario itself, as worlds differ by its seed: scenes that
-        place robots at random (as uniform-N) begin differently, others alike. neighbors: k, walls: w, 0 to
-        1000. max_steps: >= 1, None: those of the scene's duration. reward: of a Step, (E, N); None:
-        progress and arrival. render_mode: "rgb_array", or None. autoreset_mode: "NextStep", "SameStep",
-        "Disabled", or gymnasium's own member."""
+        """scene: what Scenario() takes but a Scenario itself, as worlds differ by its seed. Scenes that place robots at
+        random (as uniform-N) begin differently, others alike. neighbors: k, walls: w, 0 to 1000. max_steps: >= 1, None:
+        those of the scene's duration. reward: of a Step, (E, N); None: progress and arrival. render_mode: "rgb_array",
+        or None. autoreset_mode: "NextStep", "SameStep", "Disabled", or gymnasium's own member."""
         if isinstance(scene, (Scenario, space.Scenario)):
             raise Error("scene: found a Scenario, must be what one is made from: worlds differ by their seeds")
         self.dimensions = 3 if space._is_in_space(scene) else 2

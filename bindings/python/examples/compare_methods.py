@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The methods on one scene: who arrives, who collides, and how long it takes."""
+"""The methods on one scene: which robots arrive, which collide, and how long it takes."""
 import avo
 
 print(f"{'method':<28} {'arrived':>8} {'collisions':>11} {'last arrival':>13} {'largest |a|':>12}")

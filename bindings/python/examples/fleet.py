@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""A fleet among walls, and a plot of the ways that its robots took: fleet.svg."""
+"""A fleet among walls, and a plot of the paths that its robots took: fleet.svg."""
 import pathlib
 
 import numpy as np

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The loop of one robot on board: sense, decide, accelerate. Another one comes the other way."""
+"""The loop of one robot on board: sense, decide, accelerate. Another robot comes towards it."""
 import math
 
 import avo

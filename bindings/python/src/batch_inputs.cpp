@@ -32,7 +32,7 @@ namespace {
 
 using py::arg;
 
-/// Throws Error for any other field: one that only a single robot has, or one that does not exist.
+/// Throws Error for any other field: a field that only a single robot has, or that does not exist.
 void refuse_fields(const py::kwargs& others, const std::vector<std::string_view>& known) {
   constexpr std::string_view kOfOne[] = {"model",     "heading", "loiter", "trajectory",
                                          "footprint", "ahead",   "spread"};

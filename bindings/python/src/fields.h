@@ -38,7 +38,7 @@ Value value_of(std::string_view function, std::string_view key, const py::handle
   }
 }
 
-/// Adds a read-only attribute for each field, but for the one that is bound elsewhere.
+/// Adds a read-only attribute for each field, except for a field that is bound elsewhere.
 template <class Fields, class T>
 void bind_fields(py::class_<T>& bound, const Fields& fields, std::string_view elsewhere) {
   for_each_field(fields, [&](const auto& field, auto member) {

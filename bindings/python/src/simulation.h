@@ -30,7 +30,7 @@ void bind_edits(SimulationClass& simulation);
 void bind_queries(SimulationClass& simulation);
 void bind_team_edits(SimulationClass& simulation);
 
-/// Ids are not negative; Error as for one that is not there.
+/// Ids are not negative; Error as for a robot that is not there.
 avo::RobotId robot_id(std::int64_t id);
 std::vector<avo::RobotId> robot_ids(const std::vector<std::int64_t>& ids);
 

@@ -18,7 +18,7 @@ namespace {
 using py::arg;
 using Points = std::vector<avo::Vec2>;
 
-/// A team that threads share: the host's own one, or one that a simulation leads.
+/// A team that threads share: the host's own team, or a team that a simulation leads.
 struct SharedTeam {
   std::mutex mutex;
   avo::Team own;

@@ -100,7 +100,7 @@ class Worlds {
   std::vector<avo::Neighbor> neighbors_;
 };
 
-/// Ways to what robots observe, see Worlds.nearest(), nearest_walls() and movers() of Python.
+/// What robots observe, see Worlds.nearest(), nearest_walls() and movers() of Python.
 py::array_t<float> nearest(const Worlds& self, std::size_t k);
 py::array_t<float> nearest_walls(const Worlds& self, std::size_t k);
 py::array_t<double> movers_of(const Worlds& self, std::size_t world);

@@ -21,8 +21,9 @@ py::array_t<float> zeros(const AnyWorlds& self, std::size_t k, std::size_t numbe
   return array;
 }
 
-/// Rows of so many numbers for each robot and each of its k nearest. find(world, robot, near) lists
-/// squared distances, m^2, and numbers, nearest first. put(world, robot, number, row) writes a row.
+/// Rows of so many numbers for each robot and each of its k nearest. The call find(world, robot,
+/// near) lists squared distances, m^2, and numbers, nearest first. The call put(world, robot,
+/// number, row) writes a row.
 template <class AnyWorlds, class Find, class Put>
 py::array_t<float> rows_of_nearest(const AnyWorlds& self, std::size_t k, std::size_t numbers,
                                    const Find& find, const Put& put) {

@@ -62,8 +62,9 @@ class AVO_API PlanWorkspace {
 /// Decides for one robot of space. Immutable after construction and safe to share between threads.
 class AVO_API Planner {
  public:
-  /// Throws Error on options out of range, and on options that space does not have: a method other
-  /// than avo, a free clock, noise for the half-planes, errors of the robot's own place.
+  /// Throws Error on options out of range, and on options that space does not have. These are a
+  /// method other than avo, a free clock, noise for the half-planes, and errors of the robot's own
+  /// place.
   explicit Planner(const PlannerOptions& options);
 
   /// Reciprocal collision avoidance (§IV-D) in space. All neighbors are assumed to decide at the
@@ -76,8 +77,9 @@ class AVO_API Planner {
   /// bit. Beside moving obstacles: those within PlannerOptions::wall_range as well, if that is
   /// more.
   ///
-  /// movers: the moving obstacles. While they move as assumed, they touch the robot at rest only,
-  /// and not at all where it has had an evasive maneuver (docs/space.md, "Moving obstacles").
+  /// movers: the moving obstacles. While they move as assumed, they touch the robot at rest only.
+  /// Where the robot has had an evasive maneuver, they do not touch it at all (docs/space.md,
+  /// "Moving obstacles").
   [[nodiscard]] Plan plan(const Robot& robot, std::span<const Neighbor> neighbors,
                           PlanWorkspace& workspace, Detour* detour = nullptr,
                           std::span<const Box> boxes = {},
@@ -110,8 +112,8 @@ AVO_API double box_range(const Robot& robot, const PlannerOptions& options);
 /// m: how far from its place a robot's evasive maneuvers may lead.
 AVO_API double evasion_range(const Robot& robot);
 
-/// m, between centers: the distance within which the robot has to sense a moving obstacle, so that
-/// it can be at rest when the obstacle comes.
+/// m, between centers: within this distance the robot has to sense a moving obstacle, so that it
+/// can be at rest when the obstacle comes.
 AVO_API double sensing_range(const Robot& robot, const Mover& mover, const PlannerOptions& options);
 
 /// m, between centers: the distance within which the robot has to sense a neighbor of these limits,

@@ -85,12 +85,12 @@ AVO_API Robot robot_of(const RobotSetup& setup);
 /// delays; 0 without quadrotors.
 AVO_API double fleet_delay(const Scenario& scenario);
 
-/// m: the sensing radius of the scene, or the one that its robots need.
+/// m: the sensing radius of the scene, or the radius that its robots need.
 AVO_API double sensing_radius_of(const Scenario& scenario);
 
-/// Throws Error that names the first value out of range, the first two robots that are in contact
-/// or cannot brake before contact, the first robot in a box or that cannot brake before it, and a
-/// sensing radius that is too short for the certificate.
+/// Throws Error that names the first fault. This may be a value out of range, or a sensing radius
+/// that is too short for the certificate. It may also be a robot that touches another robot or a
+/// box, or cannot brake before it.
 AVO_API void validate(const Scenario& scenario);
 
 }  // namespace avo::space

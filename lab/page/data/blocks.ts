@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// Recordings in blocks of 64 times, whose chunks are shuffled and compressed as io/recording/recording_blocks.cpp does
-// it. Shown data are uncompressed block by block, and the last blocks are kept. The module does not do this: the
-// browser's own streams uncompress while the page goes on, and the memory of a module, unlike that of the page, never
-// shrinks after a large block.
+// Recordings in blocks of 64 times. Their chunks are shuffled and compressed by io/recording/recording_blocks.cpp.
+// Shown data are uncompressed block by block, and the last blocks are kept. The module does not do this. The browser's
+// own streams uncompress while the page goes on. The memory of a module, unlike that of the page, never shrinks after a
+// large block.
 import type { RecordingHeader } from "../../avo/avo.ts";
 import { refuse } from "./bytes.ts";
 import { uncompressed } from "./compression.ts";

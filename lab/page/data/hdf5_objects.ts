@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// HDF5 as avo writes it (io/recording/hdf5_writer.cpp): superblock 2, and objects, whose headers are lists of messages.
+// HDF5 as avo writes it (io/recording/hdf5_writer.cpp): superblock 2, and objects. Their headers are lists of messages.
 // Names and numbers are those of the HDF5 File Format Specification.
 import { beginsWith, ByteReader, hexOf, refuse } from "./bytes.ts";
 import type { Fields } from "./recording_fields.ts";
@@ -74,7 +74,7 @@ function readBlock(reader: ByteReader, begin: number, end: number): Message[] {
   return messages;
 }
 
-/** Returns all messages of the object whose header is at `address`. */
+/** Returns all messages of the object with the header at `address`. */
 export function readObject(file: Uint8Array, address: number): Message[] {
   const reader = new ByteReader(file, address);
   requireBytes(reader, "header of an object", "4f 48 44 52 02");  // OHDR, version

@@ -47,7 +47,7 @@ export function oncePerFrame(work: () => void): () => void {
   };
 }
 
-/** Returns a cleared 2D context whose unit is a pixel of CSS, at the full resolution of the screen. */
+/** Returns a cleared 2D context in pixels of CSS, at the full resolution of the screen. */
 export function crispContext(canvas: HTMLCanvasElement, width: number, height: number): CanvasRenderingContext2D {
   const density = Math.max(1, window.devicePixelRatio || 1);
   const columns = Math.max(1, Math.round(width * density)), rows = Math.max(1, Math.round(height * density));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The first hint for a user who has not done anything yet.
+// The first hint for a new user, before anything is done.
 import { element } from "../frame/elements.ts";
 import type { Lab } from "../run/lab.ts";
 

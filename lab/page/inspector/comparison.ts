@@ -58,7 +58,7 @@ export function openComparison(lab: Lab): void {
 
 function methodChoice(lab: Lab): HTMLSelectElement {
   const methods = lab.library.settings().find((setting) => setting.key === "method")?.values ?? [];
-  // nobody can ask an external method here
+  // an external method cannot be asked here
   const others = methods.filter((name) => name !== lab.info.options.method && !name.startsWith("external"));
   return element("select", {}, ...others.map((name) => element("option", { value: name, selected: name === "orca" || name === "avo" }, name)));
 }

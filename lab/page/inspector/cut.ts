@@ -63,7 +63,7 @@ export function cutHalfSpace(plane: CutPlane, { normal, offset }: HalfSpace): Ha
   return { normal: [x / length, y / length], offset: (offset - dot3(normal, plane.normal) * plane.offset) / length };
 }
 
-/** Returns the cut through a ball whose vertical axis is `vertical` of its radius; null if the plane misses it. */
+/** Returns the cut through a ball with a vertical axis of `vertical` times its radius; null if the plane misses it. */
 export function cutBall(plane: CutPlane, center: Vec3, radius: number, vertical: number): Disc | null {
   const own = ([x, y, z]: Vec3): Vec3 => [x, y, z / vertical];  // a ball there
   const [a, b] = [own(plane.along), own(plane.across)];

@@ -145,7 +145,7 @@ export function clearanceOf(decision: Decision, other: Sensed): number {
   return norm(minus(decision.position, other.position)) - decision.radius - other.radius;
 }
 
-/** Methods whose v' lies outside the union of obstacles, and not within half-planes. */
+/** Methods that choose v' outside the union of obstacles, and not within half-planes. */
 export function avoidsUnion(decision: Pick<Decision, "rule">, method: string): boolean {
   return decision.rule === "union_of_obstacles" || method === "velocity_obstacle" ||
     method === "reciprocal_velocity_obstacle";

@@ -16,7 +16,7 @@ import { lawOf, type Cut } from "./why.ts";
 const FINE = 64, COARSE = 24;  // nodes per side, for what the certificate admits
 const APART = 0.005;  // m/s: a velocity that is nearer to the plane lies in it
 
-/** Throws an error of the library, e.g. for a scene whose robots sense with errors. */
+/** Throws an error of the library, e.g. for a scene with errors of sensing. */
 export function explainedInSpace(simulation: Simulation, info: SceneInfo, robot: number, quick: boolean): Explained {
   const text = simulation.explain(robot);
   const decision = JSON.parse(text) as SpaceDecision;
@@ -35,7 +35,7 @@ export function explainedInSpace(simulation: Simulation, info: SceneInfo, robot:
   };
 }
 
-/** Returns the neighbor that is pointed at, or else one that shapes the decision, or else the nearest. */
+/** Returns the neighbor that is pointed at, or else a neighbor that shapes the decision, or else the nearest. */
 function neighborToCut({ neighbors, binding, refusing, heeded }: SpaceDecision, pointed: string | null): number | null {
   const senses = (robot: Cause) => neighbors.some(({ neighbor }) => neighbor === robot);
   const named = /^robots\.(\d+)$/.exec(pointed ?? "");

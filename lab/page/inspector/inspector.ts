@@ -28,7 +28,7 @@ interface Panel {
   numbers: HTMLElement;
   neighbors: HTMLElement;
   shown: Explained | null;  // the present content
-  pointed: string | null;   // in space: the neighbor for whom the velocity space is cut
+  pointed: string | null;   // in space: the neighbor for which the velocity space is cut
 }
 
 export function mountInspector(lab: Lab, root: HTMLElement): void {

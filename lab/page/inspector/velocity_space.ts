@@ -222,7 +222,7 @@ export function drawVelocitySpace(context: CanvasRenderingContext2D, view: View,
   drawTicks(pen, space.axes ?? ["vₓ in m/s", "vᵧ in m/s"]);
 }
 
-/** Returns the half-plane, or else the obstacle, whose line is nearest to the pixel, within a few pixels. */
+/** Returns the half-plane, or else the obstacle, with the line nearest to the pixel, within a few pixels. */
 export function pick(space: VelocitySpace, view: View, x: number, y: number, reach = 9): string | null {
   const v = toVelocity(view, x, y);
   let best: string | null = null, distance = reach / view.scale;

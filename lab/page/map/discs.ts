@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The discs, or balls in space, of a moment's robots: their places, their clearances, and their overlaps. The module
-// finds these in a run of its own; a recording of another program may have no scene that a run could be made of.
+// finds these in a run of its own. But a recording of another program may have no scene that a run could be made of.
 import type { Dimensions, Moment, SceneInfo } from "../../avo/avo.ts";
 import type { Touch } from "../run/contact_log.ts";
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the picture of space has beside robots: a ground with a grid, boxes of glass, and the air below robots that others
-// keep out of.
+// What the picture of space has besides robots: a ground with a grid, and boxes of glass. It also has the air below
+// robots, which others keep out of.
 import { roundedUp } from "./camera.ts";
 import type { Rgb } from "./colors.ts";
 import type { Lab } from "../run/lab.ts";

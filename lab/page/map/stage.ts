@@ -9,7 +9,8 @@ export interface Bounds { min: Vec3; max: Vec3 }
 /** A parallelogram with a corner and two sides; the normal points out of the solid. */
 export interface Face { corner: Vec3; a: Vec3; b: Vec3; normal: Vec3 }
 
-/** A box as it is drawn: without infinite sides. Edges are pairs of places, with the normals of their two faces. */
+/** A box in the form that is drawn: without infinite sides. Edges are pairs of places, with the normals of their two
+faces. */
 export interface Solid {
   obstacle: number;
   faces: Face[];

@@ -143,7 +143,7 @@ flat in vec4 v_color;
 out vec4 color;
 void main() { color = vec4(v_color.rgb, 1.0) * v_color.a; }`;
 
-/** Rows of numbers, one for each shape; the memory grows as it is filled. */
+/** Rows of numbers, one for each shape. The memory grows when it is full. */
 export class Rows {
   data = new Float32Array(COLUMNS * SHAPES_A_LINE);
   length = 0;

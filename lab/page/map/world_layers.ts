@@ -177,7 +177,7 @@ function centersOf(shown: Shown, row: number): [number, number][] {
   });
 }
 
-/** The form of a robot that goes its way, and its opacity. */
+/** The form of a robot that moves as usual, and its opacity. */
 export type BodyOf = (row: number) => { form: number; alpha: number };
 const FLAT = { form: FORM.disc, alpha: 1 };
 

@@ -41,7 +41,7 @@ export interface WorldView {
 
 /** The drawn content, and flags for its outdated parts. */
 interface Drawing {
-  run: Run;                     // the run whose stage is shown
+  run: Run;                     // the run that has the shown stage
   space: { orbit: Orbit; stage: Stage } | null;  // null in the plane
   layers: Layers;
   trails: Trails;

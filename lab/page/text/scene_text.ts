@@ -8,7 +8,7 @@ function keysOf(path: string): Key[] {
   return path.split(".").map((key) => (/^\d+$/.test(key) ? Number(key) : key));
 }
 
-/** Returns the text with `value` at `path`, whose last keys may be new; undefined removes the value. */
+/** Returns the text with `value` at `path`. The last keys of the path may be new. undefined removes the value. */
 export function withValue(yaml: string, path: string, value: unknown): string {
   const source = parsed(yaml);
   if (value === undefined) return edited(yaml, takingOut(source, keysOf(path)));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A scene in an address: a user who opens the link has the whole scene, and no server has seen it.
+// A scene in an address: the link alone has the whole scene, and no server has seen it.
 import type { Lab } from "../run/lab.ts";
 import type { SceneOptions } from "../../avo/avo.ts";
 import { decodeScene, encodeScene } from "../data/share.ts";

@@ -17,7 +17,7 @@ export interface Source {
   isJson: boolean;     // its keys are quoted
 }
 
-/** The node at a path, or the last node on the way there. */
+/** The node at a path, or the last node before it. */
 interface Found {
   node: Node | null;
   holder: Collection | null;  // it has the node as its item `at`
@@ -61,7 +61,7 @@ export function find({ document }: Source, keys: Key[]): Found {
   return found;
 }
 
-/** Puts `written` at a path, whose last keys may be new. */
+/** Puts `written` at a path. The last keys of the path may be new. */
 export function putting(source: Source, keys: Key[], written: string): Edit[] {
   const found = find(source, keys);
   const [key, ...inner] = found.missing;

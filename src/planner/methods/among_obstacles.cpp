@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The decision of a robot outside of the union of its obstacles (§III-C): among movers alone, and
-// for the methods that avoid a union of any neighbors.
+// The decision of a robot outside of the union of its obstacles (§III-C). It is for robots among
+// movers alone, and for the methods that avoid a union of any neighbors.
 #include <optional>
 #include <span>
 #include <vector>

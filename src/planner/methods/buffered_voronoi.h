@@ -25,8 +25,8 @@ CellSide cell_side(const PlannerOptions& options, const Robot& robot, const Neig
 /// the side at the end of the step.
 double speed_within(double gap, double speed, double max_braking, double time_step);
 
-/// Collects the half-planes of all robots of the tile: v' must be able to stop within the cell. Of
-/// footprints the two nearest discs count.
+/// Collects the half-planes of all robots of the tile: v' must be able to stop within the cell. If
+/// both have footprints, the two nearest discs count.
 void collect_cells(const PlannerOptions& options, const StepLaw& law, const Tile& tile,
                    SoftPlanes& soft);
 

@@ -41,8 +41,8 @@ TriedControls controls_near(const Robot& robot, Controls wanted);
 /// The robot holds its speed and turns right.
 Plan loiter_on(const Planner& planner, const Robot& robot, PlanStatus status, double violation);
 
-/// Returns whether the robot can fly: its speed is within its limits, it turns by at most
-/// kMostTurn in a step, and it is on its circle. It has no max_braking, because it does not brake.
+/// Returns whether the robot can fly. Its speed must be within its limits, it must turn by at most
+/// kMostTurn in a step, and be on its circle. It has no max_braking, because it does not brake.
 bool can_fly(const Robot& robot, double time_step);
 
 /// Returns whether the circle of a neighbor that loiters matches its position and velocity.

@@ -20,9 +20,9 @@ struct Candidates {
   Vec2 preferred;
 };
 
-/// Offers the preferred velocity, a fan of velocities and the boundary points; then descends from
-/// `best` by compass steps. offer(u) judges the velocity nearest to u in both discs. It takes this
-/// velocity as `best` where it is better, and returns whether it was.
+/// Offers the preferred velocity, a fan of velocities and the boundary points. Then it descends
+/// from `best` by compass steps. The call offer(u) judges the velocity nearest to u in both discs.
+/// If this velocity is better, the call takes it as `best`, and it returns whether it did.
 template <typename Offer>
 void try_candidates(const Candidates& candidates, const Vec2& best, const Offer& offer) {
   const auto& [limits, points, lens, preferred] = candidates;

@@ -181,8 +181,8 @@ double piece_bound(Vec2 a, Vec2 b, Vec2 p) {
   return std::max(0.0, norm(a + part * along - p) - 0.5 * length);
 }
 
-// The largest violation, or one that is not below `enough`. `worst` is the limit that was the worst
-// last time, and is likely to be so again; it is replaced.
+// The largest violation, or any violation that is not below `enough`. `worst` is the limit that was
+// the worst last time, and is likely to be so again; it is replaced.
 double worst_violation(std::span<const Limit> limits, Vec2 u, double enough, std::size_t& worst) {
   const std::size_t first = worst;
   double largest = violation(limits[first], u);
@@ -198,7 +198,7 @@ double worst_violation(std::span<const Limit> limits, Vec2 u, double enough, std
 }
 
 // The least violation among the preferred velocity, a fan of velocities and the boundary points,
-// all brought into the discs; then it descends from there by compass steps.
+// all brought into the discs. Then it descends from there by compass steps.
 PassiveChoice least_unsafe(std::span<const Limit> limits, std::span<const CurvePoint> points,
                            const Lens& lens, Vec2 preferred) {
   PassiveChoice choice{{}, std::numeric_limits<double>::infinity(), PassiveState::least_unsafe};

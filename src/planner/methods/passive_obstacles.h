@@ -26,10 +26,10 @@ struct PassiveChoice {
 ///  (1) a free velocity lies in both discs, and contains() holds for none of the obstacles;
 ///  (2) no free velocity is nearer than it, but in gaps thinner than the boundary samples;
 ///  (3) equally near ones are decided to the right of `preferred`;
-///  (4) without a free one, the least violation of the candidates, descended from there; the
-///      violation is the depth in the disc of the time of closest approach.
-/// A pair that overlaps already is to be parted along p in the shortest window within reach.
-/// walls: half-planes in v' to keep to as well.
+///  (4) without a free velocity, the least violation of the candidates, descended from there. The
+///       violation is the depth in the disc of the time of closest approach. A pair that overlaps
+///       already is to be parted along p in the shortest window within reach. walls: half-planes in
+///       v' to keep to as well.
 PassiveChoice choose_among_obstacles(std::span<const PassiveObstacle> obstacles,
                                      const Disc& acceleration, const Disc& speed, Vec2 preferred,
                                      PassiveWorkspace& workspace,

@@ -25,11 +25,11 @@ PassiveObstacle reciprocal_obstacle(const PlannerOptions& options, const Robot& 
 /// contact already.
 double time_to_collision(const PassiveObstacle& obstacle, double time_horizon, Vec2 v_new);
 
-/// Where no velocity is free: the least w/tc + |v_pref - v'| (the paper's penalty), tc the first
-/// time to collision with any obstacle. choose_among_obstacles() has left the candidates in
-/// `workspace`; the paper draws them at random. Lines, of walls and of pairs in contact, come
-/// first: they are violated as little as possible. The violation is that of
-/// choose_among_obstacles().
+/// Where no velocity is free: the least w/tc + |v_pref - v'| (the paper's penalty), with tc the
+/// first time to collision with any obstacle. The candidates are those that
+/// choose_among_obstacles() has left in `workspace`. The paper draws them at random. Lines, of
+/// walls and of pairs in contact, come first: they are violated as little as possible. The
+/// violation is that of choose_among_obstacles().
 PassiveChoice least_penalty(std::span<const PassiveObstacle> obstacles, const Disc& speed,
                             double time_horizon, Vec2 preferred, const PassiveWorkspace& workspace);
 

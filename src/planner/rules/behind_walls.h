@@ -10,7 +10,7 @@
 
 namespace avo::inline planner {
 
-/// Removes from the robots' neighbors each one that decides as well and is behind a wall. Neither
+/// Removes from the robots' neighbors each robot that decides as well and is behind a wall. Neither
 /// robot can then come round an end of the wall before both have stopped. Only walls that the robot
 /// itself can touch are tested. Without a certificate, and with sensing errors, all neighbors
 /// count; neighbors with an age always count.

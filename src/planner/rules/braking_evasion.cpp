@@ -55,7 +55,7 @@ bool is_allowed(Evading& evading, Vec2 next_velocity) {
 enum class Then : unsigned char { brakes, holds, approaches };
 
 // A first step, and the motion after it. The rest of an evasive maneuver after a step is of the
-// same kind: w is fixed in the world, or is the velocity after the step.
+// same kind. w is fixed in the world, or is the velocity after the step.
 struct FirstStep {
   Vec2 next_velocity;
   Then then = Then::brakes;

@@ -9,7 +9,7 @@ namespace avo::inline planner {
 /// Returns whether braking after that step is clear of movers, (C1) to (C3).
 bool may_brake_after_choice(Evading& evading, Vec2 next_velocity);
 
-/// Finds the choice nearest to the wanted one that the certificate admits and that leaves an
+/// Finds the choice nearest to the wanted choice that the certificate admits and that leaves an
 /// evasive maneuver, (M).
 WayFound find_braking_way(Evading& evading, Vec2 wanted, Taken& found);
 

@@ -22,9 +22,9 @@ bool may_go_on(const CertificateLaw& law, const Robot& robot, const Sight& sight
 bool has_evasive_maneuver(const CertificateLaw& law, const Robot& robot, const Sight& sight,
                           EvasionWorkspace& workspace);
 
-/// The mover that the robot evades, if it has rejected a next velocity. It is the index of the
-/// nearest mover that comes too near to the robot if the robot brakes after that step; -1 if there
-/// is none.
+/// The mover that the robot evades, if it has rejected a next velocity. It is the index of a mover
+/// that comes too near to the robot if the robot brakes after that step. The nearest of several
+/// counts; -1 if there is none.
 int find_evaded(const CertificateLaw& law, const Robot& robot, std::span<const Neighbor> neighbors,
                 Vec2 put_aside, EvasionWorkspace& workspace);
 

@@ -9,7 +9,7 @@ namespace avo::inline planner {
 /// Returns whether the circle after that step is clear of movers, for any walls.
 bool may_circle_after_choice(Evading& evading, Vec2 acceleration);
 
-/// Finds the choice nearest to the wanted one that the certificate admits and that leaves an
+/// Finds the choice nearest to the wanted choice that the certificate admits and that leaves an
 /// evasive maneuver, (M).
 WayFound find_flight(Evading& evading, Vec2 wanted, Taken& found);
 

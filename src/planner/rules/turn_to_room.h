@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Rule 10 of docs/arrival.md, turn to where there is room: a robot at rest that turns before it
+// Rule 13 of docs/arrival.md, turn to where there is room. A robot at rest that turns before it
 // drives turns to a direction in which the certificate admits a velocity.
 #pragma once
 #include "planner/stages/certifying.h"

@@ -73,8 +73,8 @@ std::optional<Vec2> moved_out(const Robot& robot, std::span<const Wall> walls, V
   return std::nullopt;
 }
 
-// Where walls on both sides leave no room, a place may be ahead or behind: the nearest one that is
-// found from the places around.
+// Where walls on both sides leave no room, a place may be ahead or behind: the nearest place that
+// is found from the places around.
 std::optional<Vec2> place_around(const Robot& robot, std::span<const Wall> walls) {
   constexpr int kDirections = 12;
   constexpr double kRings[] = {1.0, 2.0, 3.0};  // radii

@@ -20,8 +20,8 @@ struct Contact {
 };
 
 /// The deepest contact of the bodies that the robot touches now, and of the neighbor and the wall
-/// that its fallback comes to touch. Among them it selects the one that exceeds rounding most. It
-/// tests all neighbors: only for the rare robot with a suspected contact.
+/// that its fallback comes to touch. Among them it selects the constraint that exceeds rounding
+/// most. It tests all neighbors: only for the rare robot with a suspected contact.
 Contact deepest_contact(const Robot& robot, const Neighbors& neighbors, std::span<const Wall> walls,
                         const StepLaw& law, const Deepest& neighbor = {}, const Deepest& wall = {});
 Contact deepest_contact(const Robot& robot, std::span<const Neighbor> neighbors,

@@ -44,8 +44,8 @@ void for_each_pair(const Tile& tile, const TilePairs& pairs, const Visit& visit)
 
 void reserve(std::size_t robots, std::size_t pairs, TilePairs& tile_pairs);
 
-/// Fills in the pairs of the tile. Shares are those of equal priorities. Of footprints the two
-/// nearest discs count.
+/// Fills in the pairs of the tile. Shares are those of equal priorities. If both have footprints,
+/// the two nearest discs count.
 void collect_pairs(const PlannerOptions& options, const StepLaw& law, const Tile& tile,
                    TilePairs& pairs);
 

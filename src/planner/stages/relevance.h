@@ -42,7 +42,7 @@ struct RelevantRange {
 /// the order of their distances. Exceptions are the nearest max_neighbors, and neighbors that do
 /// not decide. The range is 0 where no neighbor matters, infinite where all do. It holds while no
 /// other robot exceeds its max_speed by more than a rounding, and within kMostRelevantPosition of
-/// the origin. Of the robot only radius and limits count.
+/// the origin. Only radius and limits of the robot count.
 RelevantRange relevant_range(const Planner& planner, const Robot& robot, const Peers& peers);
 
 /// m, of either coordinate.

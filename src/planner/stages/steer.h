@@ -23,8 +23,8 @@ struct SteerMemory {
   ManeuverMemory maneuvers;
 };
 
-/// Replaces each preferred velocity by the one that the robot can steer to, beside walls with
-/// maneuvers (docs/arrival.md, rule 11). Only the wish depends on it. tile.maneuvers: set for
+/// Replaces each preferred velocity by a velocity that the robot can steer to, beside walls with
+/// maneuvers (docs/arrival.md, rule 14). Only the wish depends on it. tile.maneuvers: set for
 /// robots with a maneuver.
 void steer(const PlannerOptions& options, const StepLaw& law, Tile& tile, SteerMemory& memory);
 

@@ -30,7 +30,7 @@ Vec2 drawn(Draws& draws, double radius) {
   return (kHalfDiagonal * radius) * Vec2{x, y};
 }
 
-// 1 - e^(-t/T'): the part of the way to its target that a velocity goes in that time.
+// 1 - e^(-t/T'): the part of the distance to its target that a velocity covers in that time.
 double approached_in(double time, double lag) {
   return lag > 0.0 ? -elementary::expm1(-time / lag) : 1.0;
 }

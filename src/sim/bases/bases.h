@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The bodies of a fleet whose bases do not execute exactly. The fleet's columns are the references,
-// which move exactly as decided; each body follows its reference by commands, and no decision
-// depends on a body (docs/certificate/execution.md).
+// The bodies of a fleet with bases that do not execute exactly. The fleet's columns are the
+// references, which move exactly as decided. Each body follows its reference by commands, and no
+// decision depends on a body (docs/certificate/execution.md).
 #pragma once
 #include <cstddef>
 #include <cstdint>
@@ -58,7 +58,7 @@ struct Bases {
   void put_down(std::size_t rank, Vec2 position);
 };
 
-/// The scene of the references: robots with larger radii, whose bases execute exactly.
+/// The scene of the references: robots with larger radii, and bases that execute exactly.
 Scenario with_references(const Scenario& scenario);
 
 /// The bodies of its robots, which are numbered from 0 on.

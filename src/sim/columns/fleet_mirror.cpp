@@ -32,7 +32,7 @@ void FleetMirror::for_each_column(Columns wanted, const Action& action) {
   at(Columns::applied_acceleration, applied_acceleration, in(&Fleet::applied_acceleration));
 }
 
-// Of one robot: its body in place of its reference.
+// Shows a robot's body in place of its reference.
 void FleetMirror::show_body(const Base& base, std::size_t rank, Columns wanted) {
   if (includes(wanted, Columns::position)) position[rank] = base.position;
   if (includes(wanted, Columns::velocity)) velocity[rank] = base.velocity;

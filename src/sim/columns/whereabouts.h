@@ -42,8 +42,8 @@ void file(World& world);
 void unfile(World& world);
 /// Returns whether robots may decide now by find_near().
 bool knows_near(const World& world);
-/// Makes a snapshot of the robots near the robot that decides now and has been put in its place:
-/// all that sense() can find among all robots.
+/// Makes a snapshot of the robots near the robot that decides now and has been put in its place. It
+/// has all robots that sense() can find.
 void find_near(World& world, std::size_t slot);
 /// Renews the step of a robot that has decided.
 void renew_step(World& world, std::size_t slot);

@@ -71,7 +71,7 @@ class KindAlone {
   RobotSetup setup_;
 };
 
-// A robot that is faster than its new max_speed slows down, with its new brakes: it has to be seen,
+// A robot that is faster than its new max_speed slows down, with its new brakes. It has to be seen,
 // and has to see, as a robot of its present speed.
 RobotSetup slowing(const RobotSetup& now, RobotSetup changed) {
   changed.max_speed = std::max(changed.max_speed, norm(now.velocity));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Robots of external methods: their function chooses for all of them at once, before a step moves
-// anybody.
+// any robot.
 #pragma once
 #include <cstddef>
 #include <cstdint>

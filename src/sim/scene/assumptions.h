@@ -46,7 +46,7 @@ void find_starts_of_first(const Scenario& scenario, const CertificateLaw& law, d
 /// Includes the robot's demands on a grid of walls in that state.
 void include_start(const Scenario& scenario, const RobotSetup& robot, const MotionState& state,
                    const CertificateLaw& law, WallNeeds& needs);
-/// The wall to which the robot is too near by most in that state, if it is too near to any;
+/// The wall to which the robot is too near by most in that state, if it is too near to any.
 /// WallStart::obstacle is the wall's index. A robot in motion may move differently from a robot
 /// that starts: the disc of a drive moves off its heading.
 std::optional<WallStart> worst_wall(const Scenario& scenario, int robot, const MotionState& state,
@@ -59,7 +59,7 @@ inline bool leaves_room(const RobotSetup& robot, Vec2 p, const StaticObstacle& o
 }
 
 /// Finds the robots in these states that break assumptions beside static obstacles, in solids and
-/// out of bounds: `states` has one entry for each robot of the scene.
+/// out of bounds. `states` has one entry for each robot of the scene.
 void find_wall_starts(const Scenario& scenario, std::span<const MotionState> states,
                       const CertificateLaw& law, BrokenAssumptions& result);
 

@@ -92,7 +92,7 @@ std::vector<UnseenPart> worst_for_obstacles(std::vector<UnseenPart> parts) {
   return front;
 }
 
-// The part of a robot that is not counted on to brake, towards another one that needs so many
+// The part of a robot that is not counted on to brake, towards another robot that needs so many
 // seconds until rest.
 double part_of_mover(const RobotSetup& robot, double seconds) {
   return disc_radius(robot) + seconds * (model_traits(robot.model).speed_ratio * robot.max_speed);

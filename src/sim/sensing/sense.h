@@ -14,8 +14,8 @@ struct Worker;
 /// of all numbers.
 inline constexpr double kFarthestTrusted = 1e11;
 
-/// Makes the robot in that slot the only one whose neighbors the tile has: all within the sensing
-/// radius that it senses, also those that its decision does not need. look_at_present() comes
+/// Gives the tile the neighbors of the robot in that slot alone. They are all that the robot senses
+/// within the sensing radius, also those that its decision does not need. look_at_present() comes
 /// first.
 void sense_everyone(const World& world, std::uint32_t slot, Worker& worker);
 

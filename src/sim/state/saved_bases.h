@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Bodies whose bases do not execute exactly, in a saved state.
+// Bodies with bases that do not execute exactly, in a saved state.
 #pragma once
 #include <cstddef>
 #include <string>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Robots in a saved state: their setups, their ways, and what they remember.
+// Robots in a saved state: their setups, their routes, and what they remember.
 #pragma once
 #include <bit>
 #include <cstdint>

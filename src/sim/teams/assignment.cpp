@@ -22,7 +22,7 @@ struct Market {
   std::vector<double> robot_price, slot_price;
   std::vector<std::size_t> owner;  // of each slot, a robot
 
-  /// m. Of two assignments with equal sums, the one with the shorter longest lines costs less:
+  /// m. If two assignments have equal sums, the one with the shorter longest lines costs less. So
   /// robots in a row that move along the row keep their order.
   [[nodiscard]] double cost(std::size_t robot, std::size_t slot) const {
     const double way = norm(slots[slot] - positions[robot]);

@@ -38,7 +38,7 @@ void make_for(const Flow& flow, double radius, ExitGoals& made) {
     append_goals(flow.exits[k], flow.exits[k + 1], flow.spacing, radius, made.goals);
 }
 
-// The goal of a member; one that is new takes the nearest, and keeps it.
+// The goal of a member. A new member takes the nearest goal, and keeps it.
 Vec2 goal_of(std::span<const Vec2> goals, Vec2 place, TeamMember& member) {
   if (!member.is_led || member.number >= goals.size()) {
     const auto nearest = std::min_element(goals.begin(), goals.end(), [&](Vec2 a, Vec2 b) {

@@ -20,8 +20,8 @@ std::uint32_t nearest(std::span<const Vec2> points, Vec2 place) {
 constexpr double kBeside = 4.0;     // pass_distance: a robot at rest is beside its point
 constexpr double kStanding = 0.01;  // m/s
 
-// Whether a robot goes on: it is near its point, it cannot come to the point at all, or it rests
-// beside the point because another robot is there.
+// Whether a robot goes on. It does if it is near its point, or cannot come to the point at all. It
+// also does if it rests beside the point because another robot is there.
 bool has_passed(const Patrol& patrol, const Simulation& simulation, const TeamMember& member) {
   const Vec2 point = patrol.points[member.number];
   const RobotState robot = simulation.robot(member.robot);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The rules of the plane at passages of space (docs/arrival.md, rules 6 to 9 and 12).
+// The rules of the plane at passages of space (docs/arrival.md, rules 6 to 10).
 #pragma once
 #include <cstdint>
 #include <optional>

@@ -3,18 +3,19 @@
  * The C interface of avo: multi-robot collision avoidance that respects acceleration limits. One
  * header, C99 or C++. SI units; angles in rad, counter-clockwise from +x. docs/c.md is its guide.
  *
- * Objects are named by ids. A zeroed id is null and names nothing. An id whose object has been
- * destroyed is stale: functions refuse it, they do not crash.
+ * Objects are named by ids. A zeroed id is null and names nothing. An id is stale if its object has
+ * been destroyed: functions refuse it, they do not crash.
  *
  * Definitions (avo_*_def, avo_robot, avo_neighbor) come from avo_default_*(), which sets `size`.
  * A program that was compiled with an older version of this header has shorter definitions; members
- * beyond their size have their defaults. A size of 0, or one that this library does not know, is
+ * beyond their size have their defaults. A size of 0, or a size that this library does not know, is
  * AVO_ERROR_INVALID_DEFINITION. In an array of definitions all have the size of the first one.
- * Numbers keep their ranges of the C++ interface and of scene files; what is out of range is
- * refused with the text that C++ gives, and nothing is changed to fit.
+ * Numbers keep their ranges of the C++ interface and of scene files. A number out of range is
+ * refused with the text that C++ gives. No number is changed to fit.
  *
- * Every function that can fail returns an avo_result, and writes nothing through its pointers where
- * that is not AVO_OK, unless it says so. avo_last_error() has the reason. No C++ exception leaves.
+ * Every function that can fail returns an avo_result. If that is not AVO_OK, the function writes
+ * nothing through its pointers, unless its comment says so. avo_last_error() has the reason. No C++
+ * exception leaves.
  *
  * Threads: an object may be used by one thread at a time, different objects by different threads.
  * Functions that take a planner, and those that only read a simulation, may run at the same time on
@@ -64,9 +65,9 @@ enum {
   AVO_ERROR_INTERNAL = 10     ///< a fault of the library
 };
 
-/// One line that says where the error is, what was found and what is allowed, for the last call on
-/// this thread that failed; "" if none has failed. Never null; valid until the next call on this
-/// thread that fails.
+/// One line on the last call on this thread that failed: where the error is, what was found and
+/// what is allowed. "" if none has failed. Never null; valid until the next call on this thread
+/// that fails.
 AVO_C_API const char* avo_last_error(void);
 /// "ok", "invalid id", ...; "unknown result" for any other number. Never null.
 AVO_C_API const char* avo_result_text(avo_result result);
@@ -384,8 +385,8 @@ typedef struct avo_robot {
   avo_airplane airplane;
   avo_model model;
   avo_footprint footprint;  ///< of a car or a drive; radius then covers it at any heading
-  /// m, > 0: to where its route turns, such as the next corner, if that is nearer than its goal;
-  /// cars and drives with a footprint maneuver by it. Infinite: its route does not turn
+  /// m, > 0: to where its route turns, such as the next corner, if that is nearer than its goal.
+  /// Cars and drives with a footprint maneuver by it. Infinite: its route does not turn
   double lookahead;
 } avo_robot;
 
@@ -628,8 +629,8 @@ typedef struct avo_localization_noise {
 } avo_localization_noise;
 
 /// Calls task(task_context, index, worker) once for each index in [0, count), in any order, and
-/// returns when all calls have returned. worker is less than the `workers` of the definition, and
-/// no two calls at the same time have the same worker. The task takes no lock that the host could
+/// returns when all calls have returned. The worker is less than the `workers` of the definition.
+/// No two calls at the same time have the same worker. The task takes no lock that the host could
 /// hold, and calls nothing of the host. This function must not call anything of the simulation that
 /// steps, and must not be left by an exception or longjmp. It is called for two tasks or more, with
 /// one worker as well, from 256 robots on. The thread that steps does single tasks and small fleets
@@ -753,8 +754,8 @@ AVO_C_API avo_result avo_parse_scene(const char* yaml, size_t length, const char
 AVO_C_API avo_result avo_destroy_scene(avo_scene_id scene);
 AVO_C_API bool avo_scene_is_valid(avo_scene_id scene);
 /// Writes the scene as a definition, to change and to simulate. Its pointers point to memory of the
-/// scene, valid until the scene is destroyed. def->size must be set, as by
-/// avo_default_simulation_def(); the other members are overwritten.
+/// scene, valid until the scene is destroyed. Set def->size before, as avo_default_simulation_def()
+/// does. The other members are overwritten.
 AVO_C_API avo_result avo_scene_get_def(avo_scene_id scene, avo_simulation_def* def);
 
 /* ---------------------------------------------------------------------------------- simulation */
@@ -920,9 +921,9 @@ typedef struct avo_wait {
 } avo_wait;
 AVO_C_API avo_result avo_simulation_get_wait(avo_simulation_id simulation, avo_robot_id robot,
                                              avo_wait* wait);
-/// The decision that the robot would make now in words, with the reason and the names of those that
-/// cause it: one or two sentences in UTF-8, with a 0 at the end. Buffer, capacity and size are
-/// those of avo_simulation_save(). AVO_ERROR_INVALID_VALUE for a parked robot.
+/// The decision that the robot would make now, in words, with the reason and the names of those
+/// that cause it. It is one or two sentences in UTF-8, with a 0 at the end. Buffer, capacity and
+/// size are those of avo_simulation_save(). AVO_ERROR_INVALID_VALUE for a parked robot.
 AVO_C_API avo_result avo_simulation_explain(avo_simulation_id simulation, avo_robot_id robot,
                                             char* buffer, size_t capacity, size_t* size);
 /// The robot's row in the columns. The row differs from the value of the id.
@@ -965,9 +966,9 @@ AVO_C_API avo_result avo_simulation_nearest_robots(avo_simulation_id simulation,
                                                    avo_robot_id* buffer, size_t capacity,
                                                    size_t* count);
 /// Whether a disc of that radius, m, > 0, would touch no robot, no moving obstacle and no wall
-/// there, and would not be inside a solid or outside of bounds. layers, here and below: only robots
-/// that are in one of them count, and static obstacles that a robot in them heeds. All moving
-/// obstacles and parked robots count.
+/// there. It must not be inside a solid or outside of bounds either. layers, here and below: only
+/// robots that are in one of them count, and static obstacles that a robot in them heeds. All
+/// moving obstacles and parked robots count.
 AVO_C_API avo_result avo_simulation_is_free(avo_simulation_id simulation, avo_vec2 position,
                                             double radius, uint32_t layers, bool* is_free);
 /// What a ray, or a moving disc, touches first. At most one id is not 0; all are 0 where it touches
@@ -1027,9 +1028,9 @@ AVO_C_API avo_result avo_simulation_watch(avo_simulation_id simulation, double s
 /// avo_simulation_unreachable(). AVO_ERROR_UNSUPPORTED if the simulation is not watched.
 AVO_C_API avo_result avo_simulation_events(avo_simulation_id simulation, avo_event* buffer,
                                            size_t capacity, size_t* count);
-/// Why the robot of that event, an index into the events of the last step, is stuck: the words of
-/// avo_simulation_explain() at that time; "" of other events. Buffer, capacity and size are those
-/// of avo_simulation_save().
+/// Why the robot of that event is stuck, in the words of avo_simulation_explain() at that time; ""
+/// of other events. event: an index into the events of the last step. Buffer, capacity and size are
+/// those of avo_simulation_save().
 AVO_C_API avo_result avo_simulation_event_sentence(avo_simulation_id simulation, size_t event,
                                                    char* buffer, size_t capacity, size_t* size);
 
@@ -1048,8 +1049,8 @@ enum {
 /// slots are at least `spacing` apart, m, > 0.
 AVO_C_API avo_result avo_formation_slots(avo_formation formation, size_t count, double spacing,
                                          avo_vec2 center, double heading, avo_vec2* slots);
-/// Writes for each of `count` places the index of its slot, so that the sum of the distances is
-/// least and no two of the lines cross. slot_count >= count.
+/// Writes for each of `count` places the index of its slot. The sum of the distances is then least,
+/// and no two of the lines cross. slot_count >= count.
 AVO_C_API avo_result avo_assign_slots(const avo_vec2* positions, size_t count,
                                       const avo_vec2* slots, size_t slot_count, size_t* chosen);
 /// Sends each robot to a slot as avo_assign_slots() says. Where it fails, nothing has changed.
@@ -1077,8 +1078,8 @@ AVO_C_API bool avo_team_is_valid(avo_team_id team);
 /// Sets goals and preferred velocities of the robots for the next step: call it before each step.
 /// Robots that are gone leave the team.
 AVO_C_API avo_result avo_team_lead(avo_team_id team, avo_simulation_id simulation);
-/// The first robot of a queue goes to its own goal, the others move up. *robot: that one; a null id
-/// if the team is empty or not a queue.
+/// The first robot of a queue goes to its own goal, the others move up. *robot: the first robot; a
+/// null id if the team is empty or not a queue.
 AVO_C_API avo_result avo_team_serve(avo_team_id team, avo_simulation_id simulation,
                                     avo_robot_id* robot);
 /// The robots go to their own goals again, and the team is empty.
@@ -1260,7 +1261,7 @@ AVO_C_API bool avo_navigator_is_valid(avo_navigator_id navigator);
 /// the same goal.
 AVO_C_API avo_result avo_navigator_set_goal(avo_navigator_id navigator, avo_vec2 goal,
                                             double heading, bool is_shared);
-/// Follows a route of somebody else's planner, of two points, m, or more.
+/// Follows a route of another planner, of two points, m, or more.
 AVO_C_API avo_result avo_navigator_set_route(avo_navigator_id navigator, const avo_vec2* points,
                                              size_t count, double heading);
 /// Goes by the map from stage to stage.
@@ -1273,7 +1274,7 @@ AVO_C_API avo_result avo_navigator_clear_goal(avo_navigator_id navigator);
 AVO_C_API avo_result avo_navigator_set_obstacles(avo_navigator_id navigator,
                                                  const avo_obstacle_def* obstacles,
                                                  size_t obstacle_count, uint32_t layers);
-/// One cycle, every time_step. Of the robot, preferred_velocity and distance_to_goal are not read.
+/// One cycle, every time_step. preferred_velocity and distance_to_goal of the robot are not read.
 /// time: s, of any clock that does not go back.
 AVO_C_API avo_result avo_navigator_step(avo_navigator_id navigator, const avo_robot* robot,
                                         const avo_neighbor* neighbors, size_t neighbor_count,
