@@ -9,8 +9,9 @@
 #include <cstdint>
 #include <vector>
 
+#include "certificate/bound_kernel.h"
+#include "certificate/clearance_kernel.h"
 #include "certificate/near_pairs.h"
-#include "certificate/pair_kernel.h"
 
 AVO_BEGIN_KERNELS
 
@@ -50,8 +51,8 @@ void fill(const RobotColumns& robots, const StepLaw& law, BrakingColumns& own) {
 /// Queues the selected neighbors of robot i.
 template <bool kUnlike, typename Real>
 AVO_KERNEL void push(const RobotColumns& robots, const BrakingColumns& a, std::size_t i,
-                     const PackNeighbor<Real>& other, Real neighbor,
-                     decltype(Real() < Real()) chosen, NearQueue& queue) {
+                     const PackRobot<Real>& other, Real neighbor, decltype(Real() < Real()) chosen,
+                     NearQueue& queue) {
   const std::size_t first = queue.count;
   const auto all = [first](double value, NearQueue::Column& column) {
     Real(value).store(&column[first]);
@@ -116,29 +117,33 @@ void judge(const StepLaw& law, NearQueue& queue, std::vector<NearPair>& kept) {
   for (std::size_t i = 0; i < queue.count; i += Real::kLanes) {
     const auto load = [i](const NearQueue::Column& column) { return Real::load(&column[i]); };
     const auto is_pair = lane_numbers<Real>() < Real(static_cast<double>(queue.count - i));
-    const PackNeighbor<Real> other{
+    const auto limit_of = [&](const NearQueue::Column& column) {
+      return select(is_pair, load(column), Real(1.0));  // a divisor must not be 0
+    };
+    PackRobot<Real> other{
         {load(queue.other_x), load(queue.other_y)},
         {load(queue.other_v_x), load(queue.other_v_y)},
         load(queue.other_radius),
-        select(is_pair, load(queue.other_max_acceleration), Real(1.0)),  // a divisor must not be 0
-        kUnlike ? select(is_pair, load(queue.other_max_braking), Real(1.0)) : Real(1.0),
+        limit_of(queue.other_max_acceleration),
+        limit_of(kUnlike ? queue.other_max_braking : queue.other_max_acceleration),
         load(queue.other_priority)};
-    const PackSelf<Real> self{{load(queue.x), load(queue.y)},
-                              {load(queue.v_x), load(queue.v_y)},
-                              load(queue.radius),
-                              load(queue.max_acceleration),
-                              load(queue.max_braking),
-                              load(queue.priority),
-                              {{{}, {}, load(queue.full_steps)},
-                               {},
-                               {load(queue.direction_x), load(queue.direction_y)},
-                               load(queue.length),
-                               load(queue.reach),
-                               load(queue.intervals)}};
+    other.braking = braking_of(other.velocity, other.max_acceleration, other.max_braking, law);
+    const PackRobot<Real> self{{load(queue.x), load(queue.y)},
+                               {load(queue.v_x), load(queue.v_y)},
+                               load(queue.radius),
+                               load(queue.max_acceleration),
+                               load(kUnlike ? queue.max_braking : queue.max_acceleration),
+                               load(queue.priority),
+                               {{{}, {}, load(queue.full_steps)},
+                                {},
+                                {load(queue.direction_x), load(queue.direction_y)},
+                                load(queue.length),
+                                load(queue.reach),
+                                load(queue.intervals)}};
     const PackPair<Real> pair = pair_of<kUnlike>(self, other, law);
     const auto apart = pair.distance - (self.braking.reach + pair.b.reach);
     auto chosen = is_pair & !(apart > pair.inflated + pair.error);
-    PackClearance<Real> clearance = clearance_of<kUnlike>(self, pair, other, law);
+    PackClearance<Real> clearance = clearance_of(self, pair, other, law);
     if (!exact) clearance.gap = Real(-std::numeric_limits<double>::infinity());
     chosen = chosen &
              !(clearance.gap > clearance.against * load(queue.most_ahead) + load(queue.most_aside));
@@ -161,11 +166,18 @@ AVO_KERNEL bool look_for(const RobotColumns& robots, std::size_t i, const StepLa
   const BrakingColumns& own = pairs.own;
   const bool exact = law.is_exact();
   const Real range_squared(neighbors.range * neighbors.range);
-  const BrakingPoint<Real> self{constant<Real>(robots.position(i)),
-                                constant<Real>(robots.velocity(i)),
-                                {own.direction_x[i], own.direction_y[i]},
-                                own.speed[i],
-                                robots.max_acceleration[i]};
+  const PackRobot<Real> self{constant<Real>(robots.position(i)),
+                             constant<Real>(robots.velocity(i)),
+                             robots.radius[i],
+                             robots.max_acceleration[i],
+                             robots.max_braking[i],
+                             robots.priority[i],
+                             {.profile = {own.speed[i], {}, {}},
+                              .increment = {},
+                              .direction = {own.direction_x[i], own.direction_y[i]},
+                              .length = {},
+                              .reach = {},
+                              .intervals = {}}};
   const PackBound<Real> bound{own.far_distance[i],
                               {own.far_reach[0][i], own.far_reach[1][i], own.far_reach[2][i]},
                               own.far_speed_squared[i],
@@ -173,7 +185,7 @@ AVO_KERNEL bool look_for(const RobotColumns& robots, std::size_t i, const StepLa
                               own.per_decrement[i],
                               own.most_ahead[i],
                               exact ? own.most_aside[i] : std::numeric_limits<double>::infinity()};
-  const Real zero(0.0), own_priority(robots.priority[i]), own_braking(robots.max_braking[i]);
+  const Real zero(0.0);
   const std::vector<double>& of_braking =
       kUnlike && columns.has_max_braking ? columns.max_braking : columns.max_acceleration;
   auto others = zero < zero;
@@ -181,20 +193,21 @@ AVO_KERNEL bool look_for(const RobotColumns& robots, std::size_t i, const StepLa
     const auto load = [at = neighbors.first + k](const std::vector<double>& column) {
       return Real::load(&column[at]);
     };
-    const PackNeighbor<Real> other{{load(columns.x), load(columns.y)},
-                                   {load(columns.v_x), load(columns.v_y)},
-                                   load(columns.radius),
-                                   load(columns.max_acceleration),
-                                   load(of_braking),
-                                   load(columns.priority)};
+    const PackRobot<Real> other{{load(columns.x), load(columns.y)},
+                                {load(columns.v_x), load(columns.v_y)},
+                                load(columns.radius),
+                                load(columns.max_acceleration),
+                                load(of_braking),
+                                load(columns.priority)};
     const auto counted = lane_numbers<Real>() < Real(static_cast<double>(neighbors.count - k));
     const auto prompt = load(columns.kinds) > zero;
     others = others | (counted & !prompt);
     auto near = counted & prompt & !are_far(bound, self, other);
     if (any(near)) near = near & !are_clear(bound, self, other, law);
     if constexpr (kUnlike) {
-      const auto unlike = (other.priority < own_priority) | (other.priority > own_priority) |
-                          (other.max_braking < own_braking) | (other.max_braking > own_braking);
+      const auto unlike = (other.priority < self.priority) | (other.priority > self.priority) |
+                          (other.max_braking < self.max_braking) |
+                          (other.max_braking > self.max_braking);
       near = near | (counted & prompt & unlike);
     }
     if (any(near)) {

@@ -30,8 +30,19 @@ scalar::Vec<Real> pack(Vec2 a) {
   return scalar::constant<Real>(a);
 }
 
-scalar::PackBraking<Real> pack(const Braking& braking) {
-  return scalar::constant<Real>(braking);
+scalar::PackRobot<Real> pack(const Robot& robot, const Braking& braking) {
+  return {pack(robot.position),           pack(robot.velocity), robot.radius,
+          robot.max_acceleration,         braking_limit(robot), robot.priority,
+          scalar::constant<Real>(braking)};
+}
+
+scalar::PackRobot<Real> pack(const Neighbor& neighbor, const StepLaw& law) {
+  scalar::PackRobot<Real> other{pack(neighbor.position), pack(neighbor.velocity),
+                                neighbor.radius,         neighbor.max_acceleration,
+                                braking_limit(neighbor), neighbor.priority};
+  other.braking =
+      scalar::braking_of(other.velocity, other.max_acceleration, other.max_braking, law);
+  return other;
 }
 
 // m, the largest distance of a mover on a trajectory from its sensed place until a time from now
@@ -73,13 +84,7 @@ Braking braking_of(Vec2 velocity, const Ability& ability, const StepLaw& law) {
 BrakingPair braking_pair(const Robot& robot, const Neighbor& neighbor, const Braking& a,
                          const StepLaw& law) {
   if (neighbor.behavior == Behavior::decides) {
-    const scalar::PackSelf<Real> self{
-        pack(robot.position), pack(robot.velocity), robot.radius, robot.max_acceleration,
-        braking_limit(robot), robot.priority,       pack(a)};
-    const scalar::PackNeighbor<Real> other{pack(neighbor.position), pack(neighbor.velocity),
-                                           neighbor.radius,         neighbor.max_acceleration,
-                                           braking_limit(neighbor), neighbor.priority};
-    const auto packed = scalar::pair_of<true>(self, other, law);
+    const auto packed = scalar::pair_of(pack(robot, a), pack(neighbor, law), law);
     return {plain(packed.p),
             packed.contact.value,
             packed.inflated.value,

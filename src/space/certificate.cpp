@@ -49,13 +49,8 @@ Deviation plain(const scalar::PackDeviation<Real>& deviation) {
           deviation.most_aside.value};
 }
 
-scalar::PackNeighbor<Real, 3> pack(const Neighbor& neighbor) {
-  return {pack(neighbor.position),   pack(neighbor.velocity), neighbor.radius,
-          neighbor.max_acceleration, braking_limit(neighbor), neighbor.priority,
-          neighbor.vertical,         neighbor.downwash};
-}
-
-scalar::PackSelf<Real, 3> pack(const Robot& robot, const Braking& braking) {
+// A robot or a neighbor.
+scalar::PackRobot<Real, 3> pack(const auto& robot, const Braking& braking) {
   return {pack(robot.position),
           pack(robot.velocity),
           robot.radius,
@@ -63,6 +58,7 @@ scalar::PackSelf<Real, 3> pack(const Robot& robot, const Braking& braking) {
           braking_limit(robot),
           robot.priority,
           scalar::constant<Real, 3>(braking),
+          robot.vertical,
           robot.downwash};
 }
 
@@ -116,8 +112,8 @@ void append_pair(const BrakingPair& pair, const PairShape<3>& shape, int index, 
 
 // What the pair can refuse: the gap is infinite where it is nothing at all, and -infinity where it
 // is not known. docs/space.md, "What can refuse nothing".
-scalar::PackClearance<Real> clearance_of(const scalar::PackSelf<Real, 3>& self,
-                                         const scalar::PackNeighbor<Real, 3>& other,
+scalar::PackClearance<Real> clearance_of(const scalar::PackRobot<Real, 3>& self,
+                                         const scalar::PackRobot<Real, 3>& other,
                                          const scalar::PackPair<Real, 3>& pair,
                                          const PairShape<3>& shape, const StepLaw& law) {
   const double apart = scalar::distance_to(pair.p, shape).value;
@@ -126,7 +122,7 @@ scalar::PackClearance<Real> clearance_of(const scalar::PackSelf<Real, 3>& self,
     return {std::numeric_limits<double>::infinity(), 1.0};
   if (!law.is_exact() || shape.vertical != 1.0 || other.vertical.value != 1.0)
     return {-std::numeric_limits<double>::infinity(), 1.0};
-  scalar::PackClearance<Real> clearance = scalar::clearance_of<true>(self, pair, other, law);
+  scalar::PackClearance<Real> clearance = scalar::clearance_of(self, pair, other, law);
   if (!shape.has_wash()) return clearance;
   // directions between a robot and the far end of a downwash are not those of `against`
   return {clearance.gap - pair.share * Real(std::max(shape.up, shape.down)), 1.0};
@@ -134,8 +130,7 @@ scalar::PackClearance<Real> clearance_of(const scalar::PackSelf<Real, 3>& self,
 
 /// A pair, and what else is asked of it.
 struct CertifiedPair {
-  scalar::PackSelf<Real, 3> self;
-  scalar::PackNeighbor<Real, 3> other;
+  scalar::PackRobot<Real, 3> self, other;
   StepLaw law;  // against this body
   scalar::PackPair<Real, 3> packed;
   PairShape<3> shape;
@@ -147,11 +142,14 @@ struct CertifiedPair {
 
 CertifiedPair pair_of(const Robot& robot, const Bodies& bodies, std::uint32_t place,
                       const StepLaw& law, const Constraints& constraints) {
-  CertifiedPair pair{pack(robot, constraints.own), pack(bodies.neighbor(place)), law, {}, {}};
+  CertifiedPair pair{pack(robot, constraints.own),
+                     pack(bodies.neighbor(place), bodies.braking(place)),
+                     law,
+                     {},
+                     {}};
   if (bodies.has_ages || (!law.is_exact() && bodies.has_vertical))
     pair.law = law_against(bodies.neighbor(place), law);
-  pair.packed = scalar::pair_of<true>(pair.self, pair.other,
-                                      scalar::constant<Real, 3>(bodies.braking(place)), pair.law);
+  pair.packed = scalar::pair_of(pair.self, pair.other, pair.law);
   pair.shape = {robot.downwash, pair.other.downwash.value, robot.vertical,
                 constraints.own_direction};
   return pair;

@@ -6,6 +6,8 @@
 #include <span>
 
 #include "certificate/admission_kernel.h"
+#include "certificate/clearance_kernel.h"
+#include "certificate/deviation_kernel.h"
 
 namespace avo::space {
 

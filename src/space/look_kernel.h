@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "certificate/clearance_kernel.h"
 #include "space/seen_kernel.h"
 
 AVO_BEGIN_KERNELS
@@ -138,14 +139,15 @@ AVO_KERNEL void judge_near(const space::Viewer& look, const space::Bodies& bodie
                            std::span<const std::uint32_t> places,
                            std::vector<space::NearBody>& near) {
   const space::Robot& robot = look.robot;
-  const PackSelf<Real, 3> self{constant<Real>(robot.position),
-                               constant<Real>(robot.velocity),
-                               robot.radius,
-                               robot.max_acceleration,
-                               robot.max_braking.value_or(robot.max_acceleration),
-                               robot.priority,
-                               constant<Real, 3>(look.braking),
-                               robot.downwash};
+  const PackRobot<Real, 3> self{constant<Real>(robot.position),
+                                constant<Real>(robot.velocity),
+                                robot.radius,
+                                robot.max_acceleration,
+                                robot.max_braking.value_or(robot.max_acceleration),
+                                robot.priority,
+                                constant<Real, 3>(look.braking),
+                                robot.vertical,
+                                robot.downwash};
   for (std::size_t first = 0; first < places.size(); first += Real::kLanes) {
     const std::size_t count = std::min(Real::kLanes, places.size() - first);
     alignas(64) double numbers[Real::kLanes];
@@ -161,20 +163,25 @@ AVO_KERNEL void judge_near(const space::Viewer& look, const space::Bodies& bodie
     const auto vector = [&](const std::array<std::vector<double>, 3>& columns) {
       return Vec<Real, 3>{field(columns[0]), field(columns[1]), field(columns[2])};
     };
-    const PackNeighbor<Real, 3> other{vector(bodies.position),     vector(bodies.velocity),
-                                      setting(bodies.radius),      setting(bodies.max_acceleration),
-                                      setting(bodies.max_braking), setting(bodies.priority),
-                                      setting(bodies.vertical),    setting(bodies.downwash)};
-    const PackBraking<Real, 3> b{
-        .profile = {field(bodies.speed), field(bodies.decrement), field(bodies.full_steps)},
-        .increment = field(bodies.increment),
-        .direction = vector(bodies.direction),
-        .length = field(bodies.length),
-        .reach = field(bodies.reach),
-        .intervals = field(bodies.intervals)};
-    const PackPair<Real, 3> pair = pair_of<true>(self, other, b, look.law);
-    const PackClearance<Real> clearance = clearance_of<true>(self, pair, other, look.law);
-    const auto apart = pair.distance - (self.braking.reach + b.reach) > pair.inflated + pair.error;
+    const PackRobot<Real, 3> other{
+        vector(bodies.position),
+        vector(bodies.velocity),
+        setting(bodies.radius),
+        setting(bodies.max_acceleration),
+        setting(bodies.max_braking),
+        setting(bodies.priority),
+        {.profile = {field(bodies.speed), field(bodies.decrement), field(bodies.full_steps)},
+         .increment = field(bodies.increment),
+         .direction = vector(bodies.direction),
+         .length = field(bodies.length),
+         .reach = field(bodies.reach),
+         .intervals = field(bodies.intervals)},
+        setting(bodies.vertical),
+        setting(bodies.downwash)};
+    const PackPair<Real, 3> pair = pair_of(self, other, look.law);
+    const PackClearance<Real> clearance = clearance_of(self, pair, other, look.law);
+    const auto apart =
+        pair.distance - (self.braking.reach + pair.b.reach) > pair.inflated + pair.error;
     const auto clear = clearance.gap > clearance.against * Real(look.deviation.most_ahead) +
                                            Real(look.deviation.most_aside);
     alignas(64) double gaps[Real::kLanes], against[Real::kLanes];

@@ -251,8 +251,7 @@ scalar::Vec<Real> pack(Vec2 v) {
 // What one robot looks at another by.
 struct Look {
   scalar::PackBound<Real> bound;
-  scalar::BrakingPoint<Real> self;
-  scalar::PackNeighbor<Real> other;
+  scalar::PackRobot<Real> self, other;
 };
 
 Real strays(const Robot& a) {
@@ -263,11 +262,14 @@ Look look_of(const Robot& a, const Neighbor& b, const StepLaw& law) {
   const auto own =
       scalar::braking_of(pack(a.velocity), Real(a.max_acceleration), Real(braking_limit(a)), law);
   const auto deviation = scalar::deviation_of(own, strays(a), Real(0.0), law);
+  const auto braking_of_b =
+      scalar::braking_of(pack(b.velocity), Real(b.max_acceleration), Real(braking_limit(b)), law);
   return {
       scalar::bound_of(pack(a.position), Real(a.radius), own, deviation, Real(a.max_speed), law),
-      {pack(a.position), pack(a.velocity), own.direction, own.profile.speed, a.max_acceleration},
+      {pack(a.position), pack(a.velocity), a.radius, a.max_acceleration, braking_limit(a),
+       a.priority, own},
       {pack(b.position), pack(b.velocity), b.radius, b.max_acceleration, braking_limit(b),
-       b.priority}};
+       b.priority, braking_of_b}};
 }
 
 bool is_beyond_far_bound(const Robot& a, const Neighbor& b, const StepLaw& law) {
@@ -317,14 +319,9 @@ TEST(ClearBound, is_clear_only_of_those_that_refuse_nothing) {
     const StepLaw& law = s.law.step;
     const Look look = look_of(s.a, other, law);
     const bool told = scalar::are_clear(look.bound, look.self, look.other, law).bit;
-    const auto own = scalar::braking_of(pack(s.a.velocity), Real(s.a.max_acceleration),
-                                        Real(braking_limit(s.a)), law);
-    const scalar::PackSelf<Real> self{
-        pack(s.a.position), pack(s.a.velocity), s.a.radius, s.a.max_acceleration,
-        braking_limit(s.a), s.a.priority,       own};
-    const auto pair = scalar::pair_of(self, look.other, law);
-    const auto [gap, against] = scalar::clearance_of(self, pair, look.other, law);
-    const auto deviation = scalar::deviation_of(own, strays(s.a), Real(0.0), law);
+    const auto pair = scalar::pair_of(look.self, look.other, law);
+    const auto [gap, against] = scalar::clearance_of(look.self, pair, look.other, law);
+    const auto deviation = scalar::deviation_of(look.self.braking, strays(s.a), Real(0.0), law);
     const bool refuses_nothing =
         gap.value > against.value * deviation.most_ahead.value + deviation.most_aside.value;
     EXPECT_TRUE(!told || refuses_nothing) << "pair " << i;
@@ -348,11 +345,8 @@ TEST(Clearance, is_no_more_than_the_distance_that_joint_braking_leaves) {
     const Look look = look_of(s.a, seen(s.b), law);
     const Braking a = braking_of(s.a.velocity, ability_of(s.a), law);
     const Braking b = braking_of(s.b.velocity, ability_of(s.b), law);
-    const scalar::PackSelf<Real> self{pack(s.a.position),          pack(s.a.velocity), s.a.radius,
-                                      s.a.max_acceleration,        braking_limit(s.a), s.a.priority,
-                                      scalar::constant<Real, 2>(a)};
-    const auto pair = scalar::pair_of(self, look.other, law);
-    const double gap = scalar::clearance_of(self, pair, look.other, law).gap.value;
+    const auto pair = scalar::pair_of(look.self, look.other, law);
+    const double gap = scalar::clearance_of(look.self, pair, look.other, law).gap.value;
     if (!std::isfinite(gap)) continue;
     const double least = gap / pair.share.value + pair.inflated.value;
     double nearest = std::numeric_limits<double>::infinity();
