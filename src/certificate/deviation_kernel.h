@@ -4,6 +4,9 @@
 #ifndef AVO_CERTIFICATE_DEVIATION_KERNEL_H
 #define AVO_CERTIFICATE_DEVIATION_KERNEL_H
 
+#include <cstddef>
+
+#include "certificate/constraint_columns.h"
 #include "certificate/robot_kernel.h"
 
 AVO_BEGIN_KERNELS
@@ -89,6 +92,32 @@ AVO_KERNEL PackCandidateDeviation<Real> candidate_deviation(const PackBraking<Re
     aside = aside + select(weak, select(steady, max(behind, zero), lead * braked + left), zero);
   }
   return {select(steady, rounding * max(ahead, zero) + margin, zero), rounding * aside + margin};
+}
+
+/// A's braking path by interval, and the largest deviation of its candidates from it.
+template <typename Real, int D>
+void fill_own(const BrakingOf<D>& a, const Deviation& deviation, const StepLaw& law,
+              OwnColumnsOf<D>& own) {
+  for (; own.filled <= own.count; own.filled += Real::kLanes) {
+    const std::size_t k = own.filled;
+    const Real m = Real::numbers_from(k);
+    const PackDistances<Real> braking = distances(constant<Real>(a.profile), law, m);
+    const Vec<Real, D> along = constant<Real>(a.direction);
+    const Vec<Real, D> start = braking.start * along, middle = braking.middle * along;
+    store_vector(start, own.start, k);
+    store_vector(middle, own.middle, k);
+    const Real fast = distances(constant<Real>(deviation.fast), law, m).start;
+    const Real gained = fast - distances(constant<Real>(deviation.slow), law, m).start;
+    const auto bound = [](const Deviation::Line& line, Real distance) {
+      return Real(line.start) + Real(line.per_distance) * distance;
+    };
+    const Real ahead = bound(deviation.ahead, gained), across = bound(deviation.across, fast);
+    const Real anyhow = bound(deviation.anyhow, fast);
+    ahead.store(&own.ahead[k]);
+    across.store(&own.across[k]);
+    anyhow.store(&own.anyhow[k]);
+    (ahead + across + anyhow).store(&own.most[k]);
+  }
 }
 
 AVO_END_KERNELS

@@ -29,7 +29,7 @@ struct SeenColumns;
 struct SpacePairs;
 
 struct SpaceKernels {
-  // constraints_kernel.h: own.count must be set, and the columns must have room for all intervals
+  // deviation_kernel.h: own.count must be set, and the columns must have room for all intervals
   void (*fill_own)(const Braking&, const Deviation&, const StepLaw&, OwnColumns&);
   double (*append_constraints)(const PairConstraints&, const StepLaw&, const OwnColumns&,
                                ConstraintColumns&);
