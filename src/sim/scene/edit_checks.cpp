@@ -53,16 +53,15 @@ Scenario settings_for(const World& world, std::span<const RobotSetup> robots) {
 
 namespace {
 
-// Returns whether the checks of a kind, and of a kind beside others, were made for robots that are
-// there.
+// Returns whether robots that are there need as much of all others, and all others of them.
 bool is_known(const World& world, const RobotSetup& setup) {
-  return world.kinds && world.kinds->has_several(setup);
+  return world.kinds && world.kinds->exceed(setup);
 }
 
 }  // namespace
 
 void check_values(const World& world, const RobotSetup& setup, RobotId robot, bool among_walls) {
-  if (is_known(world, setup))
+  if (world.kinds && world.kinds->has_faster(setup))
     return tell_as("robots.0.", name_of(robot),
                    [&] { check_robot(0, setup, time_step_of(world.settings, setup)); });
   Scenario scene = settings_for(world, {&setup, 1});
