@@ -94,8 +94,7 @@ avo::space::Scenario scenario_of(const avo_space_simulation_def& def) {
            [&](const avo_space_robot_def& robot, const Where& where) {
              scenario.robots.push_back(setup_of(robot, where));
            });
-  require_array(def.boxes, def.box_count, "boxes");
-  for (std::size_t k = 0; k < def.box_count; ++k) scenario.boxes.push_back(from_c(def.boxes[k]));
+  read_boxes(def.boxes, def.box_count, scenario.boxes);
   return scenario;
 }
 

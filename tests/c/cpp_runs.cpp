@@ -2,6 +2,7 @@
 #include "cpp_runs.h"
 
 #include "avo/simulation.h"
+#include "avo/space/planner.h"
 #include "avo/space/simulation.h"
 #include "avo_io/scene.h"
 
@@ -127,4 +128,24 @@ std::uint64_t cpp_space_hash(int steps) {
   avo::space::Simulation simulation(scenario);
   for (int k = 0; k < steps; ++k) simulation.step();
   return simulation.state_hash();
+}
+
+void cpp_space_decision(int neighbor_age, int mover_age, double next_velocity[3]) {
+  avo::PlannerOptions options{.method = avo::Method::avo};
+  options.sensing_error = {0.0, 0.05};
+  avo::space::Robot robot;
+  robot.velocity = {1.0, 0.0, 0.0}, robot.preferred_velocity = {2.0, 0.0, 0.0};
+  options.wall_range = evasion_range(robot);
+  avo::space::Neighbor other;
+  other.position = {3.0, 0.1, 0.0}, other.velocity = {-1.0, 0.0, 0.0}, other.age = neighbor_age;
+  avo::space::Mover mover;
+  mover.position = {2.0, 8.0, 0.0}, mover.velocity = {0.0, -4.0, 0.0};
+  mover.radius = 1.0, mover.max_deviation = 0.05, mover.age = mover_age;
+  avo::space::Box floor;
+  floor.max.z = -1.0;
+  avo::space::PlanWorkspace workspace;
+  const avo::space::Plan plan = avo::space::Planner(options).plan(
+      robot, {&other, 1}, workspace, nullptr, {&floor, 1}, {&mover, 1});
+  next_velocity[0] = plan.next_velocity.x, next_velocity[1] = plan.next_velocity.y;
+  next_velocity[2] = plan.next_velocity.z;
 }

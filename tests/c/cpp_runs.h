@@ -21,6 +21,10 @@ void cpp_yard_hashes(uint64_t hashes[3]);
 /* Of six robots of space above a floor, one of them with a quadrotor behind it. */
 uint64_t cpp_space_hash(int steps);
 
+/* The next velocity of a robot of space between a neighbor and a moving obstacle that were sensed
+ * so many steps ago. It flies 1 m above a floor. */
+void cpp_space_decision(int neighbor_age, int mover_age, double next_velocity[3]);
+
 #ifdef __cplusplus
 }
 #endif

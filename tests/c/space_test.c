@@ -94,7 +94,7 @@ static void one_robot_gives_way(void) {
   robot.velocity = robot.preferred_velocity = at(1.5, 0.0, 0.0);
   other.position = at(6.0, 0.1, 0.0);
   other.velocity = at(-1.5, 0.0, 0.0);
-  REQUIRE(avo_space_planner_plan(planner, &robot, &other, 1, &floor, 1, &memory, &plan));
+  REQUIRE(avo_space_planner_plan(planner, &robot, &other, 1, &floor, 1, NULL, 0, &memory, &plan));
   CHECK(plan.state == AVO_SAFETY_SAFE && plan.acceleration.y < -0.2 && plan.box == -1);
   CHECK(memory.acceleration.y == plan.acceleration.y || memory.acceleration.y < 0.0);
   REQUIRE(avo_space_planner_get_sensing_range(planner, &robot, &robot, &range));
@@ -102,14 +102,59 @@ static void one_robot_gives_way(void) {
   REQUIRE(avo_space_planner_get_box_range(planner, &robot, &range));
   CHECK(range > 1.0 && range < 20.0);
   robot.position = at(0.0, 0.0, -2.0);
-  REQUIRE(avo_space_planner_plan(planner, &robot, NULL, 0, &floor, 1, NULL, &plan));
+  REQUIRE(avo_space_planner_plan(planner, &robot, NULL, 0, &floor, 1, NULL, 0, NULL, &plan));
   CHECK(plan.status == AVO_PLAN_OVERLAPPING && plan.box == 0 && plan.depth > 0.4f);
   robot.size = 3;
-  REFUSES(avo_space_planner_plan(planner, &robot, NULL, 0, NULL, 0, NULL, &plan),
+  REFUSES(avo_space_planner_plan(planner, &robot, NULL, 0, NULL, 0, NULL, 0, NULL, &plan),
           AVO_ERROR_INVALID_DEFINITION, "robot.size: found 3");
   def.method = AVO_METHOD_ORCA;
   REFUSES(avo_create_space_planner(&def, &planner), AVO_ERROR_INVALID_VALUE, "method");
   REQUIRE(avo_destroy_space_planner(planner));
+}
+
+static avo_vec3 decided(int neighbor_age, int mover_age, avo_space_plan* plan) {
+  avo_planner_def def = avo_default_planner_def(AVO_METHOD_AVO);
+  avo_space_planner_id planner;
+  avo_space_robot robot = avo_default_space_robot();
+  avo_space_neighbor other = avo_default_space_neighbor();
+  avo_space_mover mover = avo_default_space_mover();
+  const avo_space_box floor = floor_at(-1.0);
+  double range = 0.0;
+  REQUIRE(avo_space_evasion_range(&robot, &def.wall_range));
+  def.sensing_error.velocity = 0.05;
+  REQUIRE(avo_create_space_planner(&def, &planner));
+  robot.velocity = at(1.0, 0.0, 0.0);
+  robot.preferred_velocity = at(2.0, 0.0, 0.0);
+  other.position = at(3.0, 0.1, 0.0);
+  other.velocity = at(-1.0, 0.0, 0.0);
+  other.age = neighbor_age;
+  mover.position = at(2.0, 8.0, 0.0);
+  mover.velocity = at(0.0, -4.0, 0.0);
+  mover.radius = 1.0;
+  mover.max_deviation = 0.05;
+  mover.age = mover_age;
+  REQUIRE(avo_space_planner_get_mover_range(planner, &robot, &mover, &range));
+  CHECK(range > 4.0 && range < 40.0);
+  REQUIRE(avo_space_planner_plan(planner, &robot, &other, 1, &floor, 1, &mover, 1, NULL, plan));
+  REQUIRE(avo_destroy_space_planner(planner));
+  return plan->next_velocity;
+}
+
+static void one_robot_evades_what_moves(void) {
+  const int ages[4][2] = {{0, 0}, {4, 0}, {0, 4}, {0, -1}};
+  avo_space_plan plan;
+  double expected[3];
+  avo_vec3 first = at(0.0, 0.0, 0.0);
+  for (int k = 0; k < 3; ++k) {
+    const avo_vec3 next = decided(ages[k][0], ages[k][1], &plan);
+    cpp_space_decision(ages[k][0], ages[k][1], expected);
+    CHECK(next.x == expected[0] && next.y == expected[1] && next.z == expected[2]);
+    CHECK(next.x != first.x || next.y != first.y || next.z != first.z);
+    first = next;
+  }
+  CHECK(plan.evading && plan.mover == -1);
+  decided(ages[3][0], ages[3][1], &plan);
+  CHECK(plan.status == AVO_PLAN_INVALID_INPUT);
 }
 
 static void set_points_are_one_delay_late(void) {
@@ -159,6 +204,7 @@ static void scene_files_are_read(void) {
 int main(void) {
   a_fleet_moves_as_in_cpp();
   one_robot_gives_way();
+  one_robot_evades_what_moves();
   set_points_are_one_delay_late();
   scene_files_are_read();
   return 0;

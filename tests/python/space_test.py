@@ -97,6 +97,32 @@ def test_one_robot_decides_as_in_a_fleet():
     assert away > 1.0
 
 
+def test_one_robot_evades_what_moves_and_allows_for_ages():
+    robot = avo.space.Robot(position=(0, 0, 0), velocity=(1, 0, 0), preferred_velocity=(2, 0, 0))
+    reach = avo.space.evasion_range(robot)
+    planner = avo.space.Planner(wall_range=reach, sensing_error=(0.0, 0.05))
+    ball = avo.space.Mover(position=(2, 8, 0), velocity=(0, -4, 0), radius=1.0, max_deviation=0.05)
+    assert 4.0 < planner.sensing_range(robot, ball) < 40.0 and 1.0 < reach < 20.0
+    boxes, found = [avo.space.Box(max=(9e9, 9e9, -1))], set()
+    robots = avo.space.Robots(position=[[0, 0, 0]], velocity=[[1, 0, 0]], preferred_velocity=[[2, 0, 0]])
+    for age, ball.age in ((0, 0), (4, 0), (0, 4)):
+        other = avo.space.Neighbor(position=(3, 0.1, 0), velocity=(-1, 0, 0), age=age)
+        plan = planner.plan(robot, [other], boxes, movers=[ball])
+        assert plan.evading and plan.mover == -1
+        found.add(plan.next_velocity)
+        sensed = avo.space.Neighbors(position=[[3, 0.1, 0]], velocity=[[-1, 0, 0]], offsets=[0, 1], age=age)
+        together = planner.plan(robots, sensed, boxes, movers=[ball])
+        assert tuple(together.next_velocity()[0]) == plan.next_velocity
+    assert len(found) == 3
+    ball.age = -1
+    assert planner.plan(robot, movers=[ball]).status == "invalid_input"
+    ball.age, ball.position = 0, (1.2, 0.1, 0)
+    plan = planner.plan(robot, movers=[avo.space.Mover(position=(40, 0, 0)), ball])
+    assert plan.status == "overlapping" and plan.mover == 1 and 0.2 < plan.depth < 0.3
+    with pytest.raises(avo.Error, match="age: found 0.5, must be a whole number"):
+        avo.space.Neighbors(position=[[6, 0, 0]], velocity=[[0, 0, 0]], offsets=[0, 1], age=0.5)
+
+
 def test_batches_have_the_bits_of_single_decisions():
     random, n = np.random.default_rng(5), 40
     robots = avo.space.Robots(

@@ -9,6 +9,7 @@ Box = _avo._space.Box
 Detour = _avo._space.Detour
 Detours = _avo._space.Detours
 Filter = _avo._space.Filter
+Mover = _avo._space.Mover
 Neighbor = _avo._space.Neighbor
 Neighbors = _avo._space.Neighbors
 Plan = _avo._space.Plan
@@ -23,6 +24,7 @@ SetPoint = _avo._space.SetPoint
 Simulation = _avo._space.Simulation
 Worlds = _avo._space.Worlds
 check = _avo._space.check
+evasion_range = _avo._space.evasion_range
 explain = _avo._space.explain
 run = _avo._space.run
 _is_in_space = _avo._space._is_in_space
@@ -32,6 +34,7 @@ __all__ = [
     "Detour",
     "Detours",
     "Filter",
+    "Mover",
     "Neighbor",
     "Neighbors",
     "Plan",
@@ -46,6 +49,7 @@ __all__ = [
     "Simulation",
     "Worlds",
     "check",
+    "evasion_range",
     "explain",
     "run",
 ]

@@ -157,6 +157,7 @@ class Neighbor:
     downwash: _Number
     priority: _Number
     max_braking: _NumberOrNone
+    age: int
     def __init__(
         self,
         *,
@@ -168,6 +169,27 @@ class Neighbor:
         downwash: _Float = 0.0,
         priority: _Float = 1.0,
         max_braking: _Float | None = None,
+        age: _Int = 0,
+    ) -> None: ...
+
+class Mover:
+    position: _Triple
+    velocity: _Triple
+    acceleration: _Triple
+    radius: _Number
+    max_deviation: _Number
+    max_speed: _Number
+    age: int
+    def __init__(
+        self,
+        *,
+        position: _Numbers,
+        velocity: _Numbers = (0.0, 0.0, 0.0),
+        acceleration: _Numbers = (0.0, 0.0, 0.0),
+        radius: _Float = 0.5,
+        max_deviation: _Float = 0.0,
+        max_speed: _Float = ...,
+        age: _Int = 0,
     ) -> None: ...
 
 @final
@@ -186,6 +208,10 @@ class Plan:
     def neighbor(self) -> int: ...
     @property
     def box(self) -> int: ...
+    @property
+    def mover(self) -> int: ...
+    @property
+    def evading(self) -> bool: ...
     @property
     def depth(self) -> float: ...
     @property
@@ -234,6 +260,7 @@ class Neighbors:
         downwash: npt.ArrayLike = 0.0,
         priority: npt.ArrayLike = 1.0,
         max_braking: npt.ArrayLike | None = None,
+        age: npt.ArrayLike = 0,
     ) -> None: ...
     @staticmethod
     def among(robots: Robots, sensing_radius: _Float) -> Neighbors: ...
@@ -272,6 +299,7 @@ class Planner:
         response_time: _Float | None = None,
         comfort_acceleration: _Float | None = None,
         comfort_jerk: _Float | None = None,
+        wall_range: _Float = 0.0,
     ) -> None: ...
     @overload
     def plan(
@@ -280,6 +308,7 @@ class Planner:
         neighbors: Sequence[Neighbor] = (),
         boxes: Sequence[Box] = (),
         detour: Detour | None = None,
+        movers: Sequence[Mover] = (),
     ) -> Plan: ...
     @overload
     def plan(
@@ -288,12 +317,13 @@ class Planner:
         neighbors: Neighbors,
         boxes: Sequence[Box] = (),
         detour: Detours | None = None,
+        movers: Sequence[Mover] = (),
     ) -> Plans: ...
     def is_admitted(
         self, robot: Robot, neighbors: Sequence[Neighbor], next_velocity: _Numbers, boxes: Sequence[Box] = ()
     ) -> bool: ...
     def box_range(self, robot: Robot) -> float: ...
-    def sensing_range(self, robot: Robot, other: Robot) -> float: ...
+    def sensing_range(self, robot: Robot, other: Robot | Mover) -> float: ...
 
 class Scenario:
     def __init__(self, source: _Source, overrides: _Overrides = None) -> None: ...
@@ -372,6 +402,7 @@ class Worlds:
     def max_speed(self) -> _Floats: ...
     def max_acceleration(self) -> _Floats: ...
 
+def evasion_range(robot: Robot) -> float: ...
 def _is_in_space(source: Any) -> bool: ...
 def run(
     scene: _Source, *, threads: _Int = 0, record: _Path | None = None, until_arrived: bool = False

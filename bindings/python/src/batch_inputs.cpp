@@ -10,6 +10,13 @@
 
 namespace avo_python {
 
+int checked_age(double age) {
+  if (age != std::floor(age) || age < 0.0 || age > avo::kMostAge)
+    throw avo::Error(
+        fmt::format("age: found {}, must be a whole number, 0 to {}", age, avo::kMostAge));
+  return static_cast<int>(age);
+}
+
 std::vector<std::size_t> checked_offsets(const py::object& object, std::size_t m) {
   const py::array any = py::array::ensure(object);
   const char kind = any ? any.dtype().kind() : '?';
@@ -103,13 +110,6 @@ Robots make_robots(const py::object& position, const py::object& velocity,
                           .priority = weight[k],
                           .max_braking = at(braking, k)});
   return robots;
-}
-
-int checked_age(double age) {
-  if (age != std::floor(age) || age < 0.0 || age > avo::kMostAge)
-    throw avo::Error(
-        fmt::format("age: found {}, must be a whole number, 0 to {}", age, avo::kMostAge));
-  return static_cast<int>(age);
 }
 
 /// Reads (m, 2), or returns 0 for all.

@@ -29,6 +29,9 @@ struct Detours : Shared<std::vector<avo::Detour>> {
 /// Reads offsets of CSR form. Throws Error unless they ascend from 0 to m.
 std::vector<std::size_t> checked_offsets(const py::object& object, std::size_t m);
 
+/// Throws Error unless it is a whole number in the range of ages.
+int checked_age(double age);
+
 void bind_batch_inputs(py::module_& module);
 
 }  // namespace avo_python

@@ -36,6 +36,12 @@ struct SpaceDetours : Shared<std::vector<Detour>> {
   const std::size_t size;
 };
 
+/// What all robots of a batch have around them.
+struct Surroundings {
+  std::span<const avo::space::Box> boxes;
+  std::span<const avo::space::Mover> movers;
+};
+
 struct SpacePlans {
   std::vector<Plan> all;
 };
@@ -90,18 +96,20 @@ SpaceNeighbors make_neighbors(const py::object& position, const py::object& velo
                               const py::object& offsets, const py::object& radius,
                               const py::object& max_acceleration, const py::object& vertical,
                               const py::object& downwash, const py::object& priority,
-                              const py::object& max_braking) {
+                              const py::object& max_braking, const py::object& age) {
   const std::vector<Vec3> p = places("position", position);
   const std::size_t m = p.size();
   const std::vector<Vec3> v = places("velocity", velocity, m);
   const PerRobot r("radius", radius, m), a("max_acceleration", max_acceleration, m),
-      e("vertical", vertical, m), wash("downwash", downwash, m), weight("priority", priority, m);
+      e("vertical", vertical, m), wash("downwash", downwash, m), weight("priority", priority, m),
+      ages("age", age, m);
   const auto braking = if_given("max_braking", max_braking, m);
   SpaceNeighbors neighbors;
   neighbors.first = checked_offsets(offsets, m);
   neighbors.all.reserve(m);
   for (std::size_t k = 0; k < m; ++k)
-    neighbors.all.push_back({p[k], v[k], r[k], a[k], e[k], wash[k], weight[k], at(braking, k)});
+    neighbors.all.push_back(
+        {p[k], v[k], r[k], a[k], e[k], wash[k], weight[k], at(braking, k), checked_age(ages[k])});
   return neighbors;
 }
 
@@ -123,8 +131,7 @@ SpaceNeighbors among(const SpaceRobots& robots, double sensing_radius) {
 }
 
 SpacePlans plan_all(const Planner& planner, const SpaceRobots& robots,
-                    const SpaceNeighbors& neighbors, const std::vector<avo::space::Box>& boxes,
-                    Detour* detours) {
+                    const SpaceNeighbors& neighbors, const Surroundings& around, Detour* detours) {
   avo::space::PlanWorkspace workspace;
   SpacePlans plans;
   plans.all.reserve(robots.all.size());
@@ -133,14 +140,15 @@ SpacePlans plan_all(const Planner& planner, const SpaceRobots& robots,
         std::span(neighbors.all)
             .subspan(neighbors.first[k], neighbors.first[k + 1] - neighbors.first[k]);
     plans.all.push_back(planner.plan(robots.all[k], seen, workspace,
-                                     detours != nullptr ? &detours[k] : nullptr, boxes));
+                                     detours != nullptr ? &detours[k] : nullptr, around.boxes,
+                                     around.movers));
   }
   return plans;
 }
 
 SpacePlans plan_batch(const Planner& planner, const SpaceRobots& robots,
                       const SpaceNeighbors& neighbors, const std::vector<avo::space::Box>& boxes,
-                      SpaceDetours* detours) {
+                      SpaceDetours* detours, const std::vector<avo::space::Mover>& movers) {
   const std::size_t n = robots.all.size();
   if (neighbors.first.size() != n + 1)
     throw avo::Error(fmt::format("neighbors: found those of {} robots, must be those of {}",
@@ -150,10 +158,10 @@ SpacePlans plan_batch(const Planner& planner, const SpaceRobots& robots,
         fmt::format("detour: found those of {} robots, must be those of {}", detours->size, n));
   if (detours != nullptr)
     return detours->alone([&](std::vector<Detour>& remembered) {
-      return plan_all(planner, robots, neighbors, boxes, remembered.data());
+      return plan_all(planner, robots, neighbors, {boxes, movers}, remembered.data());
     });
   const py::gil_scoped_release release;
-  return plan_all(planner, robots, neighbors, boxes, nullptr);
+  return plan_all(planner, robots, neighbors, {boxes, movers}, nullptr);
 }
 
 template <typename Of>  // Vec3 of(plan)
@@ -191,7 +199,7 @@ void bind_inputs(py::module_& module) {
       .def(py::init(&make_neighbors), py::kw_only(), arg("position"), arg("velocity"),
            arg("offsets"), arg("radius") = 0.5, arg("max_acceleration") = 1.0,
            arg("vertical") = 1.0, arg("downwash") = 0.0, arg("priority") = 1.0,
-           arg("max_braking") = py::none(),
+           arg("max_braking") = py::none(), arg("age") = 0,
            "position: (m, 3), m, and velocity: (m, 3), m/s, of all that all robots sense, robot "
            "after robot; offsets: (n + 1,), those of robot k are rows offsets[k] to offsets[k + 1] "
            "- 1. One number, or (m,): the others, as those of Neighbor.")
@@ -250,7 +258,8 @@ void bind_batches(py::module_& module) {
   planner.attr("plan") = py::cpp_function(
       &plan_batch, py::name("plan"), py::is_method(planner), py::sibling(planner.attr("plan")),
       arg("robots"), arg("neighbors"), arg("boxes") = py::tuple(), arg("detour") = py::none(),
-      "The same for Robots, each among its own of Neighbors; boxes: all of theirs; detour: "
+      arg("movers") = py::tuple(),
+      "The same for Robots, each among its own of Neighbors; boxes, movers: all of theirs; detour: "
       "Detours, updated, None: nothing. Every decision has the bits of that of one robot alone.");
 }
 

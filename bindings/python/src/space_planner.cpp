@@ -20,8 +20,9 @@ avo::space::PlanWorkspace& space_workspace() {
 // released.
 avo::space::Plan plan(const Planner& planner, const avo::space::Robot robot,
                       const std::vector<avo::space::Neighbor>& neighbors,
-                      const std::vector<avo::space::Box>& boxes, avo::space::Detour* detour) {
-  return planner.plan(robot, neighbors, space_workspace(), detour, boxes);
+                      const std::vector<avo::space::Box>& boxes, avo::space::Detour* detour,
+                      const std::vector<avo::space::Mover>& movers) {
+  return planner.plan(robot, neighbors, space_workspace(), detour, boxes, movers);
 }
 
 bool is_admitted(const Planner& planner, const avo::space::Robot robot,
@@ -43,6 +44,10 @@ void bind_results(py::module_& space) {
       .def_readonly("neighbor", &Plan::neighbor,
                     "if overlapping, the deepest neighbor's position in the list, or -1")
       .def_readonly("box", &Plan::box, "if overlapping, the box's position in the list, or -1")
+      .def_readonly("mover", &Plan::mover,
+                    "if overlapping, the mover's position in the list, or -1")
+      .def_readonly("evading", &Plan::evading,
+                    "whether an evasive maneuver has replaced the robot's own choice")
       .def_readonly("depth", &Plan::depth, "m: if overlapping, by how much")
       .def_readonly("violation", &Plan::violation, "m/s, 0 if optimal")
       .def("__repr__", [](const Plan& plan) {
@@ -71,10 +76,11 @@ void bind_planner(py::module_& space) {
            "The options of avo.Planner that space has. Raises Error on the others, and on options "
            "out of range.")
       .def("plan", &plan, arg("robot"), arg("neighbors") = py::tuple(), arg("boxes") = py::tuple(),
-           arg("detour") = py::none(),
+           arg("detour") = py::none(), arg("movers") = py::tuple(),
            "One decision of a Robot. neighbors: Neighbors, in any order; boxes: those within "
-           "box_range(); detour: what it remembers, updated, None: nothing. Bad numbers are the "
-           "status \"invalid_input\".")
+           "box_range(), and beside movers within wall_range; detour: what it remembers, updated, "
+           "None: nothing; movers: Movers, the moving obstacles. Bad numbers are the status "
+           "\"invalid_input\".")
       .def(
           "is_admitted", &is_admitted, arg("robot"), arg("neighbors"), arg("next_velocity"),
           arg("boxes") = py::tuple(),
@@ -91,7 +97,17 @@ void bind_planner(py::module_& space) {
             return avo::space::sensing_range(robot, other, self.options());
           },
           arg("robot"), arg("other"),
-          "m, between centers: within it the robot has to sense another one of these limits.");
+          "m, between centers: within it the robot has to sense another one of these limits.")
+      .def(
+          "sensing_range",
+          [](const Planner& self, const avo::space::Robot& robot, const avo::space::Mover& other) {
+            return avo::space::sensing_range(robot, other, self.options());
+          },
+          arg("robot"), arg("other"),
+          "The same for a Mover, before which the robot has to come to rest.");
+  space.def("evasion_range", &avo::space::evasion_range, arg("robot"),
+            "m: how far from its place a robot's evasive maneuvers may lead, the wall_range of a "
+            "planner beside moving obstacles.");
 }
 
 }  // namespace avo_python::space

@@ -152,14 +152,15 @@ void bind_neighbor(py::module_& space) {
   py::class_<Neighbor>(space, "Neighbor", "Another robot B as A senses it; B decides as well.")
       .def(py::init([](Vec3 position, Vec3 velocity, double radius, double max_acceleration,
                        double vertical, double downwash, double priority,
-                       std::optional<double> max_braking) {
-             return Neighbor{position, velocity, radius,   max_acceleration,
-                             vertical, downwash, priority, max_braking};
+                       std::optional<double> max_braking, int age) {
+             return Neighbor{position, velocity,    radius, max_acceleration, vertical, downwash,
+                             priority, max_braking, age};
            }),
            py::kw_only(), arg("position"), arg("velocity") = kOrigin(), arg("radius") = 0.5,
            arg("max_acceleration") = 1.0, arg("vertical") = 1.0, arg("downwash") = 0.0,
-           arg("priority") = 1.0, arg("max_braking") = py::none(),
-           "position: (x, y, z), m; velocity: m/s; the others as those of Robot.")
+           arg("priority") = 1.0, arg("max_braking") = py::none(), arg("age") = 0,
+           "position: (x, y, z), m; velocity: m/s; age: steps since it was sensed; the others as "
+           "those of Robot.")
       .def_readwrite("position", &Neighbor::position, "[p_B] (x, y, z), m")
       .def_readwrite("velocity", &Neighbor::velocity, "[v_B] (x, y, z), m/s")
       .def_readwrite("radius", &Neighbor::radius, "[r_B] m, > 0")
@@ -167,7 +168,34 @@ void bind_neighbor(py::module_& space) {
       .def_readwrite("vertical", &Neighbor::vertical, "[e_B] > 0, see Robot.vertical")
       .def_readwrite("downwash", &Neighbor::downwash, "[w_B] m, >= 0, see Robot.downwash")
       .def_readwrite("priority", &Neighbor::priority, "> 0")
-      .def_readwrite("max_braking", &Neighbor::max_braking, "[b_B] m/s^2; None: max_acceleration");
+      .def_readwrite("max_braking", &Neighbor::max_braking, "[b_B] m/s^2; None: max_acceleration")
+      .def_readwrite("age", &Neighbor::age,
+                     "[d] steps since it was sensed; extrapolated at constant velocity");
+}
+
+void bind_mover(py::module_& space) {
+  using avo::space::Mover;
+  py::class_<Mover>(space, "Mover", "A moving obstacle as a robot senses it; it decides nothing.")
+      .def(py::init([](Vec3 position, Vec3 velocity, Vec3 acceleration, double radius,
+                       double max_deviation, double max_speed, int age) {
+             return Mover{position, velocity, acceleration, radius, max_deviation, max_speed, age};
+           }),
+           py::kw_only(), arg("position"), arg("velocity") = kOrigin(),
+           arg("acceleration") = kOrigin(), arg("radius") = 0.5, arg("max_deviation") = 0.0,
+           arg("max_speed") = kInfinity, arg("age") = 0,
+           "position: (x, y, z), m; velocity, max_speed: m/s; acceleration, max_deviation: m/s^2; "
+           "radius: m; age: steps since it was sensed.")
+      .def_readwrite("position", &Mover::position, "(x, y, z), m, the center of its ball")
+      .def_readwrite("velocity", &Mover::velocity, "(x, y, z), m/s")
+      .def_readwrite("acceleration", &Mover::acceleration,
+                     "(x, y, z), m/s^2, kept up to max_deviation; 0 with max_speed")
+      .def_readwrite("radius", &Mover::radius, "m, > 0")
+      .def_readwrite("max_deviation", &Mover::max_deviation,
+                     "[η] m/s^2, >= 0: the largest difference of its acceleration")
+      .def_readwrite("max_speed", &Mover::max_speed,
+                     "[V] m/s, > 0, with max_deviation: that it never exceeds; inf: unknown")
+      .def_readwrite("age", &Mover::age,
+                     "[d] steps since it was sensed; extrapolated by its acceleration");
 }
 
 }  // namespace
@@ -179,6 +207,7 @@ void bind_robots(py::module_& space) {
   bind_setup(space);
   bind_robot(space);
   bind_neighbor(space);
+  bind_mover(space);
 }
 
 }  // namespace avo_python::space

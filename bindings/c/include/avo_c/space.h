@@ -48,8 +48,10 @@ typedef struct avo_space_plan {
   avo_safety_state state;  ///< of the state before the decision
   int32_t neighbor;        ///< if overlapping, its position in the neighbors given, or -1
   int32_t box;             ///< or its position in the boxes given, or -1
+  int32_t mover;           ///< or its position in the movers given, or -1
   float depth;             ///< m: the overlap, if overlapping
   double violation;        ///< m/s, the distance from the half-spaces; 0 if optimal
+  bool evading;            ///< an evasive maneuver has replaced the robot's own choice
 } avo_space_plan;
 
 /* ---------------------------------------------------------------------------------- planner */
@@ -84,8 +86,24 @@ typedef struct avo_space_neighbor {
   double downwash;          ///< m, >= 0
   double priority;          ///< > 0
   double max_braking;       ///< m/s^2, > 0; 0: max_acceleration
+  /// Steps since it was sensed, 0 to 1 000 000; it is extrapolated since then at constant velocity.
+  int32_t age;
 } avo_space_neighbor;
 AVO_C_API avo_space_neighbor avo_default_space_neighbor(void);
+
+/// A moving obstacle, as a robot senses it. It decides nothing.
+typedef struct avo_space_mover {
+  size_t size;
+  avo_vec3 position;      ///< m, the center of its ball
+  avo_vec3 velocity;      ///< m/s
+  avo_vec3 acceleration;  ///< m/s^2, which it keeps up to max_deviation; 0 with max_speed
+  double radius;          ///< m, > 0
+  double max_deviation;   ///< m/s^2, >= 0, of its acceleration
+  double max_speed;       ///< m/s, > 0, with max_deviation; may be infinite
+  /// Steps since it was sensed, as those of a neighbor; extrapolated by its acceleration.
+  int32_t age;
+} avo_space_mover;
+AVO_C_API avo_space_mover avo_default_space_mover(void);
 
 typedef struct avo_space_planner_id {
   uint32_t index;
@@ -97,13 +115,16 @@ AVO_C_API avo_result avo_create_space_planner(const avo_planner_def* def,
                                               avo_space_planner_id* planner);
 AVO_C_API avo_result avo_destroy_space_planner(avo_space_planner_id planner);
 AVO_C_API bool avo_space_planner_is_valid(avo_space_planner_id planner);
-/// One decision. boxes: those within avo_space_planner_get_box_range(). detour: updated; null: the
-/// robot decides as for the first time. Numbers out of range are the status AVO_PLAN_INVALID_INPUT.
+/// One decision. boxes: those within avo_space_planner_get_box_range(). movers: the moving
+/// obstacles; beside them boxes within the planner's wall_range matter, too, which is best
+/// avo_space_evasion_range(). detour: updated; null: the robot decides as for the first time.
+/// Numbers out of range are the status AVO_PLAN_INVALID_INPUT.
 AVO_C_API avo_result avo_space_planner_plan(avo_space_planner_id planner,
                                             const avo_space_robot* robot,
                                             const avo_space_neighbor* neighbors,
                                             size_t neighbor_count, const avo_space_box* boxes,
-                                            size_t box_count, avo_space_detour* detour,
+                                            size_t box_count, const avo_space_mover* movers,
+                                            size_t mover_count, avo_space_detour* detour,
                                             avo_space_plan* plan);
 /// m, from the robot's ball: boxes at a larger distance change nothing.
 AVO_C_API avo_result avo_space_planner_get_box_range(avo_space_planner_id planner,
@@ -113,6 +134,13 @@ AVO_C_API avo_result avo_space_planner_get_sensing_range(avo_space_planner_id pl
                                                          const avo_space_robot* robot,
                                                          const avo_space_robot* other,
                                                          double* range);
+/// m, between centers: within it a robot has to sense a moving obstacle, so that it can be at rest
+/// when the obstacle comes.
+AVO_C_API avo_result avo_space_planner_get_mover_range(avo_space_planner_id planner,
+                                                       const avo_space_robot* robot,
+                                                       const avo_space_mover* mover, double* range);
+/// m: how far from its place a robot's evasive maneuvers may lead.
+AVO_C_API avo_result avo_space_evasion_range(const avo_space_robot* robot, double* range);
 
 /* ---------------------------------------------------------------------------------- quadrotors */
 

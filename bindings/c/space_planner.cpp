@@ -1,30 +1,26 @@
 // SPDX-License-Identifier: Apache-2.0
-// Robots of space: decisions and simulations.
-#include "avo_c/space.h"
-
+// Robots of space: decisions of one robot.
 #include <memory>
-#include <span>
-#include <string>
 #include <vector>
 
-#include "avo/space/simulation.h"
+#include "avo/space/planner.h"
+#include "avo_c/space.h"
 #include "convert.h"
 #include "handles.h"
 #include "members.h"
-#include "scene_files.h"
 #include "space_convert.h"
 
 namespace avo_c {
 namespace {
 
 AVO_C_CONSTINIT Handles<avo_space_planner_id, avo::space::Planner> planners("space planner");
-AVO_C_CONSTINIT Handles<avo_space_simulation_id, avo::space::Simulation> fleets("space simulation");
 
 // The memory of one thread; it grows, and then nothing is allocated.
 struct Scratch {
   avo::space::PlanWorkspace workspace;
   std::vector<avo::space::Neighbor> neighbors;
   std::vector<avo::space::Box> boxes;
+  std::vector<avo::space::Mover> movers;
 };
 
 Scratch& scratch() {
@@ -61,6 +57,19 @@ constexpr auto for_each_of_space_neighbor = [](const auto& visit) {
   visit("downwash", &Def::downwash, &Neighbor::downwash);
   visit("priority", &Def::priority, &Neighbor::priority);
   visit("max_braking", &Def::max_braking, &Neighbor::max_braking);
+  visit("age", &Def::age, &Neighbor::age);
+};
+
+constexpr auto for_each_of_space_mover = [](const auto& visit) {
+  using Def = avo_space_mover;
+  using avo::space::Mover;
+  visit("position", &Def::position, &Mover::position);
+  visit("velocity", &Def::velocity, &Mover::velocity);
+  visit("acceleration", &Def::acceleration, &Mover::acceleration);
+  visit("radius", &Def::radius, &Mover::radius);
+  visit("max_deviation", &Def::max_deviation, &Mover::max_deviation);
+  visit("max_speed", &Def::max_speed, &Mover::max_speed);
+  visit("age", &Def::age, &Mover::age);
 };
 
 avo::space::Robot read_space_robot(const avo_space_robot* robot, const char* name) {
@@ -81,38 +90,15 @@ const std::vector<avo::space::Neighbor>& read_neighbors(const avo_space_neighbor
   return to;
 }
 
-const std::vector<avo::space::Box>& read_boxes(const avo_space_box* boxes, std::size_t count) {
-  require_array(boxes, count, "boxes");
-  std::vector<avo::space::Box>& to = scratch().boxes;
+const std::vector<avo::space::Mover>& read_movers(const avo_space_mover* movers,
+                                                  std::size_t count) {
+  std::vector<avo::space::Mover>& to = scratch().movers;
   to.clear();
-  for (std::size_t k = 0; k < count; ++k) to.push_back(from_c(boxes[k]));
+  for_each(movers, count, "movers", avo_default_space_mover(),
+           [&](const avo_space_mover& mover, const Where& where) {
+             take_members(mover, to.emplace_back(), where, for_each_of_space_mover);
+           });
   return to;
-}
-
-avo_space_plan plan_to_c(const avo::space::Plan& plan) {
-  return {to_c(plan.new_velocity),
-          to_c(plan.next_velocity),
-          to_c(plan.acceleration),
-          static_cast<avo_plan_status>(plan.status),
-          static_cast<avo_safety_state>(plan.state),
-          plan.neighbor,
-          plan.box,
-          plan.depth,
-          plan.violation};
-}
-
-std::size_t checked(const avo::space::Simulation& fleet, std::size_t robot) {
-  if (robot >= fleet.size())
-    fail(AVO_ERROR_INVALID_ARGUMENT,
-         "robot: found " + std::to_string(robot) + ", must be < " + std::to_string(fleet.size()));
-  return robot;
-}
-
-int checked_threads(std::int32_t threads) {
-  if (threads < 0 || threads > 1024)
-    fail(AVO_ERROR_INVALID_VALUE,
-         "threads: found " + std::to_string(threads) + ", must be 0 to 1024");
-  return threads;
 }
 
 }  // namespace
@@ -131,6 +117,13 @@ avo_space_neighbor avo_default_space_neighbor(void) {
   avo_space_neighbor def = {};
   def.size = sizeof def;
   give_members(avo::space::Neighbor{}, def, for_each_of_space_neighbor);
+  return def;
+}
+
+avo_space_mover avo_default_space_mover(void) {
+  avo_space_mover def = {};
+  def.size = sizeof def;
+  give_members(avo::space::Mover{}, def, for_each_of_space_mover);
   return def;
 }
 
@@ -153,6 +146,7 @@ bool avo_space_planner_is_valid(avo_space_planner_id planner) {
 avo_result avo_space_planner_plan(avo_space_planner_id planner, const avo_space_robot* robot,
                                   const avo_space_neighbor* neighbors, size_t neighbor_count,
                                   const avo_space_box* boxes, size_t box_count,
+                                  const avo_space_mover* movers, size_t mover_count,
                                   avo_space_detour* detour, avo_space_plan* plan) {
   return guarded([&] {
     const avo::space::Planner& own = planners.at(planner);
@@ -161,9 +155,11 @@ avo_result avo_space_planner_plan(avo_space_planner_id planner, const avo_space_
     if (detour != nullptr)
       memory = {detour->angle,       detour->beside,     detour->congestion,
                 detour->has_arrived, detour->goal_taken, from_c(detour->acceleration)};
-    result = plan_to_c(own.plan(
-        read_space_robot(robot, "robot"), read_neighbors(neighbors, neighbor_count),
-        scratch().workspace, detour == nullptr ? nullptr : &memory, read_boxes(boxes, box_count)));
+    Scratch& here = scratch();
+    read_boxes(boxes, box_count, here.boxes);
+    result = to_c(own.plan(
+        read_space_robot(robot, "robot"), read_neighbors(neighbors, neighbor_count), here.workspace,
+        detour == nullptr ? nullptr : &memory, here.boxes, read_movers(movers, mover_count)));
     if (detour != nullptr)
       *detour = {memory.angle,       memory.beside,     memory.congestion,
                  memory.has_arrived, memory.goal_taken, to_c(memory.acceleration)};
@@ -188,88 +184,19 @@ avo_result avo_space_planner_get_sensing_range(avo_space_planner_id planner,
   });
 }
 
-avo_result avo_create_space_simulation(const avo_space_simulation_def* def,
-                                       avo_space_simulation_id* simulation) {
+avo_result avo_space_planner_get_mover_range(avo_space_planner_id planner,
+                                             const avo_space_robot* robot,
+                                             const avo_space_mover* mover, double* range) {
   return guarded([&] {
-    avo_space_simulation_id& id = at(simulation, "simulation");
-    const avo_space_simulation_def known = read(def, {"def"}, avo_default_space_simulation_def());
-    id = fleets.add(std::make_unique<avo::space::Simulation>(scenario_of(known),
-                                                             checked_threads(known.threads)));
+    avo::space::Mover other;
+    take_members(read(mover, {"mover"}, avo_default_space_mover()), other, {"mover"},
+                 for_each_of_space_mover);
+    at(range, "range") = avo::space::sensing_range(read_space_robot(robot, "robot"), other,
+                                                   planners.at(planner).options());
   });
 }
 
-avo_result avo_load_space_simulation(const char* path, const char* const* overrides,
-                                     size_t override_count, int32_t threads,
-                                     avo_space_simulation_id* simulation) {
-  return guarded([&] {
-    avo_space_simulation_id& id = at(simulation, "simulation");
-    const std::vector<std::string> words = words_of(overrides, override_count);
-    id = fleets.add(std::make_unique<avo::space::Simulation>(
-        load_space_scene(&at(path, "path"), words), checked_threads(threads)));
-  });
-}
-
-avo_result avo_destroy_space_simulation(avo_space_simulation_id simulation) {
-  return guarded([&] { fleets.take(simulation); });
-}
-
-bool avo_space_simulation_is_valid(avo_space_simulation_id simulation) {
-  return fleets.find(simulation) != nullptr;
-}
-
-avo_result avo_space_simulation_step(avo_space_simulation_id simulation) {
-  return guarded([&] { fleets.at(simulation).step(); });
-}
-
-avo_result avo_space_simulation_get_time(avo_space_simulation_id simulation, double* time) {
-  return guarded([&] { at(time, "time") = fleets.at(simulation).time(); });
-}
-
-avo_result avo_space_simulation_get_robot_count(avo_space_simulation_id simulation, size_t* count) {
-  return guarded([&] { at(count, "count") = fleets.at(simulation).size(); });
-}
-
-avo_result avo_space_simulation_get_states(avo_space_simulation_id simulation, avo_vec3* positions,
-                                           avo_vec3* velocities, size_t capacity) {
-  return guarded([&] {
-    const std::span<const avo::space::Robot> robots = fleets.at(simulation).robots();
-    require_room(capacity, robots.size());
-    for (std::size_t k = 0; k < robots.size(); ++k) {
-      if (positions != nullptr) positions[k] = to_c(robots[k].position);
-      if (velocities != nullptr) velocities[k] = to_c(robots[k].velocity);
-    }
-  });
-}
-
-avo_result avo_space_simulation_get_plan(avo_space_simulation_id simulation, size_t robot,
-                                         avo_space_plan* plan) {
-  return guarded([&] {
-    const avo::space::Simulation& fleet = fleets.at(simulation);
-    at(plan, "plan") = plan_to_c(fleet.plans()[checked(fleet, robot)]);
-  });
-}
-
-avo_result avo_space_simulation_is_at_goal(avo_space_simulation_id simulation, size_t robot,
-                                           bool* is_at_goal) {
-  return guarded([&] {
-    const avo::space::Simulation& fleet = fleets.at(simulation);
-    at(is_at_goal, "is_at_goal") = fleet.is_at_goal({checked(fleet, robot)});
-  });
-}
-
-avo_result avo_space_simulation_set_goal(avo_space_simulation_id simulation, size_t robot,
-                                         avo_vec3 goal) {
-  return guarded([&] {
-    avo::space::Simulation& fleet = fleets.at(simulation);
-    fleet.set_goal({checked(fleet, robot)}, from_c(goal));
-  });
-}
-
-avo_result avo_space_simulation_set_boxes(avo_space_simulation_id simulation,
-                                          const avo_space_box* boxes, size_t box_count) {
-  return guarded([&] { fleets.at(simulation).set_boxes(read_boxes(boxes, box_count)); });
-}
-
-avo_result avo_space_simulation_get_state_hash(avo_space_simulation_id simulation, uint64_t* hash) {
-  return guarded([&] { at(hash, "hash") = fleets.at(simulation).state_hash(); });
+avo_result avo_space_evasion_range(const avo_space_robot* robot, double* range) {
+  return guarded(
+      [&] { at(range, "range") = avo::space::evasion_range(read_space_robot(robot, "robot")); });
 }

@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: Apache-2.0
+// Simulations of space.
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "avo/space/simulation.h"
+#include "convert.h"
+#include "handles.h"
+#include "scene_files.h"
+#include "space_convert.h"
+
+namespace avo_c {
+namespace {
+
+AVO_C_CONSTINIT Handles<avo_space_simulation_id, avo::space::Simulation> fleets("space simulation");
+
+std::size_t checked(const avo::space::Simulation& fleet, std::size_t robot) {
+  if (robot >= fleet.size())
+    fail(AVO_ERROR_INVALID_ARGUMENT,
+         "robot: found " + std::to_string(robot) + ", must be < " + std::to_string(fleet.size()));
+  return robot;
+}
+
+int checked_threads(std::int32_t threads) {
+  if (threads < 0 || threads > 1024)
+    fail(AVO_ERROR_INVALID_VALUE,
+         "threads: found " + std::to_string(threads) + ", must be 0 to 1024");
+  return threads;
+}
+
+}  // namespace
+}  // namespace avo_c
+
+using namespace avo_c;  // NOLINT(google-build-using-namespace): what follows is C
+
+avo_result avo_create_space_simulation(const avo_space_simulation_def* def,
+                                       avo_space_simulation_id* simulation) {
+  return guarded([&] {
+    avo_space_simulation_id& id = at(simulation, "simulation");
+    const avo_space_simulation_def known = read(def, {"def"}, avo_default_space_simulation_def());
+    id = fleets.add(std::make_unique<avo::space::Simulation>(scenario_of(known),
+                                                             checked_threads(known.threads)));
+  });
+}
+
+avo_result avo_load_space_simulation(const char* path, const char* const* overrides,
+                                     size_t override_count, int32_t threads,
+                                     avo_space_simulation_id* simulation) {
+  return guarded([&] {
+    avo_space_simulation_id& id = at(simulation, "simulation");
+    const std::vector<std::string> words = words_of(overrides, override_count);
+    id = fleets.add(std::make_unique<avo::space::Simulation>(
+        load_space_scene(&at(path, "path"), words), checked_threads(threads)));
+  });
+}
+
+avo_result avo_destroy_space_simulation(avo_space_simulation_id simulation) {
+  return guarded([&] { fleets.take(simulation); });
+}
+
+bool avo_space_simulation_is_valid(avo_space_simulation_id simulation) {
+  return fleets.find(simulation) != nullptr;
+}
+
+avo_result avo_space_simulation_step(avo_space_simulation_id simulation) {
+  return guarded([&] { fleets.at(simulation).step(); });
+}
+
+avo_result avo_space_simulation_get_time(avo_space_simulation_id simulation, double* time) {
+  return guarded([&] { at(time, "time") = fleets.at(simulation).time(); });
+}
+
+avo_result avo_space_simulation_get_robot_count(avo_space_simulation_id simulation, size_t* count) {
+  return guarded([&] { at(count, "count") = fleets.at(simulation).size(); });
+}
+
+avo_result avo_space_simulation_get_states(avo_space_simulation_id simulation, avo_vec3* positions,
+                                           avo_vec3* velocities, size_t capacity) {
+  return guarded([&] {
+    const std::span<const avo::space::Robot> robots = fleets.at(simulation).robots();
+    require_room(capacity, robots.size());
+    for (std::size_t k = 0; k < robots.size(); ++k) {
+      if (positions != nullptr) positions[k] = to_c(robots[k].position);
+      if (velocities != nullptr) velocities[k] = to_c(robots[k].velocity);
+    }
+  });
+}
+
+avo_result avo_space_simulation_get_plan(avo_space_simulation_id simulation, size_t robot,
+                                         avo_space_plan* plan) {
+  return guarded([&] {
+    const avo::space::Simulation& fleet = fleets.at(simulation);
+    at(plan, "plan") = to_c(fleet.plans()[checked(fleet, robot)]);
+  });
+}
+
+avo_result avo_space_simulation_is_at_goal(avo_space_simulation_id simulation, size_t robot,
+                                           bool* is_at_goal) {
+  return guarded([&] {
+    const avo::space::Simulation& fleet = fleets.at(simulation);
+    at(is_at_goal, "is_at_goal") = fleet.is_at_goal({checked(fleet, robot)});
+  });
+}
+
+avo_result avo_space_simulation_set_goal(avo_space_simulation_id simulation, size_t robot,
+                                         avo_vec3 goal) {
+  return guarded([&] {
+    avo::space::Simulation& fleet = fleets.at(simulation);
+    fleet.set_goal({checked(fleet, robot)}, from_c(goal));
+  });
+}
+
+avo_result avo_space_simulation_set_boxes(avo_space_simulation_id simulation,
+                                          const avo_space_box* boxes, size_t box_count) {
+  return guarded([&] {
+    std::vector<avo::space::Box> given;
+    read_boxes(boxes, box_count, given);
+    fleets.at(simulation).set_boxes(given);
+  });
+}
+
+avo_result avo_space_simulation_get_state_hash(avo_space_simulation_id simulation, uint64_t* hash) {
+  return guarded([&] { at(hash, "hash") = fleets.at(simulation).state_hash(); });
+}
