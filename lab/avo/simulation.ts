@@ -87,9 +87,7 @@ export class Simulation {
 
   /** Returns the text of `avo explain --json`. Throws AvoError for a robot that does not decide. */
   explain(robot: number): string {
-    if (this.dimensions === 2) return this.#read(() => this.#text("explain", robot));
-    const copy = fromImage(this.#module, new Uint8Array(this.#instance.memory.buffer));  // which takes the step
-    return getText(copy, copy.functions["explain"]!(robot));
+    return this.#read(() => this.#text("explain", robot));
   }
 
   /** Returns the text of `avo run --json` so far; "null" without `metrics`, and once a state was restored. */

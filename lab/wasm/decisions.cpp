@@ -10,10 +10,10 @@
 
 namespace avo_lab {
 
-/// Returns the same JSON as `avo explain --json`. In space this takes a step, so call it on a copy.
+/// Returns the same JSON as `avo explain --json`.
 AVO_EXPORT(std::size_t, explain)(std::uint32_t robot) {
   if (const auto* space = std::get_if<SpaceRun>(&run()))
-    return into_room(to_json(avo_io::explain_step(*space->simulation, robot)));
+    return into_room(avo_io::to_json(space->simulation->explain({robot}), space->scenario.name));
   const avo::Simulation& simulation = *plane().simulation;
   return into_room(to_json(avo_io::explain(simulation, plane().scenario.name, {robot})));
 }

@@ -30,8 +30,8 @@ Claimant claimant_of(const Follower& robot, const Claim& claim) {
   return claimant;
 }
 
-// A robot inside comes before a robot outside. Then a robot in the opposite direction comes before
-// one in the same direction, and then the nearer one first.
+}  // namespace
+
 bool is_waited_for_first(const Claimant& robot, const Claimant& a, const Claimant& b) {
   if (a.claim.inside != b.claim.inside) return a.claim.inside;
   const bool a_comes = a.claim.forward != robot.claim.forward;
@@ -39,8 +39,6 @@ bool is_waited_for_first(const Claimant& robot, const Claimant& a, const Claiman
   if (a_comes != b_comes) return a_comes;
   return norm_squared(a.position - robot.position) < norm_squared(b.position - robot.position);
 }
-
-}  // namespace
 
 void append_claims(const Routes& routes, Claimant robot, Vec2 velocity,
                    std::vector<Claimant>& claimants) {

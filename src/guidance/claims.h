@@ -32,6 +32,11 @@ struct Claims {
 void append_claims(const Routes& routes, Claimant robot, Vec2 velocity,
                    std::vector<Claimant>& claimants);
 
+/// Returns whether a robot that waits names claimant a before claimant b. One inside comes before
+/// one outside, then one in the opposite direction before one in the same direction, and then the
+/// nearer one.
+bool is_waited_for_first(const Claimant& robot, const Claimant& a, const Claimant& b);
+
 /// Orders the claims in the first `parts` parts by passage, of so many passages.
 void order_claims(std::size_t passages, std::size_t parts, Claims& claims);
 

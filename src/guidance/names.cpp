@@ -50,12 +50,10 @@ Words name_of(const Explanation& e, Cause cause) {
   return can_rest(e.seen.robot.model) ? "its own wheels" : "its own wings";
 }
 
-Words list_of(const Explanation& e, const std::vector<Cause>& causes) {
+Words list_of(const std::vector<Words>& all) {
   std::vector<Words> names;
-  for (const Cause cause : causes) {
-    const Words name = name_of(e, cause);
+  for (const Words& name : all)
     if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
-  }
   const Words robot = "robot ";
   const bool are_robots =
       names.size() > 1 && std::all_of(names.begin(), names.end(),
@@ -71,6 +69,12 @@ Words list_of(const Explanation& e, const std::vector<Cause>& causes) {
   for (std::size_t k = 0; k < names.size(); ++k)
     list += (k == 0 ? "" : k + 1 == names.size() ? " and " : ", ") + names[k];
   return list;
+}
+
+Words list_of(const Explanation& e, const std::vector<Cause>& causes) {
+  std::vector<Words> names;
+  for (const Cause cause : causes) names.push_back(name_of(e, cause));
+  return list_of(names);
 }
 
 }  // namespace avo::inline guidance

@@ -22,6 +22,8 @@ Words name_of(std::int64_t source);
 Words name_of(const Wall& wall);
 /// The name of a neighbor or wall that the decision heeds.
 Words name_of(const Explanation& e, Cause cause);
+/// E.g. "robots 2 and 4" of their names; without repetition, the first few.
+Words list_of(const std::vector<Words>& names);
 /// E.g. "robots 2 and 4", or "robot 2 and the wall from (0, 0) to (1, 0)"; the first few.
 Words list_of(const Explanation& e, const std::vector<Cause>& causes);
 

@@ -5,22 +5,17 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
-#include <numbers>
 #include <vector>
 
 #include "core/plane.h"
 #include "guidance/names.h"
+#include "guidance/phrases.h"
 #include "robots/model.h"
 
 namespace avo::inline guidance {
 namespace {
 
-constexpr double kResting = 0.01;      // of v_max: a slower robot is at rest
-constexpr double kLittleGain = 0.002;  // of the speed, in a step: not worth a word
-constexpr double kLittleTurn = 0.004;  // rad, in a step: not worth a word
-constexpr double kLittleDetour = 0.5;  // degrees
-constexpr double kAsPreferred = 1e-6;  // m/s
-constexpr double kOnGoal = 1.5;        // radii of contact: a robot beside the goal stands on it
+constexpr double kOnGoal = 1.5;  // radii of contact: a robot beside the goal stands on it
 
 bool is_slow(const Explanation& e, Vec2 v) {
   return norm(v) < kResting * e.seen.robot.max_speed;
@@ -50,8 +45,7 @@ Words action_of(const Explanation& e) {
 // E.g. "at the door between (4, 2) and (4, 3.6) for robot 7, which is inside".
 Words wait_of(const Simulation::Wait& wait) {
   return Words("at the door between ") + place(wait.a) + " and " + place(wait.b) + " for " +
-         name_of(static_cast<std::int64_t>(wait.robot.value)) +
-         (wait.inside ? ", which is inside" : ", which goes first");
+         goes_first(name_of(static_cast<std::int64_t>(wait.robot.value)), wait.inside);
 }
 
 // The robot or mover that is nearest to the goal, and beside it at least.
@@ -98,8 +92,7 @@ Words guide_of(const Explanation& e) {
       break;
   }
   if (e.distance_left > 0.0 && is_slow(e, e.seen.robot.preferred_velocity))
-    return Words("walls keep it from its goal, ") + number(e.distance_left, 2) +
-           " m away, and it is as near as it can come";
+    return is_kept_from_goal("walls", e.distance_left);
   return "";
 }
 
@@ -107,22 +100,7 @@ Words guide_of(const Explanation& e) {
 Words rule_of(const Explanation& e) {
   const DecisionTrace& decision = e.decision;
   const Words whom = decision.heeded >= 0 ? name_of(e, {decision.heeded, -1}) : Words("others");
-  switch (decision.rule) {
-    case WishRule::keeps_right:
-      return "it keeps to the right of " + whom + " in traffic";
-    case WishRule::yields:
-      return "it makes room for " + whom;
-    case WishRule::settles:
-      return "it stays near its goal beside " + whom;
-    case WishRule::leaves_wall:
-      return "it leaves the wall that it is in";
-    case WishRule::in_cell:
-      return "it stays within its Voronoi cell";
-    case WishRule::steers:
-    case WishRule::none:
-      break;
-  }
-  return "";
+  return does(decision.rule, whom);
 }
 
 // The certificate has refused the last velocity that was asked for.
@@ -136,10 +114,7 @@ Words refusal_of(const Explanation& e) {
   if (!can_rest(e.seen.robot.model))
     return "after what it wants, its circle would not keep clear of " +
            (causes.empty() ? Words("walls or others") : whom);
-  if (decision.plan.status == PlanStatus::braking)
-    return "nothing but braking keeps clear of " + whom;
-  return Words("it could not surely stop before ") + whom +
-         (is_off ? " on its detour" : " with the velocity that it wants");
+  return refused(decision.plan.status, whom, is_off);
 }
 
 // What the program leaves of the wish.
@@ -147,30 +122,22 @@ Words program_of(const Explanation& e, const Planner& planner) {
   const DecisionTrace& decision = e.decision;
   const Words whom = list_of(e, decision.binding);
   if (decision.plan.status == PlanStatus::least_unsafe)
-    return "no velocity keeps to all half-planes, and this one misses them by the least, " +
-           number(decision.plan.violation, 3) + " m/s" +
-           (whom.empty() ? "" : ", because of " + whom) +
-           (planner.options().certificate == Certificate::none ? "" : "; the certificate holds");
+    return misses(decision.plan.violation, whom, "half-planes",
+                  planner.options().certificate != Certificate::none);
   if (whom.empty()) return "";
   if (e.seen.among_movers || avoids_union(planner.options().method))
     return Words("it goes around ") + whom;
-  return decision.binding.size() > 1 ? Words("the half-planes of ") + whom + " bind"
-                                     : Words("the half-plane of ") + whom + " binds";
+  return binds(whom, decision.binding.size() > 1, "half-plane");
 }
 
 // A robot off its route, or nearly off.
 Words detour_of(const Explanation& e) {
   const DecisionTrace& decision = e.decision;
-  const double degrees = static_cast<double>(e.seen.detour.angle) * 180.0 / std::numbers::pi;
   std::vector<Cause> causes = decision.refusing.empty() ? decision.binding : decision.refusing;
   if (causes.empty() && nearest_of(e) >= 0) causes.push_back({nearest_of(e), -1});
   const Words whom = causes.empty() ? Words("others") : list_of(e, causes);
-  if (degrees < kLittleDetour)
-    return (decision.refusing.empty() ? "half-planes of " + whom + " leave too little of its route"
-                                      : "it could not surely stop before " + whom) +
-           ", so it goes on as far as the certificate admits";
-  return Words("its route is blocked by ") + whom + ", so it is on a detour of " +
-         number(degrees, 0) + " degrees to the right";
+  return is_on_detour(static_cast<double>(e.seen.detour.angle), whom, !decision.refusing.empty(),
+                      "half-planes");
 }
 
 Words limits_of(const Explanation& e, const Planner& planner) {
@@ -191,41 +158,32 @@ Words freedom_of(const Explanation& e) {
   const bool turns =
       is_slow(e, e.seen.robot.velocity) && model_traits(e.seen.robot.model).turns_in_place;
   if (e.decision.rule == WishRule::steers || turns) return "it turns towards its route";
-  return has_it ? "it has the velocity that it prefers, and nothing refuses that"
-                : "nothing refuses the velocity that it prefers";
+  return is_free(has_it);
 }
 
 Words evasion_of(const Explanation& e) {
   const Evasion& evasion = *e.decision.evasion;
   const Words whom =
       evasion.neighbor >= 0 ? name_of(e, {evasion.neighbor, -1}) : Words("the movers around it");
-  return "what it would have chosen leaves no evasive maneuver beside " + whom +
-         (evasion.duration > 0.0 ? ", so it makes room" : ", so it brakes");
+  return evades(whom, !(evasion.duration > 0.0));
 }
 
 Words contact_of(const Explanation& e) {
   const Plan& plan = e.decision.plan;
-  if (plan.neighbor < 0 && plan.wall < 0)
-    return "it is in contact already, and separates if it can";
-  return "it is in contact with " + name_of(e, {plan.neighbor, plan.wall}) +
-         ", or braking no longer avoids that, and it separates if it can";
+  const bool is_known = plan.neighbor >= 0 || plan.wall >= 0;
+  return is_in_contact(is_known ? name_of(e, {plan.neighbor, plan.wall}) : Words());
 }
 
 Words reason_of(const Explanation& e, const Planner& planner) {
   const PlanStatus status = e.decision.plan.status;
-  if (status == PlanStatus::invalid_input)
-    return "a number that it knows or senses is not finite or out of range, so it brakes";
+  if (status == PlanStatus::invalid_input) return kInvalidInput;
   if (status == PlanStatus::overlapping) return contact_of(e);
   if (e.decision.evasion) return evasion_of(e);
   Words reason;
-  const auto append = [&reason](const Words& words) {
-    if (words.empty()) return;
-    reason += (reason.empty() ? "" : "; ") + words;
-  };
-  append(guide_of(e));
+  add_words(guide_of(e), reason);
   if (e.seen.stop) return reason;
-  append(rule_of(e));
-  append(limits_of(e, planner));
+  add_words(rule_of(e), reason);
+  add_words(limits_of(e, planner), reason);
   if (reason.empty()) reason = freedom_of(e);
   return reason;
 }

@@ -6,6 +6,7 @@
 
 #include "avo/half_plane.h"
 #include "space/own_space.h"
+#include "space/trace.h"
 
 namespace avo::space {
 namespace {
@@ -79,8 +80,10 @@ Vec3 turned_right(Vec3 a, Vec3 axis, double angle) {
   return turned.x * a + turned.y * cross(axis, a) + ((1.0 - turned.x) * dot(axis, a)) * axis;
 }
 
-Vec3 wish_of(const Robot& robot, const Bodies& bodies, const Looked& looked,
-             const PlannerOptions& options, Vec3 axis, Detour& detour) {
+template <typename Trace>
+Vec3 wish_of(const Viewer& look, const Bodies& bodies, const Looked& looked,
+             const PlannerOptions& options, Vec3 axis, Detour& detour, Trace trace) {
+  const Robot& robot = look.robot;
   const avo::Robot same = numbers_of(robot);
   const Traffic traffic = traffic_of(robot, bodies, looked);
   avo::Detour plane{
@@ -99,13 +102,21 @@ Vec3 wish_of(const Robot& robot, const Bodies& bodies, const Looked& looked,
   if (left > 0.0 && ahead > 0.0) {
     const double part = std::min(left, 1.0) * (std::min(ahead, kFullCongestion) / kFullCongestion);
     wish = turned_right(wish, axis, part * kMostKeepRight);
+    trace.keeps_right(look, bodies, looked, wish);
   }
   if (!traffic.is_beside && detour.beside == 0.0F) return wish;
   const PushRule rule = push_rule(same, traffic.is_beside, options, plane);
   detour.beside = plane.beside, detour.has_arrived = plane.has_arrived;
   const Vec3 push =
       robot.max_speed * (rule.moving * traffic.push + rule.at_rest * traffic.push_at_rest);
-  return rule.settles ? push : wish + push;
+  wish = rule.settles ? push : wish + push;
+  trace.yields(robot, bodies, looked, rule, wish);
+  return wish;
 }
+
+template Vec3 wish_of(const Viewer&, const Bodies&, const Looked&, const PlannerOptions&, Vec3,
+                      Detour&, NoTrace);
+template Vec3 wish_of(const Viewer&, const Bodies&, const Looked&, const PlannerOptions&, Vec3,
+                      Detour&, Recorder);
 
 }  // namespace avo::space

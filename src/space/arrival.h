@@ -15,8 +15,8 @@ struct Traffic {
   bool is_beside = false;
   Vec3 push, push_at_rest;
 };
-/// The crowd of the bodies at these places.
-Traffic traffic_of(const Robot& robot, const Bodies& bodies, std::span<const std::uint32_t> places);
+/// The traffic of the bodies that a look has found.
+Traffic traffic_of(const Robot& robot, const Bodies& bodies, const Looked& looked);
 
 /// m: the range in which others ahead are traffic. Beyond it only those that are nearly in contact
 /// count.
@@ -31,7 +31,8 @@ Vec3 turned_right(Vec3 a, Vec3 axis, double angle);
 
 /// [m/s] The velocity that the robot wishes: its preferred velocity, to the right in traffic, aside
 /// for others. Updates the detour.
-Vec3 wish_of(const Robot& robot, const Bodies& bodies, const Looked& looked,
-             const PlannerOptions& options, Vec3 axis, Detour& detour);
+template <typename Trace>
+Vec3 wish_of(const Viewer& look, const Bodies& bodies, const Looked& looked,
+             const PlannerOptions& options, Vec3 axis, Detour& detour, Trace trace);
 
 }  // namespace avo::space

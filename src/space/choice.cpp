@@ -6,6 +6,7 @@
 
 #include "planner/stages/cuts.h"
 #include "space/own_space.h"
+#include "space/trace.h"
 
 namespace avo::space {
 namespace {
@@ -65,7 +66,9 @@ void append_climb(const Robot& robot, std::vector<HalfSpace>& half_spaces) {
   if (std::isfinite(robot.sink)) half_spaces.push_back({{0.0, 0.0, 1.0}, -robot.sink * per});
 }
 
-Choice choose(const Robot& robot, Vec3 wanted, const StepLaw& law, ChoiceWorkspace& workspace) {
+template <typename Trace>
+Choice choose(const Robot& robot, Vec3 wanted, const StepLaw& law, ChoiceWorkspace& workspace,
+              Trace trace) {
   Constraints& constraints = workspace.constraints;
   std::vector<HalfSpace>& cuts = workspace.cuts;
   const Limits limits = limits_of(robot, law);
@@ -82,9 +85,11 @@ Choice choose(const Robot& robot, Vec3 wanted, const StepLaw& law, ChoiceWorkspa
     const Vec3 candidate = is_wanted ? wanted : within_climb(robot, from_own(own, robot.vertical));
     const bool is_last = result.state == SpaceProgramState::least_unsafe || round + 1 == kRounds;
     const Asked asked = is_last ? Asked::until_refused : Asked::all;
-    if (!keeps_climb(robot, candidate)) break;  // no point keeps all cuts and the climb
+    if (round == 0 && !is_wanted) trace.is_refused();  // by its own limits
+    if (!keeps_climb(robot, candidate)) break;         // no point keeps all cuts and the climb
     if (admits(robot, candidate, law, asked, constraints))
       return {candidate, is_wanted ? Chosen::wanted : Chosen::candidate};
+    if (round == 0) trace.is_refused(robot, candidate, law, constraints);
     if (is_last) break;
     const std::size_t before = cuts.size();
     append_cuts(robot, law, constraints, cuts);
@@ -112,5 +117,8 @@ Choice choose(const Robot& robot, Vec3 wanted, const StepLaw& law, ChoiceWorkspa
   }
   return choice;
 }
+
+template Choice choose(const Robot&, Vec3, const StepLaw&, ChoiceWorkspace&, NoTrace);
+template Choice choose(const Robot&, Vec3, const StepLaw&, ChoiceWorkspace&, Recorder);
 
 }  // namespace avo::space

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "planner/stages/certified.h"
+#include "planner/trace.h"
 #include "space/certificate.h"
 #include "space/program.h"
 
@@ -25,7 +26,10 @@ struct Choice {
 /// The half-spaces of climb and sink, in the robot's own space.
 void append_climb(const Robot& robot, std::vector<HalfSpace>& half_spaces);
 
-/// Returns the admitted velocity near the wanted one, m/s.
-Choice choose(const Robot& robot, Vec3 wanted, const StepLaw& law, ChoiceWorkspace& workspace);
+/// Returns the admitted velocity near the wanted one, m/s. trace.is_refused() tells why the wanted
+/// velocity was not admitted.
+template <typename Trace = NoTrace>
+Choice choose(const Robot& robot, Vec3 wanted, const StepLaw& law, ChoiceWorkspace& workspace,
+              Trace trace = {});
 
 }  // namespace avo::space

@@ -16,6 +16,7 @@
 #include "space/horizons.h"
 #include "space/own_space.h"
 #include "space/target.h"
+#include "space/trace.h"
 #include "space/workspace.h"
 
 namespace avo::space {
@@ -81,14 +82,17 @@ void turn(Detour& detour, const Deciding& decision, double rate, bool among_boxe
 }
 
 // The choice of a robot with a known target, and its detour, docs/arrival.md, rule 3.
+template <typename Trace>
 Choice choose_and_arrive(const Deciding& decision, Vec3 wish, Vec3 own_aim, const Target& target,
-                         Detour& detour) {
+                         Detour& detour, Trace trace) {
   PlanWorkspace::Scratch& scratch = decision.scratch;
   const Robot& robot = decision.robot;
-  const auto choose_near = [&](Vec3 own_next) {
-    return choose(robot, decision.in_space(own_next), decision.law, scratch.choice);
+  const auto choose_near = [&](Vec3 wanted) {
+    return choose(robot, wanted, decision.law, scratch.choice, trace);
   };
-  const Choice choice = choose_near(executed(decision, target.own, decision.haste.gain));
+  const Vec3 proposal = decision.in_space(executed(decision, target.own, decision.haste.gain));
+  trace.asks(proposal);
+  const Choice choice = choose_near(proposal);
   if (!may_detour(numbers_of(robot)) || detour.goal_taken) {
     detour.angle = 0.0F;
     return choice;
@@ -101,7 +105,9 @@ Choice choose_and_arrive(const Deciding& decision, Vec3 wish, Vec3 own_aim, cons
   if (turns) {
     const Vec3 turned = decision.own(turned_right(wish, decision.axis, detour.angle));
     const Target off = target_of(decision, all_half_spaces(decision), turned);
-    next = choose_near(executed(decision, off.own, decision.haste.gain));
+    const Vec3 wanted = decision.in_space(executed(decision, off.own, decision.haste.gain));
+    trace.asks_off(wanted);
+    next = choose_near(wanted);
   }
   if (left < kFree) {
     const Vec3 turned = decision.own(turned_right(wish, decision.axis, detour.angle));
@@ -109,7 +115,9 @@ Choice choose_and_arrive(const Deciding& decision, Vec3 wish, Vec3 own_aim, cons
     const double kept = std::clamp((left - kStuck) / (kFree - kStuck), 0.0, 1.0);
     const Vec3 smooth = executed(decision, off.own, 1.0);
     const Vec3 before = decision.own(next.next_velocity);
-    next = choose_near(smooth + kept * (before - smooth));
+    const Vec3 wanted = decision.in_space(smooth + kept * (before - smooth));
+    trace.asks_off(wanted);
+    next = choose_near(wanted);
     if (left < kBlocked && part_left(decision, next, off.own, turned, turned) < kBlocked)
       turn(detour, decision, 1.0, scratch.hard.count > 0);
   }
@@ -198,9 +206,10 @@ void collect_all_constraints(const PlannerOptions& options, const StepLaw& law, 
 
 }  // namespace
 
+template <typename Trace>
 Plan decide(const PlannerOptions& options, std::span<const Horizon> horizons, const StepLaw& law,
             const Robot& robot, const BodiesAround& around, bool remembers,
-            PlanWorkspace::Scratch& scratch, Detour& detour) {
+            PlanWorkspace::Scratch& scratch, Detour& detour, Trace trace) {
   const Viewer look = look_around(options, horizons, law, robot, around, scratch);
   if (!is_sound(detour)) detour = {};
   const Execution execution{response_law(options), law.braking_time, remembers};
@@ -217,17 +226,19 @@ Plan decide(const PlannerOptions& options, std::span<const Horizon> horizons, co
                     scratch};
   if (!execution.law.is_gentle()) decision.own_last_change = {};
   collect_hard(decision, around.boxes);
-  const Vec3 wish = wish_of(robot, around.bodies, scratch.looked, options, decision.axis, detour);
+  const Vec3 wish =
+      wish_of(look, around.bodies, scratch.looked, options, decision.axis, detour, trace);
   const Vec3 own_aim = aim_of(decision, to_own(wish, robot.vertical), execution);
   const Target target = target_of_aim(decision, own_aim);
+  trace.chooses(decision, own_aim, target);
   collect_all_constraints(options, law, robot, around, scratch);
-  Choice choice = choose_and_arrive(decision, wish, own_aim, target, detour);
+  Choice choice = choose_and_arrive(decision, wish, own_aim, target, detour, trace);
   const bool is_certified = options.certificate != Certificate::none;
   const bool is_alone = scratch.looked.seen.count == 0;
   const Sight sight{around.movers, around.boxes, is_alone && !options.never_swerves};
   const bool evades = is_certified && keep_evasion(options, law, robot, sight, scratch.evasions,
-                                                   scratch.choice, choice.next_velocity);
-  if (evades) choice.chosen = Chosen::candidate;
+                                                     scratch.choice, choice.next_velocity);
+  if (evades) choice.chosen = Chosen::candidate, trace.evades(options, law, robot, sight, scratch);
   Plan plan = plan_to(robot.velocity, choice.next_velocity, law);
   plan.violation = target.violation;
   plan.evading = evades;
@@ -240,6 +251,11 @@ Plan decide(const PlannerOptions& options, std::span<const Horizon> horizons, co
   detour.acceleration = plan.acceleration;
   return plan;
 }
+
+template Plan decide(const PlannerOptions&, std::span<const Horizon>, const StepLaw&, const Robot&,
+                     const BodiesAround&, bool, PlanWorkspace::Scratch&, Detour&, NoTrace);
+template Plan decide(const PlannerOptions&, std::span<const Horizon>, const StepLaw&, const Robot&,
+                     const BodiesAround&, bool, PlanWorkspace::Scratch&, Detour&, Recorder);
 
 Constraints& admission_of(const PlannerOptions& options, std::span<const Horizon> horizons,
                           const StepLaw& law, const Robot& robot, const BodiesAround& around,

@@ -26,10 +26,12 @@ struct BodiesAround {
 };
 
 /// The decision of a robot with valid inputs. Updates the detour. `remembers`: whether the
-/// detour has the acceleration of the last step. horizons: see horizons_of().
+/// detour has the acceleration of the last step. horizons: see horizons_of(). The trace is NoTrace
+/// or a Recorder.
+template <typename Trace>
 Plan decide(const PlannerOptions& options, std::span<const Horizon> horizons, const StepLaw& law,
             const Robot& robot, const BodiesAround& around, bool remembers,
-            PlanWorkspace::Scratch& scratch, Detour& detour);
+            PlanWorkspace::Scratch& scratch, Detour& detour, Trace trace);
 
 /// The constraints of a robot with valid inputs.
 Constraints& admission_of(const PlannerOptions& options, std::span<const Horizon> horizons,

@@ -55,6 +55,11 @@ struct FirstStep {
   double detour = 0.0;  // m²/s², squared distance from the wanted velocity
   std::size_t number = 0;
 };
+// The replacement of a choice, and the evasive maneuver that begins with it.
+struct Taken {
+  Vec3 next_velocity;  // m/s
+  Evasion evasion;
+};
 using FirstSteps = std::array<FirstStep, kVelocities.size() + 2>;
 
 bool is_clear(Evading& evading, const FirstStep& step) {
@@ -103,14 +108,25 @@ FirstSteps first_steps(const Evading& evading, Vec3 wanted) {
   return steps;
 }
 
-// Returns whether an evasive maneuver is clear after that step, (M).
-bool has_evasion_after(Evading& evading, Vec3 next_velocity) {
+// Finds an evasive maneuver that is clear after that step, (M).
+std::optional<Evasion> find_evasion_after(Evading& evading, Vec3 next_velocity) {
   EvasionSearch& search = evading.search;
-  if (!take_first_step(search, next_velocity)) return false;
-  if (may_brake(search) || may_approach(search, search.after.velocity)) return true;
-  for (std::size_t k = 0; k < kVelocities.size(); ++k)
-    if (may_approach(search, velocity_of(evading.robot, k))) return true;
-  return false;
+  if (!take_first_step(search, next_velocity)) return std::nullopt;
+  const Vec3 after = search.after.velocity;
+  if (may_brake(search) || may_approach(search, after)) return Evasion{-1, after, search.brakes_at};
+  for (std::size_t k = 0; k < kVelocities.size(); ++k) {
+    const Vec3 w = velocity_of(evading.robot, k);
+    if (may_approach(search, w)) return Evasion{-1, w, search.brakes_at};
+  }
+  return std::nullopt;
+}
+
+// The replacement by the first step that was last found clear.
+Taken taken(const Evading& evading, const FirstStep& step) {
+  if (step.then == Then::brakes) return {step.next_velocity, {}};
+  const EvasionSearch& search = evading.search;
+  const Vec3 w = step.then == Then::holds ? search.after.velocity : step.w;
+  return {step.next_velocity, {-1, w, search.brakes_at}};
 }
 
 bool may_take(Evading& evading, const FirstStep& step) {
@@ -118,15 +134,15 @@ bool may_take(Evading& evading, const FirstStep& step) {
          is_allowed(evading, step.next_velocity);
 }
 
-// The velocity nearest to the wanted one that bisection finds.
-Vec3 nearer(Evading& evading, const FirstStep& step, Vec3 wanted) {
+// The replacement nearest to the wanted velocity that bisection finds.
+Taken nearer(Evading& evading, const FirstStep& step, Vec3 wanted) {
   double refused = 0.0, kept = 1.0;
-  Vec3 best = step.next_velocity;
+  Taken best = taken(evading, step);
   for (int k = 0; k < kNearer; ++k) {
     const double part = 0.5 * (refused + kept);
     const FirstStep candidate{wanted + part * (step.next_velocity - wanted), step.then, step.w};
     if (may_take(evading, candidate)) {
-      kept = part, best = candidate.next_velocity;
+      kept = part, best = taken(evading, candidate);
     } else {
       refused = part;
     }
@@ -136,21 +152,22 @@ Vec3 nearer(Evading& evading, const FirstStep& step, Vec3 wanted) {
 
 // Where others refuse the first steps of evasive maneuvers: finds the velocity nearest to one of
 // them that leaves an evasive maneuver.
-bool find_beside(Evading& evading, const FirstSteps& steps, Vec3& found) {
+bool find_beside(Evading& evading, const FirstSteps& steps, Taken& found) {
   for (const FirstStep& step : steps) {
     if (!is_within_limits(evading, step.next_velocity) || !is_clear(evading, step)) continue;
     const Vec3 v =
         choose(evading.robot, step.next_velocity, evading.law, evading.workspace).next_velocity;
-    if (!is_allowed(evading, v) || !has_evasion_after(evading, v)) continue;
-    found = v;
+    const auto evasion = is_allowed(evading, v) ? find_evasion_after(evading, v) : std::nullopt;
+    if (!evasion) continue;
+    found = {v, *evasion};
     return true;
   }
   return false;
 }
 
-EvasionFound find_evasion(Evading& evading, const Level& level, Vec3 wanted, Vec3& found) {
+EvasionFound find_evasion(Evading& evading, const Level& level, Vec3 wanted, Taken& found) {
   look_around(evading, level);
-  if (has_evasion_after(evading, wanted)) return EvasionFound::as_wanted;
+  if (find_evasion_after(evading, wanted)) return EvasionFound::as_wanted;
   const FirstSteps steps = first_steps(evading, wanted);
   for (const FirstStep& step : steps) {
     if (!may_take(evading, step)) continue;
@@ -161,7 +178,7 @@ EvasionFound find_evasion(Evading& evading, const Level& level, Vec3 wanted, Vec
 }
 
 EvasionFound find_evasion_in_order(Evading& evading, std::span<const Level> levels, Vec3 wanted,
-                                   Vec3& found) {
+                           Taken& found) {
   for (const Level& level : levels) {
     const EvasionFound outcome = find_evasion(evading, level, wanted, found);
     if (outcome != EvasionFound::none) return outcome;
@@ -170,13 +187,19 @@ EvasionFound find_evasion_in_order(Evading& evading, std::span<const Level> leve
 }
 
 // Nearly always the first level has one; where the weakest has none, hardly any other has one.
-EvasionFound find_evasion_by_levels(Evading& evading, Vec3 wanted, Vec3& found) {
+EvasionFound find_evasion_by_levels(Evading& evading, Vec3 wanted, Taken& found) {
   const std::span<const Level> levels = kLevels;
   const EvasionFound outcome = find_evasion(evading, levels.front(), wanted, found);
   if (outcome != EvasionFound::none ||
       find_evasion(evading, levels.back(), wanted, found) == EvasionFound::none)
     return outcome;
   return find_evasion_in_order(evading, levels.subspan(1), wanted, found);
+}
+
+// Returns whether braking after that step is clear of moving obstacles.
+bool is_far_from_movers(Evading& evading, Vec3 next_velocity) {
+  look_around(evading, kLevels[0]);
+  return take_first_step(evading.search, next_velocity) && may_brake(evading.search);
 }
 
 // Returns whether all moving obstacles are seen exactly, and surely keep their acceleration.
@@ -197,12 +220,11 @@ bool keep_evasion(const PlannerOptions& options, const StepLaw& law, const Robot
   if (!begun) return false;
   Evading& evading = *begun;
   const Vec3 wanted = next_velocity;
-  look_around(evading, kLevels[0]);
-  if (take_first_step(search, wanted) && may_brake(search)) return false;
+  if (is_far_from_movers(evading, wanted)) return false;
   // (C2) stands for the demands of the moving obstacles
   MoverConstraints& of_movers = workspace.constraints.movers;
   of_movers.counts = false;
-  Vec3 found;
+  Taken found;
   EvasionFound outcome = find_evasion_by_levels(evading, wanted, found);
   if (outcome == EvasionFound::none && sight.may_swerve && are_exact(evading))
     outcome = find_evasion_in_order(evading, kLastLevels, wanted, found);
@@ -210,8 +232,25 @@ bool keep_evasion(const PlannerOptions& options, const StepLaw& law, const Robot
     outcome = find_evasion_in_order(evading, kForAWhile, wanted, found);
   of_movers.counts = true;
   if (outcome != EvasionFound::another) return false;
-  next_velocity = found;
+  next_velocity = found.next_velocity;
+  search.chosen = found.evasion, search.put_aside = wanted;
   return true;
+}
+
+int find_evaded(const PlannerOptions& options, const StepLaw& law, const Robot& robot,
+                std::span<const Mover> movers, Vec3 put_aside, EvasionSearch& search,
+                ChoiceWorkspace& workspace) {
+  int evaded = -1;
+  double nearest = 0.0;  // m²
+  for (std::size_t k = 0; k < movers.size(); ++k) {
+    const double squared = norm_squared(movers[k].position - robot.position);
+    if (evaded >= 0 && !(squared < nearest)) continue;
+    const Sight alone{movers.subspan(k, 1), {}};
+    std::optional<Evading> begun = begin_evading(options, law, robot, alone, search, workspace);
+    if (!begun || is_far_from_movers(*begun, put_aside)) continue;
+    evaded = static_cast<int>(k), nearest = squared;
+  }
+  return evaded;
 }
 
 }  // namespace avo::space

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "avo/space/box.h"
+#include "avo/space/decision_trace.h"
 #include "avo/space/robot.h"
 #include "certificate/predicted.h"
 #include "space/boxes.h"
@@ -55,6 +56,10 @@ struct EvasionSearch {
   /// The work that is left for this decision; no evasive maneuver counts as clear once it is used
   /// up.
   int work = std::numeric_limits<int>::max();
+  /// Of the last decision that evades: its evasive maneuver, and the next velocity that it has
+  /// rejected, m/s.
+  Evasion chosen;
+  Vec3 put_aside;
 };
 
 /// Begins the search of evasive maneuvers among others and boxes.

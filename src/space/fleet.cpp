@@ -105,7 +105,6 @@ void SpaceFleet::find_boxes(std::size_t k, SpaceWorker& worker) const {
 }
 
 void SpaceFleet::head_for_goal(std::size_t k, const BodiesAround& around, SpaceWorker& worker) {
-  Robot& robot = robots[k];
   worker.neighbors.clear();
   for (const Run& run : !ways.passages().empty() ? around.runs : std::span<const Run>()) {
     for (std::size_t place = run.first; place < run.last; ++place) {
@@ -114,11 +113,16 @@ void SpaceFleet::head_for_goal(std::size_t k, const BodiesAround& around, SpaceW
         worker.neighbors.push_back(other);
     }
   }
-  const PassageView company{worker.neighbors, detours[k].angle, sensing_radius, law.time_step};
-  const SpaceHeading heading =
-      ways.heading(k, robot, trips[k].goal, trips[k].preferred_speed, company, worker.ways);
+  head_for_goal(k, worker.neighbors, robots[k], ways.memory(k), worker.ways);
+}
+
+Guide SpaceFleet::head_for_goal(std::size_t k, std::span<const Neighbor> company, Robot& robot,
+                                SpaceRoute& route, WayScratch& scratch) const {
+  const SpaceHeading heading = ways.heading(k, robot, trips[k].goal, trips[k].preferred_speed,
+                                            view_of(k, company), route, scratch);
   robot.distance_to_goal = heading.left;
   robot.preferred_velocity = preferred_velocity(robot, heading.goal, heading.speed, landing);
+  return heading.guide;
 }
 
 void SpaceFleet::decide(std::size_t at, SpaceWorker& worker) {
@@ -128,8 +132,8 @@ void SpaceFleet::decide(std::size_t at, SpaceWorker& worker) {
   sense_movers(k, worker);
   const auto decide = [&](const BodiesAround& around) {
     head_for_goal(k, around, worker);
-    plans[k] =
-        space::decide(options, horizons, law, robots[k], around, true, worker.scratch, detours[k]);
+    plans[k] = space::decide(options, horizons, law, robots[k], around, true, worker.scratch,
+                             detours[k], NoTrace{});
     Plan& plan = plans[k];
     if (plan.box >= 0) plan.box = worker.box_number[static_cast<std::size_t>(plan.box)];
     if (plan.mover >= 0) plan.mover = worker.mover_number[static_cast<std::size_t>(plan.mover)];
@@ -166,10 +170,14 @@ void SpaceFleet::move() {
   }
 }
 
-void SpaceFleet::step() {
+void SpaceFleet::begin_step() {
   sort();
   senses.note(robots, steps);
   ways.begin_step(robots);
+}
+
+void SpaceFleet::step() {
+  begin_step();
   for_all([&](std::size_t at, SpaceWorker& worker) { decide(at, worker); });
   move();
   ++steps;

@@ -12,6 +12,7 @@
 #include "avo/space/mover.h"
 #include "avo/space/planner.h"
 #include "avo/space/scenario.h"
+#include "avo/space/simulation.h"
 #include "core/executor.h"
 #include "space/bodies.h"
 #include "space/cells.h"
@@ -68,8 +69,12 @@ struct AVO_LOCAL SpaceFleet {
   void step();
   void find_routes();
   [[nodiscard]] std::vector<Vec3> goals() const;
+  /// What robot k senses and wants before the next step, by the functions of a step.
+  Simulation::Perception perceive(std::size_t k);
 
  private:
+  /// What a step begins with. It changes nothing that robots remember.
+  void begin_step();
   /// Puts the bodies into the order of the cells.
   void sort();
   void move_obstacles();
@@ -83,6 +88,12 @@ struct AVO_LOCAL SpaceFleet {
   void find_boxes(std::size_t k, SpaceWorker& worker) const;
   /// Sets the preferred velocity of robot k: along its route, where boxes are in between.
   void head_for_goal(std::size_t k, const BodiesAround& around, SpaceWorker& worker);
+  [[nodiscard]] PassageView view_of(std::size_t k, std::span<const Neighbor> company) const {
+    return {company, detours[k].angle, sensing_radius, law.time_step};
+  }
+  /// Sets the preferred velocity of a robot with the state of robot k. Returns what guides it.
+  Guide head_for_goal(std::size_t k, std::span<const Neighbor> company, Robot& robot,
+                      SpaceRoute& route, WayScratch& scratch) const;
   /// Decides for the robot at that place in the order of the cells.
   void decide(std::size_t at, SpaceWorker& worker);
   /// Calls visit(k, worker) for all k below the number of robots, in parallel where they are many.

@@ -11,6 +11,7 @@
 #include "space/kernels.h"
 #include "space/own_space.h"
 #include "space/step_law.h"
+#include "space/trace.h"
 #include "space/validity.h"
 #include "space/workspace.h"
 
@@ -30,6 +31,35 @@ void gather(std::span<const Neighbor> neighbors, const StepLaw& law, Bodies& bod
   fill_braking(law, bodies);
 }
 
+// What a robot is given.
+struct Given {
+  const Robot& robot;
+  std::span<const Neighbor> neighbors;
+  std::span<const Box> boxes;
+  std::span<const Mover> movers;
+};
+
+template <typename Trace>
+Plan plan_in(PlanWorkspace::Scratch& scratch, const PlannerOptions& options,
+             std::span<const Horizon> horizons, const Given& given, Detour* detour, Trace trace) {
+  const auto& [robot, neighbors, boxes, movers] = given;
+  const StepLaw law = step_law(options, horizons.front());
+  if (!are_valid(robot, neighbors, boxes, movers)) {
+    Plan plan = is_valid(robot) ? braking_plan(robot, law) : Plan{};
+    plan.status = PlanStatus::invalid_input;
+    return plan;
+  }
+  gather(neighbors, law, scratch.bodies);
+  const Run all{0, neighbors.size()};
+  Detour next = detour != nullptr ? *detour : Detour{};
+  const Plan plan = decide(
+      options, horizons, law, robot,
+      {.bodies = scratch.bodies, .runs = std::span(&all, 1), .boxes = boxes, .movers = movers},
+      detour != nullptr, scratch, next, trace);
+  if (detour != nullptr) *detour = next;
+  return plan;
+}
+
 }  // namespace
 
 Planner::Planner(const PlannerOptions& options)
@@ -40,28 +70,27 @@ Planner::Planner(const PlannerOptions& options)
 Plan Planner::plan(const Robot& robot, std::span<const Neighbor> neighbors,
                    PlanWorkspace& workspace, Detour* detour, std::span<const Box> boxes,
                    std::span<const Mover> movers) const {
-  const StepLaw law = step_law(options_, horizons_.front());
-  if (!are_valid(robot, neighbors, boxes, movers)) {
-    Plan plan = is_valid(robot) ? braking_plan(robot, law) : Plan{};
-    plan.status = PlanStatus::invalid_input;
-    return plan;
-  }
-  PlanWorkspace::Scratch& scratch = *workspace.scratch_;
-  gather(neighbors, law, scratch.bodies);
-  const Run all{0, neighbors.size()};
-  Detour next = detour != nullptr ? *detour : Detour{};
-  const Plan plan = decide(
-      options_, horizons_, law, robot,
-      {.bodies = scratch.bodies, .runs = std::span(&all, 1), .boxes = boxes, .movers = movers},
-      detour != nullptr, scratch, next);
-  if (detour != nullptr) *detour = next;
-  return plan;
+  return plan_in(*workspace.scratch_, options_, horizons_, {robot, neighbors, boxes, movers},
+                 detour, NoTrace{});
+}
+
+DecisionTrace Planner::explain(const Robot& robot, std::span<const Neighbor> neighbors,
+                               PlanWorkspace& workspace, Detour* detour, std::span<const Box> boxes,
+                               std::span<const Mover> movers) const {
+  TraceRecord record{{}, boxes, movers};
+  DecisionTrace& trace = record.decision;
+  trace.preferred_velocity = trace.wish = trace.aim = robot.preferred_velocity;
+  trace.plan = plan_in(*workspace.scratch_, options_, horizons_, {robot, neighbors, boxes, movers},
+                       detour, Recorder{&record});
+  if (trace.plan.status == PlanStatus::invalid_input)
+    trace.target = trace.proposal = trace.plan.next_velocity;
+  return trace;
 }
 
 bool Planner::is_admitted(const Robot& robot, std::span<const Neighbor> neighbors,
-                          PlanWorkspace& workspace, Vec3 next_velocity,
-                          std::span<const Box> boxes) const {
-  if (!are_valid(robot, neighbors, boxes) || !is_finite(next_velocity)) return false;
+                          PlanWorkspace& workspace, Vec3 next_velocity, std::span<const Box> boxes,
+                          std::span<const Mover> movers) const {
+  if (!are_valid(robot, neighbors, boxes, movers) || !is_finite(next_velocity)) return false;
   const StepLaw law = step_law(options_, horizons_.front());
   PlanWorkspace::Scratch& scratch = *workspace.scratch_;
   const Vec3 own = to_own(next_velocity, robot.vertical);
@@ -71,9 +100,10 @@ bool Planner::is_admitted(const Robot& robot, std::span<const Neighbor> neighbor
     return false;
   gather(neighbors, law, scratch.bodies);
   const Run all{0, neighbors.size()};
-  Constraints& constraints =
-      admission_of(options_, horizons_, law, robot,
-                   {.bodies = scratch.bodies, .runs = std::span(&all, 1), .boxes = boxes}, scratch);
+  Constraints& constraints = admission_of(
+      options_, horizons_, law, robot,
+      {.bodies = scratch.bodies, .runs = std::span(&all, 1), .boxes = boxes, .movers = movers},
+      scratch);
   return admits(robot, next_velocity, law, Asked::until_refused, constraints);
 }
 

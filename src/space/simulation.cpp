@@ -7,12 +7,14 @@
 #include <vector>
 
 #include "avo/error.h"
+#include "avo/space/explanation.h"
 #include "core/hash.h"
 #include "core/ranges.h"
 #include "space/boxes.h"
 #include "space/fleet.h"
 #include "space/routes/tighten.h"
 #include "space/validity.h"
+#include "space/words.h"
 
 namespace avo::space {
 
@@ -101,6 +103,21 @@ std::vector<RobotId> Simulation::unreachable() const {
     if (known != nullptr && !known->reaches) found.push_back({k});
   }
   return found;
+}
+
+Simulation::Perception Simulation::perceive(RobotId robot) const {
+  return state_->perceive(state_->find(robot));
+}
+
+Explanation Simulation::explain(RobotId robot) const {
+  Explanation explanation{.robot = robot,
+                          .time = time(),
+                          .goal = goal(robot),
+                          .is_at_goal = is_at_goal(robot),
+                          .distance_left = route(robot).distance_left,
+                          .seen = perceive(robot)};
+  explain_decision(Planner(state_->options), explanation);
+  return explanation;
 }
 
 void Simulation::set_goal(RobotId robot, Vec3 goal) {

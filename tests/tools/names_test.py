@@ -18,6 +18,7 @@ ALIKE = {"Pack", "MaskOf", "Kind", "Line", "Stage", "Bounds"}
 SAME = {
     "Check", "CheckedRobot", "CheckedState", "Detour", "Metrics", "MovingObstacle", "Neighbor", "OutOfReach", "Plan",
     "PlanWorkspace", "Planner", "Robot", "RobotSetup", "Scenario", "Simulation", "Route", "CheckedMover", "BrakingVerdict", "Crossing",
+    "Cause", "DecisionTrace", "Evasion", "Explanation", "Perception", "Recorder", "Taken", "TraceRecord", "Wait",
     "Deciding", "Evading", "FirstStep", "FullBraking", "Node", "Observer", "PastState", "Plane", "Reached", "Senses", "Sight", "Then",
     "Traffic", "EvasionState", "EvasionStep"}
 

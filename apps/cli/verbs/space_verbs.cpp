@@ -180,9 +180,9 @@ int explain_in_space(const ExplainArguments& arguments, const avo::space::Scenar
   }();
   if (!decision) return kSignal + signal_caught();
   if (arguments.json)
-    print(to_json(*decision));
+    print(avo_io::to_json(*decision, scenario.name));
   else
-    print_results(readable(*decision));
+    print_results(avo_io::readable(*decision, scenario.name));
   return kDone;
 }
 

@@ -67,7 +67,7 @@ py::object explain(const py::object& scene, std::int64_t robot, double time, int
   const std::string json = [&] {
     const py::gil_scoped_release release;
     const auto decision = avo_io::explain_in_space(scenario, robot, time, threads, go_on);
-    return decision ? to_json(*decision) : std::string();
+    return decision ? avo_io::to_json(*decision, scenario.name) : std::string();
   }();
   if (json.empty()) throw py::error_already_set();
   return from_json(json);

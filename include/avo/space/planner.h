@@ -59,6 +59,8 @@ class AVO_API PlanWorkspace {
   std::unique_ptr<Scratch> scratch_;
 };
 
+struct DecisionTrace;
+
 /// Decides for one robot of space. Immutable after construction and safe to share between threads.
 class AVO_API Planner {
  public:
@@ -85,11 +87,19 @@ class AVO_API Planner {
                           std::span<const Box> boxes = {},
                           std::span<const Mover> movers = {}) const;
 
+  /// The same decision with its stages (avo/space/decision_trace.h), which it tells while it is
+  /// made. The detour changes as by plan().
+  [[nodiscard]] DecisionTrace explain(const Robot& robot, std::span<const Neighbor> neighbors,
+                                      PlanWorkspace& workspace, Detour* detour = nullptr,
+                                      std::span<const Box> boxes = {},
+                                      std::span<const Mover> movers = {}) const;
+
   /// Returns whether the certificate lets the robot have that velocity (m/s) at the end of the
   /// step, within its own limits.
   [[nodiscard]] bool is_admitted(const Robot& robot, std::span<const Neighbor> neighbors,
                                  PlanWorkspace& workspace, Vec3 next_velocity,
-                                 std::span<const Box> boxes = {}) const;
+                                 std::span<const Box> boxes = {},
+                                 std::span<const Mover> movers = {}) const;
 
   [[nodiscard]] const PlannerOptions& options() const { return options_; }
 

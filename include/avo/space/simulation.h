@@ -4,15 +4,19 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
+#include "avo/decision_trace.h"
 #include "avo/export.h"
 #include "avo/ids.h"
 #include "avo/space/planner.h"
 #include "avo/space/scenario.h"
 
 namespace avo::space {
+
+struct Explanation;
 
 /// Simulates the robots of a scene. Each robot decides alone, from the positions and velocities of
 /// those within the sensing radius. The same scene gives the same bits, whatever the number of
@@ -62,6 +66,34 @@ class AVO_API Simulation {
   /// Robots for which there is no route to their goals, whatever the others do: by ascending id.
   /// They go as near as they get.
   [[nodiscard]] std::vector<RobotId> unreachable() const;
+
+  /// The robot for which another robot waits at a passage of one lane (docs/space.md, "Routes and
+  /// passages").
+  struct Wait {
+    Vec3 passage = {};    ///< m: the middle of its axis
+    RobotId robot;        ///< the robot that comes towards it, or is in its route
+    bool inside = false;  ///< whether that robot is in the passage
+  };
+  /// What a robot senses and wants now. What it senses comes in the order in which it plans:
+  /// space::Planner::plan() makes the decision of the next step of it, bit for bit.
+  struct Perception {
+    Robot robot;                             ///< with its preferred velocity
+    std::vector<Neighbor> neighbors = {};    ///< by ascending ids, as sensed
+    std::vector<RobotId> neighbor_ids = {};  ///< of the neighbors
+    std::vector<Box> boxes = {};             ///< all that matter to it
+    std::vector<ObstacleId> box_ids = {};    ///< of the static obstacles that the boxes are of
+    std::vector<Mover> movers = {};          ///< as sensed
+    std::vector<MovingObstacleId> mover_ids = {};  ///< of the movers
+    Detour detour = {};                            ///< what it remembers
+    std::optional<Wait> wait = {};                 ///< at a passage, if it waits
+    Guide guide = Guide::route;                    ///< what its preferred velocity leads to
+  };
+  /// Nothing moves. The call uses the scratch memory of the simulation, though it is const: no
+  /// other call may run at the same time.
+  [[nodiscard]] Perception perceive(RobotId robot) const;
+  /// The decision that the robot makes in the next step, with its reasons
+  /// (avo/space/explanation.h). Nothing moves. As perceive(), it excludes other calls.
+  [[nodiscard]] Explanation explain(RobotId robot) const;
 
   /// Gives the robot another goal, m; the same goal again changes nothing. Throws Error for a robot
   /// that does not exist, and for a goal that is not finite.

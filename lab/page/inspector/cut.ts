@@ -3,7 +3,7 @@
 // The plane is that of p and v of a pair (docs/space.md), through the robot's velocity, so it contains the normal of the
 // pair's half-space.
 import { cross3, dot3, minus3, norm3, times3, unit3, type Vec3 } from "../map/vec3.ts";
-import type { Disc, HalfPlane, Vec } from "./decision.ts";
+import type { Disc, HalfPlane, Source, Vec } from "./decision.ts";
 import type { HalfSpace, SpaceDecision } from "./space_decision.ts";
 
 /** All v with v·normal = offset; a place in it is v·along, v·across. The three vectors are of length 1, at right angles. */
@@ -26,7 +26,7 @@ function leftOf(p: Vec3): Vec3 {
 }
 
 /** Returns the plane of the pair with that neighbor: the first axis leads away from it. */
-export function cutOfPair(decision: SpaceDecision, neighbor: number): CutPlane | null {
+export function cutOfPair(decision: SpaceDecision, neighbor: Source): CutPlane | null {
   const other = decision.neighbors.find((sensed) => sensed.neighbor === neighbor);
   if (!other) return null;
   const p = minus3(decision.position, other.position), v = minus3(decision.velocity, other.velocity);

@@ -40,24 +40,25 @@ export interface Sensed {
 
 /** The neighbor that a robot evades, the velocity that its evasion approaches (0: it brakes), and the time at which the
  * evasion brakes, or circles. */
-export interface Evasion {
+export interface Evasion<Vector = Vec> {
   neighbor: Source | null;
-  velocity: Vec;
+  velocity: Vector;
   until: number;                // s, of the run
 }
 
-/** The stages of a decision. A null among causes is the robot's own motion; "walls.K" is of `walls` below. */
-export interface Trace {
+/** The stages of a decision, in the plane or in space. A null among causes is the robot's own motion; "walls.K" is of
+ * `walls` below. */
+export interface Trace<Vector = Vec> {
   guide: "route" | "lane" | "passage" | "back" | "mover" | "place" | "host";
-  wish: Vec;
+  wish: Vector;
   rule: "none" | "steers" | "keeps_right" | "yields" | "settles" | "leaves_wall" | "in_cell";
   heeded: Source | null;
-  aim: Vec;
-  target: Vec;
+  aim: Vector;
+  target: Vector;
   binding: (Source | null)[];
-  proposal: Vec;
+  proposal: Vector;
   refusing: (Source | null)[];
-  detour: Vec | null;
+  detour: Vector | null;
   refusing_detour: (Source | null)[];
 }
 

@@ -4,7 +4,7 @@ import type { SceneInfo, Simulation } from "../../avo/avo.ts";
 import { digits } from "../frame/elements.ts";
 import { dot3, norm3, times3, type Vec3 } from "../map/vec3.ts";
 import { besidePlane, cutBall, cutHalfSpace, cutOfNobody, cutOfPair, inPlane, type CutPlane } from "./cut.ts";
-import { violation, type Disc, type HalfPlane } from "./decision.ts";
+import { labelOf, nameOf, shortLabelOf, violation, type Disc, type HalfPlane, type Source } from "./decision.ts";
 import type { Explained } from "./explained.ts";
 import type { SpaceSource } from "./space_canvas.ts";
 import type { Cause, SpaceDecision } from "./space_decision.ts";
@@ -16,7 +16,6 @@ import { lawOf, type Cut } from "./why.ts";
 const FINE = 64, COARSE = 24;  // nodes per side, for what the certificate admits
 const APART = 0.005;  // m/s: a velocity that is nearer to the plane lies in it
 
-/** Throws an error of the library, e.g. for a scene with errors of sensing. */
 export function explainedInSpace(simulation: Simulation, info: SceneInfo, robot: number, quick: boolean): Explained {
   const text = simulation.explain(robot);
   const decision = JSON.parse(text) as SpaceDecision;
@@ -35,16 +34,15 @@ export function explainedInSpace(simulation: Simulation, info: SceneInfo, robot:
   };
 }
 
-/** Returns the neighbor that is pointed at, or else a neighbor that shapes the decision, or else the nearest. */
-function neighborToCut({ neighbors, binding, refusing, heeded }: SpaceDecision, pointed: string | null): number | null {
-  const senses = (robot: Cause) => neighbors.some(({ neighbor }) => neighbor === robot);
-  const named = /^robots\.(\d+)$/.exec(pointed ?? "");
-  if (named && senses(Number(named[1]))) return Number(named[1]);
-  const first = [...binding, ...refusing, ...heeded].find(senses);
-  return typeof first === "number" ? first : neighbors[0]?.neighbor ?? null;
+/** Returns the neighbor that is pointed at, or else one that shapes the decision, or else the nearest. */
+function neighborToCut({ neighbors, trace }: SpaceDecision, pointed: string | null): Source | null {
+  const sensed = neighbors.map(({ neighbor }) => neighbor);
+  const named = sensed.find((neighbor) => nameOf(neighbor) === pointed);
+  const senses = (cause: Cause) => cause !== null && sensed.includes(cause);
+  return named ?? [...trace.binding, ...trace.refusing, ...trace.refusing_detour, trace.heeded].find(senses) ?? sensed[0] ?? null;
 }
 
-function sourceOf(decision: SpaceDecision, info: SceneInfo, plane: CutPlane, neighbor: number | null): Omit<SpaceSource, "admitted"> {
+function sourceOf(decision: SpaceDecision, info: SceneInfo, plane: CutPlane, neighbor: Source | null): Omit<SpaceSource, "admitted"> {
   const vertical = info.robots.find(({ robot }) => robot === decision.robot)?.vertical ?? 1;
   const { velocity, preferred_velocity, new_velocity, next_velocity, max_acceleration, max_speed } = decision;
   const acceleration_disc = cutBall(plane, velocity, info.options.control_time * max_acceleration, vertical);
@@ -53,8 +51,8 @@ function sourceOf(decision: SpaceDecision, info: SceneInfo, plane: CutPlane, nei
   const cuts: Cut[] = decision.half_spaces.flatMap((half) => {
     const cut = cutHalfSpace(plane, half);
     return cut && forbids(cut) ? [{
-      ...cut, of: `robots.${half.neighbor}`, forbids: true,
-      binds: decision.binding.includes(half.neighbor),
+      ...cut, of: nameOf(half.neighbor), forbids: true,
+      binds: decision.trace.binding.includes(half.neighbor),
       refuses: Math.max(half.offset - dot3(half.normal, preferred_velocity), 0),
     }] : [];
   });
@@ -67,7 +65,7 @@ function sourceOf(decision: SpaceDecision, info: SceneInfo, plane: CutPlane, nei
       },
       law: lawOf(info),
       why: { cuts, next: inPlane(plane, next_velocity) },
-      axes: neighbor === null ? ["forwards, in m/s", "upwards, in m/s"] : [`away from ${neighbor}, in m/s`, "across, in m/s"],
+      axes: neighbor === null ? ["forwards, in m/s", "upwards, in m/s"] : [`away from ${shortLabelOf(nameOf(neighbor))}, in m/s`, "across, in m/s"],
     },
     outlines: () => [],
   };
@@ -87,8 +85,8 @@ function reachesPast({ center, radius, squeeze }: Disc, half: HalfPlane): boolea
 }
 
 /** Returns where the cut is, and what lies beside it. */
-function noteOf(decision: SpaceDecision, plane: CutPlane, neighbor: number | null): string {
-  const where = neighbor === null ? "The vertical cut through v." : `The cut through v in the plane of p and v of robot ${neighbor}.`;
+function noteOf(decision: SpaceDecision, plane: CutPlane, neighbor: Source | null): string {
+  const where = neighbor === null ? "The vertical cut through v." : `The cut through v in the plane of p and v of ${labelOf(nameOf(neighbor))}.`;
   const velocities: [string, Vec3][] = [["vᵖʳᵉᶠ", decision.preferred_velocity], ["v′", decision.new_velocity], ["vₙₑₓₜ", decision.next_velocity]];
   const beside = velocities.map(([name, v]) => [name, besidePlane(plane, v)] as const).filter(([, distance]) => distance > APART)
     .map(([name, distance]) => `${name} ${digits(distance)} m/s`);

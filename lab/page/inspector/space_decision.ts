@@ -1,16 +1,22 @@
 // SPDX-License-Identifier: Apache-2.0
 // One decision of a robot in space and all its inputs, as `avo explain --json` gives them (docs/space.md), in SI units.
 import type { Vec3 } from "../map/vec3.ts";
+import type { Evasion, Source, Trace } from "./decision.ts";
 
 export interface SensedInSpace {
-  neighbor: number;
+  neighbor: Source;
   position: Vec3;
   velocity: Vec3;
   radius: number;
-  max_acceleration: number;
-  priority: number;
+  max_acceleration: number;     // 0 for a moving obstacle
+  priority: number | null;      // null for a moving obstacle
   vertical: number;
   downwash: number;
+  behavior: "decides" | "moves_on";
+  acceleration?: Vec3;          // of a moving obstacle, as what follows
+  max_deviation?: number;
+  max_speed?: number | null;
+  age?: number;                 // steps since it was measured, if it is extrapolated
 }
 
 /** normal·v' >= offset, m/s; the normal has length 1. */
@@ -19,8 +25,8 @@ export interface HalfSpace {
   offset: number;
 }
 
-/** I for robots.I, or "obstacles.K". */
-export type Cause = number | string;
+/** I for robots.I, "obstacles.K" or "moving_obstacles.K"; null: the robot's own limits. */
+export type Cause = Source | null;
 
 export interface SpaceDecision {
   scene: string;
@@ -35,17 +41,20 @@ export interface SpaceDecision {
   priority: number;
   neighbors: SensedInSpace[];
   boxes: number[];
-  half_spaces: ({ neighbor: number } & HalfSpace)[];
+  half_spaces: ({ neighbor: Source } & HalfSpace)[];
+  obstacle_half_spaces: ({ obstacle: string } & HalfSpace)[];
+  detour: number;               // rad, to the right
   preferred_velocity: Vec3;
-  binding: Cause[];
-  heeded: Cause[];
-  proposal: Vec3;
-  refusing: Cause[];
   new_velocity: Vec3;
   next_velocity: Vec3;
   acceleration: Vec3;
-  status: string;
-  violation: number;
-  state: string;
+  trace: Trace<Vec3>;
   sentence: string;
+  evading: Evasion<Vec3> | null;
+  waits: { passage: Vec3; for: number; inside: boolean } | null;
+  state: string;
+  status: string;
+  contact_with: Cause;
+  contact_depth: number | null; // m
+  violation: number;
 }

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "guidance/claims.h"
+
 namespace avo::space {
 namespace {
 
@@ -61,17 +63,28 @@ std::optional<Claim> claim_of(const SpacePassages& passages, const SpaceClaimer&
   return claim;
 }
 
-// Returns whether a robot that stands beside it before the same mouth is nearer to the entrance.
-// Two robots that both push into it would hold each other up for ever.
-bool is_second(const SpacePassage& passage, const SpaceClaimer& robot, bool forward) {
+// The neighbor that stands beside the robot before the same mouth, nearer to the entrance; their
+// end if there is none. Two robots that both push into it would hold each other up for ever.
+std::span<const Neighbor>::iterator first_beside(const SpacePassage& passage,
+                                                 const SpaceClaimer& robot, bool forward) {
   const double unit = passage.plane.radius, in = kGate * unit;
   const Vec3 gate = passage.point(forward ? in : passage.length() - in, {}, 0.0);
   const double own = norm(robot.position - gate);
-  if (own > kEntrance * unit || robot.yielded > kPatience) return false;
-  return std::any_of(robot.neighbors.begin(), robot.neighbors.end(), [&](const Neighbor& other) {
+  if (own > kEntrance * unit || robot.yielded > kPatience) return robot.neighbors.end();
+  return std::find_if(robot.neighbors.begin(), robot.neighbors.end(), [&](const Neighbor& other) {
     return norm(other.position - robot.position) < kBeside * (robot.radius + other.radius) &&
            norm(other.position - gate) < own;
   });
+}
+
+// The claimants that the robot senses.
+void collect_others(std::span<const SpaceClaimant> claimants, const SpaceClaimer& robot,
+                    std::vector<Claimant>& others) {
+  others.clear();
+  for (const SpaceClaimant& other : claimants) {
+    if (other.robot != robot.robot && norm(other.position - robot.position) <= robot.sensing_radius)
+      others.push_back(other.plane);
+  }
 }
 
 }  // namespace
@@ -97,7 +110,7 @@ void append_claims(const SpacePassages& passages, const Solids& solids, Vec3 pos
     if (!claim) continue;
     const Vec3 mouth = passage.point(claim->forward ? 0.0 : passage.length(), {}, 0.0);
     if (!claim->inside && !solids.sees(position, mouth)) continue;
-    claims.of[k].push_back({{.claim = *claim, .position = place}, position, robot});
+    claims.of[k].push_back({{.claim = *claim, .position = place, .rank = robot}, position, robot});
   }
 }
 
@@ -106,11 +119,7 @@ SpaceCourse right_of_way(const SpacePassages& passages, const SpaceClaims& claim
   const std::optional<Claim> claim = claim_of(passages, robot);
   if (!claim) return {};
   const SpacePassage& passage = passages[claim->passage];
-  others.clear();
-  for (const SpaceClaimant& other : claims.of[claim->passage]) {
-    if (other.robot != robot.robot && norm(other.position - robot.position) <= robot.sensing_radius)
-      others.push_back(other.plane);
-  }
+  collect_others(claims.of[claim->passage], robot, others);
   const Vec3 across = passages.side_of(claim->passage, claim->forward, robot.position);
   const PlaceInTube in = passage.place(robot.position);
   const Claimant own{.claim = *claim, .position = {in.along, in.aside}};
@@ -119,7 +128,7 @@ SpaceCourse right_of_way(const SpacePassages& passages, const SpaceClaims& claim
   SpaceCourse result{.stops = course.stops, .max_speed = course.max_speed};
   const double entered = claim->forward ? in.along : passage.length() - in.along;
   if (!course.target && entered < kGate * passage.plane.radius &&
-      is_second(passage, robot, claim->forward)) {
+      first_beside(passage, robot, claim->forward) != robot.neighbors.end()) {
     result.is_after_others = true;
     const double out = kBack * passage.plane.radius;
     result.target = passage.point(claim->forward ? -out : passage.length() + out, across,
@@ -128,6 +137,27 @@ SpaceCourse right_of_way(const SpacePassages& passages, const SpaceClaims& claim
   }
   if (course.target) result.target = passage.point(course.target->x, across, course.target->y);
   return result;
+}
+
+std::optional<SpaceWait> waited_for(const SpacePassages& passages, const SpaceClaims& claims,
+                                    const SpaceClaimer& robot, std::vector<Claimant>& others) {
+  const std::optional<Claim> claim = claim_of(passages, robot);
+  if (!claim) return std::nullopt;
+  const SpacePassage& passage = passages[claim->passage];
+  SpaceWait wait{.passage = passage.point(0.5 * passage.length(), {}, 0.0)};
+  if (right_of_way(passages, claims, robot, others).is_after_others) {
+    const auto first = first_beside(passage, robot, claim->forward);
+    wait.robot = static_cast<std::uint32_t>(first - robot.neighbors.begin());
+    return wait;
+  }
+  const PlaceInTube in = passage.place(robot.position);
+  const Claimant own{.claim = *claim, .position = {in.along, in.aside}};
+  const Claimant* first = nullptr;
+  for (const Claimant& other : others)
+    if (first == nullptr || is_waited_for_first(own, other, *first)) first = &other;
+  if (first == nullptr) return std::nullopt;
+  wait.is_claim = true, wait.robot = first->rank, wait.inside = first->claim.inside;
+  return wait;
 }
 
 std::optional<Vec3> lane_ahead(const SpacePassages& passages, const Solids& solids,

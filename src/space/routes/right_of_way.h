@@ -55,6 +55,19 @@ struct SpaceCourse {
 SpaceCourse right_of_way(const SpacePassages& passages, const SpaceClaims& claims,
                          const SpaceClaimer& robot, std::vector<Claimant>& others);
 
+/// The robot for which another one waits at a passage.
+struct SpaceWait {
+  Vec3 passage;           ///< m: the middle of its axis
+  bool is_claim = false;  ///< `robot` is a number of the fleet, and else of a neighbor
+  std::uint32_t robot = 0;
+  bool inside = false;  ///< whether that robot is in the passage
+};
+
+/// Whom the rules count first among those for which the robot waits, where right_of_way() makes it
+/// wait. others: scratch.
+std::optional<SpaceWait> waited_for(const SpacePassages& passages, const SpaceClaims& claims,
+                                    const SpaceClaimer& robot, std::vector<Claimant>& others);
+
 /// m: the place to move to in order to keep the lane, in a passage of two lanes.
 std::optional<Vec3> lane_ahead(const SpacePassages& passages, const Solids& solids,
                                const SpaceClaimer& robot);

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "avo/decision_trace.h"
 #include "avo/space/robot.h"
 #include "space/routes/search.h"
 
@@ -29,6 +30,7 @@ struct SpaceHeading {
   Vec3 goal;           ///< m
   double speed = 0.0;  ///< m/s
   double left = 0.0;   ///< m, of the route
+  Guide guide = Guide::route;
 };
 
 /// Leaves so many points behind.

@@ -145,35 +145,46 @@ void SpaceWays::look(std::size_t k, const Robot& robot, Vec3 goal, WayScratch& s
   if (solids_.size() > 0) follow(robot, goal, routes_[k], scratch);
 }
 
+SpaceClaimer SpaceWays::claimer_of(std::size_t k, const Robot& robot, const PassageView& company,
+                                   const SpaceRoute& route) {
+  return {robot.position,
+          robot.radius,
+          planned_braking(robot),
+          company.sensing_radius,
+          static_cast<std::uint32_t>(k),
+          route.points,
+          company.neighbors,
+          route.yielded};
+}
+
 SpaceHeading SpaceWays::heading(std::size_t k, const Robot& robot, Vec3 goal,
                                 double preferred_speed, const PassageView& company,
-                                WayScratch& scratch) {
+                                SpaceRoute& route, WayScratch& scratch) const {
   SpaceHeading heading{goal, preferred_speed, norm(goal - robot.position)};
   if (solids_.size() == 0) return heading;
-  SpaceRoute& route = routes_[k];
   follow(robot, goal, route, scratch);
   if (route.points.empty()) return heading;
   heading = heading_on(robot, preferred_speed, route);
   if (passages_.empty()) return heading;
-  const SpaceClaimer claimer{robot.position,
-                             robot.radius,
-                             planned_braking(robot),
-                             company.sensing_radius,
-                             static_cast<std::uint32_t>(k),
-                             route.points,
-                             company.neighbors,
-                             route.yielded};
+  const SpaceClaimer claimer = claimer_of(k, robot, company, route);
   if (company.detour <= kLeavesLane && is_in_company(robot, company.neighbors)) {
     if (const auto lane = lane_ahead(passages_, solids_, claimer))
-      heading.goal = beyond(robot.position, *lane, heading.left);
+      heading.goal = beyond(robot.position, *lane, heading.left), heading.guide = Guide::lane;
   }
   const SpaceCourse course = right_of_way(passages_, claims_, claimer, scratch.others);
   route.yielded = course.is_after_others ? route.yielded + company.time_step : 0.0;
+  if (course.target || course.max_speed < heading.speed) heading.guide = Guide::passage;
   heading.speed = std::min(heading.speed, course.max_speed);
   if (course.target)
     heading.goal =
         course.stops ? *course.target : beyond(robot.position, *course.target, heading.left);
   return heading;
+}
+
+std::optional<SpaceWait> SpaceWays::wait(std::size_t k, const Robot& robot,
+                                         const PassageView& company, const SpaceRoute& route,
+                                         WayScratch& scratch) const {
+  return waited_for(passages_, claims_, claimer_of(k, robot, company, route), scratch.others);
 }
 
 }  // namespace avo::space

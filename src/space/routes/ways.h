@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -48,14 +49,20 @@ class SpaceWays {
   /// Finds the route of robot k before it decides, where it knows none for this goal and these
   /// boxes. Several threads may ask for different robots at once.
   void look(std::size_t k, const Robot& robot, Vec3 goal, WayScratch& scratch);
-  /// Where robot k heads for. Several threads may ask for different robots at once.
+  /// Where robot k heads for, with what it remembers of its route. Several threads may ask for
+  /// different robots at once.
   SpaceHeading heading(std::size_t k, const Robot& robot, Vec3 goal, double preferred_speed,
-                       const PassageView& company, WayScratch& scratch);
+                       const PassageView& company, SpaceRoute& route, WayScratch& scratch) const;
+  /// Whom robot k lets go first at a passage, where that guides it on that route.
+  [[nodiscard]] std::optional<SpaceWait> wait(std::size_t k, const Robot& robot,
+                                              const PassageView& company, const SpaceRoute& route,
+                                              WayScratch& scratch) const;
 
   /// What robot k remembers of its route; none where it knows no route, nor needs any.
   [[nodiscard]] const SpaceRoute* route(std::size_t k) const {
     return routes_[k].is_searched ? &routes_[k] : nullptr;
   }
+  [[nodiscard]] SpaceRoute& memory(std::size_t k) { return routes_[k]; }
   /// Returns whether a box is between robot k and a goal that it can reach.
   [[nodiscard]] bool is_behind_box(std::size_t k, Vec3 position, Vec3 goal) const;
   [[nodiscard]] const SpacePassages& passages() const { return passages_; }
@@ -65,6 +72,8 @@ class SpaceWays {
   FoundRoute find(Vec3 from, Vec3 goal, double radius, WayScratch& scratch) const;
   void follow(const Robot& robot, Vec3 goal, SpaceRoute& route, WayScratch& scratch) const;
   const FreeCells& cells(double radius) const;
+  static SpaceClaimer claimer_of(std::size_t k, const Robot& robot, const PassageView& company,
+                                 const SpaceRoute& route);
 
   bool has_routes_ = false;
   Solids solids_;

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: Apache-2.0
+// What one robot of space senses now, and where it wants to go, by the functions of a step. No
+// robot moves.
+#include <algorithm>
+#include <cstdint>
+#include <vector>
+
+#include "space/fleet.h"
+
+namespace avo::space {
+namespace {
+
+// Lists the bodies at these places, by ascending numbers.
+void list_neighbors(const Bodies& bodies, std::vector<std::size_t>& places,
+                    Simulation::Perception& seen) {
+  std::sort(places.begin(), places.end(),
+            [&](std::size_t a, std::size_t b) { return bodies.number[a] < bodies.number[b]; });
+  for (const std::size_t place : places) {
+    seen.neighbors.push_back(bodies.neighbor(place));
+    seen.neighbor_ids.push_back({static_cast<std::uint64_t>(bodies.number[place])});
+  }
+}
+
+}  // namespace
+
+Simulation::Perception SpaceFleet::perceive(std::size_t k) {
+  begin_step();
+  SpaceWorker& worker = workers.front();
+  find_boxes(k, worker);
+  const std::size_t runs = cells.around(robots[k].position, worker.runs);
+  sense_movers(k, worker);
+  Simulation::Perception seen{
+      .robot = robots[k], .boxes = worker.boxes, .movers = worker.movers, .detour = detours[k]};
+  for (const std::int32_t box : worker.box_number) {
+    const auto at = static_cast<std::size_t>(box);
+    const std::vector<std::int64_t>& named = scenario.obstacle_of_box;
+    seen.box_ids.push_back({static_cast<std::uint64_t>(at < named.size() ? named[at] : box)});
+  }
+  for (const std::int32_t mover : worker.mover_number)
+    seen.mover_ids.push_back({static_cast<std::uint64_t>(mover)});
+  std::vector<std::size_t> places;
+  if (senses.are_exact()) {
+    for (const Run& run : std::span(worker.runs).first(runs)) {
+      for (std::size_t place = run.first; place < run.last; ++place)
+        if (cells.order()[place] != k && is_in_range(bodies.place_of(place), k))
+          places.push_back(place);
+    }
+    list_neighbors(bodies, places, seen);
+  } else {
+    sense_robots(k, runs, worker);
+    for (std::size_t place = 0; place < worker.scratch.bodies.count; ++place)
+      places.push_back(place);
+    list_neighbors(worker.scratch.bodies, places, seen);
+  }
+  SpaceRoute route = ways.memory(k);
+  const double yielded = route.yielded;
+  const PassageView company = view_of(k, seen.neighbors);
+  seen.guide = head_for_goal(k, seen.neighbors, seen.robot, route, worker.ways);
+  if (seen.guide != Guide::passage) return seen;
+  route.yielded = yielded;
+  if (const auto wait = ways.wait(k, seen.robot, company, route, worker.ways))
+    seen.wait = {wait->passage,
+                 wait->is_claim ? RobotId{wait->robot} : seen.neighbor_ids[wait->robot],
+                 wait->inside};
+  return seen;
+}
+
+}  // namespace avo::space
