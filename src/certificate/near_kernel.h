@@ -48,50 +48,17 @@ void fill(const RobotColumns& robots, const StepLaw& law, BrakingColumns& own) {
   }
 }
 
-/// Queues the selected neighbors of robot i.
-template <bool kUnlike, typename Real>
-AVO_KERNEL void push(const RobotColumns& robots, const BrakingColumns& a, std::size_t i,
-                     const PackRobot<Real>& other, Real neighbor, decltype(Real() < Real()) chosen,
-                     NearQueue& queue) {
-  const std::size_t first = queue.count;
-  const auto all = [first](double value, NearQueue::Column& column) {
-    Real(value).store(&column[first]);
-  };
-  all(static_cast<double>(i), queue.robot);
-  all(robots.x[i], queue.x), all(robots.y[i], queue.y);
-  all(robots.v_x[i], queue.v_x), all(robots.v_y[i], queue.v_y);
-  all(robots.radius[i], queue.radius), all(robots.max_acceleration[i], queue.max_acceleration);
-  all(a.full_steps[i], queue.full_steps), all(a.length[i], queue.length);
-  all(a.direction_x[i], queue.direction_x), all(a.direction_y[i], queue.direction_y);
-  all(a.reach[i], queue.reach), all(a.intervals[i], queue.intervals);
-  all(a.most_ahead[i], queue.most_ahead), all(a.most_aside[i], queue.most_aside);
-  if constexpr (kUnlike) {
-    all(robots.priority[i], queue.priority), all(robots.max_braking[i], queue.max_braking);
-  }
-  const auto some = [&](Real value, NearQueue::Column& column) {
-    return store_chosen(chosen, value, &column[first]);
-  };
-  some(other.position.x, queue.other_x), some(other.position.y, queue.other_y);
-  some(other.velocity.x, queue.other_v_x), some(other.velocity.y, queue.other_v_y);
-  some(other.radius, queue.other_radius),
-      some(other.max_acceleration, queue.other_max_acceleration);
-  if constexpr (kUnlike) {
-    some(other.priority, queue.other_priority), some(other.max_braking, queue.other_max_braking);
-  }
-  queue.count += some(neighbor, queue.neighbor);
-}
-
 template <bool kUnlike, typename Real>
 AVO_KERNEL NearPair lane_of(const PackPair<Real>& pair, const PackClearance<Real>& clearance,
-                            std::size_t lane, double robot, double neighbor) {
+                            std::size_t lane, std::uint32_t robot, std::uint32_t neighbor) {
   const auto number = [lane](Real value) {
     alignas(64) double lanes[Real::kLanes];
     value.store(lanes);
     return lanes[lane];
   };
   const PackBraking<Real>& b = pair.b;
-  return {.robot = static_cast<std::uint32_t>(robot),
-          .neighbor = static_cast<std::uint32_t>(neighbor),
+  return {.robot = robot,
+          .neighbor = neighbor,
           .p = {number(pair.p.x), number(pair.p.y)},
           .contact = number(pair.contact),
           .inflated = number(pair.inflated),
@@ -109,48 +76,63 @@ AVO_KERNEL NearPair lane_of(const PackPair<Real>& pair, const PackClearance<Real
           .against = number(clearance.against)};
 }
 
+/// The limits of braking of all neighbors, m/s².
+template <bool kUnlike>
+const std::vector<double>& braking_limits(const NeighborColumns& columns) {
+  return kUnlike && columns.has_max_braking ? columns.max_braking : columns.max_acceleration;
+}
+
 /// Keeps the pairs of the queue that may meet and can refuse a candidate of A, and empties the
 /// queue.
 template <typename Real, bool kUnlike>
-void judge(const StepLaw& law, NearQueue& queue, std::vector<NearPair>& kept) {
+void judge(const RobotColumns& robots, const StepLaw& law, NearPairs& pairs) {
+  NearQueue& queue = pairs.queue;
+  if (queue.count == 0) return;
   const bool exact = law.is_exact();
+  const BrakingColumns& own = pairs.own;
+  const NeighborColumns& columns = *robots.neighbors[0].columns;
   for (std::size_t i = 0; i < queue.count; i += Real::kLanes) {
-    const auto load = [i](const NearQueue::Column& column) { return Real::load(&column[i]); };
     const auto is_pair = lane_numbers<Real>() < Real(static_cast<double>(queue.count - i));
-    const auto limit_of = [&](const NearQueue::Column& column) {
-      return select(is_pair, load(column), Real(1.0));  // a divisor must not be 0
+    const auto entry = [&](const NearQueue::Column& column) {
+      return select(is_pair, Real::load(&column[i]), Real(0.0));
     };
-    PackRobot<Real> other{
-        {load(queue.other_x), load(queue.other_y)},
-        {load(queue.other_v_x), load(queue.other_v_y)},
-        load(queue.other_radius),
-        limit_of(queue.other_max_acceleration),
-        limit_of(kUnlike ? queue.other_max_braking : queue.other_max_acceleration),
-        load(queue.other_priority)};
+    const auto of = [](Real number) {
+      return [number](const std::vector<double>& column) { return lookup(column.data(), number); };
+    };
+    const auto of_a = of(entry(queue.robot)), of_b = of(entry(queue.place));
+    const PackRobot<Real> self{{of_a(robots.x), of_a(robots.y)},
+                               {of_a(robots.v_x), of_a(robots.v_y)},
+                               of_a(robots.radius),
+                               of_a(robots.max_acceleration),
+                               of_a(kUnlike ? robots.max_braking : robots.max_acceleration),
+                               kUnlike ? of_a(robots.priority) : Real(1.0),
+                               {.profile = {{}, {}, of_a(own.full_steps)},
+                                .increment = {},
+                                .direction = {of_a(own.direction_x), of_a(own.direction_y)},
+                                .length = of_a(own.length),
+                                .reach = of_a(own.reach),
+                                .intervals = of_a(own.intervals)}};
+    PackRobot<Real> other{{of_b(columns.x), of_b(columns.y)},
+                          {of_b(columns.v_x), of_b(columns.v_y)},
+                          of_b(columns.radius),
+                          of_b(columns.max_acceleration),
+                          of_b(braking_limits<kUnlike>(columns)),
+                          kUnlike ? of_b(columns.priority) : Real(1.0)};
     other.braking = braking_of(other.velocity, other.max_acceleration, other.max_braking, law);
-    const PackRobot<Real> self{{load(queue.x), load(queue.y)},
-                               {load(queue.v_x), load(queue.v_y)},
-                               load(queue.radius),
-                               load(queue.max_acceleration),
-                               load(kUnlike ? queue.max_braking : queue.max_acceleration),
-                               load(queue.priority),
-                               {{{}, {}, load(queue.full_steps)},
-                                {},
-                                {load(queue.direction_x), load(queue.direction_y)},
-                                load(queue.length),
-                                load(queue.reach),
-                                load(queue.intervals)}};
     const PackPair<Real> pair = pair_of<kUnlike>(self, other, law);
     const auto apart = pair.distance - (self.braking.reach + pair.b.reach);
     auto chosen = is_pair & !(apart > pair.inflated + pair.error);
     PackClearance<Real> clearance = clearance_of(self, pair, other, law);
     if (!exact) clearance.gap = Real(-std::numeric_limits<double>::infinity());
-    chosen = chosen &
-             !(clearance.gap > clearance.against * load(queue.most_ahead) + load(queue.most_aside));
+    chosen =
+        chosen & !(clearance.gap > clearance.against * of_a(own.most_ahead) + of_a(own.most_aside));
     for (std::uint32_t lanes = bits(chosen); lanes != 0; lanes &= lanes - 1) {
       const auto lane = static_cast<std::size_t>(std::countr_zero(lanes));
-      kept.push_back(
-          lane_of<kUnlike>(pair, clearance, lane, queue.robot[i + lane], queue.neighbor[i + lane]));
+      const auto robot = static_cast<std::uint32_t>(queue.robot[i + lane]);
+      const std::size_t neighbor =
+          static_cast<std::size_t>(queue.place[i + lane]) - robots.neighbors[robot].first;
+      pairs.kept.push_back(
+          lane_of<kUnlike>(pair, clearance, lane, robot, static_cast<std::uint32_t>(neighbor)));
     }
   }
   queue.count = 0;
@@ -186,8 +168,7 @@ AVO_KERNEL bool look_for(const RobotColumns& robots, std::size_t i, const StepLa
                               own.most_ahead[i],
                               exact ? own.most_aside[i] : std::numeric_limits<double>::infinity()};
   const Real zero(0.0);
-  const std::vector<double>& of_braking =
-      kUnlike && columns.has_max_braking ? columns.max_braking : columns.max_acceleration;
+  const std::vector<double>& of_braking = braking_limits<kUnlike>(columns);
   auto others = zero < zero;
   for (std::size_t k = 0; k < neighbors.count; k += Real::kLanes) {
     const auto load = [at = neighbors.first + k](const std::vector<double>& column) {
@@ -211,8 +192,11 @@ AVO_KERNEL bool look_for(const RobotColumns& robots, std::size_t i, const StepLa
       near = near | (counted & prompt & unlike);
     }
     if (any(near)) {
-      push<kUnlike>(robots, own, i, other, Real::numbers_from(k), near, pairs.queue);
-      if (pairs.queue.count >= NearQueue::kSize) judge<Real, kUnlike>(law, pairs.queue, pairs.kept);
+      NearQueue& queue = pairs.queue;
+      Real(static_cast<double>(i)).store(&queue.robot[queue.count]);
+      queue.count +=
+          store_chosen(near, Real::numbers_from(neighbors.first + k), &queue.place[queue.count]);
+      if (queue.count >= NearQueue::kSize) judge<Real, kUnlike>(robots, law, pairs);
     }
     const Vec<Real> p = self.position - other.position;
     if (any(dot(p, p) > range_squared)) break;
@@ -240,7 +224,7 @@ AVO_KERNEL void look_for_all(const RobotColumns& robots, const StepLaw& law, Nea
     const bool has_others = has_discs || look_for<Real, kUnlike>(robots, i, law, pairs);
     pairs.has_others[i] = has_others ? 1 : 0;
   }
-  judge<Real, kUnlike>(law, pairs.queue, pairs.kept);
+  judge<Real, kUnlike>(robots, law, pairs);
 }
 
 template <typename Real>

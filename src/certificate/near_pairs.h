@@ -42,16 +42,9 @@ struct BrakingColumns {
 /// Pairs that are not far, until there are enough of them to fill the lanes.
 struct NearQueue {
   static constexpr std::size_t kSize = 64, kSpare = 16;
-  struct Column : std::array<double, kSize + kSpare> {
-    Column() { fill(1.0); }
-  };
+  using Column = std::array<double, kSize + kSpare>;
   std::size_t count = 0;
-  Column robot, neighbor;  // indices
-  // of A
-  Column x, y, v_x, v_y, radius, max_acceleration, full_steps, direction_x, direction_y, length;
-  Column reach, intervals, most_ahead, most_aside, max_braking, priority;
-  Column other_x, other_y, other_v_x, other_v_y, other_radius, other_max_acceleration,
-      other_max_braking, other_priority;
+  Column robot{}, place{};  ///< indices of A among the robots, and of B in the columns of neighbors
 };
 
 /// A pair that can refuse a candidate of A: see BrakingPair.
@@ -99,7 +92,7 @@ struct NearPairs {
 };
 
 /// Finds each robot's neighbors that decide and have age 0. It keeps the neighbors that may meet
-/// the robot and can refuse a candidate.
+/// the robot and can refuse a candidate. The neighbors of all robots are in the same columns.
 void find_near(const RobotColumns& robots, const StepLaw& law, NearPairs& near);
 
 /// Finds whether robot i may have the next velocity whatever its near pairs demand: the velocity

@@ -59,9 +59,6 @@ class Poison {
   void spoil(double (&lanes)[kCount]) const {
     for (double& lane : lanes) spoil(lane);
   }
-  void spoil(NearQueue::Column& column) const {
-    for (double& entry : column) spoil(entry);
-  }
   // the targets of its pointers no longer exist
   void spoil(std::vector<const NearPair*>& waiting) const {
     for (auto& pair : waiting) pair = nullptr;
@@ -214,13 +211,7 @@ class Poison {
          o.far_speed_squared, o.clear_distance, o.per_decrement, o.next_ahead, o.next_aside,
          o.far_reach);
   }
-  void spoil(NearQueue& queue) const {
-    auto& q = queue;
-    each(q.robot, q.neighbor, q.x, q.y, q.v_x, q.v_y, q.radius, q.max_acceleration, q.full_steps,
-         q.direction_x, q.direction_y, q.length, q.reach, q.intervals, q.most_ahead, q.most_aside,
-         q.max_braking, q.priority, q.other_x, q.other_y, q.other_v_x, q.other_v_y, q.other_radius,
-         q.other_max_acceleration, q.other_max_braking, q.other_priority);
-  }
+  void spoil(NearQueue& queue) const { each(queue.robot, queue.place); }
   void spoil(NearPair& pair) const {
     auto& [robot, neighbor, p, contact, inflated, error, share, b, gap, against] = pair;
     each(robot, neighbor, p, contact, inflated, error, share, b, gap, against);
